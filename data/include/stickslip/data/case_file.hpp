@@ -1,0 +1,55 @@
+#pragma once
+
+/// Cases as TOML files: the tables [beam], [friction], [excitation], [numerics], whose keys are the field
+/// names of problem.hpp. A file holds every key exactly once and no other.
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "stickslip/data/problem.hpp"
+
+namespace stickslip::data {
+
+/// Unusable input: one sentence that names the place (file and line, or the override), the key, the value and
+/// what is allowed.
+class InputError : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
+/// One `table.key=value` that replaces what the file says, or supplies what it lacks.
+struct Override {
+  std::string key;    ///< "beam.length"
+  std::string value;  ///< "1.8", as TOML
+
+  /// Splits "beam.length=1.8". Throws InputError if there is no '=' or either side is empty.
+  static Override parse(std::string_view text);
+};
+
+/// The folder with cases/ and paper/: the environment variable STICKSLIP_DATA if set, else the source tree's
+/// data/.
+[[nodiscard]] std::filesystem::path data_directory();
+
+/// A name of a case in data_directory()/cases (without .toml), or a path to a file, as a path.
+/// Throws InputError, naming the cases there are, if neither exists.
+[[nodiscard]] std::filesystem::path find_case(const std::string& name_or_path);
+
+/// Reads and validates a case, of at most 1 MB; the last override of a key wins. An integer may stand where a
+/// float is expected, but not the other way round. Throws InputError for a file that cannot be read, a syntax
+/// error, an unknown, missing or mistyped key, or a value that the problem types refuse.
+[[nodiscard]] Case read_case(const std::filesystem::path& file, const std::vector<Override>& overrides = {});
+
+/// find_case, then read_case.
+[[nodiscard]] Case load_case(const std::string& name_or_path, const std::vector<Override>& overrides = {});
+
+/// The names of the published cases, sorted, each with the first comment line of its file.
+struct CaseListing {
+  std::string name;
+  std::string title;
+};
+[[nodiscard]] std::vector<CaseListing> list_cases();
+
+}  // namespace stickslip::data

@@ -1,0 +1,144 @@
+#pragma once
+
+/// The problem statement, and nothing that follows from it.
+///
+/// Won, Lee and Chung, "Stick-slip vibration of a cantilever beam subjected to harmonic base excitation",
+/// Nonlinear Dynamics (2018), Sects. 2 and 3. A beam, clamped in a base that moves by h(t), is pressed by an
+/// axial force P against a frictional wall at its other end. Governing equation, for the deflection u
+/// relative to the base:
+///
+///     rho A u_tt + E I u_xxxx + P u_xx = -rho A h_tt,      h(t) = A0 sin(2 pi hz t) (1)
+///
+/// Every quantity is in SI units. Derived quantities (E I, rho A, Omega, mu(v), h(t)) are left to each of the
+/// two implementations on purpose, so that a slip in one of them shows when they are compared.
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace stickslip::data {
+
+/// A value that a problem type refuses, in one sentence: "beam.length is -2, but must be a finite number
+/// above 0 (m)".
+class FieldError : public std::invalid_argument {
+ public:
+  /// `field` is "table.key" of a case file, `value` the text of what was given, `allowed` what may stand
+  /// there.
+  FieldError(std::string_view field, std::string_view value, std::string_view allowed);
+
+  [[nodiscard]] const std::string& field() const noexcept { return field_; }
+
+ private:
+  std::string field_;
+};
+
+/// The shortest decimal text that reads back as the same double: "0.1", "-2", "1e-05", "nan", "inf".
+[[nodiscard]] std::string shortest_text(double value);
+
+/// What a Beam is built from; field names are the keys of the table [beam] in a case file.
+struct BeamProperties {
+  double length{};                 ///< L, m, > 0
+  double area{};                   ///< A, m^2, > 0
+  double second_moment_of_area{};  ///< I, m^4, > 0
+  double density{};                ///< rho, kg/m^3, > 0
+  double youngs_modulus{};         ///< E, Pa, > 0
+  double axial_force{};            ///< P, N, compression positive, any finite value
+};
+
+/// A uniform, slender beam. Cannot be built invalid.
+class Beam {
+ public:
+  /// Throws FieldError.
+  explicit Beam(const BeamProperties& properties);
+
+  [[nodiscard]] double length() const noexcept { return properties_.length; }
+  [[nodiscard]] double area() const noexcept { return properties_.area; }
+  [[nodiscard]] double second_moment_of_area() const noexcept { return properties_.second_moment_of_area; }
+  [[nodiscard]] double density() const noexcept { return properties_.density; }
+  [[nodiscard]] double youngs_modulus() const noexcept { return properties_.youngs_modulus; }
+  [[nodiscard]] double axial_force() const noexcept { return properties_.axial_force; }
+  [[nodiscard]] const BeamProperties& properties() const noexcept { return properties_; }
+
+ private:
+  BeamProperties properties_;
+};
+
+/// What a FrictionLaw is built from; field names are the keys of the table [friction].
+struct FrictionCoefficients {
+  double static_coefficient{};   ///< mu_s, >= 0
+  double kinetic_coefficient{};  ///< mu_m, the limit at high sliding velocity, 0 <= mu_m <= mu_s
+  double decay{};                ///< alpha, s/m, >= 0
+};
+
+/// The exponential friction law of Eq. (7), mu(v) = mu_m + (mu_s - mu_m) exp(-alpha |v|).
+/// Coulomb friction is mu_m = mu_s. Cannot be built invalid.
+class FrictionLaw {
+ public:
+  /// Throws FieldError.
+  explicit FrictionLaw(const FrictionCoefficients& coefficients);
+
+  [[nodiscard]] double static_coefficient() const noexcept { return coefficients_.static_coefficient; }
+  [[nodiscard]] double kinetic_coefficient() const noexcept { return coefficients_.kinetic_coefficient; }
+  [[nodiscard]] double decay() const noexcept { return coefficients_.decay; }
+
+ private:
+  FrictionCoefficients coefficients_;
+};
+
+/// What a HarmonicExcitation is built from; field names are the keys of the table [excitation].
+struct HarmonicMotion {
+  double frequency_hz{};  ///< Hz, > 0
+  double amplitude{};     ///< A0, m, >= 0
+};
+
+/// Harmonic base displacement h(t) = A0 sin(2 pi frequency_hz t). Cannot be built invalid.
+class HarmonicExcitation {
+ public:
+  /// Throws FieldError.
+  explicit HarmonicExcitation(const HarmonicMotion& motion);
+
+  [[nodiscard]] double frequency_hz() const noexcept { return motion_.frequency_hz; }
+  [[nodiscard]] double amplitude() const noexcept { return motion_.amplitude; }
+
+ private:
+  HarmonicMotion motion_;
+};
+
+/// What NumericalSettings are built from; field names are the keys of the table [numerics].
+struct NumericalChoices {
+  int elements{};               ///< number of finite elements, 1 ... 100000
+  double time_step{};           ///< s, > 0
+  double spectral_radius{};     ///< of generalised-alpha at infinite frequency, 0 ... 1
+  double velocity_threshold{};  ///< epsilon of Sect. 3, m/s, >= 0
+  int modes{};                  ///< N of Eq. (21), 1 ... 200
+  double duration{};            ///< s, >= time_step
+};
+
+/// Settings of both implementations. Cannot be built invalid.
+class NumericalSettings {
+ public:
+  /// Throws FieldError.
+  explicit NumericalSettings(const NumericalChoices& choices);
+
+  [[nodiscard]] int elements() const noexcept { return choices_.elements; }
+  [[nodiscard]] double time_step() const noexcept { return choices_.time_step; }
+  [[nodiscard]] double spectral_radius() const noexcept { return choices_.spectral_radius; }
+  [[nodiscard]] double velocity_threshold() const noexcept { return choices_.velocity_threshold; }
+  [[nodiscard]] int modes() const noexcept { return choices_.modes; }
+  [[nodiscard]] double duration() const noexcept { return choices_.duration; }
+  [[nodiscard]] const NumericalChoices& choices() const noexcept { return choices_; }
+
+ private:
+  NumericalChoices choices_;
+};
+
+/// One complete problem with the settings to solve it.
+struct Case {
+  std::string name;
+  Beam beam;
+  FrictionLaw friction;
+  HarmonicExcitation excitation;
+  NumericalSettings numerics;
+};
+
+}  // namespace stickslip::data

@@ -1,0 +1,299 @@
+#include "stickslip/data/case_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <optional>
+#include <system_error>
+#include <utility>
+#include <variant>
+
+#include "toml_file.hpp"
+
+namespace stickslip::data {
+
+namespace {
+
+// What a case file fills in before the problem types check it.
+struct Draft {
+  BeamProperties beam;
+  FrictionCoefficients friction;
+  HarmonicMotion excitation;
+  NumericalChoices numerics;
+};
+
+using Target = std::variant<double*, int*>;
+
+struct Key {
+  std::string_view table;
+  std::string_view name;
+  Target (*target)(Draft&);
+
+  [[nodiscard]] std::string path() const { return std::string(table) + "." + std::string(name); }
+};
+
+template <auto Table, auto Field>
+Target member(Draft& draft) {
+  return &((draft.*Table).*Field);
+}
+
+// Every key of a case file; a further one is one more line here.
+constexpr std::array keys{
+    Key{"beam", "length", member<&Draft::beam, &BeamProperties::length>},
+    Key{"beam", "area", member<&Draft::beam, &BeamProperties::area>},
+    Key{"beam", "second_moment_of_area", member<&Draft::beam, &BeamProperties::second_moment_of_area>},
+    Key{"beam", "density", member<&Draft::beam, &BeamProperties::density>},
+    Key{"beam", "youngs_modulus", member<&Draft::beam, &BeamProperties::youngs_modulus>},
+    Key{"beam", "axial_force", member<&Draft::beam, &BeamProperties::axial_force>},
+    Key{"friction", "static_coefficient",
+        member<&Draft::friction, &FrictionCoefficients::static_coefficient>},
+    Key{"friction", "kinetic_coefficient",
+        member<&Draft::friction, &FrictionCoefficients::kinetic_coefficient>},
+    Key{"friction", "decay", member<&Draft::friction, &FrictionCoefficients::decay>},
+    Key{"excitation", "frequency_hz", member<&Draft::excitation, &HarmonicMotion::frequency_hz>},
+    Key{"excitation", "amplitude", member<&Draft::excitation, &HarmonicMotion::amplitude>},
+    Key{"numerics", "elements", member<&Draft::numerics, &NumericalChoices::elements>},
+    Key{"numerics", "time_step", member<&Draft::numerics, &NumericalChoices::time_step>},
+    Key{"numerics", "spectral_radius", member<&Draft::numerics, &NumericalChoices::spectral_radius>},
+    Key{"numerics", "velocity_threshold", member<&Draft::numerics, &NumericalChoices::velocity_threshold>},
+    Key{"numerics", "modes", member<&Draft::numerics, &NumericalChoices::modes>},
+    Key{"numerics", "duration", member<&Draft::numerics, &NumericalChoices::duration>},
+};
+
+// A value as it was given, and where.
+struct Entry {
+  std::variant<std::int64_t, double, std::string> value;  // a string describes a value that is no number
+  std::string place;                                      // "paper.toml:3" or "override beam.length=1.8"
+};
+
+using Entries = std::map<std::string, Entry>;  // by "table.key"
+
+std::vector<std::string> key_paths() {
+  std::vector<std::string> paths;
+  paths.reserve(keys.size());
+  for (const auto& key : keys) paths.push_back(key.path());
+  return paths;
+}
+
+std::vector<std::string> table_names() {
+  std::vector<std::string> names;
+  for (const auto& key : keys)
+    if (std::ranges::find(names, key.table) == names.end()) names.emplace_back(key.table);
+  return names;
+}
+
+std::vector<std::string> key_names(std::string_view table) {
+  std::vector<std::string> names;
+  for (const auto& key : keys)
+    if (key.table == table) names.emplace_back(key.name);
+  return names;
+}
+
+[[noreturn]] void refuse_unknown_table(const std::string& place, std::string_view name) {
+  throw InputError(place + ": unknown table [" + printable(name) + "]" + suggestion(name, table_names()) +
+                   ", but a case has the tables " + joined(table_names()));
+}
+
+[[noreturn]] void refuse_unknown_key(const std::string& place, const std::string& path,
+                                     const toml::node& value) {
+  const std::string table = path.substr(0, path.find('.'));
+  const auto names = key_names(table);
+  const std::string allowed = names.empty() ? "a case has the tables " + joined(table_names())
+                                            : "[" + table + "] has the keys " + joined(names);
+  throw InputError(place + ": unknown key " + printable(path) + suggestion(path, key_paths()) +
+                   " with the value " + describe(value) + ", but " + allowed);
+}
+
+void require_known_key(const std::string& place, const std::string& path, const toml::node& value) {
+  if (std::ranges::find(keys, path, &Key::path) == keys.end()) refuse_unknown_key(place, path, value);
+}
+
+Entry entry_of(const toml::node& node, std::string place) {
+  if (const auto* integer = node.as_integer()) return {integer->get(), std::move(place)};
+  if (const auto* floating = node.as_floating_point()) return {floating->get(), std::move(place)};
+  return {describe(node), std::move(place)};
+}
+
+void collect_table(const std::filesystem::path& file, std::string_view name, const toml::table& table,
+                   Entries& entries) {
+  for (const auto& [key, value] : table) {
+    const std::string path = std::string(name) + "." + std::string(key.str());
+    const std::string place = place_of(file, value);
+    require_known_key(place, path, value);
+    entries.insert_or_assign(path, entry_of(value, place));
+  }
+}
+
+Entries entries_of_file(const std::filesystem::path& file) {
+  Entries entries;
+  const toml::table document = read_toml(file);
+  const auto tables = table_names();
+  for (const auto& [key, value] : document) {
+    const std::string name(key.str());
+    const std::string place = place_of(file, value);
+    const bool is_known = std::ranges::find(tables, name) != tables.end();
+    if (const auto* table = value.as_table()) {
+      if (!is_known) refuse_unknown_table(place, name);
+      collect_table(file, name, *table, entries);
+    } else if (is_known) {
+      throw InputError(place + ": " + name + " is " + describe(value) + ", but must be a table");
+    } else {
+      refuse_unknown_key(place, name, value);
+    }
+  }
+  return entries;
+}
+
+void apply(const Override& replacement, Entries& entries) {
+  const std::string place = "override " + printable(replacement.key + "=" + replacement.value);
+  if (replacement.value.find_first_of("\r\n") != std::string::npos)
+    throw InputError(place + ": must be one TOML value on one line");
+  try {
+    const toml::table parsed = toml::parse("value = " + replacement.value);
+    const toml::node& value = *parsed.get("value");
+    require_known_key(place, replacement.key, value);
+    entries.insert_or_assign(replacement.key, entry_of(value, place));
+  } catch (const toml::parse_error& error) {
+    throw InputError(place + ": the value is not valid TOML: " + std::string(error.description()));
+  }
+}
+
+std::string text_of(const Entry& entry) {
+  if (const auto* integer = std::get_if<std::int64_t>(&entry.value)) return std::to_string(*integer);
+  if (const auto* floating = std::get_if<double>(&entry.value)) return shortest_text(*floating);
+  return std::get<std::string>(entry.value);
+}
+
+void assign(const Key& key, const Entry& entry, double& field) {
+  if (const auto* floating = std::get_if<double>(&entry.value))
+    field = *floating;
+  else if (const auto* integer = std::get_if<std::int64_t>(&entry.value))
+    field = static_cast<double>(*integer);
+  else
+    throw FieldError(key.path(), text_of(entry), "a number");
+}
+
+void assign(const Key& key, const Entry& entry, int& field) {
+  const auto* integer = std::get_if<std::int64_t>(&entry.value);
+  if (std::holds_alternative<double>(entry.value))
+    throw FieldError(key.path(), text_of(entry) + " (a float)", "an integer");
+  if (integer == nullptr) throw FieldError(key.path(), text_of(entry), "an integer");
+  if (!std::in_range<int>(*integer))
+    throw FieldError(
+        key.path(), text_of(entry),
+        "an integer of at most " + std::to_string(std::numeric_limits<int>::max()) + " in magnitude");
+  field = static_cast<int>(*integer);
+}
+
+const Entry& required_entry(const std::filesystem::path& file, const Key& key, const Entries& entries) {
+  if (const auto found = entries.find(key.path()); found != entries.end()) return found->second;
+  const std::string table(key.table);
+  const bool has_table =
+      std::ranges::any_of(entries, [&](const auto& entry) { return entry.first.starts_with(table + "."); });
+  throw InputError(file.string() + ": " + (has_table ? key.path() : "the table [" + table + "]") +
+                   " is missing, but [" + table + "] must hold " + joined(key_names(key.table)));
+}
+
+Draft draft_of(const std::filesystem::path& file, const Entries& entries) {
+  Draft draft;
+  for (const auto& key : keys) {
+    const Entry& entry = required_entry(file, key, entries);
+    std::visit([&](auto* field) { assign(key, entry, *field); }, key.target(draft));
+  }
+  return draft;
+}
+
+Case case_of(const std::filesystem::path& file, const Entries& entries) {
+  try {
+    const Draft draft = draft_of(file, entries);
+    return {.name = file.stem().string(),
+            .beam = Beam(draft.beam),
+            .friction = FrictionLaw(draft.friction),
+            .excitation = HarmonicExcitation(draft.excitation),
+            .numerics = NumericalSettings(draft.numerics)};
+  } catch (const FieldError& error) {
+    throw InputError(entries.at(error.field()).place + ": " + error.what());
+  }
+}
+
+std::filesystem::path cases_directory() { return data_directory() / "cases"; }
+
+std::filesystem::path published_case(const std::string& name) { return cases_directory() / (name + ".toml"); }
+
+// The text of the first comment line, without the '#'.
+std::string title_of(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);) {
+    if (!line.starts_with('#')) continue;
+    const auto begin = line.find_first_not_of("# \t");
+    return begin == std::string::npos ? "" : line.substr(begin);
+  }
+  return "";
+}
+
+bool is_file(const std::filesystem::path& path) {
+  std::error_code error;
+  return std::filesystem::exists(path, error) && !std::filesystem::is_directory(path, error);
+}
+
+std::string_view trimmed(std::string_view text) {
+  const auto begin = text.find_first_not_of(" \t");
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
+}
+
+}  // namespace
+
+Override Override::parse(std::string_view text) {
+  const auto equals = text.find('=');
+  const std::string_view key = trimmed(text.substr(0, equals));
+  const std::string_view value =
+      equals == std::string_view::npos ? std::string_view{} : trimmed(text.substr(equals + 1));
+  if (key.empty() || value.empty())
+    throw InputError("override " + printable(text) + ": must read table.key=value, as in beam.length=1.8");
+  return {std::string(key), std::string(value)};
+}
+
+std::filesystem::path data_directory() {
+  const char* chosen = std::getenv("STICKSLIP_DATA");
+  return chosen != nullptr && *chosen != '\0' ? chosen : STICKSLIP_DATA_DIRECTORY;
+}
+
+std::filesystem::path find_case(const std::string& name_or_path) {
+  const bool is_name = name_or_path.find('/') == std::string::npos && !name_or_path.empty();
+  if (is_name && is_file(published_case(name_or_path))) return published_case(name_or_path);
+  if (is_file(name_or_path)) return name_or_path;
+  std::vector<std::string> names;
+  for (const auto& listing : list_cases()) names.push_back(listing.name);
+  throw InputError("case " + (name_or_path.empty() ? "\"\"" : printable(name_or_path)) + " is unknown" +
+                   suggestion(name_or_path, names) + ", but must be a file or one of " + joined(names));
+}
+
+Case read_case(const std::filesystem::path& file, const std::vector<Override>& overrides) {
+  Entries entries = entries_of_file(file);
+  for (const auto& replacement : overrides) apply(replacement, entries);
+  return case_of(file, entries);
+}
+
+Case load_case(const std::string& name_or_path, const std::vector<Override>& overrides) {
+  return read_case(find_case(name_or_path), overrides);
+}
+
+std::vector<CaseListing> list_cases() {
+  std::error_code error;
+  std::vector<CaseListing> cases;
+  for (const auto& file : std::filesystem::directory_iterator(cases_directory(), error))
+    if (file.path().extension() == ".toml")
+      cases.push_back({file.path().stem().string(), title_of(file.path())});
+  if (error)
+    throw InputError(cases_directory().string() + ": cannot be listed (" + error.message() +
+                     "); STICKSLIP_DATA must name the folder that holds cases/");
+  std::ranges::sort(cases, {}, &CaseListing::name);
+  return cases;
+}
+
+}  // namespace stickslip::data

@@ -1,0 +1,203 @@
+#include "stickslip/data/paper.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <initializer_list>
+#include <limits>
+#include <stdexcept>
+#include <string_view>
+
+#include "stickslip/data/case_file.hpp"
+#include "toml_file.hpp"
+
+namespace stickslip::data {
+
+namespace {
+
+std::filesystem::path numbers_file() { return data_directory() / "paper" / "printed-numbers.toml"; }
+std::filesystem::path errata_file() { return data_directory() / "paper" / "errata.toml"; }
+
+// One table of an array of tables, whose keys are all known.
+class Record {
+ public:
+  Record(std::filesystem::path file, const toml::table& table, std::initializer_list<std::string_view> known)
+      : file_(std::move(file)), table_(table) {
+    for (const auto& [key, value] : table)
+      if (std::ranges::find(known, key.str()) == known.end())
+        throw InputError(place_of(file_, value) + ": unknown key " + printable(key.str()) +
+                         suggestion(key.str(), {known.begin(), known.end()}));
+  }
+
+  [[nodiscard]] std::string text(std::string_view key) const {
+    const auto value = table_[key].value_exact<std::string>();
+    if (!value || value->empty()) refuse(std::string(key) + " must be a string that is not empty");
+    return *value;
+  }
+
+  [[nodiscard]] double number(std::string_view key) const {
+    const auto value = table_[key].value<double>();
+    if (!value || !std::isfinite(*value)) refuse(std::string(key) + " must be a finite number");
+    return *value;
+  }
+
+  [[nodiscard]] bool flag(std::string_view key) const {
+    const auto value = table_[key].value_exact<bool>();
+    if (!value) refuse(std::string(key) + " must be true or false");
+    return *value;
+  }
+
+  [[nodiscard]] bool has(std::string_view key) const { return table_.contains(key); }
+
+  [[noreturn]] void refuse(const std::string& sentence) const {
+    throw InputError(place_of(file_, table_) + ": " + sentence);
+  }
+
+ private:
+  std::filesystem::path file_;
+  const toml::table& table_;
+};
+
+// What read makes of each table of the array of tables `name`.
+template <class Read>
+auto read_all(const std::filesystem::path& file, std::string_view name,
+              std::initializer_list<std::string_view> known, Read read) {
+  const toml::table document = read_toml(file);
+  const auto* list = document.get_as<toml::array>(name);
+  if (list == nullptr || !list->is_array_of_tables())
+    throw InputError(file.string() + ": must hold tables [[" + std::string(name) + "]]");
+  std::vector<decltype(read(std::declval<const Record&>()))> rows;
+  for (const auto& element : *list) rows.push_back(read(Record(file, *element.as_table(), known)));
+  return rows;
+}
+
+template <class Row>
+void require_unique_ids(const std::filesystem::path& file, const std::vector<Row>& rows) {
+  std::vector<std::string> ids;
+  ids.reserve(rows.size());
+  for (const auto& row : rows) ids.push_back(row.id);
+  std::ranges::sort(ids);
+  if (const auto twice = std::ranges::adjacent_find(ids); twice != ids.end())
+    throw InputError(file.string() + ": the id " + *twice + " stands twice");
+}
+
+// A printed decimal: its value, and half a unit of its last digit.
+struct Decimal {
+  double value{};
+  double half_digit{};
+};
+
+double to_number(const Record& record, std::string_view digits) {
+  double value{};
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc{} || end != digits.data() + digits.size())
+    record.refuse("printed has '" + std::string(digits) + "' where a number is expected");
+  return value;
+}
+
+// "25.0", or a fraction "(1/12)", which is exact.
+Decimal parse_mantissa(const Record& record, std::string_view text) {
+  if (text.starts_with('(') && text.ends_with(')')) {
+    const auto slash = text.find('/');
+    if (slash == std::string_view::npos) record.refuse("printed has brackets without a fraction");
+    return {to_number(record, text.substr(1, slash - 1)) /
+                to_number(record, text.substr(slash + 1, text.size() - slash - 2)),
+            0.0};
+  }
+  const auto point = text.find('.');
+  const auto decimals = point == std::string_view::npos ? 0 : text.size() - point - 1;
+  return {to_number(record, text), 0.5 * std::pow(10.0, -static_cast<double>(decimals))};
+}
+
+// "25.0", "3.03 x 10^4", "(1/12) x 10^-6" or "10^-4".
+Decimal parse_printed(const Record& record, std::string_view text) {
+  constexpr std::string_view times = " x ", ten = "10^";
+  const auto power = text.find(ten);
+  if (power == std::string_view::npos) return parse_mantissa(record, text);
+  const double scale = std::pow(10.0, to_number(record, text.substr(power + ten.size())));
+  if (power == 0) return {scale, 0.5 * scale};
+  if (!text.substr(0, power).ends_with(times)) record.refuse("printed must read like 3.03 x 10^4");
+  const Decimal mantissa = parse_mantissa(record, text.substr(0, power - times.size()));
+  return {mantissa.value * scale, mantissa.half_digit * scale};
+}
+
+PrintedNumber read_printed_number(const Record& record) {
+  const double scale = record.has("scale") ? record.number("scale") : 1.0;
+  PrintedNumber row{.id = record.text("id"),
+                    .value = record.number("value"),
+                    .unit = record.text("unit"),
+                    .printed = record.text("printed"),
+                    .printed_unit = record.text(record.has("printed_unit") ? "printed_unit" : "unit"),
+                    .is_given = record.flag("given"),
+                    .place = record.text("place"),
+                    .meaning = record.text("meaning"),
+                    .erratum = record.has("erratum") ? record.text("erratum") : ""};
+  const Decimal decimal = parse_printed(record, row.printed);
+  row.half_digit = decimal.half_digit * scale;
+  // Three roundings at most separate the two: the power of ten, its product with the mantissa, and the scale.
+  if (std::abs(row.value - decimal.value * scale) >
+      4.0 * std::numeric_limits<double>::epsilon() * std::abs(row.value))
+    record.refuse(row.id + " has the value " + shortest_text(row.value) + ", but its printed digits give " +
+                  shortest_text(decimal.value * scale));
+  return row;
+}
+
+PrintedVerdict read_verdict(const Record& record) {
+  PrintedVerdict row{.frequency_hz = record.number("frequency_hz"),
+                     .amplitude = record.number("amplitude"),
+                     .verdict = record.text("verdict"),
+                     .figure = record.text("figure")};
+  if (row.verdict != "stick" && row.verdict != "stick-slip")
+    record.refuse("verdict is " + printable(row.verdict) + ", but must be stick or stick-slip");
+  return row;
+}
+
+Erratum read_erratum(const Record& record) {
+  return {.id = record.text("id"),
+          .place = record.text("place"),
+          .printed = record.text("printed"),
+          .holds = record.text("holds"),
+          .established = record.text("established")};
+}
+
+Unstated read_unstated(const Record& record) {
+  return {
+      .subject = record.text("subject"), .choice = record.text("choice"), .reason = record.text("reason")};
+}
+
+}  // namespace
+
+std::vector<PrintedNumber> printed_numbers() {
+  auto rows = read_all(
+      numbers_file(), "number",
+      {"id", "value", "unit", "printed", "printed_unit", "scale", "given", "place", "meaning", "erratum"},
+      read_printed_number);
+  require_unique_ids(numbers_file(), rows);
+  return rows;
+}
+
+std::vector<PrintedVerdict> printed_verdicts() {
+  return read_all(numbers_file(), "verdict", {"frequency_hz", "amplitude", "verdict", "figure"},
+                  read_verdict);
+}
+
+std::vector<Erratum> errata() {
+  auto rows =
+      read_all(errata_file(), "erratum", {"id", "place", "printed", "holds", "established"}, read_erratum);
+  require_unique_ids(errata_file(), rows);
+  return rows;
+}
+
+std::vector<Unstated> unstated() {
+  return read_all(errata_file(), "unstated", {"subject", "choice", "reason"}, read_unstated);
+}
+
+PrintedNumber printed_number(const std::string& id) {
+  const auto rows = printed_numbers();
+  const auto found = std::ranges::find(rows, id, &PrintedNumber::id);
+  if (found == rows.end()) throw std::out_of_range("no printed number has the id " + id);
+  return *found;
+}
+
+}  // namespace stickslip::data

@@ -1,0 +1,81 @@
+#include "stickslip/data/problem.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace stickslip::data {
+
+namespace {
+
+void require_finite(std::string_view field, double value, std::string_view unit) {
+  if (std::isfinite(value)) return;
+  throw FieldError(field, shortest_text(value), "a finite number" + std::string(unit));
+}
+
+void require_positive(std::string_view field, double value, std::string_view unit) {
+  if (std::isfinite(value) && value > 0.0) return;
+  throw FieldError(field, shortest_text(value), "a finite number above 0" + std::string(unit));
+}
+
+void require_not_negative(std::string_view field, double value, std::string_view unit) {
+  if (std::isfinite(value) && value >= 0.0) return;
+  throw FieldError(field, shortest_text(value), "a finite number of 0 or more" + std::string(unit));
+}
+
+void require_between(std::string_view field, int value, int lowest, int highest) {
+  if (lowest <= value && value <= highest) return;
+  throw FieldError(field, std::to_string(value),
+                   "an integer from " + std::to_string(lowest) + " to " + std::to_string(highest));
+}
+
+}  // namespace
+
+FieldError::FieldError(std::string_view field, std::string_view value, std::string_view allowed)
+    : std::invalid_argument(std::string(field) + " is " + std::string(value) + ", but must be " +
+                            std::string(allowed)),
+      field_(field) {}
+
+std::string shortest_text(double value) {
+  std::array<char, 32> buffer{};  // the longest shortest text of a double has 24 characters
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  return {buffer.data(), result.ptr};
+}
+
+Beam::Beam(const BeamProperties& properties) : properties_(properties) {
+  require_positive("beam.length", length(), " (m)");
+  require_positive("beam.area", area(), " (m^2)");
+  require_positive("beam.second_moment_of_area", second_moment_of_area(), " (m^4)");
+  require_positive("beam.density", density(), " (kg/m^3)");
+  require_positive("beam.youngs_modulus", youngs_modulus(), " (Pa)");
+  require_finite("beam.axial_force", axial_force(), " (N, compression positive)");
+}
+
+FrictionLaw::FrictionLaw(const FrictionCoefficients& coefficients) : coefficients_(coefficients) {
+  require_not_negative("friction.static_coefficient", static_coefficient(), "");
+  require_not_negative("friction.kinetic_coefficient", kinetic_coefficient(), "");
+  if (kinetic_coefficient() > static_coefficient())
+    throw FieldError("friction.kinetic_coefficient", shortest_text(kinetic_coefficient()),
+                     "at most friction.static_coefficient, which is " + shortest_text(static_coefficient()));
+  require_not_negative("friction.decay", decay(), " (s/m)");
+}
+
+HarmonicExcitation::HarmonicExcitation(const HarmonicMotion& motion) : motion_(motion) {
+  require_positive("excitation.frequency_hz", frequency_hz(), " (Hz)");
+  require_not_negative("excitation.amplitude", amplitude(), " (m)");
+}
+
+NumericalSettings::NumericalSettings(const NumericalChoices& choices) : choices_(choices) {
+  require_between("numerics.elements", elements(), 1, 100000);
+  require_positive("numerics.time_step", time_step(), " (s)");
+  if (!(spectral_radius() >= 0.0 && spectral_radius() <= 1.0))
+    throw FieldError("numerics.spectral_radius", shortest_text(spectral_radius()), "a number from 0 to 1");
+  require_not_negative("numerics.velocity_threshold", velocity_threshold(), " (m/s)");
+  require_between("numerics.modes", modes(), 1, 200);
+  require_positive("numerics.duration", duration(), " (s)");
+  if (duration() < time_step())
+    throw FieldError("numerics.duration", shortest_text(duration()),
+                     "at least numerics.time_step, which is " + shortest_text(time_step()));
+}
+
+}  // namespace stickslip::data
