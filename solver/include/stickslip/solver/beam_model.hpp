@@ -1,0 +1,65 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include "stickslip/data/problem.hpp"
+
+namespace stickslip::solver {
+
+using SparseMatrix = Eigen::SparseMatrix<double>;
+
+/// The beam on a uniform mesh, clamped at x = 0 (those two degrees of freedom are gone), both degrees of
+/// freedom of the tip kept: q = (w_1, theta_1, ..., w_n, theta_n), relative to the base, in m and rad.
+///
+/// Slip state, Eq. (9):    M q_tt + K_slip q  = -b h_tt + e_w f_d,   K_slip = K - P K_G + P e_w e_theta^T
+/// Stick state, Eq. (8):   the same rows without that of w_L, whose motion is prescribed; K_stick = K - P
+/// K_G.
+///
+/// e_w and e_theta pick the tip's deflection and rotation, b = rho A int N dx. The last term of K_slip is the
+/// follower term: the weak form leaves -w(L) (EI u''' + P u') at the tip, and the boundary condition is EI
+/// u''' = -f_d without P u'. It makes K_slip unsymmetric. In both states the friction force on the beam is
+/// the w_L row of the slip-state balance, f_d = [M q_tt + K_slip q + b h_tt]_w = -EI u'''(L).
+class BeamModel {
+ public:
+  /// Throws std::invalid_argument, naming numerics.elements, if elements < 1.
+  BeamModel(const data::Beam& beam, int elements);
+
+  [[nodiscard]] int elements() const noexcept { return elements_; }
+  [[nodiscard]] Eigen::Index degrees_of_freedom() const noexcept { return 2 * Eigen::Index{elements_}; }
+  [[nodiscard]] Eigen::Index tip_deflection() const noexcept { return degrees_of_freedom() - 2; }
+  [[nodiscard]] Eigen::Index tip_rotation() const noexcept { return degrees_of_freedom() - 1; }
+  [[nodiscard]] const data::Beam& beam() const noexcept { return beam_; }
+
+  [[nodiscard]] const SparseMatrix& mass() const noexcept { return mass_; }                      ///< M
+  [[nodiscard]] const SparseMatrix& elastic_stiffness() const noexcept { return elastic_; }      ///< K
+  [[nodiscard]] const SparseMatrix& geometric_stiffness() const noexcept { return geometric_; }  ///< K_G
+  [[nodiscard]] const SparseMatrix& stick_stiffness() const noexcept {
+    return stick_stiffness_;
+  }  ///< K - P K_G
+  [[nodiscard]] const SparseMatrix& slip_stiffness() const noexcept {
+    return slip_stiffness_;
+  }  ///< + follower term
+  /// b = rho A int N dx, kg (and kg m): the load is -b h_tt.
+  [[nodiscard]] const Eigen::VectorXd& base_load() const noexcept { return base_load_; }
+
+  /// Weights w with u_h(x) = w . q, by the shape functions; 0 <= x <= L in m (std::invalid_argument).
+  [[nodiscard]] Eigen::VectorXd interpolation(double x) const;
+
+  /// The static shape for a tip deflection of 1 in the stick state, without load: the finite-element -S(x).
+  /// Throws std::domain_error, naming beam.axial_force, its value and the buckling load, if P is at or over
+  /// it.
+  [[nodiscard]] Eigen::VectorXd unit_tip_deflection() const;
+
+ private:
+  data::Beam beam_;
+  int elements_;
+  SparseMatrix mass_, elastic_, geometric_, stick_stiffness_, slip_stiffness_;
+  Eigen::VectorXd base_load_;
+};
+
+/// Throws std::domain_error, naming beam.axial_force, its value and the buckling load of the mesh, if the
+/// stick state of the model is not stable.
+void require_stable_stick_state(const BeamModel& model);
+
+}  // namespace stickslip::solver

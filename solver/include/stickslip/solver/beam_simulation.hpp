@@ -1,0 +1,77 @@
+#pragma once
+
+#include <optional>
+
+#include "stickslip/data/problem.hpp"
+#include "stickslip/solver/beam_model.hpp"
+#include "stickslip/solver/stick_slip_integrator.hpp"
+
+namespace stickslip::solver {
+
+/// The velocity field at t = 0.
+enum class InitialVelocity {
+  quasi_static,  ///< u_t(x,0) = S(x) h_t(0), S from the mesh: what Eq. (26) of the paper assumes (erratum E4)
+  zero  ///< u_t(x,0) = 0 for x < L, the letter of Sect. 3: an impulsive reaction that grows with the mesh
+};
+
+/// What happens at the tip.
+enum class TipContact {
+  friction,  ///< the contact of the paper
+  glued      ///< the tip never slips: the linear stick state for all time
+};
+
+/// h(t) = A0 sin(2 pi hz t) with its derivatives.
+[[nodiscard]] PrescribedMotion harmonic_motion(const data::HarmonicExcitation& excitation);
+
+/// The beam on a base that moves by h(t), as a system with one contact at the tip. In coordinates that move
+/// with the base the wall moves by -h(t) and the load is -b h_tt. The normal force is P, or zero in tension.
+[[nodiscard]] ContactSystem beam_contact_system(const BeamModel& model, const data::FrictionLaw& friction,
+                                                const PrescribedMotion& base);
+
+/// The beam of the paper by finite elements: built, started at rest relative to the wall and stepped through
+/// time. Displacements are absolute (y = h + u); friction_force() has the sign of Eq. (28), f = EI u'''(L) =
+/// -f_d.
+class BeamSimulation {
+ public:
+  /// Uses elements, time_step, spectral_radius and velocity_threshold of `numerics`. Throws
+  /// std::domain_error, naming beam.axial_force, if P is at or over the buckling load, or if P <= 0 with
+  /// TipContact::friction: without compression there is no contact.
+  BeamSimulation(const data::Beam& beam, const data::FrictionLaw& friction,
+                 const data::HarmonicExcitation& excitation, const data::NumericalSettings& numerics,
+                 TipContact contact = TipContact::friction,
+                 InitialVelocity initial_velocity = InitialVelocity::quasi_static);
+
+  void step() { integrator_.step(); }
+
+  [[nodiscard]] double time() const noexcept { return integrator_.time(); }                 ///< s
+  [[nodiscard]] double base_displacement() const;                                           ///< h, m
+  [[nodiscard]] double displacement(double x) const;                                        ///< y(x), m
+  [[nodiscard]] double tip_displacement() const;                                            ///< y(L), m
+  [[nodiscard]] double midspan_displacement() const;                                        ///< y(L/2), m
+  [[nodiscard]] double sliding_velocity() const { return integrator_.sliding_velocity(); }  ///< y_t(L), m/s
+  [[nodiscard]] double friction_force() const { return -integrator_.friction_force(); }     ///< f, N
+  [[nodiscard]] ContactState state() const noexcept { return integrator_.state(); }
+  [[nodiscard]] const BeamModel& model() const noexcept { return model_; }
+  [[nodiscard]] const StickSlipIntegrator& integrator() const noexcept { return integrator_; }
+
+ private:
+  BeamModel model_;
+  PrescribedMotion base_;
+  StickSlipIntegrator integrator_;
+  Eigen::VectorXd midspan_;
+};
+
+/// The number of whole steps in a duration: round(duration / time_step).
+[[nodiscard]] long step_count(double duration, double time_step);
+
+/// max |f| over the grid times 0 ... duration of a glued run, N: finite-element |f_max| of Eqs. (29), (30).
+[[nodiscard]] double max_abs_friction_force(const data::Beam& beam,
+                                            const data::HarmonicExcitation& excitation,
+                                            const data::NumericalSettings& numerics);
+
+/// The time of the first slip, s, or nothing if the tip stays stuck for numerics.duration().
+[[nodiscard]] std::optional<double> first_slip(const data::Beam& beam, const data::FrictionLaw& friction,
+                                               const data::HarmonicExcitation& excitation,
+                                               const data::NumericalSettings& numerics);
+
+}  // namespace stickslip::solver

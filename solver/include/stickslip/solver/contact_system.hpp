@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+
+#include "stickslip/data/problem.hpp"
+#include "stickslip/solver/beam_model.hpp"
+
+namespace stickslip::solver {
+
+/// A prescribed motion with its exact derivatives.
+struct PrescribedMotion {
+  std::function<double(double)> displacement;  ///< m, of t in s
+  std::function<double(double)> velocity;      ///< m/s
+  std::function<double(double)> acceleration;  ///< m/s^2
+};
+
+/// A linear system with one frictional contact on one degree of freedom c:
+///
+///     M q_tt + C q_t + K q = p s(t) + e_c f_d,        v_s = q_t[c] - w_t(t).
+///
+/// v_s is the sliding velocity relative to a wall that moves by w(t) in the coordinates of q; f_d is the
+/// friction force on the system. Slip: f_d = -sgn(v_s) mu(v_s) N, K = K_slip. Stick: q[c] = q_s + w(t) -
+/// w(t_s), K = K_stick in all rows but that of c; the row of c of the slip-state balance then yields f_d,
+/// which may not exceed mu_s N.
+struct ContactSystem {
+  SparseMatrix mass;                           ///< M, symmetric positive definite
+  SparseMatrix damping;                        ///< C
+  SparseMatrix stick_stiffness;                ///< K_stick
+  SparseMatrix slip_stiffness;                 ///< K_slip, may be unsymmetric
+  Eigen::VectorXd load_shape;                  ///< p
+  std::function<double(double)> load_history;  ///< s, of t in s
+  Eigen::Index contact{};                      ///< c
+  PrescribedMotion wall;                       ///< w
+  double normal_force{};                       ///< N, newton, >= 0
+  data::FrictionLaw friction;
+};
+
+/// mu(v) = mu_m + (mu_s - mu_m) exp(-alpha |v|) of Eq. (7), v in m/s.
+[[nodiscard]] double friction_coefficient(const data::FrictionLaw& law, double sliding_velocity);
+
+}  // namespace stickslip::solver

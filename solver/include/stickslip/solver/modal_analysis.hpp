@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+#include <vector>
+
+#include "stickslip/solver/beam_model.hpp"
+
+namespace stickslip::solver {
+
+/// One natural mode of a mesh.
+struct FiniteElementMode {
+  double angular_frequency{};  ///< rad/s
+  Eigen::VectorXd
+      shape;  ///< all degrees of freedom of the model, phi^T M phi = 1, positive curvature at x = 0
+};
+
+/// The `count` lowest modes of the stick state, (K_stick - omega^2 M) phi = 0 with w_L = 0.
+///
+/// Solved as M phi = mu K phi, mu = 1/omega^2, so that round-off is relative to the lowest mode and not to
+/// the highest. Throws std::invalid_argument if count is not in 1 ... 2 elements - 1, std::domain_error if P
+/// is at or over the buckling load of the mesh.
+[[nodiscard]] std::vector<FiniteElementMode> stick_modes(const BeamModel& model, int count);
+
+/// The `count` lowest eigenvalues omega^2 of the slip state, (K_slip - omega^2 M) phi = 0, rad^2/s^2, by
+/// modulus; complex pairs beyond the flutter load.
+[[nodiscard]] std::vector<std::complex<double>> slip_eigenvalues(const BeamModel& model, int count);
+
+/// The `count` lowest modes of the slip state. Throws std::domain_error, naming beam.axial_force, if one of
+/// them has a complex frequency (flutter).
+[[nodiscard]] std::vector<FiniteElementMode> slip_modes(const BeamModel& model, int count);
+
+/// The lowest axial force, N, at which K - P K_G with w_L = 0 becomes singular.
+[[nodiscard]] double stick_buckling_load(const BeamModel& model);
+
+}  // namespace stickslip::solver

@@ -1,0 +1,166 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseLU>
+#include <memory>
+#include <vector>
+
+#include "stickslip/solver/contact_system.hpp"
+#include "stickslip/solver/generalized_alpha.hpp"
+
+namespace stickslip::solver {
+
+enum class ContactState { stick, slip };
+
+/// A change of the contact.
+struct ContactEvent {
+  enum class Kind {
+    onset,     ///< stick to slip: |f_d| reached mu_s N
+    capture,   ///< slip to stick
+    reversal,  ///< slip to slip in the other direction
+    graze      ///< the sliding velocity touched zero and goes on in the same direction
+  };
+  Kind kind{};
+  double time{};               ///< s
+  double displacement{};       ///< q[c] - w(t): the contact's position on the wall, m
+  double residual_velocity{};  ///< v_s that was left when the event was taken, m/s
+};
+
+struct IntegratorSettings {
+  double time_step{};           ///< h, s, > 0
+  double spectral_radius{};     ///< 0 ... 1
+  double velocity_threshold{};  ///< epsilon, m/s, >= 0: below it a slip that can stick is captured
+  bool glued{};                 ///< the contact never slips, whatever the friction force (linear stick run)
+};
+
+/// Time integration of a ContactSystem by the generalised-alpha method, on the grid t_n = n h, with contact
+/// changes located inside the step.
+///
+/// Stick. The contact moves with the wall, exactly, velocity and acceleration included; in the balance at the
+/// alpha level its motion enters at t_star, so that the other degrees of freedom see a load of second order.
+/// The friction force at t_n follows from the semi-discrete balance alone, f_d = r_q . q + r_v . v + r_s s(t)
+/// + m_c w_tt(t), with influence vectors found once; it is of second order in h, because q and v are, and
+/// costs one scalar product.
+///
+/// Slip. f_d = -d mu(|v_s|) N with the direction d = +-1 of the phase, v_s at the alpha level; a scalar
+/// equation, solved to round-off by Newton's method, since a_(n+1) depends on f_d through one influence
+/// vector.
+///
+/// Changes. |f_d| > mu_s N at the end of a stick step, or d v_s <= 0 at the end of a slip step, is located
+/// inside the step by root finding over the end of a shortened step, which is then taken; the rest of the
+/// grid step follows from there. At v_s = 0 the contact sticks if it can (|f_d| <= mu_s N), else it slips
+/// against the force that holding it would take. A slip that ends a step with |v_s| <= epsilon and can stick
+/// is captured too, as in Sect. 3 of Won, Lee & Chung. The velocity left at a capture is removed by the
+/// impulse at the contact that does it, v <- v - M^-1 e_c m_c v_s with m_c = 1/(e_c . M^-1 e_c):
+/// M-orthogonal, so that kinetic energy in the frame of the wall falls by m_c v_s^2 / 2 and never rises. At a
+/// reversal no velocity is reset.
+///
+/// Restart. After a change (and at t = 0) the method's acceleration is a = (1 - alpha_m) A^-1 r with the
+/// residual r = p s - C v - K q + contact force and the matrix A of a whole step, that is (M + theta h^2
+/// K)^-1 r with theta = (1 - alpha_f) beta/(1 - alpha_m): the balance up to (omega h)^2 for what the step
+/// resolves, and nearly zero for what it does not. The balance itself, or the value carried over from the
+/// shortened step, holds omega^2 q of the stiffest modes, which a spectral radius below 1 turns into a
+/// velocity omega h times too large: on fine meshes the run diverges.
+///
+/// Limits. An excess of |f_d| over mu_s N, or a double sign change of v_s, that begins and ends within one
+/// step is not seen. More than 1000 events in one step, or a state that is not finite, stop the run with
+/// std::runtime_error that says when.
+class StickSlipIntegrator {
+ public:
+  /// Throws std::invalid_argument naming the setting or the part of the system that is unusable.
+  StickSlipIntegrator(ContactSystem system, const IntegratorSettings& settings);
+  ~StickSlipIntegrator();
+  StickSlipIntegrator(const StickSlipIntegrator&) = delete;
+  StickSlipIntegrator& operator=(const StickSlipIntegrator&) = delete;
+
+  /// Starts at t = 0 with the contact stuck; q[c] and v[c] of the arguments are replaced by the wall's. If
+  /// the friction needed exceeds mu_s N at once, the contact slips from the start.
+  void start_stuck(const Eigen::VectorXd& displacement, const Eigen::VectorXd& velocity);
+
+  /// Starts at t = 0 in slip, in the direction of the sliding velocity given (or, where that is zero, against
+  /// the force that holding the contact would take).
+  void start_slipping(const Eigen::VectorXd& displacement, const Eigen::VectorXd& velocity);
+
+  /// From t_n to t_(n+1).
+  void step();
+
+  [[nodiscard]] double time() const noexcept { return time_; }
+  [[nodiscard]] long steps() const noexcept { return steps_; }
+  [[nodiscard]] ContactState state() const noexcept { return state_; }
+  [[nodiscard]] const Eigen::VectorXd& displacement() const noexcept { return now_.displacement; }
+  [[nodiscard]] const Eigen::VectorXd& velocity() const noexcept { return now_.velocity; }
+  /// v_s, m/s; zero in stick.
+  [[nodiscard]] double sliding_velocity() const;
+  /// f_d on the system, N, at time().
+  [[nodiscard]] double friction_force() const;
+  /// The friction force that holding the contact to the wall would take now, N.
+  [[nodiscard]] double holding_force() const;
+  /// q_tt from the semi-discrete balance at time(), of second order in h.
+  [[nodiscard]] Eigen::VectorXd consistent_acceleration() const;
+  /// m_c = 1/(e_c . M^-1 e_c), kg.
+  [[nodiscard]] double contact_mass() const noexcept { return contact_mass_; }
+  [[nodiscard]] const std::vector<ContactEvent>& events() const noexcept { return events_; }
+  [[nodiscard]] const ContactSystem& system() const noexcept { return system_; }
+
+ private:
+  using Cholesky = Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<int>>;
+  using Lu = Eigen::SparseLU<SparseMatrix, Eigen::NaturalOrdering<int>>;
+  struct StepOperator;
+
+  void advance_stick(double end_time);
+  void advance_slip(double end_time);
+  StepOperator& step_operator(double length);
+  const Cholesky& stick_matrix(StepOperator& op) const;
+  const Lu& slip_matrix(StepOperator& op) const;
+  [[nodiscard]] SparseMatrix step_matrix(const StepOperator& op, const SparseMatrix& stiffness) const;
+  const Kinematics& trial(double end_time);
+  void take_stick_step(StepOperator& op, double end_time, Kinematics& state);
+  void take_slip_step(StepOperator& op, Kinematics& state);
+  void accept_trial(double new_time);
+  void add_static_shape(Kinematics& state, double t, double factor) const;
+  void subtract_static_shape_inertia(double t);
+  void subtract_internal_forces(const SparseMatrix& stiffness);
+
+  [[nodiscard]] double location_tolerance() const;
+  [[nodiscard]] double alpha_level_friction(double free_velocity, double mobility) const;
+  [[nodiscard]] double sliding_velocity(const Kinematics& state, double t) const;
+  [[nodiscard]] double holding_force(const Kinematics& state, double t) const;
+  [[nodiscard]] double excess_force(const Kinematics& state, double t) const;
+
+  void start(const Eigen::VectorXd& displacement, const Eigen::VectorXd& velocity);
+  void leave_stick();
+  void settle_at_rest();
+  void stick_here();
+  void restart_acceleration();
+  void record(ContactEvent::Kind kind);
+  void require_finite() const;
+
+  ContactSystem system_;
+  IntegratorSettings settings_;
+  GeneralizedAlpha method_;
+
+  Cholesky mass_;                     // M
+  Cholesky constrained_mass_;         // M with the row and column of c replaced by those of the identity
+  Eigen::VectorXd impulse_response_;  // m_c M^-1 e_c
+  Eigen::VectorXd static_shape_;      // sigma
+  Eigen::VectorXd static_inertia_, static_damping_;  // M sigma, C sigma
+  Eigen::VectorXd holding_q_, holding_v_;            // r_q, r_v
+  double holding_load_{}, contact_mass_{};           // r_s, m_c
+  double static_limit_{};                            // mu_s N
+
+  std::unique_ptr<StepOperator> full_step_, partial_step_;
+  Kinematics alpha_level_, trial_;
+  Eigen::VectorXd residual_, new_acceleration_;
+
+  Kinematics now_;
+  double time_{};
+  long steps_{};
+  ContactState state_{ContactState::stick};
+  double direction_{};    // d of the slip phase
+  double wall_offset_{};  // q_s - w(t_s) of the stick phase
+  int events_in_step_{};
+  std::vector<ContactEvent> events_;
+};
+
+}  // namespace stickslip::solver
