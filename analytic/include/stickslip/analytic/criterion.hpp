@@ -1,0 +1,35 @@
+#pragma once
+
+/// The criterion of stick-slip occurrence, Eqs. (29) and (30): the tip stays stuck over 0 <= t <= duration if
+/// and only if max |f(t)| <= mu_s P, with f the stick-state reaction of Eq. (28).
+
+#include <string_view>
+
+#include "stickslip/analytic/bounds.hpp"
+#include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/data/problem.hpp"
+
+namespace stickslip::analytic {
+
+enum class Verdict { stick, stick_slip };
+
+/// "stick" or "stick-slip".
+[[nodiscard]] std::string_view to_string(Verdict verdict) noexcept;
+
+struct Criterion {
+  Bounds force_max;           ///< max |f|, N, rigorous for the modes kept
+  double friction_limit{};    ///< mu_s P, N
+  Bounds critical_amplitude;  ///< A0 at which max |f| = mu_s P, m; infinite when max |f| is 0 for every
+                              ///< amplitude
+  Verdict verdict{};          ///< stick_slip if force_max.lower > friction_limit, else stick
+};
+
+/// Evaluates the criterion. The reaction is proportional to A0, so one evaluation gives the critical
+/// amplitude whatever excitation.amplitude() is, zero included. Throws std::domain_error, naming
+/// beam.axial_force, unless 0 < P < P_cr: without compression there is no contact.
+[[nodiscard]] Criterion evaluate_criterion(const data::Beam& beam, const data::FrictionLaw& friction,
+                                           const data::HarmonicExcitation& excitation, double duration,
+                                           int modes = 10, SteadyPart steady_part = SteadyPart::modal_sum,
+                                           double relative_width = 1e-10);
+
+}  // namespace stickslip::analytic

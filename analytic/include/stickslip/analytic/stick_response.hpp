@@ -1,0 +1,120 @@
+#pragma once
+
+/// The stick-state response to h(t) = A0 sin(Omega t) in closed form, Eqs. (26)-(28), from rest relative to
+/// the wall: u(x,0) = 0, u_t(x,0) = S(x) h_t(0), which is what Eq. (26) assumes (erratum E4).
+///
+///     u(x,t) = A0 { S(x) sin(Omega t) + sum_n U_n(x) Omega^2 C_n g_n(t) },    y = h + u               (27)
+///     f(t)   = EI u'''(L,t)                                                                           (28)
+///     g_n(t) = (omega_n sin(Omega t) - Omega sin(omega_n t)) / ((Omega^2 - omega_n^2) omega_n)        (26)
+///
+/// Where Omega and omega_n are close, g_n is evaluated as [omega_n t cos((Omega + omega_n) t/2)
+/// sinc((Omega - omega_n) t/2) - sin(omega_n t)]/((Omega + omega_n) omega_n), with sinc(y) = sin(y)/y: the
+/// same function without the 0/0 at resonance, where it grows with t.
+
+#include <vector>
+
+#include "stickslip/analytic/bounds.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/data/problem.hpp"
+
+namespace stickslip::analytic {
+
+/// How the part that oscillates at Omega is summed.
+enum class SteadyPart {
+  /// N terms, as the paper does. f is off by about half its first omitted term at Omega, O(N^-2), with a sign
+  /// that alternates with N.
+  modal_sum,
+  /// Without truncation. The absolute steady shape Y = 1 + u/A0 solves Y'''' + p Y'' = k Y at k = rho A
+  /// Omega^2/EI with Y(0) = 1, Y'(0) = 0, Y(L) = Y''(L) = 0:
+  ///
+  ///     Y = [bb cos(bb) sinh(b eta)/sinh(b) - b coth(b) sin(bb eta)] / [bb cos(bb) - b coth(b) sin(bb)].
+  ///
+  /// What it has beyond the N terms is analytic in Omega up to omega_(N+1) and is taken as its mean over a
+  /// circle in the complex Omega plane, so that nothing is lost at resonance. Only the free vibrations n > N
+  /// are left out: u_t(x,0) misses their share of S(x) h_t(0).
+  exact
+};
+
+/// One sinusoid a sin(w t) of a force or displacement history.
+struct Sinusoid {
+  double amplitude{};          ///< a
+  double angular_frequency{};  ///< w, rad/s
+};
+
+/// The response of one beam to one harmonic excitation, with N modes. Accuracy: round-off times the condition
+/// number of the modes, and times omega_n t for the phase of the free vibrations; then what the truncation of
+/// the sums leaves (SteadyPart, omitted_transient_bound).
+class StickResponse {
+ public:
+  /// Throws what stick_modes() throws, and std::invalid_argument, naming numerics.modes, if
+  /// SteadyPart::exact is asked for with omega_N < 2 Omega.
+  StickResponse(const data::Beam& beam, const data::HarmonicExcitation& excitation, int modes = 10,
+                SteadyPart steady_part = SteadyPart::modal_sum);
+
+  [[nodiscard]] double base_displacement(double t) const;                ///< h(t), m
+  [[nodiscard]] double relative_displacement(double x, double t) const;  ///< u(x,t), m; 0 <= x <= L, t >= 0
+  [[nodiscard]] double absolute_displacement(double x, double t) const;  ///< y = h + u, m
+  [[nodiscard]] double friction_force(double t) const;  ///< f(t) = EI u'''(L,t), N, sign of Eq. (28)
+
+  /// Amplitude of the part of f at Omega, N: EI A0 [S'''(L) + sum U_n'''(L) Omega^2 C_n/(Omega^2 -
+  /// omega_n^2)], or its exact limit. Infinite where Omega equals a natural frequency, unless A0 = 0.
+  [[nodiscard]] double steady_force_amplitude() const;
+  /// The free vibrations in f, one per mode: -EI A0 U_n'''(L) Omega^3 C_n / ((Omega^2 - omega_n^2) omega_n)
+  /// at omega_n. Their amplitudes fall as n^-4.
+  [[nodiscard]] std::vector<Sinusoid> transient_force() const;
+  /// As steady_force_amplitude and transient_force, for u(x, .).
+  [[nodiscard]] double steady_displacement_amplitude(double x) const;
+  [[nodiscard]] std::vector<Sinusoid> transient_displacement(double x) const;
+
+  /// Bounds of max |f(t)| over 0 <= t <= duration, rigorous for the N modes kept at their computed
+  /// frequencies.
+  ///
+  /// On an interval of length h the maximum exceeds the larger end value by at most (h^2/8) max|f''|, and
+  /// max|f''| <= sum |a_i| w_i^2; a mode in resonance, whose two amplitudes are large and opposite, counts
+  /// instead with |g_n''| <= Omega (Omega t + 1)/(Omega + omega_n). Intervals whose bound does not exceed the
+  /// best value found are dropped, the others are halved, until upper - lower <= relative_width * lower.
+  /// Throws std::invalid_argument unless duration > 0 (numerics.duration) and 1e-13 <= relative_width < 1, or
+  /// if the first division already needs more than 1e9 intervals.
+  [[nodiscard]] Bounds max_abs_friction_force(double duration, double relative_width = 1e-10) const;
+
+  /// The same from samples at t = i * sampling_step and t = duration only: lower is the largest sample, upper
+  /// adds (sampling_step^2/8) max|f''|. Throws std::invalid_argument unless duration > 0, sampling_step > 0
+  /// and duration <= 1e9 sampling_step.
+  [[nodiscard]] Bounds sampled_max_abs_friction_force(double duration, double sampling_step) const;
+
+  /// Bound of what the omitted free vibrations n > N can add to f at any time, N: the tail of
+  /// transient_force()'s amplitudes, extrapolated by their n^-4 law from the last mode kept and doubled,
+  /// 2 |a_N| N/3. Infinite unless the law is reached: Omega < omega_N and |P| L^2/EI < (betabar_N L)^2.
+  [[nodiscard]] double omitted_transient_bound() const;
+
+  [[nodiscard]] const std::vector<StickMode>& modes() const noexcept { return modes_; }
+  [[nodiscard]] SteadyPart steady_part() const noexcept { return steady_part_; }
+
+ private:
+  // A history per unit A0: base sin(Omega t) + sum_n weights[n] g_n(t).
+  struct History {
+    double base{};
+    std::vector<double> weights;
+  };
+
+  [[nodiscard]] History displacement_history(double x) const;
+  [[nodiscard]] double evaluate(const History& history, double t) const;
+  [[nodiscard]] double steady_amplitude(const History& history) const;
+  [[nodiscard]] std::vector<Sinusoid> transient(const History& history) const;
+  [[nodiscard]] double second_derivative_bound(const History& history, double duration) const;
+  template <class ExactAmplitude>
+  [[nodiscard]] double steady_remainder(const History& history, const ExactAmplitude& exact_amplitude) const;
+
+  double length_{};
+  double bending_stiffness_{};
+  double mass_per_length_{};
+  double load_factor_{};  // P L^2/EI
+  double amplitude_{};    // A0
+  double omega_{};        // Omega, rad/s
+  SteadyPart steady_part_;
+  QuasiStaticShape quasi_static_;
+  std::vector<StickMode> modes_;
+  History force_;  // N per metre of A0
+};
+
+}  // namespace stickslip::analytic

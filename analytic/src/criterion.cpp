@@ -1,0 +1,48 @@
+#include "stickslip/analytic/criterion.hpp"
+
+#include <limits>
+#include <stdexcept>
+
+#include "messages.hpp"
+
+namespace stickslip::analytic {
+namespace {
+
+void require_contact(const data::Beam& beam) {
+  if (beam.axial_force() > 0.0 && beam.axial_force() < stick_buckling_load(beam)) return;
+  throw std::domain_error(refusal("beam.axial_force", beam.axial_force(),
+                                  "positive, to press the tip against the wall, and below the buckling load "
+                                  "of the stick state, " +
+                                      digits(stick_buckling_load(beam)) + " N"));
+}
+
+/// The amplitude at which a force that is `per_unit` at amplitude 1 reaches `limit`.
+double amplitude_at(double limit, double per_unit) {
+  return per_unit > 0.0 ? limit / per_unit : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+std::string_view to_string(Verdict verdict) noexcept {
+  return verdict == Verdict::stick ? "stick" : "stick-slip";
+}
+
+Criterion evaluate_criterion(const data::Beam& beam, const data::FrictionLaw& friction,
+                             const data::HarmonicExcitation& excitation, double duration, int modes,
+                             SteadyPart steady_part, double relative_width) {
+  require_contact(beam);
+  const data::HarmonicExcitation unit({.frequency_hz = excitation.frequency_hz(), .amplitude = 1.0});
+  const Bounds per_unit =
+      StickResponse(beam, unit, modes, steady_part).max_abs_friction_force(duration, relative_width);
+
+  Criterion criterion;
+  criterion.friction_limit = friction.static_coefficient() * beam.axial_force();
+  criterion.force_max = {excitation.amplitude() * per_unit.lower, excitation.amplitude() * per_unit.upper};
+  criterion.critical_amplitude = {amplitude_at(criterion.friction_limit, per_unit.upper),
+                                  amplitude_at(criterion.friction_limit, per_unit.lower)};
+  criterion.verdict =
+      criterion.force_max.lower > criterion.friction_limit ? Verdict::stick_slip : Verdict::stick;
+  return criterion;
+}
+
+}  // namespace stickslip::analytic

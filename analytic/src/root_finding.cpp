@@ -1,0 +1,122 @@
+#include "root_finding.hpp"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_min.h>
+#include <gsl/gsl_roots.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <stdexcept>
+#include <string>
+
+#include "messages.hpp"
+
+namespace stickslip::analytic {
+namespace {
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr int kMaximumIterations = 500;
+
+/// Turns off GSL's aborting error handler while at least one instance lives, in whatever thread, and then
+/// puts back the handler that was there before the first.
+class StatusInsteadOfAbort {
+ public:
+  StatusInsteadOfAbort() {
+    const std::lock_guard lock(mutex_);
+    if (instances_++ == 0) previous_ = gsl_set_error_handler_off();
+  }
+  ~StatusInsteadOfAbort() {
+    const std::lock_guard lock(mutex_);
+    if (--instances_ == 0) gsl_set_error_handler(previous_);
+  }
+  StatusInsteadOfAbort(const StatusInsteadOfAbort&) = delete;
+  StatusInsteadOfAbort& operator=(const StatusInsteadOfAbort&) = delete;
+
+ private:
+  static inline std::mutex mutex_;
+  static inline int instances_ = 0;
+  static inline gsl_error_handler_t* previous_ = nullptr;
+};
+
+struct Release {
+  void operator()(gsl_root_fsolver* handle) const { gsl_root_fsolver_free(handle); }
+  void operator()(gsl_root_fdfsolver* handle) const { gsl_root_fdfsolver_free(handle); }
+  void operator()(gsl_min_fminimizer* handle) const { gsl_min_fminimizer_free(handle); }
+};
+
+template <class Handle>
+using Owner = std::unique_ptr<Handle, Release>;
+
+void require_success(int status, const std::string& where) {
+  if (status != GSL_SUCCESS) throw std::runtime_error(where + ": " + gsl_strerror(status) + ".");
+}
+
+std::string located(const std::string& method, Interval interval) {
+  return method + " between " + digits(interval.lower) + " and " + digits(interval.upper);
+}
+
+[[noreturn]] void throw_not_converged(const std::string& where) {
+  throw std::runtime_error(where + ": no convergence in " + std::to_string(kMaximumIterations) +
+                           " iterations.");
+}
+
+}  // namespace
+
+double brent_root(gsl_function function, Interval bracket, double relative_tolerance) {
+  const StatusInsteadOfAbort guard;
+  const std::string where = located("Brent's root finder", bracket);
+  const Owner<gsl_root_fsolver> solver(gsl_root_fsolver_alloc(gsl_root_fsolver_brent));
+  require_success(gsl_root_fsolver_set(solver.get(), &function, bracket.lower, bracket.upper), where);
+  for (int i = 0; i < kMaximumIterations; ++i) {
+    require_success(gsl_root_fsolver_iterate(solver.get()), where);
+    const double lower = gsl_root_fsolver_x_lower(solver.get());
+    const double upper = gsl_root_fsolver_x_upper(solver.get());
+    if (upper - lower <= relative_tolerance * std::abs(upper)) return gsl_root_fsolver_root(solver.get());
+  }
+  throw_not_converged(where);
+}
+
+double newton_polished_root(gsl_function_fdf function, Interval bracket) {
+  const gsl_function value_only{function.f, function.params};
+  double root = brent_root(value_only, bracket, 1e-6);
+
+  const StatusInsteadOfAbort guard;
+  const std::string where = located("Newton's root finder", bracket);
+  const Owner<gsl_root_fdfsolver> solver(gsl_root_fdfsolver_alloc(gsl_root_fdfsolver_newton));
+  require_success(gsl_root_fdfsolver_set(solver.get(), &function, root), where);
+  double last_step = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kMaximumIterations; ++i) {
+    require_success(gsl_root_fdfsolver_iterate(solver.get()), where);
+    const double next = gsl_root_fdfsolver_root(solver.get());
+    if (!(next >= bracket.lower && next <= bracket.upper))
+      throw std::runtime_error(where + ": the iterate " + digits(next) + " left the bracket.");
+    const double step = std::abs(next - root);
+    // Steps shrink quadratically until round-off makes them wander.
+    if (step >= last_step) return root;
+    if (step <= kEpsilon * std::abs(next)) return next;
+    root = next;
+    last_step = step;
+  }
+  throw_not_converged(where);
+}
+
+Minimum brent_minimum(gsl_function function, Interval interval, double guess) {
+  const StatusInsteadOfAbort guard;
+  const std::string where = located("Brent's minimiser", interval);
+  const Owner<gsl_min_fminimizer> solver(gsl_min_fminimizer_alloc(gsl_min_fminimizer_brent));
+  require_success(gsl_min_fminimizer_set(solver.get(), &function, guess, interval.lower, interval.upper),
+                  where);
+  for (int i = 0; i < kMaximumIterations; ++i) {
+    require_success(gsl_min_fminimizer_iterate(solver.get()), where);
+    const double lower = gsl_min_fminimizer_x_lower(solver.get());
+    const double upper = gsl_min_fminimizer_x_upper(solver.get());
+    // The method itself does not step closer than sqrt(eps).
+    if (upper - lower <= 8.0 * GSL_SQRT_DBL_EPSILON * std::abs(upper))
+      return {gsl_min_fminimizer_x_minimum(solver.get()), gsl_min_fminimizer_f_minimum(solver.get())};
+  }
+  throw_not_converged(where);
+}
+
+}  // namespace stickslip::analytic

@@ -1,0 +1,146 @@
+#include "stickslip/analytic/slip_modes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "beam_constants.hpp"
+#include "messages.hpp"
+#include "root_finding.hpp"
+#include "wave_numbers.hpp"
+
+namespace stickslip::analytic {
+namespace {
+
+using std::numbers::pi;
+
+/// P L^2/EI of the strongest tension for which exp(-b) in the first mode can still be represented.
+constexpr double kStrongestTension = -1e5;
+
+/// Below the smaller wave number of every mode (about 1e-67 in the first one at the strongest tension), and
+/// large enough for its fourth power: at P = 0 the characteristic function vanishes at 0 itself.
+constexpr double kBelowEveryRoot = 1e-70;
+
+/// Left side of the characteristic equation divided by cosh(b), with b^4 + bb^4 = z^2 + 2 b^2 bb^2.
+double characteristic(WaveNumbers wave_numbers, double z) {
+  const auto [b, bb] = wave_numbers;
+  const double decaying = std::exp(-b), product = b * bb;
+  const double sech = 2.0 * decaying / (1.0 + decaying * decaying);
+  return z * z * sech + product * (2.0 * product * (sech + std::cos(bb)) + z * std::tanh(b) * std::sin(bb));
+}
+
+/// The characteristic function over the smaller wave number, where modes 2 pair - 1 and 2 pair lie:
+/// (2 pair - 2) pi < bb < 2 pair pi.
+class PairCharacteristic {
+ public:
+  PairCharacteristic(int pair, double z)
+      : z_(z),
+        interval_{std::max(kBelowEveryRoot, smaller_wave_number((2.0 * pair - 2.0) * pi, z)),
+                  smaller_wave_number(2.0 * pair * pi, z)} {}
+
+  double operator()(double smaller) const {
+    return characteristic(wave_numbers_from_smaller(smaller, z_), z_);
+  }
+
+  [[nodiscard]] Interval interval() const { return interval_; }
+
+  /// The least value in the interval: a scan finds its neighbourhood, Brent's method the rest.
+  [[nodiscard]] Minimum minimum() const {
+    constexpr int kSteps = 64;
+    const auto node = [this](int i) {
+      return interval_.lower + (interval_.upper - interval_.lower) * i / kSteps;
+    };
+    int least = 1;
+    for (int i = 2; i < kSteps; ++i)
+      if ((*this)(node(i)) < (*this)(node(least))) least = i;
+    return brent_minimum(as_gsl_function(*this), {node(least - 1), node(least + 1)}, node(least));
+  }
+
+  /// The two roots, or nothing if they have become complex.
+  [[nodiscard]] std::optional<std::pair<double, double>> roots() const {
+    constexpr double kTolerance = 4.0 * std::numeric_limits<double>::epsilon();
+    const Minimum between = minimum();
+    if (between.value >= 0.0) return std::nullopt;
+    const gsl_function function = as_gsl_function(*this);
+    return std::pair{brent_root(function, {interval_.lower, between.argument}, kTolerance),
+                     brent_root(function, {between.argument, interval_.upper}, kTolerance)};
+  }
+
+ private:
+  double z_;
+  Interval interval_;
+};
+
+[[noreturn]] void throw_outside_range(const data::Beam& beam) {
+  const double unit = bending_stiffness(beam) / (beam.length() * beam.length());
+  throw std::domain_error(refusal("beam.axial_force", beam.axial_force(),
+                                  "below the flutter load of the slip state, " + digits(flutter_load(beam)) +
+                                      " N, and not below " + digits(kStrongestTension * unit) + " N"));
+}
+
+}  // namespace
+
+double slip_characteristic(const data::Beam& beam, double omega) {
+  const double length = beam.length(), z = axial_load_factor(beam);
+  const double scaled = omega * length * length * std::sqrt(mass_per_length(beam) / bending_stiffness(beam));
+  return characteristic(wave_numbers_at(scaled, z), z);
+}
+
+double flutter_load(const data::Beam& beam) {
+  const auto least_value = [](double z) { return PairCharacteristic(1, z).minimum().value; };
+  const double z = brent_root(as_gsl_function(least_value), {15.0, 25.0}, 1e-13);
+  return z * bending_stiffness(beam) / (beam.length() * beam.length());
+}
+
+SlipMode::SlipMode(const data::Beam& beam, int number, double b, double bb)
+    : number_(number),
+      length_(beam.length()),
+      b_(b),
+      bb_(bb),
+      angular_frequency_(std::sqrt(bending_stiffness(beam) / mass_per_length(beam)) * b * bb /
+                         (length_ * length_)) {
+  const double e = std::exp(-b), c = std::cos(bb), s = std::sin(bb);
+  // W(0) = W'(0) = 0 give the trigonometric weights, W''(L) = 0 the ratio of the exponential ones.
+  left_weight_ = b * b + bb * (bb * c + b * s) * e;
+  right_weight_ = -(b * b * e + bb * (bb * c - b * s));
+  cos_weight_ = -(left_weight_ + right_weight_ * e);
+  sin_weight_ = b / bb * (left_weight_ - right_weight_ * e);
+  const double tip = shape(length_);
+  for (double* weight : {&left_weight_, &right_weight_, &cos_weight_, &sin_weight_}) *weight /= tip;
+}
+
+double SlipMode::hyperbolic_wave_number() const noexcept { return b_ / length_; }
+
+double SlipMode::trigonometric_wave_number() const noexcept { return bb_ / length_; }
+
+double SlipMode::frequency_hz() const noexcept { return angular_frequency_ / (2.0 * pi); }
+
+double SlipMode::shape(double x) const {
+  const double xi = x / length_;
+  return left_weight_ * std::exp(-b_ * xi) + right_weight_ * std::exp(-b_ * (1.0 - xi)) +
+         cos_weight_ * std::cos(bb_ * xi) + sin_weight_ * std::sin(bb_ * xi);
+}
+
+std::vector<SlipMode> slip_modes(const data::Beam& beam, int count) {
+  if (count < 1 || count > 1000) throw std::invalid_argument(refusal("numerics.modes", count, "1 ... 1000"));
+  const double z = axial_load_factor(beam);
+  if (z < kStrongestTension || beam.axial_force() >= flutter_load(beam)) throw_outside_range(beam);
+
+  std::vector<SlipMode> modes;
+  modes.reserve(static_cast<std::size_t>(count) + 1);
+  for (int pair = 1; 2 * pair - 1 <= count; ++pair) {
+    const auto roots = PairCharacteristic(pair, z).roots();
+    if (!roots) throw_outside_range(beam);
+    for (const auto& [number, smaller] : {std::pair{2 * pair - 1, roots->first}, {2 * pair, roots->second}}) {
+      const auto [b, bb] = wave_numbers_from_smaller(smaller, z);
+      if (number <= count) modes.push_back(SlipMode(beam, number, b, bb));
+    }
+  }
+  return modes;
+}
+
+}  // namespace stickslip::analytic

@@ -1,0 +1,329 @@
+#include "stickslip/analytic/stick_response.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include "beam_constants.hpp"
+#include "messages.hpp"
+
+namespace stickslip::analytic {
+namespace {
+
+using std::numbers::pi;
+using Complex = std::complex<double>;
+
+/// sin(y)/y.
+double sinc(double y) { return y == 0.0 ? 1.0 : std::sin(y) / y; }
+
+/// g_n(t) of Eq. (26), given sin(Omega t): as it stands where the frequencies are well apart, since the phase
+/// omega_n t of a high mode, known to omega_n t eps, then enters with its small amplitude only; else in the
+/// form without 0/0.
+double modal_coordinate(double excitation, double natural, double t, double sine_of_excitation) {
+  const double sum = excitation + natural, difference = excitation - natural;
+  const double sine = std::sin(natural * t);
+  if (std::abs(difference) > 0.25 * sum)
+    return (natural * sine_of_excitation - excitation * sine) / (sum * difference * natural);
+  return (natural * t * std::cos(0.5 * sum * t) * sinc(0.5 * difference * t) - sine) / (sum * natural);
+}
+
+/// sinh(b eta)/sinh(b), 0 <= eta <= 1, for complex b with a real part that is not negative.
+Complex sinh_ratio(Complex b, double eta) {
+  if (std::abs(b) < 1.0) return std::sinh(b * eta) / std::sinh(b);
+  return std::exp(-b * (1.0 - eta)) * (1.0 - std::exp(-2.0 * b * eta)) / (1.0 - std::exp(-2.0 * b));
+}
+
+/// The absolute steady shape Y of SteadyPart::exact at one complex frequency. Numerator and denominator are
+/// divided by bb, and the larger wave number comes first, as in wave_numbers_at(), so that neither k -> 0 in
+/// compression nor in tension divides 0 by 0.
+class SteadyShape {
+ public:
+  /// scaled_frequency = omega L^2 sqrt(rho A/EI), not 0; load_factor = P L^2/EI.
+  SteadyShape(Complex scaled_frequency, double load_factor) {
+    const double half = 0.5 * load_factor;
+    const Complex root = std::sqrt(half * half + scaled_frequency * scaled_frequency);
+    const Complex larger = std::sqrt(std::abs(half) + root), smaller = scaled_frequency / larger;
+    b_ = load_factor > 0.0 ? smaller : larger;
+    bb_ = load_factor > 0.0 ? larger : smaller;
+    if (b_.real() < 0.0) b_ = -b_;
+    q_ = b_ / std::tanh(b_);
+    determinant_ = std::cos(bb_) - q_ * std::sin(bb_) / bb_;
+  }
+
+  /// Y, dimensionless.
+  [[nodiscard]] Complex value(double eta) const {
+    return (std::cos(bb_) * sinh_ratio(b_, eta) - q_ * std::sin(bb_ * eta) / bb_) / determinant_;
+  }
+
+  /// L^3 Y'''(L), dimensionless.
+  [[nodiscard]] Complex third_derivative_at_tip() const {
+    const Complex inverse_sinh = 2.0 * std::exp(-b_) / (1.0 - std::exp(-2.0 * b_));
+    return -(std::cos(bb_) * b_ * b_ * b_ * inverse_sinh + q_ * bb_ * bb_) / determinant_;
+  }
+
+ private:
+  Complex b_, bb_, q_, determinant_;  // q = b coth(b)
+};
+
+void require_positive(std::string_view field, double value) {
+  if (!(value > 0.0 && std::isfinite(value)))
+    throw std::invalid_argument(refusal(field, value, "positive and finite"));
+}
+
+/// How many equal intervals a history is divided into, refused where that would never end.
+std::int64_t interval_count(double duration, double step) {
+  constexpr double kMost = 1e9;
+  const double count = std::ceil(duration / step);
+  if (!(count <= kMost))
+    throw std::invalid_argument(
+        refusal("numerics.duration", duration, "at most " + digits(kMost * step) + " s, a billion samples"));
+  return std::max<std::int64_t>(1, static_cast<std::int64_t>(count));
+}
+
+/// A0 times an amplitude per unit A0, which may be infinite at resonance; A0 = 0 moves nothing even there.
+double scaled_by(double amplitude, double per_unit) { return amplitude == 0.0 ? 0.0 : amplitude * per_unit; }
+
+/// Encloses the maximum of |f| over [0, duration] by interval halving; `curvature` bounds |f''|.
+class MaximumSearch {
+ public:
+  using Function = std::function<double(double)>;
+
+  MaximumSearch(Function magnitude, double duration, double curvature, std::int64_t intervals)
+      : magnitude_(std::move(magnitude)), duration_(duration), curvature_(curvature), intervals_(intervals) {
+    double left = sample(0);
+    for (std::int64_t i = 0; i < intervals; ++i) {
+      const double right = sample(i + 1);
+      keep_if_promising({i, left, right});
+      left = right;
+    }
+  }
+
+  [[nodiscard]] Bounds refined_to(double relative_width) {
+    while (excess() > relative_width * lower_) {
+      if (segments_.empty()) return {lower_, lower_};
+      halve();
+    }
+    return {lower_, lower_ + excess()};
+  }
+
+ private:
+  struct Segment {
+    std::int64_t index;  // of intervals_ equal ones
+    double left, right;  // |f| at its ends
+    [[nodiscard]] double larger() const { return std::max(left, right); }
+  };
+
+  /// What |f| can exceed the larger end value by.
+  [[nodiscard]] double excess() const {
+    const double h = duration_ / static_cast<double>(intervals_);
+    return curvature_ * h * h / 8.0;
+  }
+
+  void keep_if_promising(const Segment& segment) {
+    if (segment.larger() + excess() > lower_) segments_.push_back(segment);
+  }
+
+  double sample(std::int64_t index) {
+    const double value =
+        magnitude_(duration_ * (static_cast<double>(index) / static_cast<double>(intervals_)));
+    lower_ = std::max(lower_, value);
+    return value;
+  }
+
+  void halve() {
+    intervals_ *= 2;
+    const std::vector<Segment> parents = std::exchange(segments_, {});
+    for (const Segment& s : parents) {
+      const double middle = sample(2 * s.index + 1);
+      keep_if_promising({2 * s.index, s.left, middle});
+      keep_if_promising({2 * s.index + 1, middle, s.right});
+    }
+  }
+
+  Function magnitude_;
+  double duration_;
+  double curvature_;
+  std::int64_t intervals_;
+  double lower_ = 0.0;
+  std::vector<Segment> segments_;
+};
+
+}  // namespace
+
+StickResponse::StickResponse(const data::Beam& beam, const data::HarmonicExcitation& excitation, int modes,
+                             SteadyPart steady_part)
+    : length_(beam.length()),
+      bending_stiffness_(analytic::bending_stiffness(beam)),
+      mass_per_length_(analytic::mass_per_length(beam)),
+      load_factor_(axial_load_factor(beam)),
+      amplitude_(excitation.amplitude()),
+      omega_(2.0 * pi * excitation.frequency_hz()),
+      steady_part_(steady_part),
+      quasi_static_(beam),
+      modes_(stick_modes(beam, modes)) {
+  if (steady_part == SteadyPart::exact && modes_.back().angular_frequency() < 2.0 * omega_)
+    throw std::invalid_argument(
+        refusal("numerics.modes", modes,
+                "so large that the exact steady part at " + digits(excitation.frequency_hz()) +
+                    " Hz has a mode at twice that frequency or above; the highest kept is at " +
+                    digits(modes_.back().frequency_hz()) + " Hz"));
+  for (const StickMode& mode : modes_)
+    force_.weights.push_back(bending_stiffness_ * mode.third_derivative(length_) * omega_ * omega_ *
+                             mode.participation());
+  force_.base = bending_stiffness_ * quasi_static_.third_derivative(length_);
+  force_.base += steady_remainder(force_, [this](const SteadyShape& steady) {
+    return bending_stiffness_ * steady.third_derivative_at_tip() / (length_ * length_ * length_);
+  });
+}
+
+/// What the exact steady amplitude (a function of SteadyShape) has beyond history's base and modal sum; 0 for
+/// SteadyPart::modal_sum.
+///
+/// It is the mean over a circle of radius max(Omega, omega_1)/4 round Omega, by the trapezoidal rule. With
+/// omega_N >= 2 Omega the nearest singularity of the difference, omega_(N+1), is at least four radii away, so
+/// that 32 nodes leave an error of 4^-32. The nodes, conjugate ones taken together, lie off the real axis and
+/// with it off every singularity of the parts: the omega_n, and 0, where Y is regular but its formula is not.
+template <class ExactAmplitude>
+double StickResponse::steady_remainder(const History& history, const ExactAmplitude& exact_amplitude) const {
+  if (steady_part_ == SteadyPart::modal_sum) return 0.0;
+  constexpr int kNodes = 16;
+  const double radius = 0.25 * std::max(omega_, modes_.front().angular_frequency());
+  const double scale = length_ * length_ * std::sqrt(mass_per_length_ / bending_stiffness_);
+  double mean = 0.0;
+  for (int j = 0; j < kNodes; ++j) {
+    const Complex frequency = omega_ + std::polar(radius, pi * (j + 0.5) / kNodes);
+    const Complex squared = frequency * frequency;
+    Complex remainder = exact_amplitude(SteadyShape(scale * frequency, load_factor_)) - history.base;
+    for (std::size_t n = 0; n < modes_.size(); ++n) {
+      const double natural = modes_[n].angular_frequency();
+      const double per_frequency_squared = history.weights[n] / (omega_ * omega_);
+      remainder -= per_frequency_squared * squared / (squared - natural * natural);
+    }
+    mean += remainder.real() / kNodes;
+  }
+  return mean;
+}
+
+StickResponse::History StickResponse::displacement_history(double x) const {
+  History history;
+  history.weights.reserve(modes_.size());
+  for (const StickMode& mode : modes_)
+    history.weights.push_back(mode.shape(x) * omega_ * omega_ * mode.participation());
+  history.base = quasi_static_.value(x);
+  history.base += steady_remainder(
+      history, [eta = 1.0 - x / length_](const SteadyShape& steady) { return steady.value(eta) - 1.0; });
+  return history;
+}
+
+double StickResponse::evaluate(const History& history, double t) const {
+  const double sine = std::sin(omega_ * t);
+  double sum = history.base * sine;
+  for (std::size_t n = 0; n < modes_.size(); ++n)
+    sum += history.weights[n] * modal_coordinate(omega_, modes_[n].angular_frequency(), t, sine);
+  return sum;
+}
+
+double StickResponse::steady_amplitude(const History& history) const {
+  double sum = history.base;
+  for (std::size_t n = 0; n < modes_.size(); ++n) {
+    const double natural = modes_[n].angular_frequency();
+    sum += history.weights[n] / ((omega_ - natural) * (omega_ + natural));
+  }
+  return scaled_by(amplitude_, sum);
+}
+
+std::vector<Sinusoid> StickResponse::transient(const History& history) const {
+  std::vector<Sinusoid> sinusoids;
+  sinusoids.reserve(modes_.size());
+  for (std::size_t n = 0; n < modes_.size(); ++n) {
+    const double natural = modes_[n].angular_frequency();
+    const double per_unit =
+        -history.weights[n] * omega_ / ((omega_ - natural) * (omega_ + natural) * natural);
+    sinusoids.push_back({scaled_by(amplitude_, per_unit), natural});
+  }
+  return sinusoids;
+}
+
+double StickResponse::base_displacement(double t) const { return amplitude_ * std::sin(omega_ * t); }
+
+double StickResponse::relative_displacement(double x, double t) const {
+  return amplitude_ * evaluate(displacement_history(x), t);
+}
+
+double StickResponse::absolute_displacement(double x, double t) const {
+  return base_displacement(t) + relative_displacement(x, t);
+}
+
+double StickResponse::friction_force(double t) const { return amplitude_ * evaluate(force_, t); }
+
+double StickResponse::steady_force_amplitude() const { return steady_amplitude(force_); }
+
+std::vector<Sinusoid> StickResponse::transient_force() const { return transient(force_); }
+
+double StickResponse::steady_displacement_amplitude(double x) const {
+  return steady_amplitude(displacement_history(x));
+}
+
+std::vector<Sinusoid> StickResponse::transient_displacement(double x) const {
+  return transient(displacement_history(x));
+}
+
+/// max |d^2/dt^2| of a history over 0 <= t <= duration. A mode counts with the smaller of two bounds: with
+/// its two sinusoids apart, the one at Omega joined with those of the other modes, or with both as one g_n.
+double StickResponse::second_derivative_bound(const History& history, double duration) const {
+  double at_omega = history.base, bound = 0.0;
+  for (std::size_t n = 0; n < modes_.size(); ++n) {
+    const double natural = modes_[n].angular_frequency(), weight = history.weights[n];
+    const double sum = omega_ + natural, difference = omega_ - natural;
+    const double together = omega_ * (omega_ * duration + 1.0) / sum;
+    const double apart = omega_ / std::abs(difference);
+    if (apart < together) {
+      at_omega += weight / (sum * difference);
+      bound += std::abs(weight) * omega_ * natural / (sum * std::abs(difference));
+    } else {
+      bound += std::abs(weight) * together;
+    }
+  }
+  return bound + std::abs(at_omega) * omega_ * omega_;
+}
+
+Bounds StickResponse::max_abs_friction_force(double duration, double relative_width) const {
+  require_positive("numerics.duration", duration);
+  if (!(relative_width >= 1e-13 && relative_width < 1.0))
+    throw std::invalid_argument(refusal("relative_width", relative_width, "1e-13 ... 1"));
+  const double curvature = second_derivative_bound(force_, duration);
+  // The first grid has a step of one over the mean frequency (root mean square, by amplitude).
+  double magnitude = std::abs(force_.base);
+  const auto search = [&](double t) { return std::abs(evaluate(force_, t)); };
+  for (int i = 1; i <= 64; ++i) magnitude = std::max(magnitude, search(duration * i / 64.0));
+  const std::int64_t intervals = interval_count(duration, std::sqrt(magnitude / curvature));
+  const Bounds per_unit = MaximumSearch(search, duration, curvature, intervals).refined_to(relative_width);
+  return {amplitude_ * per_unit.lower, amplitude_ * per_unit.upper};
+}
+
+Bounds StickResponse::sampled_max_abs_friction_force(double duration, double sampling_step) const {
+  require_positive("numerics.duration", duration);
+  require_positive("sampling_step", sampling_step);
+  const std::int64_t intervals = interval_count(duration, sampling_step);
+  double lower = std::abs(evaluate(force_, duration));
+  for (std::int64_t i = 0; i < intervals; ++i)
+    lower = std::max(lower, std::abs(evaluate(force_, static_cast<double>(i) * sampling_step)));
+  const double excess = second_derivative_bound(force_, duration) * sampling_step * sampling_step / 8.0;
+  return {amplitude_ * lower, amplitude_ * (lower + excess)};
+}
+
+double StickResponse::omitted_transient_bound() const {
+  const StickMode& last = modes_.back();
+  const double bb = last.trigonometric_wave_number() * length_;
+  if (omega_ >= last.angular_frequency() || std::abs(load_factor_) >= bb * bb)
+    return std::numeric_limits<double>::infinity();
+  return 2.0 * std::abs(transient_force().back().amplitude) * last.number() / 3.0;
+}
+
+}  // namespace stickslip::analytic
