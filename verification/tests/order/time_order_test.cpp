@@ -1,0 +1,74 @@
+/// Observed orders in time.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "stickslip/solver/stick_slip_integrator.hpp"
+#include "stickslip/studies/convergence.hpp"
+#include "stickslip/studies/time_order.hpp"
+#include "support/single_mass.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+class GeneralizedAlphaOrder : public ::testing::TestWithParam<double> {};
+
+TEST_P(GeneralizedAlphaOrder, IsSecondOrderUnderTimeDependentLoad) {
+  // The slope through five levels differs from 2 by about the second term of the error relative to the first,
+  // (omega h)^2 with omega h <= 2 pi/50 for the load and up to 0.7 for the faster mode: 0.05.
+  const studies::TimeOrderStudy study = studies::time_order_study(GetParam(), {50, 100, 200, 400, 800});
+  EXPECT_NEAR(study.displacement_order, 2.0, 0.05);
+  EXPECT_NEAR(study.velocity_order, 2.0, 0.05);
+  EXPECT_NEAR(study.reaction_order, 2.0, 0.05);
+  // An order without a small error says little: half a per mille of unity at 800 steps a period.
+  EXPECT_LT(study.displacement_error.back(), 1e-5);
+  EXPECT_LT(study.reaction_error.back(), 5e-4);
+}
+
+INSTANTIATE_TEST_SUITE_P(SpectralRadius, GeneralizedAlphaOrder, ::testing::Values(0.0, 0.5, 0.9, 1.0));
+
+// m v_t = -N [mu_m + (mu_s - mu_m) exp(-alpha v)] from v0 stops at
+// t = m/(N alpha mu_m) ln[(mu_m exp(alpha v0) + mu_s - mu_m)/mu_s].
+TEST(ContactLocation, StopUnderExponentialFrictionIsOfSecondOrder) {
+  const data::FrictionCoefficients law{.static_coefficient = 0.6, .kinetic_coefficient = 0.3, .decay = 1.5};
+  const double normal_force = 10.0, v0 = 2.0;
+  const double exact = std::log((0.3 * std::exp(1.5 * v0) + 0.3) / 0.6) / (normal_force * 1.5 * 0.3);
+  for (const double radius : {0.5, 1.0}) {
+    std::vector<double> steps, errors;
+    for (const double h : {0.04, 0.02, 0.01, 0.005, 0.0025}) {
+      solver::StickSlipIntegrator slider(contact_system({.normal_force = normal_force, .friction = law}),
+                                         {.time_step = h, .spectral_radius = radius});
+      slider.start_slipping(scalar(0.0), scalar(v0));
+      while (slider.events().empty()) slider.step();
+      steps.push_back(h);
+      errors.push_back(std::abs(slider.events().front().time - exact));
+    }
+    EXPECT_NEAR(studies::observed_order(steps, errors), 2.0, 0.1) << radius;
+    EXPECT_LT(errors.back(), 1e-5);
+  }
+}
+
+// A mass with a spring let go from the wall: position after a slip between two sticks.
+TEST(ContactLocation, PositionAfterReversalsIsOfSecondOrder) {
+  const data::FrictionCoefficients coulomb{
+      .static_coefficient = 0.1, .kinetic_coefficient = 0.1, .decay = 0.0};
+  for (const double radius : {0.0, 0.5, 0.9, 1.0}) {
+    std::vector<double> steps, errors;
+    for (const double h : {0.02, 0.01, 0.005, 0.0025, 0.00125}) {
+      solver::StickSlipIntegrator oscillator(
+          contact_system({.stiffness = 4.0, .normal_force = 4.0, .friction = coulomb}),
+          {.time_step = h, .spectral_radius = radius});
+      oscillator.start_slipping(scalar(1.04), scalar(0.0));
+      while (oscillator.time() < 12.0) oscillator.step();
+      steps.push_back(h);
+      errors.push_back(std::abs(oscillator.events()[3].time - 2.0 * std::acos(-1.0)));
+    }
+    EXPECT_NEAR(studies::observed_order(steps, errors), 2.0, 0.1) << radius;
+  }
+}
+
+}  // namespace
+}  // namespace stickslip::testing

@@ -1,0 +1,34 @@
+#pragma once
+
+/// The beam of the paper and its relatives, as the tests need them.
+
+#include <numbers>
+
+#include "stickslip/data/problem.hpp"
+
+namespace stickslip::testing {
+
+/// The paper's beam (Sect. 3, I corrected to (1/12)e-4 m^4), whose numbers stand here once more on purpose: a
+/// test must not take its expectation from the file it checks.
+inline data::BeamProperties paper_beam_properties() {
+  return {.length = 2.0,
+          .area = 0.01,
+          .second_moment_of_area = 1e-4 / 12.0,
+          .density = 1000.0,
+          .youngs_modulus = 2e9,
+          .axial_force = 500.0};
+}
+
+inline data::Beam paper_beam() { return data::Beam(paper_beam_properties()); }
+
+inline data::Beam paper_beam_with_axial_force(double axial_force) {
+  auto properties = paper_beam_properties();
+  properties.axial_force = axial_force;
+  return data::Beam(properties);
+}
+
+inline data::FrictionLaw paper_friction() {
+  return data::FrictionLaw({.static_coefficient = 0.6, .kinetic_coefficient = 0.3, .decay = 1.0});
+}
+
+}  // namespace stickslip::testing

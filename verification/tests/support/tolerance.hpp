@@ -1,0 +1,68 @@
+#pragma once
+
+/// How a test compares two numbers. A tolerance is derived, never tuned, and belongs to one of three classes,
+/// each built by one helper below; a failing comparison prints expected, computed, error, tolerance and
+/// margin.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace stickslip::testing {
+
+/// An allowed absolute error, with where it comes from.
+struct Tolerance {
+  double value{};
+  std::string derivation;
+};
+
+/// Round-off: c * n * eps * kappa * scale. `operations` is the length of the longest dependent chain of
+/// operations, `condition` the condition number, `scale` the magnitude of the result.
+inline Tolerance round_off(double operations, double condition, double scale) {
+  std::ostringstream text;
+  text << "round-off: 4 * " << operations << " operations * eps * condition " << condition << " * scale "
+       << scale;
+  return {4.0 * operations * std::numeric_limits<double>::epsilon() * condition * std::abs(scale),
+          text.str()};
+}
+
+/// Discretisation: the predicted error times a stated margin for the terms behind the leading one.
+inline Tolerance discretisation(double predicted_error, double margin, const std::string& law) {
+  std::ostringstream text;
+  text << "discretisation: " << law << " predicts " << predicted_error << ", margin " << margin;
+  return {std::abs(predicted_error) * margin, text.str()};
+}
+
+/// Reference: the accuracy that is recorded with the datum.
+inline Tolerance reference(double accuracy, const std::string& source) {
+  return {accuracy, "reference: accuracy of " + source};
+}
+
+/// |computed - expected| <= tolerance, and neither is NaN.
+inline ::testing::AssertionResult within(double computed, double expected, const Tolerance& tolerance) {
+  const double error = std::abs(computed - expected);
+  if (error <= tolerance.value) return ::testing::AssertionSuccess();
+  std::ostringstream text;
+  text.precision(17);
+  text << "\n  expected  " << expected << "\n  computed  " << computed << "\n  error     " << error
+       << "\n  tolerance " << tolerance.value << "  (" << tolerance.derivation << ")\n  margin    "
+       << error / tolerance.value << " (error / tolerance, allowed up to 1)";
+  return ::testing::AssertionFailure() << text.str();
+}
+
+/// Least-squares slope of log(error) over log(step): the observed order.
+inline double observed_order(const std::vector<double>& steps, const std::vector<double>& errors) {
+  double sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
+  const auto n = static_cast<double>(steps.size());
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const double x = std::log(steps[i]), y = std::log(errors[i]);
+    sx += x, sy += y, sxx += x * x, sxy += x * y;
+  }
+  return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
+}  // namespace stickslip::testing

@@ -1,0 +1,110 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "stickslip/analytic/criterion.hpp"
+#include "support/beams.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+using analytic::Criterion;
+using analytic::evaluate_criterion;
+using analytic::SteadyPart;
+using analytic::StickResponse;
+using analytic::Verdict;
+
+data::HarmonicExcitation shaking(double frequency_hz, double amplitude) {
+  return data::HarmonicExcitation({.frequency_hz = frequency_hz, .amplitude = amplitude});
+}
+
+Criterion criterion_of(double frequency_hz, double amplitude, SteadyPart steady = SteadyPart::modal_sum) {
+  return evaluate_criterion(paper_beam(), paper_friction(), shaking(frequency_hz, amplitude), 10.0, 10,
+                            steady);
+}
+
+TEST(Criterion, GivesThePapersEightVerdicts) {
+  struct Published {
+    double frequency_hz, amplitude;
+    Verdict verdict;
+  };
+  const Published table[] = {{15.0, 0.5e-3, Verdict::stick},      {25.0, 0.5e-3, Verdict::stick_slip},
+                             {35.0, 0.5e-3, Verdict::stick},      {70.0, 0.5e-3, Verdict::stick_slip},
+                             {15.0, 1.0e-3, Verdict::stick},      {25.0, 1.0e-3, Verdict::stick_slip},
+                             {35.0, 1.0e-3, Verdict::stick_slip}, {70.0, 1.0e-3, Verdict::stick_slip}};
+  for (const SteadyPart steady : {SteadyPart::modal_sum, SteadyPart::exact})
+    for (const auto& [frequency_hz, amplitude, verdict] : table)
+      EXPECT_EQ(criterion_of(frequency_hz, amplitude, steady).verdict, verdict)
+          << frequency_hz << " Hz, " << amplitude << " m";
+}
+
+TEST(Criterion, LimitIsTheStaticCoefficientTimesTheAxialForce) {
+  EXPECT_DOUBLE_EQ(criterion_of(15.0, 1e-3).friction_limit, 300.0);
+}
+
+TEST(Criterion, ForceIsThatOfTheStickResponse) {
+  const auto bounds = StickResponse(paper_beam(), shaking(35.0, 0.7e-3)).max_abs_friction_force(10.0);
+  const Criterion criterion = criterion_of(35.0, 0.7e-3);
+  EXPECT_TRUE(within(criterion.force_max.lower, bounds.lower, round_off(1, 1, bounds.lower)));
+  EXPECT_TRUE(within(criterion.force_max.upper, bounds.upper, round_off(1, 1, bounds.upper)));
+}
+
+TEST(Criterion, CriticalAmplitudeBringsTheForceToTheLimit) {
+  for (const double hz : {5.0, 15.0, 25.0, 35.0, 70.0, 110.0}) {
+    const double critical = criterion_of(hz, 1e-3).critical_amplitude.midpoint();
+    const Criterion at = criterion_of(hz, critical);
+    // Both enclosures are 1e-10 wide.
+    EXPECT_TRUE(
+        within(at.force_max.midpoint(), at.friction_limit, reference(3e-10 * 300.0, "two enclosures")));
+    EXPECT_EQ(criterion_of(hz, critical * (1.0 - 1e-9)).verdict, Verdict::stick);
+    EXPECT_EQ(criterion_of(hz, critical * (1.0 + 1e-9)).verdict, Verdict::stick_slip);
+  }
+}
+
+TEST(Criterion, CriticalAmplitudeDoesNotDependOnTheAmplitudeNotEvenOnZero) {
+  const Criterion none = criterion_of(35.0, 0.0), some = criterion_of(35.0, 1e-3);
+  EXPECT_EQ(none.critical_amplitude.lower, some.critical_amplitude.lower);
+  EXPECT_EQ(none.critical_amplitude.upper, some.critical_amplitude.upper);
+  EXPECT_GT(none.critical_amplitude.lower, 0.0);
+  EXPECT_EQ(none.force_max.upper, 0.0);
+  EXPECT_EQ(none.verdict, Verdict::stick);
+}
+
+TEST(Criterion, ResonanceNeedsTheLeastAmplitude) {
+  const double natural = analytic::stick_modes(paper_beam(), 1).front().frequency_hz();
+  const double at = criterion_of(natural, 1e-3).critical_amplitude.midpoint();
+  for (const double factor : {0.5, 0.9, 0.99, 1.01, 1.1, 1.5})
+    EXPECT_LT(at, criterion_of(natural * factor, 1e-3).critical_amplitude.midpoint());
+}
+
+TEST(Criterion, RefusesABeamWithoutContactOrBuckledAndSaysWhy) {
+  const double buckling = analytic::stick_buckling_load(paper_beam());
+  for (const double force : {-500.0, 0.0, buckling, 2.0 * buckling}) {
+    try {
+      (void)evaluate_criterion(paper_beam_with_axial_force(force), paper_friction(), shaking(15.0, 1e-3),
+                               10.0);
+      FAIL() << "accepted P = " << force;
+    } catch (const std::domain_error& error) {
+      const std::string message = error.what();
+      EXPECT_NE(message.find("beam.axial_force is "), std::string::npos) << message;
+      EXPECT_NE(message.find("positive"), std::string::npos) << message;
+    }
+  }
+}
+
+TEST(Criterion, RefusesABadDuration) {
+  EXPECT_THROW((void)evaluate_criterion(paper_beam(), paper_friction(), shaking(15.0, 1e-3), 0.0),
+               std::invalid_argument);
+}
+
+TEST(Criterion, NamesItsVerdicts) {
+  EXPECT_EQ(to_string(Verdict::stick), "stick");
+  EXPECT_EQ(to_string(Verdict::stick_slip), "stick-slip");
+}
+
+}  // namespace
+}  // namespace stickslip::testing

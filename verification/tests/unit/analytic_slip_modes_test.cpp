@@ -1,0 +1,183 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "stickslip/analytic/slip_modes.hpp"
+#include "support/beams.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+using analytic::flutter_load;
+using analytic::slip_characteristic;
+using analytic::slip_modes;
+using analytic::SlipMode;
+
+// d(characteristic)/d(bb) = 0 and characteristic = 0 solved by Newton's method with 30 digits. Beck: 20.05.
+constexpr double kFlutterFactor = 20.0509536189737612;
+
+double stiffness(const data::Beam& beam) { return beam.youngs_modulus() * beam.second_moment_of_area(); }
+
+data::Beam beam_with_load_factor(double factor) {
+  const data::Beam beam = paper_beam();
+  return paper_beam_with_axial_force(factor * stiffness(beam) / (beam.length() * beam.length()));
+}
+
+TEST(SlipModes, AreClampedFreeWithoutAxialForce) {
+  const std::array classical{1.875104068711961, 4.694091132974175, 7.854757438237613};
+  const auto modes = slip_modes(beam_with_load_factor(0.0), 3);
+  for (std::size_t i = 0; i < classical.size(); ++i) {
+    const Tolerance tolerance = round_off(5, 1, classical[i]);
+    ASSERT_LT(tolerance.value, 1e-12);
+    EXPECT_TRUE(within(modes[i].trigonometric_wave_number() * 2.0, classical[i], tolerance));
+    EXPECT_TRUE(within(modes[i].hyperbolic_wave_number() * 2.0, classical[i], tolerance));
+  }
+}
+
+TEST(SlipModes, HaveTheDefaultBeamsFrequencies) {
+  const std::array expected{5.73517, 35.73325, 100.14646};
+  const auto modes = slip_modes(paper_beam(), 3);
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    EXPECT_TRUE(within(modes[i].frequency_hz(), expected[i], reference(0.5e-5, "five printed decimals")));
+}
+
+TEST(SlipModes, AgreeWithSixtyDigitArithmetic) {
+  struct Roots {
+    double factor;
+    std::array<double, 3> bb;
+    double condition;  // of a root: 1/(distance to coalescence)
+  };
+  const std::array<Roots, 3> table{
+      {{-1e4, {2.75535692566273969e-21, 3.2056508398915587136, 6.4109678212931227987}, 100.0},
+       {-100.0, {0.033690683160000433741, 3.8281919020542428638, 7.3527964309201263195}, 10.0},
+       {20.0, {4.9518654919190505451, 5.0247152764759543603, 8.0406290949218106659}, 100.0}}};
+  for (const auto& [factor, bb, condition] : table) {
+    const auto modes = slip_modes(beam_with_load_factor(factor), 3);
+    for (std::size_t i = 0; i < bb.size(); ++i)
+      EXPECT_TRUE(within(modes[i].trigonometric_wave_number() * 2.0, bb[i], round_off(4, condition, bb[i])));
+  }
+}
+
+TEST(SlipModes, AreAllSignChangesOfTheCharacteristicFunction) {
+  for (const double factor : {-100.0, 0.0, 0.12, 10.0, 19.0}) {
+    const data::Beam beam = beam_with_load_factor(factor);
+    const auto modes = slip_modes(beam, 9);
+    const double highest = modes.back().angular_frequency() * 1.01;
+    constexpr int kSteps = 20000;
+    int changes = 0;
+    for (int i = 1; i < kSteps; ++i)
+      changes += slip_characteristic(beam, highest * i / kSteps) *
+                     slip_characteristic(beam, highest * (i + 1) / kSteps) <
+                 0.0;
+    EXPECT_EQ(changes, 9) << "P L^2/EI = " << factor;
+    for (const SlipMode& mode : modes) {
+      const double omega = mode.angular_frequency();
+      EXPECT_LT(slip_characteristic(beam, omega * (1 - 1e-9)) * slip_characteristic(beam, omega * (1 + 1e-9)),
+                0.0);
+    }
+  }
+}
+
+TEST(SlipModes, ComeInAscendingOrderAndAskedNumber) {
+  for (const int count : {1, 2, 7, 1000}) {
+    const auto modes = slip_modes(paper_beam(), count);
+    ASSERT_EQ(modes.size(), static_cast<std::size_t>(count));
+    for (std::size_t i = 0; i < modes.size(); ++i) {
+      EXPECT_EQ(modes[i].number(), static_cast<int>(i) + 1);
+      EXPECT_TRUE(std::isfinite(modes[i].shape(1.0)));
+      const double below = i > 0 ? modes[i - 1].angular_frequency() : 0.0;
+      EXPECT_GT(modes[i].angular_frequency(), below);
+    }
+  }
+}
+
+/// Central differences of W at x: first to fourth derivative, each with an error of second order.
+struct Derivatives {
+  double first, second, third, fourth;
+};
+
+Derivatives derivatives(const SlipMode& mode, double x, double h) {
+  const auto w = [&](int i) { return mode.shape(x + i * h); };
+  return {(w(1) - w(-1)) / (2 * h), (w(1) - 2 * w(0) + w(-1)) / (h * h),
+          (w(2) - 2 * w(1) + 2 * w(-1) - w(-2)) / (2 * h * h * h),
+          (w(2) - 4 * w(1) + 6 * w(0) - 4 * w(-1) + w(-2)) / (h * h * h * h)};
+}
+
+TEST(SlipModes, ShapesMeetTheBoundaryConditionsAndTheEquation) {
+  for (const double factor : {-10.0, 0.0, 10.0, 19.0}) {
+    const data::Beam beam = beam_with_load_factor(factor);
+    const double p = beam.axial_force() / stiffness(beam);
+    for (const SlipMode& mode : slip_modes(beam, 4)) {
+      const double steepest = std::max(mode.hyperbolic_wave_number(), mode.trigonometric_wave_number());
+      double size = 0.0;
+      for (int i = 0; i <= 100; ++i) size = std::max(size, std::abs(mode.shape(0.02 * i)));
+      const double h = 0.01 / steepest;
+      // The leading errors h^2 W^(m+2)/12 ... h^2 W^(m+2)/4 of the m-th derivative; W^(m) <= 2 steepest^m
+      // size.
+      const auto tolerance = [&](int order) {
+        return discretisation(0.5 * size * std::pow(steepest, order) * 1e-4, 2.0, "h^2 W^(m+2)/4");
+      };
+      EXPECT_TRUE(within(mode.shape(0.0), 0.0, round_off(6, 1, size)));
+      EXPECT_TRUE(within(mode.shape(2.0), 1.0, round_off(6, 1, size)));
+      EXPECT_TRUE(within(derivatives(mode, 0.0, h).first, 0.0, tolerance(1)));
+      EXPECT_TRUE(within(derivatives(mode, 2.0, h).second, 0.0, tolerance(2)));
+      EXPECT_TRUE(within(derivatives(mode, 2.0, h).third, 0.0, tolerance(3)));
+      const double k = beam.density() * beam.area() * std::pow(mode.angular_frequency(), 2) / stiffness(beam);
+      const Derivatives inside = derivatives(mode, 0.83, h);
+      EXPECT_TRUE(within(inside.fourth + p * inside.second, k * mode.shape(0.83), tolerance(4)));
+    }
+  }
+}
+
+TEST(SlipModes, FollowerForceRaisesTheFirstFrequencyWhereADeadLoadWouldBuckle) {
+  const double dead_load_buckling = 2.467;
+  EXPECT_GT(slip_modes(beam_with_load_factor(dead_load_buckling), 1).front().angular_frequency(),
+            slip_modes(beam_with_load_factor(0.0), 1).front().angular_frequency());
+}
+
+TEST(FlutterLoad, IsBecks) {
+  const data::Beam beam = paper_beam();
+  EXPECT_TRUE(within(flutter_load(beam) * 4.0 / stiffness(beam), kFlutterFactor,
+                     reference(1e-12 * kFlutterFactor, "flutter_load as documented")));
+}
+
+TEST(FlutterLoad, DoesNotDependOnTheBeamsOwnAxialForce) {
+  EXPECT_EQ(flutter_load(paper_beam_with_axial_force(-1e4)), flutter_load(paper_beam()));
+}
+
+TEST(FlutterLoad, IsWhereTheTwoLowestFrequenciesCoalesceAsASquareRoot) {
+  std::vector<double> distances, gaps;
+  for (double distance = 1e-3; distance > 1e-9; distance *= 0.1) {
+    const auto modes = slip_modes(beam_with_load_factor(kFlutterFactor * (1.0 - distance)), 2);
+    distances.push_back(distance);
+    gaps.push_back(modes[1].angular_frequency() - modes[0].angular_frequency());
+  }
+  EXPECT_NEAR(observed_order(distances, gaps), 0.5, 0.01);
+}
+
+TEST(FlutterLoad, IsRefusedBySlipModesWhichSayWhy) {
+  for (const double factor : {1.000001 * kFlutterFactor, 30.0, 100.0, 1e6, -1.1e5}) {
+    try {
+      (void)slip_modes(beam_with_load_factor(factor), 1);
+      FAIL() << "accepted P L^2/EI = " << factor;
+    } catch (const std::domain_error& error) {
+      const std::string message = error.what();
+      EXPECT_NE(message.find("beam.axial_force is "), std::string::npos) << message;
+      EXPECT_NE(message.find("flutter load of the slip state, 83545.6"), std::string::npos) << message;
+    }
+  }
+}
+
+TEST(SlipModes, RefuseACountOutOfRange) {
+  EXPECT_THROW((void)slip_modes(paper_beam(), 0), std::invalid_argument);
+  EXPECT_THROW((void)slip_modes(paper_beam(), 1001), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace stickslip::testing

@@ -1,0 +1,223 @@
+/// The command line, run as a program: exit status, streams, formats and files. STICKSLIP_PROGRAM is its
+/// path.
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace stickslip {
+namespace {
+
+struct Outcome {
+  int status{};
+  std::string output, errors;
+};
+
+std::string contents(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+class CommandLine : public ::testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::create_directory(folder_); }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  // Runs `stickslip <arguments>` through the shell.
+  [[nodiscard]] Outcome run(const std::string& arguments) const {
+    const std::string command = std::string("'") + STICKSLIP_PROGRAM + "' " + arguments + " >'" +
+                                path("stdout") + "' 2>'" + path("stderr") + "'";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(path("stdout")), contents(path("stderr"))};
+  }
+
+  [[nodiscard]] nlohmann::json json(const std::string& arguments) const {
+    const Outcome outcome = run(arguments + " --json");
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    return nlohmann::json::parse(outcome.output);
+  }
+
+  [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  [[nodiscard]] std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& file : std::filesystem::directory_iterator(folder_))
+      names.push_back(file.path().filename());
+    return names;
+  }
+
+  void expect_refused(const std::string& arguments, const std::string& part) const {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 2) << arguments;
+    EXPECT_EQ(outcome.output, "") << arguments;
+    EXPECT_TRUE(outcome.errors.starts_with("stickslip: ")) << outcome.errors;
+    EXPECT_EQ(std::ranges::count(outcome.errors, '\n'), 1) << outcome.errors;
+    EXPECT_NE(outcome.errors.find(part), std::string::npos) << outcome.errors;
+  }
+
+ private:
+  std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() / ("stickslip-command-line-" + std::to_string(::getpid()));
+};
+
+std::vector<std::vector<std::string>> csv(const std::string& text) {
+  std::vector<std::vector<std::string>> rows;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    rows.emplace_back();
+    std::istringstream cells(line);
+    for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
+  }
+  return rows;
+}
+
+TEST_F(CommandLine, RefusesUnusableArgumentsInOneSentence) {
+  expect_refused("", "subcommand");
+  expect_refused("resond", "resond");
+  expect_refused("modes papr", "did you mean paper?");
+  expect_refused("modes --state sticky", "sticky");
+  expect_refused("modes --count 0", "0 is not an integer from 1 to 1000");
+  expect_refused("modes --count 2.5", "2.5 is not an integer");
+  expect_refused("modes --set beam.lenght=2", "did you mean beam.length?");
+  expect_refused("modes --set beam.axial_force=1e6", "beam.axial_force");
+  expect_refused("criterion --hz fast", "fast is not a number");
+  expect_refused("criterion --hz -3", "excitation.frequency_hz is -3");
+  expect_refused("respond --duration nan", "numerics.duration is nan");
+  expect_refused("respond --json", "--output FILE");
+  expect_refused("respond --every 0", "0 is not an integer from 1");
+}
+
+TEST_F(CommandLine, RefusesAnOutputThatCannotBeWritten) {
+  expect_refused("respond --duration 0.01 --output '" + path("none/history.csv") + "'", "none/history.csv");
+  expect_refused("respond --duration 0.01 --output '" + path("") + "'", "Is a directory");
+  expect_refused("respond --duration 0.01 --output /dev/full", "No space left on device");
+}
+
+TEST_F(CommandLine, AnswersHelpAndVersionOnStandardOutput) {
+  EXPECT_EQ(run("--help").status, 0);
+  EXPECT_EQ(run("respond --help").status, 0);
+  const Outcome version = run("--version");
+  EXPECT_EQ(version.status, 0);
+  EXPECT_TRUE(version.output.starts_with("stickslip ")) << version.output;
+}
+
+TEST_F(CommandLine, ListsTheCasesAndTheirFiles) {
+  const auto cases = json("cases")["cases"];
+  ASSERT_GE(cases.size(), 3U);
+  for (const auto& listing : cases) EXPECT_TRUE(std::filesystem::exists(listing["file"].get<std::string>()));
+}
+
+TEST_F(CommandLine, FrequenciesOfBothMethodsAgreeWithinTheErrorsTheyName) {
+  for (const std::string state : {"stick", "slip"}) {
+    const auto exact = json("modes --state " + state + " --count 5");
+    const auto mesh = json("modes --method fe --state " + state + " --count 5 --set numerics.elements=40");
+    ASSERT_EQ(exact["frequencies_hz"].size(), 5U);
+    for (std::size_t i = 0; i < 5; ++i) {
+      const double difference =
+          mesh["frequencies_hz"][i].get<double>() / exact["frequencies_hz"][i].get<double>() - 1.0;
+      const double estimate = mesh["relative_error_estimates"][i].get<double>();
+      EXPECT_GT(difference, 0.0) << state << " " << i;
+      EXPECT_LT(difference, 2.0 * estimate) << state << " " << i;
+    }
+  }
+}
+
+TEST_F(CommandLine, CriterionGivesAVerdictThatFollowsFromItsNumbers) {
+  for (const std::string frequency : {"15", "25", "35", "70"}) {
+    const auto answer = json("criterion --amplitude 0.5e-3 --hz " + frequency);
+    const double lower = answer["force_max_N"]["lower"], upper = answer["force_max_N"]["upper"];
+    const double critical = answer["critical_amplitude_m"];
+    EXPECT_LE(lower, upper);
+    EXPECT_EQ(answer["friction_limit_N"], 300.0);
+    EXPECT_EQ(answer["verdict"], lower > 300.0 ? "stick-slip" : "stick") << frequency;
+    EXPECT_GE(critical * lower / 0.5e-3, 300.0 * (1.0 - 1e-9));  // the relative width of the bounds is 1e-10
+    EXPECT_LE(critical * upper / 0.5e-3, 300.0 * (1.0 + 1e-9));
+  }
+}
+
+TEST_F(CommandLine, CriterionTakesDurationAndModesFromTheCase) {
+  const auto force = [&](const std::string& settings) {
+    return json("criterion --hz 25 --amplitude 0.5e-3 " + settings)["force_max_N"]["lower"].get<double>();
+  };
+  const double usual = force("");
+  EXPECT_LT(force("--set numerics.duration=1"), usual / 5.0);  // close to resonance it grows with time
+  EXPECT_NE(force("--set numerics.modes=9"), usual);
+}
+
+TEST_F(CommandLine, CriterionOfAllModesIsWhatMoreModesTendTo) {
+  const auto few = json("criterion --hz 15 --amplitude 0.5e-3");
+  const auto many = json("criterion --hz 15 --amplitude 0.5e-3 --set numerics.modes=200");
+  const auto force = [](const nlohmann::json& answer) {
+    return answer["force_max_N"]["lower"].get<double>();
+  };
+  const double all = force(few["all_modes"]);
+  EXPECT_LT(std::abs(force(many) - all), std::abs(force(few) - all) / 10.0);  // 1/N predicts a twentieth
+}
+
+TEST_F(CommandLine, RespondWritesOneRowPerTimeStepWithTheSpecifiedColumns) {
+  for (const std::string method : {"fe", "closed-form"}) {
+    const Outcome outcome = run("respond --hz 15 --amplitude 0.5e-3 --duration 0.01 --method " + method);
+    ASSERT_EQ(outcome.status, 0) << outcome.errors;
+    const auto rows = csv(outcome.output);
+    ASSERT_EQ(rows.size(), 102U);
+    EXPECT_EQ(rows[0], (std::vector<std::string>{"time_s", "base_displacement_m", "tip_displacement_m",
+                                                 "midspan_displacement_m", "sliding_velocity_m_per_s",
+                                                 "friction_force_N", "state"}));
+    EXPECT_EQ(rows[1], (std::vector<std::string>{"0", "0", "0", "0", "0", "0", "stick"}));
+    EXPECT_EQ(std::strtod(rows[101][0].c_str(), nullptr), 100 * 1e-4);
+  }
+}
+
+TEST_F(CommandLine, EveryThinsTheRowsAndChangesNone) {
+  const auto all = csv(run("respond --hz 25 --amplitude 1e-3 --duration 0.08").output);
+  const auto some = csv(run("respond --hz 25 --amplitude 1e-3 --duration 0.08 --every 50").output);
+  ASSERT_EQ(some.size(), 1U + 800U / 50U + 1U);
+  for (std::size_t i = 1; i < some.size(); ++i) EXPECT_EQ(some[i], all[1 + 50 * (i - 1)]);
+  EXPECT_EQ(some.back().back(), "slip");
+}
+
+TEST_F(CommandLine, WarnsWhenTheClosedFormLeavesItsGround) {
+  const Outcome outcome = run("respond --method closed-form --hz 25 --amplitude 1e-3 --duration 0.1");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.errors.find("|f| exceeds mu_s P = 300 N first at 0.0553 s"), std::string::npos)
+      << outcome.errors;
+}
+
+TEST_F(CommandLine, AnOutputFileAppearsWholeAndLeavesNothingElse) {
+  const auto summary = json("respond --duration 0.01 --output '" + path("history.csv") + "'");
+  EXPECT_EQ(summary["rows"], 101);
+  EXPECT_EQ(csv(contents(path("history.csv"))).size(), 102U);
+  EXPECT_EQ(files().size(), 3U);  // history.csv, stdout, stderr
+}
+
+TEST_F(CommandLine, ARefusedRunLeavesTheOldOutputFileAsItWas) {
+  std::ofstream(path("history.csv")) << "old";
+  expect_refused("respond --set beam.axial_force=-5 --output '" + path("history.csv") + "'",
+                 "beam.axial_force");
+  EXPECT_EQ(contents(path("history.csv")), "old");
+  EXPECT_EQ(files().size(), 3U);
+}
+
+TEST_F(CommandLine, AnOutputFileThatIsASymbolicLinkStaysOne) {
+  std::ofstream(path("real.csv")) << "old";
+  std::filesystem::create_symlink(path("real.csv"), path("link.csv"));
+  EXPECT_EQ(run("respond --duration 0.01 --output '" + path("link.csv") + "'").status, 0);
+  EXPECT_TRUE(std::filesystem::is_symlink(path("link.csv")));
+  EXPECT_EQ(csv(contents(path("real.csv"))).size(), 102U);
+}
+
+}  // namespace
+}  // namespace stickslip

@@ -1,0 +1,450 @@
+/// Case files: the published ones hold the paper's numbers, and unusable input is refused in one sentence
+/// that names the place, the key, the value and what is allowed.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "stickslip/data/case_file.hpp"
+#include "support/beams.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip {
+namespace {
+
+// A line of a valid case. The key of a table's header is empty.
+struct Line {
+  std::string table, key, value;
+
+  [[nodiscard]] std::string path() const { return table + "." + key; }
+  [[nodiscard]] bool is_integer() const { return key == "elements" || key == "modes"; }
+};
+
+const std::vector<Line>& valid_lines() {
+  static const std::vector<Line> lines{{"beam", "", ""},
+                                       {"beam", "length", "2.0"},
+                                       {"beam", "area", "0.01"},
+                                       {"beam", "second_moment_of_area", "8.25e-6"},
+                                       {"beam", "density", "1000"},
+                                       {"beam", "youngs_modulus", "2e9"},
+                                       {"beam", "axial_force", "500.0"},
+                                       {"friction", "", ""},
+                                       {"friction", "static_coefficient", "0.6"},
+                                       {"friction", "kinetic_coefficient", "0.3"},
+                                       {"friction", "decay", "1.0"},
+                                       {"excitation", "", ""},
+                                       {"excitation", "frequency_hz", "25.0"},
+                                       {"excitation", "amplitude", "0.5e-3"},
+                                       {"numerics", "", ""},
+                                       {"numerics", "elements", "20"},
+                                       {"numerics", "time_step", "1e-4"},
+                                       {"numerics", "spectral_radius", "0.9"},
+                                       {"numerics", "velocity_threshold", "1e-4"},
+                                       {"numerics", "modes", "10"},
+                                       {"numerics", "duration", "10.0"}};
+  return lines;
+}
+
+std::vector<Line> valid_keys() {
+  std::vector<Line> keys;
+  for (const auto& line : valid_lines())
+    if (!line.key.empty()) keys.push_back(line);
+  return keys;
+}
+
+std::string text_of(const Line& line) {
+  return line.key.empty() ? "[" + line.table + "]\n" : line.key + " = " + line.value + "\n";
+}
+
+// The text of a case whose line for `path` is replaced.
+std::string case_with(const std::string& path, const std::string& replacement) {
+  std::string text;
+  for (const auto& line : valid_lines()) text += line.path() == path ? replacement : text_of(line);
+  return text;
+}
+
+std::string case_without_table(const std::string& table) {
+  std::string text;
+  for (const auto& line : valid_lines())
+    if (line.table != table) text += text_of(line);
+  return text;
+}
+
+std::string valid_case() { return case_with("", ""); }
+
+// The number of the line of `path` in a valid case.
+std::size_t line_number(const std::string& path) {
+  std::size_t number = 1;
+  for (const auto& line : valid_lines()) {
+    if (line.path() == path) break;
+    ++number;
+  }
+  return number;
+}
+
+class CaseFile : public ::testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::create_directory(folder_); }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  [[nodiscard]] std::filesystem::path write(const std::string& text) const {
+    std::ofstream(file(), std::ios::binary) << text;
+    return file();
+  }
+
+  [[nodiscard]] std::filesystem::path file() const { return folder_ / "bar.toml"; }
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+
+  // The sentence that refuses the text, without the folder, or "accepted".
+  [[nodiscard]] std::string refusal(const std::string& text,
+                                    const std::vector<data::Override>& overrides = {}) const {
+    return refusal_of([&] { static_cast<void>(data::read_case(write(text), overrides)); });
+  }
+
+  [[nodiscard]] std::string refusal_of(const std::function<void()>& action) const {
+    try {
+      action();
+    } catch (const data::InputError& error) {
+      std::string sentence = error.what();
+      const std::string prefix = folder_.string() + "/";
+      if (const auto begin = sentence.find(prefix); begin != std::string::npos)
+        sentence.erase(begin, prefix.size());
+      return sentence;
+    }
+    return "accepted";
+  }
+
+ private:
+  std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() / ("stickslip-case-file-" + std::to_string(::getpid()));
+};
+
+std::string at(const std::string& path) { return "bar.toml:" + std::to_string(line_number(path)) + ": "; }
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST_F(CaseFile, IsReadKeyByKey) {
+  const auto problem = data::read_case(write(valid_case()));
+  EXPECT_EQ(problem.name, "bar");
+  EXPECT_EQ(problem.beam.length(), 2.0);
+  EXPECT_EQ(problem.beam.area(), 0.01);
+  EXPECT_EQ(problem.beam.second_moment_of_area(), 8.25e-6);
+  EXPECT_EQ(problem.beam.density(), 1000.0);
+  EXPECT_EQ(problem.beam.youngs_modulus(), 2e9);
+  EXPECT_EQ(problem.beam.axial_force(), 500.0);
+  EXPECT_EQ(problem.friction.static_coefficient(), 0.6);
+  EXPECT_EQ(problem.friction.kinetic_coefficient(), 0.3);
+  EXPECT_EQ(problem.friction.decay(), 1.0);
+  EXPECT_EQ(problem.excitation.frequency_hz(), 25.0);
+  EXPECT_EQ(problem.excitation.amplitude(), 0.5e-3);
+  EXPECT_EQ(problem.numerics.elements(), 20);
+  EXPECT_EQ(problem.numerics.time_step(), 1e-4);
+  EXPECT_EQ(problem.numerics.spectral_radius(), 0.9);
+  EXPECT_EQ(problem.numerics.velocity_threshold(), 1e-4);
+  EXPECT_EQ(problem.numerics.modes(), 10);
+  EXPECT_EQ(problem.numerics.duration(), 10.0);
+}
+
+TEST_F(CaseFile, MustHoldEveryKey) {
+  for (const auto& key : valid_keys()) {
+    const std::string sentence = refusal(case_with(key.path(), ""));
+    EXPECT_TRUE(
+        sentence.starts_with("bar.toml: " + key.path() + " is missing, but [" + key.table + "] must hold "))
+        << sentence;
+  }
+}
+
+TEST_F(CaseFile, MustHoldEveryTable) {
+  for (const std::string table : {"beam", "friction", "excitation", "numerics"}) {
+    const std::string sentence = refusal(case_without_table(table));
+    EXPECT_TRUE(sentence.starts_with("bar.toml: the table [" + table + "] is missing, but ")) << sentence;
+  }
+}
+
+TEST_F(CaseFile, RefusesAMisspeltKeyAndSuggestsTheRightOne) {
+  for (const auto& key : valid_keys()) {
+    const std::string misspelt = key.key.substr(0, key.key.size() - 1);
+    const std::string sentence = refusal(case_with(key.path(), misspelt + " = 7\n"));
+    EXPECT_TRUE(sentence.starts_with(
+        at(key.path()) + "unknown key " + key.table + "." + misspelt + " (did you mean " + key.path() +
+        "?) with the value 7 (an integer), but [" + key.table + "] has the keys "))
+        << sentence;
+  }
+}
+
+TEST_F(CaseFile, SuggestsNothingForAKeyLikeNoOther) {
+  const std::string sentence = refusal(valid_case() + "colour_of_the_paint = 'red'\n");
+  EXPECT_EQ(sentence,
+            "bar.toml:22: unknown key numerics.colour_of_the_paint with the value 'red' (a string), but "
+            "[numerics] has "
+            "the keys elements, time_step, spectral_radius, velocity_threshold, modes, duration");
+}
+
+TEST_F(CaseFile, RefusesAMisspeltTable) {
+  EXPECT_EQ(
+      refusal(valid_case() + "[beem]\nlength = 2\n"),
+      "bar.toml:22: unknown table [beem] (did you mean beam?), but a case has the tables beam, friction, "
+      "excitation, numerics");
+}
+
+TEST_F(CaseFile, RefusesAKeyOutsideEveryTable) {
+  EXPECT_EQ(refusal("length = 2\n" + valid_case()),
+            "bar.toml:1: unknown key length with the value 2 (an integer), but a case has the tables beam, "
+            "friction, "
+            "excitation, numerics");
+  EXPECT_EQ(refusal("beam = 3\n"), "bar.toml:1: beam is 3 (an integer), but must be a table");
+  EXPECT_EQ(refusal("[[beam]]\nlength = 2\n"), "bar.toml:1: beam is an array, but must be a table");
+}
+
+TEST_F(CaseFile, RefusesEveryTypeThatIsNotANumber) {
+  const std::vector<std::pair<std::string, std::string>> values{
+      {"'two'", "'two' (a string)"},
+      {"true", "true (a boolean)"},
+      {"[2.0]", "an array"},
+      {"{ m = 2.0 }", "a table"},
+      {"2018-02-19", "2018-02-19 (a date or time)"}};
+  for (const auto& key : valid_keys())
+    for (const auto& [value, described] : values)
+      EXPECT_EQ(refusal(case_with(key.path(), key.key + " = " + value + "\n")),
+                at(key.path()) + key.path() + " is " + described + ", but must be " +
+                    (key.is_integer() ? "an integer" : "a number"));
+}
+
+TEST_F(CaseFile, TakesIntegersForNumbers) {
+  EXPECT_EQ(data::read_case(write(case_with("beam.length", "length = 3\n"))).beam.length(), 3.0);
+}
+
+TEST_F(CaseFile, RefusesFloatsForIntegers) {
+  for (const std::string key : {"elements", "modes"})
+    EXPECT_EQ(refusal(case_with("numerics." + key, key + " = 20.0\n")),
+              at("numerics." + key) + "numerics." + key + " is 20 (a float), but must be an integer");
+}
+
+TEST_F(CaseFile, RefusesNotANumberAndInfinityAtEveryKey) {
+  for (const auto& key : valid_keys())
+    for (const std::string value : {"nan", "inf", "-inf"}) {
+      const std::string sentence = refusal(case_with(key.path(), key.key + " = " + value + "\n"));
+      EXPECT_TRUE(sentence.starts_with(at(key.path()) + key.path() + " is " + value)) << sentence;
+    }
+}
+
+TEST_F(CaseFile, RefusesNegativeValuesAtEveryKeyButTheAxialForce) {
+  for (const auto& key : valid_keys()) {
+    const std::string sentence = refusal(case_with(key.path(), key.key + " = -3\n"));
+    if (key.key == "axial_force")
+      EXPECT_EQ(sentence, "accepted");
+    else
+      EXPECT_TRUE(sentence.starts_with(at(key.path()) + key.path() + " is -3, but must be ")) << sentence;
+  }
+}
+
+TEST_F(CaseFile, RefusesAnIntegerThatDoesNotFit) {
+  EXPECT_EQ(refusal(case_with("numerics.modes", "modes = 4294967306\n")),
+            at("numerics.modes") +
+                "numerics.modes is 4294967306, but must be an integer of at most 2147483647 in magnitude");
+}
+
+TEST_F(CaseFile, PrintsTheRefusedValueWithAllItsDigits) {
+  EXPECT_EQ(
+      refusal(case_with("beam.length", "length = -0.30000000000000004\n")),
+      at("beam.length") + "beam.length is -0.30000000000000004, but must be a finite number above 0 (m)");
+}
+
+TEST_F(CaseFile, RefusesAKeyThatStandsTwice) {
+  const std::string sentence = refusal(case_with("beam.length", "length = 2.0\nlength = 3.0\n"));
+  EXPECT_TRUE(sentence.starts_with("bar.toml:3: is not valid TOML: ")) << sentence;
+  EXPECT_TRUE(contains(sentence, "'length'")) << sentence;
+}
+
+TEST_F(CaseFile, NamesTheLineOfASyntaxError) {
+  EXPECT_TRUE(refusal(case_with("beam.density", "density = \n"))
+                  .starts_with(at("beam.density") + "is not valid TOML: "));
+}
+
+TEST_F(CaseFile, RefusesWhatIsNoText) {
+  EXPECT_EQ(refusal(""), "bar.toml: is empty");
+  EXPECT_TRUE(refusal("# \xC3\x28\n").starts_with("bar.toml:1: is not valid TOML: "));
+  EXPECT_EQ(refusal(valid_case() + std::string(1'000'000, '#')),
+            "bar.toml: is larger than the 1000000 bytes that are allowed");
+  EXPECT_EQ(refusal_of([&] { static_cast<void>(data::read_case(folder())); }),
+            folder().string() + ": is a folder, not a file");
+  EXPECT_EQ(refusal_of([&] { static_cast<void>(data::read_case(folder() / "none.toml")); }),
+            "none.toml: cannot be opened for reading");
+  EXPECT_EQ(refusal_of([] { static_cast<void>(data::read_case("/dev/zero")); }),
+            "/dev/zero: is larger than the 1000000 bytes that are allowed");
+}
+
+TEST_F(CaseFile, MessagesStayOnOneShortLine) {
+  const std::string sentence =
+      refusal(case_with("beam.length", "length = \"\"\"line\nline\x7F" + std::string(500, 'x') + "\"\"\"\n"));
+  EXPECT_FALSE(contains(sentence, "\n"));
+  EXPECT_LT(sentence.size(), 200U);
+}
+
+TEST_F(CaseFile, IsOverriddenKeyByKey) {
+  for (const auto& key : valid_keys()) {
+    const auto override = data::Override::parse(key.path() + "=-3");
+    const std::string sentence = refusal(valid_case(), {override});
+    if (key.key == "axial_force")
+      EXPECT_EQ(sentence, "accepted");
+    else
+      EXPECT_TRUE(
+          sentence.starts_with("override " + key.path() + "=-3: " + key.path() + " is -3, but must be "))
+          << sentence;
+  }
+}
+
+TEST_F(CaseFile, TheLastOverrideOfAKeyWins) {
+  const std::vector<data::Override> overrides{
+      {"beam.length", "1.8"}, {"beam.area", "0.02"}, {"beam.length", "1.7"}};
+  const auto problem = data::read_case(write(valid_case()), overrides);
+  EXPECT_EQ(problem.beam.length(), 1.7);
+  EXPECT_EQ(problem.beam.area(), 0.02);
+}
+
+TEST_F(CaseFile, AnOverrideSuppliesWhatTheFileLacks) {
+  EXPECT_EQ(data::read_case(write(case_with("beam.length", "")), {{"beam.length", "1.8"}}).beam.length(),
+            1.8);
+}
+
+TEST_F(CaseFile, RefusesAnOverrideOfAnUnknownKey) {
+  EXPECT_EQ(
+      refusal(valid_case(), {{"beam.lenght", "1.8"}}),
+      "override beam.lenght=1.8: unknown key beam.lenght (did you mean beam.length?) with the value 1.8 (a "
+      "float), but [beam] has the keys length, area, second_moment_of_area, density, youngs_modulus, "
+      "axial_force");
+  EXPECT_TRUE(contains(refusal(valid_case(), {{"length", "1.8"}}), "but a case has the tables beam"));
+}
+
+TEST_F(CaseFile, RefusesAnOverrideThatIsNoSingleTomlValue) {
+  EXPECT_TRUE(refusal(valid_case(), {{"beam.length", "long"}})
+                  .starts_with("override beam.length=long: the value is not valid TOML: "));
+  EXPECT_EQ(refusal(valid_case(), {{"beam.length", "1\nbeam.area = 2"}}),
+            "override beam.length=1?beam.area = 2: must be one TOML value on one line");
+  EXPECT_EQ(refusal(valid_case(), {{"beam.length", "'2'"}}),
+            "override beam.length='2': beam.length is '2' (a string), but must be a number");
+}
+
+TEST(Override, IsSplitAtTheFirstEqualsSign) {
+  const auto override = data::Override::parse(" beam.length = 1.8 ");
+  EXPECT_EQ(override.key, "beam.length");
+  EXPECT_EQ(override.value, "1.8");
+}
+
+TEST(Override, IsRefusedWithoutBothSides) {
+  for (const std::string text : {"beam.length", "beam.length=", "=1.8", "", " = "})
+    EXPECT_THROW(static_cast<void>(data::Override::parse(text)), data::InputError) << text;
+}
+
+void expect_paper_friction_and_numerics(const data::Case& problem) {
+  EXPECT_EQ(problem.friction.static_coefficient(), testing::paper_friction().static_coefficient());
+  EXPECT_EQ(problem.friction.kinetic_coefficient(), testing::paper_friction().kinetic_coefficient());
+  EXPECT_EQ(problem.friction.decay(), testing::paper_friction().decay());
+  EXPECT_EQ(problem.numerics.elements(), 20);
+  EXPECT_EQ(problem.numerics.time_step(), 1e-4);
+  EXPECT_EQ(problem.numerics.spectral_radius(), 0.9);
+  EXPECT_EQ(problem.numerics.velocity_threshold(), 1e-4);
+  EXPECT_EQ(problem.numerics.modes(), 10);
+  EXPECT_EQ(problem.numerics.duration(), 10.0);
+}
+
+void expect_beam(const data::Beam& beam, const data::BeamProperties& expected) {
+  EXPECT_EQ(beam.length(), expected.length);
+  EXPECT_EQ(beam.area(), expected.area);
+  EXPECT_TRUE(testing::within(beam.second_moment_of_area(), expected.second_moment_of_area,
+                              testing::round_off(4.0, 1.0, expected.second_moment_of_area)));
+  EXPECT_EQ(beam.density(), expected.density);
+  EXPECT_EQ(beam.youngs_modulus(), expected.youngs_modulus);
+  EXPECT_EQ(beam.axial_force(), expected.axial_force);
+}
+
+TEST(PublishedCases, PaperIsTheBeamOfSection3) {
+  const auto problem = data::load_case("paper");
+  expect_beam(problem.beam, testing::paper_beam_properties());
+  expect_paper_friction_and_numerics(problem);
+  EXPECT_EQ(problem.excitation.frequency_hz(), 25.0);
+  EXPECT_EQ(problem.excitation.amplitude(), 0.5e-3);
+}
+
+TEST(PublishedCases, HalfStiffnessDiffersInYoungsModulusOnly) {
+  const auto problem = data::load_case("paper-half-stiffness");
+  auto expected = testing::paper_beam_properties();
+  expected.youngs_modulus = 1e9;
+  expect_beam(problem.beam, expected);
+  expect_paper_friction_and_numerics(problem);
+}
+
+TEST(PublishedCases, Figure14HasTheFlatSection) {
+  const auto problem = data::load_case("paper-figure14");
+  auto expected = testing::paper_beam_properties();
+  expected.area = 0.2 * 0.02;
+  expected.second_moment_of_area = 0.2 * 0.02 * 0.02 * 0.02 / 12.0;
+  expect_beam(problem.beam, expected);
+  expect_paper_friction_and_numerics(problem);
+  EXPECT_EQ(problem.excitation.frequency_hz(), 25.0);
+  EXPECT_EQ(problem.excitation.amplitude(), 1e-3);
+}
+
+TEST(PublishedCases, AreListedByNameWithATitleAndAllLoad) {
+  const auto cases = data::list_cases();
+  ASSERT_GE(cases.size(), 3U);
+  for (const auto& listing : cases) {
+    EXPECT_FALSE(listing.title.empty()) << listing.name;
+    EXPECT_NO_THROW(static_cast<void>(data::load_case(listing.name))) << listing.name;
+  }
+  EXPECT_TRUE(std::ranges::is_sorted(cases, {}, &data::CaseListing::name));
+}
+
+TEST_F(CaseFile, IsFoundByPath) {
+  static_cast<void>(write(valid_case()));
+  EXPECT_EQ(data::find_case(file().string()), file());
+}
+
+TEST(PublishedCases, AMisspeltNameIsRefusedWithTheNamesThereAre) {
+  try {
+    static_cast<void>(data::load_case("papr"));
+    FAIL() << "accepted";
+  } catch (const data::InputError& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "case papr is unknown (did you mean paper?), but must be a file or one of paper, paper-figure14, "
+        "paper-half-stiffness");
+  }
+}
+
+// Points STICKSLIP_DATA elsewhere while it lives.
+class DataFolder {
+ public:
+  explicit DataFolder(const std::string& folder) { ::setenv("STICKSLIP_DATA", folder.c_str(), 1); }
+  ~DataFolder() { ::unsetenv("STICKSLIP_DATA"); }
+  DataFolder(const DataFolder&) = delete;
+  DataFolder& operator=(const DataFolder&) = delete;
+};
+
+TEST_F(CaseFile, IsFoundInTheFolderThatTheEnvironmentNames) {
+  std::filesystem::create_directory(folder() / "cases");
+  std::ofstream(folder() / "cases" / "mine.toml") << "# A beam of my own\n" << valid_case();
+  const DataFolder chosen(folder().string());
+  ASSERT_EQ(data::list_cases().size(), 1U);
+  EXPECT_EQ(data::list_cases()[0].name, "mine");
+  EXPECT_EQ(data::list_cases()[0].title, "A beam of my own");
+  EXPECT_EQ(data::load_case("mine").beam.second_moment_of_area(), 8.25e-6);
+}
+
+TEST_F(CaseFile, AFolderWithoutCasesIsRefused) {
+  const DataFolder chosen(folder().string());
+  EXPECT_TRUE(
+      contains(refusal_of([] { static_cast<void>(data::list_cases()); }), "STICKSLIP_DATA must name"));
+}
+
+}  // namespace
+}  // namespace stickslip

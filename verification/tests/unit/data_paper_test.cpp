@@ -1,0 +1,201 @@
+/// What the paper prints, as data: complete, consistent with its digits, and tied to the errata.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <stdexcept>
+#include <string>
+
+#include "stickslip/data/case_file.hpp"
+#include "stickslip/data/paper.hpp"
+#include "support/beams.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip {
+namespace {
+
+void expect_half_digit(const std::string& id, double expected) {
+  EXPECT_TRUE(
+      testing::within(data::printed_number(id).half_digit, expected, testing::round_off(4.0, 1.0, expected)))
+      << id;
+}
+
+TEST(PrintedNumbers, CarryHalfAUnitOfTheirLastDigitInSi) {
+  expect_half_digit("frequency.stick.1", 0.05);
+  expect_half_digit("force_max.15", 0.005);
+  expect_half_digit("force_max.25", 50.0);
+  expect_half_digit("friction_limit", 0.5);
+  expect_half_digit("figure6.amplitude.increment", 0.005e-3);
+  expect_half_digit("numerics.time_step", 0.5e-4);
+}
+
+TEST(PrintedNumbers, AFractionIsExact) {
+  const auto number = data::printed_number("parameter.second_moment_of_area");
+  EXPECT_EQ(number.half_digit, 0.0);
+  EXPECT_EQ(number.value, 1e-6 / 12.0);
+}
+
+TEST(PrintedNumbers, AreInSiWithThePagesDigitsAndUnit) {
+  const auto amplitude = data::printed_number("excitation.figure4.amplitude");
+  EXPECT_EQ(amplitude.value, 0.5e-3);
+  EXPECT_EQ(amplitude.unit, "m");
+  EXPECT_EQ(amplitude.printed, "0.5");
+  EXPECT_EQ(amplitude.printed_unit, "mm");
+  EXPECT_EQ(data::printed_number("frequency.stick.1").printed_unit, "Hz");
+}
+
+TEST(PrintedNumbers, TellGivenInputsFromRoundedResults) {
+  EXPECT_TRUE(data::printed_number("parameter.length").is_given);
+  EXPECT_FALSE(data::printed_number("force_max.15").is_given);
+}
+
+TEST(PrintedNumbers, HoldTheResultsOfSection5) {
+  EXPECT_EQ(data::printed_number("force_max.15").value, 40.38);
+  EXPECT_EQ(data::printed_number("force_max.25").value, 3.03e4);
+  EXPECT_EQ(data::printed_number("force_max.35").value, 254.87);
+  EXPECT_EQ(data::printed_number("force_max.70").value, 977.54);
+  EXPECT_EQ(data::printed_number("frequency.stick.1").value, 25.0);
+  EXPECT_EQ(data::printed_number("frequency.stick.2").value, 81.1);
+  EXPECT_EQ(data::printed_number("frequency.stick.3").value, 169.3);
+  EXPECT_EQ(data::printed_number("frequency.stick.1.half_stiffness").value, 17.6);
+  EXPECT_EQ(data::printed_number("frequency.stick.2.half_stiffness").value, 57.3);
+  EXPECT_EQ(data::printed_number("frequency.stick.3.half_stiffness").value, 119.6);
+  EXPECT_EQ(data::printed_number("figure14.length.1").value, 0.88);
+  EXPECT_EQ(data::printed_number("figure14.length.2").value, 1.58);
+}
+
+TEST(PrintedNumbers, DifferFromThePapersCaseInTheSecondMomentOfAreaOnly) {
+  const auto problem = data::load_case("paper");
+  const auto printed = [](const std::string& key) { return data::printed_number("parameter." + key).value; };
+  EXPECT_EQ(printed("length"), problem.beam.length());
+  EXPECT_EQ(printed("area"), problem.beam.area());
+  EXPECT_TRUE(testing::within(100.0 * printed("second_moment_of_area"), problem.beam.second_moment_of_area(),
+                              testing::round_off(2.0, 1.0, problem.beam.second_moment_of_area())));
+  EXPECT_EQ(printed("density"), problem.beam.density());
+  EXPECT_EQ(printed("youngs_modulus"), problem.beam.youngs_modulus());
+  EXPECT_EQ(printed("axial_force"), problem.beam.axial_force());
+  EXPECT_EQ(printed("static_coefficient"), problem.friction.static_coefficient());
+  EXPECT_EQ(printed("kinetic_coefficient"), problem.friction.kinetic_coefficient());
+  EXPECT_EQ(printed("decay"), problem.friction.decay());
+  EXPECT_EQ(printed("velocity_threshold"), problem.numerics.velocity_threshold());
+  EXPECT_EQ(data::printed_number("numerics.time_step").value, problem.numerics.time_step());
+  EXPECT_EQ(data::printed_number("numerics.modes").value, problem.numerics.modes());
+  EXPECT_EQ(data::printed_number("criterion.duration").value, problem.numerics.duration());
+}
+
+TEST(PrintedNumbers, ReferToErrataThatExist) {
+  std::set<std::string> ids;
+  for (const auto& erratum : data::errata()) ids.insert(erratum.id);
+  ids.insert("");  // most numbers need none
+  for (const auto& number : data::printed_numbers())
+    EXPECT_TRUE(ids.contains(number.erratum)) << number.id << " " << number.erratum;
+}
+
+TEST(PrintedNumbers, AnUnknownIdIsNamed) {
+  try {
+    static_cast<void>(data::printed_number("frequency.stick.4"));
+    FAIL() << "accepted";
+  } catch (const std::out_of_range& error) {
+    EXPECT_STREQ(error.what(), "no printed number has the id frequency.stick.4");
+  }
+}
+
+TEST(PrintedVerdicts, AreTheEightOfFigures4And5) {
+  const auto verdicts = data::printed_verdicts();
+  ASSERT_EQ(verdicts.size(), 8U);
+  std::set<std::string> sticking;
+  for (const auto& row : verdicts) {
+    EXPECT_EQ(row.amplitude, row.figure.starts_with('4') ? 0.5e-3 : 1e-3) << row.figure;
+    if (row.verdict == "stick") sticking.insert(row.figure);
+  }
+  EXPECT_EQ(sticking, (std::set<std::string>{"4a", "4c", "5a"}));
+  EXPECT_EQ(verdicts[0].frequency_hz, 15.0);
+  EXPECT_EQ(verdicts[7].frequency_hz, 70.0);
+}
+
+TEST(Errata, AreNumberedFromE1WithoutAGap) {
+  const auto rows = data::errata();
+  ASSERT_GE(rows.size(), 9U);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    EXPECT_EQ(rows[i].id, std::string("E").append(std::to_string(i + 1)));
+}
+
+TEST(Unstated, NamesWhatTheCaseFileChose) {
+  const auto rows = data::unstated();
+  const auto choice_is = [&](const std::string& choice) {
+    return std::ranges::any_of(rows, [&](const auto& row) { return row.choice == choice; });
+  };
+  const auto problem = data::load_case("paper");
+  EXPECT_TRUE(choice_is(data::shortest_text(problem.numerics.spectral_radius())));
+  EXPECT_TRUE(choice_is(std::to_string(problem.numerics.elements())));
+}
+
+// A data folder of its own with the one file of printed numbers.
+class MalformedPaperFile : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::filesystem::create_directories(folder_ / "paper");
+    ::setenv("STICKSLIP_DATA", folder_.c_str(), 1);
+  }
+  void TearDown() override {
+    ::unsetenv("STICKSLIP_DATA");
+    std::filesystem::remove_all(folder_);
+  }
+
+  [[nodiscard]] std::string refusal(const std::string& text) const {
+    std::ofstream(folder_ / "paper" / "printed-numbers.toml") << text;
+    try {
+      static_cast<void>(data::printed_numbers());
+    } catch (const data::InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  }
+
+  void expect_refused(const std::string& text, const std::string& part) const {
+    EXPECT_NE(refusal(text).find(part), std::string::npos) << refusal(text);
+  }
+
+  static std::string number(const std::string& value, const std::string& printed,
+                            const std::string& more = "") {
+    return "[[number]]\nid = 'a'\nvalue = " + value + "\nunit = 'm'\nprinted = '" + printed +
+           "'\ngiven = true\nplace = 'p'\nmeaning = 'm'\n" + more;
+  }
+
+ private:
+  std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() / ("stickslip-paper-" + std::to_string(::getpid()));
+};
+
+TEST_F(MalformedPaperFile, IsDerivedFromAWellFormedOne) {
+  EXPECT_EQ(refusal(number("2.5", "2.5")), "accepted");
+}
+
+TEST_F(MalformedPaperFile, MayNotContradictThePrintedDigits) {
+  expect_refused(number("2.5", "2.6"), "a has the value 2.5, but its printed digits give 2.6");
+  expect_refused(number("2.5", "2.5", "scale = 1e-3\n"), "printed digits give 0.0025");
+}
+
+TEST_F(MalformedPaperFile, MayNotNameAnIdTwice) {
+  expect_refused(number("2.5", "2.5") + number("3", "3"), "the id a stands twice");
+}
+
+TEST_F(MalformedPaperFile, MayNotHaveUnreadableDigits) {
+  for (const std::string printed : {"two", "2.5 m", "2.5x10^0", "(2.5)", "(5/two)", "2.5 x 10^y"})
+    EXPECT_NE(refusal(number("2.5", printed)), "accepted") << printed;
+}
+
+TEST_F(MalformedPaperFile, MayNotLackOrAddAKey) {
+  expect_refused("[[number]]\nid = 'a'\nvalue = 2\n", "must be");
+  expect_refused(number("2.5", "2.5", "eratum = 'E1'\n"), "unknown key eratum (did you mean erratum?)");
+  expect_refused("[number]\nid = 'a'\n", "must hold tables [[number]]");
+}
+
+}  // namespace
+}  // namespace stickslip

@@ -1,0 +1,188 @@
+/// The problem types: what they accept, what they refuse, and in which words.
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "stickslip/data/problem.hpp"
+#include "support/beams.hpp"
+
+namespace stickslip {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+data::NumericalChoices usual_choices() {
+  return {.elements = 20,
+          .time_step = 1e-4,
+          .spectral_radius = 0.9,
+          .velocity_threshold = 1e-4,
+          .modes = 10,
+          .duration = 10.0};
+}
+
+// Builds a problem type with one field replaced.
+struct Field {
+  std::string name;
+  std::function<void(double)> build_with;
+};
+
+template <class Type, class Properties>
+Field field(std::string name, Properties valid, double Properties::*member) {
+  return {std::move(name), [valid, member](double value) mutable {
+            valid.*member = value;
+            static_cast<void>(Type(valid));
+          }};
+}
+
+Field beam_field(const std::string& name, double data::BeamProperties::*member) {
+  return field<data::Beam>("beam." + name, testing::paper_beam_properties(), member);
+}
+
+Field friction_field(const std::string& name, double data::FrictionCoefficients::*member) {
+  const data::FrictionCoefficients valid{.static_coefficient = 0.6, .kinetic_coefficient = 0.3, .decay = 1.0};
+  return field<data::FrictionLaw>("friction." + name, valid, member);
+}
+
+Field excitation_field(const std::string& name, double data::HarmonicMotion::*member) {
+  const data::HarmonicMotion valid{.frequency_hz = 25.0, .amplitude = 0.5e-3};
+  return field<data::HarmonicExcitation>("excitation." + name, valid, member);
+}
+
+Field numerics_field(const std::string& name, double data::NumericalChoices::*member) {
+  return field<data::NumericalSettings>("numerics." + name, usual_choices(), member);
+}
+
+std::vector<Field> positive_fields() {
+  return {beam_field("length", &data::BeamProperties::length),
+          beam_field("area", &data::BeamProperties::area),
+          beam_field("second_moment_of_area", &data::BeamProperties::second_moment_of_area),
+          beam_field("density", &data::BeamProperties::density),
+          beam_field("youngs_modulus", &data::BeamProperties::youngs_modulus),
+          excitation_field("frequency_hz", &data::HarmonicMotion::frequency_hz),
+          numerics_field("time_step", &data::NumericalChoices::time_step),
+          numerics_field("duration", &data::NumericalChoices::duration)};
+}
+
+std::vector<Field> non_negative_fields() {
+  return {friction_field("static_coefficient", &data::FrictionCoefficients::static_coefficient),
+          friction_field("kinetic_coefficient", &data::FrictionCoefficients::kinetic_coefficient),
+          friction_field("decay", &data::FrictionCoefficients::decay),
+          excitation_field("amplitude", &data::HarmonicMotion::amplitude),
+          numerics_field("velocity_threshold", &data::NumericalChoices::velocity_threshold)};
+}
+
+// The sentence of the refusal, or "accepted".
+std::string refusal(const Field& field, double value) {
+  try {
+    field.build_with(value);
+  } catch (const data::FieldError& error) {
+    EXPECT_EQ(error.field(), field.name);
+    return error.what();
+  }
+  return "accepted";
+}
+
+void expect_refused(const Field& field, double value, const std::string& text, const std::string& allowed) {
+  EXPECT_TRUE(refusal(field, value).starts_with(field.name + " is " + text + ", but must be " + allowed))
+      << refusal(field, value);
+}
+
+TEST(ProblemTypes, RefuseWhatIsNotPositiveWhereItMustBe) {
+  for (const auto& field : positive_fields()) {
+    expect_refused(field, -2.5, "-2.5", "a finite number above 0");
+    expect_refused(field, 0.0, "0", "a finite number above 0");
+  }
+}
+
+TEST(ProblemTypes, RefuseWhatIsNegativeWhereItMustNotBe) {
+  for (const auto& field : non_negative_fields())
+    expect_refused(field, -1e-300, "-1e-300", "a finite number of 0 or more");
+}
+
+TEST(ProblemTypes, AcceptZeroWhereItHasAMeaning) {
+  EXPECT_NO_THROW(data::FrictionLaw({.static_coefficient = 0.0, .kinetic_coefficient = 0.0, .decay = 0.0}));
+  EXPECT_NO_THROW(data::HarmonicExcitation({.frequency_hz = 25.0, .amplitude = 0.0}));
+  EXPECT_EQ(refusal(numerics_field("velocity_threshold", &data::NumericalChoices::velocity_threshold), 0.0),
+            "accepted");
+}
+
+TEST(ProblemTypes, RefuseNotANumberAndInfinityEverywhere) {
+  auto fields = positive_fields();
+  for (const auto& field : non_negative_fields()) fields.push_back(field);
+  fields.push_back(beam_field("axial_force", &data::BeamProperties::axial_force));
+  for (const auto& field : fields) {
+    expect_refused(field, nan, "nan", "a finite number");
+    expect_refused(field, infinity, "inf", "a finite number");
+    expect_refused(field, -infinity, "-inf", "a finite number");
+  }
+}
+
+TEST(Beam, AcceptsAnyFiniteAxialForce) {
+  for (const double force : {-500.0, 0.0, 1e9})
+    EXPECT_EQ(testing::paper_beam_with_axial_force(force).axial_force(), force);
+}
+
+TEST(FrictionLaw, AcceptsCoulombAndRefusesFrictionThatGrowsWithSpeed) {
+  EXPECT_NO_THROW(data::FrictionLaw({.static_coefficient = 0.3, .kinetic_coefficient = 0.3, .decay = 0.0}));
+  expect_refused(friction_field("kinetic_coefficient", &data::FrictionCoefficients::kinetic_coefficient), 0.7,
+                 "0.7", "at most friction.static_coefficient, which is 0.6");
+}
+
+TEST(NumericalSettings, BoundTheSpectralRadiusByZeroAndOne) {
+  const auto radius = numerics_field("spectral_radius", &data::NumericalChoices::spectral_radius);
+  EXPECT_EQ(refusal(radius, 0.0), "accepted");
+  EXPECT_EQ(refusal(radius, 1.0), "accepted");
+  for (const double value : {-1e-9, 1.0 + 1e-9, nan}) EXPECT_NE(refusal(radius, value), "accepted");
+  expect_refused(radius, 1.5, "1.5", "a number from 0 to 1");
+}
+
+TEST(NumericalSettings, RefuseADurationShorterThanOneStep) {
+  const auto duration = numerics_field("duration", &data::NumericalChoices::duration);
+  EXPECT_EQ(refusal(duration, 1e-4), "accepted");
+  expect_refused(duration, 0.5e-4, "5e-05", "at least numerics.time_step, which is 1e-04");
+}
+
+std::string refusal(int data::NumericalChoices::*member, int value) {
+  auto choices = usual_choices();
+  choices.*member = value;
+  try {
+    static_cast<void>(data::NumericalSettings(choices));
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(NumericalSettings, BoundTheNumberOfElements) {
+  for (const int accepted : {1, 100000})
+    EXPECT_EQ(refusal(&data::NumericalChoices::elements, accepted), "accepted");
+  EXPECT_EQ(refusal(&data::NumericalChoices::elements, 0),
+            "numerics.elements is 0, but must be an integer from 1 to 100000");
+  EXPECT_EQ(refusal(&data::NumericalChoices::elements, 100001),
+            "numerics.elements is 100001, but must be an integer from 1 to 100000");
+}
+
+TEST(NumericalSettings, BoundTheNumberOfModes) {
+  for (const int accepted : {1, 200})
+    EXPECT_EQ(refusal(&data::NumericalChoices::modes, accepted), "accepted");
+  EXPECT_EQ(refusal(&data::NumericalChoices::modes, 0),
+            "numerics.modes is 0, but must be an integer from 1 to 200");
+  EXPECT_EQ(refusal(&data::NumericalChoices::modes, 201),
+            "numerics.modes is 201, but must be an integer from 1 to 200");
+}
+
+TEST(ShortestText, ReadsBackAsTheSameDouble) {
+  EXPECT_EQ(data::shortest_text(0.1), "0.1");
+  EXPECT_EQ(data::shortest_text(-2.0), "-2");
+  for (const double value : {1.0 / 3.0, 1e-4 / 12.0, 5e-324, 1.7976931348623157e308})
+    EXPECT_EQ(std::strtod(data::shortest_text(value).c_str(), nullptr), value);
+}
+
+}  // namespace
+}  // namespace stickslip

@@ -1,0 +1,258 @@
+/// Contact changes on one mass, against exact piecewise solutions.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "stickslip/solver/stick_slip_integrator.hpp"
+#include "support/single_mass.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+using solver::ContactEvent;
+using solver::ContactState;
+using solver::IntegratorSettings;
+using solver::StickSlipIntegrator;
+using std::numbers::pi;
+
+constexpr data::FrictionCoefficients coulomb{
+    .static_coefficient = 0.1, .kinetic_coefficient = 0.1, .decay = 0.0};
+
+TEST(StickSlipIntegrator, CoulombSliderStopsWhereItMust) {
+  // v = v0 - mu g' t: stops at t = v0/a after v0^2/(2 a), a = mu N/m. Constant acceleration is integrated
+  // exactly.
+  for (const double radius : {0.0, 0.5, 0.9, 1.0}) {
+    StickSlipIntegrator slider(contact_system({.mass = 2.0, .normal_force = 30.0, .friction = coulomb}),
+                               {.time_step = 0.07, .spectral_radius = radius});
+    slider.start_slipping(scalar(0.0), scalar(1.3));
+    const double deceleration = 0.1 * 30.0 / 2.0;
+    while (slider.time() < 1.5) slider.step();
+    ASSERT_EQ(slider.events().size(), 1u);
+    const ContactEvent& stop = slider.events().front();
+    EXPECT_EQ(stop.kind, ContactEvent::Kind::capture);
+    EXPECT_TRUE(within(stop.time, 1.3 / deceleration, {1e-11 * 0.07 + 1e-14, "location tolerance 1e-11 h"}));
+    EXPECT_TRUE(within(slider.displacement()[0], 0.5 * 1.3 * 1.3 / deceleration, round_off(100, 1, 1.0)));
+    EXPECT_EQ(slider.state(), ContactState::stick);
+    EXPECT_EQ(slider.sliding_velocity(), 0.0);
+  }
+}
+
+TEST(StickSlipIntegrator, FrictionOpposesTheSlidingInBothDirections) {
+  for (const double v0 : {-1.0, 1.0}) {
+    StickSlipIntegrator slider(contact_system({.normal_force = 10.0, .friction = coulomb}),
+                               {.time_step = 0.01, .spectral_radius = 1.0});
+    slider.start_slipping(scalar(0.0), scalar(v0));
+    EXPECT_DOUBLE_EQ(slider.friction_force(), -v0);
+    slider.step();
+    EXPECT_LT(std::abs(slider.velocity()[0]), 1.0);
+    EXPECT_DOUBLE_EQ(slider.friction_force(), -v0);
+  }
+}
+
+TEST(StickSlipIntegrator, CoulombOscillatorLosesTwiceTheDeadZoneEachHalfCycle) {
+  // m = 1, k = 4: turning points 1.0, -0.8, 0.6, -0.4, 0.2, 0.0 at multiples of pi/2 with mu N/k = 0.1; the
+  // last lies within the dead zone and sticks. Per half cycle the method's period error is (omega h)^2/12
+  // relative.
+  const double h = 1e-3;
+  StickSlipIntegrator oscillator(contact_system({.stiffness = 4.0, .normal_force = 4.0, .friction = coulomb}),
+                                 {.time_step = h, .spectral_radius = 1.0});
+  oscillator.start_slipping(scalar(1.04), scalar(0.0));
+  while (oscillator.time() < 12.0) oscillator.step();
+  const auto& events = oscillator.events();
+  ASSERT_EQ(events.size(), 5u);
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    const auto half_cycles = static_cast<double>(i + 1);
+    const double expected_time = half_cycles * pi / 2.0;
+    const double expected_position = (i % 2 == 0 ? -1.0 : 1.0) * (1.04 - 0.2 * half_cycles);
+    EXPECT_EQ(events[i].kind, i + 1 < 5 ? ContactEvent::Kind::reversal : ContactEvent::Kind::capture);
+    EXPECT_TRUE(
+        within(events[i].time, expected_time,
+               discretisation(expected_time * 4.0 * h * h / 12.0, 2.0, "period error (omega h)^2/12")));
+    EXPECT_TRUE(within(
+        events[i].displacement, expected_position,
+        discretisation(half_cycles * 4.0 * h * h, 1.0, "turning point within (omega h)^2 a half cycle")));
+  }
+}
+
+TEST(StickSlipIntegrator, MassOnAShakenPlaneLetsGoWhenFrictionIsUsedUp) {
+  // A sin(2 pi t) m = mu N: t = asin(mu N/(m A))/(2 pi).
+  StickSlipIntegrator mass(contact_system({.normal_force = 10.0, .friction = coulomb}, shaken(15.0, 1.0)),
+                           {.time_step = 1e-3, .spectral_radius = 0.9});
+  mass.start_stuck(scalar(0.0), scalar(0.0));
+  while (mass.events().empty()) mass.step();
+  EXPECT_EQ(mass.events().front().kind, ContactEvent::Kind::onset);
+  EXPECT_TRUE(within(mass.events().front().time, std::asin(1.0 / 15.0) / (2.0 * pi),
+                     {1e-11 * 1e-3 + 1e-14, "location tolerance 1e-11 h"}));
+}
+
+TEST(StickSlipIntegrator, StaysStuckForEverBelowTheFrictionLimit) {
+  StickSlipIntegrator mass(contact_system({.normal_force = 10.0, .friction = coulomb}, shaken(0.99, 1.0)),
+                           {.time_step = 1e-3, .spectral_radius = 0.9});
+  mass.start_stuck(scalar(0.25), scalar(0.0));
+  const auto wall = shaken(0.99, 1.0);
+  for (int n = 0; n < 12000; ++n) {
+    mass.step();
+    ASSERT_TRUE(within(mass.displacement()[0] - wall.displacement(mass.time()), 0.25, round_off(2, 1, 0.3)));
+  }
+  EXPECT_TRUE(mass.events().empty());
+}
+
+// Code SDND104 of a public validation manual: mean of 10 N |v_s| over 4 <= t <= 12 s on a plane shaken by A
+// sin(2 pi t).
+double mean_friction_power(double amplitude, double time_step) {
+  StickSlipIntegrator mass(
+      contact_system({.normal_force = 10.0, .friction = coulomb}, shaken(amplitude, 1.0)),
+      {.time_step = time_step, .spectral_radius = 1.0});
+  mass.start_stuck(scalar(0.0), scalar(0.0));
+  double sum = 0.0, before = 0.0;
+  const long first = std::lround(4.0 / time_step), last = std::lround(12.0 / time_step);
+  for (long n = 1; n <= last; ++n) {
+    mass.step();
+    const double now = std::abs(mass.sliding_velocity());
+    if (n > first) sum += 0.5 * (before + now) * time_step;
+    before = now;
+  }
+  return 10.0 * sum / 8.0;
+}
+
+struct ShakenPlane {
+  double amplitude, mean_power;
+};
+
+class ShakenPlaneBenchmark : public ::testing::TestWithParam<ShakenPlane> {};
+
+TEST_P(ShakenPlaneBenchmark, MeanFrictionPowerIsThePublishedOne) {
+  // Second order in h: |v_s| is smooth between kinks that are located, and the trapezoidal rule loses at most
+  // h^2/8 times the jump of the slope at each of the at most 4 kinks a second; method and rule together
+  // (2 pi h)^2/12 of 10 A/(2 pi) per second of smooth motion.
+  const double h = 1e-4;
+  const double slope = 2.0 * GetParam().amplitude;
+  const double predicted =
+      10.0 * (4.0 * h * h / 8.0 * slope + std::pow(2.0 * pi * h, 2) / 12.0 * slope / (4.0 * pi));
+  EXPECT_TRUE(within(mean_friction_power(GetParam().amplitude, h), GetParam().mean_power,
+                     discretisation(predicted, 1.0, "kinks h^2/8 and (omega h)^2/12")));
+}
+
+INSTANTIATE_TEST_SUITE_P(StickSlip, ShakenPlaneBenchmark,
+                         ::testing::Values(ShakenPlane{15.0, 15.2670995893716},
+                                           ShakenPlane{1.5, 0.409062451015709},
+                                           ShakenPlane{1.01, 2.26164121279787e-4}, ShakenPlane{0.99, 0.0}));
+
+// Two masses, the contact on the second, coupled in the mass matrix too.
+solver::ContactSystem pair_of_masses(double normal_force, data::FrictionCoefficients friction) {
+  const auto matrix = [](double a, double b, double d) {
+    Eigen::MatrixXd dense(2, 2);
+    dense << a, b, b, d;
+    return solver::SparseMatrix(dense.sparseView());
+  };
+  return {.mass = matrix(2.0, 0.3, 1.0),
+          .damping = solver::SparseMatrix(2, 2),
+          .stick_stiffness = matrix(30.0, -12.0, 14.0),
+          .slip_stiffness = matrix(30.0, -12.0, 14.0),
+          .load_shape = Eigen::VectorXd::Zero(2),
+          .load_history = [](double) { return 0.0; },
+          .contact = 1,
+          .wall = at_rest(),
+          .normal_force = normal_force,
+          .friction = data::FrictionLaw(friction)};
+}
+
+TEST(StickSlipIntegrator, CaptureRemovesExactlyTheEnergyOfTheImpulse) {
+  // With a threshold the contact is captured while it still slides; the twin without one shows the state
+  // before.
+  const auto run_until = [](double threshold, double end) {
+    auto integrator = std::make_unique<StickSlipIntegrator>(
+        pair_of_masses(20.0, coulomb),
+        IntegratorSettings{.time_step = 1e-2, .spectral_radius = 1.0, .velocity_threshold = threshold});
+    integrator->start_slipping(Eigen::Vector2d(0.2, 0.1), Eigen::Vector2d(0.5, 1.0));
+    while (integrator->time() < end && integrator->events().empty()) integrator->step();
+    return integrator;
+  };
+  const auto captured = run_until(0.3, 10.0);
+  ASSERT_EQ(captured->events().size(), 1u);
+  const ContactEvent& event = captured->events().front();
+  ASSERT_EQ(event.kind, ContactEvent::Kind::capture);
+  const auto twin = run_until(0.0, event.time - 1e-9);
+  ASSERT_TRUE(twin->events().empty());
+  const auto kinetic_energy = [](const StickSlipIntegrator& s) {
+    return 0.5 * s.velocity().dot(s.system().mass * s.velocity());
+  };
+  const double removed = 0.5 * captured->contact_mass() * event.residual_velocity * event.residual_velocity;
+  EXPECT_GT(std::abs(event.residual_velocity), 0.01);
+  EXPECT_TRUE(within(kinetic_energy(*twin) - kinetic_energy(*captured), removed, round_off(50, 10, 1.0)));
+  EXPECT_EQ(captured->velocity()[1], 0.0);
+  EXPECT_EQ((captured->displacement() - twin->displacement()).cwiseAbs().maxCoeff(), 0.0);
+  // M-orthogonal: what the impulse took away has no inertia force but at the contact.
+  const Eigen::VectorXd momentum = twin->system().mass * (twin->velocity() - captured->velocity());
+  EXPECT_TRUE(within(momentum[0], 0.0, round_off(20, 1, 1.0)));
+}
+
+TEST(StickSlipIntegrator, ContactMassIsTheInverseOfTheContactMobility) {
+  const StickSlipIntegrator integrator(pair_of_masses(1.0, coulomb),
+                                       {.time_step = 1e-2, .spectral_radius = 1.0});
+  // [M^-1]_22 = 2.0/(2.0*1.0 - 0.09)
+  EXPECT_TRUE(within(integrator.contact_mass(), (2.0 - 0.09) / 2.0, round_off(10, 1, 1.0)));
+}
+
+TEST(StickSlipIntegrator, HoldingForceBalancesTheContactRow) {
+  StickSlipIntegrator integrator(pair_of_masses(1e3, coulomb), {.time_step = 1e-2, .spectral_radius = 0.5});
+  integrator.start_stuck(Eigen::Vector2d(0.2, 0.1), Eigen::Vector2d(0.5, 0.0));
+  for (int n = 0; n < 5; ++n) integrator.step();
+  const Eigen::VectorXd a = integrator.consistent_acceleration();
+  const auto& system = integrator.system();
+  const Eigen::VectorXd balance = system.mass * a + system.slip_stiffness * integrator.displacement();
+  EXPECT_TRUE(within(balance[0], 0.0, round_off(20, 10, 10.0)));
+  EXPECT_TRUE(within(balance[1], integrator.friction_force(), round_off(20, 10, 10.0)));
+  EXPECT_EQ(a[1], 0.0);
+}
+
+TEST(StickSlipIntegrator, RefusesUnusableInput) {
+  const auto with = [](IntegratorSettings settings) {
+    StickSlipIntegrator(contact_system({.normal_force = 1.0, .friction = coulomb}), settings);
+  };
+  EXPECT_THROW(with({.time_step = 0.0, .spectral_radius = 1.0}), std::invalid_argument);
+  EXPECT_THROW(with({.time_step = -1.0, .spectral_radius = 1.0}), std::invalid_argument);
+  EXPECT_THROW(with({.time_step = std::nan(""), .spectral_radius = 1.0}), std::invalid_argument);
+  EXPECT_THROW(with({.time_step = 1e-3, .spectral_radius = 1.1}), std::invalid_argument);
+  EXPECT_THROW(with({.time_step = 1e-3, .spectral_radius = 1.0, .velocity_threshold = -1.0}),
+               std::invalid_argument);
+  auto no_mass = contact_system({.normal_force = 1.0, .friction = coulomb});
+  no_mass.mass = scalar_matrix(-1.0);
+  EXPECT_THROW(StickSlipIntegrator(no_mass, {.time_step = 1e-3, .spectral_radius = 1.0}),
+               std::invalid_argument);
+  auto two_loads = contact_system({.normal_force = 1.0, .friction = coulomb});
+  two_loads.load_shape = Eigen::VectorXd::Zero(2);
+  EXPECT_THROW(StickSlipIntegrator(two_loads, {.time_step = 1e-3, .spectral_radius = 1.0}),
+               std::invalid_argument);
+}
+
+TEST(StickSlipIntegrator, StopsWithAMessageWhenTheFrictionLawFallsTooFastForTheStep) {
+  StickSlipIntegrator slider(
+      contact_system({.normal_force = 1e3,
+                      .friction = {.static_coefficient = 1.0, .kinetic_coefficient = 0.0, .decay = 1e3}}),
+      {.time_step = 0.1, .spectral_radius = 1.0});
+  slider.start_slipping(scalar(0.0), scalar(1.0));
+  try {
+    slider.step();
+    FAIL() << "no exception";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("time_step = 0.1 s"), std::string::npos) << error.what();
+  }
+}
+
+TEST(FrictionLaw, FallsFromStaticToKineticWithTheDecay) {
+  const data::FrictionLaw law({.static_coefficient = 0.6, .kinetic_coefficient = 0.3, .decay = 2.0});
+  EXPECT_DOUBLE_EQ(solver::friction_coefficient(law, 0.0), 0.6);
+  EXPECT_DOUBLE_EQ(solver::friction_coefficient(law, -0.7), solver::friction_coefficient(law, 0.7));
+  EXPECT_TRUE(
+      within(solver::friction_coefficient(law, 0.7), 0.3 + 0.3 * std::exp(-1.4), round_off(5, 1, 1.0)));
+  EXPECT_DOUBLE_EQ(solver::friction_coefficient(law, 1e6), 0.3);
+}
+
+}  // namespace
+}  // namespace stickslip::testing
