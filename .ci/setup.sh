@@ -1,0 +1,41 @@
+# shellcheck shell=bash
+# Sourced by reports/generate and verification/run: installs the Debian packages that are missing.
+
+# What both need to configure and build.
+# shellcheck disable=SC2034
+build_packages=(
+  g++ cmake ninja-build
+  libeigen3-dev libgsl-dev libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev
+)
+
+fail() {
+  echo "$(basename "$0"): $*" >&2
+  exit 2
+}
+
+is_installed() {
+  [[ "$(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null)" == installed ]]
+}
+
+# install_missing PACKAGE...: says what it will install and installs it; silent when all is there.
+install_missing() {
+  if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+    fail "this is no Debian system (dpkg-query or apt-get is missing); install the counterparts of: $*"
+  fi
+  local package missing=()
+  for package in "$@"; do
+    is_installed "$package" || missing+=("$package")
+  done
+  ((${#missing[@]} > 0)) || return 0
+
+  local as_root=()
+  if ((EUID != 0)); then
+    command -v sudo >/dev/null ||
+      fail "packages are missing, and there is neither root nor sudo to install them; run as root: apt-get install ${missing[*]}"
+    as_root=(sudo)
+  fi
+  echo "Installing with apt-get: ${missing[*]}"
+  "${as_root[@]}" apt-get --quiet update
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get --quiet --yes --no-install-recommends install "${missing[@]}"
+}

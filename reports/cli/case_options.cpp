@@ -1,0 +1,74 @@
+#include "case_options.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+namespace stickslip::cli {
+
+namespace {
+
+// The number that the whole text is, if it is one.
+template <class Number>
+std::optional<Number> parse(const std::string& text) {
+  Number value{};
+  const auto* const end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, value);
+  if (result.ec != std::errc{} || result.ptr != end) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+void add_json_option(CLI::App& command, bool& json) {
+  command.add_flag("--json", json, "Print one JSON object, numbers with all digits");
+}
+
+void add_case_options(CLI::App& command, CaseOptions& options) {
+  command.add_option("CASE", options.name, "A name that 'stickslip cases' lists, or the path of a TOML file")
+      ->capture_default_str();
+  command
+      .add_option("--set", options.overrides, "Replace a key of the case, as in beam.length=1.8; repeatable")
+      ->type_name("TABLE.KEY=VALUE")
+      ->allow_extra_args(false);
+  add_json_option(command, options.json);
+}
+
+CLI::Validator integer_between(long lowest, long highest) {
+  const auto check = [lowest, highest](const std::string& text) -> std::string {
+    const auto value = parse<long>(text);
+    if (value && lowest <= *value && *value <= highest) return "";
+    return fmt::format("{} is not an integer from {} to {}", text, lowest, highest);
+  };
+  return {check, fmt::format("{} ... {}", lowest, highest)};
+}
+
+CLI::Validator number() {
+  return {[](const std::string& text) { return parse<double>(text) ? "" : text + " is not a number"; }, ""};
+}
+
+void add_excitation_options(CLI::App& command, ExcitationOptions& options) {
+  command.add_option("--hz", options.frequency_hz, "Excitation frequency, Hz (else that of the case)")
+      ->check(number());
+  command.add_option("--amplitude", options.amplitude, "Excitation amplitude, m (else that of the case)")
+      ->check(number());
+}
+
+std::vector<data::Override> overrides_of(const CaseOptions& options, const ExcitationOptions& excitation) {
+  std::vector<data::Override> overrides;
+  for (const auto& text : options.overrides) overrides.push_back(data::Override::parse(text));
+  if (excitation.frequency_hz)
+    overrides.push_back(override_with("excitation.frequency_hz", *excitation.frequency_hz));
+  if (excitation.amplitude) overrides.push_back(override_with("excitation.amplitude", *excitation.amplitude));
+  return overrides;
+}
+
+data::Override override_with(const std::string& key, double value) {
+  return {key, data::shortest_text(value)};
+}
+
+void print_json(const Json& object) {
+  fmt::print("{}\n", object.dump(2, ' ', false, Json::error_handler_t::replace));
+}
+
+}  // namespace stickslip::cli

@@ -1,0 +1,49 @@
+#pragma once
+
+/// What the subcommands have in common: which problem, and in which form to answer.
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "stickslip/data/case_file.hpp"
+
+namespace stickslip::cli {
+
+using Json = nlohmann::ordered_json;
+
+/// [CASE] --set table.key=value ... --json
+struct CaseOptions {
+  std::string name = "paper";
+  std::vector<std::string> overrides;
+  bool json{};
+};
+
+/// --hz F --amplitude M, short for --set excitation.frequency_hz=F --set excitation.amplitude=M
+struct ExcitationOptions {
+  std::optional<double> frequency_hz;
+  std::optional<double> amplitude;
+};
+
+void add_json_option(CLI::App& command, bool& json);
+void add_case_options(CLI::App& command, CaseOptions& options);
+void add_excitation_options(CLI::App& command, ExcitationOptions& options);
+
+/// Accepts integers from lowest to highest, or numbers: so that a refusal says what is allowed.
+[[nodiscard]] CLI::Validator integer_between(long lowest, long highest);
+[[nodiscard]] CLI::Validator number();
+
+/// The overrides of --set, then those of the options with a name of their own, which win.
+/// Throws data::InputError.
+[[nodiscard]] std::vector<data::Override> overrides_of(const CaseOptions& options,
+                                                       const ExcitationOptions& excitation = {});
+
+/// An override that sets a key to a number.
+[[nodiscard]] data::Override override_with(const std::string& key, double value);
+
+/// One JSON object on standard output.
+void print_json(const Json& object);
+
+}  // namespace stickslip::cli

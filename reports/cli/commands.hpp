@@ -1,0 +1,23 @@
+#pragma once
+
+/// The subcommands of `stickslip`. Each adds itself to the application and runs from its callback, which
+/// throws std::invalid_argument or std::domain_error (and their kin) for unusable input, and
+/// CLI::RuntimeError(1) when a check has failed and has said so.
+
+#include <CLI/CLI.hpp>
+
+namespace stickslip::cli {
+
+/// `modes`: natural frequencies of the stick or the slip state.
+void add_modes_command(CLI::App& app);
+
+/// `respond`: the motion of the tip and of midspan and the friction force, as CSV.
+void add_respond_command(CLI::App& app);
+
+/// `criterion`: |f_max| against mu_s P, the critical amplitude, the verdict.
+void add_criterion_command(CLI::App& app);
+
+/// `cases`: what data/cases holds.
+void add_cases_command(CLI::App& app);
+
+}  // namespace stickslip::cli

@@ -1,0 +1,139 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+
+#include "case_options.hpp"
+#include "commands.hpp"
+#include "number_text.hpp"
+#include "stickslip/analytic/slip_modes.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/solver/modal_analysis.hpp"
+
+namespace stickslip::cli {
+
+namespace {
+
+struct ModesOptions {
+  CaseOptions problem;
+  std::string state = "stick";
+  std::string method = "closed-form";
+  int count = 3;
+};
+
+// A natural frequency and how far to trust it.
+struct Frequency {
+  double hz{};
+  double relative_error{};  // estimate
+};
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+std::vector<Frequency> closed_form_stick(const data::Beam& beam, int count) {
+  std::vector<Frequency> frequencies;
+  for (const auto& mode : analytic::stick_modes(beam, count))
+    frequencies.push_back({mode.frequency_hz(), 4.0 * epsilon * mode.condition_number()});
+  return frequencies;
+}
+
+// Round-off of the characteristic function C over its slope: the sum of the moduli of its terms, times eps,
+// divided by |dC/d(ln omega)|, which vanishes where two frequencies coalesce.
+double slip_root_error(const data::Beam& beam, const analytic::SlipMode& mode) {
+  const double b = mode.hyperbolic_wave_number() * beam.length();
+  const double bb = mode.trigonometric_wave_number() * beam.length();
+  const double terms = (std::pow(b, 4) + std::pow(bb, 4)) / std::cosh(b) + 2.0 * b * b * bb * bb +
+                       b * bb * std::abs(bb * bb - b * b);
+  const double omega = mode.angular_frequency(), relative_step = 1e-6;
+  const double slope = (analytic::slip_characteristic(beam, omega * (1.0 + relative_step)) -
+                        analytic::slip_characteristic(beam, omega * (1.0 - relative_step))) /
+                       (2.0 * relative_step);
+  return 4.0 * epsilon * (1.0 + terms / std::abs(slope));
+}
+
+std::vector<Frequency> closed_form_slip(const data::Beam& beam, int count) {
+  std::vector<Frequency> frequencies;
+  for (const auto& mode : analytic::slip_modes(beam, count))
+    frequencies.push_back({mode.frequency_hz(), slip_root_error(beam, mode)});
+  return frequencies;
+}
+
+// Leading discretisation error of a frequency on Hermite elements of length l, (beta l)^4/1440 with
+// beta^4 = rho A omega^2/EI, which leaves the axial force out.
+double hermite_error(const data::Beam& beam, double omega, double l) {
+  const double mass = beam.density() * beam.area();
+  const double stiffness = beam.youngs_modulus() * beam.second_moment_of_area();
+  return mass * omega * omega / stiffness * std::pow(l, 4) / 1440.0;
+}
+
+std::vector<Frequency> finite_element(const data::Case& problem, bool slip, int count) {
+  const solver::BeamModel model(problem.beam, problem.numerics.elements());
+  const double element_length = problem.beam.length() / model.elements();
+  std::vector<Frequency> frequencies;
+  for (const auto& mode : slip ? solver::slip_modes(model, count) : solver::stick_modes(model, count))
+    frequencies.push_back({mode.angular_frequency / (2.0 * std::numbers::pi),
+                           hermite_error(problem.beam, mode.angular_frequency, element_length)});
+  return frequencies;
+}
+
+std::vector<Frequency> frequencies_of(const data::Case& problem, const ModesOptions& options) {
+  const bool slip = options.state == "slip";
+  if (options.method == "fe") return finite_element(problem, slip, options.count);
+  return slip ? closed_form_slip(problem.beam, options.count)
+              : closed_form_stick(problem.beam, options.count);
+}
+
+void print_table(const data::Case& problem, const ModesOptions& options,
+                 const std::vector<Frequency>& frequencies) {
+  const std::string method =
+      options.method == "fe" ? fmt::format("{} finite elements", problem.numerics.elements()) : "closed form";
+  fmt::print("{}: {} state, {}\n\nmode  frequency / Hz\n", problem.name, options.state, method);
+  int number = 0;
+  for (const auto& frequency : frequencies)
+    fmt::print("{:>4}  {}\n", ++number,
+               significant(frequency.hz, digits_that_hold(frequency.relative_error)));
+}
+
+Json to_json(const data::Case& problem, const ModesOptions& options,
+             const std::vector<Frequency>& frequencies) {
+  Json hz = Json::array(), errors = Json::array();
+  for (const auto& frequency : frequencies) {
+    hz.push_back(frequency.hz);
+    errors.push_back(frequency.relative_error);
+  }
+  Json object{{"case", problem.name}, {"state", options.state}, {"method", options.method}};
+  if (options.method == "fe") object["elements"] = problem.numerics.elements();
+  object["frequencies_hz"] = hz;
+  object["relative_error_estimates"] = errors;
+  return object;
+}
+
+void run(const ModesOptions& options) {
+  const data::Case problem = data::load_case(options.problem.name, overrides_of(options.problem));
+  const auto frequencies = frequencies_of(problem, options);
+  if (options.problem.json)
+    print_json(to_json(problem, options, frequencies));
+  else
+    print_table(problem, options, frequencies);
+}
+
+}  // namespace
+
+void add_modes_command(CLI::App& app) {
+  auto* command = app.add_subcommand("modes", "Natural frequencies of the stick or the slip state");
+  auto options = std::make_shared<ModesOptions>();
+  add_case_options(*command, options->problem);
+  command->add_option("--state", options->state, "Tip pinned to the wall, or sliding under the follower load")
+      ->check(CLI::IsMember({"stick", "slip"}))
+      ->capture_default_str();
+  command->add_option("--method", options->method)
+      ->check(CLI::IsMember({"closed-form", "fe"}))
+      ->capture_default_str();
+  command->add_option("--count", options->count, "How many, from the lowest")
+      ->check(integer_between(1, 1000))
+      ->capture_default_str();
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace stickslip::cli

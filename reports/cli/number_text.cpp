@@ -1,0 +1,34 @@
+#include "number_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "stickslip/data/problem.hpp"
+
+namespace stickslip::cli {
+
+int digits_that_hold(double relative_error) {
+  const double resolved = std::max(relative_error, std::numeric_limits<double>::epsilon() / 2.0);
+  return std::max(1, static_cast<int>(std::floor(-std::log10(resolved))));
+}
+
+std::string significant(double value, int digits) {
+  std::string text = fmt::format("{:#.{}g}", value, digits);
+  if (const auto bare = text.find(".e"); bare != std::string::npos)
+    text.erase(bare, 1);  // 3.e+01 becomes 3e+01
+  if (text.ends_with('.')) text.pop_back();
+  return text;
+}
+
+std::string common_digits(const analytic::Bounds& bounds) {
+  if (bounds.lower == bounds.upper) return data::shortest_text(bounds.lower);
+  for (int digits = std::numeric_limits<double>::digits10; digits > 0; --digits)
+    if (const auto text = significant(bounds.lower, digits); text == significant(bounds.upper, digits))
+      return text;
+  return fmt::format("{} ... {}", significant(bounds.lower, 2), significant(bounds.upper, 2));
+}
+
+}  // namespace stickslip::cli

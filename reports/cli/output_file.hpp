@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdio>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace stickslip::cli {
+
+/// An output that cannot be written: names the path and the reason.
+class OutputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A file that appears under its name only when it is complete: written beside it under a temporary name,
+/// flushed to the disk and renamed by commit(); removed if commit() is not reached. "-" is standard output.
+/// What exists and is no regular file (a pipe, /dev/null) is written to directly; a symbolic link stays and
+/// its target is replaced.
+class OutputFile {
+ public:
+  /// Throws OutputError if the path cannot be written.
+  explicit OutputFile(const std::string& path);
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  /// Throws OutputError, on a full disk for one.
+  void write(std::string_view text);
+
+  /// Puts the file in place. Throws OutputError.
+  void commit();
+
+ private:
+  void open_directly();
+  void open_temporary();
+  [[noreturn]] void fail() const;
+
+  std::string path_;
+  std::filesystem::path target_;
+  std::filesystem::path temporary_;  // empty when written to directly
+  std::FILE* stream_{};
+};
+
+}  // namespace stickslip::cli
