@@ -18,6 +18,7 @@ struct RespondOptions {
   CaseOptions problem;
   ExcitationOptions excitation;
   std::string method = "fe";
+  std::string initial_velocity = "quasi-static";
   std::optional<double> duration;
   std::string output = "-";
   long every = 1;
@@ -34,9 +35,8 @@ struct Row {
 };
 
 constexpr std::string_view header =
-    "time_s,base_displacement_m,tip_displacement_m,midspan_displacement_m,sliding_velocity_m_per_s,friction_"
-    "force_N,"
-    "state\n";
+    "time_s,base_displacement_m,tip_displacement_m,midspan_displacement_m,"
+    "sliding_velocity_m_per_s,friction_force_N,state\n";
 
 std::string csv_line(const Row& row) {
   const auto text = [](double value) { return data::shortest_text(value + 0.0); };  // -0 becomes 0
@@ -96,11 +96,11 @@ Row row_of(const solver::BeamSimulation& simulation) {
           .state = simulation.state() == solver::ContactState::stick ? "stick" : "slip"};
 }
 
-void write_closed_form(const data::Case& problem, long every, Writer& writer) {
+void write_closed_form(const data::Case& problem, const RespondOptions& options, Writer& writer) {
   const analytic::StickResponse response(problem.beam, problem.excitation, problem.numerics.modes());
   const double limit = problem.friction.static_coefficient() * problem.beam.axial_force();
   const long steps = steps_of(problem);
-  for (long n = 0; n <= steps; n += every) {
+  for (long n = 0; n <= steps; n += options.every) {
     const Row row =
         row_of(response, problem.beam.length(), static_cast<double>(n) * problem.numerics.time_step());
     writer.write(row);
@@ -109,12 +109,15 @@ void write_closed_form(const data::Case& problem, long every, Writer& writer) {
   }
 }
 
-void write_finite_element(const data::Case& problem, long every, Writer& writer) {
-  solver::BeamSimulation simulation(problem.beam, problem.friction, problem.excitation, problem.numerics);
+void write_finite_element(const data::Case& problem, const RespondOptions& options, Writer& writer) {
+  const auto initial_velocity = options.initial_velocity == "zero" ? solver::InitialVelocity::zero
+                                                                   : solver::InitialVelocity::quasi_static;
+  solver::BeamSimulation simulation(problem.beam, problem.friction, problem.excitation, problem.numerics,
+                                    solver::TipContact::friction, initial_velocity);
   const long steps = steps_of(problem);
   for (long n = 0; n <= steps; ++n) {
     if (n > 0) simulation.step();
-    if (n % every == 0) writer.write(row_of(simulation));
+    if (n % options.every == 0) writer.write(row_of(simulation));
   }
   const auto& events = simulation.integrator().events();
   if (!events.empty()) writer.summary().first_slip = events.front().time;
@@ -155,8 +158,11 @@ void run(const RespondOptions& options) {
     throw data::InputError("--json and --output - both want standard output, but --json needs --output FILE");
   const data::Case problem = problem_of(options);
   const bool closed_form = options.method == "closed-form";
+  if (closed_form && options.initial_velocity != "quasi-static")
+    throw data::InputError(
+        "--initial-velocity is zero, but the closed form starts quasi-static: Eq. (26) assumes it");
   Writer writer(options.output);
-  (closed_form ? write_closed_form : write_finite_element)(problem, options.every, writer);
+  (closed_form ? write_closed_form : write_finite_element)(problem, options, writer);
   const Summary summary = writer.finish();
   if (closed_form && summary.first_slip) warn_of_slip(problem, *summary.first_slip);
   if (options.problem.json)
@@ -176,6 +182,11 @@ void add_respond_command(CLI::App& app) {
       ->add_option("--method", options->method,
                    "Finite elements with contact, or the closed form of the stick state")
       ->check(CLI::IsMember({"closed-form", "fe"}))
+      ->capture_default_str();
+  command
+      ->add_option("--initial-velocity", options->initial_velocity,
+                   "u_t(x,0): S(x) h_t(0), or the zero of the paper's text (an impulsive start)")
+      ->check(CLI::IsMember({"quasi-static", "zero"}))
       ->capture_default_str();
   command->add_option("--duration", options->duration, "Duration, s (else that of the case)")
       ->check(number());

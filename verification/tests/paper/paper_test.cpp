@@ -111,6 +111,27 @@ TEST(Errata, E4RestInTheFrameOfTheBaseGivesAnImpulsiveReaction) {
   EXPECT_LT(largest(64, solver::InitialVelocity::quasi_static), 1.0);
 }
 
+TEST(Errata, E7MuSPBoundsTheStaticForceAndTheKineticOneLiesBetweenMuMAndMuS) {
+  const double upper = 0.6 * 500.0, lower = 0.3 * 500.0;
+  solver::BeamSimulation s(paper().beam, paper().friction, data::HarmonicExcitation({70.0, 1e-3}),
+                           paper().numerics);
+  double largest_static = 0.0, smallest_kinetic = upper;
+  for (int n = 0; n < 5000; ++n) {
+    s.step();
+    const double force = std::abs(s.friction_force());
+    if (s.state() == solver::ContactState::stick) {
+      largest_static = std::max(largest_static, force);
+    } else {
+      smallest_kinetic = std::min(smallest_kinetic, force);
+    }
+    ASSERT_LE(force, upper + round_off(1, 1, upper).value);
+  }
+  EXPECT_GT(largest_static, 0.95 * upper);
+  EXPECT_GE(smallest_kinetic, lower);
+  // The tip slides at up to about 1 m/s: mu(1) = 0.41.
+  EXPECT_LT(smallest_kinetic, 0.75 * upper);
+}
+
 class Verdict : public ::testing::TestWithParam<data::PrintedVerdict> {};
 
 TEST_P(Verdict, IsThePrintedOneByBothImplementations) {

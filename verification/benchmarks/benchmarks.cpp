@@ -1,0 +1,73 @@
+/// Times of the work that everything else is made of. Quote ratios between lines of one run, not the times.
+
+#include <benchmark/benchmark.h>
+
+#include "stickslip/analytic/criterion.hpp"
+#include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
+
+namespace stickslip {
+namespace {
+
+const data::Beam beam({.length = 2.0,
+                       .area = 0.01,
+                       .second_moment_of_area = 1e-4 / 12.0,
+                       .density = 1000.0,
+                       .youngs_modulus = 2e9,
+                       .axial_force = 500.0});
+const data::FrictionLaw friction({.static_coefficient = 0.6, .kinetic_coefficient = 0.3, .decay = 1.0});
+
+data::NumericalSettings settings(int elements) {
+  return data::NumericalSettings({.elements = elements,
+                                  .time_step = 1e-4,
+                                  .spectral_radius = 0.9,
+                                  .velocity_threshold = 1e-4,
+                                  .modes = 10,
+                                  .duration = 1.0});
+}
+
+void run(benchmark::State& state, double amplitude, solver::TipContact contact) {
+  const data::HarmonicExcitation excitation({.frequency_hz = 25.0, .amplitude = amplitude});
+  const auto numerics = settings(static_cast<int>(state.range(0)));
+  const long steps = solver::step_count(numerics.duration(), numerics.time_step());
+  for (auto _ : state) {
+    solver::BeamSimulation simulation(beam, friction, excitation, numerics, contact);
+    for (long n = 0; n < steps; ++n) {
+      simulation.step();
+      benchmark::DoNotOptimize(simulation.friction_force());
+    }
+  }
+  state.counters["steps"] =
+      benchmark::Counter(static_cast<double>(steps), benchmark::Counter::kIsIterationInvariantRate);
+  state.SetComplexityN(state.range(0));
+}
+
+// One second of the linear stick state: the cost of a step must grow as the number of elements.
+void stick_run(benchmark::State& state) { run(state, 0.5e-3, solver::TipContact::glued); }
+BENCHMARK(stick_run)
+    ->RangeMultiplier(4)
+    ->Range(20, 1280)
+    ->Complexity(benchmark::oN)
+    ->Unit(benchmark::kMillisecond);
+
+// One second of stick-slip at 25 Hz and 1 mm, contact changes located.
+void stick_slip_run(benchmark::State& state) { run(state, 1e-3, solver::TipContact::friction); }
+BENCHMARK(stick_slip_run)->Arg(20)->Arg(80)->Unit(benchmark::kMillisecond);
+
+// max |f| over 10 s with its rigorous bound, at one frequency.
+void force_maximum(benchmark::State& state) {
+  const data::HarmonicExcitation excitation({.frequency_hz = 35.0, .amplitude = 0.5e-3});
+  const analytic::StickResponse response(beam, excitation, static_cast<int>(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(response.max_abs_friction_force(10.0));
+}
+BENCHMARK(force_maximum)->Arg(10)->Arg(40)->Unit(benchmark::kMillisecond);
+
+// Roots, shapes and integrals of the stick state.
+void stick_modes(benchmark::State& state) {
+  for (auto _ : state)
+    benchmark::DoNotOptimize(analytic::stick_modes(beam, static_cast<int>(state.range(0))));
+}
+BENCHMARK(stick_modes)->Arg(10)->Arg(200)->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace stickslip
