@@ -17,6 +17,9 @@ void add_respond_command(CLI::App& app);
 /// `criterion`: |f_max| against mu_s P, the critical amplitude, the verdict.
 void add_criterion_command(CLI::App& app);
 
+/// `report`: the figures and the V&V report.
+void add_report_command(CLI::App& app);
+
 /// `cases`: what data/cases holds.
 void add_cases_command(CLI::App& app);
 

@@ -31,6 +31,7 @@ void add_commands(CLI::App& app) {
   add_modes_command(app);
   add_respond_command(app);
   add_criterion_command(app);
+  add_report_command(app);
   add_cases_command(app);
 }
 

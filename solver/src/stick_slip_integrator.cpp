@@ -225,8 +225,8 @@ const StickSlipIntegrator::Cholesky& StickSlipIntegrator::stick_matrix(StepOpera
 const StickSlipIntegrator::Lu& StickSlipIntegrator::slip_matrix(StepOperator& op) const {
   if (!op.slip) {
     op.slip = std::make_unique<Lu>();
-    op.slip->setPivotThreshold(
-        0.0);  // nearly symmetric positive definite: pivots on the diagonal, in any unit
+    // Nearly symmetric positive definite: pivots on the diagonal, in any system of units.
+    op.slip->setPivotThreshold(0.0);
     op.slip->compute(step_matrix(op, system_.slip_stiffness));
     op.mobility =
         op.slip->solve(Eigen::VectorXd(Eigen::VectorXd::Unit(system_.mass.rows(), system_.contact)));

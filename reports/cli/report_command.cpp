@@ -1,0 +1,33 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <memory>
+#include <string>
+
+#include "commands.hpp"
+#include "stickslip/report/report.hpp"
+#include "stickslip/version.hpp"
+
+namespace stickslip::cli {
+
+void add_report_command(CLI::App& app) {
+  auto* command =
+      app.add_subcommand("report", "Figures and V&V report as PDF, from runs of both implementations");
+  auto options = std::make_shared<report::ReportOptions>();
+  options->output = "vv-report";
+  options->version = version;
+  options->commit = commit;
+  command->add_option("--output", options->output, "Folder for vv-report.pdf and the figures (CSV, PDF, PNG)")
+      ->capture_default_str();
+  command
+      ->add_option("--only", options->only,
+                   fmt::format("Only these figures, without the PDF report: {}",
+                               fmt::join(report::figure_names(), ", ")))
+      ->delimiter(',')
+      ->type_name("FIG,...")
+      ->allow_extra_args(false);
+  command->add_flag("--quiet", options->quiet, "No progress on standard error");
+  command->callback([options] { report::write_report(*options); });
+}
+
+}  // namespace stickslip::cli

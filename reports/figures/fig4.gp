@@ -1,0 +1,3 @@
+# Fig. 4: tip displacement at A0 = 0.5 mm.
+file = folder.'fig4.csv'
+load 'tip-histories.gp'

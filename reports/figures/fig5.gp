@@ -1,0 +1,3 @@
+# Fig. 5: tip displacement at A0 = 1 mm.
+file = folder.'fig5.csv'
+load 'tip-histories.gp'

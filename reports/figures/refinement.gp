@@ -1,0 +1,20 @@
+# Sup-norm errors of the stick state against the time step, with what theory predicts.
+width = 16
+height = 7.5
+load 'style.gp'
+file = folder.'refinement.csv'
+set logscale xy
+set format '10^{%T}'
+set xlabel 'time step Δt / s'
+set xrange [1e-6:2e-4]
+set key left top reverse Left
+set multiplot layout 1, 2 margins 0.105, 0.98, 0.175, 0.89 spacing 0.125
+set title 'Displacement y(L/2, t)'
+set ylabel 'largest error / m' offset 0.5
+plot file using 2:4 with lines linestyle 1 title 'predicted bound', \
+     '' using 2:3 with points linestyle 2 pointtype 7 pointsize 0.6 title 'measured'
+set title 'Static friction force f(t)'
+set ylabel 'largest error / N' offset 0.5
+plot file using 2:6 with lines linestyle 1 title 'predicted bound', \
+     '' using 2:5 with points linestyle 2 pointtype 7 pointsize 0.6 title 'measured'
+unset multiplot

@@ -1,0 +1,41 @@
+# The style that all figures share, and the file that they are drawn to.
+#
+# A figure sets width and height (cm) and loads this file. From the command line come
+#   folder  where its CSV files are, with a slash at the end
+#   format  'pdf' or 'png'
+#   output  the file to write
+# and values of its own, as in
+#   gnuplot -e "folder='build/reports/'; format='pdf'; output='refinement.pdf'" refinement.gp
+
+typeface = 'DejaVu Sans'
+if (format eq 'pdf') {
+  set terminal pdfcairo enhanced color font typeface.',7.5' fontscale 1.0 linewidth 1.0 \
+      size width cm, height cm
+} else {
+  dots_per_cm = 80.0
+  magnification = dots_per_cm * 2.54 / 72.0
+  font_magnification = dots_per_cm * 2.54 / 96.0  # this terminal takes fonts at 96 dots per inch
+  set terminal pngcairo enhanced color font typeface.',7.5' fontscale font_magnification \
+      linewidth magnification pointscale magnification size width * dots_per_cm, height * dots_per_cm
+}
+set output output
+set encoding utf8
+set datafile separator comma
+set datafile columnheaders
+
+# Okabe and Ito's palette, which colour-blind readers can tell apart.
+black = '#000000'
+green = '#009E73'
+blue = '#0072B2'
+vermillion = '#D55E00'
+purple = '#CC79A7'
+grey = '#8C8C8C'
+pale = '#8DB9D8'
+
+set style line 1 linecolor rgb blue linewidth 1.5
+set style line 2 linecolor rgb vermillion linewidth 1.2 pointtype 6 pointsize 0.35
+set style line 3 linecolor rgb grey linewidth 0.8 dashtype 2
+set border linewidth 0.6
+set tics scale 0.6 nomirror
+set grid linecolor rgb '#DDDDDD' linewidth 0.5 linetype 1
+set key samplen 2 spacing 1.2

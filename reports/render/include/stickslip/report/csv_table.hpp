@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stickslip::report {
+
+struct CsvColumn {
+  std::string name;
+  std::string unit;  ///< "m"; "1" for a pure number, "-" for a word
+};
+
+/// A table of comma-separated values: two comment lines (title, units), a line of column names, the rows.
+/// Numbers are written with the digits that read back as the same double.
+class CsvTable {
+ public:
+  CsvTable(std::string_view title, const std::vector<CsvColumn>& columns);
+
+  /// Throws std::invalid_argument if there are not as many cells as columns, or if a cell holds a comma, a
+  /// quote or a line break.
+  void add_row(const std::vector<std::string>& cells);
+  void add_numbers(const std::vector<double>& values);
+
+  [[nodiscard]] const std::string& text() const noexcept { return text_; }
+
+ private:
+  std::size_t columns_;
+  std::string text_;
+};
+
+/// The shortest decimal text that reads back as the same double; empty for nothing.
+[[nodiscard]] std::string csv_number(std::optional<double> value);
+
+}  // namespace stickslip::report

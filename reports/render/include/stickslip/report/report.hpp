@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// The V&V report: figures by gnuplot, a PDF by LaTeX, every number in it from a study.
+namespace stickslip::report {
+
+struct ReportOptions {
+  std::filesystem::path output;   ///< folder that receives the figures and vv-report.pdf; made if missing
+  std::vector<std::string> only;  ///< names of figures to render, without the PDF report; empty: everything
+  bool quiet{};                   ///< no progress on standard error, even if that is a terminal
+  std::string version;            ///< of the program, for the title page
+  std::string commit;             ///< that was built, for the title page
+};
+
+/// Runs the studies on the paper's case and writes `<figure>.csv`, `.pdf` and `.png` for each figure and,
+/// unless `only` is given, vv-report.pdf. Each file appears whole or not at all.
+///
+/// Throws data::InputError for an unknown figure or an output folder that cannot be used, std::runtime_error
+/// if gnuplot or pdflatex is missing or fails (the CSV files are in place by then).
+void write_report(const ReportOptions& options);
+
+/// What `only` may hold, in the order of the report.
+[[nodiscard]] std::vector<std::string> figure_names();
+
+/// The folder with figures/ and latex/: the environment variable STICKSLIP_REPORTS if set, else the source
+/// tree's reports/. Throws data::InputError if it lacks one of them.
+[[nodiscard]] std::filesystem::path templates_directory();
+
+}  // namespace stickslip::report

@@ -1,0 +1,76 @@
+#include "document.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <stdexcept>
+
+#include "environment.hpp"
+#include "external_tool.hpp"
+#include "numbers.hpp"
+#include "tables.hpp"
+
+namespace stickslip::report {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int most_runs = 4;
+
+// "Rerun to get cross-references right.", "Table widths have changed. Rerun LaTeX."
+bool wants_another_run(const fs::path& log) {
+  std::ifstream stream(log);
+  for (std::string line; std::getline(stream, line);)
+    if (line.find("Rerun to get") != std::string::npos || line.find("Rerun LaTeX") != std::string::npos)
+      return true;
+  return false;
+}
+
+// "! Undefined control sequence." and the line after it, which says where.
+std::string first_error(const fs::path& log) {
+  std::ifstream stream(log);
+  std::string line, next;
+  while (std::getline(stream, line)) {
+    if (!line.starts_with("! ")) continue;
+    std::getline(stream, next);
+    return fmt::format("{} {}", line.substr(2), next);
+  }
+  return "its log names no error";
+}
+
+void run_pdflatex(const fs::path& folder) {
+  const int status = run_tool("pdflatex", {"-halt-on-error", "-interaction=nonstopmode", "vv-report.tex"},
+                              folder, folder / "pdflatex.out");
+  if (status == 0) return;
+  throw std::runtime_error(fmt::format("pdflatex could not typeset the report (status {}): {}", status,
+                                       first_error(folder / "vv-report.log")));
+}
+
+}  // namespace
+
+Document make_document(StudyResults& results, const ReportOptions& options, const fs::path& scratch) {
+  const Environment environment = describe_environment(options, scratch);
+  Document document = make_tables(results, environment);
+  document["numbers.tex"] = make_numbers(results, environment);
+  return document;
+}
+
+void typeset_document(const Document& document, OutputFolder& output) {
+  const fs::path folder = output.scratch() / "latex";
+  fs::copy(templates_directory() / "latex", folder, fs::copy_options::recursive);
+  for (const auto& [name, text] : document) write_text(folder / name, text);
+  try {
+    run_pdflatex(folder);
+    for (int run = 2; run <= most_runs; ++run) {
+      run_pdflatex(folder);
+      if (!wants_another_run(folder / "vv-report.log")) break;
+    }
+  } catch (const ToolMissing& missing) {
+    throw std::runtime_error(fmt::format("{}, so that there is no PDF report; the figures are in {}",
+                                         missing.what(), output.folder().string()));
+  }
+  output.publish(folder / "vv-report.pdf");
+}
+
+}  // namespace stickslip::report

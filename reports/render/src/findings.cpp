@@ -1,0 +1,102 @@
+#include "findings.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "stickslip/data/paper.hpp"
+
+namespace stickslip::report {
+
+namespace {
+
+class RangeBuilder {
+ public:
+  void add(double value) {
+    range_.lowest = std::min(range_.lowest, value);
+    range_.highest = std::max(range_.highest, value);
+  }
+  [[nodiscard]] Range range() const { return range_; }
+
+ private:
+  Range range_{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+};
+
+}  // namespace
+
+Range orders_of(const studies::FrequencyStudy& study) {
+  RangeBuilder orders;
+  for (const auto& mode : study.modes) orders.add(mode.observed_order);
+  return orders.range();
+}
+
+Range orders_of(const std::vector<studies::TimeOrderStudy>& studies) {
+  RangeBuilder orders;
+  for (const auto& study : studies)
+    for (const double order : {study.displacement_order, study.velocity_order, study.reaction_order})
+      orders.add(order);
+  return orders.range();
+}
+
+double percent_difference(double a, double b) { return 100.0 * std::abs(a / b - 1.0); }
+
+ForceDifferences force_differences(const std::vector<studies::ForceMaximum>& maxima) {
+  ForceDifferences largest;
+  const auto raise = [](double& value, double a, double b) {
+    value = std::max(value, percent_difference(a, b));
+  };
+  for (const auto& row : maxima) {
+    const double converged = row.converged.midpoint();
+    raise(largest.sampling, row.sampled, row.truncated.midpoint());
+    raise(largest.truncation, row.truncated.midpoint(), converged);
+    raise(largest.discretisation, row.finite_element, converged);
+    raise(largest.prediction, row.finite_element, row.predicted_finite_element);
+  }
+  return largest;
+}
+
+PointCounts point_counts(const studies::ClassificationStudy& study) {
+  const int disagreeing = static_cast<int>(study.points.size()) - study.agreeing;
+  return {study.points.size(), study.agreeing, study.in_guard_band, disagreeing - study.disagreeing_outside,
+          study.disagreeing_outside};
+}
+
+Range guard_range(const studies::ClassificationStudy& study) {
+  RangeBuilder guards;
+  for (const auto& frequency : study.frequencies) guards.add(frequency.relative_guard());
+  return guards.range();
+}
+
+HistoryFindings history_findings(const std::vector<studies::ContactHistory>& histories) {
+  HistoryFindings findings;
+  RangeBuilder trusted;
+  const auto verdicts = data::printed_verdicts();
+  for (std::size_t i = 0; i < histories.size(); ++i) {
+    const auto& history = histories[i];
+    const bool printed = verdicts[i].verdict == "stick-slip";
+    const bool computed = history.finite_element_slip.has_value();
+    if (printed == computed && printed == history.criterion_slips) ++findings.verdicts_agreeing;
+    if (!computed) continue;
+    trusted.add(history.trusted_until);
+    if (history.closed_form_slip)
+      findings.first_slip_difference = std::max(
+          findings.first_slip_difference, std::abs(*history.finite_element_slip - *history.closed_form_slip));
+  }
+  findings.trusted = trusted.range();
+  return findings;
+}
+
+bool confirmed(const studies::ErratumEvidence& evidence) {
+  return std::abs(evidence.corrected - evidence.reference) <= evidence.tolerance &&
+         std::abs(evidence.as_printed - evidence.reference) > evidence.tolerance;
+}
+
+std::vector<std::string> printed_reasons(const std::vector<studies::PrintedCheck>& checks) {
+  std::vector<std::string> reasons;
+  for (const auto& check : checks)
+    if (std::ranges::find(reasons, check.because) == reasons.end()) reasons.push_back(check.because);
+  return reasons;
+}
+
+char reason_letter(std::size_t index) { return "abcdefghijklmnopqrstuvwxyz"[index % 26]; }
+
+}  // namespace stickslip::report

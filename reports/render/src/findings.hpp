@@ -1,0 +1,57 @@
+#pragma once
+
+/// Counts and extremes over a study's rows, which the text, the summary and the tables all quote.
+
+#include <cmath>
+#include <cstddef>
+
+#include "study_results.hpp"
+
+namespace stickslip::report {
+
+/// Smallest and largest of something.
+struct Range {
+  double lowest{};
+  double highest{};
+};
+
+[[nodiscard]] Range orders_of(const studies::FrequencyStudy& study);
+[[nodiscard]] Range orders_of(const std::vector<studies::TimeOrderStudy>& studies);
+
+/// |a/b - 1| in per cent.
+[[nodiscard]] double percent_difference(double a, double b);
+
+/// Largest differences over the force maxima, in per cent.
+struct ForceDifferences {
+  double sampling{};        ///< sampled against true, N modes
+  double truncation{};      ///< N modes against converged
+  double discretisation{};  ///< finite elements against converged
+  double prediction{};      ///< finite elements against predicted
+};
+[[nodiscard]] ForceDifferences force_differences(const std::vector<studies::ForceMaximum>& maxima);
+
+struct PointCounts {
+  std::size_t all{};
+  int agreeing{}, in_guard{}, disagreeing_inside{}, disagreeing_outside{};
+};
+[[nodiscard]] PointCounts point_counts(const studies::ClassificationStudy& study);
+
+/// Half-widths of the guard band over all frequencies, relative.
+[[nodiscard]] Range guard_range(const studies::ClassificationStudy& study);
+
+struct HistoryFindings {
+  int verdicts_agreeing{};         ///< paper, criterion and finite elements say the same
+  double first_slip_difference{};  ///< largest, s
+  Range trusted;                   ///< of the runs that slip, s
+};
+[[nodiscard]] HistoryFindings history_findings(const std::vector<studies::ContactHistory>& histories);
+
+/// Whether the text as printed misses the reference and the corrected text meets it.
+[[nodiscard]] bool confirmed(const studies::ErratumEvidence& evidence);
+
+/// The different reasons for what counts as agreement, in the order of their first use; the report refers to
+/// them by letters.
+[[nodiscard]] std::vector<std::string> printed_reasons(const std::vector<studies::PrintedCheck>& checks);
+[[nodiscard]] char reason_letter(std::size_t index);
+
+}  // namespace stickslip::report

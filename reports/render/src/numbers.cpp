@@ -1,0 +1,173 @@
+#include "numbers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "findings.hpp"
+#include "stickslip/data/paper.hpp"
+#include "stickslip/report/latex_text.hpp"
+
+namespace stickslip::report {
+
+namespace {
+
+constexpr double millimetre = 1e-3;   // m
+constexpr double microsecond = 1e-6;  // s
+
+class Macros {
+ public:
+  void define(std::string_view name, const std::string& latex) {
+    text_ += fmt::format("\\newcommand{{\\{}}}{{{}}}\n", name, latex);
+  }
+  template <typename Count>
+  void count(std::string_view name, Count value) {
+    define(name, fmt::format("{}", value));
+  }
+  void plain(std::string_view name, double value) { define(name, typeset(data::shortest_text(value))); }
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+void define_environment(const Environment& environment, Macros& macros) {
+  macros.define("ReportVersion", escape(environment.version));
+  macros.define("ReportCommit", escape(environment.commit));
+  macros.define("ReportDate", escape(environment.date));
+  macros.define("CompilerName", escape(environment.compiler));
+  macros.define("EigenVersion", escape(environment.eigen));
+  macros.define("GslVersion", escape(environment.gsl));
+}
+
+void define_case(const data::Case& paper, Macros& macros) {
+  macros.define("SecondMoment", scientific(paper.beam.second_moment_of_area(), 4));
+  macros.define("FrictionLimit",
+                significant(paper.friction.static_coefficient() * paper.beam.axial_force(), 3));
+  macros.count("CaseElements", paper.numerics.elements());
+  macros.define("CaseTimeStep", scientific(paper.numerics.time_step(), 1));
+  macros.count("CaseModes", paper.numerics.modes());
+  macros.plain("CaseDuration", paper.numerics.duration());
+  macros.define("VelocityThreshold", scientific(paper.numerics.velocity_threshold(), 1));
+}
+
+void define_frequencies(StudyResults& results, Macros& macros) {
+  const auto& stick = results.stick_frequencies().modes;
+  macros.define("StickOneHz", fixed(stick[0].closed_form_hz, 2));
+  macros.define("StickTwoHz", fixed(stick[1].closed_form_hz, 2));
+  double difference = 0.0;
+  for (const auto& curve : results.mode_shapes().curves)
+    difference = std::max(difference, curve.largest_difference);
+  macros.define("LargestShapeDifference", scientific(difference, 2));
+  macros.define("FlutterClosedForm", fixed(results.flutter().closed_form, 6));
+  macros.define("FlutterOrder", fixed(results.flutter().observed_order, 2));
+}
+
+void define_stick_history(StudyResults& results, Macros& macros) {
+  const auto& study = results.stick_history();
+  const auto& first = study.levels.front();
+  const auto& finest = study.levels.back();
+  macros.plain("StickHz", results.stick_excitation().frequency_hz());
+  macros.plain("StickAmplitude", results.stick_excitation().amplitude() / millimetre);
+  macros.define("StickDuration", significant(study.time.back(), 1));
+  macros.define("DisplacementPeak", scientific(study.displacement_peak, 4));
+  macros.define("ForcePeak", significant(study.force_peak, 4));
+  macros.define("DisplacementError", scientific(first.displacement_error, 2));
+  macros.define("DisplacementErrorPredicted", scientific(first.predicted_displacement_error, 2));
+  macros.define("DisplacementErrorRelative",
+                significant(100.0 * first.displacement_error / study.displacement_peak, 2));
+  macros.define("ForceError", significant(first.force_error, 2));
+  macros.define("ForceErrorPredicted", significant(first.predicted_force_error, 2));
+  macros.define("ForceErrorRelative", significant(100.0 * first.force_error / study.force_peak, 2));
+  macros.define("DisplacementOrder", fixed(study.displacement_order, 2));
+  macros.define("DisplacementOrderPredicted", fixed(study.predicted_displacement_order, 2));
+  macros.define("ForceOrder", fixed(study.force_order, 2));
+  macros.define("ForceOrderPredicted", fixed(study.predicted_force_order, 2));
+  macros.count("FinestElements", finest.elements);
+  macros.define("FinestTimeStep", scientific(finest.time_step, 3));
+  macros.define("FinestDisplacementRelative",
+                scientific(finest.displacement_error / study.displacement_peak, 2));
+  macros.define("FinestForceRelative", scientific(finest.force_error / study.force_peak, 2));
+}
+
+double largest_printed_force_difference(const std::vector<studies::ForceMaximum>& maxima) {
+  double largest = 0.0;
+  for (const auto& row : maxima)
+    largest = std::max(
+        largest, percent_difference(
+                     row.sampled, data::printed_number(fmt::format("force_max.{}", row.frequency_hz)).value));
+  return largest;
+}
+
+void define_force_maxima(StudyResults& results, Macros& macros) {
+  const auto& maxima = results.force_maxima();
+  const ForceDifferences largest = force_differences(maxima);
+  macros.plain("PrintedAmplitude", maxima.front().amplitude / millimetre);
+  macros.define("ForceSamplingLargest", significant(largest.sampling, 2));
+  macros.define("ForceTruncationLargest", significant(largest.truncation, 2));
+  macros.define("ForceDiscretisationLargest", significant(largest.discretisation, 2));
+  macros.define("ForcePredictionLargest", significant(largest.prediction, 2));
+  macros.define("PrintedForceLargest", significant(largest_printed_force_difference(maxima), 2));
+}
+
+void define_classification(StudyResults& results, Macros& macros) {
+  const PointCounts points = point_counts(results.classification());
+  const Range guard = guard_range(results.classification());
+  macros.count("GridPoints", points.all);
+  macros.count("GridAgreeing", points.agreeing);
+  macros.count("GridInGuard", points.in_guard);
+  macros.count("GridDisagreeingInside", points.disagreeing_inside);
+  macros.count("GridDisagreeingOutside", points.disagreeing_outside);
+  macros.define("GuardSmallest", significant(100.0 * guard.lowest, 2));
+  macros.define("GuardLargest", significant(100.0 * guard.highest, 2));
+}
+
+void define_histories(StudyResults& results, Macros& macros) {
+  const auto& histories = results.contact_histories();
+  const HistoryFindings findings = history_findings(histories);
+  macros.count("VerdictsTotal", histories.size());
+  macros.count("VerdictsAgreeing", findings.verdicts_agreeing);
+  macros.define("FirstSlipLargestDifference", significant(findings.first_slip_difference / microsecond, 2));
+  macros.define("TrustedShortest", fixed(findings.trusted.lowest, 2));
+  macros.define("TrustedLongest", fixed(findings.trusted.highest, 2));
+  macros.plain("ShownDuration", StudyResults::shown_duration);
+  macros.plain("SmallAmplitude", histories.front().amplitude / millimetre);
+  macros.plain("LargeAmplitude", histories.back().amplitude / millimetre);
+}
+
+// "(a) half a unit of the last digit; (b) ..."
+std::string reasons_text(const std::vector<std::string>& reasons) {
+  std::string text;
+  for (std::size_t i = 0; i < reasons.size(); ++i)
+    text += fmt::format("{}({}) {}", i > 0 ? "; " : "", reason_letter(i), typeset(reasons[i]));
+  return text;
+}
+
+void define_paper(StudyResults& results, Macros& macros) {
+  const auto& checks = results.printed_checks();
+  const auto& evidence = results.errata_evidence();
+  macros.count("ErrataTotal", data::errata().size());
+  macros.count("EvidenceTotal", evidence.size());
+  macros.count("EvidenceConfirmed", std::ranges::count_if(evidence, confirmed));
+  macros.count("PrintedTotal", checks.size());
+  macros.count("PrintedAgreeing", std::ranges::count_if(checks, &studies::PrintedCheck::agrees));
+  macros.define("PrintedReasons", reasons_text(printed_reasons(checks)));
+}
+
+}  // namespace
+
+std::string make_numbers(StudyResults& results, const Environment& environment) {
+  Macros macros;
+  define_environment(environment, macros);
+  define_case(results.paper(), macros);
+  define_frequencies(results, macros);
+  define_stick_history(results, macros);
+  define_force_maxima(results, macros);
+  define_classification(results, macros);
+  define_histories(results, macros);
+  define_paper(results, macros);
+  return macros.text();
+}
+
+}  // namespace stickslip::report

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "environment.hpp"
+#include "study_results.hpp"
+
+namespace stickslip::report {
+
+/// numbers.tex: one macro for each number in the running text and the captions.
+[[nodiscard]] std::string make_numbers(StudyResults& results, const Environment& environment);
+
+}  // namespace stickslip::report

@@ -1,0 +1,75 @@
+#pragma once
+
+/// What the report draws and quotes: each study, run on the paper's case with the settings chosen here, once
+/// and only if somebody asks.
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "stickslip/data/case_file.hpp"
+#include "stickslip/studies/classification.hpp"
+#include "stickslip/studies/contact_histories.hpp"
+#include "stickslip/studies/force_maximum.hpp"
+#include "stickslip/studies/frequencies.hpp"
+#include "stickslip/studies/paper_checks.hpp"
+#include "stickslip/studies/stick_history.hpp"
+#include "stickslip/studies/time_order.hpp"
+
+namespace stickslip::report {
+
+class StudyResults {
+ public:
+  /// `announce` is told what starts, before each study.
+  explicit StudyResults(std::function<void(const std::string&)> announce);
+
+  [[nodiscard]] const data::Case& paper() const noexcept { return paper_; }
+  [[nodiscard]] const data::HarmonicExcitation& stick_excitation() const noexcept {
+    return stick_excitation_;
+  }
+
+  const studies::FrequencyStudy& stick_frequencies();
+  const studies::FrequencyStudy& slip_frequencies();
+  const studies::FlutterStudy& flutter();
+  const studies::ModeShapeStudy& mode_shapes();                     ///< points_per_element per element
+  const std::vector<studies::TimeOrderStudy>& time_orders();        ///< one per spectral radius
+  const studies::StickHistoryStudy& stick_history();                ///< Fig. 9
+  const std::vector<studies::ForceMaximum>& force_maxima();         ///< at the four frequencies of Sect. 5
+  const std::vector<studies::CriticalAmplitudePoint>& criterion();  ///< Fig. 11
+  const studies::ClassificationStudy& classification();             ///< Fig. 12
+  const std::vector<studies::ContactHistory>& contact_histories();  ///< Figs. 4 and 5, in the paper's order
+  const std::vector<studies::PrintedCheck>& printed_checks();
+  const std::vector<studies::ErratumEvidence>& errata_evidence();
+
+  static constexpr int points_per_element = 10;  ///< of mode_shapes()
+  static constexpr double shown_duration = 0.5;  ///< of contact_histories(), s
+
+ private:
+  template <typename Result>
+  const Result& once(std::optional<Result>& result, const std::string& what, const auto& study) {
+    if (!result) {
+      announce_(what);
+      result = study();
+    }
+    return *result;
+  }
+
+  std::function<void(const std::string&)> announce_;
+  data::Case paper_;
+  data::HarmonicExcitation stick_excitation_;
+  std::optional<studies::FrequencyStudy> stick_frequencies_, slip_frequencies_;
+  std::optional<studies::FlutterStudy> flutter_;
+  std::optional<studies::ModeShapeStudy> mode_shapes_;
+  std::optional<std::vector<studies::TimeOrderStudy>> time_orders_;
+  std::optional<studies::StickHistoryStudy> stick_history_;
+  std::optional<std::vector<studies::ForceMaximum>> force_maxima_;
+  std::optional<std::vector<studies::CriticalAmplitudePoint>> criterion_;
+  std::optional<studies::ClassificationStudy> classification_;
+  std::optional<std::vector<studies::ContactHistory>> contact_histories_;
+  std::optional<std::vector<studies::PrintedCheck>> printed_checks_;
+  std::optional<std::vector<studies::ErratumEvidence>> errata_evidence_;
+};
+
+}  // namespace stickslip::report

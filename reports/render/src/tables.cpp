@@ -1,0 +1,308 @@
+#include "tables.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "findings.hpp"
+#include "stickslip/data/paper.hpp"
+#include "stickslip/report/latex_text.hpp"
+
+namespace stickslip::report {
+
+namespace {
+
+constexpr double millimetre = 1e-3;   // m
+constexpr double millisecond = 1e-3;  // s
+
+class Rows {
+ public:
+  void add(const std::vector<std::string>& cells) {
+    text_ += fmt::format("{} \\\\\n", fmt::join(cells, " & "));
+  }
+  void space() { text_ += "\\addlinespace\n"; }
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+std::string word_of(bool slips) { return slips ? "stick-slip" : "stick"; }
+std::string yes_or_no(bool holds) { return holds ? "yes" : "\\textbf{no}"; }
+std::string plain_number(double value) { return typeset(data::shortest_text(value)); }
+
+// At most this many digits, trailing zeros left out; with a power of ten below 1e-3 and from 1e5 on.
+std::string compact_number(double value, int digits) {
+  const double rounded = std::stod(fmt::format("{:.{}e}", value, digits - 1));
+  const double magnitude = std::abs(rounded);
+  if (magnitude == 0.0 || (magnitude >= 1e-3 && magnitude < 1e5)) return plain_number(rounded);
+  int needed = 1;
+  while (std::stod(fmt::format("{:.{}e}", rounded, needed - 1)) != rounded) ++needed;
+  return scientific(rounded, needed);
+}
+
+std::string without_full_stop(std::string text) {
+  if (text.ends_with('.')) text.pop_back();
+  return text;
+}
+
+std::string unit_text(const std::string& unit) { return unit == "1" ? "" : typeset(unit); }
+
+std::string summary(StudyResults& results) {
+  Rows rows;
+  const auto order_text = [](const Range& range) {
+    return fmt::format("order {} to {}", fixed(range.lowest, 2), fixed(range.highest, 2));
+  };
+  rows.add({"Natural frequencies, stick state", order_text(orders_of(results.stick_frequencies())),
+            "order 4 in element length"});
+  rows.add({"Natural frequencies, slip state", order_text(orders_of(results.slip_frequencies())),
+            "order 4 in element length"});
+  const auto& flutter = results.flutter();
+  rows.add({fmt::format("Flutter load, {} elements", flutter.elements.back()),
+            fmt::format("{} $EI/L^2$", fixed(flutter.finite_element.back(), 5)),
+            fmt::format("{} $EI/L^2$", fixed(flutter.closed_form, 5))});
+  rows.add({"Generalised-$\\alpha$: displacement, velocity, reaction",
+            order_text(orders_of(results.time_orders())), "order 2 in time step"});
+  const auto& level = results.stick_history().levels.front();
+  rows.add({"Fig.~9, displacement, paper's settings", scientific(level.displacement_error, 2) + "\\unit{m}",
+            "at most " + scientific(level.predicted_displacement_error, 2) + "\\unit{m}"});
+  rows.add({"Fig.~9, friction force, paper's settings", significant(level.force_error, 2) + "\\unit{N}",
+            "at most " + significant(level.predicted_force_error, 2) + "\\unit{N}"});
+  const auto forces = force_differences(results.force_maxima());
+  rows.add({"$\\fmax$ at four excitations, finite elements",
+            fmt::format("within {}\\,\\% of closed form", significant(forces.discretisation, 2)),
+            fmt::format("prediction met within {}\\,\\%", significant(forces.prediction, 2))});
+  const auto points = point_counts(results.classification());
+  rows.add({"Fig.~12, verdicts on a grid",
+            fmt::format("{} of {} agree; {} differ outside the guard band", points.agreeing, points.all,
+                        points.disagreeing_outside),
+            "none differ outside the guard band"});
+  const auto& histories = results.contact_histories();
+  rows.add({"Figs.~4 and 5, verdicts with the paper",
+            fmt::format("{} of {} agree", history_findings(histories).verdicts_agreeing, histories.size()),
+            "all"});
+  const auto& checks = results.printed_checks();
+  rows.add({"Printed numbers recomputed",
+            fmt::format("{} of {} agree", std::ranges::count_if(checks, &studies::PrintedCheck::agrees),
+                        checks.size()),
+            "all but errata (Table~\\ref{tab:printed})"});
+  return rows.text();
+}
+
+std::string parameters(StudyResults& results) {
+  const data::Case& paper = results.paper();
+  Rows rows;
+  const auto add = [&](const char* name, const char* symbol, double value, const char* unit) {
+    rows.add({name, symbol, compact_number(value, 4), unit_text(unit)});
+  };
+  add("Length", "$L$", paper.beam.length(), "m");
+  add("Cross-sectional area", "$A$", paper.beam.area(), "m^2");
+  add("Second moment of area", "$I$", paper.beam.second_moment_of_area(), "m^4");
+  add("Density", "$\\rho$", paper.beam.density(), "kg/m^3");
+  add("Young's modulus", "$E$", paper.beam.youngs_modulus(), "Pa");
+  add("Axial force, compression", "$P$", paper.beam.axial_force(), "N");
+  add("Static friction coefficient", "$\\mu_s$", paper.friction.static_coefficient(), "1");
+  add("Kinetic friction coefficient", "$\\mu_m$", paper.friction.kinetic_coefficient(), "1");
+  add("Decay", "$\\alpha$", paper.friction.decay(), "s/m");
+  rows.space();
+  add("Finite elements", "", paper.numerics.elements(), "1");
+  add("Time step", "$\\Delta t$", paper.numerics.time_step(), "s");
+  add("Spectral radius at infinite frequency", "$\\rhoinf$", paper.numerics.spectral_radius(), "1");
+  add("Velocity threshold", "$\\varepsilon$", paper.numerics.velocity_threshold(), "m/s");
+  add("Modes of the closed form", "$N$", paper.numerics.modes(), "1");
+  add("Duration for $\\fmax$", "", paper.numerics.duration(), "s");
+  return rows.text();
+}
+
+std::string unstated() {
+  Rows rows;
+  for (const auto& row : data::unstated()) {
+    rows.add({typeset(row.subject), typeset(row.choice), typeset(row.reason)});
+    rows.space();
+  }
+  return rows.text();
+}
+
+void add_frequencies(const studies::FrequencyStudy& study, const studies::ModeShapeStudy& shapes, bool slip,
+                     Rows& rows) {
+  for (const auto& mode : study.modes)
+    for (const auto& curve : shapes.curves)
+      if (curve.slip == slip && curve.mode == mode.mode)
+        rows.add({slip ? "slip" : "stick", std::to_string(mode.mode), fixed(mode.closed_form_hz, 5),
+                  fixed(curve.finite_element_hz, 5),
+                  scientific(curve.finite_element_hz / mode.closed_form_hz - 1.0, 2),
+                  fixed(mode.observed_order, 2), fixed(mode.leading_constant_ratio, 3)});
+}
+
+std::string frequencies(StudyResults& results) {
+  Rows rows;
+  add_frequencies(results.stick_frequencies(), results.mode_shapes(), false, rows);
+  rows.space();
+  add_frequencies(results.slip_frequencies(), results.mode_shapes(), true, rows);
+  return rows.text();
+}
+
+std::string flutter(StudyResults& results) {
+  const auto& study = results.flutter();
+  Rows rows;
+  for (std::size_t i = 0; i < study.elements.size(); ++i)
+    rows.add({std::to_string(study.elements[i]), fixed(study.finite_element[i], 6),
+              scientific(study.finite_element[i] / study.closed_form - 1.0, 2)});
+  return rows.text();
+}
+
+std::string orders(StudyResults& results) {
+  Rows rows;
+  for (const auto& study : results.time_orders())
+    rows.add({plain_number(study.spectral_radius), fixed(study.displacement_order, 3),
+              fixed(study.velocity_order, 3), fixed(study.reaction_order, 3)});
+  return rows.text();
+}
+
+std::string refinement(StudyResults& results) {
+  Rows rows;
+  for (const auto& level : results.stick_history().levels)
+    rows.add({std::to_string(level.elements), scientific(level.time_step, 3),
+              scientific(level.displacement_error, 2), scientific(level.predicted_displacement_error, 2),
+              scientific(level.force_error, 2), scientific(level.predicted_force_error, 2)});
+  return rows.text();
+}
+
+std::string force(StudyResults& results) {
+  Rows rows;
+  for (const auto& row : results.force_maxima()) {
+    const auto printed = data::printed_number(fmt::format("force_max.{}", row.frequency_hz));
+    rows.add({plain_number(row.frequency_hz), typeset(printed.printed), fixed(row.sampled, 2),
+              fixed(row.truncated.midpoint(), 2), fixed(row.converged.midpoint(), 2),
+              fixed(row.finite_element, 2), fixed(row.predicted_finite_element, 2)});
+  }
+  return rows.text();
+}
+
+std::vector<std::string> guard_cells(const studies::ClassifiedFrequency& frequency) {
+  return {plain_number(frequency.frequency_hz), significant(frequency.critical_amplitude / millimetre, 4),
+          fixed(100.0 * frequency.relative_truncation_error, 2),
+          fixed(100.0 * frequency.relative_discretisation_error, 2),
+          fixed(100.0 * frequency.relative_guard(), 2)};
+}
+
+// Two frequencies a row, the second half beside the first.
+std::string guard(StudyResults& results) {
+  const auto& frequencies = results.classification().frequencies;
+  const std::size_t half = (frequencies.size() + 1) / 2;
+  Rows rows;
+  for (std::size_t i = 0; i < half; ++i) {
+    auto cells = guard_cells(frequencies[i]);
+    if (i + half < frequencies.size()) {
+      const auto right = guard_cells(frequencies[i + half]);
+      cells.insert(cells.end(), right.begin(), right.end());
+    }
+    rows.add(cells);
+  }
+  return rows.text();
+}
+
+std::string guard_points(StudyResults& results) {
+  const auto& study = results.classification();
+  Rows rows;
+  for (const auto& point : study.points) {
+    if (!point.in_guard_band) continue;
+    for (const auto& frequency : study.frequencies)
+      if (frequency.frequency_hz == point.frequency_hz)
+        rows.add({plain_number(point.frequency_hz), fixed(point.amplitude / millimetre, 2),
+                  fixed(100.0 * (point.amplitude / frequency.critical_amplitude - 1.0), 2),
+                  fixed(100.0 * frequency.relative_guard(), 2), word_of(point.closed_form_slips),
+                  word_of(point.finite_element_slips)});
+  }
+  return rows.text();
+}
+
+std::string verdicts(StudyResults& results) {
+  const auto printed = data::printed_verdicts();
+  const auto& histories = results.contact_histories();
+  const auto time = [](const std::optional<double>& seconds) {
+    return seconds ? fixed(*seconds / millisecond, 3) : "--";
+  };
+  Rows rows;
+  for (std::size_t i = 0; i < histories.size(); ++i) {
+    const auto& history = histories[i];
+    const bool to_the_end = history.trusted_until >= history.time.back();
+    rows.add({printed[i].figure, plain_number(history.frequency_hz), fixed(history.amplitude / millimetre, 1),
+              printed[i].verdict, word_of(history.criterion_slips),
+              word_of(history.finite_element_slip.has_value()), time(history.closed_form_slip),
+              time(history.finite_element_slip), to_the_end ? "--" : fixed(history.trusted_until, 3)});
+  }
+  return rows.text();
+}
+
+std::string errata() {
+  Rows rows;
+  for (const auto& erratum : data::errata()) {
+    rows.add({fmt::format("\\textbf{{{}}} {}", erratum.id, typeset(erratum.place)), typeset(erratum.printed),
+              fmt::format("{}\\par\\emph{{How:}} {}", typeset(erratum.holds), typeset(erratum.established))});
+    rows.space();
+  }
+  return rows.text();
+}
+
+std::string evidence(StudyResults& results) {
+  Rows rows;
+  for (const auto& row : results.errata_evidence())
+    rows.add({row.erratum, typeset(row.unit == "1" ? row.quantity : row.quantity + ", " + row.unit),
+              compact_number(row.as_printed, 6), compact_number(row.corrected, 6),
+              compact_number(row.reference, 6), compact_number(row.tolerance, 2), yes_or_no(confirmed(row))});
+  return rows.text();
+}
+
+std::string printed(StudyResults& results) {
+  const auto& checks = results.printed_checks();
+  const std::vector<std::string> reasons = printed_reasons(checks);
+  Rows rows;
+  for (const auto& check : checks) {
+    const std::string unit =
+        check.printed.printed_unit.empty() ? check.printed.unit : check.printed.printed_unit;
+    const auto reason = std::ranges::find(reasons, check.because) - reasons.begin();
+    rows.add({without_full_stop(typeset(check.printed.meaning)), typeset(check.printed.place),
+              fmt::format("{} {}", typeset(check.printed.printed), unit_text(unit)),
+              compact_number(check.computed, 6),
+              fmt::format("{} ({})", compact_number(check.allowed, 2),
+                          reason_letter(static_cast<std::size_t>(reason))),
+              typeset(check.method), yes_or_no(check.agrees())});
+  }
+  return rows.text();
+}
+
+std::string environment_rows(const Environment& environment) {
+  Rows rows;
+  rows.add(
+      {"Program", escape(fmt::format("stickslip {}, commit {}", environment.version, environment.commit))});
+  rows.add({"Compiler", escape(environment.compiler)});
+  rows.add({"Libraries", escape(fmt::format("Eigen {}, GSL {}", environment.eigen, environment.gsl))});
+  for (const auto& [item, value] : environment.rest) rows.add({escape(item), escape(value)});
+  return rows.text();
+}
+
+}  // namespace
+
+Document make_tables(StudyResults& results, const Environment& environment) {
+  return {{"table-summary.tex", summary(results)},
+          {"table-parameters.tex", parameters(results)},
+          {"table-unstated.tex", unstated()},
+          {"table-frequencies.tex", frequencies(results)},
+          {"table-flutter.tex", flutter(results)},
+          {"table-orders.tex", orders(results)},
+          {"table-refinement.tex", refinement(results)},
+          {"table-force.tex", force(results)},
+          {"table-guard.tex", guard(results)},
+          {"table-guard-points.tex", guard_points(results)},
+          {"table-verdicts.tex", verdicts(results)},
+          {"table-errata.tex", errata()},
+          {"table-evidence.tex", evidence(results)},
+          {"table-printed.tex", printed(results)},
+          {"table-environment.tex", environment_rows(environment)}};
+}
+
+}  // namespace stickslip::report

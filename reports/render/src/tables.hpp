@@ -1,0 +1,12 @@
+#pragma once
+
+#include "document.hpp"
+#include "environment.hpp"
+#include "study_results.hpp"
+
+namespace stickslip::report {
+
+/// The rows of every table of the report, as table-*.tex; columns, heads and captions are the template's.
+[[nodiscard]] Document make_tables(StudyResults& results, const Environment& environment);
+
+}  // namespace stickslip::report
