@@ -8,6 +8,7 @@
 
 #include <cerrno>
 #include <fstream>
+#include <string_view>
 #include <system_error>
 
 namespace stickslip::report {
@@ -35,6 +36,26 @@ class FileActions {
   posix_spawn_file_actions_t actions_{};
 };
 
+// This process's environment with the one locale that every tool gets: gnuplot needs UTF-8, and neither
+// decimal commas nor translated messages may reach a document.
+std::vector<std::string> tool_environment() {
+  constexpr std::string_view locale = "LC_ALL=";
+  std::vector<std::string> variables;
+  for (char** variable = environ; *variable != nullptr; ++variable)
+    if (!std::string_view(*variable).starts_with(locale)) variables.emplace_back(*variable);
+  variables.push_back(std::string(locale) + "C.UTF-8");
+  return variables;
+}
+
+// As posix_spawn takes them: ended by a null pointer.
+std::vector<char*> pointers_to(std::vector<std::string>& words) {
+  std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
 int exit_status(pid_t process) {
   int status = 0;
   while (::waitpid(process, &status, 0) < 0)
@@ -48,14 +69,11 @@ int run_tool(const std::string& program, const std::vector<std::string>& argumen
              const fs::path& log) {
   std::vector<std::string> words{program};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  std::vector<char*> pointers;
-  pointers.reserve(words.size() + 1);
-  for (std::string& word : words) pointers.push_back(word.data());
-  pointers.push_back(nullptr);
+  std::vector<std::string> variables = tool_environment();
   const FileActions actions(folder, log);
   pid_t process{};
-  const int error =
-      ::posix_spawnp(&process, program.c_str(), actions.get(), nullptr, pointers.data(), environ);
+  const int error = ::posix_spawnp(&process, program.c_str(), actions.get(), nullptr,
+                                   pointers_to(words).data(), pointers_to(variables).data());
   if (error == ENOENT)
     throw ToolMissing(fmt::format("{} is not installed or not on the search path", program));
   if (error != 0)

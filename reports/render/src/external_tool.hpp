@@ -13,9 +13,9 @@ class ToolMissing : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Runs a program (found on the search path, no shell) in a folder, with its output in a log file, and
-/// returns its exit status (128 + n if signal n ended it). Throws ToolMissing, or std::runtime_error if it
-/// cannot be started.
+/// Runs a program (found on the search path, no shell) in a folder, in the locale C.UTF-8, with its output in
+/// a log file, and returns its exit status (128 + n if signal n ended it). Throws ToolMissing, or
+/// std::runtime_error if it cannot be started.
 [[nodiscard]] int run_tool(const std::string& program, const std::vector<std::string>& arguments,
                            const std::filesystem::path& folder, const std::filesystem::path& log);
 
