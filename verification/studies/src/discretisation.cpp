@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <numbers>
 
+#include "simpson.hpp"
+
 namespace stickslip::studies {
 
 namespace {
@@ -29,20 +31,6 @@ Eigen::Vector3cd amplification_eigenvalues(double spectral_radius, double omega_
   return map.eigenvalues();
 }
 
-// int g(x)^2 dx over 0 ... L by the composite Simpson rule, fine enough for the mode's wave length.
-template <typename Function>
-double integral_of_square(Function&& g, double length, int mode) {
-  const int intervals = 400 * mode;
-  const double step = length / intervals;
-  double sum = 0.0;
-  for (int i = 0; i <= intervals; ++i) {
-    const double weight = (i == 0 || i == intervals) ? 1.0 : (i % 2 == 1 ? 4.0 : 2.0);
-    const double value = g(std::min(i * step, length));
-    sum += weight * value * value;
-  }
-  return sum * step / 3.0;
-}
-
 }  // namespace
 
 double hermite_eigenvalue_error(const data::Beam& beam, const analytic::StickMode& mode,
@@ -50,10 +38,10 @@ double hermite_eigenvalue_error(const data::Beam& beam, const analytic::StickMod
   // U'''' = k U - p U'' from the eigenvalue problem.
   const double p = beam.axial_force() / (beam.youngs_modulus() * beam.second_moment_of_area());
   const double k = std::pow(mode.hyperbolic_wave_number() * mode.trigonometric_wave_number(), 2);
-  const auto fourth_derivative = [&](double x) { return k * mode.shape(x) - p * mode.curvature(x); };
-  const auto shape = [&](double x) { return mode.shape(x); };
-  const double ratio = integral_of_square(fourth_derivative, beam.length(), mode.number()) /
-                       integral_of_square(shape, beam.length(), mode.number());
+  const auto bending_square = [&](double x) {
+    return std::pow(k * mode.shape(x) - p * mode.curvature(x), 2);
+  };
+  const double ratio = simpson_integral(bending_square, beam.length(), mode) / mode.norm_squared();
   return std::pow(element_length, 4) / 720.0 * ratio / k;
 }
 

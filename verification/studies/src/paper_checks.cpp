@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <numbers>
 
+#include "simpson.hpp"
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
@@ -83,17 +84,6 @@ double sampled_force(const data::Case& paper, double hz) {
       .lower;
 }
 
-// int_0^L U dx by the composite Simpson rule.
-double integral_of_shape(const analytic::StickMode& mode, double length) {
-  const int intervals = 400 * mode.number();
-  double sum = 0.0;
-  for (int i = 0; i <= intervals; ++i) {
-    const double weight = (i == 0 || i == intervals) ? 1.0 : (i % 2 == 1 ? 4.0 : 2.0);
-    sum += weight * mode.shape(std::min(i * length / intervals, length));
-  }
-  return sum * length / (3.0 * intervals);
-}
-
 // |f_max| of N modes from u_t(x,0) = 0: Eq. (28) and the free vibration that takes the velocity -S h_t(0)
 // away, sampled.
 double force_from_rest(const data::Case& paper, double hz, int modes) {
@@ -104,7 +94,8 @@ double force_from_rest(const data::Case& paper, double hz, int modes) {
   const double base_velocity = two_pi * hz * printed_amplitude;
   std::vector<analytic::Sinusoid> kick;
   for (const analytic::StickMode& mode : response.modes()) {
-    const double shape_integral = mode.load_integral() - integral_of_shape(mode, length);  // int U S dx
+    const double plain_integral = simpson_integral([&mode](double x) { return mode.shape(x); }, length, mode);
+    const double shape_integral = mode.load_integral() - plain_integral;  // int U S dx
     const double rate = -base_velocity * shape_integral / mode.norm_squared();
     kick.push_back({stiffness * mode.third_derivative(length) * rate / mode.angular_frequency(),
                     mode.angular_frequency()});

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <vector>
 
 #include "stickslip/analytic/criterion.hpp"
@@ -13,24 +14,16 @@
 #include "stickslip/studies/contact_histories.hpp"
 #include "stickslip/studies/discretisation.hpp"
 #include "support/beams.hpp"
+#include "support/parameter_name.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
 namespace {
 
-data::NumericalChoices choices(double duration) {
-  return {.elements = 20,
-          .time_step = 1e-4,
-          .spectral_radius = 0.9,
-          .velocity_threshold = 1e-4,
-          .modes = 10,
-          .duration = duration};
-}
-
 TEST(Figure12, BothImplementationsClassifyAlikeOutsideTheGuardBand) {
-  const auto study =
-      studies::classification_study(paper_beam(), paper_friction(), data::NumericalSettings(choices(10.0)),
-                                    studies::figure12_frequencies(), studies::figure12_amplitudes());
+  const auto study = studies::classification_study(
+      paper_beam(), paper_friction(), data::NumericalSettings(paper_choices(10.0)),
+      studies::figure12_frequencies(), studies::figure12_amplitudes());
   ASSERT_EQ(study.points.size(), 480u);
   for (const auto& point : study.points)
     EXPECT_TRUE(point.in_guard_band || point.closed_form_slips == point.finite_element_slips)
@@ -55,7 +48,7 @@ class FirstSlip : public ::testing::TestWithParam<SlippingCase> {};
 TEST_P(FirstSlip, HappensWhenTheClosedFormSaysSo) {
   // The instant moves by the force error over the force's slope there.
   const data::HarmonicExcitation excitation({GetParam().hz, GetParam().amplitude});
-  const data::NumericalSettings numerics(choices(1.0));
+  const data::NumericalSettings numerics(paper_choices(1.0));
   const auto exact = studies::closed_form_first_slip(paper_beam(), paper_friction(), excitation, 1.0);
   const auto computed = solver::first_slip(paper_beam(), paper_friction(), excitation, numerics);
   ASSERT_TRUE(exact && computed);
@@ -72,7 +65,11 @@ TEST_P(FirstSlip, HappensWhenTheClosedFormSaysSo) {
 INSTANTIATE_TEST_SUITE_P(SlippingCases, FirstSlip,
                          ::testing::Values(SlippingCase{25.0, 0.5e-3}, SlippingCase{70.0, 0.5e-3},
                                            SlippingCase{25.0, 1e-3}, SlippingCase{35.0, 1e-3},
-                                           SlippingCase{70.0, 1e-3}));
+                                           SlippingCase{70.0, 1e-3}),
+                         [](const auto& instance) {
+                           return parameter_name(instance.param.hz) + "Hz" +
+                                  parameter_name(1e3 * instance.param.amplitude) + "mm";
+                         });
 
 // Tip displacement of a beam on a base that moves by factor * h(t).
 std::vector<double> tip_history(double factor) {
@@ -115,13 +112,13 @@ TEST(StickSlipBeam, HistoryIsTheSameInOtherUnits) {
                                 .axial_force = si.axial_force * force});
   const data::FrictionLaw scaled_friction(
       {.static_coefficient = 0.6, .kinetic_coefficient = 0.3, .decay = 1.0 * time / length});
-  data::NumericalChoices scaled_choices = choices(0.5);
+  data::NumericalChoices scaled_choices = paper_choices(0.5);
   scaled_choices.time_step *= time;
   scaled_choices.duration *= time;
   scaled_choices.velocity_threshold *= length / time;
 
   solver::BeamSimulation a(paper_beam(), paper_friction(), data::HarmonicExcitation({25.0, 1e-3}),
-                           data::NumericalSettings(choices(0.5)));
+                           data::NumericalSettings(paper_choices(0.5)));
   solver::BeamSimulation b(scaled_beam, scaled_friction,
                            data::HarmonicExcitation({25.0 / time, 1e-3 * length}),
                            data::NumericalSettings(scaled_choices));
@@ -136,7 +133,7 @@ TEST(StickSlipBeam, HistoryIsTheSameInOtherUnits) {
 
 TEST(StickSlipBeam, FrictionForceNeverExceedsItsLimitAndOpposesSliding) {
   solver::BeamSimulation s(paper_beam(), paper_friction(), data::HarmonicExcitation({25.0, 1e-3}),
-                           data::NumericalSettings(choices(1.0)));
+                           data::NumericalSettings(paper_choices(1.0)));
   int slipping = 0;
   for (int n = 0; n < 10000; ++n) {
     s.step();
@@ -155,7 +152,7 @@ TEST(StickSlipBeam, StaysBoundedOnAnyMeshAndStepWithAndWithoutDissipation) {
   for (const double radius : {0.5, 0.9, 1.0})
     for (const int elements : {5, 10, 40})
       for (const double hz : {25.0, 70.0}) {
-        data::NumericalChoices c = choices(0.5);
+        data::NumericalChoices c = paper_choices(0.5);
         c.elements = elements;
         c.spectral_radius = radius;
         solver::BeamSimulation s(paper_beam(), paper_friction(), data::HarmonicExcitation({hz, 1e-3}),
@@ -168,10 +165,43 @@ TEST(StickSlipBeam, StaysBoundedOnAnyMeshAndStepWithAndWithoutDissipation) {
       }
 }
 
+// Kelvin-Voigt damping of the bending stiffness, 0.5 % of critical in mode 1, makes the history converge on
+// the mesh; undamped, every slip mode is pumped at the same rate.
+TEST(StickSlipBeam, DampedBeamSlipsAndSticksWhenAnEventDrivenIntegrationDoes) {
+  struct RecordedEvent {
+    solver::ContactEvent::Kind kind;
+    double time, position;
+  };
+  using Kind = solver::ContactEvent::Kind;
+  const RecordedEvent recorded[] = {{Kind::onset, 0.055321, 0.0},
+                                    {Kind::capture, 0.068022, 1.6961e-3},
+                                    {Kind::onset, 0.07289, 1.6961e-3},
+                                    {Kind::capture, 0.089036, -2.5093e-3}};
+  const auto time_accuracy = reference(1e-5, "event-driven integration on 10 and 20 elements");
+  const auto position_accuracy = reference(2e-6, "event-driven integration on 10 and 20 elements");
+
+  const solver::BeamModel model(paper_beam(), 20);
+  const auto base = solver::harmonic_motion(data::HarmonicExcitation({25.0, 1e-3}));
+  solver::ContactSystem system = solver::beam_contact_system(model, paper_friction(), base);
+  system.damping = 6.4e-5 * model.elastic_stiffness();
+  solver::StickSlipIntegrator integrator(system, {.time_step = 1e-5, .spectral_radius = 0.9});
+  integrator.start_stuck(Eigen::VectorXd::Zero(model.degrees_of_freedom()),
+                         -base.velocity(0.0) * model.unit_tip_deflection());
+  while (integrator.time() < 0.09) integrator.step();
+  const auto& events = integrator.events();
+  ASSERT_EQ(events.size(), std::size(recorded));
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    EXPECT_EQ(events[i].kind, recorded[i].kind) << "event " << i;
+    EXPECT_TRUE(within(events[i].time, recorded[i].time, time_accuracy)) << "event " << i;
+    EXPECT_TRUE(within(events[i].displacement, recorded[i].position, position_accuracy)) << "event " << i;
+  }
+}
+
 TEST(StickSlipBeam, RefusesTensionAndBuckling) {
   const auto run = [](double axial_force) {
     solver::BeamSimulation s(paper_beam_with_axial_force(axial_force), paper_friction(),
-                             data::HarmonicExcitation({25.0, 1e-3}), data::NumericalSettings(choices(1.0)));
+                             data::HarmonicExcitation({25.0, 1e-3}),
+                             data::NumericalSettings(paper_choices(1.0)));
   };
   EXPECT_THROW(run(-100.0), std::domain_error);
   EXPECT_THROW(run(0.0), std::domain_error);

@@ -15,18 +15,16 @@
 #include "stickslip/studies/frequencies.hpp"
 #include "stickslip/studies/stick_history.hpp"
 #include "support/beams.hpp"
+#include "support/parameter_name.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
 namespace {
 
 data::NumericalSettings settings(double duration, double spectral_radius = 0.9) {
-  return data::NumericalSettings({.elements = 20,
-                                  .time_step = 1e-4,
-                                  .spectral_radius = spectral_radius,
-                                  .velocity_threshold = 1e-4,
-                                  .modes = 10,
-                                  .duration = duration});
+  data::NumericalChoices choices = paper_choices(duration);
+  choices.spectral_radius = spectral_radius;
+  return data::NumericalSettings(choices);
 }
 
 const data::HarmonicExcitation figure9({.frequency_hz = 15.0, .amplitude = 0.5e-3});
@@ -54,7 +52,7 @@ TEST_P(Figure9, ErrorsAreThePredictedOnesAtThePaperSettingsAndFallAsPredicted) {
   EXPECT_NEAR(study.displacement_order, 2.0, 0.1);
 }
 
-INSTANTIATE_TEST_SUITE_P(SpectralRadius, Figure9, ::testing::Values(0.9, 1.0));
+INSTANTIATE_TEST_SUITE_P(SpectralRadius, Figure9, ::testing::Values(0.9, 1.0), NameOfDouble());
 
 TEST(Figure9Refined, DisplacementIsWithin1em5AndForceWithin5em4OfThePeak) {
   const auto study = studies::stick_history_study(paper_beam(), figure9, settings(1.0), 4);
@@ -78,7 +76,7 @@ TEST_P(ForceMaximumAt, FiniteElementsReturnThePredictedMaximum) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Hertz, ForceMaximumAt, ::testing::Values(15.0, 25.0, 35.0, 70.0));
+INSTANTIATE_TEST_SUITE_P(Hertz, ForceMaximumAt, ::testing::Values(15.0, 25.0, 35.0, 70.0), NameOfDouble());
 
 // Energy of the beam relative to its base.
 double energy(const solver::BeamSimulation& s) {

@@ -12,6 +12,7 @@
 #include "stickslip/studies/convergence.hpp"
 #include "stickslip/studies/frequencies.hpp"
 #include "support/beams.hpp"
+#include "support/parameter_name.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -35,7 +36,8 @@ TEST_P(StickFrequencyOrder, IsFourWithThePredictedConstant) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(AxialForce, StickFrequencyOrder, ::testing::Values(-5.0, 0.0, 0.12, 10.0));
+INSTANTIATE_TEST_SUITE_P(AxialForce, StickFrequencyOrder, ::testing::Values(-5.0, 0.0, 0.12, 10.0),
+                         NameOfDouble());
 
 TEST(StickFrequencyOrder, ConstantWithoutAxialForceIsBetaLToTheFourthOver720) {
   const data::Beam beam = paper_beam_with_axial_force(0.0);

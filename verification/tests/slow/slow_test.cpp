@@ -14,20 +14,11 @@
 namespace stickslip::testing {
 namespace {
 
-data::NumericalChoices choices(double duration) {
-  return {.elements = 20,
-          .time_step = 1e-4,
-          .spectral_radius = 0.9,
-          .velocity_threshold = 1e-4,
-          .modes = 10,
-          .duration = duration};
-}
-
 TEST(Figure9RefinedOnceMore, ForceErrorFallsOnAsPredicted) {
   const auto study = studies::stick_history_study(paper_beam(), data::HarmonicExcitation({15.0, 0.5e-3}),
-                                                  data::NumericalSettings(choices(0.25)), 5);
-  // The bound falls as h; over a quarter of a second fewer modes have lost their phase, and the error itself falls
-  // somewhat faster, towards h^2.
+                                                  data::NumericalSettings(paper_choices(0.25)), 5);
+  // The bound falls as h; over a quarter of a second fewer modes have lost their phase, and the error itself
+  // falls somewhat faster, towards h^2.
   EXPECT_GT(study.force_order, study.predicted_force_order - 0.05);
   EXPECT_LT(study.force_order, 1.3);
   for (const auto& level : study.levels)
@@ -41,7 +32,7 @@ TEST(Figure12Finer, BothImplementationsClassifyAlikeOutsideTheGuardBand) {
   for (int i = 2; i <= 48; ++i) frequencies.push_back(2.5 * i);
   for (int i = 1; i <= 40; ++i) amplitudes.push_back(0.025e-3 * i);
   const auto study = studies::classification_study(
-      paper_beam(), paper_friction(), data::NumericalSettings(choices(10.0)), frequencies, amplitudes);
+      paper_beam(), paper_friction(), data::NumericalSettings(paper_choices(10.0)), frequencies, amplitudes);
   EXPECT_EQ(study.disagreeing_outside, 0);
   EXPECT_LT(study.in_guard_band, 30);
 }
@@ -51,7 +42,7 @@ TEST(StickSlipBeamLong, StaysBoundedOnAnyMeshAndStep) {
     for (const int elements : {5, 20, 80})
       for (const double time_step : {1e-3, 1e-4, 1e-5})
         for (const double hz : {25.0, 70.0}) {
-          data::NumericalChoices c = choices(0.5);
+          data::NumericalChoices c = paper_choices(0.5);
           c.elements = elements;
           c.spectral_radius = radius;
           c.time_step = time_step;

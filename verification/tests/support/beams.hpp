@@ -31,4 +31,14 @@ inline data::FrictionLaw paper_friction() {
   return data::FrictionLaw({.static_coefficient = 0.6, .kinetic_coefficient = 0.3, .decay = 1.0});
 }
 
+/// The settings of data/cases/paper.toml for another duration, to be varied.
+inline data::NumericalChoices paper_choices(double duration) {
+  return {.elements = 20,
+          .time_step = 1e-4,
+          .spectral_radius = 0.9,
+          .velocity_threshold = 1e-4,
+          .modes = 10,
+          .duration = duration};
+}
+
 }  // namespace stickslip::testing

@@ -10,9 +10,12 @@
 #include <limits>
 #include <sstream>
 #include <string>
-#include <vector>
+
+#include "stickslip/studies/convergence.hpp"
 
 namespace stickslip::testing {
+
+using studies::observed_order;
 
 /// An allowed absolute error, with where it comes from.
 struct Tolerance {
@@ -52,17 +55,6 @@ inline ::testing::AssertionResult within(double computed, double expected, const
        << "\n  tolerance " << tolerance.value << "  (" << tolerance.derivation << ")\n  margin    "
        << error / tolerance.value << " (error / tolerance, allowed up to 1)";
   return ::testing::AssertionFailure() << text.str();
-}
-
-/// Least-squares slope of log(error) over log(step): the observed order.
-inline double observed_order(const std::vector<double>& steps, const std::vector<double>& errors) {
-  double sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
-  const auto n = static_cast<double>(steps.size());
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    const double x = std::log(steps[i]), y = std::log(errors[i]);
-    sx += x, sy += y, sxx += x * x, sxy += x * y;
-  }
-  return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
 }  // namespace stickslip::testing

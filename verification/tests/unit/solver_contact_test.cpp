@@ -8,6 +8,7 @@
 #include <string>
 
 #include "stickslip/solver/stick_slip_integrator.hpp"
+#include "support/parameter_name.hpp"
 #include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
 
@@ -141,7 +142,8 @@ TEST_P(ShakenPlaneBenchmark, MeanFrictionPowerIsThePublishedOne) {
 INSTANTIATE_TEST_SUITE_P(StickSlip, ShakenPlaneBenchmark,
                          ::testing::Values(ShakenPlane{15.0, 15.2670995893716},
                                            ShakenPlane{1.5, 0.409062451015709},
-                                           ShakenPlane{1.01, 2.26164121279787e-4}, ShakenPlane{0.99, 0.0}));
+                                           ShakenPlane{1.01, 2.26164121279787e-4}, ShakenPlane{0.99, 0.0}),
+                         [](const auto& instance) { return parameter_name(instance.param.amplitude); });
 
 // Two masses, the contact on the second, coupled in the mass matrix too.
 solver::ContactSystem pair_of_masses(double normal_force, data::FrictionCoefficients friction) {

@@ -1,14 +1,18 @@
-/// The assembled beam: statics that a Hermite mesh reproduces exactly, the follower term, input errors.
+/// The assembled beam: statics that a Hermite mesh reproduces exactly, the follower term, modes, what a
+/// simulation makes of its settings, input errors.
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "stickslip/solver/beam_model.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
 #include "support/beams.hpp"
 #include "support/tolerance.hpp"
@@ -139,6 +143,121 @@ TEST(ModalAnalysis, SlipFrequenciesBeyondFlutterAreRefused) {
   EXPECT_THROW((void)solver::slip_modes(solver::BeamModel(paper_beam_with_axial_force(1.02 * flutter), 8), 2),
                std::domain_error);
   EXPECT_THROW((void)solver::stick_modes(solver::BeamModel(paper_beam(), 2), 4), std::invalid_argument);
+}
+
+TEST(ModalAnalysis, ResolvedModesBendUpwardsAtTheClamp) {
+  // Curvature of the first element at x = 0: (6 w_1 - 2 l theta_1)/l^2. A mesh resolves as many modes as it
+  // has elements.
+  constexpr int elements = 10;
+  const solver::BeamModel model(paper_beam(), elements);
+  const double l = 2.0 / elements;
+  for (const auto& modes : {solver::stick_modes(model, elements), solver::slip_modes(model, elements)})
+    for (std::size_t n = 0; n < modes.size(); ++n)
+      EXPECT_GT((6.0 * modes[n].shape[0] - 2.0 * l * modes[n].shape[1]) / (l * l), 0.0) << "mode " << n + 1;
+}
+
+TEST(ModalAnalysis, ModesThatDivergeOnACoarseMeshAreRefused) {
+  // Far beyond flutter two elements have real frequencies again, two of them squares of imaginary ones.
+  const solver::BeamModel model(paper_beam_with_axial_force(300.0 * rigidity(paper_beam()) / 4.0), 2);
+  for (const auto& eigenvalue : solver::slip_eigenvalues(model, 4)) ASSERT_EQ(eigenvalue.imag(), 0.0);
+  EXPECT_NO_THROW((void)solver::slip_modes(model, 1));
+  EXPECT_THROW((void)solver::slip_modes(model, 2), std::domain_error);
+}
+
+TEST(ModalAnalysis, RefusesToReturnNoMode) {
+  const solver::BeamModel model(paper_beam(), 4);
+  EXPECT_THROW((void)solver::stick_modes(model, 0), std::invalid_argument);
+  EXPECT_THROW((void)solver::slip_modes(model, 0), std::invalid_argument);
+  EXPECT_THROW((void)solver::slip_eigenvalues(model, -1), std::invalid_argument);
+}
+
+constexpr data::NumericalChoices coarse{.elements = 8,
+                                        .time_step = 1e-4,
+                                        .spectral_radius = 0.5,
+                                        .velocity_threshold = 1e-2,
+                                        .modes = 10,
+                                        .duration = 0.2};
+
+TEST(BeamSimulation, HandsItsNumericsToTheIntegrator) {
+  const data::HarmonicExcitation excitation({25.0, 1e-3});
+  solver::BeamSimulation simulation(paper_beam(), paper_friction(), excitation,
+                                    data::NumericalSettings(coarse));
+  const solver::BeamModel model(paper_beam(), 8);
+  const solver::PrescribedMotion base = solver::harmonic_motion(excitation);
+  solver::StickSlipIntegrator integrator(
+      solver::beam_contact_system(model, paper_friction(), base),
+      {.time_step = 1e-4, .spectral_radius = 0.5, .velocity_threshold = 1e-2});
+  integrator.start_stuck(Eigen::VectorXd::Zero(16), -base.velocity(0.0) * model.unit_tip_deflection());
+  for (int n = 0; n < 2000; ++n) {
+    simulation.step();
+    integrator.step();
+    ASSERT_EQ(simulation.integrator().displacement(), integrator.displacement()) << "step " << n;
+  }
+  // The threshold took part: without one nothing is captured while it still slides.
+  const auto& events = integrator.events();
+  EXPECT_TRUE(std::any_of(events.begin(), events.end(), [](const solver::ContactEvent& event) {
+    return event.kind == solver::ContactEvent::Kind::capture && std::abs(event.residual_velocity) > 1e-3;
+  }));
+}
+
+TEST(BeamSimulation, DisplacementsAreThoseOfTheFixedFrame) {
+  solver::BeamSimulation simulation(paper_beam(), paper_friction(), data::HarmonicExcitation({25.0, 1e-3}),
+                                    data::NumericalSettings(coarse));
+  for (int n = 0; n < 100; ++n) simulation.step();
+  // 25 Hz at 10 ms: h = A0 sin(pi/2).
+  EXPECT_TRUE(within(simulation.base_displacement(), 1e-3, round_off(4, 1, 1e-3)));
+  EXPECT_EQ(simulation.displacement(0.0), simulation.base_displacement());
+  EXPECT_EQ(simulation.displacement(1.0), simulation.midspan_displacement());
+  EXPECT_EQ(simulation.displacement(2.0), simulation.tip_displacement());
+}
+
+TEST(BeamSimulation, StepCountIsTheNearestWholeNumber) {
+  EXPECT_EQ(solver::step_count(10.0, 1e-4), 100000);
+  // 0.29/1e-4 is a rounding error under 2900, 0.1/3e-4 is 333.3 and 0.2/3e-4 is 666.7.
+  ASSERT_LT(0.29 / 1e-4, 2900.0);
+  EXPECT_EQ(solver::step_count(0.29, 1e-4), 2900);
+  EXPECT_EQ(solver::step_count(0.1, 3e-4), 333);
+  EXPECT_EQ(solver::step_count(0.2, 3e-4), 667);
+}
+
+TEST(BeamSimulation, LargestForceIsOneOfEitherSign) {
+  // At 70 Hz the peak of the first 10 ms is positive, that of the first 20 ms negative.
+  const data::HarmonicExcitation excitation({70.0, 0.5e-3});
+  solver::BeamSimulation glued(paper_beam(), paper_friction(), excitation, data::NumericalSettings(coarse),
+                               solver::TipContact::glued);
+  double highest = 0.0, lowest = 0.0;
+  const auto run_until = [&](double end) {
+    while (glued.time() < end - 0.5e-4) {
+      glued.step();
+      highest = std::max(highest, glued.friction_force());
+      lowest = std::min(lowest, glued.friction_force());
+    }
+  };
+  const auto largest = [&](double duration) {
+    data::NumericalChoices choices = coarse;
+    choices.duration = duration;
+    return solver::max_abs_friction_force(paper_beam(), excitation, data::NumericalSettings(choices));
+  };
+  run_until(0.01);
+  ASSERT_GT(highest, -lowest);
+  EXPECT_EQ(largest(0.01), highest);
+  run_until(0.02);
+  ASSERT_GT(-lowest, highest);
+  EXPECT_EQ(largest(0.02), -lowest);
+}
+
+TEST(BeamSimulation, FirstSlipIsFoundUpToTheLastStep) {
+  const auto slip_within = [](double duration) {
+    data::NumericalChoices choices = coarse;
+    choices.duration = duration;
+    return solver::first_slip(paper_beam(), paper_friction(), data::HarmonicExcitation({25.0, 1e-3}),
+                              data::NumericalSettings(choices));
+  };
+  const auto slip = slip_within(0.2);
+  ASSERT_TRUE(slip);
+  const double steps = std::floor(*slip / coarse.time_step);
+  EXPECT_EQ(slip_within((steps + 1.0) * coarse.time_step), slip);
+  EXPECT_EQ(slip_within(steps * coarse.time_step), std::nullopt);
 }
 
 }  // namespace
