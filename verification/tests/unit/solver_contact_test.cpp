@@ -85,10 +85,30 @@ TEST(StickSlipIntegrator, MassOnAShakenPlaneLetsGoWhenFrictionIsUsedUp) {
   StickSlipIntegrator mass(contact_system({.normal_force = 10.0, .friction = coulomb}, shaken(15.0, 1.0)),
                            {.time_step = 1e-3, .spectral_radius = 0.9});
   mass.start_stuck(scalar(0.0), scalar(0.0));
-  while (mass.events().empty()) mass.step();
+  while (mass.events().empty() && mass.time() < 1.0) mass.step();
+  ASSERT_FALSE(mass.events().empty());
   EXPECT_EQ(mass.events().front().kind, ContactEvent::Kind::onset);
   EXPECT_TRUE(within(mass.events().front().time, std::asin(1.0 / 15.0) / (2.0 * pi),
                      {1e-11 * 1e-3 + 1e-14, "location tolerance 1e-11 h"}));
+}
+
+TEST(StickSlipIntegrator, ASpringPastTheFrictionLimitLetsGoAtOnce) {
+  // Holding takes k q = 2 q; the limit is 1 N.
+  for (const double position : {-0.6, 0.4, 0.6}) {
+    StickSlipIntegrator mass(contact_system({.stiffness = 2.0, .normal_force = 10.0, .friction = coulomb}),
+                             {.time_step = 1e-2, .spectral_radius = 0.9});
+    mass.start_stuck(scalar(position), scalar(0.0));
+    if (std::abs(position) < 0.5) {
+      EXPECT_EQ(mass.state(), ContactState::stick);
+      EXPECT_TRUE(mass.events().empty());
+      continue;
+    }
+    EXPECT_EQ(mass.state(), ContactState::slip);
+    ASSERT_EQ(mass.events().size(), 1u);
+    EXPECT_EQ(mass.events().front().kind, ContactEvent::Kind::onset);
+    EXPECT_EQ(mass.events().front().time, 0.0);
+    EXPECT_DOUBLE_EQ(mass.friction_force(), position > 0.0 ? 1.0 : -1.0);
+  }
 }
 
 TEST(StickSlipIntegrator, StaysStuckForEverBelowTheFrictionLimit) {
@@ -213,6 +233,22 @@ TEST(StickSlipIntegrator, HoldingForceBalancesTheContactRow) {
   EXPECT_EQ(a[1], 0.0);
 }
 
+TEST(StickSlipIntegrator, StartingAgainForgetsTheRunBefore) {
+  StickSlipIntegrator oscillator(contact_system({.stiffness = 4.0, .normal_force = 4.0, .friction = coulomb}),
+                                 {.time_step = 1e-2, .spectral_radius = 0.9});
+  const auto run = [&oscillator] {
+    oscillator.start_slipping(scalar(1.04), scalar(0.0));
+    while (oscillator.steps() < 500) oscillator.step();
+    return oscillator.displacement()[0];
+  };
+  const double first = run();
+  const auto events = oscillator.events().size();
+  ASSERT_GT(events, 0u);
+  EXPECT_EQ(run(), first);
+  EXPECT_EQ(oscillator.events().size(), events);
+  EXPECT_DOUBLE_EQ(oscillator.time(), 5.0);
+}
+
 TEST(StickSlipIntegrator, RefusesUnusableInput) {
   const auto with = [](IntegratorSettings settings) {
     StickSlipIntegrator(contact_system({.normal_force = 1.0, .friction = coulomb}), settings);
@@ -231,6 +267,28 @@ TEST(StickSlipIntegrator, RefusesUnusableInput) {
   two_loads.load_shape = Eigen::VectorXd::Zero(2);
   EXPECT_THROW(StickSlipIntegrator(two_loads, {.time_step = 1e-3, .spectral_radius = 1.0}),
                std::invalid_argument);
+}
+
+TEST(StickSlipIntegrator, FrictionLawHoldsToRoundOffInAStepAsLongAsTheLawAllows) {
+  // At spectral radius 0 the balance holds at the end of the step: m (2 a_1 - a_0) = -mu(v_1) N with
+  // v_1 = v_0 + h (3 a_1 - a_0)/2. The step is 99 % of the longest one, 4 m/(3 N (mu_s - mu_m) alpha).
+  const data::FrictionCoefficients weakening{
+      .static_coefficient = 0.6, .kinetic_coefficient = 0.3, .decay = 1.5};
+  const data::FrictionLaw law(weakening);
+  const double normal_force = 10.0, h = 0.99 * 4.0 / (3.0 * normal_force * 0.3 * 1.5);
+  for (const double v0 : {1.7, 1.75, 1.8, 2.0, 3.0}) {
+    StickSlipIntegrator slider(contact_system({.normal_force = normal_force, .friction = weakening}),
+                               {.time_step = h, .spectral_radius = 0.0});
+    slider.start_slipping(scalar(0.0), scalar(v0));
+    const double a0 = -solver::friction_coefficient(law, v0) * normal_force;
+    slider.step();
+    ASSERT_TRUE(slider.events().empty()) << v0;
+    const double v1 = slider.velocity()[0];
+    const double a1 = ((v1 - v0) / (0.5 * h) + a0) / 3.0;
+    EXPECT_TRUE(within(2.0 * a1 - a0, -solver::friction_coefficient(law, v1) * normal_force,
+                       round_off(20, 1, normal_force)))
+        << "v_0 = " << v0 << ", v_1 = " << v1;
+  }
 }
 
 TEST(StickSlipIntegrator, StopsWithAMessageWhenTheFrictionLawFallsTooFastForTheStep) {
