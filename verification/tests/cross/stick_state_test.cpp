@@ -40,9 +40,10 @@ TEST_P(Figure9, ErrorsAreThePredictedOnesAtThePaperSettingsAndFallAsPredicted) {
     EXPECT_TRUE(
         within(level.displacement_error, 0.0, discretisation(level.predicted_displacement_error, 1.1, law)));
     EXPECT_TRUE(within(level.force_error, 0.0, discretisation(level.predicted_force_error, 1.1, law)));
-    // The bound is a bound, but not an idle one.
-    EXPECT_GT(level.displacement_error, level.predicted_displacement_error / 4.0);
-    EXPECT_GT(level.force_error, level.predicted_force_error / 4.0);
+    // The bound is a bound, but not an idle one: mode 1 alone makes most of the displacement's, ten modes of
+    // like size, which do not peak together, the force's.
+    EXPECT_GT(level.displacement_error, level.predicted_displacement_error / 1.5);
+    EXPECT_GT(level.force_error, level.predicted_force_error / 2.0);
   }
   // Displacement: h^2. Force: amplitudes n^-4 and drifts n^6 h^2 make a sum whose largest terms sit where the
   // drift reaches a turn, n ~ h^(-1/3): h^1. Both as the predicted errors fall, to 0.2.

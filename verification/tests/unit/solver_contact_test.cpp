@@ -276,7 +276,7 @@ TEST(StickSlipIntegrator, FrictionLawHoldsToRoundOffInAStepAsLongAsTheLawAllows)
       .static_coefficient = 0.6, .kinetic_coefficient = 0.3, .decay = 1.5};
   const data::FrictionLaw law(weakening);
   const double normal_force = 10.0, h = 0.99 * 4.0 / (3.0 * normal_force * 0.3 * 1.5);
-  for (const double v0 : {1.7, 1.75, 1.8, 2.0, 3.0}) {
+  for (const double v0 : {1.57, 1.6, 1.7, 2.0, 3.0}) {
     StickSlipIntegrator slider(contact_system({.normal_force = normal_force, .friction = weakening}),
                                {.time_step = h, .spectral_radius = 0.0});
     slider.start_slipping(scalar(0.0), scalar(v0));
