@@ -18,7 +18,7 @@ namespace stickslip::testing {
 /// unsymmetric, as the beam's is.
 struct ForcedPair {
   Eigen::Matrix2d mass{{2.0, 0.3}, {0.3, 1.0}};
-  Eigen::Matrix2d damping{{0.7, -0.2}, {-0.2, 0.4}};
+  Eigen::Matrix2d damping{{0.7, 0.5}, {0.5, 0.9}};
   Eigen::Matrix2d stick_stiffness{{30.0, -12.0}, {-12.0, 14.0}};
   Eigen::Matrix2d slip_stiffness{{30.0, -12.0}, {-9.0, 14.0}};
   Eigen::Vector2d load{6.0, -3.0};

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "stickslip/solver/stick_slip_integrator.hpp"
+#include "support/exact_pair.hpp"
 #include "support/parameter_name.hpp"
 #include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
@@ -233,6 +234,64 @@ TEST(StickSlipIntegrator, HoldingForceBalancesTheContactRow) {
   EXPECT_EQ(a[1], 0.0);
 }
 
+TEST(StickSlipIntegrator, AccelerationAndFrictionForceBalanceEveryRowInStickAndSlip) {
+  // K_slip differs from K_stick in the row of the contact alone. The largest term is K q, about 30 N.
+  const ForcedPair pair;
+  StickSlipIntegrator integrator(contact_system(pair), {.time_step = 1e-2, .spectral_radius = 0.9});
+  integrator.start_stuck(Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
+  int stuck = 0;
+  while (integrator.steps() < 400) {
+    integrator.step();
+    const bool sticks = integrator.state() == ContactState::stick;
+    stuck += sticks ? 1 : 0;
+    const auto& system = integrator.system();
+    const Eigen::Vector2d a = integrator.consistent_acceleration();
+    const Eigen::Vector2d q = integrator.displacement(), v = integrator.velocity();
+    const Eigen::Vector2d balance = pair.mass * a + pair.damping * v + pair.slip_stiffness * q -
+                                    system.load_history(integrator.time()) * pair.load;
+    ASSERT_TRUE(within(balance[0], 0.0, round_off(20, 2, 30.0)));
+    ASSERT_TRUE(within(balance[1], integrator.friction_force(), round_off(20, 2, 30.0)));
+    if (sticks) {
+      ASSERT_EQ(a[1], system.wall.acceleration(integrator.time()));
+    }
+  }
+  EXPECT_GT(stuck, 20);
+  EXPECT_LT(stuck, 380);
+}
+
+TEST(StickSlipIntegrator, CapturesAtTheFirstStepThatEndsBelowTheThreshold) {
+  // v = 1.3 - 1.5 t: 0.25 m/s after ten steps, 0.145 m/s after eleven.
+  StickSlipIntegrator slider(contact_system({.mass = 2.0, .normal_force = 30.0, .friction = coulomb}),
+                             {.time_step = 0.07, .spectral_radius = 0.9, .velocity_threshold = 0.2});
+  slider.start_slipping(scalar(0.0), scalar(1.3));
+  while (slider.steps() < 12) slider.step();
+  ASSERT_EQ(slider.events().size(), 1u);
+  EXPECT_EQ(slider.events().front().kind, ContactEvent::Kind::capture);
+  EXPECT_DOUBLE_EQ(slider.events().front().time, 0.77);
+  EXPECT_TRUE(within(slider.events().front().residual_velocity, 0.145, round_off(11, 1, 1.3)));
+}
+
+TEST(StickSlipIntegrator, ASlowContactThatCannotBeHeldSlidesOn) {
+  // Turning points at 1.04 - 0.2 i beyond the dead zone of 0.1: a threshold affects the last one alone.
+  const auto events = [](double threshold) {
+    StickSlipIntegrator oscillator(
+        contact_system({.stiffness = 4.0, .normal_force = 4.0, .friction = coulomb}),
+        {.time_step = 1e-2, .spectral_radius = 1.0, .velocity_threshold = threshold});
+    oscillator.start_slipping(scalar(1.04), scalar(0.0));
+    while (oscillator.time() < 12.0) oscillator.step();
+    return oscillator.events();
+  };
+  const auto without = events(0.0), with = events(0.05);
+  ASSERT_EQ(without.size(), 5u);
+  ASSERT_EQ(with.size(), 5u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(with[i].kind, ContactEvent::Kind::reversal);
+    EXPECT_EQ(with[i].time, without[i].time);
+  }
+  EXPECT_EQ(with[4].kind, ContactEvent::Kind::capture);
+  EXPECT_LT(with[4].time, without[4].time);
+}
+
 TEST(StickSlipIntegrator, StartingAgainForgetsTheRunBefore) {
   StickSlipIntegrator oscillator(contact_system({.stiffness = 4.0, .normal_force = 4.0, .friction = coulomb}),
                                  {.time_step = 1e-2, .spectral_radius = 0.9});
@@ -263,6 +322,10 @@ TEST(StickSlipIntegrator, RefusesUnusableInput) {
   no_mass.mass = scalar_matrix(-1.0);
   EXPECT_THROW(StickSlipIntegrator(no_mass, {.time_step = 1e-3, .spectral_radius = 1.0}),
                std::invalid_argument);
+  for (const double force : {-1.0, std::nan("")})
+    EXPECT_THROW(StickSlipIntegrator(contact_system({.normal_force = force, .friction = coulomb}),
+                                     {.time_step = 1e-3, .spectral_radius = 1.0}),
+                 std::invalid_argument);
   auto two_loads = contact_system({.normal_force = 1.0, .friction = coulomb});
   two_loads.load_shape = Eigen::VectorXd::Zero(2);
   EXPECT_THROW(StickSlipIntegrator(two_loads, {.time_step = 1e-3, .spectral_radius = 1.0}),
@@ -289,6 +352,13 @@ TEST(StickSlipIntegrator, FrictionLawHoldsToRoundOffInAStepAsLongAsTheLawAllows)
                        round_off(20, 1, normal_force)))
         << "v_0 = " << v0 << ", v_1 = " << v1;
   }
+}
+
+TEST(StickSlipIntegrator, StopsWhenItsStateIsNoLongerFinite) {
+  StickSlipIntegrator slider(contact_system({.normal_force = 10.0, .friction = coulomb}),
+                             {.time_step = 0.5, .spectral_radius = 1.0});
+  slider.start_slipping(scalar(1.79e308), scalar(1e308));
+  EXPECT_THROW(slider.step(), std::runtime_error);
 }
 
 TEST(StickSlipIntegrator, StopsWithAMessageWhenTheFrictionLawFallsTooFastForTheStep) {
