@@ -65,6 +65,12 @@ HarmonicExcitation::HarmonicExcitation(const HarmonicMotion& motion) : motion_(m
   require_not_negative("excitation.amplitude", amplitude(), " (m)");
 }
 
+Damping::Damping(const DampingProperties& properties) : properties_(properties) {
+  require_not_negative("damping.kelvin_voigt", kelvin_voigt(), " (s)");
+  if (!(ratio() >= 0.0 && ratio() < 1.0))
+    throw FieldError("damping.ratio", shortest_text(ratio()), "a number from 0 to below 1");
+}
+
 NumericalSettings::NumericalSettings(const NumericalChoices& choices) : choices_(choices) {
   require_between("numerics.elements", elements(), 1, 100000);
   require_positive("numerics.time_step", time_step(), " (s)");

@@ -113,7 +113,7 @@ void write_finite_element(const data::Case& problem, const RespondOptions& optio
   const auto initial_velocity = options.initial_velocity == "zero" ? solver::InitialVelocity::zero
                                                                    : solver::InitialVelocity::quasi_static;
   solver::BeamSimulation simulation(problem.beam, problem.friction, problem.excitation, problem.numerics,
-                                    solver::TipContact::friction, initial_velocity);
+                                    {.initial_velocity = initial_velocity});
   const long steps = steps_of(problem);
   for (long n = 0; n <= steps; ++n) {
     if (n > 0) simulation.step();

@@ -54,21 +54,20 @@ BeamModel checked_model(const data::Beam& beam, int elements, TipContact contact
 
 BeamSimulation::BeamSimulation(const data::Beam& beam, const data::FrictionLaw& friction,
                                const data::HarmonicExcitation& excitation,
-                               const data::NumericalSettings& numerics, TipContact contact,
-                               InitialVelocity initial_velocity)
-    : model_(checked_model(beam, numerics.elements(), contact)),
+                               const data::NumericalSettings& numerics, const BeamRun& run)
+    : model_(checked_model(beam, numerics.elements(), run.contact)),
       base_(harmonic_motion(excitation)),
       integrator_(beam_contact_system(model_, friction, base_),
                   {.time_step = numerics.time_step(),
                    .spectral_radius = numerics.spectral_radius(),
                    .velocity_threshold = numerics.velocity_threshold(),
-                   .glued = contact == TipContact::glued}),
+                   .glued = run.contact == TipContact::glued}),
       midspan_(model_.interpolation(0.5 * beam.length())) {
   const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(model_.degrees_of_freedom());
   const Eigen::VectorXd shape = model_.unit_tip_deflection();
   const double tip_velocity = -base_.velocity(0.0);
   integrator_.start_stuck(at_rest,
-                          initial_velocity == InitialVelocity::zero ? at_rest : tip_velocity * shape);
+                          run.initial_velocity == InitialVelocity::zero ? at_rest : tip_velocity * shape);
 }
 
 double BeamSimulation::base_displacement() const { return base_.displacement(time()); }
@@ -90,7 +89,7 @@ long step_count(double duration, double time_step) { return std::lround(duration
 double max_abs_friction_force(const data::Beam& beam, const data::HarmonicExcitation& excitation,
                               const data::NumericalSettings& numerics) {
   const data::FrictionLaw unused({});
-  BeamSimulation simulation(beam, unused, excitation, numerics, TipContact::glued);
+  BeamSimulation simulation(beam, unused, excitation, numerics, {.contact = TipContact::glued});
   double largest = std::abs(simulation.friction_force());
   for (long n = step_count(numerics.duration(), numerics.time_step()); n > 0; --n) {
     simulation.step();

@@ -31,7 +31,7 @@ void run(benchmark::State& state, double amplitude, solver::TipContact contact) 
   const auto numerics = settings(static_cast<int>(state.range(0)));
   const long steps = solver::step_count(numerics.duration(), numerics.time_step());
   for (auto _ : state) {
-    solver::BeamSimulation simulation(beam, friction, excitation, numerics, contact);
+    solver::BeamSimulation simulation(beam, friction, excitation, numerics, {.contact = contact});
     for (long n = 0; n < steps; ++n) {
       simulation.step();
       benchmark::DoNotOptimize(simulation.friction_force());

@@ -21,7 +21,8 @@ struct SampledHistory {
 SampledHistory finite_element_history(const data::Beam& beam, const data::HarmonicExcitation& excitation,
                                       const data::NumericalSettings& numerics, long stride) {
   const data::FrictionLaw unused({});
-  solver::BeamSimulation simulation(beam, unused, excitation, numerics, solver::TipContact::glued);
+  solver::BeamSimulation simulation(beam, unused, excitation, numerics,
+                                    {.contact = solver::TipContact::glued});
   const long steps = solver::step_count(numerics.duration(), numerics.time_step());
   SampledHistory history;
   for (long n = 0; n <= steps; ++n) {

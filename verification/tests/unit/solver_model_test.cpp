@@ -224,7 +224,7 @@ TEST(BeamSimulation, LargestForceIsOneOfEitherSign) {
   // At 70 Hz the peak of the first 10 ms is positive, that of the first 20 ms negative.
   const data::HarmonicExcitation excitation({70.0, 0.5e-3});
   solver::BeamSimulation glued(paper_beam(), paper_friction(), excitation, data::NumericalSettings(coarse),
-                               solver::TipContact::glued);
+                               {.contact = solver::TipContact::glued});
   double highest = 0.0, lowest = 0.0;
   const auto run_until = [&](double end) {
     while (glued.time() < end - 0.5e-4) {

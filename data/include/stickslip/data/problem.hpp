@@ -104,6 +104,28 @@ class HarmonicExcitation {
   HarmonicMotion motion_;
 };
 
+/// What a Damping is built from; field names are the keys of the table [damping].
+struct DampingProperties {
+  double kelvin_voigt{};  ///< eta, s, >= 0: the bending moment is EI (u_xx + eta u_xxt)
+  /// zeta, 0 <= zeta < 1: fraction of critical damping of every mode of the beam with its tip free and P = 0
+  double ratio{};
+};
+
+/// Damping inside the beam, the same in stick and slip; none by default. Both kinds add. Cannot be built
+/// invalid.
+class Damping {
+ public:
+  Damping() = default;
+  /// Throws FieldError.
+  explicit Damping(const DampingProperties& properties);
+
+  [[nodiscard]] double kelvin_voigt() const noexcept { return properties_.kelvin_voigt; }
+  [[nodiscard]] double ratio() const noexcept { return properties_.ratio; }
+
+ private:
+  DampingProperties properties_;
+};
+
 /// What NumericalSettings are built from; field names are the keys of the table [numerics].
 struct NumericalChoices {
   int elements{};               ///< number of finite elements, 1 ... 100000
@@ -139,6 +161,7 @@ struct Case {
   FrictionLaw friction;
   HarmonicExcitation excitation;
   NumericalSettings numerics;
+  Damping damping{};
 };
 
 }  // namespace stickslip::data

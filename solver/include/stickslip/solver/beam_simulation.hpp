@@ -20,6 +20,13 @@ enum class TipContact {
   glued      ///< the tip never slips: the linear stick state for all time
 };
 
+/// What a run may do differently from the paper's.
+struct BeamRun {
+  TipContact contact{TipContact::friction};
+  InitialVelocity initial_velocity{InitialVelocity::quasi_static};
+  data::Damping damping{};
+};
+
 /// h(t) = A0 sin(2 pi hz t) with its derivatives.
 [[nodiscard]] PrescribedMotion harmonic_motion(const data::HarmonicExcitation& excitation);
 
@@ -38,8 +45,7 @@ class BeamSimulation {
   /// TipContact::friction: without compression there is no contact.
   BeamSimulation(const data::Beam& beam, const data::FrictionLaw& friction,
                  const data::HarmonicExcitation& excitation, const data::NumericalSettings& numerics,
-                 TipContact contact = TipContact::friction,
-                 InitialVelocity initial_velocity = InitialVelocity::quasi_static);
+                 const BeamRun& run = {});
 
   void step() { integrator_.step(); }
 
