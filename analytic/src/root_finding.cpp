@@ -7,10 +7,10 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <mutex>
 #include <stdexcept>
 #include <string>
 
+#include "gsl_status.hpp"
 #include "messages.hpp"
 
 namespace stickslip::analytic {
@@ -18,27 +18,6 @@ namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr int kMaximumIterations = 500;
-
-/// Turns off GSL's aborting error handler while at least one instance lives, in whatever thread, and then
-/// puts back the handler that was there before the first.
-class StatusInsteadOfAbort {
- public:
-  StatusInsteadOfAbort() {
-    const std::lock_guard lock(mutex_);
-    if (instances_++ == 0) previous_ = gsl_set_error_handler_off();
-  }
-  ~StatusInsteadOfAbort() {
-    const std::lock_guard lock(mutex_);
-    if (--instances_ == 0) gsl_set_error_handler(previous_);
-  }
-  StatusInsteadOfAbort(const StatusInsteadOfAbort&) = delete;
-  StatusInsteadOfAbort& operator=(const StatusInsteadOfAbort&) = delete;
-
- private:
-  static inline std::mutex mutex_;
-  static inline int instances_ = 0;
-  static inline gsl_error_handler_t* previous_ = nullptr;
-};
 
 struct Release {
   void operator()(gsl_root_fsolver* handle) const { gsl_root_fsolver_free(handle); }
@@ -48,10 +27,6 @@ struct Release {
 
 template <class Handle>
 using Owner = std::unique_ptr<Handle, Release>;
-
-void require_success(int status, const std::string& where) {
-  if (status != GSL_SUCCESS) throw std::runtime_error(where + ": " + gsl_strerror(status) + ".");
-}
 
 std::string located(const std::string& method, Interval interval) {
   return method + " between " + digits(interval.lower) + " and " + digits(interval.upper);

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vector>
+
+#include "stickslip/analytic/contact_model.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/data/problem.hpp"
+
+namespace stickslip::analytic {
+
+/// The beam of the paper as a ContactModel without a mesh: its clamped-pinned modes U_n, mass-normalised, and
+/// the static shape sigma(x) = -S(x) of a unit tip deflection, all in closed form. In the frame of the base
+///
+///     u(x,t) = sigma(x) u_L(t) + sum_n U_n(x) T_n(t),     w(t) = -h(t),     y = h + u,
+///
+/// and, by Galerkin's method on rho A u_tt + EI (u + eta u_t)_xxxx + P u_xx = -rho A h_tt with the follower
+/// condition EI (u + eta u_t)'''(L) = -f_d,
+///
+///     a_n = rho A int U_n sigma dx,    m_c = rho A int sigma^2 dx,    k_c = -EI sigma'''(L) - P sigma'(L),
+///     l_n = P U_n'(L),    l_c = P sigma'(L),    b = A0 Omega^2 rho A int (U_n, sigma) dx.
+///
+/// Kelvin-Voigt damping is eta times the bending stiffness, K + P int u' u' dx. Modal damping gives the
+/// fraction zeta of critical to every mode of the same space with its tip free and P = 0.
+///
+/// Truncation. In slip, u minus its share of sigma has a bounded fourth derivative at the tip, so that its
+/// coefficients fall as n^-5; those of the adjoint problem, whose curvature at the tip is -P/EI, fall as n^-3
+/// in proportion to P. The slip frequencies and the motion of the tip then converge as P N^-3 + N^-5 and the
+/// static reaction as N^-5, because sigma carries the static part (the sum of Eq. (28) converges as N^-2).
+class BeamContactModel {
+ public:
+  /// Throws std::domain_error, naming beam.axial_force, unless 0 < P < P_cr, and what stick_modes() throws.
+  BeamContactModel(const data::Beam& beam, const data::FrictionLaw& friction,
+                   const data::HarmonicExcitation& excitation, const data::Damping& damping, int modes);
+
+  [[nodiscard]] const ContactModel& model() const noexcept { return model_; }
+
+  /// U_n(x), the sigma(x) last: u(x) is its product with (T, u_L). 0 <= x <= L in m.
+  [[nodiscard]] std::vector<double> shapes(double x) const;
+
+ private:
+  std::vector<StickMode> modes_;
+  QuasiStaticShape static_shape_;
+  std::vector<double> scale_;  // 1/sqrt(rho A int U_n^2 dx)
+  ContactModel model_;
+};
+
+/// The `count` lowest angular frequencies, rad/s, of a ContactModel whose contact is free and whose damping
+/// and friction are left out: for the beam, approximations of the clamped-free modes under follower load.
+/// Throws std::domain_error if one of them is complex (flutter), std::invalid_argument if count is not in 1
+/// ... modes + 1.
+[[nodiscard]] std::vector<double> free_contact_frequencies(const ContactModel& model, int count);
+
+}  // namespace stickslip::analytic

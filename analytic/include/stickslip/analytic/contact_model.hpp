@@ -1,0 +1,70 @@
+#pragma once
+
+/// A linear structure with one frictional contact, in the modes that it has while the contact is held.
+///
+/// Coordinates: the amplitudes T_n of the mass-normalised modes of the held contact (kg^(1/2) m), and the
+/// displacement u_c of the contact, which carries the static shape sigma along:
+///
+///     u = sigma u_c + sum_n U_n T_n,
+///
+/// sigma the deflection of the unloaded structure at u_c = 1. (Craig & Bampton, AIAA J. 6, 1313-1319, 1968.)
+/// A statement holds for stick and slip alike, no coordinate changes its meaning at a transition, and nothing
+/// has to be projected:
+///
+///     T_n_tt + a_n u_c_tt + (C x_t)_n + omega_n^2 T_n                          = b_n s(t)
+///     a . T_tt + m_c u_c_tt + (C x_t)_c + k_c u_c + (l . T + l_c u_c)          = b_c s(t) + f_d
+///
+/// with x = (T, u_c), s(t) = sin(Omega t), the wall's motion w(t) = W sin(Omega t), and the nonconservative
+/// (follower) force l . T + l_c u_c, which acts on the contact alone. Stick: u_c - w is constant and the last
+/// row yields f_d. Slip: f_d = -sgn(v_s) mu(|v_s|) N, v_s = u_c_t - w_t.
+
+#include <cstddef>
+#include <vector>
+
+#include "stickslip/data/problem.hpp"
+
+namespace stickslip::analytic {
+
+/// A dense matrix, row by row.
+class Matrix {
+ public:
+  Matrix() = default;
+  Matrix(std::size_t rows, std::size_t columns) : columns_(columns), values_(rows * columns) {}
+
+  [[nodiscard]] double& operator()(std::size_t row, std::size_t column) {
+    return values_[row * columns_ + column];
+  }
+  [[nodiscard]] const double& operator()(std::size_t row, std::size_t column) const {
+    return values_[row * columns_ + column];
+  }
+  [[nodiscard]] bool empty() const noexcept { return values_.empty(); }
+  [[nodiscard]] std::size_t rows() const noexcept { return empty() ? 0 : values_.size() / columns_; }
+  [[nodiscard]] std::size_t columns() const noexcept { return columns_; }
+
+ private:
+  std::size_t columns_{};
+  std::vector<double> values_;
+};
+
+/// The model above; m modes, none at all for a single mass.
+struct ContactModel {
+  std::vector<double> angular_frequency;  ///< omega_n > 0 of the held contact, rad/s; m
+  std::vector<double> mass_coupling;      ///< a_n, kg^(1/2); m
+  double contact_mass{};                  ///< m_c, kg; m_c - a . a > 0
+  double contact_stiffness{};             ///< k_c, N/m
+  std::vector<double> follower;           ///< l_n, kg^(1/2)/s^2; m
+  double contact_follower{};              ///< l_c, N/m
+  Matrix damping;                         ///< C, (m + 1) x (m + 1), the contact last; empty if there is none
+  std::vector<double> load;               ///< b, m + 1, the contact last
+  double load_angular_frequency{};        ///< Omega > 0, rad/s
+  double wall_amplitude{};                ///< W, m
+  double normal_force{};                  ///< N >= 0, newton
+  data::FrictionLaw friction{{}};
+
+  [[nodiscard]] std::size_t modes() const noexcept { return angular_frequency.size(); }
+};
+
+/// Throws std::invalid_argument, naming the part, its size or value and what is allowed.
+void require_consistent(const ContactModel& model);
+
+}  // namespace stickslip::analytic

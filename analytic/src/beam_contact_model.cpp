@@ -1,0 +1,190 @@
+#include "stickslip/analytic/beam_contact_model.hpp"
+
+#include <gsl/gsl_eigen.h>
+#include <gsl/gsl_integration.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <stdexcept>
+
+#include "beam_constants.hpp"
+#include "gsl_handles.hpp"
+#include "gsl_status.hpp"
+#include "messages.hpp"
+
+namespace stickslip::analytic {
+namespace {
+
+/// int of the outer product f f^T over 0 ... length, f a vector of functions that turn at most `waves` times:
+/// Gauss-Legendre, 16 points on panels of less than half a wave.
+Matrix integral_of_products(const std::function<std::vector<double>(double)>& functions, double length,
+                            std::size_t waves) {
+  constexpr std::size_t points = 16;
+  const auto table = owned(gsl_integration_glfixed_table_alloc(points));
+  const std::size_t panels = 2 * waves + 4;
+  Matrix result;
+  for (std::size_t panel = 0; panel < panels; ++panel) {
+    const double from = length * static_cast<double>(panel) / static_cast<double>(panels);
+    const double to = length * static_cast<double>(panel + 1) / static_cast<double>(panels);
+    for (std::size_t i = 0; i < points; ++i) {
+      double x = 0.0, weight = 0.0;
+      gsl_integration_glfixed_point(from, to, i, &x, &weight, table.get());
+      const std::vector<double> f = functions(x);
+      if (result.empty()) result = Matrix(f.size(), f.size());
+      for (std::size_t row = 0; row < f.size(); ++row)
+        for (std::size_t column = 0; column < f.size(); ++column)
+          result(row, column) += weight * f[row] * f[column];
+    }
+  }
+  return result;
+}
+
+/// C = sum 2 zeta omega (M x)(M x)^T over the modes (K - omega^2 M) x = 0, x^T M x = 1.
+Matrix modal_damping(const Matrix& mass, const Matrix& stiffness, double ratio) {
+  const StatusInsteadOfAbort guard;
+  const std::size_t size = mass.rows();
+  const auto k = owned(gsl_matrix_alloc(size, size)), m = owned(gsl_matrix_alloc(size, size));
+  const auto vectors = owned(gsl_matrix_alloc(size, size));
+  const auto values = owned(gsl_vector_alloc(size));
+  for (std::size_t i = 0; i < size; ++i) {
+    for (std::size_t j = 0; j < size; ++j) {
+      gsl_matrix_set(k.get(), i, j, stiffness(i, j));
+      gsl_matrix_set(m.get(), i, j, mass(i, j));
+    }
+  }
+  const auto workspace = owned(gsl_eigen_gensymmv_alloc(size));
+  require_success(gsl_eigen_gensymmv(k.get(), m.get(), values.get(), vectors.get(), workspace.get()),
+                  "modes of the free beam");
+  Matrix damping(size, size);
+  for (std::size_t mode = 0; mode < size; ++mode) {
+    std::vector<double> momentum(size);
+    double modal_mass = 0.0;
+    for (std::size_t i = 0; i < size; ++i) {
+      for (std::size_t j = 0; j < size; ++j)
+        momentum[i] += mass(i, j) * gsl_matrix_get(vectors.get(), j, mode);
+      modal_mass += momentum[i] * gsl_matrix_get(vectors.get(), i, mode);
+    }
+    const double factor = 2.0 * ratio * std::sqrt(gsl_vector_get(values.get(), mode)) / modal_mass;
+    for (std::size_t i = 0; i < size; ++i)
+      for (std::size_t j = 0; j < size; ++j) damping(i, j) += factor * momentum[i] * momentum[j];
+  }
+  return damping;
+}
+
+void require_contact(const data::Beam& beam) {
+  if (beam.axial_force() > 0.0) return;
+  throw std::domain_error(
+      refusal("beam.axial_force", beam.axial_force(), "positive (compression), or there is no contact"));
+}
+
+}  // namespace
+
+BeamContactModel::BeamContactModel(const data::Beam& beam, const data::FrictionLaw& friction,
+                                   const data::HarmonicExcitation& excitation, const data::Damping& damping,
+                                   int modes)
+    : modes_(stick_modes(beam, modes)), static_shape_(beam) {
+  require_contact(beam);
+  const double length = beam.length(), axial_force = beam.axial_force();
+  const double density = mass_per_length(beam);
+  const double omega = 2.0 * std::numbers::pi * excitation.frequency_hz();
+  const std::size_t m = modes_.size();
+  for (const StickMode& mode : modes_) {
+    scale_.push_back(1.0 / std::sqrt(density * mode.norm_squared()));
+    model_.angular_frequency.push_back(mode.angular_frequency());
+    model_.follower.push_back(axial_force * scale_.back() * mode.slope(length));
+  }
+  // Masses with the constant 1 as the last function, whose products are the load of the base.
+  const auto shapes_and_one = [this](double x) {
+    std::vector<double> values = shapes(x);
+    values.push_back(1.0);
+    return values;
+  };
+  const Matrix products = integral_of_products(shapes_and_one, length, m);
+  Matrix mass(m + 1, m + 1);
+  for (std::size_t n = 0; n <= m; ++n) {
+    mass(n, n) = n < m ? 1.0 : density * products(m, m);
+    model_.load.push_back(excitation.amplitude() * omega * omega * density * products(n, m + 1));
+    if (n == m) break;
+    mass(n, m) = mass(m, n) = density * products(n, m);
+    model_.mass_coupling.push_back(mass(n, m));
+  }
+  model_.contact_mass = mass(m, m);
+  model_.contact_follower = -axial_force * static_shape_.slope(length);
+  model_.contact_stiffness =
+      bending_stiffness(beam) * static_shape_.third_derivative(length) - model_.contact_follower;
+  model_.load_angular_frequency = omega;
+  model_.wall_amplitude = -excitation.amplitude();
+  model_.normal_force = axial_force;
+  model_.friction = friction;
+  if (damping.kelvin_voigt() == 0.0 && damping.ratio() == 0.0) return;
+
+  const auto slopes = [this](double x) {
+    std::vector<double> values;
+    for (std::size_t n = 0; n < modes_.size(); ++n) values.push_back(scale_[n] * modes_[n].slope(x));
+    values.push_back(-static_shape_.slope(x));
+    return values;
+  };
+  Matrix bending = integral_of_products(slopes, length, m);
+  for (std::size_t row = 0; row <= m; ++row)
+    for (std::size_t column = 0; column <= m; ++column) bending(row, column) *= axial_force;
+  for (std::size_t n = 0; n < m; ++n) bending(n, n) += std::pow(model_.angular_frequency[n], 2);
+  bending(m, m) += model_.contact_stiffness;
+  model_.damping =
+      damping.ratio() > 0.0 ? modal_damping(mass, bending, damping.ratio()) : Matrix(m + 1, m + 1);
+  for (std::size_t row = 0; row <= m; ++row)
+    for (std::size_t column = 0; column <= m; ++column)
+      model_.damping(row, column) += damping.kelvin_voigt() * bending(row, column);
+}
+
+std::vector<double> BeamContactModel::shapes(double x) const {
+  std::vector<double> values;
+  values.reserve(modes_.size() + 1);
+  for (std::size_t n = 0; n < modes_.size(); ++n) values.push_back(scale_[n] * modes_[n].shape(x));
+  values.push_back(-static_shape_.value(x));
+  return values;
+}
+
+std::vector<double> free_contact_frequencies(const ContactModel& model, int count) {
+  require_consistent(model);
+  const StatusInsteadOfAbort guard;
+  const std::size_t m = model.modes(), size = m + 1;
+  if (count < 1 || static_cast<std::size_t>(count) > size)
+    throw std::invalid_argument(refusal("count", count, "1 ... " + std::to_string(size)));
+  double free_mass = model.contact_mass;
+  for (const double a : model.mass_coupling) free_mass -= a * a;
+  // M^-1 K, the mass eliminated as in contact_dynamics.cpp.
+  const auto matrix = owned(gsl_matrix_calloc(size, size));
+  for (std::size_t column = 0; column < size; ++column) {
+    const double omega = column < m ? model.angular_frequency[column] : 0.0;
+    const double row_c =
+        column < m ? model.follower[column] : model.contact_stiffness + model.contact_follower;
+    const double coupled = column < m ? model.mass_coupling[column] * omega * omega : 0.0;
+    const double contact = (row_c - coupled) / free_mass;
+    gsl_matrix_set(matrix.get(), m, column, contact);
+    for (std::size_t n = 0; n < m; ++n)
+      gsl_matrix_set(matrix.get(), n, column,
+                     (n == column ? omega * omega : 0.0) - model.mass_coupling[n] * contact);
+  }
+  const auto values = owned(gsl_vector_complex_alloc(size));
+  const auto workspace = owned(gsl_eigen_nonsymm_alloc(size));
+  gsl_eigen_nonsymm_params(0, 1, workspace.get());
+  require_success(gsl_eigen_nonsymm(matrix.get(), values.get(), workspace.get()), "free contact frequencies");
+  std::vector<double> squares;
+  for (std::size_t k = 0; k < size; ++k) {
+    const gsl_complex value = gsl_vector_complex_get(values.get(), k);
+    if (GSL_IMAG(value) != 0.0 || GSL_REAL(value) < 0.0)
+      throw std::domain_error("the free structure has a complex frequency (flutter).");
+    squares.push_back(GSL_REAL(value));
+  }
+  std::ranges::sort(squares);
+  std::vector<double> frequencies;
+  for (int k = 0; k < count; ++k) frequencies.push_back(std::sqrt(squares[static_cast<std::size_t>(k)]));
+  return frequencies;
+}
+
+}  // namespace stickslip::analytic

@@ -1,0 +1,156 @@
+#include "contact_dynamics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+#include "messages.hpp"
+
+namespace stickslip::analytic {
+namespace {
+
+double dot(std::span<const double> a, std::span<const double> b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
+
+void require(bool condition, const std::string& message) {
+  if (!condition) throw std::invalid_argument(message);
+}
+
+void require_size(std::size_t size, std::size_t expected, const char* name) {
+  require(size == expected,
+          refusal(std::string("the size of ") + name, static_cast<double>(size), std::to_string(expected)));
+}
+
+}  // namespace
+
+void require_consistent(const ContactModel& model) {
+  const std::size_t m = model.modes();
+  for (const double omega : model.angular_frequency)
+    require(std::isfinite(omega) && omega > 0.0, refusal("angular_frequency", omega, "above 0 (rad/s)"));
+  require_size(model.mass_coupling.size(), m, "mass_coupling");
+  require_size(model.follower.size(), m, "follower");
+  require_size(model.load.size(), m + 1, "load");
+  if (!model.damping.empty()) {
+    require_size(model.damping.rows(), m + 1, "damping's columns");
+    require_size(model.damping.columns(), m + 1, "damping's rows");
+  }
+  const double free_mass = model.contact_mass - dot(model.mass_coupling, model.mass_coupling);
+  require(std::isfinite(free_mass) && free_mass > 0.0,
+          refusal("contact_mass - mass_coupling . mass_coupling", free_mass, "above 0 (kg)"));
+  const double omega = model.load_angular_frequency;
+  require(std::isfinite(omega) && omega > 0.0, refusal("load_angular_frequency", omega, "above 0 (rad/s)"));
+  require(std::isfinite(model.normal_force) && model.normal_force >= 0.0,
+          refusal("normal_force", model.normal_force, "0 or more (N)"));
+}
+
+ContactDynamics::ContactDynamics(const ContactModel& model) : model_(model) {
+  require_consistent(model_);
+  free_mass_ = model_.contact_mass - dot(model_.mass_coupling, model_.mass_coupling);
+}
+
+double ContactDynamics::load(double t) const { return std::sin(model_.load_angular_frequency * t); }
+
+double ContactDynamics::load_rate(double t) const {
+  return model_.load_angular_frequency * std::cos(model_.load_angular_frequency * t);
+}
+
+double ContactDynamics::wall_displacement(double t) const { return model_.wall_amplitude * load(t); }
+
+double ContactDynamics::wall_velocity(double t) const { return model_.wall_amplitude * load_rate(t); }
+
+double ContactDynamics::wall_acceleration(double t) const {
+  return -std::pow(model_.load_angular_frequency, 2) * wall_displacement(t);
+}
+
+double ContactDynamics::wall_jerk(double t) const {
+  return -std::pow(model_.load_angular_frequency, 2) * wall_velocity(t);
+}
+
+double ContactDynamics::accelerate(const KinematicsView& state, double s, double f,
+                                   std::span<double> modal) const {
+  const std::size_t m = modes();
+  double contact =
+      model_.load[m] * s + f - held_stiffness() * state.displacement - dot(model_.follower, state.amplitudes);
+  for (std::size_t n = 0; n < m; ++n) {
+    const double omega = model_.angular_frequency[n];
+    modal[n] = model_.load[n] * s - omega * omega * state.amplitudes[n];
+  }
+  if (!model_.damping.empty()) {
+    for (std::size_t n = 0; n <= m; ++n) {
+      const std::span row(&model_.damping(n, 0), m + 1);
+      const double loss = dot(row.first(m), state.rates) + row[m] * state.velocity;
+      (n < m ? modal[n] : contact) -= loss;
+    }
+  }
+  const double acceleration = (contact - dot(model_.mass_coupling, modal)) / free_mass_;
+  for (std::size_t n = 0; n < m; ++n) modal[n] -= model_.mass_coupling[n] * acceleration;
+  return acceleration;
+}
+
+double ContactDynamics::holding_force(const KinematicsView& state, double t) const {
+  std::vector<double> modal(modes());
+  return free_mass_ * (wall_acceleration(t) - accelerate(state, load(t), 0.0, modal));
+}
+
+Powers ContactDynamics::powers(const KinematicsView& state, double t, double friction_force) const {
+  const std::size_t m = modes();
+  Powers powers;
+  powers.base =
+      load(t) * (dot(std::span(model_.load).first(m), state.rates) + model_.load[m] * state.velocity) +
+      friction_force * wall_velocity(t);
+  powers.follower = -state.velocity *
+                    (dot(model_.follower, state.amplitudes) + model_.contact_follower * state.displacement);
+  powers.friction = -friction_force * (state.velocity - wall_velocity(t));
+  if (model_.damping.empty()) return powers;
+  for (std::size_t n = 0; n <= m; ++n) {
+    const std::span row(&model_.damping(n, 0), m + 1);
+    powers.damping += (n < m ? state.rates[n] : state.velocity) *
+                      (dot(row.first(m), state.rates) + row[m] * state.velocity);
+  }
+  return powers;
+}
+
+double ContactDynamics::kinetic_energy(const KinematicsView& state) const {
+  return 0.5 * (dot(state.rates, state.rates) + model_.contact_mass * state.velocity * state.velocity) +
+         state.velocity * dot(model_.mass_coupling, state.rates);
+}
+
+double ContactDynamics::potential_energy(const KinematicsView& state) const {
+  double twice = model_.contact_stiffness * state.displacement * state.displacement;
+  for (std::size_t n = 0; n < modes(); ++n)
+    twice += std::pow(model_.angular_frequency[n] * state.amplitudes[n], 2);
+  return 0.5 * twice;
+}
+
+Harmonic ContactDynamics::held_load(std::size_t mode) const {
+  const double omega = model_.load_angular_frequency, wall = model_.wall_amplitude;
+  return {.sine = model_.load[mode] + model_.mass_coupling[mode] * omega * omega * wall,
+          .cosine = -damping(mode, modes()) * omega * wall};
+}
+
+std::vector<double> ContactDynamics::held_force_row() const {
+  const std::size_t m = modes();
+  std::vector<double> row(2 * m);
+  for (std::size_t n = 0; n < m; ++n) {
+    const double omega = model_.angular_frequency[n];
+    row[n] = model_.follower[n] - model_.mass_coupling[n] * omega * omega;
+    row[m + n] = damping(m, n);
+    for (std::size_t k = 0; k < m; ++k) row[m + n] -= model_.mass_coupling[k] * damping(k, n);
+  }
+  return row;
+}
+
+Harmonic ContactDynamics::held_force() const {
+  const std::size_t m = modes();
+  const double omega = model_.load_angular_frequency, wall = model_.wall_amplitude;
+  double damping_at_contact = damping(m, m);
+  for (std::size_t k = 0; k < m; ++k) damping_at_contact -= model_.mass_coupling[k] * damping(k, m);
+  const double load = dot(model_.mass_coupling, std::span(model_.load).first(m)) - model_.load[m];
+  return {.sine = (held_stiffness() - free_mass_ * omega * omega) * wall + load,
+          .cosine = damping_at_contact * omega * wall};
+}
+
+}  // namespace stickslip::analytic

@@ -1,0 +1,86 @@
+#pragma once
+
+/// The rows of a ContactModel: accelerations, forces, energies.
+
+#include <span>
+#include <vector>
+
+#include "stickslip/analytic/contact_model.hpp"
+
+namespace stickslip::analytic {
+
+/// T, T_t, u_c, u_c_t.
+struct ContactKinematics {
+  std::vector<double> amplitudes;
+  std::vector<double> rates;
+  double displacement{};
+  double velocity{};
+};
+
+/// The same without owning the modal part.
+struct KinematicsView {
+  std::span<const double> amplitudes;
+  std::span<const double> rates;
+  double displacement{};
+  double velocity{};
+};
+
+[[nodiscard]] inline KinematicsView view(const ContactKinematics& state) {
+  return {state.amplitudes, state.rates, state.displacement, state.velocity};
+}
+
+/// A harmonic function sine * sin(Omega t) + cosine * cos(Omega t).
+struct Harmonic {
+  double sine{};
+  double cosine{};
+};
+
+/// Rates at which the works of EnergyBooks grow, W.
+struct Powers {
+  double base{}, follower{}, damping{}, friction{};
+};
+
+class ContactDynamics {
+ public:
+  explicit ContactDynamics(const ContactModel& model);
+
+  [[nodiscard]] const ContactModel& model() const noexcept { return model_; }
+  [[nodiscard]] std::size_t modes() const noexcept { return model_.modes(); }
+
+  [[nodiscard]] double load(double t) const;               ///< s
+  [[nodiscard]] double load_rate(double t) const;          ///< s_t
+  [[nodiscard]] double wall_displacement(double t) const;  ///< w
+  [[nodiscard]] double wall_velocity(double t) const;
+  [[nodiscard]] double wall_acceleration(double t) const;
+  [[nodiscard]] double wall_jerk(double t) const;
+
+  /// Accelerations under the load factor s and the contact force f; writes T_tt and returns u_c_tt. Linear in
+  /// all its arguments, so that their rates give the rate of the result.
+  double accelerate(const KinematicsView& state, double s, double f, std::span<double> modal) const;
+
+  /// f_d that gives the contact the acceleration of the wall.
+  [[nodiscard]] double holding_force(const KinematicsView& state, double t) const;
+
+  [[nodiscard]] Powers powers(const KinematicsView& state, double t, double friction_force) const;
+  [[nodiscard]] double kinetic_energy(const KinematicsView& state) const;
+  [[nodiscard]] double potential_energy(const KinematicsView& state) const;
+
+  /// The force T_n sees per unit load factor and unit wall motion while the contact is held, as it stands in
+  /// T_n_tt + (C T_t)_n + omega_n^2 T_n = sine sin(Omega t) + cosine cos(Omega t).
+  [[nodiscard]] Harmonic held_load(std::size_t mode) const;
+
+  /// holding_force = sum rho_n T_n + sum rho_(m+n) T_n_t + held_stiffness() (u_c - w) + held_force().
+  [[nodiscard]] std::vector<double> held_force_row() const;
+  [[nodiscard]] double held_stiffness() const { return model_.contact_stiffness + model_.contact_follower; }
+  [[nodiscard]] Harmonic held_force() const;
+
+ private:
+  [[nodiscard]] double damping(std::size_t row, std::size_t column) const {
+    return model_.damping.empty() ? 0.0 : model_.damping(row, column);
+  }
+
+  ContactModel model_;
+  double free_mass_;  // m_c - a . a: what f_d accelerates when the modes may follow
+};
+
+}  // namespace stickslip::analytic

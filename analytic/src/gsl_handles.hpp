@@ -1,0 +1,38 @@
+#pragma once
+
+/// Owners of GSL's handles.
+
+#include <gsl/gsl_eigen.h>
+#include <gsl/gsl_integration.h>
+#include <gsl/gsl_matrix.h>
+#include <gsl/gsl_odeiv2.h>
+#include <gsl/gsl_permutation.h>
+#include <gsl/gsl_vector.h>
+
+#include <memory>
+
+namespace stickslip::analytic {
+
+struct ReleaseHandle {
+  void operator()(gsl_matrix* handle) const { gsl_matrix_free(handle); }
+  void operator()(gsl_vector* handle) const { gsl_vector_free(handle); }
+  void operator()(gsl_matrix_complex* handle) const { gsl_matrix_complex_free(handle); }
+  void operator()(gsl_vector_complex* handle) const { gsl_vector_complex_free(handle); }
+  void operator()(gsl_permutation* handle) const { gsl_permutation_free(handle); }
+  void operator()(gsl_eigen_nonsymm_workspace* handle) const { gsl_eigen_nonsymm_free(handle); }
+  void operator()(gsl_eigen_nonsymmv_workspace* handle) const { gsl_eigen_nonsymmv_free(handle); }
+  void operator()(gsl_eigen_gensymmv_workspace* handle) const { gsl_eigen_gensymmv_free(handle); }
+  void operator()(gsl_integration_glfixed_table* handle) const { gsl_integration_glfixed_table_free(handle); }
+  void operator()(gsl_odeiv2_step* handle) const { gsl_odeiv2_step_free(handle); }
+  void operator()(gsl_odeiv2_control* handle) const { gsl_odeiv2_control_free(handle); }
+};
+
+template <class Handle>
+using OwnedHandle = std::unique_ptr<Handle, ReleaseHandle>;
+
+template <class Handle>
+[[nodiscard]] OwnedHandle<Handle> owned(Handle* handle) {
+  return OwnedHandle<Handle>(handle);
+}
+
+}  // namespace stickslip::analytic

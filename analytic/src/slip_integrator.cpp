@@ -1,0 +1,264 @@
+#include "slip_integrator.hpp"
+
+#include <gsl/gsl_errno.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include "gsl_status.hpp"
+#include "messages.hpp"
+#include "root_finding.hpp"
+
+namespace stickslip::analytic {
+namespace {
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr std::size_t kWorks = 4;
+
+/// The quintic through value, rate and second rate at both ends of a step, as Bernstein coefficients on 0
+/// ... 1.
+class Quintic {
+ public:
+  Quintic(const std::array<double, 3>& left, const std::array<double, 3>& right, double length)
+      : coefficients_{left[0],
+                      left[0] + 0.2 * length * left[1],
+                      left[0] + 0.4 * length * left[1] + 0.05 * length * length * left[2],
+                      right[0] - 0.4 * length * right[1] + 0.05 * length * length * right[2],
+                      right[0] - 0.2 * length * right[1],
+                      right[0]} {}
+
+  [[nodiscard]] double value(double x) const {
+    std::array<double, 6> b = coefficients_;
+    for (std::size_t level = 5; level > 0; --level)
+      for (std::size_t i = 0; i < level; ++i) b[i] += x * (b[i + 1] - b[i]);
+    return b[0];
+  }
+
+  /// The polynomial lies above this on 0 ... 1.
+  [[nodiscard]] double lower_bound() const { return *std::ranges::min_element(coefficients_); }
+
+ private:
+  std::array<double, 6> coefficients_;
+};
+
+}  // namespace
+
+SlipIntegrator::SlipIntegrator(const ContactDynamics& dynamics, double tolerance, double reference_velocity,
+                               bool keep_books)
+    : dynamics_(dynamics),
+      dimension_(2 * dynamics.modes() + 2),
+      equations_(dimension_ + (keep_books ? kWorks : 0)),
+      velocity_floor_(64.0 * kEpsilon * reference_velocity),
+      system_{&SlipIntegrator::right_side, nullptr, equations_, this},
+      error_(equations_),
+      modal_(dynamics.modes()) {
+  const ContactModel& model = dynamics.model();
+  const std::size_t m = model.modes();
+  double fastest = model.load_angular_frequency;
+  for (const double omega : model.angular_frequency) fastest = std::max(fastest, omega);
+  longest_step_ = 1.0 / fastest;
+  shortest_step_ = 1e-6 * longest_step_;
+
+  std::vector<double> scale(equations_);
+  const double modal_velocity = reference_velocity * std::sqrt(model.contact_mass);
+  for (std::size_t n = 0; n < m; ++n) {
+    scale[n] = modal_velocity / model.angular_frequency[n];
+    scale[m + n] = modal_velocity;
+  }
+  scale[2 * m] = reference_velocity / model.load_angular_frequency;
+  scale[2 * m + 1] = reference_velocity;
+  std::fill(scale.begin() + static_cast<std::ptrdiff_t>(dimension_), scale.end(),
+            modal_velocity * modal_velocity);
+  stepper_.reset(gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, equations_));
+  control_.reset(gsl_odeiv2_control_scaled_new(tolerance, tolerance, 1.0, 0.0, scale.data(), equations_));
+}
+
+void SlipIntegrator::begin(double t, const ContactKinematics& state, double direction) {
+  const std::size_t m = dynamics_.modes();
+  direction_ = direction;
+  end_.time = t;
+  end_.y.assign(equations_, 0.0);
+  std::ranges::copy(state.amplitudes, end_.y.begin());
+  std::ranges::copy(state.rates, end_.y.begin() + static_cast<std::ptrdiff_t>(m));
+  end_.y[2 * m] = state.displacement;
+  end_.y[2 * m + 1] = state.velocity;
+  end_.rate.resize(equations_);
+  evaluate(t, end_.y.data(), end_.rate.data());
+  measure(end_);
+  begin_ = end_;
+  before_.reset();
+  length_ = 0.05 * longest_step_;
+}
+
+bool SlipIntegrator::step() {
+  const StatusInsteadOfAbort guard;
+  if (end_.time > begin_.time) before_ = std::move(begin_);
+  begin_ = end_;
+  for (;;) {
+    length_ = std::min(length_, longest_step_);
+    // A length that the clock can represent.
+    length_ = (begin_.time + length_) - begin_.time;
+    if (!(length_ > 0.0))
+      throw std::runtime_error("the slip phase cannot be continued at t = " + digits(begin_.time) + " s.");
+    if (!take(begin_, length_, trial_)) {
+      length_ *= 0.25;
+      continue;
+    }
+    double suggested = length_;
+    const int change = gsl_odeiv2_control_hadjust(control_.get(), stepper_.get(), trial_.y.data(),
+                                                  error_.data(), trial_.rate.data(), &suggested);
+    if (change == GSL_ODEIV_HADJ_DEC && suggested < length_) {
+      length_ = suggested;
+      continue;
+    }
+    double low = 0.0, high = length_;
+    const Passage found = passage(trial_, low, high);
+    if (found == Passage::clear || (found == Passage::doubtful && length_ <= shortest_step_)) {
+      std::swap(end_, trial_);
+      length_ = suggested;
+      return false;
+    }
+    if (found == Passage::crossing) {
+      if (const auto zero = polished_zero(low, high)) {
+        if (!take(begin_, *zero, trial_)) throw std::runtime_error("a located event is not finite.");
+        std::swap(end_, trial_);
+        return true;
+      }
+      if (length_ <= shortest_step_) {
+        std::swap(end_, trial_);
+        return true;
+      }
+    }
+    length_ *= 0.5;
+  }
+}
+
+ContactKinematics SlipIntegrator::state(double t) {
+  if (t == end_.time) return kinematics_of(end_.y);
+  if (!take(begin_, t - begin_.time, trial_))
+    throw std::runtime_error("the state at t = " + digits(t) + " s is not finite.");
+  return kinematics_of(trial_.y);
+}
+
+Powers SlipIntegrator::works(double t) {
+  if (equations_ == dimension_) return {};
+  if (t != end_.time && !take(begin_, t - begin_.time, trial_))
+    throw std::runtime_error("the state at t = " + digits(t) + " s is not finite.");
+  const double* works = (t == end_.time ? end_ : trial_).y.data() + dimension_;
+  return {works[0], works[1], works[2], works[3]};
+}
+
+// Analytic through v_s = 0, so that a trial step may pass it.
+double SlipIntegrator::friction_force(double sliding_velocity) const {
+  const data::FrictionLaw& law = dynamics_.model().friction;
+  const double weakening = law.static_coefficient() - law.kinetic_coefficient();
+  return -direction_ * dynamics_.model().normal_force *
+         (law.kinetic_coefficient() + weakening * std::exp(-law.decay() * direction_ * sliding_velocity));
+}
+
+int SlipIntegrator::right_side(double t, const double y[], double rate[], void* self) {
+  static_cast<const SlipIntegrator*>(self)->evaluate(t, y, rate);
+  return GSL_SUCCESS;
+}
+
+KinematicsView SlipIntegrator::view_of(const double* y) const {
+  const std::size_t m = dynamics_.modes();
+  return {{y, m}, {y + m, m}, y[2 * m], y[2 * m + 1]};
+}
+
+ContactKinematics SlipIntegrator::kinematics_of(const std::vector<double>& y) const {
+  const KinematicsView state = view_of(y.data());
+  return {{state.amplitudes.begin(), state.amplitudes.end()},
+          {state.rates.begin(), state.rates.end()},
+          state.displacement,
+          state.velocity};
+}
+
+void SlipIntegrator::evaluate(double t, const double* y, double* rate) const {
+  const std::size_t m = dynamics_.modes();
+  const KinematicsView state = view_of(y);
+  const double force = friction_force(state.velocity - dynamics_.wall_velocity(t));
+  std::copy_n(y + m, m, rate);
+  rate[2 * m] = state.velocity;
+  rate[2 * m + 1] = dynamics_.accelerate(state, dynamics_.load(t), force, {rate + m, m});
+  if (equations_ == dimension_) return;
+  const Powers powers = dynamics_.powers(state, t, force);
+  rate[dimension_] = powers.base;
+  rate[dimension_ + 1] = powers.follower;
+  rate[dimension_ + 2] = powers.damping;
+  rate[dimension_ + 3] = powers.friction;
+}
+
+// v_s and its first two rates; the rows are linear, so that the rate of the accelerations follows from the
+// rates of their arguments.
+void SlipIntegrator::measure(Node& node) const {
+  const std::size_t m = dynamics_.modes();
+  const data::FrictionLaw& law = dynamics_.model().friction;
+  const KinematicsView rates = view_of(node.rate.data());
+  const double sliding = node.y[2 * m + 1] - dynamics_.wall_velocity(node.time);
+  const double acceleration = rates.velocity - dynamics_.wall_acceleration(node.time);
+  const double weakening = law.static_coefficient() - law.kinetic_coefficient();
+  const double force_rate = dynamics_.model().normal_force * weakening * law.decay() *
+                            std::exp(-law.decay() * direction_ * sliding) * acceleration;
+  const double jerk = dynamics_.accelerate(rates, dynamics_.load_rate(node.time), force_rate, modal_);
+  node.velocity = {direction_ * sliding, direction_ * acceleration,
+                   direction_ * (jerk - dynamics_.wall_jerk(node.time))};
+}
+
+bool SlipIntegrator::take(const Node& from, double length, Node& to) {
+  to.time = from.time + length;
+  to.y = from.y;
+  to.rate.resize(equations_);
+  const int status = gsl_odeiv2_step_apply(stepper_.get(), from.time, length, to.y.data(), error_.data(),
+                                           from.rate.data(), to.rate.data(), &system_);
+  const bool finite = std::ranges::all_of(to.y, [](double value) { return std::isfinite(value); });
+  if (status != GSL_SUCCESS || !finite) return false;
+  measure(to);
+  return true;
+}
+
+// h^6/46080 max|v_s^(6)| over the step begin_ ... next. The quintic from before_ to next is off by
+// max|v_s^(6)|/720 (h1 h2)^3 at begin_.
+double SlipIntegrator::interpolation_error(const Node& next) const {
+  if (!before_) return velocity_floor_;
+  const double first = begin_.time - before_->time, second = next.time - begin_.time;
+  const Quintic across(before_->velocity, next.velocity, first + second);
+  const double miss = std::abs(across.value(first / (first + second)) - begin_.velocity[0]);
+  constexpr double safety = 4.0;
+  return std::max(velocity_floor_, safety * miss * 720.0 / 46080.0 * std::pow(second / first, 3));
+}
+
+SlipIntegrator::Passage SlipIntegrator::passage(const Node& next, double& low, double& high) const {
+  const double length = next.time - begin_.time;
+  const Quintic quintic(begin_.velocity, next.velocity, length);
+  // A phase begins at v_s = 0: there the bound is zero up to round-off.
+  const double error = before_ ? interpolation_error(next) : -velocity_floor_;
+  const bool ends_forward = next.velocity[0] > 0.0;
+  if (ends_forward && quintic.lower_bound() > error) return Passage::clear;
+  constexpr int samples = 64;
+  for (int i = 1; i <= samples; ++i) {
+    const double x = static_cast<double>(i) / samples;
+    const bool crossed = i == samples ? !ends_forward : quintic.value(x) <= -std::abs(error);
+    if (!crossed) continue;
+    low = length * (i - 1) / samples;
+    high = length * x;
+    return Passage::crossing;
+  }
+  return Passage::doubtful;
+}
+
+std::optional<double> SlipIntegrator::polished_zero(double low, double high) {
+  const auto forward_velocity = [&](double length) {
+    if (length == 0.0) return begin_.velocity[0];
+    if (!take(begin_, length, trial_)) throw std::runtime_error("a trial state is not finite.");
+    return trial_.velocity[0];
+  };
+  if (!(forward_velocity(low) > 0.0) || forward_velocity(high) > 0.0) return std::nullopt;
+  return brent_root(as_gsl_function(forward_velocity), {low, high}, 4.0 * kEpsilon);
+}
+
+}  // namespace stickslip::analytic

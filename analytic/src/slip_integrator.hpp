@@ -1,0 +1,77 @@
+#pragma once
+
+#include <gsl/gsl_odeiv2.h>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "contact_dynamics.hpp"
+#include "gsl_handles.hpp"
+
+namespace stickslip::analytic {
+
+/// A slip phase by GSL's rk8pd, step by step, ended at the first zero of the sliding velocity.
+///
+/// The unknowns are T, T_t, u_c, u_c_t and, if asked for, the four works of EnergyBooks.
+class SlipIntegrator {
+ public:
+  /// `dynamics` must outlive this. `reference_velocity` in m/s.
+  SlipIntegrator(const ContactDynamics& dynamics, double tolerance, double reference_velocity,
+                 bool keep_books);
+
+  /// Begins a phase at time t that moves in `direction` = +1 or -1.
+  void begin(double t, const ContactKinematics& state, double direction);
+
+  /// Takes one step, shortened to end at the first zero of v_s in it; true if there is one.
+  /// Throws std::runtime_error, saying when, if no finite step can be taken.
+  [[nodiscard]] bool step();
+
+  [[nodiscard]] double end_time() const noexcept { return end_.time; }
+  [[nodiscard]] double direction() const noexcept { return direction_; }
+
+  /// The state at a time within the last step (or at the beginning of the phase).
+  [[nodiscard]] ContactKinematics state(double t);
+  /// Works since the beginning of the phase; zeros if not asked for.
+  [[nodiscard]] Powers works(double t);
+
+  /// f_d at a sliding velocity, on the branch of this phase.
+  [[nodiscard]] double friction_force(double sliding_velocity) const;
+
+ private:
+  struct Node {
+    double time{};
+    std::vector<double> y;
+    std::vector<double> rate;          // y_t
+    std::array<double, 3> velocity{};  // direction times v_s, v_s_t, v_s_tt
+  };
+  enum class Passage { clear, crossing, doubtful };
+
+  static int right_side(double t, const double y[], double rate[], void* self);
+  void evaluate(double t, const double* y, double* rate) const;
+  [[nodiscard]] KinematicsView view_of(const double* y) const;
+  [[nodiscard]] ContactKinematics kinematics_of(const std::vector<double>& y) const;
+  void measure(Node& node) const;
+  /// One Runge-Kutta step from `begin_`; leaves the error estimate in error_. False if not finite.
+  [[nodiscard]] bool take(const Node& from, double length, Node& to);
+  [[nodiscard]] double interpolation_error(const Node& next) const;
+  [[nodiscard]] Passage passage(const Node& next, double& low, double& high) const;
+  [[nodiscard]] std::optional<double> polished_zero(double low, double high);
+
+  const ContactDynamics& dynamics_;
+  std::size_t dimension_, equations_;
+  double longest_step_, shortest_step_;
+  double velocity_floor_;  // m/s: below it a sign of v_s is round-off
+  double direction_{};
+  gsl_odeiv2_system system_;
+  OwnedHandle<gsl_odeiv2_step> stepper_;
+  OwnedHandle<gsl_odeiv2_control> control_;
+  std::vector<double> error_;
+  mutable std::vector<double> modal_;
+
+  std::optional<Node> before_;  // the node before begin_, of the same phase
+  Node begin_, end_, trial_;
+  double length_{};
+};
+
+}  // namespace stickslip::analytic

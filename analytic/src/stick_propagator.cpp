@@ -1,0 +1,228 @@
+#include "stick_propagator.hpp"
+
+#include <gsl/gsl_complex_math.h>
+#include <gsl/gsl_linalg.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "gsl_handles.hpp"
+#include "gsl_status.hpp"
+#include "root_finding.hpp"
+
+namespace stickslip::analytic {
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+
+Complex from_gsl(gsl_complex value) { return {GSL_REAL(value), GSL_IMAG(value)}; }
+
+/// (exp(a tau) - exp(b tau))/(a - b), without the cancellation where a and b are close; Re a <= 0, Re b <= 0.
+Complex exponential_difference(Complex a, Complex b, double tau) {
+  const Complex gap = (a - b) * tau;
+  if (std::abs(gap) > 0.5) return (std::exp(a * tau) - std::exp(b * tau)) / (a - b);
+  Complex term = 1.0, sum = 1.0;
+  for (int k = 2; std::abs(term) > 0.1 * kEpsilon && k < 30; ++k) sum += term *= gap / static_cast<double>(k);
+  return tau * std::exp(b * tau) * sum;
+}
+
+}  // namespace
+
+StickPropagator::StickPropagator(const ContactDynamics& dynamics)
+    : dynamics_(dynamics), omega_(dynamics.model().load_angular_frequency) {
+  if (dynamics.model().damping.empty()) {
+    set_undamped();
+  } else if (dynamics.modes() > 0) {
+    set_damped();
+  }
+  set_forcing();
+  next_length_ = 0.01 / omega_;
+}
+
+void StickPropagator::set_undamped() {
+  const std::size_t m = dynamics_.modes();
+  shape_.assign(2 * m * m, 0.0);
+  inverse_.assign(2 * m * m, 0.0);
+  for (std::size_t n = 0; n < m; ++n) {
+    eigenvalue_.emplace_back(0.0, dynamics_.model().angular_frequency[n]);
+    shape_[n * m + n] = 1.0;
+    shape_[(m + n) * m + n] = Complex(0.0, 1.0);
+    inverse_[n * 2 * m + n] = 1.0;
+    inverse_[n * 2 * m + m + n] = Complex(0.0, -1.0);
+  }
+}
+
+void StickPropagator::set_damped() {
+  const StatusInsteadOfAbort guard;
+  const ContactModel& model = dynamics_.model();
+  const std::size_t m = model.modes(), size = 2 * m;
+  const auto matrix = owned(gsl_matrix_calloc(size, size));
+  for (std::size_t n = 0; n < m; ++n) {
+    gsl_matrix_set(matrix.get(), n, m + n, model.angular_frequency[n]);
+    gsl_matrix_set(matrix.get(), m + n, n, -model.angular_frequency[n]);
+    for (std::size_t k = 0; k < m; ++k) gsl_matrix_set(matrix.get(), m + n, m + k, -model.damping(n, k));
+  }
+  const auto work = owned(gsl_matrix_alloc(size, size));
+  gsl_matrix_memcpy(work.get(), matrix.get());
+  const auto values = owned(gsl_vector_complex_alloc(size));
+  const auto vectors = owned(gsl_matrix_complex_alloc(size, size));
+  const auto workspace = owned(gsl_eigen_nonsymmv_alloc(size));
+  gsl_eigen_nonsymmv_params(1, workspace.get());
+  require_success(gsl_eigen_nonsymmv(work.get(), values.get(), vectors.get(), workspace.get()),
+                  "eigenvalues of the damped, held structure");
+
+  const auto factors = owned(gsl_matrix_complex_alloc(size, size));
+  const auto inverse = owned(gsl_matrix_complex_alloc(size, size));
+  const auto permutation = owned(gsl_permutation_alloc(size));
+  int sign = 0;
+  gsl_matrix_complex_memcpy(factors.get(), vectors.get());
+  require_success(gsl_linalg_complex_LU_decomp(factors.get(), permutation.get(), &sign), "eigenvectors");
+  require_success(gsl_linalg_complex_LU_invert(factors.get(), permutation.get(), inverse.get()),
+                  "eigenvectors of the damped, held structure");
+
+  std::vector<std::size_t> kept;
+  for (std::size_t k = 0; k < size; ++k)
+    if (GSL_IMAG(gsl_vector_complex_get(values.get(), k)) >= 0.0) kept.push_back(k);
+  shape_.resize(size * kept.size());
+  for (std::size_t j = 0; j < kept.size(); ++j) {
+    const Complex value = from_gsl(gsl_vector_complex_get(values.get(), kept[j]));
+    eigenvalue_.push_back(value);
+    const double weight = value.imag() > 0.0 ? 2.0 : 1.0;
+    for (std::size_t i = 0; i < size; ++i) {
+      shape_[i * kept.size() + j] = weight * from_gsl(gsl_matrix_complex_get(vectors.get(), i, kept[j]));
+      inverse_.push_back(from_gsl(gsl_matrix_complex_get(inverse.get(), kept[j], i)));
+    }
+  }
+  double largest = 0.0, scale = 0.0;
+  for (std::size_t i = 0; i < size; ++i) {
+    for (std::size_t j = 0; j < size; ++j) {
+      double rebuilt = 0.0;
+      for (std::size_t k = 0; k < kept.size(); ++k)
+        rebuilt += (shape_[i * kept.size() + k] * eigenvalue_[k] * inverse_[k * size + j]).real();
+      const double entry = gsl_matrix_get(matrix.get(), i, j);
+      largest = std::max(largest, std::abs(rebuilt - entry));
+      scale = std::max(scale, std::abs(entry));
+    }
+  }
+  if (!(largest <= 1e-9 * scale))
+    throw std::runtime_error("a mode of the held structure is too nearly critically damped to be separated.");
+}
+
+void StickPropagator::set_forcing() {
+  const std::size_t m = dynamics_.modes(), count = eigenvalue_.size();
+  const std::vector<double> row = dynamics_.held_force_row();
+  force_harmonic_ = dynamics_.held_force();
+  for (std::size_t k = 0; k < count; ++k) {
+    Complex sine, cosine, weight;
+    for (std::size_t n = 0; n < m; ++n) {
+      const Harmonic load = dynamics_.held_load(n);
+      sine += inverse_[k * 2 * m + m + n] * load.sine;
+      cosine += inverse_[k * 2 * m + m + n] * load.cosine;
+      weight += row[n] / dynamics_.model().angular_frequency[n] * shape_[n * count + k] +
+                row[m + n] * shape_[(m + n) * count + k];
+    }
+    sine_.push_back(sine);
+    cosine_.push_back(cosine);
+    force_weight_.push_back(weight);
+  }
+}
+
+void StickPropagator::begin(double t, const ContactKinematics& state) {
+  const std::size_t m = dynamics_.modes();
+  begin_ = t;
+  position_ = state.displacement - dynamics_.wall_displacement(t);
+  initial_.assign(eigenvalue_.size(), 0.0);
+  for (std::size_t k = 0; k < initial_.size(); ++k)
+    for (std::size_t n = 0; n < m; ++n)
+      initial_[k] +=
+          inverse_[k * 2 * m + n] * (dynamics_.model().angular_frequency[n] * state.amplitudes[n]) +
+          inverse_[k * 2 * m + m + n] * state.rates[n];
+}
+
+StickPropagator::Complex StickPropagator::coordinate(std::size_t k, double t) const {
+  const Complex i(0.0, 1.0), lambda = eigenvalue_[k];
+  const double tau = t - begin_;
+  const Complex turn = std::polar(1.0, omega_ * begin_);
+  return std::exp(lambda * tau) * initial_[k] +
+         0.5 * (cosine_[k] - i * sine_[k]) * turn * exponential_difference(i * omega_, lambda, tau) +
+         0.5 * (cosine_[k] + i * sine_[k]) * std::conj(turn) *
+             exponential_difference(-i * omega_, lambda, tau);
+}
+
+StickPropagator::Complex StickPropagator::forcing(std::size_t k, double t) const {
+  return sine_[k] * std::sin(omega_ * t) + cosine_[k] * std::cos(omega_ * t);
+}
+
+ContactKinematics StickPropagator::state(double t) const {
+  const std::size_t m = dynamics_.modes(), count = eigenvalue_.size();
+  ContactKinematics state{std::vector<double>(m), std::vector<double>(m),
+                          position_ + dynamics_.wall_displacement(t), dynamics_.wall_velocity(t)};
+  for (std::size_t k = 0; k < count; ++k) {
+    const Complex z = coordinate(k, t);
+    for (std::size_t n = 0; n < m; ++n) {
+      state.amplitudes[n] += (shape_[n * count + k] * z).real() / dynamics_.model().angular_frequency[n];
+      state.rates[n] += (shape_[(m + n) * count + k] * z).real();
+    }
+  }
+  return state;
+}
+
+double StickPropagator::force(double t) const {
+  double force = dynamics_.held_stiffness() * position_ + force_harmonic_.sine * std::sin(omega_ * t) +
+                 force_harmonic_.cosine * std::cos(omega_ * t);
+  for (std::size_t k = 0; k < eigenvalue_.size(); ++k) force += (force_weight_[k] * coordinate(k, t)).real();
+  return force;
+}
+
+double StickPropagator::force_rate(double t) const {
+  double rate =
+      omega_ * (force_harmonic_.sine * std::cos(omega_ * t) - force_harmonic_.cosine * std::sin(omega_ * t));
+  for (std::size_t k = 0; k < eigenvalue_.size(); ++k)
+    rate += (force_weight_[k] * (eigenvalue_[k] * coordinate(k, t) + forcing(k, t))).real();
+  return rate;
+}
+
+// z_tt = lambda^2 z + lambda F + F_t, and |z| grows by less than |F| times the length.
+double StickPropagator::curvature_bound(double t, double length) const {
+  double bound = omega_ * omega_ * std::hypot(force_harmonic_.sine, force_harmonic_.cosine);
+  for (std::size_t k = 0; k < eigenvalue_.size(); ++k) {
+    const double rate = std::abs(eigenvalue_[k]);
+    const double load = std::abs(sine_[k]) + std::abs(cosine_[k]);
+    const double reach = std::abs(coordinate(k, t)) + length * load;
+    bound += std::abs(force_weight_[k]) * (rate * rate * reach + (rate + omega_) * load);
+  }
+  return bound;
+}
+
+std::optional<double> StickPropagator::first_excess(double from, double to, double limit) {
+  double t = from, here = std::abs(force(t));
+  while (t < to) {
+    const double length = std::min(next_length_, to - t);
+    const double end = t + length, signed_force = force(end), there = std::abs(signed_force);
+    const double bound = curvature_bound(t, length);
+    const double floor = 4.0 * kEpsilon * std::max(end, 1.0 / omega_);
+    const bool at_floor = length <= floor;
+    if (std::max(here, there) + 0.125 * bound * length * length <= limit || (at_floor && there <= limit)) {
+      t = end;
+      here = there;
+      if (length == next_length_) next_length_ *= 2.0;
+      continue;
+    }
+    if (there > limit) {
+      const double sign = signed_force > 0.0 ? 1.0 : -1.0;
+      if (at_floor || here >= limit) return here >= limit ? t : end;
+      if (sign * force_rate(t) > bound * length) {
+        const auto excess = [&](double time) { return sign * force(time) - limit; };
+        return brent_root(as_gsl_function(excess), {t, end}, 2.0 * kEpsilon);
+      }
+    }
+    next_length_ = 0.5 * length;
+  }
+  return std::nullopt;
+}
+
+}  // namespace stickslip::analytic
