@@ -158,13 +158,15 @@ class EventDriven::Engine {
 
   // At v_s = 0: sticks if it can, else slips against the force that holding it would take.
   void settle() {
-    const double force = holding_force(), previous = slip_->direction();
+    const double force = slip_->holding_force(), previous = slip_->direction();
     if (std::abs(force) <= limit_) {
       begin_stick();
       return record(ContactChange::capture);
     }
     const double direction = force > 0.0 ? -1.0 : 1.0;
-    begin_slip(direction);
+    slip_->begin_next(direction);
+    ends_ = false;
+    works_before_phase_ = works_;
     record(direction == previous ? ContactChange::graze : ContactChange::reversal);
   }
 

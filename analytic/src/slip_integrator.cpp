@@ -50,44 +50,51 @@ class Quintic {
 SlipIntegrator::SlipIntegrator(const ContactDynamics& dynamics, double tolerance, double reference_velocity,
                                bool keep_books)
     : dynamics_(dynamics),
-      dimension_(2 * dynamics.modes() + 2),
+      coordinates_(make_slip_coordinates(dynamics)),
+      dimension_(2 * coordinates_->size()),
       equations_(dimension_ + (keep_books ? kWorks : 0)),
       velocity_floor_(64.0 * kEpsilon * reference_velocity),
       system_{&SlipIntegrator::right_side, nullptr, equations_, this},
       error_(equations_),
-      modal_(dynamics.modes()) {
-  const ContactModel& model = dynamics.model();
-  const std::size_t m = model.modes();
-  double fastest = model.load_angular_frequency;
-  for (const double omega : model.angular_frequency) fastest = std::max(fastest, omega);
-  longest_step_ = 1.0 / fastest;
+      jerk_(coordinates_->size()) {
+  const std::size_t size = coordinates_->size();
+  const double omega = dynamics.model().load_angular_frequency;
+  longest_step_ = 1.0 / std::max(omega, coordinates_->fastest());
   shortest_step_ = 1e-6 * longest_step_;
+  const std::vector<double> at_rest(size);
+  coordinates_->accelerate(at_rest, at_rest, 0.0, 1.0, jerk_);
+  mobility_ = coordinates_->contact(jerk_);
 
-  std::vector<double> scale(equations_);
-  const double modal_velocity = reference_velocity * std::sqrt(model.contact_mass);
-  for (std::size_t n = 0; n < m; ++n) {
-    scale[n] = modal_velocity / model.angular_frequency[n];
-    scale[m + n] = modal_velocity;
+  std::vector<double> scale(equations_,
+                            dynamics.model().contact_mass * reference_velocity * reference_velocity);
+  for (std::size_t i = 0; i < size; ++i) {
+    scale[size + i] = reference_velocity * std::sqrt(coordinates_->mass_of(i));
+    scale[i] = scale[size + i] / omega;
   }
-  scale[2 * m] = reference_velocity / model.load_angular_frequency;
-  scale[2 * m + 1] = reference_velocity;
-  std::fill(scale.begin() + static_cast<std::ptrdiff_t>(dimension_), scale.end(),
-            modal_velocity * modal_velocity);
   stepper_.reset(gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, equations_));
   control_.reset(gsl_odeiv2_control_scaled_new(tolerance, tolerance, 1.0, 0.0, scale.data(), equations_));
 }
 
 void SlipIntegrator::begin(double t, const ContactKinematics& state, double direction) {
-  const std::size_t m = dynamics_.modes();
   direction_ = direction;
   end_.time = t;
   end_.y.assign(equations_, 0.0);
-  std::ranges::copy(state.amplitudes, end_.y.begin());
-  std::ranges::copy(state.rates, end_.y.begin() + static_cast<std::ptrdiff_t>(m));
-  end_.y[2 * m] = state.displacement;
-  end_.y[2 * m + 1] = state.velocity;
+  const std::span y(end_.y);
+  const double force = friction_force(state.velocity - dynamics_.wall_velocity(t));
+  coordinates_->set(state, t, force, y.first(coordinates_->size()),
+                    y.subspan(coordinates_->size(), coordinates_->size()));
+  begin_at_end(direction);
+}
+
+void SlipIntegrator::begin_next(double direction) {
+  std::fill(end_.y.begin() + static_cast<std::ptrdiff_t>(dimension_), end_.y.end(), 0.0);
+  begin_at_end(direction);
+}
+
+void SlipIntegrator::begin_at_end(double direction) {
+  direction_ = direction;
   end_.rate.resize(equations_);
-  evaluate(t, end_.y.data(), end_.rate.data());
+  evaluate(end_.time, end_.y.data(), end_.rate.data());
   measure(end_);
   begin_ = end_;
   before_.reset();
@@ -165,28 +172,24 @@ int SlipIntegrator::right_side(double t, const double y[], double rate[], void* 
   return GSL_SUCCESS;
 }
 
-KinematicsView SlipIntegrator::view_of(const double* y) const {
-  const std::size_t m = dynamics_.modes();
-  return {{y, m}, {y + m, m}, y[2 * m], y[2 * m + 1]};
+ContactKinematics SlipIntegrator::kinematics_of(const std::vector<double>& y) const {
+  return coordinates_->held(positions(y.data()), rates(y.data()));
 }
 
-ContactKinematics SlipIntegrator::kinematics_of(const std::vector<double>& y) const {
-  const KinematicsView state = view_of(y.data());
-  return {{state.amplitudes.begin(), state.amplitudes.end()},
-          {state.rates.begin(), state.rates.end()},
-          state.displacement,
-          state.velocity};
+double SlipIntegrator::holding_force() const {
+  coordinates_->accelerate(positions(end_.y.data()), rates(end_.y.data()), dynamics_.load(end_.time), 0.0,
+                           jerk_);
+  return (dynamics_.wall_acceleration(end_.time) - coordinates_->contact(jerk_)) / mobility_;
 }
 
 void SlipIntegrator::evaluate(double t, const double* y, double* rate) const {
-  const std::size_t m = dynamics_.modes();
-  const KinematicsView state = view_of(y);
-  const double force = friction_force(state.velocity - dynamics_.wall_velocity(t));
-  std::copy_n(y + m, m, rate);
-  rate[2 * m] = state.velocity;
-  rate[2 * m + 1] = dynamics_.accelerate(state, dynamics_.load(t), force, {rate + m, m});
+  const std::size_t size = coordinates_->size();
+  const double force = friction_force(coordinates_->contact(rates(y)) - dynamics_.wall_velocity(t));
+  std::copy_n(y + size, size, rate);
+  coordinates_->accelerate(positions(y), rates(y), dynamics_.load(t), force, {rate + size, size});
   if (equations_ == dimension_) return;
-  const Powers powers = dynamics_.powers(state, t, force);
+  const ContactKinematics state = coordinates_->held(positions(y), rates(y));
+  const Powers powers = dynamics_.powers(view(state), t, force);
   rate[dimension_] = powers.base;
   rate[dimension_ + 1] = powers.follower;
   rate[dimension_ + 2] = powers.damping;
@@ -196,17 +199,17 @@ void SlipIntegrator::evaluate(double t, const double* y, double* rate) const {
 // v_s and its first two rates; the rows are linear, so that the rate of the accelerations follows from the
 // rates of their arguments.
 void SlipIntegrator::measure(Node& node) const {
-  const std::size_t m = dynamics_.modes();
   const data::FrictionLaw& law = dynamics_.model().friction;
-  const KinematicsView rates = view_of(node.rate.data());
-  const double sliding = node.y[2 * m + 1] - dynamics_.wall_velocity(node.time);
-  const double acceleration = rates.velocity - dynamics_.wall_acceleration(node.time);
+  const double sliding = coordinates_->contact(rates(node.y.data())) - dynamics_.wall_velocity(node.time);
+  const double acceleration =
+      coordinates_->contact(rates(node.rate.data())) - dynamics_.wall_acceleration(node.time);
   const double weakening = law.static_coefficient() - law.kinetic_coefficient();
   const double force_rate = dynamics_.model().normal_force * weakening * law.decay() *
                             std::exp(-law.decay() * direction_ * sliding) * acceleration;
-  const double jerk = dynamics_.accelerate(rates, dynamics_.load_rate(node.time), force_rate, modal_);
+  coordinates_->accelerate(positions(node.rate.data()), rates(node.rate.data()),
+                           dynamics_.load_rate(node.time), force_rate, jerk_);
   node.velocity = {direction_ * sliding, direction_ * acceleration,
-                   direction_ * (jerk - dynamics_.wall_jerk(node.time))};
+                   direction_ * (coordinates_->contact(jerk_) - dynamics_.wall_jerk(node.time))};
 }
 
 bool SlipIntegrator::take(const Node& from, double length, Node& to) {

@@ -8,12 +8,13 @@
 
 #include "contact_dynamics.hpp"
 #include "gsl_handles.hpp"
+#include "slip_coordinates.hpp"
 
 namespace stickslip::analytic {
 
 /// A slip phase by GSL's rk8pd, step by step, ended at the first zero of the sliding velocity.
 ///
-/// The unknowns are T, T_t, u_c, u_c_t and, if asked for, the four works of EnergyBooks.
+/// The unknowns are q, q_t of SlipCoordinates and, if asked for, the four works of EnergyBooks.
 class SlipIntegrator {
  public:
   /// `dynamics` must outlive this. `reference_velocity` in m/s.
@@ -22,6 +23,8 @@ class SlipIntegrator {
 
   /// Begins a phase at time t that moves in `direction` = +1 or -1.
   void begin(double t, const ContactKinematics& state, double direction);
+  /// Begins the next phase at the end of the last one, where v_s = 0.
+  void begin_next(double direction);
 
   /// Takes one step, shortened to end at the first zero of v_s in it; true if there is one.
   /// Throws std::runtime_error, saying when, if no finite step can be taken.
@@ -34,6 +37,9 @@ class SlipIntegrator {
   [[nodiscard]] ContactKinematics state(double t);
   /// Works since the beginning of the phase; zeros if not asked for.
   [[nodiscard]] Powers works(double t);
+
+  /// f_d that would give the contact the wall's acceleration at the end of the last step.
+  [[nodiscard]] double holding_force() const;
 
   /// f_d at a sliding velocity, on the branch of this phase.
   [[nodiscard]] double friction_force(double sliding_velocity) const;
@@ -49,7 +55,11 @@ class SlipIntegrator {
 
   static int right_side(double t, const double y[], double rate[], void* self);
   void evaluate(double t, const double* y, double* rate) const;
-  [[nodiscard]] KinematicsView view_of(const double* y) const;
+  void begin_at_end(double direction);
+  [[nodiscard]] std::span<const double> positions(const double* y) const { return {y, coordinates_->size()}; }
+  [[nodiscard]] std::span<const double> rates(const double* y) const {
+    return {y + coordinates_->size(), coordinates_->size()};
+  }
   [[nodiscard]] ContactKinematics kinematics_of(const std::vector<double>& y) const;
   void measure(Node& node) const;
   /// One Runge-Kutta step from `begin_`; leaves the error estimate in error_. False if not finite.
@@ -59,6 +69,7 @@ class SlipIntegrator {
   [[nodiscard]] std::optional<double> polished_zero(double low, double high);
 
   const ContactDynamics& dynamics_;
+  std::unique_ptr<SlipCoordinates> coordinates_;
   std::size_t dimension_, equations_;
   double longest_step_, shortest_step_;
   double velocity_floor_;  // m/s: below it a sign of v_s is round-off
@@ -67,7 +78,8 @@ class SlipIntegrator {
   OwnedHandle<gsl_odeiv2_step> stepper_;
   OwnedHandle<gsl_odeiv2_control> control_;
   std::vector<double> error_;
-  mutable std::vector<double> modal_;
+  mutable std::vector<double> jerk_;
+  double mobility_;  // acceleration of the contact per unit f_d, 1/kg
 
   std::optional<Node> before_;  // the node before begin_, of the same phase
   Node begin_, end_, trial_;

@@ -104,13 +104,18 @@ SlipMode::SlipMode(const data::Beam& beam, int number, double b, double bb)
       angular_frequency_(std::sqrt(bending_stiffness(beam) / mass_per_length(beam)) * b * bb /
                          (length_ * length_)) {
   const double e = std::exp(-b), c = std::cos(bb), s = std::sin(bb);
-  // W(0) = W'(0) = 0 give the trigonometric weights, W''(L) = 0 the ratio of the exponential ones.
-  left_weight_ = b * b + bb * (bb * c + b * s) * e;
-  right_weight_ = -(b * b * e + bb * (bb * c - b * s));
-  cos_weight_ = -(left_weight_ + right_weight_ * e);
-  sin_weight_ = b / bb * (left_weight_ - right_weight_ * e);
-  const double tip = shape(length_);
-  for (double* weight : {&left_weight_, &right_weight_, &cos_weight_, &sin_weight_}) *weight /= tip;
+  // psi''(L) = 0, and psi*'' + z psi* = 0, give the ratio of the exponential parts.
+  direct_ = clamped(b * b + bb * (bb * c + b * s) * e, -(b * b * e + bb * (bb * c - b * s)));
+  adjoint_ =
+      clamped(bb * bb * bb + b * b * (bb * c + b * s) * e, -(bb * bb * bb * e + b * b * (bb * c - b * s)));
+}
+
+SlipMode::Weights SlipMode::clamped(double left, double right) const {
+  const double e = std::exp(-b_);
+  Weights weights{left, right, -(left + right * e), b_ / bb_ * (left - right * e)};
+  const double tip = value(weights, length_);
+  for (double* weight : {&weights.left, &weights.right, &weights.cos, &weights.sin}) *weight /= tip;
+  return weights;
 }
 
 double SlipMode::hyperbolic_wave_number() const noexcept { return b_ / length_; }
@@ -119,10 +124,15 @@ double SlipMode::trigonometric_wave_number() const noexcept { return bb_ / lengt
 
 double SlipMode::frequency_hz() const noexcept { return angular_frequency_ / (2.0 * pi); }
 
-double SlipMode::shape(double x) const {
+double SlipMode::value(const Weights& weights, double x) const {
   const double xi = x / length_;
-  return left_weight_ * std::exp(-b_ * xi) + right_weight_ * std::exp(-b_ * (1.0 - xi)) +
-         cos_weight_ * std::cos(bb_ * xi) + sin_weight_ * std::sin(bb_ * xi);
+  return weights.left * std::exp(-b_ * xi) + weights.right * std::exp(-b_ * (1.0 - xi)) +
+         weights.cos * std::cos(bb_ * xi) + weights.sin * std::sin(bb_ * xi);
+}
+
+double SlipMode::curvature(double x) const {
+  const double b2 = b_ * b_ / (length_ * length_), bb2 = bb_ * bb_ / (length_ * length_);
+  return value({b2 * direct_.left, b2 * direct_.right, -bb2 * direct_.cos, -bb2 * direct_.sin}, x);
 }
 
 std::vector<SlipMode> slip_modes(const data::Beam& beam, int count) {

@@ -32,8 +32,13 @@ class SlipMode {
   [[nodiscard]] double trigonometric_wave_number() const noexcept;
   [[nodiscard]] double angular_frequency() const noexcept { return angular_frequency_; }  ///< rad/s
   [[nodiscard]] double frequency_hz() const noexcept;
-  /// Shape scaled to 1 at x = L; written with decaying exponentials only.
-  [[nodiscard]] double shape(double x) const;
+  /// psi(x), scaled to 1 at x = L; written with decaying exponentials only.
+  [[nodiscard]] double shape(double x) const { return value(direct_, x); }
+  [[nodiscard]] double curvature(double x) const;  ///< psi''(x), 1/m^2
+  /// psi*(x), scaled to 1 at x = L: the mode of the adjoint problem, which has the same frequency, with psi*
+  /// = psi*' = 0 at x = 0 and psi*'' + (P/EI) psi* = psi*''' + (P/EI) psi*' = 0 at x = L. The integral of
+  /// psi*_m psi_n vanishes for m != n.
+  [[nodiscard]] double adjoint_shape(double x) const { return value(adjoint_, x); }
 
  private:
   friend std::vector<SlipMode> slip_modes(const data::Beam& beam, int count);
@@ -43,8 +48,15 @@ class SlipMode {
   double length_{};
   double b_{};   // beta L
   double bb_{};  // betabar L
-  // W = left exp(-b xi) + right exp(-b (1 - xi)) + cos cos(bb xi) + sin sin(bb xi), xi = x/L
-  double left_weight_{}, right_weight_{}, cos_weight_{}, sin_weight_{};
+  // left exp(-b xi) + right exp(-b (1 - xi)) + cos cos(bb xi) + sin sin(bb xi), xi = x/L
+  struct Weights {
+    double left{}, right{}, cos{}, sin{};
+  };
+  [[nodiscard]] double value(const Weights& weights, double x) const;
+  // Zero with its slope at x = 0, for any ratio of the exponential parts; 1 at x = L.
+  [[nodiscard]] Weights clamped(double left, double right) const;
+
+  Weights direct_, adjoint_;
   double angular_frequency_{};
 };
 
