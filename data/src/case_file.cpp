@@ -24,14 +24,18 @@ struct Draft {
   FrictionCoefficients friction;
   HarmonicMotion excitation;
   NumericalChoices numerics;
+  DampingProperties damping;
 };
 
 using Target = std::variant<double*, int*>;
+
+enum class Presence { required, optional };  // an optional key that is missing keeps the value of a Draft
 
 struct Key {
   std::string_view table;
   std::string_view name;
   Target (*target)(Draft&);
+  Presence presence{Presence::required};
 
   [[nodiscard]] std::string path() const { return std::string(table) + "." + std::string(name); }
 };
@@ -62,6 +66,9 @@ constexpr std::array keys{
     Key{"numerics", "velocity_threshold", member<&Draft::numerics, &NumericalChoices::velocity_threshold>},
     Key{"numerics", "modes", member<&Draft::numerics, &NumericalChoices::modes>},
     Key{"numerics", "duration", member<&Draft::numerics, &NumericalChoices::duration>},
+    Key{"damping", "kelvin_voigt", member<&Draft::damping, &DampingProperties::kelvin_voigt>,
+        Presence::optional},
+    Key{"damping", "ratio", member<&Draft::damping, &DampingProperties::ratio>, Presence::optional},
 };
 
 // A value as it was given, and where.
@@ -189,8 +196,8 @@ void assign(const Key& key, const Entry& entry, int& field) {
   field = static_cast<int>(*integer);
 }
 
-const Entry& required_entry(const std::filesystem::path& file, const Key& key, const Entries& entries) {
-  if (const auto found = entries.find(key.path()); found != entries.end()) return found->second;
+[[noreturn]] void refuse_missing_key(const std::filesystem::path& file, const Key& key,
+                                     const Entries& entries) {
   const std::string table(key.table);
   const bool has_table =
       std::ranges::any_of(entries, [&](const auto& entry) { return entry.first.starts_with(table + "."); });
@@ -201,8 +208,11 @@ const Entry& required_entry(const std::filesystem::path& file, const Key& key, c
 Draft draft_of(const std::filesystem::path& file, const Entries& entries) {
   Draft draft;
   for (const auto& key : keys) {
-    const Entry& entry = required_entry(file, key, entries);
-    std::visit([&](auto* field) { assign(key, entry, *field); }, key.target(draft));
+    const auto found = entries.find(key.path());
+    if (found != entries.end())
+      std::visit([&](auto* field) { assign(key, found->second, *field); }, key.target(draft));
+    else if (key.presence == Presence::required)
+      refuse_missing_key(file, key, entries);
   }
   return draft;
 }
@@ -214,7 +224,8 @@ Case case_of(const std::filesystem::path& file, const Entries& entries) {
             .beam = Beam(draft.beam),
             .friction = FrictionLaw(draft.friction),
             .excitation = HarmonicExcitation(draft.excitation),
-            .numerics = NumericalSettings(draft.numerics)};
+            .numerics = NumericalSettings(draft.numerics),
+            .damping = Damping(draft.damping)};
   } catch (const FieldError& error) {
     throw InputError(entries.at(error.field()).place + ": " + error.what());
   }

@@ -67,6 +67,20 @@ data::Override override_with(const std::string& key, double value) {
   return {key, data::shortest_text(value)};
 }
 
+bool is_damped(const data::Case& problem) {
+  return problem.damping.kelvin_voigt() > 0.0 || problem.damping.ratio() > 0.0;
+}
+
+void require_undamped(const data::Case& problem, std::string_view what) {
+  if (!is_damped(problem)) return;
+  const bool viscous = problem.damping.kelvin_voigt() > 0.0;
+  throw data::InputError(fmt::format(
+      "{} is {}, but must be 0 for {}: Eq. (26) is that of the undamped beam; respond --method fe "
+      "follows the damped one",
+      viscous ? "damping.kelvin_voigt" : "damping.ratio",
+      data::shortest_text(viscous ? problem.damping.kelvin_voigt() : problem.damping.ratio()), what));
+}
+
 void print_json(const Json& object) {
   fmt::print("{}\n", object.dump(2, ' ', false, Json::error_handler_t::replace));
 }

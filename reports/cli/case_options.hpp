@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "stickslip/data/case_file.hpp"
@@ -42,6 +43,12 @@ void add_excitation_options(CLI::App& command, ExcitationOptions& options);
 
 /// An override that sets a key to a number.
 [[nodiscard]] data::Override override_with(const std::string& key, double value);
+
+/// Whether the case has damping of either kind.
+[[nodiscard]] bool is_damped(const data::Case& problem);
+
+/// Throws data::InputError, naming the damping, if the case has any; `what` needs it to have none.
+void require_undamped(const data::Case& problem, std::string_view what);
 
 /// One JSON object on standard output.
 void print_json(const Json& object);

@@ -84,6 +84,7 @@ Json to_json(const data::Case& problem, const analytic::Criterion& paper, const 
 void run(const CriterionOptions& options) {
   const data::Case problem =
       data::load_case(options.problem.name, overrides_of(options.problem, options.excitation));
+  require_undamped(problem, "the criterion");
   const auto paper = with_paper_modes(problem);
   const auto all = with_all_modes(problem);
   if (options.problem.json)

@@ -113,7 +113,7 @@ void write_finite_element(const data::Case& problem, const RespondOptions& optio
   const auto initial_velocity = options.initial_velocity == "zero" ? solver::InitialVelocity::zero
                                                                    : solver::InitialVelocity::quasi_static;
   solver::BeamSimulation simulation(problem.beam, problem.friction, problem.excitation, problem.numerics,
-                                    {.initial_velocity = initial_velocity});
+                                    {.initial_velocity = initial_velocity, .damping = problem.damping});
   const long steps = steps_of(problem);
   for (long n = 0; n <= steps; ++n) {
     if (n > 0) simulation.step();
@@ -161,6 +161,7 @@ void run(const RespondOptions& options) {
   if (closed_form && options.initial_velocity != "quasi-static")
     throw data::InputError(
         "--initial-velocity is zero, but the closed form starts quasi-static: Eq. (26) assumes it");
+  if (closed_form) require_undamped(problem, "the closed form");
   Writer writer(options.output);
   (closed_form ? write_closed_form : write_finite_element)(problem, options, writer);
   const Summary summary = writer.finish();

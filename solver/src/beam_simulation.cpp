@@ -1,10 +1,12 @@
 #include "stickslip/solver/beam_simulation.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 
 namespace stickslip::solver {
 
@@ -16,11 +18,38 @@ PrescribedMotion harmonic_motion(const data::HarmonicExcitation& excitation) {
           .acceleration = [=](double t) { return -amplitude * omega * omega * std::sin(omega * t); }};
 }
 
+namespace {
+
+// sum_n 2 zeta omega_n (M phi_n) (M phi_n)^T over all modes of the mesh, tip free and P = 0.
+Eigen::MatrixXd modal_damping(const BeamModel& model, double ratio) {
+  constexpr int most_elements = 500;
+  if (model.elements() > most_elements)
+    throw std::invalid_argument("numerics.elements = " + std::to_string(model.elements()) +
+                                ": must be at most " + std::to_string(most_elements) +
+                                " with a damping.ratio above 0, whose matrix is full");
+  // With M = L L^T, K = R R^T and L^-1 R = V Omega U^T, the modes are the columns of L^-T V. Singular values,
+  // since round-off is then relative to omega_max/omega_1 and not to its square, and none comes out negative.
+  const Eigen::MatrixXd mass_root = Eigen::MatrixXd(model.mass()).llt().matrixL();
+  const Eigen::MatrixXd stiffness_root = Eigen::MatrixXd(model.elastic_stiffness()).llt().matrixL();
+  const Eigen::BDCSVD<Eigen::MatrixXd> modes(mass_root.triangularView<Eigen::Lower>().solve(stiffness_root),
+                                             Eigen::ComputeThinU);
+  const Eigen::MatrixXd momenta = mass_root * modes.matrixU();  // M phi_n
+  return 2.0 * ratio * momenta * modes.singularValues().asDiagonal() * momenta.transpose();
+}
+
+}  // namespace
+
+SparseMatrix damping_matrix(const BeamModel& model, const data::Damping& damping) {
+  SparseMatrix matrix(model.degrees_of_freedom(), model.degrees_of_freedom());
+  if (damping.kelvin_voigt() > 0.0) matrix = damping.kelvin_voigt() * model.elastic_stiffness();
+  if (damping.ratio() > 0.0) matrix += SparseMatrix(modal_damping(model, damping.ratio()).sparseView());
+  return matrix;
+}
+
 ContactSystem beam_contact_system(const BeamModel& model, const data::FrictionLaw& friction,
-                                  const PrescribedMotion& base) {
-  const Eigen::Index n = model.degrees_of_freedom();
+                                  const PrescribedMotion& base, const data::Damping& damping) {
   return {.mass = model.mass(),
-          .damping = SparseMatrix(n, n),
+          .damping = damping_matrix(model, damping),
           .stick_stiffness = model.stick_stiffness(),
           .slip_stiffness = model.slip_stiffness(),
           .load_shape = -model.base_load(),
@@ -57,7 +86,7 @@ BeamSimulation::BeamSimulation(const data::Beam& beam, const data::FrictionLaw& 
                                const data::NumericalSettings& numerics, const BeamRun& run)
     : model_(checked_model(beam, numerics.elements(), run.contact)),
       base_(harmonic_motion(excitation)),
-      integrator_(beam_contact_system(model_, friction, base_),
+      integrator_(beam_contact_system(model_, friction, base_, run.damping),
                   {.time_step = numerics.time_step(),
                    .spectral_radius = numerics.spectral_radius(),
                    .velocity_threshold = numerics.velocity_threshold(),
@@ -87,9 +116,10 @@ double BeamSimulation::midspan_displacement() const {
 long step_count(double duration, double time_step) { return std::lround(duration / time_step); }
 
 double max_abs_friction_force(const data::Beam& beam, const data::HarmonicExcitation& excitation,
-                              const data::NumericalSettings& numerics) {
+                              const data::NumericalSettings& numerics, const data::Damping& damping) {
   const data::FrictionLaw unused({});
-  BeamSimulation simulation(beam, unused, excitation, numerics, {.contact = TipContact::glued});
+  BeamSimulation simulation(beam, unused, excitation, numerics,
+                            {.contact = TipContact::glued, .damping = damping});
   double largest = std::abs(simulation.friction_force());
   for (long n = step_count(numerics.duration(), numerics.time_step()); n > 0; --n) {
     simulation.step();
@@ -100,8 +130,8 @@ double max_abs_friction_force(const data::Beam& beam, const data::HarmonicExcita
 
 std::optional<double> first_slip(const data::Beam& beam, const data::FrictionLaw& friction,
                                  const data::HarmonicExcitation& excitation,
-                                 const data::NumericalSettings& numerics) {
-  BeamSimulation simulation(beam, friction, excitation, numerics);
+                                 const data::NumericalSettings& numerics, const data::Damping& damping) {
+  BeamSimulation simulation(beam, friction, excitation, numerics, {.damping = damping});
   const auto& events = simulation.integrator().events();
   for (long n = step_count(numerics.duration(), numerics.time_step()); n > 0 && events.empty(); --n)
     simulation.step();

@@ -116,7 +116,7 @@ TEST_F(CommandLine, AnswersHelpAndVersionOnStandardOutput) {
 
 TEST_F(CommandLine, ListsTheCasesAndTheirFiles) {
   const auto cases = json("cases")["cases"];
-  ASSERT_GE(cases.size(), 3U);
+  ASSERT_GE(cases.size(), 4U);
   for (const auto& listing : cases) EXPECT_TRUE(std::filesystem::exists(listing["file"].get<std::string>()));
 }
 
@@ -200,6 +200,40 @@ TEST_F(CommandLine, AnImpulsiveStartIsThereForTheAsking) {
   EXPECT_LT(first_force("quasi-static"), 0.1);
   EXPECT_GT(first_force("zero"), 10.0);
   EXPECT_EQ(run("respond --method closed-form --initial-velocity zero").status, 2);
+}
+
+TEST_F(CommandLine, FiniteElementsFollowTheDampingOfTheCase) {
+  const auto history = [&](const std::string& options) {
+    return csv(run("respond paper --hz 25 --amplitude 1e-3 --duration 0.1 " + options).output);
+  };
+  const auto damped = csv(run("respond damped --duration 0.1").output);
+  EXPECT_EQ(damped, history("--set damping.kelvin_voigt=6.4e-5"));
+  EXPECT_NE(damped, history(""));
+  // The event-driven integration of the damped beam slips at 0.055321 s, the undamped one at 0.05524 s.
+  EXPECT_GT(json("respond damped --duration 0.1 --output '" + path("damped.csv") + "'")["first_slip_s"],
+            0.0553);
+  EXPECT_NE(history("--set damping.ratio=0.01"), history(""));
+  expect_refused(
+      "respond --set damping.ratio=0.01 --set numerics.elements=501 --output '" + path("none.csv") + "'",
+      "numerics.elements = 501: must be at most 500 with a damping.ratio above 0");
+}
+
+TEST_F(CommandLine, WhatIsUndampedRefusesADampedCase) {
+  for (const std::string command : {"criterion", "respond --method closed-form"}) {
+    expect_refused(command + " damped", "damping.kelvin_voigt is 6.4e-05, but must be 0 for the c");
+    expect_refused(command + " --set damping.ratio=0.01", "damping.ratio is 0.01, but must be 0 for the c");
+    EXPECT_EQ(run(command + " --set damping.ratio=0").status, 0);
+  }
+}
+
+TEST_F(CommandLine, ModesOfADampedCaseSayThatTheyAreUndamped) {
+  const std::string sentence = "These are the undamped frequencies";
+  EXPECT_NE(run("modes damped").output.find(sentence), std::string::npos);
+  EXPECT_EQ(run("modes paper").output.find(sentence), std::string::npos);
+  const auto damped = json("modes damped"), undamped = json("modes paper");
+  EXPECT_EQ(damped["undamped"], true);
+  EXPECT_FALSE(undamped.contains("undamped"));
+  EXPECT_EQ(damped["frequencies_hz"], undamped["frequencies_hz"]);
 }
 
 TEST_F(CommandLine, WarnsWhenTheClosedFormLeavesItsGround) {

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@ struct Line {
 
   [[nodiscard]] std::string path() const { return table + "." + key; }
   [[nodiscard]] bool is_integer() const { return key == "elements" || key == "modes"; }
+  [[nodiscard]] bool is_optional() const { return table == "damping"; }
 };
 
 const std::vector<Line>& valid_lines() {
@@ -48,7 +50,10 @@ const std::vector<Line>& valid_lines() {
                                        {"numerics", "spectral_radius", "0.9"},
                                        {"numerics", "velocity_threshold", "1e-4"},
                                        {"numerics", "modes", "10"},
-                                       {"numerics", "duration", "10.0"}};
+                                       {"numerics", "duration", "10.0"},
+                                       {"damping", "", ""},
+                                       {"damping", "kelvin_voigt", "6.4e-5"},
+                                       {"damping", "ratio", "0.01"}};
   return lines;
 }
 
@@ -152,10 +157,13 @@ TEST_F(CaseFile, IsReadKeyByKey) {
   EXPECT_EQ(problem.numerics.velocity_threshold(), 1e-4);
   EXPECT_EQ(problem.numerics.modes(), 10);
   EXPECT_EQ(problem.numerics.duration(), 10.0);
+  EXPECT_EQ(problem.damping.kelvin_voigt(), 6.4e-5);
+  EXPECT_EQ(problem.damping.ratio(), 0.01);
 }
 
-TEST_F(CaseFile, MustHoldEveryKey) {
+TEST_F(CaseFile, MustHoldEveryKeyOfTheRequiredTables) {
   for (const auto& key : valid_keys()) {
+    if (key.is_optional()) continue;
     const std::string sentence = refusal(case_with(key.path(), ""));
     EXPECT_TRUE(
         sentence.starts_with("bar.toml: " + key.path() + " is missing, but [" + key.table + "] must hold "))
@@ -163,7 +171,35 @@ TEST_F(CaseFile, MustHoldEveryKey) {
   }
 }
 
-TEST_F(CaseFile, MustHoldEveryTable) {
+TEST_F(CaseFile, IsUndampedWhereItDoesNotSayOtherwise) {
+  for (const std::string& text :
+       {case_without_table("damping"), case_without_table("damping") + "[damping]\n"}) {
+    const auto problem = data::read_case(write(text));
+    EXPECT_EQ(problem.damping.kelvin_voigt(), 0.0);
+    EXPECT_EQ(problem.damping.ratio(), 0.0);
+  }
+  EXPECT_EQ(data::read_case(write(case_with("damping.kelvin_voigt", ""))).damping.ratio(), 0.01);
+  EXPECT_EQ(data::read_case(write(case_with("damping.ratio", ""))).damping.kelvin_voigt(), 6.4e-5);
+}
+
+TEST_F(CaseFile, IsDampedByAnOverrideWithoutATableOfItsOwn) {
+  const std::string undamped = case_without_table("damping");
+  const auto problem =
+      data::read_case(write(undamped), {{"damping.kelvin_voigt", "6.4e-5"}, {"damping.ratio", "0.02"}});
+  EXPECT_EQ(problem.damping.kelvin_voigt(), 6.4e-5);
+  EXPECT_EQ(problem.damping.ratio(), 0.02);
+  EXPECT_EQ(
+      refusal(undamped, {{"damping.kelvin_voigt", "-1"}}),
+      "override damping.kelvin_voigt=-1: damping.kelvin_voigt is -1, but must be a finite number of 0 or "
+      "more (s)");
+  EXPECT_EQ(refusal(undamped, {{"damping.ratio", "1"}}),
+            "override damping.ratio=1: damping.ratio is 1, but must be a number from 0 to below 1");
+  EXPECT_EQ(refusal(undamped, {{"damping.ration", "0.1"}}),
+            "override damping.ration=0.1: unknown key damping.ration (did you mean damping.ratio?) with the "
+            "value 0.1 (a float), but [damping] has the keys kelvin_voigt, ratio");
+}
+
+TEST_F(CaseFile, MustHoldEveryRequiredTable) {
   for (const std::string table : {"beam", "friction", "excitation", "numerics"}) {
     const std::string sentence = refusal(case_without_table(table));
     EXPECT_TRUE(sentence.starts_with("bar.toml: the table [" + table + "] is missing, but ")) << sentence;
@@ -184,24 +220,23 @@ TEST_F(CaseFile, RefusesAMisspeltKeyAndSuggestsTheRightOne) {
 TEST_F(CaseFile, SuggestsNothingForAKeyLikeNoOther) {
   const std::string sentence = refusal(valid_case() + "colour_of_the_paint = 'red'\n");
   EXPECT_EQ(sentence,
-            "bar.toml:22: unknown key numerics.colour_of_the_paint with the value 'red' (a string), but "
-            "[numerics] has "
-            "the keys elements, time_step, spectral_radius, velocity_threshold, modes, duration");
+            "bar.toml:25: unknown key damping.colour_of_the_paint with the value 'red' (a string), but "
+            "[damping] has the keys kelvin_voigt, ratio");
 }
 
 TEST_F(CaseFile, RefusesAMisspeltTable) {
   EXPECT_EQ(
       refusal(valid_case() + "[beem]\nlength = 2\n"),
-      "bar.toml:22: unknown table [beem] (did you mean beam?), but a case has the tables beam, friction, "
-      "excitation, numerics");
+      "bar.toml:25: unknown table [beem] (did you mean beam?), but a case has the tables beam, friction, "
+      "excitation, numerics, damping");
 }
 
 TEST_F(CaseFile, RefusesAKeyOutsideEveryTable) {
   EXPECT_EQ(refusal("length = 2\n" + valid_case()),
             "bar.toml:1: unknown key length with the value 2 (an integer), but a case has the tables beam, "
-            "friction, "
-            "excitation, numerics");
+            "friction, excitation, numerics, damping");
   EXPECT_EQ(refusal("beam = 3\n"), "bar.toml:1: beam is 3 (an integer), but must be a table");
+  EXPECT_EQ(refusal("damping = 0.01\n"), "bar.toml:1: damping is 0.01 (a float), but must be a table");
   EXPECT_EQ(refusal("[[beam]]\nlength = 2\n"), "bar.toml:1: beam is an array, but must be a table");
 }
 
@@ -394,9 +429,28 @@ TEST(PublishedCases, Figure14HasTheFlatSection) {
   EXPECT_EQ(problem.excitation.amplitude(), 1e-3);
 }
 
+TEST(PublishedCases, DampedIsThePaperWithHalfAPercentOfCriticalDampingInTheFirstStickMode) {
+  const auto problem = data::load_case("damped");
+  expect_beam(problem.beam, testing::paper_beam_properties());
+  EXPECT_EQ(problem.excitation.frequency_hz(), 25.0);
+  EXPECT_EQ(problem.excitation.amplitude(), 1e-3);
+  EXPECT_EQ(problem.numerics.duration(), 0.5);
+  EXPECT_EQ(problem.damping.ratio(), 0.0);
+  // zeta = eta omega/2 with 24.972 Hz, to the two digits of eta.
+  EXPECT_TRUE(testing::within(0.5 * problem.damping.kelvin_voigt() * 2.0 * std::numbers::pi * 24.972, 0.005,
+                              testing::reference(0.005 * 0.05 / 6.4, "6.4e-5 s, two digits")));
+}
+
+TEST(PublishedCases, TheOthersAreUndamped) {
+  for (const std::string name : {"paper", "paper-half-stiffness", "paper-figure14"}) {
+    EXPECT_EQ(data::load_case(name).damping.kelvin_voigt(), 0.0) << name;
+    EXPECT_EQ(data::load_case(name).damping.ratio(), 0.0) << name;
+  }
+}
+
 TEST(PublishedCases, AreListedByNameWithATitleAndAllLoad) {
   const auto cases = data::list_cases();
-  ASSERT_GE(cases.size(), 3U);
+  ASSERT_GE(cases.size(), 4U);
   for (const auto& listing : cases) {
     EXPECT_FALSE(listing.title.empty()) << listing.name;
     EXPECT_NO_THROW(static_cast<void>(data::load_case(listing.name))) << listing.name;
@@ -414,10 +468,9 @@ TEST(PublishedCases, AMisspeltNameIsRefusedWithTheNamesThereAre) {
     static_cast<void>(data::load_case("papr"));
     FAIL() << "accepted";
   } catch (const data::InputError& error) {
-    EXPECT_STREQ(
-        error.what(),
-        "case papr is unknown (did you mean paper?), but must be a file or one of paper, paper-figure14, "
-        "paper-half-stiffness");
+    EXPECT_STREQ(error.what(),
+                 "case papr is unknown (did you mean paper?), but must be a file or one of damped, paper, "
+                 "paper-figure14, paper-half-stiffness");
   }
 }
 

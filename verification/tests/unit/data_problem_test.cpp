@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
@@ -58,6 +60,10 @@ Field numerics_field(const std::string& name, double data::NumericalChoices::*me
   return field<data::NumericalSettings>("numerics." + name, usual_choices(), member);
 }
 
+Field damping_field(const std::string& name, double data::DampingProperties::*member) {
+  return field<data::Damping>("damping." + name, data::DampingProperties{}, member);
+}
+
 std::vector<Field> positive_fields() {
   return {beam_field("length", &data::BeamProperties::length),
           beam_field("area", &data::BeamProperties::area),
@@ -74,7 +80,8 @@ std::vector<Field> non_negative_fields() {
           friction_field("kinetic_coefficient", &data::FrictionCoefficients::kinetic_coefficient),
           friction_field("decay", &data::FrictionCoefficients::decay),
           excitation_field("amplitude", &data::HarmonicMotion::amplitude),
-          numerics_field("velocity_threshold", &data::NumericalChoices::velocity_threshold)};
+          numerics_field("velocity_threshold", &data::NumericalChoices::velocity_threshold),
+          damping_field("kelvin_voigt", &data::DampingProperties::kelvin_voigt)};
 }
 
 // The sentence of the refusal, or "accepted".
@@ -132,6 +139,17 @@ TEST(FrictionLaw, AcceptsCoulombAndRefusesFrictionThatGrowsWithSpeed) {
   EXPECT_NO_THROW(data::FrictionLaw({.static_coefficient = 0.3, .kinetic_coefficient = 0.3, .decay = 0.0}));
   expect_refused(friction_field("kinetic_coefficient", &data::FrictionCoefficients::kinetic_coefficient), 0.7,
                  "0.7", "at most friction.static_coefficient, which is 0.6");
+}
+
+TEST(Damping, IsNoneByDefaultAndHasARatioBelowCritical) {
+  EXPECT_EQ(data::Damping().kelvin_voigt(), 0.0);
+  EXPECT_EQ(data::Damping().ratio(), 0.0);
+  const auto ratio = damping_field("ratio", &data::DampingProperties::ratio);
+  EXPECT_EQ(refusal(ratio, 0.0), "accepted");
+  EXPECT_EQ(refusal(ratio, std::nextafter(1.0, 0.0)), "accepted");
+  for (const auto& [value, text] :
+       {std::pair{1.0, "1"}, {-1e-300, "-1e-300"}, {nan, "nan"}, {infinity, "inf"}})
+    expect_refused(ratio, value, text, "a number from 0 to below 1");
 }
 
 TEST(NumericalSettings, BoundTheSpectralRadiusByZeroAndOne) {

@@ -24,16 +24,33 @@ enum class TipContact {
 struct BeamRun {
   TipContact contact{TipContact::friction};
   InitialVelocity initial_velocity{InitialVelocity::quasi_static};
-  data::Damping damping{};
+  data::Damping damping{};  ///< see damping_matrix()
 };
 
 /// h(t) = A0 sin(2 pi hz t) with its derivatives.
 [[nodiscard]] PrescribedMotion harmonic_motion(const data::HarmonicExcitation& excitation);
 
+/// The damping of the beam on its mesh, the same matrix in stick and slip, symmetric:
+///
+///     C = eta K + sum_n 2 zeta omega_n (M phi_n) (M phi_n)^T,    K phi_n = omega_n^2 M phi_n, phi_n^T M
+///     phi_n = 1,
+///
+/// with the elastic K, which the axial force does not change, and all modes phi_n of the mesh with its tip
+/// free and P = 0: each has the fraction zeta of critical damping, and eta omega_n/2 besides. (The second sum
+/// is 2 zeta M (M^-1 K)^(1/2).) A stick mode has less than zeta, at P = 0: with |phi_n^T M psi|^2 as weights,
+/// which add up to 1, its frequency is the root of the mean of omega_n^2 and its damping ratio zeta times the
+/// mean of omega_n over that root, which Jensen's inequality puts below 1.
+///
+/// Throws std::invalid_argument, naming numerics.elements, for damping.ratio > 0 on more than 500 elements:
+/// that matrix is full.
+[[nodiscard]] SparseMatrix damping_matrix(const BeamModel& model, const data::Damping& damping);
+
 /// The beam on a base that moves by h(t), as a system with one contact at the tip. In coordinates that move
 /// with the base the wall moves by -h(t) and the load is -b h_tt. The normal force is P, or zero in tension.
+/// Throws what damping_matrix() throws.
 [[nodiscard]] ContactSystem beam_contact_system(const BeamModel& model, const data::FrictionLaw& friction,
-                                                const PrescribedMotion& base);
+                                                const PrescribedMotion& base,
+                                                const data::Damping& damping = {});
 
 /// The beam of the paper by finite elements: built, started at rest relative to the wall and stepped through
 /// time. Displacements are absolute (y = h + u); friction_force() has the sign of Eq. (28), f = EI u'''(L) =
@@ -42,7 +59,7 @@ class BeamSimulation {
  public:
   /// Uses elements, time_step, spectral_radius and velocity_threshold of `numerics`. Throws
   /// std::domain_error, naming beam.axial_force, if P is at or over the buckling load, or if P <= 0 with
-  /// TipContact::friction: without compression there is no contact.
+  /// TipContact::friction: without compression there is no contact; and what damping_matrix() throws.
   BeamSimulation(const data::Beam& beam, const data::FrictionLaw& friction,
                  const data::HarmonicExcitation& excitation, const data::NumericalSettings& numerics,
                  const BeamRun& run = {});
@@ -73,11 +90,13 @@ class BeamSimulation {
 /// max |f| over the grid times 0 ... duration of a glued run, N: finite-element |f_max| of Eqs. (29), (30).
 [[nodiscard]] double max_abs_friction_force(const data::Beam& beam,
                                             const data::HarmonicExcitation& excitation,
-                                            const data::NumericalSettings& numerics);
+                                            const data::NumericalSettings& numerics,
+                                            const data::Damping& damping = {});
 
 /// The time of the first slip, s, or nothing if the tip stays stuck for numerics.duration().
 [[nodiscard]] std::optional<double> first_slip(const data::Beam& beam, const data::FrictionLaw& friction,
                                                const data::HarmonicExcitation& excitation,
-                                               const data::NumericalSettings& numerics);
+                                               const data::NumericalSettings& numerics,
+                                               const data::Damping& damping = {});
 
 }  // namespace stickslip::solver

@@ -1,0 +1,68 @@
+#pragma once
+
+/// The steady vibration of the beam with Kelvin-Voigt damping, bending moment E I (u_xx + eta u_xxt), on a
+/// base that moves by h(t) = A0 sin(Omega t), in closed form. With y = h + u = Im[Y(x) exp(i Omega t)] and
+/// the complex rigidity D = E I (1 + i Omega eta), Eq. (1) becomes
+///
+///     D Y'''' + P Y'' - rho A Omega^2 Y = 0,        Y(0) = A0,  Y'(0) = 0,  D Y''(L) = 0,
+///
+/// and Y(L) = 0 with the tip held to the wall, or D Y'''(L) = 0 with a tip that slides without friction under
+/// the follower force P. The exponents r of the solutions exp(r x/L) are +-b and +-c,
+///
+///     b^2 = -z/2 + sqrt(z^2/4 + s^2),   c^2 = -z/2 - sqrt(z^2/4 + s^2),   z = P L^2/D,  s^2 = rho A Omega^2
+///     L^4/D,
+///
+/// complex, with real parts that are not negative. (Undamped, c = i bb with the bb of stick_modes.hpp.)
+
+#include <array>
+#include <complex>
+
+#include "stickslip/data/problem.hpp"
+
+namespace stickslip::analytic {
+
+/// What holds at x = L.
+enum class TipSupport {
+  held,  ///< the stick state
+  free   ///< the slip state without friction; also its response beyond the flutter load, stable or not
+};
+
+/// Complex amplitudes of the steady vibration: a quantity is Im[amplitude exp(i Omega t)], its phase that
+/// against the base. Accuracy: round-off, times max(1, min(|b|, |c|)^-3) at low frequency, and times the
+/// resonance factor.
+class DampedSteadyState {
+ public:
+  using Complex = std::complex<double>;
+
+  /// Throws std::invalid_argument, naming damping.ratio, unless that is 0: there is no such closed form with
+  /// an axial force.
+  DampedSteadyState(const data::Beam& beam, const data::HarmonicExcitation& excitation,
+                    const data::Damping& damping, TipSupport tip);
+
+  /// Y(x), absolute, m; 0 <= x <= L in m.
+  [[nodiscard]] Complex displacement(double x) const { return derivative(0, x); }
+  /// d^order Y/dx^order, m^(1 - order).
+  [[nodiscard]] Complex derivative(int order, double x) const;
+  /// D = E I (1 + i Omega eta), N m^2.
+  [[nodiscard]] Complex rigidity() const noexcept { return rigidity_; }
+  /// f = D Y'''(L), N: the sign of Eq. (28), f = -f_d with the friction force f_d on the beam. Round-off of 0
+  /// with a free tip.
+  [[nodiscard]] Complex friction_force() const;
+  /// Heat per period, pi Omega eta E I int |Y''|^2 dx, J, with the integral in closed form. It is what the
+  /// base and, with a free tip, the follower force put in: pi Im[A0 D Y'''(0) - P Y'(L) conj(Y(L))].
+  [[nodiscard]] double dissipated_energy() const;
+
+ private:
+  // weight exp(-exponent distance), with the distance from the clamp or from the tip, in lengths of the beam.
+  struct Wave {
+    Complex exponent, weight;
+    bool from_clamp{};
+  };
+
+  double length_;
+  double loss_;  // pi Omega eta E I
+  Complex rigidity_;
+  std::array<Wave, 4> waves_;
+};
+
+}  // namespace stickslip::analytic

@@ -1,0 +1,115 @@
+#include "stickslip/analytic/damped_steady_state.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "beam_constants.hpp"
+#include "messages.hpp"
+
+namespace stickslip::analytic {
+namespace {
+
+using std::numbers::pi;
+using Complex = std::complex<double>;
+
+struct Exponents {
+  Complex b, c;
+};
+
+Complex in_right_half_plane(Complex r) { return r.real() < 0.0 ? -r : r; }
+
+/// b and c, the larger one first and the other from b^2 c^2 = -s^2, so that neither loses digits. Nothing
+/// cancels in the larger one: z and the root differ in argument by less than a right angle.
+Exponents exponents(Complex z, Complex s_squared) {
+  const Complex root = std::sqrt(0.25 * z * z + s_squared);
+  const bool compressed = z.real() > 0.0;
+  const Complex larger_squared = compressed ? -(0.5 * z + root) : root - 0.5 * z;
+  const Complex larger = in_right_half_plane(std::sqrt(larger_squared));
+  const Complex smaller = in_right_half_plane(std::sqrt(-s_squared / larger_squared));
+  return compressed ? Exponents{smaller, larger} : Exponents{larger, smaller};
+}
+
+/// Weights of exp(-r xi) and exp(-r (1 - xi)), xi = x/L.
+struct Weights {
+  Complex from_clamp, from_tip;
+};
+
+/// With the tip held, Y ~ q cosh(q) sinh(r eta) - r cosh(r) sinh(q eta), eta = 1 - xi: its curvature vanishes
+/// with it at the tip, its slope at the clamp. The share of r = +-b here, q = c being the other exponent;
+/// that of c has the opposite sign. Times 4 exp(-b - c).
+Weights held_tip(Complex r, Complex q) {
+  const Complex factor = q * (1.0 + std::exp(-2.0 * q));
+  return {factor, -std::exp(-r) * factor};
+}
+
+/// With a free tip, Y ~ (c^2/b^2) cosh(b xi) - cosh(b eta) cosh(c) + (c/b) sinh(b eta) sinh(c) and the same
+/// with b and c exchanged: cosh(r eta)/r^2 and sinh(r eta)/r^3 of both exponents, subtracted, have neither
+/// curvature nor shear at the tip, and their combination without slope at the clamp is this one. The share of
+/// r, times 4 exp(-b - c).
+Weights free_tip(Complex r, Complex q) {
+  const Complex at_tip = std::exp(-r), other = std::exp(-q), ratio = q / r;
+  const Complex cosh = 1.0 + other * other, sinh = ratio * (1.0 - other * other);
+  const Complex near = 2.0 * ratio * ratio * other;
+  return {near * at_tip - cosh + sinh, near - at_tip * (cosh + sinh)};
+}
+
+/// int_0^1 exp(-r xi - q (1 - xi)) d(xi).
+Complex mean_of_exponential(Complex r, Complex q) {
+  const Complex half = 0.5 * (r - q);
+  if (half == 0.0) return std::exp(-r);
+  if (std::abs(half) < 1.0) return std::exp(-0.5 * (r + q)) * std::sinh(half) / half;
+  return (std::exp(-q) - std::exp(-r)) / (r - q);
+}
+
+}  // namespace
+
+DampedSteadyState::DampedSteadyState(const data::Beam& beam, const data::HarmonicExcitation& excitation,
+                                     const data::Damping& damping, TipSupport tip)
+    : length_(beam.length()) {
+  if (damping.ratio() != 0.0)
+    throw std::invalid_argument(
+        refusal("damping.ratio", damping.ratio(), "0: the closed form knows Kelvin-Voigt damping alone"));
+  const double omega = 2.0 * pi * excitation.frequency_hz();
+  const double loss_factor = omega * damping.kelvin_voigt();
+  loss_ = pi * loss_factor * bending_stiffness(beam);
+  rigidity_ = bending_stiffness(beam) * Complex(1.0, loss_factor);
+
+  const double length_squared = length_ * length_;
+  const double inertia = mass_per_length(beam) * omega * omega * length_squared * length_squared;
+  const auto [b, c] = exponents(beam.axial_force() * length_squared / rigidity_, inertia / rigidity_);
+  const bool held = tip == TipSupport::held;
+  const Weights of_b = held ? held_tip(b, c) : free_tip(b, c), of_c = held ? held_tip(c, b) : free_tip(c, b);
+  const double sign = held ? -1.0 : 1.0;
+  waves_ = {Wave{b, of_b.from_clamp, true}, Wave{b, of_b.from_tip, false},
+            Wave{c, sign * of_c.from_clamp, true}, Wave{c, sign * of_c.from_tip, false}};
+  const Complex at_clamp = displacement(0.0);
+  for (Wave& wave : waves_) wave.weight *= excitation.amplitude() / at_clamp;
+}
+
+Complex DampedSteadyState::derivative(int order, double x) const {
+  const double xi = x / length_;
+  Complex sum = 0.0;
+  for (const Wave& wave : waves_) {
+    const Complex exponent = wave.from_clamp ? -wave.exponent : wave.exponent;
+    const double distance = wave.from_clamp ? xi : 1.0 - xi;
+    sum += wave.weight * std::pow(exponent / length_, order) * std::exp(-wave.exponent * distance);
+  }
+  return sum;
+}
+
+Complex DampedSteadyState::friction_force() const { return rigidity_ * derivative(3, length_); }
+
+double DampedSteadyState::dissipated_energy() const {
+  double integral = 0.0;  // of |L^2 Y''|^2 over x/L
+  for (const Wave& left : waves_)
+    for (const Wave& right : waves_) {
+      const Complex r = left.exponent, q = std::conj(right.exponent);
+      const Complex mean =
+          left.from_clamp == right.from_clamp ? mean_of_exponential(r + q, 0.0) : mean_of_exponential(r, q);
+      integral += (left.weight * r * r * std::conj(right.weight) * q * q * mean).real();
+    }
+  return loss_ * integral / (length_ * length_ * length_);
+}
+
+}  // namespace stickslip::analytic
