@@ -66,6 +66,8 @@ StickSlipIntegrator::StickSlipIntegrator(ContactSystem system, const IntegratorS
   require(
       std::isfinite(settings.velocity_threshold) && settings.velocity_threshold >= 0.0,
       "velocity_threshold = " + std::to_string(settings.velocity_threshold) + " m/s: must not be negative");
+  require(settings.scheme != ContactScheme::paper || settings.velocity_threshold > 0.0,
+          "velocity_threshold = 0 m/s: must be positive with the scheme of the paper, or no slip ever ends");
   require_consistent(system_);
   static_limit_ = system_.friction.static_coefficient() * system_.normal_force;
 
@@ -137,7 +139,9 @@ void StickSlipIntegrator::step() {
   const double end_time = static_cast<double>(steps_ + 1) * settings_.time_step;
   events_in_step_ = 0;
   while (time_ < end_time) {
-    if (state_ == ContactState::stick) {
+    if (settings_.scheme == ContactScheme::paper) {
+      advance_by_the_paper(end_time);
+    } else if (state_ == ContactState::stick) {
       advance_stick(end_time);
     } else {
       advance_slip(end_time);
@@ -152,7 +156,9 @@ void StickSlipIntegrator::advance_stick(double end_time) {
   if (excess <= 0.0) return accept_trial(end_time);
 
   const double excess_now = excess_force(now_, time_);
-  if (excess_now < 0.0) {
+  if (settings_.scheme == ContactScheme::end_of_step) {
+    accept_trial(end_time);
+  } else if (excess_now < 0.0) {
     const auto excess_at = [this](double t) { return excess_force(trial(t), t); };
     const double onset = bracketed_root(excess_at, time_, excess_now, end_time, excess, location_tolerance());
     trial(onset);
@@ -171,6 +177,10 @@ void StickSlipIntegrator::advance_slip(double end_time) {
     if (slow && std::abs(holding_force(now_, time_)) <= static_limit_) settle_at_rest();
     return;
   }
+  if (settings_.scheme == ContactScheme::end_of_step) {
+    accept_trial(end_time);
+    return settle_at_rest();
+  }
   // A phase that has just begun starts from zero: halve the step until the contact moves forward within it.
   double low = time_, at_low = -direction_ * sliding_velocity(now_, time_);
   for (int halving = 0; at_low >= 0.0 && halving < 12; ++halving) {
@@ -185,6 +195,12 @@ void StickSlipIntegrator::advance_slip(double end_time) {
   trial(rest);
   accept_trial(rest);
   settle_at_rest();
+}
+
+void StickSlipIntegrator::advance_by_the_paper(double end_time) {
+  decide_by_the_paper();
+  trial(end_time);
+  accept_trial(end_time);
 }
 
 // Not finer than the spacing of floating-point numbers around the time itself.
@@ -250,7 +266,8 @@ void StickSlipIntegrator::settle_at_rest() {
   const double force = holding_force(now_, time_);
   if (std::abs(force) <= static_limit_) {
     record(ContactEvent::Kind::capture);
-    return stick_here();
+    stick_here();
+    return;
   }
   const double new_direction = -sign(force);
   record(new_direction == direction_ ? ContactEvent::Kind::graze : ContactEvent::Kind::reversal);
@@ -265,6 +282,25 @@ void StickSlipIntegrator::stick_here() {
   wall_offset_ = now_.displacement[c] - system_.wall.displacement(time_);
   state_ = ContactState::stick;
   restart_acceleration();
+}
+
+// Sect. 3: the state for the step that begins, from |v_s| <= epsilon and |f_s| <= mu_s N alone.
+void StickSlipIntegrator::decide_by_the_paper() {
+  const double sliding = sliding_velocity(now_, time_);
+  const bool sticks = std::abs(sliding) <= settings_.velocity_threshold && excess_force(now_, time_) <= 0.0;
+  if (sticks && state_ == ContactState::slip) {
+    record(ContactEvent::Kind::capture);
+    now_.velocity[system_.contact] = system_.wall.velocity(time_);
+    wall_offset_ = now_.displacement[system_.contact] - system_.wall.displacement(time_);
+    state_ = ContactState::stick;
+    }
+  if (sticks) return;
+  const bool from_rest = state_ == ContactState::stick || sliding == 0.0;
+  const double new_direction = from_rest ? -sign(holding_force(now_, time_)) : sign(sliding);
+  if (state_ == ContactState::slip && new_direction == direction_) return;
+  record(state_ == ContactState::stick ? ContactEvent::Kind::onset : ContactEvent::Kind::reversal);
+  state_ = ContactState::slip;
+  direction_ = new_direction;
 }
 
 void StickSlipIntegrator::record(ContactEvent::Kind kind) {
