@@ -212,6 +212,11 @@ double StickSlipIntegrator::location_tolerance() const {
 void StickSlipIntegrator::accept_trial(double new_time) {
   std::swap(now_, trial_);
   time_ = new_time;
+  notify();
+}
+
+void StickSlipIntegrator::notify() const {
+  if (observer_) observer_(*this);
 }
 
 double StickSlipIntegrator::sliding_velocity(const Kinematics& state, double t) const {
@@ -259,6 +264,7 @@ void StickSlipIntegrator::leave_stick() {
   direction_ = -sign(holding_force(now_, time_));
   record(ContactEvent::Kind::onset);
   restart_acceleration();
+  notify();
 }
 
 // The contact is at rest on the wall, up to what the location left: stick if it can be held, else slip.
@@ -267,12 +273,13 @@ void StickSlipIntegrator::settle_at_rest() {
   if (std::abs(force) <= static_limit_) {
     record(ContactEvent::Kind::capture);
     stick_here();
-    return;
+    return notify();
   }
   const double new_direction = -sign(force);
   record(new_direction == direction_ ? ContactEvent::Kind::graze : ContactEvent::Kind::reversal);
   direction_ = new_direction;
   restart_acceleration();
+  notify();
 }
 
 // The velocity of the contact becomes that of the wall, by an impulse at the contact alone.
@@ -293,7 +300,8 @@ void StickSlipIntegrator::decide_by_the_paper() {
     now_.velocity[system_.contact] = system_.wall.velocity(time_);
     wall_offset_ = now_.displacement[system_.contact] - system_.wall.displacement(time_);
     state_ = ContactState::stick;
-    }
+    notify();
+  }
   if (sticks) return;
   const bool from_rest = state_ == ContactState::stick || sliding == 0.0;
   const double new_direction = from_rest ? -sign(holding_force(now_, time_)) : sign(sliding);
@@ -301,6 +309,7 @@ void StickSlipIntegrator::decide_by_the_paper() {
   record(state_ == ContactState::stick ? ContactEvent::Kind::onset : ContactEvent::Kind::reversal);
   state_ = ContactState::slip;
   direction_ = new_direction;
+  notify();
 }
 
 void StickSlipIntegrator::record(ContactEvent::Kind kind) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "stickslip/data/problem.hpp"
 #include "stickslip/solver/beam_model.hpp"
@@ -67,6 +68,9 @@ class BeamSimulation {
                  const BeamRun& run = {});
 
   void step() { integrator_.step(); }
+
+  /// See StickSlipIntegrator::observe.
+  void observe(StickSlipIntegrator::Observer observer) { integrator_.observe(std::move(observer)); }
 
   [[nodiscard]] double time() const noexcept { return integrator_.time(); }                 ///< s
   [[nodiscard]] double base_displacement() const;                                           ///< h, m

@@ -3,7 +3,9 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseLU>
+#include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "stickslip/solver/contact_system.hpp"
@@ -103,6 +105,13 @@ class StickSlipIntegrator {
   /// From t_n to t_(n+1).
   void step();
 
+  /// Is called with the integrator after every accepted step or part of one, and once more, at the same time,
+  /// after a change of the contact: between two calls lies a piece of one phase, or a change.
+  using Observer = std::function<void(const StickSlipIntegrator&)>;
+
+  /// From now on calls the observer, or none if it is empty.
+  void observe(Observer observer) { observer_ = std::move(observer); }
+
   [[nodiscard]] double time() const noexcept { return time_; }
   [[nodiscard]] long steps() const noexcept { return steps_; }
   [[nodiscard]] ContactState state() const noexcept { return state_; }
@@ -152,6 +161,7 @@ class StickSlipIntegrator {
   void settle_at_rest();
   void stick_here();
   void decide_by_the_paper();
+  void notify() const;
   void restart_acceleration();
   void record(ContactEvent::Kind kind);
   void require_finite() const;
@@ -181,6 +191,7 @@ class StickSlipIntegrator {
   double wall_offset_{};  // q_s - w(t_s) of the stick phase
   int events_in_step_{};
   std::vector<ContactEvent> events_;
+  Observer observer_;
 };
 
 }  // namespace stickslip::solver
