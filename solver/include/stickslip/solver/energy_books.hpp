@@ -48,8 +48,9 @@ struct EnergyBalance {
 ///     integrator.observe([&books](const StickSlipIntegrator& now) { books.enter(now); });
 class EnergyBooks {
  public:
-  /// Opens the books at the present state. Throws std::invalid_argument if K_stick is not symmetric or K_slip
-  /// differs from it outside the row of the contact: the balance above would not hold.
+  /// Opens the books at the present state, of a run that has been started. Throws std::invalid_argument if
+  /// K_stick is not symmetric or K_slip differs from it outside the row of the contact: the balance above
+  /// would not hold.
   explicit EnergyBooks(const StickSlipIntegrator& opening);
 
   /// Enters an accepted state: the piece of a phase since the last entry or, at the same time, a change.
