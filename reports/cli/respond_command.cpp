@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
+#include <string>
 
 #include "case_options.hpp"
 #include "commands.hpp"
@@ -19,6 +21,7 @@ struct RespondOptions {
   ExcitationOptions excitation;
   std::string method = "fe";
   std::string initial_velocity = "quasi-static";
+  std::optional<std::string> scheme;
   std::optional<double> duration;
   std::string output = "-";
   long every = 1;
@@ -54,9 +57,11 @@ struct Summary {
 
 class Writer {
  public:
-  explicit Writer(const std::string& path) : file_(path) { file_.write(header); }
+  explicit Writer(const std::string& path) : file_(path) {}
 
+  // The header goes before the first row, so that a problem that is refused writes nothing.
   void write(const Row& row) {
+    if (summary_.rows == 0) file_.write(header);
     file_.write(csv_line(row));
     ++summary_.rows;
     summary_.largest_force = std::max(summary_.largest_force, std::abs(row.friction_force));
@@ -109,11 +114,18 @@ void write_closed_form(const data::Case& problem, const RespondOptions& options,
   }
 }
 
+const std::map<std::string, solver::ContactScheme> schemes{
+    {"located", solver::ContactScheme::located},
+    {"end-of-step", solver::ContactScheme::end_of_step},
+    {"paper", solver::ContactScheme::paper}};
+
 void write_finite_element(const data::Case& problem, const RespondOptions& options, Writer& writer) {
   const auto initial_velocity = options.initial_velocity == "zero" ? solver::InitialVelocity::zero
                                                                    : solver::InitialVelocity::quasi_static;
   solver::BeamSimulation simulation(problem.beam, problem.friction, problem.excitation, problem.numerics,
-                                    {.initial_velocity = initial_velocity, .damping = problem.damping});
+                                    {.initial_velocity = initial_velocity,
+                                     .damping = problem.damping,
+                                     .scheme = schemes.at(options.scheme.value_or("located"))});
   const long steps = steps_of(problem);
   for (long n = 0; n <= steps; ++n) {
     if (n > 0) simulation.step();
@@ -143,6 +155,7 @@ Json to_json(const data::Case& problem, const RespondOptions& options, const Sum
               {"largest_friction_force_N", summary.largest_force},
               {"first_slip_s", nullptr}};
   if (summary.first_slip) object["first_slip_s"] = *summary.first_slip;
+  if (options.method == "fe") object["scheme"] = options.scheme.value_or("located");
   return object;
 }
 
@@ -161,6 +174,9 @@ void run(const RespondOptions& options) {
   if (closed_form && options.initial_velocity != "quasi-static")
     throw data::InputError(
         "--initial-velocity is zero, but the closed form starts quasi-static: Eq. (26) assumes it");
+  if (closed_form && options.scheme)
+    throw data::InputError(fmt::format(
+        "--scheme is {}, but the closed form knows no slip: schemes belong to --method fe", *options.scheme));
   if (closed_form) require_undamped(problem, "the closed form");
   Writer writer(options.output);
   (closed_form ? write_closed_form : write_finite_element)(problem, options, writer);
@@ -189,6 +205,12 @@ void add_respond_command(CLI::App& app) {
                    "u_t(x,0): S(x) h_t(0), or the zero of the paper's text (an impulsive start)")
       ->check(CLI::IsMember({"quasi-static", "zero"}))
       ->capture_default_str();
+  command
+      ->add_option("--scheme", options->scheme,
+                   "When the contact changes: located inside the step, at the end of the step, or by the "
+                   "letter of the paper (threshold, no impulse); the last two show what the first is worth "
+                   "(default: located)")
+      ->check(CLI::IsMember(schemes));
   command->add_option("--duration", options->duration, "Duration, s (else that of the case)")
       ->check(number());
   command->add_option("--output", options->output, "CSV file, '-' for standard output")

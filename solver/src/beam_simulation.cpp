@@ -72,6 +72,17 @@ void require_contact(const data::Beam& beam, TipContact contact) {
   throw std::domain_error(text.str());
 }
 
+IntegratorSettings integrator_settings(const data::NumericalSettings& numerics, const BeamRun& run) {
+  if (run.scheme == ContactScheme::paper && numerics.velocity_threshold() == 0.0)
+    throw data::FieldError("numerics.velocity_threshold", "0",
+                           "above 0 (m/s) with the scheme of the paper, or no slip ever ends");
+  return {.time_step = numerics.time_step(),
+          .spectral_radius = numerics.spectral_radius(),
+          .velocity_threshold = numerics.velocity_threshold(),
+          .glued = run.contact == TipContact::glued,
+          .scheme = run.scheme};
+}
+
 BeamModel checked_model(const data::Beam& beam, int elements, TipContact contact) {
   require_contact(beam, contact);
   BeamModel model(beam, elements);
@@ -87,10 +98,7 @@ BeamSimulation::BeamSimulation(const data::Beam& beam, const data::FrictionLaw& 
     : model_(checked_model(beam, numerics.elements(), run.contact)),
       base_(harmonic_motion(excitation)),
       integrator_(beam_contact_system(model_, friction, base_, run.damping),
-                  {.time_step = numerics.time_step(),
-                   .spectral_radius = numerics.spectral_radius(),
-                   .velocity_threshold = numerics.velocity_threshold(),
-                   .glued = run.contact == TipContact::glued}),
+                  integrator_settings(numerics, run)),
       midspan_(model_.interpolation(0.5 * beam.length())) {
   const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(model_.degrees_of_freedom());
   const Eigen::VectorXd shape = model_.unit_tip_deflection();

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "bracketed_root.hpp"
+#include "step_operator.hpp"
 
 namespace stickslip::solver {
 
@@ -19,16 +20,6 @@ constexpr int max_events_per_step = 1000;
 constexpr double location_tolerance_per_step = 1e-11;
 
 double sign(double value) { return value < 0.0 ? -1.0 : 1.0; }
-
-// The symmetric matrix with one row and column replaced by those of the identity.
-SparseMatrix constrained(const SparseMatrix& matrix, Eigen::Index fixed) {
-  SparseMatrix result = matrix;
-  result.prune(
-      [fixed](Eigen::Index row, Eigen::Index column, double) { return row != fixed && column != fixed; });
-  result.coeffRef(fixed, fixed) = 1.0;
-  result.makeCompressed();
-  return result;
-}
 
 void require(bool condition, const std::string& message) {
   if (!condition) throw std::invalid_argument(message);
@@ -68,14 +59,6 @@ double friction_coefficient(const data::FrictionLaw& law, double sliding_velocit
                                          std::exp(-law.decay() * std::abs(sliding_velocity));
 }
 
-// A step of one length: its matrices, factorised when first used.
-struct StickSlipIntegrator::StepOperator {
-  double length{};
-  std::unique_ptr<Cholesky> stick;
-  std::unique_ptr<Lu> slip;
-  Eigen::VectorXd mobility;  // acceleration of every degree of freedom per unit f_d in a slip step
-};
-
 StickSlipIntegrator::StickSlipIntegrator(ContactSystem system, const IntegratorSettings& settings)
     : system_(std::move(system)), settings_(settings), method_(settings.spectral_radius) {
   require(std::isfinite(settings.time_step) && settings.time_step > 0.0,
@@ -83,6 +66,8 @@ StickSlipIntegrator::StickSlipIntegrator(ContactSystem system, const IntegratorS
   require(
       std::isfinite(settings.velocity_threshold) && settings.velocity_threshold >= 0.0,
       "velocity_threshold = " + std::to_string(settings.velocity_threshold) + " m/s: must not be negative");
+  require(settings.scheme != ContactScheme::paper || settings.velocity_threshold > 0.0,
+          "velocity_threshold = 0 m/s: must be positive with the scheme of the paper, or no slip ever ends");
   require_consistent(system_);
   static_limit_ = system_.friction.static_coefficient() * system_.normal_force;
 
@@ -154,7 +139,9 @@ void StickSlipIntegrator::step() {
   const double end_time = static_cast<double>(steps_ + 1) * settings_.time_step;
   events_in_step_ = 0;
   while (time_ < end_time) {
-    if (state_ == ContactState::stick) {
+    if (settings_.scheme == ContactScheme::paper) {
+      advance_by_the_paper(end_time);
+    } else if (state_ == ContactState::stick) {
       advance_stick(end_time);
     } else {
       advance_slip(end_time);
@@ -169,7 +156,9 @@ void StickSlipIntegrator::advance_stick(double end_time) {
   if (excess <= 0.0) return accept_trial(end_time);
 
   const double excess_now = excess_force(now_, time_);
-  if (excess_now < 0.0) {
+  if (settings_.scheme == ContactScheme::end_of_step) {
+    accept_trial(end_time);
+  } else if (excess_now < 0.0) {
     const auto excess_at = [this](double t) { return excess_force(trial(t), t); };
     const double onset = bracketed_root(excess_at, time_, excess_now, end_time, excess, location_tolerance());
     trial(onset);
@@ -188,6 +177,10 @@ void StickSlipIntegrator::advance_slip(double end_time) {
     if (slow && std::abs(holding_force(now_, time_)) <= static_limit_) settle_at_rest();
     return;
   }
+  if (settings_.scheme == ContactScheme::end_of_step) {
+    accept_trial(end_time);
+    return settle_at_rest();
+  }
   // A phase that has just begun starts from zero: halve the step until the contact moves forward within it.
   double low = time_, at_low = -direction_ * sliding_velocity(now_, time_);
   for (int halving = 0; at_low >= 0.0 && halving < 12; ++halving) {
@@ -204,51 +197,10 @@ void StickSlipIntegrator::advance_slip(double end_time) {
   settle_at_rest();
 }
 
-StickSlipIntegrator::StepOperator& StickSlipIntegrator::step_operator(double length) {
-  // The end of a step is n h and not a sum, so that a whole step's length is h only up to round-off.
-  if (std::abs(length - full_step_->length) <= 1e-9 * full_step_->length) return *full_step_;
-  if (partial_step_->length != length) {
-    partial_step_->length = length;
-    partial_step_->stick.reset();
-    partial_step_->slip.reset();
-  }
-  return *partial_step_;
-}
-
-const StickSlipIntegrator::Cholesky& StickSlipIntegrator::stick_matrix(StepOperator& op) const {
-  if (!op.stick)
-    op.stick =
-        std::make_unique<Cholesky>(constrained(step_matrix(op, system_.stick_stiffness), system_.contact));
-  return *op.stick;
-}
-
-const StickSlipIntegrator::Lu& StickSlipIntegrator::slip_matrix(StepOperator& op) const {
-  if (!op.slip) {
-    op.slip = std::make_unique<Lu>();
-    // Nearly symmetric positive definite: pivots on the diagonal, in any system of units.
-    op.slip->setPivotThreshold(0.0);
-    op.slip->compute(step_matrix(op, system_.slip_stiffness));
-    op.mobility =
-        op.slip->solve(Eigen::VectorXd(Eigen::VectorXd::Unit(system_.mass.rows(), system_.contact)));
-  }
-  return *op.slip;
-}
-
-// What multiplies a_(n+1).
-SparseMatrix StickSlipIntegrator::step_matrix(const StepOperator& op, const SparseMatrix& stiffness) const {
-  return method_.mass_factor() * system_.mass + method_.damping_factor(op.length) * system_.damping +
-         method_.stiffness_factor(op.length) * stiffness;
-}
-
-const Kinematics& StickSlipIntegrator::trial(double end_time) {
-  trial_ = now_;
-  StepOperator& op = step_operator(end_time - time_);
-  if (state_ == ContactState::stick) {
-    take_stick_step(op, end_time, trial_);
-  } else {
-    take_slip_step(op, trial_);
-  }
-  return trial_;
+void StickSlipIntegrator::advance_by_the_paper(double end_time) {
+  decide_by_the_paper();
+  trial(end_time);
+  accept_trial(end_time);
 }
 
 // Not finer than the spacing of floating-point numbers around the time itself.
@@ -260,87 +212,11 @@ double StickSlipIntegrator::location_tolerance() const {
 void StickSlipIntegrator::accept_trial(double new_time) {
   std::swap(now_, trial_);
   time_ = new_time;
+  notify();
 }
 
-void StickSlipIntegrator::take_stick_step(StepOperator& op, double end_time, Kinematics& state) {
-  const double h = op.length;
-  const double load_time = method_.load_time(time_, h);
-  add_static_shape(state, time_, -1.0);
-  for (auto* z : {&state.displacement, &state.velocity, &state.acceleration}) (*z)[system_.contact] = 0.0;
-  method_.predict(state, h, alpha_level_);
-
-  residual_.noalias() = system_.load_history(load_time) * system_.load_shape;
-  subtract_static_shape_inertia(load_time);
-  subtract_internal_forces(system_.stick_stiffness);
-  residual_[system_.contact] = 0.0;
-  new_acceleration_ = stick_matrix(op).solve(residual_);
-  method_.update(state, h, new_acceleration_);
-  add_static_shape(state, end_time, 1.0);
-}
-
-// Adds the static shape of the contact's exact motion at time t, times a factor.
-void StickSlipIntegrator::add_static_shape(Kinematics& state, double t, double factor) const {
-  state.displacement += (factor * (wall_offset_ + system_.wall.displacement(t))) * static_shape_;
-  state.velocity += (factor * system_.wall.velocity(t)) * static_shape_;
-  state.acceleration += (factor * system_.wall.acceleration(t)) * static_shape_;
-}
-
-// residual - M sigma w_tt - C sigma w_t.
-void StickSlipIntegrator::subtract_static_shape_inertia(double t) {
-  residual_.noalias() -= system_.wall.acceleration(t) * static_inertia_;
-  residual_.noalias() -= system_.wall.velocity(t) * static_damping_;
-}
-
-// residual - M a - C v - K q at the alpha level.
-void StickSlipIntegrator::subtract_internal_forces(const SparseMatrix& stiffness) {
-  residual_.noalias() -= system_.mass * alpha_level_.acceleration;
-  residual_.noalias() -= system_.damping * alpha_level_.velocity;
-  residual_.noalias() -= stiffness * alpha_level_.displacement;
-}
-
-void StickSlipIntegrator::take_slip_step(StepOperator& op, Kinematics& state) {
-  const double h = op.length;
-  const Eigen::Index c = system_.contact;
-  const double load_time = method_.load_time(time_, h);
-  method_.predict(state, h, alpha_level_);
-
-  residual_.noalias() = system_.load_history(load_time) * system_.load_shape;
-  subtract_internal_forces(system_.slip_stiffness);
-  new_acceleration_ = slip_matrix(op).solve(residual_);
-
-  const double velocity_factor = method_.damping_factor(h);
-  const double free_velocity =
-      alpha_level_.velocity[c] + velocity_factor * new_acceleration_[c] - system_.wall.velocity(load_time);
-  new_acceleration_ += alpha_level_friction(free_velocity, velocity_factor * op.mobility[c]) * op.mobility;
-  method_.update(state, h, new_acceleration_);
-}
-
-// f_d = -d mu(v) N, v = free_velocity + mobility f_d the sliding velocity at the alpha level. With w = d v
-// this is w + mobility N mu(w) = d free_velocity; mu is held at mu_s for w < 0, where a trial step has
-// overshot the end of the phase. The left side is convex and rises as long as mobility N (mu_s - mu_m) alpha
-// < 1, so that Newton's method from above converges without leaving the right side of the root.
-double StickSlipIntegrator::alpha_level_friction(double free_velocity, double mobility) const {
-  const data::FrictionLaw& law = system_.friction;
-  const double forward = direction_ * free_velocity;
-  const double strength = mobility * system_.normal_force;
-  const double weakening = (law.static_coefficient() - law.kinetic_coefficient()) * law.decay();
-  if (!(strength * weakening < 1.0)) {
-    std::ostringstream text;
-    text << "time_step = " << settings_.time_step << " s: at t = " << time_
-         << " s the friction law falls faster than a step can follow; the step must be shorter than about "
-         << settings_.time_step / (strength * weakening) << " s";
-    throw std::runtime_error(text.str());
-  }
-  double w = forward - strength * law.kinetic_coefficient();
-  if (forward <= strength * law.static_coefficient()) return -direction_ * static_limit_;
-  for (int iteration = 0; iteration < 100; ++iteration) {
-    const double residual = w + strength * friction_coefficient(law, w) - forward;
-    const double slope = 1.0 - strength * weakening * std::exp(-law.decay() * w);
-    const double next = std::max(w - residual / slope, 0.0);
-    if (std::abs(next - w) <= 1e-15 * std::max(w, forward)) break;
-    w = next;
-  }
-  return -direction_ * friction_coefficient(law, w) * system_.normal_force;
+void StickSlipIntegrator::notify() const {
+  if (observer_) observer_(*this);
 }
 
 double StickSlipIntegrator::sliding_velocity(const Kinematics& state, double t) const {
@@ -388,6 +264,7 @@ void StickSlipIntegrator::leave_stick() {
   direction_ = -sign(holding_force(now_, time_));
   record(ContactEvent::Kind::onset);
   restart_acceleration();
+  notify();
 }
 
 // The contact is at rest on the wall, up to what the location left: stick if it can be held, else slip.
@@ -395,12 +272,14 @@ void StickSlipIntegrator::settle_at_rest() {
   const double force = holding_force(now_, time_);
   if (std::abs(force) <= static_limit_) {
     record(ContactEvent::Kind::capture);
-    return stick_here();
+    stick_here();
+    return notify();
   }
   const double new_direction = -sign(force);
   record(new_direction == direction_ ? ContactEvent::Kind::graze : ContactEvent::Kind::reversal);
   direction_ = new_direction;
   restart_acceleration();
+  notify();
 }
 
 // The velocity of the contact becomes that of the wall, by an impulse at the contact alone.
@@ -412,25 +291,25 @@ void StickSlipIntegrator::stick_here() {
   restart_acceleration();
 }
 
-// a = (1 - alpha_m) A^-1 (p s - C v - K q + contact force), A the matrix of a whole step.
-void StickSlipIntegrator::restart_acceleration() {
-  const bool stuck = state_ == ContactState::stick;
-  alpha_level_ = now_;
-  alpha_level_.acceleration.setZero();
-  residual_.noalias() = system_.load_history(time_) * system_.load_shape;
-  if (!stuck) {
-    subtract_internal_forces(system_.slip_stiffness);
-    residual_[system_.contact] += friction_force();
-    now_.acceleration = method_.mass_factor() * slip_matrix(*full_step_).solve(residual_);
-    return;
+// Sect. 3: the state for the step that begins, from |v_s| <= epsilon and |f_s| <= mu_s N alone.
+void StickSlipIntegrator::decide_by_the_paper() {
+  const double sliding = sliding_velocity(now_, time_);
+  const bool sticks = std::abs(sliding) <= settings_.velocity_threshold && excess_force(now_, time_) <= 0.0;
+  if (sticks && state_ == ContactState::slip) {
+    record(ContactEvent::Kind::capture);
+    now_.velocity[system_.contact] = system_.wall.velocity(time_);
+    wall_offset_ = now_.displacement[system_.contact] - system_.wall.displacement(time_);
+    state_ = ContactState::stick;
+    notify();
   }
-  add_static_shape(alpha_level_, time_, -1.0);
-  alpha_level_.acceleration.setZero();
-  subtract_static_shape_inertia(time_);
-  subtract_internal_forces(system_.stick_stiffness);
-  residual_[system_.contact] = 0.0;
-  now_.acceleration = method_.mass_factor() * stick_matrix(*full_step_).solve(residual_) +
-                      system_.wall.acceleration(time_) * static_shape_;
+  if (sticks) return;
+  const bool from_rest = state_ == ContactState::stick || sliding == 0.0;
+  const double new_direction = from_rest ? -sign(holding_force(now_, time_)) : sign(sliding);
+  if (state_ == ContactState::slip && new_direction == direction_) return;
+  record(state_ == ContactState::stick ? ContactEvent::Kind::onset : ContactEvent::Kind::reversal);
+  state_ = ContactState::slip;
+  direction_ = new_direction;
+  notify();
 }
 
 void StickSlipIntegrator::record(ContactEvent::Kind kind) {

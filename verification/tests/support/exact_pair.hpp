@@ -58,29 +58,46 @@ class ExactPair {
     state_ << 0.0, 0.0, 0.0, pair.omega * pair.wall_amplitude, 0.0, 1.0, 1.0;
   }
 
-  /// Runs to end_time; looks for the end of a phase on a grid of 1/1000 of it.
-  void run(double end_time) {
+  /// Runs to end_time; looks for the end of a phase on a grid of 1/1000 of it. Visits the start, the points
+  /// of the grid and both sides of every change: between two visits at different times lies a piece of one
+  /// phase.
+  template <typename Visit>
+  void run(double end_time, Visit&& visit) {
     const double span = end_time / 1000.0;
+    visit(*this);
     while (end_time - time_ > 1e-12 * end_time) {
       const double length = std::min(span, end_time - time_);
       const double end = excess(length) < 0.0 ? length : phase_end(length);
       state_ = after(end);
       time_ += end;
-      if (end < length) change_phase();
+      visit(*this);
+      if (end == length) continue;
+      change_phase();
+      visit(*this);
     }
+  }
+
+  void run(double end_time) {
+    run(end_time, [](const ExactPair&) {});
   }
 
   [[nodiscard]] const std::vector<solver::ContactEvent>& events() const { return events_; }
   [[nodiscard]] Eigen::Vector2d displacement() const { return state_.head<2>(); }
   [[nodiscard]] Eigen::Vector2d velocity() const { return state_.segment<2>(2); }
+  [[nodiscard]] double time() const { return time_; }
+  [[nodiscard]] bool stuck() const { return direction_ == 0.0; }
+  /// The derivative of the velocity of that order, 1 the acceleration.
+  [[nodiscard]] Eigen::Vector2d velocity_derivative(int order) const {
+    State x = state_;
+    for (int i = 0; i < order; ++i) x = rate_matrix() * x;
+    return x.segment<2>(2);
+  }
 
  private:
   // (q_1, q_2, v_1, v_2, sin omega t, cos omega t, 1): every phase is x_t = A x.
   using State = Eigen::Matrix<double, 7, 1>;
   using Matrix = Eigen::Matrix<double, 7, 7>;
   using Kind = solver::ContactEvent::Kind;
-
-  [[nodiscard]] bool stuck() const { return direction_ == 0.0; }
 
   // -C v - K q + p sin(omega t) as a matrix on the state.
   [[nodiscard]] Eigen::Matrix<double, 2, 7> forces(const Eigen::Matrix2d& stiffness) const {
@@ -105,14 +122,17 @@ class ExactPair {
     return pair_.mass.inverse() * rows;
   }
 
-  [[nodiscard]] State after(double length) const {
+  // A of the phase.
+  [[nodiscard]] Matrix rate_matrix() const {
     Matrix a = Matrix::Zero();
     a(0, 2) = a(1, 3) = 1.0;
     a.middleRows<2>(2) = stuck() ? held_acceleration() : sliding_acceleration();
     a(4, 5) = pair_.omega;
     a(5, 4) = -pair_.omega;
-    return (a * length).exp() * state_;
+    return a;
   }
+
+  [[nodiscard]] State after(double length) const { return (rate_matrix() * length).exp() * state_; }
 
   // The friction force that holding the second mass takes.
   [[nodiscard]] double holding_force(const State& x) const {

@@ -98,6 +98,10 @@ TEST_F(CommandLine, RefusesUnusableArgumentsInOneSentence) {
   expect_refused("respond --duration nan", "numerics.duration is nan");
   expect_refused("respond --json", "--output FILE");
   expect_refused("respond --every 0", "0 is not an integer from 1");
+  expect_refused("respond --scheme exact", "exact not in {end-of-step,located,paper}");
+  expect_refused("respond --method closed-form --scheme paper", "schemes belong to --method fe");
+  expect_refused("respond --scheme paper --set numerics.velocity_threshold=0",
+                 "numerics.velocity_threshold is 0, but must be above 0 (m/s)");
 }
 
 TEST_F(CommandLine, RefusesAnOutputThatCannotBeWritten) {
@@ -165,6 +169,19 @@ TEST_F(CommandLine, CriterionOfAllModesIsWhatMoreModesTendTo) {
   };
   const double all = force(few["all_modes"]);
   EXPECT_LT(std::abs(force(many) - all), std::abs(force(few) - all) / 10.0);  // 1/N predicts a twentieth
+}
+
+TEST_F(CommandLine, RespondFollowsTheSchemeAskedFor) {
+  // Located inside the step of 1e-4 s the first slip has more digits than at its end.
+  const auto first_slip = [&](const std::string& scheme) {
+    const auto answer = json("respond --hz 25 --amplitude 1e-3 --duration 0.06 --output '" +
+                             path("history.csv") + "' --scheme " + scheme);
+    EXPECT_EQ(answer["scheme"], scheme);
+    return answer["first_slip_s"].get<double>();
+  };
+  EXPECT_LT(first_slip("located"), 0.0553);
+  EXPECT_DOUBLE_EQ(first_slip("end-of-step"), 0.0553);
+  EXPECT_DOUBLE_EQ(first_slip("paper"), 0.0553);
 }
 
 TEST_F(CommandLine, RespondWritesOneRowPerTimeStepWithTheSpecifiedColumns) {

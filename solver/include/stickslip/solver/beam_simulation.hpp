@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "stickslip/data/problem.hpp"
 #include "stickslip/solver/beam_model.hpp"
@@ -25,6 +26,7 @@ struct BeamRun {
   TipContact contact{TipContact::friction};
   InitialVelocity initial_velocity{InitialVelocity::quasi_static};
   data::Damping damping{};  ///< see damping_matrix()
+  ContactScheme scheme{ContactScheme::located};
 };
 
 /// h(t) = A0 sin(2 pi hz t) with its derivatives.
@@ -59,12 +61,16 @@ class BeamSimulation {
  public:
   /// Uses elements, time_step, spectral_radius and velocity_threshold of `numerics`. Throws
   /// std::domain_error, naming beam.axial_force, if P is at or over the buckling load, or if P <= 0 with
-  /// TipContact::friction: without compression there is no contact; and what damping_matrix() throws.
+  /// TipContact::friction: without compression there is no contact; and what damping_matrix() throws. Throws
+  /// data::FieldError if ContactScheme::paper has no velocity threshold.
   BeamSimulation(const data::Beam& beam, const data::FrictionLaw& friction,
                  const data::HarmonicExcitation& excitation, const data::NumericalSettings& numerics,
                  const BeamRun& run = {});
 
   void step() { integrator_.step(); }
+
+  /// See StickSlipIntegrator::observe.
+  void observe(StickSlipIntegrator::Observer observer) { integrator_.observe(std::move(observer)); }
 
   [[nodiscard]] double time() const noexcept { return integrator_.time(); }                 ///< s
   [[nodiscard]] double base_displacement() const;                                           ///< h, m

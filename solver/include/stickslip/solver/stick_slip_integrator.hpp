@@ -3,7 +3,9 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseLU>
+#include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "stickslip/solver/contact_system.hpp"
@@ -27,11 +29,32 @@ struct ContactEvent {
   double residual_velocity{};  ///< v_s that was left when the event was taken, m/s
 };
 
+/// When and how the contact changes. Only `located` is meant for results; the others show what the location
+/// is worth.
+enum class ContactScheme {
+  /// Inside the step, where the change happens: of second order in h.
+  located,
+  /// At the end of the grid step in which the change was noticed, up to h late, with the velocity left there
+  /// removed by the same impulse. The times of changes are of first order in h, and so is everything after a
+  /// reversal, which leaves friction in the wrong direction for a while; what a late onset or capture costs
+  /// is
+  /// of second order, because the impulse makes up for the force that the late capture held.
+  end_of_step,
+  /// The letter of Sects. 2 and 3 of Won, Lee & Chung. The state is decided at the start of every step: stick
+  /// if |v_s| <= epsilon and |f_s| <= mu_s N, with f_s the force that holding takes; else slip, against the
+  /// current sliding velocity (from rest: against f_s). At the capture the one component v[c] is overwritten
+  /// by the wall's velocity, without an impulse, which may add energy. A contact that decelerates faster than
+  /// epsilon/h (1 m/s^2 there) jumps over the threshold: then friction merely changes its direction. Nothing
+  /// restarts the method: its acceleration is carried through every change. Needs epsilon > 0.
+  paper
+};
+
 struct IntegratorSettings {
   double time_step{};           ///< h, s, > 0
   double spectral_radius{};     ///< 0 ... 1
   double velocity_threshold{};  ///< epsilon, m/s, >= 0: below it a slip that can stick is captured
   bool glued{};                 ///< the contact never slips, whatever the friction force (linear stick run)
+  ContactScheme scheme{ContactScheme::located};
 };
 
 /// Time integration of a ContactSystem by the generalised-alpha method, on the grid t_n = n h, with contact
@@ -54,7 +77,7 @@ struct IntegratorSettings {
 /// is captured too, as in Sect. 3 of Won, Lee & Chung. The velocity left at a capture is removed by the
 /// impulse at the contact that does it, v <- v - M^-1 e_c m_c v_s with m_c = 1/(e_c . M^-1 e_c):
 /// M-orthogonal, so that kinetic energy in the frame of the wall falls by m_c v_s^2 / 2 and never rises. At a
-/// reversal no velocity is reset.
+/// reversal no velocity is reset. That is ContactScheme::located; the other schemes say what they do instead.
 ///
 /// Restart. After a change (and at t = 0) the method's acceleration is a = (1 - alpha_m) A^-1 r with the
 /// residual r = p s - C v - K q + contact force and the matrix A of a whole step, that is (M + theta h^2
@@ -85,6 +108,13 @@ class StickSlipIntegrator {
   /// From t_n to t_(n+1).
   void step();
 
+  /// Is called with the integrator after every accepted step or part of one, and once more, at the same time,
+  /// after a change of the contact: between two calls lies a piece of one phase, or a change.
+  using Observer = std::function<void(const StickSlipIntegrator&)>;
+
+  /// From now on calls the observer, or none if it is empty.
+  void observe(Observer observer) { observer_ = std::move(observer); }
+
   [[nodiscard]] double time() const noexcept { return time_; }
   [[nodiscard]] long steps() const noexcept { return steps_; }
   [[nodiscard]] ContactState state() const noexcept { return state_; }
@@ -110,6 +140,7 @@ class StickSlipIntegrator {
 
   void advance_stick(double end_time);
   void advance_slip(double end_time);
+  void advance_by_the_paper(double end_time);
   StepOperator& step_operator(double length);
   const Cholesky& stick_matrix(StepOperator& op) const;
   const Lu& slip_matrix(StepOperator& op) const;
@@ -132,6 +163,8 @@ class StickSlipIntegrator {
   void leave_stick();
   void settle_at_rest();
   void stick_here();
+  void decide_by_the_paper();
+  void notify() const;
   void restart_acceleration();
   void record(ContactEvent::Kind kind);
   void require_finite() const;
@@ -161,6 +194,7 @@ class StickSlipIntegrator {
   double wall_offset_{};  // q_s - w(t_s) of the stick phase
   int events_in_step_{};
   std::vector<ContactEvent> events_;
+  Observer observer_;
 };
 
 }  // namespace stickslip::solver

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+
+#include "stickslip/solver/stick_slip_integrator.hpp"
+
+namespace stickslip::solver {
+
+// A step of one length: its matrices, factorised when first used.
+struct StickSlipIntegrator::StepOperator {
+  double length{};
+  std::unique_ptr<Cholesky> stick;
+  std::unique_ptr<Lu> slip;
+  Eigen::VectorXd mobility;  // acceleration of every degree of freedom per unit f_d in a slip step
+};
+
+/// The symmetric matrix with one row and column replaced by those of the identity.
+[[nodiscard]] SparseMatrix constrained(const SparseMatrix& matrix, Eigen::Index fixed);
+
+}  // namespace stickslip::solver

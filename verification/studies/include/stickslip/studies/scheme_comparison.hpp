@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "stickslip/data/problem.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
+#include "stickslip/solver/energy_books.hpp"
+
+namespace stickslip::studies {
+
+/// A stick phase after a slip.
+struct Plateau {
+  double begin{}, end{};      ///< s
+  double tip_displacement{};  ///< y(L), m
+};
+
+/// What one contact scheme makes of a beam.
+struct SchemeRun {
+  solver::ContactScheme scheme{};
+  std::optional<double> first_slip;                ///< s
+  std::size_t events{};                            ///< changes of the contact
+  std::vector<Plateau> plateaus;                   ///< stick phases of 2 ms and more that begin within 0.2 s
+  double largest_tip_displacement{};               ///< max |y(L)| over the steps, m
+  solver::EnergyBalance energy;                    ///< at the end
+  [[nodiscard]] double relative_residual() const;  ///< energy.residual() over the base work
+};
+
+/// The same beam over numerics.duration() by the scheme with located changes, by that without location and by
+/// the letter of the paper, in this order, each with its energy books. Throws what BeamSimulation throws.
+[[nodiscard]] std::vector<SchemeRun> compare_schemes(const data::Beam& beam,
+                                                     const data::FrictionLaw& friction,
+                                                     const data::HarmonicExcitation& excitation,
+                                                     const data::NumericalSettings& numerics,
+                                                     const data::Damping& damping);
+
+}  // namespace stickslip::studies

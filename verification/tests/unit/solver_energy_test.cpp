@@ -1,0 +1,320 @@
+/// The energy books against exact works, and what changes of the contact do to the energy.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "stickslip/solver/beam_simulation.hpp"
+#include "stickslip/solver/energy_books.hpp"
+#include "support/beams.hpp"
+#include "support/exact_pair.hpp"
+#include "support/single_mass.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+using solver::ContactEvent;
+using solver::ContactScheme;
+using solver::ContactState;
+using solver::EnergyBooks;
+using solver::IntegratorSettings;
+using solver::StickSlipIntegrator;
+
+constexpr data::FrictionCoefficients coulomb{
+    .static_coefficient = 0.1, .kinetic_coefficient = 0.1, .decay = 0.0};
+
+void keep(EnergyBooks& books, StickSlipIntegrator& integrator) {
+  integrator.observe([&books](const StickSlipIntegrator& now) { books.enter(now); });
+}
+
+TEST(EnergyBooks, FrictionTakesAllThatASliderHad) {
+  // m v0^2/2 = 1.69 J; the velocity is linear in time, so that the trapezoidal rule is exact.
+  for (const double radius : {0.0, 0.9, 1.0}) {
+    StickSlipIntegrator slider(contact_system({.mass = 2.0, .normal_force = 30.0, .friction = coulomb}),
+                               {.time_step = 0.07, .spectral_radius = radius});
+    slider.start_slipping(scalar(0.0), scalar(1.3));
+    EnergyBooks books(slider);
+    keep(books, slider);
+    while (slider.time() < 1.5) slider.step();
+    EXPECT_TRUE(within(books.balance().friction_loss, 0.5 * 2.0 * 1.3 * 1.3, round_off(100, 1, 1.69)));
+    EXPECT_TRUE(within(books.balance().energy(), 0.0, round_off(100, 1, 1.69)));
+    EXPECT_TRUE(within(books.balance().residual(), 0.0, round_off(100, 1, 1.69)));
+  }
+}
+
+TEST(EnergyBooks, FrictionTakesItsForceTimesThePathOfAnOscillator) {
+  // k/2 (1.04^2 - 0.04^2) = 2.16 J over the turning points 1.04, -0.84, 0.64, -0.44, 0.24, -0.04. The path of
+  // each half cycle, of amplitude R = 0.94, 0.74, ... about its centre, is off by the end points alone,
+  // (omega h)^2 R; the rule by h^2/12 of the jump of the power, mu N omega^2 R at both ends.
+  const double h = 1e-3;
+  StickSlipIntegrator oscillator(contact_system({.stiffness = 4.0, .normal_force = 4.0, .friction = coulomb}),
+                                 {.time_step = h, .spectral_radius = 1.0});
+  oscillator.start_slipping(scalar(1.04), scalar(0.0));
+  EnergyBooks books(oscillator);
+  keep(books, oscillator);
+  while (oscillator.time() < 12.0) oscillator.step();
+  const double amplitudes = 0.94 + 0.74 + 0.54 + 0.34 + 0.14;
+  const double predicted = 0.4 * 4.0 * h * h * amplitudes * (1.0 + 2.0 / 12.0);
+  EXPECT_TRUE(within(books.balance().friction_loss, 2.16,
+                     discretisation(predicted, 1.0, "turning points (omega h)^2 R and rule h^2/12 [P_t]")));
+  EXPECT_EQ(books.balance().base_work, 0.0);
+  EXPECT_EQ(books.balance().follower_work, 0.0);
+  EXPECT_EQ(books.balance().damping_loss, 0.0);
+  // A stuck contact loses nothing more.
+  const double loss = books.balance().friction_loss;
+  while (oscillator.time() < 13.0) oscillator.step();
+  EXPECT_EQ(books.balance().friction_loss, loss);
+}
+
+TEST(EnergyBooks, ResidualOfASlipAtSpectralRadiusOneIsTheDifferenceOfTwoRules) {
+  // At spectral radius 1 a step changes the energy by h times the products of mean values and the load at
+  // mid-step, exactly; the books take means of products. On a wall that runs ahead the friction is constant.
+  const ForcedPair pair;
+  solver::ContactSystem system = contact_system(pair);
+  system.wall = {[](double t) { return 50.0 * t; }, [](double) { return 50.0; }, [](double) { return 0.0; }};
+  const double h = 0.02;
+  StickSlipIntegrator integrator(system, {.time_step = h, .spectral_radius = 1.0});
+  integrator.start_slipping(Eigen::Vector2d(0.2, 0.1), Eigen::Vector2d(0.5, 1.0));
+  EnergyBooks books(integrator);
+  keep(books, integrator);
+  const Eigen::RowVector2d follower = (pair.slip_stiffness - pair.stick_stiffness).row(1);
+  const auto s = system.load_history;
+  double expected = 0.0;
+  for (int n = 0; n < 500; ++n) {
+    const double t = integrator.time();
+    const Eigen::Vector2d q = integrator.displacement(), v = integrator.velocity();
+    integrator.step();
+    const double end = integrator.time();
+    const Eigen::Vector2d dq = integrator.displacement() - q, dv = integrator.velocity() - v;
+    const double load_difference = 0.5 * (s(t) + s(end)) - s(0.5 * (t + end));
+    expected -= h * (load_difference * pair.load.dot(v + 0.5 * dv) +
+                     0.25 * (s(end) - s(t)) * pair.load.dot(dv) - 0.25 * dv[1] * follower.dot(dq));
+  }
+  ASSERT_TRUE(integrator.events().empty());
+  EXPECT_GT(std::abs(expected), 1e-4);
+  // The wall drags the pair with 2 N over 500 m: the books hold 1000 J, in 500 steps of about 30 operations.
+  EXPECT_TRUE(within(books.balance().residual(), expected, round_off(500 * 30, 1, 1000.0)));
+}
+
+struct Change {
+  double energy_before{}, energy_after{};
+  double sliding_velocity{}, wall_velocity{};  // before
+  double contact_mass{};
+  bool capture{};
+};
+
+double energy(const StickSlipIntegrator& now) {
+  return 0.5 * now.velocity().dot(now.system().mass * now.velocity()) +
+         0.5 * now.displacement().dot(now.system().stick_stiffness * now.displacement());
+}
+
+std::vector<Change> changes_of_the_pair(const IntegratorSettings& settings) {
+  StickSlipIntegrator integrator(contact_system(ForcedPair{}), settings);
+  integrator.start_stuck(Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
+  std::vector<Change> changes;
+  double last_time = 0.0, last_energy = energy(integrator), last_sliding = 0.0;
+  integrator.observe([&](const StickSlipIntegrator& now) {
+    const double wall = now.system().wall.velocity(now.time());
+    if (now.time() == last_time)
+      changes.push_back({last_energy, energy(now), last_sliding, wall, now.contact_mass(),
+                         now.events().back().kind == ContactEvent::Kind::capture});
+    last_time = now.time();
+    last_energy = energy(now);
+    last_sliding = now.velocity()[1] - wall;
+  });
+  while (integrator.time() < 12.0) integrator.step();
+  EXPECT_EQ(changes.size(), integrator.events().size());
+  return changes;
+}
+
+TEST(ContactChanges, NeverAddEnergyInTheFrameOfTheWall) {
+  // In coordinates that the wall moves through, the impulse -m_c v_s of a capture also does the work
+  // -m_c v_s w_t of the wall.
+  for (const ContactScheme scheme : {ContactScheme::located, ContactScheme::end_of_step})
+    for (const double threshold : {0.0, 0.05}) {
+      const auto changes = changes_of_the_pair(
+          {.time_step = 0.012, .spectral_radius = 0.9, .velocity_threshold = threshold, .scheme = scheme});
+      EXPECT_GE(changes.size(), 20u);
+      double largest_loss = 0.0;
+      for (const Change& change : changes) {
+        const double gain = change.energy_after - change.energy_before;
+        if (!change.capture) {
+          EXPECT_EQ(gain, 0.0);
+          continue;
+        }
+        const double impulse = -change.contact_mass * change.sliding_velocity;
+        const double loss = 0.5 * change.contact_mass * std::pow(change.sliding_velocity, 2);
+        EXPECT_TRUE(within(gain, impulse * change.wall_velocity - loss,
+                           round_off(20, 1, change.energy_before + change.energy_after)));
+        largest_loss = std::max(largest_loss, loss);
+      }
+      const bool slides_at_capture = scheme == ContactScheme::end_of_step || threshold > 0.0;
+      EXPECT_EQ(largest_loss > 1e-6, slides_at_capture);
+    }
+}
+
+TEST(ContactChanges, AreBookedAsCaptureLoss) {
+  const IntegratorSettings settings{
+      .time_step = 0.012, .spectral_radius = 0.9, .scheme = ContactScheme::end_of_step};
+  double expected = 0.0;
+  for (const Change& change : changes_of_the_pair(settings))
+    if (change.capture) expected += 0.5 * change.contact_mass * std::pow(change.sliding_velocity, 2);
+  StickSlipIntegrator integrator(contact_system(ForcedPair{}), settings);
+  integrator.start_stuck(Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
+  EnergyBooks books(integrator);
+  keep(books, integrator);
+  while (integrator.time() < 12.0) integrator.step();
+  EXPECT_TRUE(within(books.balance().capture_loss, expected, round_off(30, 1, expected)));
+}
+
+TEST(ContactChanges, LeaveNoCreepInStick) {
+  // q[c] - w stays what it was when the stick began: two sums of numbers below 1.
+  for (const ContactScheme scheme :
+       {ContactScheme::located, ContactScheme::end_of_step, ContactScheme::paper}) {
+    StickSlipIntegrator integrator(
+        contact_system(ForcedPair{}),
+        {.time_step = 0.003, .spectral_radius = 0.9, .velocity_threshold = 0.01, .scheme = scheme});
+    integrator.start_stuck(Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
+    const auto& wall = integrator.system().wall;
+    double stuck_at = 0.0, creep = 0.0, creep_velocity = 0.0;
+    int sticks = 0;
+    bool was_stuck = true;
+    integrator.observe([&](const StickSlipIntegrator& now) {
+      const double position = now.displacement()[1] - wall.displacement(now.time());
+      const bool stuck = now.state() == ContactState::stick;
+      if (stuck && !was_stuck) stuck_at = position, ++sticks;
+      if (stuck) {
+        creep = std::max(creep, std::abs(position - stuck_at));
+        creep_velocity = std::max(creep_velocity, std::abs(now.velocity()[1] - wall.velocity(now.time())));
+      }
+      was_stuck = stuck;
+    });
+    while (integrator.time() < 12.0) integrator.step();
+    EXPECT_GE(sticks, 10);
+    EXPECT_TRUE(within(creep, 0.0, round_off(4, 1, 1.0)));
+    EXPECT_TRUE(within(creep_velocity, 0.0, round_off(4, 1, 1.0)));
+  }
+}
+
+TEST(EnergyBooks, OverwritingOneVelocityAtACaptureLeavesAResidual) {
+  // What the letter of the paper does, caught: (1/2) v.M v falls by more or less than the impulse takes.
+  const auto residual = [](ContactScheme scheme) {
+    StickSlipIntegrator integrator(
+        contact_system(ForcedPair{}),
+        {.time_step = 0.003, .spectral_radius = 1.0, .velocity_threshold = 0.05, .scheme = scheme});
+    integrator.start_stuck(Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
+    EnergyBooks books(integrator);
+    keep(books, integrator);
+    while (integrator.time() < 12.0) integrator.step();
+    return std::abs(books.balance().residual());
+  };
+  EXPECT_GT(residual(ContactScheme::paper), 100.0 * residual(ContactScheme::located));
+}
+
+TEST(EnergyBooks, OfTheBeamSplitIntoElasticAndGeometricEnergy) {
+  const data::NumericalSettings numerics(paper_choices(0.06));
+  solver::BeamSimulation simulation(paper_beam(), paper_friction(), data::HarmonicExcitation({25.0, 1e-3}),
+                                    numerics);
+  EnergyBooks books(simulation.integrator());
+  simulation.observe([&books](const StickSlipIntegrator& now) { books.enter(now); });
+  while (simulation.time() < 0.06) simulation.step();
+  const auto& q = simulation.integrator().displacement();
+  const double elastic = simulation.model().elastic_energy(q);
+  const double geometric = simulation.model().geometric_energy(q);
+  EXPECT_GT(elastic, 0.1);
+  EXPECT_LT(geometric, 0.0);
+  // The sums cancel from 12 EI/l^3 u^2 = 2e8 N/m (3 mm)^2 for an element to about 1 J for the beam.
+  EXPECT_TRUE(within(elastic + geometric, books.balance().elastic, round_off(10, 2e3, 1.0)));
+}
+
+TEST(EnergyBooks, OfAStraightCompressedBeamFollowFromItsEndShortening) {
+  // q of u = x^2, exact in Hermite elements: 1/2 EI int u_xx^2 = 2 EI L, -P/2 int u_x^2 = -2/3 P L^3.
+  const solver::BeamModel model(paper_beam(), 4);
+  Eigen::VectorXd q(model.degrees_of_freedom());
+  for (int node = 1; node <= 4; ++node) {
+    const double x = 0.5 * node;
+    q[2 * node - 2] = x * x;
+    q[2 * node - 1] = 2.0 * x;
+  }
+  const double bending = 2.0 * (2e9 * 1e-4 / 12.0) * 2.0, axial = -2.0 / 3.0 * 500.0 * 8.0;
+  EXPECT_TRUE(within(model.elastic_energy(q), bending, round_off(30, 100, bending)));
+  EXPECT_TRUE(within(model.geometric_energy(q), axial, round_off(30, 10, axial)));
+}
+
+TEST(EnergyBooks, RefuseASystemThatHasNoEnergyToBalance) {
+  const auto message_of = [](const solver::ContactSystem& system) -> std::string {
+    StickSlipIntegrator integrator(system, {.time_step = 0.01, .spectral_radius = 1.0});
+    integrator.start_stuck(Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
+    try {
+      const EnergyBooks books(integrator);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  solver::ContactSystem system = contact_system(ForcedPair{});
+  EXPECT_EQ(message_of(system), "");
+  system.slip_stiffness.coeffRef(0, 1) += 1.0;
+  EXPECT_NE(message_of(system).find("slip_stiffness"), std::string::npos);
+  system = contact_system(ForcedPair{});
+  system.stick_stiffness.coeffRef(0, 1) += 1.0;
+  EXPECT_NE(message_of(system).find("stick_stiffness"), std::string::npos);
+}
+
+TEST(ContactScheme, OfThePaperNeedsAThreshold) {
+  EXPECT_THROW(
+      StickSlipIntegrator(contact_system({.normal_force = 1.0, .friction = coulomb}),
+                          {.time_step = 1e-3, .spectral_radius = 1.0, .scheme = ContactScheme::paper}),
+      std::invalid_argument);
+}
+
+TEST(ContactScheme, OfThePaperJumpsOverItsThresholdWhenTheContactIsFast) {
+  // v = 1.3 - 1.5 t in steps of 0.07 s: v falls by 0.105 m/s a step, from 0.04 to -0.065 m/s. A threshold of
+  // 0.05 m/s is met at 0.04 m/s; one of 0.03 m/s is not, and friction flips for ever.
+  const auto run = [](double threshold) {
+    StickSlipIntegrator slider(contact_system({.mass = 2.0, .normal_force = 30.0, .friction = coulomb}),
+                               {.time_step = 0.07,
+                                .spectral_radius = 1.0,
+                                .velocity_threshold = threshold,
+                                .scheme = ContactScheme::paper});
+    slider.start_slipping(scalar(0.0), scalar(1.3));
+    while (slider.steps() < 30) slider.step();
+    return slider.events();
+  };
+  const auto held = run(0.05), missed = run(0.03);
+  ASSERT_EQ(held.size(), 1u);
+  EXPECT_EQ(held[0].kind, ContactEvent::Kind::capture);
+  EXPECT_DOUBLE_EQ(held[0].time, 12 * 0.07);
+  EXPECT_TRUE(within(held[0].residual_velocity, 0.04, round_off(12, 1, 1.3)));
+  ASSERT_EQ(missed.size(), 17u);  // at the start of every step from the 14th to the 30th
+  for (const auto& event : missed) EXPECT_EQ(event.kind, ContactEvent::Kind::reversal);
+}
+
+TEST(ContactScheme, AtTheEndOfTheStepTakesAChangeThereAndAnImpulseAwayWithIt) {
+  StickSlipIntegrator slider(
+      contact_system({.mass = 2.0, .normal_force = 30.0, .friction = coulomb}),
+      {.time_step = 0.07, .spectral_radius = 0.9, .scheme = ContactScheme::end_of_step});
+  slider.start_slipping(scalar(0.0), scalar(1.3));
+  while (slider.steps() < 30) slider.step();
+  ASSERT_EQ(slider.events().size(), 1u);
+  EXPECT_EQ(slider.events()[0].kind, ContactEvent::Kind::capture);
+  EXPECT_DOUBLE_EQ(slider.events()[0].time, 13 * 0.07);
+  EXPECT_TRUE(within(slider.events()[0].residual_velocity, -0.065, round_off(13, 1, 1.3)));
+  EXPECT_EQ(slider.velocity()[0], 0.0);
+
+  // The plane lets go at asin(1/15)/(2 pi) = 0.010618 s: after the eleventh step of 1 ms.
+  StickSlipIntegrator mass(contact_system({.normal_force = 10.0, .friction = coulomb}, shaken(15.0, 1.0)),
+                           {.time_step = 1e-3, .spectral_radius = 0.9, .scheme = ContactScheme::end_of_step});
+  mass.start_stuck(scalar(0.0), scalar(0.0));
+  while (mass.steps() < 20) mass.step();
+  ASSERT_FALSE(mass.events().empty());
+  EXPECT_EQ(mass.events()[0].kind, ContactEvent::Kind::onset);
+  EXPECT_DOUBLE_EQ(mass.events()[0].time, 0.011);
+}
+
+}  // namespace
+}  // namespace stickslip::testing
