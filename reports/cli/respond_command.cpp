@@ -1,14 +1,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <string>
+#include <utility>
 
 #include "case_options.hpp"
 #include "commands.hpp"
 #include "output_file.hpp"
+#include "stickslip/analytic/beam_contact_model.hpp"
+#include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 
@@ -24,6 +29,7 @@ struct RespondOptions {
   std::optional<std::string> scheme;
   std::optional<double> duration;
   std::string output = "-";
+  std::string events;
   long every = 1;
 };
 
@@ -48,11 +54,24 @@ std::string csv_line(const Row& row) {
                      text(row.friction_force), row.state);
 }
 
+// A change of contact, as --events writes it.
+struct EventRow {
+  double time{};  // s
+  std::string_view change;
+  double tip_displacement{};  // y(L), m
+};
+
+constexpr std::string_view events_header = "time_s,change,tip_displacement_m\n";
+
+// Names of ContactEvent::Kind and of ContactChange, which have the same order.
+constexpr std::array<std::string_view, 4> change_names{"onset", "capture", "reversal", "graze"};
+
 // What a history says in one glance.
 struct Summary {
   long rows{};
   double largest_force{};            // max |f| over the rows, N
   std::optional<double> first_slip;  // s; closed form: of the first row with |f| > mu_s P
+  std::vector<EventRow> events;
 };
 
 class Writer {
@@ -132,14 +151,60 @@ void write_finite_element(const data::Case& problem, const RespondOptions& optio
     if (n % options.every == 0) writer.write(row_of(simulation));
   }
   const auto& events = simulation.integrator().events();
+  for (const auto& event : events)
+    writer.summary().events.push_back(
+        {event.time, change_names.at(static_cast<std::size_t>(event.kind)), event.displacement});
   if (!events.empty()) writer.summary().first_slip = events.front().time;
+}
+
+void write_event_driven(const data::Case& problem, const RespondOptions& options, Writer& writer) {
+  const double length = problem.beam.length();
+  const analytic::BeamContactModel beam(problem.beam, problem.friction, problem.excitation, problem.damping,
+                                        problem.numerics.modes());
+  const analytic::ContactModel& model = beam.model();
+  analytic::EventDriven run(model);
+  // u_t = sigma w_t + sum U_n T_n_t: zero rates are the quasi-static start, and -a_n w_t a beam at rest.
+  std::vector<double> rates;
+  if (options.initial_velocity == "zero")
+    for (const double coupling : model.mass_coupling)
+      rates.push_back(-coupling * model.wall_amplitude * model.load_angular_frequency);
+  run.start_stuck({}, rates);
+
+  const std::vector<double> midspan = beam.shapes(length / 2.0);
+  const long steps = steps_of(problem);
+  for (long n = 0; n <= steps; n += options.every) {
+    run.advance_to(static_cast<double>(n) * problem.numerics.time_step());
+    const double base = -model.wall_amplitude * std::sin(model.load_angular_frequency * run.time());
+    const double bending =
+        std::inner_product(run.amplitudes().begin(), run.amplitudes().end(), midspan.begin(), 0.0);
+    writer.write({.time = run.time(),
+                  .base_displacement = base,
+                  .tip_displacement = base + run.contact_displacement(),
+                  .midspan_displacement = base + bending + midspan.back() * run.contact_displacement(),
+                  .sliding_velocity = run.sliding_velocity(),
+                  .friction_force = -run.friction_force(),
+                  .state = run.state() == analytic::ContactState::stick ? "stick" : "slip"});
+  }
+  for (const auto& event : run.events())
+    writer.summary().events.push_back(
+        {event.time, change_names.at(static_cast<std::size_t>(event.change)), event.position});
+  if (!run.events().empty()) writer.summary().first_slip = run.events().front().time;
+}
+
+void write_events(const std::string& path, const std::vector<EventRow>& events) {
+  OutputFile file(path);
+  file.write(events_header);
+  for (const EventRow& event : events)
+    file.write(fmt::format("{},{},{}\n", data::shortest_text(event.time), event.change,
+                           data::shortest_text(event.tip_displacement)));
+  file.commit();
 }
 
 void warn_of_slip(const data::Case& problem, double time) {
   fmt::print(stderr,
              "stickslip: warning: the closed form holds while the tip sticks, but |f| exceeds mu_s P = {} N "
              "first at "
-             "{} s; --method fe follows the slip\n",
+             "{} s; --method fe and --method event-driven follow the slip\n",
              data::shortest_text(problem.friction.static_coefficient() * problem.beam.axial_force()),
              data::shortest_text(time));
 }
@@ -153,7 +218,8 @@ Json to_json(const data::Case& problem, const RespondOptions& options, const Sum
               {"output", options.output},
               {"rows", summary.rows},
               {"largest_friction_force_N", summary.largest_force},
-              {"first_slip_s", nullptr}};
+              {"first_slip_s", nullptr},
+              {"changes_of_contact", summary.events.size()}};
   if (summary.first_slip) object["first_slip_s"] = *summary.first_slip;
   if (options.method == "fe") object["scheme"] = options.scheme.value_or("located");
   return object;
@@ -174,13 +240,21 @@ void run(const RespondOptions& options) {
   if (closed_form && options.initial_velocity != "quasi-static")
     throw data::InputError(
         "--initial-velocity is zero, but the closed form starts quasi-static: Eq. (26) assumes it");
-  if (closed_form && options.scheme)
-    throw data::InputError(fmt::format(
-        "--scheme is {}, but the closed form knows no slip: schemes belong to --method fe", *options.scheme));
+  if (options.scheme && options.method != "fe")
+    throw data::InputError(
+        fmt::format("--scheme is {}, but --method {} has no time step: schemes belong to --method fe",
+                    *options.scheme, options.method));
   if (closed_form) require_undamped(problem, "the closed form");
+  if (closed_form && !options.events.empty())
+    throw data::InputError(
+        "--events is given, but the closed form follows no slip: it needs --method fe or event-driven");
   Writer writer(options.output);
-  (closed_form ? write_closed_form : write_finite_element)(problem, options, writer);
+  const auto write = closed_form                        ? write_closed_form
+                     : options.method == "event-driven" ? write_event_driven
+                                                        : write_finite_element;
+  write(problem, options, writer);
   const Summary summary = writer.finish();
+  if (!options.events.empty()) write_events(options.events, summary.events);
   if (closed_form && summary.first_slip) warn_of_slip(problem, *summary.first_slip);
   if (options.problem.json)
     print_json(to_json(problem, options, summary));
@@ -197,8 +271,9 @@ void add_respond_command(CLI::App& app) {
   add_excitation_options(*command, options->excitation);
   command
       ->add_option("--method", options->method,
-                   "Finite elements with contact, or the closed form of the stick state")
-      ->check(CLI::IsMember({"closed-form", "fe"}))
+                   "Finite elements with contact, event by event in the modes of the continuous beam, or the "
+                   "closed form of the stick state")
+      ->check(CLI::IsMember({"closed-form", "event-driven", "fe"}))
       ->capture_default_str();
   command
       ->add_option("--initial-velocity", options->initial_velocity,
@@ -215,6 +290,7 @@ void add_respond_command(CLI::App& app) {
       ->check(number());
   command->add_option("--output", options->output, "CSV file, '-' for standard output")
       ->capture_default_str();
+  command->add_option("--events", options->events, "CSV file for the changes of contact");
   command->add_option("--every", options->every, "Write every N-th time step only")
       ->check(integer_between(1, 1'000'000'000))
       ->capture_default_str();

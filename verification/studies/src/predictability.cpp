@@ -1,0 +1,146 @@
+#include "stickslip/studies/predictability.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "stickslip/analytic/beam_contact_model.hpp"
+#include "stickslip/studies/finite_element_contact_model.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+constexpr double sample = 1e-4;
+
+double range_of(const TipHistory& history) {
+  const auto [low, high] = std::ranges::minmax(history.tip_displacement);
+  return high - low;
+}
+
+double slip_share_of(const TipHistory& history) {
+  double slipping = 0.0, since = -1.0;
+  for (const HistoryEvent& event : history.events) {
+    if (event.onset) since = event.time;
+    if (!event.onset && since >= 0.0) slipping += event.time - since;
+    if (!event.onset) since = -1.0;
+  }
+  if (since >= 0.0) slipping += history.time.back() - since;
+  return slipping / history.time.back();
+}
+
+// Least-squares slope of log(largest separation per period) over the periods between the first slip and the
+// separation of 10 %.
+double growth_rate_of(const TipHistory& a, const TipHistory& b, double period, double ten_percent) {
+  if (a.events.empty()) return 0.0;
+  std::vector<double> times, logarithms;
+  double start = a.events.front().time, largest = 0.0;
+  for (std::size_t i = 0; i < a.time.size(); ++i) {
+    if (a.time[i] < start) continue;
+    if (a.time[i] >= start + period) {
+      if (largest > 0.0) {
+        times.push_back(start + 0.5 * period);
+        logarithms.push_back(std::log(largest));
+      }
+      start += period;
+      largest = 0.0;
+    }
+    largest = std::max(largest, std::abs(a.tip_displacement[i] - b.tip_displacement[i]));
+    if (largest > ten_percent) break;
+  }
+  if (times.size() < 3) return 0.0;
+  const auto n = static_cast<double>(times.size());
+  double mean_time = 0.0, mean_logarithm = 0.0, covariance = 0.0, variance = 0.0;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    mean_time += times[i] / n;
+    mean_logarithm += logarithms[i] / n;
+  }
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    covariance += (times[i] - mean_time) * (logarithms[i] - mean_logarithm);
+    variance += (times[i] - mean_time) * (times[i] - mean_time);
+  }
+  return covariance / variance;
+}
+
+}  // namespace
+
+double agreeing_until(const TipHistory& a, const TipHistory& b, double allowed) {
+  for (std::size_t i = 0; i < a.time.size(); ++i)
+    if (std::abs(a.tip_displacement[i] - b.tip_displacement[i]) > allowed) return a.time[i];
+  return a.time.back();
+}
+
+PredictabilityStudy predictability_study(const data::Beam& beam, const data::FrictionLaw& friction,
+                                         const data::HarmonicExcitation& excitation,
+                                         const data::NumericalSettings& numerics, double duration,
+                                         int modes) {
+  const auto continuous = [&](int count, double perturbation, analytic::SlipBasis basis) {
+    const data::HarmonicExcitation perturbed(
+        {excitation.frequency_hz(), excitation.amplitude() * (1.0 + perturbation)});
+    return event_driven_history(
+        analytic::BeamContactModel(beam, friction, perturbed, data::Damping(), count, basis).model(),
+        duration, sample);
+  };
+  const auto event_driven = [&](int elements) {
+    return event_driven_history(finite_element_contact_model(solver::BeamModel(beam, elements), friction,
+                                                             excitation, data::Damping()),
+                                duration, sample);
+  };
+  const auto stepped = [&](int elements, double time_step, double spectral_radius) {
+    data::NumericalChoices choices = numerics.choices();
+    choices.elements = elements;
+    choices.time_step = time_step;
+    choices.spectral_radius = spectral_radius;
+    return time_stepper_history(beam, friction, excitation, data::NumericalSettings(choices), {}, duration,
+                                static_cast<int>(std::lround(sample / time_step)));
+  };
+  using analytic::SlipBasis;
+  const int elements = numerics.elements();
+  const double h = sample, radius = numerics.spectral_radius();
+  const TipHistory reference = continuous(modes, 0.0, SlipBasis::held_modes);
+  const TipHistory mesh = event_driven(elements);
+  const TipHistory step = stepped(elements, h, radius);
+
+  PredictabilityStudy study;
+  study.frequency_hz = excitation.frequency_hz();
+  study.amplitude = excitation.amplitude();
+  study.duration = duration;
+  study.range = range_of(reference);
+  study.slip_share = slip_share_of(reference);
+  study.predicted_rate = 2.0 * (friction.static_coefficient() - friction.kinetic_coefficient()) *
+                         friction.decay() * beam.axial_force() /
+                         (beam.density() * beam.area() * beam.length());
+  const auto separate = [&](const std::string& what, const TipHistory& a, const TipHistory& b) {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < a.time.size(); ++i)
+      largest = std::max(largest, std::abs(a.tip_displacement[i] - b.tip_displacement[i]));
+    study.separations.push_back({what, agreeing_until(a, b, 0.01 * study.range),
+                                 agreeing_until(a, b, 0.1 * study.range), largest / study.range,
+                                 growth_rate_of(a, b, 1.0 / excitation.frequency_hz(), 0.1 * study.range),
+                                 a.changes, b.changes});
+  };
+  separate("event-driven, amplitude changed by 1e-9", reference,
+           continuous(modes, 1e-9, SlipBasis::held_modes));
+  separate(fmt::format("event-driven, {} against {} modes", modes, 2 * modes), reference,
+           continuous(2 * modes, 0.0, SlipBasis::held_modes));
+  separate("event-driven, held against free modes in slip", reference,
+           continuous(modes, 0.0, SlipBasis::free_modes));
+  separate(fmt::format("event-driven, {} against {} elements", elements / 2, elements),
+           event_driven(elements / 2), mesh);
+  separate(fmt::format("event-driven, {} elements against {} modes", elements, modes), mesh, reference);
+  separate(fmt::format("generalised-alpha, {} against {} elements", elements, 2 * elements), step,
+           stepped(2 * elements, h, radius));
+  separate(fmt::format("generalised-alpha, step {:g} against {:g} s", h, 0.1 * h), step,
+           stepped(elements, 0.1 * h, radius));
+  separate(fmt::format("generalised-alpha, spectral radius {:g} against 1", radius), step,
+           stepped(elements, h, 1.0));
+  separate(fmt::format("generalised-alpha at {:g} s against event-driven, {} elements", h, elements), step,
+           mesh);
+  separate(fmt::format("generalised-alpha at {:g} s against event-driven, {} elements", 0.01 * h, elements),
+           stepped(elements, 0.01 * h, radius), mesh);
+  return study;
+}
+
+}  // namespace stickslip::studies
