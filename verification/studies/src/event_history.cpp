@@ -85,6 +85,7 @@ data::NumericalSettings refined(const data::NumericalSettings& numerics, int ele
   data::NumericalChoices choices = numerics.choices();
   choices.elements = elements;
   choices.time_step = time_step;
+  choices.velocity_threshold = 0.0;
   return data::NumericalSettings(choices);
 }
 

@@ -89,9 +89,7 @@ PredictabilityStudy predictability_study(const data::Beam& beam, const data::Fri
                                 duration, sample);
   };
   const auto stepped = [&](int elements, double time_step, double spectral_radius) {
-    data::NumericalChoices choices = numerics.choices();
-    choices.elements = elements;
-    choices.time_step = time_step;
+    data::NumericalChoices choices = refined(numerics, elements, time_step).choices();
     choices.spectral_radius = spectral_radius;
     return time_stepper_history(beam, friction, excitation, data::NumericalSettings(choices), {}, duration,
                                 static_cast<int>(std::lround(sample / time_step)));
