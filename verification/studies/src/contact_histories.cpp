@@ -4,43 +4,36 @@
 #include <cmath>
 #include <cstddef>
 
+#include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
+#include "stickslip/studies/event_history.hpp"
+#include "stickslip/studies/predictability.hpp"
 
 namespace stickslip::studies {
 
 namespace {
 
-struct TipRun {
-  std::vector<double> time, displacement;
-};
+constexpr int reference_modes = 20;
 
-TipRun tip_run(const data::Beam& beam, const data::FrictionLaw& friction,
-               const data::HarmonicExcitation& excitation, const data::NumericalSettings& numerics,
-               double shown) {
-  solver::BeamSimulation simulation(beam, friction, excitation, numerics);
-  TipRun run;
-  for (long n = solver::step_count(shown, numerics.time_step()); n >= 0; --n) {
-    run.time.push_back(simulation.time());
-    run.displacement.push_back(simulation.tip_displacement());
-    if (n > 0) simulation.step();
-  }
-  return run;
-}
-
-data::NumericalSettings with_twice_the_elements(const data::NumericalSettings& numerics) {
-  data::NumericalChoices choices = numerics.choices();
-  choices.elements *= 2;
-  return data::NumericalSettings(choices);
-}
-
-double agreeing_until(const TipRun& a, const TipRun& b) {
-  const auto [low, high] = std::minmax_element(a.displacement.begin(), a.displacement.end());
-  const double allowed = 0.01 * (*high - *low);
-  for (std::size_t i = 0; i < a.time.size(); ++i)
-    if (std::abs(a.displacement[i] - b.displacement[i]) > allowed) return a.time[i];
-  return a.time.back();
+double trusted_time(const data::Beam& beam, const data::FrictionLaw& friction,
+                    const data::HarmonicExcitation& excitation, const data::NumericalSettings& numerics,
+                    const TipHistory& history, double shown) {
+  const int elements = numerics.elements();
+  const double step = numerics.time_step();
+  const TipHistory others[] = {
+      time_stepper_history(beam, friction, excitation, refined(numerics, 2 * elements, step), {}, shown),
+      time_stepper_history(beam, friction, excitation, refined(numerics, elements, 0.1 * step), {}, shown,
+                           10),
+      event_driven_history(
+          analytic::BeamContactModel(beam, friction, excitation, data::Damping(), reference_modes).model(),
+          shown, step)};
+  const auto [low, high] = std::ranges::minmax(history.tip_displacement);
+  double until = shown;
+  for (const TipHistory& other : others)
+    until = std::min(until, agreeing_until(history, other, 0.01 * (high - low)));
+  return until;
 }
 
 }  // namespace
@@ -68,20 +61,19 @@ std::optional<double> closed_form_first_slip(const data::Beam& beam, const data:
 ContactHistory contact_history(const data::Beam& beam, const data::FrictionLaw& friction,
                                const data::HarmonicExcitation& excitation,
                                const data::NumericalSettings& numerics, double shown) {
-  const TipRun run = tip_run(beam, friction, excitation, numerics, shown);
-  const TipRun finer = tip_run(beam, friction, excitation, with_twice_the_elements(numerics), shown);
+  const TipHistory run = time_stepper_history(beam, friction, excitation, numerics, {}, shown);
   ContactHistory history;
   history.frequency_hz = excitation.frequency_hz();
   history.amplitude = excitation.amplitude();
   history.time = run.time;
-  history.tip_displacement = run.displacement;
+  history.tip_displacement = run.tip_displacement;
   history.finite_element_slip = solver::first_slip(beam, friction, excitation, numerics);
   history.criterion_slips =
       analytic::evaluate_criterion(beam, friction, excitation, numerics.duration(), numerics.modes())
           .verdict == analytic::Verdict::stick_slip;
   if (history.criterion_slips)
     history.closed_form_slip = closed_form_first_slip(beam, friction, excitation, numerics.duration());
-  history.trusted_until = agreeing_until(run, finer);
+  history.trusted_until = trusted_time(beam, friction, excitation, numerics, run, shown);
   return history;
 }
 

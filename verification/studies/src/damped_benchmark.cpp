@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/studies/finite_element_contact_model.hpp"
@@ -79,7 +80,14 @@ class Benchmark {
     EventDifference all = largest_difference(events, reference_, reference_.size());
     if (events.size() != reference_.size())
       all = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-    result_.runs.push_back({method, size, time_step, largest_difference(events, reference_, first), all});
+    std::vector<EventDifference> each;
+    for (std::size_t i = 0; i < std::min(events.size(), reference_.size()); ++i) {
+      if (events[i].onset != reference_[i].onset) break;
+      each.push_back({std::abs(events[i].time - reference_[i].time),
+                      std::abs(events[i].position - reference_[i].position)});
+    }
+    result_.runs.push_back(
+        {method, size, time_step, largest_difference(events, reference_, first), all, std::move(each)});
   }
 
   void step(int elements, double time_step) {

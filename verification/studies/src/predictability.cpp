@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "stickslip/analytic/beam_contact_model.hpp"
+#include "stickslip/studies/convergence.hpp"
 #include "stickslip/studies/finite_element_contact_model.hpp"
 
 namespace stickslip::studies {
@@ -31,37 +33,31 @@ double slip_share_of(const TipHistory& history) {
   return slipping / history.time.back();
 }
 
-// Least-squares slope of log(largest separation per period) over the periods between the first slip and the
-// separation of 10 %.
-double growth_rate_of(const TipHistory& a, const TipHistory& b, double period, double ten_percent) {
-  if (a.events.empty()) return 0.0;
-  std::vector<double> times, logarithms;
-  double start = a.events.front().time, largest = 0.0;
+// The largest difference within each period, from the first slip on.
+void set_series(const TipHistory& a, const TipHistory& b, double period, Separation& result) {
+  if (a.events.empty()) return;
+  const double start = a.events.front().time;
   for (std::size_t i = 0; i < a.time.size(); ++i) {
     if (a.time[i] < start) continue;
-    if (a.time[i] >= start + period) {
-      if (largest > 0.0) {
-        times.push_back(start + 0.5 * period);
-        logarithms.push_back(std::log(largest));
-      }
-      start += period;
-      largest = 0.0;
+    const auto index = static_cast<std::size_t>((a.time[i] - start) / period);
+    if (index >= result.time.size()) {
+      result.time.push_back(start + (static_cast<double>(index) + 0.5) * period);
+      result.separation.push_back(0.0);
     }
+    double& largest = result.separation.back();
     largest = std::max(largest, std::abs(a.tip_displacement[i] - b.tip_displacement[i]));
-    if (largest > ten_percent) break;
   }
-  if (times.size() < 3) return 0.0;
-  const auto n = static_cast<double>(times.size());
-  double mean_time = 0.0, mean_logarithm = 0.0, covariance = 0.0, variance = 0.0;
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    mean_time += times[i] / n;
-    mean_logarithm += logarithms[i] / n;
+}
+
+// Least-squares slope of the logarithm of the series while it is below `limit`.
+double growth_rate_of(const Separation& series, double limit) {
+  std::vector<double> times, logarithms;
+  for (std::size_t i = 0; i < series.time.size() && series.separation[i] <= limit; ++i) {
+    if (series.separation[i] <= 0.0) continue;
+    times.push_back(series.time[i]);
+    logarithms.push_back(std::log(series.separation[i]));
   }
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    covariance += (times[i] - mean_time) * (logarithms[i] - mean_logarithm);
-    variance += (times[i] - mean_time) * (times[i] - mean_time);
-  }
-  return covariance / variance;
+  return times.size() < 3 ? 0.0 : linear_slope(times, logarithms);
 }
 
 }  // namespace
@@ -114,10 +110,16 @@ PredictabilityStudy predictability_study(const data::Beam& beam, const data::Fri
     double largest = 0.0;
     for (std::size_t i = 0; i < a.time.size(); ++i)
       largest = std::max(largest, std::abs(a.tip_displacement[i] - b.tip_displacement[i]));
-    study.separations.push_back({what, agreeing_until(a, b, 0.01 * study.range),
-                                 agreeing_until(a, b, 0.1 * study.range), largest / study.range,
-                                 growth_rate_of(a, b, 1.0 / excitation.frequency_hz(), 0.1 * study.range),
-                                 a.changes, b.changes});
+    Separation result;
+    result.what = what;
+    result.one_percent_until = agreeing_until(a, b, 0.01 * study.range);
+    result.ten_percent_until = agreeing_until(a, b, 0.1 * study.range);
+    result.largest = largest / study.range;
+    result.changes = a.changes;
+    result.other_changes = b.changes;
+    set_series(a, b, 1.0 / excitation.frequency_hz(), result);
+    result.growth_rate = growth_rate_of(result, 0.1 * study.range);
+    study.separations.push_back(std::move(result));
   };
   separate("event-driven, amplitude changed by 1e-9", reference,
            continuous(modes, 1e-9, SlipBasis::held_modes));

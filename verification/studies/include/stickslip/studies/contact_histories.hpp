@@ -16,8 +16,9 @@ struct ContactHistory {
   std::optional<double> finite_element_slip;  ///< time of the first slip, s
   std::optional<double> closed_form_slip;     ///< first time |f| > mu_s P in the closed form, s
   bool criterion_slips{};                     ///< Eqs. (29), (30) over numerics.duration()
-  /// Time until which a run on twice the elements stays within 1 % of the range of the tip's motion, s; the
-  /// histories are not to be trusted beyond it.
+  /// Time until which each of three other histories stays within 1 % of the range of the tip's motion, s: on
+  /// twice the elements, with a tenth of the step, and by the event-driven method on twenty modes of the
+  /// continuous beam. The history is not to be trusted beyond it.
   double trusted_until{};
 };
 

@@ -18,10 +18,11 @@ struct BenchmarkEvent {
 /// Another route to the same history.
 struct BenchmarkRun {
   std::string method;
-  int size{};                 ///< finite elements, or modes of the continuous beam
-  double time_step{};         ///< s; 0 for event-driven runs
-  EventDifference first_ten;  ///< against the reference
-  EventDifference all;        ///< the same over all events; infinite if the sequences differ
+  int size{};                         ///< finite elements, or modes of the continuous beam
+  double time_step{};                 ///< s; 0 for event-driven runs
+  EventDifference first_ten;          ///< against the reference
+  EventDifference all;                ///< the same over all events; infinite if the sequences differ
+  std::vector<EventDifference> each;  ///< of each event of the reference that the run has in its place
 };
 
 /// A damped stick-slip history that converges: by the event-driven method on the modes of the continuous

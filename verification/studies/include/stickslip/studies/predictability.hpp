@@ -17,6 +17,8 @@ struct Separation {
   double growth_rate{};        ///< of the separation, 1/s: slope of the logarithm of its largest value per
                                ///< period of the load, from the first slip to 10 %
   int changes{}, other_changes{};  ///< changes of contact in each
+  std::vector<double> time;        ///< middle of each period of the load from the first slip on, s
+  std::vector<double> separation;  ///< largest difference within it, m
 };
 
 /// How far an undamped history can be trusted.
