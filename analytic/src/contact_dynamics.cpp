@@ -5,6 +5,7 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "messages.hpp"
 
@@ -24,6 +25,10 @@ void require_size(std::size_t size, std::size_t expected, const char* name) {
           refusal(std::string("the size of ") + name, static_cast<double>(size), std::to_string(expected)));
 }
 
+void require_finite(std::span<const double> values, const char* name) {
+  for (const double value : values) require(std::isfinite(value), refusal(name, value, "finite"));
+}
+
 }  // namespace
 
 void require_consistent(const ContactModel& model) {
@@ -37,6 +42,13 @@ void require_consistent(const ContactModel& model) {
     require_size(model.damping.rows(), m + 1, "damping's columns");
     require_size(model.damping.columns(), m + 1, "damping's rows");
   }
+  for (const auto& [values, name] : {std::pair{std::span(model.follower), "follower"},
+                                     {std::span(model.load), "load"},
+                                     {std::span(model.damping.values()), "damping"},
+                                     {std::span(&model.contact_stiffness, 1), "contact_stiffness"},
+                                     {std::span(&model.contact_follower, 1), "contact_follower"},
+                                     {std::span(&model.wall_amplitude, 1), "wall_amplitude"}})
+    require_finite(values, name);
   const double free_mass = model.contact_mass - dot(model.mass_coupling, model.mass_coupling);
   require(std::isfinite(free_mass) && free_mass > 0.0,
           refusal("contact_mass - mass_coupling . mass_coupling", free_mass, "above 0 (kg)"));

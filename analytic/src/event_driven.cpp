@@ -20,8 +20,14 @@ double checked_tolerance(double tolerance) {
   throw std::invalid_argument(refusal("tolerance", tolerance, "1e-14 ... 1e-3"));
 }
 
+double checked_finite(double value, const char* name) {
+  if (std::isfinite(value)) return value;
+  throw std::invalid_argument(refusal(name, value, "finite"));
+}
+
 std::vector<double> filled(const std::vector<double>& values, std::size_t size, const char* name) {
   if (values.empty()) return std::vector<double>(size);
+  for (const double value : values) checked_finite(value, name);
   if (values.size() == size) return values;
   throw std::invalid_argument(refusal(std::string("the size of ") + name, static_cast<double>(values.size()),
                                       std::to_string(size) + " or 0"));
@@ -43,6 +49,8 @@ class EventDriven::Engine {
       : settings_(settings), dynamics_(model), stick_(dynamics_) {
     checked_tolerance(settings.tolerance);
     limit_ = model.friction.static_coefficient() * model.normal_force;
+    start({}, {}, 0.0);
+    start_stuck();
   }
   // stick_ and slip_ refer to dynamics_.
   Engine(const Engine&) = delete;
@@ -51,7 +59,8 @@ class EventDriven::Engine {
   void start(const std::vector<double>& amplitudes, const std::vector<double>& rates, double position) {
     const std::size_t m = dynamics_.modes();
     now_ = {filled(amplitudes, m, "amplitudes"), filled(rates, m, "rates"),
-            position + dynamics_.wall_displacement(0.0), dynamics_.wall_velocity(0.0)};
+            checked_finite(position, "position") + dynamics_.wall_displacement(0.0),
+            dynamics_.wall_velocity(0.0)};
     time_ = booked_until_ = 0.0;
     events_.clear();
     works_ = works_before_phase_ = {};
@@ -68,14 +77,15 @@ class EventDriven::Engine {
   }
 
   void start_slipping(double sliding_velocity) {
-    now_.velocity += sliding_velocity;
+    now_.velocity += checked_finite(sliding_velocity, "sliding_velocity");
     prepare();
     const double against = sliding_velocity != 0.0 ? -sliding_velocity : holding_force();
     begin_slip(against > 0.0 ? -1.0 : 1.0);
   }
 
   void advance_to(double t) {
-    if (!(t >= time_)) throw std::invalid_argument(refusal("t", t, "at or after " + digits(time_) + " s"));
+    checked_finite(t, "t");
+    if (t < time_) throw std::invalid_argument(refusal("t", t, "at or after " + digits(time_) + " s"));
     for (;;) {
       if (state_ == ContactState::stick) {
         const auto onset = stick_.first_excess(certain_until_, t, limit_);

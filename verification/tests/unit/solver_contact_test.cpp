@@ -166,6 +166,42 @@ INSTANTIATE_TEST_SUITE_P(StickSlip, ShakenPlaneBenchmark,
                                            ShakenPlane{1.01, 2.26164121279787e-4}, ShakenPlane{0.99, 0.0}),
                          [](const auto& instance) { return parameter_name(instance.param.amplitude); });
 
+// The same mean from the path: under Coulomb friction the loss is mu N times the way slid, that is the sum of
+// the distances between the positions of consecutive events and the two ends of the average.
+double mean_friction_power_by_path(double amplitude, double time_step) {
+  const auto wall = shaken(amplitude, 1.0);
+  StickSlipIntegrator mass(contact_system({.normal_force = 10.0, .friction = coulomb}, wall),
+                           {.time_step = time_step, .spectral_radius = 0.9});
+  mass.start_stuck(scalar(0.0), scalar(0.0));
+  const auto run_to = [&](double end) {
+    while (mass.steps() < std::lround(end / time_step)) mass.step();
+    return mass.displacement()[0] - wall.displacement(mass.time());
+  };
+  double position = run_to(4.0), path = 0.0;
+  const std::size_t first = mass.events().size();
+  const double last_position = run_to(12.0);
+  for (std::size_t i = first; i < mass.events().size(); ++i) {
+    path += std::abs(mass.events()[i].displacement - position);
+    position = mass.events()[i].displacement;
+  }
+  return 10.0 * (path + std::abs(last_position - position)) / 8.0;
+}
+
+TEST_P(ShakenPlaneBenchmark, MeanFrictionPowerByThePathIsThePublishedOneToSixDigitsAtAnyStep) {
+  // The force on the mass is constant in slip and the wall's motion is exact, so that the order 2 has nothing
+  // to act on. What is left is the location of the at most 6 events a second, 1e-11 h: an instant that is off
+  // by dt leaves a sliding velocity of at most 2 A dt, for less than a second.
+  for (const double h : {1e-2, 1e-3, 1e-4}) {
+    const double instant = 1e-11 * h + 1e-14;
+    const double predicted = 10.0 * 6.0 * instant * 2.0 * GetParam().amplitude;
+    const double power = mean_friction_power_by_path(GetParam().amplitude, h);
+    EXPECT_TRUE(
+        within(power, GetParam().mean_power, discretisation(predicted, 1.0, "events located to 1e-11 h")))
+        << h;
+    EXPECT_LE(std::abs(power - GetParam().mean_power), 5e-7 * GetParam().mean_power) << h;
+  }
+}
+
 // Two masses, the contact on the second, coupled in the mass matrix too.
 solver::ContactSystem pair_of_masses(double normal_force, data::FrictionCoefficients friction) {
   const auto matrix = [](double a, double b, double d) {

@@ -8,6 +8,18 @@
 
 namespace stickslip::analytic {
 
+/// The coordinates of slip phases.
+enum class SlipBasis {
+  /// T and u_L, as in stick: transitions change nothing.
+  held_modes,
+  /// The clamped-free modes under the follower load, biorthogonal (slip_modes.hpp), one more than held modes.
+  /// In them the slip state is diagonal but for damping and friction. A state is projected at each
+  /// transition, and a force at the tip bends the beam in all the modes that are left out: positions and the
+  /// energy books converge only as N^-2 (6e-6, 1.4e-6, 3.6e-7 m for N = 10, 20, 40 against 4e-8, 2e-9 m with
+  /// held modes, first plateau at 25 Hz, 1 mm, eta = 6.4e-5 s). A second opinion, not the default.
+  free_modes
+};
+
 /// The beam of the paper as a ContactModel without a mesh: its clamped-pinned modes U_n, mass-normalised, and
 /// the static shape sigma(x) = -S(x) of a unit tip deflection, all in closed form. In the frame of the base
 ///
@@ -24,19 +36,9 @@ namespace stickslip::analytic {
 ///
 /// Truncation. In slip, u minus its share of sigma has a bounded fourth derivative at the tip, so that its
 /// coefficients fall as n^-5; those of the adjoint problem, whose curvature at the tip is -P/EI, fall as n^-3
-/// in proportion to P. The slip frequencies and the motion of the tip then converge as P N^-3 + N^-5 and the
-/// static reaction as N^-5, because sigma carries the static part (the sum of Eq. (28) converges as N^-2).
-enum class SlipBasis {
-  /// T and u_L, as in stick: transitions change nothing.
-  held_modes,
-  /// The clamped-free modes under the follower load, biorthogonal (slip_modes.hpp), one more than held modes.
-  /// In them the slip state is diagonal but for damping and friction. A state is projected at each
-  /// transition, and a force at the tip bends the beam in all the modes that are left out: positions and the
-  /// energy books converge only as N^-2 (6e-6, 1.4e-6, 3.6e-7 m for N = 10, 20, 40 against 4e-8, 2e-9 m with
-  /// held modes, first plateau at 25 Hz, 1 mm, eta = 6.4e-5 s). A second opinion, not the default.
-  free_modes
-};
-
+/// in proportion to P. The slip frequencies and the motion of the tip then converge as P N^-3 + N^-5. In
+/// stick sigma carries the static part of the reaction: its terms at Omega alternate and fall as P n^-4 +
+/// n^-6 (those of Eq. (28) as n^-2), the free vibrations of the start as n^-4, N^-3 in sum.
 class BeamContactModel {
  public:
   /// Throws std::domain_error, naming beam.axial_force, unless 0 < P < P_cr, and what stick_modes() throws;

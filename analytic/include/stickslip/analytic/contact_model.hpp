@@ -41,6 +41,7 @@ class Matrix {
   [[nodiscard]] bool empty() const noexcept { return values_.empty(); }
   [[nodiscard]] std::size_t rows() const noexcept { return empty() ? 0 : values_.size() / columns_; }
   [[nodiscard]] std::size_t columns() const noexcept { return columns_; }
+  [[nodiscard]] const std::vector<double>& values() const noexcept { return values_; }
 
  private:
   std::size_t columns_{};

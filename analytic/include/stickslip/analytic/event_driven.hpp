@@ -62,7 +62,7 @@ struct EventDrivenSettings {
 /// One run of a ContactModel. f_d is the friction force on the structure.
 class EventDriven {
  public:
-  /// Throws std::invalid_argument, naming what is unusable.
+  /// Starts as start_stuck({}, {}) does. Throws std::invalid_argument, naming what is unusable.
   explicit EventDriven(const ContactModel& model, const EventDrivenSettings& settings = {});
   ~EventDriven();
   EventDriven(EventDriven&&) noexcept;
@@ -78,9 +78,9 @@ class EventDriven {
   void start_slipping(const std::vector<double>& amplitudes, const std::vector<double>& rates,
                       double position, double sliding_velocity);
 
-  /// Runs to time t, which must not be before time(). The history does not depend on the times asked for, but
-  /// for the rounding of the polished events. Throws std::runtime_error, saying when, if the state is no
-  /// longer finite or if 10000 events fall within 1e-9 of the period of the load.
+  /// Runs to time t, which must be finite and not before time(). The history does not depend on the times
+  /// asked for, but for the rounding of the polished events. Throws std::runtime_error, saying when, if the
+  /// state is no longer finite or if 10000 events fall within 1e-9 of the period of the load.
   void advance_to(double t);
 
   [[nodiscard]] double time() const;

@@ -1,0 +1,583 @@
+/// The event-driven engine against exact piecewise solutions of one mass, two masses and held oscillators.
+
+#include "stickslip/analytic/event_driven.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+#include "stickslip/analytic/beam_contact_model.hpp"
+#include "support/beams.hpp"
+#include "support/contact_models.hpp"
+#include "support/parameter_name.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+using analytic::ContactChange;
+using analytic::ContactEvent;
+using analytic::ContactModel;
+using analytic::ContactState;
+using analytic::EnergyBooks;
+using analytic::EventDriven;
+using analytic::EventDrivenSettings;
+using std::numbers::pi;
+
+constexpr data::FrictionCoefficients coulomb{
+    .static_coefficient = 0.1, .kinetic_coefficient = 0.1, .decay = 0.0};
+
+/// The slip phases add an error of at most `per_step` in each step, and neither friction nor damping lets it
+/// grow; `steps` is counted generously at 10 per radian of the fastest motion.
+Tolerance accumulated(double per_step, double steps, double scale) {
+  return discretisation(per_step * steps * scale, 1.0, "error per step times steps");
+}
+
+// One mass.
+
+TEST(EventDriven, CoulombSliderStopsWhereItMust) {
+  // v = v0 - a t, a = mu N/m: stops at t = v0/a after v0^2/(2 a); a quadratic is integrated exactly.
+  for (const double v0 : {-1.3, 1.3}) {
+    EventDriven slider(contact_model({.mass = 2.0, .normal_force = 30.0, .friction = coulomb}));
+    slider.start_slipping({}, {}, 0.25, v0);
+    EXPECT_DOUBLE_EQ(slider.friction_force(), v0 > 0.0 ? -3.0 : 3.0);
+    slider.advance_to(2.0);
+    ASSERT_EQ(slider.events().size(), 1u);
+    const ContactEvent& stop = slider.events().front();
+    EXPECT_EQ(stop.change, ContactChange::capture);
+    EXPECT_TRUE(within(stop.time, 1.3 / 1.5, round_off(20, 1, 1.0)));
+    EXPECT_TRUE(within(stop.position, 0.25 + v0 * 1.3 / 3.0, round_off(20, 1, 1.0)));
+    EXPECT_EQ(slider.state(), ContactState::stick);
+    EXPECT_EQ(slider.sliding_velocity(), 0.0);
+    EXPECT_EQ(slider.contact_displacement(), stop.position);
+  }
+}
+
+TEST(EventDriven, CoulombOscillatorLosesTwiceTheDeadZoneEachHalfCycle) {
+  // m = 1, k = 4, mu N/k = 0.1: turning points 1.04 - 0.2 i at multiples of pi/2, the fifth one within the
+  // dead zone.
+  for (const double side : {-1.0, 1.0}) {
+    EventDriven oscillator(contact_model({.stiffness = 4.0, .normal_force = 4.0, .friction = coulomb}));
+    oscillator.start_slipping({}, {}, 1.04 * side, 0.0);
+    oscillator.advance_to(12.0);
+    const auto& events = oscillator.events();
+    ASSERT_EQ(events.size(), 5u);
+    for (std::size_t i = 0; i < events.size(); ++i) {
+      const auto half_cycles = static_cast<double>(i + 1);
+      // omega t = pi a half cycle; a turning point of amplitude 0.1 ... 0.9 dates within the error over it.
+      const Tolerance position = accumulated(1e-12, 10.0 * pi * half_cycles, 1.0);
+      const Tolerance time = accumulated(1e-12, 10.0 * pi * half_cycles, 1.0 / (4.0 * 0.1));
+      EXPECT_EQ(events[i].change, i < 4 ? ContactChange::reversal : ContactChange::capture);
+      EXPECT_TRUE(within(events[i].time, half_cycles * pi / 2.0, time));
+      EXPECT_TRUE(within(events[i].position, side * (i % 2 == 0 ? -1.0 : 1.0) * (1.04 - 0.2 * half_cycles),
+                         position));
+    }
+  }
+}
+
+TEST(EventDriven, WeakeningFrictionStopsAMassAtItsClosedFormTime) {
+  // m v_t = -N [mu_m + (mu_s - mu_m) exp(-alpha v)] from v0 stops at
+  // t = m/(N alpha mu_m) ln[(mu_m exp(alpha v0) + mu_s - mu_m)/mu_s].
+  const double v0 = 2.0, exact = std::log((0.3 * std::exp(1.5 * v0) + 0.3) / 0.6) / (10.0 * 1.5 * 0.3);
+  for (const double direction : {-1.0, 1.0}) {
+    EventDriven slider(
+        contact_model({.normal_force = 10.0,
+                       .friction = {.static_coefficient = 0.6, .kinetic_coefficient = 0.3, .decay = 1.5}}));
+    slider.start_slipping({}, {}, 0.0, direction * v0);
+    slider.advance_to(1.0);
+    ASSERT_EQ(slider.events().size(), 1u);
+    // Errors of velocity over the deceleration of 6 m/s^2; the fastest motion is the law's, N (mu_s - mu_m)
+    // alpha = 4.5 per second.
+    EXPECT_TRUE(
+        within(slider.events().front().time, exact, accumulated(1e-12, 10.0 * 4.5 * exact, v0 / 6.0)));
+  }
+}
+
+TEST(EventDriven, MassOnAShakenPlaneLetsGoWhenFrictionIsUsedUp) {
+  for (const double amplitude : {1.01, 1.5, 15.0}) {
+    EventDriven mass(shaken_plane(amplitude));
+    mass.advance_to(0.25);
+    ASSERT_GE(mass.events().size(), 1u);
+    EXPECT_EQ(mass.events().front().change, ContactChange::onset);
+    EXPECT_EQ(mass.events().front().position, 0.0);
+    // f_d = A sin(2 pi t) passes 1 with the slope 2 pi sqrt(A^2 - 1).
+    EXPECT_TRUE(within(mass.events().front().time, std::asin(1.0 / amplitude) / (2.0 * pi),
+                       round_off(10, 1, amplitude / (2.0 * pi * std::sqrt(amplitude * amplitude - 1.0)))));
+  }
+}
+
+TEST(EventDriven, MassOnAShakenPlaneStaysStuckForEverBelowTheFrictionLimit) {
+  EventDriven mass(shaken_plane(0.99));
+  mass.start_stuck({}, {}, 0.25);
+  for (int i = 1; i <= 120; ++i) {
+    mass.advance_to(0.1 * i);
+    ASSERT_TRUE(within(mass.friction_force(), 0.99 * std::sin(2.0 * pi * 0.1 * i), round_off(20, 80, 1.0)));
+  }
+  EXPECT_TRUE(mass.events().empty());
+  EXPECT_EQ(mass.state(), ContactState::stick);
+}
+
+class ShakenPlane : public ::testing::TestWithParam<double> {};
+
+TEST_P(ShakenPlane, MovesBetweenEventsAsItsAccelerationIntegratedTwiceSays) {
+  // v_s_t = -d - A sin(omega t) from v_s = 0 at t1 in the direction d; the next event is the first zero of
+  // v_s.
+  const double amplitude = GetParam(), omega = 2.0 * pi;
+  EventDriven mass(shaken_plane(amplitude));
+  mass.advance_to(12.0);
+  const auto& events = mass.events();
+  ASSERT_GT(events.size(), 20u);
+  const bool reversing = amplitude > 2.0;
+  for (std::size_t i = 0; i + 1 < events.size(); ++i) {
+    const auto& [change, t1, p1] = events[i];
+    const auto& [next, t2, p2] = events[i + 1];
+    if (change == ContactChange::capture) {
+      EXPECT_EQ(next, ContactChange::onset);
+      EXPECT_TRUE(within(p2, p1, round_off(2, 1, amplitude / (omega * omega))));
+      const double force = amplitude * std::sin(omega * t2);
+      EXPECT_TRUE(within(std::abs(force), 1.0, round_off(10, omega * t2, amplitude)));
+      continue;
+    }
+    EXPECT_EQ(next, reversing ? ContactChange::reversal : ContactChange::capture);
+    const double d = std::sin(omega * t1) > 0.0 ? -1.0 : 1.0;
+    const auto velocity = [&, start = t1](double t) {
+      return -d * (t - start) + amplitude / omega * (std::cos(omega * t) - std::cos(omega * start));
+    };
+    const double length = t2 - t1;
+    const double slid =
+        -0.5 * d * length * length +
+        amplitude / omega *
+            ((std::sin(omega * t2) - std::sin(omega * t1)) / omega - length * std::cos(omega * t1));
+    const double scale = amplitude / omega;
+    const double rounding = round_off(20, omega * t2, scale).value;
+    const double tolerance = accumulated(1e-12, 10.0 * omega * length, scale).value + rounding;
+    EXPECT_TRUE(within(velocity(t2), 0.0, {tolerance, "error per step times steps, and round-off"}));
+    EXPECT_TRUE(within(p2 - p1, slid, {tolerance, "error per step times steps, and round-off"}));
+    for (int k = 1; k < 20; ++k)
+      EXPECT_GT(d * velocity(t1 + 0.05 * k * length), 0.0) << "an earlier zero of event " << i + 1;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Amplitude, ShakenPlane, ::testing::Values(1.01, 1.5, 15.0), NameOfDouble());
+
+struct FrictionPower {
+  double amplitude, mean;
+};
+
+class ShakenPlaneFrictionPower : public ::testing::TestWithParam<FrictionPower> {};
+
+TEST_P(ShakenPlaneFrictionPower, IsThePublishedOneToTenDigits) {
+  // Case SDND104: mean of 10 N |v_s| over 4 <= t <= 12 s, with mu N = 1 N.
+  EventDriven mass(shaken_plane(GetParam().amplitude), {.keep_books = true});
+  mass.advance_to(4.0);
+  const double before = mass.books().friction_loss;
+  mass.advance_to(12.0);
+  const double mean = 10.0 * (mass.books().friction_loss - before) / 8.0;
+  EXPECT_TRUE(within(mean, GetParam().mean,
+                     reference(1e-10 * GetParam().mean, "ten digits of a 40-digit computation")));
+}
+
+INSTANTIATE_TEST_SUITE_P(Sdnd104, ShakenPlaneFrictionPower,
+                         ::testing::Values(FrictionPower{15.0, 15.2670995893716},
+                                           FrictionPower{1.5, 0.409062451015709},
+                                           FrictionPower{1.01, 2.26164121279787e-4},
+                                           FrictionPower{0.99, 0.0}),
+                         [](const auto& instance) { return parameter_name(instance.param.amplitude); });
+
+TEST(EventDriven, SeesADipOfTheSlidingVelocityHoweverShallow) {
+  // v_s = v0 - F t + A (cos t - 1) has its first minimum where sin t = -F/A with cos t < 0. v0 puts it at
+  // `depth`: above zero nothing happens; below, the mass is captured before and let go at the very minimum,
+  // where the wall's acceleration is as large as friction can follow.
+  const double friction = 1.0, amplitude = 2.0, bottom = pi + std::asin(friction / amplitude);
+  const double bend = -amplitude * std::cos(bottom);  // v_s_tt
+  for (const double depth : {1e-3, 1e-6, 1e-9, 1e-12, -1e-12, -1e-9, -1e-6, -1e-3}) {
+    const double v0 = depth + friction * bottom - amplitude * (std::cos(bottom) - 1.0);
+    EventDriven mass(contact_model(
+        {.normal_force = 10.0, .friction = coulomb, .wall_acceleration = amplitude, .omega = 1.0}));
+    mass.start_slipping({}, {}, 0.0, v0);
+    mass.advance_to(bottom + 0.3);
+    EXPECT_EQ(mass.state(), ContactState::slip);
+    EXPECT_GT(mass.sliding_velocity(), 0.0);
+    if (depth > 0.0) {
+      EXPECT_TRUE(mass.events().empty()) << depth;
+      continue;
+    }
+    ASSERT_EQ(mass.events().size(), 2u) << depth;
+    EXPECT_EQ(mass.events()[0].change, ContactChange::capture);
+    EXPECT_EQ(mass.events()[1].change, ContactChange::onset);
+    EXPECT_LT(mass.events()[0].time, bottom);
+    const double t = mass.events()[0].time;
+    const double reached = v0 - friction * t + amplitude * (std::cos(t) - 1.0);
+    EXPECT_TRUE(within(reached, 0.0, accumulated(1e-12, 10.0 * bottom, 2.0 * v0)));
+    EXPECT_TRUE(within(mass.events()[1].time, bottom, round_off(10, bottom, amplitude / bend)));
+  }
+}
+
+TEST(EventDriven, ASpringPastTheFrictionLimitLetsGoAtOnce) {
+  for (const double position : {-0.6, -0.4, 0.4, 0.6}) {
+    EventDriven mass(contact_model({.stiffness = 2.0, .normal_force = 10.0, .friction = coulomb}));
+    mass.start_stuck({}, {}, position);
+    const bool holds = std::abs(position) < 0.5;
+    EXPECT_EQ(mass.state(), holds ? ContactState::stick : ContactState::slip);
+    EXPECT_EQ(mass.events().size(), holds ? 0u : 1u);
+    EXPECT_DOUBLE_EQ(mass.holding_force(), 2.0 * position);
+    EXPECT_DOUBLE_EQ(mass.friction_force(), holds ? 2.0 * position : std::copysign(1.0, position));
+    mass.advance_to(0.1);
+    EXPECT_EQ(std::abs(mass.contact_displacement()) < std::abs(position), !holds);
+  }
+}
+
+TEST(EventDriven, StartingAgainForgetsTheRunBefore) {
+  EventDriven mass(shaken_plane(1.5), {.keep_books = true});
+  const auto run = [&mass] {
+    mass.start_stuck({}, {});
+    mass.advance_to(3.3);
+    return mass.books().friction_loss;
+  };
+  const double first = run();
+  const auto events = mass.events().size();
+  EXPECT_GT(first, 0.0);
+  EXPECT_EQ(run(), first);
+  EXPECT_EQ(mass.events().size(), events);
+}
+
+// Held oscillators: one mode, T_tt + c T_t + omega^2 T = b sin(Omega t) + (wall), the contact never let go.
+
+struct HeldMode {
+  double omega{3.0}, damping{}, load_omega{3.0};
+  double coupling{0.4}, load{0.7}, wall{}, contact_damping{};
+};
+
+ContactModel contact_model(const HeldMode& mode) {
+  ContactModel model;
+  model.angular_frequency = {mode.omega};
+  model.mass_coupling = {mode.coupling};
+  model.contact_mass = 1.5;
+  model.contact_stiffness = 20.0;
+  model.follower = {0.9};
+  model.contact_follower = -0.6;
+  model.load = {mode.load, -0.2};
+  model.load_angular_frequency = mode.load_omega;
+  model.wall_amplitude = mode.wall;
+  model.normal_force = 1e6;
+  model.friction = data::FrictionLaw(coulomb);
+  if (mode.damping == 0.0) return model;
+  model.damping = analytic::Matrix(2, 2);
+  model.damping(0, 0) = mode.damping;
+  model.damping(0, 1) = model.damping(1, 0) = mode.contact_damping;
+  model.damping(1, 1) = 0.8;
+  return model;
+}
+
+/// T and T_t of the held mode from T(0) = 0.3, T_t(0) = -0.5, by the complex roots of lambda^2 + c lambda +
+/// omega^2 = 0; neither critically damped nor in resonance, in long double against the cancellation near it.
+struct HeldMotion {
+  double amplitude{}, rate{}, acceleration{};
+};
+HeldMotion exact_motion(const HeldMode& mode, double t) {
+  using Real = long double;
+  using Complex = std::complex<Real>;
+  const Complex i(0.0L, 1.0L);
+  const Real c = mode.damping, omega = mode.omega, drive = mode.load_omega;
+  // Re(load exp(i Omega t)); the wall moves by W sin(Omega t).
+  const Complex load = -i * (static_cast<Real>(mode.load) + mode.coupling * drive * drive * mode.wall) -
+                       static_cast<Real>(mode.contact_damping) * drive * static_cast<Real>(mode.wall);
+  const Complex steady = load / (omega * omega - drive * drive + i * c * drive);
+  const Complex root = std::sqrt(Complex(c * c / 4.0L - omega * omega));
+  const Complex first = -c / 2.0L + root, second = -c / 2.0L - root;
+  const Complex x0 = 0.3L - steady.real(), v0 = -0.5L - (i * drive * steady).real();
+  const Complex a = (v0 - second * x0) / (first - second), b = x0 - a;
+  const Complex ea = a * std::exp(first * static_cast<Real>(t));
+  const Complex eb = b * std::exp(second * static_cast<Real>(t));
+  const Complex es = steady * std::exp(i * drive * static_cast<Real>(t));
+  return {static_cast<double>((ea + eb + es).real()),
+          static_cast<double>((first * ea + second * eb + i * drive * es).real()),
+          static_cast<double>((first * first * ea + second * second * eb - drive * drive * es).real())};
+}
+
+void expect_exact_stick(const HeldMode& mode, const std::function<HeldMotion(double)>& exact) {
+  const ContactModel model = contact_model(mode);
+  EventDriven held(model);
+  held.start_stuck({0.3}, {-0.5}, 0.1);
+  for (int k = 1; k <= 40; ++k) {
+    const double t = 0.37 * k;
+    held.advance_to(t);
+    const HeldMotion expected = exact(t);
+    // In resonance the motion grows as t; phases are good to eps omega t.
+    const double scale = 1.0 + t, kappa = 1.0 + std::max(mode.omega, mode.load_omega) * t;
+    ASSERT_TRUE(within(held.amplitudes()[0], expected.amplitude, round_off(20, kappa, scale))) << t;
+    ASSERT_TRUE(within(held.rates()[0], expected.rate, round_off(20, kappa, mode.omega * scale))) << t;
+    // The balance of the contact, every term of it.
+    const double drive = mode.load_omega, s = std::sin(drive * t), wall = mode.wall;
+    const double u = 0.1 + wall * s, v = wall * drive * std::cos(drive * t), a = -drive * drive * wall * s;
+    double force =
+        mode.coupling * expected.acceleration + 1.5 * a + 19.4 * u + 0.9 * expected.amplitude + 0.2 * s;
+    if (mode.damping != 0.0) force += mode.contact_damping * expected.rate + 0.8 * v;
+    ASSERT_TRUE(within(held.friction_force(), force, round_off(40, kappa, 20.0 * scale))) << t;
+    ASSERT_TRUE(within(held.contact_displacement(), u, round_off(4, kappa, 1.0)));
+    ASSERT_TRUE(within(held.contact_velocity(), v, round_off(4, kappa, 3.0)));
+  }
+  EXPECT_TRUE(held.events().empty());
+}
+
+class HeldModeNearResonance : public ::testing::TestWithParam<double> {};
+
+TEST_P(HeldModeNearResonance, FollowsTheClosedForm) {
+  // From far off to within 1e-6 of resonance.
+  const HeldMode mode{.load_omega = 3.0 * (1.0 + GetParam()), .wall = 0.05};
+  expect_exact_stick(mode, [&](double t) { return exact_motion(mode, t); });
+}
+
+INSTANTIATE_TEST_SUITE_P(Detuning, HeldModeNearResonance,
+                         ::testing::Values(-0.5, -0.01, -1e-6, 1e-6, 1e-3, 0.1, 3.0), NameOfDouble());
+
+TEST(HeldMode, GrowsWithTimeAtResonance) {
+  // T = 0.3 cos(omega t) - 0.5 sin(omega t)/omega + b/(2 omega^2) (sin(omega t) - omega t cos(omega t)).
+  const HeldMode mode{.wall = 0.05};
+  const double omega = mode.omega, b = mode.load + mode.coupling * omega * omega * mode.wall;
+  expect_exact_stick(mode, [=](double t) -> HeldMotion {
+    const double sine = std::sin(omega * t), cosine = std::cos(omega * t), p = b / (2.0 * omega * omega);
+    const double amplitude = 0.3 * cosine - 0.5 / omega * sine + p * (sine - omega * t * cosine);
+    return {amplitude, -0.3 * omega * sine - 0.5 * cosine + p * omega * omega * t * sine,
+            b * sine - omega * omega * amplitude};
+  });
+}
+
+class DampedHeldMode : public ::testing::TestWithParam<double> {};
+
+TEST_P(DampedHeldMode, FollowsTheClosedForm) {
+  // Fractions of critical damping, oscillating and creeping, at and off resonance.
+  for (const double load_omega : {2.0, 3.0, 7.0}) {
+    const HeldMode mode{
+        .damping = 6.0 * GetParam(), .load_omega = load_omega, .wall = 0.05, .contact_damping = 0.3};
+    expect_exact_stick(mode, [&](double t) { return exact_motion(mode, t); });
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(FractionOfCritical, DampedHeldMode, ::testing::Values(1e-3, 0.1, 0.9, 1.2, 5.0),
+                         NameOfDouble());
+
+TEST(HeldMode, RefusesCriticalDampingWhoseEigenvectorsAreParallel) {
+  EXPECT_THROW(EventDriven(contact_model(HeldMode{.damping = 6.0})), std::runtime_error);
+}
+
+TEST(HeldMode, ZeroDampingMatrixIsNoDamping) {
+  // Twelve modes, the damped route by eigenvectors of a 24 x 24 matrix, the other one by hand. Eigenvalues
+  // are good to eps times the norm, 200 omega_1 for twelve modes, and turn into phases over 0.05 s.
+  const data::HarmonicExcitation excitation({.frequency_hz = 25.0, .amplitude = 0.5e-3});
+  ContactModel model = analytic::BeamContactModel(paper_beam(), paper_friction(), excitation, {}, 12).model();
+  EventDriven undamped(model);
+  model.damping = analytic::Matrix(13, 13);
+  EventDriven damped(model);
+  for (const double t : {0.01, 0.03, 0.05}) {
+    undamped.advance_to(t);
+    damped.advance_to(t);
+    const double kappa = model.angular_frequency.back() * t;
+    EXPECT_TRUE(within(damped.friction_force(), undamped.friction_force(), round_off(24, kappa, 300.0)));
+    for (std::size_t n = 0; n < 12; ++n)
+      EXPECT_TRUE(within(damped.amplitudes()[n], undamped.amplitudes()[n], round_off(24, kappa, 1e-2)));
+  }
+}
+
+// Two masses.
+
+TEST(EventDriven, FollowsTwoMassesThroughOnsetsCapturesAndReversals) {
+  // 12 s at up to 4.6 rad/s with slips of about 1 m/s; the slowest stops decelerate at 1 m/s^2, so that times
+  // are as good as velocities. ExactPair bisects to round-off: 1000 exponentials of 4 s matrices, 1e-13.
+  const ForcedPair pair;
+  ExactPair exact(pair);
+  exact.run(12.0);
+  EventDriven masses(contact_model(pair));
+  const double wall_velocity = pair.omega * pair.wall_amplitude;
+  masses.start_stuck({0.0}, {-static_shape(pair) * wall_velocity / mode_shape(pair)});
+  masses.advance_to(12.0);
+  const Tolerance tolerance = accumulated(1e-12, 10.0 * 4.6 * 12.0, 1.0);
+  ASSERT_EQ(masses.events().size(), 23u);
+  ASSERT_EQ(exact.events().size(), 23u);
+  for (std::size_t i = 0; i < 23; ++i) {
+    // Both enumerations list onset, capture, reversal, graze.
+    EXPECT_EQ(static_cast<int>(masses.events()[i].change), static_cast<int>(exact.events()[i].kind)) << i;
+    EXPECT_TRUE(within(masses.events()[i].time, exact.events()[i].time, tolerance)) << i;
+    EXPECT_TRUE(within(masses.events()[i].position, exact.events()[i].displacement, tolerance)) << i;
+  }
+  const double u = masses.contact_displacement(), v = masses.contact_velocity();
+  const double sigma = static_shape(pair), mode = mode_shape(pair);
+  EXPECT_TRUE(within(u, exact.displacement()[1], tolerance));
+  EXPECT_TRUE(within(v, exact.velocity()[1], tolerance));
+  EXPECT_TRUE(within(sigma * u + mode * masses.amplitudes()[0], exact.displacement()[0], tolerance));
+  EXPECT_TRUE(within(sigma * v + mode * masses.rates()[0], exact.velocity()[0], tolerance));
+}
+
+TEST(EventDriven, EventTimesFollowTheToleranceUnderWeakeningFriction) {
+  // The law falls within 1/60 m/s, much faster than the masses move, so that the tolerance sets the steps.
+  ContactModel model = contact_model(ForcedPair{});
+  model.friction = data::FrictionLaw({.static_coefficient = 0.3, .kinetic_coefficient = 0.1, .decay = 60.0});
+  const auto run = [&model](double tolerance) {
+    EventDriven masses(model, {.tolerance = tolerance});
+    masses.advance_to(6.0);
+    return masses.events();
+  };
+  const auto reference_events = run(1e-14);
+  ASSERT_GE(reference_events.size(), 6u);
+  double previous = std::numeric_limits<double>::infinity(), error = 0.0;
+  for (const double tolerance : {1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13}) {
+    const auto events = run(tolerance);
+    ASSERT_EQ(events.size(), reference_events.size()) << tolerance;
+    error = 0.0;
+    for (std::size_t i = 0; i < events.size(); ++i) {
+      EXPECT_EQ(events[i].change, reference_events[i].change);
+      error = std::max(error, std::abs(events[i].time - reference_events[i].time));
+    }
+    EXPECT_LT(error, previous) << tolerance;
+    EXPECT_LT(error, 1e3 * tolerance);
+    if (::testing::Test::HasFailure()) return;
+    previous = error;
+  }
+  EXPECT_LT(error, 1e-10);
+}
+
+// The beam.
+
+ContactModel beam_model(double kelvin_voigt, double hz = 25.0) {
+  return analytic::BeamContactModel(paper_beam(), paper_friction(),
+                                    data::HarmonicExcitation({.frequency_hz = hz, .amplitude = 1e-3}),
+                                    data::Damping({.kelvin_voigt = kelvin_voigt}), 10)
+      .model();
+}
+
+TEST(EventDrivenBeam, DampedSlipsAndSticksAsRecorded) {
+  EventDriven beam(beam_model(6.4e-5));
+  beam.advance_to(0.09);
+  const std::vector<ContactEvent> recorded{{ContactChange::onset, 0.055321, 0.0},
+                                           {ContactChange::capture, 0.068022, 1.6961e-3},
+                                           {ContactChange::onset, 0.07289, 1.6961e-3},
+                                           {ContactChange::capture, 0.089036, -2.5093e-3}};
+  const auto time_accuracy = reference(1e-5, "event-driven integration on 10 and 20 elements");
+  const auto position_accuracy = reference(2e-6, "event-driven integration on 10 and 20 elements");
+  ASSERT_EQ(beam.events().size(), recorded.size());
+  for (std::size_t i = 0; i < recorded.size(); ++i) {
+    EXPECT_EQ(beam.events()[i].change, recorded[i].change);
+    EXPECT_TRUE(within(beam.events()[i].time, recorded[i].time, time_accuracy));
+    EXPECT_TRUE(within(beam.events()[i].position, recorded[i].position, position_accuracy));
+  }
+}
+
+class EventDrivenBeamEnergy : public ::testing::TestWithParam<double> {};
+
+TEST_P(EventDrivenBeamEnergy, BooksBalanceAndLossesOnlyGrow) {
+  EventDriven beam(beam_model(GetParam()), {.keep_books = true});
+  const EnergyBooks start = beam.books();
+  EnergyBooks before = start;
+  for (int k = 1; k <= 60; ++k) {
+    beam.advance_to(0.005 * k);
+    const EnergyBooks now = beam.books();
+    const double residual = now.kinetic + now.potential - start.kinetic - start.potential - now.base_work -
+                            now.follower_work + now.damping_loss + now.friction_loss;
+    // 10 steps per radian of the highest mode at 15 krad/s, 1e-12 per step of the works and the state.
+    ASSERT_TRUE(within(residual, 0.0, accumulated(1e-12, 10.0 * 15e3 * beam.time(), 1e-3)));
+    ASSERT_LT(std::abs(residual), 1e-10 * std::max(1.0, now.base_work));
+    ASSERT_GE(now.friction_loss, before.friction_loss);
+    if (GetParam() > 0.0) {
+      ASSERT_GT(now.damping_loss, before.damping_loss);
+    } else {
+      ASSERT_EQ(now.damping_loss, 0.0);
+    }
+    if (beam.state() == ContactState::slip) {
+      ASSERT_LE(beam.friction_force() * beam.sliding_velocity(), 0.0);
+      ASSERT_GE(std::abs(beam.friction_force()), 150.0);
+    }
+    ASSERT_LE(std::abs(beam.friction_force()), 300.0 * (1.0 + 1e-12));
+    before = now;
+  }
+  EXPECT_GT(before.friction_loss, 5.0);
+  EXPECT_GT(beam.events().size(), 20u);
+}
+
+INSTANTIATE_TEST_SUITE_P(KelvinVoigt, EventDrivenBeamEnergy, ::testing::Values(0.0, 6.4e-5), NameOfDouble());
+
+TEST(EventDrivenBeam, HistoryDoesNotDependOnTheTimesAskedFor) {
+  EventDriven once(beam_model(6.4e-5), {.keep_books = true}), often(beam_model(6.4e-5), {.keep_books = true});
+  once.advance_to(0.2);
+  for (int k = 1; k <= 1000; ++k) often.advance_to(0.2e-3 * k);
+  ASSERT_EQ(once.events().size(), often.events().size());
+  ASSERT_GT(once.events().size(), 10u);
+  // Rounding of the onsets, eps of the time, carried through the phases after it.
+  for (std::size_t i = 0; i < once.events().size(); ++i) {
+    EXPECT_EQ(once.events()[i].change, often.events()[i].change);
+    EXPECT_TRUE(within(often.events()[i].time, once.events()[i].time, round_off(100, 100, 0.1)));
+    EXPECT_TRUE(within(often.events()[i].position, once.events()[i].position, round_off(100, 100, 2e-3)));
+  }
+  EXPECT_TRUE(within(often.contact_displacement(), once.contact_displacement(), round_off(100, 100, 2e-3)));
+  EXPECT_TRUE(within(often.books().base_work, once.books().base_work, round_off(1000, 10, 10.0)));
+}
+
+// Bad input.
+
+template <class Call>
+std::string refusal_of(Call call) {
+  try {
+    call();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "nothing was refused";
+}
+
+TEST(EventDriven, RefusesUnusableModels) {
+  const double nan = std::nan("");
+  const auto refusal_with = [](const std::function<void(ContactModel&)>& spoil) {
+    ContactModel model = contact_model(ForcedPair{});
+    spoil(model);
+    return refusal_of([&] { EventDriven run(model); });
+  };
+  const auto names = [](const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos ? ::testing::AssertionSuccess()
+                                                : ::testing::AssertionFailure() << text;
+  };
+  for (const double omega : {0.0, -1.0, nan}) {
+    EXPECT_TRUE(
+        names(refusal_with([=](auto& m) { m.angular_frequency[0] = omega; }), "angular_frequency is"));
+    EXPECT_TRUE(
+        names(refusal_with([=](auto& m) { m.load_angular_frequency = omega; }), "load_angular_frequency is"));
+  }
+  EXPECT_TRUE(names(refusal_with([](auto& m) { m.mass_coupling.push_back(0.0); }), "mass_coupling is 2"));
+  EXPECT_TRUE(names(refusal_with([](auto& m) { m.follower.clear(); }), "follower is 0"));
+  EXPECT_TRUE(names(refusal_with([](auto& m) { m.load.pop_back(); }), "load is 1"));
+  EXPECT_TRUE(names(refusal_with([](auto& m) { m.damping = analytic::Matrix(1, 2); }), "damping"));
+  EXPECT_TRUE(names(refusal_with([](auto& m) { m.contact_mass = 0.1; }), "contact_mass"));
+  for (const double force : {-1.0, nan})
+    EXPECT_TRUE(names(refusal_with([=](auto& m) { m.normal_force = force; }), "normal_force"));
+  EXPECT_TRUE(names(refusal_with([=](auto& m) { m.load[0] = nan; }), "load is nan"));
+  EXPECT_TRUE(names(refusal_with([=](auto& m) { m.follower[0] = nan; }), "follower is nan"));
+  EXPECT_TRUE(names(refusal_with([=](auto& m) { m.damping(0, 1) = nan; }), "damping is nan"));
+  EXPECT_TRUE(names(refusal_with([=](auto& m) { m.contact_stiffness = nan; }), "contact_stiffness"));
+  EXPECT_TRUE(names(refusal_with([=](auto& m) { m.contact_follower = nan; }), "contact_follower"));
+  EXPECT_TRUE(names(refusal_with([=](auto& m) { m.wall_amplitude = nan; }), "wall_amplitude"));
+}
+
+TEST(EventDriven, RefusesUnusableSettingsStartsAndTimes) {
+  const ContactModel model = contact_model(ForcedPair{});
+  for (const double tolerance : {0.0, -1e-9, 1e-15, 1e-2, std::nan("")})
+    EXPECT_THROW(EventDriven(model, {.tolerance = tolerance}), std::invalid_argument) << tolerance;
+  EventDriven run(model);
+  EXPECT_THROW(run.start_stuck({0.0, 0.0}, {}), std::invalid_argument);
+  EXPECT_THROW(run.start_stuck({std::nan("")}, {}), std::invalid_argument);
+  EXPECT_THROW(run.start_stuck({}, {}, std::nan("")), std::invalid_argument);
+  EXPECT_THROW(run.start_slipping({}, {0.0, 0.0}, 0.0, 0.0), std::invalid_argument);
+  EXPECT_THROW(run.start_slipping({}, {}, 0.0, std::nan("")), std::invalid_argument);
+  run.start_stuck({}, {});
+  run.advance_to(0.5);
+  for (const double t : {0.4, std::nan(""), std::numeric_limits<double>::infinity()})
+    EXPECT_THROW(run.advance_to(t), std::invalid_argument);
+  EXPECT_THROW((void)run.books(), std::logic_error);
+}
+
+}  // namespace
+}  // namespace stickslip::testing
