@@ -182,12 +182,131 @@ FigureData refinement(StudyResults& results) {
   return data;
 }
 
+std::string quoted(const std::string& text) { return '"' + text + '"'; }
+
+// Run 0 is the uncertainty of the reference; run k has the variable title<k>.
+FigureData benchmark(StudyResults& results) {
+  const auto& all = results.damped_benchmarks();
+  CsvTable histories("Damped benchmark: tip displacement y(L, t) of the reference",
+                     {{"time_s", "s"}, {"tip_25hz_m", "m"}, {"tip_70hz_m", "m"}});
+  for (std::size_t n = 0; n < all.front().history.time.size(); ++n)
+    histories.add_numbers({all.front().history.time[n], all.front().history.tip_displacement[n],
+                           all.back().history.tip_displacement[n]});
+  CsvTable events("Damped benchmark: events of the reference and differences of other runs to it",
+                  {{"frequency_Hz", "Hz"},
+                   {"run", "1"},
+                   {"method", "-"},
+                   {"elements_or_modes", "1"},
+                   {"time_step_s", "s"},
+                   {"event_time_s", "s"},
+                   {"change", "-"},
+                   {"position_m", "m"},
+                   {"time_difference_s", "s"},
+                   {"position_difference_m", "m"}});
+  FigureData data;
+  for (const auto& benchmark : all) {
+    const auto add = [&](std::size_t run, const std::string& method, int size, double step, std::size_t i,
+                         double time, double position) {
+      const auto& event = benchmark.events[i].event;
+      events.add_row({csv_number(benchmark.frequency_hz), std::to_string(run), quoted(method),
+                      std::to_string(size), csv_number(step), csv_number(event.time),
+                      event.onset ? "onset" : "capture", csv_number(event.position), csv_number(time),
+                      csv_number(position)});
+    };
+    for (std::size_t i = 0; i < benchmark.events.size(); ++i)
+      add(0, "uncertainty of the reference", benchmark.modes, 0.0, i, benchmark.events[i].time_uncertainty,
+          benchmark.events[i].position_uncertainty);
+    for (std::size_t k = 0; k < benchmark.runs.size(); ++k) {
+      const auto& run = benchmark.runs[k];
+      for (std::size_t i = 0; i < run.each.size(); ++i)
+        add(k + 1, run.method, run.size, run.time_step, i, run.each[i].time, run.each[i].position);
+    }
+  }
+  for (std::size_t k = 0; k < all.front().runs.size(); ++k) {
+    const auto& run = all.front().runs[k];
+    data.variables.emplace_back(fmt::format("title{}", k + 1), fmt::format("'{}: {}'", run.method, run.size));
+  }
+  data.variables.emplace_back("shown", variable(all.front().duration));
+  data.tables.push_back({"benchmark", std::move(events)});
+  data.tables.push_back({"benchmark-histories", std::move(histories)});
+  return data;
+}
+
+FigureData event_order(StudyResults& results) {
+  CsvTable table("Errors through the events of a damped history", {{"spectral_radius", "1"},
+                                                                   {"time_step_s", "s"},
+                                                                   {"located_event_time_s", "s"},
+                                                                   {"end_of_step_event_time_s", "s"},
+                                                                   {"located_tip_m", "m"},
+                                                                   {"end_of_step_tip_m", "m"}});
+  for (const auto& study : results.event_orders())
+    for (std::size_t i = 0; i < study.time_step.size(); ++i)
+      table.add_numbers({study.spectral_radius, study.time_step[i], study.located.event_time_error[i],
+                         study.at_end_of_step.event_time_error[i], study.located.tip_error[i],
+                         study.at_end_of_step.tip_error[i]});
+  FigureData data;
+  data.tables.push_back({"event-order", std::move(table)});
+  return data;
+}
+
+// Largest difference of the tip per period; comparison k of frequency j in the order of the table.
+FigureData predictability(StudyResults& results) {
+  CsvTable table("Separation of undamped histories", {{"frequency_Hz", "Hz"},
+                                                      {"comparison", "1"},
+                                                      {"what", "-"},
+                                                      {"time_s", "s"},
+                                                      {"separation_m", "m"},
+                                                      {"range_m", "m"}});
+  for (const auto& study : results.predictability())
+    for (std::size_t k = 0; k < study.separations.size(); ++k)
+      for (std::size_t i = 0; i < study.separations[k].time.size(); ++i)
+        table.add_row({csv_number(study.frequency_hz), std::to_string(k + 1),
+                       quoted(study.separations[k].what), csv_number(study.separations[k].time[i]),
+                       csv_number(study.separations[k].separation[i]), csv_number(study.range)});
+  FigureData data;
+  const auto& first = results.predictability().front();
+  data.variables.emplace_back("comparisons", std::to_string(first.separations.size()));
+  for (std::size_t k = 0; k < first.separations.size(); ++k)
+    data.variables.emplace_back(fmt::format("title{}", k + 1),
+                                fmt::format("'{}'", first.separations[k].what));
+  for (std::size_t j = 0; j < results.predictability().size(); ++j)
+    data.variables.emplace_back(fmt::format("range{}", j + 1), variable(results.predictability()[j].range));
+  data.variables.emplace_back("rate", variable(first.predicted_rate));
+  data.tables.push_back({"predictability", std::move(table)});
+  return data;
+}
+
+FigureData energy(StudyResults& results) {
+  CsvTable table("Unexplained energy of the time stepper over the base work, spectral radius 1",
+                 {{"kelvin_voigt_s", "s"},
+                  {"time_step_s", "s"},
+                  {"residual_J", "J"},
+                  {"base_work_J", "J"},
+                  {"event_driven_residual_J", "J"}});
+  for (const auto& audit : results.energy_audits())
+    for (std::size_t i = 0; i < audit.time_step.size(); ++i)
+      table.add_numbers({audit.kelvin_voigt, audit.time_step[i], audit.stepped[i].residual(),
+                         audit.stepped[i].base_work, audit.event_driven_residual()});
+  FigureData data;
+  data.tables.push_back({"energy", std::move(table)});
+  return data;
+}
+
 }  // namespace
 
 const std::vector<Figure>& all_figures() {
-  static const std::vector<Figure> figures{
-      {"fig7", figure7},   {"convergence", convergence}, {"fig9", figure9}, {"refinement", refinement},
-      {"fig11", figure11}, {"fig12", figure12},          {"fig4", figure4}, {"fig5", figure5}};
+  static const std::vector<Figure> figures{{"fig7", figure7},
+                                           {"convergence", convergence},
+                                           {"fig9", figure9},
+                                           {"refinement", refinement},
+                                           {"fig11", figure11},
+                                           {"fig12", figure12},
+                                           {"fig4", figure4},
+                                           {"fig5", figure5},
+                                           {"event-order", event_order},
+                                           {"energy", energy},
+                                           {"benchmark", benchmark},
+                                           {"predictability", predictability}};
   return figures;
 }
 

@@ -136,6 +136,57 @@ void define_histories(StudyResults& results, Macros& macros) {
   macros.plain("LargeAmplitude", histories.back().amplitude / millimetre);
 }
 
+// The time stepper on the most elements with the shortest step.
+const studies::BenchmarkRun& finest_stepped(const studies::DampedBenchmark& benchmark) {
+  const studies::BenchmarkRun* finest = nullptr;
+  for (const auto& run : benchmark.runs)
+    if (run.time_step > 0.0 && (!finest || run.size > finest->size ||
+                                (run.size == finest->size && run.time_step < finest->time_step)))
+      finest = &run;
+  return *finest;
+}
+
+void define_events(StudyResults& results, Macros& macros) {
+  const auto& benchmarks = results.damped_benchmarks();
+  const auto& finest = finest_stepped(benchmarks.front());
+  macros.define("KelvinVoigt", scientific(benchmarks.front().kelvin_voigt, 2));
+  macros.define("ShortestStick", significant(benchmarks.front().shortest_stick / microsecond, 2));
+  macros.count("BenchmarkModes", benchmarks.front().modes);
+  macros.count("BenchmarkElements", finest.size);
+  macros.define("BenchmarkStep", significant(finest.time_step / microsecond, 2));
+  macros.count("BenchmarkEventsLow", benchmarks.front().events.size());
+  macros.count("BenchmarkEventsHigh", benchmarks.back().events.size());
+  double time = 0.0, position = 0.0, first_time = 0.0, first_position = 0.0;
+  for (const auto& benchmark : benchmarks) {
+    const auto& run = finest_stepped(benchmark);
+    time = std::max(time, run.all.time);
+    position = std::max(position, run.all.position);
+    first_time = std::max(first_time, run.first_ten.time);
+    first_position = std::max(first_position, run.first_ten.position);
+  }
+  macros.define("BenchmarkFirstTime", scientific(first_time, 1));
+  macros.define("BenchmarkFirstPosition", scientific(first_position, 1));
+  macros.define("BenchmarkAllTime", scientific(time, 1));
+  macros.define("BenchmarkAllPosition", scientific(position, 1));
+
+  const auto& orders = results.event_orders();
+  macros.count("EventOrderElements", orders.front().elements);
+  macros.count("EventOrderEvents", orders.front().events);
+
+  const auto& low = results.predictability().front();
+  const auto& high = results.predictability().back();
+  macros.define("PumpRate", significant(low.predicted_rate, 2));
+  macros.define("SlipShareLow", fixed(100.0 * low.slip_share, 0));
+  macros.define("SlipShareHigh", fixed(100.0 * high.slip_share, 0));
+  macros.define("PerturbationLow", scientific(low.separations.front().largest * low.range, 1));
+  macros.define("PerturbationHigh", scientific(high.separations.front().largest * high.range, 1));
+  macros.define("PerturbationRate", significant(low.separations.front().growth_rate, 2));
+
+  const auto& audit = results.energy_audits();
+  macros.define("EnergyOrderDamped", fixed(audit.front().observed_order, 2));
+  macros.define("EnergyOrderUndamped", fixed(audit.back().observed_order, 2));
+}
+
 // "(a) half a unit of the last digit; (b) ..."
 std::string reasons_text(const std::vector<std::string>& reasons) {
   std::string text;
@@ -166,6 +217,7 @@ std::string make_numbers(StudyResults& results, const Environment& environment) 
   define_force_maxima(results, macros);
   define_classification(results, macros);
   define_histories(results, macros);
+  define_events(results, macros);
   define_paper(results, macros);
   return macros.text();
 }

@@ -16,6 +16,13 @@ constexpr int shown_modes = 3;
 constexpr double stick_history_duration = 1.0;  // s
 constexpr int stick_history_levels = 4;
 constexpr double highest_frequency = 120.0;  // of Figs. 11 and 12, Hz
+constexpr int slipping_frequencies_hz[] = {25, 70};
+constexpr double event_order_duration = 0.12;  // s: seven events
+constexpr int event_order_elements = 10;
+const std::vector<int> event_order_divisors{1, 2, 4, 8, 16, 32, 64};
+constexpr double energy_audit_duration = 0.2;  // s
+const std::vector<double> energy_audit_steps{2e-5, 1e-5, 5e-6, 2.5e-6};
+constexpr int continuous_modes = 20;
 
 data::NumericalSettings with_duration(const data::NumericalSettings& numerics, double duration) {
   data::NumericalChoices choices = numerics.choices();
@@ -27,6 +34,11 @@ data::HarmonicExcitation printed_excitation(const std::string& frequency_id,
                                             const std::string& amplitude_id) {
   return data::HarmonicExcitation({.frequency_hz = data::printed_number(frequency_id).value,
                                    .amplitude = data::printed_number(amplitude_id).value});
+}
+
+data::Case at_frequency(data::Case problem, double hz) {
+  problem.excitation = data::HarmonicExcitation({hz, problem.excitation.amplitude()});
+  return problem;
 }
 
 // Every quarter of a hertz, and every hundredth within half a hertz of a resonance, where the curve has a
@@ -46,6 +58,7 @@ std::vector<double> criterion_frequencies(const studies::FrequencyStudy& natural
 StudyResults::StudyResults(std::function<void(const std::string&)> announce)
     : announce_(std::move(announce)),
       paper_(data::load_case("paper")),
+      damped_(data::load_case("damped")),
       stick_excitation_(printed_excitation("figure9.frequency", "figure9.amplitude")) {}
 
 const studies::FrequencyStudy& StudyResults::stick_frequencies() {
@@ -121,6 +134,55 @@ const std::vector<studies::ContactHistory>& StudyResults::contact_histories() {
           data::HarmonicExcitation({.frequency_hz = verdict.frequency_hz, .amplitude = verdict.amplitude}),
           paper_.numerics, shown_duration));
     return histories;
+  });
+}
+
+const std::vector<studies::EventOrderStudy>& StudyResults::event_orders() {
+  return once(event_orders_, "orders through the events of a damped history", [&] {
+    std::vector<studies::EventOrderStudy> orders;
+    for (const double radius : {paper_.numerics.spectral_radius(), 1.0})
+      orders.push_back(studies::event_order_study(damped_, event_order_duration, event_order_elements, radius,
+                                                  event_order_divisors));
+    return orders;
+  });
+}
+
+const std::vector<studies::DampedBenchmark>& StudyResults::damped_benchmarks() {
+  return once(damped_benchmarks_, "the damped benchmark by every method", [&] {
+    std::vector<studies::DampedBenchmark> benchmarks;
+    for (const int hz : slipping_frequencies_hz)
+      benchmarks.push_back(studies::damped_benchmark(at_frequency(damped_, hz)));
+    return benchmarks;
+  });
+}
+
+const std::vector<studies::PredictabilityStudy>& StudyResults::predictability() {
+  return once(predictability_, "how far undamped histories can be predicted", [&] {
+    std::vector<studies::PredictabilityStudy> all;
+    for (const int hz : slipping_frequencies_hz)
+      all.push_back(studies::predictability_study(paper_.beam, paper_.friction,
+                                                  at_frequency(damped_, hz).excitation, paper_.numerics,
+                                                  shown_duration, continuous_modes));
+    return all;
+  });
+}
+
+const std::vector<studies::EnergyAudit>& StudyResults::energy_audits() {
+  return once(energy_audits_, "energy books", [&] {
+    data::Case undamped = damped_;
+    undamped.damping = data::Damping();
+    std::vector<studies::EnergyAudit> audits;
+    for (const data::Case& problem : {damped_, undamped})
+      audits.push_back(studies::energy_audit(problem, energy_audit_duration, paper_.numerics.elements(),
+                                             continuous_modes, energy_audit_steps));
+    return audits;
+  });
+}
+
+const std::vector<studies::SchemeRun>& StudyResults::schemes() {
+  return once(schemes_, "contact schemes", [&] {
+    return studies::compare_schemes(paper_.beam, paper_.friction, damped_.excitation,
+                                    with_duration(paper_.numerics, shown_duration), data::Damping());
   });
 }
 

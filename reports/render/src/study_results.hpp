@@ -12,9 +12,14 @@
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/studies/classification.hpp"
 #include "stickslip/studies/contact_histories.hpp"
+#include "stickslip/studies/damped_benchmark.hpp"
+#include "stickslip/studies/energy_audit.hpp"
+#include "stickslip/studies/event_order.hpp"
 #include "stickslip/studies/force_maximum.hpp"
 #include "stickslip/studies/frequencies.hpp"
 #include "stickslip/studies/paper_checks.hpp"
+#include "stickslip/studies/predictability.hpp"
+#include "stickslip/studies/scheme_comparison.hpp"
 #include "stickslip/studies/stick_history.hpp"
 #include "stickslip/studies/time_order.hpp"
 
@@ -26,6 +31,7 @@ class StudyResults {
   explicit StudyResults(std::function<void(const std::string&)> announce);
 
   [[nodiscard]] const data::Case& paper() const noexcept { return paper_; }
+  [[nodiscard]] const data::Case& damped() const noexcept { return damped_; }
   [[nodiscard]] const data::HarmonicExcitation& stick_excitation() const noexcept {
     return stick_excitation_;
   }
@@ -33,13 +39,18 @@ class StudyResults {
   const studies::FrequencyStudy& stick_frequencies();
   const studies::FrequencyStudy& slip_frequencies();
   const studies::FlutterStudy& flutter();
-  const studies::ModeShapeStudy& mode_shapes();                     ///< points_per_element per element
-  const std::vector<studies::TimeOrderStudy>& time_orders();        ///< one per spectral radius
-  const studies::StickHistoryStudy& stick_history();                ///< Fig. 9
-  const std::vector<studies::ForceMaximum>& force_maxima();         ///< at the four frequencies of Sect. 5
-  const std::vector<studies::CriticalAmplitudePoint>& criterion();  ///< Fig. 11
-  const studies::ClassificationStudy& classification();             ///< Fig. 12
-  const std::vector<studies::ContactHistory>& contact_histories();  ///< Figs. 4 and 5, in the paper's order
+  const studies::ModeShapeStudy& mode_shapes();                       ///< points_per_element per element
+  const std::vector<studies::TimeOrderStudy>& time_orders();          ///< one per spectral radius
+  const studies::StickHistoryStudy& stick_history();                  ///< Fig. 9
+  const std::vector<studies::ForceMaximum>& force_maxima();           ///< at the four frequencies of Sect. 5
+  const std::vector<studies::CriticalAmplitudePoint>& criterion();    ///< Fig. 11
+  const studies::ClassificationStudy& classification();               ///< Fig. 12
+  const std::vector<studies::ContactHistory>& contact_histories();    ///< Figs. 4 and 5, in the paper's order
+  const std::vector<studies::EventOrderStudy>& event_orders();        ///< spectral radii 0.9 and 1
+  const std::vector<studies::DampedBenchmark>& damped_benchmarks();   ///< 25 and 70 Hz
+  const std::vector<studies::PredictabilityStudy>& predictability();  ///< 25 and 70 Hz, undamped
+  const std::vector<studies::EnergyAudit>& energy_audits();           ///< damped and undamped, 25 Hz
+  const std::vector<studies::SchemeRun>& schemes();                   ///< paper's settings, 25 Hz, 1 mm
   const std::vector<studies::PrintedCheck>& printed_checks();
   const std::vector<studies::ErratumEvidence>& errata_evidence();
 
@@ -58,6 +69,7 @@ class StudyResults {
 
   std::function<void(const std::string&)> announce_;
   data::Case paper_;
+  data::Case damped_;
   data::HarmonicExcitation stick_excitation_;
   std::optional<studies::FrequencyStudy> stick_frequencies_, slip_frequencies_;
   std::optional<studies::FlutterStudy> flutter_;
@@ -68,6 +80,11 @@ class StudyResults {
   std::optional<std::vector<studies::CriticalAmplitudePoint>> criterion_;
   std::optional<studies::ClassificationStudy> classification_;
   std::optional<std::vector<studies::ContactHistory>> contact_histories_;
+  std::optional<std::vector<studies::EventOrderStudy>> event_orders_;
+  std::optional<std::vector<studies::DampedBenchmark>> damped_benchmarks_;
+  std::optional<std::vector<studies::PredictabilityStudy>> predictability_;
+  std::optional<std::vector<studies::EnergyAudit>> energy_audits_;
+  std::optional<std::vector<studies::SchemeRun>> schemes_;
   std::optional<std::vector<studies::PrintedCheck>> printed_checks_;
   std::optional<std::vector<studies::ErratumEvidence>> errata_evidence_;
 };

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "findings.hpp"
 #include "stickslip/data/paper.hpp"
@@ -238,6 +239,123 @@ std::string verdicts(StudyResults& results) {
   return rows.text();
 }
 
+std::string scheme_name(solver::ContactScheme scheme) {
+  switch (scheme) {
+    case solver::ContactScheme::located:
+      return "located inside the step";
+    case solver::ContactScheme::end_of_step:
+      return "at the end of the step";
+    case solver::ContactScheme::paper:
+      return "the letter of the paper";
+  }
+  return "";
+}
+
+std::string schemes(StudyResults& results) {
+  Rows rows;
+  for (const auto& run : results.schemes()) {
+    std::vector<std::string> plateaus;
+    for (std::size_t i = 0; i < std::min<std::size_t>(3, run.plateaus.size()); ++i)
+      plateaus.push_back(fixed(run.plateaus[i].tip_displacement / millimetre, 3));
+    rows.add({scheme_name(run.scheme), run.first_slip ? fixed(*run.first_slip / millisecond, 3) : "--",
+              std::to_string(run.events),
+              plateaus.empty() ? "none" : fmt::format("{}", fmt::join(plateaus, ", ")),
+              fixed(run.largest_tip_displacement / millimetre, 2),
+              significant(100.0 * run.relative_residual(), 2)});
+  }
+  return rows.text();
+}
+
+std::string event_orders(StudyResults& results) {
+  Rows rows;
+  for (const auto& study : results.event_orders())
+    for (const auto& [name, order] :
+         {std::pair{"located", &study.located}, {"at the end of the step", &study.at_end_of_step}})
+      rows.add({fixed(study.spectral_radius, 1), name, fixed(order->event_time_order, 2),
+                fixed(order->event_position_order, 2), fixed(order->tip_order, 2),
+                scientific(order->event_time_error.back(), 1),
+                scientific(order->event_position_error.back(), 1)});
+  return rows.text();
+}
+
+// Both histories side by side: ten events each.
+std::string benchmark_events(StudyResults& results) {
+  Rows rows;
+  const auto cells = [](const studies::BenchmarkEvent& event) {
+    return std::vector<std::string>{event.event.onset ? "slip" : "stick", fixed(event.event.time, 7),
+                                    scientific(event.time_uncertainty, 1),
+                                    fixed(event.event.position / millimetre, 5),
+                                    scientific(event.position_uncertainty, 1)};
+  };
+  const auto& all = results.damped_benchmarks();
+  for (std::size_t i = 0; i < 10; ++i) {
+    std::vector<std::string> row{std::to_string(i + 1)};
+    for (const auto& benchmark : all)
+      for (const auto& cell : cells(benchmark.events[i])) row.push_back(cell);
+    rows.add(row);
+  }
+  return rows.text();
+}
+
+std::string difference_text(double value) { return std::isinf(value) ? "--" : scientific(value, 1); }
+
+std::string benchmark_runs(StudyResults& results) {
+  Rows rows;
+  const auto& all = results.damped_benchmarks();
+  for (std::size_t i = 0; i < all.front().runs.size(); ++i) {
+    const auto& run = all.front().runs[i];
+    std::vector<std::string> row{run.method, std::to_string(run.size),
+                                 run.time_step > 0.0 ? scientific(run.time_step, 2) : "--"};
+    for (const auto& benchmark : all) {
+      const auto& here = benchmark.runs[i];
+      row.push_back(difference_text(here.first_ten.time));
+      row.push_back(difference_text(here.first_ten.position));
+      row.push_back(difference_text(here.all.time));
+    }
+    rows.add(row);
+  }
+  return rows.text();
+}
+
+std::string predictability(StudyResults& results) {
+  Rows rows;
+  for (const auto& study : results.predictability()) {
+    for (const auto& separation : study.separations) {
+      const auto until = [&](double time) { return time >= study.duration ? "--" : fixed(time, 3); };
+      rows.add({plain_number(study.frequency_hz), typeset(separation.what),
+                until(separation.one_percent_until), until(separation.ten_percent_until),
+                compact_number(100.0 * separation.largest, 2), fixed(separation.growth_rate, 0),
+                fmt::format("{}, {}", separation.changes, separation.other_changes)});
+    }
+    rows.space();
+  }
+  return rows.text();
+}
+
+std::string energy(StudyResults& results) {
+  Rows rows;
+  const auto joule = [](double value) {
+    return std::abs(value) < 1e-4 ? scientific(value, 1) : fixed(value, 5);
+  };
+  for (const auto& audit : results.energy_audits()) {
+    const std::string damping =
+        audit.kelvin_voigt > 0.0 ? scientific(audit.kelvin_voigt, 2) : std::string("0");
+    const auto& exact = audit.event_driven;
+    rows.add({damping, fmt::format("event-driven, {} modes", audit.modes),
+              joule(exact.kinetic + exact.potential - audit.event_driven_initial), joule(exact.base_work),
+              joule(exact.follower_work), joule(exact.damping_loss), joule(exact.friction_loss),
+              scientific(audit.event_driven_residual(), 1)});
+    const auto& stepped = audit.stepped.back();
+    rows.add({damping,
+              fmt::format("{} elements, $\\Delta t = {}$ s", audit.elements,
+                          scientific(audit.time_step.back(), 2)),
+              joule(stepped.energy() - stepped.initial_energy), joule(stepped.base_work),
+              joule(stepped.follower_work), joule(stepped.damping_loss), joule(stepped.friction_loss),
+              scientific(stepped.residual(), 1)});
+  }
+  return rows.text();
+}
+
 std::string errata() {
   Rows rows;
   for (const auto& erratum : data::errata()) {
@@ -299,6 +417,12 @@ Document make_tables(StudyResults& results, const Environment& environment) {
           {"table-guard.tex", guard(results)},
           {"table-guard-points.tex", guard_points(results)},
           {"table-verdicts.tex", verdicts(results)},
+          {"table-schemes.tex", schemes(results)},
+          {"table-event-orders.tex", event_orders(results)},
+          {"table-energy.tex", energy(results)},
+          {"table-benchmark-events.tex", benchmark_events(results)},
+          {"table-benchmark-runs.tex", benchmark_runs(results)},
+          {"table-predictability.tex", predictability(results)},
           {"table-errata.tex", errata()},
           {"table-evidence.tex", evidence(results)},
           {"table-printed.tex", printed(results)},

@@ -1,0 +1,32 @@
+# Separation of undamped histories, largest per period of the load.
+width = 16
+height = 11
+load 'style.gp'
+file = folder.'predictability.csv'
+array hz[2] = [25, 70]
+array range[2] = [range1, range2]
+array titles[10] = [title1, title2, title3, title4, title5, title6, title7, title8, title9, title10]
+array colours[10] = [black, blue, purple, green, grey, vermillion, '#E69F00', '#56B4E9', '#7A5195', '#A05A2C']
+array shapes[10] = [7, 5, 9, 11, 13, 4, 6, 8, 10, 12]
+set logscale y
+set yrange [1e-13:1e-1]
+set format y '10^{%T}'
+set xrange [0:0.5]
+set xtics 0.1
+set xlabel 'time t / s'
+set multiplot
+do for [j = 1:2] {
+  left = 0.09 + 0.47 * (j - 1)
+  set lmargin at screen left
+  set rmargin at screen left + 0.40
+  set tmargin at screen 0.94
+  set bmargin at screen 0.41
+  set title sprintf('%d Hz', hz[j])
+  if (j == 1) { set ylabel 'largest difference of y(L) in a period / m' offset 1 } else { unset ylabel }
+  if (j == 1) { set key at screen 0.5, 0.01 center bottom maxrows 5 reverse Left width -3 } else { unset key }
+  plot 0.01 * range[j] with lines linestyle 3 notitle, \
+       0.1 * range[j] with lines linestyle 3 notitle, \
+       for [k = 1:comparisons] file using ($1 == hz[j] && $2 == k ? $4 : NaN):5 with linespoints \
+         pointtype shapes[k] pointsize 0.4 linecolor rgb colours[k] linewidth 0.8 title titles[k]
+}
+unset multiplot

@@ -1,0 +1,52 @@
+#include "stickslip/studies/energy_audit.hpp"
+
+#include <cmath>
+
+#include "stickslip/analytic/beam_contact_model.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
+#include "stickslip/studies/convergence.hpp"
+#include "stickslip/studies/event_history.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+solver::EnergyBalance stepped_balance(const data::Case& problem, double duration, int elements,
+                                      double time_step) {
+  data::NumericalChoices choices = refined(problem.numerics, elements, time_step).choices();
+  choices.spectral_radius = 1.0;
+  solver::BeamSimulation simulation(problem.beam, problem.friction, problem.excitation,
+                                    data::NumericalSettings(choices), {.damping = problem.damping});
+  solver::EnergyBooks books(simulation.integrator());
+  simulation.observe([&books](const solver::StickSlipIntegrator& now) { books.enter(now); });
+  for (long n = solver::step_count(duration, time_step); n > 0; --n) simulation.step();
+  return books.balance();
+}
+
+}  // namespace
+
+EnergyAudit energy_audit(const data::Case& problem, double duration, int elements, int modes,
+                         const std::vector<double>& time_steps) {
+  EnergyAudit audit;
+  audit.kelvin_voigt = problem.damping.kelvin_voigt();
+  audit.duration = duration;
+  audit.elements = elements;
+  audit.modes = modes;
+  const analytic::BeamContactModel beam(problem.beam, problem.friction, problem.excitation, problem.damping,
+                                        modes);
+  analytic::EventDriven run(beam.model(), {.keep_books = true});
+  audit.event_driven_initial = run.books().kinetic + run.books().potential;
+  run.advance_to(duration);
+  audit.event_driven = run.books();
+
+  std::vector<double> residuals;
+  for (const double time_step : time_steps) {
+    audit.time_step.push_back(time_step);
+    audit.stepped.push_back(stepped_balance(problem, duration, elements, time_step));
+    residuals.push_back(std::abs(audit.stepped.back().residual()));
+  }
+  audit.observed_order = observed_order(audit.time_step, residuals);
+  return audit;
+}
+
+}  // namespace stickslip::studies
