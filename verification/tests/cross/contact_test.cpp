@@ -182,9 +182,9 @@ TEST(StickSlipBeam, DampedBeamSlipsAndSticksWhenAnEventDrivenIntegrationDoes) {
 
   const solver::BeamModel model(paper_beam(), 20);
   const auto base = solver::harmonic_motion(data::HarmonicExcitation({25.0, 1e-3}));
-  solver::ContactSystem system = solver::beam_contact_system(model, paper_friction(), base);
-  system.damping = 6.4e-5 * model.elastic_stiffness();
-  solver::StickSlipIntegrator integrator(system, {.time_step = 1e-5, .spectral_radius = 0.9});
+  solver::StickSlipIntegrator integrator(
+      solver::beam_contact_system(model, paper_friction(), base, data::Damping({.kelvin_voigt = 6.4e-5})),
+      {.time_step = 1e-5, .spectral_radius = 0.9});
   integrator.start_stuck(Eigen::VectorXd::Zero(model.degrees_of_freedom()),
                          -base.velocity(0.0) * model.unit_tip_deflection());
   while (integrator.time() < 0.09) integrator.step();

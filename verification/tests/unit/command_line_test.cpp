@@ -230,9 +230,9 @@ TEST_F(CommandLine, FiniteElementsFollowTheDampingOfTheCase) {
   EXPECT_GT(json("respond damped --duration 0.1 --output '" + path("damped.csv") + "'")["first_slip_s"],
             0.0553);
   EXPECT_NE(history("--set damping.ratio=0.01"), history(""));
-  expect_refused(
-      "respond --set damping.ratio=0.01 --set numerics.elements=501 --output '" + path("none.csv") + "'",
-      "numerics.elements = 501: must be at most 500 with a damping.ratio above 0");
+  expect_refused("respond --duration 0.01 --set damping.ratio=0.01 --set numerics.elements=501 --output '" +
+                     path("none.csv") + "'",
+                 "numerics.elements = 501: must be at most 500 with a damping.ratio above 0");
 }
 
 TEST_F(CommandLine, WhatIsUndampedRefusesADampedCase) {

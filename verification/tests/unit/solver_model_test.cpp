@@ -246,6 +246,28 @@ TEST(BeamSimulation, LargestForceIsOneOfEitherSign) {
   EXPECT_EQ(largest(0.02), -lowest);
 }
 
+TEST(BeamSimulation, EveryRunTakesItsDamping) {
+  const data::HarmonicExcitation excitation({25.0, 1e-3});
+  const data::NumericalSettings numerics(coarse);
+  const data::Damping damping({.kelvin_voigt = 6.4e-5, .ratio = 0.01});
+  solver::BeamSimulation simulation(paper_beam(), paper_friction(), excitation, numerics,
+                                    {.damping = damping});
+  solver::BeamSimulation glued(paper_beam(), paper_friction(), excitation, numerics,
+                               {.contact = solver::TipContact::glued, .damping = damping});
+  const Eigen::MatrixXd expected = solver::damping_matrix(simulation.model(), damping);
+  EXPECT_EQ(Eigen::MatrixXd(simulation.integrator().system().damping), expected);
+  double largest = 0.0;
+  for (int n = 0; n < 2000; ++n) {
+    simulation.step();
+    glued.step();
+    largest = std::max(largest, std::abs(glued.friction_force()));
+  }
+  EXPECT_EQ(solver::max_abs_friction_force(paper_beam(), excitation, numerics, damping), largest);
+  EXPECT_EQ(solver::first_slip(paper_beam(), paper_friction(), excitation, numerics, damping),
+            simulation.integrator().events().front().time);
+  EXPECT_LT(largest, solver::max_abs_friction_force(paper_beam(), excitation, numerics));
+}
+
 TEST(BeamSimulation, FirstSlipIsFoundUpToTheLastStep) {
   const auto slip_within = [](double duration) {
     data::NumericalChoices choices = coarse;

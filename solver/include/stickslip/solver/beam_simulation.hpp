@@ -32,16 +32,18 @@ struct BeamRun {
 /// h(t) = A0 sin(2 pi hz t) with its derivatives.
 [[nodiscard]] PrescribedMotion harmonic_motion(const data::HarmonicExcitation& excitation);
 
-/// The damping of the beam on its mesh, the same matrix in stick and slip, symmetric:
+/// The damping of the beam on its mesh, symmetric, the same matrix in stick and slip:
 ///
-///     C = eta K + sum_n 2 zeta omega_n (M phi_n) (M phi_n)^T,    K phi_n = omega_n^2 M phi_n, phi_n^T M
-///     phi_n = 1,
+///     C = eta K + sum_n 2 zeta omega_n (M phi_n) (M phi_n)^T,
+///     K phi_n = omega_n^2 M phi_n,  phi_n^T M phi_n = 1,
 ///
 /// with the elastic K, which the axial force does not change, and all modes phi_n of the mesh with its tip
-/// free and P = 0: each has the fraction zeta of critical damping, and eta omega_n/2 besides. (The second sum
-/// is 2 zeta M (M^-1 K)^(1/2).) A stick mode has less than zeta, at P = 0: with |phi_n^T M psi|^2 as weights,
-/// which add up to 1, its frequency is the root of the mean of omega_n^2 and its damping ratio zeta times the
-/// mean of omega_n over that root, which Jensen's inequality puts below 1.
+/// free and P = 0: each has the fraction zeta of critical damping, and eta omega_n/2 besides. (The sum is
+/// 2 zeta M (M^-1 K)^(1/2).)
+///
+/// A stick mode psi has less than zeta. At P = 0, with |phi_n^T M psi|^2 as weights, which add up to 1, its
+/// frequency is the root of the mean of omega_n^2 and its ratio zeta times the mean of omega_n over that
+/// root: less than 1 by Jensen's inequality; 0.78, 0.86 and 0.90 in the first three.
 ///
 /// Throws std::invalid_argument, naming numerics.elements, for damping.ratio > 0 on more than 500 elements:
 /// that matrix is full.
