@@ -137,8 +137,8 @@ TEST(ContactSchemeOrderOfTheBeam, IsOneForTheTimesWithoutLocationAndTwoForAllEls
   const double duration = 0.12;
   const solver::BeamModel model(paper_beam(), 10);
   const auto base = solver::harmonic_motion(data::HarmonicExcitation({25.0, 1e-3}));
-  solver::ContactSystem system = solver::beam_contact_system(model, paper_friction(), base);
-  system.damping = 6.4e-5 * model.elastic_stiffness();
+  const solver::ContactSystem system =
+      solver::beam_contact_system(model, paper_friction(), base, data::Damping({.kelvin_voigt = 6.4e-5}));
   const auto run_with = [&](ContactScheme scheme) {
     return [&, scheme](int steps) {
       StickSlipIntegrator integrator(

@@ -159,8 +159,8 @@ TEST(EnergyResidualOfTheBeam, IsOfSecondOrderThroughItsSlips) {
   // within 3e-5 s of a change; steps of a third of that and less see it.
   const solver::BeamModel model(paper_beam(), 10);
   const auto base = solver::harmonic_motion(data::HarmonicExcitation({25.0, 1e-3}));
-  solver::ContactSystem system = solver::beam_contact_system(model, paper_friction(), base);
-  system.damping = 6.4e-5 * model.elastic_stiffness();
+  const solver::ContactSystem system =
+      solver::beam_contact_system(model, paper_friction(), base, data::Damping({.kelvin_voigt = 6.4e-5}));
   std::vector<double> lengths, residuals;
   for (const double h : {1e-5, 5e-6, 2.5e-6, 1.25e-6}) {
     StickSlipIntegrator integrator(system, {.time_step = h, .spectral_radius = 1.0});
