@@ -2,7 +2,9 @@
 
 #include <benchmark/benchmark.h>
 
+#include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/criterion.hpp"
+#include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 
@@ -53,6 +55,45 @@ BENCHMARK(stick_run)
 // One second of stick-slip at 25 Hz and 1 mm, contact changes located.
 void stick_slip_run(benchmark::State& state) { run(state, 1e-3, solver::TipContact::friction); }
 BENCHMARK(stick_slip_run)->Arg(20)->Arg(80)->Unit(benchmark::kMillisecond);
+
+const data::HarmonicExcitation loud({.frequency_hz = 25.0, .amplitude = 1e-3});
+const data::Damping light({.kelvin_voigt = 6.4e-5});
+constexpr double half_a_second = 0.5;
+
+// Half a second of damped stick-slip at 25 Hz and 1 mm, from event to event in so many modes.
+void event_driven_run(benchmark::State& state) {
+  const analytic::BeamContactModel model(beam, friction, loud, light, static_cast<int>(state.range(0)));
+  std::size_t events = 0;
+  for (auto _ : state) {
+    analytic::EventDriven run(model.model());
+    run.advance_to(half_a_second);
+    events = run.events().size();
+    benchmark::DoNotOptimize(run.contact_displacement());
+  }
+  state.counters["events"] = static_cast<double>(events);
+}
+BENCHMARK(event_driven_run)->Arg(10)->Arg(20)->Unit(benchmark::kMillisecond);
+
+// The same by the time stepper on ten elements, in so many steps.
+void time_stepper_run(benchmark::State& state) {
+  const solver::BeamModel mesh(beam, 10);
+  const solver::PrescribedMotion base = solver::harmonic_motion(loud);
+  solver::ContactSystem system = solver::beam_contact_system(mesh, friction, base);
+  system.damping = light.kelvin_voigt() * mesh.elastic_stiffness();
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(mesh.degrees_of_freedom());
+  const Eigen::VectorXd velocity = -base.velocity(0.0) * mesh.unit_tip_deflection();
+  std::size_t events = 0;
+  for (auto _ : state) {
+    solver::StickSlipIntegrator run(
+        system, {.time_step = half_a_second / static_cast<double>(state.range(0)), .spectral_radius = 0.9});
+    run.start_stuck(rest, velocity);
+    while (run.steps() < state.range(0)) run.step();
+    events = run.events().size();
+    benchmark::DoNotOptimize(run.displacement().data());
+  }
+  state.counters["events"] = static_cast<double>(events);
+}
+BENCHMARK(time_stepper_run)->Arg(5000)->Arg(50000)->Unit(benchmark::kMillisecond);
 
 // max |f| over 10 s with its rigorous bound, at one frequency.
 void force_maximum(benchmark::State& state) {

@@ -1,6 +1,7 @@
 #include "stickslip/studies/finite_element_contact_model.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -14,89 +15,102 @@ namespace {
 
 std::vector<double> to_vector(const Eigen::VectorXd& values) { return {values.begin(), values.end()}; }
 
+Eigen::VectorXd to_eigen(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+analytic::Matrix to_matrix(const Eigen::MatrixXd& values) {
+  analytic::Matrix matrix(static_cast<std::size_t>(values.rows()), static_cast<std::size_t>(values.cols()));
+  for (Eigen::Index i = 0; i < values.rows(); ++i)
+    for (Eigen::Index j = 0; j < values.cols(); ++j)
+      matrix(static_cast<std::size_t>(i), static_cast<std::size_t>(j)) = values(i, j);
+  return matrix;
+}
+
+void require(bool condition, const char* message) {
+  if (!condition) throw std::invalid_argument(message);
+}
+
 }  // namespace
 
-HeldModes::HeldModes(const solver::ContactSystem& system) : system_(system) {
-  const Eigen::Index n = system.mass.rows(), c = system.contact;
-  // The contact's row and column are those of the identity, with an eigenvalue of its own that is left out.
-  const auto held = [&](const solver::SparseMatrix& matrix, double diagonal) {
-    Eigen::MatrixXd dense(matrix);
-    dense.row(c).setZero();
-    dense.col(c).setZero();
-    dense(c, c) = diagonal;
-    return dense;
-  };
-  const Eigen::MatrixXd mass = held(system.mass, 1.0), stiffness = held(system.stick_stiffness, 1.0);
-  // M phi = (1/omega^2) K phi: round-off is relative to the lowest mode.
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(mass, stiffness);
-  if (solver.info() != Eigen::Success || solver.eigenvalues().minCoeff() <= 0.0)
-    throw std::invalid_argument("mass, stick_stiffness: must be positive definite with the contact held");
-  basis_ = Eigen::MatrixXd::Zero(n, n);
-  angular_frequency_.resize(n - 1);
-  Eigen::Index column = 0;
-  for (Eigen::Index k = n - 1; k >= 0; --k) {
-    const Eigen::VectorXd mode = solver.eigenvectors().col(k);
-    if (std::abs(mode[c]) > 0.5) continue;
-    angular_frequency_[column] = 1.0 / std::sqrt(solver.eigenvalues()[k]);
-    basis_.col(column) = mode / std::sqrt(mode.dot(mass * mode));
-    basis_(c, column) = 0.0;
-    ++column;
+HarmonicDrive harmonic_drive(const data::HarmonicExcitation& excitation) {
+  const double omega = 2.0 * std::numbers::pi * excitation.frequency_hz();
+  return {.load_amplitude = -excitation.amplitude() * omega * omega,
+          .angular_frequency = omega,
+          .wall_amplitude = -excitation.amplitude()};
+}
+
+FiniteElementContactModel::FiniteElementContactModel(const solver::ContactSystem& system,
+                                                     const HarmonicDrive& drive)
+    : contact_(system.contact) {
+  const Eigen::Index size = system.mass.rows(), n = size - 1;
+  for (Eigen::Index i = 0; i < size; ++i)
+    if (i != contact_) others_.push_back(i);
+  const Eigen::MatrixXd mass(system.mass), stiffness(system.stick_stiffness);
+  Eigen::MatrixXd difference = Eigen::MatrixXd(system.slip_stiffness) - stiffness;
+  const Eigen::RowVectorXd follower_row = difference.row(contact_);
+  difference.row(contact_).setZero();
+  require(difference.isZero(0.0),
+          "slip_stiffness may differ from stick_stiffness in the contact's row alone.");
+
+  basis_ = Eigen::MatrixXd::Zero(size, size);
+  basis_(contact_, n) = 1.0;
+  Eigen::VectorXd frequencies(n);
+  if (n > 0) {
+    const Eigen::MatrixXd held_mass = mass(others_, others_), held_stiffness = stiffness(others_, others_);
+    const Eigen::LLT<Eigen::MatrixXd> factors(held_stiffness);
+    require(factors.info() == Eigen::Success,
+            "stick_stiffness must be positive definite with the contact held.");
+    // M phi = omega^-2 K phi: round-off is relative to the lowest mode.
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(held_mass, held_stiffness);
+    require(eigen.info() == Eigen::Success && eigen.eigenvalues().minCoeff() > 0.0,
+            "mass must be positive definite with the contact held.");
+    const Eigen::VectorXd inverse_squares = eigen.eigenvalues().reverse();
+    frequencies = inverse_squares.cwiseSqrt().cwiseInverse();
+    // Normalised by K there, phi . K phi = 1.
+    const Eigen::MatrixXd modes = eigen.eigenvectors().rowwise().reverse() * frequencies.asDiagonal();
+    projection_ = modes.transpose() * held_mass;
+    basis_(others_, Eigen::seqN(0, n)) = modes;
+    basis_(others_, n) = -factors.solve(stiffness(others_, contact_));
   }
-  Eigen::VectorXd right_side = -Eigen::VectorXd(system.stick_stiffness.col(c));
-  right_side[c] = 1.0;
-  basis_.col(n - 1) = stiffness.ldlt().solve(right_side);
-  projection_ = basis_.leftCols(n - 1).transpose() * mass;
-  projection_.col(c).setZero();
+
+  const Eigen::VectorXd inertia = basis_.transpose() * mass * basis_.col(n);
+  const Eigen::VectorXd follower = basis_.transpose() * follower_row.transpose();
+  model_.angular_frequency = to_vector(frequencies);
+  model_.mass_coupling = to_vector(inertia.head(n));
+  model_.contact_mass = inertia[n];
+  model_.contact_stiffness = stiffness.row(contact_).dot(basis_.col(n));
+  model_.follower = to_vector(follower.head(n));
+  model_.contact_follower = follower[n];
+  if (system.damping.nonZeros() > 0)
+    model_.damping = to_matrix(basis_.transpose() * Eigen::MatrixXd(system.damping) * basis_);
+  model_.load = to_vector(drive.load_amplitude * (basis_.transpose() * system.load_shape));
+  model_.load_angular_frequency = drive.angular_frequency;
+  model_.wall_amplitude = drive.wall_amplitude;
+  model_.normal_force = system.normal_force;
+  model_.friction = system.friction;
+  analytic::require_consistent(model_);
 }
 
-analytic::ContactModel HeldModes::model(const HarmonicDrive& drive) const {
-  const Eigen::Index m = angular_frequency_.size(), c = system_.contact;
-  const Eigen::MatrixXd mass = basis_.transpose() * system_.mass * basis_;
-  const Eigen::VectorXd sigma = basis_.col(m);
-  const Eigen::RowVectorXd follower =
-      Eigen::RowVectorXd(system_.slip_stiffness.row(c) - system_.stick_stiffness.row(c)) * basis_;
-
-  analytic::ContactModel model;
-  model.angular_frequency = to_vector(angular_frequency_);
-  model.mass_coupling = to_vector(mass.col(m).head(m));
-  model.contact_mass = mass(m, m);
-  model.contact_stiffness = (system_.stick_stiffness * sigma)[c];
-  model.follower = to_vector(follower.head(m));
-  model.contact_follower = follower[m];
-  model.load = to_vector(drive.load_amplitude * (basis_.transpose() * system_.load_shape));
-  model.load_angular_frequency = drive.load_angular_frequency;
-  model.wall_amplitude = drive.wall_amplitude;
-  model.normal_force = system_.normal_force;
-  model.friction = system_.friction;
-  if (system_.damping.nonZeros() > 0) {
-    const Eigen::MatrixXd damping = basis_.transpose() * system_.damping * basis_;
-    model.damping = analytic::Matrix(static_cast<std::size_t>(m + 1), static_cast<std::size_t>(m + 1));
-    for (Eigen::Index i = 0; i <= m; ++i)
-      for (Eigen::Index j = 0; j <= m; ++j)
-        model.damping(static_cast<std::size_t>(i), static_cast<std::size_t>(j)) = damping(i, j);
-  }
-  return model;
+std::vector<double> FiniteElementContactModel::amplitudes(const Eigen::VectorXd& q) const {
+  const Eigen::Index n = basis_.cols() - 1;
+  if (n == 0) return {};
+  return to_vector(projection_ * (q(others_) - q[contact_] * basis_(others_, n)));
 }
 
-Eigen::VectorXd HeldModes::amplitudes(const Eigen::VectorXd& q) const {
-  return projection_ * (q - q[system_.contact] * basis_.rightCols(1));
+Eigen::VectorXd FiniteElementContactModel::full(const std::vector<double>& amplitudes, double contact) const {
+  const Eigen::Index n = basis_.cols() - 1;
+  return basis_.leftCols(n) * to_eigen(amplitudes) + contact * basis_.col(n);
 }
 
-Eigen::VectorXd HeldModes::displacement(const Eigen::VectorXd& amplitudes, double contact) const {
-  return basis_.leftCols(amplitudes.size()) * amplitudes + contact * basis_.rightCols(1);
-}
-
-analytic::ContactModel finite_element_contact_model(const solver::BeamModel& model,
+analytic::ContactModel finite_element_contact_model(const solver::BeamModel& mesh,
                                                     const data::FrictionLaw& friction,
                                                     const data::HarmonicExcitation& excitation,
                                                     const data::Damping& damping) {
   const solver::PrescribedMotion base = solver::harmonic_motion(excitation);
-  const HeldModes modes(solver::beam_contact_system(model, friction, base, damping));
-  const double omega = 2.0 * std::numbers::pi * excitation.frequency_hz();
-  // The load is h_tt, the wall moves by -h.
-  return modes.model({.load_amplitude = -excitation.amplitude() * omega * omega,
-                      .load_angular_frequency = omega,
-                      .wall_amplitude = -excitation.amplitude()});
+  return FiniteElementContactModel(solver::beam_contact_system(mesh, friction, base, damping),
+                                   harmonic_drive(excitation))
+      .model();
 }
 
 }  // namespace stickslip::studies

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "stickslip/analytic/contact_model.hpp"
 #include "stickslip/data/problem.hpp"
@@ -9,44 +10,48 @@
 
 namespace stickslip::studies {
 
-/// A harmonic excitation of a ContactSystem: load_history(t) = sin(Omega t), wall w(t) = W sin(Omega t), as
-/// an event-driven run needs them in closed form.
+/// What a ContactSystem holds as functions of time, in closed form: load_history = load_amplitude
+/// sin(Omega t), wall displacement = wall_amplitude sin(Omega t).
 struct HarmonicDrive {
-  double load_amplitude{1.0};       ///< load_history(t) = load_amplitude sin(Omega t)
-  double load_angular_frequency{};  ///< Omega, rad/s
-  double wall_amplitude{};          ///< W, m
+  double load_amplitude{};     ///< in the units of load_history
+  double angular_frequency{};  ///< Omega, rad/s, > 0
+  double wall_amplitude{};     ///< W, m
 };
 
-/// A ContactSystem in all the modes of its held contact: the very same semi-discrete system, without loss,
-/// for the event-driven method.
+/// The drive of beam_contact_system under h(t) = A0 sin(Omega t): load_history = h_tt, w = -h.
+[[nodiscard]] HarmonicDrive harmonic_drive(const data::HarmonicExcitation& excitation);
+
+/// A ContactSystem, all of it, as the ContactModel of the event-driven engine: the same semi-discrete system
+/// without a time step. c is the contact, f the other degrees of freedom, n of them:
 ///
-/// With c the contact and f the other degrees of freedom, sigma = (-K_ff^-1 K_fc, 1) the static shape and Phi
-/// the modes of (K_ff - omega^2 M_ff) Phi = 0, Phi^T M_ff Phi = I,
+///     sigma_f = -K_ff^-1 K_fc,     M_ff phi_k omega_k^2 = K_ff phi_k,     phi_k . M_ff phi_k = 1,
+///     q_f = sigma_f u_c + Phi T,     q_c = u_c,     T = Phi^T M_ff (q_f - sigma_f q_c),
 ///
-///     q = sigma q_c + (Phi T, 0),     T = Phi^T M_ff (q_f - sigma_f q_c).
-class HeldModes {
+/// K the stick stiffness. With B = [Phi sigma_f; 0 1] all matrices of the model are B^T (.) B; the follower
+/// row is that of c in (K_slip - K_stick) B. Rounding: eps times omega_n^2/omega_1^2 at most.
+class FiniteElementContactModel {
  public:
-  /// Dense: meant for some hundred degrees of freedom. Throws std::invalid_argument if M_ff or K_ff is not
-  /// positive definite.
-  explicit HeldModes(const solver::ContactSystem& system);
+  /// Dense, n^3 operations. Throws std::invalid_argument unless M_ff and K_ff are positive definite and
+  /// K_slip differs from K_stick in the row of c alone, and what require_consistent() throws.
+  FiniteElementContactModel(const solver::ContactSystem& system, const HarmonicDrive& drive);
 
-  /// The system in these modes, driven as `drive` says.
-  [[nodiscard]] analytic::ContactModel model(const HarmonicDrive& drive) const;
+  [[nodiscard]] const analytic::ContactModel& model() const noexcept { return model_; }
 
-  /// The mode amplitudes T of displacements q (or T_t of velocities).
-  [[nodiscard]] Eigen::VectorXd amplitudes(const Eigen::VectorXd& q) const;
-  /// q of T and q_c.
-  [[nodiscard]] Eigen::VectorXd displacement(const Eigen::VectorXd& amplitudes, double contact) const;
+  /// T of displacements q, or T_t of velocities.
+  [[nodiscard]] std::vector<double> amplitudes(const Eigen::VectorXd& q) const;
+  /// q of (T, u_c), or velocities of their rates.
+  [[nodiscard]] Eigen::VectorXd full(const std::vector<double>& amplitudes, double contact) const;
 
  private:
-  solver::ContactSystem system_;
-  Eigen::VectorXd angular_frequency_;
-  Eigen::MatrixXd basis_;       // columns Phi (zero at c), then sigma: q = basis (T, q_c)
-  Eigen::MatrixXd projection_;  // Phi^T M with the row of c left out: T = projection (q - sigma q_c)
+  Eigen::Index contact_;
+  std::vector<Eigen::Index> others_;  // f
+  Eigen::MatrixXd basis_;             // B
+  Eigen::MatrixXd projection_;        // Phi^T M_ff
+  analytic::ContactModel model_;
 };
 
-/// The beam on `model`'s mesh as an event-driven run takes it.
-[[nodiscard]] analytic::ContactModel finite_element_contact_model(const solver::BeamModel& model,
+/// The beam on a mesh, ready for an event-driven run.
+[[nodiscard]] analytic::ContactModel finite_element_contact_model(const solver::BeamModel& mesh,
                                                                   const data::FrictionLaw& friction,
                                                                   const data::HarmonicExcitation& excitation,
                                                                   const data::Damping& damping);
