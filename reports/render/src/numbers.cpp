@@ -187,6 +187,22 @@ void define_events(StudyResults& results, Macros& macros) {
   macros.define("EnergyOrderUndamped", fixed(audit.back().observed_order, 2));
 }
 
+void define_motions(StudyResults& results, Macros& macros) {
+  double stick = 0.0, predicted = 0.0, relative = 0.0;
+  for (const auto& motion : results.beam_motions()) {
+    if (motion.stick_difference > stick) {
+      stick = motion.stick_difference;
+      predicted = motion.predicted_stick_difference;
+    }
+    relative = std::max(relative, motion.difference / motion.peak);
+  }
+  macros.plain("MotionAmplitude", results.beam_motions().front().amplitude / millimetre);
+  macros.count("MotionSnapshots", results.beam_motions().front().reference.snapshots.size());
+  macros.define("MotionStickDifference", scientific(stick, 2));
+  macros.define("MotionStickPredicted", scientific(predicted, 2));
+  macros.define("MotionDifferenceRelative", significant(100.0 * relative, 2));
+}
+
 // "(a) half a unit of the last digit; (b) ..."
 std::string reasons_text(const std::vector<std::string>& reasons) {
   std::string text;
@@ -218,6 +234,7 @@ std::string make_numbers(StudyResults& results, const Environment& environment) 
   define_classification(results, macros);
   define_histories(results, macros);
   define_events(results, macros);
+  define_motions(results, macros);
   define_paper(results, macros);
   return macros.text();
 }

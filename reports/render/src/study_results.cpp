@@ -15,6 +15,7 @@ constexpr double spectral_radii[] = {0.0, 0.5, 0.9, 1.0};
 constexpr int shown_modes = 3;
 constexpr double stick_history_duration = 1.0;  // s
 constexpr int stick_history_levels = 4;
+constexpr int motion_snapshots = 9, motion_positions = 61;
 constexpr double highest_frequency = 120.0;  // of Figs. 11 and 12, Hz
 constexpr int slipping_frequencies_hz[] = {25, 70};
 constexpr double event_order_duration = 0.12;  // s: seven events
@@ -183,6 +184,19 @@ const std::vector<studies::SchemeRun>& StudyResults::schemes() {
   return once(schemes_, "contact schemes", [&] {
     return studies::compare_schemes(paper_.beam, paper_.friction, damped_.excitation,
                                     with_duration(paper_.numerics, shown_duration), data::Damping());
+  });
+}
+
+const std::vector<studies::BeamMotionStudy>& StudyResults::beam_motions() {
+  return once(beam_motions_, "motions of the whole beam (Fig. 3)", [&] {
+    std::vector<studies::BeamMotionStudy> motions;
+    for (const int hz : {15, 25, 35, 70}) {
+      data::Case problem = paper_;
+      problem.excitation =
+          printed_excitation("excitation.frequency." + std::to_string(hz), "force_max.amplitude");
+      motions.push_back(studies::beam_motion_study(problem, motion_snapshots, motion_positions));
+    }
+    return motions;
   });
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "stickslip/data/case_file.hpp"
+#include "stickslip/studies/beam_motion.hpp"
 #include "stickslip/studies/classification.hpp"
 #include "stickslip/studies/contact_histories.hpp"
 #include "stickslip/studies/damped_benchmark.hpp"
@@ -39,6 +40,14 @@ class StudyResults {
   const studies::FrequencyStudy& stick_frequencies();
   const studies::FrequencyStudy& slip_frequencies();
   const studies::FlutterStudy& flutter();
+  const studies::ModeShapeStudy& mode_shapes();                       ///< points_per_element per element
+  const std::vector<studies::TimeOrderStudy>& time_orders();          ///< one per spectral radius
+  const studies::StickHistoryStudy& stick_history();                  ///< Fig. 9
+  const std::vector<studies::ForceMaximum>& force_maxima();           ///< at the four frequencies of Sect. 5
+  const std::vector<studies::CriticalAmplitudePoint>& criterion();    ///< Fig. 11
+  const studies::ClassificationStudy& classification();               ///< Fig. 12
+  const std::vector<studies::ContactHistory>& contact_histories();    ///< Figs. 4 and 5, in the paper's order
+  const std::vector<studies::BeamMotionStudy>& beam_motions();        ///< Fig. 3, in the paper's order
   const studies::ModeShapeStudy& mode_shapes();                       ///< points_per_element per element
   const std::vector<studies::TimeOrderStudy>& time_orders();          ///< one per spectral radius
   const studies::StickHistoryStudy& stick_history();                  ///< Fig. 9
@@ -80,6 +89,7 @@ class StudyResults {
   std::optional<std::vector<studies::CriticalAmplitudePoint>> criterion_;
   std::optional<studies::ClassificationStudy> classification_;
   std::optional<std::vector<studies::ContactHistory>> contact_histories_;
+  std::optional<std::vector<studies::BeamMotionStudy>> beam_motions_;
   std::optional<std::vector<studies::EventOrderStudy>> event_orders_;
   std::optional<std::vector<studies::DampedBenchmark>> damped_benchmarks_;
   std::optional<std::vector<studies::PredictabilityStudy>> predictability_;
