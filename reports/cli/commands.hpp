@@ -14,6 +14,9 @@ void add_modes_command(CLI::App& app);
 /// `respond`: the motion of the tip and of midspan and the friction force, as CSV.
 void add_respond_command(CLI::App& app);
 
+/// `animate`: the motion of the whole beam as a sequence of PNG files.
+void add_animate_command(CLI::App& app);
+
 /// `criterion`: |f_max| against mu_s P, the critical amplitude, the verdict.
 void add_criterion_command(CLI::App& app);
 

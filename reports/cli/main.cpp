@@ -30,6 +30,7 @@ void add_commands(CLI::App& app) {
   app.set_version_flag("--version", fmt::format("stickslip {} (commit {})", version, commit));
   add_modes_command(app);
   add_respond_command(app);
+  add_animate_command(app);
   add_criterion_command(app);
   add_report_command(app);
   add_cases_command(app);

@@ -19,8 +19,9 @@ std::string contents_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-std::string definitions(const FigureData& data, const std::string& format, const std::string& drawing) {
-  std::string text = fmt::format("folder='../../'; format='{}'; output='{}'", format, drawing);
+std::string definitions(const FigureData& data, const std::string& folder, const std::string& format,
+                        const std::string& drawing) {
+  std::string text = fmt::format("folder='{}'; format='{}'; output='{}'", folder, format, drawing);
   for (const auto& [name, value] : data.variables) text += fmt::format("; {}={}", name, value);
   return text;
 }
@@ -42,17 +43,27 @@ void write_tables(const FigureData& data, OutputFolder& output) {
   for (const auto& [name, table] : data.tables) output.write(name + ".csv", table.text());
 }
 
-void draw(const std::string& name, const FigureData& data, OutputFolder& output) {
+std::vector<fs::path> draw_in_scratch(const std::string& script, const FigureData& data,
+                                      const std::string& format, const std::string& tables,
+                                      const std::vector<std::string>& drawings, OutputFolder& output) {
   const fs::path folder = output.scratch() / "figures";
   if (!fs::exists(folder)) fs::copy(templates_directory() / "figures", folder);
-  for (const std::string format : {"pdf", "png"}) {
-    const std::string drawing = fmt::format("{}.{}", name, format);
-    const fs::path log = folder / (drawing + ".log");
-    const int status =
-        run_tool("gnuplot", {"-e", definitions(data, format, drawing), name + ".gp"}, folder, log);
-    require_success(status, folder / drawing, log);
-    output.publish(folder / drawing);
+  const fs::path log = folder / (drawings.front() + ".log");
+  const int status = run_tool(
+      "gnuplot", {"-e", definitions(data, tables, format, drawings.front()), script + ".gp"}, folder, log);
+  std::vector<fs::path> files;
+  for (const std::string& drawing : drawings) {
+    files.push_back(folder / drawing);
+    require_success(status, files.back(), log);
   }
+  return files;
+}
+
+void draw(const std::string& name, const FigureData& data, OutputFolder& output) {
+  for (const std::string format : {"pdf", "png"})
+    for (const fs::path& file :
+         draw_in_scratch(name, data, format, "../../", {fmt::format("{}.{}", name, format)}, output))
+      output.publish(file);
 }
 
 }  // namespace stickslip::report

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <filesystem>
+#include <string>
+#include <vector>
+
 #include "figures.hpp"
 #include "stickslip/report/output_folder.hpp"
 
@@ -7,6 +11,12 @@ namespace stickslip::report {
 
 /// Writes the tables of a figure into the output folder.
 void write_tables(const FigureData& data, OutputFolder& output);
+
+/// Runs figures/<script>.gp once, which makes these drawings in the scratch folder, and returns their paths.
+/// `tables` is the folder of its tables as seen from there. Throws as draw() does.
+[[nodiscard]] std::vector<std::filesystem::path> draw_in_scratch(
+    const std::string& script, const FigureData& data, const std::string& format, const std::string& tables,
+    const std::vector<std::string>& drawings, OutputFolder& output);
 
 /// Runs figures/<name>.gp on the tables in the output folder, once for PDF and once for PNG. Throws
 /// ToolMissing if there is no gnuplot, std::runtime_error with gnuplot's own words if it fails.

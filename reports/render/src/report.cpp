@@ -2,16 +2,15 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 
 #include "document.hpp"
 #include "drawing.hpp"
 #include "external_tool.hpp"
 #include "figures.hpp"
+#include "progress.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/report/output_folder.hpp"
 #include "study_results.hpp"
@@ -19,19 +18,6 @@
 namespace stickslip::report {
 
 namespace {
-
-// One line per stage, for a person at a terminal.
-class Progress {
- public:
-  explicit Progress(bool quiet) : speaks_(!quiet && ::isatty(STDERR_FILENO) == 1) {}
-
-  void operator()(const std::string& stage) const {
-    if (speaks_) fmt::print(stderr, "stickslip report: {}\n", stage);
-  }
-
- private:
-  bool speaks_;
-};
 
 // The figures asked for, in the order of the report.
 std::vector<Figure> chosen_figures(const std::vector<std::string>& only) {
@@ -65,7 +51,7 @@ void write_report(const ReportOptions& options) {
   const std::vector<Figure> chosen = chosen_figures(options.only);
   (void)templates_directory();  // refused now rather than after the studies
   OutputFolder output(options.output);
-  const Progress progress(options.quiet);
+  const Progress progress("report", options.quiet);
   StudyResults results(progress);
 
   std::vector<std::pair<Figure, FigureData>> figures;

@@ -283,5 +283,104 @@ TEST_F(CommandLine, AnOutputFileThatIsASymbolicLinkStaysOne) {
   EXPECT_EQ(csv(contents(path("real.csv"))).size(), 102U);
 }
 
+// `animate` with a gnuplot of the test's own, or with none: what draws need not be installed here.
+class Animation : public CommandLine {
+ protected:
+  void SetUp() override {
+    CommandLine::SetUp();
+    ::setenv("PATH", (path("tools") + ":/usr/bin:/bin").c_str(), 1);
+    std::filesystem::create_directory(path("tools"));
+  }
+  void TearDown() override {
+    ::setenv("PATH", old_path_.c_str(), 1);
+    CommandLine::TearDown();
+  }
+
+  // A shell script that is called as gnuplot is: -e 'name=value; ...' script.
+  void install_gnuplot(const std::string& body) const {
+    const std::string program = path("tools/gnuplot");
+    std::ofstream(program) << "#!/bin/sh\neval \"$2\"\n[ -f \"$3\" ] || exit 1\n" << body;
+    std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  }
+
+  [[nodiscard]] std::vector<std::string> frames() const {
+    std::vector<std::string> names;
+    for (const auto& file : std::filesystem::directory_iterator(path("film")))
+      names.push_back(file.path().filename());
+    std::ranges::sort(names);
+    return names;
+  }
+
+  [[nodiscard]] std::string command(const std::string& options) const {
+    return "animate --hz 25 --amplitude 1e-3 --output '" + path("film") + "' " + options;
+  }
+
+  static constexpr const char* draw_all =
+      "while [ $first_frame -le $last_frame ]; do\n"
+      "  cat \"${folder}frames.csv\" > $(printf frame-%04d.png $first_frame)\n"
+      "  first_frame=$((first_frame + 1))\n"
+      "done\n";
+
+ private:
+  const std::string old_path_ = std::getenv("PATH");
+};
+
+TEST_F(Animation, HasTheFramesAskedForAndTheMotion) {
+  install_gnuplot(draw_all);
+  const Outcome outcome = run(command("--duration 0.12 --frames 61"));
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_EQ(outcome.errors, "");
+  const auto names = frames();
+  ASSERT_EQ(names.size(), 62U);
+  EXPECT_EQ(names.front(), "frame-0001.png");
+  EXPECT_EQ(names[60], "frame-0061.png");
+  EXPECT_EQ(names[61], "motion.csv");
+}
+
+TEST_F(Animation, DrawsTheMotionThatItsTableHolds) {
+  for (const std::string method : {"fe", "event-driven"}) {
+    install_gnuplot(draw_all);
+    ASSERT_EQ(run(command("--duration 0.08 --frames 9 --method " + method)).status, 0);
+    EXPECT_EQ(contents(path("film/frame-0009.png")), contents(path("film/motion.csv")));
+    const auto rows = csv(contents(path("film/motion.csv")));
+    ASSERT_EQ(rows.size(), 3U + 9U * 81U);
+    EXPECT_EQ(rows[2], (std::vector<std::string>{"frame", "time_s", "tip_sticks", "friction_force_N",
+                                                 "position_m", "displacement_m"}));
+    // The tip in the last frame, as `respond` has it.
+    const auto history =
+        csv(run("respond --hz 25 --amplitude 1e-3 --duration 0.08 --method " + method).output);
+    EXPECT_EQ(std::stod(rows.back()[1]), std::stod(history.back()[0]));
+    EXPECT_EQ(std::stod(rows.back()[3]), std::stod(history.back()[5]));
+    EXPECT_NEAR(std::stod(rows.back()[5]), std::stod(history.back()[2]), 1e-15);
+    EXPECT_EQ(rows.back()[2], history.back()[6] == "stick" ? "1" : "0");
+  }
+}
+
+TEST_F(Animation, ShowsNoFrameUnlessAllAreDrawn) {
+  install_gnuplot(std::string("[ $first_frame -eq 1 ] || { echo out of paint; exit 1; }\n") + draw_all);
+  const Outcome outcome = run(command("--duration 0.12 --frames 61"));
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.errors.find("out of paint"), std::string::npos) << outcome.errors;
+  EXPECT_EQ(frames(), (std::vector<std::string>{"motion.csv"}));
+}
+
+TEST_F(Animation, KeepsTheMotionWhenGnuplotIsMissing) {
+  ::setenv("PATH", path("tools").c_str(), 1);
+  const Outcome outcome = run(command("--duration 0.01 --frames 2"));
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_TRUE(outcome.errors.starts_with("stickslip: gnuplot is not installed")) << outcome.errors;
+  EXPECT_EQ(frames(), (std::vector<std::string>{"motion.csv"}));
+}
+
+TEST_F(Animation, RefusesWhatCannotBecomeAFilm) {
+  install_gnuplot(draw_all);
+  expect_refused(command("--frames 1"), "1 is not an integer from 2 to 9999");
+  expect_refused(command("--method closed-form"), "closed-form");
+  expect_refused(command("--duration 1e-3 --frames 12"), "--frames is 12, but must be at most one per time");
+  expect_refused(command("--set beam.axial_force=-5"), "beam.axial_force");
+  ASSERT_EQ(run(command("--duration 0.01 --frames 4")).status, 0);
+  expect_refused(command("--duration 0.01 --frames 3"), "holds frame-0004.png of a longer animation");
+}
+
 }  // namespace
 }  // namespace stickslip

@@ -108,6 +108,7 @@ TEST_F(ReportOutput, KeepsTheDataOfAFigureWhenGnuplotIsMissing) {
 TEST(ReportFigures, HaveAScriptEach) {
   for (const std::string& name : report::figure_names())
     EXPECT_TRUE(fs::exists(report::templates_directory() / "figures" / (name + ".gp"))) << name;
+  EXPECT_TRUE(fs::exists(report::templates_directory() / "figures" / "animation.gp"));
 }
 
 TEST(ReportFigures, HaveDifferentNames) {

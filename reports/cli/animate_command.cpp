@@ -1,0 +1,76 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "case_options.hpp"
+#include "commands.hpp"
+#include "stickslip/report/animation.hpp"
+
+namespace stickslip::cli {
+
+namespace {
+
+constexpr double periods = 10.0;  // unless --duration is given
+
+struct AnimateOptions {
+  CaseOptions problem;
+  ExcitationOptions excitation;
+  std::string method = "fe";
+  std::optional<double> duration;
+  int frames = 200;
+  std::string output = "frames";
+};
+
+void run(const AnimateOptions& options) {
+  auto overrides = overrides_of(options.problem, options.excitation);
+  if (options.duration) overrides.push_back(override_with("numerics.duration", *options.duration));
+  const data::Case problem = data::load_case(options.problem.name, overrides);
+  const double duration =
+      options.duration ? problem.numerics.duration() : periods / problem.excitation.frequency_hz();
+  if (options.frames - 1 > duration / problem.numerics.time_step() * (1.0 + 1e-12))
+    throw data::InputError(fmt::format(
+        "--frames is {}, but must be at most one per time step of {} s, of which {} s have {}",
+        options.frames, data::shortest_text(problem.numerics.time_step()), data::shortest_text(duration),
+        static_cast<long>(duration / problem.numerics.time_step() * (1.0 + 1e-12)) + 1));
+  report::write_animation(problem, {.method = options.method == "fe" ? report::MotionMethod::finite_elements
+                                                                     : report::MotionMethod::event_driven,
+                                    .duration = duration,
+                                    .frames = options.frames,
+                                    .output = options.output});
+  if (options.problem.json)
+    print_json({{"case", problem.name},
+                {"method", options.method},
+                {"frequency_hz", problem.excitation.frequency_hz()},
+                {"amplitude_m", problem.excitation.amplitude()},
+                {"duration_s", duration},
+                {"frames", options.frames},
+                {"output", options.output}});
+  else
+    fmt::print("{} frames written to {}\n", options.frames, options.output);
+}
+
+}  // namespace
+
+void add_animate_command(CLI::App& app) {
+  auto* command = app.add_subcommand("animate", "Motion of the whole beam, as PNG files for a film");
+  auto options = std::make_shared<AnimateOptions>();
+  add_case_options(*command, options->problem);
+  add_excitation_options(*command, options->excitation);
+  command
+      ->add_option("--method", options->method,
+                   "Finite elements with contact, or event by event in the modes of the continuous beam")
+      ->check(CLI::IsMember({"event-driven", "fe"}))
+      ->capture_default_str();
+  command->add_option("--duration", options->duration, "Duration, s (else ten periods of the excitation)")
+      ->check(number());
+  command->add_option("--frames", options->frames, "Number of frames, evenly over the duration")
+      ->check(integer_between(2, report::most_frames))
+      ->capture_default_str();
+  command->add_option("--output", options->output, "Folder for frame-0001.png ... and motion.csv")
+      ->capture_default_str();
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace stickslip::cli

@@ -1,0 +1,117 @@
+#include "stickslip/report/animation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "drawing.hpp"
+#include "external_tool.hpp"
+#include "progress.hpp"
+#include "stickslip/data/case_file.hpp"
+#include "stickslip/report/csv_table.hpp"
+#include "stickslip/report/output_folder.hpp"
+#include "stickslip/report/report.hpp"
+#include "stickslip/studies/beam_motion.hpp"
+
+namespace stickslip::report {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int positions = 81;
+constexpr std::size_t batch = 50;  // frames that one gnuplot process draws
+
+std::string frame_name(std::size_t frame) { return fmt::format("frame-{:04}.png", frame + 1); }
+
+void refuse_later_frames(const OutputFolder& output, int frames) {
+  const fs::path next = output.folder() / frame_name(static_cast<std::size_t>(frames));
+  if (fs::exists(next))
+    throw data::InputError(
+        fmt::format("output folder {} holds {} of a longer animation; remove it or name another folder",
+                    output.folder().string(), next.filename().string()));
+}
+
+studies::BeamMotion motion_of(const data::Case& problem, const AnimationOptions& options) {
+  const studies::MotionGrid grid{0.0, options.duration, options.frames, positions};
+  return options.method == MotionMethod::finite_elements ? studies::finite_element_motion(problem, grid)
+                                                         : studies::event_driven_motion(problem, grid);
+}
+
+// Frames first ... last - 1, `positions` rows each.
+CsvTable table_of(const data::Case& problem, const studies::BeamMotion& motion, std::size_t first,
+                  std::size_t last) {
+  CsvTable table(
+      fmt::format("Motion of the beam at {} Hz, {} m", data::shortest_text(problem.excitation.frequency_hz()),
+                  data::shortest_text(problem.excitation.amplitude())),
+      {{"frame", "1"},
+       {"time_s", "s"},
+       {"tip_sticks", "1"},
+       {"friction_force_N", "N"},
+       {"position_m", "m"},
+       {"displacement_m", "m"}});
+  for (std::size_t i = first; i < last; ++i) {
+    const auto& snapshot = motion.snapshots[i];
+    for (std::size_t k = 0; k < motion.position.size(); ++k)
+      table.add_numbers({static_cast<double>(i + 1), snapshot.time, snapshot.sticks ? 1.0 : 0.0,
+                         snapshot.friction_force, motion.position[k], snapshot.displacement[k]});
+  }
+  return table;
+}
+
+// What the script needs to keep the axes of all frames alike.
+FigureData figure_of(const data::Case& problem, const studies::BeamMotion& motion) {
+  double force = problem.friction.static_coefficient() * problem.beam.axial_force();
+  FigureData figure;
+  figure.variables = {{"points", std::to_string(positions)},
+                      {"length", csv_number(problem.beam.length())},
+                      {"hz", csv_number(problem.excitation.frequency_hz())},
+                      {"amplitude", csv_number(problem.excitation.amplitude())},
+                      {"force_limit", csv_number(force)}};
+  for (const auto& snapshot : motion.snapshots) force = std::max(force, std::abs(snapshot.friction_force));
+  figure.variables.emplace_back("largest_force", csv_number(force));
+  figure.variables.emplace_back("largest_displacement", csv_number(studies::peak(motion)));
+  return figure;
+}
+
+void draw_frames(const data::Case& problem, const studies::BeamMotion& motion, const Progress& progress,
+                 OutputFolder& output) {
+  const std::size_t frames = motion.snapshots.size();
+  std::vector<fs::path> drawn;
+  for (std::size_t first = 0; first < frames; first += batch) {
+    const std::size_t last = std::min(first + batch, frames);
+    progress(fmt::format("drawing frames {} to {} of {}", first + 1, last, frames));
+    write_text(output.scratch() / "frames.csv", table_of(problem, motion, first, last).text());
+    FigureData figure = figure_of(problem, motion);
+    figure.variables.emplace_back("first_frame", std::to_string(first + 1));
+    figure.variables.emplace_back("last_frame", std::to_string(last));
+    std::vector<std::string> names;
+    for (std::size_t i = first; i < last; ++i) names.push_back(frame_name(i));
+    for (fs::path& file : draw_in_scratch("animation", figure, "png", "../", names, output))
+      drawn.push_back(std::move(file));
+  }
+  for (const fs::path& file : drawn) output.publish(file);
+}
+
+}  // namespace
+
+void write_animation(const data::Case& problem, const AnimationOptions& options) {
+  (void)templates_directory();  // refused now rather than after the run
+  OutputFolder output(options.output);
+  refuse_later_frames(output, options.frames);
+  const Progress progress("animate", false);
+  progress("following the beam");
+  const studies::BeamMotion motion = motion_of(problem, options);
+  output.write("motion.csv", table_of(problem, motion, 0, motion.snapshots.size()).text());
+  try {
+    draw_frames(problem, motion, progress, output);
+  } catch (const ToolMissing& missing) {
+    throw std::runtime_error(fmt::format("{}, so that no frame is drawn; the motion is in {}", missing.what(),
+                                         (output.folder() / "motion.csv").string()));
+  }
+}
+
+}  // namespace stickslip::report
