@@ -46,14 +46,7 @@ class StudyResults {
   const std::vector<studies::ForceMaximum>& force_maxima();           ///< at the four frequencies of Sect. 5
   const std::vector<studies::CriticalAmplitudePoint>& criterion();    ///< Fig. 11
   const studies::ClassificationStudy& classification();               ///< Fig. 12
-  const std::vector<studies::ContactHistory>& contact_histories();    ///< Figs. 4 and 5, in the paper's order
   const std::vector<studies::BeamMotionStudy>& beam_motions();        ///< Fig. 3, in the paper's order
-  const studies::ModeShapeStudy& mode_shapes();                       ///< points_per_element per element
-  const std::vector<studies::TimeOrderStudy>& time_orders();          ///< one per spectral radius
-  const studies::StickHistoryStudy& stick_history();                  ///< Fig. 9
-  const std::vector<studies::ForceMaximum>& force_maxima();           ///< at the four frequencies of Sect. 5
-  const std::vector<studies::CriticalAmplitudePoint>& criterion();    ///< Fig. 11
-  const studies::ClassificationStudy& classification();               ///< Fig. 12
   const std::vector<studies::ContactHistory>& contact_histories();    ///< Figs. 4 and 5, in the paper's order
   const std::vector<studies::EventOrderStudy>& event_orders();        ///< spectral radii 0.9 and 1
   const std::vector<studies::DampedBenchmark>& damped_benchmarks();   ///< 25 and 70 Hz

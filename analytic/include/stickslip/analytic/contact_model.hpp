@@ -77,7 +77,7 @@ struct ContactModel {
   double normal_force{};                  ///< N >= 0, newton
   data::FrictionLaw friction{{}};
   /// If given, slip phases are integrated in these modes, and states are projected at each transition.
-  std::optional<FreeContactModes> free_modes;
+  std::optional<FreeContactModes> free_modes{};
 
   [[nodiscard]] std::size_t modes() const noexcept { return angular_frequency.size(); }
 };
