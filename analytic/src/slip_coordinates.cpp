@@ -48,16 +48,14 @@ class HeldCoordinates final : public SlipCoordinates {
 };
 
 /// Amplitudes of FreeContactModes. What the projection of a held state leaves out is made up for at the
-/// contact: its displacement and its acceleration by the shapes K^-1 g and K^-2 g, its velocity by K^-1 g.
+/// contact with the least energy: its velocity by the impulse response g, its displacement and its
+/// acceleration by the shapes K^-1 g and g.
 class FreeCoordinates final : public SlipCoordinates {
  public:
   explicit FreeCoordinates(const ContactDynamics& dynamics)
       : dynamics_(dynamics), modes_(*dynamics.model().free_modes) {
-    for (std::size_t k = 0; k < size(); ++k) {
-      const double square = std::pow(modes_.angular_frequency[k], 2);
-      once_.push_back(modes_.contact_input[k] / square);
-      twice_.push_back(once_.back() / square);
-    }
+    for (std::size_t k = 0; k < size(); ++k)
+      flexibility_.push_back(modes_.contact_input[k] / std::pow(modes_.angular_frequency[k], 2));
   }
 
   [[nodiscard]] std::size_t size() const override { return modes_.angular_frequency.size(); }
@@ -83,17 +81,19 @@ class FreeCoordinates final : public SlipCoordinates {
            std::span<double> q_t) const override {
     project(state.amplitudes, state.displacement, q);
     project(state.rates, state.velocity, q_t);
-    shift(q_t, state.velocity - contact(q_t), once_);
-    shift(q, state.displacement - contact(q), once_);
-    // The acceleration is right up to -K beta (twice_ - c once_), whose displacement of the contact is zero.
+    const std::vector<double>& impulse = modes_.contact_input;
+    shift(q_t, state.velocity - contact(q_t), impulse);
+    shift(q, state.displacement - contact(q), flexibility_);
     std::vector<double> q_tt(size());
     accelerate(q, q_t, dynamics_.load(t), force, q_tt);
     const double held_force = dynamics_.holding_force(view(state), t);
     const double excess =
-        contact(q_tt) - dynamics_.wall_acceleration(t) - (force - held_force) * contact(modes_.contact_input);
-    const double ratio = contact(twice_) / contact(once_);
-    const double slope = contact(once_) - ratio * contact(modes_.contact_input);
-    for (std::size_t k = 0; k < size(); ++k) q[k] += excess / slope * (twice_[k] - ratio * once_[k]);
+        contact(q_tt) - dynamics_.wall_acceleration(t) - (force - held_force) * contact(impulse);
+    // g - c K^-1 g leaves the contact where it is and accelerates it by -sum omega_k^2 (g - c K^-1 g)_k.
+    const double ratio = contact(impulse) / contact(flexibility_);
+    double slope = -ratio * contact(impulse);
+    for (std::size_t k = 0; k < size(); ++k) slope += std::pow(modes_.angular_frequency[k], 2) * impulse[k];
+    for (std::size_t k = 0; k < size(); ++k) q[k] += excess / slope * (impulse[k] - ratio * flexibility_[k]);
   }
 
   [[nodiscard]] ContactKinematics held(std::span<const double> q,
@@ -125,7 +125,7 @@ class FreeCoordinates final : public SlipCoordinates {
 
   const ContactDynamics& dynamics_;
   const FreeContactModes& modes_;
-  std::vector<double> once_, twice_;  // K^-1 g, K^-2 g
+  std::vector<double> flexibility_;  // K^-1 g
 };
 
 }  // namespace

@@ -213,8 +213,6 @@ FigureData refinement(StudyResults& results) {
   return data;
 }
 
-std::string quoted(const std::string& text) { return '"' + text + '"'; }
-
 // Run 0 is the uncertainty of the reference; run k has the variable title<k>.
 FigureData benchmark(StudyResults& results) {
   const auto& all = results.damped_benchmarks();
@@ -239,10 +237,9 @@ FigureData benchmark(StudyResults& results) {
     const auto add = [&](std::size_t run, const std::string& method, int size, double step, std::size_t i,
                          double time, double position) {
       const auto& event = benchmark.events[i].event;
-      events.add_row({csv_number(benchmark.frequency_hz), std::to_string(run), quoted(method),
-                      std::to_string(size), csv_number(step), csv_number(event.time),
-                      event.onset ? "onset" : "capture", csv_number(event.position), csv_number(time),
-                      csv_number(position)});
+      events.add_row({csv_number(benchmark.frequency_hz), std::to_string(run), method, std::to_string(size),
+                      csv_number(step), csv_number(event.time), event.onset ? "onset" : "capture",
+                      csv_number(event.position), csv_number(time), csv_number(position)});
     };
     for (std::size_t i = 0; i < benchmark.events.size(); ++i)
       add(0, "uncertainty of the reference", benchmark.modes, 0.0, i, benchmark.events[i].time_uncertainty,
@@ -291,8 +288,8 @@ FigureData predictability(StudyResults& results) {
   for (const auto& study : results.predictability())
     for (std::size_t k = 0; k < study.separations.size(); ++k)
       for (std::size_t i = 0; i < study.separations[k].time.size(); ++i)
-        table.add_row({csv_number(study.frequency_hz), std::to_string(k + 1),
-                       quoted(study.separations[k].what), csv_number(study.separations[k].time[i]),
+        table.add_row({csv_number(study.frequency_hz), std::to_string(k + 1), study.separations[k].what,
+                       csv_number(study.separations[k].time[i]),
                        csv_number(study.separations[k].separation[i]), csv_number(study.range)});
   FigureData data;
   const auto& first = results.predictability().front();

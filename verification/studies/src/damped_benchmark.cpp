@@ -28,11 +28,11 @@ class Benchmark {
     result_.shortest_stick = effort_.shortest_stick;
     result_.modes = effort_.modes;
     set_reference();
-    for (const int modes : effort_.other_modes) compare("event-driven, held modes", modes, held(modes));
+    for (const int modes : effort_.other_modes) compare("event-driven on held modes", modes, held(modes));
     for (const int modes : effort_.free_modes)
-      compare("event-driven, free modes", modes, continuous(modes, analytic::SlipBasis::free_modes));
+      compare("event-driven on free modes", modes, continuous(modes, analytic::SlipBasis::free_modes));
     for (const int elements : effort_.event_driven_elements)
-      compare("event-driven, finite elements", elements,
+      compare("event-driven on finite elements", elements,
               event_driven_history(finite_elements(elements), effort_.duration, sample));
     for (const int elements : effort_.elements) step(elements, effort_.time_steps.back());
     for (const double time_step : effort_.time_steps)

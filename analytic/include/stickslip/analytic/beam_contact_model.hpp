@@ -14,9 +14,9 @@ enum class SlipBasis {
   held_modes,
   /// The clamped-free modes under the follower load, biorthogonal (slip_modes.hpp), one more than held modes.
   /// In them the slip state is diagonal but for damping and friction. A state is projected at each
-  /// transition, and a force at the tip bends the beam in all the modes that are left out: positions and the
-  /// energy books converge only as N^-2 (6e-6, 1.4e-6, 3.6e-7 m for N = 10, 20, 40 against 4e-8, 2e-9 m with
-  /// held modes, first plateau at 25 Hz, 1 mm, eta = 6.4e-5 s). A second opinion, not the default.
+  /// transition, and a force at the tip bends the beam in the modes that are left out: positions and energy
+  /// books converge as N^-3 (2e-6, 3e-7, 4e-8 m for N = 10, 20, 40, second plateau at 25 Hz, 1 mm, eta =
+  /// 6.4e-5 s; with held modes 5e-8, 2e-9 m for 10, 20). A second opinion, not the default.
   free_modes
 };
 
