@@ -1,6 +1,6 @@
 # Separation of undamped histories, largest per period of the load.
 width = 16
-height = 11
+height = 10.5
 load 'style.gp'
 file = folder.'predictability.csv'
 array hz[2] = [25, 70]
@@ -16,14 +16,14 @@ set xtics 0.1
 set xlabel 'time t / s'
 set multiplot
 do for [j = 1:2] {
-  left = 0.09 + 0.47 * (j - 1)
+  left = 0.105 + 0.475 * (j - 1)
   set lmargin at screen left
-  set rmargin at screen left + 0.40
-  set tmargin at screen 0.94
-  set bmargin at screen 0.41
-  set title sprintf('%d Hz', hz[j])
-  if (j == 1) { set ylabel 'largest difference of y(L) in a period / m' offset 1 } else { unset ylabel }
-  if (j == 1) { set key at screen 0.5, 0.01 center bottom maxrows 5 reverse Left width -3 } else { unset key }
+  set rmargin at screen left + 0.39
+  set tmargin at screen 0.935
+  set bmargin at screen 0.33
+  set title sprintf('%d Hz', hz[j]) offset 0, -0.6
+  if (j == 1) { set ylabel 'difference of y(L) / m' offset 0.5 } else { unset ylabel }
+  if (j == 1) { set key at screen 0.5, 0.01 center bottom maxrows 5 vertical reverse Left samplen 1.5 font typeface.',7' } else { unset key }
   plot 0.01 * range[j] with lines linestyle 3 notitle, \
        0.1 * range[j] with lines linestyle 3 notitle, \
        for [k = 1:comparisons] file using ($1 == hz[j] && $2 == k ? $4 : NaN):5 with linespoints \

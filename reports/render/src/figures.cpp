@@ -307,14 +307,16 @@ FigureData predictability(StudyResults& results) {
 FigureData energy(StudyResults& results) {
   CsvTable table("Unexplained energy of the time stepper over the base work, spectral radius 1",
                  {{"kelvin_voigt_s", "s"},
+                  {"elements", "1"},
                   {"time_step_s", "s"},
                   {"residual_J", "J"},
                   {"base_work_J", "J"},
                   {"event_driven_residual_J", "J"}});
   for (const auto& audit : results.energy_audits())
     for (std::size_t i = 0; i < audit.time_step.size(); ++i)
-      table.add_numbers({audit.kelvin_voigt, audit.time_step[i], audit.stepped[i].residual(),
-                         audit.stepped[i].base_work, audit.event_driven_residual()});
+      table.add_numbers({audit.kelvin_voigt, static_cast<double>(audit.elements), audit.time_step[i],
+                         audit.stepped[i].residual(), audit.stepped[i].base_work,
+                         audit.event_driven_residual()});
   FigureData data;
   data.tables.push_back({"energy", std::move(table)});
   return data;

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
 #include <string_view>
 
 #include "findings.hpp"
@@ -151,6 +154,13 @@ void define_events(StudyResults& results, Macros& macros) {
   const auto& finest = finest_stepped(benchmarks.front());
   macros.define("KelvinVoigt", scientific(benchmarks.front().kelvin_voigt, 2));
   macros.define("ShortestStick", significant(benchmarks.front().shortest_stick / microsecond, 2));
+  std::size_t merged = 0;
+  for (const auto& benchmark : benchmarks)
+    merged += (benchmark.history.events.size() - benchmark.events.size()) / 2;
+  macros.define("MergedSticks", merged == 0 ? "none" : std::to_string(merged));
+  macros.define("DampingPercent", fixed(100.0 * std::numbers::pi * benchmarks.front().kelvin_voigt *
+                                            results.stick_frequencies().modes.front().closed_form_hz,
+                                        1));
   macros.count("BenchmarkModes", benchmarks.front().modes);
   macros.count("BenchmarkElements", finest.size);
   macros.define("BenchmarkStep", significant(finest.time_step / microsecond, 2));
@@ -171,6 +181,7 @@ void define_events(StudyResults& results, Macros& macros) {
 
   const auto& orders = results.event_orders();
   macros.count("EventOrderElements", orders.front().elements);
+  macros.plain("EventOrderDuration", orders.front().duration);
   macros.count("EventOrderEvents", orders.front().events);
 
   const auto& low = results.predictability().front();
@@ -184,7 +195,17 @@ void define_events(StudyResults& results, Macros& macros) {
 
   const auto& audit = results.energy_audits();
   macros.define("EnergyOrderDamped", fixed(audit.front().observed_order, 2));
-  macros.define("EnergyOrderUndamped", fixed(audit.back().observed_order, 2));
+  macros.plain("EnergyDuration", audit.front().duration);
+  macros.count("EnergyElementsDamped", audit.front().elements);
+  macros.count("EnergyElementsSmall", audit[1].elements);
+  macros.count("EnergyElementsMiddle", audit[2].elements);
+  macros.count("EnergyElementsLarge", audit.back().elements);
+  macros.define("EnergyOrderSmall", fixed(audit[1].observed_order, 2));
+  macros.define("EnergyOrderMiddle", fixed(audit[2].observed_order, 2));
+  double unresolved = 0.0;
+  for (const auto& balance : audit.back().stepped)
+    unresolved = std::max(unresolved, std::abs(balance.residual() / balance.base_work));
+  macros.define("EnergyUnresolved", scientific(unresolved, 1));
 }
 
 void define_motions(StudyResults& results, Macros& macros) {

@@ -51,7 +51,7 @@ class StudyResults {
   const std::vector<studies::EventOrderStudy>& event_orders();        ///< spectral radii 0.9 and 1
   const std::vector<studies::DampedBenchmark>& damped_benchmarks();   ///< 25 and 70 Hz
   const std::vector<studies::PredictabilityStudy>& predictability();  ///< 25 and 70 Hz, undamped
-  const std::vector<studies::EnergyAudit>& energy_audits();           ///< damped and undamped, 25 Hz
+  const std::vector<studies::EnergyAudit>& energy_audits();           ///< damped, then undamped, 25 Hz
   const std::vector<studies::SchemeRun>& schemes();                   ///< paper's settings, 25 Hz, 1 mm
   const std::vector<studies::PrintedCheck>& printed_checks();
   const std::vector<studies::ErratumEvidence>& errata_evidence();

@@ -20,6 +20,7 @@ EventOrderStudy event_order_study(const data::Case& problem, double duration, in
   EventOrderStudy study{.spectral_radius = spectral_radius,
                         .elements = elements,
                         .events = static_cast<int>(exact.events.size()),
+                        .duration = duration,
                         .time_step = {},
                         .located = {},
                         .at_end_of_step = {}};

@@ -121,24 +121,21 @@ PredictabilityStudy predictability_study(const data::Beam& beam, const data::Fri
     result.growth_rate = growth_rate_of(result, 0.1 * study.range);
     study.separations.push_back(std::move(result));
   };
-  separate("event-driven: amplitude changed by 1e-9", reference,
-           continuous(modes, 1e-9, SlipBasis::held_modes));
-  separate(fmt::format("event-driven: {} against {} modes", modes, 2 * modes), reference,
+  separate("amplitude changed by 1e-9", reference, continuous(modes, 1e-9, SlipBasis::held_modes));
+  separate(fmt::format("{} against {} modes", modes, 2 * modes), reference,
            continuous(2 * modes, 0.0, SlipBasis::held_modes));
-  separate("event-driven: held against free modes in slip", reference,
-           continuous(modes, 0.0, SlipBasis::free_modes));
+  separate("held against free modes", reference, continuous(modes, 0.0, SlipBasis::free_modes));
   separate(fmt::format("event-driven: {} against {} elements", elements / 2, elements),
            event_driven(elements / 2), mesh);
-  separate(fmt::format("event-driven: {} elements against {} modes", elements, modes), mesh, reference);
-  separate(fmt::format("generalised-alpha: {} against {} elements", elements, 2 * elements), step,
+  separate(fmt::format("{} elements against {} modes", elements, modes), mesh, reference);
+  separate(fmt::format("time steps: {} against {} elements", elements, 2 * elements), step,
            stepped(2 * elements, h, radius));
-  separate(fmt::format("generalised-alpha: step {:g} against {:g} s", h, 0.1 * h), step,
+  separate(fmt::format("time steps: {:.0e} against {:.0e} s", h, 0.1 * h), step,
            stepped(elements, 0.1 * h, radius));
-  separate(fmt::format("generalised-alpha: spectral radius {:g} against 1", radius), step,
+  separate(fmt::format("time steps: spectral radius {:g} against 1", radius), step,
            stepped(elements, h, 1.0));
-  separate(fmt::format("generalised-alpha at {:g} s against event-driven: {} elements", h, elements), step,
-           mesh);
-  separate(fmt::format("generalised-alpha at {:g} s against event-driven: {} elements", 0.01 * h, elements),
+  separate(fmt::format("{} elements: {:.0e} s against event-driven", elements, h), step, mesh);
+  separate(fmt::format("{} elements: {:.0e} s against event-driven", elements, 0.01 * h),
            stepped(elements, 0.01 * h, radius), mesh);
   return study;
 }

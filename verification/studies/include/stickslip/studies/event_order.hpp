@@ -21,6 +21,7 @@ struct EventOrderStudy {
   double spectral_radius{};
   int elements{};
   int events{};
+  double duration{};              ///< s
   std::vector<double> time_step;  ///< s
   EventOrder located, at_end_of_step;
 };
