@@ -85,6 +85,15 @@ HistoryFindings history_findings(const std::vector<studies::ContactHistory>& his
   return findings;
 }
 
+const studies::BenchmarkRun& finest_stepped(const studies::DampedBenchmark& benchmark) {
+  const studies::BenchmarkRun* finest = nullptr;
+  for (const auto& run : benchmark.runs)
+    if (run.time_step > 0.0 && (!finest || run.size > finest->size ||
+                                (run.size == finest->size && run.time_step < finest->time_step)))
+      finest = &run;
+  return *finest;
+}
+
 bool confirmed(const studies::ErratumEvidence& evidence) {
   return std::abs(evidence.corrected - evidence.reference) <= evidence.tolerance &&
          std::abs(evidence.as_printed - evidence.reference) > evidence.tolerance;

@@ -46,6 +46,9 @@ struct HistoryFindings {
 };
 [[nodiscard]] HistoryFindings history_findings(const std::vector<studies::ContactHistory>& histories);
 
+/// The time stepper's run on the most elements with the shortest step.
+[[nodiscard]] const studies::BenchmarkRun& finest_stepped(const studies::DampedBenchmark& benchmark);
+
 /// Whether the text as printed misses the reference and the corrected text meets it.
 [[nodiscard]] bool confirmed(const studies::ErratumEvidence& evidence);
 

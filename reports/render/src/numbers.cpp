@@ -139,16 +139,6 @@ void define_histories(StudyResults& results, Macros& macros) {
   macros.plain("LargeAmplitude", histories.back().amplitude / millimetre);
 }
 
-// The time stepper on the most elements with the shortest step.
-const studies::BenchmarkRun& finest_stepped(const studies::DampedBenchmark& benchmark) {
-  const studies::BenchmarkRun* finest = nullptr;
-  for (const auto& run : benchmark.runs)
-    if (run.time_step > 0.0 && (!finest || run.size > finest->size ||
-                                (run.size == finest->size && run.time_step < finest->time_step)))
-      finest = &run;
-  return *finest;
-}
-
 void define_events(StudyResults& results, Macros& macros) {
   const auto& benchmarks = results.damped_benchmarks();
   const auto& finest = finest_stepped(benchmarks.front());

@@ -85,6 +85,22 @@ std::string summary(StudyResults& results) {
   rows.add({"Figs.~4 and 5, verdicts with the paper",
             fmt::format("{} of {} agree", history_findings(histories).verdicts_agreeing, histories.size()),
             "all"});
+  const auto& orders = results.event_orders().front();
+  rows.add({"Event times of a damped history, located",
+            fmt::format("order {}", fixed(orders.located.event_time_order, 2)), "order 2 in time step"});
+  rows.add({"The same without location",
+            fmt::format("order {}", fixed(orders.at_end_of_step.event_time_order, 2)), "order 1"});
+  double time = 0.0, position = 0.0;
+  std::size_t events = 0;
+  for (const auto& benchmark : results.damped_benchmarks()) {
+    const auto& run = finest_stepped(benchmark);
+    time = std::max(time, run.all.time);
+    position = std::max(position, run.all.position);
+    events += benchmark.events.size();
+  }
+  rows.add({fmt::format("Damped stick-slip, {} events: finite elements against event-driven modes", events),
+            fmt::format("{}\\unit{{s}}, {}\\unit{{m}}", scientific(time, 1), scientific(position, 1)),
+            "mesh and step error"});
   const auto& checks = results.printed_checks();
   rows.add({"Printed numbers recomputed",
             fmt::format("{} of {} agree", std::ranges::count_if(checks, &studies::PrintedCheck::agrees),

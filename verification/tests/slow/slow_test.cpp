@@ -14,9 +14,12 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/energy_books.hpp"
 #include "stickslip/studies/classification.hpp"
+#include "stickslip/studies/damped_benchmark.hpp"
 #include "stickslip/studies/finite_element_contact_model.hpp"
+#include "stickslip/studies/predictability.hpp"
 #include "stickslip/studies/stick_history.hpp"
 #include "support/beams.hpp"
+#include "support/parameter_name.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -149,6 +152,71 @@ TEST(StickSlipBeamLong, StaysBoundedWithoutNumericalDissipationOrSaysWhyItStops)
         }
       }
 }
+
+class DampedBenchmarkLong : public ::testing::TestWithParam<double> {};
+
+TEST_P(DampedBenchmarkLong, EveryEventOfHalfASecondIsTheSameByBothMethods) {
+  // What finite elements in time steps may differ by: a fifteenth of the difference to half the elements
+  // (order 4) and a third of that to twice the step (order 2); margin 3, for an event may feel more of it
+  // than the worst one of the coarser run.
+  data::Case problem{.name = "damped",
+                     .beam = paper_beam(),
+                     .friction = paper_friction(),
+                     .excitation = data::HarmonicExcitation({.frequency_hz = GetParam(), .amplitude = 1e-3}),
+                     .numerics = data::NumericalSettings(paper_choices(0.5)),
+                     .damping = data::Damping({.kelvin_voigt = 6.4e-5, .ratio = 0.0})};
+  const auto benchmark = studies::damped_benchmark(problem, {.duration = 0.5,
+                                                             .shortest_stick = 2e-5,
+                                                             .modes = 40,
+                                                             .other_modes = {},
+                                                             .free_modes = {},
+                                                             .event_driven_elements = {},
+                                                             .elements = {20, 40},
+                                                             .time_steps = {5e-6, 2.5e-6}});
+  EXPECT_GE(benchmark.events.size(), 47u);
+  for (const auto& event : benchmark.events) {
+    EXPECT_LT(event.time_uncertainty, 1e-6);
+    EXPECT_LT(event.position_uncertainty, 1e-7);
+  }
+  const auto &coarse = benchmark.runs.at(0), &fine = benchmark.runs.at(1), &longer = benchmark.runs.at(2);
+  EXPECT_EQ(fine.each.size(), benchmark.events.size());
+  const auto allowed = [](double mesh, double step, double here) {
+    return discretisation(mesh / 15.0 + std::abs(step - here) / 3.0, 3.0, "Richardson");
+  };
+  EXPECT_TRUE(within(fine.all.time, 0.0, allowed(coarse.all.time, longer.all.time, fine.all.time)));
+  EXPECT_TRUE(
+      within(fine.all.position, 0.0, allowed(coarse.all.position, longer.all.position, fine.all.position)));
+  EXPECT_LT(fine.first_ten.time, 1e-6);
+  EXPECT_LT(fine.first_ten.position, 1e-7);
+}
+
+INSTANTIATE_TEST_SUITE_P(Hz, DampedBenchmarkLong, ::testing::Values(25.0, 70.0), NameOfDouble());
+
+class PredictabilityLong : public ::testing::TestWithParam<double> {};
+
+TEST_P(PredictabilityLong, UndampedHistoriesPartByTheirCutOffAndNotByChaos) {
+  const data::HarmonicExcitation excitation({.frequency_hz = GetParam(), .amplitude = 1e-3});
+  const auto study = studies::predictability_study(paper_beam(), paper_friction(), excitation,
+                                                   data::NumericalSettings(paper_choices(0.5)), 0.5);
+  ASSERT_EQ(study.separations.size(), 10u);
+  // (mu_s - mu_m) alpha N / (2 m), m = rho A L/4: 0.3 * 500 / 10 = 15/s.
+  EXPECT_DOUBLE_EQ(study.predicted_rate, 15.0);
+  const studies::Separation& perturbation = study.separations.front();
+  EXPECT_EQ(perturbation.one_percent_until, study.duration);
+  EXPECT_EQ(perturbation.changes, perturbation.other_changes);
+  EXPECT_LT(perturbation.growth_rate, study.predicted_rate * study.slip_share);
+  const double first_slip = GetParam() == 25.0 ? 0.0552 : 0.0094;
+  for (const studies::Separation& separation : study.separations) {
+    EXPECT_GT(separation.one_percent_until, first_slip) << separation.what;
+    EXPECT_GE(separation.ten_percent_until, separation.one_percent_until) << separation.what;
+    EXPECT_LE(separation.largest, 1.0) << separation.what;
+  }
+  // More modes, more chatter: what does not converge is the number of changes.
+  EXPECT_GT(study.separations[1].other_changes, 1.5 * study.separations[1].changes);
+  EXPECT_GT(study.separations[3].other_changes, 1.5 * study.separations[3].changes);
+}
+
+INSTANTIATE_TEST_SUITE_P(Hz, PredictabilityLong, ::testing::Values(25.0, 70.0), NameOfDouble());
 
 }  // namespace
 }  // namespace stickslip::testing
