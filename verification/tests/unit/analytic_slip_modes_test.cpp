@@ -7,8 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "analytic_gsl.hpp"
+#include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "support/beams.hpp"
+#include "support/parameter_name.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -102,8 +105,9 @@ struct Derivatives {
   double first, second, third, fourth;
 };
 
-Derivatives derivatives(const SlipMode& mode, double x, double h) {
-  const auto w = [&](int i) { return mode.shape(x + i * h); };
+template <class Shape>
+Derivatives derivatives(const Shape& shape, double x, double h) {
+  const auto w = [&](int i) { return shape(x + i * h); };
   return {(w(1) - w(-1)) / (2 * h), (w(1) - 2 * w(0) + w(-1)) / (h * h),
           (w(2) - 2 * w(1) + 2 * w(-1) - w(-2)) / (2 * h * h * h),
           (w(2) - 4 * w(1) + 6 * w(0) - 4 * w(-1) + w(-2)) / (h * h * h * h)};
@@ -118,6 +122,7 @@ TEST(SlipModes, ShapesMeetTheBoundaryConditionsAndTheEquation) {
       double size = 0.0;
       for (int i = 0; i <= 100; ++i) size = std::max(size, std::abs(mode.shape(0.02 * i)));
       const double h = 0.01 / steepest;
+      const auto shape = [&](double x) { return mode.shape(x); };
       // The leading errors h^2 W^(m+2)/12 ... h^2 W^(m+2)/4 of the m-th derivative; W^(m) <= 2 steepest^m
       // size.
       const auto tolerance = [&](int order) {
@@ -125,15 +130,84 @@ TEST(SlipModes, ShapesMeetTheBoundaryConditionsAndTheEquation) {
       };
       EXPECT_TRUE(within(mode.shape(0.0), 0.0, round_off(6, 1, size)));
       EXPECT_TRUE(within(mode.shape(2.0), 1.0, round_off(6, 1, size)));
-      EXPECT_TRUE(within(derivatives(mode, 0.0, h).first, 0.0, tolerance(1)));
-      EXPECT_TRUE(within(derivatives(mode, 2.0, h).second, 0.0, tolerance(2)));
-      EXPECT_TRUE(within(derivatives(mode, 2.0, h).third, 0.0, tolerance(3)));
+      EXPECT_TRUE(within(derivatives(shape, 0.0, h).first, 0.0, tolerance(1)));
+      EXPECT_TRUE(within(derivatives(shape, 2.0, h).second, 0.0, tolerance(2)));
+      EXPECT_TRUE(within(derivatives(shape, 2.0, h).third, 0.0, tolerance(3)));
       const double k = beam.density() * beam.area() * std::pow(mode.angular_frequency(), 2) / stiffness(beam);
-      const Derivatives inside = derivatives(mode, 0.83, h);
+      const Derivatives inside = derivatives(shape, 0.83, h);
       EXPECT_TRUE(within(inside.fourth + p * inside.second, k * mode.shape(0.83), tolerance(4)));
     }
   }
 }
+
+class AdjointSlipModes : public ::testing::TestWithParam<double> {};
+
+TEST_P(AdjointSlipModes, AreBiorthogonalToTheModes) {
+  // Shapes of magnitude 1 on 2 m; the quadrature is good to 1e-11 of its scale.
+  const data::Beam beam = beam_with_load_factor(GetParam());
+  const auto modes = slip_modes(beam, 6);
+  for (const SlipMode& adjoint : modes) {
+    for (const SlipMode& mode : modes) {
+      const auto product = [&](double x) { return adjoint.adjoint_shape(x) * mode.shape(x); };
+      const double scale = beam.length();
+      const Estimate overlap = integral(product, 0.0, beam.length(), scale);
+      if (adjoint.number() == mode.number()) {
+        EXPECT_GT(std::abs(overlap.value), 1e-3) << mode.number();
+      } else {
+        EXPECT_TRUE(within(overlap.value, 0.0, reference(1e-10 * scale, "the quadrature")))
+            << adjoint.number() << ", " << mode.number();
+      }
+    }
+  }
+}
+
+TEST_P(AdjointSlipModes, MeetTheBoundaryConditionsOfTheAdjointProblemAndHaveTheirCurvature) {
+  const data::Beam beam = beam_with_load_factor(GetParam());
+  const double p = beam.axial_force() / stiffness(beam);
+  for (const SlipMode& mode : slip_modes(beam, 4)) {
+    const double steepest = std::max(mode.hyperbolic_wave_number(), mode.trigonometric_wave_number());
+    double size = 0.0;
+    for (int i = 0; i <= 100; ++i)
+      size = std::max({size, std::abs(mode.shape(0.02 * i)), std::abs(mode.adjoint_shape(0.02 * i))});
+    const double h = 0.01 / steepest;
+    // As for the modes; their p-terms add p/steepest^2 of the same.
+    const auto tolerance = [&](int order) {
+      const double derivative = std::pow(steepest, order) + p * std::pow(steepest, order - 2);
+      return discretisation(0.5 * size * derivative * 1e-4, 2.0, "h^2 W^(m+2)/4");
+    };
+    const auto adjoint = [&](double x) { return mode.adjoint_shape(x); };
+    const Derivatives root = derivatives(adjoint, 0.0, h), tip = derivatives(adjoint, 2.0, h);
+    EXPECT_TRUE(within(adjoint(0.0), 0.0, round_off(6, 1, size)));
+    EXPECT_TRUE(within(root.first, 0.0, tolerance(1)));
+    EXPECT_TRUE(within(adjoint(2.0), 1.0, round_off(6, 1, size)));
+    EXPECT_TRUE(within(tip.second + p, 0.0, tolerance(2)));
+    EXPECT_TRUE(within(tip.third + p * tip.first, 0.0, tolerance(3)));
+    const auto shape = [&](double x) { return mode.shape(x); };
+    for (const double x : {0.3, 0.9, 1.7})
+      EXPECT_TRUE(within(mode.curvature(x), derivatives(shape, x, h).second, tolerance(2)));
+  }
+}
+
+TEST_P(AdjointSlipModes, CarryAHeldStateOverAndBack) {
+  // The first held mode and the static shape, projected onto 31 free modes and back. Both have a shear force
+  // at the tip, so that their coefficients fall as n^-4 and the tail of their sum as N^-3: 3e-5.
+  const analytic::BeamContactModel model(beam_with_load_factor(GetParam()), paper_friction(),
+                                         data::HarmonicExcitation({25.0, 1e-3}), data::Damping(), 30,
+                                         analytic::SlipBasis::free_modes);
+  const auto& free = *model.model().free_modes;
+  const std::size_t held = model.model().modes();
+  for (const std::size_t column : {std::size_t{0}, held}) {
+    double contact = 0.0, amplitude = 0.0;
+    for (std::size_t k = 0; k <= held; ++k) {
+      contact += free.from_held(k, column);
+      amplitude += free.to_held(0, k) * free.from_held(k, column);
+    }
+    EXPECT_NEAR(contact, column == held ? 1.0 : 0.0, 1e-4);
+    EXPECT_NEAR(amplitude, column == held ? 0.0 : 1.0, 1e-4);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(LoadFactor, AdjointSlipModes, ::testing::Values(0.12, 5.0, 18.0), NameOfDouble());
 
 TEST(SlipModes, FollowerForceRaisesTheFirstFrequencyWhereADeadLoadWouldBuckle) {
   const double dead_load_buckling = 2.467;
