@@ -1,12 +1,9 @@
 #include "stickslip/studies/classification.hpp"
 
-#include <atomic>
 #include <cmath>
 #include <cstddef>
-#include <exception>
-#include <mutex>
-#include <thread>
 
+#include "parallel.hpp"
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
@@ -47,10 +44,6 @@ ClassificationStudy classification_study(const data::Beam& beam, const data::Fri
   study.frequencies.resize(frequencies_hz.size());
   study.points.resize(frequencies_hz.size() * amplitudes.size());
 
-  std::atomic<std::size_t> next{0};
-  std::size_t done = 0;
-  std::mutex guard;
-  std::exception_ptr failure;
   const auto classify_column = [&](std::size_t column) {
     const double hz = frequencies_hz[column];
     const ClassifiedFrequency frequency = classified_frequency(beam, friction, numerics, hz);
@@ -67,25 +60,7 @@ ClassificationStudy classification_study(const data::Beam& beam, const data::Fri
           .in_guard_band = distance <= frequency.relative_guard()};
     }
   };
-  const auto work = [&] {
-    try {
-      for (std::size_t column = next++; column < frequencies_hz.size(); column = next++) {
-        classify_column(column);
-        const std::lock_guard lock(guard);
-        ++done;
-        if (progress) progress(static_cast<double>(done) / static_cast<double>(frequencies_hz.size()));
-      }
-    } catch (...) {
-      const std::lock_guard lock(guard);
-      failure = std::current_exception();
-      next = frequencies_hz.size();
-    }
-  };
-  {
-    const std::jthread second(work);
-    work();
-  }
-  if (failure) std::rethrow_exception(failure);
+  in_parallel(frequencies_hz.size(), classify_column, progress);
 
   for (const ClassifiedPoint& point : study.points) {
     const bool agree = point.closed_form_slips == point.finite_element_slips;
