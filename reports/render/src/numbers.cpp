@@ -126,6 +126,17 @@ void define_classification(StudyResults& results, Macros& macros) {
   macros.define("GuardLargest", significant(100.0 * guard.highest, 2));
 }
 
+void define_searches(StudyResults& results, Macros& macros) {
+  const auto& searches = results.searches();
+  int runs = 0;
+  for (const auto& search : searches) runs += search.runs;
+  macros.count("SearchFrequencies", searches.size());
+  macros.count("SearchAgreeing", std::ranges::count_if(searches, &studies::CriticalAmplitudeSearch::agree));
+  macros.count("SearchRuns", runs);
+  macros.plain("SearchIncrement", StudyResults::search_increment / millimetre);
+  macros.plain("SearchCap", StudyResults::search_cap / millimetre);
+}
+
 void define_histories(StudyResults& results, Macros& macros) {
   const auto& histories = results.contact_histories();
   const HistoryFindings findings = history_findings(histories);
@@ -243,6 +254,7 @@ std::string make_numbers(StudyResults& results, const Environment& environment) 
   define_stick_history(results, macros);
   define_force_maxima(results, macros);
   define_classification(results, macros);
+  define_searches(results, macros);
   define_histories(results, macros);
   define_events(results, macros);
   define_motions(results, macros);

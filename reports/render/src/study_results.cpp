@@ -121,6 +121,13 @@ const std::vector<studies::CriticalAmplitudePoint>& StudyResults::criterion() {
   });
 }
 
+const std::vector<studies::CriticalAmplitudeSearch>& StudyResults::searches() {
+  return once(searches_, "critical amplitudes by the paper's procedure (Fig. 6)", [&] {
+    return studies::critical_amplitude_searches(paper_.beam, paper_.friction, paper_.numerics,
+                                                studies::figure6_frequencies(), search_increment, search_cap);
+  });
+}
+
 const studies::ClassificationStudy& StudyResults::classification() {
   return once(classification_, "classification of excitations (Fig. 12), the longest of all", [&] {
     return studies::classification_study(paper_.beam, paper_.friction, paper_.numerics,

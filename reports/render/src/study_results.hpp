@@ -13,6 +13,7 @@
 #include "stickslip/studies/beam_motion.hpp"
 #include "stickslip/studies/classification.hpp"
 #include "stickslip/studies/contact_histories.hpp"
+#include "stickslip/studies/critical_amplitude.hpp"
 #include "stickslip/studies/damped_benchmark.hpp"
 #include "stickslip/studies/energy_audit.hpp"
 #include "stickslip/studies/event_order.hpp"
@@ -45,6 +46,7 @@ class StudyResults {
   const studies::StickHistoryStudy& stick_history();                  ///< Fig. 9
   const std::vector<studies::ForceMaximum>& force_maxima();           ///< at the four frequencies of Sect. 5
   const std::vector<studies::CriticalAmplitudePoint>& criterion();    ///< Fig. 11
+  const std::vector<studies::CriticalAmplitudeSearch>& searches();    ///< Fig. 6
   const studies::ClassificationStudy& classification();               ///< Fig. 12
   const std::vector<studies::BeamMotionStudy>& beam_motions();        ///< Fig. 3, in the paper's order
   const std::vector<studies::ContactHistory>& contact_histories();    ///< Figs. 4 and 5, in the paper's order
@@ -56,8 +58,9 @@ class StudyResults {
   const std::vector<studies::PrintedCheck>& printed_checks();
   const std::vector<studies::ErratumEvidence>& errata_evidence();
 
-  static constexpr int points_per_element = 10;  ///< of mode_shapes()
-  static constexpr double shown_duration = 0.5;  ///< of contact_histories(), s
+  static constexpr int points_per_element = 10;                        ///< of mode_shapes()
+  static constexpr double shown_duration = 0.5;                        ///< of contact_histories(), s
+  static constexpr double search_increment = 1e-5, search_cap = 1e-3;  ///< of searches(), m
 
  private:
   template <typename Result>
@@ -80,6 +83,7 @@ class StudyResults {
   std::optional<studies::StickHistoryStudy> stick_history_;
   std::optional<std::vector<studies::ForceMaximum>> force_maxima_;
   std::optional<std::vector<studies::CriticalAmplitudePoint>> criterion_;
+  std::optional<std::vector<studies::CriticalAmplitudeSearch>> searches_;
   std::optional<studies::ClassificationStudy> classification_;
   std::optional<std::vector<studies::ContactHistory>> contact_histories_;
   std::optional<std::vector<studies::BeamMotionStudy>> beam_motions_;

@@ -12,6 +12,7 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/studies/classification.hpp"
 #include "stickslip/studies/contact_histories.hpp"
+#include "stickslip/studies/critical_amplitude.hpp"
 #include "stickslip/studies/discretisation.hpp"
 #include "support/beams.hpp"
 #include "support/parameter_name.hpp"
@@ -206,6 +207,22 @@ TEST(StickSlipBeam, RefusesTensionAndBuckling) {
   EXPECT_THROW(run(-100.0), std::domain_error);
   EXPECT_THROW(run(0.0), std::domain_error);
   EXPECT_THROW(run(85e3), std::domain_error);
+}
+
+TEST(CriticalAmplitude, BySearchIsTheFirstStepAboveTheOneOfALinearRun) {
+  // Five steps each: found at 80 and 85 Hz within them, not at 40 Hz.
+  const auto searches = studies::critical_amplitude_searches(paper_beam(), paper_friction(),
+                                                             data::NumericalSettings(paper_choices(1.0)),
+                                                             {40.0, 80.0, 85.0}, 0.02e-3, 0.1e-3);
+  ASSERT_EQ(searches.size(), 3u);
+  for (const auto& search : searches) EXPECT_TRUE(search.agree()) << search.frequency_hz;
+  EXPECT_FALSE(searches[0].searched.has_value());
+  EXPECT_EQ(searches[0].runs, 5);
+  for (const std::size_t i : {1u, 2u}) {
+    ASSERT_TRUE(searches[i].searched.has_value());
+    EXPECT_GT(*searches[i].searched, searches[i].linear);
+    EXPECT_LE(*searches[i].searched - 0.02e-3, searches[i].linear);
+  }
 }
 
 }  // namespace
