@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
 #include "stickslip/data/paper.hpp"
+#include "stickslip/solver/contact_system.hpp"
 
 namespace stickslip::report {
 
@@ -47,6 +49,30 @@ FigureData tip_histories(StudyResults& results, const std::string& figure) {
   data.tables.push_back({"fig" + figure, std::move(table)});
   return data;
 }
+
+// The force jumps at v = 0, which stands there twice.
+FigureData figure2(StudyResults& results) {
+  const data::FrictionLaw& law = results.paper().friction;
+  const double normal_force = results.paper().beam.axial_force();
+  CsvTable table("Fig. 2: friction coefficient mu(v) of Eq. (7) and friction force f_d = -sgn(v) mu(v) P",
+                 {{"sliding_velocity_m_per_s", "m/s"}, {"coefficient", "1"}, {"friction_force_N", "N"}});
+  const auto add = [&](double velocity, double sign) {
+    const double coefficient = solver::friction_coefficient(law, velocity);
+    table.add_numbers({velocity, coefficient, -sign * coefficient * normal_force});
+  };
+  constexpr int per_unit = 20, units = 5;  // rows per m/s, m/s
+  for (int i = -units * per_unit; i <= 0; ++i) add(static_cast<double>(i) / per_unit, -1.0);
+  for (int i = 0; i <= units * per_unit; ++i) add(static_cast<double>(i) / per_unit, 1.0);
+  FigureData data;
+  data.variables = {{"static_coefficient", variable(law.static_coefficient())},
+                    {"kinetic_coefficient", variable(law.kinetic_coefficient())},
+                    {"axial_force", variable(normal_force)}};
+  data.tables.push_back({"fig2", std::move(table)});
+  return data;
+}
+
+// Drawings that hold no numbers.
+FigureData schematic(StudyResults& /*results*/) { return {}; }
 
 // Long form: panel and snapshot count from 1 in columns 1 and 3.
 FigureData figure3(StudyResults& results) {
@@ -174,6 +200,83 @@ FigureData figure12(StudyResults& results) {
   data.tables.push_back({"fig12", std::move(points)});
   data.tables.push_back({"fig12-curve", criterion_table(results)});
   add_natural_frequencies(results, data);
+  return data;
+}
+
+// The excitations A to D whose |f_max| the paper prints, as force_maxima() has them: 15, 25, 35, 70 Hz.
+constexpr const char* excitation_letters[] = {"A", "C", "B", "D"};
+
+// |f_max| is proportional to the amplitude and reaches mu_s P at the critical one. Grid lines of one
+// frequency, amplitudes ascending: every hertz, and the points within 2 Hz of a natural frequency every 0.25
+// Hz.
+FigureData figure10(StudyResults& results) {
+  const double limit = results.paper().friction.static_coefficient() * results.paper().beam.axial_force();
+  const auto near_resonance = [&](double hz) {
+    return std::ranges::any_of(results.stick_frequencies().modes,
+                               [&](const auto& mode) { return std::abs(hz - mode.closed_form_hz) < 2.0; });
+  };
+  CsvTable surface("Fig. 10: largest static friction force |f_max| over 0 to 10 s, closed form",
+                   {{"frequency_Hz", "Hz"}, {"amplitude_m", "m"}, {"force_max_N", "N"}});
+  for (const auto& point : results.criterion()) {
+    const double hz = point.frequency_hz;
+    const double step = near_resonance(hz) ? 0.25 : 1.0;
+    if (std::abs(hz - step * std::round(hz / step)) > 1e-9) continue;
+    for (int i = 1; i <= 20; ++i) {
+      const double amplitude = 0.05e-3 * i;
+      surface.add_numbers({hz, amplitude, limit * amplitude / point.critical_amplitude});
+    }
+    surface.end_grid_line();
+  }
+  CsvTable points("Fig. 10: the excitations A to D",
+                  {{"letter", "-"}, {"frequency_Hz", "Hz"}, {"amplitude_m", "m"}, {"force_max_N", "N"}});
+  const auto& maxima = results.force_maxima();
+  for (std::size_t i = 0; i < maxima.size(); ++i)
+    points.add_row({excitation_letters[i], csv_number(maxima[i].frequency_hz),
+                    csv_number(maxima[i].amplitude), csv_number(maxima[i].truncated.midpoint())});
+  FigureData data;
+  data.variables.emplace_back("limit", variable(limit));
+  data.tables.push_back({"fig10", std::move(surface)});
+  data.tables.push_back({"fig10-points", std::move(points)});
+  return data;
+}
+
+FigureData figure13(StudyResults& results) {
+  const auto& full = results.criterion();
+  const auto& half = results.half_stiffness_criterion();
+  CsvTable table("Fig. 13: critical amplitude with the flexural rigidity EI and with EI/2, closed form",
+                 {{"frequency_Hz", "Hz"},
+                  {"critical_amplitude_m", "m"},
+                  {"half_stiffness_frequency_Hz", "Hz"},
+                  {"half_stiffness_critical_amplitude_m", "m"}});
+  for (std::size_t i = 0; i < full.size(); ++i)
+    table.add_numbers(
+        {full[i].frequency_hz, full[i].critical_amplitude, half[i].frequency_hz, half[i].critical_amplitude});
+  FigureData data;
+  data.tables.push_back({"fig13", std::move(table)});
+  add_natural_frequencies(results, data);
+  for (const auto& mode : results.half_stiffness_frequencies().modes)
+    data.variables.emplace_back(fmt::format("half{}", mode.mode), variable(mode.closed_form_hz));
+  return data;
+}
+
+// Grid lines of one axial force.
+FigureData figure14(StudyResults& results) {
+  CsvTable ratios("Fig. 14: |f_max|/(mu_s P) over beam length and axial force, closed form",
+                  {{"length_m", "m"}, {"axial_force_N", "N"}, {"force_ratio", "1"}});
+  CsvTable limits(
+      "Fig. 14: lengths of resonance with the excitation and of buckling",
+      {{"axial_force_N", "N"}, {"resonance_1_m", "m"}, {"resonance_2_m", "m"}, {"buckling_length_m", "m"}});
+  for (const auto& line : results.length_force_map().lines) {
+    for (std::size_t i = 0; i < line.length.size(); ++i)
+      ratios.add_numbers({line.length[i], line.axial_force, line.force_ratio[i]});
+    ratios.end_grid_line();
+    limits.add_row({csv_number(line.axial_force), csv_number(line.resonance_1), csv_number(line.resonance_2),
+                    csv_number(line.buckling_length)});
+  }
+  FigureData data;
+  data.tables.push_back({"fig14", std::move(ratios)});
+  data.tables.push_back({"fig14-limits", std::move(limits)});
+  data.variables.emplace_back("hz", variable(results.flat_section().excitation.frequency_hz()));
   return data;
 }
 
@@ -341,13 +444,19 @@ FigureData energy(StudyResults& results) {
 }  // namespace
 
 const std::vector<Figure>& all_figures() {
-  static const std::vector<Figure> figures{{"fig7", figure7},
+  static const std::vector<Figure> figures{{"fig1", schematic},
+                                           {"fig2", figure2},
+                                           {"fig8", schematic},
+                                           {"fig7", figure7},
                                            {"convergence", convergence},
                                            {"fig9", figure9},
                                            {"refinement", refinement},
                                            {"fig6", figure6},
+                                           {"fig10", figure10},
                                            {"fig11", figure11},
                                            {"fig12", figure12},
+                                           {"fig13", figure13},
+                                           {"fig14", figure14},
                                            {"fig3", figure3},
                                            {"fig4", figure4},
                                            {"fig5", figure5},

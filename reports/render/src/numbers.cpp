@@ -137,6 +137,37 @@ void define_searches(StudyResults& results, Macros& macros) {
   macros.plain("SearchCap", StudyResults::search_cap / millimetre);
 }
 
+// Critical amplitude at half the stiffness over that at the full one, at corresponding frequencies.
+std::vector<double> half_stiffness_ratios(StudyResults& results) {
+  const auto& full = results.criterion();
+  const auto& half = results.half_stiffness_criterion();
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < full.size(); ++i)
+    ratios.push_back(half[i].critical_amplitude / full[i].critical_amplitude);
+  std::ranges::sort(ratios);
+  return ratios;
+}
+
+void define_criterion_diagrams(StudyResults& results, Macros& macros) {
+  const std::vector<double> ratios = half_stiffness_ratios(results);
+  const auto& half = results.half_stiffness_frequencies().modes;
+  macros.define("HalfOneHz", fixed(half[0].closed_form_hz, 2));
+  macros.define("HalfTwoHz", fixed(half[1].closed_form_hz, 2));
+  macros.define("HalfRatioMedian", fixed(ratios[ratios.size() / 2], 2));
+  macros.define("HalfRatioLowTenth", fixed(ratios[ratios.size() / 10], 2));
+  macros.define("HalfRatioHighTenth", fixed(ratios[ratios.size() - 1 - ratios.size() / 10], 2));
+
+  const data::Case& flat = results.flat_section();
+  const auto resonance = [&](int mode) {
+    return studies::resonance_length(flat.beam, mode, flat.excitation.frequency_hz());
+  };
+  macros.plain("FlatHz", flat.excitation.frequency_hz());
+  macros.plain("FlatAmplitude", flat.excitation.amplitude() / millimetre);
+  macros.plain("FlatForce", flat.beam.axial_force());
+  macros.define("FlatLengthOne", fixed(resonance(1).value(), 4));
+  macros.define("FlatLengthTwo", fixed(resonance(2).value(), 4));
+}
+
 void define_histories(StudyResults& results, Macros& macros) {
   const auto& histories = results.contact_histories();
   const HistoryFindings findings = history_findings(histories);
@@ -255,6 +286,7 @@ std::string make_numbers(StudyResults& results, const Environment& environment) 
   define_force_maxima(results, macros);
   define_classification(results, macros);
   define_searches(results, macros);
+  define_criterion_diagrams(results, macros);
   define_histories(results, macros);
   define_events(results, macros);
   define_motions(results, macros);

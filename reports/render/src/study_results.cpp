@@ -16,7 +16,7 @@ constexpr int shown_modes = 3;
 constexpr double stick_history_duration = 1.0;  // s
 constexpr int stick_history_levels = 4;
 constexpr int motion_snapshots = 9, motion_positions = 61;
-constexpr double highest_frequency = 120.0;  // of Figs. 11 and 12, Hz
+constexpr double highest_frequency = 120.0;  // of Figs. 10 to 13, Hz
 constexpr int slipping_frequencies_hz[] = {25, 70};
 constexpr double event_order_duration = 0.12;  // s: seven events
 constexpr int event_order_elements = 10;
@@ -62,6 +62,8 @@ StudyResults::StudyResults(std::function<void(const std::string&)> announce)
     : announce_(std::move(announce)),
       paper_(data::load_case("paper")),
       damped_(data::load_case("damped")),
+      half_stiffness_(data::load_case("paper-half-stiffness")),
+      flat_section_(data::load_case("paper-figure14")),
       stick_excitation_(printed_excitation("figure9.frequency", "figure9.amplitude")) {}
 
 const studies::FrequencyStudy& StudyResults::stick_frequencies() {
@@ -125,6 +127,28 @@ const std::vector<studies::CriticalAmplitudeSearch>& StudyResults::searches() {
   return once(searches_, "critical amplitudes by the paper's procedure (Fig. 6)", [&] {
     return studies::critical_amplitude_searches(paper_.beam, paper_.friction, paper_.numerics,
                                                 studies::figure6_frequencies(), search_increment, search_cap);
+  });
+}
+
+const studies::FrequencyStudy& StudyResults::half_stiffness_frequencies() {
+  return once(half_stiffness_frequencies_, "natural frequencies at half the stiffness",
+              [&] { return studies::stick_frequency_study(half_stiffness_.beam, shown_modes, meshes); });
+}
+
+const std::vector<studies::CriticalAmplitudePoint>& StudyResults::half_stiffness_criterion() {
+  const double ratio = half_stiffness_frequencies().modes.front().closed_form_hz /
+                       stick_frequencies().modes.front().closed_form_hz;
+  return once(half_stiffness_criterion_, "critical amplitudes at half the stiffness (Fig. 13)", [&] {
+    std::vector<double> frequencies = criterion_frequencies(stick_frequencies());
+    for (double& hz : frequencies) hz *= ratio;
+    return studies::critical_amplitude_curve(half_stiffness_.beam, half_stiffness_.friction,
+                                             half_stiffness_.numerics, frequencies);
+  });
+}
+
+const studies::LengthForceMap& StudyResults::length_force_map() {
+  return once(length_force_map_, "criterion over length and axial force (Fig. 14)", [&] {
+    return studies::length_force_map(flat_section_, 0.4, 2.0, studies::figure14_axial_forces());
   });
 }
 

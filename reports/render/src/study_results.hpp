@@ -19,6 +19,7 @@
 #include "stickslip/studies/event_order.hpp"
 #include "stickslip/studies/force_maximum.hpp"
 #include "stickslip/studies/frequencies.hpp"
+#include "stickslip/studies/length_force_map.hpp"
 #include "stickslip/studies/paper_checks.hpp"
 #include "stickslip/studies/predictability.hpp"
 #include "stickslip/studies/scheme_comparison.hpp"
@@ -34,6 +35,8 @@ class StudyResults {
 
   [[nodiscard]] const data::Case& paper() const noexcept { return paper_; }
   [[nodiscard]] const data::Case& damped() const noexcept { return damped_; }
+  [[nodiscard]] const data::Case& half_stiffness() const noexcept { return half_stiffness_; }
+  [[nodiscard]] const data::Case& flat_section() const noexcept { return flat_section_; }  ///< of Fig. 14
   [[nodiscard]] const data::HarmonicExcitation& stick_excitation() const noexcept {
     return stick_excitation_;
   }
@@ -41,12 +44,16 @@ class StudyResults {
   const studies::FrequencyStudy& stick_frequencies();
   const studies::FrequencyStudy& slip_frequencies();
   const studies::FlutterStudy& flutter();
-  const studies::ModeShapeStudy& mode_shapes();                       ///< points_per_element per element
-  const std::vector<studies::TimeOrderStudy>& time_orders();          ///< one per spectral radius
-  const studies::StickHistoryStudy& stick_history();                  ///< Fig. 9
-  const std::vector<studies::ForceMaximum>& force_maxima();           ///< at the four frequencies of Sect. 5
-  const std::vector<studies::CriticalAmplitudePoint>& criterion();    ///< Fig. 11
-  const std::vector<studies::CriticalAmplitudeSearch>& searches();    ///< Fig. 6
+  const studies::ModeShapeStudy& mode_shapes();                     ///< points_per_element per element
+  const std::vector<studies::TimeOrderStudy>& time_orders();        ///< one per spectral radius
+  const studies::StickHistoryStudy& stick_history();                ///< Fig. 9
+  const std::vector<studies::ForceMaximum>& force_maxima();         ///< at the four frequencies of Sect. 5
+  const std::vector<studies::CriticalAmplitudePoint>& criterion();  ///< Fig. 11
+  const std::vector<studies::CriticalAmplitudeSearch>& searches();  ///< Fig. 6
+  const studies::FrequencyStudy& half_stiffness_frequencies();      ///< stick state
+  /// Fig. 13: point i is at the frequency of criterion()[i] times the ratio of the first natural frequencies.
+  const std::vector<studies::CriticalAmplitudePoint>& half_stiffness_criterion();
+  const studies::LengthForceMap& length_force_map();                  ///< Fig. 14
   const studies::ClassificationStudy& classification();               ///< Fig. 12
   const std::vector<studies::BeamMotionStudy>& beam_motions();        ///< Fig. 3, in the paper's order
   const std::vector<studies::ContactHistory>& contact_histories();    ///< Figs. 4 and 5, in the paper's order
@@ -75,15 +82,18 @@ class StudyResults {
   std::function<void(const std::string&)> announce_;
   data::Case paper_;
   data::Case damped_;
+  data::Case half_stiffness_;
+  data::Case flat_section_;
   data::HarmonicExcitation stick_excitation_;
-  std::optional<studies::FrequencyStudy> stick_frequencies_, slip_frequencies_;
+  std::optional<studies::FrequencyStudy> stick_frequencies_, slip_frequencies_, half_stiffness_frequencies_;
   std::optional<studies::FlutterStudy> flutter_;
   std::optional<studies::ModeShapeStudy> mode_shapes_;
   std::optional<std::vector<studies::TimeOrderStudy>> time_orders_;
   std::optional<studies::StickHistoryStudy> stick_history_;
   std::optional<std::vector<studies::ForceMaximum>> force_maxima_;
-  std::optional<std::vector<studies::CriticalAmplitudePoint>> criterion_;
   std::optional<std::vector<studies::CriticalAmplitudeSearch>> searches_;
+  std::optional<std::vector<studies::CriticalAmplitudePoint>> criterion_, half_stiffness_criterion_;
+  std::optional<studies::LengthForceMap> length_force_map_;
   std::optional<studies::ClassificationStudy> classification_;
   std::optional<std::vector<studies::ContactHistory>> contact_histories_;
   std::optional<std::vector<studies::BeamMotionStudy>> beam_motions_;

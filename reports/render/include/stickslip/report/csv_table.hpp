@@ -23,6 +23,8 @@ class CsvTable {
   /// quote or a line break.
   void add_row(const std::vector<std::string>& cells);
   void add_numbers(const std::vector<double>& values);
+  /// An empty line between two lines of a grid, as gnuplot asks for; other readers skip it.
+  void end_grid_line() { text_ += '\n'; }
 
   [[nodiscard]] const std::string& text() const noexcept { return text_; }
 

@@ -1,0 +1,52 @@
+# Fig. 14: the criterion over beam length and axial force, with what the paper leaves out: the buckling load, over
+# which there is no stick state, and the resonances' dependence on P.
+width = 16
+height = 10
+load 'style.gp'
+map = folder.'fig14.csv'
+limits = folder.'fig14-limits.csv'
+highest = 40000
+# The contour |f_max| = mu_s P, found on log P and kept as a table.
+set contour base
+unset surface
+set cntrparam levels discrete 0
+set table $criterion
+splot map using 1:(log10($2)):(log10($3))
+unset contour
+set surface
+# A contour's table has blanks between its columns, so those of the other lines get them, too.
+set table $resonance_1
+plot limits using 2:1 with table
+set table $resonance_2
+plot limits using 3:1 with table
+set table $buckling
+plot limits using 4:1 with table
+unset table
+set datafile separator whitespace
+unset datafile columnheaders
+
+set xlabel 'beam length L / m'
+set ylabel 'axial force P / N'
+set xrange [0.4:2]
+set yrange [5:highest]
+set logscale y
+set format y '10^{%T}'
+set xtics 0.2
+set margins screen 0.10, screen 0.98, screen 0.125, screen 0.90
+set key above horizontal center samplen 3 width 1
+set label sprintf('L_1, ω_1/2π = %g Hz', hz) at 0.905, 7.2
+set label sprintf('L_2, ω_2/2π = %g Hz', hz) at 1.62, 7.2
+set label 'stick-slip region' at 1.25, 20 center
+set label 'stick-slip region' at 0.55, 12 center
+set label 'stick region' at 0.62, 400 center
+set label 'stick region' at 1.22, 400 center
+set label 'stick region' at 1.82, 400 center
+set label "no stick state: P over the\nbuckling load 20.19 EI/L^2" at 1.35, 17000 center front boxed
+set style textbox opaque noborder fillcolor rgb 'white'
+set style fill pattern 4
+plot $buckling using 1:2:(highest) with filledcurves linecolor rgb grey notitle, \
+     '' using 1:2 with lines linecolor rgb black linewidth 1.2 title 'buckling load', \
+     $resonance_1 using 1:2 with lines linecolor rgb vermillion linewidth 1 dashtype 2 \
+       title 'resonance', \
+     $resonance_2 using 1:2 with lines linecolor rgb vermillion linewidth 1 dashtype 2 notitle, \
+     $criterion using 1:(10**$2) with lines linestyle 1 title '|f_{max}| = μ_sP'
