@@ -10,7 +10,7 @@ namespace stickslip::studies {
 
 /// The energy books of one stick-slip history by both methods.
 struct EnergyAudit {
-  double kelvin_voigt{}, duration{};           ///< s
+  double kelvin_voigt{}, duration{};  ///< s
   int elements{}, modes{};
   analytic::EnergyBooks event_driven;          ///< at the end
   double event_driven_initial{};               ///< kinetic + potential at t = 0, J
