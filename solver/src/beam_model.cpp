@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "constrained.hpp"
 #include "stickslip/solver/beam_element.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
 
@@ -94,20 +95,12 @@ Eigen::VectorXd BeamModel::unit_tip_deflection() const {
   const Eigen::Index tip = tip_deflection();
   Eigen::VectorXd right_side = -Eigen::VectorXd(stick_stiffness_.col(tip));
   right_side[tip] = 1.0;
-  SparseMatrix constrained = stick_stiffness_;
-  constrained.prune(
-      [tip](Eigen::Index row, Eigen::Index column, double) { return row != tip && column != tip; });
-  constrained.coeffRef(tip, tip) = 1.0;
-  return Eigen::SimplicialLDLT<SparseMatrix>(constrained).solve(right_side);
+  return Eigen::SimplicialLDLT<SparseMatrix>(constrained(stick_stiffness_, tip)).solve(right_side);
 }
 
 void require_stable_stick_state(const BeamModel& model) {
-  const Eigen::Index tip = model.tip_deflection();
-  SparseMatrix constrained = model.stick_stiffness();
-  constrained.prune(
-      [tip](Eigen::Index row, Eigen::Index column, double) { return row != tip && column != tip; });
-  constrained.coeffRef(tip, tip) = 1.0;
-  if (Eigen::SimplicialLLT<SparseMatrix>(constrained).info() == Eigen::Success) return;
+  const SparseMatrix held = constrained(model.stick_stiffness(), model.tip_deflection());
+  if (Eigen::SimplicialLLT<SparseMatrix>(held).info() == Eigen::Success) return;
   std::ostringstream text;
   text.precision(10);
   text << "beam.axial_force = " << model.beam().axial_force()

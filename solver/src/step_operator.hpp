@@ -15,7 +15,4 @@ struct StickSlipIntegrator::StepOperator {
   Eigen::VectorXd mobility;  // acceleration of every degree of freedom per unit f_d in a slip step
 };
 
-/// The symmetric matrix with one row and column replaced by those of the identity.
-[[nodiscard]] SparseMatrix constrained(const SparseMatrix& matrix, Eigen::Index fixed);
-
 }  // namespace stickslip::solver

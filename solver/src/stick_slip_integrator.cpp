@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "bracketed_root.hpp"
+#include "constrained.hpp"
 #include "step_operator.hpp"
 
 namespace stickslip::solver {

@@ -5,18 +5,10 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "constrained.hpp"
 #include "step_operator.hpp"
 
 namespace stickslip::solver {
-
-SparseMatrix constrained(const SparseMatrix& matrix, Eigen::Index fixed) {
-  SparseMatrix result = matrix;
-  result.prune(
-      [fixed](Eigen::Index row, Eigen::Index column, double) { return row != fixed && column != fixed; });
-  result.coeffRef(fixed, fixed) = 1.0;
-  result.makeCompressed();
-  return result;
-}
 
 StickSlipIntegrator::StepOperator& StickSlipIntegrator::step_operator(double length) {
   // The end of a step is n h and not a sum, so that a whole step's length is h only up to round-off.

@@ -37,8 +37,7 @@ enum class ContactScheme {
   /// At the end of the grid step in which the change was noticed, up to h late, with the velocity left there
   /// removed by the same impulse. The times of changes are of first order in h, and so is everything after a
   /// reversal, which leaves friction in the wrong direction for a while; what a late onset or capture costs
-  /// is
-  /// of second order, because the impulse makes up for the force that the late capture held.
+  /// is of second order, because the impulse makes up for the force that the late capture held.
   end_of_step,
   /// The letter of Sects. 2 and 3 of Won, Lee & Chung. The state is decided at the start of every step: stick
   /// if |v_s| <= epsilon and |f_s| <= mu_s N, with f_s the force that holding takes; else slip, against the
