@@ -10,10 +10,12 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
 #include "beam_constants.hpp"
+#include "contact_dynamics.hpp"
 #include "gsl_handles.hpp"
 #include "gsl_status.hpp"
 #include "messages.hpp"
@@ -199,26 +201,28 @@ std::vector<double> BeamContactModel::shapes(double x) const {
   return values;
 }
 
+double absolute_displacement(const std::vector<double>& shapes, const EventDriven& run) {
+  // In the frame of the base the wall moves by -h.
+  return std::inner_product(run.amplitudes().begin(), run.amplitudes().end(), shapes.begin(),
+                            shapes.back() * run.contact_displacement() - run.wall_displacement());
+}
+
 std::vector<double> free_contact_frequencies(const ContactModel& model, int count) {
-  require_consistent(model);
+  const ContactDynamics dynamics(model);
   const StatusInsteadOfAbort guard;
   const std::size_t m = model.modes(), size = m + 1;
   if (count < 1 || static_cast<std::size_t>(count) > size)
     throw std::invalid_argument(refusal("count", count, "1 ... " + std::to_string(size)));
-  double free_mass = model.contact_mass;
-  for (const double a : model.mass_coupling) free_mass -= a * a;
-  // M^-1 K, the mass eliminated as in contact_dynamics.cpp.
-  const auto matrix = owned(gsl_matrix_calloc(size, size));
+  // M^-1 K, column by column: minus the accelerations that a unit of each coordinate causes.
+  const auto matrix = owned(gsl_matrix_alloc(size, size));
+  const std::vector<double> at_rest(m);
+  std::vector<double> unit(m), modal(m);
   for (std::size_t column = 0; column < size; ++column) {
-    const double omega = column < m ? model.angular_frequency[column] : 0.0;
-    const double row_c =
-        column < m ? model.follower[column] : model.contact_stiffness + model.contact_follower;
-    const double coupled = column < m ? model.mass_coupling[column] * omega * omega : 0.0;
-    const double contact = (row_c - coupled) / free_mass;
-    gsl_matrix_set(matrix.get(), m, column, contact);
-    for (std::size_t n = 0; n < m; ++n)
-      gsl_matrix_set(matrix.get(), n, column,
-                     (n == column ? omega * omega : 0.0) - model.mass_coupling[n] * contact);
+    if (column < m) unit[column] = 1.0;
+    const double contact = dynamics.accelerate({unit, at_rest, column < m ? 0.0 : 1.0, 0.0}, 0.0, 0.0, modal);
+    for (std::size_t n = 0; n < m; ++n) gsl_matrix_set(matrix.get(), n, column, -modal[n]);
+    gsl_matrix_set(matrix.get(), m, column, -contact);
+    if (column < m) unit[column] = 0.0;
   }
   const auto values = owned(gsl_vector_complex_alloc(size));
   const auto workspace = owned(gsl_eigen_nonsymm_alloc(size));

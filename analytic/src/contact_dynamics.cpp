@@ -63,6 +63,12 @@ ContactDynamics::ContactDynamics(const ContactModel& model) : model_(model) {
   free_mass_ = model_.contact_mass - dot(model_.mass_coupling, model_.mass_coupling);
 }
 
+double ContactDynamics::fastest() const {
+  double fastest = model_.load_angular_frequency;
+  for (const double omega : model_.angular_frequency) fastest = std::max(fastest, omega);
+  return fastest;
+}
+
 double ContactDynamics::load(double t) const { return std::sin(model_.load_angular_frequency * t); }
 
 double ContactDynamics::load_rate(double t) const {

@@ -46,6 +46,8 @@ class ContactDynamics {
 
   [[nodiscard]] const ContactModel& model() const noexcept { return model_; }
   [[nodiscard]] std::size_t modes() const noexcept { return model_.modes(); }
+  /// The highest of omega_n and Omega, rad/s.
+  [[nodiscard]] double fastest() const;
 
   [[nodiscard]] double load(double t) const;               ///< s
   [[nodiscard]] double load_rate(double t) const;          ///< s_t

@@ -129,6 +129,7 @@ class EventDriven::Engine {
             .friction_loss = works_.friction};
   }
 
+  [[nodiscard]] double wall_displacement() const { return dynamics_.wall_displacement(time_); }
   [[nodiscard]] double time() const { return time_; }
   [[nodiscard]] ContactState state() const { return state_; }
   [[nodiscard]] const ContactKinematics& now() const { return now_; }
@@ -185,8 +186,9 @@ class EventDriven::Engine {
       now_ = stick_.state(t);
       if (settings_.keep_books) book_stick_until(t);
     } else {
-      now_ = slip_->state(t);
-      works_ = works_before_phase_ + slip_->works(t);
+      const auto [state, works] = slip_->at(t);
+      now_ = state;
+      works_ = works_before_phase_ + works;
     }
     time_ = t;
     if (!std::isfinite(now_.displacement) || !std::isfinite(now_.velocity))
@@ -198,10 +200,8 @@ class EventDriven::Engine {
   void book_stick_until(double t) {
     constexpr std::size_t points = 10;
     static const auto table = owned(gsl_integration_glfixed_table_alloc(points));
-    double fastest = dynamics_.model().load_angular_frequency;
-    for (const double omega : dynamics_.model().angular_frequency) fastest = std::max(fastest, omega);
     const double span = t - booked_until_;
-    const auto panels = static_cast<long>(std::ceil(span * fastest / 2.0));
+    const auto panels = static_cast<long>(std::ceil(span * dynamics_.fastest() / 2.0));
     for (long panel = 0; panel < panels; ++panel) {
       const double from = booked_until_ + span * static_cast<double>(panel) / static_cast<double>(panels);
       const double to = booked_until_ + span * static_cast<double>(panel + 1) / static_cast<double>(panels);
@@ -268,6 +268,10 @@ const std::vector<double>& EventDriven::amplitudes() const { return engine_->now
 const std::vector<double>& EventDriven::rates() const { return engine_->now().rates; }
 double EventDriven::contact_displacement() const { return engine_->now().displacement; }
 double EventDriven::contact_velocity() const { return engine_->now().velocity; }
+double EventDriven::wall_displacement() const { return engine_->wall_displacement(); }
+double EventDriven::contact_position() const {
+  return engine_->now().displacement - engine_->wall_displacement();
+}
 double EventDriven::sliding_velocity() const { return engine_->sliding_velocity(); }
 double EventDriven::friction_force() const { return engine_->friction_force(); }
 double EventDriven::holding_force() const { return engine_->holding_force(); }

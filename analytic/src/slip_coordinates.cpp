@@ -13,11 +13,7 @@ class HeldCoordinates final : public SlipCoordinates {
   explicit HeldCoordinates(const ContactDynamics& dynamics) : dynamics_(dynamics) {}
 
   [[nodiscard]] std::size_t size() const override { return dynamics_.modes() + 1; }
-  [[nodiscard]] double fastest() const override {
-    double fastest = dynamics_.model().load_angular_frequency;
-    for (const double omega : dynamics_.model().angular_frequency) fastest = std::max(fastest, omega);
-    return fastest;
-  }
+  [[nodiscard]] double fastest() const override { return dynamics_.fastest(); }
   [[nodiscard]] double mass_of(std::size_t coordinate) const override {
     return coordinate < dynamics_.modes() ? dynamics_.model().contact_mass : 1.0;
   }

@@ -144,18 +144,17 @@ bool SlipIntegrator::step() {
   }
 }
 
-ContactKinematics SlipIntegrator::state(double t) {
-  if (t == end_.time) return kinematics_of(end_.y);
-  if (!take(begin_, t - begin_.time, trial_))
+SlipIntegrator::Sample SlipIntegrator::at(double t) {
+  const bool at_end = t == end_.time;
+  if (!at_end && !take(begin_, t - begin_.time, trial_))
     throw std::runtime_error("the state at t = " + digits(t) + " s is not finite.");
-  return kinematics_of(trial_.y);
+  const std::vector<double>& y = at_end ? end_.y : trial_.y;
+  return {kinematics_of(y), works_of(y)};
 }
 
-Powers SlipIntegrator::works(double t) {
+Powers SlipIntegrator::works_of(const std::vector<double>& y) const {
   if (equations_ == dimension_) return {};
-  if (t != end_.time && !take(begin_, t - begin_.time, trial_))
-    throw std::runtime_error("the state at t = " + digits(t) + " s is not finite.");
-  const double* works = (t == end_.time ? end_ : trial_).y.data() + dimension_;
+  const double* works = y.data() + dimension_;
   return {works[0], works[1], works[2], works[3]};
 }
 
@@ -227,7 +226,8 @@ bool SlipIntegrator::take(const Node& from, double length, Node& to) {
 // h^6/46080 max|v_s^(6)| over the step begin_ ... next. The quintic from before_ to next is off by
 // max|v_s^(6)|/720 (h1 h2)^3 at begin_.
 double SlipIntegrator::interpolation_error(const Node& next) const {
-  if (!before_) return velocity_floor_;
+  // A phase begins at v_s = 0: there the bound is zero up to round-off.
+  if (!before_) return -velocity_floor_;
   const double first = begin_.time - before_->time, second = next.time - begin_.time;
   const Quintic across(before_->velocity, next.velocity, first + second);
   const double miss = std::abs(across.value(first / (first + second)) - begin_.velocity[0]);
@@ -238,8 +238,7 @@ double SlipIntegrator::interpolation_error(const Node& next) const {
 SlipIntegrator::Passage SlipIntegrator::passage(const Node& next, double& low, double& high) const {
   const double length = next.time - begin_.time;
   const Quintic quintic(begin_.velocity, next.velocity, length);
-  // A phase begins at v_s = 0: there the bound is zero up to round-off.
-  const double error = before_ ? interpolation_error(next) : -velocity_floor_;
+  const double error = interpolation_error(next);
   const bool ends_forward = next.velocity[0] > 0.0;
   if (ends_forward && quintic.lower_bound() > error) return Passage::clear;
   constexpr int samples = 64;

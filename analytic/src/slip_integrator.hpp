@@ -33,10 +33,13 @@ class SlipIntegrator {
   [[nodiscard]] double end_time() const noexcept { return end_.time; }
   [[nodiscard]] double direction() const noexcept { return direction_; }
 
-  /// The state at a time within the last step (or at the beginning of the phase).
-  [[nodiscard]] ContactKinematics state(double t);
-  /// Works since the beginning of the phase; zeros if not asked for.
-  [[nodiscard]] Powers works(double t);
+  /// The state, and the works since the beginning of the phase (zeros if not asked for).
+  struct Sample {
+    ContactKinematics state;
+    Powers works;
+  };
+  /// At a time within the last step, or at the beginning of the phase.
+  [[nodiscard]] Sample at(double t);
 
   /// f_d that would give the contact the wall's acceleration at the end of the last step.
   [[nodiscard]] double holding_force() const;
@@ -61,6 +64,7 @@ class SlipIntegrator {
     return {y + coordinates_->size(), coordinates_->size()};
   }
   [[nodiscard]] ContactKinematics kinematics_of(const std::vector<double>& y) const;
+  [[nodiscard]] Powers works_of(const std::vector<double>& y) const;
   void measure(Node& node) const;
   /// One Runge-Kutta step from `begin_`; leaves the error estimate in error_. False if not finite.
   [[nodiscard]] bool take(const Node& from, double length, Node& to);

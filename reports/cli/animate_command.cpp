@@ -24,9 +24,7 @@ struct AnimateOptions {
 };
 
 void run(const AnimateOptions& options) {
-  auto overrides = overrides_of(options.problem, options.excitation);
-  if (options.duration) overrides.push_back(override_with("numerics.duration", *options.duration));
-  const data::Case problem = data::load_case(options.problem.name, overrides);
+  const data::Case problem = load_case(options.problem, options.excitation, options.duration);
   const double duration =
       options.duration ? problem.numerics.duration() : periods / problem.excitation.frequency_hz();
   if (options.frames - 1 > duration / problem.numerics.time_step() * (1.0 + 1e-12))

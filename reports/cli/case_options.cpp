@@ -63,6 +63,13 @@ std::vector<data::Override> overrides_of(const CaseOptions& options, const Excit
   return overrides;
 }
 
+data::Case load_case(const CaseOptions& options, const ExcitationOptions& excitation,
+                     const std::optional<double>& duration) {
+  auto overrides = overrides_of(options, excitation);
+  if (duration) overrides.push_back(override_with("numerics.duration", *duration));
+  return data::load_case(options.name, overrides);
+}
+
 data::Override override_with(const std::string& key, double value) {
   return {key, data::shortest_text(value)};
 }

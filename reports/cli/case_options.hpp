@@ -41,6 +41,10 @@ void add_excitation_options(CLI::App& command, ExcitationOptions& options);
 [[nodiscard]] std::vector<data::Override> overrides_of(const CaseOptions& options,
                                                        const ExcitationOptions& excitation = {});
 
+/// The case with those overrides and, if given, another duration, s. Throws data::InputError.
+[[nodiscard]] data::Case load_case(const CaseOptions& options, const ExcitationOptions& excitation,
+                                   const std::optional<double>& duration);
+
 /// An override that sets a key to a number.
 [[nodiscard]] data::Override override_with(const std::string& key, double value);
 

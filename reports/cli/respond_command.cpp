@@ -5,7 +5,6 @@
 #include <cmath>
 #include <map>
 #include <memory>
-#include <numeric>
 #include <string>
 #include <utility>
 
@@ -174,13 +173,10 @@ void write_event_driven(const data::Case& problem, const RespondOptions& options
   const long steps = steps_of(problem);
   for (long n = 0; n <= steps; n += options.every) {
     run.advance_to(static_cast<double>(n) * problem.numerics.time_step());
-    const double base = -model.wall_amplitude * std::sin(model.load_angular_frequency * run.time());
-    const double bending =
-        std::inner_product(run.amplitudes().begin(), run.amplitudes().end(), midspan.begin(), 0.0);
     writer.write({.time = run.time(),
-                  .base_displacement = base,
-                  .tip_displacement = base + run.contact_displacement(),
-                  .midspan_displacement = base + bending + midspan.back() * run.contact_displacement(),
+                  .base_displacement = -run.wall_displacement(),
+                  .tip_displacement = run.contact_position(),
+                  .midspan_displacement = analytic::absolute_displacement(midspan, run),
                   .sliding_velocity = run.sliding_velocity(),
                   .friction_force = -run.friction_force(),
                   .state = run.state() == analytic::ContactState::stick ? "stick" : "slip"});
@@ -225,17 +221,11 @@ Json to_json(const data::Case& problem, const RespondOptions& options, const Sum
   return object;
 }
 
-data::Case problem_of(const RespondOptions& options) {
-  auto overrides = overrides_of(options.problem, options.excitation);
-  if (options.duration) overrides.push_back(override_with("numerics.duration", *options.duration));
-  return data::load_case(options.problem.name, overrides);
-}
-
 void run(const RespondOptions& options) {
   const bool to_standard_output = options.output == "-";
   if (options.problem.json && to_standard_output)
     throw data::InputError("--json and --output - both want standard output, but --json needs --output FILE");
-  const data::Case problem = problem_of(options);
+  const data::Case problem = load_case(options.problem, options.excitation, options.duration);
   const bool closed_form = options.method == "closed-form";
   if (closed_form && options.initial_velocity != "quasi-static")
     throw data::InputError(

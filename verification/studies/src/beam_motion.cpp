@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <cstddef>
 #include <limits>
 #include <numbers>
-#include <numeric>
 
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/event_driven.hpp"
@@ -57,14 +55,12 @@ double modal_coordinate(double omega, double w, double t) {
   return (w * t * std::cos(0.5 * sum * t) * sinc(0.5 * (omega - w) * t) - std::sin(w * t)) / (sum * w);
 }
 
-// The same of the discrete oscillator: g'' + 2 d g' + (w^2 + d^2) g = -sin(Omega t) from rest.
+// The same of the discrete oscillator.
 double modal_coordinate(double omega, const NumericalOscillation& oscillation, double t) {
+  const ForcedOscillation forced = forced_from_rest(omega, oscillation);
   const double w = oscillation.angular_frequency, d = oscillation.decay_rate;
-  const std::complex<double> steady = -1.0 / std::complex(w * w + d * d - omega * omega, 2.0 * d * omega);
-  const double initial = -steady.imag(), initial_rate = -omega * steady.real();
-  const double free =
-      std::exp(-d * t) * (initial * std::cos(w * t) + (initial_rate + d * initial) / w * std::sin(w * t));
-  return (steady * std::polar(1.0, omega * t)).imag() + free;
+  return forced.steady_sine * std::sin(omega * t) + forced.steady_cosine * std::cos(omega * t) +
+         std::exp(-d * t) * (forced.free_sine * std::sin(w * t) + forced.free_cosine * std::cos(w * t));
 }
 
 }  // namespace
@@ -93,21 +89,15 @@ BeamMotion event_driven_motion(const data::Case& problem, const MotionGrid& grid
   std::vector<std::vector<double>> shapes;
   for (const double x : motion.position) shapes.push_back(beam.shapes(x));
   analytic::EventDriven run(beam.model());
-  run.start_stuck({}, {});
   for (const long step : snapshot_steps(grid, problem.numerics.time_step())) {
     const double t = static_cast<double>(step) * problem.numerics.time_step();
     run.advance_to(t);
-    // In the frame of the base the wall moves by -h.
-    const double base = -beam.model().wall_amplitude * std::sin(beam.model().load_angular_frequency * t);
     motion.snapshots.push_back({.time = t,
                                 .sticks = run.state() == analytic::ContactState::stick,
                                 .friction_force = -run.friction_force(),
                                 .displacement = {}});
-    const auto& amplitudes = run.amplitudes();
     for (const auto& shape : shapes)
-      motion.snapshots.back().displacement.push_back(
-          std::inner_product(amplitudes.begin(), amplitudes.end(), shape.begin(),
-                             base + shape.back() * run.contact_displacement()));
+      motion.snapshots.back().displacement.push_back(analytic::absolute_displacement(shape, run));
   }
   return motion;
 }

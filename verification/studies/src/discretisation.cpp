@@ -62,6 +62,14 @@ std::vector<double> amplification_moduli(double spectral_radius, double omega_ti
   return sorted;
 }
 
+ForcedOscillation forced_from_rest(double omega, const NumericalOscillation& oscillation) {
+  const double w = oscillation.angular_frequency, d = oscillation.decay_rate;
+  const Complex steady = -1.0 / Complex(w * w + d * d - omega * omega, 2.0 * d * omega);
+  const double initial = -steady.imag();
+  const double initial_rate = -omega * steady.real();
+  return {steady.real(), steady.imag(), (initial_rate + d * initial) / w, initial};
+}
+
 NumericalOscillation discrete_oscillation(const data::Beam& beam, const analytic::StickMode& mode,
                                           const data::NumericalSettings& numerics) {
   const double element_length = beam.length() / numerics.elements();
@@ -104,14 +112,8 @@ PredictedForce::PredictedForce(const data::Beam& beam, const data::HarmonicExcit
     const double natural = mode.angular_frequency();
     const double weight =
         scale * mode.third_derivative(beam.length()) * omega_ * omega_ * mode.participation();
-    // T'' + 2 d T' + (w^2 + d^2) T = -sin(Omega t), at rest at t = 0, per unit weight.
-    const NumericalOscillation o = discrete_oscillation(beam, mode, numerics);
-    const double w = o.angular_frequency, d = o.decay_rate;
-    const Complex steady = -1.0 / Complex(w * w + d * d - omega_ * omega_, 2.0 * d * omega_);
-    const double initial = -steady.imag();
-    const double initial_rate = -omega_ * steady.real();
-    terms_.push_back({weight * steady.real(), weight * steady.imag(),
-                      weight * (initial_rate + d * initial) / w, weight * initial, o});
+    const NumericalOscillation oscillation = discrete_oscillation(beam, mode, numerics);
+    terms_.push_back({weight, forced_from_rest(omega_, oscillation), oscillation});
     // The exact steady amplitude holds this mode's undamped, exact share already.
     static_amplitude_ -= weight / (omega_ * omega_ - natural * natural);
 
@@ -137,9 +139,11 @@ double PredictedForce::max_abs() const {
   Complex steady(0.0, -static_amplitude_);
   std::vector<Phasor> free;
   for (const Term& term : terms_) {
-    steady += Complex(term.steady_cosine, -term.steady_sine);
+    const ForcedOscillation& forced = term.forced;
+    steady += term.weight * Complex(forced.steady_cosine, -forced.steady_sine);
     const Complex exponent(-term.oscillation.decay_rate, term.oscillation.angular_frequency);
-    free.push_back({Complex(term.free_cosine, -term.free_sine), std::exp(exponent * time_step_)});
+    free.push_back(
+        {term.weight * Complex(forced.free_cosine, -forced.free_sine), std::exp(exponent * time_step_)});
   }
   const Complex turn = std::polar(1.0, omega_ * time_step_);
   double largest = 0.0;

@@ -24,18 +24,13 @@ std::vector<HistoryEvent> without_micro_sticks(const std::vector<HistoryEvent>& 
 TipHistory event_driven_history(const analytic::ContactModel& model, double duration, double sample,
                                 double tolerance) {
   analytic::EventDriven run(model, {.tolerance = tolerance});
-  run.start_stuck({}, {});
   TipHistory history;
-  // In the frame of the base the wall moves by -h.
-  const auto wall = [&](double t) {
-    return model.wall_amplitude * std::sin(model.load_angular_frequency * t);
-  };
   const long samples = std::lround(duration / sample);
   for (long n = 0; n <= samples; ++n) {
     const double t = static_cast<double>(n) * sample;
     run.advance_to(t);
     history.time.push_back(t);
-    history.tip_displacement.push_back(run.contact_displacement() - wall(t));
+    history.tip_displacement.push_back(run.contact_position());
   }
   for (const auto& event : run.events()) {
     ++history.changes;

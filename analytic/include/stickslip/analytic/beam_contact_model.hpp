@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "stickslip/analytic/contact_model.hpp"
+#include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/problem.hpp"
 
@@ -63,6 +64,10 @@ class BeamContactModel {
   std::vector<double> scale_;  // 1/sqrt(rho A int U_n^2 dx)
   ContactModel model_;
 };
+
+/// y(x,t) = h + u, m, of a run of a BeamContactModel at its time(), with `shapes` =
+/// BeamContactModel::shapes(x).
+[[nodiscard]] double absolute_displacement(const std::vector<double>& shapes, const EventDriven& run);
 
 /// The `count` lowest angular frequencies, rad/s, of a ContactModel whose contact is free and whose damping
 /// and friction are left out: for the beam, approximations of the clamped-free modes under follower load.

@@ -89,6 +89,8 @@ class EventDriven {
   [[nodiscard]] const std::vector<double>& rates() const;       ///< T_n_t
   [[nodiscard]] double contact_displacement() const;            ///< u_c, m
   [[nodiscard]] double contact_velocity() const;                ///< u_c_t, m/s
+  [[nodiscard]] double wall_displacement() const;               ///< w, m
+  [[nodiscard]] double contact_position() const;                ///< u_c - w, m
   [[nodiscard]] double sliding_velocity() const;                ///< v_s, m/s; zero in stick
   [[nodiscard]] double friction_force() const;                  ///< f_d, N
   [[nodiscard]] double holding_force() const;  ///< f_d that holding the contact would take, N

@@ -31,6 +31,14 @@ struct NumericalOscillation {
 /// Moduli of the eigenvalues of the amplification matrix, largest first: the first is the spectral radius.
 [[nodiscard]] std::vector<double> amplification_moduli(double spectral_radius, double omega_times_step);
 
+/// The response from rest of g_tt + 2 d g_t + (w^2 + d^2) g = -sin(Omega t): its part at Omega, and the free
+/// vibration exp(-d t) (free_sine sin(w t) + free_cosine cos(w t)), with w and d of a NumericalOscillation.
+struct ForcedOscillation {
+  double steady_sine{}, steady_cosine{};
+  double free_sine{}, free_cosine{};
+};
+[[nodiscard]] ForcedOscillation forced_from_rest(double omega, const NumericalOscillation& oscillation);
+
 /// The free vibration of a mode after both discretisations.
 [[nodiscard]] NumericalOscillation discrete_oscillation(const data::Beam& beam,
                                                         const analytic::StickMode& mode,
@@ -67,8 +75,8 @@ class PredictedForce {
 
  private:
   struct Term {
-    double steady_sine, steady_cosine;  // at Omega
-    double free_sine, free_cosine;      // at the discrete frequency
+    double weight;
+    ForcedOscillation forced;
     NumericalOscillation oscillation;
   };
   double omega_{};
