@@ -102,8 +102,6 @@ TEST(SlipOrder, IsTwoUnderWeakeningFrictionOnAMovingWall) {
 
 // A mass with a spring let go from the wall: position after a slip between two sticks.
 TEST(ContactLocation, PositionAfterReversalsIsOfSecondOrder) {
-  const data::FrictionCoefficients coulomb{
-      .static_coefficient = 0.1, .kinetic_coefficient = 0.1, .decay = 0.0};
   for (const double radius : {0.0, 0.5, 0.9, 1.0}) {
     std::vector<double> steps, errors;
     for (const double h : {0.02, 0.01, 0.005, 0.0025, 0.00125}) {

@@ -11,6 +11,10 @@
 
 namespace stickslip::testing {
 
+/// Coulomb friction, mu = 0.1.
+inline constexpr data::FrictionCoefficients coulomb{
+    .static_coefficient = 0.1, .kinetic_coefficient = 0.1, .decay = 0.0};
+
 struct SingleMass {
   double mass{1.0};
   double stiffness{};  ///< of a spring to the fixed frame, in slip; irrelevant while stuck to a wall at rest

@@ -203,66 +203,57 @@ TEST(DampedSteadyState, FrictionForceBalancesTheInertiaOfTheBeam) {
     }
 }
 
+// Against amplitude * (rigid + sum of modes), each with participation(mode) = int W (1 + S) dx/int W^2 dx.
 // Terms fall as n^-5, so that what is left out behind N is about N/4 of the last one.
+template <class Mode, class Participation>
+void expect_sum_over_modes(const Vibration& v, double x, double rigid, const std::vector<Mode>& modes,
+                           const Participation& participation) {
+  const DampedSteadyState solution = v.solution();
+  const double square = v.omega() * v.omega();
+  const int count = static_cast<int>(modes.size());
+  Complex sum = rigid;
+  double largest_late_term = 0.0;
+  for (const Mode& mode : modes) {
+    const double natural = mode.angular_frequency();
+    const Complex term = mode.shape(x) * square * participation(mode) /
+                         (natural * natural * Complex(1.0, v.omega() * v.eta) - square);
+    sum += term;
+    if (mode.number() > count - 3) largest_late_term = std::max(largest_late_term, std::abs(term));
+  }
+  EXPECT_TRUE(
+      near(solution.displacement(x), amplitude * sum,
+           {amplitude * largest_late_term * count / 4.0 + rounding(largest_derivative(solution, 0)).value,
+            "modes left out, n^-5"}))
+      << v.name() << ", x = " << x;
+}
+
 TEST(DampedSteadyState, WithoutAxialForceIsTheSumOverTheStickModes) {
-  constexpr int count = 60;
   const data::Beam beam = paper_beam_with_axial_force(0.0);
-  const auto modes = analytic::stick_modes(beam, count);
+  const auto modes = analytic::stick_modes(beam, 60);
   const analytic::QuasiStaticShape shape(beam);
+  const auto participation = [](const analytic::StickMode& mode) {
+    return mode.load_integral() / mode.norm_squared();
+  };
   for (const double hz : {15.0, 25.0, 81.0})
-    for (const double eta : {6.4e-5, 5e-3}) {
-      const Vibration v{0.0, hz, eta, TipSupport::held};
-      const DampedSteadyState solution = v.solution();
-      const double square = v.omega() * v.omega();
-      for (const double x : {0.4, 1.0, 1.7}) {
-        Complex sum = 1.0 + shape.value(x);
-        double largest_late_term = 0.0;
-        for (const auto& mode : modes) {
-          const double natural = mode.angular_frequency();
-          const Complex term = mode.shape(x) * square * mode.load_integral() / mode.norm_squared() /
-                               (natural * natural * Complex(1.0, v.omega() * eta) - square);
-          sum += term;
-          if (mode.number() > count - 3) largest_late_term = std::max(largest_late_term, std::abs(term));
-        }
-        EXPECT_TRUE(near(
-            solution.displacement(x), amplitude * sum,
-            {amplitude * largest_late_term * count / 4.0 + rounding(largest_derivative(solution, 0)).value,
-             "modes left out, n^-5"}))
-            << v.name() << ", x = " << x;
-      }
-    }
+    for (const double eta : {6.4e-5, 5e-3})
+      for (const double x : {0.4, 1.0, 1.7})
+        expect_sum_over_modes({0.0, hz, eta, TipSupport::held}, x, 1.0 + shape.value(x), modes,
+                              participation);
 }
 
 TEST(DampedSteadyState, WithoutAxialForceIsTheSumOverTheFreeModes) {
   // Modes of unit tip deflection have int W^2 dx = L/4 and int W dx = (-1)^(n+1) sigma/beta with
   // sigma = (cosh b + cos b)/(sinh b + sin b), b = beta L.
-  constexpr int count = 60;
-  const auto modes = analytic::slip_modes(paper_beam_with_axial_force(0.0), count);
+  const auto modes = analytic::slip_modes(paper_beam_with_axial_force(0.0), 60);
+  const auto participation = [](const analytic::SlipMode& mode) {
+    const double b = mode.trigonometric_wave_number() * length;
+    const double sigma = (1.0 + std::cos(b) / std::cosh(b)) / (std::tanh(b) + std::sin(b) / std::cosh(b));
+    return (mode.number() % 2 == 1 ? 4.0 : -4.0) * sigma / b;
+  };
   for (const double hz : {5.0, 25.0, 81.0})
-    for (const double eta : {6.4e-5, 5e-3}) {
-      const Vibration v{0.0, hz, eta, TipSupport::free};
-      const DampedSteadyState solution = v.solution();
-      const double square = v.omega() * v.omega();
-      for (const double x : {0.4, 1.0, 2.0}) {
-        Complex sum = 1.0;
-        double largest_late_term = 0.0;
-        for (const auto& mode : modes) {
-          const double b = mode.trigonometric_wave_number() * length, natural = mode.angular_frequency();
-          const double sigma =
-              (1.0 + std::cos(b) / std::cosh(b)) / (std::tanh(b) + std::sin(b) / std::cosh(b));
-          const double participation = (mode.number() % 2 == 1 ? 4.0 : -4.0) * sigma / b;
-          const Complex term = mode.shape(x) * square * participation /
-                               (natural * natural * Complex(1.0, v.omega() * eta) - square);
-          sum += term;
-          if (mode.number() > count - 3) largest_late_term = std::max(largest_late_term, std::abs(term));
-        }
-        EXPECT_TRUE(near(
-            solution.displacement(x), amplitude * sum,
-            {amplitude * largest_late_term * count / 4.0 + rounding(largest_derivative(solution, 0)).value,
-             "modes left out, n^-5"}))
-            << v.name() << ", x = " << x;
-      }
-    }
+    for (const double eta : {6.4e-5, 5e-3})
+      for (const double x : {0.4, 1.0, 2.0})
+        expect_sum_over_modes({0.0, hz, eta, TipSupport::free}, x, 1.0, modes, participation);
 }
 
 TEST(DampedSteadyState, LagsBehindTheBaseByAQuarterPeriodAtResonance) {

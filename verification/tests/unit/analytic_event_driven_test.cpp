@@ -17,6 +17,7 @@
 #include "support/beams.hpp"
 #include "support/contact_models.hpp"
 #include "support/parameter_name.hpp"
+#include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -30,9 +31,6 @@ using analytic::EnergyBooks;
 using analytic::EventDriven;
 using analytic::EventDrivenSettings;
 using std::numbers::pi;
-
-constexpr data::FrictionCoefficients coulomb{
-    .static_coefficient = 0.1, .kinetic_coefficient = 0.1, .decay = 0.0};
 
 /// The slip phases add an error of at most `per_step` in each step, and neither friction nor damping lets it
 /// grow; `steps` is counted generously at 10 per radian of the fastest motion.

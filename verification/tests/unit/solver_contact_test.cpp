@@ -22,9 +22,6 @@ using solver::IntegratorSettings;
 using solver::StickSlipIntegrator;
 using std::numbers::pi;
 
-constexpr data::FrictionCoefficients coulomb{
-    .static_coefficient = 0.1, .kinetic_coefficient = 0.1, .decay = 0.0};
-
 TEST(StickSlipIntegrator, CoulombSliderStopsWhereItMust) {
   // v = v0 - mu g' t: stops at t = v0/a after v0^2/(2 a), a = mu N/m. Constant acceleration is integrated
   // exactly.

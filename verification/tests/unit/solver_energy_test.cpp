@@ -24,9 +24,6 @@ using solver::EnergyBooks;
 using solver::IntegratorSettings;
 using solver::StickSlipIntegrator;
 
-constexpr data::FrictionCoefficients coulomb{
-    .static_coefficient = 0.1, .kinetic_coefficient = 0.1, .decay = 0.0};
-
 void keep(EnergyBooks& books, StickSlipIntegrator& integrator) {
   integrator.observe([&books](const StickSlipIntegrator& now) { books.enter(now); });
 }
