@@ -4,6 +4,8 @@
 width = 16
 height = 9
 load 'style.gp'
+values = folder.'animation-values.csv'
+load 'values.gp'
 file = folder.'frames.csv'
 y_end = 1.15e3 * largest_displacement
 f_end = 1.15 * largest_force

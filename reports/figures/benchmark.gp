@@ -2,6 +2,8 @@
 width = 16
 height = 12
 load 'style.gp'
+values = folder.'benchmark-values.csv'
+load 'values.gp'
 histories = folder.'benchmark-histories.csv'
 events = folder.'benchmark.csv'
 array hz[2] = [25, 70]
@@ -9,7 +11,11 @@ array hz[2] = [25, 70]
 array runs[5] = [2, 4, 8, 9, 6]
 array colours[5] = [green, purple, vermillion, blue, black]
 array shapes[5] = [9, 13, 5, 7, 2]
-array titles[5] = [title2, title4, title8, title9, title6]
+array titles[5]
+do for [k = 1:5] {
+  stats events using ($2 == runs[k] ? (method = strcol(3), size = $4) : NaN) nooutput
+  titles[k] = sprintf('%s: %d', method, size)
+}
 set xrange [0:shown]
 set xtics 0.1
 set multiplot

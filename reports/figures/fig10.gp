@@ -3,6 +3,8 @@
 width = 16
 height = 11
 load 'style.gp'
+values = folder.'fig10-values.csv'
+load 'values.gp'
 points = folder.'fig10-points.csv'
 set xlabel 'excitation frequency / Hz' rotate parallel offset 0, -0.5
 set ylabel 'excitation amplitude A_0 / mm' rotate parallel offset 0, -0.5

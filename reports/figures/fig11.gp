@@ -2,6 +2,8 @@
 width = 16
 height = 8.5
 load 'style.gp'
+values = folder.'fig11-values.csv'
+load 'values.gp'
 set xlabel 'excitation frequency / Hz'
 set ylabel 'excitation amplitude A_0 / mm' offset 1
 set xrange [0:120]

@@ -2,6 +2,8 @@
 width = 16
 height = 9.5
 load 'style.gp'
+values = folder.'fig12-values.csv'
+load 'values.gp'
 points = folder.'fig12.csv'
 set xlabel 'excitation frequency / Hz'
 set ylabel 'excitation amplitude A_0 / mm' offset 1

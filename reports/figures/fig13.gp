@@ -3,6 +3,8 @@
 width = 16
 height = 9
 load 'style.gp'
+values = folder.'fig13-values.csv'
+load 'values.gp'
 ratio = half1 / natural1
 file = folder.'fig13.csv'
 set xlabel 'excitation frequency with EI / Hz'

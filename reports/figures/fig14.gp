@@ -3,6 +3,8 @@
 width = 16
 height = 10
 load 'style.gp'
+values = folder.'fig14-values.csv'
+load 'values.gp'
 map = folder.'fig14.csv'
 limits = folder.'fig14-limits.csv'
 highest = 40000

@@ -2,6 +2,8 @@
 width = 16
 height = 6.5
 load 'style.gp'
+values = folder.'fig2-values.csv'
+load 'values.gp'
 file = folder.'fig2.csv'
 highest = static_coefficient * axial_force
 lowest = kinetic_coefficient * axial_force

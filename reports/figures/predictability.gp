@@ -2,10 +2,16 @@
 width = 16
 height = 10.5
 load 'style.gp'
+values = folder.'predictability-values.csv'
+load 'values.gp'
 file = folder.'predictability.csv'
 array hz[2] = [25, 70]
 array range[2] = [range1, range2]
-array titles[10] = [title1, title2, title3, title4, title5, title6, title7, title8, title9, title10]
+array titles[10]
+do for [k = 1:10] {
+  stats file using ($2 == k ? (what = strcol(3), $5) : NaN) nooutput
+  titles[k] = what
+}
 array colours[10] = [black, blue, purple, green, grey, vermillion, '#E69F00', '#56B4E9', '#7A5195', '#A05A2C']
 array shapes[10] = [7, 5, 9, 11, 13, 4, 6, 8, 10, 12]
 set logscale y
@@ -26,7 +32,7 @@ do for [j = 1:2] {
   if (j == 1) { set key at screen 0.5, 0.01 center bottom maxrows 5 vertical reverse Left samplen 1.5 font typeface.',7' } else { unset key }
   plot 0.01 * range[j] with lines linestyle 3 notitle, \
        0.1 * range[j] with lines linestyle 3 notitle, \
-       for [k = 1:comparisons] file using ($1 == hz[j] && $2 == k ? $4 : NaN):5 with linespoints \
+       for [k = 1:10] file using ($1 == hz[j] && $2 == k ? $4 : NaN):5 with linespoints \
          pointtype shapes[k] pointsize 0.4 linecolor rgb colours[k] linewidth 0.8 title titles[k]
 }
 unset multiplot

@@ -4,7 +4,7 @@
 #   folder  where its CSV files are, with a slash at the end
 #   format  'pdf' or 'png'
 #   output  the file to write
-# and values of its own, as in
+# as in
 #   gnuplot -e "folder='build/reports/'; format='pdf'; output='refinement.pdf'" refinement.gp
 
 typeface = 'DejaVu Sans'

@@ -2,6 +2,7 @@
 width = 16
 height = 10
 load 'style.gp'
+load 'values.gp'
 array hz[4] = [hz1, hz2, hz3, hz4]
 array trusted[4] = [trusted1, trusted2, trusted3, trusted4]
 array slips[4] = [slips1, slips2, slips3, slips4]

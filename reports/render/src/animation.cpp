@@ -9,6 +9,7 @@
 
 #include "drawing.hpp"
 #include "external_tool.hpp"
+#include "figures.hpp"
 #include "progress.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/report/csv_table.hpp"
@@ -63,18 +64,18 @@ CsvTable table_of(const data::Case& problem, const studies::BeamMotion& motion, 
 }
 
 // What the script needs to keep the axes of all frames alike.
-FigureData figure_of(const data::Case& problem, const studies::BeamMotion& motion) {
-  double force = problem.friction.static_coefficient() * problem.beam.axial_force();
-  FigureData figure;
-  figure.variables = {{"points", std::to_string(positions)},
-                      {"length", csv_number(problem.beam.length())},
-                      {"hz", csv_number(problem.excitation.frequency_hz())},
-                      {"amplitude", csv_number(problem.excitation.amplitude())},
-                      {"force_limit", csv_number(force)}};
-  for (const auto& snapshot : motion.snapshots) force = std::max(force, std::abs(snapshot.friction_force));
-  figure.variables.emplace_back("largest_force", csv_number(force));
-  figure.variables.emplace_back("largest_displacement", csv_number(studies::peak(motion)));
-  return figure;
+std::vector<FigureData::Value> values_of(const data::Case& problem, const studies::BeamMotion& motion) {
+  const double limit = problem.friction.static_coefficient() * problem.beam.axial_force();
+  double largest_force = limit;
+  for (const auto& snapshot : motion.snapshots)
+    largest_force = std::max(largest_force, std::abs(snapshot.friction_force));
+  return {{"points", positions, "1"},
+          {"length", problem.beam.length(), "m"},
+          {"hz", problem.excitation.frequency_hz(), "Hz"},
+          {"amplitude", problem.excitation.amplitude(), "m"},
+          {"force_limit", limit, "N"},
+          {"largest_force", largest_force, "N"},
+          {"largest_displacement", studies::peak(motion), "m"}};
 }
 
 void draw_frames(const data::Case& problem, const studies::BeamMotion& motion, const Progress& progress,
@@ -85,12 +86,13 @@ void draw_frames(const data::Case& problem, const studies::BeamMotion& motion, c
     const std::size_t last = std::min(first + batch, frames);
     progress(fmt::format("drawing frames {} to {} of {}", first + 1, last, frames));
     write_text(output.scratch() / "frames.csv", table_of(problem, motion, first, last).text());
-    FigureData figure = figure_of(problem, motion);
-    figure.variables.emplace_back("first_frame", std::to_string(first + 1));
-    figure.variables.emplace_back("last_frame", std::to_string(last));
+    auto values = values_of(problem, motion);
+    values.push_back({"first_frame", static_cast<double>(first + 1), "1"});
+    values.push_back({"last_frame", static_cast<double>(last), "1"});
+    write_text(output.scratch() / "animation-values.csv", values_table(values).text());
     std::vector<std::string> names;
     for (std::size_t i = first; i < last; ++i) names.push_back(frame_name(i));
-    for (fs::path& file : draw_in_scratch("animation", figure, "png", "../", names, output))
+    for (fs::path& file : draw_in_scratch("animation", "png", "../", names, output))
       drawn.push_back(std::move(file));
   }
   for (const fs::path& file : drawn) output.publish(file);

@@ -19,13 +19,6 @@ std::string contents_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-std::string definitions(const FigureData& data, const std::string& folder, const std::string& format,
-                        const std::string& drawing) {
-  std::string text = fmt::format("folder='{}'; format='{}'; output='{}'", folder, format, drawing);
-  for (const auto& [name, value] : data.variables) text += fmt::format("; {}={}", name, value);
-  return text;
-}
-
 // gnuplot may report an error and yet leave a drawing behind, or say nothing and leave none.
 void require_success(int status, const fs::path& drawing, const fs::path& log) {
   std::error_code error;
@@ -39,18 +32,14 @@ void require_success(int status, const fs::path& drawing, const fs::path& log) {
 
 }  // namespace
 
-void write_tables(const FigureData& data, OutputFolder& output) {
-  for (const auto& [name, table] : data.tables) output.write(name + ".csv", table.text());
-}
-
-std::vector<fs::path> draw_in_scratch(const std::string& script, const FigureData& data,
-                                      const std::string& format, const std::string& tables,
+std::vector<fs::path> draw_in_scratch(const std::string& script, const std::string& format, const std::string& tables,
                                       const std::vector<std::string>& drawings, OutputFolder& output) {
   const fs::path folder = output.scratch() / "figures";
   if (!fs::exists(folder)) fs::copy(templates_directory() / "figures", folder);
   const fs::path log = folder / (drawings.front() + ".log");
-  const int status = run_tool(
-      "gnuplot", {"-e", definitions(data, tables, format, drawings.front()), script + ".gp"}, folder, log);
+  const std::string definitions =
+      fmt::format("folder='{}'; format='{}'; output='{}'", tables, format, drawings.front());
+  const int status = run_tool("gnuplot", {"-e", definitions, script + ".gp"}, folder, log);
   std::vector<fs::path> files;
   for (const std::string& drawing : drawings) {
     files.push_back(folder / drawing);
@@ -59,10 +48,10 @@ std::vector<fs::path> draw_in_scratch(const std::string& script, const FigureDat
   return files;
 }
 
-void draw(const std::string& name, const FigureData& data, OutputFolder& output) {
+void draw(const std::string& name, OutputFolder& output) {
   for (const std::string format : {"pdf", "png"})
     for (const fs::path& file :
-         draw_in_scratch(name, data, format, "../../", {fmt::format("{}.{}", name, format)}, output))
+         draw_in_scratch(name, format, "../../", {fmt::format("{}.{}", name, format)}, output))
       output.publish(file);
 }
 

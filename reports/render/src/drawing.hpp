@@ -4,22 +4,20 @@
 #include <string>
 #include <vector>
 
-#include "figures.hpp"
 #include "stickslip/report/output_folder.hpp"
 
 namespace stickslip::report {
 
-/// Writes the tables of a figure into the output folder.
-void write_tables(const FigureData& data, OutputFolder& output);
-
 /// Runs figures/<script>.gp once, which makes these drawings in the scratch folder, and returns their paths.
 /// `tables` is the folder of its tables as seen from there. Throws as draw() does.
-[[nodiscard]] std::vector<std::filesystem::path> draw_in_scratch(
-    const std::string& script, const FigureData& data, const std::string& format, const std::string& tables,
-    const std::vector<std::string>& drawings, OutputFolder& output);
+[[nodiscard]] std::vector<std::filesystem::path> draw_in_scratch(const std::string& script,
+                                                                 const std::string& format,
+                                                                 const std::string& tables,
+                                                                 const std::vector<std::string>& drawings,
+                                                                 OutputFolder& output);
 
 /// Runs figures/<name>.gp on the tables in the output folder, once for PDF and once for PNG. Throws
 /// ToolMissing if there is no gnuplot, std::runtime_error with gnuplot's own words if it fails.
-void draw(const std::string& name, const FigureData& data, OutputFolder& output);
+void draw(const std::string& name, OutputFolder& output);
 
 }  // namespace stickslip::report

@@ -13,13 +13,11 @@ namespace stickslip::report {
 
 namespace {
 
-std::string variable(double value) { return csv_number(value); }
-
 std::string word_of(bool slips) { return slips ? "stick-slip" : "stick"; }
 
 std::string state_of(const studies::ModeShapeStudy::Curve& curve) { return curve.slip ? "slip" : "stick"; }
 
-// Four tip histories of one amplitude; panel i has the variables hz<i>, trusted<i>, slips<i>.
+// Four tip histories of one amplitude; panel i has the values hz<i>, trusted<i>, slips<i>.
 FigureData tip_histories(StudyResults& results, const std::string& figure) {
   const auto& all = results.contact_histories();
   const auto verdicts = data::printed_verdicts();
@@ -29,14 +27,13 @@ FigureData tip_histories(StudyResults& results, const std::string& figure) {
 
   std::vector<CsvColumn> columns{{"time_s", "s"}};
   FigureData data;
-  data.variables.emplace_back("panels", std::to_string(panels.size()));
-  data.variables.emplace_back("shown", variable(StudyResults::shown_duration));
+  data.values.push_back({"shown", StudyResults::shown_duration, "s"});
   for (const auto* panel : panels) {
     const std::string i = std::to_string(columns.size());
     columns.push_back({fmt::format("tip_displacement_{}hz_m", panel->frequency_hz), "m"});
-    data.variables.emplace_back("hz" + i, variable(panel->frequency_hz));
-    data.variables.emplace_back("trusted" + i, variable(panel->trusted_until));
-    data.variables.emplace_back("slips" + i, panel->finite_element_slip ? "1" : "0");
+    data.values.push_back({"hz" + i, panel->frequency_hz, "Hz"});
+    data.values.push_back({"trusted" + i, panel->trusted_until, "s"});
+    data.values.push_back({"slips" + i, panel->finite_element_slip ? 1.0 : 0.0, "1"});
   }
   CsvTable table(fmt::format("Fig. {}: tip displacement y(L, t) at A0 = {} m, {} finite elements", figure,
                              panels.front()->amplitude, results.paper().numerics.elements()),
@@ -64,9 +61,9 @@ FigureData figure2(StudyResults& results) {
   for (int i = -units * per_unit; i <= 0; ++i) add(static_cast<double>(i) / per_unit, -1.0);
   for (int i = 0; i <= units * per_unit; ++i) add(static_cast<double>(i) / per_unit, 1.0);
   FigureData data;
-  data.variables = {{"static_coefficient", variable(law.static_coefficient())},
-                    {"kinetic_coefficient", variable(law.kinetic_coefficient())},
-                    {"axial_force", variable(normal_force)}};
+  data.values = {{"static_coefficient", law.static_coefficient(), "1"},
+                 {"kinetic_coefficient", law.kinetic_coefficient(), "1"},
+                 {"axial_force", normal_force, "N"}};
   data.tables.push_back({"fig2", std::move(table)});
   return data;
 }
@@ -108,20 +105,18 @@ FigureData figure3(StudyResults& results) {
 FigureData figure4(StudyResults& results) { return tip_histories(results, "4"); }
 FigureData figure5(StudyResults& results) { return tip_histories(results, "5"); }
 
-// Panel i, by rows, has the variables title<i> and hz<i>; its columns are 2 i and 2 i + 1.
+// Panel i, by rows, has the columns 2 i and 2 i + 1 and the value hz<i>; stick stands left, slip right.
 FigureData figure7(StudyResults& results) {
   const auto& study = results.mode_shapes();
   std::vector<CsvColumn> columns{{"x_over_L", "1"}};
   FigureData data;
-  data.variables.emplace_back("points_per_element", std::to_string(StudyResults::points_per_element));
+  data.values.push_back({"points_per_element", StudyResults::points_per_element, "1"});
   for (std::size_t i = 0; i < study.curves.size(); ++i) {
     const auto& curve = study.curves[i];
     const std::string name = fmt::format("{}_{}", state_of(curve), curve.mode);
     columns.push_back({name + "_closed_form", "1"});
     columns.push_back({name + "_finite_element", "1"});
-    data.variables.emplace_back(fmt::format("title{}", i + 1),
-                                fmt::format("'{} state, mode {}: {:.3f} Hz'", curve.slip ? "Slip" : "Stick",
-                                            curve.mode, curve.closed_form_hz));
+    data.values.push_back({fmt::format("hz{}", i + 1), curve.closed_form_hz, "Hz"});
   }
   CsvTable table("Fig. 7: mode shapes scaled to a largest deflection of 1", columns);
   for (std::size_t n = 0; n < study.position.size(); ++n) {
@@ -160,7 +155,7 @@ CsvTable criterion_table(StudyResults& results) {
 
 void add_natural_frequencies(StudyResults& results, FigureData& data) {
   for (const auto& mode : results.stick_frequencies().modes)
-    data.variables.emplace_back(fmt::format("natural{}", mode.mode), variable(mode.closed_form_hz));
+    data.values.push_back({fmt::format("natural{}", mode.mode), mode.closed_form_hz, "Hz"});
 }
 
 FigureData figure11(StudyResults& results) {
@@ -234,7 +229,7 @@ FigureData figure10(StudyResults& results) {
     points.add_row({excitation_letters[i], csv_number(maxima[i].frequency_hz),
                     csv_number(maxima[i].amplitude), csv_number(maxima[i].truncated.midpoint())});
   FigureData data;
-  data.variables.emplace_back("limit", variable(limit));
+  data.values.push_back({"limit", limit, "N"});
   data.tables.push_back({"fig10", std::move(surface)});
   data.tables.push_back({"fig10-points", std::move(points)});
   return data;
@@ -255,7 +250,7 @@ FigureData figure13(StudyResults& results) {
   data.tables.push_back({"fig13", std::move(table)});
   add_natural_frequencies(results, data);
   for (const auto& mode : results.half_stiffness_frequencies().modes)
-    data.variables.emplace_back(fmt::format("half{}", mode.mode), variable(mode.closed_form_hz));
+    data.values.push_back({fmt::format("half{}", mode.mode), mode.closed_form_hz, "Hz"});
   return data;
 }
 
@@ -276,7 +271,7 @@ FigureData figure14(StudyResults& results) {
   FigureData data;
   data.tables.push_back({"fig14", std::move(ratios)});
   data.tables.push_back({"fig14-limits", std::move(limits)});
-  data.variables.emplace_back("hz", variable(results.flat_section().excitation.frequency_hz()));
+  data.values.push_back({"hz", results.flat_section().excitation.frequency_hz(), "Hz"});
   return data;
 }
 
@@ -332,7 +327,7 @@ FigureData refinement(StudyResults& results) {
   return data;
 }
 
-// Run 0 is the uncertainty of the reference; run k has the variable title<k>.
+// Run 0 is the uncertainty of the reference.
 FigureData benchmark(StudyResults& results) {
   const auto& all = results.damped_benchmarks();
   CsvTable histories("Damped benchmark: tip displacement y(L, t) of the reference",
@@ -369,11 +364,7 @@ FigureData benchmark(StudyResults& results) {
         add(k + 1, run.method, run.size, run.time_step, i, run.each[i].time, run.each[i].position);
     }
   }
-  for (std::size_t k = 0; k < all.front().runs.size(); ++k) {
-    const auto& run = all.front().runs[k];
-    data.variables.emplace_back(fmt::format("title{}", k + 1), fmt::format("'{}: {}'", run.method, run.size));
-  }
-  data.variables.emplace_back("shown", variable(all.front().duration));
+  data.values.push_back({"shown", all.front().duration, "s"});
   data.tables.push_back({"benchmark", std::move(events)});
   data.tables.push_back({"benchmark-histories", std::move(histories)});
   return data;
@@ -411,14 +402,8 @@ FigureData predictability(StudyResults& results) {
                        csv_number(study.separations[k].time[i]),
                        csv_number(study.separations[k].separation[i]), csv_number(study.range)});
   FigureData data;
-  const auto& first = results.predictability().front();
-  data.variables.emplace_back("comparisons", std::to_string(first.separations.size()));
-  for (std::size_t k = 0; k < first.separations.size(); ++k)
-    data.variables.emplace_back(fmt::format("title{}", k + 1),
-                                fmt::format("'{}'", first.separations[k].what));
   for (std::size_t j = 0; j < results.predictability().size(); ++j)
-    data.variables.emplace_back(fmt::format("range{}", j + 1), variable(results.predictability()[j].range));
-  data.variables.emplace_back("rate", variable(first.predicted_rate));
+    data.values.push_back({fmt::format("range{}", j + 1), results.predictability()[j].range, "m"});
   data.tables.push_back({"predictability", std::move(table)});
   return data;
 }
@@ -442,6 +427,12 @@ FigureData energy(StudyResults& results) {
 }
 
 }  // namespace
+
+CsvTable values_table(const std::vector<FigureData::Value>& values) {
+  CsvTable table("Single values of the figure", {{"name", "-"}, {"value", "see last column"}, {"unit", "-"}});
+  for (const auto& [name, value, unit] : values) table.add_row({name, csv_number(value), unit});
+  return table;
+}
 
 const std::vector<Figure>& all_figures() {
   static const std::vector<Figure> figures{{"fig1", schematic},

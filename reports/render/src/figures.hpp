@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "stickslip/report/csv_table.hpp"
@@ -9,15 +8,23 @@
 
 namespace stickslip::report {
 
-/// What a gnuplot script gets: tables `<name>.csv` and values that no table holds.
+/// What a gnuplot script gets, all of it as `<name>.csv`: tables, and a table of single values if there are any.
 struct FigureData {
   struct Table {
     std::string name;  ///< without .csv; the first one is the figure's own
     CsvTable table;
   };
+  struct Value {
+    std::string name;  ///< the gnuplot variable
+    double value{};
+    std::string unit;
+  };
   std::vector<Table> tables;
-  std::vector<std::pair<std::string, std::string>> variables;  ///< gnuplot name and value
+  std::vector<Value> values;
 };
+
+/// The values of a figure as a table with the columns name, value and unit.
+[[nodiscard]] CsvTable values_table(const std::vector<FigureData::Value>& values);
 
 /// A figure: its name is that of figures/<name>.gp.
 struct Figure {

@@ -32,12 +32,16 @@ std::vector<Figure> chosen_figures(const std::vector<std::string>& only) {
   return chosen;
 }
 
-void draw_all(const std::vector<std::pair<Figure, FigureData>>& figures, const Progress& progress,
-              OutputFolder& output) {
+void write_tables(const Figure& figure, const FigureData& data, OutputFolder& output) {
+  for (const auto& [name, table] : data.tables) output.write(name + ".csv", table.text());
+  if (!data.values.empty()) output.write(figure.name + "-values.csv", values_table(data.values).text());
+}
+
+void draw_all(const std::vector<Figure>& figures, const Progress& progress, OutputFolder& output) {
   try {
-    for (const auto& [figure, data] : figures) {
+    for (const Figure& figure : figures) {
       progress(fmt::format("drawing {}", figure.name));
-      draw(figure.name, data, output);
+      draw(figure.name, output);
     }
   } catch (const ToolMissing& missing) {
     throw std::runtime_error(fmt::format("{}, so that no figure is drawn; their data are in {}/*.csv",
@@ -54,12 +58,8 @@ void write_report(const ReportOptions& options) {
   const Progress progress("report", options.quiet);
   StudyResults results(progress);
 
-  std::vector<std::pair<Figure, FigureData>> figures;
-  for (const Figure& figure : chosen) {
-    figures.emplace_back(figure, figure.data(results));
-    write_tables(figures.back().second, output);
-  }
-  draw_all(figures, progress, output);
+  for (const Figure& figure : chosen) write_tables(figure, figure.data(results), output);
+  draw_all(chosen, progress, output);
   if (!options.only.empty()) return;
 
   const Document document = make_document(results, options, output.scratch());
