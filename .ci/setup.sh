@@ -5,8 +5,12 @@
 # shellcheck disable=SC2034
 build_packages=(
   g++ cmake ninja-build
-  libeigen3-dev libgsl-dev libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev
+  libboost1.81-dev libeigen3-dev libgsl-dev libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev
 )
+
+# What draws a figure; the tests draw some.
+# shellcheck disable=SC2034
+figure_packages=(gnuplot-nox fonts-dejavu-core)
 
 fail() {
   echo "$(basename "$0"): $*" >&2

@@ -15,6 +15,7 @@
 #include "stickslip/report/csv_table.hpp"
 #include "stickslip/report/output_folder.hpp"
 #include "stickslip/report/report.hpp"
+#include "stickslip/report/text_file.hpp"
 #include "stickslip/studies/beam_motion.hpp"
 
 namespace stickslip::report {

@@ -5,9 +5,10 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "environment.hpp"
 #include "external_tool.hpp"
 #include "numbers.hpp"
+#include "stickslip/report/report.hpp"
+#include "stickslip/report/text_file.hpp"
 #include "tables.hpp"
 
 namespace stickslip::report {
@@ -49,8 +50,7 @@ void run_pdflatex(const fs::path& folder) {
 
 }  // namespace
 
-Document make_document(StudyResults& results, const ReportOptions& options, const fs::path& scratch) {
-  const Environment environment = describe_environment(options, scratch);
+Document make_document(StudyResults& results, const Environment& environment) {
   Document document = make_tables(results, environment);
   document["numbers.tex"] = make_numbers(results, environment);
   return document;

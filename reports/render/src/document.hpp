@@ -1,11 +1,10 @@
 #pragma once
 
-#include <filesystem>
 #include <map>
 #include <string>
 
+#include "environment.hpp"
 #include "stickslip/report/output_folder.hpp"
-#include "stickslip/report/report.hpp"
 #include "study_results.hpp"
 
 namespace stickslip::report {
@@ -14,8 +13,7 @@ namespace stickslip::report {
 using Document = std::map<std::string, std::string>;
 
 /// numbers.tex and the tables. Runs the studies that no figure has run.
-[[nodiscard]] Document make_document(StudyResults& results, const ReportOptions& options,
-                                     const std::filesystem::path& scratch);
+[[nodiscard]] Document make_document(StudyResults& results, const Environment& environment);
 
 /// Puts the generated files beside the template in the scratch folder, runs pdflatex until references settle
 /// and moves vv-report.pdf in place. Throws std::runtime_error, with LaTeX's first error, if that fails or

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
+#include <sstream>
+#include <string_view>
 
 #include "external_tool.hpp"
+#include "fingerprint.hpp"
 #include "stickslip/report/report.hpp"
+#include "stickslip/report/text_file.hpp"
 
 namespace stickslip::report {
 
@@ -14,26 +16,41 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string contents_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 // gnuplot may report an error and yet leave a drawing behind, or say nothing and leave none.
 void require_success(int status, const fs::path& drawing, const fs::path& log) {
   std::error_code error;
   const bool drawn = fs::exists(drawing, error) && fs::file_size(drawing, error) > 0;
-  const std::string words = contents_of(log);
+  const std::string words = read_text(log);
   if (status == 0 && drawn && words.empty()) return;
   throw std::runtime_error(
       fmt::format("gnuplot could not draw {}: {}", drawing.filename().string(),
                   words.empty() ? fmt::format("it ended with status {} and said nothing", status) : words));
 }
 
+// A script and those that it loads.
+void add_scripts(const fs::path& script, Fingerprint& fingerprint) {
+  fingerprint.add_file(script);
+  std::istringstream text(read_text(script));
+  constexpr std::string_view load = "load '";
+  for (std::string line; std::getline(text, line);)
+    if (line.starts_with(load))
+      add_scripts(script.parent_path() / line.substr(load.size(), line.find('\'', load.size()) - load.size()),
+                  fingerprint);
+}
+
 }  // namespace
 
-std::vector<fs::path> draw_in_scratch(const std::string& script, const std::string& format, const std::string& tables,
-                                      const std::vector<std::string>& drawings, OutputFolder& output) {
+std::string fingerprint_of(const std::string& name, const std::vector<std::string>& tables,
+                           const OutputFolder& output) {
+  Fingerprint fingerprint;
+  add_scripts(templates_directory() / "figures" / (name + ".gp"), fingerprint);
+  for (const std::string& table : tables) fingerprint.add(table).add_file(output.folder() / table);
+  return fingerprint.text();
+}
+
+std::vector<fs::path> draw_in_scratch(const std::string& script, const std::string& format,
+                                      const std::string& tables, const std::vector<std::string>& drawings,
+                                      OutputFolder& output) {
   const fs::path folder = output.scratch() / "figures";
   if (!fs::exists(folder)) fs::copy(templates_directory() / "figures", folder);
   const fs::path log = folder / (drawings.front() + ".log");

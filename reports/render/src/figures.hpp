@@ -8,7 +8,8 @@
 
 namespace stickslip::report {
 
-/// What a gnuplot script gets, all of it as `<name>.csv`: tables, and a table of single values if there are any.
+/// What a gnuplot script gets, all of it as `<name>.csv`: tables, and a table of single values if there are
+/// any.
 struct FigureData {
   struct Table {
     std::string name;  ///< without .csv; the first one is the figure's own

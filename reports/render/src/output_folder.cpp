@@ -5,13 +5,13 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
-#include <cstdio>
-#include <memory>
 #include <stdexcept>
 #include <system_error>
 
 #include "stickslip/data/case_file.hpp"
+#include "stickslip/report/text_file.hpp"
 
 namespace stickslip::report {
 
@@ -20,10 +20,6 @@ namespace fs = std::filesystem;
 namespace {
 
 std::string reason_of(int error) { return std::generic_category().message(error); }
-
-[[noreturn]] void fail(const fs::path& file, const std::string& reason) {
-  throw std::runtime_error(fmt::format("{} cannot be written: {}", file.string(), reason));
-}
 
 // Held until the process ends or the descriptor is closed.
 int lock_folder(const fs::path& folder) {
@@ -60,23 +56,30 @@ OutputFolder::~OutputFolder() {
 }
 
 void OutputFolder::write(const std::string& name, std::string_view text) {
+  if (std::error_code error; fs::exists(folder_ / name, error) && read_text(folder_ / name) == text) return;
   write_text(scratch_ / name, text);
   publish(scratch_ / name);
+}
+
+bool OutputFolder::is_current(const std::string& name, const std::vector<std::string>& files,
+                              const std::string& fingerprint) const {
+  std::error_code error;
+  return read_text(folder_ / ".made" / name) == fingerprint &&
+         std::ranges::all_of(files,
+                             [&](const std::string& file) { return fs::exists(folder_ / file, error); });
+}
+
+void OutputFolder::record(const std::string& name, const std::string& fingerprint) {
+  fs::create_directories(folder_ / ".made");
+  write_text(folder_ / ".made" / name, fingerprint);
 }
 
 void OutputFolder::publish(const fs::path& file) {
   const fs::path target = folder_ / file.filename();
   std::error_code error;
   fs::rename(file, target, error);
-  if (error) fail(target, error.message());
-}
-
-void write_text(const fs::path& file, std::string_view text) {
-  const auto close = [](std::FILE* stream) { std::fclose(stream); };
-  std::unique_ptr<std::FILE, decltype(close)> stream(std::fopen(file.c_str(), "wb"), close);
-  if (!stream) fail(file, reason_of(errno));
-  if (std::fwrite(text.data(), 1, text.size(), stream.get()) != text.size()) fail(file, reason_of(errno));
-  if (std::fflush(stream.get()) != 0 || ::fsync(::fileno(stream.get())) != 0) fail(file, reason_of(errno));
+  if (error)
+    throw std::runtime_error(fmt::format("{} cannot be written: {}", target.string(), error.message()));
 }
 
 }  // namespace stickslip::report

@@ -8,11 +8,14 @@
 
 #include "document.hpp"
 #include "drawing.hpp"
+#include "environment.hpp"
 #include "external_tool.hpp"
 #include "figures.hpp"
+#include "fingerprint.hpp"
 #include "progress.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/report/output_folder.hpp"
+#include "study_code.hpp"
 #include "study_results.hpp"
 
 namespace stickslip::report {
@@ -32,21 +35,57 @@ std::vector<Figure> chosen_figures(const std::vector<std::string>& only) {
   return chosen;
 }
 
-void write_tables(const Figure& figure, const FigureData& data, OutputFolder& output) {
-  for (const auto& [name, table] : data.tables) output.write(name + ".csv", table.text());
-  if (!data.values.empty()) output.write(figure.name + "-values.csv", values_table(data.values).text());
+// A figure whose tables are in the output folder.
+struct TabledFigure {
+  std::string name;
+  std::string fingerprint;
+};
+
+TabledFigure write_tables(const std::string& figure, FigureData data, OutputFolder& output) {
+  if (!data.values.empty()) data.tables.push_back({figure + "-values", values_table(data.values)});
+  std::vector<std::string> files;
+  for (const auto& [name, table] : data.tables) {
+    files.push_back(name + ".csv");
+    output.write(files.back(), table.text());
+  }
+  return {figure, fingerprint_of(figure, files, output)};
 }
 
-void draw_all(const std::vector<Figure>& figures, const Progress& progress, OutputFolder& output) {
+void draw_all(const std::vector<TabledFigure>& figures, const Progress& progress, OutputFolder& output) {
   try {
-    for (const Figure& figure : figures) {
-      progress(fmt::format("drawing {}", figure.name));
-      draw(figure.name, output);
+    for (const auto& [name, fingerprint] : figures) {
+      if (output.is_current(name, {name + ".pdf", name + ".png"}, fingerprint)) continue;
+      progress(fmt::format("drawing {}", name));
+      draw(name, output);
+      output.record(name, fingerprint);
     }
   } catch (const ToolMissing& missing) {
     throw std::runtime_error(fmt::format("{}, so that no figure is drawn; their data are in {}/*.csv",
                                          missing.what(), output.folder().string()));
   }
+}
+
+// The results of the last report serve again while the code of the studies and the data that they read stand.
+StudyStore study_store(const OutputFolder& output) {
+  Fingerprint fingerprint;
+  fingerprint.add(study_code)
+      .add_folder(data::data_directory() / "cases")
+      .add_file(data::data_directory() / "paper" / "printed-numbers.toml");
+  return {output.folder() / ".studies", fingerprint.text()};
+}
+
+// What the PDF is made from, its date apart: a report of which nothing has changed keeps the old one.
+std::string fingerprint_of(const Document& document, const Environment& environment,
+                           const std::vector<TabledFigure>& figures) {
+  Fingerprint fingerprint;
+  fingerprint.add_folder(templates_directory() / "latex");
+  for (const auto& [name, text] : document) {
+    const std::size_t date = text.find(environment.date);
+    fingerprint.add(name).add(
+        date == std::string::npos ? text : std::string(text).erase(date, environment.date.size()));
+  }
+  for (const TabledFigure& figure : figures) fingerprint.add(figure.name).add(figure.fingerprint);
+  return fingerprint.text();
 }
 
 }  // namespace
@@ -56,15 +95,21 @@ void write_report(const ReportOptions& options) {
   (void)templates_directory();  // refused now rather than after the studies
   OutputFolder output(options.output);
   const Progress progress("report", options.quiet);
-  StudyResults results(progress);
+  StudyResults results(progress, study_store(output));
 
-  for (const Figure& figure : chosen) write_tables(figure, figure.data(results), output);
-  draw_all(chosen, progress, output);
+  std::vector<TabledFigure> figures;
+  for (const Figure& figure : chosen)
+    figures.push_back(write_tables(figure.name, figure.data(results), output));
+  draw_all(figures, progress, output);
   if (!options.only.empty()) return;
 
-  const Document document = make_document(results, options, output.scratch());
+  const Environment environment = describe_environment(options, output.scratch());
+  const Document document = make_document(results, environment);
+  const std::string fingerprint = fingerprint_of(document, environment, figures);
+  if (output.is_current("vv-report", {"vv-report.pdf"}, fingerprint)) return;
   progress("typesetting vv-report.pdf");
   typeset_document(document, output);
+  output.record("vv-report", fingerprint);
 }
 
 std::vector<std::string> figure_names() {

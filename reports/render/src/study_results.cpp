@@ -58,8 +58,9 @@ std::vector<double> criterion_frequencies(const studies::FrequencyStudy& natural
 
 }  // namespace
 
-StudyResults::StudyResults(std::function<void(const std::string&)> announce)
+StudyResults::StudyResults(std::function<void(const std::string&)> announce, StudyStore store)
     : announce_(std::move(announce)),
+      store_(std::move(store)),
       paper_(data::load_case("paper")),
       damped_(data::load_case("damped")),
       half_stiffness_(data::load_case("paper-half-stiffness")),
@@ -67,28 +68,29 @@ StudyResults::StudyResults(std::function<void(const std::string&)> announce)
       stick_excitation_(printed_excitation("figure9.frequency", "figure9.amplitude")) {}
 
 const studies::FrequencyStudy& StudyResults::stick_frequencies() {
-  return once(stick_frequencies_, "natural frequencies of the stick state",
+  return once(stick_frequencies_, "stick-frequencies", "natural frequencies of the stick state",
               [&] { return studies::stick_frequency_study(paper_.beam, shown_modes, meshes); });
 }
 
 const studies::FrequencyStudy& StudyResults::slip_frequencies() {
-  return once(slip_frequencies_, "natural frequencies of the slip state",
+  return once(slip_frequencies_, "slip-frequencies", "natural frequencies of the slip state",
               [&] { return studies::slip_frequency_study(paper_.beam, shown_modes, meshes); });
 }
 
 const studies::FlutterStudy& StudyResults::flutter() {
-  return once(flutter_, "flutter load", [&] { return studies::flutter_study(paper_.beam, flutter_meshes); });
+  return once(flutter_, "flutter", "flutter load",
+              [&] { return studies::flutter_study(paper_.beam, flutter_meshes); });
 }
 
 const studies::ModeShapeStudy& StudyResults::mode_shapes() {
-  return once(mode_shapes_, "mode shapes (Fig. 7)", [&] {
+  return once(mode_shapes_, "mode-shapes", "mode shapes (Fig. 7)", [&] {
     const int elements = paper_.numerics.elements();
     return studies::mode_shape_study(paper_.beam, shown_modes, elements, points_per_element * elements + 1);
   });
 }
 
 const std::vector<studies::TimeOrderStudy>& StudyResults::time_orders() {
-  return once(time_orders_, "orders of the time integration", [] {
+  return once(time_orders_, "time-orders", "orders of the time integration", [] {
     std::vector<studies::TimeOrderStudy> orders;
     for (const double radius : spectral_radii)
       orders.push_back(studies::time_order_study(radius, steps_per_period));
@@ -97,7 +99,7 @@ const std::vector<studies::TimeOrderStudy>& StudyResults::time_orders() {
 }
 
 const studies::StickHistoryStudy& StudyResults::stick_history() {
-  return once(stick_history_, "stick-state histories under refinement (Fig. 9)", [&] {
+  return once(stick_history_, "stick-history", "stick-state histories under refinement (Fig. 9)", [&] {
     return studies::stick_history_study(paper_.beam, stick_excitation_,
                                         with_duration(paper_.numerics, stick_history_duration),
                                         stick_history_levels);
@@ -105,7 +107,7 @@ const studies::StickHistoryStudy& StudyResults::stick_history() {
 }
 
 const std::vector<studies::ForceMaximum>& StudyResults::force_maxima() {
-  return once(force_maxima_, "largest static friction forces", [&] {
+  return once(force_maxima_, "force-maxima", "largest static friction forces", [&] {
     std::vector<studies::ForceMaximum> maxima;
     for (const int hz : {15, 25, 35, 70})
       maxima.push_back(studies::force_maximum_study(
@@ -118,49 +120,52 @@ const std::vector<studies::ForceMaximum>& StudyResults::force_maxima() {
 
 const std::vector<studies::CriticalAmplitudePoint>& StudyResults::criterion() {
   const std::vector<double> frequencies = criterion_frequencies(stick_frequencies());
-  return once(criterion_, "critical amplitudes (Fig. 11)", [&] {
+  return once(criterion_, "criterion", "critical amplitudes (Fig. 11)", [&] {
     return studies::critical_amplitude_curve(paper_.beam, paper_.friction, paper_.numerics, frequencies);
   });
 }
 
 const std::vector<studies::CriticalAmplitudeSearch>& StudyResults::searches() {
-  return once(searches_, "critical amplitudes by the paper's procedure (Fig. 6)", [&] {
+  return once(searches_, "searches", "critical amplitudes by the paper's procedure (Fig. 6)", [&] {
     return studies::critical_amplitude_searches(paper_.beam, paper_.friction, paper_.numerics,
                                                 studies::figure6_frequencies(), search_increment, search_cap);
   });
 }
 
 const studies::FrequencyStudy& StudyResults::half_stiffness_frequencies() {
-  return once(half_stiffness_frequencies_, "natural frequencies at half the stiffness",
+  return once(half_stiffness_frequencies_, "half-stiffness-frequencies",
+              "natural frequencies at half the stiffness",
               [&] { return studies::stick_frequency_study(half_stiffness_.beam, shown_modes, meshes); });
 }
 
 const std::vector<studies::CriticalAmplitudePoint>& StudyResults::half_stiffness_criterion() {
   const double ratio = half_stiffness_frequencies().modes.front().closed_form_hz /
                        stick_frequencies().modes.front().closed_form_hz;
-  return once(half_stiffness_criterion_, "critical amplitudes at half the stiffness (Fig. 13)", [&] {
-    std::vector<double> frequencies = criterion_frequencies(stick_frequencies());
-    for (double& hz : frequencies) hz *= ratio;
-    return studies::critical_amplitude_curve(half_stiffness_.beam, half_stiffness_.friction,
-                                             half_stiffness_.numerics, frequencies);
-  });
+  return once(half_stiffness_criterion_, "half-stiffness-criterion",
+              "critical amplitudes at half the stiffness (Fig. 13)", [&] {
+                std::vector<double> frequencies = criterion_frequencies(stick_frequencies());
+                for (double& hz : frequencies) hz *= ratio;
+                return studies::critical_amplitude_curve(half_stiffness_.beam, half_stiffness_.friction,
+                                                         half_stiffness_.numerics, frequencies);
+              });
 }
 
 const studies::LengthForceMap& StudyResults::length_force_map() {
-  return once(length_force_map_, "criterion over length and axial force (Fig. 14)", [&] {
+  return once(length_force_map_, "length-force-map", "criterion over length and axial force (Fig. 14)", [&] {
     return studies::length_force_map(flat_section_, 0.4, 2.0, studies::figure14_axial_forces());
   });
 }
 
 const studies::ClassificationStudy& StudyResults::classification() {
-  return once(classification_, "classification of excitations (Fig. 12), the longest of all", [&] {
-    return studies::classification_study(paper_.beam, paper_.friction, paper_.numerics,
-                                         studies::figure12_frequencies(), studies::figure12_amplitudes());
-  });
+  return once(
+      classification_, "classification", "classification of excitations (Fig. 12), the longest of all", [&] {
+        return studies::classification_study(paper_.beam, paper_.friction, paper_.numerics,
+                                             studies::figure12_frequencies(), studies::figure12_amplitudes());
+      });
 }
 
 const std::vector<studies::ContactHistory>& StudyResults::contact_histories() {
-  return once(contact_histories_, "stick-slip histories (Figs. 4 and 5)", [&] {
+  return once(contact_histories_, "contact-histories", "stick-slip histories (Figs. 4 and 5)", [&] {
     std::vector<studies::ContactHistory> histories;
     for (const auto& verdict : data::printed_verdicts())
       histories.push_back(studies::contact_history(
@@ -172,7 +177,7 @@ const std::vector<studies::ContactHistory>& StudyResults::contact_histories() {
 }
 
 const std::vector<studies::EventOrderStudy>& StudyResults::event_orders() {
-  return once(event_orders_, "orders through the events of a damped history", [&] {
+  return once(event_orders_, "event-orders", "orders through the events of a damped history", [&] {
     std::vector<studies::EventOrderStudy> orders;
     for (const double radius : {paper_.numerics.spectral_radius(), 1.0})
       orders.push_back(studies::event_order_study(damped_, event_order_duration, event_order_elements, radius,
@@ -182,7 +187,7 @@ const std::vector<studies::EventOrderStudy>& StudyResults::event_orders() {
 }
 
 const std::vector<studies::DampedBenchmark>& StudyResults::damped_benchmarks() {
-  return once(damped_benchmarks_, "the damped benchmark by every method", [&] {
+  return once(damped_benchmarks_, "damped-benchmarks", "the damped benchmark by every method", [&] {
     std::vector<studies::DampedBenchmark> benchmarks;
     for (const int hz : slipping_frequencies_hz)
       benchmarks.push_back(studies::damped_benchmark(at_frequency(damped_, hz)));
@@ -191,7 +196,7 @@ const std::vector<studies::DampedBenchmark>& StudyResults::damped_benchmarks() {
 }
 
 const std::vector<studies::PredictabilityStudy>& StudyResults::predictability() {
-  return once(predictability_, "how far undamped histories can be predicted", [&] {
+  return once(predictability_, "predictability", "how far undamped histories can be predicted", [&] {
     std::vector<studies::PredictabilityStudy> all;
     for (const int hz : slipping_frequencies_hz)
       all.push_back(studies::predictability_study(paper_.beam, paper_.friction,
@@ -202,7 +207,7 @@ const std::vector<studies::PredictabilityStudy>& StudyResults::predictability() 
 }
 
 const std::vector<studies::EnergyAudit>& StudyResults::energy_audits() {
-  return once(energy_audits_, "energy books", [&] {
+  return once(energy_audits_, "energy-audits", "energy books", [&] {
     data::Case undamped = damped_;
     undamped.damping = data::Damping();
     std::vector<studies::EnergyAudit> audits;
@@ -217,14 +222,14 @@ const std::vector<studies::EnergyAudit>& StudyResults::energy_audits() {
 }
 
 const std::vector<studies::SchemeRun>& StudyResults::schemes() {
-  return once(schemes_, "contact schemes", [&] {
+  return once(schemes_, "schemes", "contact schemes", [&] {
     return studies::compare_schemes(paper_.beam, paper_.friction, damped_.excitation,
                                     with_duration(paper_.numerics, shown_duration), data::Damping());
   });
 }
 
 const std::vector<studies::BeamMotionStudy>& StudyResults::beam_motions() {
-  return once(beam_motions_, "motions of the whole beam (Fig. 3)", [&] {
+  return once(beam_motions_, "beam-motions", "motions of the whole beam (Fig. 3)", [&] {
     std::vector<studies::BeamMotionStudy> motions;
     for (const int hz : {15, 25, 35, 70}) {
       data::Case problem = paper_;
@@ -237,11 +242,13 @@ const std::vector<studies::BeamMotionStudy>& StudyResults::beam_motions() {
 }
 
 const std::vector<studies::PrintedCheck>& StudyResults::printed_checks() {
-  return once(printed_checks_, "printed numbers", [&] { return studies::printed_checks(paper_); });
+  return once(printed_checks_, "printed-checks", "printed numbers",
+              [&] { return studies::printed_checks(paper_); });
 }
 
 const std::vector<studies::ErratumEvidence>& StudyResults::errata_evidence() {
-  return once(errata_evidence_, "errata", [&] { return studies::errata_evidence(paper_); });
+  return once(errata_evidence_, "errata-evidence", "errata",
+              [&] { return studies::errata_evidence(paper_); });
 }
 
 }  // namespace stickslip::report

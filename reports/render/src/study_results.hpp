@@ -25,13 +25,14 @@
 #include "stickslip/studies/scheme_comparison.hpp"
 #include "stickslip/studies/stick_history.hpp"
 #include "stickslip/studies/time_order.hpp"
+#include "study_store.hpp"
 
 namespace stickslip::report {
 
 class StudyResults {
  public:
-  /// `announce` is told what starts, before each study.
-  explicit StudyResults(std::function<void(const std::string&)> announce);
+  /// `announce` is told what starts, before each study; `store` keeps the results for the next time.
+  StudyResults(std::function<void(const std::string&)> announce, StudyStore store);
 
   [[nodiscard]] const data::Case& paper() const noexcept { return paper_; }
   [[nodiscard]] const data::Case& damped() const noexcept { return damped_; }
@@ -71,15 +72,19 @@ class StudyResults {
 
  private:
   template <typename Result>
-  const Result& once(std::optional<Result>& result, const std::string& what, const auto& study) {
+  const Result& once(std::optional<Result>& result, const std::string& name, const std::string& what,
+                     const auto& study) {
+    if (!result) result = store_.load<Result>(name);
     if (!result) {
       announce_(what);
       result = study();
+      store_.save(name, *result);
     }
     return *result;
   }
 
   std::function<void(const std::string&)> announce_;
+  StudyStore store_;
   data::Case paper_;
   data::Case damped_;
   data::Case half_stiffness_;

@@ -361,6 +361,9 @@ class Animation : public CommandLine {
   }
 
   static constexpr const char* draw_all =
+      "value() { sed -n \"s/^$1,\\([^,]*\\),.*/\\1/p\" \"${folder}animation-values.csv\"; }\n"
+      "first_frame=$(value first_frame)\n"
+      "last_frame=$(value last_frame)\n"
       "while [ $first_frame -le $last_frame ]; do\n"
       "  cat \"${folder}frames.csv\" > $(printf frame-%04d.png $first_frame)\n"
       "  first_frame=$((first_frame + 1))\n"
@@ -402,7 +405,9 @@ TEST_F(Animation, DrawsTheMotionThatItsTableHolds) {
 }
 
 TEST_F(Animation, ShowsNoFrameUnlessAllAreDrawn) {
-  install_gnuplot(std::string("[ $first_frame -eq 1 ] || { echo out of paint; exit 1; }\n") + draw_all);
+  install_gnuplot(
+      "grep -q '^first_frame,1,' \"${folder}animation-values.csv\" || { echo out of paint; exit 1; }\n" +
+      std::string(draw_all));
   const Outcome outcome = run(command("--duration 0.12 --frames 61"));
   EXPECT_EQ(outcome.status, 1);
   EXPECT_NE(outcome.errors.find("out of paint"), std::string::npos) << outcome.errors;

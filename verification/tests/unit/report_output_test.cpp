@@ -7,13 +7,13 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <string>
 
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/report/output_folder.hpp"
 #include "stickslip/report/report.hpp"
+#include "stickslip/report/text_file.hpp"
 
 namespace stickslip {
 namespace {
@@ -25,11 +25,6 @@ class ReportOutput : public ::testing::Test {
   void SetUp() override { fs::remove_all(folder_); }
   void TearDown() override { fs::remove_all(folder_); }
 
-  static std::string contents(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
-
   const fs::path folder_ =
       fs::temp_directory_path() / ("stickslip-report-output-" + std::to_string(::getpid()));
 };
@@ -39,7 +34,7 @@ TEST_F(ReportOutput, WritesAFileUnderItsNameAndLeavesNothingElse) {
     report::OutputFolder output(folder_);
     output.write("a.csv", "1,2\n");
   }
-  EXPECT_EQ(contents(folder_ / "a.csv"), "1,2\n");
+  EXPECT_EQ(report::read_text(folder_ / "a.csv"), "1,2\n");
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator{}), 1);
 }
 
@@ -48,7 +43,7 @@ TEST_F(ReportOutput, ShowsNothingOfAFileThatIsNotPublished) {
   report::write_text(output.scratch() / "a.pdf", "half");
   EXPECT_FALSE(fs::exists(folder_ / "a.pdf"));
   output.publish(output.scratch() / "a.pdf");
-  EXPECT_EQ(contents(folder_ / "a.pdf"), "half");
+  EXPECT_EQ(report::read_text(folder_ / "a.pdf"), "half");
 }
 
 TEST_F(ReportOutput, KeepsTheOldFileWhenTheNewOneCannotBeWritten) {
@@ -56,7 +51,7 @@ TEST_F(ReportOutput, KeepsTheOldFileWhenTheNewOneCannotBeWritten) {
   output.write("a.csv", "old");
   fs::create_directory(output.scratch() / "a.csv");  // in the way of the new one
   EXPECT_THROW(output.write("a.csv", "new"), std::runtime_error);
-  EXPECT_EQ(contents(folder_ / "a.csv"), "old");
+  EXPECT_EQ(report::read_text(folder_ / "a.csv"), "old");
 }
 
 TEST_F(ReportOutput, ClearsWhatAnInterruptedRunHasLeft) {

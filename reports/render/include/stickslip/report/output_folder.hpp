@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace stickslip::report {
 
@@ -21,8 +22,15 @@ class OutputFolder {
   [[nodiscard]] const std::filesystem::path& folder() const noexcept { return folder_; }
   [[nodiscard]] const std::filesystem::path& scratch() const noexcept { return scratch_; }
 
-  /// Writes a file under this name. Throws std::runtime_error if it cannot be written.
+  /// Writes a file under this name, unless it holds this text already. Throws std::runtime_error if it cannot
+  /// be written.
   void write(const std::string& name, std::string_view text);
+
+  /// Whether these files are there and were made from what has this fingerprint (record()).
+  [[nodiscard]] bool is_current(const std::string& name, const std::vector<std::string>& files,
+                                const std::string& fingerprint) const;
+  /// Remembers what `name`, a figure or the report, was made from. Throws std::runtime_error.
+  void record(const std::string& name, const std::string& fingerprint);
 
   /// Moves a file of the scratch folder into the folder, under its own name. Throws std::runtime_error.
   void publish(const std::filesystem::path& file);
@@ -32,8 +40,5 @@ class OutputFolder {
   std::filesystem::path scratch_;
   int lock_{-1};
 };
-
-/// Writes the text to a file, to the disk. Throws std::runtime_error naming the file and the reason.
-void write_text(const std::filesystem::path& file, std::string_view text);
 
 }  // namespace stickslip::report
