@@ -25,15 +25,15 @@ class RangeBuilder {
 
 Range orders_of(const studies::FrequencyStudy& study) {
   RangeBuilder orders;
-  for (const auto& mode : study.modes) orders.add(mode.observed_order);
+  for (const auto& mode : study.modes) orders.add(mode.observed_order.order);
   return orders.range();
 }
 
 Range orders_of(const std::vector<studies::TimeOrderStudy>& studies) {
   RangeBuilder orders;
   for (const auto& study : studies)
-    for (const double order : {study.displacement_order, study.velocity_order, study.reaction_order})
-      orders.add(order);
+    for (const auto& order : {study.displacement_order, study.velocity_order, study.reaction_order})
+      orders.add(order.order);
   return orders.range();
 }
 

@@ -64,7 +64,7 @@ void define_frequencies(StudyResults& results, Macros& macros) {
     difference = std::max(difference, curve.largest_difference);
   macros.define("LargestShapeDifference", scientific(difference, 2));
   macros.define("FlutterClosedForm", fixed(results.flutter().closed_form, 6));
-  macros.define("FlutterOrder", fixed(results.flutter().observed_order, 2));
+  macros.define("FlutterOrder", fixed(results.flutter().observed_order.order, 2));
 }
 
 void define_stick_history(StudyResults& results, Macros& macros) {
@@ -83,9 +83,9 @@ void define_stick_history(StudyResults& results, Macros& macros) {
   macros.define("ForceError", significant(first.force_error, 2));
   macros.define("ForceErrorPredicted", significant(first.predicted_force_error, 2));
   macros.define("ForceErrorRelative", significant(100.0 * first.force_error / study.force_peak, 2));
-  macros.define("DisplacementOrder", fixed(study.displacement_order, 2));
+  macros.define("DisplacementOrder", fixed(study.displacement_order.order, 2));
   macros.define("DisplacementOrderPredicted", fixed(study.predicted_displacement_order, 2));
-  macros.define("ForceOrder", fixed(study.force_order, 2));
+  macros.define("ForceOrder", fixed(study.force_order.order, 2));
   macros.define("ForceOrderPredicted", fixed(study.predicted_force_order, 2));
   macros.count("FinestElements", finest.elements);
   macros.define("FinestTimeStep", scientific(finest.time_step, 3));
@@ -226,14 +226,14 @@ void define_events(StudyResults& results, Macros& macros) {
   macros.define("PerturbationRate", significant(low.separations.front().growth_rate, 2));
 
   const auto& audit = results.energy_audits();
-  macros.define("EnergyOrderDamped", fixed(audit.front().observed_order, 2));
+  macros.define("EnergyOrderDamped", fixed(audit.front().observed_order.order, 2));
   macros.plain("EnergyDuration", audit.front().duration);
   macros.count("EnergyElementsDamped", audit.front().elements);
   macros.count("EnergyElementsSmall", audit[1].elements);
   macros.count("EnergyElementsMiddle", audit[2].elements);
   macros.count("EnergyElementsLarge", audit.back().elements);
-  macros.define("EnergyOrderSmall", fixed(audit[1].observed_order, 2));
-  macros.define("EnergyOrderMiddle", fixed(audit[2].observed_order, 2));
+  macros.define("EnergyOrderSmall", fixed(audit[1].observed_order.order, 2));
+  macros.define("EnergyOrderMiddle", fixed(audit[2].observed_order.order, 2));
   double unresolved = 0.0;
   for (const auto& balance : audit.back().stepped)
     unresolved = std::max(unresolved, std::abs(balance.residual() / balance.base_work));

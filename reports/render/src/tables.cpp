@@ -87,9 +87,10 @@ std::string summary(StudyResults& results) {
             "all"});
   const auto& orders = results.event_orders().front();
   rows.add({"Event times of a damped history, located",
-            fmt::format("order {}", fixed(orders.located.event_time_order, 2)), "order 2 in time step"});
+            fmt::format("order {}", fixed(orders.located.event_time_order.order, 2)),
+            "order 2 in time step"});
   rows.add({"The same without location",
-            fmt::format("order {}", fixed(orders.at_end_of_step.event_time_order, 2)), "order 1"});
+            fmt::format("order {}", fixed(orders.at_end_of_step.event_time_order.order, 2)), "order 1"});
   double time = 0.0, position = 0.0;
   std::size_t events = 0;
   for (const auto& benchmark : results.damped_benchmarks()) {
@@ -151,7 +152,7 @@ void add_frequencies(const studies::FrequencyStudy& study, const studies::ModeSh
         rows.add({slip ? "slip" : "stick", std::to_string(mode.mode), fixed(mode.closed_form_hz, 5),
                   fixed(curve.finite_element_hz, 5),
                   scientific(curve.finite_element_hz / mode.closed_form_hz - 1.0, 2),
-                  fixed(mode.observed_order, 2), fixed(mode.leading_constant_ratio, 3)});
+                  fixed(mode.observed_order.order, 2), fixed(mode.leading_constant_ratio, 3)});
 }
 
 std::string frequencies(StudyResults& results) {
@@ -174,8 +175,8 @@ std::string flutter(StudyResults& results) {
 std::string orders(StudyResults& results) {
   Rows rows;
   for (const auto& study : results.time_orders())
-    rows.add({plain_number(study.spectral_radius), fixed(study.displacement_order, 3),
-              fixed(study.velocity_order, 3), fixed(study.reaction_order, 3)});
+    rows.add({plain_number(study.spectral_radius), fixed(study.displacement_order.order, 3),
+              fixed(study.velocity_order.order, 3), fixed(study.reaction_order.order, 3)});
   return rows.text();
 }
 
@@ -287,8 +288,8 @@ std::string event_orders(StudyResults& results) {
   for (const auto& study : results.event_orders())
     for (const auto& [name, order] :
          {std::pair{"located", &study.located}, {"at the end of the step", &study.at_end_of_step}})
-      rows.add({fixed(study.spectral_radius, 1), name, fixed(order->event_time_order, 2),
-                fixed(order->event_position_order, 2), fixed(order->tip_order, 2),
+      rows.add({fixed(study.spectral_radius, 1), name, fixed(order->event_time_order.order, 2),
+                fixed(order->event_position_order.order, 2), fixed(order->tip_order.order, 2),
                 scientific(order->event_time_error.back(), 1),
                 scientific(order->event_position_error.back(), 1)});
   return rows.text();

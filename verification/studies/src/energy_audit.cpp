@@ -4,7 +4,6 @@
 
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
-#include "stickslip/studies/convergence.hpp"
 #include "stickslip/studies/event_history.hpp"
 
 namespace stickslip::studies {
@@ -45,7 +44,7 @@ EnergyAudit energy_audit(const data::Case& problem, double duration, int element
     audit.stepped.push_back(stepped_balance(problem, duration, elements, time_step));
     residuals.push_back(std::abs(audit.stepped.back().residual()));
   }
-  audit.observed_order = observed_order(audit.time_step, residuals);
+  audit.observed_order = order_estimate(audit.time_step, residuals);
   return audit;
 }
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include "stickslip/studies/convergence.hpp"
 #include "stickslip/studies/event_history.hpp"
 #include "stickslip/studies/finite_element_contact_model.hpp"
 
@@ -44,9 +43,9 @@ EventOrderStudy event_order_study(const data::Case& problem, double duration, in
     add(study.at_end_of_step, solver::ContactScheme::end_of_step, divisor);
   }
   for (EventOrder* order : {&study.located, &study.at_end_of_step}) {
-    order->event_time_order = observed_order(study.time_step, order->event_time_error);
-    order->event_position_order = observed_order(study.time_step, order->event_position_error);
-    order->tip_order = observed_order(study.time_step, order->tip_error);
+    order->event_time_order = order_estimate(study.time_step, order->event_time_error);
+    order->event_position_order = order_estimate(study.time_step, order->event_position_error);
+    order->tip_order = order_estimate(study.time_step, order->tip_error);
   }
   return study;
 }

@@ -9,7 +9,6 @@
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
-#include "stickslip/studies/convergence.hpp"
 #include "stickslip/studies/discretisation.hpp"
 
 namespace stickslip::studies {
@@ -42,7 +41,7 @@ FrequencyStudy frequency_study(
   for (FrequencyConvergence& mode : modes) {
     std::vector<double> magnitudes;
     for (const double error : mode.relative_error) magnitudes.push_back(std::abs(error));
-    mode.observed_order = observed_order(element_lengths, magnitudes);
+    mode.observed_order = order_estimate(element_lengths, magnitudes);
     mode.leading_constant_ratio = mode.relative_error.back() / mode.predicted_error.back();
   }
   return {elements, std::move(modes)};
@@ -101,7 +100,7 @@ FrequencyStudy stick_frequency_study(const data::Beam& beam, int modes, const st
   const std::vector<analytic::StickMode> exact = analytic::stick_modes(beam, modes);
   std::vector<FrequencyConvergence> rows;
   for (const analytic::StickMode& mode : exact)
-    rows.push_back({mode.number(), mode.frequency_hz(), {}, {}, {}, 0.0, 0.0});
+    rows.push_back({mode.number(), mode.frequency_hz(), {}, {}, {}, {}, 0.0});
   return frequency_study(
       beam, elements, std::move(rows), solver::stick_modes,
       [&](std::size_t i, double length) { return hermite_eigenvalue_error(beam, exact[i], length); });
@@ -111,7 +110,7 @@ FrequencyStudy slip_frequency_study(const data::Beam& beam, int modes, const std
   const std::vector<analytic::SlipMode> exact = analytic::slip_modes(beam, modes);
   std::vector<FrequencyConvergence> rows;
   for (const analytic::SlipMode& mode : exact)
-    rows.push_back({mode.number(), mode.frequency_hz(), {}, {}, {}, 0.0, 0.0});
+    rows.push_back({mode.number(), mode.frequency_hz(), {}, {}, {}, {}, 0.0});
   return frequency_study(beam, elements, std::move(rows), solver::slip_modes,
                          [&](std::size_t i, double length) {
                            const double wave_number_squared =
@@ -122,14 +121,14 @@ FrequencyStudy slip_frequency_study(const data::Beam& beam, int modes, const std
 
 FlutterStudy flutter_study(const data::Beam& beam, const std::vector<int>& elements) {
   const double unit = beam.youngs_modulus() * beam.second_moment_of_area() / (beam.length() * beam.length());
-  FlutterStudy study{analytic::flutter_load(beam) / unit, elements, {}, 0.0};
+  FlutterStudy study{analytic::flutter_load(beam) / unit, elements, {}, {}};
   std::vector<double> steps, errors;
   for (const int n : elements) {
     study.finite_element.push_back(finite_element_flutter(beam, n));
     steps.push_back(1.0 / n);
     errors.push_back(std::abs(study.finite_element.back() - study.closed_form));
   }
-  study.observed_order = observed_order(steps, errors);
+  study.observed_order = order_estimate(steps, errors);
   return study;
 }
 

@@ -94,8 +94,8 @@ StickHistoryStudy stick_history_study(const data::Beam& beam, const data::Harmon
     }
   }
   if (levels > 1) {
-    study.displacement_order = observed_order(steps, displacement_errors);
-    study.force_order = observed_order(steps, force_errors);
+    study.displacement_order = order_estimate(steps, displacement_errors);
+    study.force_order = order_estimate(steps, force_errors);
     study.predicted_displacement_order = observed_order(steps, predicted_displacement);
     study.predicted_force_order = observed_order(steps, predicted_force);
   }

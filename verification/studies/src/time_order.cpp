@@ -8,7 +8,6 @@
 
 #include "stickslip/data/problem.hpp"
 #include "stickslip/solver/stick_slip_integrator.hpp"
-#include "stickslip/studies/convergence.hpp"
 
 namespace stickslip::studies {
 
@@ -119,9 +118,9 @@ TimeOrderStudy time_order_study(double spectral_radius, const std::vector<int>& 
     study.velocity_error.push_back(free.velocity);
     study.reaction_error.push_back(held.reaction);
   }
-  study.displacement_order = observed_order(study.time_step, study.displacement_error);
-  study.velocity_order = observed_order(study.time_step, study.velocity_error);
-  study.reaction_order = observed_order(study.time_step, study.reaction_error);
+  study.displacement_order = order_estimate(study.time_step, study.displacement_error);
+  study.velocity_order = order_estimate(study.time_step, study.velocity_error);
+  study.reaction_order = order_estimate(study.time_step, study.reaction_error);
   return study;
 }
 

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <cmath>
 #include <cstddef>
-#include <stdexcept>
 #include <vector>
 
 namespace stickslip::studies {
@@ -19,18 +17,24 @@ inline double linear_slope(const std::vector<double>& x, const std::vector<doubl
 
 /// Least-squares slope of log(error) over log(step): the observed order. Throws std::invalid_argument unless
 /// there are at least two levels, all positive.
-inline double observed_order(const std::vector<double>& steps, const std::vector<double>& errors) {
-  if (steps.size() != errors.size() || steps.size() < 2) {
-    throw std::invalid_argument("observed_order: needs the same number of steps and errors, at least two");
-  }
-  std::vector<double> x, y;
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    if (!(steps[i] > 0.0 && errors[i] > 0.0))
-      throw std::invalid_argument("observed_order: values must be positive");
-    x.push_back(std::log(steps[i]));
-    y.push_back(std::log(errors[i]));
-  }
-  return linear_slope(x, y);
-}
+[[nodiscard]] double observed_order(const std::vector<double>& steps, const std::vector<double>& errors);
+
+/// An observed order with the 95 % confidence interval order -+ half_width of the regression slope, after
+/// Student's t with levels - 2 degrees of freedom; infinite with two levels, through which any line passes.
+///
+/// The interval holds the true slope in 95 of 100 cases if the logarithms of the errors scatter about a
+/// straight line independently and normally. Those of a convergent sequence do not: they leave the line
+/// through the next term of an asymptotic series, smoothly. Read half_width as the departure from a straight
+/// line, in units of the slope: small says that one power of the step describes all levels, not that the
+/// power is the theoretical one.
+struct OrderEstimate {
+  double order{};
+  double half_width{};
+  int levels{};
+};
+
+/// The observed order with its interval. Throws as observed_order() does.
+[[nodiscard]] OrderEstimate order_estimate(const std::vector<double>& steps,
+                                           const std::vector<double>& errors);
 
 }  // namespace stickslip::studies

@@ -5,6 +5,7 @@
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/data/problem.hpp"
 #include "stickslip/solver/energy_books.hpp"
+#include "stickslip/studies/convergence.hpp"
 
 namespace stickslip::studies {
 
@@ -16,7 +17,7 @@ struct EnergyAudit {
   double event_driven_initial{};               ///< kinetic + potential at t = 0, J
   std::vector<double> time_step;               ///< s
   std::vector<solver::EnergyBalance> stepped;  ///< at the end, one per step; spectral radius 1
-  double observed_order{};                     ///< of |residual| in the step
+  OrderEstimate observed_order;                ///< of |residual| in the step
 
   /// What no entry of the event-driven books explains, J.
   [[nodiscard]] double event_driven_residual() const {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
+#include "stickslip/studies/convergence.hpp"
 
 namespace stickslip::studies {
 
@@ -12,7 +13,7 @@ struct EventOrder {
   std::vector<double> event_time_error;      ///< largest over all onsets and captures, s
   std::vector<double> event_position_error;  ///< largest over all onsets and captures, m
   std::vector<double> tip_error;             ///< largest of y(L) on a grid of 0.1 ms, m
-  double event_time_order{}, event_position_order{}, tip_order{};
+  OrderEstimate event_time_order, event_position_order, tip_order;
 };
 
 /// Predicted: with location 2. Without it a change is noticed at the end of a step, late by up to h and by

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
+#include "stickslip/studies/convergence.hpp"
 
 namespace stickslip::studies {
 
@@ -13,7 +14,7 @@ struct FrequencyConvergence {
   std::vector<double> finite_element_hz;  ///< one per mesh
   std::vector<double> relative_error;     ///< of the eigenvalue omega^2: (omega_h^2 - omega^2)/omega^2
   std::vector<double> predicted_error;    ///< of the same: leading term l^4/720 ...
-  double observed_order{};                ///< in the element length
+  OrderEstimate observed_order;           ///< in the element length
   double leading_constant_ratio{};        ///< error over prediction on the finest mesh: tends to 1
 };
 
@@ -35,7 +36,7 @@ struct FlutterStudy {
   double closed_form{};
   std::vector<int> elements;
   std::vector<double> finite_element;  ///< by bisection for the onset of a complex pair, to 1e-9
-  double observed_order{};
+  OrderEstimate observed_order;
 };
 [[nodiscard]] FlutterStudy flutter_study(const data::Beam& beam, const std::vector<int>& elements);
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
+#include "stickslip/studies/convergence.hpp"
 
 namespace stickslip::studies {
 
@@ -21,8 +22,8 @@ struct StickHistoryStudy {
   double displacement_peak{};  ///< max |y|, m
   double force_peak{};         ///< max |f|, N
   std::vector<StickHistoryLevel> levels;
-  double displacement_order{};  ///< in the time step, elements refined as its square root
-  double force_order{};
+  OrderEstimate displacement_order;  ///< in the time step, elements refined as its square root
+  OrderEstimate force_order;
   double predicted_displacement_order{};  ///< the same slope through the predicted errors
   double predicted_force_order{};
   std::vector<double> time;                             ///< s, the common grid (that of the first level)

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "stickslip/studies/convergence.hpp"
+
 namespace stickslip::studies {
 
 /// Order of generalised-alpha on a damped two-mass chain under a harmonic load, whose second mass is the
@@ -11,7 +13,7 @@ struct TimeOrderStudy {
   double spectral_radius{};
   std::vector<double> time_step;  ///< s
   std::vector<double> displacement_error, velocity_error, reaction_error;
-  double displacement_order{}, velocity_order{}, reaction_order{};
+  OrderEstimate displacement_order, velocity_order, reaction_order;
 };
 
 [[nodiscard]] TimeOrderStudy time_order_study(double spectral_radius,
