@@ -17,6 +17,7 @@ namespace stickslip::data {
 namespace {
 
 std::filesystem::path numbers_file() { return data_directory() / "paper" / "printed-numbers.toml"; }
+std::filesystem::path claims_file() { return data_directory() / "paper" / "claims.toml"; }
 std::filesystem::path errata_file() { return data_directory() / "paper" / "errata.toml"; }
 
 // One table of an array of tables, whose keys are all known.
@@ -35,6 +36,9 @@ class Record {
     if (!value || value->empty()) refuse(std::string(key) + " must be a string that is not empty");
     return *value;
   }
+
+  /// Empty if the key is missing.
+  [[nodiscard]] std::string optional_text(std::string_view key) const { return has(key) ? text(key) : ""; }
 
   [[nodiscard]] double number(std::string_view key) const {
     const auto value = table_[key].value<double>();
@@ -73,13 +77,19 @@ auto read_all(const std::filesystem::path& file, std::string_view name,
 }
 
 template <class Row>
+void require_unique(const std::filesystem::path& file, const std::vector<Row>& rows, std::string Row::*field,
+                    const std::string& name) {
+  std::vector<std::string> values;
+  values.reserve(rows.size());
+  for (const auto& row : rows) values.push_back(row.*field);
+  std::ranges::sort(values);
+  if (const auto twice = std::ranges::adjacent_find(values); twice != values.end())
+    throw InputError(file.string() + ": the " + name + " " + *twice + " stands twice");
+}
+
+template <class Row>
 void require_unique_ids(const std::filesystem::path& file, const std::vector<Row>& rows) {
-  std::vector<std::string> ids;
-  ids.reserve(rows.size());
-  for (const auto& row : rows) ids.push_back(row.id);
-  std::ranges::sort(ids);
-  if (const auto twice = std::ranges::adjacent_find(ids); twice != ids.end())
-    throw InputError(file.string() + ": the id " + *twice + " stands twice");
+  require_unique(file, rows, &Row::id, "id");
 }
 
 // A printed decimal: its value, and half a unit of its last digit.
@@ -132,7 +142,7 @@ PrintedNumber read_printed_number(const Record& record) {
                     .is_given = record.flag("given"),
                     .place = record.text("place"),
                     .meaning = record.text("meaning"),
-                    .erratum = record.has("erratum") ? record.text("erratum") : ""};
+                    .erratum = record.optional_text("erratum")};
   const Decimal decimal = parse_printed(record, row.printed);
   row.half_digit = decimal.half_digit * scale;
   // Three roundings at most separate the two: the power of ten, its product with the mantissa, and the scale.
@@ -150,6 +160,32 @@ PrintedVerdict read_verdict(const Record& record) {
                      .figure = record.text("figure")};
   if (row.verdict != "stick" && row.verdict != "stick-slip")
     record.refuse("verdict is " + printable(row.verdict) + ", but must be stick or stick-slip");
+  return row;
+}
+
+ClaimVerdict read_claim_verdict(const Record& record) {
+  const std::string text = record.text("verdict");
+  for (const auto verdict :
+       {ClaimVerdict::holds, ClaimVerdict::holds_with_correction, ClaimVerdict::does_not_hold})
+    if (text == to_string(verdict)) return verdict;
+  record.refuse("verdict is " + printable(text) +
+                ", but must be holds, holds with correction or does not hold");
+}
+
+Claim read_claim(const Record& record) {
+  Claim row{.id = record.text("id"),
+            .place = record.text("place"),
+            .claim = record.text("claim"),
+            .test = record.text("test"),
+            .how = record.text("how"),
+            .verdict = read_claim_verdict(record),
+            .correction = record.optional_text("correction"),
+            .figure = record.optional_text("figure"),
+            .erratum = record.optional_text("erratum")};
+  if (row.verdict == ClaimVerdict::holds && !row.correction.empty())
+    record.refuse(row.id + " holds, but has a correction");
+  if (row.verdict != ClaimVerdict::holds && row.correction.empty())
+    record.refuse(row.id + " " + std::string(to_string(row.verdict)) + ", but has no correction");
   return row;
 }
 
@@ -186,6 +222,32 @@ std::vector<Erratum> errata() {
   auto rows =
       read_all(errata_file(), "erratum", {"id", "place", "printed", "holds", "established"}, read_erratum);
   require_unique_ids(errata_file(), rows);
+  return rows;
+}
+
+std::string_view to_string(ClaimVerdict verdict) noexcept {
+  switch (verdict) {
+    case ClaimVerdict::holds:
+      return "holds";
+    case ClaimVerdict::holds_with_correction:
+      return "holds with correction";
+    case ClaimVerdict::does_not_hold:
+      return "does not hold";
+  }
+  return "";
+}
+
+std::vector<Claim> claims() {
+  auto rows = read_all(claims_file(), "claim",
+                       {"id", "place", "claim", "test", "how", "verdict", "correction", "figure", "erratum"},
+                       read_claim);
+  require_unique_ids(claims_file(), rows);
+  require_unique(claims_file(), rows, &Claim::test, "test");
+  const auto known = errata();
+  for (const auto& row : rows)
+    if (!row.erratum.empty() && std::ranges::find(known, row.erratum, &Erratum::id) == known.end())
+      throw InputError(claims_file().string() + ": " + row.id + " names the erratum " +
+                       printable(row.erratum) + ", which does not exist");
   return rows;
 }
 

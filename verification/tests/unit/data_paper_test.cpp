@@ -136,7 +136,7 @@ TEST(Unstated, NamesWhatTheCaseFileChose) {
   EXPECT_TRUE(choice_is(std::to_string(problem.numerics.elements())));
 }
 
-// A data folder of its own with the one file of printed numbers.
+// A data folder of its own.
 class MalformedPaperFile : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -148,18 +148,28 @@ class MalformedPaperFile : public ::testing::Test {
     std::filesystem::remove_all(folder_);
   }
 
-  [[nodiscard]] std::string refusal(const std::string& text) const {
-    std::ofstream(folder_ / "paper" / "printed-numbers.toml") << text;
+  void write(const std::string& file, const std::string& text) const {
+    std::ofstream(folder_ / "paper" / file) << text;
+  }
+
+  template <class Read>
+  static std::string refusal_of(Read read) {
     try {
-      static_cast<void>(data::printed_numbers());
+      static_cast<void>(read());
     } catch (const data::InputError& error) {
       return error.what();
     }
     return "accepted";
   }
 
+  [[nodiscard]] virtual std::string refusal(const std::string& text) const {
+    write("printed-numbers.toml", text);
+    return refusal_of(data::printed_numbers);
+  }
+
   void expect_refused(const std::string& text, const std::string& part) const {
-    EXPECT_NE(refusal(text).find(part), std::string::npos) << refusal(text);
+    const std::string sentence = refusal(text);
+    EXPECT_NE(sentence.find(part), std::string::npos) << sentence;
   }
 
   static std::string number(const std::string& value, const std::string& printed,
@@ -195,6 +205,59 @@ TEST_F(MalformedPaperFile, MayNotLackOrAddAKey) {
   expect_refused("[[number]]\nid = 'a'\nvalue = 2\n", "must be");
   expect_refused(number("2.5", "2.5", "eratum = 'E1'\n"), "unknown key eratum (did you mean erratum?)");
   expect_refused("[number]\nid = 'a'\n", "must hold tables [[number]]");
+}
+
+class MalformedClaimsFile : public MalformedPaperFile {
+ protected:
+  [[nodiscard]] std::string refusal(const std::string& text) const override {
+    write("errata.toml",
+          "[[erratum]]\nid = 'E1'\nplace = 'p'\nprinted = 'a'\nholds = 'b'\nestablished = 'c'\n");
+    write("claims.toml", text);
+    return refusal_of(data::claims);
+  }
+
+  static std::string claim(const std::string& id, const std::string& test, const std::string& more) {
+    return "[[claim]]\nid = '" + id + "'\nplace = 'p'\nclaim = 'c'\ntest = '" + test + "'\nhow = 'h'\n" +
+           more;
+  }
+  static std::string claim(const std::string& more) { return claim("a", "ClaimOn.A", more); }
+};
+
+TEST_F(MalformedClaimsFile, IsDerivedFromAWellFormedOne) {
+  EXPECT_EQ(refusal(claim("verdict = 'holds'\nfigure = 'fig:search'\n")), "accepted");
+  for (const std::string verdict : {"holds with correction", "does not hold"})
+    EXPECT_EQ(refusal(claim("verdict = '" + verdict + "'\ncorrection = 'c'\nerratum = 'E1'\n")), "accepted");
+}
+
+TEST_F(MalformedClaimsFile, MayNotHaveAnotherVerdict) {
+  expect_refused(claim("verdict = 'true'\n"),
+                 "verdict is true, but must be holds, holds with correction or does not hold");
+}
+
+TEST_F(MalformedClaimsFile, HasACorrectionExactlyWhereTheClaimDoesNotHoldAsPrinted) {
+  expect_refused(claim("verdict = 'holds'\ncorrection = 'c'\n"), "a holds, but has a correction");
+  expect_refused(claim("verdict = 'holds with correction'\n"),
+                 "a holds with correction, but has no correction");
+  expect_refused(claim("verdict = 'does not hold'\n"), "a does not hold, but has no correction");
+}
+
+TEST_F(MalformedClaimsFile, MayNotNameAnErratumThatDoesNotExist) {
+  expect_refused(claim("verdict = 'holds'\nerratum = 'E2'\n"),
+                 "a names the erratum E2, which does not exist");
+}
+
+TEST_F(MalformedClaimsFile, MayNotNameAnIdOrATestTwice) {
+  const std::string first = claim("verdict = 'holds'\n");
+  expect_refused(first + claim("a", "ClaimOn.B", "verdict = 'holds'\n"), "the id a stands twice");
+  expect_refused(first + claim("b", "ClaimOn.A", "verdict = 'holds'\n"), "the test ClaimOn.A stands twice");
+}
+
+TEST_F(MalformedClaimsFile, MayNotLackOrAddAKeyOrLeaveOneEmpty) {
+  expect_refused("[[claim]]\nid = 'a'\n", "place must be a string that is not empty");
+  expect_refused(claim("verdict = 'holds'\nfigure = ''\n"), "figure must be a string that is not empty");
+  expect_refused(claim("verdict = 'holds'\nfigur = 'fig:search'\n"),
+                 "unknown key figur (did you mean figure?)");
+  expect_refused("[claim]\nid = 'a'\n", "must hold tables [[claim]]");
 }
 
 }  // namespace

@@ -1,10 +1,11 @@
 #pragma once
 
 /// What Won, Lee and Chung (2018) print: every number with its digits and its place, the verdicts of Figs. 4
-/// and 5, the errata, and what the paper leaves unstated.
-/// Files: data/paper/printed-numbers.toml and data/paper/errata.toml.
+/// and 5, every claim that can be tested with what became of it, the errata, and what the paper leaves
+/// unstated. Files: data/paper/printed-numbers.toml, data/paper/claims.toml and data/paper/errata.toml.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace stickslip::data {
@@ -47,6 +48,29 @@ struct Unstated {
   std::string reason;
 };
 
+/// What became of a claim.
+enum class ClaimVerdict {
+  holds,                  ///< as printed
+  holds_with_correction,  ///< once a symbol, a sign, a number or its range is put right
+  does_not_hold           ///< something else does
+};
+
+/// "holds", "holds with correction" or "does not hold".
+[[nodiscard]] std::string_view to_string(ClaimVerdict verdict) noexcept;
+
+/// A statement of the paper that can be true or false.
+struct Claim {
+  std::string id;     ///< "fig6.generally-decreases"
+  std::string place;  ///< "Sect. 3, text on Fig. 6"
+  std::string claim;  ///< a short quotation or a close paraphrase
+  std::string test;   ///< full name of the GoogleTest test that judges it
+  std::string how;    ///< one sentence: how it is tested, and what a qualitative word is taken to mean
+  ClaimVerdict verdict{};
+  std::string correction;  ///< what holds instead; empty if the claim holds
+  std::string figure;   ///< the report's figure or table that shows it, by its label, "fig:search", or empty
+  std::string erratum;  ///< id of the erratum about it ("E10"), or empty
+};
+
 /// In the order of the page. Throws InputError if the file is missing or malformed, an id stands twice, or a
 /// value is not what its printed digits say.
 [[nodiscard]] std::vector<PrintedNumber> printed_numbers();
@@ -56,6 +80,10 @@ struct Unstated {
 
 /// E1, E2, ... Throws InputError if the file is missing or malformed, or an id stands twice.
 [[nodiscard]] std::vector<Erratum> errata();
+
+/// In the order of the page. Throws InputError if the file is missing or malformed, an id or a test stands
+/// twice, a correction is missing or not called for, or an erratum does not exist.
+[[nodiscard]] std::vector<Claim> claims();
 
 /// Throws InputError if the file is missing or malformed.
 [[nodiscard]] std::vector<Unstated> unstated();

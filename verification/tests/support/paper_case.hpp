@@ -1,0 +1,40 @@
+#pragma once
+
+/// The paper's case, and the verdicts of both implementations on an excitation.
+
+#include "stickslip/analytic/criterion.hpp"
+#include "stickslip/data/case_file.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
+
+namespace stickslip::testing {
+
+inline const data::Case& paper() {
+  static const data::Case instance = data::load_case("paper");
+  return instance;
+}
+
+inline data::HarmonicExcitation excitation(double hz, double amplitude) {
+  return data::HarmonicExcitation({.frequency_hz = hz, .amplitude = amplitude});
+}
+
+/// Eqs. (29), (30), with Eq. (28).
+inline bool criterion_slips(double hz, double amplitude) {
+  return analytic::evaluate_criterion(paper().beam, paper().friction, excitation(hz, amplitude),
+                                      paper().numerics.duration(), paper().numerics.modes())
+             .verdict == analytic::Verdict::stick_slip;
+}
+
+/// Finite elements with contact.
+inline bool finite_elements_slip(double hz, double amplitude) {
+  return solver::first_slip(paper().beam, paper().friction, excitation(hz, amplitude), paper().numerics)
+      .has_value();
+}
+
+inline bool both_slip(double hz, double amplitude) {
+  return criterion_slips(hz, amplitude) && finite_elements_slip(hz, amplitude);
+}
+inline bool both_stick(double hz, double amplitude) {
+  return !criterion_slips(hz, amplitude) && !finite_elements_slip(hz, amplitude);
+}
+
+}  // namespace stickslip::testing
