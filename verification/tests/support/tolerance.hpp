@@ -1,7 +1,7 @@
 #pragma once
 
 /// How a test compares two numbers. A tolerance is derived, never tuned, and belongs to one of three classes,
-/// each built by one helper below; a failing comparison prints expected, computed, error, tolerance and
+/// each built by a helper below; a failing comparison prints expected, computed, error, tolerance and
 /// margin.
 
 #include <gtest/gtest.h>
@@ -12,14 +12,16 @@
 #include <string>
 
 #include "stickslip/studies/convergence.hpp"
+#include "support/trace.hpp"
 
 namespace stickslip::testing {
 
 using studies::observed_order;
 
-/// An allowed absolute error, with where it comes from.
+/// An allowed absolute error, with its class and where it comes from.
 struct Tolerance {
   double value{};
+  std::string tolerance_class;
   std::string derivation;
 };
 
@@ -27,33 +29,42 @@ struct Tolerance {
 /// operations, `condition` the condition number, `scale` the magnitude of the result.
 inline Tolerance round_off(double operations, double condition, double scale) {
   std::ostringstream text;
-  text << "round-off: 4 * " << operations << " operations * eps * condition " << condition << " * scale "
-       << scale;
+  text << "4 * " << operations << " operations * eps * condition " << condition << " * scale " << scale;
   return {4.0 * operations * std::numeric_limits<double>::epsilon() * condition * std::abs(scale),
-          text.str()};
+          "round-off", text.str()};
 }
 
 /// Discretisation: the predicted error times a stated margin for the terms behind the leading one.
 inline Tolerance discretisation(double predicted_error, double margin, const std::string& law) {
   std::ostringstream text;
-  text << "discretisation: " << law << " predicts " << predicted_error << ", margin " << margin;
-  return {std::abs(predicted_error) * margin, text.str()};
+  text << law << " predicts " << predicted_error << ", margin " << margin;
+  return {std::abs(predicted_error) * margin, "discretisation", text.str()};
 }
 
 /// Reference: the accuracy that is recorded with the datum.
 inline Tolerance reference(double accuracy, const std::string& source) {
-  return {accuracy, "reference: accuracy of " + source};
+  return {accuracy, "reference", "accuracy of " + source};
 }
 
-/// |computed - expected| <= tolerance, and neither is NaN.
-inline ::testing::AssertionResult within(double computed, double expected, const Tolerance& tolerance) {
+/// Of an observed order: what the terms behind the leading one may do to the slope over the levels of the
+/// test.
+inline Tolerance next_terms(double allowed) {
+  return {allowed, "discretisation", "slope by the terms behind the leading one"};
+}
+
+/// |computed - expected| <= tolerance, and neither is NaN. The comparison is recorded for the traceability
+/// matrix; with a name, such as that of a printed number, it has a row of its own there.
+inline ::testing::AssertionResult within(double computed, double expected, const Tolerance& tolerance,
+                                         const std::string& name = "") {
   const double error = std::abs(computed - expected);
+  note({name, computed, expected, error, tolerance.value, tolerance.tolerance_class, tolerance.derivation});
   if (error <= tolerance.value) return ::testing::AssertionSuccess();
   std::ostringstream text;
   text.precision(17);
   text << "\n  expected  " << expected << "\n  computed  " << computed << "\n  error     " << error
-       << "\n  tolerance " << tolerance.value << "  (" << tolerance.derivation << ")\n  margin    "
-       << error / tolerance.value << " (error / tolerance, allowed up to 1)";
+       << "\n  tolerance " << tolerance.value << "  (" << tolerance.tolerance_class << ": "
+       << tolerance.derivation << ")\n  margin    " << error / tolerance.value
+       << " (error / tolerance, allowed up to 1)";
   return ::testing::AssertionFailure() << text.str();
 }
 

@@ -87,13 +87,13 @@ TEST(BeamContactModel, MassesAndLoadsAreTheIntegralsOfItsShapes) {
       const auto product = [a = shape(i), b = shape(j)](double x) { return density * a(x) * b(x); };
       const Estimate expected = integral(product, 0.0, length, 5.0);
       EXPECT_TRUE(within(mass(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)), expected.value,
-                         {expected.error + 1e-13, "GSL's estimate and round-off"}))
+                         discretisation(expected.error + 1e-13, 1.0, "GSL's estimate and round-off")))
           << i << " " << j;
     }
     const Estimate load = integral(shape(i), 0.0, length, 1.0);
     const double factor = density * 1e-3 * omega * omega;
     EXPECT_TRUE(within(beam.model().load[i], factor * load.value,
-                       {factor * (load.error + 1e-13), "GSL's estimate and round-off"}))
+                       discretisation(factor * (load.error + 1e-13), 1.0, "GSL's estimate and round-off")))
         << i;
   }
 }
@@ -116,7 +116,7 @@ TEST(BeamContactModel, StiffnessesAreTheEnergiesOfItsShapes) {
       const double scale = std::sqrt(stiffness(i) * stiffness(j));
       const Estimate expected = integral(energy, 0.0, length, scale);
       EXPECT_TRUE(within(i == j ? stiffness(i) : 0.0, expected.value,
-                         {expected.error + 1e-12 * scale, "GSL's estimate and round-off"}))
+                         discretisation(expected.error + 1e-12 * scale, 1.0, "GSL's estimate and round-off")))
           << i << " " << j;
     }
     // l_n = P U_n'(L), l_c = P sigma'(L).
@@ -240,7 +240,7 @@ TEST(BeamContactModel, KelvinVoigtDampingIsProportionalToTheBendingEnergy) {
       const double scale = std::sqrt(damping(row, row) * damping(column, column));
       const Estimate expected = integral(power, 0.0, length, scale);
       EXPECT_TRUE(within(damping(row, column), expected.value,
-                         {expected.error + 1e-12 * scale, "GSL's estimate and round-off"}))
+                         discretisation(expected.error + 1e-12 * scale, 1.0, "GSL's estimate and round-off")))
           << i << " " << j;
     }
 }

@@ -119,8 +119,8 @@ TEST(DampedSteadyState, DerivativesAreThoseOfTheDisplacement) {
                       (solution.derivative(order, x + k * d) - solution.derivative(order, x - k * d));
       const double truncation = std::pow(d, 8) / 630.0 * largest_derivative(solution, order + 9);
       EXPECT_TRUE(near(difference, solution.derivative(order + 1, x),
-                       {truncation + rounding(largest_derivative(solution, order) / d).value,
-                        "d^8/630 of the ninth derivative, eps/d of the function"}));
+                       discretisation(truncation + rounding(largest_derivative(solution, order) / d).value,
+                                      1.0, "d^8/630 of the ninth derivative, eps/d of the function")));
     }
 }
 
@@ -176,8 +176,9 @@ TEST(DampedSteadyState, DissipatesTheSquaredCurvatureRate) {
     const double factor = pi * v.omega() * v.eta * rigidity;
     const double fine = factor * integral(density, 4000).real(),
                  coarse = factor * integral(density, 2000).real();
-    EXPECT_TRUE(within(solution.dissipated_energy(), fine,
-                       {std::abs(fine - coarse) + rounding(fine).value, "Simpson's rule, halved"}))
+    EXPECT_TRUE(
+        within(solution.dissipated_energy(), fine,
+               discretisation(std::abs(fine - coarse) + rounding(fine).value, 1.0, "Simpson's rule, halved")))
         << v.name();
   }
 }
@@ -196,9 +197,10 @@ TEST(DampedSteadyState, FrictionForceBalancesTheInertiaOfTheBeam) {
       const double inertia = mass_per_length * v.omega() * v.omega();
       const Complex fine = inertia * integral(weighted, 4000), coarse = inertia * integral(weighted, 2000);
       const Complex static_force = 3.0 * v.complex_rigidity() * amplitude / (length * length * length);
-      EXPECT_TRUE(near(solution.friction_force(), fine + static_force,
-                       {std::abs(fine - coarse) + rounding(std::abs(fine) + std::abs(static_force)).value,
-                        "Simpson's rule, halved"}))
+      EXPECT_TRUE(near(
+          solution.friction_force(), fine + static_force,
+          discretisation(std::abs(fine - coarse) + rounding(std::abs(fine) + std::abs(static_force)).value,
+                         1.0, "Simpson's rule, halved")))
           << v.name();
     }
 }
@@ -220,10 +222,10 @@ void expect_sum_over_modes(const Vibration& v, double x, double rigid, const std
     sum += term;
     if (mode.number() > count - 3) largest_late_term = std::max(largest_late_term, std::abs(term));
   }
-  EXPECT_TRUE(
-      near(solution.displacement(x), amplitude * sum,
-           {amplitude * largest_late_term * count / 4.0 + rounding(largest_derivative(solution, 0)).value,
-            "modes left out, n^-5"}))
+  EXPECT_TRUE(near(solution.displacement(x), amplitude * sum,
+                   discretisation(amplitude * largest_late_term * count / 4.0 +
+                                      rounding(largest_derivative(solution, 0)).value,
+                                  1.0, "modes left out, n^-5")))
       << v.name() << ", x = " << x;
 }
 
@@ -262,7 +264,8 @@ TEST(DampedSteadyState, LagsBehindTheBaseByAQuarterPeriodAtResonance) {
   const double omega = analytic::slip_modes(paper_beam_with_axial_force(0.0), 1).front().angular_frequency();
   const Vibration v{0.0, omega / (2.0 * pi), 1e-5, TipSupport::free};
   const Complex tip = v.solution().displacement(length) / amplitude;
-  EXPECT_TRUE(near(tip * omega * 1e-5, Complex(0.0, -1.566), {2.0 * omega * 1e-5, "the other modes"}));
+  EXPECT_TRUE(near(tip * omega * 1e-5, Complex(0.0, -1.566),
+                   discretisation(2.0 * omega * 1e-5, 1.0, "the other modes")));
 }
 
 TEST(DampedSteadyState, RefusesModalDamping) {

@@ -156,8 +156,10 @@ TEST_P(ShakenPlane, MovesBetweenEventsAsItsAccelerationIntegratedTwiceSays) {
     const double scale = amplitude / omega;
     const double rounding = round_off(20, omega * t2, scale).value;
     const double tolerance = accumulated(1e-12, 10.0 * omega * length, scale).value + rounding;
-    EXPECT_TRUE(within(velocity(t2), 0.0, {tolerance, "error per step times steps, and round-off"}));
-    EXPECT_TRUE(within(p2 - p1, slid, {tolerance, "error per step times steps, and round-off"}));
+    EXPECT_TRUE(within(velocity(t2), 0.0,
+                       discretisation(tolerance, 1.0, "error per step times steps, and round-off")));
+    EXPECT_TRUE(
+        within(p2 - p1, slid, discretisation(tolerance, 1.0, "error per step times steps, and round-off")));
     for (int k = 1; k < 20; ++k)
       EXPECT_GT(d * velocity(t1 + 0.05 * k * length), 0.0) << "an earlier zero of event " << i + 1;
   }

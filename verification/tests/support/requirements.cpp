@@ -1,0 +1,205 @@
+#include "support/requirements.hpp"
+
+#include <algorithm>
+
+namespace stickslip::testing {
+
+namespace {
+
+const std::vector<Requirement> table{
+    // The problem and its data.
+    {"P1",
+     "The problem types, case files and overrides take what is allowed and refuse everything else by name.",
+     "Sect. 3, parameters",
+     {"ProblemTypes", "NumericalSettings", "Beam", "Damping", "CaseFile", "PublishedCases", "PaperCase",
+      "Override", "ShortestText"}},
+    {"P2",
+     "The friction coefficient falls from mu_s at rest to mu_m with the decay alpha.",
+     "Eqs. (6), (7); Fig. 2",
+     {"FrictionLaw"}},
+    {"P3",
+     "What the paper prints is kept with its digits, units and places.",
+     "All printed numbers",
+     {"PrintedNumbers", "PrintedVerdicts", "Unstated", "MalformedPaperFile", "MalformedClaimsFile"}},
+    {"P4",
+     "The two implementations share the problem statement and nothing else.",
+     "Design",
+     {"Independence"}},
+
+    // Closed form.
+    {"A1",
+     "The quasi-static shape S solves its equation and boundary conditions.",
+     "Eqs. (13) to (18)",
+     {"QuasiStaticShape"}},
+    {"A2",
+     "Natural frequencies and modes of the stick state are all roots of the characteristic equation.",
+     "Eqs. (20), (22), (23); Fig. 7; E1, E2, E5",
+     {"StickModes"}},
+    {"A3",
+     "Natural frequencies and modes of the slip state are those of a cantilever under a follower load.",
+     "Eq. (5); Fig. 7; E8",
+     {"SlipModes", "AdjointSlipModes", "FlutterLoad"}},
+    {"A4",
+     "The closed-form response satisfies the equation of motion, its boundary and its initial conditions.",
+     "Eqs. (1) to (3), (24) to (28); E3, E4",
+     {"StickResponse"}},
+    {"A5",
+     "The maximum of the friction force is enclosed from both sides.",
+     "Sect. 5; Fig. 10; E6",
+     {"MaximumForce"}},
+    {"A6",
+     "The criterion compares the maximum with mu_s P; the critical amplitude brings it there.",
+     "Eqs. (29), (30); Fig. 11",
+     {"Criterion"}},
+    {"A7",
+     "The steady vibration with Kelvin-Voigt damping solves its boundary value problem, tip held or free.",
+     "Complex modulus",
+     {"DampedSteadyState"}},
+
+    // Finite elements and time stepping.
+    {"F1",
+     "The element matrices are the integrals of the shape functions and pass the patch tests.",
+     "Eqs. (8) to (11)",
+     {"BeamElement"}},
+    {"F2",
+     "The assembled beam has the exact static answers and, in slip, the follower term.",
+     "Eqs. (8), (9); E8",
+     {"BeamModel", "ModalAnalysis", "StaticShapeOrder"}},
+    {"F3",
+     "Frequencies of both states and the flutter load converge with order 4 and the predicted constant.",
+     "Fig. 7; E5, E8",
+     {"StickFrequencyOrder", "SlipFrequencyOrder", "FlutterLoadOrder"}},
+    {"F4",
+     "The reaction from the balance of the tip's row converges with order 4.",
+     "Eqs. (4), (9)",
+     {"ReactionOrder"}},
+    {"F5",
+     "Generalised-alpha has the published weights, amplification and second order.",
+     "Chung and Hulbert (1993)",
+     {"GeneralizedAlpha", "GeneralizedAlphaOrder"}},
+    {"F6",
+     "Stick, slip and their changes follow the exact histories of one and two masses.",
+     "Eqs. (3) to (7), Sect. 3; SDND104",
+     {"StickSlipIntegrator", "ShakenPlaneBenchmark", "SlipOrder", "ContactLocation", "ContactHistoryOrder",
+      "ContactSchemeOrder", "ContactScheme"}},
+    {"F7",
+     "The simulation of the beam hands its settings on and reports in the fixed frame.",
+     "Sect. 3",
+     {"BeamSimulation"}},
+    {"F8",
+     "Energy books balance: what no entry explains is the error of the method.",
+     "Energy balance",
+     {"EnergyBooks", "ContactChanges", "EnergyResidual", "EnergyResidualOfTheBeam", "StickEnergy"}},
+    {"F9",
+     "Damping matrices dissipate what they are to dissipate, alike in stick and slip.",
+     "Kelvin-Voigt; modal",
+     {"DampingMatrix", "FreeDecay"}},
+
+    // From event to event.
+    {"E1",
+     "The event-driven engine returns the exact histories of one and two masses.",
+     "SDND104; exact solutions",
+     {"EventDriven", "HeldMode", "HeldModeNearResonance", "DampedHeldMode", "ShakenPlane",
+      "ShakenPlaneFrictionPower"}},
+    {"E2",
+     "The modal models of the beam have its frequencies, energies and shapes and converge to it.",
+     "Eqs. (3), (5)",
+     {"BeamContactModel", "FreeContactFrequencies", "TruncatedHistory"}},
+    {"E3",
+     "Event-driven histories of the beam keep their books and do not depend on who asks.",
+     "Energy balance",
+     {"EventDrivenBeam", "EventDrivenBeamEnergy"}},
+
+    // One implementation against the other.
+    {"X1",
+     "Displacement and force of the stick state agree to the predicted errors of mesh and step.",
+     "Eqs. (27), (28); Fig. 9",
+     {"StickState", "Figure9", "Figure9Refined", "Figure9RefinedOnceMore"}},
+    {"X2",
+     "The maximum of the friction force of finite elements is the predicted one.",
+     "Sect. 5; E6",
+     {"ForceMaximumAt"}},
+    {"X3",
+     "Both classify excitations alike outside the predicted guard band.",
+     "Figs. 11, 12",
+     {"Figure12", "Figure12Finer"}},
+    {"X4", "The critical amplitude by search is that of one linear run.", "Fig. 6", {"CriticalAmplitude"}},
+    {"X5", "The first slip happens when the closed form says so.", "Eq. (4); Figs. 4, 5", {"FirstSlip"}},
+    {"X6",
+     "The motion of the whole beam is that of the closed form until the first slip.",
+     "Fig. 3",
+     {"BeamMotion", "BeamMotionAt"}},
+    {"X7",
+     "Length and axial force decide as the criterion and finite elements say.",
+     "Fig. 14; E9",
+     {"LengthForceMap", "ResonanceLength"}},
+    {"X8",
+     "Damped vibration agrees with the closed form in amplitude and phase.",
+     "Complex modulus",
+     {"DampedFrequencyResponse", "DampedSteppedResponse", "ModalDamping"}},
+    {"X9",
+     "Damped stick-slip histories of both implementations converge to one another.",
+     "Damped benchmark",
+     {"FiniteElementContactModel", "TimeStepper", "MeshedHistory", "DampedBenchmark", "DampedBenchmarkLong",
+      "EventDrivenBeamFiner", "OrderThroughEvents", "ContactSchemeOrderOfTheBeam", "EventDifferences",
+      "MicroSticks"}},
+    {"X10",
+     "The stick-slip history obeys symmetry, units and the friction limit, and stays bounded.",
+     "Eqs. (4) to (7)",
+     {"StickSlipBeam", "StickSlipBeamLong"}},
+    {"X11",
+     "The contact schemes, that of the paper among them, do what the report says of them.",
+     "Sect. 3",
+     {"ContactSchemes"}},
+    {"X12",
+     "Undamped histories are predictable for the time that the report states.",
+     "Figs. 4, 5",
+     {"Predictability", "PredictabilityLong"}},
+    {"X13", "Observed orders come with intervals that mean what they say.", "Student's t", {"OrderEstimate", "OrderBound"}},
+
+    // The paper.
+    {"V1", "Verdicts on the eight panels are the printed ones.", "Figs. 4, 5", {"Verdict"}},
+    {"V2", "Errata: the corrected text agrees where the printed one does not.", "E1 to E10", {"Errata"}},
+    {"V3",
+     "Every claim of the paper has a verdict that a measurement gives.",
+     "Ledger of claims",
+     {"ClaimOn*", "LedgerOfClaims"}},
+
+    // What people use.
+    {"U1",
+     "The command line prints what the implementations return and refuses bad input in one sentence.",
+     "Commands",
+     {"CommandLine", "Animation"}},
+    {"U2",
+     "Figures and report appear whole or not at all, are drawn from their CSV files alone, and only when "
+     "something has changed.",
+     "Report",
+     {"ReportOutput", "ReportFigures", "ReportStore", "DrawnFigures", "CsvTable"}},
+    {"U3",
+     "Numbers and notation are typeset without loss.",
+     "Report",
+     {"LatexNotation", "LatexEscape", "ReportNumber", "FixedNumber", "SignificantNumber",
+      "ScientificNumber"}},
+    {"U4",
+     "Every test is traced to a requirement and every requirement to tests.",
+     "Traceability",
+     {"Traceability"}},
+};
+
+}  // namespace
+
+std::span<const Requirement> requirements() { return table; }
+
+bool stands_for(std::string_view pattern, std::string_view suite) {
+  return pattern.ends_with('*') ? suite.starts_with(pattern.substr(0, pattern.size() - 1)) : pattern == suite;
+}
+
+const Requirement* requirement_of(std::string_view suite) {
+  suite.remove_prefix(suite.find('/') == std::string_view::npos ? 0 : suite.find('/') + 1);
+  for (const Requirement& requirement : table)
+    if (std::ranges::any_of(requirement.suites, [&](auto pattern) { return stands_for(pattern, suite); }))
+      return &requirement;
+  return nullptr;
+}
+
+}  // namespace stickslip::testing
