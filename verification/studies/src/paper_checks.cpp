@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <numbers>
 
+#include "printed_forces.hpp"
 #include "simpson.hpp"
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
@@ -26,17 +27,6 @@ namespace stickslip::studies {
 namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
-constexpr double printed_amplitude = 0.5e-3;  // of the four |f_max| in Sect. 5
-constexpr double printed_frequencies[] = {15.0, 25.0, 35.0, 70.0};
-
-std::string force_id(double hz) { return fmt::format("force_max.{}", std::lround(hz)); }
-
-data::Beam with(const data::Beam& beam, double data::BeamProperties::*field, double value) {
-  data::BeamProperties properties = beam.properties();
-  properties.*field = value;
-  return data::Beam(properties);
-}
-
 double stick_hz(const data::Beam& beam, int mode) {
   return analytic::stick_modes(beam, mode).back().frequency_hz();
 }
@@ -69,7 +59,7 @@ double finite_element_force(const data::Case& paper, double hz) {
 }
 
 double sampled_force(const data::Case& paper, double hz) {
-  const data::HarmonicExcitation excitation({.frequency_hz = hz, .amplitude = printed_amplitude});
+  const data::HarmonicExcitation excitation = printed_excitation(hz);
   return analytic::StickResponse(paper.beam, excitation, paper.numerics.modes())
       .sampled_max_abs_friction_force(paper.numerics.duration(), paper.numerics.time_step())
       .lower;
@@ -78,11 +68,11 @@ double sampled_force(const data::Case& paper, double hz) {
 // |f_max| of N modes from u_t(x,0) = 0: Eq. (28) and the free vibration that takes the velocity -S h_t(0)
 // away, sampled.
 double force_from_rest(const data::Case& paper, double hz, int modes) {
-  const data::HarmonicExcitation excitation({.frequency_hz = hz, .amplitude = printed_amplitude});
+  const data::HarmonicExcitation excitation = printed_excitation(hz);
   const analytic::StickResponse response(paper.beam, excitation, modes);
   const double length = paper.beam.length();
   const double stiffness = paper.beam.youngs_modulus() * paper.beam.second_moment_of_area();
-  const double base_velocity = two_pi * hz * printed_amplitude;
+  const double base_velocity = two_pi * hz * excitation.amplitude();
   std::vector<analytic::Sinusoid> kick;
   for (const analytic::StickMode& mode : response.modes()) {
     const double plain_integral = simpson_integral([&mode](double x) { return mode.shape(x); }, length, mode);
@@ -147,7 +137,7 @@ void add_force_checks(const data::Case& paper, std::vector<PrintedCheck>& checks
   checks.push_back({limit, paper.friction.static_coefficient() * paper.beam.axial_force(), "mu_s P",
                     limit.half_digit, "half a unit of the last digit"});
   for (const double hz : printed_frequencies) {
-    const data::PrintedNumber printed = data::printed_number(force_id(hz));
+    const data::PrintedNumber printed = printed_force(hz);
     checks.push_back(
         {printed, sampled_force(paper, hz), "closed form, N = 10, sampled", 0.01 * printed.value,
          "1 %: the paper's sampling and number of terms are not known well enough for more (E6)"});
@@ -209,13 +199,13 @@ void add_force_errata(const data::Case& paper, std::vector<ErratumEvidence>& evi
                       extrapolated_stick_hz(paper.beam, 3, 16), stick_hz(paper.beam, 3), 1e-3});
   // At 70 Hz the printed value lies within what sampling every time step can lose: no evidence against it.
   for (const double hz : {15.0, 25.0, 35.0}) {
-    const data::HarmonicExcitation excitation({.frequency_hz = hz, .amplitude = printed_amplitude});
+    const data::HarmonicExcitation excitation = printed_excitation(hz);
     const analytic::StickResponse response(paper.beam, excitation, paper.numerics.modes());
     const double duration = paper.numerics.duration();
     const analytic::Bounds sampled =
         response.sampled_max_abs_friction_force(duration, paper.numerics.time_step());
     evidence.push_back({"E6", fmt::format("|f_max| at {} Hz, N = 10", std::lround(hz)), "N",
-                        data::printed_number(force_id(hz)).value, sampled.lower,
+                        printed_force(hz).value, sampled.lower,
                         response.max_abs_friction_force(duration).midpoint(), sampled.upper - sampled.lower});
   }
 }
