@@ -38,8 +38,9 @@ inline void judge(const Evidence& evidence, const std::string& finding) {
   const std::string test = full_name(*::testing::UnitTest::GetInstance()->current_test_info());
   const auto claims = data::claims();
   const auto entry = std::ranges::find(claims, test, &data::Claim::test);
-  ASSERT_NE(entry, claims.end()) << "data/paper/claims.toml has no claim with the test " << test;
   const data::ClaimVerdict found = verdict(evidence);
+  ASSERT_TRUE(entry != claims.end()) << "data/paper/claims.toml has no claim with the test " << test << ": "
+                                     << finding;
   EXPECT_EQ(data::to_string(found), data::to_string(entry->verdict)) << entry->id << ": " << finding;
   EXPECT_TRUE(found != data::ClaimVerdict::does_not_hold || evidence.instead.value_or(false))
       << entry->id << ": nothing was shown to hold instead";
