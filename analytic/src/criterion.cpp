@@ -8,14 +8,6 @@
 namespace stickslip::analytic {
 namespace {
 
-void require_contact(const data::Beam& beam) {
-  if (beam.axial_force() > 0.0 && beam.axial_force() < stick_buckling_load(beam)) return;
-  throw std::domain_error(refusal("beam.axial_force", beam.axial_force(),
-                                  "positive, to press the tip against the wall, and below the buckling load "
-                                  "of the stick state, " +
-                                      digits(stick_buckling_load(beam)) + " N"));
-}
-
 /// The amplitude at which a force that is `per_unit` at amplitude 1 reaches `limit`.
 double amplitude_at(double limit, double per_unit) {
   return per_unit > 0.0 ? limit / per_unit : std::numeric_limits<double>::infinity();
@@ -25,6 +17,14 @@ double amplitude_at(double limit, double per_unit) {
 
 std::string_view to_string(Verdict verdict) noexcept {
   return verdict == Verdict::stick ? "stick" : "stick-slip";
+}
+
+void require_contact(const data::Beam& beam) {
+  if (beam.axial_force() > 0.0 && beam.axial_force() < stick_buckling_load(beam)) return;
+  throw std::domain_error(refusal("beam.axial_force", beam.axial_force(),
+                                  "positive, to press the tip against the wall, and below the buckling load "
+                                  "of the stick state, " +
+                                      digits(stick_buckling_load(beam)) + " N"));
 }
 
 Criterion evaluate_criterion(const data::Beam& beam, const data::FrictionLaw& friction,

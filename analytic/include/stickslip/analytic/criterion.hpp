@@ -24,9 +24,12 @@ struct Criterion {
   Verdict verdict{};          ///< stick_slip if force_max.lower > friction_limit, else stick
 };
 
+/// Throws std::domain_error, naming beam.axial_force, unless 0 < P < P_cr: without compression there is no
+/// contact, at the buckling load no stick state.
+void require_contact(const data::Beam& beam);
+
 /// Evaluates the criterion. The reaction is proportional to A0, so one evaluation gives the critical
-/// amplitude whatever excitation.amplitude() is, zero included. Throws std::domain_error, naming
-/// beam.axial_force, unless 0 < P < P_cr: without compression there is no contact.
+/// amplitude whatever excitation.amplitude() is, zero included. Throws what require_contact() throws.
 [[nodiscard]] Criterion evaluate_criterion(const data::Beam& beam, const data::FrictionLaw& friction,
                                            const data::HarmonicExcitation& excitation, double duration,
                                            int modes = 10, SteadyPart steady_part = SteadyPart::modal_sum,

@@ -1,0 +1,94 @@
+#pragma once
+
+/// The largest |f_max| of Eqs. (29), (30) over a band of excitation frequencies, between rigorous bounds.
+///
+/// Per unit A0, with c_n = EI U_n'''(L) C_n and phi_n = Omega^2 g_n of Eq. (26),
+///
+///     f(t) = EI S'''(L) sin(Omega t) + sum_n c_n phi_n(t),       0 <= t <= T.
+///
+/// At each t this is smooth in Omega, so that between two frequencies a distance h apart |f_max| exceeds the
+/// larger of its values there by at most h^2/8 max |d^2 f/dOmega^2|. Over a <= Omega <= b a mode at least D
+/// away from them counts in that maximum with the amplitudes of its two sinusoids,
+///
+///     phi_n = p sin(Omega t) - q sin(omega_n t),  p = Omega^2/(Omega^2 - omega_n^2),  q = p Omega/omega_n,
+///
+/// whose derivatives are bounded with |Omega^2 - omega_n^2| >= D (a + omega_n); a mode in or close to the
+/// interval, by g_n = -(1/omega_n) int_0^t sin(omega_n (t - s)) sin(Omega s) ds, with
+///
+///     |phi_n''| <= (2 T + 2 b T^2 + b^2 T^3/3)/omega_n.
+///
+/// A resonance, about 1/T wide, can therefore not hide between two frequencies.
+
+#include <cstddef>
+#include <map>
+#include <queue>
+#include <vector>
+
+#include "stickslip/analytic/bounds.hpp"
+#include "stickslip/data/problem.hpp"
+
+namespace stickslip::analytic {
+
+/// Excitation frequencies from ... to, ends included; they may be equal.
+struct FrequencyBand {
+  double from_hz{};
+  double to_hz{};
+};
+
+/// The share of one mode in the stick-state reaction.
+struct ModalForce {
+  double angular_frequency{};  ///< omega_n, rad/s
+  double coefficient{};        ///< c_n = EI U_n'''(L) C_n, N/m
+};
+
+/// The first `modes` shares, ascending. Throws what stick_modes() throws.
+[[nodiscard]] std::vector<ModalForce> modal_forces(const data::Beam& beam, int modes);
+
+/// The search for that largest force, which can be taken up again for narrower bounds.
+class BandMaximum {
+ public:
+  /// Throws what stick_modes() throws, and std::invalid_argument unless 0 < from_hz <= to_hz and
+  /// duration > 0 (numerics.duration).
+  BandMaximum(const data::Beam& beam, const FrequencyBand& band, double duration, int modes = 10);
+
+  /// Bounds of the largest |f_max| per unit amplitude, N/m, with upper - lower <= relative_width * lower, or
+  /// wider as soon as they leave no doubt on which side of `limit` it is. Rigorous for the modes kept at
+  /// their computed frequencies. Throws std::invalid_argument unless 1e-7 <= relative_width < 1.
+  [[nodiscard]] Bounds refined_to(double relative_width);
+  [[nodiscard]] Bounds refined_against(double limit, double relative_width);
+
+  /// Where the lower bound is attained, Hz.
+  [[nodiscard]] double frequency_hz() const;
+  /// How many frequencies have been evaluated.
+  [[nodiscard]] std::size_t evaluations() const noexcept { return values_.size(); }
+
+ private:
+  struct Interval {
+    double from{}, to{};  // rad/s
+    bool ends_known{};
+    double upper{};
+    [[nodiscard]] bool operator<(const Interval& other) const { return upper < other.upper; }
+  };
+  // Over an interval of Omega: of |f| itself, and of its second derivative by Omega.
+  struct Suprema {
+    double force{}, curvature{};
+  };
+
+  [[nodiscard]] Suprema suprema(double from, double to) const;
+  [[nodiscard]] double upper_value(double omega);
+  void add(double from, double to);
+  void sharpen(const Interval& interval);
+  [[nodiscard]] Bounds bounds() const;
+
+  data::Beam beam_;
+  double duration_;
+  int count_;
+  double base_;  // EI S'''(L)
+  std::vector<ModalForce> modes_;
+  std::map<double, double> values_;  // upper bound of |f_max| by Omega
+  std::priority_queue<Interval> intervals_;
+  double lower_ = 0.0;
+  double best_omega_;
+};
+
+}  // namespace stickslip::analytic

@@ -1,0 +1,134 @@
+#include "stickslip/analytic/band_maximum.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+#include "beam_constants.hpp"
+#include "messages.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/analytic/stick_response.hpp"
+
+namespace stickslip::analytic {
+namespace {
+
+constexpr double kTwoPi = 2.0 * std::numbers::pi;
+constexpr double kWidthOfAValue = 1e-9;  // relative, of the bounds of |f_max| at one frequency
+
+void require(bool holds, std::string_view field, double value, std::string_view allowed) {
+  if (!holds) throw std::invalid_argument(refusal(field, value, std::string(allowed)));
+}
+
+}  // namespace
+
+std::vector<ModalForce> modal_forces(const data::Beam& beam, int modes) {
+  std::vector<ModalForce> forces;
+  for (const StickMode& mode : stick_modes(beam, modes))
+    forces.push_back({mode.angular_frequency(),
+                      bending_stiffness(beam) * mode.third_derivative(beam.length()) * mode.participation()});
+  return forces;
+}
+
+BandMaximum::BandMaximum(const data::Beam& beam, const FrequencyBand& band, double duration, int modes)
+    : beam_(beam),
+      duration_(duration),
+      count_(modes),
+      base_(bending_stiffness(beam) * QuasiStaticShape(beam).third_derivative(beam.length())),
+      modes_(modal_forces(beam, modes)),
+      best_omega_(kTwoPi * band.from_hz) {
+  require(band.from_hz > 0.0, "band.from_hz", band.from_hz, "positive");
+  require(band.to_hz >= band.from_hz && std::isfinite(band.to_hz), "band.to_hz", band.to_hz,
+          "finite and not below band.from_hz");
+  require(duration > 0.0 && std::isfinite(duration), "numerics.duration", duration, "positive and finite");
+  double from = kTwoPi * band.from_hz;
+  const double to = kTwoPi * band.to_hz;
+  for (const ModalForce& mode : modes_)
+    if (from < mode.angular_frequency && mode.angular_frequency < to) {
+      add(from, mode.angular_frequency);
+      from = mode.angular_frequency;
+    }
+  add(from, to);
+}
+
+Bounds BandMaximum::refined_to(double relative_width) {
+  return refined_against(std::numeric_limits<double>::quiet_NaN(), relative_width);
+}
+
+Bounds BandMaximum::refined_against(double limit, double relative_width) {
+  require(relative_width >= 1e-7 && relative_width < 1.0, "relative_width", relative_width, "1e-7 ... 1");
+  Bounds now = bounds();
+  while (now.upper - now.lower > relative_width * now.lower && !(now.lower > limit) &&
+         !(now.upper <= limit)) {
+    const Interval largest = intervals_.top();
+    intervals_.pop();
+    sharpen(largest);
+    now = bounds();
+  }
+  return now;
+}
+
+double BandMaximum::frequency_hz() const { return best_omega_ / kTwoPi; }
+
+Bounds BandMaximum::bounds() const { return {lower_, std::max(lower_, intervals_.top().upper)}; }
+
+void BandMaximum::add(double from, double to) {
+  intervals_.push({.from = from, .to = to, .ends_known = false, .upper = suprema(from, to).force});
+}
+
+/// Evaluates the ends of an interval or, if they are known, divides it.
+void BandMaximum::sharpen(const Interval& interval) {
+  const double from = interval.from, to = interval.to;
+  if (interval.ends_known) {
+    const double middle = from + 0.5 * (to - from);
+    add(from, middle);
+    add(middle, to);
+    return;
+  }
+  const double excess = (to - from) * (to - from) / 8.0 * suprema(from, to).curvature;
+  const double upper = std::max(upper_value(from), upper_value(to)) + excess;
+  intervals_.push({from, to, true, std::min(interval.upper, upper)});
+}
+
+double BandMaximum::upper_value(double omega) {
+  if (const auto known = values_.find(omega); known != values_.end()) return known->second;
+  const data::HarmonicExcitation unit({.frequency_hz = omega / kTwoPi, .amplitude = 1.0});
+  const Bounds value = StickResponse(beam_, unit, count_).max_abs_friction_force(duration_, kWidthOfAValue);
+  if (value.lower > lower_) {
+    lower_ = value.lower;
+    best_omega_ = omega;
+  }
+  return values_[omega] = value.upper;
+}
+
+BandMaximum::Suprema BandMaximum::suprema(double from, double to) const {
+  const double t = duration_, a = from, b = to, middle = 0.5 * (a + b);
+  double steady = base_;                         // amplitude at Omega in the middle, of the modes apart
+  double steady_slope = 0.0, steady_bend = 0.0;  // sums of |c p'| and |c p''|
+  Suprema sum;
+  for (const ModalForce& mode : modes_) {
+    const double w = mode.angular_frequency, c = std::abs(mode.coefficient);
+    const double near = (2.0 * t + 2.0 * b * t * t + b * b * t * t * t / 3.0) / w;
+    const double x = std::max({0.0, a - w, w - b}) * (a + w);  // <= |Omega^2 - omega_n^2|
+    const double p1 = 2.0 * b * w * w / (x * x);
+    const double p2 = 2.0 * w * w * (3.0 * b * b + w * w) / (x * x * x);
+    const double q2 = 2.0 * w * b * (b * b + 3.0 * w * w) / (x * x * x);
+    if (x > 0.0 && t * t * b * b / x + 2.0 * t * p1 + p2 + q2 < near) {
+      steady += mode.coefficient * middle * middle / ((middle - w) * (middle + w));
+      steady_slope += c * p1;
+      steady_bend += c * p2;
+      sum.force += c * b * b * b / (x * w);
+      sum.curvature += c * q2;
+    } else {
+      sum.force += c * b * b * t / w;
+      sum.curvature += c * near;
+    }
+  }
+  const double amplitude = std::abs(steady) + 0.5 * (b - a) * steady_slope;
+  sum.force += amplitude;
+  sum.curvature += t * t * amplitude + 2.0 * t * steady_slope + steady_bend;
+  return sum;
+}
+
+}  // namespace stickslip::analytic
