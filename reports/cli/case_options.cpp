@@ -2,23 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-
 namespace stickslip::cli {
-
-namespace {
-
-// The number that the whole text is, if it is one.
-template <class Number>
-std::optional<Number> parse(const std::string& text) {
-  Number value{};
-  const auto* const end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, value);
-  if (result.ec != std::errc{} || result.ptr != end) return std::nullopt;
-  return value;
-}
-
-}  // namespace
 
 void add_json_option(CLI::App& command, bool& json) {
   command.add_flag("--json", json, "Print one JSON object, numbers with all digits");

@@ -3,10 +3,12 @@
 /// What the subcommands have in common: which problem, and in which form to answer.
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "stickslip/data/case_file.hpp"
@@ -31,6 +33,16 @@ struct ExcitationOptions {
 void add_json_option(CLI::App& command, bool& json);
 void add_case_options(CLI::App& command, CaseOptions& options);
 void add_excitation_options(CLI::App& command, ExcitationOptions& options);
+
+/// The number that the whole text is, if it is one.
+template <class Number>
+[[nodiscard]] std::optional<Number> parse(std::string_view text) {
+  Number value{};
+  const auto* const end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, value);
+  if (result.ec != std::errc{} || result.ptr != end) return std::nullopt;
+  return value;
+}
 
 /// Accepts integers from lowest to highest, or numbers: so that a refusal says what is allowed.
 [[nodiscard]] CLI::Validator integer_between(long lowest, long highest);

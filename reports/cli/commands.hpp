@@ -2,7 +2,7 @@
 
 /// The subcommands of `stickslip`. Each adds itself to the application and runs from its callback, which
 /// throws std::invalid_argument or std::domain_error (and their kin) for unusable input, and
-/// CLI::RuntimeError(1) when a check has failed and has said so.
+/// CLI::RuntimeError when a check has failed or a signal has come and has said so.
 
 #include <CLI/CLI.hpp>
 
@@ -19,6 +19,9 @@ void add_animate_command(CLI::App& app);
 
 /// `criterion`: |f_max| against mu_s P, the critical amplitude, the verdict.
 void add_criterion_command(CLI::App& app);
+
+/// `map`: the criterion over two parameters, as CSV and as a figure.
+void add_map_command(CLI::App& app);
 
 /// `report`: the figures and the V&V report.
 void add_report_command(CLI::App& app);

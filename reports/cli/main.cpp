@@ -32,6 +32,7 @@ void add_commands(CLI::App& app) {
   add_respond_command(app);
   add_animate_command(app);
   add_criterion_command(app);
+  add_map_command(app);
   add_report_command(app);
   add_cases_command(app);
 }

@@ -1,0 +1,88 @@
+#include "range_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "case_options.hpp"
+
+namespace stickslip::cli {
+
+namespace {
+
+constexpr int most_values = 2000;  // along one axis
+
+constexpr std::array<std::pair<std::string_view, studies::Parameter>, 6> parameters{
+    {{"frequency", studies::Parameter::frequency},
+     {"amplitude", studies::Parameter::amplitude},
+     {"length", studies::Parameter::length},
+     {"force", studies::Parameter::axial_force},
+     {"stiffness", studies::Parameter::youngs_modulus},
+     {"friction", studies::Parameter::static_coefficient}}};
+
+[[noreturn]] void refuse(std::string_view option, std::string_view part, std::string_view value,
+                         std::string_view allowed) {
+  throw data::InputError(fmt::format("{}: {} is '{}', but must be {}", option, part, value, allowed));
+}
+
+std::vector<std::string_view> split_at_colons(std::string_view text) {
+  std::vector<std::string_view> parts;
+  for (std::size_t colon = text.find(':'); colon != std::string_view::npos; colon = text.find(':')) {
+    parts.push_back(text.substr(0, colon));
+    text.remove_prefix(colon + 1);
+  }
+  parts.push_back(text);
+  return parts;
+}
+
+Range range_of(std::string_view option, std::string_view from, std::string_view to, bool zero, bool equal) {
+  const auto lower = parse<double>(from), upper = parse<double>(to);
+  if (!lower || !std::isfinite(*lower) || *lower < 0.0 || (*lower == 0.0 && !zero))
+    refuse(option, "FROM", from, zero ? "a finite number of 0 or more" : "a finite number above 0");
+  if (!upper || !std::isfinite(*upper) || *upper < *lower || (*upper == *lower && !equal))
+    refuse(option, "TO", to, fmt::format("a finite number {} FROM, {}", equal ? "not below" : "above", from));
+  return {*lower, *upper};
+}
+
+Range from_to(std::string_view option, std::string_view text, bool equal) {
+  const auto parts = split_at_colons(text);
+  if (parts.size() != 2) refuse(option, "the range", text, "FROM:TO");
+  return range_of(option, parts[0], parts[1], false, equal);
+}
+
+studies::Parameter parameter_of(std::string_view option, std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const auto& [known, parameter] : parameters) {
+    if (known == name) return parameter;
+    names.push_back(known);
+  }
+  refuse(option, "PARAMETER", name, fmt::format("one of {}", fmt::join(names, ", ")));
+}
+
+}  // namespace
+
+Range parse_range(std::string_view option, std::string_view text) { return from_to(option, text, false); }
+
+Range parse_band(std::string_view option, std::string_view text) { return from_to(option, text, true); }
+
+studies::MapAxis parse_axis(std::string_view option, std::string_view text) {
+  const auto equals = text.find('=');
+  const auto parts = split_at_colons(equals == std::string_view::npos ? text : text.substr(equals + 1));
+  const bool logarithmic = parts.size() == 4 && parts[3] == "log";
+  if (equals == std::string_view::npos || (parts.size() != 3 && !logarithmic))
+    refuse(option, "the axis", text, "PARAMETER=FROM:TO:COUNT or PARAMETER=FROM:TO:COUNT:log");
+  const studies::Parameter parameter = parameter_of(option, text.substr(0, equals));
+  const bool zero = parameter == studies::Parameter::amplitude && !logarithmic;
+  const Range range = range_of(option, parts[0], parts[1], zero, false);
+  const auto count = parse<int>(parts[2]);
+  if (!count || *count < 2 || *count > most_values)
+    refuse(option, "COUNT", parts[2], fmt::format("an integer from 2 to {}", most_values));
+  return studies::map_axis(parameter, range.from, range.to, *count, logarithmic);
+}
+
+}  // namespace stickslip::cli

@@ -1,0 +1,63 @@
+# The criterion over two parameters: |f_max|/(mu_s P) by colour and its contour 1, from a table of x, y, ratio and
+# state. The values of an axis follow each other in equal steps, or in equal ratios where x_log or y_log is 1; x_label
+# and y_label are the names of the axes, in units of which the table's are x_scale and y_scale. White is the limit, blue
+# sticks, orange slips, hatched has no stick state.
+width = 16
+height = 10
+load 'style.gp'
+file = folder.'map.csv'
+# Cells of an image have one size: axes in equal ratios are drawn over the decadic logarithm.
+x_of(x) = x_log ? log10(x_scale * x) : x_scale * x
+y_of(y) = y_log ? log10(y_scale * y) : y_scale * y
+ratio(text) = text eq '' ? NaN : log10(real(text))
+stats file using (x_of($1)):(y_of($2)) name 'axis' nooutput
+stats file using (strcol(4) eq 'no stick state' ? 1 : 0) name 'buckled' nooutput
+limit = 'NaN'
+cells = 'NaN'
+if (buckled_min == 0) {
+  set contour base
+  unset surface
+  set cntrparam levels discrete 0
+  set table $limit
+  splot file using (x_of($1)):(y_of($2)):(ratio(strcol(3)))
+  unset contour
+  set surface
+  # A contour's table has blanks between its columns, so that of the cells gets them, too.
+  set table $cells
+  plot file using (x_of($1)):(y_of($2)):(ratio(strcol(3))) with table
+  unset table
+  cells = '$cells using 1:2:3 with image'
+  if (|$limit| > 4) { limit = '$limit using 1:2' }  # there are four lines of comment where there is no contour
+}
+set datafile separator whitespace
+unset datafile columnheaders
+
+do for [axis in 'x y'] {
+  if (value(axis.'_log')) {
+    eval sprintf("set %stics ()", axis)
+    do for [k = floor(value('axis_min_'.axis)):ceil(value('axis_max_'.axis))] {
+      eval sprintf("set %stics add ('10^{%d}' %d)", axis, k, k)
+      do for [m = 2:9] { eval sprintf("set %stics add ('' %f 1)", axis, k + log10(m)) }
+    }
+  }
+}
+set format xy '%g'
+set tics out
+unset grid
+set xlabel x_label
+set ylabel y_label offset 1
+set xrange [axis_min_x:axis_max_x]
+set yrange [axis_min_y:axis_max_y]
+set palette defined (-1 '#08519C', -0.5 blue, 0 'white', 0.5 '#E69F00', 1 vermillion)
+set cbrange [-1.5:1.5]
+set cbtics ('≤ 1/30' -1.5, '1/10' -1, '1/3' log10(1/3.0), '1' 0, '3' log10(3), '10' 1, '≥ 30' 1.5)
+set cblabel '|f_{max}| / (μ_sP)'
+set key above horizontal center samplen 3 width -3 maxcols 2
+set margins screen 0.11, screen 0.84, screen 0.125, screen 0.90
+set object 1 rectangle from graph 0, graph 0 to graph 1, graph 1 behind fillcolor rgb grey \
+    fillstyle pattern 4 noborder
+limit_title = limit eq 'NaN' ? '' : '|f_{max}| = μ_sP'
+buckled_title = 'no stick state (buckled)'
+plot @cells notitle, \
+     @limit with lines linecolor rgb black linewidth 1.2 title limit_title, \
+     for [i = 1:buckled_max] keyentry with boxes linecolor rgb grey fillstyle pattern 4 title buckled_title

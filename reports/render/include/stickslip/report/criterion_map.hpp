@@ -1,0 +1,26 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "stickslip/data/problem.hpp"
+#include "stickslip/report/csv_table.hpp"
+#include "stickslip/studies/criterion_map.hpp"
+
+namespace stickslip::report {
+
+/// "stick", "stick-slip" or "no stick state".
+[[nodiscard]] std::string to_string(studies::CellState state);
+
+/// One row per cell, with a force ratio only where there is a stick state; an empty line after each y.
+[[nodiscard]] CsvTable table_of(const data::Case& problem, const studies::CriterionMap& map);
+
+/// The map drawn by gnuplot (figures/map.gp) from its table, as the bytes of a file. `format` is "pdf" or
+/// "png". Throws std::runtime_error if gnuplot is missing or fails.
+[[nodiscard]] std::string draw(const CsvTable& table, const studies::CriterionMap& map,
+                               const std::string& format);
+
+/// Says on standard error, if that is a terminal, each further tenth of a subcommand's work that is done.
+[[nodiscard]] std::function<void(double)> progress_in_tenths(const std::string& command);
+
+}  // namespace stickslip::report

@@ -1,0 +1,126 @@
+#include "stickslip/report/criterion_map.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include "drawing.hpp"
+#include "progress.hpp"
+#include "stickslip/report/output_folder.hpp"
+
+namespace stickslip::report {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct ParameterText {
+  std::string column, unit;
+  std::string label;   // of an axis of a figure
+  double scale = 1.0;  // of the label's unit
+};
+
+ParameterText text_of(studies::Parameter parameter) {
+  switch (parameter) {
+    case studies::Parameter::frequency:
+      return {"frequency_Hz", "Hz", "excitation frequency / Hz"};
+    case studies::Parameter::amplitude:
+      return {"amplitude_m", "m", "excitation amplitude A_0 / mm", 1e3};
+    case studies::Parameter::length:
+      return {"length_m", "m", "beam length L / m"};
+    case studies::Parameter::axial_force:
+      return {"axial_force_N", "N", "axial force P / N"};
+    case studies::Parameter::youngs_modulus:
+      return {"youngs_modulus_Pa", "Pa", "Young''s modulus E / GPa", 1e-9};
+    case studies::Parameter::static_coefficient:
+      return {"static_coefficient", "1", "static friction coefficient μ_s"};
+  }
+  return {};
+}
+
+// A folder of its own that is gone in the end.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (fs::temp_directory_path() / "stickslip-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr)
+      throw std::system_error(errno, std::generic_category(), "no temporary folder " + name);
+    path_ = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;  // nothing is left to be done about a folder that cannot be removed
+    fs::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+// What the axis `name` (x or y) is called, and whether its values are in equal ratios.
+void add_axis(const std::string& name, const studies::MapAxis& axis, FigureData& figure) {
+  const ParameterText text = text_of(axis.parameter);
+  figure.variables.emplace_back(name + "_label", "'" + text.label + "'");
+  figure.variables.emplace_back(name + "_scale", csv_number(text.scale));
+  figure.variables.emplace_back(name + "_log", axis.logarithmic ? "1" : "0");
+}
+
+}  // namespace
+
+std::string to_string(studies::CellState state) {
+  switch (state) {
+    case studies::CellState::stick:
+      return "stick";
+    case studies::CellState::stick_slip:
+      return "stick-slip";
+    case studies::CellState::no_stick_state:
+      return "no stick state";
+  }
+  return {};
+}
+
+CsvTable table_of(const data::Case& problem, const studies::CriterionMap& map) {
+  const ParameterText x = text_of(map.x.parameter), y = text_of(map.y.parameter);
+  CsvTable table(fmt::format("Criterion of stick-slip for the case {}", problem.name),
+                 {{x.column, x.unit}, {y.column, y.unit}, {"force_ratio", "1"}, {"state", "-"}});
+  for (std::size_t i = 0; i < map.cells.size(); ++i) {
+    const auto& cell = map.cells[i];
+    table.add_row(
+        {csv_number(cell.x), csv_number(cell.y), csv_number(cell.force_ratio), to_string(cell.state)});
+    if ((i + 1) % map.x.values.size() == 0) table.end_grid_line();
+  }
+  return table;
+}
+
+std::string draw(const CsvTable& table, const studies::CriterionMap& map, const std::string& format) {
+  const TemporaryFolder folder;
+  OutputFolder output(folder.path());
+  output.write("map.csv", table.text());
+  FigureData figure;
+  add_axis("x", map.x, figure);
+  add_axis("y", map.y, figure);
+  const fs::path drawing =
+      draw_in_scratch("map", figure, format, "../../", {"map." + format}, output).front();
+  std::ifstream stream(drawing, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::function<void(double)> progress_in_tenths(const std::string& command) {
+  return [progress = Progress(command, false), told = 0](double share) mutable {
+    const int tenths = static_cast<int>(10.0 * share + 1e-9);
+    if (tenths > told) progress(fmt::format("{} %", 10 * tenths));
+    told = std::max(told, tenths);
+  };
+}
+
+}  // namespace stickslip::report
