@@ -23,6 +23,9 @@ void add_criterion_command(CLI::App& app);
 /// `map`: the criterion over two parameters, as CSV and as a figure.
 void add_map_command(CLI::App& app);
 
+/// `design`: the margin to slipping over a band of frequencies; lengths and axial forces that keep it.
+void add_design_command(CLI::App& app);
+
 /// `report`: the figures and the V&V report.
 void add_report_command(CLI::App& app);
 

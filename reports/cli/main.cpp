@@ -33,6 +33,7 @@ void add_commands(CLI::App& app) {
   add_animate_command(app);
   add_criterion_command(app);
   add_map_command(app);
+  add_design_command(app);
   add_report_command(app);
   add_cases_command(app);
 }
