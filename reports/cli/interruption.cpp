@@ -33,7 +33,7 @@ Interruption::~Interruption() {
 
 std::function<void(double)> Interruption::progress(std::function<void(double)> report) const {
   return [report = std::move(report)](double share) {
-    if (const int signal = received; signal != 0) {
+    if (const int signal = received.exchange(0); signal != 0) {
       fmt::print(stderr, "stickslip: interrupted\n");
       throw CLI::RuntimeError(128 + signal);
     }

@@ -70,7 +70,7 @@ class TemporaryFolder {
 // What the axis `name` (x or y) is called, and whether its values are in equal ratios.
 void add_axis(const std::string& name, const studies::MapAxis& axis, FigureData& figure) {
   const ParameterText text = text_of(axis.parameter);
-  figure.variables.emplace_back(name + "_label", "'" + text.label + "'");
+  figure.variables.emplace_back(name + "_label", fmt::format("'{}'", text.label));
   figure.variables.emplace_back(name + "_scale", csv_number(text.scale));
   figure.variables.emplace_back(name + "_log", axis.logarithmic ? "1" : "0");
 }

@@ -22,6 +22,7 @@ constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr double undecided = 1e-4;  // relative width at which a force still at the limit counts as above
 constexpr double spacing = 0.01;    // of neighbouring values, relative
 constexpr double relative_accuracy = 1e-5;  // of the ends of intervals, of the larger end of the range
+constexpr double last_share = 1.0 / 16.0;   // of that accuracy, which intervals are bisected to
 constexpr double below_buckling = 1.0 - 1e-6;
 
 void require_shaking(const data::Case& problem) {
@@ -69,8 +70,8 @@ class Candidate {
 // The scan of one range for one band.
 class Scan {
  public:
-  Scan(const data::Case& problem, Parameter parameter, const analytic::FrequencyBand& band, double accuracy)
-      : problem_(problem), parameter_(parameter), band_(band), accuracy_(accuracy) {}
+  Scan(const data::Case& problem, Parameter parameter, const analytic::FrequencyBand& band, double resolution)
+      : problem_(problem), parameter_(parameter), band_(band), resolution_(resolution) {}
 
   [[nodiscard]] Candidate at(double value) const { return {problem_, parameter_, value, band_}; }
 
@@ -82,7 +83,7 @@ class Scan {
       const double reserve = rise_between(left, right);
       if (left.sticks(reserve) && right.sticks(reserve)) return append(left, right, true, intervals);
     }
-    if (right.value() - left.value() <= accuracy_) return append(left, right, false, intervals);
+    if (right.value() - left.value() <= resolution_) return append(left, right, false, intervals);
     const Candidate middle = at(0.5 * (left.value() + right.value()));
     divide(std::move(left), middle, intervals);
     divide(middle, std::move(right), intervals);
@@ -150,7 +151,7 @@ class Scan {
   const data::Case& problem_;
   Parameter parameter_;
   analytic::FrequencyBand band_;
-  double accuracy_;
+  double resolution_;
 };
 
 // Joins what is alike.
@@ -205,7 +206,7 @@ DesignScan design_scan(const data::Case& problem, Parameter parameter, const Par
   const double last = std::min(range.to, below_buckling * buckling);
   DesignScan result{.parameter = parameter, .accuracy = relative_accuracy * range.to, .intervals = {}};
   if (range.from < last) {
-    const Scan scan(problem, parameter, band, result.accuracy);
+    const Scan scan(problem, parameter, band, last_share * result.accuracy);
     const std::vector<double> values = scan.grid({range.from, last});
     std::vector<std::vector<DesignInterval>> parts(values.size() - 1);
     in_parallel(

@@ -14,33 +14,11 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/studies/discretisation.hpp"
 #include "stickslip/studies/length_force_map.hpp"
-#include "support/beams.hpp"
+#include "support/flat_beam.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
 namespace {
-
-// The section of Fig. 14, 0.2 m by 0.02 m.
-data::BeamProperties flat_properties(double length, double axial_force) {
-  return {.length = length,
-          .area = 0.2 * 0.02,
-          .second_moment_of_area = 0.2 * 0.02 * 0.02 * 0.02 / 12.0,
-          .density = 1000.0,
-          .youngs_modulus = 2e9,
-          .axial_force = axial_force};
-}
-
-data::Beam flat_beam(double length, double axial_force) {
-  return data::Beam(flat_properties(length, axial_force));
-}
-
-data::Case flat_case() {
-  return {.name = "flat",
-          .beam = flat_beam(2.0, 500.0),
-          .friction = paper_friction(),
-          .excitation = data::HarmonicExcitation({.frequency_hz = 25.0, .amplitude = 1e-3}),
-          .numerics = data::NumericalSettings(paper_choices(10.0))};
-}
 
 // tanh(beta L) / (beta L) - tan(betabar L) / (betabar L) at 25 Hz, written out once more.
 double characteristic(double length, double axial_force) {

@@ -328,8 +328,8 @@ TEST_F(CommandLine, AnOutputFileThatIsASymbolicLinkStaysOne) {
   EXPECT_EQ(csv(contents(path("real.csv"))).size(), 102U);
 }
 
-// `animate` with a gnuplot of the test's own, or with none: what draws need not be installed here.
-class Animation : public CommandLine {
+// Commands that draw, with a gnuplot of the test's own, or with none: what draws need not be installed here.
+class Drawing : public CommandLine {
  protected:
   void SetUp() override {
     CommandLine::SetUp();
@@ -348,6 +348,12 @@ class Animation : public CommandLine {
     std::filesystem::permissions(program, std::filesystem::perms::owner_all);
   }
 
+ private:
+  const std::string old_path_ = std::getenv("PATH");
+};
+
+class Animation : public Drawing {
+ protected:
   [[nodiscard]] std::vector<std::string> frames() const {
     std::vector<std::string> names;
     for (const auto& file : std::filesystem::directory_iterator(path("film")))
@@ -368,9 +374,6 @@ class Animation : public CommandLine {
       "  cat \"${folder}frames.csv\" > $(printf frame-%04d.png $first_frame)\n"
       "  first_frame=$((first_frame + 1))\n"
       "done\n";
-
- private:
-  const std::string old_path_ = std::getenv("PATH");
 };
 
 TEST_F(Animation, HasTheFramesAskedForAndTheMotion) {
@@ -430,6 +433,156 @@ TEST_F(Animation, RefusesWhatCannotBecomeAFilm) {
   expect_refused(command("--set beam.axial_force=-5"), "beam.axial_force");
   ASSERT_EQ(run(command("--duration 0.01 --frames 4")).status, 0);
   expect_refused(command("--duration 0.01 --frames 3"), "holds frame-0004.png of a longer animation");
+}
+
+class MapCommand : public Drawing {
+ protected:
+  [[nodiscard]] std::string command(const std::string& options) const {
+    return "map paper-figure14 --duration 0.5 --output '" + path("map.csv") + "' " + options;
+  }
+
+  static constexpr const char* two_axes = "--x frequency=15:35:3 --y amplitude=1e-4:2e-3:2 ";
+};
+
+TEST_F(MapCommand, HoldsWhatCriterionSaysOfEveryCell) {
+  const auto answer = json(command("--x length=0.8:2.8:3 --y force=200:800:2:log --hz 20"));
+  EXPECT_EQ(answer["cells"], 6);
+  const auto rows = csv(contents(path("map.csv")));
+  ASSERT_EQ(rows.size(), 3u + 2u * 4u);  // two comments, the names, and an empty line after each force
+  EXPECT_EQ(rows[2], (std::vector<std::string>{"length_m", "axial_force_N", "force_ratio", "state"}));
+  int buckled = 0;
+  for (std::size_t i = 3; i < rows.size(); ++i) {
+    if (rows[i].empty()) continue;
+    const std::string place = "--set numerics.duration=0.5 --hz 20 --set beam.length=" + rows[i][0] +
+                              " --set beam.axial_force=" + rows[i][1];
+    if (rows[i][3] == "no stick state") {
+      ++buckled;
+      EXPECT_EQ(rows[i][2], "");
+      expect_refused("criterion paper-figure14 " + place, "below the buckling load");
+      continue;
+    }
+    const auto criterion = json("criterion paper-figure14 " + place);
+    const double ratio =
+        criterion["force_max_N"]["lower"].get<double>() / criterion["friction_limit_N"].get<double>();
+    EXPECT_NEAR(std::stod(rows[i][2]), ratio, 2e-10 * ratio);  // the bounds are 1e-10 apart
+    EXPECT_EQ(rows[i][3], criterion["verdict"]);
+  }
+  EXPECT_EQ(buckled, 1);
+  EXPECT_EQ(answer["states"]["no stick state"], 1);
+}
+
+TEST_F(MapCommand, FollowsTheDampingByFiniteElementsOnly) {
+  const std::string damped = "--set damping.ratio=0.05 --x frequency=24:26:2 --y friction=0.3:0.6:2 ";
+  expect_refused(command(damped), "damping.ratio is 0.05, but must be 0 for the map in closed form");
+  ASSERT_EQ(run(command(damped + "--method fe")).status, 0);
+  const auto with = csv(contents(path("map.csv")));
+  ASSERT_EQ(run(command("--x frequency=24:26:2 --y friction=0.3:0.6:2 --method fe")).status, 0);
+  EXPECT_NE(with, csv(contents(path("map.csv"))));
+}
+
+TEST_F(MapCommand, IsDrawnFromItsTableAlone) {
+  install_gnuplot("cat \"${folder}map.csv\" > $output\n");
+  for (const std::string format : {"png", "pdf"}) {
+    const Outcome outcome = run(command(two_axes + ("--figure '" + path("map." + format) + "'")));
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    EXPECT_EQ(outcome.errors, "");
+    EXPECT_EQ(contents(path("map." + format)), contents(path("map.csv")));
+  }
+  EXPECT_EQ(files().size(), 6u);  // the table, two figures, stdout, stderr, tools
+}
+
+TEST_F(MapCommand, KeepsTheMapWhenItsFigureCannotBeDrawn) {
+  install_gnuplot("echo out of paint; exit 1\n");
+  const std::string figure = two_axes + ("--figure '" + path("map.png") + "'");
+  Outcome outcome = run(command(figure));
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.errors.find("out of paint"), std::string::npos) << outcome.errors;
+  ::setenv("PATH", path("tools").c_str(), 1);
+  std::filesystem::remove(path("tools/gnuplot"));
+  outcome = run(command(figure));
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_TRUE(outcome.errors.starts_with("stickslip: gnuplot is not installed")) << outcome.errors;
+  EXPECT_TRUE(std::filesystem::exists(path("map.csv")));
+  EXPECT_EQ(files().size(), 4u);  // the table, stdout, stderr, tools
+}
+
+TEST_F(MapCommand, ThatIsInterruptedLeavesTheOldFileAndNothingElse) {
+  std::ofstream(path("map.csv")) << "old";
+  const std::string program = std::string("timeout --preserve-status -s INT 1 '") + STICKSLIP_PROGRAM + "' ";
+  const std::string far_too_long = "map paper --method fe --x frequency=1:100:500 --y length=1:2:500 ";
+  const int status = std::system((program + far_too_long + "--output '" + path("map.csv") + "' --figure '" +
+                                  path("map.png") + "' 2>'" + path("stderr") + "'")
+                                     .c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_EQ(contents(path("stderr")), "stickslip: interrupted\n");
+  EXPECT_EQ(contents(path("map.csv")), "old");
+  EXPECT_EQ(files().size(), 3u);  // the old file, stderr, tools
+}
+
+TEST_F(MapCommand, RefusesAxesThatAreNoneInOneSentence) {
+  const std::string y = " --y amplitude=0:1e-3:2";
+  expect_refused("map --x 15:35:3" + y, "--x: the axis is '15:35:3', but must be PARAMETER=FROM:TO:COUNT");
+  expect_refused("map --x frequency=15:35" + y, "--x: the axis is 'frequency=15:35', but must be");
+  expect_refused("map --x frequency=15:35:3:ln" + y, "--x: the axis is");
+  expect_refused("map --x density=15:35:3" + y,
+                 "--x: PARAMETER is 'density', but must be one of frequency, amplitude, length, force, "
+                 "stiffness, friction");
+  expect_refused("map --x length=-1:2:3" + y, "--x: FROM is '-1', but must be a finite number above 0");
+  expect_refused("map --x length=0:2:3" + y, "--x: FROM is '0', but must be a finite number above 0");
+  expect_refused("map --x length=nan:2:3" + y, "--x: FROM is 'nan'");
+  expect_refused("map --x length=1:inf:3" + y, "--x: TO is 'inf', but must be a finite number above FROM, 1");
+  expect_refused("map --x length=2:1:3" + y, "--x: TO is '1', but must be a finite number above FROM, 2");
+  expect_refused("map --x length=2:2:3" + y, "--x: TO is '2'");
+  expect_refused("map --x length=1:2:1" + y, "--x: COUNT is '1', but must be an integer from 2 to 2000");
+  expect_refused("map --x length=1:2:2.5" + y, "--x: COUNT is '2.5'");
+  expect_refused("map --x length=1:2:2 --y amplitude=0:1e-3:5:log",
+                 "--y: FROM is '0', but must be a finite number above 0");
+  expect_refused("map --x length=1:2:2 --y length=1:3:4",
+                 "both axes of the map are beam.length, but must be two parameters");
+  expect_refused(std::string("map ") + two_axes + "--figure map.jpg",
+                 "--figure is 'map.jpg', but must end in .pdf or .png");
+  expect_refused(std::string("map --json ") + two_axes, "--json needs --output FILE");
+  expect_refused(std::string("map --set beam.axial_force=0 ") + two_axes,
+                 "beam.axial_force is 0; it must be positive");
+  expect_refused(std::string("map --set beam.axial_force=1e6 ") + two_axes, "buckling load");
+  expect_refused(command(std::string(two_axes) + "--figure '" + path("none/map.png") + "'"), "none/map.png");
+  EXPECT_FALSE(std::filesystem::exists(path("map.csv")));
+}
+
+class DesignCommand : public CommandLine {};
+
+TEST_F(DesignCommand, RecommendsTheLengthsOfFigure14) {
+  const auto design = json("design paper-figure14 --band 25:25 --length 0.4:2 --force 100:1000");
+  EXPECT_EQ(design["natural_frequencies_in_band"].size(), 0u);
+  const auto criterion = json("criterion paper-figure14");
+  EXPECT_NEAR(design["margin"]["lower"].get<double>() * 1e-3, criterion["critical_amplitude_m"].get<double>(),
+              1e-12);
+  const auto& lengths = design["lengths_m"]["intervals"];
+  ASSERT_EQ(lengths.size(), 5u);
+  EXPECT_EQ(lengths[1]["state"], "stick-slip");
+  EXPECT_EQ(lengths[1]["natural_frequencies_in_band"], nlohmann::json({1}));
+  EXPECT_LT(lengths[1]["from"], 0.879);
+  EXPECT_GT(lengths[1]["to"], 0.879);
+  EXPECT_EQ(lengths[3]["natural_frequencies_in_band"], nlohmann::json({2}));
+  EXPECT_LT(lengths[3]["from"], 1.578);
+  EXPECT_GT(lengths[3]["to"], 1.578);
+  const std::string table = run("design paper-figure14 --band 25:25 --length 0.4:2 --force 100:1000").output;
+  EXPECT_NE(table.find("slips: natural frequency 1 in the band"), std::string::npos) << table;
+}
+
+TEST_F(DesignCommand, RefusesWhatItCannotAnswer) {
+  expect_refused("design", "--band is required");
+  expect_refused("design --band 20", "--band: the range is '20', but must be FROM:TO");
+  expect_refused("design --band 30:20", "--band: TO is '20', but must be a finite number not below FROM, 30");
+  expect_refused("design --band 0:20", "--band: FROM is '0', but must be a finite number above 0");
+  expect_refused("design --band 20:30 --length 2:2",
+                 "--length: TO is '2', but must be a finite number above FROM, 2");
+  expect_refused("design --band 20:30 --force -5:2", "--force: FROM is '-5'");
+  expect_refused("design --band 20:30 --amplitude 0", "excitation.amplitude is 0, but must be above 0");
+  expect_refused("design --band 20:30 --set beam.axial_force=0",
+                 "beam.axial_force is 0; it must be positive");
+  expect_refused("design damped --band 20:30",
+                 "damping.kelvin_voigt is 6.4e-05, but must be 0 for the design");
 }
 
 }  // namespace

@@ -103,7 +103,8 @@ TEST_F(ReportOutput, KeepsTheDataOfAFigureWhenGnuplotIsMissing) {
 TEST(ReportFigures, HaveAScriptEach) {
   for (const std::string& name : report::figure_names())
     EXPECT_TRUE(fs::exists(report::templates_directory() / "figures" / (name + ".gp"))) << name;
-  EXPECT_TRUE(fs::exists(report::templates_directory() / "figures" / "animation.gp"));
+  for (const std::string script : {"animation.gp", "map.gp"})
+    EXPECT_TRUE(fs::exists(report::templates_directory() / "figures" / script)) << script;
 }
 
 TEST(ReportFigures, HaveDifferentNames) {

@@ -57,16 +57,15 @@ struct DesignScan {
 
 /// Divides a range of lengths or axial forces into what avoids slipping over the whole band and what does
 /// not. At each value looked at the verdict holds for the whole band, as that of band_margin(). Values looked
-/// at are 1 % apart, and are those at which a natural frequency is at an end of the band; where both
-/// neighbours stick, they are halved until
+/// at are 1 % apart, and are those at which a natural frequency is at an end of the band. Where both
+/// neighbours stick they are halved until each has |f_max|/A0 <= mu_s P/A0 - R in reserve, with
 ///
-///     larger |f_max| + 1/8 sum_n |c_n| (change of omega_n)^2 min(T^2 q_n, b^2 T^3/(3 omega_n))  <=  mu_s
-///     P/A0
+///     R = sum_n |c_n| min((change of omega_n)^2/8 min(T^2 q_n, b^2 T^3/(3 omega_n)), 2 q_n),
 ///
-/// (each term at most 2 |c_n| q_n; symbols of BandMaximum), the leading estimate of how far |f_max| can rise
-/// in between, by the phases that the natural frequencies turn in the duration T. Ends of intervals are
-/// bisected to `accuracy`, on the side that slips. What slips at two neighbours counts as slipping in
-/// between.
+/// symbols as in BandMaximum: the leading estimate of how far |f_max| rises in between, by the phases that
+/// the natural frequencies turn in the duration T. What is undecided at a sixteenth of `accuracy`, or by 1e-4
+/// of the force, counts as slipping, and so does what lies between two neighbours that slip: intervals that
+/// stick err on the safe side.
 ///
 /// Uses two threads; the result does not depend on that. `progress`, if given, is told the share done. Throws
 /// as band_margin(), and std::invalid_argument for another parameter or unless 0 < from < to.
