@@ -20,6 +20,10 @@ void add_report_command(CLI::App& app) {
   command->add_option("--output", options->output, "Folder for vv-report.pdf and the figures (CSV, PDF, PNG)")
       ->capture_default_str();
   command
+      ->add_option("--tests", options->tests,
+                   "Folder with GoogleTest's XML files of a test run, for the traceability matrix")
+      ->type_name("FOLDER");
+  command
       ->add_option("--only", options->only,
                    fmt::format("Only these figures, without the PDF report: {}",
                                fmt::join(report::figure_names(), ", ")))

@@ -1,10 +1,18 @@
 # The criterion over two parameters: |f_max|/(mu_s P) by colour and its contour 1, from a table of x, y, ratio and
-# state. The values of an axis follow each other in equal steps, or in equal ratios where x_log or y_log is 1; x_label
-# and y_label are the names of the axes, in units of which the table's are x_scale and y_scale. White is the limit, blue
-# sticks, orange slips, hatched has no stick state.
+# state. Which parameter an axis has is x_parameter or y_parameter; its values follow each other in equal steps, or in
+# equal ratios where x_log or y_log is 1. White is the limit, blue sticks, orange slips, hatched has no stick state.
 width = 16
 height = 10
 load 'style.gp'
+values = folder.'map-values.csv'
+load 'values.gp'
+array names[6] = ['excitation frequency / Hz', 'excitation amplitude A_0 / mm', 'beam length L / m', \
+    'axial force P / N', "Young's modulus E / GPa", 'static friction coefficient μ_s']
+array scales[6] = [1, 1e3, 1, 1, 1e-9, 1]
+x_label = names[int(x_parameter)]
+y_label = names[int(y_parameter)]
+x_scale = scales[int(x_parameter)]
+y_scale = scales[int(y_parameter)]
 file = folder.'map.csv'
 # Cells of an image have one size: axes in equal ratios are drawn over the decadic logarithm.
 x_of(x) = x_log ? log10(x_scale * x) : x_scale * x

@@ -7,13 +7,14 @@
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <system_error>
+#include <vector>
 
 #include "drawing.hpp"
+#include "figures.hpp"
 #include "progress.hpp"
 #include "stickslip/report/output_folder.hpp"
+#include "stickslip/report/text_file.hpp"
 
 namespace stickslip::report {
 
@@ -21,26 +22,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct ParameterText {
-  std::string column, unit;
-  std::string label;   // of an axis of a figure
-  double scale = 1.0;  // of the label's unit
-};
-
-ParameterText text_of(studies::Parameter parameter) {
+CsvColumn column_of(studies::Parameter parameter) {
   switch (parameter) {
     case studies::Parameter::frequency:
-      return {"frequency_Hz", "Hz", "excitation frequency / Hz"};
+      return {"frequency_Hz", "Hz"};
     case studies::Parameter::amplitude:
-      return {"amplitude_m", "m", "excitation amplitude A_0 / mm", 1e3};
+      return {"amplitude_m", "m"};
     case studies::Parameter::length:
-      return {"length_m", "m", "beam length L / m"};
+      return {"length_m", "m"};
     case studies::Parameter::axial_force:
-      return {"axial_force_N", "N", "axial force P / N"};
+      return {"axial_force_N", "N"};
     case studies::Parameter::youngs_modulus:
-      return {"youngs_modulus_Pa", "Pa", "Young''s modulus E / GPa", 1e-9};
+      return {"youngs_modulus_Pa", "Pa"};
     case studies::Parameter::static_coefficient:
-      return {"static_coefficient", "1", "static friction coefficient μ_s"};
+      return {"static_coefficient", "1"};
   }
   return {};
 }
@@ -67,12 +62,10 @@ class TemporaryFolder {
   fs::path path_;
 };
 
-// What the axis `name` (x or y) is called, and whether its values are in equal ratios.
-void add_axis(const std::string& name, const studies::MapAxis& axis, FigureData& figure) {
-  const ParameterText text = text_of(axis.parameter);
-  figure.variables.emplace_back(name + "_label", fmt::format("'{}'", text.label));
-  figure.variables.emplace_back(name + "_scale", csv_number(text.scale));
-  figure.variables.emplace_back(name + "_log", axis.logarithmic ? "1" : "0");
+// What the axis `name` (x or y) shows, counted from 1, and whether its values are in equal ratios.
+void add_axis(const std::string& name, const studies::MapAxis& axis, std::vector<FigureData::Value>& values) {
+  values.push_back({name + "_parameter", static_cast<double>(axis.parameter) + 1.0, "1"});
+  values.push_back({name + "_log", axis.logarithmic ? 1.0 : 0.0, "1"});
 }
 
 }  // namespace
@@ -90,9 +83,9 @@ std::string to_string(studies::CellState state) {
 }
 
 CsvTable table_of(const data::Case& problem, const studies::CriterionMap& map) {
-  const ParameterText x = text_of(map.x.parameter), y = text_of(map.y.parameter);
-  CsvTable table(fmt::format("Criterion of stick-slip for the case {}", problem.name),
-                 {{x.column, x.unit}, {y.column, y.unit}, {"force_ratio", "1"}, {"state", "-"}});
+  CsvTable table(
+      fmt::format("Criterion of stick-slip for the case {}", problem.name),
+      {column_of(map.x.parameter), column_of(map.y.parameter), {"force_ratio", "1"}, {"state", "-"}});
   for (std::size_t i = 0; i < map.cells.size(); ++i) {
     const auto& cell = map.cells[i];
     table.add_row(
@@ -106,13 +99,11 @@ std::string draw(const CsvTable& table, const studies::CriterionMap& map, const 
   const TemporaryFolder folder;
   OutputFolder output(folder.path());
   output.write("map.csv", table.text());
-  FigureData figure;
-  add_axis("x", map.x, figure);
-  add_axis("y", map.y, figure);
-  const fs::path drawing =
-      draw_in_scratch("map", figure, format, "../../", {"map." + format}, output).front();
-  std::ifstream stream(drawing, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
+  std::vector<FigureData::Value> values;
+  add_axis("x", map.x, values);
+  add_axis("y", map.y, values);
+  output.write("map-values.csv", values_table(values).text());
+  return read_text(draw_in_scratch("map", format, "../../", {"map." + format}, output).front());
 }
 
 std::function<void(double)> progress_in_tenths(const std::string& command) {

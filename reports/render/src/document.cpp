@@ -50,9 +50,10 @@ void run_pdflatex(const fs::path& folder) {
 
 }  // namespace
 
-Document make_document(StudyResults& results, const Environment& environment) {
-  Document document = make_tables(results, environment);
-  document["numbers.tex"] = make_numbers(results, environment);
+Document make_document(StudyResults& results, const Environment& environment,
+                       const std::vector<TestResult>& tests) {
+  Document document = make_tables(results, environment, tests);
+  document["numbers.tex"] = make_numbers(results, environment, tests);
   return document;
 }
 

@@ -11,6 +11,7 @@
 #include "findings.hpp"
 #include "stickslip/data/paper.hpp"
 #include "stickslip/report/latex_text.hpp"
+#include "traceability.hpp"
 
 namespace stickslip::report {
 
@@ -275,9 +276,26 @@ void define_paper(StudyResults& results, Macros& macros) {
   macros.define("PrintedReasons", reasons_text(printed_reasons(checks)));
 }
 
+void define_traceability(const std::vector<TestResult>& tests, Macros& macros) {
+  const auto claims = data::claims();
+  macros.count("ClaimsTotal", claims.size());
+  macros.count("ClaimsHolding", claims_with(claims, data::ClaimVerdict::holds));
+  macros.count("ClaimsCorrected", claims_with(claims, data::ClaimVerdict::holds_with_correction));
+  macros.count("ClaimsFailing", claims_with(claims, data::ClaimVerdict::does_not_hold));
+  const TestCounts counts = test_counts(tests);
+  macros.count("TestsTotal", counts.tests);
+  macros.count("TestsFailed", counts.failed);
+  macros.count("TestsComparing", counts.comparing);
+  macros.count("TestsTight", counts.tight);
+  macros.count("TestsGenerous", counts.generous);
+  macros.count("Requirements", counts.requirements);
+  macros.count("Comparisons", counts.comparisons);
+}
+
 }  // namespace
 
-std::string make_numbers(StudyResults& results, const Environment& environment) {
+std::string make_numbers(StudyResults& results, const Environment& environment,
+                         const std::vector<TestResult>& tests) {
   Macros macros;
   define_environment(environment, macros);
   define_case(results.paper(), macros);
@@ -291,6 +309,7 @@ std::string make_numbers(StudyResults& results, const Environment& environment) 
   define_events(results, macros);
   define_motions(results, macros);
   define_paper(results, macros);
+  define_traceability(tests, macros);
   return macros.text();
 }
 

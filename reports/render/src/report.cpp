@@ -17,6 +17,7 @@
 #include "stickslip/report/output_folder.hpp"
 #include "study_code.hpp"
 #include "study_results.hpp"
+#include "test_results.hpp"
 
 namespace stickslip::report {
 
@@ -93,6 +94,8 @@ std::string fingerprint_of(const Document& document, const Environment& environm
 void write_report(const ReportOptions& options) {
   const std::vector<Figure> chosen = chosen_figures(options.only);
   (void)templates_directory();  // refused now rather than after the studies
+  const std::vector<TestResult> tests =
+      options.tests.empty() ? std::vector<TestResult>{} : read_test_results(options.tests);
   OutputFolder output(options.output);
   const Progress progress("report", options.quiet);
   StudyResults results(progress, study_store(output));
@@ -104,7 +107,7 @@ void write_report(const ReportOptions& options) {
   if (!options.only.empty()) return;
 
   const Environment environment = describe_environment(options, output.scratch());
-  const Document document = make_document(results, environment);
+  const Document document = make_document(results, environment, tests);
   const std::string fingerprint = fingerprint_of(document, environment, figures);
   if (output.is_current("vv-report", {"vv-report.pdf"}, fingerprint)) return;
   progress("typesetting vv-report.pdf");

@@ -9,8 +9,10 @@
 #include <utility>
 
 #include "findings.hpp"
+#include "latex_table.hpp"
 #include "stickslip/data/paper.hpp"
 #include "stickslip/report/latex_text.hpp"
+#include "traceability.hpp"
 
 namespace stickslip::report {
 
@@ -19,38 +21,11 @@ namespace {
 constexpr double millimetre = 1e-3;   // m
 constexpr double millisecond = 1e-3;  // s
 
-class Rows {
- public:
-  void add(const std::vector<std::string>& cells) {
-    text_ += fmt::format("{} \\\\\n", fmt::join(cells, " & "));
-  }
-  void space() { text_ += "\\addlinespace\n"; }
-  [[nodiscard]] const std::string& text() const { return text_; }
-
- private:
-  std::string text_;
-};
-
 std::string word_of(bool slips) { return slips ? "stick-slip" : "stick"; }
-std::string yes_or_no(bool holds) { return holds ? "yes" : "\\textbf{no}"; }
-std::string plain_number(double value) { return typeset(data::shortest_text(value)); }
-
-// At most this many digits, trailing zeros left out; with a power of ten below 1e-3 and from 1e5 on.
-std::string compact_number(double value, int digits) {
-  const double rounded = std::stod(fmt::format("{:.{}e}", value, digits - 1));
-  const double magnitude = std::abs(rounded);
-  if (magnitude == 0.0 || (magnitude >= 1e-3 && magnitude < 1e5)) return plain_number(rounded);
-  int needed = 1;
-  while (std::stod(fmt::format("{:.{}e}", rounded, needed - 1)) != rounded) ++needed;
-  return scientific(rounded, needed);
-}
-
 std::string without_full_stop(std::string text) {
   if (text.ends_with('.')) text.pop_back();
   return text;
 }
-
-std::string unit_text(const std::string& unit) { return unit == "1" ? "" : typeset(unit); }
 
 std::string summary(StudyResults& results) {
   Rows rows;
@@ -424,7 +399,8 @@ std::string environment_rows(const Environment& environment) {
 
 }  // namespace
 
-Document make_tables(StudyResults& results, const Environment& environment) {
+Document make_tables(StudyResults& results, const Environment& environment,
+                     const std::vector<TestResult>& tests) {
   return {{"table-summary.tex", summary(results)},
           {"table-parameters.tex", parameters(results)},
           {"table-unstated.tex", unstated()},
@@ -445,6 +421,11 @@ Document make_tables(StudyResults& results, const Environment& environment) {
           {"table-errata.tex", errata()},
           {"table-evidence.tex", evidence(results)},
           {"table-printed.tex", printed(results)},
+          {"table-claims.tex", claim_rows(data::claims(), tests)},
+          {"table-requirements.tex", requirement_rows(tests)},
+          {"table-named-comparisons.tex", named_comparison_rows(tests)},
+          {"table-comparisons.tex", comparison_rows(tests)},
+          {"logical-tests.tex", logical_tests(tests)},
           {"table-environment.tex", environment_rows(environment)}};
 }
 

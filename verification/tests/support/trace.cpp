@@ -45,6 +45,7 @@ class Recorder : public ::testing::EmptyTestEventListener {
     };
     if (const Requirement* requirement = requirement_of(test.test_suite_name())) {
       record("requirement", std::string(requirement->id));
+      record("requirement_position", std::to_string(requirement - requirements().data()));
       record("requirement_text", std::string(requirement->text));
       record("source", std::string(requirement->source));
     }

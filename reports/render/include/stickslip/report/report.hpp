@@ -8,7 +8,9 @@
 namespace stickslip::report {
 
 struct ReportOptions {
-  std::filesystem::path output;   ///< folder that receives the figures and vv-report.pdf; made if missing
+  std::filesystem::path output;  ///< folder that receives the figures and vv-report.pdf; made if missing
+  /// Folder with GoogleTest's XML files of a test run, for the traceability; empty for none.
+  std::filesystem::path tests{};
   std::vector<std::string> only;  ///< names of figures to render, without the PDF report; empty: everything
   bool quiet{};                   ///< no progress on standard error, even if that is a terminal
   std::string version;            ///< of the program, for the title page

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stickslip::report {
+
+/// The rows of a LaTeX table, one line each.
+class Rows {
+ public:
+  void add(const std::vector<std::string>& cells);
+  /// A row of one cell over this many columns.
+  void add_heading(const std::string& text, int columns);
+  void space() { text_ += "\\addlinespace\n"; }
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+/// The shortest text of a number, typeset.
+[[nodiscard]] std::string plain_number(double value);
+
+/// At most this many digits, trailing zeros left out; with a power of ten below 1e-3 and from 1e5 on.
+[[nodiscard]] std::string compact_number(double value, int digits);
+
+/// Nothing for the unit 1.
+[[nodiscard]] std::string unit_text(const std::string& unit);
+
+[[nodiscard]] std::string yes_or_no(bool holds);
+
+/// The name of a test, escaped, which may be broken before its capitals.
+[[nodiscard]] std::string breakable(std::string_view name);
+
+}  // namespace stickslip::report

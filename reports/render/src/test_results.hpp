@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stickslip::report {
+
+/// A comparison of two numbers that a test made.
+struct TestComparison {
+  std::string name;  ///< what was compared; may be empty
+  double computed{}, expected{}, error{}, tolerance{};
+  double margin{};  ///< error over tolerance
+  std::string tolerance_class;
+};
+
+/// A test as its XML tells of it.
+struct TestResult {
+  std::string kind;   ///< of the program that holds it: unit, order, paper, cross or slow
+  std::string suite;  ///< without the prefix of an instantiation
+  std::string name;   ///< "IsThePrintedOneByBothImplementations/Figure4a"
+  bool passed{};
+  std::string requirement, requirement_text, source;
+  int requirement_position{};  ///< in the list of requirements
+  int comparisons{};
+  std::optional<TestComparison> worst;  ///< the one with the largest margin, if there was any
+  std::vector<TestComparison> named;    ///< those with a name
+  std::string claim, finding;           ///< of the ledger, where the test judges one
+};
+
+/// The results in a folder of GoogleTest's XML files, by requirement, then suite, then name. Throws
+/// data::InputError if the folder holds no such file, or one that cannot be read.
+[[nodiscard]] std::vector<TestResult> read_test_results(const std::filesystem::path& folder);
+
+}  // namespace stickslip::report
