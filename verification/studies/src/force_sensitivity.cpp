@@ -27,10 +27,8 @@ constexpr std::size_t frequency_count = std::size(printed_frequencies);
 double per_cent(double value, double reference) { return 100.0 * (value / reference - 1.0); }
 
 double true_maximum(const data::Beam& beam, const data::HarmonicExcitation& excitation, int modes,
-                    double duration) {
-  return analytic::StickResponse(beam, excitation, modes)
-      .max_abs_friction_force(duration, relative_width)
-      .midpoint();
+                    double duration, double width = relative_width) {
+  return analytic::StickResponse(beam, excitation, modes).max_abs_friction_force(duration, width).midpoint();
 }
 
 // All modes, continuous time, with what the tail of the free vibrations can do either way.
@@ -149,7 +147,7 @@ class RowPlans {
 struct Input {
   std::string name;
   std::function<data::PrintedNumber(double hz)> printed;
-  std::function<double(double hz, double value)> force;
+  std::function<double(double hz, double value, double relative_width)> force;
 };
 
 std::vector<Input> inputs(const data::Case& paper) {
@@ -159,20 +157,22 @@ std::vector<Input> inputs(const data::Case& paper) {
   std::vector<Input> list;
   const auto add = [&](const char* name, const char* id, double data::BeamProperties::*field) {
     list.push_back({name, [id](double) { return data::printed_number(id); },
-                    [=](double hz, double value) {
-                      return true_maximum(with(beam, field, value), printed_excitation(hz), modes, duration);
+                    [=](double hz, double value, double width) {
+                      return true_maximum(with(beam, field, value), printed_excitation(hz), modes, duration,
+                                          width);
                     }});
   };
   add("E", "parameter.youngs_modulus", &data::BeamProperties::youngs_modulus);
   add("rho", "parameter.density", &data::BeamProperties::density);
   add("P", "parameter.axial_force", &data::BeamProperties::axial_force);
   add("L", "parameter.length", &data::BeamProperties::length);
-  list.push_back(
-      {"Omega",
-       [](double hz) {
-         return data::printed_number(fmt::format("excitation.frequency.{}", std::lround(hz)));
-       },
-       [=](double, double value) { return true_maximum(beam, printed_excitation(value), modes, duration); }});
+  list.push_back({"Omega",
+                  [](double hz) {
+                    return data::printed_number(fmt::format("excitation.frequency.{}", std::lround(hz)));
+                  },
+                  [=](double, double value, double width) {
+                    return true_maximum(beam, printed_excitation(value), modes, duration, width);
+                  }});
   return list;
 }
 
@@ -192,11 +192,12 @@ std::vector<InputSensitivity> input_sensitivities(const data::Case& paper, const
     const std::size_t i = index % frequency_count;
     const double hz = printed_frequencies[i], force = baseline.force[i];
     const data::PrintedNumber given = input.printed(hz);
-    const auto at = [&](double value) { return input.force(hz, value); };
+    const auto at = [&](double value) { return input.force(hz, value, relative_width); };
     sensitivity.relative[i] =
         (at(given.value * (1.0 + change)) - at(given.value * (1.0 - change))) / (2.0 * change * force);
     for (int k = -values_each_side; k <= values_each_side; ++k) {
-      const double other = per_cent(at(given.value * (1.0 + range * k / values_each_side)), force);
+      const double other =
+          per_cent(input.force(hz, given.value * (1.0 + range * k / values_each_side), 1e-7), force);
       sensitivity.lowest_change[i] = std::min(sensitivity.lowest_change[i], other);
       sensitivity.highest_change[i] = std::max(sensitivity.highest_change[i], other);
     }

@@ -41,7 +41,7 @@ data::HarmonicExcitation excitation(std::size_t i) {
 
 constexpr double duration = 10.0;
 
-TEST(ForceSensitivity, TruncationMovesTheMaximumByNoMoreThanWhatItLeavesOut) {
+void truncation_moves_the_maximum_by_no_more_than_what_it_leaves_out() {
   // | max|f_N| - max|f| | <= max|f_N - f|: the difference of the steady amplitudes and the omitted free
   // vibrations.
   for (std::size_t i = 0; i < study().frequency_hz.size(); ++i) {
@@ -60,7 +60,7 @@ TEST(ForceSensitivity, TruncationMovesTheMaximumByNoMoreThanWhatItLeavesOut) {
   }
 }
 
-TEST(ForceSensitivity, SamplingLosesNoMoreThanTheCurvatureAllows) {
+void sampling_loses_no_more_than_the_curvature_allows() {
   for (std::size_t i = 0; i < study().frequency_hz.size(); ++i) {
     const StickResponse response(paper_beam(), excitation(i), 10);
     for (const double step : {1e-5, 1e-4, 1e-3, 5e-3}) {
@@ -72,7 +72,7 @@ TEST(ForceSensitivity, SamplingLosesNoMoreThanTheCurvatureAllows) {
   }
 }
 
-TEST(ForceSensitivity, LongerHistoriesHaveLargerMaxima) {
+void longer_histories_have_larger_maxima() {
   for (std::size_t i = 0; i < study().frequency_hz.size(); ++i) {
     const double bounded_to = 1e-13 * closed_form().force[i];
     EXPECT_LE(row("duration", "5 s").force[i], closed_form().force[i] + bounded_to);
@@ -80,7 +80,7 @@ TEST(ForceSensitivity, LongerHistoriesHaveLargerMaxima) {
   }
 }
 
-TEST(ForceSensitivity, ToTheInputsObeysTheDimensions) {
+void derivatives_obey_the_dimensions() {
   // f = A0 EI/L^3 times a function of P L^2/EI and rho A L^4 Omega^2/EI at fixed Omega and duration. Scaling
   // E, rho and P alike scales f alike; and L enters through the two groups and the factor.
   const auto& inputs = study().inputs;
@@ -107,7 +107,7 @@ TEST(ForceSensitivity, ToTheInputsObeysTheDimensions) {
   }
 }
 
-TEST(ForceDigits, AreThoseOfTheRowsThatThePaperLeavesOpen) {
+void ranges_are_those_of_the_rows_left_open() {
   for (std::size_t i = 0; i < study().frequency_hz.size(); ++i) {
     const studies::ForceDigits& digits = study().digits[i];
     // No sample exceeds the true maximum.
@@ -125,7 +125,7 @@ TEST(ForceDigits, AreThoseOfTheRowsThatThePaperLeavesOpen) {
   }
 }
 
-TEST(ForceDigits, OfThePrintedValuesAreTheMethodsAndNotTheProblems) {
+void printed_digits_are_the_methods_and_not_the_problems() {
   for (const studies::ForceDigits& digits : study().digits) {
     EXPECT_TRUE(digits.method.holds_printed) << digits.frequency_hz;
     EXPECT_FALSE(digits.problem.holds_printed) << digits.frequency_hz;
@@ -134,7 +134,7 @@ TEST(ForceDigits, OfThePrintedValuesAreTheMethodsAndNotTheProblems) {
   }
 }
 
-TEST(SamplingSearch, FindsNoTrialThatReturnsAllPrintedDigits) {
+void no_trial_returns_all_printed_digits() {
   const studies::SamplingSearch& search = study().search;
   EXPECT_EQ(search.returning_all, 0);
   EXPECT_LT(search.most_returned.returned, 4);
@@ -148,6 +148,17 @@ TEST(SamplingSearch, FindsNoTrialThatReturnsAllPrintedDigits) {
       EXPECT_TRUE(within(trial->force[i], again, round_off(1e6, 1.0, again)));
     }
   }
+}
+
+// One test, for every test is a process of its own and the study takes seconds.
+TEST(ForceSensitivity, IsWhatTheoryAllowsEachFactorAndThePrintedDigitsAreTheMethods) {
+  truncation_moves_the_maximum_by_no_more_than_what_it_leaves_out();
+  sampling_loses_no_more_than_the_curvature_allows();
+  longer_histories_have_larger_maxima();
+  derivatives_obey_the_dimensions();
+  ranges_are_those_of_the_rows_left_open();
+  printed_digits_are_the_methods_and_not_the_problems();
+  no_trial_returns_all_printed_digits();
 }
 
 TEST(CommonDigits, AreThoseBothEndsRoundTo) {
