@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "drawing.hpp"
-#include "figures.hpp"
+#include "map_figure.hpp"
 #include "progress.hpp"
 #include "stickslip/report/output_folder.hpp"
 #include "stickslip/report/text_file.hpp"
@@ -68,6 +68,13 @@ void add_axis(const std::string& name, const studies::MapAxis& axis, std::vector
   values.push_back({name + "_log", axis.logarithmic ? 1.0 : 0.0, "1"});
 }
 
+std::vector<FigureData::Value> values_of(const studies::CriterionMap& map) {
+  std::vector<FigureData::Value> values;
+  add_axis("x", map.x, values);
+  add_axis("y", map.y, values);
+  return values;
+}
+
 }  // namespace
 
 std::string to_string(studies::CellState state) {
@@ -95,14 +102,15 @@ CsvTable table_of(const data::Case& problem, const studies::CriterionMap& map) {
   return table;
 }
 
+FigureData figure_of(const data::Case& problem, const studies::CriterionMap& map) {
+  return {.tables = {{"map", table_of(problem, map)}}, .values = values_of(map)};
+}
+
 std::string draw(const CsvTable& table, const studies::CriterionMap& map, const std::string& format) {
   const TemporaryFolder folder;
   OutputFolder output(folder.path());
   output.write("map.csv", table.text());
-  std::vector<FigureData::Value> values;
-  add_axis("x", map.x, values);
-  add_axis("y", map.y, values);
-  output.write("map-values.csv", values_table(values).text());
+  output.write("map-values.csv", values_table(values_of(map)).text());
   return read_text(draw_in_scratch("map", format, "../../", {"map." + format}, output).front());
 }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "findings.hpp"
+#include "map_figure.hpp"
 #include "stickslip/data/paper.hpp"
 #include "stickslip/solver/contact_system.hpp"
 
@@ -426,6 +428,37 @@ FigureData energy(StudyResults& results) {
   return data;
 }
 
+FigureData scatter(StudyResults& results) {
+  CsvTable table("Computed values against their references", {{"what", "-"},
+                                                              {"reference", "-"},
+                                                              {"known_erratum", "1"},
+                                                              {"computed", "SI"},
+                                                              {"expected", "SI"},
+                                                              {"relative_difference", "1"}});
+  const auto values = compared_values(results);
+  for (const auto& value : values) {
+    std::string what = value.what;
+    std::ranges::replace(what, ',', ';');
+    table.add_row({what, value.reference, value.known_erratum ? "1" : "0", csv_number(value.computed),
+                   csv_number(value.expected), csv_number(value.relative_difference())});
+  }
+  FigureData data;
+  for (const auto& [name, reference] : {std::pair{"printed", "printed"}, {"exact", "closed form"}}) {
+    const Agreement agreement = agreement_with(values, reference);
+    data.values.push_back({fmt::format("{}_count", name), static_cast<double>(agreement.count), "1"});
+    data.values.push_back({fmt::format("{}_bias", name), agreement.bias, "1"});
+    data.values.push_back({fmt::format("{}_spread", name), agreement.spread, "1"});
+  }
+  data.tables.push_back({"scatter", std::move(table)});
+  return data;
+}
+
+FigureData map(StudyResults& results) {
+  data::Case problem = results.paper();
+  problem.excitation = results.stick_excitation();
+  return figure_of(problem, results.stiffness_map());
+}
+
 }  // namespace
 
 CsvTable values_table(const std::vector<FigureData::Value>& values) {
@@ -448,6 +481,8 @@ const std::vector<Figure>& all_figures() {
                                            {"fig12", figure12},
                                            {"fig13", figure13},
                                            {"fig14", figure14},
+                                           {"map", map},
+                                           {"scatter", scatter},
                                            {"fig3", figure3},
                                            {"fig4", figure4},
                                            {"fig5", figure5},

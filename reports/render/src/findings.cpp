@@ -94,6 +94,39 @@ const studies::BenchmarkRun& finest_stepped(const studies::DampedBenchmark& benc
   return *finest;
 }
 
+std::vector<ComparedValue> compared_values(StudyResults& results) {
+  std::vector<ComparedValue> values;
+  for (const auto& check : results.printed_checks())
+    values.push_back({.what = check.printed.id + " by " + check.method,
+                      .reference = "printed",
+                      .computed = check.computed,
+                      .expected = check.printed.value,
+                      .known_erratum = !check.agrees()});
+  for (const auto& result : results.solution_verification().results)
+    values.push_back({.what = result.quantity,
+                      .reference = "closed form",
+                      .computed = result.levels.front().value,
+                      .expected = result.reference});
+  return values;
+}
+
+Agreement agreement_with(const std::vector<ComparedValue>& values, const std::string& reference) {
+  Agreement agreement;
+  double sum = 0.0, squares = 0.0;
+  for (const ComparedValue& value : values) {
+    if (value.reference != reference || value.known_erratum) continue;
+    const double difference = value.relative_difference();
+    ++agreement.count;
+    sum += difference;
+    squares += difference * difference;
+    agreement.largest = std::max(agreement.largest, std::abs(difference));
+  }
+  const auto count = static_cast<double>(agreement.count);
+  agreement.bias = sum / count;
+  agreement.spread = std::sqrt((squares - count * agreement.bias * agreement.bias) / (count - 1.0));
+  return agreement;
+}
+
 bool confirmed(const studies::ErratumEvidence& evidence) {
   return std::abs(evidence.corrected - evidence.reference) <= evidence.tolerance &&
          std::abs(evidence.as_printed - evidence.reference) > evidence.tolerance;

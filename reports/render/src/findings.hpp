@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <cstddef>
+#include <string>
+#include <vector>
 
 #include "study_results.hpp"
 
@@ -48,6 +50,29 @@ struct HistoryFindings {
 
 /// The time stepper's run on the most elements with the shortest step.
 [[nodiscard]] const studies::BenchmarkRun& finest_stepped(const studies::DampedBenchmark& benchmark);
+
+/// A computed value beside what it is held against.
+struct ComparedValue {
+  std::string what;       ///< "frequency.stick.1, closed form"
+  std::string reference;  ///< what it is held against: "printed" or "closed form"
+  double computed{}, expected{};
+  bool known_erratum{};  ///< a printed number that does not hold
+  [[nodiscard]] double relative_difference() const { return computed / expected - 1.0; }
+};
+
+/// Every printed result against its recomputation, and every finite-element result of the solution
+/// verification against the closed form.
+[[nodiscard]] std::vector<ComparedValue> compared_values(StudyResults& results);
+
+/// Of the relative differences, errata apart.
+struct Agreement {
+  std::size_t count{};
+  double bias{};     ///< mean
+  double spread{};   ///< standard deviation
+  double largest{};  ///< in magnitude
+};
+[[nodiscard]] Agreement agreement_with(const std::vector<ComparedValue>& values,
+                                       const std::string& reference);
 
 /// Whether the text as printed misses the reference and the corrected text meets it.
 [[nodiscard]] bool confirmed(const studies::ErratumEvidence& evidence);

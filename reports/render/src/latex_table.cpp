@@ -30,6 +30,12 @@ std::string compact_number(double value, int digits) {
   return scientific(rounded, needed);
 }
 
+std::string order_text(const studies::OrderEstimate& estimate) {
+  const std::string order = fixed(estimate.order, 3);
+  return std::isfinite(estimate.half_width) ? fmt::format("${}\\pm{}$", order, fixed(estimate.half_width, 3))
+                                            : order;
+}
+
 std::string unit_text(const std::string& unit) { return unit == "1" ? "" : typeset(unit); }
 
 std::string yes_or_no(bool holds) { return holds ? "yes" : "\\textbf{no}"; }

@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "stickslip/studies/convergence.hpp"
+
 namespace stickslip::report {
 
 /// The rows of a LaTeX table, one line each.
@@ -24,6 +26,9 @@ class Rows {
 
 /// At most this many digits, trailing zeros left out; with a power of ten below 1e-3 and from 1e5 on.
 [[nodiscard]] std::string compact_number(double value, int digits);
+
+/// An observed order and the half width of its interval.
+[[nodiscard]] std::string order_text(const studies::OrderEstimate& estimate);
 
 /// Nothing for the unit 1.
 [[nodiscard]] std::string unit_text(const std::string& unit);

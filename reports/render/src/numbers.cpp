@@ -7,8 +7,12 @@
 #include <cstddef>
 #include <numbers>
 #include <string_view>
+#include <utility>
 
 #include "findings.hpp"
+#include "latex_table.hpp"
+#include "stickslip/analytic/event_driven.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/paper.hpp"
 #include "stickslip/report/latex_text.hpp"
 #include "traceability.hpp"
@@ -18,6 +22,7 @@ namespace stickslip::report {
 namespace {
 
 constexpr double millimetre = 1e-3;   // m
+constexpr double millisecond = 1e-3;  // s
 constexpr double microsecond = 1e-6;  // s
 
 class Macros {
@@ -53,6 +58,9 @@ void define_case(const data::Case& paper, Macros& macros) {
   macros.define("CaseTimeStep", scientific(paper.numerics.time_step(), 1));
   macros.count("CaseModes", paper.numerics.modes());
   macros.plain("CaseDuration", paper.numerics.duration());
+  macros.define("EventTolerance", scientific(analytic::EventDrivenSettings{}.tolerance, 1));
+  macros.plain("CaseRadius", paper.numerics.spectral_radius());
+  macros.plain("ThresholdDeceleration", paper.numerics.velocity_threshold() / paper.numerics.time_step());
   macros.define("VelocityThreshold", scientific(paper.numerics.velocity_threshold(), 1));
 }
 
@@ -65,7 +73,7 @@ void define_frequencies(StudyResults& results, Macros& macros) {
     difference = std::max(difference, curve.largest_difference);
   macros.define("LargestShapeDifference", scientific(difference, 2));
   macros.define("FlutterClosedForm", fixed(results.flutter().closed_form, 6));
-  macros.define("FlutterOrder", fixed(results.flutter().observed_order.order, 2));
+  macros.define("FlutterOrder", order_text(results.flutter().observed_order));
 }
 
 void define_stick_history(StudyResults& results, Macros& macros) {
@@ -84,9 +92,9 @@ void define_stick_history(StudyResults& results, Macros& macros) {
   macros.define("ForceError", significant(first.force_error, 2));
   macros.define("ForceErrorPredicted", significant(first.predicted_force_error, 2));
   macros.define("ForceErrorRelative", significant(100.0 * first.force_error / study.force_peak, 2));
-  macros.define("DisplacementOrder", fixed(study.displacement_order.order, 2));
+  macros.define("DisplacementOrder", order_text(study.displacement_order));
   macros.define("DisplacementOrderPredicted", fixed(study.predicted_displacement_order, 2));
-  macros.define("ForceOrder", fixed(study.force_order.order, 2));
+  macros.define("ForceOrder", order_text(study.force_order));
   macros.define("ForceOrderPredicted", fixed(study.predicted_force_order, 2));
   macros.count("FinestElements", finest.elements);
   macros.define("FinestTimeStep", scientific(finest.time_step, 3));
@@ -107,6 +115,10 @@ double largest_printed_force_difference(const std::vector<studies::ForceMaximum>
 void define_force_maxima(StudyResults& results, Macros& macros) {
   const auto& maxima = results.force_maxima();
   const ForceDifferences largest = force_differences(maxima);
+  macros.plain("HzA", maxima[0].frequency_hz);
+  macros.plain("HzB", maxima[2].frequency_hz);
+  macros.plain("HzC", maxima[1].frequency_hz);
+  macros.plain("HzD", maxima[3].frequency_hz);
   macros.plain("PrintedAmplitude", maxima.front().amplitude / millimetre);
   macros.define("ForceSamplingLargest", significant(largest.sampling, 2));
   macros.define("ForceTruncationLargest", significant(largest.truncation, 2));
@@ -162,6 +174,14 @@ void define_criterion_diagrams(StudyResults& results, Macros& macros) {
   const auto resonance = [&](int mode) {
     return studies::resonance_length(flat.beam, mode, flat.excitation.frequency_hz());
   };
+  const double rigidity = flat.beam.youngs_modulus() * flat.beam.second_moment_of_area();
+  const double height = std::sqrt(12.0 * flat.beam.second_moment_of_area() / flat.beam.area());
+  macros.define("BucklingCoefficient", fixed(analytic::stick_buckling_load(flat.beam) * flat.beam.length() *
+                                                 flat.beam.length() / rigidity,
+                                             2));
+  macros.define("FlatHeight", significant(height, 1));
+  macros.define("FlatWidth", significant(flat.beam.area() / height, 1));
+  macros.plain("FlatLength", flat.beam.length());
   macros.plain("FlatHz", flat.excitation.frequency_hz());
   macros.plain("FlatAmplitude", flat.excitation.amplitude() / millimetre);
   macros.plain("FlatForce", flat.beam.axial_force());
@@ -185,6 +205,8 @@ void define_histories(StudyResults& results, Macros& macros) {
 void define_events(StudyResults& results, Macros& macros) {
   const auto& benchmarks = results.damped_benchmarks();
   const auto& finest = finest_stepped(benchmarks.front());
+  macros.plain("LowHz", benchmarks.front().frequency_hz);
+  macros.plain("HighHz", benchmarks.back().frequency_hz);
   macros.define("KelvinVoigt", scientific(benchmarks.front().kelvin_voigt, 2));
   macros.define("ShortestStick", significant(benchmarks.front().shortest_stick / microsecond, 2));
   std::size_t merged = 0;
@@ -224,17 +246,22 @@ void define_events(StudyResults& results, Macros& macros) {
   macros.define("SlipShareHigh", fixed(100.0 * high.slip_share, 0));
   macros.define("PerturbationLow", scientific(low.separations.front().largest * low.range, 1));
   macros.define("PerturbationHigh", scientific(high.separations.front().largest * high.range, 1));
-  macros.define("PerturbationRate", significant(low.separations.front().growth_rate, 2));
+  macros.define("Perturbation", scientific(studies::perturbation, 1));
+  macros.plain("TrustedPercent", 100.0 * studies::fine_agreement);
+  macros.plain("CoarsePercent", 100.0 * studies::coarse_agreement);
+  macros.define("ShortestPlateau", significant(studies::shortest_plateau / millisecond, 1));
+  const std::size_t literal_plateaus = results.schemes().back().plateaus.size();
+  macros.define("LiteralPlateaus", literal_plateaus == 0 ? "none" : std::to_string(literal_plateaus));
 
   const auto& audit = results.energy_audits();
-  macros.define("EnergyOrderDamped", fixed(audit.front().observed_order.order, 2));
+  macros.define("EnergyOrderDamped", order_text(audit.front().observed_order));
   macros.plain("EnergyDuration", audit.front().duration);
   macros.count("EnergyElementsDamped", audit.front().elements);
   macros.count("EnergyElementsSmall", audit[1].elements);
   macros.count("EnergyElementsMiddle", audit[2].elements);
   macros.count("EnergyElementsLarge", audit.back().elements);
-  macros.define("EnergyOrderSmall", fixed(audit[1].observed_order.order, 2));
-  macros.define("EnergyOrderMiddle", fixed(audit[2].observed_order.order, 2));
+  macros.define("EnergyOrderSmall", order_text(audit[1].observed_order));
+  macros.define("EnergyOrderMiddle", order_text(audit[2].observed_order));
   double unresolved = 0.0;
   for (const auto& balance : audit.back().stepped)
     unresolved = std::max(unresolved, std::abs(balance.residual() / balance.base_work));
@@ -276,6 +303,47 @@ void define_paper(StudyResults& results, Macros& macros) {
   macros.define("PrintedReasons", reasons_text(printed_reasons(checks)));
 }
 
+void define_solution_verification(StudyResults& results, Macros& macros) {
+  const auto& study = results.solution_verification();
+  const auto asymptotic = [](const auto& result) { return result.convergence.asymptotic; };
+  const auto covered = [](const auto& result) { return result.covered; };
+  macros.plain("VerifiedRatio", study.ratio);
+  macros.plain("VerifiedOrder", study.formal_order);
+  macros.count("VerifiedTotal", study.results.size());
+  macros.count("VerifiedCovered", std::ranges::count_if(study.results, covered));
+  macros.count("VerifiedAsymptotic", std::ranges::count_if(study.results, asymptotic));
+  macros.count("VerifiedAsymptoticCovered", std::ranges::count_if(study.results, [&](const auto& result) {
+                 return asymptotic(result) && covered(result);
+               }));
+  const auto& search = results.force_sensitivity().search;
+  macros.count("SearchMostModes", search.most_modes);
+  macros.count("SearchSteps", search.sampling_steps.size());
+  macros.count("SearchTrials", static_cast<std::size_t>(search.most_modes) * search.sampling_steps.size());
+  macros.define("SearchReturningAll",
+                search.returning_all == 0 ? "none" : std::to_string(search.returning_all));
+  macros.count("SearchMostReturned", search.most_returned.returned);
+  macros.count("SearchBestModes", search.most_returned.modes);
+  macros.define("SearchBestStep", scientific(search.most_returned.sampling_step, 1));
+}
+
+void define_agreement(StudyResults& results, Macros& macros) {
+  const auto values = compared_values(results);
+  for (const auto& [name, reference] : {std::pair{"Printed", "printed"}, {"Exact", "closed form"}}) {
+    const Agreement agreement = agreement_with(values, reference);
+    macros.count(fmt::format("{}Count", name), agreement.count);
+    macros.define(fmt::format("{}Bias", name), significant(100.0 * agreement.bias, 2));
+    macros.define(fmt::format("{}Spread", name), significant(100.0 * agreement.spread, 2));
+  }
+}
+
+void define_design(StudyResults& results, Macros& macros) {
+  const auto& design = results.design_example();
+  macros.plain("DesignFrom", design.from_hz);
+  macros.plain("DesignTo", design.to_hz);
+  macros.define("DesignMargin", significant(design.margin.margin.lower, 3));
+  macros.define("DesignWorst", significant(design.margin.frequency_hz, 4));
+}
+
 void define_traceability(const std::vector<TestResult>& tests, Macros& macros) {
   const auto claims = data::claims();
   macros.count("ClaimsTotal", claims.size());
@@ -309,6 +377,9 @@ std::string make_numbers(StudyResults& results, const Environment& environment,
   define_events(results, macros);
   define_motions(results, macros);
   define_paper(results, macros);
+  define_solution_verification(results, macros);
+  define_agreement(results, macros);
+  define_design(results, macros);
   define_traceability(tests, macros);
   return macros.text();
 }

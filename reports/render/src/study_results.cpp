@@ -241,6 +241,44 @@ const std::vector<studies::BeamMotionStudy>& StudyResults::beam_motions() {
   });
 }
 
+const studies::ForceSensitivity& StudyResults::force_sensitivity() {
+  return once(force_sensitivity_, "force-sensitivity", "what moves the printed forces",
+              [&] { return studies::force_sensitivity(paper_); });
+}
+
+const studies::SolutionVerification& StudyResults::solution_verification() {
+  return once(solution_verification_, "solution-verification", "grid convergence of each result",
+              [&] { return studies::solution_verification(paper_); });
+}
+
+const studies::CriterionMap& StudyResults::stiffness_map() {
+  return once(stiffness_map_, "stiffness-map", "criterion over frequency and stiffness", [&] {
+    data::Case problem = paper_;
+    problem.excitation = stick_excitation_;
+    const double modulus = paper_.beam.youngs_modulus();
+    return studies::criterion_map(
+        problem, studies::map_axis(studies::Parameter::frequency, 1.0, highest_frequency, 239, false),
+        studies::map_axis(studies::Parameter::youngs_modulus, 0.25 * modulus, 4.0 * modulus, 61, true),
+        studies::MapMethod::closed_form);
+  });
+}
+
+const DesignExample& StudyResults::design_example() {
+  return once(design_example_, "design-example", "lengths and forces that avoid slipping", [&] {
+    const double hz = flat_section_.excitation.frequency_hz();
+    const analytic::FrequencyBand band{hz - 1.0, hz + 1.0};
+    const auto scan = [&](studies::Parameter parameter, double from, double to) {
+      const double buckling = studies::buckling_value(flat_section_, parameter);
+      return studies::design_scan(flat_section_, parameter, {from, std::min(to, 0.999 * buckling)}, band);
+    };
+    return DesignExample{.from_hz = band.from_hz,
+                         .to_hz = band.to_hz,
+                         .margin = studies::band_margin(flat_section_, band),
+                         .lengths = scan(studies::Parameter::length, 0.4, 2.0),
+                         .forces = scan(studies::Parameter::axial_force, 50.0, 5000.0)};
+  });
+}
+
 const std::vector<studies::PrintedCheck>& StudyResults::printed_checks() {
   return once(printed_checks_, "printed-checks", "printed numbers",
               [&] { return studies::printed_checks(paper_); });

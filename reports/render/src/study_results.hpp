@@ -13,21 +13,32 @@
 #include "stickslip/studies/beam_motion.hpp"
 #include "stickslip/studies/classification.hpp"
 #include "stickslip/studies/contact_histories.hpp"
+#include "stickslip/studies/criterion_map.hpp"
 #include "stickslip/studies/critical_amplitude.hpp"
 #include "stickslip/studies/damped_benchmark.hpp"
+#include "stickslip/studies/design_guide.hpp"
 #include "stickslip/studies/energy_audit.hpp"
 #include "stickslip/studies/event_order.hpp"
 #include "stickslip/studies/force_maximum.hpp"
+#include "stickslip/studies/force_sensitivity.hpp"
 #include "stickslip/studies/frequencies.hpp"
 #include "stickslip/studies/length_force_map.hpp"
 #include "stickslip/studies/paper_checks.hpp"
 #include "stickslip/studies/predictability.hpp"
 #include "stickslip/studies/scheme_comparison.hpp"
+#include "stickslip/studies/solution_verification.hpp"
 #include "stickslip/studies/stick_history.hpp"
 #include "stickslip/studies/time_order.hpp"
 #include "study_store.hpp"
 
 namespace stickslip::report {
+
+/// What `stickslip design` says of a beam.
+struct DesignExample {
+  double from_hz{}, to_hz{};
+  studies::BandMargin margin;
+  studies::DesignScan lengths, forces;
+};
 
 class StudyResults {
  public:
@@ -63,6 +74,11 @@ class StudyResults {
   const std::vector<studies::PredictabilityStudy>& predictability();  ///< 25 and 70 Hz, undamped
   const std::vector<studies::EnergyAudit>& energy_audits();           ///< damped, then undamped, 25 Hz
   const std::vector<studies::SchemeRun>& schemes();                   ///< paper's settings, 25 Hz, 1 mm
+  const studies::ForceSensitivity& force_sensitivity();               ///< of the four printed |f_max|
+  const studies::SolutionVerification& solution_verification();
+  const studies::CriterionMap&
+  stiffness_map();                        ///< frequency and Young's modulus, at the amplitude of Fig. 4
+  const DesignExample& design_example();  ///< the section of Fig. 14 over a band around its frequency
   const std::vector<studies::PrintedCheck>& printed_checks();
   const std::vector<studies::ErratumEvidence>& errata_evidence();
 
@@ -107,6 +123,10 @@ class StudyResults {
   std::optional<std::vector<studies::PredictabilityStudy>> predictability_;
   std::optional<std::vector<studies::EnergyAudit>> energy_audits_;
   std::optional<std::vector<studies::SchemeRun>> schemes_;
+  std::optional<studies::ForceSensitivity> force_sensitivity_;
+  std::optional<studies::SolutionVerification> solution_verification_;
+  std::optional<studies::CriterionMap> stiffness_map_;
+  std::optional<DesignExample> design_example_;
   std::optional<std::vector<studies::PrintedCheck>> printed_checks_;
   std::optional<std::vector<studies::ErratumEvidence>> errata_evidence_;
 };

@@ -29,19 +29,19 @@ std::string without_full_stop(std::string text) {
 
 std::string summary(StudyResults& results) {
   Rows rows;
-  const auto order_text = [](const Range& range) {
+  const auto order_range = [](const Range& range) {
     return fmt::format("order {} to {}", fixed(range.lowest, 2), fixed(range.highest, 2));
   };
-  rows.add({"Natural frequencies, stick state", order_text(orders_of(results.stick_frequencies())),
+  rows.add({"Natural frequencies, stick state", order_range(orders_of(results.stick_frequencies())),
             "order 4 in element length"});
-  rows.add({"Natural frequencies, slip state", order_text(orders_of(results.slip_frequencies())),
+  rows.add({"Natural frequencies, slip state", order_range(orders_of(results.slip_frequencies())),
             "order 4 in element length"});
   const auto& flutter = results.flutter();
   rows.add({fmt::format("Flutter load, {} elements", flutter.elements.back()),
             fmt::format("{} $EI/L^2$", fixed(flutter.finite_element.back(), 5)),
             fmt::format("{} $EI/L^2$", fixed(flutter.closed_form, 5))});
   rows.add({"Generalised-$\\alpha$: displacement, velocity, reaction",
-            order_text(orders_of(results.time_orders())), "order 2 in time step"});
+            order_range(orders_of(results.time_orders())), "order 2 in time step"});
   const auto& level = results.stick_history().levels.front();
   rows.add({"Fig.~9, displacement, paper's settings", scientific(level.displacement_error, 2) + "\\unit{m}",
             "at most " + scientific(level.predicted_displacement_error, 2) + "\\unit{m}"});
@@ -127,7 +127,7 @@ void add_frequencies(const studies::FrequencyStudy& study, const studies::ModeSh
         rows.add({slip ? "slip" : "stick", std::to_string(mode.mode), fixed(mode.closed_form_hz, 5),
                   fixed(curve.finite_element_hz, 5),
                   scientific(curve.finite_element_hz / mode.closed_form_hz - 1.0, 2),
-                  fixed(mode.observed_order.order, 2), fixed(mode.leading_constant_ratio, 3)});
+                  order_text(mode.observed_order), fixed(mode.leading_constant_ratio, 3)});
 }
 
 std::string frequencies(StudyResults& results) {
@@ -150,8 +150,8 @@ std::string flutter(StudyResults& results) {
 std::string orders(StudyResults& results) {
   Rows rows;
   for (const auto& study : results.time_orders())
-    rows.add({plain_number(study.spectral_radius), fixed(study.displacement_order.order, 3),
-              fixed(study.velocity_order.order, 3), fixed(study.reaction_order.order, 3)});
+    rows.add({plain_number(study.spectral_radius), order_text(study.displacement_order),
+              order_text(study.velocity_order), order_text(study.reaction_order)});
   return rows.text();
 }
 
@@ -213,6 +213,89 @@ std::string guard_points(StudyResults& results) {
   return rows.text();
 }
 
+std::string verified_results(StudyResults& results) {
+  Rows rows;
+  for (const auto& result : results.solution_verification().results) {
+    const auto& convergence = result.convergence;
+    rows.add({typeset(result.quantity + (result.unit == "1" ? "" : ", " + result.unit)),
+              result.printed ? compact_number(*result.printed, 6) : "--",
+              compact_number(result.levels.front().value, 7), compact_number(result.levels.back().value, 7),
+              convergence.observed_order ? fixed(*convergence.observed_order, 2) : "--",
+              convergence.asymptotic ? "yes" : "no", compact_number(convergence.index, 2),
+              compact_number(result.true_error, 2), yes_or_no(result.covered),
+              compact_number(result.uncertainty, 2), typeset(result.obtained)});
+  }
+  return rows.text();
+}
+
+std::string signed_percent(double value) {
+  return value == 0.0 ? "0" : fmt::format("${}{}$", value > 0.0 ? "+" : "-", fixed(std::abs(value), 2));
+}
+
+// A line between the settings of one factor and the next.
+std::string sensitivity(StudyResults& results) {
+  Rows rows;
+  std::string factor;
+  bool closed_form = true;
+  for (const auto& row : results.force_sensitivity().rows) {
+    const bool goes_on = row.factor == factor && row.closed_form == closed_form;
+    if (!goes_on && !factor.empty()) rows.space();
+    factor = row.factor;
+    closed_form = row.closed_form;
+    std::vector<std::string> cells{
+        goes_on ? "" : fmt::format("{}{}", row.closed_form ? "" : "FE: ", typeset(row.factor)),
+        typeset(row.setting) + (row.left_open ? "*" : "")};
+    for (std::size_t i = 0; i < row.force.size(); ++i) {
+      cells.push_back(significant(row.force[i], 5));
+      cells.push_back(signed_percent(row.change[i]));
+    }
+    rows.add(cells);
+  }
+  return rows.text();
+}
+
+std::string input_sensitivity(StudyResults& results) {
+  Rows rows;
+  for (const auto& input : results.force_sensitivity().inputs) {
+    std::vector<std::string> cells{typeset(input.input)};
+    for (std::size_t i = 0; i < input.relative.size(); ++i) {
+      cells.push_back(significant(input.relative[i], 2));
+      cells.push_back(fmt::format("{} \\ldots{{}} {}", signed_percent(input.lowest_change[i]),
+                                  signed_percent(input.highest_change[i])));
+    }
+    rows.add(cells);
+  }
+  return rows.text();
+}
+
+std::string determined_digits(StudyResults& results) {
+  Rows rows;
+  for (const auto& digits : results.force_sensitivity().digits) {
+    const auto printed = data::printed_number(fmt::format("force_max.{}", digits.frequency_hz));
+    std::vector<std::string> cells{plain_number(digits.frequency_hz), typeset(printed.printed)};
+    for (const auto* range : {&digits.formula, &digits.method, &digits.problem}) {
+      cells.push_back(fmt::format("{} \\ldots{{}} {}", significant(range->force.lower, 7),
+                                  significant(range->force.upper, 7)));
+      cells.push_back(std::to_string(range->digits));
+      cells.push_back(yes_or_no(range->holds_printed));
+    }
+    rows.add(cells);
+  }
+  return rows.text();
+}
+
+std::string design_rows(const studies::DesignScan& scan, int decimals) {
+  Rows rows;
+  for (const auto& interval : scan.intervals) {
+    std::string why = interval.buckled ? "no stick state" : "slips";
+    if (!interval.sticks && !interval.resonances.empty())
+      why += fmt::format(": natural frequency {} in the band", fmt::join(interval.resonances, ", "));
+    rows.add({fmt::format("{} \\ldots{{}} {}", fixed(interval.from, decimals), fixed(interval.to, decimals)),
+              interval.sticks ? "sticks" : why});
+  }
+  return rows.text();
+}
+
 std::string verdicts(StudyResults& results) {
   const auto printed = data::printed_verdicts();
   const auto& histories = results.contact_histories();
@@ -263,8 +346,8 @@ std::string event_orders(StudyResults& results) {
   for (const auto& study : results.event_orders())
     for (const auto& [name, order] :
          {std::pair{"located", &study.located}, {"at the end of the step", &study.at_end_of_step}})
-      rows.add({fixed(study.spectral_radius, 1), name, fixed(order->event_time_order.order, 2),
-                fixed(order->event_position_order.order, 2), fixed(order->tip_order.order, 2),
+      rows.add({fixed(study.spectral_radius, 1), name, order_text(order->event_time_order),
+                order_text(order->event_position_order), order_text(order->tip_order),
                 scientific(order->event_time_error.back(), 1),
                 scientific(order->event_position_error.back(), 1)});
   return rows.text();
@@ -411,6 +494,12 @@ Document make_tables(StudyResults& results, const Environment& environment,
           {"table-force.tex", force(results)},
           {"table-guard.tex", guard(results)},
           {"table-guard-points.tex", guard_points(results)},
+          {"table-verified.tex", verified_results(results)},
+          {"table-sensitivity.tex", sensitivity(results)},
+          {"table-inputs.tex", input_sensitivity(results)},
+          {"table-digits.tex", determined_digits(results)},
+          {"table-design-lengths.tex", design_rows(results.design_example().lengths, 3)},
+          {"table-design-forces.tex", design_rows(results.design_example().forces, 1)},
           {"table-verdicts.tex", verdicts(results)},
           {"table-schemes.tex", schemes(results)},
           {"table-event-orders.tex", event_orders(results)},

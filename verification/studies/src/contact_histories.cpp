@@ -32,7 +32,7 @@ double trusted_time(const data::Beam& beam, const data::FrictionLaw& friction,
   const auto [low, high] = std::ranges::minmax(history.tip_displacement);
   double until = shown;
   for (const TipHistory& other : others)
-    until = std::min(until, agreeing_until(history, other, 0.01 * (high - low)));
+    until = std::min(until, agreeing_until(history, other, fine_agreement * (high - low)));
   return until;
 }
 

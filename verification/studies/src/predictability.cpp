@@ -72,9 +72,9 @@ PredictabilityStudy predictability_study(const data::Beam& beam, const data::Fri
                                          const data::HarmonicExcitation& excitation,
                                          const data::NumericalSettings& numerics, double duration,
                                          int modes) {
-  const auto continuous = [&](int count, double perturbation, analytic::SlipBasis basis) {
+  const auto continuous = [&](int count, double change, analytic::SlipBasis basis) {
     const data::HarmonicExcitation perturbed(
-        {excitation.frequency_hz(), excitation.amplitude() * (1.0 + perturbation)});
+        {excitation.frequency_hz(), excitation.amplitude() * (1.0 + change)});
     return event_driven_history(
         analytic::BeamContactModel(beam, friction, perturbed, data::Damping(), count, basis).model(),
         duration, sample);
@@ -112,16 +112,17 @@ PredictabilityStudy predictability_study(const data::Beam& beam, const data::Fri
       largest = std::max(largest, std::abs(a.tip_displacement[i] - b.tip_displacement[i]));
     Separation result;
     result.what = what;
-    result.one_percent_until = agreeing_until(a, b, 0.01 * study.range);
-    result.ten_percent_until = agreeing_until(a, b, 0.1 * study.range);
+    result.one_percent_until = agreeing_until(a, b, fine_agreement * study.range);
+    result.ten_percent_until = agreeing_until(a, b, coarse_agreement * study.range);
     result.largest = largest / study.range;
     result.changes = a.changes;
     result.other_changes = b.changes;
     set_series(a, b, 1.0 / excitation.frequency_hz(), result);
-    result.growth_rate = growth_rate_of(result, 0.1 * study.range);
+    result.growth_rate = growth_rate_of(result, coarse_agreement * study.range);
     study.separations.push_back(std::move(result));
   };
-  separate("amplitude changed by 1e-9", reference, continuous(modes, 1e-9, SlipBasis::held_modes));
+  separate(fmt::format("amplitude changed by {:.0e}", perturbation), reference,
+           continuous(modes, perturbation, SlipBasis::held_modes));
   separate(fmt::format("{} against {} modes", modes, 2 * modes), reference,
            continuous(2 * modes, 0.0, SlipBasis::held_modes));
   separate("held against free modes", reference, continuous(modes, 0.0, SlipBasis::free_modes));

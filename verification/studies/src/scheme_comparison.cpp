@@ -10,8 +10,7 @@ namespace {
 using solver::ContactEvent;
 using solver::ContactScheme;
 
-constexpr double shortest_plateau = 2e-3;  // s
-constexpr double last_plateau = 0.2;       // s, its beginning
+constexpr double last_plateau = 0.2;  // s, its beginning
 
 // In the coordinates of the solver the wall moves by -h: a contact's position on it is y(L).
 std::vector<Plateau> plateaus_of(const std::vector<ContactEvent>& events, double end_time) {

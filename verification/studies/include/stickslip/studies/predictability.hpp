@@ -8,6 +8,12 @@
 
 namespace stickslip::studies {
 
+/// Differences of y(L), as fractions of its range, up to which two histories count as alike.
+inline constexpr double fine_agreement = 0.01, coarse_agreement = 0.1;
+
+/// The relative change of the amplitude in the study of perturbations.
+inline constexpr double perturbation = 1e-9;
+
 /// Two histories of one problem that differ in one respect.
 struct Separation {
   std::string what;            ///< "20 against 40 elements"

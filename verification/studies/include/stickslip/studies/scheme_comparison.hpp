@@ -10,6 +10,9 @@
 
 namespace stickslip::studies {
 
+/// The shortest stick phase that counts as a plateau, s.
+inline constexpr double shortest_plateau = 2e-3;
+
 /// A stick phase after a slip.
 struct Plateau {
   double begin{}, end{};      ///< s
@@ -21,7 +24,7 @@ struct SchemeRun {
   solver::ContactScheme scheme{};
   std::optional<double> first_slip;                ///< s
   std::size_t events{};                            ///< changes of the contact
-  std::vector<Plateau> plateaus;                   ///< stick phases of 2 ms and more that begin within 0.2 s
+  std::vector<Plateau> plateaus;                   ///< of at least shortest_plateau that begin within 0.2 s
   double largest_tip_displacement{};               ///< max |y(L)| over the steps, m
   solver::EnergyBalance energy;                    ///< at the end
   [[nodiscard]] double relative_residual() const;  ///< energy.residual() over the base work
