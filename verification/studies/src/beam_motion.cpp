@@ -55,14 +55,6 @@ double modal_coordinate(double omega, double w, double t) {
   return (w * t * std::cos(0.5 * sum * t) * sinc(0.5 * (omega - w) * t) - std::sin(w * t)) / (sum * w);
 }
 
-// The same of the discrete oscillator.
-double modal_coordinate(double omega, const NumericalOscillation& oscillation, double t) {
-  const ForcedOscillation forced = forced_from_rest(omega, oscillation);
-  const double w = oscillation.angular_frequency, d = oscillation.decay_rate;
-  return forced.steady_sine * std::sin(omega * t) + forced.steady_cosine * std::cos(omega * t) +
-         std::exp(-d * t) * (forced.free_sine * std::sin(w * t) + forced.free_cosine * std::cos(w * t));
-}
-
 }  // namespace
 
 BeamMotion finite_element_motion(const data::Case& problem, const MotionGrid& grid) {
@@ -137,20 +129,22 @@ double predicted_stick_difference(const data::Case& problem, const MotionGrid& g
   const double step = problem.numerics.time_step();
   const analytic::StickResponse response(problem.beam, problem.excitation, modes,
                                          analytic::SteadyPart::exact);
-  std::vector<NumericalOscillation> discrete;
+  std::vector<SteppedResponse> stepped;
   for (const auto& mode : response.modes())
-    discrete.push_back(discrete_oscillation(problem.beam, mode, problem.numerics));
+    stepped.push_back(stepped_from_rest(problem.numerics.spectral_radius(),
+                                        frequency_on_mesh(problem.beam, mode, problem.numerics.elements()),
+                                        omega, step));
   double largest = 0.0, largest_motion = 0.0;
   for (const long n : snapshot_steps(grid, step)) {
     const double t = static_cast<double>(n) * step;
     if (t > until) break;
     for (const double x : positions(problem, grid)) {
       double sum = 0.0;
-      for (std::size_t k = 0; k < discrete.size(); ++k) {
+      for (std::size_t k = 0; k < stepped.size(); ++k) {
         const auto& mode = response.modes()[k];
-        sum += std::abs(
-            mode.shape(x) * omega * omega * mode.participation() *
-            (modal_coordinate(omega, discrete[k], t) - modal_coordinate(omega, mode.angular_frequency(), t)));
+        sum +=
+            std::abs(mode.shape(x) * omega * omega * mode.participation() *
+                     (stepped[k].at(n, omega * step) - modal_coordinate(omega, mode.angular_frequency(), t)));
       }
       largest = std::max(largest, problem.excitation.amplitude() * sum);
       largest_motion = std::max(largest_motion, std::abs(response.absolute_displacement(x, t)));

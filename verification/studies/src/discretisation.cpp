@@ -15,9 +15,15 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// Eigenvalues of the map (q, h v, h^2 a)_n -> (q, h v, h^2 a)_(n+1) for a free vibration, written from the
-// equations of Chung & Hulbert (1993).
-Eigen::Vector3cd amplification_eigenvalues(double spectral_radius, double omega_times_step) {
+// One step (q, h v, h^2 a)_(n+1) = map (q, h v, h^2 a)_n + load h^2 F(t_n + load_time h) of an oscillator,
+// written from the equations of Chung & Hulbert (1993).
+struct StepMap {
+  Eigen::Matrix3d map;
+  Eigen::Vector3d load;
+  double load_time;
+};
+
+StepMap step_map(double spectral_radius, double omega_times_step) {
   const double r = spectral_radius, k = omega_times_step * omega_times_step;
   const double am = (2.0 * r - 1.0) / (r + 1.0), af = r / (r + 1.0);
   const double gamma = 0.5 - am + af, beta = 0.25 * (1.0 - am + af) * (1.0 - am + af);
@@ -28,7 +34,11 @@ Eigen::Vector3cd amplification_eigenvalues(double spectral_radius, double omega_
   map.row(0) = Eigen::RowVector3d(1.0, 1.0, 0.5 - beta) + beta * acceleration;
   map.row(1) = Eigen::RowVector3d(0.0, 1.0, 1.0 - gamma) + gamma * acceleration;
   map.row(2) = acceleration;
-  return map.eigenvalues();
+  return {map, Eigen::Vector3d(beta, gamma, 1.0) / divisor, 1.0 - af};
+}
+
+Eigen::Vector3cd amplification_eigenvalues(double spectral_radius, double omega_times_step) {
+  return step_map(spectral_radius, omega_times_step).map.eigenvalues();
 }
 
 }  // namespace
@@ -62,20 +72,42 @@ std::vector<double> amplification_moduli(double spectral_radius, double omega_ti
   return sorted;
 }
 
-ForcedOscillation forced_from_rest(double omega, const NumericalOscillation& oscillation) {
-  const double w = oscillation.angular_frequency, d = oscillation.decay_rate;
-  const Complex steady = -1.0 / Complex(w * w + d * d - omega * omega, 2.0 * d * omega);
-  const double initial = -steady.imag();
-  const double initial_rate = -omega * steady.real();
-  return {steady.real(), steady.imag(), (initial_rate + d * initial) / w, initial};
+SteppedResponse stepped_from_rest(double spectral_radius, double natural_frequency, double omega,
+                                  double time_step) {
+  const StepMap step = step_map(spectral_radius, natural_frequency * time_step);
+  const Complex turn = std::polar(1.0, omega * time_step);
+  const Complex load = -time_step * time_step * std::polar(1.0, omega * time_step * step.load_time);
+  const Eigen::Vector3cd steady =
+      (turn * Eigen::Matrix3cd::Identity() - step.map.cast<Complex>()).partialPivLu().solve(load * step.load);
+  const Eigen::EigenSolver<Eigen::Matrix3d> eigen(step.map);
+  const Eigen::Vector3cd start = -steady.imag().cast<Complex>();
+  const Eigen::Vector3cd shares = eigen.eigenvectors().partialPivLu().solve(start);
+  SteppedResponse response{steady[0], {}};
+  for (Eigen::Index j = 0; j < 3; ++j) {
+    const Complex factor = eigen.eigenvalues()[j];
+    if (factor.imag() < 0.0) continue;
+    const double pair = factor.imag() > 0.0 ? 2.0 : 1.0;
+    response.free.push_back({pair * shares[j] * eigen.eigenvectors()(0, j), factor});
+  }
+  return response;
+}
+
+double SteppedResponse::at(long n, double step_angle) const {
+  const auto steps = static_cast<double>(n);
+  double sum = (steady * std::polar(1.0, step_angle * steps)).imag();
+  for (const Term& term : free) sum += (term.amplitude * std::pow(term.factor, steps)).real();
+  return sum;
+}
+
+double frequency_on_mesh(const data::Beam& beam, const analytic::StickMode& mode, int elements) {
+  return mode.angular_frequency() *
+         std::sqrt(1.0 + hermite_eigenvalue_error(beam, mode, beam.length() / elements));
 }
 
 NumericalOscillation discrete_oscillation(const data::Beam& beam, const analytic::StickMode& mode,
                                           const data::NumericalSettings& numerics) {
-  const double element_length = beam.length() / numerics.elements();
-  const double on_mesh =
-      mode.angular_frequency() * std::sqrt(1.0 + hermite_eigenvalue_error(beam, mode, element_length));
-  return generalized_alpha_oscillation(numerics.spectral_radius(), on_mesh, numerics.time_step());
+  return generalized_alpha_oscillation(
+      numerics.spectral_radius(), frequency_on_mesh(beam, mode, numerics.elements()), numerics.time_step());
 }
 
 double drift_bound(const data::Beam& beam, const std::vector<analytic::StickMode>& modes,
@@ -101,7 +133,7 @@ PredictedForce::PredictedForce(const data::Beam& beam, const data::HarmonicExcit
   const double element_length = beam.length() / numerics.elements();
   const analytic::StickResponse exact(beam, excitation, 3 * modes, analytic::SteadyPart::exact);
   const std::vector<analytic::Sinusoid> transient = exact.transient_force();
-  static_amplitude_ = exact.steady_force_amplitude();
+  rest_amplitude_ = exact.steady_force_amplitude();
   for (std::size_t n = 0; n < transient.size(); ++n) {
     const double amplitude = std::abs(transient[n].amplitude);
     if (n >= static_cast<std::size_t>(modes)) {
@@ -112,10 +144,11 @@ PredictedForce::PredictedForce(const data::Beam& beam, const data::HarmonicExcit
     const double natural = mode.angular_frequency();
     const double weight =
         scale * mode.third_derivative(beam.length()) * omega_ * omega_ * mode.participation();
-    const NumericalOscillation oscillation = discrete_oscillation(beam, mode, numerics);
-    terms_.push_back({weight, forced_from_rest(omega_, oscillation), oscillation});
+    terms_.push_back({weight, stepped_from_rest(numerics.spectral_radius(),
+                                                frequency_on_mesh(beam, mode, numerics.elements()), omega_,
+                                                numerics.time_step())});
     // The exact steady amplitude holds this mode's undamped, exact share already.
-    static_amplitude_ -= weight / (omega_ * omega_ - natural * natural);
+    rest_amplitude_ -= weight / (omega_ * omega_ - natural * natural);
 
     const double error = hermite_eigenvalue_error(beam, mode, element_length);
     const double next_term = std::pow(mode.trigonometric_wave_number() * element_length, 2) / 40.0;
@@ -127,32 +160,26 @@ PredictedForce::PredictedForce(const data::Beam& beam, const data::HarmonicExcit
 
 double PredictedForce::uncertainty() const {
   const double step_angle = omega_ * time_step_;
-  return phase_uncertainty_ + max_abs() * 0.25 * step_angle * step_angle;
+  return phase_uncertainty_ + std::abs(rest_amplitude_) * 0.125 * step_angle * step_angle;
 }
 
 double PredictedForce::max_abs() const {
   // Every sinusoid is advanced by one complex multiplication a step.
-  struct Phasor {
-    Complex value, factor;
-  };
-  // a sin + b cos is the real part of (b - i a) exp(i w t).
-  Complex steady(0.0, -static_amplitude_);
-  std::vector<Phasor> free;
+  Complex steady = rest_amplitude_;
+  std::vector<SteppedResponse::Term> free;
   for (const Term& term : terms_) {
-    const ForcedOscillation& forced = term.forced;
-    steady += term.weight * Complex(forced.steady_cosine, -forced.steady_sine);
-    const Complex exponent(-term.oscillation.decay_rate, term.oscillation.angular_frequency);
-    free.push_back(
-        {term.weight * Complex(forced.free_cosine, -forced.free_sine), std::exp(exponent * time_step_)});
+    steady += term.weight * term.response.steady;
+    for (const SteppedResponse::Term& vibration : term.response.free)
+      free.push_back({term.weight * vibration.amplitude, vibration.factor});
   }
   const Complex turn = std::polar(1.0, omega_ * time_step_);
   double largest = 0.0;
   for (long n = 0; n <= steps_; ++n) {
-    double force = steady.real();
-    for (const Phasor& phasor : free) force += phasor.value.real();
+    double force = steady.imag();
+    for (const SteppedResponse::Term& vibration : free) force += vibration.amplitude.real();
     largest = std::max(largest, std::abs(force));
     steady *= turn;
-    for (Phasor& phasor : free) phasor.value *= phasor.factor;
+    for (SteppedResponse::Term& vibration : free) vibration.amplitude *= vibration.factor;
   }
   return largest;
 }

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/data/case_file.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
+#include "stickslip/solver/generalized_alpha.hpp"
 #include "stickslip/studies/convergence.hpp"
 #include "stickslip/studies/discretisation.hpp"
 #include "stickslip/studies/force_maximum.hpp"
@@ -65,7 +67,7 @@ TEST(Figure9Refined, DisplacementIsWithin1em5AndForceWithin5em4OfThePeak) {
 class ForceMaximumAt : public ::testing::TestWithParam<double> {};
 
 TEST_P(ForceMaximumAt, FiniteElementsReturnThePredictedMaximum) {
-  for (const double radius : {0.9, 1.0}) {
+  for (const double radius : {0.5, 0.9, 1.0}) {
     const auto study = studies::force_maximum_study(
         paper_beam(), data::HarmonicExcitation({GetParam(), 0.5e-3}), settings(10.0, radius));
     EXPECT_TRUE(within(study.finite_element, study.predicted_finite_element,
@@ -78,6 +80,96 @@ TEST_P(ForceMaximumAt, FiniteElementsReturnThePredictedMaximum) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Hertz, ForceMaximumAt, ::testing::Values(15.0, 25.0, 35.0, 70.0), NameOfDouble());
+
+TEST(ForceMaximumOfTheFlatSection, IsThePredictedOneWhateverTheStep) {
+  // Fig. 14 at L = 0.767 m, P = 200 N, under the first resonance: a modest force in which the high free
+  // vibrations count, whose amplitudes the steps change by a quarter of (omega_n h)^2.
+  data::Case figure = data::load_case("paper-figure14");
+  data::BeamProperties properties = figure.beam.properties();
+  properties.length = 0.767;
+  properties.axial_force = 200.0;
+  const data::Beam beam(properties);
+  for (const double step : {2e-4, 1e-4, 5e-5}) {
+    data::NumericalChoices choices = figure.numerics.choices();
+    choices.time_step = step;
+    const data::NumericalSettings numerics(choices);
+    const studies::PredictedForce predicted(beam, figure.excitation, numerics, 20);
+    const double computed = solver::max_abs_friction_force(beam, figure.excitation, numerics);
+    EXPECT_TRUE(within(computed, predicted.max_abs(),
+                       discretisation(predicted.uncertainty(), 1.0, "PredictedForce::uncertainty")))
+        << step;
+    EXPECT_LT(predicted.uncertainty(), 2e-3 * computed) << step;
+  }
+}
+
+// The method on one oscillator from rest, step by step as the solver does it.
+std::vector<double> stepped_oscillator(double spectral_radius, double natural, double omega, double h,
+                                       int steps) {
+  const solver::GeneralizedAlpha method(spectral_radius);
+  const double stiffness = natural * natural;
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(1);
+  solver::Kinematics state{zero, zero, zero}, alpha_level{zero, zero, zero};
+  std::vector<double> history{0.0};
+  for (int n = 0; n < steps; ++n) {
+    method.predict(state, h, alpha_level);
+    const double residual = -std::sin(omega * method.load_time(n * h, h)) - alpha_level.acceleration[0] -
+                            stiffness * alpha_level.displacement[0];
+    method.update(state, h,
+                  Eigen::VectorXd::Constant(
+                      1, residual / (method.mass_factor() + stiffness * method.stiffness_factor(h))));
+    history.push_back(state.displacement[0]);
+  }
+  return history;
+}
+
+class SteppedFromRest : public ::testing::TestWithParam<double> {};
+
+TEST_P(SteppedFromRest, IsWhatTheMethodComputes) {
+  // From well resolved to stiff, and next to resonance, where both parts are large and opposite.
+  const double omega = 2.0 * std::numbers::pi * 25.0, h = 1e-4;
+  for (const double natural : {0.3 * omega, 1.001 * omega, 40.0 * omega, 300.0 * omega}) {
+    const auto response = studies::stepped_from_rest(GetParam(), natural, omega, h);
+    const auto history = stepped_oscillator(GetParam(), natural, omega, h, 4000);
+    double largest = 0.0, difference = 0.0;
+    for (std::size_t n = 0; n < history.size(); ++n) {
+      largest = std::max(largest, std::abs(history[n]));
+      difference = std::max(difference, std::abs(history[n] - response.at(static_cast<long>(n), omega * h)));
+    }
+    // Differences of second order in h are formed at each of 4000 steps: 1/(w h)^2 or 1/(Omega h)^2 of eps.
+    const double condition = 1.0 / std::pow(std::min(natural, omega) * h, 2);
+    EXPECT_TRUE(within(difference, 0.0, round_off(4000, condition, largest))) << natural / omega;
+  }
+}
+
+TEST_P(SteppedFromRest, HasTheAmplitudeThatTheModifiedEquationsGive) {
+  // What is left falls as the fourth power of w h; (Omega/w)^2 = 1e-8 of the second power is nothing here.
+  const double natural = 1.0, omega = 1e-4;
+  const double exact = omega / (natural * (natural * natural - omega * omega));
+  const double d = (1.0 - GetParam()) / (1.0 + GetParam());  // alpha_f - alpha_m
+  std::vector<double> angles{0.2, 0.1, 0.05, 0.025}, amplitudes, frequencies;
+  for (const double angle : angles) {
+    const auto response = studies::stepped_from_rest(GetParam(), natural, omega, angle / natural);
+    const auto principal =
+        std::ranges::max_element(response.free, {}, [](const auto& term) { return term.factor.imag(); });
+    const double square = angle * angle;
+    amplitudes.push_back(std::abs(std::abs(principal->amplitude) / exact - (1.0 - 0.375 * d * d * square)));
+    frequencies.push_back(
+        std::abs(std::arg(principal->factor) / angle - (1.0 - 0.5 * (1.0 / 6.0 + 0.75 * d * d) * square)));
+  }
+  // The slopes are off by the sixth power against the fourth: (w h)^2 = 0.04 on the coarsest level, times a
+  // ratio of coefficients of a few.
+  EXPECT_NEAR(observed_order(angles, frequencies), 4.0, 0.1);
+  if (d > 0.0) {
+    EXPECT_NEAR(observed_order(angles, amplitudes), 4.0, 0.1);
+  } else {
+    // The trapezoidal rule keeps the amplitude to all orders of w h, and to the second of Omega h.
+    for (std::size_t i = 0; i < angles.size(); ++i)
+      EXPECT_LT(amplitudes[i], std::pow(omega / natural * angles[i], 2));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(SpectralRadius, SteppedFromRest, ::testing::Values(0.0, 0.5, 0.9, 1.0),
+                         NameOfDouble());
 
 // Energy of the beam relative to its base.
 double energy(const solver::BeamSimulation& s) {

@@ -45,7 +45,7 @@ struct BeamMotion {
 [[nodiscard]] double largest_difference(const BeamMotion& a, const BeamMotion& b, double until);
 
 /// What finite elements may differ by from the closed form in the stick state, over the snapshots of the grid
-/// up to a time, m: with g_n of Eq. (26), and its like with discrete_oscillation() for omega_n,
+/// up to a time, m: with g_n of Eq. (26), and its like by frequency_on_mesh() and stepped_from_rest(),
 ///
 ///     max over x, t of A0 sum_n |U_n(x) Omega^2 C_n| |g_n,h(t) - g_n(t)|  +  (Omega h)^2/4 max|y|,
 ///
