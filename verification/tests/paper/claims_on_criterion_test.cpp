@@ -82,7 +82,7 @@ TEST(ClaimInAbstract, OccurrenceIsAssociatedWithTheModes) {
 }
 
 // Frequencies off and near resonance, for both sides of the criterion.
-constexpr std::array probes{10.0, 20.0, 28.0, 45.0, 60.0, 78.0, 95.0, 115.0};
+constexpr std::array probes{10.0, 20.0, 28.0, 45.0, 78.0, 115.0};
 
 TEST(ClaimOnEquation29, BelowTheLimitTheTipNeverSlips) {
   int slips = 0;
@@ -135,20 +135,16 @@ TEST(ClaimOnFigure10, MuSPIs300N) {
 }
 
 TEST(ClaimOnFigure10, TheMaximumGrowsWithTheAmplitude) {
-  bool grows = true;
-  double half = 0.0;
+  double departure = 0.0;
   for (const double hz : probes) {
-    const auto at = [&](double a) {
+    const auto at = [hz](double a) {
       return solver::max_abs_friction_force(paper().beam, excitation(hz, a), paper().numerics);
     };
-    const double small = at(0.1e-3), middle = at(0.5e-3);
-    grows &= small < middle;
-    half = std::max(half, std::abs(middle / small - 5.0));
+    departure = std::max(departure, std::abs(at(0.5e-3) / at(0.1e-3) - 5.0));
   }
-  judge({.as_printed = grows && half < 1e-6},
-        fmt::format("from 0.1 to 0.5 mm |f_max| of finite elements grows five times at each of {} "
-                    "frequencies, to {:.0e}",
-                    probes.size(), half));
+  judge({.as_printed = departure < 1e-6}, fmt::format("from 0.1 to 0.5 mm |f_max| of finite elements grows "
+                                                      "five times at each of {} frequencies, to {:.0e}",
+                                                      probes.size(), departure));
 }
 
 TEST(ClaimOnFigure10, TheMaximumGenerallyGrowsWithTheFrequency) {
@@ -313,32 +309,42 @@ TEST(ClaimOnFigure13, ItsNaturalFrequenciesAreLower) {
                                            half[2].frequency_hz() / whole[2].frequency_hz()));
 }
 
-// Half over whole rigidity at frequencies that are the same in parts of the first natural one.
-struct ScaledComparison {
-  std::vector<double> hz;  // of the whole beam
-  std::vector<double> ratio;
-  double second_half_hz{};  // second natural frequency of the half beam on the scale of the whole one
-  double second_whole_hz{};
+// Half against whole rigidity on an axis on which the first natural frequencies coincide, Hz of the whole
+// beam.
+struct ScaledAxis {
+  double scale{};  // half over whole
+  double second_whole_hz{}, second_half_hz{};
 
-  [[nodiscard]] bool is_near_second(double f) const {
-    return f > std::min(second_half_hz, second_whole_hz) - 1.0 &&
-           f < std::max(second_half_hz, second_whole_hz) + 1.0;
+  [[nodiscard]] bool is_near_second(double hz) const {
+    return hz > std::min(second_whole_hz, second_half_hz) - 1.0 &&
+           hz < std::max(second_whole_hz, second_half_hz) + 1.0;
   }
 };
 
-ScaledComparison scaled_comparison() {
+ScaledAxis scaled_axis() {
   const auto whole = analytic::stick_modes(paper().beam, 2),
              half = analytic::stick_modes(half_stiff_beam(), 2);
   const double scale = half[0].frequency_hz() / whole[0].frequency_hz();
-  ScaledComparison c;
-  c.hz = frequencies(1.0, 120.0, 0.25);
+  return {scale, whole[1].frequency_hz(), half[1].frequency_hz() / scale};
+}
+
+// Critical amplitude with half of the rigidity over that with the whole, at the same place of the scaled
+// axis.
+struct ScaledComparison {
+  ScaledAxis axis;
+  std::vector<double> hz, ratio;
+};
+
+// 1 to 120 Hz by 0.5 Hz, and the second natural frequencies of both.
+ScaledComparison scaled_comparison() {
+  ScaledComparison c{scaled_axis(), frequencies(1.0, 120.0, 0.5), {}};
+  c.hz.push_back(c.axis.second_whole_hz);
+  c.hz.push_back(c.axis.second_half_hz);
   std::vector<double> scaled;
-  for (const double f : c.hz) scaled.push_back(scale * f);
-  const auto of_whole = critical_amplitudes(paper().beam, c.hz),
-             of_half = critical_amplitudes(half_stiff_beam(), scaled);
-  for (std::size_t i = 0; i < c.hz.size(); ++i) c.ratio.push_back(of_half[i] / of_whole[i]);
-  c.second_half_hz = half[1].frequency_hz() / scale;
-  c.second_whole_hz = whole[1].frequency_hz();
+  for (const double hz : c.hz) scaled.push_back(c.axis.scale * hz);
+  const auto whole = critical_amplitudes(paper().beam, c.hz),
+             half = critical_amplitudes(half_stiff_beam(), scaled);
+  for (std::size_t i = 0; i < c.hz.size(); ++i) c.ratio.push_back(half[i] / whole[i]);
   return c;
 }
 
@@ -353,7 +359,7 @@ Larger larger_critical_amplitudes(const ScaledComparison& c) {
     if (c.ratio[i] > 1.0)
       ++result.larger;
     else
-      result.exceptions_are_near_second &= c.is_near_second(c.hz[i]);
+      result.exceptions_are_near_second &= c.axis.is_near_second(c.hz[i]);
     if (c.ratio[i] < result.lowest) {
       result.lowest = c.ratio[i];
       result.at_hz = c.hz[i];
@@ -363,10 +369,10 @@ Larger larger_critical_amplitudes(const ScaledComparison& c) {
 }
 
 TEST(ClaimOnFigure13, ScalingPutsTheResonancesInTheSamePlaces) {
-  const ScaledComparison c = scaled_comparison();
-  judge({.as_printed = std::abs(c.second_half_hz / c.second_whole_hz - 1.0) < 0.01},
+  const ScaledAxis axis = scaled_axis();
+  judge({.as_printed = std::abs(axis.second_half_hz / axis.second_whole_hz - 1.0) < 0.01},
         fmt::format("with the first ones on top of each other, the second ones stand at {:.2f} and {:.2f} Hz",
-                    c.second_half_hz, c.second_whole_hz));
+                    axis.second_half_hz, axis.second_whole_hz));
 }
 
 TEST(ClaimOnFigure13, TheCriticalAmplitudeIsLarger) {
@@ -376,14 +382,14 @@ TEST(ClaimOnFigure13, TheCriticalAmplitudeIsLarger) {
   judge({.as_printed = found.larger == found.all, .corrected = found.exceptions_are_near_second},
         fmt::format("on a scaled grid up to 120 Hz it is larger at {} of {} frequencies, {:.2f} times as "
                     "large in the median; smallest ratio "
-                    "{:.2f}, at {:.2f} Hz, between the second resonances of the two ({:.2f} and {:.2f} Hz)",
+                    "{:.2f}, at {:.2f} Hz, beside the second resonances of the two ({:.2f} and {:.2f} Hz)",
                     found.larger, found.all, c.ratio[c.ratio.size() / 2], found.lowest, found.at_hz,
-                    c.second_half_hz, c.second_whole_hz));
+                    c.axis.second_half_hz, c.axis.second_whole_hz));
 }
 
 TEST(ClaimOnFigure13, ALowRigidityBeamBetterResistsStickSlip) {
   // As it stands: at the same excitation.
-  const auto hz = frequencies(1.0, 120.0, 0.5);
+  const auto hz = frequencies(1.0, 120.0, 1.0);
   const auto whole = critical_amplitudes(paper().beam, hz), half = critical_amplitudes(half_stiff_beam(), hz);
   int larger = 0;
   double worst = 1.0, worst_hz = 0.0;
@@ -426,7 +432,7 @@ TEST(ClaimInConclusions, LowerRigidityIsMoreStableAtTheNormalisedFrequency) {
         fmt::format("the critical amplitude is larger at {} of {} normalised frequencies; the exceptions lie "
                     "within 1 Hz of the second resonances, "
                     "{:.2f} and {:.2f} Hz",
-                    found.larger, found.all, c.second_half_hz, c.second_whole_hz));
+                    found.larger, found.all, c.axis.second_half_hz, c.axis.second_whole_hz));
 }
 
 }  // namespace
