@@ -234,6 +234,24 @@ void add_figure_errata(const data::Case& paper, std::vector<ErratumEvidence>& ev
                       0.0});
 }
 
+void add_sign_and_scaling_errata(const data::Case& paper, std::vector<ErratumEvidence>& evidence) {
+  data::Case half = paper;
+  half.beam = with(paper.beam, &data::BeamProperties::youngs_modulus, 0.5 * paper.beam.youngs_modulus());
+  const double closed_form = closed_form_force(half, 15.0) / closed_form_force(paper, 15.0);
+  const double finite_element = finite_element_force(half, 15.0) / finite_element_force(paper, 15.0);
+  evidence.push_back({"E11",
+                      "|f_max| at 15 Hz with half of E I over that with E I (reference: finite elements)",
+                      "1", 0.5, closed_form, finite_element, 0.01 * finite_element});
+  // Per metre of base displacement, the tip held: u = S h.
+  const double shear = paper.beam.youngs_modulus() * paper.beam.second_moment_of_area() *
+                       analytic::QuasiStaticShape(paper.beam).third_derivative(paper.beam.length());
+  const solver::BeamModel model(paper.beam, paper.numerics.elements());
+  const double row = -(model.slip_stiffness() * model.unit_tip_deflection())[model.tip_deflection()];
+  evidence.push_back(
+      {"E13", "force of Eq. (9), static, tip held (as printed: f of Eq. 28, reference: finite elements)",
+       "N/m", shear, -shear, row, 1e-6 * std::abs(row)});
+}
+
 }  // namespace
 
 std::vector<PrintedCheck> printed_checks(const data::Case& paper) {
@@ -249,6 +267,7 @@ std::vector<ErratumEvidence> errata_evidence(const data::Case& paper) {
   add_section_errata(paper, evidence);
   add_force_errata(paper, evidence);
   add_figure_errata(paper, evidence);
+  add_sign_and_scaling_errata(paper, evidence);
   return evidence;
 }
 

@@ -136,6 +136,19 @@ TEST(Unstated, NamesWhatTheCaseFileChose) {
   EXPECT_TRUE(choice_is(std::to_string(problem.numerics.elements())));
 }
 
+TEST(Claims, HaveAVerdictAndACorrectionWhereTheyDoNotHoldAsPrinted) {
+  const auto rows = data::claims();
+  EXPECT_GE(rows.size(), 60U);
+  for (const auto& row : rows)
+    EXPECT_EQ(row.correction.empty(), row.verdict == data::ClaimVerdict::holds) << row.id;
+}
+
+TEST(Claims, NameEveryErratum) {
+  std::set<std::string> named;
+  for (const auto& row : data::claims()) named.insert(row.erratum);
+  for (const auto& erratum : data::errata()) EXPECT_TRUE(named.contains(erratum.id)) << erratum.id;
+}
+
 // A data folder of its own.
 class MalformedPaperFile : public ::testing::Test {
  protected:

@@ -38,7 +38,7 @@ struct ErratumEvidence {
   double tolerance{};  ///< |corrected - reference| must not exceed it; |as_printed - reference| must
 };
 
-/// At least one row per erratum that has a number in it (E1 to E6, E8 to E10; E7 is wording alone).
+/// At least one row per erratum that has a number in it (all but E7 and E12, which are wording).
 [[nodiscard]] std::vector<ErratumEvidence> errata_evidence(const data::Case& paper);
 
 }  // namespace stickslip::studies
