@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "stickslip/analytic/criterion.hpp"
@@ -148,6 +150,26 @@ TEST(DesignScan, FindsAResonanceFarNarrowerThanItsSpacing) {
   EXPECT_GT(avoided.to, resonance);
   EXPECT_LT(avoided.to - avoided.from, 0.005 * resonance);
   expect_ends_of_the_criterion(problem, scan, 25.0);
+}
+
+TEST(DesignScan, FindsAPeakBetweenTheValuesOfItsGrid) {
+  // Over a few periods the peak is wide and stands beside the resonance; an amplitude of 0.05 % over what it
+  // takes leaves a part of that width only.
+  for (const double duration : {0.15, 0.2, 0.25, 0.3, 0.4}) {
+    data::Case problem = flat_case();
+    problem.numerics = data::NumericalSettings(paper_choices(duration));
+    const auto critical_amplitude = [&](double length) {
+      const data::Case there = with_value(problem, Parameter::length, length);
+      return 1e-3 * studies::band_margin(there, {25.0, 25.0}).margin.upper;
+    };
+    double least = critical_amplitude(0.8), worst = 0.8;
+    for (double length = 0.8; length < 1.0; length += 1e-4)
+      if (const double critical = critical_amplitude(length); critical < least)
+        std::tie(least, worst) = std::pair(critical, length);
+    const auto scan = studies::design_scan(with_value(problem, Parameter::amplitude, 1.0005 * least),
+                                           Parameter::length, {0.8, 1.0}, {25.0, 25.0});
+    EXPECT_FALSE(interval_at(scan, worst).sticks) << duration;
+  }
 }
 
 TEST(DesignScan, HoldsThroughoutABand) {

@@ -508,7 +508,8 @@ TEST_F(MapCommand, KeepsTheMapWhenItsFigureCannotBeDrawn) {
 
 TEST_F(MapCommand, ThatIsInterruptedLeavesTheOldFileAndNothingElse) {
   std::ofstream(path("map.csv")) << "old";
-  const std::string program = std::string("timeout --preserve-status -s INT 1 '") + STICKSLIP_PROGRAM + "' ";
+  const std::string program =
+      std::string("timeout --preserve-status -k 20 -s INT 1 '") + STICKSLIP_PROGRAM + "' ";
   const std::string far_too_long = "map paper --method fe --x frequency=1:100:500 --y length=1:2:500 ";
   const int status = std::system((program + far_too_long + "--output '" + path("map.csv") + "' --figure '" +
                                   path("map.png") + "' 2>'" + path("stderr") + "'")
