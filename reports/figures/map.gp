@@ -40,12 +40,17 @@ if (buckled_min == 0) {
 set datafile separator whitespace
 unset datafile columnheaders
 
+# Decades have a label, and where there are few of them their 2 and 5, too.
+few(axis) = value('axis_max_'.axis) - value('axis_min_'.axis) < 2
+label(axis, k, m) = few(axis) ? (m == 1 || m == 2 || m == 5 ? sprintf('%g', m * 10.0**k) : '') : \
+                    m == 1 ? sprintf('10^{%d}', k) : ''
 do for [axis in 'x y'] {
   if (value(axis.'_log')) {
     eval sprintf("set %stics ()", axis)
     do for [k = floor(value('axis_min_'.axis)):ceil(value('axis_max_'.axis))] {
-      eval sprintf("set %stics add ('10^{%d}' %d)", axis, k, k)
-      do for [m = 2:9] { eval sprintf("set %stics add ('' %f 1)", axis, k + log10(m)) }
+      do for [m = 1:9] {
+        eval sprintf("set %stics add ('%s' %.15g %d)", axis, label(axis, k, m), k + log10(m), label(axis, k, m) eq '')
+      }
     }
   }
 }
@@ -53,7 +58,7 @@ set format xy '%g'
 set tics out
 unset grid
 set xlabel x_label
-set ylabel y_label offset 1
+set ylabel y_label
 set xrange [axis_min_x:axis_max_x]
 set yrange [axis_min_y:axis_max_y]
 set palette defined (-1 '#08519C', -0.5 blue, 0 'white', 0.5 '#E69F00', 1 vermillion)
@@ -61,7 +66,7 @@ set cbrange [-1.5:1.5]
 set cbtics ('≤ 1/30' -1.5, '1/10' -1, '1/3' log10(1/3.0), '1' 0, '3' log10(3), '10' 1, '≥ 30' 1.5)
 set cblabel '|f_{max}| / (μ_sP)'
 set key above horizontal center samplen 3 width -3 maxcols 2
-set margins screen 0.11, screen 0.84, screen 0.125, screen 0.90
+set margins screen 0.115, screen 0.84, screen 0.125, screen 0.90
 set object 1 rectangle from graph 0, graph 0 to graph 1, graph 1 behind fillcolor rgb grey \
     fillstyle pattern 4 noborder
 limit_title = limit eq 'NaN' ? '' : '|f_{max}| = μ_sP'
