@@ -11,7 +11,7 @@ squeezed(d) = asinh(1e5 * d)
 set multiplot
 set tmargin at screen 0.93
 set bmargin at screen 0.30
-set key at screen 0.5, 0.015 center bottom horizontal samplen 1.2 width 1 maxcols 3
+set key at screen 0.5, 0.015 center bottom maxrows 2 vertical reverse Left samplen 1.2
 
 set lmargin at screen 0.09
 set rmargin at screen 0.42
@@ -44,9 +44,9 @@ set ytics ('−10^{−1}' squeezed(-1e-1), '−10^{−2}' squeezed(-1e-2), '−1
     '−10^{−4}' squeezed(-1e-4), '0' 0, '10^{−4}' squeezed(1e-4), '10^{−3}' squeezed(1e-3), '10^{−2}' squeezed(1e-2), \
     '10^{−1}' squeezed(1e-1))
 set object 1 rectangle from graph 0, first squeezed(printed_bias - printed_spread) \
-    to graph 1, first squeezed(printed_bias + printed_spread) behind fillcolor rgb vermillion fillstyle solid 0.12 noborder
+    to graph 1, first squeezed(printed_bias + printed_spread) behind fillcolor rgb vermillion fillstyle transparent solid 0.12 noborder
 set object 2 rectangle from graph 0, first squeezed(exact_bias - exact_spread) \
-    to graph 1, first squeezed(exact_bias + exact_spread) behind fillcolor rgb blue fillstyle solid 0.12 noborder
+    to graph 1, first squeezed(exact_bias + exact_spread) behind fillcolor rgb blue fillstyle transparent solid 0.12 noborder
 plot 0 with lines linestyle 3, \
      squeezed(printed_bias) with lines linecolor rgb vermillion linewidth 0.8, \
      squeezed(exact_bias) with lines linecolor rgb blue linewidth 0.8, \
