@@ -1,7 +1,7 @@
 # Computed values against their references (left), and their signed relative differences (right) on an axis that is
 # linear within 1e-5 and logarithmic beyond.
 width = 16
-height = 7
+height = 6
 load 'style.gp'
 values = folder.'scatter-values.csv'
 load 'values.gp'
@@ -10,7 +10,7 @@ is(reference, erratum) = strcol(2) eq reference && $3 == erratum
 squeezed(d) = asinh(1e5 * d)
 set multiplot
 set tmargin at screen 0.93
-set bmargin at screen 0.30
+set bmargin at screen 0.33
 set key at screen 0.5, 0.015 center bottom maxrows 2 vertical reverse Left samplen 1.2
 
 set lmargin at screen 0.09

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
+#include <initializer_list>
 #include <stdexcept>
+#include <string_view>
 
 #include "external_tool.hpp"
 #include "numbers.hpp"
@@ -19,14 +22,14 @@ namespace {
 
 constexpr int most_runs = 4;
 
-// "Rerun to get cross-references right.", "Table widths have changed. Rerun LaTeX."
-bool wants_another_run(const fs::path& log) {
-  std::ifstream stream(log);
-  for (std::string line; std::getline(stream, line);)
-    if (line.find("Rerun to get") != std::string::npos || line.find("Rerun LaTeX") != std::string::npos)
-      return true;
-  return false;
+bool mentions(const fs::path& log, std::initializer_list<std::string_view> phrases) {
+  const std::string text = read_text(log);
+  return std::ranges::any_of(phrases,
+                             [&](std::string_view phrase) { return text.find(phrase) != std::string::npos; });
 }
+
+// "Rerun to get cross-references right.", "Table widths have changed. Rerun LaTeX."
+bool wants_another_run(const fs::path& log) { return mentions(log, {"Rerun to get", "Rerun LaTeX"}); }
 
 // "! Undefined control sequence." and the line after it, which says where.
 std::string first_error(const fs::path& log) {
@@ -71,6 +74,9 @@ void typeset_document(const Document& document, OutputFolder& output) {
     throw std::runtime_error(fmt::format("{}, so that there is no PDF report; the figures are in {}",
                                          missing.what(), output.folder().string()));
   }
+  if (mentions(folder / "vv-report.log", {"undefined references", "multiply-defined labels"}))
+    throw std::runtime_error(
+        "the report refers to a figure, a table or a section that it does not have, or that stands twice");
   output.publish(folder / "vv-report.pdf");
 }
 
