@@ -72,6 +72,10 @@ void require_undamped(const data::Case& problem, std::string_view what) {
       data::shortest_text(viscous ? problem.damping.kelvin_voigt() : problem.damping.ratio()), what));
 }
 
+Json bounds_json(const analytic::Bounds& bounds) {
+  return {{"lower", bounds.lower}, {"upper", bounds.upper}};
+}
+
 void print_json(const Json& object) {
   fmt::print("{}\n", object.dump(2, ' ', false, Json::error_handler_t::replace));
 }

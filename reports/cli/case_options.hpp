@@ -11,6 +11,7 @@
 #include <system_error>
 #include <vector>
 
+#include "stickslip/analytic/bounds.hpp"
 #include "stickslip/data/case_file.hpp"
 
 namespace stickslip::cli {
@@ -65,6 +66,9 @@ template <class Number>
 
 /// Throws data::InputError, naming the damping, if the case has any; `what` needs it to have none.
 void require_undamped(const data::Case& problem, std::string_view what);
+
+/// {"lower": ..., "upper": ...}
+[[nodiscard]] Json bounds_json(const analytic::Bounds& bounds);
 
 /// One JSON object on standard output.
 void print_json(const Json& object);

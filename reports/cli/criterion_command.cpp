@@ -60,13 +60,11 @@ void print_table(const data::Case& problem, const analytic::Criterion& paper,
   row("verdict", to_string(paper.verdict), to_string(all.verdict));
 }
 
-Json to_json(const analytic::Bounds& bounds) { return {{"lower", bounds.lower}, {"upper", bounds.upper}}; }
-
 Json to_json(const analytic::Criterion& criterion) {
-  return {{"force_max_N", to_json(criterion.force_max)},
+  return {{"force_max_N", bounds_json(criterion.force_max)},
           {"friction_limit_N", criterion.friction_limit},
           {"critical_amplitude_m", criterion.critical_amplitude.midpoint()},
-          {"critical_amplitude_bounds_m", to_json(criterion.critical_amplitude)},
+          {"critical_amplitude_bounds_m", bounds_json(criterion.critical_amplitude)},
           {"verdict", to_string(criterion.verdict)}};
 }
 

@@ -11,7 +11,7 @@
 #include "commands.hpp"
 #include "number_text.hpp"
 #include "range_text.hpp"
-#include "stickslip/report/criterion_map.hpp"
+#include "stickslip/report/progress_in_tenths.hpp"
 #include "stickslip/studies/design_guide.hpp"
 
 namespace stickslip::cli {
@@ -108,8 +108,6 @@ void print_table(const data::Case& problem, const Design& design) {
   fmt::print("\n{}\n", guarantee);
 }
 
-Json to_json(const analytic::Bounds& bounds) { return {{"lower", bounds.lower}, {"upper", bounds.upper}}; }
-
 Json to_json(const studies::DesignScan& scan) {
   Json intervals = Json::array();
   for (const auto& interval : scan.intervals)
@@ -131,9 +129,9 @@ Json to_json(const data::Case& problem, const Design& design) {
           {"amplitude_m", problem.excitation.amplitude()},
           {"duration_s", problem.numerics.duration()},
           {"modes", problem.numerics.modes()},
-          {"margin", to_json(design.margin.margin)},
+          {"margin", bounds_json(design.margin.margin)},
           {"frequency_hz", design.margin.frequency_hz},
-          {"force_max_N", to_json(design.margin.force_max)},
+          {"force_max_N", bounds_json(design.margin.force_max)},
           {"friction_limit_N", design.margin.friction_limit},
           {"evaluations", design.margin.evaluations},
           {"natural_frequencies_in_band", resonances},

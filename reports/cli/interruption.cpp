@@ -13,6 +13,7 @@ namespace stickslip::cli {
 namespace {
 
 std::atomic<int> received{0};
+std::atomic<bool> told{false};  // every thread that works asks for progress
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may not lock");
 
 }  // namespace
@@ -33,8 +34,8 @@ Interruption::~Interruption() {
 
 std::function<void(double)> Interruption::progress(std::function<void(double)> report) const {
   return [report = std::move(report)](double share) {
-    if (const int signal = received.exchange(0); signal != 0) {
-      fmt::print(stderr, "stickslip: interrupted\n");
+    if (const int signal = received; signal != 0) {
+      if (!told.exchange(true)) fmt::print(stderr, "stickslip: interrupted\n");
       throw CLI::RuntimeError(128 + signal);
     }
     report(share);

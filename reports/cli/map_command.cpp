@@ -14,6 +14,7 @@
 #include "output_file.hpp"
 #include "range_text.hpp"
 #include "stickslip/report/criterion_map.hpp"
+#include "stickslip/report/progress_in_tenths.hpp"
 #include "stickslip/report/report.hpp"
 
 namespace stickslip::cli {

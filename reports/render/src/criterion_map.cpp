@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
@@ -12,7 +11,6 @@
 
 #include "drawing.hpp"
 #include "map_figure.hpp"
-#include "progress.hpp"
 #include "stickslip/report/output_folder.hpp"
 #include "stickslip/report/text_file.hpp"
 
@@ -112,14 +110,6 @@ std::string draw(const CsvTable& table, const studies::CriterionMap& map, const 
   output.write("map.csv", table.text());
   output.write("map-values.csv", values_table(values_of(map)).text());
   return read_text(draw_in_scratch("map", format, "../../", {"map." + format}, output).front());
-}
-
-std::function<void(double)> progress_in_tenths(const std::string& command) {
-  return [progress = Progress(command, false), told = 0](double share) mutable {
-    const int tenths = static_cast<int>(10.0 * share + 1e-9);
-    if (tenths > told) progress(fmt::format("{} %", 10 * tenths));
-    told = std::max(told, tenths);
-  };
 }
 
 }  // namespace stickslip::report

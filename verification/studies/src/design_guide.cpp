@@ -13,6 +13,7 @@
 #include "parallel.hpp"
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/studies/length_force_map.hpp"
 
 namespace stickslip::studies {
 
@@ -220,14 +221,12 @@ DesignScan design_scan(const data::Case& problem, Parameter parameter, const Par
 }
 
 double buckling_value(const data::Case& problem, Parameter parameter) {
-  const double load = analytic::stick_buckling_load(problem.beam);
-  if (parameter == Parameter::axial_force) return load;
-  if (parameter == Parameter::length) {
-    if (problem.beam.axial_force() <= 0.0) analytic::require_contact(problem.beam);  // which says why not
-    return problem.beam.length() * std::sqrt(load / problem.beam.axial_force());
-  }
-  throw std::invalid_argument("a design varies beam.length or beam.axial_force, but not " +
-                              std::string(field_of(parameter)));
+  if (parameter == Parameter::axial_force) return analytic::stick_buckling_load(problem.beam);
+  if (parameter != Parameter::length)
+    throw std::invalid_argument("a design varies beam.length or beam.axial_force, but not " +
+                                std::string(field_of(parameter)));
+  if (problem.beam.axial_force() <= 0.0) analytic::require_contact(problem.beam);  // says why not
+  return buckling_length(problem.beam);
 }
 
 }  // namespace stickslip::studies

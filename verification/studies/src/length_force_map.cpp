@@ -22,11 +22,6 @@ data::Beam with_length_and_force(const data::Beam& beam, double length, double a
   return data::Beam(properties);
 }
 
-// The length at which the section of `beam` buckles under its axial force.
-double buckling_length(const data::Beam& beam) {
-  return beam.length() * std::sqrt(analytic::stick_buckling_load(beam) / beam.axial_force());
-}
-
 double stick_hz(const data::Beam& beam, int mode) {
   return analytic::stick_modes(beam, mode).back().frequency_hz();
 }
@@ -88,6 +83,10 @@ LengthForceMap length_force_map(const data::Case& problem, double shortest, doub
   in_parallel(axial_forces.size(),
               [&](std::size_t i) { map.lines[i] = line_of(problem, shortest, longest, axial_forces[i]); });
   return map;
+}
+
+double buckling_length(const data::Beam& beam) {
+  return beam.length() * std::sqrt(analytic::stick_buckling_load(beam) / beam.axial_force());
 }
 
 std::optional<double> resonance_length(const data::Beam& beam, int mode, double hz) {

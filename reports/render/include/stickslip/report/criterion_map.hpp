@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <string>
 
 #include "stickslip/data/problem.hpp"
@@ -19,8 +18,5 @@ namespace stickslip::report {
 /// "png". Throws std::runtime_error if gnuplot is missing or fails.
 [[nodiscard]] std::string draw(const CsvTable& table, const studies::CriterionMap& map,
                                const std::string& format);
-
-/// Says on standard error, if that is a terminal, each further tenth of a subcommand's work that is done.
-[[nodiscard]] std::function<void(double)> progress_in_tenths(const std::string& command);
 
 }  // namespace stickslip::report

@@ -27,6 +27,10 @@ struct LengthForceMap {
 [[nodiscard]] LengthForceMap length_force_map(const data::Case& problem, double shortest, double longest,
                                               const std::vector<double>& axial_forces);
 
+/// The length (m) from which on the section of `beam` has no stick state under its axial force P > 0,
+/// sqrt(20.19 EI/P).
+[[nodiscard]] double buckling_length(const data::Beam& beam);
+
 /// The length L_n (m) at which natural frequency `mode` = n of the stick state is `hz`, for the section and
 /// the axial force P >= 0 of `beam`; to 1e-12 m. None if the beam buckles before it is that long. With
 /// betabar of Eq. (23) at omega = 2 pi hz, n pi < betabar L_n < (n + 1/2) pi.
