@@ -419,10 +419,11 @@ FigureData energy(StudyResults& results) {
                   {"base_work_J", "J"},
                   {"event_driven_residual_J", "J"}});
   for (const auto& audit : results.energy_audits())
-    for (std::size_t i = 0; i < audit.time_step.size(); ++i)
-      table.add_numbers({audit.kelvin_voigt, static_cast<double>(audit.elements), audit.time_step[i],
-                         audit.stepped[i].residual(), audit.stepped[i].base_work,
-                         audit.event_driven_residual()});
+    for (const auto& mesh : audit.meshes)
+      for (std::size_t i = 0; i < audit.time_step.size(); ++i)
+        table.add_numbers({audit.kelvin_voigt, static_cast<double>(mesh.elements), audit.time_step[i],
+                           mesh.stepped[i].residual(), mesh.stepped[i].base_work,
+                           audit.event_driven_residual()});
   FigureData data;
   data.tables.push_back({"energy", std::move(table)});
   return data;

@@ -253,17 +253,19 @@ void define_events(StudyResults& results, Macros& macros) {
   const std::size_t literal_plateaus = results.schemes().back().plateaus.size();
   macros.define("LiteralPlateaus", literal_plateaus == 0 ? "none" : std::to_string(literal_plateaus));
 
-  const auto& audit = results.energy_audits();
-  macros.define("EnergyOrderDamped", order_text(audit.front().observed_order));
-  macros.plain("EnergyDuration", audit.front().duration);
-  macros.count("EnergyElementsDamped", audit.front().elements);
-  macros.count("EnergyElementsSmall", audit[1].elements);
-  macros.count("EnergyElementsMiddle", audit[2].elements);
-  macros.count("EnergyElementsLarge", audit.back().elements);
-  macros.define("EnergyOrderSmall", order_text(audit[1].observed_order));
-  macros.define("EnergyOrderMiddle", order_text(audit[2].observed_order));
+  const auto& damped_audit = results.energy_audits().front();
+  const auto& damped_mesh = damped_audit.meshes.front();
+  const auto& undamped_meshes = results.energy_audits().back().meshes;
+  macros.define("EnergyOrderDamped", order_text(damped_mesh.observed_order));
+  macros.plain("EnergyDuration", damped_audit.duration);
+  macros.count("EnergyElementsDamped", damped_mesh.elements);
+  macros.count("EnergyElementsSmall", undamped_meshes[0].elements);
+  macros.count("EnergyElementsMiddle", undamped_meshes[1].elements);
+  macros.count("EnergyElementsLarge", undamped_meshes.back().elements);
+  macros.define("EnergyOrderSmall", order_text(undamped_meshes[0].observed_order));
+  macros.define("EnergyOrderMiddle", order_text(undamped_meshes[1].observed_order));
   double unresolved = 0.0;
-  for (const auto& balance : audit.back().stepped)
+  for (const auto& balance : undamped_meshes.back().stepped)
     unresolved = std::max(unresolved, std::abs(balance.residual() / balance.base_work));
   macros.define("EnergyUnresolved", scientific(unresolved, 1));
 }

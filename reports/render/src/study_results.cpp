@@ -23,8 +23,8 @@ constexpr int event_order_elements = 10;
 const std::vector<int> event_order_divisors{1, 2, 4, 8, 16, 32, 64};
 constexpr double energy_audit_duration = 0.12;  // s
 const std::vector<double> energy_audit_steps{2e-5, 1e-5, 5e-6, 2.5e-6, 1.25e-6, 6.25e-7};
-constexpr int damped_audit_elements = 10;
-constexpr int undamped_audit_elements[] = {5, 10, 20};
+const std::vector<int> damped_audit_elements{10};
+const std::vector<int> undamped_audit_elements{5, 10, 20};
 constexpr int continuous_modes = 20;
 
 data::NumericalSettings with_duration(const data::NumericalSettings& numerics, double duration) {
@@ -210,14 +210,11 @@ const std::vector<studies::EnergyAudit>& StudyResults::energy_audits() {
   return once(energy_audits_, "energy-audits", "energy books", [&] {
     data::Case undamped = damped_;
     undamped.damping = data::Damping();
-    std::vector<studies::EnergyAudit> audits;
-    const auto add = [&](const data::Case& problem, int elements) {
-      audits.push_back(studies::energy_audit(problem, energy_audit_duration, elements, continuous_modes,
-                                             energy_audit_steps));
+    const auto audit = [](const data::Case& problem, const std::vector<int>& elements) {
+      return studies::energy_audit(problem, energy_audit_duration, elements, continuous_modes,
+                                   energy_audit_steps);
     };
-    add(damped_, damped_audit_elements);
-    for (const int elements : undamped_audit_elements) add(undamped, elements);
-    return audits;
+    return std::vector{audit(damped_, damped_audit_elements), audit(undamped, undamped_audit_elements)};
   });
 }
 

@@ -420,20 +420,20 @@ std::string energy(StudyResults& results) {
   for (const auto& audit : results.energy_audits()) {
     const std::string damping =
         audit.kelvin_voigt > 0.0 ? scientific(audit.kelvin_voigt, 2) : std::string("0");
-    if (audit.elements == results.energy_audits().front().elements) {
-      const auto& exact = audit.event_driven;
-      rows.add({damping, fmt::format("event-driven, {} modes", audit.modes),
-                joule(exact.kinetic + exact.potential - audit.event_driven_initial), joule(exact.base_work),
-                joule(exact.follower_work), joule(exact.damping_loss), joule(exact.friction_loss),
-                scientific(audit.event_driven_residual(), 1)});
+    const auto& exact = audit.event_driven;
+    rows.add({damping, fmt::format("event-driven, {} modes", audit.modes),
+              joule(exact.kinetic + exact.potential - audit.event_driven_initial), joule(exact.base_work),
+              joule(exact.follower_work), joule(exact.damping_loss), joule(exact.friction_loss),
+              scientific(audit.event_driven_residual(), 1)});
+    for (const auto& mesh : audit.meshes) {
+      const auto& stepped = mesh.stepped.back();
+      rows.add({damping,
+                fmt::format("{} elements, $\\Delta t = {}$ s", mesh.elements,
+                            scientific(audit.time_step.back(), 2)),
+                joule(stepped.energy() - stepped.initial_energy), joule(stepped.base_work),
+                joule(stepped.follower_work), joule(stepped.damping_loss), joule(stepped.friction_loss),
+                scientific(stepped.residual(), 1)});
     }
-    const auto& stepped = audit.stepped.back();
-    rows.add({damping,
-              fmt::format("{} elements, $\\Delta t = {}$ s", audit.elements,
-                          scientific(audit.time_step.back(), 2)),
-              joule(stepped.energy() - stepped.initial_energy), joule(stepped.base_work),
-              joule(stepped.follower_work), joule(stepped.damping_loss), joule(stepped.friction_loss),
-              scientific(stepped.residual(), 1)});
   }
   return rows.text();
 }

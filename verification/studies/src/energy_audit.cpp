@@ -1,6 +1,7 @@
 #include "stickslip/studies/energy_audit.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
@@ -24,27 +25,30 @@ solver::EnergyBalance stepped_balance(const data::Case& problem, double duration
 
 }  // namespace
 
-EnergyAudit energy_audit(const data::Case& problem, double duration, int elements, int modes,
-                         const std::vector<double>& time_steps) {
-  EnergyAudit audit;
-  audit.kelvin_voigt = problem.damping.kelvin_voigt();
-  audit.duration = duration;
-  audit.elements = elements;
-  audit.modes = modes;
+EnergyAudit energy_audit(const data::Case& problem, double duration, const std::vector<int>& elements,
+                         int modes, const std::vector<double>& time_steps) {
   const analytic::BeamContactModel beam(problem.beam, problem.friction, problem.excitation, problem.damping,
                                         modes);
   analytic::EventDriven run(beam.model(), {.keep_books = true});
-  audit.event_driven_initial = run.books().kinetic + run.books().potential;
+  const double initial = run.books().kinetic + run.books().potential;
   run.advance_to(duration);
-  audit.event_driven = run.books();
-
-  std::vector<double> residuals;
-  for (const double time_step : time_steps) {
-    audit.time_step.push_back(time_step);
-    audit.stepped.push_back(stepped_balance(problem, duration, elements, time_step));
-    residuals.push_back(std::abs(audit.stepped.back().residual()));
+  EnergyAudit audit{.kelvin_voigt = problem.damping.kelvin_voigt(),
+                    .duration = duration,
+                    .modes = modes,
+                    .event_driven = run.books(),
+                    .event_driven_initial = initial,
+                    .time_step = time_steps,
+                    .meshes = {}};
+  for (const int count : elements) {
+    EnergyAudit::Mesh mesh{.elements = count, .stepped = {}, .observed_order = {}};
+    std::vector<double> residuals;
+    for (const double time_step : time_steps) {
+      mesh.stepped.push_back(stepped_balance(problem, duration, count, time_step));
+      residuals.push_back(std::abs(mesh.stepped.back().residual()));
+    }
+    mesh.observed_order = order_estimate(time_steps, residuals);
+    audit.meshes.push_back(std::move(mesh));
   }
-  audit.observed_order = order_estimate(audit.time_step, residuals);
   return audit;
 }
 

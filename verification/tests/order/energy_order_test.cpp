@@ -9,6 +9,7 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/energy_books.hpp"
 #include "stickslip/studies/convergence.hpp"
+#include "stickslip/studies/energy_audit.hpp"
 #include "support/beams.hpp"
 #include "support/exact_pair.hpp"
 #include "support/parameter_name.hpp"
@@ -176,6 +177,44 @@ TEST(EnergyResidualOfTheBeam, IsOfSecondOrderThroughItsSlips) {
     EXPECT_LT(residuals.back(), 4e-7 * std::pow(h / 1e-5, 2) * books.balance().base_work);
   }
   EXPECT_TRUE(within(studies::observed_order(lengths, residuals), 2.0, next_terms(0.1)));
+}
+
+TEST(EnergyAudit, KeepsOneEventDrivenRunBesideEveryMesh) {
+  const data::Case damped{.name = "damped",
+                          .beam = paper_beam(),
+                          .friction = paper_friction(),
+                          .excitation = data::HarmonicExcitation({25.0, 1e-3}),
+                          .numerics = data::NumericalSettings(paper_choices(0.5)),
+                          .damping = data::Damping({.kelvin_voigt = 6.4e-5})};
+  const std::vector<double> steps{5e-6, 2.5e-6, 1.25e-6};
+  const auto audit = studies::energy_audit(damped, 0.12, {6, 10}, 14, steps);
+  EXPECT_EQ(audit.time_step, steps);
+  ASSERT_EQ(audit.meshes.size(), 2u);
+
+  // Each mesh has the books that it has alone, and the event-driven run does not know of the meshes.
+  const auto alone = studies::energy_audit(damped, 0.12, {10}, 14, steps);
+  EXPECT_EQ(alone.meshes.front().elements, audit.meshes.back().elements);
+  EXPECT_EQ(alone.event_driven.base_work, audit.event_driven.base_work);
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    EXPECT_EQ(alone.meshes.front().stepped[i].residual(), audit.meshes.back().stepped[i].residual());
+
+  // 1e-12 a step of the state, in each of a few thousand, of the turnover of the books.
+  const analytic::EnergyBooks& exact = audit.event_driven;
+  EXPECT_TRUE(within(audit.event_driven_residual(), 0.0,
+                     discretisation(1e-12 * 1e4 * exact.base_work, 1.0, "tolerance of the integrator")));
+  for (const auto& mesh : audit.meshes) {
+    // The next term is omega h = 0.15 of the first for the highest mode of 10 elements, which is damped away
+    // within steps of a change: as for EnergyResidualOfTheBeam.
+    EXPECT_NEAR(mesh.observed_order.order, 2.0, 0.1) << mesh.elements;
+    EXPECT_EQ(mesh.observed_order.levels, 3);
+    ASSERT_EQ(mesh.stepped.size(), steps.size());
+    // What a mesh costs: (beta l)^4/720 of the stiffness of the waves that matter, beta l = 10.2/6 of mode 3.
+    const double cost = std::pow(10.2 / mesh.elements, 4) / 720.0;
+    EXPECT_TRUE(within(mesh.stepped.back().friction_loss, exact.friction_loss,
+                       discretisation(cost * exact.friction_loss, 2.0, "mode 3 on the mesh")));
+    EXPECT_TRUE(within(mesh.stepped.back().base_work, exact.base_work,
+                       discretisation(cost * exact.base_work, 2.0, "mode 3 on the mesh")));
+  }
 }
 
 }  // namespace

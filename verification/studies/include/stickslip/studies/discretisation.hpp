@@ -38,7 +38,8 @@ struct NumericalOscillation {
 ///     x_n = Im[X exp(i Omega t_n)] + Re[sum c_j v_j lambda_j^n],   A v_j = lambda_j v_j,
 ///     X = (exp(i Omega h) - A)^-1 b exp(i Omega (1 - alpha_f) h),   Re[sum c_j v_j] = -Im X,
 ///
-/// since the method starts with x_0 = 0: the load is zero at t = 0, and with it the acceleration.
+/// b with the sign of the load, since the method starts with x_0 = 0: the load is zero at t = 0, and with it
+/// the acceleration.
 ///
 /// What that does to the free vibration, whose exact amplitude is B = Omega/(w (w^2 - Omega^2)). Up to h^4
 /// the method solves g_t = v + h^2 k_1 v_tt, v_t = -w^2 g + F + h^2 (k_2 v_ttt - k_3 F_tt), with F =

@@ -9,15 +9,20 @@
 
 namespace stickslip::studies {
 
-/// The energy books of one stick-slip history by both methods.
+/// The energy books of one stick-slip history by both methods: event by event without a mesh, and in time
+/// steps on each of several meshes.
 struct EnergyAudit {
-  double kelvin_voigt{}, duration{};  ///< s
-  int elements{}, modes{};
-  analytic::EnergyBooks event_driven;          ///< at the end
-  double event_driven_initial{};               ///< kinetic + potential at t = 0, J
-  std::vector<double> time_step;               ///< s
-  std::vector<solver::EnergyBalance> stepped;  ///< at the end, one per step; spectral radius 1
-  OrderEstimate observed_order;                ///< of |residual| in the step
+  double kelvin_voigt{}, duration{};   ///< s
+  int modes{};                         ///< of the event-driven run
+  analytic::EnergyBooks event_driven;  ///< at the end
+  double event_driven_initial{};       ///< kinetic + potential at t = 0, J
+  std::vector<double> time_step;       ///< s
+  struct Mesh {
+    int elements{};
+    std::vector<solver::EnergyBalance> stepped;  ///< at the end, one per step; spectral radius 1
+    OrderEstimate observed_order;                ///< of |residual| in the step
+  };
+  std::vector<Mesh> meshes;
 
   /// What no entry of the event-driven books explains, J.
   [[nodiscard]] double event_driven_residual() const {
@@ -26,8 +31,10 @@ struct EnergyAudit {
   }
 };
 
-/// Predicted: event-driven, the tolerance of the integrator; stepped, order 2 in h for what h resolves.
-[[nodiscard]] EnergyAudit energy_audit(const data::Case& problem, double duration, int elements, int modes,
+/// One event-driven run, and one run per mesh and step. Predicted: event-driven, the tolerance of the
+/// integrator; stepped, order 2 in h for what h resolves.
+[[nodiscard]] EnergyAudit energy_audit(const data::Case& problem, double duration,
+                                       const std::vector<int>& elements, int modes,
                                        const std::vector<double>& time_steps);
 
 }  // namespace stickslip::studies
