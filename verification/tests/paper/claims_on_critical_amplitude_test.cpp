@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/data/paper.hpp"
 #include "stickslip/studies/critical_amplitude.hpp"
 #include "stickslip/studies/force_maximum.hpp"
 #include "stickslip/studies/frequencies.hpp"
-#include "stickslip/studies/paper_checks.hpp"
 #include "support/claim.hpp"
 #include "support/paper_case.hpp"
 #include "support/trend.hpp"

@@ -14,7 +14,6 @@
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/damped_steady_state.hpp"
 #include "stickslip/analytic/event_driven.hpp"
-#include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/solver/beam_model.hpp"
 #include "stickslip/studies/frequencies.hpp"
