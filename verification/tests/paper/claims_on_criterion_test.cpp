@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <vector>
 
@@ -251,20 +250,16 @@ TEST(ClaimOnFigure12, TheAnalyticalAndNumericalSolutionsAgree) {
 }
 
 TEST(ClaimOnFigure12, TheClosedFormReplacesTimeConsumingSimulations) {
-  using clock = std::chrono::steady_clock;
-  const auto start = clock::now();
   const double critical = critical_amplitude(70.0);
-  const auto middle = clock::now();
   double amplitude_reached = 0.0;
-  while (!finite_elements_slip(70.0, amplitude_reached)) amplitude_reached += 0.01e-3;
-  const auto end = clock::now();
-  const double ratio =
-      std::chrono::duration<double>(end - middle) / std::chrono::duration<double>(middle - start);
+  int runs = 1;
+  for (; !finite_elements_slip(70.0, amplitude_reached); ++runs) amplitude_reached += 0.01e-3;
   judge(
-      {.as_printed = ratio > 10.0 && amplitude_reached > critical && amplitude_reached < critical + 0.02e-3},
-      fmt::format("at 70 Hz the closed form gives {:.4f} mm and the search by simulation {:.2f} mm, which "
-                  "takes more than {} times as long",
-                  mm(critical), mm(amplitude_reached), ratio > 100.0 ? 100 : 10));
+      {.as_printed = runs > 10 && amplitude_reached > critical && amplitude_reached < critical + 0.02e-3},
+      fmt::format("at 70 Hz the closed form gives {:.4f} mm, and the search by simulation {:.2f} mm after {} "
+                  "runs of up to {:.0e} time steps",
+                  mm(critical), mm(amplitude_reached), runs,
+                  paper().numerics.duration() / paper().numerics.time_step()));
 }
 
 TEST(ClaimOnFigure13, TheNaturalFrequenciesAre17_6And57_3And119_6Hz) {

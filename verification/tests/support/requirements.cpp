@@ -164,7 +164,7 @@ const std::vector<Requirement> table{
     {"X14",
      "What moves the printed maxima, and how many of their digits are determined, is stated by enclosures.",
      "Sect. 5; E6",
-     {"ForceSensitivity", "ForceDigits", "SamplingSearch", "CommonDigits"}},
+     {"ForceSensitivity", "CommonDigits"}},
     {"X15",
      "The smallest margin over a band, resonances included, and what avoids slipping are found to the stated "
      "bound.",

@@ -91,7 +91,7 @@ TEST(Traceability, ComparisonsPassUpToTheirTolerance) {
 TEST(Traceability, RecordsTheComparisonWithTheLargestMarginAndThoseWithAName) {
   const std::string xml = properties_of("Traceability.ComparisonsPassUpToTheirTolerance");
   for (const std::string property :
-       {"name=\"requirement\" value=\"U4\"", "name=\"comparisons\" value=\"3\"",
+       {"name=\"requirement\" value=\"U5\"", "name=\"comparisons\" value=\"3\"",
         "name=\"computed\" value=\"2.5\"", "name=\"expected\" value=\"2\"", "name=\"error\" value=\"0.5\"",
         "name=\"tolerance\" value=\"0.5\"", "name=\"margin\" value=\"1\"",
         "name=\"class\" value=\"reference\"",
