@@ -132,13 +132,28 @@ bool confirmed(const studies::ErratumEvidence& evidence) {
          std::abs(evidence.as_printed - evidence.reference) > evidence.tolerance;
 }
 
-std::vector<std::string> printed_reasons(const std::vector<studies::PrintedCheck>& checks) {
-  std::vector<std::string> reasons;
-  for (const auto& check : checks)
-    if (std::ranges::find(reasons, check.because) == reasons.end()) reasons.push_back(check.because);
-  return reasons;
+namespace {
+
+// Each text once, in the order of its first use.
+std::vector<std::string> distinct(const auto& rows, auto member) {
+  std::vector<std::string> texts;
+  for (const auto& row : rows)
+    if (std::ranges::find(texts, row.*member) == texts.end()) texts.push_back(row.*member);
+  return texts;
 }
 
-char reason_letter(std::size_t index) { return "abcdefghijklmnopqrstuvwxyz"[index % 26]; }
+}  // namespace
+
+std::vector<std::string> printed_reasons(const std::vector<studies::PrintedCheck>& checks) {
+  return distinct(checks, &studies::PrintedCheck::because);
+}
+
+std::vector<std::string> uncertainty_sources(StudyResults& results) {
+  return distinct(results.solution_verification().results, &studies::VerifiedResult::obtained);
+}
+
+char letter_of(const std::string& text, const std::vector<std::string>& texts) {
+  return "abcdefghijklmnopqrstuvwxyz"[(std::ranges::find(texts, text) - texts.begin()) % 26];
+}
 
 }  // namespace stickslip::report

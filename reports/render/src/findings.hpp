@@ -80,6 +80,10 @@ struct Agreement {
 /// The different reasons for what counts as agreement, in the order of their first use; the report refers to
 /// them by letters.
 [[nodiscard]] std::vector<std::string> printed_reasons(const std::vector<studies::PrintedCheck>& checks);
-[[nodiscard]] char reason_letter(std::size_t index);
+/// The same for how the uncertainties of the solution verification were obtained.
+[[nodiscard]] std::vector<std::string> uncertainty_sources(StudyResults& results);
+
+/// 'a' for the first of `texts`, and so on.
+[[nodiscard]] char letter_of(const std::string& text, const std::vector<std::string>& texts);
 
 }  // namespace stickslip::report

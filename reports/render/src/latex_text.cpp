@@ -31,7 +31,7 @@ int decimal_exponent(double value, int digits) {
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
-constexpr std::array<std::string_view, 8> greek{"alpha",  "beta", "gamma", "epsilon",
+constexpr std::array<std::string_view, 9> greek{"alpha",  "beta", "gamma", "epsilon", "Omega",
                                                 "lambda", "mu",   "rho",   "omega"};
 
 constexpr std::string_view always_symbols = "PLIfu";  // quantities that are no unit and no word

@@ -290,7 +290,7 @@ void define_motions(StudyResults& results, Macros& macros) {
 std::string reasons_text(const std::vector<std::string>& reasons) {
   std::string text;
   for (std::size_t i = 0; i < reasons.size(); ++i)
-    text += fmt::format("{}({}) {}", i > 0 ? "; " : "", reason_letter(i), typeset(reasons[i]));
+    text += fmt::format("{}({}) {}", i > 0 ? "; " : "", letter_of(reasons[i], reasons), typeset(reasons[i]));
   return text;
 }
 
@@ -317,6 +317,7 @@ void define_solution_verification(StudyResults& results, Macros& macros) {
   macros.count("VerifiedAsymptoticCovered", std::ranges::count_if(study.results, [&](const auto& result) {
                  return asymptotic(result) && covered(result);
                }));
+  macros.define("UncertaintySources", reasons_text(uncertainty_sources(results)));
   const auto& search = results.force_sensitivity().search;
   macros.count("SearchMostModes", search.most_modes);
   macros.count("SearchSteps", search.sampling_steps.size());

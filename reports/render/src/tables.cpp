@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <regex>
 #include <utility>
 
 #include "findings.hpp"
@@ -40,8 +41,8 @@ std::string summary(StudyResults& results) {
   rows.add({fmt::format("Flutter load, {} elements", flutter.elements.back()),
             fmt::format("{} $EI/L^2$", fixed(flutter.finite_element.back(), 5)),
             fmt::format("{} $EI/L^2$", fixed(flutter.closed_form, 5))});
-  rows.add({"Generalised-$\\alpha$: displacement, velocity, reaction",
-            order_range(orders_of(results.time_orders())), "order 2 in time step"});
+  rows.add({"Generalised-$\\alpha$: motion and reaction", order_range(orders_of(results.time_orders())),
+            "order 2 in time step"});
   const auto& level = results.stick_history().levels.front();
   rows.add({"Fig.~9, displacement, paper's settings", scientific(level.displacement_error, 2) + "\\unit{m}",
             "at most " + scientific(level.predicted_displacement_error, 2) + "\\unit{m}"});
@@ -50,10 +51,10 @@ std::string summary(StudyResults& results) {
   const auto forces = force_differences(results.force_maxima());
   rows.add({"$\\fmax$ at four excitations, finite elements",
             fmt::format("within {}\\,\\% of closed form", significant(forces.discretisation, 2)),
-            fmt::format("prediction met within {}\\,\\%", significant(forces.prediction, 2))});
+            fmt::format("as predicted to {}\\,\\%", significant(forces.prediction, 2))});
   const auto points = point_counts(results.classification());
   rows.add({"Fig.~12, verdicts on a grid",
-            fmt::format("{} of {} agree; {} differ outside guard band", points.agreeing, points.all,
+            fmt::format("{} of {} agree; {} differ outside guard", points.agreeing, points.all,
                         points.disagreeing_outside),
             "none differ outside it"});
   const auto& histories = results.contact_histories();
@@ -219,22 +220,31 @@ std::string guard_points(StudyResults& results) {
 }
 
 std::string verified_results(StudyResults& results) {
+  const std::vector<std::string> sources = uncertainty_sources(results);
   Rows rows;
   for (const auto& result : results.solution_verification().results) {
     const auto& convergence = result.convergence;
-    rows.add({typeset(result.quantity + (result.unit == "1" ? "" : ", " + result.unit)),
-              result.printed ? compact_number(*result.printed, 6) : "--",
-              compact_number(result.levels.front().value, 7), compact_number(result.levels.back().value, 7),
-              convergence.observed_order ? fixed(*convergence.observed_order, 2) : "--",
-              convergence.asymptotic ? "yes" : "no", compact_number(convergence.index, 2),
-              compact_number(result.true_error, 2), yes_or_no(result.covered),
-              compact_number(result.uncertainty, 2), typeset(result.obtained)});
+    rows.add(
+        {typeset(result.quantity + (result.unit == "1" ? "" : ", " + result.unit)),
+         result.printed ? compact_number(*result.printed, 6) : "--",
+         compact_number(result.levels.front().value, 6), compact_number(result.levels.back().value, 6),
+         convergence.observed_order ? fixed(*convergence.observed_order, 2) : "--",
+         convergence.asymptotic ? "yes" : "no", compact_number(convergence.index, 2),
+         compact_number(result.true_error, 2), yes_or_no(result.covered),
+         fmt::format("{} ({})", compact_number(result.uncertainty, 2), letter_of(result.obtained, sources))});
   }
   return rows.text();
 }
 
 std::string signed_percent(double value) {
-  return value == 0.0 ? "0" : fmt::format("${}{}$", value > 0.0 ? "+" : "-", fixed(std::abs(value), 2));
+  const std::string text = fixed(std::abs(value), 2);
+  const bool is_zero = text.find_first_of("123456789") == std::string::npos;
+  return is_zero ? text : fmt::format("${}{}$", value > 0.0 ? "+" : "-", text);
+}
+
+// "1e-05 s" as "1 x 10^-5 s".
+std::string with_powers_of_ten(const std::string& text) {
+  return std::regex_replace(text, std::regex("([0-9])e(-?)0*([0-9]+)"), "$1 x 10^$2$3");
 }
 
 // A line between the settings of one factor and the next.
@@ -249,7 +259,7 @@ std::string sensitivity(StudyResults& results) {
     closed_form = row.closed_form;
     std::vector<std::string> cells{
         goes_on ? "" : fmt::format("{}{}", row.closed_form ? "" : "FE: ", typeset(row.factor)),
-        typeset(row.setting) + (row.left_open ? "*" : "")};
+        typeset(with_powers_of_ten(row.setting)) + (row.left_open ? "*" : "")};
     for (std::size_t i = 0; i < row.force.size(); ++i) {
       cells.push_back(significant(row.force[i], 5));
       cells.push_back(signed_percent(row.change[i]));
@@ -464,12 +474,10 @@ std::string printed(StudyResults& results) {
   for (const auto& check : checks) {
     const std::string unit =
         check.printed.printed_unit.empty() ? check.printed.unit : check.printed.printed_unit;
-    const auto reason = std::ranges::find(reasons, check.because) - reasons.begin();
     rows.add({without_full_stop(typeset(check.printed.meaning)), typeset(check.printed.place),
               fmt::format("{} {}", typeset(check.printed.printed), unit_text(unit)),
               compact_number(check.computed, 6),
-              fmt::format("{} ({})", compact_number(check.allowed, 2),
-                          reason_letter(static_cast<std::size_t>(reason))),
+              fmt::format("{} ({})", compact_number(check.allowed, 2), letter_of(check.because, reasons)),
               typeset(check.method), yes_or_no(check.agrees())});
   }
   return rows.text();
