@@ -4,76 +4,69 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <map>
 
 #include "support/requirements.hpp"
 
 namespace stickslip::testing {
 
-namespace {
-
-double margin(const Comparison& comparison) {
-  if (std::isnan(comparison.error)) return INFINITY;
-  return comparison.error == 0.0 ? 0.0 : comparison.error / comparison.tolerance;
+double Comparison::margin() const {
+  if (std::isnan(error)) return INFINITY;
+  return error == 0.0 ? 0.0 : error / tolerance;
 }
 
-// The comparisons of the running test.
-struct Notes {
-  int comparisons{};
-  Comparison worst;
-  std::map<std::string, Comparison> named;
+void Trace::note(const Comparison& comparison) { by_margin_.emplace(comparison.margin(), comparison); }
 
-  void add(const Comparison& comparison) {
-    if (comparisons++ == 0 || margin(comparison) > margin(worst)) worst = comparison;
-    if (comparison.name.empty()) return;
-    const auto [entry, is_new] = named.try_emplace(comparison.name, comparison);
-    if (!is_new && margin(comparison) > margin(entry->second)) entry->second = comparison;
+std::map<std::string, std::string> Trace::properties(bool test_passed) const {
+  std::map<std::string, std::string> properties;
+  int comparisons = 0;
+  for (const auto& [margin, comparison] : by_margin_) {  // ascending: the last one of a kind stays
+    if (test_passed && margin > 1.0) break;
+    ++comparisons;
+    properties["computed"] = fmt::format("{}", comparison.computed);
+    properties["expected"] = fmt::format("{}", comparison.expected);
+    properties["error"] = fmt::format("{}", comparison.error);
+    properties["tolerance"] = fmt::format("{}", comparison.tolerance);
+    properties["margin"] = fmt::format("{}", margin);
+    properties["class"] = comparison.tolerance_class;
+    properties["derivation"] = comparison.derivation;
+    if (!comparison.name.empty())
+      properties["compared." + comparison.name] = fmt::format(
+          "{}; {}; {}; {}; {}; {}; {}", comparison.computed, comparison.expected, comparison.error,
+          comparison.tolerance, margin, comparison.tolerance_class, comparison.derivation);
   }
-};
+  properties["comparisons"] = std::to_string(comparisons);
+  return properties;
+}
 
-Notes& notes() {
-  static Notes instance;
-  return instance;
+namespace {
+
+Trace& running_trace() {
+  static Trace trace;
+  return trace;
 }
 
 class Recorder : public ::testing::EmptyTestEventListener {
-  void OnTestStart(const ::testing::TestInfo&) override { notes() = {}; }
+  void OnTestStart(const ::testing::TestInfo& /*test*/) override { running_trace() = {}; }
 
   void OnTestEnd(const ::testing::TestInfo& test) override {
-    const auto record = [](const std::string& key, const std::string& value) {
-      ::testing::Test::RecordProperty(key, value);
-    };
+    auto properties = running_trace().properties(test.result()->Passed());
     if (const Requirement* requirement = requirement_of(test.test_suite_name())) {
-      record("requirement", std::string(requirement->id));
-      record("requirement_position", std::to_string(requirement - requirements().data()));
-      record("requirement_text", std::string(requirement->text));
-      record("source", std::string(requirement->source));
+      properties["requirement"] = requirement->id;
+      properties["requirement_position"] = std::to_string(requirement - requirements().data());
+      properties["requirement_text"] = requirement->text;
+      properties["source"] = requirement->source;
     }
-    const Notes& all = notes();
-    record("comparisons", std::to_string(all.comparisons));
-    if (all.comparisons == 0) return;
-    record("computed", fmt::format("{}", all.worst.computed));
-    record("expected", fmt::format("{}", all.worst.expected));
-    record("error", fmt::format("{}", all.worst.error));
-    record("tolerance", fmt::format("{}", all.worst.tolerance));
-    record("margin", fmt::format("{}", margin(all.worst)));
-    record("class", all.worst.tolerance_class);
-    record("derivation", all.worst.derivation);
-    for (const auto& [name, comparison] : all.named)
-      record("compared." + name,
-             fmt::format("{}; {}; {}; {}; {}; {}; {}", comparison.computed, comparison.expected,
-                         comparison.error, comparison.tolerance, margin(comparison),
-                         comparison.tolerance_class, comparison.derivation));
+    for (const auto& [key, value] : properties) ::testing::Test::RecordProperty(key, value);
   }
 };
 
-const bool is_recording = [] {
+[[maybe_unused]] const bool is_recording = [] {
   ::testing::UnitTest::GetInstance()->listeners().Append(new Recorder);  // owned by GoogleTest
   return true;
 }();
 
 }  // namespace
 
-void note(const Comparison& comparison) { notes().add(comparison); }
+void note(const Comparison& comparison) { running_trace().note(comparison); }
 
 }  // namespace stickslip::testing

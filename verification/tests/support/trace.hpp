@@ -3,13 +3,11 @@
 /// The traceability of a test run. While a test runs, every comparison of two numbers (tolerance.hpp) is
 /// noted here; when it ends, GoogleTest's XML receives as properties of the test
 ///
-///     requirement, requirement_position, requirement_text, source   what the test's suite serves
-///     (requirements.hpp) comparisons                             how many there were computed, expected,
-///     error, tolerance, margin, class, derivation   of the one with the largest margin compared.<name> the
-///     same of each named comparison, separated by "; "
+///     requirement, requirement_position, requirement_text, source   what its suite serves (requirements.hpp)
 ///
-/// The margin is error over tolerance: above 1 the comparison has failed.
+/// and those of Trace::properties().
 
+#include <map>
 #include <string>
 
 namespace stickslip::testing {
@@ -20,8 +18,28 @@ struct Comparison {
   double computed{}, expected{}, error{}, tolerance{};
   std::string tolerance_class;  ///< round-off, discretisation or reference
   std::string derivation;
+
+  /// Error over tolerance: above 1 the comparison has failed. Infinite for NaN.
+  [[nodiscard]] double margin() const;
 };
 
+/// The comparisons of one test.
+class Trace {
+ public:
+  void note(const Comparison& comparison);
+
+  /// comparisons                             how many there were
+  /// computed, expected, error, tolerance, margin, class, derivation   of the one with the largest margin
+  /// compared.<name>                         the same of each named comparison, separated by "; "
+  ///
+  /// A comparison that fails in a test that passes was meant to fail, and is left out.
+  [[nodiscard]] std::map<std::string, std::string> properties(bool test_passed) const;
+
+ private:
+  std::multimap<double, Comparison> by_margin_;
+};
+
+/// Notes a comparison of the running test.
 void note(const Comparison& comparison);
 
 }  // namespace stickslip::testing

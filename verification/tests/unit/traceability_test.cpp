@@ -5,13 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <set>
 #include <string>
 
 #include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/trace.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -67,37 +68,45 @@ TEST(Traceability, InstantiatedSuitesServeTheRequirementOfTheirSuite) {
   EXPECT_EQ(requirement_of("NoSuchSuite"), nullptr);
 }
 
-// What the properties of a finished test say of it, in the XML of a run of its own.
-std::string properties_of(const std::string& test) {
-  const std::string file = ::testing::TempDir() + "stickslip-traceability.xml";
-  const std::string own_program = ::testing::internal::GetArgvs().front();
-  const std::string command =
-      "'" + own_program + "' --gtest_filter=" + test + " --gtest_output=xml:" + file + " > /dev/null";
-  EXPECT_EQ(std::system(command.c_str()), 0) << command;
-  std::string text;
-  const auto close = [](std::FILE* stream) { std::fclose(stream); };
-  const std::unique_ptr<std::FILE, decltype(close)> stream(std::fopen(file.c_str(), "r"), close);
-  for (int c = 0; stream && (c = std::fgetc(stream.get())) != EOF;) text += static_cast<char>(c);
-  std::remove(file.c_str());
-  return text;
+Comparison compared(double computed, double error, double tolerance, const std::string& name = "") {
+  return {name, computed, computed - error, error, tolerance, "reference", "a datum"};
 }
 
-TEST(Traceability, ComparisonsPassUpToTheirTolerance) {
-  EXPECT_TRUE(within(1.0, 1.0, reference(0.5, "a datum")));
-  EXPECT_TRUE(within(2.5, 2.0, reference(0.5, "another datum")));
-  EXPECT_TRUE(within(3.0, 3.125, discretisation(0.25, 2.0, "a law"), "a number"));
+TEST(Trace, TellsOfTheComparisonWithTheLargestMargin) {
+  Trace trace;
+  trace.note(compared(1.0, 0.0, 0.5));
+  trace.note(compared(2.5, 0.25, 0.5));
+  trace.note(compared(3.0, 0.125, 0.5));
+  const auto properties = trace.properties(true);
+  EXPECT_EQ(properties.at("comparisons"), "3");
+  EXPECT_EQ(properties.at("computed"), "2.5");
+  EXPECT_EQ(properties.at("expected"), "2.25");
+  EXPECT_EQ(properties.at("error"), "0.25");
+  EXPECT_EQ(properties.at("tolerance"), "0.5");
+  EXPECT_EQ(properties.at("margin"), "0.5");
+  EXPECT_EQ(properties.at("class"), "reference");
 }
 
-TEST(Traceability, RecordsTheComparisonWithTheLargestMarginAndThoseWithAName) {
-  const std::string xml = properties_of("Traceability.ComparisonsPassUpToTheirTolerance");
-  for (const std::string property :
-       {"name=\"requirement\" value=\"U5\"", "name=\"comparisons\" value=\"3\"",
-        "name=\"computed\" value=\"2.5\"", "name=\"expected\" value=\"2\"", "name=\"error\" value=\"0.5\"",
-        "name=\"tolerance\" value=\"0.5\"", "name=\"margin\" value=\"1\"",
-        "name=\"class\" value=\"reference\"",
-        "name=\"compared.a number\" value=\"3; 3.125; 0.125; 0.5; 0.25; discretisation; a law predicts 0.25, "
-        "margin 2\""})
-    EXPECT_NE(xml.find(property), std::string::npos) << property << " is missing in\n" << xml;
+TEST(Trace, KeepsEachNamedComparison) {
+  Trace trace;
+  trace.note(compared(3.0, 0.125, 0.5, "a number"));
+  trace.note(compared(2.5, 0.25, 0.5));
+  EXPECT_EQ(trace.properties(true).at("compared.a number"), "3; 2.875; 0.125; 0.5; 0.25; reference; a datum");
+}
+
+TEST(Trace, LeavesOutWhatWasMeantToFail) {
+  Trace trace;
+  trace.note(compared(1.0, 0.25, 0.5));
+  trace.note(compared(2.0, 1.0, 0.5));
+  EXPECT_EQ(trace.properties(true).at("margin"), "0.5");
+  EXPECT_EQ(trace.properties(true).at("comparisons"), "1");
+  EXPECT_EQ(trace.properties(false).at("margin"), "2");
+}
+
+TEST(Trace, OfNotANumberFails) {
+  Trace trace;
+  trace.note(compared(std::nan(""), std::nan(""), 0.5));
+  EXPECT_EQ(trace.properties(false).at("margin"), "inf");
 }
 
 }  // namespace

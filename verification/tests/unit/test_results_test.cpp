@@ -1,0 +1,110 @@
+/// What the report makes of GoogleTest's XML.
+
+#include "test_results.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+
+#include "stickslip/data/case_file.hpp"
+#include "stickslip/report/text_file.hpp"
+#include "traceability.hpp"
+
+namespace stickslip {
+namespace {
+
+namespace fs = std::filesystem;
+
+class TestResults : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_ / "cross.Figures");
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  void write(const std::string& file, const std::string& suite, const std::string& name,
+             const std::string& inside) const {
+    report::write_text(folder_ / file, "<?xml version=\"1.0\"?><testsuites><testsuite name=\"" + suite +
+                                           "\"><testcase name=\"" + name + "\" classname=\"" + suite +
+                                           "\" status=\"run\">" + inside +
+                                           "</testcase></testsuite></testsuites>");
+  }
+
+  static std::string property(const std::string& name, const std::string& value) {
+    return "<property name=\"" + name + "\" value=\"" + value + "\"/>";
+  }
+
+  const fs::path folder_ =
+      fs::temp_directory_path() / ("stickslip-test-results-" + std::to_string(::getpid()));
+};
+
+TEST_F(TestResults, HoldRequirementComparisonsAndClaim) {
+  write(
+      "cross.Figures/Verdict.IsPrinted.xml", "Figures/Verdict", "IsPrinted/4a",
+      "<properties>" + property("requirement", "V1") + property("requirement_position", "7") +
+          property("requirement_text", "Verdicts are printed.") + property("source", "Fig. 4") +
+          property("comparisons", "2") + property("computed", "2.5") + property("expected", "2") +
+          property("error", "0.5") + property("tolerance", "1") + property("margin", "0.5") +
+          property("class", "reference") + property("derivation", "a datum; of which") +
+          property("compared.L1, closed form", "3; 3.125; 0.125; 0.5; 0.25; discretisation; a law; really") +
+          property("claim", "fig4") + property("finding", "35 Hz sticks") + "</properties>");
+  const auto results = report::read_test_results(folder_);
+  ASSERT_EQ(results.size(), 1U);
+  const report::TestResult& test = results.front();
+  EXPECT_EQ(test.kind, "cross");
+  EXPECT_EQ(test.suite, "Verdict");
+  EXPECT_EQ(test.name, "IsPrinted/4a");
+  EXPECT_TRUE(test.passed);
+  EXPECT_EQ(test.requirement, "V1");
+  EXPECT_EQ(test.requirement_position, 7);
+  EXPECT_EQ(test.source, "Fig. 4");
+  EXPECT_EQ(test.comparisons, 2);
+  ASSERT_TRUE(test.worst.has_value());
+  EXPECT_EQ(test.worst->computed, 2.5);
+  EXPECT_EQ(test.worst->margin, 0.5);
+  ASSERT_EQ(test.named.size(), 1U);
+  EXPECT_EQ(test.named[0].name, "L1, closed form");
+  EXPECT_EQ(test.named[0].expected, 3.125);
+  EXPECT_EQ(test.named[0].tolerance_class, "discretisation");
+  EXPECT_EQ(test.claim, "fig4");
+  EXPECT_EQ(test.finding, "35 Hz sticks");
+}
+
+TEST_F(TestResults, TellWhatFailed) {
+  write("unit.A.xml", "A", "Holds", "");
+  write("unit.B.xml", "B", "Fails", "<failure message=\"no\"/>");
+  const auto results = report::read_test_results(folder_);
+  ASSERT_EQ(results.size(), 2U);
+  EXPECT_TRUE(results[0].passed);
+  EXPECT_FALSE(results[1].passed);
+  const auto counts = report::test_counts(results);
+  EXPECT_EQ(counts.tests, 2U);
+  EXPECT_EQ(counts.failed, 1U);
+  EXPECT_NE(report::logical_tests(results).find("Fails \\textbf{(failed)}"), std::string::npos);
+}
+
+TEST_F(TestResults, ComeInTheOrderOfTheRequirements) {
+  write("unit.B.xml", "B", "Second",
+        "<properties>" + property("requirement_position", "10") + "</properties>");
+  write("unit.C.xml", "C", "First", "<properties>" + property("requirement_position", "9") + "</properties>");
+  const auto results = report::read_test_results(folder_);
+  ASSERT_EQ(results.size(), 2U);
+  EXPECT_EQ(results[0].name, "First");
+}
+
+TEST_F(TestResults, AreRefusedWhereThereAreNoneOrTheyCannotBeRead) {
+  EXPECT_THROW((void)report::read_test_results(folder_), data::InputError);
+  EXPECT_THROW((void)report::read_test_results(folder_ / "nowhere"), data::InputError);
+  report::write_text(folder_ / "unit.A.xml", "<testsuites><testsuite>");
+  EXPECT_THROW((void)report::read_test_results(folder_), data::InputError);
+  write("unit.A.xml", "A", "Holds", "<properties>" + property("comparisons", "many") + "</properties>");
+  EXPECT_THROW((void)report::read_test_results(folder_), data::InputError);
+  write("unit.A.xml", "A", "Holds", "<properties>" + property("compared.x", "1; 2; 3") + "</properties>");
+  EXPECT_THROW((void)report::read_test_results(folder_), data::InputError);
+}
+
+}  // namespace
+}  // namespace stickslip
