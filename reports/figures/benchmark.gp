@@ -6,7 +6,7 @@ values = folder.'benchmark-values.csv'
 load 'values.gp'
 histories = folder.'benchmark-histories.csv'
 events = folder.'benchmark.csv'
-array hz[2] = [25, 70]
+array hz[2] = [hz1, hz2]
 # Runs drawn, their colours and shapes; run 0 is the uncertainty of the reference.
 array runs[5] = [2, 4, 8, 9, 6]
 array colours[5] = [green, purple, vermillion, blue, black]

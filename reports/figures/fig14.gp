@@ -43,7 +43,7 @@ set label 'stick-slip region' at 0.55, 12 center
 set label 'stick region' at 0.62, 400 center
 set label 'stick region' at 1.22, 400 center
 set label 'stick region' at 1.82, 400 center
-set label "no stick state: P over the\nbuckling load 20.19 EI/L^2" at 1.35, 17000 center front boxed
+set label sprintf("no stick state: P over the\nbuckling load %.2f EI/L^2", buckling_coefficient) at 1.35, 17000 center front boxed
 set style textbox opaque noborder fillcolor rgb 'white'
 set style fill pattern 4
 plot $buckling using 1:2:(highest) with filledcurves linecolor rgb grey notitle, \

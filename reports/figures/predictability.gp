@@ -5,7 +5,7 @@ load 'style.gp'
 values = folder.'predictability-values.csv'
 load 'values.gp'
 file = folder.'predictability.csv'
-array hz[2] = [25, 70]
+array hz[2] = [hz1, hz2]
 array range[2] = [range1, range2]
 array titles[10]
 do for [k = 1:10] {

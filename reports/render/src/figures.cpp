@@ -274,6 +274,7 @@ FigureData figure14(StudyResults& results) {
   data.tables.push_back({"fig14", std::move(ratios)});
   data.tables.push_back({"fig14-limits", std::move(limits)});
   data.values.push_back({"hz", results.flat_section().excitation.frequency_hz(), "Hz"});
+  data.values.push_back({"buckling_coefficient", buckling_coefficient(results.flat_section().beam), "1"});
   return data;
 }
 
@@ -367,6 +368,8 @@ FigureData benchmark(StudyResults& results) {
     }
   }
   data.values.push_back({"shown", all.front().duration, "s"});
+  for (std::size_t j = 0; j < all.size(); ++j)
+    data.values.push_back({fmt::format("hz{}", j + 1), all[j].frequency_hz, "Hz"});
   data.tables.push_back({"benchmark", std::move(events)});
   data.tables.push_back({"benchmark-histories", std::move(histories)});
   return data;
@@ -385,6 +388,7 @@ FigureData event_order(StudyResults& results) {
                          study.at_end_of_step.event_time_error[i], study.located.tip_error[i],
                          study.at_end_of_step.tip_error[i]});
   FigureData data;
+  data.values.push_back({"radius", results.event_orders().front().spectral_radius, "1"});
   data.tables.push_back({"event-order", std::move(table)});
   return data;
 }
@@ -405,7 +409,9 @@ FigureData predictability(StudyResults& results) {
                        csv_number(study.separations[k].separation[i]), csv_number(study.range)});
   FigureData data;
   for (std::size_t j = 0; j < results.predictability().size(); ++j)
-    data.values.push_back({fmt::format("range{}", j + 1), results.predictability()[j].range, "m"});
+    data.values.insert(data.values.end(),
+                       {{fmt::format("hz{}", j + 1), results.predictability()[j].frequency_hz, "Hz"},
+                        {fmt::format("range{}", j + 1), results.predictability()[j].range, "m"}});
   data.tables.push_back({"predictability", std::move(table)});
   return data;
 }
@@ -425,6 +431,12 @@ FigureData energy(StudyResults& results) {
                            mesh.stepped[i].residual(), mesh.stepped[i].base_work,
                            audit.event_driven_residual()});
   FigureData data;
+  data.values.push_back(
+      {"damped_elements", static_cast<double>(results.energy_audits().front().meshes.front().elements), "1"});
+  const auto& undamped = results.energy_audits().back().meshes;
+  for (std::size_t i = 0; i < undamped.size(); ++i)
+    data.values.push_back(
+        {fmt::format("undamped_elements{}", i + 1), static_cast<double>(undamped[i].elements), "1"});
   data.tables.push_back({"energy", std::move(table)});
   return data;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/paper.hpp"
 
 namespace stickslip::report {
@@ -125,6 +126,11 @@ Agreement agreement_with(const std::vector<ComparedValue>& values, const std::st
   agreement.bias = sum / count;
   agreement.spread = std::sqrt((squares - count * agreement.bias * agreement.bias) / (count - 1.0));
   return agreement;
+}
+
+double buckling_coefficient(const data::Beam& beam) {
+  const double rigidity = beam.youngs_modulus() * beam.second_moment_of_area();
+  return analytic::stick_buckling_load(beam) * beam.length() * beam.length() / rigidity;
 }
 
 bool confirmed(const studies::ErratumEvidence& evidence) {

@@ -74,6 +74,9 @@ struct Agreement {
 [[nodiscard]] Agreement agreement_with(const std::vector<ComparedValue>& values,
                                        const std::string& reference);
 
+/// Buckling load of the stick state in units of EI/L^2.
+[[nodiscard]] double buckling_coefficient(const data::Beam& beam);
+
 /// Whether the text as printed misses the reference and the corrected text meets it.
 [[nodiscard]] bool confirmed(const studies::ErratumEvidence& evidence);
 

@@ -12,7 +12,6 @@
 #include "findings.hpp"
 #include "latex_table.hpp"
 #include "stickslip/analytic/event_driven.hpp"
-#include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/paper.hpp"
 #include "stickslip/report/latex_text.hpp"
 #include "traceability.hpp"
@@ -174,11 +173,8 @@ void define_criterion_diagrams(StudyResults& results, Macros& macros) {
   const auto resonance = [&](int mode) {
     return studies::resonance_length(flat.beam, mode, flat.excitation.frequency_hz());
   };
-  const double rigidity = flat.beam.youngs_modulus() * flat.beam.second_moment_of_area();
   const double height = std::sqrt(12.0 * flat.beam.second_moment_of_area() / flat.beam.area());
-  macros.define("BucklingCoefficient", fixed(analytic::stick_buckling_load(flat.beam) * flat.beam.length() *
-                                                 flat.beam.length() / rigidity,
-                                             2));
+  macros.define("BucklingCoefficient", fixed(buckling_coefficient(flat.beam), 2));
   macros.define("FlatHeight", significant(height, 1));
   macros.define("FlatWidth", significant(flat.beam.area() / height, 1));
   macros.plain("FlatLength", flat.beam.length());

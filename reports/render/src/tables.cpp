@@ -11,6 +11,7 @@
 
 #include "findings.hpp"
 #include "latex_table.hpp"
+#include "paper_index.hpp"
 #include "stickslip/data/paper.hpp"
 #include "stickslip/report/latex_text.hpp"
 #include "traceability.hpp"
@@ -524,6 +525,7 @@ Document make_tables(StudyResults& results, const Environment& environment,
           {"table-evidence.tex", evidence(results)},
           {"table-printed.tex", printed(results)},
           {"table-claims.tex", claim_rows(data::claims(), tests)},
+          {"table-paper-index.tex", paper_index_rows(tests, data::claims())},
           {"table-requirements.tex", requirement_rows(tests)},
           {"table-named-comparisons.tex", named_comparison_rows(tests)},
           {"table-comparisons.tex", comparison_rows(tests)},

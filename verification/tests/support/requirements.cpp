@@ -29,7 +29,7 @@ const std::vector<Requirement> table{
     // Closed form.
     {"A1",
      "The quasi-static shape S solves its equation and boundary conditions.",
-     "Eqs. (13) to (18)",
+     "Eqs. (12) to (18); Fig. 8",
      {"QuasiStaticShape"}},
     {"A2",
      "Natural frequencies and modes of the stick state are all roots of the characteristic equation.",
@@ -84,7 +84,7 @@ const std::vector<Requirement> table{
       "ContactSchemeOrder", "ContactScheme"}},
     {"F7",
      "The simulation of the beam hands its settings on and reports in the fixed frame.",
-     "Sect. 3",
+     "Sect. 3; Fig. 1",
      {"BeamSimulation"}},
     {"F8",
      "Energy books balance: what no entry explains is the error of the method.",
@@ -202,11 +202,11 @@ const std::vector<Requirement> table{
     {"U4",
      "The report's sources hold no result: all numbers come from studies.",
      "Report",
-     {"ReportSources", "LiteralResults"}},
+     {"ReportSources", "ReportFigureScripts", "LiteralResults"}},
     {"U5",
      "Every test is traced to a requirement and every requirement to tests.",
      "Traceability",
-     {"Traceability", "Trace", "TestResults"}},
+     {"Traceability", "Trace", "TestResults", "PaperIndex"}},
 };
 
 }  // namespace

@@ -88,6 +88,22 @@ INSTANTIATE_TEST_SUITE_P(Latex, ReportSources, ::testing::ValuesIn(latex_sources
                            return std::regex_replace(instance.param.stem().string(), std::regex("-"), "_");
                          });
 
+// Labels and titles of figures: a number with a unit, or of something counted, is a result.
+TEST(ReportFigureScripts, HoldNoLiteralResult) {
+  const std::regex label(
+      "'[^']*[0-9][  ]*(Hz|mm|ms|EI|N|elements|modes|points)\\b[^']*'|\"[^\"]*[0-9][  "
+      "]*(Hz|mm|ms|EI|N|elements|modes|points)\\b[^\"]*\"");
+  int scripts = 0;
+  for (const auto& entry : fs::directory_iterator(report::templates_directory() / "figures")) {
+    if (entry.path().extension() != ".gp") continue;
+    ++scripts;
+    const std::string text = without(report::read_text(entry.path()), "#[^\n']*\n");
+    for (std::sregex_iterator match(text.begin(), text.end(), label), end; match != end; ++match)
+      ADD_FAILURE() << entry.path().filename() << " holds " << match->str();
+  }
+  EXPECT_GT(scripts, 20);
+}
+
 TEST(LiteralResults, AreFoundWhereverTheyStand) {
   for (const std::string text : {"The first frequency is 25 Hz.", "at $A_0 = 1\\unit{mm}$",
                                  "within 2\\,\\% of", "about $20.19\\,EI/L^2$", "an error of $10^{-12}$",

@@ -6,10 +6,14 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <set>
 #include <string>
 
+#include "paper_index.hpp"
 #include "stickslip/data/case_file.hpp"
+#include "stickslip/data/paper.hpp"
 #include "stickslip/report/text_file.hpp"
+#include "support/requirements.hpp"
 #include "traceability.hpp"
 
 namespace stickslip {
@@ -104,6 +108,31 @@ TEST_F(TestResults, AreRefusedWhereThereAreNoneOrTheyCannotBeRead) {
   EXPECT_THROW((void)report::read_test_results(folder_), data::InputError);
   write("unit.A.xml", "A", "Holds", "<properties>" + property("compared.x", "1; 2; 3") + "</properties>");
   EXPECT_THROW((void)report::read_test_results(folder_), data::InputError);
+}
+
+TEST(PaperIndex, ReadsTheNumbersOfEquationsAndFigures) {
+  using Numbers = std::set<int>;
+  EXPECT_EQ(report::numbers_named("Eqs. (1) to (3), (24) to (28); E3", "Eq"),
+            (Numbers{1, 2, 3, 24, 25, 26, 27, 28}));
+  EXPECT_EQ(report::numbers_named("Eq. (4) and the text below it", "Eq"), (Numbers{4}));
+  EXPECT_EQ(report::numbers_named("Eqs. (9) and (11)", "Eq"), (Numbers{9, 11}));
+  EXPECT_EQ(report::numbers_named("Eqs. (6), (7); Fig. 2", "Eq"), (Numbers{6, 7}));
+  EXPECT_EQ(report::numbers_named("Sect. 3, text on Figs. 3b and 4b", "Fig"), (Numbers{3, 4}));
+  EXPECT_EQ(report::numbers_named("Sect. 5, text on Fig. 12, and Sect. 4", "Fig"), (Numbers{12}));
+  EXPECT_EQ(report::numbers_named("Sect. 5; E6", "Fig"), Numbers{});
+}
+
+TEST(PaperIndex, HasARequirementOrAClaimForEveryEquationAndFigure) {
+  std::string places;
+  for (const auto& requirement : testing::requirements()) places += std::string(requirement.source) + "; ";
+  for (const auto& claim : data::claims()) places += claim.place + "; ";
+  const auto equations = report::numbers_named(places, "Eq"), figures = report::numbers_named(places, "Fig");
+  for (int number = 1; number <= report::paper_equations; ++number)
+    EXPECT_TRUE(equations.contains(number)) << number;
+  for (int number = 1; number <= report::paper_figures; ++number)
+    EXPECT_TRUE(figures.contains(number)) << number;
+  EXPECT_EQ(*equations.rbegin(), report::paper_equations);
+  EXPECT_EQ(*figures.rbegin(), report::paper_figures);
 }
 
 }  // namespace
