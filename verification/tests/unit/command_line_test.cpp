@@ -96,6 +96,7 @@ TEST_F(CommandLine, RefusesUnusableArgumentsInOneSentence) {
   expect_refused("criterion --hz fast", "fast is not a number");
   expect_refused("criterion --hz -3", "excitation.frequency_hz is -3");
   expect_refused("respond --duration nan", "numerics.duration is nan");
+  expect_refused("report --output '" + path("report") + "' --tests nowhere", "test results is nowhere");
   expect_refused("respond --json", "--output FILE");
   expect_refused("respond --every 0", "0 is not an integer from 1");
   expect_refused("respond --method event-driven --scheme located", "schemes belong to --method fe");

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "stickslip/data/case_file.hpp"
 #include "stickslip/report/report.hpp"
 #include "stickslip/report/text_file.hpp"
 #include "study_store.hpp"
@@ -159,6 +160,22 @@ TEST_F(DrawnFigures, AreAllDrawnAgainWhenTheStyleChanges) {
   report::write_text(style, report::read_text(style) + "# a change\n");
   draw();
   for (const char* name : {"fig1.png", "fig2.png", "fig7.png"}) EXPECT_FALSE(is_kept(name)) << name;
+}
+
+TEST_F(DrawnFigures, FollowTheCaseTheyAreDrawnFrom) {
+  const fs::path data = folder_ / "data", file = data / "cases" / "paper.toml";
+  fs::copy(data::data_directory(), data, fs::copy_options::recursive);
+  std::string text = report::read_text(file);
+  const std::string before = "static_coefficient = 0.6", after = "static_coefficient = 0.7";
+  ASSERT_NE(text.find(before), std::string::npos);
+  report::write_text(file, text.replace(text.find(before), before.size(), after));
+  mark();
+  ::setenv("STICKSLIP_DATA", data.c_str(), 1);
+  draw();
+  ::unsetenv("STICKSLIP_DATA");
+  EXPECT_TRUE(is_kept("fig1.png"));
+  EXPECT_FALSE(is_kept("fig2.png"));
+  EXPECT_TRUE(is_kept("fig7.png")) << "mode shapes do not depend on friction";
 }
 
 TEST_F(DrawnFigures, AreDrawnAgainWhenADrawingIsMissing) {
