@@ -163,19 +163,25 @@ TEST_F(DrawnFigures, AreAllDrawnAgainWhenTheStyleChanges) {
 }
 
 TEST_F(DrawnFigures, FollowTheCaseTheyAreDrawnFrom) {
-  const fs::path data = folder_ / "data", file = data / "cases" / "paper.toml";
+  const fs::path data = folder_ / "data";
   fs::copy(data::data_directory(), data, fs::copy_options::recursive);
-  std::string text = report::read_text(file);
-  const std::string before = "static_coefficient = 0.6", after = "static_coefficient = 0.7";
-  ASSERT_NE(text.find(before), std::string::npos);
-  report::write_text(file, text.replace(text.find(before), before.size(), after));
-  mark();
-  ::setenv("STICKSLIP_DATA", data.c_str(), 1);
-  draw();
-  ::unsetenv("STICKSLIP_DATA");
+  const auto draw_with = [&](const std::string& before, const std::string& after) {
+    const fs::path file = data / "cases" / "paper.toml";
+    std::string text = report::read_text(file);
+    ASSERT_NE(text.find(before), std::string::npos);
+    report::write_text(file, text.replace(text.find(before), before.size(), after));
+    mark();
+    ::setenv("STICKSLIP_DATA", data.c_str(), 1);
+    draw();
+    ::unsetenv("STICKSLIP_DATA");
+  };
+  draw_with("static_coefficient = 0.6", "static_coefficient = 0.7");
   EXPECT_TRUE(is_kept("fig1.png"));
   EXPECT_FALSE(is_kept("fig2.png"));
   EXPECT_TRUE(is_kept("fig7.png")) << "mode shapes do not depend on friction";
+  draw_with("youngs_modulus = 2.0e9", "youngs_modulus = 3.0e9");
+  EXPECT_TRUE(is_kept("fig2.png"));
+  EXPECT_FALSE(is_kept("fig7.png")) << "the study behind it must be repeated";
 }
 
 TEST_F(DrawnFigures, AreDrawnAgainWhenADrawingIsMissing) {
