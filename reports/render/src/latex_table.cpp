@@ -16,7 +16,7 @@ void Rows::add(const std::vector<std::string>& cells) {
 }
 
 void Rows::add_heading(const std::string& text, int columns) {
-  text_ += fmt::format("\\multicolumn{{{}}}{{@{{}}p{{\\linewidth}}@{{}}}}{{{}}} \\\\*\n", columns, text);
+  text_ += fmt::format("\\multicolumn{{{}}}{{@{{}}p{{.9\\linewidth}}@{{}}}}{{{}}} \\\\*\n", columns, text);
 }
 
 std::string plain_number(double value) { return typeset(data::shortest_text(value)); }

@@ -290,8 +290,8 @@ std::string determined_digits(StudyResults& results) {
     const auto printed = data::printed_number(fmt::format("force_max.{}", digits.frequency_hz));
     std::vector<std::string> cells{plain_number(digits.frequency_hz), typeset(printed.printed)};
     for (const auto* range : {&digits.formula, &digits.method, &digits.problem}) {
-      cells.push_back(fmt::format("{} \\ldots{{}} {}", significant(range->force.lower, 7),
-                                  significant(range->force.upper, 7)));
+      cells.push_back(fmt::format("{} \\ldots{{}} {}", significant(range->force.lower, 6),
+                                  significant(range->force.upper, 6)));
       cells.push_back(std::to_string(range->digits));
       cells.push_back(yes_or_no(range->holds_printed));
     }

@@ -23,7 +23,7 @@ std::string name_cell(const TestResult& test) {
 std::string margin_text(double margin) { return margin == 0.0 ? "0" : compact_number(margin, 2); }
 
 std::vector<std::string> comparison_cells(const TestComparison& comparison) {
-  return {compact_number(comparison.computed, 6), compact_number(comparison.expected, 6),
+  return {compact_number(comparison.computed, 5), compact_number(comparison.expected, 5),
           compact_number(comparison.error, 2), compact_number(comparison.tolerance, 2),
           margin_text(comparison.margin)};
 }
