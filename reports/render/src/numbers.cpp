@@ -350,8 +350,11 @@ void define_traceability(const std::vector<TestResult>& tests, Macros& macros) {
   macros.count("ClaimsCorrected", claims_with(claims, data::ClaimVerdict::holds_with_correction));
   macros.count("ClaimsFailing", claims_with(claims, data::ClaimVerdict::does_not_hold));
   const TestCounts counts = test_counts(tests);
-  macros.count("TestsTotal", counts.tests);
-  macros.count("TestsFailed", counts.failed);
+  macros.define("TestsSentence",
+                tests.empty()
+                    ? "This report was made without a test run: the tables below are empty."
+                    : fmt::format("{} tests ran before this report was made; {} of them failed.",
+                                  counts.tests, counts.failed == 0 ? "none" : std::to_string(counts.failed)));
   macros.count("TestsComparing", counts.comparing);
   macros.count("TestsTight", counts.tight);
   macros.count("TestsGenerous", counts.generous);
