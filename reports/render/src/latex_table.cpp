@@ -5,6 +5,7 @@
 
 #include <cctype>
 #include <cmath>
+#include <regex>
 
 #include "stickslip/data/problem.hpp"
 #include "stickslip/report/latex_text.hpp"
@@ -39,6 +40,11 @@ std::string order_text(const studies::OrderEstimate& estimate) {
 std::string unit_text(const std::string& unit) { return unit == "1" ? "" : typeset(unit); }
 
 std::string yes_or_no(bool holds) { return holds ? "yes" : "\\textbf{no}"; }
+
+std::string with_powers_of_ten(const std::string& text) {
+  const std::string without_zeros = std::regex_replace(text, std::regex("\\b0e[+]00\\b"), "0");
+  return std::regex_replace(without_zeros, std::regex("\\b([0-9.]+)e[+]?(-?)0*([0-9]+)\\b"), "$1 x 10^$2$3");
+}
 
 std::string breakable(std::string_view name) {
   std::string text;

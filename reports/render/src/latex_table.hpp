@@ -35,6 +35,9 @@ class Rows {
 
 [[nodiscard]] std::string yes_or_no(bool holds);
 
+/// "1e-05 s" as "1 x 10^-5 s", plain text for typeset().
+[[nodiscard]] std::string with_powers_of_ten(const std::string& text);
+
 /// The name of a test, escaped, which may be broken before its capitals.
 [[nodiscard]] std::string breakable(std::string_view name);
 

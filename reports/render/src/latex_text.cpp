@@ -91,8 +91,7 @@ class Typesetter {
       at_ += 2;
     }
     if (subscript_follows()) {
-      ++at_;
-      symbol += fmt::format("_{{{}}}", subscript_text(take_while(is_letter)));
+      symbol += fmt::format("_{{{}}}", subscripts());
     } else if (const std::string_view number = take_while(is_digit); !number.empty()) {
       symbol += fmt::format("_{{{}}}", number);
     }
@@ -100,6 +99,17 @@ class Typesetter {
     if (next_is('^')) symbol += exponent();
     symbol += argument();
     result_ += fmt::format("\\ensuremath{{{}}}", symbol);
+  }
+
+  // "_n_tt": one subscript, its parts separated by commas.
+  std::string subscripts() {
+    std::string text;
+    while (subscript_follows()) {
+      ++at_;
+      if (!text.empty()) text += ",";
+      text += subscript_text(take_while(is_letter));
+    }
+    return text;
   }
 
   // Greek letters, "EI", "E I" and the letters of always_symbols; another single letter where its neighbours

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <regex>
 #include <utility>
 
 #include "findings.hpp"
@@ -243,11 +242,6 @@ std::string signed_percent(double value) {
   return is_zero ? text : fmt::format("${}{}$", value > 0.0 ? "+" : "-", text);
 }
 
-// "1e-05 s" as "1 x 10^-5 s".
-std::string with_powers_of_ten(const std::string& text) {
-  return std::regex_replace(text, std::regex("([0-9])e(-?)0*([0-9]+)"), "$1 x 10^$2$3");
-}
-
 // A line between the settings of one factor and the next.
 std::string sensitivity(StudyResults& results) {
   Rows rows;
@@ -413,7 +407,7 @@ std::string predictability(StudyResults& results) {
   for (const auto& study : results.predictability()) {
     for (const auto& separation : study.separations) {
       const auto until = [&](double time) { return time >= study.duration ? "--" : fixed(time, 3); };
-      rows.add({plain_number(study.frequency_hz), typeset(separation.what),
+      rows.add({plain_number(study.frequency_hz), typeset(with_powers_of_ten(separation.what)),
                 until(separation.one_percent_until), until(separation.ten_percent_until),
                 compact_number(100.0 * separation.largest, 2), fixed(separation.growth_rate, 0),
                 fmt::format("{}, {}", separation.changes, separation.other_changes)});

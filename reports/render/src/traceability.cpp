@@ -133,7 +133,7 @@ std::string claim_rows(const std::vector<data::Claim>& claims, const std::vector
   Rows rows;
   for (const data::Claim& claim : claims) {
     const auto test = std::ranges::find(tests, claim.id, &TestResult::claim);
-    std::string found = test == tests.end() ? "not run" : typeset(test->finding);
+    std::string found = test == tests.end() ? "not run" : typeset(with_powers_of_ten(test->finding));
     if (!claim.correction.empty())
       found += fmt::format("\\par\\emph{{Instead:}} {}", typeset(claim.correction));
     std::vector<std::string> pointers;

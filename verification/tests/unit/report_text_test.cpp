@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "latex_table.hpp"
 #include "stickslip/report/csv_table.hpp"
 #include "stickslip/report/latex_text.hpp"
 
@@ -55,6 +56,17 @@ TEST(LatexEscape, CoversAllTenReservedCharacters) {
   EXPECT_EQ(report::escape("#$%&_{}"), "\\#\\$\\%\\&\\_\\{\\}");
   EXPECT_EQ(report::escape("a~b^c\\d"), "a\\textasciitilde{}b\\textasciicircum{}c\\textbackslash{}d");
   EXPECT_EQ(report::escape("plain text, 1.5"), "plain text, 1.5");
+}
+
+TEST(LatexNotation, JoinsSubscripts) {
+  EXPECT_EQ(report::typeset("T_n_tt"), "\\ensuremath{T_{n,\\mathrm{tt}}}");
+}
+
+TEST(LatexNotation, ReadsPowersOfTenInPrintedNumbers) {
+  EXPECT_EQ(report::with_powers_of_ten("1e-05 s, -8.5e-16 and 3e+04"),
+            "1 x 10^-5 s, -8.5 x 10^-16 and 3 x 10^4");
+  EXPECT_EQ(report::with_powers_of_ten("0e+00 N"), "0 N");
+  EXPECT_EQ(report::with_powers_of_ten("2e9e"), "2e9e");
 }
 
 TEST(LatexNotation, RaisesExponents) {
