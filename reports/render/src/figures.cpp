@@ -481,28 +481,28 @@ CsvTable values_table(const std::vector<FigureData::Value>& values) {
 }
 
 const std::vector<Figure>& all_figures() {
-  static const std::vector<Figure> figures{{"fig1", schematic},
+  static const std::vector<Figure> figures{{"scatter", scatter},
+                                           {"fig1", schematic},
                                            {"fig2", figure2},
                                            {"fig8", schematic},
-                                           {"fig7", figure7},
                                            {"convergence", convergence},
-                                           {"fig9", figure9},
+                                           {"fig7", figure7},
                                            {"refinement", refinement},
+                                           {"event-order", event_order},
+                                           {"energy", energy},
+                                           {"fig9", figure9},
                                            {"fig6", figure6},
-                                           {"fig10", figure10},
-                                           {"fig11", figure11},
                                            {"fig12", figure12},
-                                           {"fig13", figure13},
-                                           {"fig14", figure14},
-                                           {"map", map},
-                                           {"scatter", scatter},
                                            {"fig3", figure3},
                                            {"fig4", figure4},
                                            {"fig5", figure5},
-                                           {"event-order", event_order},
-                                           {"energy", energy},
                                            {"benchmark", benchmark},
-                                           {"predictability", predictability}};
+                                           {"predictability", predictability},
+                                           {"fig10", figure10},
+                                           {"fig11", figure11},
+                                           {"fig13", figure13},
+                                           {"fig14", figure14},
+                                           {"map", map}};
   return figures;
 }
 

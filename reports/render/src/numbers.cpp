@@ -238,8 +238,6 @@ void define_events(StudyResults& results, Macros& macros) {
   const auto& low = results.predictability().front();
   const auto& high = results.predictability().back();
   macros.define("PumpRate", significant(low.predicted_rate, 2));
-  macros.define("SlipShareLow", fixed(100.0 * low.slip_share, 0));
-  macros.define("SlipShareHigh", fixed(100.0 * high.slip_share, 0));
   macros.define("PerturbationLow", scientific(low.separations.front().largest * low.range, 1));
   macros.define("PerturbationHigh", scientific(high.separations.front().largest * high.range, 1));
   macros.define("Perturbation", scientific(studies::perturbation, 1));

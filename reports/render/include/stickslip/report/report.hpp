@@ -20,6 +20,10 @@ struct ReportOptions {
 /// Runs the studies on the paper's case and writes `<figure>.csv`, `.pdf` and `.png` for each figure and,
 /// unless `only` is given, vv-report.pdf. Each file appears whole or not at all.
 ///
+/// Nothing is done twice: the folder's .studies keeps the results of the studies, for as long as their code
+/// and the cases stand, and .made what each drawing and the PDF were made from (scripts, tables, sources,
+/// test results).
+///
 /// Throws data::InputError for an unknown figure or an output folder that cannot be used, std::runtime_error
 /// if gnuplot or pdflatex is missing or fails (the CSV files are in place by then).
 void write_report(const ReportOptions& options);
