@@ -509,8 +509,9 @@ TEST_F(MapCommand, KeepsTheMapWhenItsFigureCannotBeDrawn) {
 
 TEST_F(MapCommand, ThatIsInterruptedLeavesTheOldFileAndNothingElse) {
   std::ofstream(path("map.csv")) << "old";
+  // In the foreground, timeout sends one signal; else a second one, which ends the program at once.
   const std::string program =
-      std::string("timeout --preserve-status -k 20 -s INT 1 '") + STICKSLIP_PROGRAM + "' ";
+      std::string("timeout --foreground --preserve-status -k 20 -s INT 2 '") + STICKSLIP_PROGRAM + "' ";
   const std::string far_too_long = "map paper --method fe --x frequency=1:100:500 --y length=1:2:500 ";
   const int status = std::system((program + far_too_long + "--output '" + path("map.csv") + "' --figure '" +
                                   path("map.png") + "' 2>'" + path("stderr") + "'")
