@@ -31,10 +31,6 @@ constexpr double hz = 15.0;  // of Fig. 9
 constexpr double amplitude = 0.5e-3;
 constexpr double omega = 2.0 * pi * hz;
 
-double length() { return paper().beam.length(); }
-double bending_stiffness() { return paper().beam.youngs_modulus() * paper().beam.second_moment_of_area(); }
-double mass_per_length() { return paper().beam.density() * paper().beam.area(); }
-double axial_force() { return paper().beam.axial_force(); }
 double sigma() { return std::sqrt(axial_force() / bending_stiffness()); }
 
 // The points x = 0, L/10, ..., L.

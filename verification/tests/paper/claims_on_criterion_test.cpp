@@ -25,9 +25,6 @@ namespace {
 
 constexpr double amplitude = 0.5e-3;  // of the points A to D of Fig. 10
 
-double friction_limit() { return paper().friction.static_coefficient() * paper().beam.axial_force(); }
-double mm(double metres) { return 1e3 * metres; }
-
 std::vector<double> frequencies(double first, double last, double step) {
   std::vector<double> hz;
   for (int i = 0; first + i * step <= last + 1e-9; ++i) hz.push_back(first + i * step);

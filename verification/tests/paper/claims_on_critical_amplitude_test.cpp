@@ -31,14 +31,12 @@ Curve curve_at(const std::vector<double>& frequencies_hz) {
   for (const auto& point :
        studies::critical_amplitude_curve(paper().beam, paper().friction, paper().numerics, frequencies_hz))
     curve.closed_form.push_back(point.critical_amplitude);
-  const double limit = paper().friction.static_coefficient() * paper().beam.axial_force();
   for (const double hz : frequencies_hz)
     curve.finite_element.push_back(
-        1e-3 * limit / solver::max_abs_friction_force(paper().beam, excitation(hz, 1e-3), paper().numerics));
+        1e-3 * friction_limit() /
+        solver::max_abs_friction_force(paper().beam, excitation(hz, 1e-3), paper().numerics));
   return curve;
 }
-
-double mm(double metres) { return 1e3 * metres; }
 
 TEST(ClaimOnFigure6, TheSearchFindsTheCriticalAmplitudes) {
   // The paper's procedure, at three frequencies that do not take many runs.

@@ -13,6 +13,7 @@
 #include "stickslip/data/paper.hpp"
 #include "stickslip/studies/length_force_map.hpp"
 #include "support/claim.hpp"
+#include "support/flat_beam.hpp"
 #include "support/paper_case.hpp"
 
 namespace stickslip::testing {
@@ -23,13 +24,6 @@ constexpr double printed_axial_force = 500.0;
 const data::Case& flat() {
   static const data::Case instance = data::load_case("paper-figure14");
   return instance;
-}
-
-data::Beam flat_beam(double length, double axial_force) {
-  data::BeamProperties properties = flat().beam.properties();
-  properties.length = length;
-  properties.axial_force = axial_force;
-  return data::Beam(properties);
 }
 
 bool slips(double length, double axial_force) {

@@ -33,12 +33,6 @@ constexpr double hz = 15.0;  // of the steady states below
 constexpr double omega = 2.0 * std::numbers::pi * hz;
 constexpr double amplitude = 0.5e-3;
 
-double length() { return paper().beam.length(); }
-double axial_force() { return paper().beam.axial_force(); }
-double bending_stiffness() { return paper().beam.youngs_modulus() * paper().beam.second_moment_of_area(); }
-double mass_per_length() { return paper().beam.density() * paper().beam.area(); }
-double friction_limit() { return paper().friction.static_coefficient() * axial_force(); }
-
 // The undamped steady state in closed form: y(x,t) = Re Y(x) sin(Omega t).
 DampedSteadyState closed_form(TipSupport tip) {
   return DampedSteadyState(paper().beam, excitation(hz, amplitude), data::Damping(), tip);

@@ -27,8 +27,6 @@ namespace {
 constexpr std::array frequencies{15.0, 25.0, 35.0, 70.0};
 constexpr double small = 0.5e-3, large = 1e-3;
 
-double friction_limit() { return paper().friction.static_coefficient() * paper().beam.axial_force(); }
-
 // "f/300 N and no slip" or "f/300 N and slip at t": |f_max| of Eq. (28), and the first slip by finite
 // elements.
 std::string verdicts_in_words(double hz, double amplitude) {

@@ -17,6 +17,15 @@ inline data::HarmonicExcitation excitation(double hz, double amplitude) {
   return data::HarmonicExcitation({.frequency_hz = hz, .amplitude = amplitude});
 }
 
+inline double length() { return paper().beam.length(); }
+inline double axial_force() { return paper().beam.axial_force(); }
+inline double bending_stiffness() {
+  return paper().beam.youngs_modulus() * paper().beam.second_moment_of_area();
+}
+inline double mass_per_length() { return paper().beam.density() * paper().beam.area(); }
+inline double friction_limit() { return paper().friction.static_coefficient() * axial_force(); }  ///< mu_s P
+inline double mm(double metres) { return 1e3 * metres; }
+
 /// Eqs. (29), (30), with Eq. (28).
 inline bool criterion_slips(double hz, double amplitude) {
   return analytic::evaluate_criterion(paper().beam, paper().friction, excitation(hz, amplitude),
