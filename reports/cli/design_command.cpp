@@ -26,12 +26,6 @@ struct DesignOptions {
   std::optional<std::string> length, force;
 };
 
-struct Design {
-  analytic::FrequencyBand band;
-  studies::BandMargin margin;
-  studies::DesignScan lengths, forces;
-};
-
 constexpr std::string_view guarantee =
     "The margin is between rigorous bounds over the whole band, natural frequencies included, for the modes "
     "kept. Lengths and forces\nare sampled 1 % apart, at every resonance, and closer where they come near to "
@@ -41,17 +35,14 @@ constexpr std::string_view guarantee =
 studies::ParameterRange range_of(const data::Case& problem, studies::Parameter parameter,
                                  std::string_view option, const std::optional<std::string>& text,
                                  double below, double above) {
-  if (text) {
-    const Range range = parse_range(option, *text);
-    return {range.from, range.to};
-  }
+  if (text) return parse_range(option, *text);
   const double value = studies::value_of(problem, parameter);
-  return {below * value, std::min(above * value, 0.999 * studies::buckling_value(problem, parameter))};
+  return studies::range_below_buckling(problem, parameter, below * value, above * value);
 }
 
-Design design_of(const data::Case& problem, const DesignOptions& options) {
-  const Range band = parse_band("--band", options.band);
-  Design design{.band = {band.from, band.to}, .margin = {}, .lengths = {}, .forces = {}};
+studies::Design design_of(const data::Case& problem, const DesignOptions& options) {
+  const studies::ParameterRange band = parse_band("--band", options.band);
+  studies::Design design{.band = {band.from, band.to}, .margin = {}, .lengths = {}, .forces = {}};
   design.margin = studies::band_margin(problem, design.band);
   const auto lengths = range_of(problem, studies::Parameter::length, "--length", options.length, 0.5, 2.0);
   const auto forces = range_of(problem, studies::Parameter::axial_force, "--force", options.force, 0.1, 10.0);
@@ -86,7 +77,7 @@ std::string resonance_text(const std::vector<studies::Resonance>& resonances) {
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-void print_table(const data::Case& problem, const Design& design) {
+void print_table(const data::Case& problem, const studies::Design& design) {
   const auto row = [](std::string_view name, std::string_view value) {
     fmt::print("{:<34}{}\n", name, value);
   };
@@ -120,7 +111,7 @@ Json to_json(const studies::DesignScan& scan) {
   return {{"accuracy", scan.accuracy}, {"intervals", intervals}};
 }
 
-Json to_json(const data::Case& problem, const Design& design) {
+Json to_json(const data::Case& problem, const studies::Design& design) {
   Json resonances = Json::array();
   for (const auto& resonance : design.margin.resonances)
     resonances.push_back({{"mode", resonance.mode}, {"frequency_hz", resonance.frequency_hz}});
@@ -143,7 +134,7 @@ void run(const DesignOptions& options) {
   const data::Case problem =
       load_case(options.problem, {.frequency_hz = {}, .amplitude = options.amplitude}, options.duration);
   require_undamped(problem, "the design guide");
-  const Design design = design_of(problem, options);
+  const studies::Design design = design_of(problem, options);
   if (options.problem.json)
     print_json(to_json(problem, design));
   else

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "stickslip/data/problem.hpp"
+#include "stickslip/studies/common_digits.hpp"
 
 namespace stickslip::cli {
 
@@ -25,9 +26,7 @@ std::string significant(double value, int digits) {
 
 std::string common_digits(const analytic::Bounds& bounds) {
   if (bounds.lower == bounds.upper) return data::shortest_text(bounds.lower);
-  for (int digits = std::numeric_limits<double>::digits10; digits > 0; --digits)
-    if (const auto text = significant(bounds.lower, digits); text == significant(bounds.upper, digits))
-      return text;
+  if (const int digits = studies::common_digits(bounds); digits > 0) return significant(bounds.lower, digits);
   return fmt::format("{} ... {}", significant(bounds.lower, 2), significant(bounds.upper, 2));
 }
 

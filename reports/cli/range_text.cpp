@@ -15,6 +15,8 @@ namespace stickslip::cli {
 
 namespace {
 
+using studies::ParameterRange;
+
 constexpr int most_values = 2000;  // along one axis
 
 constexpr std::array<std::pair<std::string_view, studies::Parameter>, 6> parameters{
@@ -40,7 +42,8 @@ std::vector<std::string_view> split_at_colons(std::string_view text) {
   return parts;
 }
 
-Range range_of(std::string_view option, std::string_view from, std::string_view to, bool zero, bool equal) {
+ParameterRange range_of(std::string_view option, std::string_view from, std::string_view to, bool zero,
+                        bool equal) {
   const auto lower = parse<double>(from), upper = parse<double>(to);
   if (!lower || !std::isfinite(*lower) || *lower < 0.0 || (*lower == 0.0 && !zero))
     refuse(option, "FROM", from, zero ? "a finite number of 0 or more" : "a finite number above 0");
@@ -49,7 +52,7 @@ Range range_of(std::string_view option, std::string_view from, std::string_view 
   return {*lower, *upper};
 }
 
-Range from_to(std::string_view option, std::string_view text, bool equal) {
+ParameterRange from_to(std::string_view option, std::string_view text, bool equal) {
   const auto parts = split_at_colons(text);
   if (parts.size() != 2) refuse(option, "the range", text, "FROM:TO");
   return range_of(option, parts[0], parts[1], false, equal);
@@ -66,9 +69,13 @@ studies::Parameter parameter_of(std::string_view option, std::string_view name) 
 
 }  // namespace
 
-Range parse_range(std::string_view option, std::string_view text) { return from_to(option, text, false); }
+ParameterRange parse_range(std::string_view option, std::string_view text) {
+  return from_to(option, text, false);
+}
 
-Range parse_band(std::string_view option, std::string_view text) { return from_to(option, text, true); }
+ParameterRange parse_band(std::string_view option, std::string_view text) {
+  return from_to(option, text, true);
+}
 
 studies::MapAxis parse_axis(std::string_view option, std::string_view text) {
   const auto equals = text.find('=');
@@ -78,7 +85,7 @@ studies::MapAxis parse_axis(std::string_view option, std::string_view text) {
     refuse(option, "the axis", text, "PARAMETER=FROM:TO:COUNT or PARAMETER=FROM:TO:COUNT:log");
   const studies::Parameter parameter = parameter_of(option, text.substr(0, equals));
   const bool zero = parameter == studies::Parameter::amplitude && !logarithmic;
-  const Range range = range_of(option, parts[0], parts[1], zero, false);
+  const ParameterRange range = range_of(option, parts[0], parts[1], zero, false);
   const auto count = parse<int>(parts[2]);
   if (!count || *count < 2 || *count > most_values)
     refuse(option, "COUNT", parts[2], fmt::format("an integer from 2 to {}", most_values));

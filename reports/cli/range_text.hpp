@@ -6,16 +6,13 @@
 #include <string_view>
 
 #include "stickslip/studies/criterion_map.hpp"
+#include "stickslip/studies/design_guide.hpp"
 
 namespace stickslip::cli {
 
-struct Range {
-  double from{}, to{};
-};
-
 /// "FROM:TO", two finite numbers above 0 with FROM below TO, or, for a band, not above it.
-[[nodiscard]] Range parse_range(std::string_view option, std::string_view text);
-[[nodiscard]] Range parse_band(std::string_view option, std::string_view text);
+[[nodiscard]] studies::ParameterRange parse_range(std::string_view option, std::string_view text);
+[[nodiscard]] studies::ParameterRange parse_band(std::string_view option, std::string_view text);
 
 /// "PARAMETER=FROM:TO:COUNT" in equal steps, or "PARAMETER=FROM:TO:COUNT:log" in equal ratios; FROM may be 0
 /// for an amplitude in equal steps.

@@ -335,8 +335,8 @@ void define_agreement(StudyResults& results, Macros& macros) {
 
 void define_design(StudyResults& results, Macros& macros) {
   const auto& design = results.design_example();
-  macros.plain("DesignFrom", design.from_hz);
-  macros.plain("DesignTo", design.to_hz);
+  macros.plain("DesignFrom", design.band.from_hz);
+  macros.plain("DesignTo", design.band.to_hz);
   macros.define("DesignMargin", significant(design.margin.margin.lower, 3));
   macros.define("DesignWorst", significant(design.margin.frequency_hz, 4));
 }

@@ -260,19 +260,18 @@ const studies::CriterionMap& StudyResults::stiffness_map() {
   });
 }
 
-const DesignExample& StudyResults::design_example() {
+const studies::Design& StudyResults::design_example() {
   return once(design_example_, "design-example", "lengths and forces that avoid slipping", [&] {
     const double hz = flat_section_.excitation.frequency_hz();
     const analytic::FrequencyBand band{hz - 1.0, hz + 1.0};
     const auto scan = [&](studies::Parameter parameter, double from, double to) {
-      const double buckling = studies::buckling_value(flat_section_, parameter);
-      return studies::design_scan(flat_section_, parameter, {from, std::min(to, 0.999 * buckling)}, band);
+      return studies::design_scan(flat_section_, parameter,
+                                  studies::range_below_buckling(flat_section_, parameter, from, to), band);
     };
-    return DesignExample{.from_hz = band.from_hz,
-                         .to_hz = band.to_hz,
-                         .margin = studies::band_margin(flat_section_, band),
-                         .lengths = scan(studies::Parameter::length, 0.4, 2.0),
-                         .forces = scan(studies::Parameter::axial_force, 50.0, 5000.0)};
+    return studies::Design{.band = band,
+                           .margin = studies::band_margin(flat_section_, band),
+                           .lengths = scan(studies::Parameter::length, 0.4, 2.0),
+                           .forces = scan(studies::Parameter::axial_force, 50.0, 5000.0)};
   });
 }
 

@@ -33,13 +33,6 @@
 
 namespace stickslip::report {
 
-/// What `stickslip design` says of a beam.
-struct DesignExample {
-  double from_hz{}, to_hz{};
-  studies::BandMargin margin;
-  studies::DesignScan lengths, forces;
-};
-
 class StudyResults {
  public:
   /// `announce` is told what starts, before each study; `store` keeps the results for the next time.
@@ -77,8 +70,8 @@ class StudyResults {
   const studies::ForceSensitivity& force_sensitivity();               ///< of the four printed |f_max|
   const studies::SolutionVerification& solution_verification();
   const studies::CriterionMap&
-  stiffness_map();                        ///< frequency and Young's modulus, at the amplitude of Fig. 4
-  const DesignExample& design_example();  ///< the section of Fig. 14 over a band around its frequency
+  stiffness_map();                          ///< frequency and Young's modulus, at the amplitude of Fig. 4
+  const studies::Design& design_example();  ///< the section of Fig. 14 over a band around its frequency
   const std::vector<studies::PrintedCheck>& printed_checks();
   const std::vector<studies::ErratumEvidence>& errata_evidence();
 
@@ -126,7 +119,7 @@ class StudyResults {
   std::optional<studies::ForceSensitivity> force_sensitivity_;
   std::optional<studies::SolutionVerification> solution_verification_;
   std::optional<studies::CriterionMap> stiffness_map_;
-  std::optional<DesignExample> design_example_;
+  std::optional<studies::Design> design_example_;
   std::optional<std::vector<studies::PrintedCheck>> printed_checks_;
   std::optional<std::vector<studies::ErratumEvidence>> errata_evidence_;
 };

@@ -220,6 +220,10 @@ DesignScan design_scan(const data::Case& problem, Parameter parameter, const Par
   return result;
 }
 
+ParameterRange range_below_buckling(const data::Case& problem, Parameter parameter, double from, double to) {
+  return {from, std::min(to, 0.999 * buckling_value(problem, parameter))};
+}
+
 double buckling_value(const data::Case& problem, Parameter parameter) {
   if (parameter == Parameter::axial_force) return analytic::stick_buckling_load(problem.beam);
   if (parameter != Parameter::length)

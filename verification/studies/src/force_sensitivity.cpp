@@ -15,6 +15,7 @@
 #include "printed_forces.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
+#include "stickslip/studies/common_digits.hpp"
 
 namespace stickslip::studies {
 
@@ -310,13 +311,6 @@ SamplingSearch sampling_search(const data::Case& paper) {
 }
 
 }  // namespace
-
-int common_digits(const analytic::Bounds& range) {
-  for (int digits = 15; digits > 0; --digits)
-    if (fmt::format("{:.{}e}", range.lower, digits - 1) == fmt::format("{:.{}e}", range.upper, digits - 1))
-      return digits;
-  return 0;
-}
 
 ForceSensitivity force_sensitivity(const data::Case& paper) {
   ForceSensitivity study;

@@ -11,6 +11,7 @@
 
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/data/case_file.hpp"
+#include "stickslip/studies/common_digits.hpp"
 #include "stickslip/studies/force_sensitivity.hpp"
 #include "support/beams.hpp"
 #include "support/tolerance.hpp"

@@ -73,6 +73,18 @@ struct DesignScan {
                                      const ParameterRange& range, const analytic::FrequencyBand& band,
                                      const std::function<void(double)>& progress = {});
 
+/// What the guideline says of a beam: the margin over a band, and which lengths and forces keep it.
+struct Design {
+  analytic::FrequencyBand band;
+  BandMargin margin;
+  DesignScan lengths, forces;
+};
+
+/// `from` to `to`, or to just under the buckling value of the case if that is less. Throws as
+/// buckling_value().
+[[nodiscard]] ParameterRange range_below_buckling(const data::Case& problem, Parameter parameter, double from,
+                                                  double to);
+
 /// The length or the axial force at which the beam of the case, the other being as it is, has no stick state
 /// any more. Throws std::invalid_argument for another parameter, std::domain_error, naming beam.axial_force,
 /// for a length without compression.

@@ -88,7 +88,4 @@ struct ForceSensitivity {
 /// `paper` is the case of data/cases/paper.toml. Uses two threads; the result does not depend on that.
 [[nodiscard]] ForceSensitivity force_sensitivity(const data::Case& paper);
 
-/// The largest number of significant digits, up to 15, to which both ends round alike; 0 if to none.
-[[nodiscard]] int common_digits(const analytic::Bounds& range);
-
 }  // namespace stickslip::studies
