@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "stickslip/data/case_file.hpp"
-#include "toml_file.hpp"
+#include "toml_record.hpp"
 
 namespace stickslip::data {
 
@@ -19,73 +19,6 @@ namespace {
 std::filesystem::path numbers_file() { return data_directory() / "paper" / "printed-numbers.toml"; }
 std::filesystem::path claims_file() { return data_directory() / "paper" / "claims.toml"; }
 std::filesystem::path errata_file() { return data_directory() / "paper" / "errata.toml"; }
-
-// One table of an array of tables, whose keys are all known.
-class Record {
- public:
-  Record(std::filesystem::path file, const toml::table& table, std::initializer_list<std::string_view> known)
-      : file_(std::move(file)), table_(table) {
-    for (const auto& [key, value] : table)
-      if (std::ranges::find(known, key.str()) == known.end())
-        throw InputError(place_of(file_, value) + ": unknown key " + printable(key.str()) +
-                         suggestion(key.str(), {known.begin(), known.end()}));
-  }
-
-  [[nodiscard]] std::string text(std::string_view key) const {
-    const auto value = table_[key].value_exact<std::string>();
-    if (!value || value->empty()) refuse(std::string(key) + " must be a string that is not empty");
-    return *value;
-  }
-
-  /// Empty if the key is missing.
-  [[nodiscard]] std::string optional_text(std::string_view key) const { return has(key) ? text(key) : ""; }
-
-  [[nodiscard]] double number(std::string_view key) const {
-    const auto value = table_[key].value<double>();
-    if (!value || !std::isfinite(*value)) refuse(std::string(key) + " must be a finite number");
-    return *value;
-  }
-
-  [[nodiscard]] bool flag(std::string_view key) const {
-    const auto value = table_[key].value_exact<bool>();
-    if (!value) refuse(std::string(key) + " must be true or false");
-    return *value;
-  }
-
-  [[nodiscard]] bool has(std::string_view key) const { return table_.contains(key); }
-
-  [[noreturn]] void refuse(const std::string& sentence) const {
-    throw InputError(place_of(file_, table_) + ": " + sentence);
-  }
-
- private:
-  std::filesystem::path file_;
-  const toml::table& table_;
-};
-
-// What read makes of each table of the array of tables `name`.
-template <class Read>
-auto read_all(const std::filesystem::path& file, std::string_view name,
-              std::initializer_list<std::string_view> known, Read read) {
-  const toml::table document = read_toml(file);
-  const auto* list = document.get_as<toml::array>(name);
-  if (list == nullptr || !list->is_array_of_tables())
-    throw InputError(file.string() + ": must hold tables [[" + std::string(name) + "]]");
-  std::vector<decltype(read(std::declval<const Record&>()))> rows;
-  for (const auto& element : *list) rows.push_back(read(Record(file, *element.as_table(), known)));
-  return rows;
-}
-
-template <class Row>
-void require_unique(const std::filesystem::path& file, const std::vector<Row>& rows, std::string Row::*field,
-                    const std::string& name) {
-  std::vector<std::string> values;
-  values.reserve(rows.size());
-  for (const auto& row : rows) values.push_back(row.*field);
-  std::ranges::sort(values);
-  if (const auto twice = std::ranges::adjacent_find(values); twice != values.end())
-    throw InputError(file.string() + ": the " + name + " " + *twice + " stands twice");
-}
 
 template <class Row>
 void require_unique_ids(const std::filesystem::path& file, const std::vector<Row>& rows) {

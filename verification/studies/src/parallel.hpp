@@ -6,13 +6,14 @@
 #include <functional>
 #include <mutex>
 #include <thread>
+#include <vector>
 
 namespace stickslip::studies {
 
-/// Calls work(0) ... work(count - 1) on two threads, each index once, and `progress` with the share done. The
+/// Calls work(0) ... work(count - 1) on so many threads, each index once, and `progress` with the share done. The
 /// first exception ends it and is thrown on. `work` must not depend on the order.
 inline void in_parallel(std::size_t count, const std::function<void(std::size_t)>& work,
-                        const std::function<void(double)>& progress = {}) {
+                        const std::function<void(double)>& progress = {}, unsigned threads = 2) {
   std::atomic<std::size_t> next{0};
   std::size_t done = 0;
   std::mutex guard;
@@ -32,7 +33,8 @@ inline void in_parallel(std::size_t count, const std::function<void(std::size_t)
     }
   };
   {
-    const std::jthread second(take_turns);
+    std::vector<std::jthread> others;
+    while (others.size() + 1 < threads) others.emplace_back(take_turns);
     take_turns();
   }
   if (failure) std::rethrow_exception(failure);
