@@ -55,8 +55,9 @@ void run_pdflatex(const fs::path& folder) {
 
 Document make_document(StudyResults& results, const Environment& environment,
                        const std::vector<TestResult>& tests) {
-  Document document = make_tables(results, environment, tests);
-  document["numbers.tex"] = make_numbers(results, environment, tests);
+  const MutantRecord mutants = read_mutant_record();
+  Document document = make_tables(results, environment, tests, mutants);
+  document["numbers.tex"] = make_numbers(results, environment, tests, mutants);
   return document;
 }
 

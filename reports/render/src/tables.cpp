@@ -491,7 +491,7 @@ std::string environment_rows(const Environment& environment) {
 }  // namespace
 
 Document make_tables(StudyResults& results, const Environment& environment,
-                     const std::vector<TestResult>& tests) {
+                     const std::vector<TestResult>& tests, const MutantRecord& mutants) {
   return {{"table-summary.tex", summary(results)},
           {"table-parameters.tex", parameters(results)},
           {"table-unstated.tex", unstated()},
@@ -512,6 +512,10 @@ Document make_tables(StudyResults& results, const Environment& environment,
           {"table-schemes.tex", schemes(results)},
           {"table-event-orders.tex", event_orders(results)},
           {"table-energy.tex", energy(results)},
+          {"table-curated-mutants.tex", curated_mutant_rows(mutants)},
+          {"table-generated-mutants.tex", generated_mutant_rows(mutants)},
+          {"table-equivalent-mutants.tex", equivalence_rows(mutants)},
+          {"idle-tests.tex", idle_test_names(mutants)},
           {"table-benchmark-events.tex", benchmark_events(results)},
           {"table-benchmark-runs.tex", benchmark_runs(results)},
           {"table-predictability.tex", predictability(results)},
@@ -523,6 +527,11 @@ Document make_tables(StudyResults& results, const Environment& environment,
           {"table-requirements.tex", requirement_rows(tests)},
           {"table-named-comparisons.tex", named_comparison_rows(tests)},
           {"table-comparisons.tex", comparison_rows(tests)},
+          {"table-round-off.tex", tolerance_rows(tests, "round-off")},
+          {"table-discretisation.tex", tolerance_rows(tests, "discretisation")},
+          {"table-reference.tex", tolerance_rows(tests, "reference")},
+          {"table-tight.tex", tight_rows(tests)},
+          {"table-generous.tex", generous_rows(tests)},
           {"logical-tests.tex", logical_tests(tests)},
           {"table-environment.tex", environment_rows(environment)}};
 }

@@ -2,6 +2,7 @@
 
 #include "document.hpp"
 #include "environment.hpp"
+#include "mutant_tables.hpp"
 #include "study_results.hpp"
 #include "test_results.hpp"
 
@@ -9,6 +10,6 @@ namespace stickslip::report {
 
 /// The rows of every table of the report, as table-*.tex; columns, heads and captions are the template's.
 [[nodiscard]] Document make_tables(StudyResults& results, const Environment& environment,
-                                   const std::vector<TestResult>& tests);
+                                   const std::vector<TestResult>& tests, const MutantRecord& mutants);
 
 }  // namespace stickslip::report

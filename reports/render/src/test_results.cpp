@@ -28,17 +28,34 @@ double number(const std::string& text, const fs::path& file) {
   return value;
 }
 
-// Six fields separated by "; ", and the derivation after them.
-TestComparison named_comparison(const std::string& name, std::string_view text, const fs::path& file) {
+// So many fields separated by "; ", and the derivation, which may hold the separator, as the last.
+std::vector<std::string> fields_of(const std::string& key, std::string_view text, std::size_t count,
+                                   const fs::path& file) {
   constexpr std::string_view separator = "; ";
   std::vector<std::string> fields;
-  for (std::size_t i = 0; i < 6; ++i) {
+  while (fields.size() + 1 < count) {
     const std::size_t end = text.find(separator);
     if (end == std::string_view::npos)
-      throw data::InputError(fmt::format("{}: compared.{} must have seven fields", file.string(), name));
+      throw data::InputError(fmt::format("{}: {} must have {} fields", file.string(), key, count));
     fields.emplace_back(text.substr(0, end));
     text.remove_prefix(end + separator.size());
   }
+  fields.emplace_back(text);
+  return fields;
+}
+
+ToleranceEntry tolerance_entry(const std::string& tolerance_class, const std::vector<std::string>& fields,
+                               const fs::path& file) {
+  return {.tolerance_class = tolerance_class,
+          .comparisons = static_cast<int>(number(fields[0], file)),
+          .error = number(fields[1], file),
+          .tolerance = number(fields[2], file),
+          .margin = number(fields[3], file),
+          .derivation = fields[4]};
+}
+
+TestComparison named_comparison(const std::string& name, const std::vector<std::string>& fields,
+                                const fs::path& file) {
   return {.name = name,
           .computed = number(fields[0], file),
           .expected = number(fields[1], file),
@@ -59,10 +76,15 @@ void read_comparisons(Properties& properties, const fs::path& file, TestResult& 
                     .tolerance = value("tolerance"),
                     .margin = value("margin"),
                     .tolerance_class = properties["class"]};
-  constexpr std::string_view prefix = "compared.";
-  for (const auto& [key, text] : properties)
-    if (key.starts_with(prefix))
-      result.named.push_back(named_comparison(key.substr(prefix.size()), text, file));
+  constexpr std::string_view compared = "compared.", tolerances = "tolerances.";
+  for (const auto& [key, text] : properties) {
+    if (key.starts_with(compared))
+      result.named.push_back(
+          named_comparison(key.substr(compared.size()), fields_of(key, text, 7, file), file));
+    if (key.starts_with(tolerances))
+      result.tolerances.push_back(
+          tolerance_entry(key.substr(tolerances.size()), fields_of(key, text, 5, file), file));
+  }
 }
 
 TestResult read_test(const pugi::xml_node& test, const std::string& kind, const fs::path& file) {

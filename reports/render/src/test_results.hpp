@@ -15,6 +15,15 @@ struct TestComparison {
   std::string tolerance_class;
 };
 
+/// The tolerances of one class that a test used: the closest of them.
+struct ToleranceEntry {
+  std::string tolerance_class;  ///< round-off, discretisation or reference
+  int comparisons{};
+  double error{}, tolerance{};
+  double margin{};  ///< the largest
+  std::string derivation;
+};
+
 /// A test as its XML tells of it.
 struct TestResult {
   std::string kind;   ///< of the program that holds it: unit, order, paper, cross or slow
@@ -24,9 +33,10 @@ struct TestResult {
   std::string requirement, requirement_text, source;
   int requirement_position{};  ///< in the list of requirements
   int comparisons{};
-  std::optional<TestComparison> worst;  ///< the one with the largest margin, if there was any
-  std::vector<TestComparison> named;    ///< those with a name
-  std::string claim, finding;           ///< of the ledger, where the test judges one
+  std::optional<TestComparison> worst;     ///< the one with the largest margin, if there was any
+  std::vector<TestComparison> named;       ///< those with a name
+  std::vector<ToleranceEntry> tolerances;  ///< by class
+  std::string claim, finding;              ///< of the ledger, where the test judges one
 };
 
 /// The results in a folder of GoogleTest's XML files, by requirement, then suite, then name. Throws

@@ -46,6 +46,24 @@ std::string reference_to(const std::string& label) {
                      label);
 }
 
+bool is_tight(const ToleranceEntry& entry) { return entry.margin > 0.5; }
+bool is_generous(const ToleranceEntry& entry) { return entry.margin < 1e-3; }
+
+std::string derivation_cell(const ToleranceEntry& entry) {
+  return typeset(with_powers_of_ten(entry.derivation));
+}
+
+std::string rows_of_those_that(const std::vector<TestResult>& tests,
+                               bool (*are_listed)(const ToleranceEntry&)) {
+  Rows rows;
+  for (const TestResult& test : tests)
+    for (const ToleranceEntry& entry : test.tolerances)
+      if (are_listed(entry))
+        rows.add({name_cell(test), entry.tolerance_class, compact_number(entry.error, 2),
+                  compact_number(entry.tolerance, 2), margin_text(entry.margin), derivation_cell(entry)});
+  return rows.text();
+}
+
 }  // namespace
 
 TestCounts test_counts(const std::vector<TestResult>& tests) {
@@ -58,8 +76,8 @@ TestCounts test_counts(const std::vector<TestResult>& tests) {
     counts.comparisons += test.comparisons;
     if (!test.worst) continue;
     ++counts.comparing;
-    counts.tight += test.worst->margin > 0.5 ? 1 : 0;
-    counts.generous += test.worst->margin < 1e-3 ? 1 : 0;
+    counts.tight += static_cast<std::size_t>(std::ranges::count_if(test.tolerances, is_tight));
+    counts.generous += static_cast<std::size_t>(std::ranges::count_if(test.tolerances, is_generous));
   }
   counts.requirements = requirements.size();
   return counts;
@@ -93,6 +111,22 @@ std::string named_comparison_rows(const std::vector<TestResult>& tests) {
     }
   return rows.text();
 }
+
+std::string tolerance_rows(const std::vector<TestResult>& tests, const std::string& tolerance_class) {
+  Rows rows;
+  for (const TestResult& test : tests)
+    for (const ToleranceEntry& entry : test.tolerances)
+      if (entry.tolerance_class == tolerance_class)
+        rows.add({name_cell(test), std::to_string(entry.comparisons), compact_number(entry.error, 2),
+                  compact_number(entry.tolerance, 2), margin_text(entry.margin), derivation_cell(entry)});
+  return rows.text();
+}
+
+std::string generous_rows(const std::vector<TestResult>& tests) {
+  return rows_of_those_that(tests, is_generous);
+}
+
+std::string tight_rows(const std::vector<TestResult>& tests) { return rows_of_those_that(tests, is_tight); }
 
 std::string comparison_rows(const std::vector<TestResult>& tests) {
   Rows rows;

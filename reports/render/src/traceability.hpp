@@ -14,8 +14,8 @@ struct TestCounts {
   std::size_t tests{}, failed{}, comparing{};
   std::size_t requirements{};
   int comparisons{};
-  std::size_t tight{};     ///< comparing tests whose largest margin is above 0.5
-  std::size_t generous{};  ///< comparing tests whose largest margin is below 1e-3: the tolerance says little
+  std::size_t tight{};     ///< classes of tolerances of a test whose largest margin is above 0.5
+  std::size_t generous{};  ///< those whose largest margin is below 1e-3: the tolerance says little
 };
 [[nodiscard]] TestCounts test_counts(const std::vector<TestResult>& tests);
 
@@ -27,6 +27,16 @@ struct TestCounts {
 
 /// Rows, one for each comparison with a name: name, test, computed, reference, error, tolerance, margin.
 [[nodiscard]] std::string named_comparison_rows(const std::vector<TestResult>& tests);
+
+/// The ledger of one class of tolerances: test, comparisons, error, tolerance, margin and derivation of the
+/// comparison with the largest margin.
+[[nodiscard]] std::string tolerance_rows(const std::vector<TestResult>& tests,
+                                         const std::string& tolerance_class);
+
+/// Rows, one for each class of tolerances of a test whose largest margin is below 1e-3, or above 0.5: test,
+/// class, error, tolerance, margin, derivation.
+[[nodiscard]] std::string generous_rows(const std::vector<TestResult>& tests);
+[[nodiscard]] std::string tight_rows(const std::vector<TestResult>& tests);
 
 /// Rows, one for each test that compares numbers, under the heading of its requirement: test, computed,
 /// reference, error, tolerance, margin, class of tolerance.

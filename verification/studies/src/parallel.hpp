@@ -10,8 +10,8 @@
 
 namespace stickslip::studies {
 
-/// Calls work(0) ... work(count - 1) on so many threads, each index once, and `progress` with the share done. The
-/// first exception ends it and is thrown on. `work` must not depend on the order.
+/// Calls work(0) ... work(count - 1) on so many threads, each index once, and `progress` with the share done.
+/// The first exception ends it and is thrown on. `work` must not depend on the order.
 inline void in_parallel(std::size_t count, const std::function<void(std::size_t)>& work,
                         const std::function<void(double)>& progress = {}, unsigned threads = 2) {
   std::atomic<std::size_t> next{0};

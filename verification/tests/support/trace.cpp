@@ -19,6 +19,7 @@ void Trace::note(const Comparison& comparison) { by_margin_.emplace(comparison.m
 std::map<std::string, std::string> Trace::properties(bool test_passed) const {
   std::map<std::string, std::string> properties;
   int comparisons = 0;
+  std::map<std::string, int> of_class;
   for (const auto& [margin, comparison] : by_margin_) {  // ascending: the last one of a kind stays
     if (test_passed && margin > 1.0) break;
     ++comparisons;
@@ -29,6 +30,9 @@ std::map<std::string, std::string> Trace::properties(bool test_passed) const {
     properties["margin"] = fmt::format("{}", margin);
     properties["class"] = comparison.tolerance_class;
     properties["derivation"] = comparison.derivation;
+    properties["tolerances." + comparison.tolerance_class] =
+        fmt::format("{}; {}; {}; {}; {}", ++of_class[comparison.tolerance_class], comparison.error,
+                    comparison.tolerance, margin, comparison.derivation);
     if (!comparison.name.empty())
       properties["compared." + comparison.name] = fmt::format(
           "{}; {}; {}; {}; {}; {}; {}", comparison.computed, comparison.expected, comparison.error,

@@ -30,6 +30,8 @@ class Trace {
 
   /// comparisons                             how many there were
   /// computed, expected, error, tolerance, margin, class, derivation   of the one with the largest margin
+  /// tolerances.<class>                      "how many; error; tolerance; margin; derivation" of those of the
+  ///                                         class, the four last ones of that with the largest margin
   /// compared.<name>                         the same of each named comparison, separated by "; "
   ///
   /// A comparison that fails in a test that passes was meant to fail, and is left out.

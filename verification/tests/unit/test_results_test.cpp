@@ -54,7 +54,8 @@ TEST_F(TestResults, HoldRequirementComparisonsAndClaim) {
           property("error", "0.5") + property("tolerance", "1") + property("margin", "0.5") +
           property("class", "reference") + property("derivation", "a datum; of which") +
           property("compared.L1, closed form", "3; 3.125; 0.125; 0.5; 0.25; discretisation; a law; really") +
-          property("claim", "fig4") + property("finding", "35 Hz sticks") + "</properties>");
+          property("tolerances.reference", "2; 0.5; 1; 0.5; a datum; of which") + property("claim", "fig4") +
+          property("finding", "35 Hz sticks") + "</properties>");
   const auto results = report::read_test_results(folder_);
   ASSERT_EQ(results.size(), 1U);
   const report::TestResult& test = results.front();
@@ -73,6 +74,11 @@ TEST_F(TestResults, HoldRequirementComparisonsAndClaim) {
   EXPECT_EQ(test.named[0].name, "L1, closed form");
   EXPECT_EQ(test.named[0].expected, 3.125);
   EXPECT_EQ(test.named[0].tolerance_class, "discretisation");
+  ASSERT_EQ(test.tolerances.size(), 1U);
+  EXPECT_EQ(test.tolerances[0].tolerance_class, "reference");
+  EXPECT_EQ(test.tolerances[0].comparisons, 2);
+  EXPECT_EQ(test.tolerances[0].tolerance, 1.0);
+  EXPECT_EQ(test.tolerances[0].derivation, "a datum; of which");
   EXPECT_EQ(test.claim, "fig4");
   EXPECT_EQ(test.finding, "35 Hz sticks");
 }
@@ -108,6 +114,29 @@ TEST_F(TestResults, AreRefusedWhereThereAreNoneOrTheyCannotBeRead) {
   EXPECT_THROW((void)report::read_test_results(folder_), data::InputError);
   write("unit.A.xml", "A", "Holds", "<properties>" + property("compared.x", "1; 2; 3") + "</properties>");
   EXPECT_THROW((void)report::read_test_results(folder_), data::InputError);
+}
+
+TEST_F(TestResults, ListTheTolerancesThatSayNothingAndThoseThatAreNearlyUsedUp) {
+  const auto with_margin = [](const std::string& margin) {
+    return "<properties>" + property("comparisons", "1") + property("computed", "1") +
+           property("expected", "1") + property("error", "1") + property("tolerance", "1") +
+           property("margin", margin) + property("class", "round-off") +
+           property("tolerances.round-off", "1; 1; 1; " + margin + "; a sum") + "</properties>";
+  };
+  write("unit.A.xml", "A", "Generous", with_margin("1e-4"));
+  write("unit.B.xml", "B", "Fair", with_margin("0.1"));
+  write("unit.C.xml", "C", "Tight", with_margin("0.75"));
+  const auto results = report::read_test_results(folder_);
+  const auto generous = report::generous_rows(results), tight = report::tight_rows(results);
+  EXPECT_NE(generous.find("Generous"), std::string::npos);
+  EXPECT_EQ(generous.find("Fair"), std::string::npos);
+  EXPECT_EQ(generous.find("Tight"), std::string::npos);
+  EXPECT_NE(tight.find("Tight"), std::string::npos);
+  EXPECT_EQ(tight.find("Fair"), std::string::npos);
+  EXPECT_EQ(tight.find("Generous"), std::string::npos);
+  for (const char* name : {"Generous", "Fair", "Tight"})
+    EXPECT_NE(report::tolerance_rows(results, "round-off").find(name), std::string::npos) << name;
+  EXPECT_EQ(report::tolerance_rows(results, "reference"), "");
 }
 
 TEST(PaperIndex, ReadsTheNumbersOfEquationsAndFigures) {

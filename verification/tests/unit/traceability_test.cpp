@@ -94,6 +94,16 @@ TEST(Trace, KeepsEachNamedComparison) {
   EXPECT_EQ(trace.properties(true).at("compared.a number"), "3; 2.875; 0.125; 0.5; 0.25; reference; a datum");
 }
 
+TEST(Trace, KeepsTheLedgerOfEachClassOfTolerances) {
+  Trace trace;
+  trace.note(compared(3.0, 0.125, 0.5));
+  trace.note(compared(2.5, 0.25, 0.5));
+  trace.note({"", 1.0, 1.0, 0.0, 1e-15, "round-off", "a sum; of two"});
+  const auto properties = trace.properties(true);
+  EXPECT_EQ(properties.at("tolerances.reference"), "2; 0.25; 0.5; 0.5; a datum");
+  EXPECT_EQ(properties.at("tolerances.round-off"), "1; 0; 1e-15; 0; a sum; of two");
+}
+
 TEST(Trace, LeavesOutWhatWasMeantToFail) {
   Trace trace;
   trace.note(compared(1.0, 0.25, 0.5));
