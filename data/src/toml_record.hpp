@@ -34,6 +34,13 @@ class Record {
     return *value;
   }
 
+  /// A string that may be empty.
+  [[nodiscard]] std::string any_text(std::string_view key) const {
+    const auto value = table_[key].value_exact<std::string>();
+    if (!value) refuse(std::string(key) + " must be a string");
+    return *value;
+  }
+
   /// Empty if the key is missing.
   [[nodiscard]] std::string optional_text(std::string_view key) const { return has(key) ? text(key) : ""; }
 

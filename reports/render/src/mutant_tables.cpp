@@ -72,7 +72,7 @@ std::string equivalence_rows(const MutantRecord& record) {
 
 std::string idle_test_names(const MutantRecord& record) {
   std::string text, kind;
-  for (const mutants::Test& test : mutants::idle_tests(record.matrix)) {
+  for (const mutants::TestName& test : mutants::idle_tests(record.matrix)) {
     text += test.kind == kind
                 ? ", "
                 : fmt::format("{}\\par\\noindent\\textbf{{{}}} ", kind.empty() ? "" : ".\n", test.kind);

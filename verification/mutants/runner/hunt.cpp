@@ -35,7 +35,14 @@ class Memory {
     for (const auto& [changed_file, text] : changed) fingerprint.add(changed_file).add(text);
     const std::string key = fingerprint.text();
     json_ = Json::parse(report::read_text(file_), nullptr, false);
-    if (json_.is_discarded() || json_.value("key", "") != key) json_ = {{"key", key}};
+    if (json_.is_discarded()) json_ = Json::object();
+    if (json_.value("key", "") != key) {
+      // What killed it before is the first to be tried again.
+      Json killer = json_.value("killer", Json());
+      json_ = {{"key", key}};
+      if (killer.is_object())
+        json_["killer"] = {{"kind", killer["kind"]}, {"name", killer["name"]}, {"key", ""}};
+    }
     const bool is_there = json_.value("outcome", "") != built || fs::exists(libraries());
     if (json_.contains("outcome") && is_there) return;
     switch (hunt.workshop.build(changed, folder_)) {
@@ -103,8 +110,8 @@ class Chase {
   Chase(const Hunt& hunt, Memory& memory) : hunt_(hunt), memory_(memory) {}
 
   /// The killer; its name is empty if there is none.
-  Test run() {
-    if (const Test known = known_killer(); !known.name.empty()) return known;
+  TestName run() {
+    if (const TestName known = known_killer(); !known.name.empty()) return known;
     for (const auto select : {quick_tests, longer_tests})
       for (const TestProgram& program : hunt_.programs)
         if (const auto killer = first_killer(program, select(program)); !killer.empty()) {
@@ -117,10 +124,10 @@ class Chase {
 
  private:
   // Killed once, killed for ever, unless the program has changed and the test no longer fails.
-  Test known_killer() {
+  TestName known_killer() {
     if (!memory_.json().contains("killer")) return {};
     Json& killer = memory_.json().at("killer");
-    const Test test{killer.at("kind"), killer.at("name")};
+    const TestName test{killer.at("kind"), killer.at("name")};
     const auto program = std::ranges::find(hunt_.programs, test.kind, &TestProgram::kind);
     if (killer.at("key") == program->fingerprint) return test;
     const bool is_there = program->seconds.contains(test.name);
@@ -153,7 +160,7 @@ class Chase {
 }  // namespace
 
 KillMatrix hunt_curated(const Hunt& hunt, const std::vector<CuratedMutant>& mutants) {
-  std::vector<std::set<Test>> killers(mutants.size());
+  std::vector<std::set<TestName>> killers(mutants.size());
   const auto chase = [&](std::size_t i) {
     Memory memory(hunt, mutants[i].name, changed_files(mutants[i], hunt.source_tree));
     if (memory.outcome() != built)
@@ -188,7 +195,7 @@ GeneratedSample hunt_generated(const Hunt& hunt, int count, std::uint64_t seed) 
     const std::size_t missing = static_cast<std::size_t>(count) - sample.mutants.size();
     const std::size_t size = std::min(missing, candidates.size() - begin);
     std::vector<std::string> outcomes(size);
-    std::vector<Test> killers(size);
+    std::vector<TestName> killers(size);
     const auto chase = [&](std::size_t i) {
       const GeneratedMutant& mutant = candidates[begin + i];
       Memory memory(hunt, mutant.name, {{mutant.file, mutant.text}});

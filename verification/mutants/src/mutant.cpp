@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 Edit read_edit(const data::Record& record) {
-  Edit edit{.file = record.text("file"), .from = record.text("from"), .to = record.text("to")};
+  Edit edit{.file = record.text("file"), .from = record.text("from"), .to = record.any_text("to")};
   constexpr std::array components{"solver/", "analytic/"};
   if (std::ranges::none_of(components, [&](auto folder) { return edit.file.starts_with(folder); }))
     record.refuse("file is " + edit.file + ", but must lie in solver/ or analytic/");

@@ -210,6 +210,7 @@ class Mutator {
   }
 
   void change_word() {
+    if (at(0) == "for" && at(1) == "(") end_of_head_ = closing(place_ + 1);
     if (at(0) == "if" && at(1) == "(") {
       const std::size_t open = tokens_[place_ + 1].offset, close = tokens_[closing(place_ + 1)].end();
       const std::size_t initialised = semicolon(place_ + 2);
@@ -222,6 +223,7 @@ class Mutator {
 
   [[nodiscard]] bool begins_statement() const {
     const auto before = at(-1);
+    if (is_in_head_of_loop()) return false;
     if (before == ";" || before == "{" || before == "}" || before == "else") return true;
     if (before != ")") return false;
     // After the head of an if, for or while.
@@ -234,6 +236,9 @@ class Mutator {
       if (i == 0) return false;
     }
   }
+
+  // Between the brackets of a for.
+  [[nodiscard]] bool is_in_head_of_loop() const { return place_ < end_of_head_; }
 
   void delete_statement() {
     constexpr std::array<std::string_view, 28> not_to_delete{
@@ -250,14 +255,16 @@ class Mutator {
     if (declares && !returns_nothing && first != "++" && first != "--") return;
     const std::size_t end = semicolon(place_);
     // A brace on the way to the semicolon is the body of a function or an initialiser: no plain statement.
+    // Memory reserved changes no result.
     for (std::size_t i = place_; i < end; ++i)
-      if (tokens_[i].text == "{") return;
+      if (tokens_[i].text == "{" || tokens_[i].text == "reserve") return;
     note("deletion", tokens_[place_].offset, tokens_[end].offset, "");
   }
 
   std::string_view source_;
   std::vector<Token> tokens_;
   std::size_t place_{};
+  std::size_t end_of_head_{};  // the place of the bracket that closes the last for
   std::vector<Mutation> mutations_;
 };
 

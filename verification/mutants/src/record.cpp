@@ -43,8 +43,8 @@ std::vector<std::string> fields_of(const std::string& line) {
 
 fs::path record_directory() { return mutants_directory() / "results"; }
 
-KillMatrix read_kill_matrix() {
-  const fs::path file = record_directory() / matrix_name;
+KillMatrix read_kill_matrix(const fs::path& folder) {
+  const fs::path file = folder / matrix_name;
   std::istringstream stream(text_of(file));
   KillMatrix matrix;
   std::string line;
@@ -80,8 +80,8 @@ void write(const KillMatrix& matrix, const fs::path& folder) {
   replace_file(folder / matrix_name, text + '\n');
 }
 
-GeneratedSample read_generated_sample() {
-  const fs::path file = record_directory() / sample_name;
+GeneratedSample read_generated_sample(const fs::path& folder) {
+  const fs::path file = folder / sample_name;
   try {
     const auto json = nlohmann::json::parse(text_of(file));
     GeneratedSample sample{.seed = json.at("seed"),

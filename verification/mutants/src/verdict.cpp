@@ -29,8 +29,8 @@ std::vector<KillCount> kill_counts(const KillMatrix& matrix) {
   return counts;
 }
 
-std::vector<Test> idle_tests(const KillMatrix& matrix) {
-  std::vector<Test> idle;
+std::vector<TestName> idle_tests(const KillMatrix& matrix) {
+  std::vector<TestName> idle;
   for (std::size_t test = 0; test < matrix.tests.size(); ++test)
     if (std::ranges::find(matrix.kills[test], true) == matrix.kills[test].end())
       idle.push_back(matrix.tests[test]);

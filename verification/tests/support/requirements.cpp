@@ -207,6 +207,11 @@ const std::vector<Requirement> table{
      "Every test is traced to a requirement and every requirement to tests.",
      "Traceability",
      {"Traceability", "Trace", "TestResults", "PaperIndex"}},
+    {"U6",
+     "The suite catches wrong versions of the models, and the record says which test catches which.",
+     "Mutants",
+     {"CuratedMutants", "GeneratedMutants", "Mutator", "KillMatrix", "GeneratedSample", "MutantRecord",
+      "MutantRecordFolder"}},
 };
 
 }  // namespace

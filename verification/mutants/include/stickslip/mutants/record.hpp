@@ -11,17 +11,17 @@ namespace stickslip::mutants {
 
 /// A test by its full name, "Suite.Name/parameter", and the kind of the program that holds it: unit, order,
 /// paper or cross.
-struct Test {
+struct TestName {
   std::string kind;
   std::string name;
 
-  auto operator<=>(const Test&) const = default;
+  auto operator<=>(const TestName&) const = default;
 };
 
 /// Which test fails on which curated mutant.
 struct KillMatrix {
   std::vector<std::string> mutants;      ///< names
-  std::vector<Test> tests;               ///< the quick ones
+  std::vector<TestName> tests;           ///< the quick ones
   std::vector<std::vector<bool>> kills;  ///< kills[test][mutant]
 };
 
@@ -46,8 +46,8 @@ struct GeneratedSample {
 [[nodiscard]] std::filesystem::path record_directory();
 
 /// Throw data::InputError, naming the file, for one that is missing or cannot be used.
-[[nodiscard]] KillMatrix read_kill_matrix();
-[[nodiscard]] GeneratedSample read_generated_sample();
+[[nodiscard]] KillMatrix read_kill_matrix(const std::filesystem::path& folder = record_directory());
+[[nodiscard]] GeneratedSample read_generated_sample(const std::filesystem::path& folder = record_directory());
 
 /// Throw std::runtime_error if the file cannot be written. The file appears whole or not at all.
 void write(const KillMatrix& matrix, const std::filesystem::path& folder);

@@ -23,7 +23,7 @@ struct KillCount {
 [[nodiscard]] std::vector<KillCount> kill_counts(const KillMatrix& matrix);
 
 /// The tests that kill no mutant.
-[[nodiscard]] std::vector<Test> idle_tests(const KillMatrix& matrix);
+[[nodiscard]] std::vector<TestName> idle_tests(const KillMatrix& matrix);
 
 /// A sentence for each mutant that fewer than two tests of different kinds kill.
 [[nodiscard]] std::vector<std::string> survivors(const KillMatrix& matrix);
