@@ -148,8 +148,16 @@ class EventDriven::Engine {
                         std::abs(model.load.back()) / (model.contact_mass * omega),
                         std::abs(now_.velocity - dynamics_.wall_velocity(0.0))});
     }
-    if (!(speed > 0.0)) speed = 1.0;
+    if (!(speed > 0.0)) speed = speed_of_the_energy();
+    if (!(speed > 0.0)) speed = 1.0;  // nothing ever moves
     slip_ = std::make_unique<SlipIntegrator>(dynamics_, settings_.tolerance, speed, settings_.keep_books);
+  }
+
+  // What all the energy of the start would give the contact's mass.
+  [[nodiscard]] double speed_of_the_energy() const {
+    const double energy =
+        dynamics_.kinetic_energy(view(now_)) + std::abs(dynamics_.potential_energy(view(now_)));
+    return std::sqrt(2.0 * energy / dynamics_.model().contact_mass);
   }
 
   void begin_stick() {

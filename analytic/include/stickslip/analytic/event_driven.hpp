@@ -54,7 +54,8 @@ struct EventDrivenSettings {
   /// Error allowed per step of the slip phases, relative to each coordinate and to the reference velocity.
   double tolerance{1e-12};
   /// Speed that is small motion's measure, m/s: absolute errors are tolerance times it. 0: max(W Omega, that
-  /// of the held structure under the load alone).
+  /// of the held structure under the load alone, the sliding velocity of the start) or, where none of these
+  /// moves, what the energy of the start would give the contact's mass.
   double reference_velocity{};
   bool keep_books{};  ///< integrate the works of EnergyBooks as well
 };
