@@ -60,11 +60,14 @@ void StickPropagator::set_damped() {
   const StatusInsteadOfAbort guard;
   const ContactModel& model = dynamics_.model();
   const std::size_t m = model.modes(), size = 2 * m;
+  // Without dimension: GSL rounds the eigenvalues otherwise in other units.
+  const double unit = std::ranges::max(model.angular_frequency);
   const auto matrix = owned(gsl_matrix_calloc(size, size));
   for (std::size_t n = 0; n < m; ++n) {
-    gsl_matrix_set(matrix.get(), n, m + n, model.angular_frequency[n]);
-    gsl_matrix_set(matrix.get(), m + n, n, -model.angular_frequency[n]);
-    for (std::size_t k = 0; k < m; ++k) gsl_matrix_set(matrix.get(), m + n, m + k, -model.damping(n, k));
+    gsl_matrix_set(matrix.get(), n, m + n, model.angular_frequency[n] / unit);
+    gsl_matrix_set(matrix.get(), m + n, n, -model.angular_frequency[n] / unit);
+    for (std::size_t k = 0; k < m; ++k)
+      gsl_matrix_set(matrix.get(), m + n, m + k, -model.damping(n, k) / unit);
   }
   const auto work = owned(gsl_matrix_alloc(size, size));
   gsl_matrix_memcpy(work.get(), matrix.get());
@@ -110,6 +113,7 @@ void StickPropagator::set_damped() {
   }
   if (!(largest <= 1e-9 * scale))
     throw std::runtime_error("a mode of the held structure is too nearly critically damped to be separated.");
+  for (Complex& value : eigenvalue_) value *= unit;
 }
 
 void StickPropagator::set_forcing() {
