@@ -46,9 +46,17 @@ struct SlipEigenpairs {
 };
 
 SlipEigenpairs slip_eigenpairs(const BeamModel& model) {
+  // With rotations times the element length every degree of freedom is a length: pivots, and the accuracy of
+  // the unsymmetric problem, do not depend on the unit.
+  Eigen::VectorXd per_length = Eigen::VectorXd::Ones(model.degrees_of_freedom());
+  for (Eigen::Index rotation = 1; rotation < per_length.size(); rotation += 2)
+    per_length[rotation] = model.elements() / model.beam().length();
+  const auto as_lengths = [&per_length](const SparseMatrix& matrix) {
+    return Eigen::MatrixXd(per_length.asDiagonal() * Eigen::MatrixXd(matrix) * per_length.asDiagonal());
+  };
   const Eigen::MatrixXd flexibility_times_mass =
-      Eigen::PartialPivLU<Eigen::MatrixXd>(Eigen::MatrixXd(model.slip_stiffness()))
-          .solve(Eigen::MatrixXd(model.mass()));
+      Eigen::PartialPivLU<Eigen::MatrixXd>(as_lengths(model.slip_stiffness()))
+          .solve(as_lengths(model.mass()));
   const Eigen::EigenSolver<Eigen::MatrixXd> solver(flexibility_times_mass);
   if (solver.info() != Eigen::Success) throw std::runtime_error("slip-state eigenvalues did not converge");
   std::vector<Eigen::Index> order(static_cast<std::size_t>(model.degrees_of_freedom()));
@@ -56,7 +64,7 @@ SlipEigenpairs slip_eigenpairs(const BeamModel& model) {
   const Eigen::VectorXcd mu = solver.eigenvalues();
   std::stable_sort(order.begin(), order.end(),
                    [&mu](Eigen::Index i, Eigen::Index j) { return std::abs(mu[i]) > std::abs(mu[j]); });
-  return {mu(order), solver.eigenvectors()(Eigen::all, order)};
+  return {mu(order), per_length.asDiagonal() * solver.eigenvectors()(Eigen::all, order)};
 }
 
 }  // namespace
