@@ -176,6 +176,17 @@ const std::vector<Requirement> table{
      "Roache (1994)",
      {"GridConvergenceIndex", "SolutionVerification"}},
 
+    // Whatever the beam is.
+    {"M1",
+     "Random beams keep symmetry, units, similarity, superposition, time shift and the order of the "
+     "criterion.",
+     "Eqs. (1) to (9), (29), (30)",
+     {"Symmetry", "UnitChange", "Similarity", "Linearity", "TimeShift", "Monotony"}},
+    {"M2",
+     "Random beams keep the theorems on nested meshes, Rayleigh quotients, constraints and reciprocity.",
+     "Eqs. (8), (9); Ritz, Cauchy, Betti",
+     {"MeshNesting", "Interlacing", "Reciprocity"}},
+
     // The paper.
     {"V1", "Verdicts on the eight panels are the printed ones.", "Figs. 4, 5", {"Verdict"}},
     {"V2", "Errata: the corrected text agrees where the printed one does not.", "E1 to E13", {"Errata"}},

@@ -1,0 +1,51 @@
+#pragma once
+
+/// Two histories that must be the same up to errors whose growth a third one measures.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+
+/// When and where a contact changes, s and m.
+struct EventAt {
+  double time{}, position{};
+};
+
+/// What tells two runs of one problem apart: relative errors in their data or steps, and the twin of the
+/// expected run whose amplitude is larger by the share `perturbation`.
+struct Sensitivity {
+  std::vector<EventAt> perturbed;
+  double perturbation{};
+  double error{};
+  double amplitude{};  ///< measure of positions, m
+};
+
+/// Each event is the expected one within `error` times the slopes of its time and position, measured on the
+/// twin and largest so far, against the share, added to the time itself and to the amplitude.
+inline void expect_same_events(const std::vector<EventAt>& computed, const std::vector<EventAt>& expected,
+                               const Sensitivity& sensitivity) {
+  ASSERT_EQ(computed.size(), expected.size());
+  ASSERT_EQ(sensitivity.perturbed.size(), expected.size()) << "the perturbation is too large to measure with";
+  double time_slope = 0.0, position_slope = sensitivity.amplitude;
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const EventAt& moved = sensitivity.perturbed[i];
+    const double share = sensitivity.perturbation;
+    time_slope = std::max(time_slope, std::abs(moved.time - expected[i].time) / share);
+    position_slope = std::max(position_slope, std::abs(moved.position - expected[i].position) / share);
+    EXPECT_TRUE(
+        within(computed[i].time, expected[i].time,
+               discretisation(sensitivity.error * (expected[i].time + time_slope), 1.0, "error times slope")))
+        << "event " << i;
+    EXPECT_TRUE(within(computed[i].position, expected[i].position,
+                       discretisation(sensitivity.error * position_slope, 1.0, "error times slope")))
+        << "event " << i;
+  }
+}
+
+}  // namespace stickslip::testing
