@@ -43,13 +43,14 @@ std::optional<double> closed_form_first_slip(const data::Beam& beam, const data:
   const analytic::StickResponse response(beam, excitation, 60, analytic::SteadyPart::exact);
   const double limit = friction.static_coefficient() * beam.axial_force();
   const auto exceeded = [&](double t) { return std::abs(response.friction_force(t)) > limit; };
-  constexpr double scan = 2e-5;
+  const double scan =
+      std::min(1.0 / excitation.frequency_hz(), 1.0 / response.modes().front().frequency_hz()) / 2000.0;
   const long samples = std::lround(duration / scan);
   for (long n = 1; n <= samples; ++n) {
     double high = static_cast<double>(n) * scan;
     if (!exceeded(high)) continue;
     double low = high - scan;
-    while (high - low > 1e-9) {
+    while (high - low > 5e-5 * scan) {
       const double middle = 0.5 * (low + high);
       (exceeded(middle) ? high : low) = middle;
     }

@@ -27,8 +27,9 @@ struct ContactHistory {
                                              const data::HarmonicExcitation& excitation,
                                              const data::NumericalSettings& numerics, double shown);
 
-/// The first time at which |f| of the closed form (exact steady part) exceeds the limit, located to 1e-9 s,
-/// or nothing within the duration.
+/// The first time at which |f| of the closed form (exact steady part) exceeds the limit, or nothing within
+/// the duration: looked for on a grid of 1/2000 of the shorter period, of the excitation and of the first
+/// mode, and located to 1/20000 of that.
 [[nodiscard]] std::optional<double> closed_form_first_slip(const data::Beam& beam,
                                                            const data::FrictionLaw& friction,
                                                            const data::HarmonicExcitation& excitation,
