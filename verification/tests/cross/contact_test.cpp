@@ -17,6 +17,7 @@
 #include "support/beams.hpp"
 #include "support/parameter_name.hpp"
 #include "support/tolerance.hpp"
+#include "support/units.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -102,32 +103,17 @@ TEST(StickSlipBeam, MirroredBaseMotionMirrorsTheHistoryBitForBit) {
 // Length, mass and time in units of 2^a m, 2^b kg and 2^c s: every operation scales exactly, so does the
 // history.
 TEST(StickSlipBeam, HistoryIsTheSameInOtherUnits) {
-  const double length = 1024.0, mass = 0.125, time = 4096.0;  // numbers per SI unit
-  const double force = mass * length / (time * time);
-  const data::BeamProperties si = paper_beam_properties();
-  const data::Beam scaled_beam({.length = si.length * length,
-                                .area = si.area * length * length,
-                                .second_moment_of_area = si.second_moment_of_area * std::pow(length, 4),
-                                .density = si.density * mass / std::pow(length, 3),
-                                .youngs_modulus = si.youngs_modulus * force / (length * length),
-                                .axial_force = si.axial_force * force});
-  const data::FrictionLaw scaled_friction(
-      {.static_coefficient = 0.6, .kinetic_coefficient = 0.3, .decay = 1.0 * time / length});
-  data::NumericalChoices scaled_choices = paper_choices(0.5);
-  scaled_choices.time_step *= time;
-  scaled_choices.duration *= time;
-  scaled_choices.velocity_threshold *= length / time;
-
-  solver::BeamSimulation a(paper_beam(), paper_friction(), data::HarmonicExcitation({25.0, 1e-3}),
-                           data::NumericalSettings(paper_choices(0.5)));
-  solver::BeamSimulation b(scaled_beam, scaled_friction,
-                           data::HarmonicExcitation({25.0 / time, 1e-3 * length}),
-                           data::NumericalSettings(scaled_choices));
+  const Units units{.length = 1024.0, .mass = 0.125, .time = 4096.0};
+  const data::HarmonicExcitation excitation({25.0, 1e-3});
+  const data::NumericalSettings numerics(paper_choices(0.5));
+  solver::BeamSimulation a(paper_beam(), paper_friction(), excitation, numerics);
+  solver::BeamSimulation b(in_units(units, paper_beam()), in_units(units, paper_friction()),
+                           in_units(units, excitation), in_units(units, numerics));
   for (int n = 0; n < 3000; ++n) {
     a.step();
     b.step();
-    ASSERT_EQ(a.tip_displacement() * length, b.tip_displacement()) << "step " << n;
-    ASSERT_EQ(a.friction_force() * force, b.friction_force()) << "step " << n;
+    ASSERT_EQ(a.tip_displacement() * units.length, b.tip_displacement()) << "step " << n;
+    ASSERT_EQ(a.friction_force() * units.force(), b.friction_force()) << "step " << n;
   }
   EXPECT_GT(a.integrator().events().size(), 20u);
 }
