@@ -185,7 +185,7 @@ const std::vector<Requirement> table{
     {"M2",
      "Random beams keep the theorems on nested meshes, Rayleigh quotients, constraints and reciprocity.",
      "Eqs. (8), (9); Ritz, Cauchy, Betti",
-     {"MeshNesting", "Interlacing", "Reciprocity"}},
+     {"MeshNesting", "RayleighBound", "Interlacing", "Reciprocity"}},
 
     // The paper.
     {"V1", "Verdicts on the eight panels are the printed ones.", "Figs. 4, 5", {"Verdict"}},

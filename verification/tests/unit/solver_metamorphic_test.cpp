@@ -230,7 +230,7 @@ TEST(Similarity, FixesTheModesOfTheMesh) {
         const double first = slip.front().angular_frequency, omega = slip[n].angular_frequency;
         const double softness = 1.0 + 12.4 * std::pow(frequency_unit(beam) / first, 2);
         EXPECT_TRUE(within(other_slip[n].angular_frequency * units.time, omega,
-                           round_off(1, condition * softness * std::pow(omega / first, 2), omega)))
+                           round_off(2, condition * softness * std::pow(omega / first, 2), omega)))
             << n;
       }
       const Eigen::VectorXd other_shape = other_model.unit_tip_deflection();
