@@ -175,6 +175,12 @@ const std::vector<Requirement> table{
      "The grid convergence index covers the true error wherever the levels are asymptotic.",
      "Roache (1994)",
      {"GridConvergenceIndex", "SolutionVerification"}},
+    {"X17",
+     "Named wrong models differ from the truth where they claim to and are recognised by their results; "
+     "others "
+     "are not blamed.",
+     "Sects. 2 to 5; E1 to E4",
+     {"Impostors", "ImpostorsIn", "Impostor", "LineUpOfImpostors", "Diagnosis"}},
 
     // Whatever the beam is.
     {"M1",
