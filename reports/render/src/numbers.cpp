@@ -324,6 +324,14 @@ void define_solution_verification(StudyResults& results, Macros& macros) {
   macros.define("SearchBestStep", scientific(search.most_returned.sampling_step, 1));
 }
 
+void define_impostors(StudyResults& results, Macros& macros) {
+  const auto& study = results.impostors();
+  macros.count("ImpostorCount", study.effects.size());
+  macros.plain("ImpostorStickDuration", study.stick_duration);
+  macros.plain("ImpostorContactDuration", study.contact_duration);
+  macros.define("ImpostorUncertainty", significant(100.0 * study.contact_uncertainty, 1));
+}
+
 void define_agreement(StudyResults& results, Macros& macros) {
   const auto values = compared_values(results);
   for (const auto& [name, reference] : {std::pair{"Printed", "printed"}, {"Exact", "closed form"}}) {
@@ -396,6 +404,7 @@ std::string make_numbers(StudyResults& results, const Environment& environment,
   define_motions(results, macros);
   define_paper(results, macros);
   define_solution_verification(results, macros);
+  define_impostors(results, macros);
   define_agreement(results, macros);
   define_design(results, macros);
   define_mutants(mutants, macros);

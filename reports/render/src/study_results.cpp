@@ -26,6 +26,7 @@ const std::vector<double> energy_audit_steps{2e-5, 1e-5, 5e-6, 2.5e-6, 1.25e-6, 
 const std::vector<int> damped_audit_elements{10};
 const std::vector<int> undamped_audit_elements{5, 10, 20};
 constexpr int continuous_modes = 20;
+constexpr double impostor_stick_duration = 1.0, impostor_contact_duration = 0.12;  // s
 
 data::NumericalSettings with_duration(const data::NumericalSettings& numerics, double duration) {
   data::NumericalChoices choices = numerics.choices();
@@ -235,6 +236,12 @@ const std::vector<studies::BeamMotionStudy>& StudyResults::beam_motions() {
       motions.push_back(studies::beam_motion_study(problem, motion_snapshots, motion_positions));
     }
     return motions;
+  });
+}
+
+const studies::ImpostorStudy& StudyResults::impostors() {
+  return once(impostors_, "impostors", "what the known mistakes change", [&] {
+    return studies::impostor_study(damped_, impostor_stick_duration, impostor_contact_duration);
   });
 }
 

@@ -22,6 +22,7 @@
 #include "stickslip/studies/force_maximum.hpp"
 #include "stickslip/studies/force_sensitivity.hpp"
 #include "stickslip/studies/frequencies.hpp"
+#include "stickslip/studies/impostors.hpp"
 #include "stickslip/studies/length_force_map.hpp"
 #include "stickslip/studies/paper_checks.hpp"
 #include "stickslip/studies/predictability.hpp"
@@ -67,6 +68,7 @@ class StudyResults {
   const std::vector<studies::PredictabilityStudy>& predictability();  ///< 25 and 70 Hz, undamped
   const std::vector<studies::EnergyAudit>& energy_audits();           ///< damped, then undamped, 25 Hz
   const std::vector<studies::SchemeRun>& schemes();                   ///< paper's settings, 25 Hz, 1 mm
+  const studies::ImpostorStudy& impostors();                          ///< of the damped benchmark, 25 Hz
   const studies::ForceSensitivity& force_sensitivity();               ///< of the four printed |f_max|
   const studies::SolutionVerification& solution_verification();
   const studies::CriterionMap&
@@ -116,6 +118,7 @@ class StudyResults {
   std::optional<std::vector<studies::PredictabilityStudy>> predictability_;
   std::optional<std::vector<studies::EnergyAudit>> energy_audits_;
   std::optional<std::vector<studies::SchemeRun>> schemes_;
+  std::optional<studies::ImpostorStudy> impostors_;
   std::optional<studies::ForceSensitivity> force_sensitivity_;
   std::optional<studies::SolutionVerification> solution_verification_;
   std::optional<studies::CriterionMap> stiffness_map_;

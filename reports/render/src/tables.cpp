@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 #include "findings.hpp"
@@ -402,6 +403,26 @@ std::string benchmark_runs(StudyResults& results) {
   return rows.text();
 }
 
+// In per cent. Below 1e-4 of them the sums over the modes are not exact.
+std::string change_text(const std::optional<double>& change) {
+  constexpr double smallest = 1e-4;
+  if (!change) return "--";
+  if (std::isinf(*change)) return "$\\infty$";
+  return std::abs(100.0 * *change) < smallest ? "0" : compact_number(100.0 * *change, 2);
+}
+
+std::string impostor_rows(StudyResults& results) {
+  Rows rows;
+  for (const auto& effect : results.impostors().effects)
+    rows.add({fmt::format("\\texttt{{{}}}: {}. {}", breakable(effect.impostor.name),
+                          typeset(effect.impostor.mistake), typeset(effect.impostor.place)),
+              change_text(effect.stick_frequency), change_text(effect.slip_frequency),
+              change_text(effect.force_maximum), change_text(effect.stick_force),
+              change_text(effect.stick_displacement), change_text(effect.first_slip),
+              change_text(effect.tip_displacement)});
+  return rows.text();
+}
+
 std::string predictability(StudyResults& results) {
   Rows rows;
   for (const auto& study : results.predictability()) {
@@ -519,6 +540,7 @@ Document make_tables(StudyResults& results, const Environment& environment,
           {"table-benchmark-events.tex", benchmark_events(results)},
           {"table-benchmark-runs.tex", benchmark_runs(results)},
           {"table-predictability.tex", predictability(results)},
+          {"table-impostors.tex", impostor_rows(results)},
           {"table-errata.tex", errata()},
           {"table-evidence.tex", evidence(results)},
           {"table-printed.tex", printed(results)},
