@@ -96,6 +96,13 @@ const std::vector<Requirement> table{
      "Kelvin-Voigt; modal",
      {"DampingMatrix", "FreeDecay"}},
 
+    {"F10",
+     "A manufactured motion, under the load and the tip force that it implies, comes back with the orders "
+     "and the "
+     "constants of theory.",
+     "Eqs. (1), (3), (5) to (9)",
+     {"ManufacturedSpace", "ManufacturedTime"}},
+
     // From event to event.
     {"D1",
      "The event-driven engine returns the exact histories of one and two masses.",
