@@ -74,7 +74,7 @@ double BandMaximum::frequency_hz() const { return best_omega_ / kTwoPi; }
 Bounds BandMaximum::bounds() const { return {lower_, std::max(lower_, intervals_.top().upper)}; }
 
 void BandMaximum::add(double from, double to) {
-  intervals_.push({.from = from, .to = to, .ends_known = false, .upper = suprema(from, to).force});
+  intervals_.push({.from = from, .to = to, .ends_known = false, .upper = between(from, to).force});
 }
 
 /// Evaluates the ends of an interval or, if they are known, divides it.
@@ -86,7 +86,7 @@ void BandMaximum::sharpen(const Interval& interval) {
     add(middle, to);
     return;
   }
-  const double excess = (to - from) * (to - from) / 8.0 * suprema(from, to).curvature;
+  const double excess = (to - from) * (to - from) / 8.0 * between(from, to).curvature;
   const double upper = std::max(upper_value(from), upper_value(to)) + excess;
   intervals_.push({from, to, true, std::min(interval.upper, upper)});
 }
@@ -102,7 +102,7 @@ double BandMaximum::upper_value(double omega) {
   return values_[omega] = value.upper;
 }
 
-BandMaximum::Suprema BandMaximum::suprema(double from, double to) const {
+BandMaximum::Suprema BandMaximum::between(double from, double to) const {
   const double t = duration_, a = from, b = to, middle = 0.5 * (a + b);
   double steady = base_;                         // amplitude at Omega in the middle, of the modes apart
   double steady_slope = 0.0, steady_bend = 0.0;  // sums of |c p'| and |c p''|

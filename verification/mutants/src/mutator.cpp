@@ -254,10 +254,11 @@ class Mutator {
     const bool returns_nothing = first == "return" && second == ";";
     if (declares && !returns_nothing && first != "++" && first != "--") return;
     const std::size_t end = semicolon(place_);
-    // A brace on the way to the semicolon is the body of a function or an initialiser: no plain statement.
+    // A brace on the way to the semicolon is the body of a function or an initialiser, and `= default` a
+    // definition: no plain statements.
     // Memory reserved changes no result.
     for (std::size_t i = place_; i < end; ++i)
-      if (tokens_[i].text == "{" || tokens_[i].text == "reserve") return;
+      if (tokens_[i].text == "{" || tokens_[i].text == "default" || tokens_[i].text == "reserve") return;
     note("deletion", tokens_[place_].offset, tokens_[end].offset, "");
   }
 

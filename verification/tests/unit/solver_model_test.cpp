@@ -211,6 +211,16 @@ TEST(BeamSimulation, DisplacementsAreThoseOfTheFixedFrame) {
   EXPECT_EQ(simulation.displacement(2.0), simulation.tip_displacement());
 }
 
+TEST(BeamSimulation, IsPressedByTheCompressionAndByNothingInTension) {
+  const solver::PrescribedMotion base =
+      solver::harmonic_motion(data::HarmonicExcitation({.frequency_hz = 10.0, .amplitude = 1e-3}));
+  for (const double axial_force : {-400.0, 0.0, 250.0}) {
+    const solver::BeamModel model(paper_beam_with_axial_force(axial_force), 2);
+    EXPECT_EQ(solver::beam_contact_system(model, paper_friction(), base).normal_force,
+              std::max(axial_force, 0.0));
+  }
+}
+
 TEST(BeamSimulation, StepCountIsTheNearestWholeNumber) {
   EXPECT_EQ(solver::step_count(10.0, 1e-4), 100000);
   // 0.29/1e-4 is a rounding error under 2900, 0.1/3e-4 is 333.3 and 0.2/3e-4 is 666.7.

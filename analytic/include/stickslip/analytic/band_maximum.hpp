@@ -62,6 +62,14 @@ class BandMaximum {
   /// How many frequencies have been evaluated.
   [[nodiscard]] std::size_t evaluations() const noexcept { return values_.size(); }
 
+  /// Bounds per unit amplitude over an interval of Omega and 0 <= t <= T, from the formulas above alone.
+  struct Suprema {
+    double force{};      ///< of |f|, N/m
+    double curvature{};  ///< of |d^2 f/dOmega^2|, N s^2/(m rad^2)
+  };
+  /// What the search knows of an interval without evaluating it; from <= to in rad/s.
+  [[nodiscard]] Suprema between(double from, double to) const;
+
  private:
   struct Interval {
     double from{}, to{};  // rad/s
@@ -69,12 +77,6 @@ class BandMaximum {
     double upper{};
     [[nodiscard]] bool operator<(const Interval& other) const { return upper < other.upper; }
   };
-  // Over an interval of Omega: of |f| itself, and of its second derivative by Omega.
-  struct Suprema {
-    double force{}, curvature{};
-  };
-
-  [[nodiscard]] Suprema suprema(double from, double to) const;
   [[nodiscard]] double upper_value(double omega);
   void add(double from, double to);
   void sharpen(const Interval& interval);
