@@ -76,6 +76,13 @@ void define_frequencies(StudyResults& results, Macros& macros) {
   macros.define("FlutterOrder", order_text(results.flutter().observed_order));
 }
 
+void define_manufactured(StudyResults& results, Macros& macros) {
+  const auto& meshes = results.manufactured().space.front().elements;
+  macros.count("ManufacturedCoarsest", meshes.front());
+  macros.count("ManufacturedFinest", meshes.back());
+  macros.plain("ManufacturedTimeLoad", results.manufactured().time.front().load_factor);
+}
+
 void define_stick_history(StudyResults& results, Macros& macros) {
   const auto& study = results.stick_history();
   const auto& first = study.levels.front();
@@ -394,6 +401,7 @@ std::string make_numbers(StudyResults& results, const Environment& environment,
   define_environment(environment, macros);
   define_case(results.paper(), macros);
   define_frequencies(results, macros);
+  define_manufactured(results, macros);
   define_stick_history(results, macros);
   define_force_maxima(results, macros);
   define_classification(results, macros);

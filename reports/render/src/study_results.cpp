@@ -99,6 +99,11 @@ const std::vector<studies::TimeOrderStudy>& StudyResults::time_orders() {
   });
 }
 
+const studies::ManufacturedSolutionStudy& StudyResults::manufactured() {
+  return once(manufactured_, "manufactured-solution", "manufactured solutions",
+              [&] { return studies::manufactured_solution_study(paper_.beam); });
+}
+
 const studies::StickHistoryStudy& StudyResults::stick_history() {
   return once(stick_history_, "stick-history", "stick-state histories under refinement (Fig. 9)", [&] {
     return studies::stick_history_study(paper_.beam, stick_excitation_,

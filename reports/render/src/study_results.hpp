@@ -24,6 +24,7 @@
 #include "stickslip/studies/frequencies.hpp"
 #include "stickslip/studies/impostors.hpp"
 #include "stickslip/studies/length_force_map.hpp"
+#include "stickslip/studies/manufactured_solution.hpp"
 #include "stickslip/studies/paper_checks.hpp"
 #include "stickslip/studies/predictability.hpp"
 #include "stickslip/studies/scheme_comparison.hpp"
@@ -50,8 +51,9 @@ class StudyResults {
   const studies::FrequencyStudy& stick_frequencies();
   const studies::FrequencyStudy& slip_frequencies();
   const studies::FlutterStudy& flutter();
-  const studies::ModeShapeStudy& mode_shapes();                     ///< points_per_element per element
-  const std::vector<studies::TimeOrderStudy>& time_orders();        ///< one per spectral radius
+  const studies::ModeShapeStudy& mode_shapes();               ///< points_per_element per element
+  const std::vector<studies::TimeOrderStudy>& time_orders();  ///< one per spectral radius
+  const studies::ManufacturedSolutionStudy& manufactured();
   const studies::StickHistoryStudy& stick_history();                ///< Fig. 9
   const std::vector<studies::ForceMaximum>& force_maxima();         ///< at the four frequencies of Sect. 5
   const std::vector<studies::CriticalAmplitudePoint>& criterion();  ///< Fig. 11
@@ -105,6 +107,7 @@ class StudyResults {
   std::optional<studies::FlutterStudy> flutter_;
   std::optional<studies::ModeShapeStudy> mode_shapes_;
   std::optional<std::vector<studies::TimeOrderStudy>> time_orders_;
+  std::optional<studies::ManufacturedSolutionStudy> manufactured_;
   std::optional<studies::StickHistoryStudy> stick_history_;
   std::optional<std::vector<studies::ForceMaximum>> force_maxima_;
   std::optional<std::vector<studies::CriticalAmplitudeSearch>> searches_;

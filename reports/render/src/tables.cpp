@@ -162,6 +162,42 @@ std::string orders(StudyResults& results) {
   return rows.text();
 }
 
+std::string name_of(studies::ManufacturedTip tip) {
+  switch (tip) {
+    case studies::ManufacturedTip::stick:
+      return "stick";
+    case studies::ManufacturedTip::slip:
+      return "slip";
+    default:
+      return "slip, friction law";
+  }
+}
+
+// Error over prediction on the finest level.
+std::string constant_text(const studies::PredictedErrors& errors) {
+  return errors.predicted.empty() ? "" : fixed(errors.error.back() / errors.predicted.back(), 4);
+}
+
+std::string manufactured_space(StudyResults& results) {
+  Rows rows;
+  for (const auto& row : results.manufactured().space) {
+    const auto& tip = row.tip == studies::ManufacturedTip::slip ? row.tip_deflection : row.force;
+    rows.add({name_of(row.tip), plain_number(row.load_factor), order_text(row.deflection.order),
+              order_text(row.slope.order), order_text(row.curvature.order), order_text(tip.order),
+              constant_text(row.deflection), constant_text(row.curvature), constant_text(tip)});
+  }
+  return rows.text();
+}
+
+std::string manufactured_time(StudyResults& results) {
+  Rows rows;
+  for (const auto& row : results.manufactured().time)
+    rows.add({name_of(row.tip), plain_number(row.spectral_radius), order_text(row.displacement.order),
+              order_text(row.velocity.order), row.force.error.empty() ? "" : order_text(row.force.order),
+              constant_text(row.displacement)});
+  return rows.text();
+}
+
 std::string refinement(StudyResults& results) {
   Rows rows;
   for (const auto& level : results.stick_history().levels)
@@ -519,6 +555,8 @@ Document make_tables(StudyResults& results, const Environment& environment,
           {"table-frequencies.tex", frequencies(results)},
           {"table-flutter.tex", flutter(results)},
           {"table-orders.tex", orders(results)},
+          {"table-manufactured-space.tex", manufactured_space(results)},
+          {"table-manufactured-time.tex", manufactured_time(results)},
           {"table-refinement.tex", refinement(results)},
           {"table-force.tex", force(results)},
           {"table-guard.tex", guard(results)},

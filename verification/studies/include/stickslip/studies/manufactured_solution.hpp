@@ -34,14 +34,15 @@ struct PredictedErrors {
   OrderEstimate order;
 };
 
-/// Errors in space at one instant, against the exact motion, in steps of time whose error is far smaller.
+/// Errors in space at one instant, against the exact motion, in steps of time whose error is far smaller. The
+/// run starts on the semi-discrete solution, so that no free vibration of the size of the error comes on top.
 ///
 /// Interpolation by cubic Hermite elements of length l leaves ||u - Iu|| = l^4/sqrt(9!) ||u''''||, its first
 /// derivative l^3/sqrt(30240) and its second l^2/sqrt(720) of the same. The elements return Iu but for
 /// l^4/720 E, where E is the weak solution of
 ///
-///     B(E, v) = int u'''' (P v'' + rho A s v) dx,   B(u, v) = int D u'' v'' - P u' v' + rho A s u v dx + P
-///     u'(L) v(L),
+///     B(E, v) = int u'''' (P v'' + rho A s v) dx,
+///     B(u, v) = int (D u'' v'' - P u' v' + rho A s u v) dx + P u'(L) v(L),
 ///
 /// since l^4/720 u'''' is the mean of u - Iu over an element. That enters the deflection, moves the tip by
 /// l^4/720 E(L) in slip and the friction force in stick by l^4/720 (P u^(5) - D E''')(L).
