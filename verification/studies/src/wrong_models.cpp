@@ -286,7 +286,7 @@ std::vector<WrongModel> make_models() {
          return with_value(problem, Parameter::frequency,
                            problem.excitation.frequency_hz() / (2.0 * std::numbers::pi));
        }},
-      {.impostor = {"peak-to-peak-amplitude", "A0 is taken for the whole travel of the base, peak to peak",
+      {.impostor = {"peak-to-peak-amplitude", "the amplitude is taken for the whole travel of the base",
                     "Sect. 3, excitation", held_motion + stick_slip},
        .inputs = [](const data::Case& problem) -> std::optional<data::Case> {
          return with_value(problem, Parameter::amplitude, 0.5 * problem.excitation.amplitude());
@@ -299,7 +299,7 @@ std::vector<WrongModel> make_models() {
                mode.oscillator_frequency = std::sqrt(mode.natural_frequency);
            },
        .knows_stick_slip = false},
-      {.impostor = {"participation-without-shape", "C_n lacks S: -int U / int U^2", "Eq. (25)",
+      {.impostor = {"participation-without-shape", "C_n has 1 where it should have 1 + S", "Eq. (25)",
                     Quantities{participation} + held_motion},
        .equations =
            [](StickSum& sum, const data::Case&) {
@@ -332,7 +332,7 @@ std::vector<WrongModel> make_models() {
        .equations = [](StickSum& sum, const data::Case&) { sum.free_vibrations = false; },
        .knows_stick_slip = false},
       {.impostor = {"one-period-maximum",
-                    "|f|_max is looked for in the first period of the excitation only",
+                    "|f_max| is looked for in the first period of the excitation only",
                     "Sect. 5",
                     {force_maximum, critical_amplitude}},
        .observed_for = [](const data::Case& problem) { return 1.0 / problem.excitation.frequency_hz(); }},

@@ -14,8 +14,10 @@
 #include <tuple>
 #include <vector>
 
+#include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/studies/discretisation.hpp"
 #include "stickslip/studies/impostors.hpp"
 #include "stickslip/studies/problem_parameter.hpp"
@@ -81,7 +83,7 @@ data::Case with_numerics(data::Case problem, int elements, double time_step, int
 
 // Stick-slip with a little Kelvin-Voigt damping, without which histories do not converge.
 data::Case case_for(const std::string& name, Quantity quantity) {
-  const double duration = is_of_stick_slip(quantity) ? 0.12 : 0.5;
+  const double duration = is_of_stick_slip(quantity) ? 0.12 : 0.3;
   data::Case problem = name == "paper" ? paper_case(duration) : strip_case(duration);
   if (is_of_stick_slip(quantity)) problem.damping = data::Damping({.kelvin_voigt = 6e-5});
   // The force jumps at an event and feels its error most.
@@ -345,7 +347,7 @@ TEST(Impostor, BaseLoadAndMovingWallAddUpToTheTruth) {
     difference.push_back(support[i] - load[i]);
   }
   EXPECT_TRUE(within(studies::distance(line_up, sum, line_up.truth), 0.0,
-                     discretisation(truncation(problem, line_up), 1.0, "sixty modes")));
+                     discretisation(truncation(problem, line_up), 2.0, "sixty modes")));
   EXPECT_TRUE(within(studies::distance(line_up, reversed, difference), 0.0, round_off(1e3, 10.0, 1.0)));
 }
 
@@ -360,7 +362,7 @@ TEST(Impostor, WithoutTheQuasiStaticPartLacksTheStaticForce) {
     completed[i] +=
         rigidity * shape.third_derivative(problem.beam.length()) * base_motion(problem, line_up.abscissa[i]);
   EXPECT_TRUE(within(studies::distance(line_up, completed, line_up.truth), 0.0,
-                     discretisation(truncation(problem, line_up), 1.0, "sixty modes")));
+                     discretisation(truncation(problem, line_up), 2.0, "sixty modes")));
 }
 
 TEST(Impostor, ParticipationWithoutShapeIsTheQuotientOfIntegrals) {
@@ -377,7 +379,7 @@ TEST(Impostor, ParticipationWithoutShapeIsTheQuotientOfIntegrals) {
     // Midpoint rule: h^2/24 (U'(L) - U'(0)).
     const double error =
         step * step / 24.0 * std::abs(modes[n].slope(problem.beam.length())) / modes[n].norm_squared();
-    EXPECT_TRUE(within(computed[n], expected, discretisation(error, 1.5, "h^2/24 U'(L)")));
+    EXPECT_TRUE(within(computed[n], expected, discretisation(error, 2.5, "h^2/24 U'(L)")));
   }
 }
 
@@ -451,6 +453,34 @@ TEST(Impostor, OfTheMeshHaveTheOrdersOfTheirMistakes) {
                      next_terms(0.2)));
   EXPECT_TRUE(within(order_of("load-without-moments", Quantity::stick_displacement, coarse, fine), 2.0,
                      next_terms(0.2)));
+}
+
+// f at 0.5, 1, ... 10 ms of a run of the time stepper with its tip held.
+Values held_force(const data::Case& problem) {
+  solver::BeamSimulation run(problem.beam, problem.friction, problem.excitation, problem.numerics,
+                             {.contact = solver::TipContact::glued});
+  const long every = std::lround(0.5e-3 / problem.numerics.time_step());
+  Values force;
+  for (long n = 1; n <= 20 * every; ++n) {
+    run.step();
+    if (n % every == 0) force.push_back(run.friction_force());
+  }
+  return force;
+}
+
+double largest_difference(const Values& a, const Values& b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+TEST(Impostor, OfFourElementsIsTheTimeStepperOnThatMesh) {
+  const data::Case problem = strip_case(0.3);
+  const Values coarse = held_force(with_numerics(problem, 4, 4e-6)),
+               fine = held_force(with_numerics(problem, 4, 2e-6));
+  const Values exact = impersonated(problem, "four-elements", Quantity::stick_force, steps_to(10e-3, 20));
+  EXPECT_TRUE(within(largest_difference(fine, exact), 0.0,
+                     discretisation(largest_difference(coarse, fine) / 3.0, 2.0, "order 2 in the step")));
 }
 
 TEST(Impostor, WithAMovingWallCarriesTheTipAlongUntilItSlips) {
@@ -543,6 +573,23 @@ TEST(Diagnosis, NamesHardlyAnyUnrelatedErrorByAccident) {
   EXPECT_LE(named, draws / 100);
 }
 
+TEST(Diagnosis, AddsTheUncertaintiesAndMeasuresTheDimensionByAngles) {
+  // Two deviations of length 0.5 at 60 degrees: n = 2^2/(1 + 1 + 2 cos^2 60).
+  LineUp line_up;
+  line_up.quantity = Quantity::participation;
+  line_up.abscissa = {1.0, 2.0, 3.0};
+  line_up.truth = {1.0, 1.0, 1.0};
+  line_up.truth_uncertainty = 0.02;
+  line_up.impostors = {{"one", {1.5, 1.0, 1.0}, 0.5 / std::sqrt(3.0)},
+                       {"other", {1.25, 1.0 + std::sqrt(0.1875), 1.0}, 0.5 / std::sqrt(3.0)}};
+  const Diagnosis diagnosis =
+      studies::diagnose(line_up, {line_up.quantity, line_up.abscissa, line_up.truth, {0.01, 0.01, 0.01}});
+  EXPECT_TRUE(within(diagnosis.uncertainty, 0.03, round_off(10, 1.0, 0.03)));
+  EXPECT_TRUE(within(diagnosis.dimension, 1.6, round_off(30, 1.0, 1.6)));
+  const double ratio = std::pow(2.0 / (0.01 * std::log(10.0)), 1.0 / 1.6);
+  EXPECT_TRUE(within(diagnosis.required_ratio, ratio, round_off(30, 5.0, ratio)));
+}
+
 TEST(Diagnosis, NamesThoseTogetherThatTheObservationCannotTellApart) {
   const data::Case problem = strip_case(0.5);
   LineUp line_up = line_up_of(problem, Quantity::stick_force);
@@ -551,7 +598,7 @@ TEST(Diagnosis, NamesThoseTogetherThatTheObservationCannotTellApart) {
                           stated_uncertainty(line_up)};
   for (double& uncertainty : observation.uncertainty) uncertainty *= 50.0;
   const Diagnosis diagnosis = studies::diagnose(line_up, observation);
-  EXPECT_EQ(diagnosis.finding, Finding::mistaken) << studies::sentence(diagnosis);
+  ASSERT_EQ(diagnosis.finding, Finding::mistaken) << studies::sentence(diagnosis);
   EXPECT_EQ(diagnosis.named.front(), "dead-load");
   EXPECT_TRUE(names(diagnosis, "reaction-without-follower-term"));
   EXPECT_FALSE(names(diagnosis, "follower-term-sign"));
@@ -610,6 +657,24 @@ TEST(LineUpOfImpostors, RefusesAnAbscissaThatTheQuantityDoesNotHave) {
   refuses(Quantity::stick_force, {-1e-3});
   refuses(Quantity::contact_event, {1.0});            // sticks for that long
   refuses(Quantity::tip_displacement, {0.01, 0.02});  // and does not move
+}
+
+TEST(LineUpOfImpostors, HasTheTruthOfBothImplementations) {
+  const data::Case held = case_for("strip", Quantity::critical_amplitude);
+  const data::HarmonicExcitation at_35({.frequency_hz = 35.0, .amplitude = 1.0});
+  const auto criterion = analytic::evaluate_criterion(
+      held.beam, held.friction, at_35, held.numerics.duration(), 60, analytic::SteadyPart::exact);
+  const double critical = criterion.critical_amplitude.midpoint();
+  // The bounds of |f|_max are asked for to 1e-6.
+  EXPECT_TRUE(within(studies::truth(held, Quantity::critical_amplitude, {35.0})[0], critical,
+                     discretisation(1e-6 * critical, 1.0, "width of the bounds")));
+
+  const data::Case sliding = case_for("strip", Quantity::contact_event);
+  const double first = solver::first_slip(sliding.beam, sliding.friction, sliding.excitation,
+                                          sliding.numerics, sliding.damping)
+                           .value();
+  EXPECT_TRUE(
+      within(studies::truth(sliding, Quantity::contact_event, {1.0})[0], first, round_off(1e4, 10.0, first)));
 }
 
 TEST(LineUpOfImpostors, RefusesTheHeldMotionOfADampedBeam) {

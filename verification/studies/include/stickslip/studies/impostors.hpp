@@ -40,7 +40,7 @@ inline constexpr std::array all_quantities{
     Quantity::stick_force,        Quantity::stick_displacement, Quantity::contact_event,
     Quantity::tip_displacement,   Quantity::friction_force};
 
-/// "stick frequencies", "force maximum", ...
+/// "stick frequency", "force maximum", ...
 [[nodiscard]] std::string_view name_of(Quantity quantity);
 
 /// A wrong model.
@@ -51,7 +51,7 @@ struct Impostor {
   std::vector<Quantity> changes;
 };
 
-/// All of them, in the order of the paper.
+/// All of them: of inputs, equations, start, mesh and time steps, friction.
 [[nodiscard]] const std::vector<Impostor>& impostors();
 
 /// What an impostor returns for a quantity, or nothing if it says nothing about it, or if there is no such
