@@ -439,9 +439,9 @@ std::string benchmark_runs(StudyResults& results) {
   return rows.text();
 }
 
-// In per cent. Below 1e-4 of them the sums over the modes are not exact.
+// In per cent; less than a thousandth of one is none.
 std::string change_text(const std::optional<double>& change) {
-  constexpr double smallest = 1e-4;
+  constexpr double smallest = 1e-3;
   if (!change) return "--";
   if (std::isinf(*change)) return "$\\infty$";
   return std::abs(100.0 * *change) < smallest ? "0" : compact_number(100.0 * *change, 2);
@@ -450,7 +450,7 @@ std::string change_text(const std::optional<double>& change) {
 std::string impostor_rows(StudyResults& results) {
   Rows rows;
   for (const auto& effect : results.impostors().effects)
-    rows.add({fmt::format("\\texttt{{{}}}: {}. {}", breakable(effect.impostor.name),
+    rows.add({fmt::format("\\texttt{{{}}}: {}. {}", escape(effect.impostor.name),
                           typeset(effect.impostor.mistake), typeset(effect.impostor.place)),
               change_text(effect.stick_frequency), change_text(effect.slip_frequency),
               change_text(effect.force_maximum), change_text(effect.stick_force),
