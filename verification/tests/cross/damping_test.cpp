@@ -19,8 +19,10 @@
 #include "stickslip/studies/convergence.hpp"
 #include "support/beams.hpp"
 #include "support/free_tip.hpp"
+#include "support/order.hpp"
 #include "support/parameter_name.hpp"
 #include "support/tolerance.hpp"
+#include "support/vibration.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -31,39 +33,10 @@ using Complex = std::complex<double>;
 using Eigen::MatrixXcd;
 using Eigen::VectorXcd;
 
-constexpr double amplitude = 1e-3;  // A0, m
+constexpr double amplitude = Vibration::amplitude;
 constexpr Complex imaginary_unit(0.0, 1.0);
 
-struct Vibration {
-  double hz;
-  data::Damping damping;
-  TipSupport tip;
-  double axial_force{500.0};
-
-  [[nodiscard]] double omega() const { return 2.0 * pi * hz; }
-  [[nodiscard]] data::Beam beam() const { return paper_beam_with_axial_force(axial_force); }
-  [[nodiscard]] data::HarmonicExcitation excitation() const {
-    return data::HarmonicExcitation({hz, amplitude});
-  }
-  [[nodiscard]] analytic::DampedSteadyState solution() const { return {beam(), excitation(), damping, tip}; }
-  [[nodiscard]] std::string name() const {
-    return std::to_string(hz) + " Hz, eta = " + std::to_string(damping.kelvin_voigt()) +
-           " s, zeta = " + std::to_string(damping.ratio()) + (tip == TipSupport::held ? ", held" : ", free");
-  }
-};
-
-// Of point i of n + 1 in Simpson's rule, to be multiplied by a third of the distance.
-double simpson_weight(int i, int n) {
-  if (i == 0 || i == n) return 1.0;
-  return i % 2 == 1 ? 4.0 : 2.0;
-}
-
 data::Damping kelvin_voigt(double eta) { return data::Damping({.kelvin_voigt = eta}); }
-
-// Complex amplitudes of what is compared: the displacements at midspan and tip, absolute, and f of Eq. (28).
-struct Amplitudes {
-  Complex midspan, tip, force;
-};
 
 Amplitudes exact_amplitudes(const Vibration& v) {
   const analytic::DampedSteadyState solution = v.solution();
@@ -150,105 +123,6 @@ class FrequencyDomain {
   VectorXcd load_;
 };
 
-// Predicts what a mesh does to a linear functional J of the deflection: J(u) - J(u_h) = B(G - I G, u - I u) +
-// O(l^8), where G is the dual solution, B(G, e) = J(e) for every e, of the same equation in both halves of
-// the beam, and I interpolates. (I u)'' is the projection of u'' on straight lines in every element, so that
-// by Legendre polynomials
-//
-//     B = D l^4/720 [int G'''' u'''' - l^2 int ((G^(6) u'''' + G'''' u^(6))/42 + 8 G^(5) u^(5)/105 + P G''''
-//     u''''/(42 D))].
-class MeshError {
- public:
-  explicit MeshError(const Vibration& v)
-      : solution_(v.solution()), rigidity_(solution_.rigidity()), axial_force_(v.axial_force) {
-    const Complex half = 0.5 * axial_force_ / rigidity_;
-    const Complex root = std::sqrt(half * half + 10.0 * v.omega() * v.omega() / rigidity_);
-    exponents_ << std::sqrt(-half + root), -std::sqrt(-half + root), std::sqrt(-half - root),
-        -std::sqrt(-half - root);
-    held_ = v.tip == TipSupport::held;
-  }
-
-  // The leading term of u_h - u, and the modulus of what stands behind it, for l^8 with (|r| l)^2/8 more.
-  struct Prediction {
-    Amplitudes leading, next;
-  };
-
-  [[nodiscard]] Prediction predicted(int elements) const {
-    const double l = 2.0 / elements;
-    const Complex factor = -rigidity_ * std::pow(l, 4) / 720.0;
-    const double scaled = std::pow(exponents_.cwiseAbs().maxCoeff() * l, 2);
-    const double behind = std::abs(factor) * l * l * (1.0 + scaled / 8.0);
-    const Products at_midspan = products(dual(1.0, 0.0)), at_tip = products(dual(0.0, 1.0));
-    // f - f_h = B(G - G_h, e) for the G that moves the tip by 1; in B(G, e) the follower term belongs to the
-    // row of the tip, which makes D G''(L) + P G(L) = 0 of the moment-free tip.
-    const Amplitudes leading{factor * at_midspan.leading, held_ ? 0.0 : factor * at_tip.leading,
-                             held_ ? factor * at_tip.leading : 0.0};
-    const Amplitudes next{behind * at_midspan.next, behind * at_tip.next, behind * at_tip.next};
-    return {leading, next};
-  }
-
- private:
-  using Coefficients = Eigen::Matrix<Complex, 8, 1>;  // of exp(r x) in the left, then in the right half
-
-  // With a unit force at midspan, and at the tip a unit force (free) or a unit deflection (held).
-  [[nodiscard]] Coefficients dual(double midspan, double tip) const {
-    Eigen::Matrix<Complex, 8, 8> matrix = Eigen::Matrix<Complex, 8, 8>::Zero();
-    Coefficients right_side = Coefficients::Zero();
-    for (int j = 0; j < 4; ++j) {
-      const Complex r = exponents_[j];
-      matrix(0, j) = 1.0;
-      matrix(1, j) = r;
-      for (int order = 0; order < 4; ++order) {
-        matrix(2 + order, j) = -std::pow(r, order) * std::exp(r);
-        matrix(2 + order, 4 + j) = std::pow(r, order) * std::exp(r);
-      }
-      const Complex at_tip = std::exp(2.0 * r);
-      matrix(6, 4 + j) = (rigidity_ * r * r + axial_force_) * at_tip;
-      matrix(7, 4 + j) = held_ ? at_tip : -r * (rigidity_ * r * r + axial_force_) * at_tip;
-    }
-    right_side[5] = midspan / rigidity_;
-    right_side[7] = tip;
-    return matrix.partialPivLu().solve(right_side);
-  }
-
-  // int G'''' Y'''' dx, and the sum of the moduli of the three terms of order l^2 more.
-  struct Products {
-    Complex leading;
-    double next{};
-  };
-
-  // By Simpson's rule.
-  [[nodiscard]] Products products(const Coefficients& g) const {
-    constexpr int n = 400;  // intervals in each half
-    Products sum;
-    for (int half = 0; half < 2; ++half)
-      for (int i = 0; i <= n; ++i) {
-        const double x = half + static_cast<double>(i) / n;
-        const double weight = simpson_weight(i, n) / (3.0 * n);
-        const auto dual_derivative = [&](int order) {
-          Complex value = 0.0;
-          for (int j = 0; j < 4; ++j)
-            value += g[4 * half + j] * std::pow(exponents_[j], order) * std::exp(exponents_[j] * x);
-          return value;
-        };
-        const auto product = [&](int of_dual, int of_solution) {
-          return dual_derivative(of_dual) * solution_.derivative(of_solution, x);
-        };
-        sum.leading += weight * product(4, 4);
-        sum.next +=
-            weight * (std::abs(product(6, 4) + product(4, 6)) / 42.0 + std::abs(product(5, 5)) * 8.0 / 105.0 +
-                      std::abs(axial_force_ / rigidity_ * product(4, 4)) / 42.0);
-      }
-    return sum;
-  }
-
-  analytic::DampedSteadyState solution_;
-  Complex rigidity_;
-  double axial_force_;
-  bool held_{};
-  Eigen::Vector4cd exponents_;
-};
-
 std::vector<Vibration> vibrations() {
   std::vector<Vibration> all;
   for (const TipSupport tip : {TipSupport::held, TipSupport::free})
@@ -278,11 +152,13 @@ Tolerance mesh_round_off(int elements, double response, double scale) {
 }
 
 TEST(DampedFrequencyResponse, IsOfFourthOrderInTheMeshWithThePredictedAmplitudeAndPhase) {
+  std::vector<std::string> without_order;
   for (const Vibration& v : vibrations()) {
     const Amplitudes exact = exact_amplitudes(v);
     const MeshError mesh_error(v);
     for (const auto& [member, name] : quantities(v.tip)) {
-      std::vector<double> lengths, errors;
+      std::vector<OrderLevel> levels;
+      double constant = 0.0;
       for (const int elements : {8, 12, 16, 24, 32, 48}) {
         const Complex error = FrequencyDomain(v, elements).semi_discrete().*member - exact.*member;
         const auto [leading, next] = mesh_error.predicted(elements);
@@ -292,12 +168,22 @@ TEST(DampedFrequencyResponse, IsOfFourthOrderInTheMeshWithThePredictedAmplitudeA
             near(error, leading.*member,
                  discretisation(std::abs(next.*member) + rounding, 1.0, "terms of order l^6, and round-off")))
             << v.name() << ", " << name << ", " << elements << " elements";
-        lengths.push_back(2.0 / elements);
-        errors.push_back(std::abs(error));
+        // Round-off grows as n^4: on more than 24 elements it is in the error's way.
+        if (elements > 24) continue;
+        const double length = 2.0 / elements, size = std::abs(leading.*member);
+        constant = size / std::pow(length, 4);
+        levels.push_back({length, std::abs(error), std::abs(next.*member) / size, rounding});
       }
-      EXPECT_TRUE(within(observed_order(lengths, errors), 4.0, next_terms(0.1))) << v.name() << ", " << name;
+      if (levels.front().next_term > largest_next_term)
+        without_order.push_back(v.name() + ", " + name);
+      else
+        EXPECT_TRUE(order_is(levels, 4.0, constant)) << v.name() << ", " << name;
     }
   }
+  // Here the leading term nearly vanishes: no power of l describes the error, though its prediction holds as
+  // well.
+  EXPECT_EQ(without_order,
+            std::vector<std::string>{"70.000000 Hz, eta = 0.002000 s, zeta = 0.000000, held, midspan"});
 }
 
 // Complex amplitude of y_n = Im[Y exp(2 pi i n/N)] from one period.
@@ -391,25 +277,31 @@ TEST_P(DampedSteppedResponse, TendsToTheClosedFormByTheErrorsOfMeshAndStep) {
     const Amplitudes exact = exact_amplitudes(v);
     const MeshError mesh_error(v);
     for (const auto& [member, name] : quantities(v.tip)) {
-      std::vector<double> steps, errors;
-      for (const int count : {50, 100, 200}) {
+      // The leading error of the step: the scheme in the frequency domain with a step of 1/16 of the finest.
+      // The next term is what it has behind that, and half as much again.
+      const FrequencyDomain discrete(v, 20);
+      const auto step_error = [&](double h) {
+        return std::abs(discrete.stepped(h, GetParam()).*member - discrete.semi_discrete().*member);
+      };
+      const double fine = 1.0 / (v.hz * 16 * 150), constant = step_error(fine) / (fine * fine);
+      std::vector<OrderLevel> levels;
+      for (const int count : {50, 75, 100, 150}) {
         const Stepping stepping{.elements = 20, .steps_per_period = count, .spectral_radius = GetParam()};
-        const FrequencyDomain discrete(v, stepping.elements);
-        const Complex of_step = discrete.stepped(stepping.time_step(v), stepping.spectral_radius).*member -
-                                discrete.semi_discrete().*member;
+        const double h = stepping.time_step(v);
+        const Complex of_step =
+            discrete.stepped(h, stepping.spectral_radius).*member - discrete.semi_discrete().*member;
         const auto [of_mesh, next] = mesh_error.predicted(stepping.elements);
         const Complex error = stepped_amplitudes(v, stepping).*member - exact.*member;
-        EXPECT_TRUE(
-            near(error, of_step + of_mesh.*member,
-                 discretisation(
-                     std::abs(next.*member) +
-                         step_round_off(v, stepping, std::abs(exact.midspan), std::abs(exact.*member)).value,
-                     1.0, "terms of order l^6 of the mesh, and round-off")))
+        const double rest =
+            std::abs(next.*member) +
+            step_round_off(v, stepping, std::abs(exact.midspan), std::abs(exact.*member)).value;
+        EXPECT_TRUE(near(error, of_step + of_mesh.*member,
+                         discretisation(rest, 1.0, "terms of order l^6 of the mesh, and round-off")))
             << v.name() << ", " << name << ", " << count << " steps a period";
-        steps.push_back(stepping.time_step(v));
-        errors.push_back(std::abs(error - of_mesh.*member));
+        levels.push_back({h, std::abs(error - of_mesh.*member),
+                          1.5 * std::abs(step_error(h) / (constant * h * h) - 1.0), rest});
       }
-      EXPECT_TRUE(within(observed_order(steps, errors), 2.0, next_terms(0.05))) << v.name() << ", " << name;
+      EXPECT_TRUE(order_is(levels, 2.0, constant)) << v.name() << ", " << name;
     }
   }
 }
@@ -430,12 +322,17 @@ TEST(ModalDamping, OfTheFreeTipIsTheSumOverItsModesToFourthOrder) {
         exact += amplitude * (mode.number() % 2 == 1 ? 4.0 : -4.0) * sigma / b * omega * omega /
                  (natural * natural - omega * omega + 2.0 * imaginary_unit * zeta * natural * omega);
       }
-      std::vector<double> lengths, errors;
+      // The next term is (beta l)^2/40 of the first and, since u'''' does not vanish at a free tip, 10/(beta
+      // L) of itself more.
+      const double beta = std::sqrt(omega) * std::pow(10.0 / 16666.666666666668, 0.25);
+      std::vector<OrderLevel> levels;
       for (const int elements : {8, 12, 16, 24}) {
-        lengths.push_back(2.0 / elements);
-        errors.push_back(std::abs(FrequencyDomain(v, elements).semi_discrete().tip - exact));
+        const double length = 2.0 / elements;
+        levels.push_back({length, std::abs(FrequencyDomain(v, elements).semi_discrete().tip - exact),
+                          std::pow(beta * length, 2) / 40.0 * (1.0 + 5.0 / beta),
+                          mesh_round_off(elements, std::abs(exact), std::abs(exact)).value});
       }
-      EXPECT_TRUE(within(observed_order(lengths, errors), 4.0, next_terms(0.1))) << v.name();
+      EXPECT_TRUE(order_is(levels, 4.0)) << v.name();
     }
 }
 

@@ -46,12 +46,6 @@ inline Tolerance reference(double accuracy, const std::string& source) {
   return {accuracy, "reference", "accuracy of " + source};
 }
 
-/// Of an observed order: what the terms behind the leading one may do to the slope over the levels of the
-/// test.
-inline Tolerance next_terms(double allowed) {
-  return {allowed, "discretisation", "slope by the terms behind the leading one"};
-}
-
 /// |computed - expected| <= tolerance, and neither is NaN. The comparison is recorded for the traceability
 /// matrix; with a name, such as that of a printed number, it has a row of its own there.
 inline ::testing::AssertionResult within(double computed, double expected, const Tolerance& tolerance,

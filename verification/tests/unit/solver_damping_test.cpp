@@ -15,6 +15,7 @@
 #include "stickslip/studies/convergence.hpp"
 #include "support/beams.hpp"
 #include "support/free_tip.hpp"
+#include "support/order.hpp"
 #include "support/parameter_name.hpp"
 #include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
@@ -103,35 +104,47 @@ TEST(DampingMatrix, OfARatioRefusesMoreThan500Elements) {
   }
 }
 
-// A damped free mode that starts from its full deflection at rest: q = exp(-zeta omega t) [cos(omega_d t) +
-// zeta/sqrt(1 - zeta^2) sin(omega_d t)].
+// A damped free mode that starts from its full deflection at rest: q = Re[c exp(lambda t)], lambda = -zeta
+// omega + i omega sqrt(1 - zeta^2), c = 1 - i zeta/sqrt(1 - zeta^2). At spectral radius 1 the method is the
+// trapezoidal rule, for which lambda becomes lambda_h = (2/h) artanh(lambda h/2) = lambda [1 + (lambda
+// h)^2/12 + ...] and c stays.
 class FreeDecay : public ::testing::TestWithParam<double> {};
 
 TEST_P(FreeDecay, OfAModeIsThatOfADampedOscillatorToSecondOrder) {
+  using Complex = std::complex<double>;
   const double zeta = GetParam();
   const solver::BeamModel model(paper_beam_with_axial_force(0.0), 8);
   for (const std::size_t n : {0, 1, 2}) {
     const auto mode = solver::slip_modes(model, 3)[n];
-    const double omega = mode.angular_frequency, damped = omega * std::sqrt(1.0 - zeta * zeta);
+    const double omega = mode.angular_frequency;
     const double end = 3.2 * 2.0 * std::numbers::pi / omega;  // at an extremum a phase error would not show
-    const double expected = std::exp(-zeta * omega * end) *
-                            (std::cos(damped * end) + zeta * omega / damped * std::sin(damped * end));
-    std::vector<double> steps, errors;
+    const Complex lambda = omega * Complex(-zeta, std::sqrt(1.0 - zeta * zeta));
+    const Complex weight(1.0, -zeta / std::sqrt(1.0 - zeta * zeta));
+    const double expected = (weight * std::exp(lambda * end)).real();
+    const double leading =
+        std::abs((weight * std::exp(lambda * end) * std::pow(lambda, 3) * end / 12.0).real());
+    std::vector<OrderLevel> levels;
     for (const int count : {150, 300, 600, 1200}) {
+      const double h = end / count;
       solver::StickSlipIntegrator integrator(free_tip_system(model, at_rest(), of_critical(zeta)),
-                                             {.time_step = end / count, .spectral_radius = 1.0});
+                                             {.time_step = h, .spectral_radius = 1.0});
       integrator.start_slipping(1e-3 * mode.shape, Eigen::VectorXd::Zero(model.degrees_of_freedom()));
       for (int i = 0; i < count; ++i) integrator.step();
       ASSERT_TRUE(integrator.events().empty());
       const Eigen::VectorXd momentum = model.mass() * mode.shape;
-      steps.push_back(end / count);
-      errors.push_back(std::abs(1e3 * momentum.dot(integrator.displacement()) - expected));
-      // The scheme's period and decay are off by (omega h)^2/12 and less: an angle of omega t (omega h)^2/12.
-      EXPECT_TRUE(within(errors.back(), 0.0,
-                         discretisation(omega * end * std::pow(omega * steps.back(), 2) / 12.0, 1.1,
-                                        "omega t (omega h)^2/12")));
+      const double computed = 1e3 * momentum.dot(integrator.displacement());
+      const double predicted = (weight * std::exp(2.0 * std::atanh(0.5 * lambda * h) / h * end)).real();
+      // A step solves for accelerations, of which a displacement is the double sum: eps/(omega h)^2. The
+      // stiffness of 8 elements, and with it omega, is known to 8^4 eps, of omega t.
+      const Tolerance rounding =
+          round_off(1, 10.0 / std::pow(omega * h, 2) + std::pow(8.0, 4) * omega * end, 1.0);
+      EXPECT_TRUE(within(computed, predicted, rounding)) << count << " steps";
+      levels.push_back({.step = h,
+                        .error = std::abs(computed - expected),
+                        .next_term = 1.5 * std::abs(std::abs(predicted - expected) / (leading * h * h) - 1.0),
+                        .floor = rounding.value});
     }
-    EXPECT_TRUE(within(observed_order(steps, errors), 2.0, next_terms(0.05)));
+    EXPECT_TRUE(order_is(levels, 2.0, leading)) << "mode " << n + 1;
   }
 }
 
