@@ -8,6 +8,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <numbers>
 
@@ -346,6 +347,12 @@ Eigen::VectorXd holding_row(const solver::BeamModel& model) {
          model.stick_stiffness().transpose() * tip_held(model, model.mass()).llt().solve(coupling);
 }
 
+// PredictedErrors::floor.
+double round_off_floor(int steps, int elements, int order, double exact) {
+  return std::numeric_limits<double>::epsilon() * (std::sqrt(steps) + 12.0 * std::pow(elements, order)) *
+         std::abs(exact);
+}
+
 double l2_norm(const solver::BeamModel& model, const Eigen::VectorXd& q) {
   return std::sqrt(q.dot(model.mass() * q) / (model.beam().density() * model.beam().area()));
 }
@@ -392,6 +399,10 @@ ManufacturedSpaceErrors manufactured_space_errors(const data::Beam& beam, Manufa
     study.deflection.error.push_back(difference(problem, model, end.displacement, g, 0));
     study.slope.error.push_back(difference(problem, model, end.displacement, g, 1));
     study.curvature.error.push_back(difference(problem, model, end.displacement, g, 2));
+    const auto floor = [&](int order, double exact) { return round_off_floor(steps, n, order, g * exact); };
+    study.deflection.floor.push_back(floor(0, std::sqrt(square(0))));
+    study.slope.floor.push_back(floor(1, std::sqrt(square(1))));
+    study.curvature.floor.push_back(floor(2, std::sqrt(square(2))));
     const double nodal = l4 * l4 / (720.0 * 720.0);
     study.deflection.predicted.push_back(
         size * std::sqrt(l4 * l4 / 362880.0 * square(4) + nodal * nodal_deflection));
@@ -405,9 +416,12 @@ ManufacturedSpaceErrors manufactured_space_errors(const data::Beam& beam, Manufa
       study.tip_deflection.error.push_back(
           std::abs(end.displacement[model.tip_deflection()] - g * phi(0, length)));
       study.tip_deflection.predicted.push_back(size * l4 / 720.0 * std::abs(nodal_error(0, length)));
+      study.tip_deflection.floor.push_back(floor(0, phi(0, length)));
     }
-    if (tip != ManufacturedTip::slip)
+    if (tip != ManufacturedTip::slip) {
       study.force.error.push_back(std::abs(end.friction_force - g * problem.tip_force()));
+      study.force.floor.push_back(floor(3, problem.tip_force()));
+    }
     if (tip == ManufacturedTip::stick)
       study.force.predicted.push_back(
           size * l4 / 720.0 *
@@ -457,8 +471,14 @@ ManufacturedTimeErrors manufactured_time_errors(const data::Beam& beam, Manufact
     study.next_term_of_all_modes.push_back(next_term(natural.back().angular_frequency, h));
     study.displacement.error.push_back(l2_norm(model, end.displacement - problem.history(0, t) * shape));
     study.velocity.error.push_back(l2_norm(model, end.velocity - problem.history(1, t) * shape));
-    if (tip != ManufacturedTip::slip)
+    const auto floor = [&](int order, double exact) { return round_off_floor(n, elements, order, exact); };
+    const double motion = l2_norm(model, shape);
+    study.displacement.floor.push_back(floor(0, motion));
+    study.velocity.floor.push_back(floor(0, problem.rate * motion));
+    if (tip != ManufacturedTip::slip) {
       study.force.error.push_back(std::abs(end.friction_force - problem.history(0, t) * force));
+      study.force.floor.push_back(floor(3, force));
+    }
     if (tip == ManufacturedTip::friction) continue;
     const Eigen::VectorXd predicted = leading_time_error(problem, model, shape, spectral_radius, h);
     study.displacement.predicted.push_back(l2_norm(model, predicted));
@@ -479,7 +499,7 @@ ManufacturedSolutionStudy manufactured_solution_study(const data::Beam& beam) {
     }
   for (const ManufacturedTip tip : tips)
     for (const double radius : {0.0, 0.5, 0.9, 1.0})
-      study.time.push_back(manufactured_time_errors(beam, tip, 10.0, radius, {800, 1600, 3200, 6400}));
+      study.time.push_back(manufactured_time_errors(beam, tip, 10.0, radius, {1000, 2000, 4000, 8000}));
   return study;
 }
 

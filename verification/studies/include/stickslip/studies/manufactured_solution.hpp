@@ -31,6 +31,10 @@ enum class ManufacturedTip {
 struct PredictedErrors {
   std::vector<double> error;
   std::vector<double> predicted;  ///< leading term; empty where there is none
+  /// Of round-off, about eps (sqrt(n) + 12 N^k) times the exact quantity: the roundings of n steps add up as
+  /// random ones do, and on N elements the k-th derivative of the deflection multiplies by 12 N^k what the
+  /// last one leaves at the nodes.
+  std::vector<double> floor;
   OrderEstimate order;
 };
 
