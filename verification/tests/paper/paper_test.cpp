@@ -103,7 +103,9 @@ TEST(Errata, E4RestInTheFrameOfTheBaseGivesAnImpulsiveReaction) {
   for (const int elements : {8, 16, 32}) {
     const double ratio = largest(2 * elements, solver::InitialVelocity::zero) /
                          largest(elements, solver::InitialVelocity::zero);
-    EXPECT_NEAR(ratio, 2.0, 0.1) << elements;
+    // The impulse of the clamp's jump is that of the tip's element, 1/l; the smooth part of the force is a
+    // few per cent of it on 8 elements and less on more.
+    EXPECT_TRUE(within(ratio, 2.0, discretisation(0.05, 2.0, "share of the smooth part"))) << elements;
   }
   EXPECT_GT(largest(64, solver::InitialVelocity::zero), 300.0)
       << "15 Hz at 0.5 mm would slip, against Figs. 3 and 4";

@@ -203,8 +203,9 @@ TEST_P(AdjointSlipModes, CarryAHeldStateOverAndBack) {
       contact += free.from_held(k, column);
       amplitude += free.to_held(0, k) * free.from_held(k, column);
     }
-    EXPECT_NEAR(contact, column == held ? 1.0 : 0.0, 1e-4);
-    EXPECT_NEAR(amplitude, column == held ? 0.0 : 1.0, 1e-4);
+    const Tolerance truncation = discretisation(1e-4, 1.0, "the modes left out, N^-3 of 22");
+    EXPECT_TRUE(within(contact, column == held ? 1.0 : 0.0, truncation));
+    EXPECT_TRUE(within(amplitude, column == held ? 0.0 : 1.0, truncation));
   }
 }
 

@@ -66,7 +66,9 @@ TEST(OrderEstimate, CoversTheOrderNinetyFiveTimesInAHundred) {
       const OrderEstimate estimate = order_estimate(halved, errors);
       if (std::abs(estimate.order - 2.0) <= estimate.half_width) ++hits;
     }
-    EXPECT_NEAR(hits / double(trials), 0.95, 4.0 * std::sqrt(0.95 * 0.05 / trials)) << deviation;
+    EXPECT_TRUE(within(hits / double(trials), 0.95,
+                       discretisation(std::sqrt(0.95 * 0.05 / trials), 4.0, "deviation of a count")))
+        << deviation;
   }
 }
 
