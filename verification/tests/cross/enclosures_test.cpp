@@ -52,19 +52,6 @@ TEST(Enclosures, OfARisingForceEndWithThatOfFiniteElements) {
                      discretisation(share_missed * maximum, 2.0, "20 elements in a short run")));
 }
 
-TEST(Enclosures, OfAForceThatIsLargestWhereItIsNegativeHoldThatOfFiniteElements) {
-  const analytic::StickResponse response(paper_beam(), shaking(10.0), 20, analytic::SteadyPart::exact);
-  double lowest = 0.0, highest = 0.0, duration = 0.0;
-  while (-lowest < 1.2 * highest || lowest == 0.0) {
-    duration += 1e-3;
-    ASSERT_LT(duration, 1.0);
-    lowest = std::min(lowest, response.friction_force(duration));
-    highest = std::max(highest, response.friction_force(duration));
-  }
-  EXPECT_TRUE(within(finite_element_maximum(10.0, duration), -lowest,
-                     discretisation(share_missed * -lowest, 2.0, "20 elements in a short run")));
-}
-
 TEST(Enclosures, OfTheCriticalAmplitudeHoldThatOfFiniteElements) {
   const double limit = paper_friction().static_coefficient() * paper_beam().axial_force();
   for (const double hz : {15.0, 35.0}) {
@@ -80,8 +67,8 @@ TEST(Enclosures, OfTheCriticalAmplitudeHoldThatOfFiniteElements) {
 }
 
 TEST(Enclosures, NextToResonanceHoldTheForceOfFiniteElements) {
-  // A relative distance of 1e-13 leaves three digits to a difference of sines that is divided by it.
-  const double natural = analytic::stick_modes(paper_beam(), 1).front().frequency_hz() * (1.0 + 1e-13);
+  // A relative distance of 4e-15 leaves one digit to a difference of sines that is divided by it.
+  const double natural = analytic::stick_modes(paper_beam(), 1).front().frequency_hz() * (1.0 + 4e-15);
   solver::BeamSimulation beam(paper_beam(), paper_friction(), shaking(natural),
                               data::NumericalSettings(paper_choices(0.3)),
                               {.contact = solver::TipContact::glued});
