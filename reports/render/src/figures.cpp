@@ -484,7 +484,7 @@ FigureData kill_matrix(StudyResults& /*results*/) {
   for (std::size_t test = 0; test < matrix.tests.size(); ++test) {
     const auto& [kind, name] = matrix.tests[test];
     for (std::size_t mutant = 0; mutant < matrix.mutants.size(); ++mutant)
-      if (matrix.kills[test][mutant])
+      if (matrix.fates[test][mutant] == mutants::Fate::killed)
         table.add_row({std::to_string(mutant + 1), std::to_string(test + 1), matrix.mutants[mutant],
                        kind + "." + name});
     if (test + 1 == matrix.tests.size() || matrix.tests[test + 1].kind != kind)

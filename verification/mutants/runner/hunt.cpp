@@ -82,11 +82,14 @@ std::string fingerprint_of(const TestProgram& program, const std::set<std::strin
   return fingerprint.text();
 }
 
-// Every quick test of a program, by memory if it has them.
-std::vector<std::string> all_killers(Memory& memory, const TestProgram& program) {
-  const auto tests = quick_tests(program);
+using Selection = std::set<std::string> (*)(const TestProgram&);
+
+// The tests of a program that fail, by memory if it has them.
+std::vector<std::string> all_killers(Memory& memory, const TestProgram& program, const char* name,
+                                     Selection select) {
+  const auto tests = select(program);
   const std::string key = fingerprint_of(program, tests);
-  Json& known = memory.json()["programs"][program.kind];
+  Json& known = memory.json()["programs"][program.kind][name];
   if (!known.is_object() || known.at("key") != key) {
     known = {{"key", key},
              {"failing", failing_tests(program, tests, memory.libraries(), memory.folder(), false)}};
@@ -160,25 +163,47 @@ class Chase {
 }  // namespace
 
 KillMatrix hunt_curated(const Hunt& hunt, const std::vector<CuratedMutant>& mutants) {
+  std::vector<ChangedFiles> changed;  // all of them now, so that an edit that does not fit is told at once
+  for (const CuratedMutant& mutant : mutants) changed.push_back(changed_files(mutant, hunt.source_tree));
   std::vector<std::set<TestName>> killers(mutants.size());
+  std::vector<char> has_faced_longer_tests(mutants.size(), 0);
   const auto chase = [&](std::size_t i) {
-    Memory memory(hunt, mutants[i].name, changed_files(mutants[i], hunt.source_tree));
+    Memory memory(hunt, mutants[i].name, changed[i]);
     if (memory.outcome() != built)
       throw std::runtime_error(
           fmt::format("the mutant {} is of no use: {}", mutants[i].name, memory.outcome()));
-    for (const TestProgram& program : hunt.programs)
-      for (const auto& test : all_killers(memory, program)) killers[i].insert({program.kind, test});
+    std::set<std::string> kinds;
+    const auto face = [&](const char* name, Selection select) {
+      for (const TestProgram& program : hunt.programs)
+        for (const auto& test : all_killers(memory, program, name, select)) {
+          killers[i].insert({program.kind, test});
+          kinds.insert(program.kind);
+        }
+    };
+    face("quick", quick_tests);
+    if (kinds.size() > 1) return;
+    face("longer", longer_tests);
+    has_faced_longer_tests[i] = 1;
   };
   studies::in_parallel(mutants.size(), chase, hunt.progress, hunt.threads);
 
   KillMatrix matrix;
   for (const auto& mutant : mutants) matrix.mutants.push_back(mutant.name);
-  for (const TestProgram& program : hunt.programs)
-    for (const auto& test : quick_tests(program)) {
-      matrix.tests.push_back({program.kind, test});
-      auto& row = matrix.kills.emplace_back();
-      for (const auto& of_mutant : killers) row.push_back(of_mutant.contains(matrix.tests.back()));
+  const auto add_rows = [&](const TestProgram& program, Selection select, bool all_have_faced_it) {
+    for (const auto& name : select(program)) {
+      const TestName test{program.kind, name};
+      matrix.tests.push_back(test);
+      auto& row = matrix.fates.emplace_back();
+      for (std::size_t i = 0; i < mutants.size(); ++i) {
+        const bool has_run = all_have_faced_it || has_faced_longer_tests[i] != 0;
+        row.push_back(killers[i].contains(test) ? Fate::killed : has_run ? Fate::survives : Fate::not_run);
+      }
     }
+  };
+  for (const TestProgram& program : hunt.programs) {
+    add_rows(program, quick_tests, true);
+    add_rows(program, longer_tests, false);
+  }
   return matrix;
 }
 

@@ -23,8 +23,9 @@ struct Hunt {
   std::function<void(double)> progress;  ///< called with the share done
 };
 
-/// Every quick test against every curated mutant. What has not changed since an earlier hunt in the same
-/// folder is not run again. Throws std::runtime_error for a mutant that does not compile or is the same code.
+/// Every quick test against every curated mutant, and the longer ones where those of two kinds do not kill
+/// it. What has not changed since an earlier hunt in the same folder is not run again. Throws
+/// std::runtime_error for a mutant that does not compile or is the same code.
 [[nodiscard]] KillMatrix hunt_curated(const Hunt& hunt, const std::vector<CuratedMutant>& mutants);
 
 /// The first `count` mutants of the sample that compile to other code, each until the first test that

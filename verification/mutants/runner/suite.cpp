@@ -147,7 +147,7 @@ std::vector<std::string> failing_tests(const TestProgram& program, std::set<std:
                                        const fs::path& libraries, const fs::path& folder,
                                        bool stop_at_first) {
   std::vector<std::string> failing;
-  for (int attempt = 0; attempt < 10 && !tests.empty(); ++attempt) {
+  for (int attempt = 0; attempt < 4 && !tests.empty(); ++attempt) {
     const double seconds = 4.0 + 6.0 * usual_seconds(program, tests);
     const ProgramRun result = run(program, tests, libraries, folder, seconds, stop_at_first);
     if (result.status != 0 && result.failed.empty() && result.unfinished.empty())

@@ -31,8 +31,8 @@ struct TestProgram {
 
 /// Runs tests of a program against the libraries in `libraries` and returns those that do not pass: that
 /// fail, end the program, or are at work when its time is up, which is six times the usual one and four
-/// seconds. What is left is then run again without them, up to ten times. With `stop_at_first`, returns with
-/// the first. Logs into `folder`.
+/// seconds. What is left is then run again without them, up to three times. With `stop_at_first`, returns
+/// with the first. Logs into `folder`.
 [[nodiscard]] std::vector<std::string> failing_tests(const TestProgram& program, std::set<std::string> tests,
                                                      const std::filesystem::path& libraries,
                                                      const std::filesystem::path& folder, bool stop_at_first);

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/mutants/mutant.hpp"
@@ -18,6 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* matrix_name = "kill-matrix.csv";
+constexpr std::string_view fate_letters = "01-";  // in the order of Fate
 constexpr const char* sample_name = "generated.json";
 
 void replace_file(const fs::path& file, const std::string& text) {
@@ -59,12 +61,12 @@ KillMatrix read_kill_matrix(const fs::path& folder) {
       throw data::InputError(fmt::format("{}:{}: has {} fields, but must have {}", file.string(), number,
                                          fields.size(), matrix.mutants.size() + 2));
     matrix.tests.push_back({fields[0], fields[1]});
-    auto& row = matrix.kills.emplace_back();
+    auto& row = matrix.fates.emplace_back();
     for (std::size_t i = 2; i < fields.size(); ++i) {
-      if (fields[i] != "0" && fields[i] != "1")
+      if (fields[i].size() != 1 || fate_letters.find(fields[i]) == std::string_view::npos)
         throw data::InputError(
-            fmt::format("{}:{}: has '{}' where 0 or 1 is expected", file.string(), number, fields[i]));
-      row.push_back(fields[i] == "1");
+            fmt::format("{}:{}: has '{}' where 0, 1 or - is expected", file.string(), number, fields[i]));
+      row.push_back(static_cast<Fate>(fate_letters.find(fields[i])));
     }
   }
   return matrix;
@@ -75,7 +77,10 @@ void write(const KillMatrix& matrix, const fs::path& folder) {
   for (const auto& mutant : matrix.mutants) text += ',' + mutant;
   for (std::size_t test = 0; test < matrix.tests.size(); ++test) {
     text += fmt::format("\n{},{}", matrix.tests[test].kind, matrix.tests[test].name);
-    for (const bool kill : matrix.kills[test]) text += kill ? ",1" : ",0";
+    for (const Fate fate : matrix.fates[test]) {
+      text += ',';
+      text += fate_letters[static_cast<std::size_t>(fate)];
+    }
   }
   replace_file(folder / matrix_name, text + '\n');
 }

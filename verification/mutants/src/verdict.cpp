@@ -24,7 +24,7 @@ std::vector<KillCount> kill_counts(const KillMatrix& matrix) {
   for (std::size_t mutant = 0; mutant < matrix.mutants.size(); ++mutant) {
     auto& count = counts.emplace_back(KillCount{.mutant = matrix.mutants[mutant]});
     for (std::size_t test = 0; test < matrix.tests.size(); ++test)
-      if (matrix.kills[test][mutant]) ++count_of(count, matrix.tests[test].kind);
+      if (matrix.fates[test][mutant] == Fate::killed) ++count_of(count, matrix.tests[test].kind);
   }
   return counts;
 }
@@ -32,7 +32,7 @@ std::vector<KillCount> kill_counts(const KillMatrix& matrix) {
 std::vector<TestName> idle_tests(const KillMatrix& matrix) {
   std::vector<TestName> idle;
   for (std::size_t test = 0; test < matrix.tests.size(); ++test)
-    if (std::ranges::find(matrix.kills[test], true) == matrix.kills[test].end())
+    if (std::ranges::all_of(matrix.fates[test], [](Fate fate) { return fate == Fate::survives; }))
       idle.push_back(matrix.tests[test]);
   return idle;
 }

@@ -18,11 +18,15 @@ struct TestName {
   auto operator<=>(const TestName&) const = default;
 };
 
-/// Which test fails on which curated mutant.
+/// What a test said of a mutant.
+enum class Fate : char { survives, killed, not_run };
+
+/// Which test fails on which curated mutant. Every mutant faces the quick tests; the longer ones only if
+/// tests of two kinds have not killed it by then.
 struct KillMatrix {
   std::vector<std::string> mutants;      ///< names
-  std::vector<TestName> tests;           ///< the quick ones
-  std::vector<std::vector<bool>> kills;  ///< kills[test][mutant]
+  std::vector<TestName> tests;           ///< of each kind the quick ones, then the longer ones
+  std::vector<std::vector<Fate>> fates;  ///< fates[test][mutant]
 };
 
 /// A generated mutant that compiled to other code than the original.

@@ -22,7 +22,7 @@ struct KillCount {
 /// Of each mutant of the matrix, in its order.
 [[nodiscard]] std::vector<KillCount> kill_counts(const KillMatrix& matrix);
 
-/// The tests that kill no mutant.
+/// The tests that face every mutant and kill none.
 [[nodiscard]] std::vector<TestName> idle_tests(const KillMatrix& matrix);
 
 /// A sentence for each mutant that fewer than two tests of different kinds kill.
