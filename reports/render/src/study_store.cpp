@@ -16,9 +16,7 @@ std::optional<std::string> StudyStore::load_bytes(const std::string& name) const
 void StudyStore::save_bytes(const std::string& name, std::string_view bytes) const {
   if (folder_.empty()) return;
   fs::create_directories(folder_);
-  const fs::path unfinished = folder_ / (name + ".unfinished");
-  write_text(unfinished, fingerprint_ + std::string(bytes));
-  fs::rename(unfinished, folder_ / name);
+  replace_text(folder_ / name, fingerprint_ + std::string(bytes));
 }
 
 }  // namespace stickslip::report

@@ -30,4 +30,10 @@ void write_text(const std::filesystem::path& file, std::string_view text) {
   if (std::fflush(stream.get()) != 0 || ::fsync(::fileno(stream.get())) != 0) fail();
 }
 
+void replace_text(const std::filesystem::path& file, std::string_view text) {
+  const std::filesystem::path unfinished = file.string() + ".unfinished";
+  write_text(unfinished, text);
+  std::filesystem::rename(unfinished, file);
+}
+
 }  // namespace stickslip::report

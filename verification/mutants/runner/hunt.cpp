@@ -64,11 +64,7 @@ class Memory {
   [[nodiscard]] const fs::path& folder() const { return folder_; }
   [[nodiscard]] fs::path libraries() const { return folder_ / "lib"; }
 
-  void save() const {
-    const fs::path unfinished = file_.string() + ".unfinished";
-    report::write_text(unfinished, json_.dump(1));
-    fs::rename(unfinished, file_);
-  }
+  void save() const { report::replace_text(file_, json_.dump(1)); }
 
  private:
   fs::path folder_, file_;

@@ -22,12 +22,6 @@ constexpr const char* matrix_name = "kill-matrix.csv";
 constexpr std::string_view fate_letters = "01-";  // in the order of Fate
 constexpr const char* sample_name = "generated.json";
 
-void replace_file(const fs::path& file, const std::string& text) {
-  const fs::path unfinished = file.string() + ".unfinished";
-  report::write_text(unfinished, text);
-  fs::rename(unfinished, file);
-}
-
 std::string text_of(const fs::path& file) {
   std::string text = report::read_text(file);
   if (text.empty()) throw data::InputError(file.string() + ": is missing or empty");
@@ -82,7 +76,7 @@ void write(const KillMatrix& matrix, const fs::path& folder) {
       text += fate_letters[static_cast<std::size_t>(fate)];
     }
   }
-  replace_file(folder / matrix_name, text + '\n');
+  report::replace_text(folder / matrix_name, text + '\n');
 }
 
 GeneratedSample read_generated_sample(const fs::path& folder) {
@@ -125,7 +119,7 @@ void write(const GeneratedSample& sample, const fs::path& folder) {
                                     {"not_compiling", sample.not_compiling},
                                     {"same_code", sample.same_code},
                                     {"mutants", mutants}};
-  replace_file(folder / sample_name, json.dump(1) + '\n');
+  report::replace_text(folder / sample_name, json.dump(1) + '\n');
 }
 
 }  // namespace stickslip::mutants

@@ -12,4 +12,8 @@ namespace stickslip::report {
 /// Writes the text to a file, to the disk. Throws std::runtime_error naming the file and the reason.
 void write_text(const std::filesystem::path& file, std::string_view text);
 
+/// The same by way of `<file>.unfinished`, so that the file appears whole or stays as it is. Throws what
+/// write_text() and std::filesystem::rename() throw.
+void replace_text(const std::filesystem::path& file, std::string_view text);
+
 }  // namespace stickslip::report
