@@ -1,6 +1,6 @@
 #pragma once
 
-/// Two histories that must be the same up to errors whose growth a third one measures.
+/// Histories that must be the same up to errors whose growth another one measures.
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "support/tolerance.hpp"
+#include "support/units.hpp"
 
 namespace stickslip::testing {
 
@@ -45,6 +46,21 @@ inline void expect_same_events(const std::vector<EventAt>& computed, const std::
     EXPECT_TRUE(within(computed[i].position, expected[i].position,
                        discretisation(sensitivity.error * position_slope, 1.0, "error times slope")))
         << "event " << i;
+  }
+}
+
+/// The same of the problem with each of two similar beams, in its own units: events_in(problem, units) are
+/// the events of the run that belongs to `expected`.
+template <class EventsIn>
+void expect_same_events_of_similar_beams(RandomNumbers& numbers, const StickSlipProblem& problem,
+                                         const std::vector<EventAt>& expected, const Sensitivity& sensitivity,
+                                         const EventsIn& events_in) {
+  for (const auto& [other, units] : similar_beams(numbers, problem.beam)) {
+    StickSlipProblem scaled = in_units(units, problem);
+    scaled.beam = other;
+    std::vector<EventAt> computed = events_in(scaled, units);
+    for (EventAt& event : computed) event = {event.time / units.time, event.position / units.length};
+    expect_same_events(computed, expected, sensitivity);
   }
 }
 

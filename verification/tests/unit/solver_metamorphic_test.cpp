@@ -254,13 +254,10 @@ TEST(Similarity, FixesTheSteppedHistory) {
     const Sensitivity sensitivity{
         events_of(run(with_amplitude(problem, 1.0 + kPerturbation), numerics)->integrator()), kPerturbation,
         kHistoryError, problem.excitation.amplitude()};
-    for (const auto& [other, units] : similar_beams(numbers, beam)) {
-      StickSlipProblem scaled = in_units(units, problem);
-      scaled.beam = other;
-      auto computed = events_of(run(scaled, in_units(units, numerics))->integrator());
-      for (EventAt& event : computed) event = {event.time / units.time, event.position / units.length};
-      expect_same_events(computed, expected, sensitivity);
-    }
+    expect_same_events_of_similar_beams(
+        numbers, problem, expected, sensitivity, [&](const StickSlipProblem& scaled, const Units& units) {
+          return events_of(run(scaled, in_units(units, numerics))->integrator());
+        });
     events += static_cast<int>(expected.size());
   });
   EXPECT_GT(events, 60);
