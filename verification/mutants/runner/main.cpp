@@ -27,7 +27,8 @@ std::function<void(double)> progress_of(const char* what) {
 
 int main(int argc, char** argv) {
   CLI::App app{"Builds wrong versions of solver/ and analytic/ and runs the test suite against each."};
-  std::string source_tree = STICKSLIP_SOURCE_DIRECTORY, build_tree = STICKSLIP_BUILD_DIRECTORY, output;
+  const std::string source_tree = STICKSLIP_SOURCE_DIRECTORY, build_tree = STICKSLIP_BUILD_DIRECTORY;
+  std::string output = record_directory().string();
   int count = 400;
   std::uint64_t seed = 1;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
@@ -39,10 +40,8 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 100000));
   app.add_option("--seed", seed, "Of the sample")->capture_default_str();
   app.add_option("--jobs", threads, "Mutants at a time")->capture_default_str()->check(CLI::Range(1, 1024));
-  app.add_option("--output", output, "Folder for kill-matrix.csv and generated.json")
-      ->default_str(record_directory().string());
+  app.add_option("--output", output, "Folder for kill-matrix.csv and generated.json")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
-  if (output.empty()) output = record_directory().string();
   const bool both = curated == generated;
 
   try {
