@@ -158,5 +158,37 @@ TEST(BandMaximum, BoundsTheForceOfAnIntervalFromAboveAndNotFarAbove) {
     }
 }
 
+TEST(BandMaximum, BoundsAtOneFrequencyAndOneModeAreSumsOfExactSuprema) {
+  // f = A sin(Omega t) - B sin(omega_1 t) with A = F + c p and B = c p Omega/omega_1, p = Omega^2/(Omega^2 -
+  // omega_1^2): |f| <= |A| + |B| and |f_OmegaOmega| <= T^2 |A| + 2 T |A'| + |A''| + |B''|. Derivatives by
+  // central differences, off by (h/(Omega - omega_1))^2 and by round-off eps/h^2.
+  const analytic::ModalForce mode = analytic::modal_forces(paper_beam(), 1).front();
+  const double base = paper_beam().youngs_modulus() * paper_beam().second_moment_of_area() *
+                      analytic::QuasiStaticShape(paper_beam()).third_derivative(paper_beam().length());
+  const double natural = mode.angular_frequency, c = mode.coefficient;
+  const auto share = [&](double omega) { return omega * omega / ((omega - natural) * (omega + natural)); };
+  const auto steady = [&](double omega) { return base + c * share(omega); };
+  const auto free = [&](double omega) { return c * share(omega) * omega / natural; };
+  for (const double ratio : {0.3, 0.8, 1.5, 3.0})
+    for (const double periods : {4.0, 10.0}) {  // so long that no bound of a mode in the interval is nearer
+      const double omega = ratio * natural, duration = periods * 2.0 * pi / natural;
+      const double h = 1e-3 * std::abs(omega - natural);
+      const auto slope = [h, omega](auto f) { return (f(omega + h) - f(omega - h)) / (2.0 * h); };
+      const auto bend = [h, omega](auto f) {
+        return (f(omega + h) - 2.0 * f(omega) + f(omega - h)) / (h * h);
+      };
+      const analytic::BandMaximum search(paper_beam(), {omega / (2.0 * pi), omega / (2.0 * pi)}, duration, 1);
+      const auto suprema = search.between(omega, omega);
+      const double force = std::abs(steady(omega)) + std::abs(free(omega));
+      const double curvature = duration * duration * std::abs(steady(omega)) +
+                               2.0 * duration * std::abs(slope(steady)) + std::abs(bend(steady)) +
+                               std::abs(bend(free));
+      EXPECT_TRUE(within(suprema.force, force, round_off(20, 1.0 / std::abs(1.0 - ratio), force)));
+      EXPECT_TRUE(within(suprema.curvature, curvature,
+                         discretisation(1e-6 * curvature, 2.0, "(h/(Omega - omega_1))^2")))
+          << ratio << ", " << periods;
+    }
+}
+
 }  // namespace
 }  // namespace stickslip::testing

@@ -220,6 +220,36 @@ TEST(EventDriven, SeesADipOfTheSlidingVelocityHoweverShallow) {
   }
 }
 
+TEST(EventDriven, RestsWhereNothingEverMoves) {
+  for (const bool slips : {false, true}) {
+    EventDriven mass(contact_model({.normal_force = 10.0, .friction = coulomb}));
+    slips ? mass.start_slipping({}, {}, 0.25, 0.0) : mass.start_stuck({}, {}, 0.25);
+    mass.advance_to(100.0);
+    EXPECT_EQ(mass.state(), ContactState::stick);
+    // A slip that cannot begin lasts the shortest step, 1e-6/omega, at mu N/m = 1 m/s^2.
+    EXPECT_TRUE(within(mass.contact_displacement(), 0.25, discretisation(5e-13, 1.0, "a t^2/2")));
+    EXPECT_EQ(mass.friction_force(), 0.0);
+  }
+}
+
+TEST(EventDriven, TakesTenThousandChangesInAMomentForAFastMotionWhereTheyAreOne) {
+  // The plane shaken at omega and at 1 rad/s with the same acceleration: velocities go as 1/omega, times too.
+  // A power of two changes no digit of either, as long as no time or length of its own is in the way.
+  const double omega = 0x1p30;
+  const auto events = [](double rate, std::size_t least) {
+    EventDriven mass(
+        contact_model({.normal_force = 10.0, .friction = coulomb, .wall_acceleration = 15.0, .omega = rate}));
+    for (int k = 1; mass.events().size() < least; ++k) mass.advance_to(2.0 * pi * k / rate);
+    return mass.events();
+  };
+  const auto slow = events(1.0, 100), fast = events(omega, 10001);
+  for (std::size_t i = 0; i < 100; ++i) {
+    EXPECT_EQ(fast[i].change, slow[i].change);
+    EXPECT_DOUBLE_EQ(omega * fast[i].time, slow[i].time);
+    EXPECT_DOUBLE_EQ(omega * (omega * fast[i].position), slow[i].position);
+  }
+}
+
 TEST(EventDriven, ASpringPastTheFrictionLimitLetsGoAtOnce) {
   for (const double position : {-0.6, -0.4, 0.4, 0.6}) {
     EventDriven mass(contact_model({.stiffness = 2.0, .normal_force = 10.0, .friction = coulomb}));
@@ -384,6 +414,76 @@ TEST(HeldMode, ZeroDampingMatrixIsNoDamping) {
     for (std::size_t n = 0; n < 12; ++n)
       EXPECT_TRUE(within(damped.amplitudes()[n], undamped.amplitudes()[n], round_off(24, kappa, 1e-2)));
   }
+}
+
+// One held mode with a spring between it and the contact: the force is a slow rise with a fast ripple on it.
+// In the unit of the limit, f = F sin(Omega t) + ripple, the ripple so high that f crosses the limit several
+// times within a cycle of it.
+class RippledForce : public ::testing::TestWithParam<double> {};
+
+TEST_P(RippledForce, LetsGoAtTheFirstOfSeveralCrossings) {
+  const double damping = GetParam(), limit = 1.0;
+  int several = 0;
+  for (int phase = 0; phase < 60; ++phase) {
+    const HeldMode mode{.omega = 40.0,
+                        .damping = damping,
+                        .load_omega = 1.0,
+                        .coupling = 0.0,
+                        .load = 0.0,
+                        .wall = 0.08,
+                        .contact_damping = damping > 0.0 ? 0.02 : 0.0};
+    ContactModel model = contact_model(mode);
+    model.normal_force = limit / model.friction.static_coefficient();
+    const double ripple = 0.07 * (1.0 + 0.03 * phase), angle = 2.0 * pi * phase / 60.0;
+    const std::vector<double> amplitudes{ripple * std::cos(angle)}, rates{40.0 * ripple * std::sin(angle)};
+
+    ContactModel glued = model;
+    glued.normal_force = 1e6;
+    EventDriven held(glued), sticking(model);
+    held.start_stuck(amplitudes, rates);
+    // A quiet run before lets the search begin with steps of many cycles.
+    sticking.start_stuck({0.0}, {0.0});
+    sticking.advance_to(0.6);
+    sticking.start_stuck(amplitudes, rates);
+    sticking.advance_to(1.5);
+    ASSERT_FALSE(sticking.events().empty());
+    const double onset = sticking.events().front().time;
+
+    // 4000 samples of the force of the held contact: none before the onset is above the limit.
+    int crossings = 0;
+    bool above = false;
+    for (int k = 1; k <= 4000; ++k) {
+      const double t = 1.5 * k / 4000.0;
+      held.advance_to(t);
+      const bool now = std::abs(held.friction_force()) > limit;
+      ASSERT_FALSE(now && t < onset) << phase << ": above the limit at " << t << " s, onset at " << onset;
+      crossings += now != above ? 1 : 0;
+      above = now;
+    }
+    several += crossings > 1 ? 1 : 0;
+    EventDriven until(glued);
+    until.start_stuck(amplitudes, rates);
+    until.advance_to(onset);
+    EXPECT_TRUE(within(std::abs(until.friction_force()), limit, round_off(100, 60.0, limit)));
+  }
+  EXPECT_GT(several, 20) << "the ripple is to cross the limit more than once";
+}
+
+INSTANTIATE_TEST_SUITE_P(Damping, RippledForce, ::testing::Values(0.0, 0.4), NameOfDouble());
+
+TEST(EventDriven, SeesAPeakOfTheForceHoweverShallow) {
+  // A sin(omega t) against 1: from wherever it starts to look, the mass lets go if A > 1 and not if A < 1.
+  for (const double depth : {1e-3, 1e-6, 1e-9, 1e-12, -1e-12, -1e-9, -1e-6, -1e-3})
+    for (const double until : {0.0, 0.1, 0.2, 0.24}) {
+      EventDriven mass(shaken_plane(1.0 + depth));
+      mass.advance_to(until);
+      mass.advance_to(0.3);
+      ASSERT_EQ(mass.events().empty(), depth < 0.0) << depth << ", " << until;
+      if (depth < 0.0) continue;
+      // The slope there is sqrt(2 depth), so that round-off of the force moves the time by eps/sqrt(2 depth).
+      EXPECT_TRUE(within(mass.events().front().time, std::asin(1.0 / (1.0 + depth)) / (2.0 * pi),
+                         round_off(10, 1.0 / std::sqrt(2.0 * depth), 1.0)));
+    }
 }
 
 // Two masses.

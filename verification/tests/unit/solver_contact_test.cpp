@@ -305,6 +305,19 @@ TEST(StickSlipIntegrator, CapturesAtTheFirstStepThatEndsBelowTheThreshold) {
   EXPECT_TRUE(within(slider.events().front().residual_velocity, 0.145, round_off(11, 1, 1.3)));
 }
 
+TEST(StickSlipIntegrator, CapturesAVelocityThatIsTheThresholdItself) {
+  // Nothing acts on the mass, so that its velocity stays 2^-10 m/s to the last bit.
+  const double velocity = 0x1p-10;
+  for (const double threshold : {velocity, std::nextafter(velocity, 0.0)}) {
+    StickSlipIntegrator glider(
+        contact_system({.mass = 2.0, .normal_force = 30.0}),
+        {.time_step = 0x1p-6, .spectral_radius = 0.9, .velocity_threshold = threshold});
+    glider.start_slipping(scalar(0.0), scalar(velocity));
+    glider.step();
+    EXPECT_EQ(glider.events().size(), threshold < velocity ? 0u : 1u);
+  }
+}
+
 TEST(StickSlipIntegrator, ASlowContactThatCannotBeHeldSlidesOn) {
   // Turning points at 1.04 - 0.2 i beyond the dead zone of 0.1: a threshold affects the last one alone.
   const auto events = [](double threshold) {
@@ -342,6 +355,14 @@ TEST(StickSlipIntegrator, StartingAgainForgetsTheRunBefore) {
   EXPECT_DOUBLE_EQ(oscillator.time(), 5.0);
 }
 
+TEST(StickSlipIntegrator, StartsAsOftenAsAskedBeforeItSteps) {
+  // Each start lets go at once; only what happens within a step is chatter.
+  StickSlipIntegrator oscillator(contact_system({.stiffness = 4.0, .normal_force = 4.0, .friction = coulomb}),
+                                 {.time_step = 1e-2, .spectral_radius = 0.9});
+  for (int i = 0; i < 2000; ++i) ASSERT_NO_THROW(oscillator.start_stuck(scalar(1.04), scalar(0.0)));
+  EXPECT_EQ(oscillator.events().size(), 1u);
+}
+
 TEST(StickSlipIntegrator, RefusesUnusableInput) {
   const auto with = [](IntegratorSettings settings) {
     StickSlipIntegrator(contact_system({.normal_force = 1.0, .friction = coulomb}), settings);
@@ -364,6 +385,30 @@ TEST(StickSlipIntegrator, RefusesUnusableInput) {
   two_loads.load_shape = Eigen::VectorXd::Zero(2);
   EXPECT_THROW(StickSlipIntegrator(two_loads, {.time_step = 1e-3, .spectral_radius = 1.0}),
                std::invalid_argument);
+}
+
+TEST(StickSlipIntegrator, RefusesMatricesAndContactsThatAreNotOfTheSystem) {
+  const auto refuses = [](solver::SparseMatrix solver::ContactSystem::*matrix, int rows, int columns) {
+    solver::ContactSystem system = contact_system({.normal_force = 1.0, .friction = coulomb});
+    solver::SparseMatrix other(rows, columns);
+    other.insert(0, 0) = 1.0;
+    system.*matrix = other;
+    EXPECT_THROW(StickSlipIntegrator(system, {.time_step = 1e-3, .spectral_radius = 1.0}),
+                 std::invalid_argument)
+        << rows << " x " << columns;
+  };
+  for (const auto matrix :
+       {&solver::ContactSystem::mass, &solver::ContactSystem::damping,
+        &solver::ContactSystem::stick_stiffness, &solver::ContactSystem::slip_stiffness}) {
+    refuses(matrix, 1, 2);
+    refuses(matrix, 2, 1);
+  }
+  for (const Eigen::Index contact : {-1, 1}) {
+    solver::ContactSystem system = contact_system({.normal_force = 1.0, .friction = coulomb});
+    system.contact = contact;
+    EXPECT_THROW(StickSlipIntegrator(system, {.time_step = 1e-3, .spectral_radius = 1.0}),
+                 std::invalid_argument);
+  }
 }
 
 TEST(StickSlipIntegrator, FrictionLawHoldsToRoundOffInAStepAsLongAsTheLawAllows) {
