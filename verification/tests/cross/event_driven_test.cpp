@@ -16,6 +16,7 @@
 
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
+#include "stickslip/solver/energy_books.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
 #include "stickslip/studies/finite_element_contact_model.hpp"
 #include "support/beams.hpp"
@@ -309,6 +310,60 @@ TEST_P(MeshedHistory, DiffersFromTheHistoryWithoutAMeshByTheFourthPowerOfTheElem
 
 INSTANTIATE_TEST_SUITE_P(Beam, MeshedHistory, ::testing::Values(25.0, 70.0),
                          [](const auto& instance) { return parameter_name(instance.param) + "Hz"; });
+
+TEST(EventDrivenAndStepped, LetGoAtOnceOfAStartThatTakesMoreThanTheLimit) {
+  const ForcedPair pair;
+  for (const double contact : {-0.4, -0.1, 0.1, 0.4}) {
+    const Eigen::Vector2d q(0.0, contact), v(0.0, 0.0);
+    solver::StickSlipIntegrator stepped(contact_system(pair), {.time_step = 1e-3, .spectral_radius = 0.9});
+    stepped.start_stuck(q, v);
+    EventDriven run(contact_model(pair));
+    const double wall_velocity = pair.omega * pair.wall_amplitude;
+    run.start_stuck({-static_shape(pair) * contact / mode_shape(pair)},
+                    {-static_shape(pair) * wall_velocity / mode_shape(pair)}, contact);
+    const bool holds = std::abs(contact) < 0.2;
+    EXPECT_EQ(stepped.state() == solver::ContactState::stick, holds) << contact;
+    EXPECT_EQ(run.state() == analytic::ContactState::stick, holds) << contact;
+    EXPECT_TRUE(within(run.friction_force(), stepped.friction_force(), round_off(20, 10, 20.0))) << contact;
+    EXPECT_EQ(stepped.events().size(), holds ? 0u : 1u);
+    EXPECT_EQ(run.events().size(), holds ? 0u : 1u);
+  }
+}
+
+TEST(EventDrivenAndStepped, KeepTheSameBooksThroughOnsetsAndCaptures) {
+  // The same mesh, so that the step alone is between them: of second order.
+  const MeshedBeam beam(6, 25.0);
+  const double end = 0.08;
+  const auto stepped = [&](double time_step) {
+    solver::StickSlipIntegrator run(beam.system, {.time_step = time_step, .spectral_radius = 0.9});
+    run.start_stuck(Eigen::VectorXd::Zero(beam.mesh.degrees_of_freedom()),
+                    -beam.base.velocity(0.0) * beam.mesh.unit_tip_deflection());
+    solver::EnergyBooks books(run);
+    run.observe([&books](const solver::StickSlipIntegrator& now) { books.enter(now); });
+    while (run.steps() < std::lround(end / time_step)) run.step();
+    EXPECT_GE(run.events().size(), 3u);
+    return books.balance();
+  };
+  const FiniteElementContactModel reduced = beam.reduced();
+  EventDriven run(reduced.model(), {.keep_books = true});
+  const Eigen::VectorXd velocity = -beam.base.velocity(0.0) * beam.mesh.unit_tip_deflection();
+  run.start_stuck({}, reduced.amplitudes(velocity));
+  run.advance_to(end);
+  const analytic::EnergyBooks exact = run.books();
+  const auto coarse = stepped(4e-5), fine = stepped(2e-5);
+  // The mean of where in a step the changes fall scatters the leading term by as much again.
+  const auto same = [](double fine_entry, double coarse_entry, double entry) {
+    return within(fine_entry, entry,
+                  discretisation(std::abs(coarse_entry - fine_entry) / 3.0, 3.0, "Richardson"));
+  };
+  EXPECT_TRUE(same(fine.kinetic, coarse.kinetic, exact.kinetic));
+  EXPECT_TRUE(same(fine.elastic, coarse.elastic, exact.potential));
+  EXPECT_TRUE(same(fine.base_work, coarse.base_work, exact.base_work));
+  EXPECT_TRUE(same(fine.follower_work, coarse.follower_work, exact.follower_work));
+  EXPECT_TRUE(same(fine.damping_loss, coarse.damping_loss, exact.damping_loss));
+  EXPECT_TRUE(same(fine.friction_loss + fine.capture_loss, coarse.friction_loss + coarse.capture_loss,
+                   exact.friction_loss));
+}
 
 class TruncatedHistory : public ::testing::TestWithParam<double> {};
 

@@ -108,7 +108,7 @@ const std::vector<Requirement> table{
     {"D1",
      "The event-driven engine returns the exact histories of one and two masses.",
      "SDND104; exact solutions",
-     {"EventDriven", "HeldMode", "HeldModeNearResonance", "DampedHeldMode", "ShakenPlane",
+     {"EventDriven", "HeldMode", "HeldModeNearResonance", "DampedHeldMode", "RippledForce", "ShakenPlane",
       "ShakenPlaneFrictionPower"}},
     {"D2",
      "The modal models of the beam have its frequencies, energies and shapes and converge to it.",
@@ -149,7 +149,7 @@ const std::vector<Requirement> table{
     {"X9",
      "Damped stick-slip histories of both implementations converge to one another.",
      "Damped benchmark",
-     {"FiniteElementContactModel", "TimeStepper", "MeshedHistory", "DampedBenchmark", "DampedBenchmarkLong",
+     {"FiniteElementContactModel", "EventDrivenAndStepped", "TimeStepper", "MeshedHistory", "DampedBenchmark", "DampedBenchmarkLong",
       "EventDrivenBeamFiner", "OrderThroughEvents", "ContactSchemeOrderOfTheBeam", "EventDifferences",
       "MicroSticks"}},
     {"X10",
@@ -189,6 +189,10 @@ const std::vector<Requirement> table{
      "are not blamed.",
      "Sects. 2 to 5; E1 to E4",
      {"Impostors", "ImpostorsIn", "Impostor", "LineUpOfImpostors", "Diagnosis"}},
+    {"X18",
+     "What neither implementation can model both refuse, and nothing else.",
+     "Eqs. (4), (23); buckling",
+     {"Refusals"}},
 
     // Whatever the beam is.
     {"M1",

@@ -135,6 +135,18 @@ TEST(BeamContactModel, ShapesMeetTheSupports) {
   }
 }
 
+TEST(BeamContactModel, AbsoluteDisplacementIsTheBasesAtTheClampAndThatOfTheWallAtTheTip) {
+  const BeamContactModel beam = beam_model(4);
+  analytic::EventDriven run(beam.model());
+  for (const double t : {0.003, 0.011, 0.05}) {
+    run.advance_to(t);
+    ASSERT_EQ(run.state(), analytic::ContactState::stick);
+    EXPECT_TRUE(within(absolute_displacement(beam.shapes(0.0), run), 1e-3 * std::sin(50.0 * pi * t),
+                       round_off(20, 50.0 * pi * t, 1e-3)));
+    EXPECT_TRUE(within(absolute_displacement(beam.shapes(length), run), 0.0, round_off(20, 8.0, 1e-3)));
+  }
+}
+
 TEST(BeamContactModel, SlipFrequenciesConvergeToTheClosedFormWithTheThirdOrder) {
   // P N^-3 + N^-5: steeper than 3 while the second term counts, never less steep in the end; 0.2 for the wave
   // numbers, which are proportional to n + 1/4 and not to n.

@@ -1,0 +1,94 @@
+/// What neither implementation can model, both refuse, and what one can, the other can as well.
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "stickslip/analytic/beam_contact_model.hpp"
+#include "stickslip/analytic/criterion.hpp"
+#include "stickslip/analytic/slip_modes.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
+#include "stickslip/solver/modal_analysis.hpp"
+#include "support/beams.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+constexpr int elements = 10;
+
+data::HarmonicExcitation shaking() {
+  return data::HarmonicExcitation({.frequency_hz = 25.0, .amplitude = 1e-3});
+}
+
+template <class Exception, class Action>
+bool refuses(Action&& action) {
+  try {
+    action();
+  } catch (const Exception&) {
+    return true;
+  }
+  return false;
+}
+
+struct Refusals {
+  bool finite_elements{}, closed_form{};
+};
+
+Refusals of_a_run(double axial_force) {
+  const data::Beam beam = paper_beam_with_axial_force(axial_force);
+  auto choices = paper_choices(1e-3);
+  choices.elements = elements;
+  const data::NumericalSettings numerics(choices);
+  return {refuses<std::domain_error>(
+              [&] { (void)solver::first_slip(beam, paper_friction(), shaking(), numerics); }),
+          refuses<std::domain_error>(
+              [&] { (void)analytic::evaluate_criterion(beam, paper_friction(), shaking(), 1e-3); })};
+}
+
+// Ten elements buckle later than the beam by (y l/L)^4/720 of the load, y = 4.49: 6e-5.
+TEST(Refusals, OfARunBeginAtTheBucklingLoad) {
+  const double buckling = analytic::stick_buckling_load(paper_beam());
+  for (const double share : {0.999, 1.001, 1.5, 3.99, 8.0}) {
+    const Refusals refused = of_a_run(share * buckling);
+    EXPECT_EQ(refused.finite_elements, share > 1.0) << share;
+    EXPECT_EQ(refused.closed_form, share > 1.0) << share;
+  }
+}
+
+TEST(Refusals, OfARunEndWhereTheTipIsPressedAgainstTheWall) {
+  for (const double axial_force : {-1e4, -1e-3, 0.0, 1e-3}) {
+    const Refusals refused = of_a_run(axial_force);
+    EXPECT_EQ(refused.finite_elements, axial_force <= 0.0) << axial_force;
+    EXPECT_EQ(refused.closed_form, axial_force <= 0.0) << axial_force;
+  }
+}
+
+TEST(Refusals, OfStickModesAndStaticShapesBeginAtTheBucklingLoad) {
+  const double buckling = analytic::stick_buckling_load(paper_beam());
+  for (const double share : {-3.0, 0.0, 0.999, 1.001, 2.5, 8.0}) {
+    const data::Beam beam = paper_beam_with_axial_force(share * buckling);
+    const solver::BeamModel model(beam, elements);
+    EXPECT_EQ(refuses<std::domain_error>([&] { (void)solver::stick_modes(model, 1); }), share > 1.0) << share;
+    EXPECT_EQ(refuses<std::domain_error>([&] { (void)analytic::stick_modes(beam, 1); }), share > 1.0)
+        << share;
+    EXPECT_EQ(refuses<std::domain_error>([&] { (void)model.unit_tip_deflection(); }), share > 1.0) << share;
+    EXPECT_EQ(refuses<std::domain_error>([&] { (void)analytic::QuasiStaticShape{beam}; }), share > 1.0)
+        << share;
+  }
+}
+
+TEST(Refusals, OfModesAreForCountsWithoutAny) {
+  const solver::BeamModel model(paper_beam(), elements);
+  for (const int count : {-1, 0, 1}) {
+    EXPECT_EQ(refuses<std::invalid_argument>([&] { (void)solver::stick_modes(model, count); }), count < 1);
+    EXPECT_EQ(refuses<std::invalid_argument>([&] { (void)analytic::stick_modes(paper_beam(), count); }),
+              count < 1);
+    EXPECT_EQ(refuses<std::invalid_argument>([&] { (void)solver::slip_modes(model, count); }), count < 1);
+    EXPECT_EQ(refuses<std::invalid_argument>([&] { (void)analytic::slip_modes(paper_beam(), count); }),
+              count < 1);
+  }
+}
+
+}  // namespace
+}  // namespace stickslip::testing
