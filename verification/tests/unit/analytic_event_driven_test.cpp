@@ -569,6 +569,24 @@ TEST(EventDrivenBeam, DampedSlipsAndSticksAsRecorded) {
   }
 }
 
+TEST(EventDrivenBeam, TurnsToFreeModesAtAnOnsetWithoutMovingTheContact) {
+  // Few free modes hold the state of the onset badly, but the contact's position and velocity exactly: after
+  // 1e-9 s it has moved by less than 1e-9 s times 1e-9 s times its acceleration of some 1e4 m/s^2.
+  for (const int modes : {3, 6, 12}) {
+    const analytic::BeamContactModel beam(
+        paper_beam(), paper_friction(), data::HarmonicExcitation({.frequency_hz = 25.0, .amplitude = 1e-3}),
+        data::Damping({.kelvin_voigt = 6.4e-5}), modes, analytic::SlipBasis::free_modes);
+    EventDriven run(beam.model());
+    while (run.events().empty()) run.advance_to(run.time() + 1e-3);
+    const double onset = run.events().front().time;
+    run = EventDriven(beam.model());
+    run.advance_to(onset + 1e-9);
+    ASSERT_EQ(run.state(), ContactState::slip);
+    EXPECT_TRUE(within(run.contact_position(), 0.0, discretisation(1e-14, 1.0, "a t^2/2")));
+    EXPECT_TRUE(within(run.sliding_velocity(), 0.0, discretisation(1e-5, 1.0, "a t")));
+  }
+}
+
 class EventDrivenBeamEnergy : public ::testing::TestWithParam<double> {};
 
 TEST_P(EventDrivenBeamEnergy, BooksBalanceAndLossesOnlyGrow) {

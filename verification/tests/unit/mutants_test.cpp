@@ -161,6 +161,21 @@ TEST(KillMatrix, TellsWhichTestsKillNothing) {
   EXPECT_EQ(idle_tests(matrix), (std::vector<TestName>{{"unit", "A.b"}}));
 }
 
+TEST(KillMatrix, AsksOfEveryIdleTestWhatItIsFor) {
+  KillMatrix matrix = small_matrix();
+  matrix.tests = {{"unit", "Instance/A.a/1"}, {"unit", "A.ab"}, {"cross", "B.a"}};
+  matrix.fates = {3, {Fate::survives, Fate::survives, Fate::survives}};
+  EXPECT_TRUE(faults({{{"A", "B.a"}, "refuses input"}}, matrix).empty());
+  const auto sentences = faults({{{"A.a", "B"}, "refuses input"}}, matrix);
+  ASSERT_EQ(sentences.size(), 1U);
+  EXPECT_TRUE(sentences[0].starts_with("A.ab kills no curated mutant"));
+  matrix.fates[2][1] = Fate::killed;
+  const auto superfluous = faults({{{"A", "B", "Ab"}, "refuses input"}}, matrix);
+  ASSERT_EQ(superfluous.size(), 2U);
+  EXPECT_TRUE(superfluous[0].starts_with("B is said"));
+  EXPECT_TRUE(superfluous[1].starts_with("Ab is said"));
+}
+
 TEST(GeneratedSample, IsScoredByWhatIsNeitherKilledNorProvedEquivalent) {
   GeneratedSample sample;
   sample.mutants = {{.name = "1",
@@ -250,6 +265,11 @@ TEST(MutantRecord, HoldsEveryCuratedMutantKilledByTwoKindsOfTests) {
   for (const CuratedMutant& mutant : curated_mutants()) names.push_back(mutant.name);
   EXPECT_EQ(matrix.mutants, names) << "run verification/run --mutants again";
   for (const std::string& sentence : survivors(matrix)) ADD_FAILURE() << sentence;
+}
+
+TEST(MutantRecord, HoldsNoTestThatKillsNothingWithoutSayingWhatItIsFor) {
+  for (const std::string& sentence : faults(idle_test_ledger(), read_kill_matrix()))
+    ADD_FAILURE() << sentence;
 }
 
 TEST(MutantRecord, NamesTestsThatThereAre) {
