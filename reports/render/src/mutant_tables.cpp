@@ -27,7 +27,8 @@ MutantRecord read_mutant_record() {
   return {.curated = mutants::curated_mutants(),
           .matrix = mutants::read_kill_matrix(),
           .sample = mutants::read_generated_sample(),
-          .equivalences = mutants::equivalences()};
+          .equivalences = mutants::equivalences(),
+          .idle_tests = mutants::idle_test_ledger()};
 }
 
 std::string curated_mutant_rows(const MutantRecord& record) {
@@ -71,15 +72,17 @@ std::string equivalence_rows(const MutantRecord& record) {
 }
 
 std::string idle_test_names(const MutantRecord& record) {
-  std::string text, kind;
-  for (const mutants::TestName& test : mutants::idle_tests(record.matrix)) {
-    text += test.kind == kind
-                ? ", "
-                : fmt::format("{}\\par\\noindent\\textbf{{{}}} ", kind.empty() ? "" : ".\n", test.kind);
-    kind = test.kind;
-    text += breakable(test.name);
+  const auto idle = mutants::idle_tests(record.matrix);
+  std::string text;
+  for (const mutants::IdleTests& entry : record.idle_tests) {
+    std::string names;
+    for (const mutants::TestName& test : idle)
+      if (mutants::purpose_of(test, record.idle_tests) == &entry)
+        names += (names.empty() ? "" : ", ") + breakable(test.name);
+    if (!names.empty())
+      text += fmt::format("\\par\\noindent\\textbf{{{}}}: {}.\n", typeset(entry.purpose), names);
   }
-  return text.empty() ? text : text + ".\n";
+  return text;
 }
 
 }  // namespace stickslip::report

@@ -13,6 +13,7 @@ struct MutantRecord {
   mutants::KillMatrix matrix;
   mutants::GeneratedSample sample;
   std::vector<mutants::Equivalence> equivalences;
+  std::vector<mutants::IdleTests> idle_tests;
 };
 
 /// Throws data::InputError for a record or a catalogue that cannot be used.
@@ -29,7 +30,7 @@ struct MutantRecord {
 /// proof.
 [[nodiscard]] std::string equivalence_rows(const MutantRecord& record);
 
-/// The tests that kill no curated mutant, a paragraph for each kind.
+/// The tests that kill no curated mutant, a paragraph for each purpose.
 [[nodiscard]] std::string idle_test_names(const MutantRecord& record);
 
 }  // namespace stickslip::report

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <sstream>
 #include <string_view>
 
 #include "stickslip/data/case_file.hpp"
@@ -53,6 +55,15 @@ std::vector<Equivalence> equivalences() {
                                              .was = record.text("was"),
                                              .is = record.text("is"),
                                              .proof = record.text("proof")};
+                        });
+}
+
+std::vector<IdleTests> idle_test_ledger() {
+  return data::read_all(mutants_directory() / "idle.toml", "tests", {"names", "purpose"},
+                        [](const data::Record& record) {
+                          std::istringstream words(record.text("names"));
+                          return IdleTests{.names = {std::istream_iterator<std::string>(words), {}},
+                                           .purpose = record.text("purpose")};
                         });
 }
 

@@ -17,6 +17,14 @@ int& count_of(KillCount& counts, const std::string& kind) {
   throw std::invalid_argument(kind + " is no kind of tests; unit, order, paper and cross are");
 }
 
+// "Suite" or "Suite.Name" stands for "Instance/Suite.Name/parameter".
+bool stands_for(const std::string& name, const std::string& test) {
+  const std::size_t dot = test.find('.'), before = test.find('/');
+  const std::size_t begin = before < dot ? before + 1 : 0;
+  const std::string plain = test.substr(begin, test.find('/', dot) - begin);
+  return name == plain || plain.starts_with(name + '.');
+}
+
 }  // namespace
 
 std::vector<KillCount> kill_counts(const KillMatrix& matrix) {
@@ -35,6 +43,27 @@ std::vector<TestName> idle_tests(const KillMatrix& matrix) {
     if (std::ranges::all_of(matrix.fates[test], [](Fate fate) { return fate == Fate::survives; }))
       idle.push_back(matrix.tests[test]);
   return idle;
+}
+
+const IdleTests* purpose_of(const TestName& test, const std::vector<IdleTests>& ledger) {
+  const auto entry = std::ranges::find_if(ledger, [&](const IdleTests& tests) {
+    return std::ranges::any_of(tests.names, [&](const auto& name) { return stands_for(name, test.name); });
+  });
+  return entry == ledger.end() ? nullptr : &*entry;
+}
+
+std::vector<std::string> faults(const std::vector<IdleTests>& ledger, const KillMatrix& matrix) {
+  const std::vector<TestName> idle = idle_tests(matrix);
+  std::vector<std::string> sentences;
+  for (const TestName& test : idle)
+    if (purpose_of(test, ledger) == nullptr)
+      sentences.push_back(
+          fmt::format("{} kills no curated mutant, and nothing says what it is for", test.name));
+  for (const IdleTests& entry : ledger)
+    for (const std::string& name : entry.names)
+      if (std::ranges::none_of(idle, [&](const TestName& test) { return stands_for(name, test.name); }))
+        sentences.push_back(fmt::format("{} is said to kill no curated mutant, but is no such test", name));
+  return sentences;
 }
 
 std::vector<std::string> survivors(const KillMatrix& matrix) {

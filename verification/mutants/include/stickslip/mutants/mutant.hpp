@@ -31,6 +31,12 @@ struct Equivalence {
   std::string proof;
 };
 
+/// Tests that kill no curated mutant, and what they are there for all the same.
+struct IdleTests {
+  std::vector<std::string> names;  ///< of suites, "Suite", or of tests, "Suite.Name", without parameters
+  std::string purpose;             ///< a clause: "checks the suite's own tools, which no mutant changes"
+};
+
 /// The folder with the catalogues and the record of the last run.
 [[nodiscard]] std::filesystem::path mutants_directory();
 
@@ -40,6 +46,9 @@ struct Equivalence {
 
 /// The ledger in equivalent.toml. Throws data::InputError.
 [[nodiscard]] std::vector<Equivalence> equivalences();
+
+/// The ledger in idle.toml. Throws data::InputError.
+[[nodiscard]] std::vector<IdleTests> idle_test_ledger();
 
 /// The first folder of a path: "solver" or "analytic".
 [[nodiscard]] std::string component_of(const std::string& file);

@@ -25,6 +25,13 @@ struct KillCount {
 /// The tests that face every mutant and kill none.
 [[nodiscard]] std::vector<TestName> idle_tests(const KillMatrix& matrix);
 
+/// The entry of the ledger that names a test or its suite; null if none does.
+[[nodiscard]] const IdleTests* purpose_of(const TestName& test, const std::vector<IdleTests>& ledger);
+
+/// A sentence for each idle test without an entry in the ledger, and for each name there that belongs to no
+/// idle test.
+[[nodiscard]] std::vector<std::string> faults(const std::vector<IdleTests>& ledger, const KillMatrix& matrix);
+
 /// A sentence for each mutant that fewer than two tests of different kinds kill.
 [[nodiscard]] std::vector<std::string> survivors(const KillMatrix& matrix);
 
