@@ -29,8 +29,12 @@ class StickPropagator {
   /// The state at time t >= the begin.
   [[nodiscard]] ContactKinematics state(double t) const;
 
-  /// f_d.
+  /// f_d and its rate.
   [[nodiscard]] double force(double t) const;
+  [[nodiscard]] double force_rate(double t) const;
+
+  /// A bound of |d^2 f_d/dt^2| from t to t + length.
+  [[nodiscard]] double curvature_bound(double t, double length) const;
 
   /// The first time in from ... to at which |f_d| exceeds the limit, or nothing; |f_d(from)| <= limit.
   [[nodiscard]] std::optional<double> first_excess(double from, double to, double limit);
@@ -43,8 +47,6 @@ class StickPropagator {
   void set_forcing();
   [[nodiscard]] Complex coordinate(std::size_t k, double t) const;
   [[nodiscard]] Complex forcing(std::size_t k, double t) const;
-  [[nodiscard]] double force_rate(double t) const;
-  [[nodiscard]] double curvature_bound(double t, double length) const;
 
   const ContactDynamics& dynamics_;
   double omega_;                        // Omega

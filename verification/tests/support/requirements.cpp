@@ -108,7 +108,7 @@ const std::vector<Requirement> table{
     {"D1",
      "The event-driven engine returns the exact histories of one and two masses.",
      "SDND104; exact solutions",
-     {"EventDriven", "HeldMode", "HeldModeNearResonance", "DampedHeldMode", "RippledForce", "ShakenPlane",
+     {"EventDriven", "HeldMode", "HeldModeNearResonance", "DampedHeldMode", "StickPropagatorOf", "RippledForce", "ShakenPlane",
       "ShakenPlaneFrictionPower"}},
     {"D2",
      "The modal models of the beam have its frequencies, energies and shapes and converge to it.",

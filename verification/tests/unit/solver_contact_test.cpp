@@ -387,6 +387,16 @@ TEST(StickSlipIntegrator, RefusesUnusableInput) {
                std::invalid_argument);
 }
 
+TEST(StickSlipIntegrator, RefusesAStartOfAnotherSize) {
+  StickSlipIntegrator mass(contact_system({.normal_force = 1.0, .friction = coulomb}),
+                           {.time_step = 1e-3, .spectral_radius = 1.0});
+  const Eigen::VectorXd one = scalar(0.0), two = Eigen::VectorXd::Zero(2);
+  EXPECT_THROW(mass.start_stuck(two, one), std::invalid_argument);
+  EXPECT_THROW(mass.start_stuck(one, two), std::invalid_argument);
+  EXPECT_THROW(mass.start_slipping(two, one), std::invalid_argument);
+  EXPECT_THROW(mass.start_slipping(one, two), std::invalid_argument);
+}
+
 TEST(StickSlipIntegrator, RefusesMatricesAndContactsThatAreNotOfTheSystem) {
   const auto refuses = [](solver::SparseMatrix solver::ContactSystem::*matrix, int rows, int columns) {
     solver::ContactSystem system = contact_system({.normal_force = 1.0, .friction = coulomb});

@@ -106,6 +106,11 @@ TEST(BeamModel, InterpolationReturnsNodalValues) {
   EXPECT_DOUBLE_EQ(model.interpolation(2.0).dot(q), q[14]);
   EXPECT_THROW((void)model.interpolation(2.1), std::invalid_argument);
   EXPECT_THROW((void)model.interpolation(-0.1), std::invalid_argument);
+  try {
+    (void)model.interpolation(2.1);
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "x = 2.1 m: must lie on the beam, 0 ... 2 m");
+  }
 }
 
 TEST(BeamModel, RefusesAForceAtOrOverTheBucklingLoadAndNamesIt) {
