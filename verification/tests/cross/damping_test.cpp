@@ -11,7 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/damped_steady_state.hpp"
+#include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
@@ -374,6 +376,27 @@ TEST(ModalDamping, OfAStickModeIsTheMeanOverTheFreeModesItHolds) {
     const double documented[] = {0.78, 0.86, 0.90};
     EXPECT_TRUE(within(mean, documented[stick.number() - 1], reference(0.005, "two digits")));
   }
+}
+
+TEST(ModalDamping, OfTheModalModelIsThatOfFiniteElements) {
+  // Next to resonance, where half the damping is twice the motion: midspan of the held beam over ten periods.
+  const data::Damping damping({.ratio = 0.05});
+  const data::HarmonicExcitation excitation({.frequency_hz = 25.0, .amplitude = 1e-5});
+  const analytic::BeamContactModel modal(paper_beam(), paper_friction(), excitation, damping, 12);
+  analytic::EventDriven exact(modal.model());
+  solver::BeamSimulation stepped(paper_beam(), paper_friction(), excitation,
+                                 data::NumericalSettings(paper_choices(0.4)), {.damping = damping});
+  double difference = 0.0, largest = 0.0;
+  for (int n = 1; n <= 400; ++n) {
+    for (int i = 0; i < 10; ++i) stepped.step();
+    exact.advance_to(1e-3 * n);
+    const double expected = absolute_displacement(modal.shapes(1.0), exact);
+    difference = std::max(difference, std::abs(stepped.midspan_displacement() - expected));
+    largest = std::max(largest, std::abs(expected));
+  }
+  EXPECT_TRUE(exact.events().empty());
+  // Of second order in the step: (omega h)^2/12 of the frequency, over 63 rad.
+  EXPECT_TRUE(within(difference, 0.0, discretisation(1.3e-3 * largest, 2.0, "(omega h)^2/12 omega t")));
 }
 
 TEST(DampedSteppedResponse, DissipatesInEachPeriodWhatTheClosedFormSays) {
