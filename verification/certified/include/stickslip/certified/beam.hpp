@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "stickslip/certified/real.hpp"
+
+namespace stickslip::certified {
+
+/// The exact data of a uniform beam, in SI units.
+struct BeamData {
+  Rational length;                 ///< L, m, > 0
+  Rational area;                   ///< A, m^2, > 0
+  Rational second_moment_of_area;  ///< I, m^4, > 0
+  Rational density;                ///< rho, kg/m^3, > 0
+  Rational youngs_modulus;         ///< E, Pa, > 0
+  Rational axial_force;            ///< P, N, compression positive
+};
+
+/// A beam whose derived quantities are evaluated at the precision at which they are asked for.
+class Beam {
+ public:
+  /// Throws std::invalid_argument, naming the field, unless all but axial_force are positive.
+  explicit Beam(const BeamData& data);
+
+  [[nodiscard]] const BeamData& data() const noexcept { return data_; }
+  [[nodiscard]] Real length() const { return data_.length; }            ///< L, m
+  [[nodiscard]] Real axial_force() const { return data_.axial_force; }  ///< P, N
+  [[nodiscard]] Real bending_stiffness() const;                         ///< EI, N m^2
+  [[nodiscard]] Real mass_per_length() const;                           ///< rho A, kg/m
+  [[nodiscard]] Real load_factor() const;                               ///< z = P L^2/EI
+  /// omega L^2 sqrt(rho A/EI) = 1, as an angular frequency, rad/s.
+  [[nodiscard]] Real frequency_unit() const;
+
+ private:
+  BeamData data_;
+};
+
+/// z_cr = P_cr L^2/EI of the clamped-pinned beam: the square of the first positive root of tan y = y.
+[[nodiscard]] Real buckling_factor();
+
+/// P_cr, N.
+[[nodiscard]] Real buckling_load(const Beam& beam);
+
+/// "<field> is <value>; it must be <allowed>."
+[[nodiscard]] std::string refusal(std::string_view field, const Rational& value, std::string_view allowed);
+
+}  // namespace stickslip::certified

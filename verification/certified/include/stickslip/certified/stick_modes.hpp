@@ -1,0 +1,56 @@
+#pragma once
+
+/// The stick state (clamped at x = 0, pinned at x = L, axial force P) as textbooks write it: where these
+/// forms cancel, the precision pays for it, and the radius says how much. With p = P/EI, k = rho A
+/// omega^2/EI,
+///
+///     beta^2 = -p/2 + sqrt(p^2/4 + k),     betabar^2 = p/2 + sqrt(p^2/4 + k),
+///     U(x) = cosh(beta x) - cos(betabar x) - r [betabar sinh(beta x) - beta sin(betabar x)],       (22)
+///     r = [cosh(beta L) - cos(betabar L)]/[betabar sinh(beta L) - beta sin(betabar L)],
+///     beta tan(betabar L) = betabar tanh(beta L).                                                  (23)
+
+#include <array>
+#include <vector>
+
+#include "stickslip/certified/beam.hpp"
+
+namespace stickslip::certified {
+
+/// A shape and its first three derivatives at one x.
+using Derivatives = std::array<Real, 4>;
+
+/// S(x) of Eq. (18), with hyperbolic functions in tension and the cubic polynomial at P = 0.
+class QuasiStaticShape {
+ public:
+  /// Throws std::domain_error, naming beam.axial_force, unless P is certainly below the buckling load.
+  explicit QuasiStaticShape(const Beam& beam);
+
+  [[nodiscard]] Derivatives at(const Real& x) const;
+
+ private:
+  int sign_;  // of P
+  Real length_;
+  Real sigma_;  // sqrt(|P|/EI), 1/m
+};
+
+/// One clamped-pinned mode.
+struct StickMode {
+  int number{};
+  Real angular_frequency;          ///< omega, rad/s
+  Real frequency_hz;               ///< omega/(2 pi)
+  Real hyperbolic_wave_number;     ///< beta, 1/m
+  Real trigonometric_wave_number;  ///< betabar, 1/m
+  Real shape_ratio;                ///< r, m
+  Real participation;              ///< C_n = -int U (1 + S) dx/int U^2 dx of Eq. (25)
+
+  /// U(x) and its derivatives, in the paper's scale: U''(0) = beta^2 + betabar^2.
+  [[nodiscard]] Derivatives shape(const Real& x) const;
+};
+
+/// The first `count` modes: all roots of Eq. (23) from the first on, isolated with proof. The search starts
+/// below pi^2 sqrt(1 - max(P, 0)/P_cr), in units of Beam::frequency_unit(): by Rayleigh's principle the first
+/// frequency is above it, since -P int u'^2 >= -(P/P_cr) EI int u''^2, and since a clamped end stiffens the
+/// pinned-pinned beam. Throws std::invalid_argument unless 1 <= count <= 1000, and as QuasiStaticShape.
+[[nodiscard]] std::vector<StickMode> stick_modes(const Beam& beam, int count);
+
+}  // namespace stickslip::certified

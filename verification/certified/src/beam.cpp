@@ -1,0 +1,47 @@
+#include "stickslip/certified/beam.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+#include "stickslip/certified/roots.hpp"
+
+namespace stickslip::certified {
+
+Beam::Beam(const BeamData& data) : data_(data) {
+  for (const auto& [field, value] : {std::pair{"beam.length", &data_.length},
+                                     {"beam.area", &data_.area},
+                                     {"beam.second_moment_of_area", &data_.second_moment_of_area},
+                                     {"beam.density", &data_.density},
+                                     {"beam.youngs_modulus", &data_.youngs_modulus}})
+    if (value->sign() <= 0) throw std::invalid_argument(refusal(field, *value, "positive"));
+}
+
+Real Beam::bending_stiffness() const { return Real(data_.youngs_modulus) * data_.second_moment_of_area; }
+
+Real Beam::mass_per_length() const { return Real(data_.density) * data_.area; }
+
+Real Beam::load_factor() const { return axial_force() * pow(length(), 2) / bending_stiffness(); }
+
+Real Beam::frequency_unit() const { return sqrt(bending_stiffness() / mass_per_length()) / pow(length(), 2); }
+
+Real buckling_factor() {
+  // sin y - y cos y is y^3/3 at 0, without a root until its derivative y sin y changes sign at pi; at 3 it is
+  // positive, at 5 negative.
+  const auto function = [](const Real& y) {
+    const Dual<Real> x{y, 1};
+    return sin(x) - x * cos(x);
+  };
+  return pow(isolate_root(function, 3, 5), 2);
+}
+
+Real buckling_load(const Beam& beam) {
+  return buckling_factor() * beam.bending_stiffness() / pow(beam.length(), 2);
+}
+
+std::string refusal(std::string_view field, const Rational& value, std::string_view allowed) {
+  const PrecisionScope scope(256);
+  return std::string(field) + " is " + enclosure(value, 17).value + "; it must be " + std::string(allowed) +
+         ".";
+}
+
+}  // namespace stickslip::certified

@@ -1,0 +1,185 @@
+#include "stickslip/certified/force_maximum.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include "stickslip/certified/roots.hpp"
+
+namespace stickslip::certified {
+namespace {
+
+/// f in doubles, with what its evaluation may be off.
+///
+/// With u = 2^-53: the argument w t of a sinusoid is off by w t 2u (rounding of w and of the product), its
+/// sine by 2u more; amplitude, product and the sum of n terms add (n + 2) u. So the error of f is below u sum
+/// |a_i| (2 w_i t + n + 4), and that of f' the same with |a_i| w_i and one rounding more. Both are taken
+/// twice, which covers the rounding of the bounds themselves.
+class DoubleForce {
+ public:
+  DoubleForce(const std::vector<Sinusoid>& sinusoids, double duration) {
+    constexpr double kEpsilon = std::numeric_limits<double>::epsilon();  // 2u
+    const auto terms = static_cast<double>(sinusoids.size());
+    for (const Sinusoid& sinusoid : sinusoids) {
+      const double a = sinusoid.amplitude.nearest_double(), w = sinusoid.angular_frequency.nearest_double();
+      terms_.push_back({a, w});
+      const double error = kEpsilon * std::abs(a) * (2.0 * w * duration + terms + 5.0);
+      value_error_ += error;
+      slope_error_ += error * w;
+      curvature_ += std::abs(a) * w * w * (1.0 + 1e-12);
+    }
+  }
+
+  struct Values {
+    double force{}, slope{};
+  };
+
+  [[nodiscard]] Values at(double t) const {
+    Values sum;
+    for (const auto& [a, w] : terms_) {
+      const double phase = w * t;
+      sum.force += a * std::sin(phase);
+      sum.slope += a * w * std::cos(phase);
+    }
+    return {std::abs(sum.force), std::abs(sum.slope)};
+  }
+
+  [[nodiscard]] double value_error() const { return value_error_; }
+  [[nodiscard]] double curvature() const { return curvature_; }
+
+  /// Upper bound of |f| within r of t, given the values there.
+  [[nodiscard]] double bound(const Values& values, double r) const {
+    return (values.force + values.slope * r + 0.5 * curvature_ * r * r) * (1.0 + 1e-14) + value_error_ +
+           slope_error_ * r;
+  }
+
+ private:
+  struct Term {
+    double amplitude, angular_frequency;
+  };
+  std::vector<Term> terms_;
+  double value_error_{}, slope_error_{}, curvature_{};
+};
+
+/// Intervals index * width ... (index + 1) * width, the width a power of two, so that their ends are exact.
+struct Cells {
+  double width{};
+  std::vector<std::int64_t> indices;
+};
+
+/// The cells that may hold the maximum over a span which ends between `sampled` and `duration`.
+Cells promising_cells(const DoubleForce& force, double sampled, double duration) {
+  constexpr double kFinest = 1e-10;   // of the maximum: what a cell's bound may exceed |f| by, at the end
+  constexpr double kCoarsest = 1e-8;  // of the maximum: what the evaluation may be off
+  constexpr std::size_t kMostCells = 1000000;
+  double largest = 0.0;
+  for (int i = 1; i <= 1024; ++i) largest = std::max(largest, force.at(sampled * i / 1025.0).force);
+  if (!(force.value_error() < kCoarsest * largest))
+    throw std::domain_error(
+        "The terms of the friction force cancel to more digits than doubles have; the excitation frequency "
+        "must "
+        "not be that close to a natural frequency.");
+  largest -= force.value_error();
+
+  Cells cells{std::exp2(std::floor(std::log2(std::sqrt(largest / force.curvature())))), {}};
+  const double count = std::ceil(duration / cells.width);
+  if (!(count < 1e9)) throw std::domain_error("The duration has too many periods to be searched.");
+  const auto keep_promising = [&](Cells& kept, std::int64_t index) {
+    const double r = 0.5 * kept.width, middle = (static_cast<double>(index) + 0.5) * kept.width;
+    if (middle - r >= duration) return;
+    const DoubleForce::Values values = force.at(middle);
+    if (middle <= sampled) largest = std::max(largest, values.force - force.value_error());
+    if (force.bound(values, r) >= largest) kept.indices.push_back(index);
+  };
+  const std::vector<std::int64_t> none;
+  Cells kept{cells.width, none};
+  for (std::int64_t i = 0; i < static_cast<std::int64_t>(count); ++i) keep_promising(kept, i);
+  while (force.curvature() * kept.width * kept.width > kFinest * largest) {
+    if (kept.indices.size() > kMostCells)
+      throw std::domain_error(
+          "The friction force is nearly constant in size; its maximum cannot be located.");
+    Cells halves{0.5 * kept.width, none};
+    for (const std::int64_t index : kept.indices)
+      for (const std::int64_t half : {2 * index, 2 * index + 1}) keep_promising(halves, half);
+    kept = std::move(halves);
+  }
+  return kept;
+}
+
+/// f, and its derivatives, in balls.
+class BallForce {
+ public:
+  explicit BallForce(const std::vector<Sinusoid>& sinusoids) : sinusoids_(sinusoids) {}
+
+  [[nodiscard]] Real value(const Real& t) const {
+    Real sum;
+    for (const auto& [a, w] : sinusoids_) sum += a * sin(w * t);
+    return sum;
+  }
+
+  /// f' with f''.
+  [[nodiscard]] Dual<Real> slope(const Real& t) const {
+    Dual<Real> sum(0);
+    for (const auto& [a, w] : sinusoids_) sum = sum + Dual<Real>(a * w) * cos(Dual<Real>(w * t, w));
+    return sum;
+  }
+
+ private:
+  const std::vector<Sinusoid>& sinusoids_;
+};
+
+struct Candidate {
+  Real time, magnitude;
+};
+
+/// The stationary points of f in runs of neighbouring cells, and the ends of the span where a run reaches
+/// them.
+std::vector<Candidate> candidates(const BallForce& force, const Cells& cells, const Real& duration) {
+  const Real width(cells.width), end = duration.lower();
+  const auto time = [&](std::int64_t index) { return Real(static_cast<double>(index)) * width; };
+  std::vector<Candidate> found;
+  const auto add = [&](const Real& t) { found.push_back({t, abs(force.value(t))}); };
+  for (std::size_t i = 0; i < cells.indices.size();) {
+    std::size_t next = i + 1;
+    while (next < cells.indices.size() && cells.indices[next] <= cells.indices[next - 1] + 2) ++next;
+    // One cell more on each side: the maximum may lie on the border of a run, where f' has no certain sign.
+    const std::int64_t before = std::max<std::int64_t>(0, cells.indices[i] - 1);
+    const Real past = time(cells.indices[next - 1] + 2);
+    const bool reaches_end = !(past < end);
+    for (const Real& t : isolate_roots([&](const Real& at) { return force.slope(at); }, time(before),
+                                       reaches_end ? end : past))
+      add(t);
+    if (reaches_end) add(duration);
+    i = next;
+  }
+  return found;
+}
+
+}  // namespace
+
+ForceMaximum max_abs_of_sinusoids(const std::vector<Sinusoid>& sinusoids, const Rational& duration) {
+  if (duration.sign() <= 0) throw std::invalid_argument(refusal("numerics.duration", duration, "positive"));
+  if (std::ranges::all_of(sinusoids, [](const Sinusoid& s) { return abs(s.amplitude) <= 0; }))
+    return {0, {0}};
+  const double nearest = duration.approximately();
+  const double end = std::nextafter(nearest, std::numeric_limits<double>::infinity());
+  const Cells cells = promising_cells(DoubleForce(sinusoids, end), std::nextafter(nearest, 0.0), end);
+  const std::vector<Candidate> all = candidates(BallForce(sinusoids), cells, duration);
+  if (all.empty()) throw std::logic_error("The largest friction force was lost.");
+
+  ForceMaximum maximum{all.front().magnitude, {}};
+  for (const Candidate& candidate : all) maximum.value = max(maximum.value, candidate.magnitude);
+  for (const Candidate& candidate : all)
+    if (!(candidate.magnitude < maximum.value)) maximum.times.push_back(candidate.time);
+  return maximum;
+}
+
+ForceMaximum max_abs_friction_force(const Beam& beam, const Excitation& excitation, const Rational& duration,
+                                    int modes) {
+  return max_abs_of_sinusoids(StickResponse(beam, excitation, modes).force_sinusoids(), duration);
+}
+
+}  // namespace stickslip::certified

@@ -1,0 +1,96 @@
+#include "stickslip/certified/roots.hpp"
+
+#include <stdexcept>
+#include <string>
+
+namespace stickslip::certified {
+namespace {
+
+struct Piece {
+  Real lower, upper;
+  int sign_at_lower{}, sign_at_upper{};
+  long depth{};
+};
+
+std::string text(const Real& lower, const Real& upper) {
+  return enclosure(lower, 17).value + " and " + enclosure(upper, 17).value;
+}
+
+/// A point inside at which F has a certain sign: the middle or, if a root lies there, beside it.
+Piece split(const DifferentiableFunction& function, const Piece& piece) {
+  for (const int share : {32, 27, 37, 22, 42}) {
+    const Real point = (piece.lower + (piece.upper - piece.lower) * share / 64).midpoint();
+    const int sign = function(point).value.certain_sign();
+    if (sign != 0) return {point, point, sign, sign, piece.depth + 1};
+  }
+  throw std::runtime_error("The function has no certain sign between " + text(piece.lower, piece.upper) +
+                           "; the precision is too low, or a root is not simple.");
+}
+
+/// Contracts a ball that holds exactly one root, and on which F' excludes 0, until it shrinks no more.
+Real contracted(const DifferentiableFunction& function, Piece piece) {
+  Real root = hull(piece.lower, piece.upper);
+  for (;;) {
+    const Real middle = root.midpoint();
+    const Real slope = function(root).slope;
+    const Real newton = intersection(root, middle - function(middle).value / slope);
+    if (newton.radius() * 2 < root.radius()) {
+      root = newton;
+      continue;
+    }
+    // A step that does not halve the ball is replaced by a bisection, which ends where signs become
+    // uncertain.
+    const int sign = function(middle).value.certain_sign();
+    if (sign == 0) return newton;
+    (sign == piece.sign_at_lower ? piece.lower : piece.upper) = middle;
+    const Real bisected = intersection(newton, hull(piece.lower, piece.upper));
+    if (!(bisected.radius() < root.radius())) return bisected;
+    root = bisected;
+  }
+}
+
+}  // namespace
+
+std::vector<Real> isolate_roots(const DifferentiableFunction& function, const Real& lower,
+                                const Real& upper) {
+  if (!(lower.radius() <= 0 && upper.radius() <= 0 && lower < upper))
+    throw std::invalid_argument("The ends of an interval of roots are " + text(lower, upper) +
+                                "; they must be exact and ascending.");
+  const long deepest = precision() / 4;
+  std::vector<Piece> open{
+      {lower, upper, function(lower).value.certain_sign(), function(upper).value.certain_sign(), 0}};
+  if (open.front().sign_at_lower == 0 || open.front().sign_at_upper == 0)
+    throw std::runtime_error("The function has no certain sign at the ends of the interval between " +
+                             text(lower, upper) + ".");
+
+  std::vector<Real> roots;
+  while (!open.empty()) {
+    const Piece piece = open.back();
+    open.pop_back();
+    const Dual<Real> range = function(hull(piece.lower, piece.upper));
+    if (range.value.certain_sign() != 0) continue;
+    if (range.slope.certain_sign() != 0) {
+      if (piece.sign_at_lower != piece.sign_at_upper) roots.push_back(contracted(function, piece));
+      continue;
+    }
+    if (piece.depth == deepest)
+      throw std::runtime_error("Roots between " + text(piece.lower, piece.upper) +
+                               " cannot be told apart at this precision.");
+    Piece left = split(function, piece), right = left;
+    left.lower = piece.lower, left.sign_at_lower = piece.sign_at_lower;
+    right.upper = piece.upper, right.sign_at_upper = piece.sign_at_upper;
+    open.push_back(right);
+    open.push_back(left);
+  }
+  return roots;
+}
+
+Real isolate_root(const DifferentiableFunction& function, const Real& lower, const Real& upper) {
+  const std::vector<Real> roots = isolate_roots(function, lower, upper);
+  if (roots.size() != 1)
+    throw std::runtime_error(std::to_string(roots.size()) + " roots lie between " + text(lower, upper) +
+                             "; there must be one.");
+  return roots.front();
+}
+
+}  // namespace stickslip::certified

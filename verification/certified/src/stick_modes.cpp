@@ -1,0 +1,142 @@
+#include "stickslip/certified/stick_modes.hpp"
+
+#include <stdexcept>
+
+#include "stickslip/certified/roots.hpp"
+#include "wave_numbers.hpp"
+
+namespace stickslip::certified {
+namespace {
+
+void require_below_buckling(const Beam& beam) {
+  if (beam.axial_force() < buckling_load(beam)) return;
+  throw std::domain_error(refusal("beam.axial_force", beam.data().axial_force,
+                                  "below the buckling load of the stick state, " +
+                                      enclosure(buckling_load(beam), 17).value +
+                                      " N, by more than the radius of the precision"));
+}
+
+/// Eq. (23) without its poles, over kappa = omega L^2 sqrt(rho A/EI).
+Dual<Real> characteristic(const Real& kappa, const Real& load_factor) {
+  const auto [b, bb] = wave_numbers(Dual<Real>(kappa, 1), Dual<Real>(load_factor));
+  return b * sin(bb) * cosh(b) - bb * cos(bb) * sinh(b);
+}
+
+/// A root below which there is none, as exact number below the bound of the header.
+Real below_first_frequency(const Beam& beam) {
+  const Real share = beam.data().axial_force.sign() > 0 ? beam.axial_force() / buckling_load(beam) : Real(0);
+  return (pow(pi(), 2) * sqrt(1 - share) * 15 / 16).lower();
+}
+
+/// The function phi = c C(x) + s D(x) that solves phi'' = mu phi, with its first three derivatives.
+Derivatives part(const Real& value, const Real& slope, const Real& mu) {
+  return {value, slope, mu * value, mu * slope};
+}
+
+/// An antiderivative of phi w at one x, for phi'' = mu phi and w'''' = -p w'':
+/// int phi w = [phi' w - phi w' + int phi w'']/mu and int phi w'' = [phi' w'' - phi w''']/(mu + p).
+Real antiderivative(const Derivatives& phi, const Derivatives& w, const Real& mu, const Real& p) {
+  return (phi[1] * w[0] - phi[0] * w[1] + (phi[1] * w[2] - phi[0] * w[3]) / (mu + p)) / mu;
+}
+
+/// An antiderivative of phi^2 at one x, for phi'' = mu phi: since phi'^2 - mu phi^2 is constant,
+/// int phi^2 = [phi phi' - x (phi'^2 - mu phi^2)]/(2 mu).
+Real antiderivative_of_square(const Derivatives& phi, const Real& mu, const Real& x) {
+  return (phi[0] * phi[1] - x * (pow(phi[1], 2) - mu * pow(phi[0], 2))) / (2 * mu);
+}
+
+/// The hyperbolic and the trigonometric part of a mode, U = phi + psi.
+struct Parts {
+  Real mu, nu;  ///< phi'' = mu phi, psi'' = nu psi
+  Derivatives phi, psi;
+};
+
+Parts parts(const StickMode& mode, const Real& x) {
+  const Real &beta = mode.hyperbolic_wave_number, &betabar = mode.trigonometric_wave_number;
+  const Real &r = mode.shape_ratio, mu = pow(beta, 2), nu = -pow(betabar, 2);
+  const Real ch = cosh(beta * x), sh = sinh(beta * x), c = cos(betabar * x), s = sin(betabar * x);
+  return {mu, nu, part(ch - r * betabar * sh, beta * (sh - r * betabar * ch), mu),
+          part(-c + r * beta * s, betabar * (s + r * beta * c), nu)};
+}
+
+/// Antiderivatives of U^2 and of U (1 + S) at one x.
+struct Integrals {
+  Real of_square, of_load;
+};
+
+Integrals integrals(const Beam& beam, const QuasiStaticShape& quasi_static, const StickMode& mode,
+                    const Real& x) {
+  const auto [mu, nu, phi, psi] = parts(mode, x);
+  const Real p = beam.axial_force() / beam.bending_stiffness();
+  Derivatives w = quasi_static.at(x);
+  w[0] += 1;
+  return {antiderivative_of_square(phi, mu, x) + antiderivative_of_square(psi, nu, x) +
+              2 * (phi[1] * psi[0] - phi[0] * psi[1]) / (mu - nu),
+          antiderivative(phi, w, mu, p) + antiderivative(psi, w, nu, p)};
+}
+
+StickMode mode_at(const Beam& beam, const QuasiStaticShape& quasi_static, int number, const Real& kappa) {
+  const Real length = beam.length();
+  const auto [b, bb] = wave_numbers(kappa, beam.load_factor());
+  StickMode mode;
+  mode.number = number;
+  mode.angular_frequency = kappa * beam.frequency_unit();
+  mode.frequency_hz = mode.angular_frequency / (2 * pi());
+  mode.hyperbolic_wave_number = b / length;
+  mode.trigonometric_wave_number = bb / length;
+  mode.shape_ratio = length * (cosh(b) - cos(bb)) / (bb * sinh(b) - b * sin(bb));
+  const Integrals at_tip = integrals(beam, quasi_static, mode, length),
+                  at_base = integrals(beam, quasi_static, mode, 0);
+  mode.participation = -(at_tip.of_load - at_base.of_load) / (at_tip.of_square - at_base.of_square);
+  return mode;
+}
+
+}  // namespace
+
+QuasiStaticShape::QuasiStaticShape(const Beam& beam)
+    : sign_(beam.data().axial_force.sign()),
+      length_(beam.length()),
+      sigma_(sqrt(abs(beam.axial_force()) / beam.bending_stiffness())) {
+  require_below_buckling(beam);
+}
+
+Derivatives QuasiStaticShape::at(const Real& x) const {
+  const Real rest = length_ - x;
+  if (sign_ == 0) {
+    const Real cube = 2 * pow(length_, 3);
+    return {-(3 * length_ - x) * pow(x, 2) / cube, -3 * (2 * length_ - x) * x / cube, -6 * rest / cube,
+            6 / cube};
+  }
+  const auto sine = [this](const Real& y) { return sign_ > 0 ? sin(y) : sinh(y); };
+  const auto cosine = [this](const Real& y) { return sign_ > 0 ? cos(y) : cosh(y); };
+  const Real y = sigma_ * length_, denominator = y * cosine(y) - sine(y);
+  const Real s = sine(sigma_ * rest), c = cosine(sigma_ * rest), square = sign_ * pow(sigma_, 2);
+  return {(-sigma_ * x * cosine(y) + sine(y) - s) / denominator, sigma_ * (c - cosine(y)) / denominator,
+          square * s / denominator, -square * sigma_ * c / denominator};
+}
+
+Derivatives StickMode::shape(const Real& x) const {
+  const auto [mu, nu, phi, psi] = parts(*this, x);
+  return {phi[0] + psi[0], phi[1] + psi[1], phi[2] + psi[2], phi[3] + psi[3]};
+}
+
+std::vector<StickMode> stick_modes(const Beam& beam, int count) {
+  if (count < 1 || count > 1000)
+    throw std::invalid_argument("numerics.modes is " + std::to_string(count) + "; it must be 1 ... 1000.");
+  const QuasiStaticShape quasi_static(beam);
+  const Real z = beam.load_factor();
+  // At bb = (count + 1/2) pi the cosine vanishes and the sine does not.
+  const Real last = (count + Real(0.5)) * pi();
+  const Real above = (last * sqrt(pow(last, 2) - z)).midpoint();
+  const std::vector<Real> roots = isolate_roots([&](const Real& kappa) { return characteristic(kappa, z); },
+                                                below_first_frequency(beam), above);
+  if (roots.size() < static_cast<std::size_t>(count))
+    throw std::logic_error("Only " + std::to_string(roots.size()) + " of " + std::to_string(count) +
+                           " stick modes lie where theory has them.");
+  std::vector<StickMode> modes;
+  for (int n = 1; n <= count; ++n)
+    modes.push_back(mode_at(beam, quasi_static, n, roots[static_cast<std::size_t>(n) - 1]));
+  return modes;
+}
+
+}  // namespace stickslip::certified

@@ -1,0 +1,73 @@
+#include "stickslip/certified/stick_response.hpp"
+
+#include <stdexcept>
+
+namespace stickslip::certified {
+
+StickResponse::StickResponse(const Beam& beam, const Excitation& excitation, int modes)
+    : quasi_static_(beam),
+      frequency_hz_(excitation.frequency_hz),
+      amplitude_(excitation.amplitude),
+      omega_(2 * pi() * Real(excitation.frequency_hz)),
+      modes_(stick_modes(beam, modes)) {
+  if (excitation.frequency_hz.sign() <= 0)
+    throw std::invalid_argument(refusal("excitation.frequency_hz", excitation.frequency_hz, "positive"));
+  if (excitation.amplitude.sign() < 0)
+    throw std::invalid_argument(refusal("excitation.amplitude", excitation.amplitude, "0 or more"));
+  force_ = history(beam.length(), 3);
+  force_.base *= beam.bending_stiffness();
+  for (Real& weight : force_.weights) weight *= beam.bending_stiffness();
+}
+
+StickResponse::History StickResponse::history(const Real& x, std::size_t derivative) const {
+  History result{quasi_static_.at(x)[derivative], {}};
+  for (const StickMode& mode : modes_)
+    result.weights.push_back(mode.shape(x)[derivative] * pow(omega_, 2) * mode.participation);
+  return result;
+}
+
+/// g_n(t). Where the two frequencies cannot be told apart, from
+/// sin(Omega t) - sin(omega t) = 2 cos((Omega + omega) t/2) sin((Omega - omega) t/2), divided by Omega -
+/// omega.
+Real StickResponse::modal_coordinate(const StickMode& mode, const Real& t) const {
+  const Real& natural = mode.angular_frequency;
+  const Real sum = omega_ + natural, difference = omega_ - natural;
+  if (difference.contains_zero())
+    return (natural * t * cos(sum * t / 2) * sinc(difference * t / 2) - sin(natural * t)) / (sum * natural);
+  return (natural * sin(omega_ * t) - omega_ * sin(natural * t)) / (sum * difference * natural);
+}
+
+Real StickResponse::evaluate(const History& history, const Real& t) const {
+  Real sum = history.base * sin(omega_ * t);
+  for (std::size_t n = 0; n < modes_.size(); ++n) sum += history.weights[n] * modal_coordinate(modes_[n], t);
+  return amplitude_ * sum;
+}
+
+Real StickResponse::relative_displacement(const Real& x, const Real& t) const {
+  return evaluate(history(x, 0), t);
+}
+
+Real StickResponse::absolute_displacement(const Real& x, const Real& t) const {
+  return amplitude_ * sin(omega_ * t) + relative_displacement(x, t);
+}
+
+Real StickResponse::friction_force(const Real& t) const { return evaluate(force_, t); }
+
+std::vector<Sinusoid> StickResponse::force_sinusoids() const {
+  std::vector<Sinusoid> sinusoids{{force_.base, omega_}};
+  for (std::size_t n = 0; n < modes_.size(); ++n) {
+    const Real& natural = modes_[n].angular_frequency;
+    const Real difference = pow(omega_, 2) - pow(natural, 2);
+    if (difference.contains_zero())
+      throw std::domain_error(refusal("excitation.frequency_hz", frequency_hz_,
+                                      "so far from natural frequency " + std::to_string(modes_[n].number) +
+                                          ", " + enclosure(modes_[n].frequency_hz, 17).value +
+                                          " Hz, that the precision can tell them apart"));
+    sinusoids.front().amplitude += force_.weights[n] / difference;
+    sinusoids.push_back({-force_.weights[n] * omega_ / (difference * natural), natural});
+  }
+  for (Sinusoid& sinusoid : sinusoids) sinusoid.amplitude *= amplitude_;
+  return sinusoids;
+}
+
+}  // namespace stickslip::certified
