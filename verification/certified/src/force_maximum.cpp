@@ -70,6 +70,9 @@ struct Cells {
   std::vector<std::int64_t> indices;
 };
 
+/// Doubles do not do.
+struct TooCoarse {};
+
 /// The cells that may hold the maximum over a span which ends between `sampled` and `duration`.
 Cells promising_cells(const DoubleForce& force, double sampled, double duration) {
   constexpr double kFinest = 1e-10;   // of the maximum: what a cell's bound may exceed |f| by, at the end
@@ -77,16 +80,11 @@ Cells promising_cells(const DoubleForce& force, double sampled, double duration)
   constexpr std::size_t kMostCells = 1000000;
   double largest = 0.0;
   for (int i = 1; i <= 1024; ++i) largest = std::max(largest, force.at(sampled * i / 1025.0).force);
-  if (!(force.value_error() < kCoarsest * largest))
-    throw std::domain_error(
-        "The terms of the friction force cancel to more digits than doubles have; the excitation frequency "
-        "must "
-        "not be that close to a natural frequency.");
+  if (!(force.value_error() < kCoarsest * largest)) throw TooCoarse();
   largest -= force.value_error();
 
   Cells cells{std::exp2(std::floor(std::log2(std::sqrt(largest / force.curvature())))), {}};
   const double count = std::ceil(duration / cells.width);
-  if (!(count < 1e9)) throw std::domain_error("The duration has too many periods to be searched.");
   const auto keep_promising = [&](Cells& kept, std::int64_t index) {
     const double r = 0.5 * kept.width, middle = (static_cast<double>(index) + 0.5) * kept.width;
     if (middle - r >= duration) return;
@@ -166,7 +164,14 @@ ForceMaximum max_abs_of_sinusoids(const std::vector<Sinusoid>& sinusoids, const 
     return {0, {0}};
   const double nearest = duration.approximately();
   const double end = std::nextafter(nearest, std::numeric_limits<double>::infinity());
-  const Cells cells = promising_cells(DoubleForce(sinusoids, end), std::nextafter(nearest, 0.0), end);
+  Cells cells;
+  try {
+    cells = promising_cells(DoubleForce(sinusoids, end), std::nextafter(nearest, 0.0), end);
+  } catch (const TooCoarse&) {
+    throw std::domain_error(refusal("numerics.duration", duration,
+                                    "so short, and the excitation so far from a natural frequency, that "
+                                    "doubles give the friction force to 1e-8 of its maximum"));
+  }
   const std::vector<Candidate> all = candidates(BallForce(sinusoids), cells, duration);
   if (all.empty()) throw std::logic_error("The largest friction force was lost.");
 

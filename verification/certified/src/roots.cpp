@@ -16,12 +16,17 @@ std::string text(const Real& lower, const Real& upper) {
   return enclosure(lower, 17).value + " and " + enclosure(upper, 17).value;
 }
 
-/// A point inside at which F has a certain sign: the middle or, if a root lies there, beside it.
-Piece split(const DifferentiableFunction& function, const Piece& piece) {
+/// A point inside with the value of F, whose sign is certain there.
+struct Cut {
+  Real point, value;
+};
+
+/// The middle or, if a root lies there, a point beside it.
+Cut cut(const DifferentiableFunction& function, const Piece& piece) {
   for (const int share : {32, 27, 37, 22, 42}) {
     const Real point = (piece.lower + (piece.upper - piece.lower) * share / 64).midpoint();
-    const int sign = function(point).value.certain_sign();
-    if (sign != 0) return {point, point, sign, sign, piece.depth + 1};
+    const Real value = function(point).value;
+    if (value.certain_sign() != 0) return {point, value};
   }
   throw std::runtime_error("The function has no certain sign between " + text(piece.lower, piece.upper) +
                            "; the precision is too low, or a root is not simple.");
@@ -67,20 +72,22 @@ std::vector<Real> isolate_roots(const DifferentiableFunction& function, const Re
   while (!open.empty()) {
     const Piece piece = open.back();
     open.pop_back();
-    const Dual<Real> range = function(hull(piece.lower, piece.upper));
+    const Real whole = hull(piece.lower, piece.upper);
+    const Dual<Real> range = function(whole);
     if (range.value.certain_sign() != 0) continue;
     if (range.slope.certain_sign() != 0) {
       if (piece.sign_at_lower != piece.sign_at_upper) roots.push_back(contracted(function, piece));
       continue;
     }
+    const Cut middle = cut(function, piece);
+    // The mean value form, which is narrower than the range on a short piece.
+    if ((middle.value + range.slope * (whole - middle.point)).certain_sign() != 0) continue;
     if (piece.depth == deepest)
       throw std::runtime_error("Roots between " + text(piece.lower, piece.upper) +
                                " cannot be told apart at this precision.");
-    Piece left = split(function, piece), right = left;
-    left.lower = piece.lower, left.sign_at_lower = piece.sign_at_lower;
-    right.upper = piece.upper, right.sign_at_upper = piece.sign_at_upper;
-    open.push_back(right);
-    open.push_back(left);
+    const int sign = middle.value.certain_sign();
+    open.push_back({middle.point, piece.upper, sign, piece.sign_at_upper, piece.depth + 1});
+    open.push_back({piece.lower, middle.point, piece.sign_at_lower, sign, piece.depth + 1});
   }
   return roots;
 }

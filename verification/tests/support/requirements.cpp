@@ -55,6 +55,11 @@ const std::vector<Requirement> table{
      "The steady vibration with Kelvin-Voigt damping solves its boundary value problem, tip held or free.",
      "Complex modulus",
      {"DampedSteadyState"}},
+    {"A8",
+     "The closed forms of both states in ball arithmetic hold what is true and say so with a proven radius.",
+     "Eqs. (16) to (30)",
+     {"CertifiedReal", "CertifiedRoots", "CertifiedStickModes", "CertifiedSlipModes", "CertifiedResponse",
+      "CertifiedMaximum", "CertifiedCriterion"}},
 
     // Finite elements and time stepping.
     {"F1",
@@ -193,6 +198,10 @@ const std::vector<Requirement> table{
      "What neither implementation can model both refuse, and nothing else.",
      "Eqs. (4), (23); buckling",
      {"Refusals"}},
+    {"X19",
+     "Doubles agree with the proven enclosures to the last places that their condition leaves.",
+     "Eqs. (16) to (30)",
+     {"EnclosedFrequencies", "EnclosedShapes", "EnclosedResponse", "EnclosedMaximum"}},
 
     // Whatever the beam is.
     {"M1",

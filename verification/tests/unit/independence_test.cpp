@@ -48,6 +48,13 @@ TEST(Independence, AnalyticKnowsNeitherSolverNorEigen) {
       "");
 }
 
+TEST(Independence, CertifiedKnowsNothingElse) {
+  EXPECT_EQ(forbidden_lines(root / "verification/certified",
+                            {"solver/", "analytic/", "studies/", "data/", "Eigen/", "gsl/"},
+                            {"solver", "analytic", "studies", "data", "Eigen", "GSL"}),
+            "");
+}
+
 TEST(Independence, DataKnowsNeitherImplementation) {
   EXPECT_EQ(forbidden_lines(root / "data", {"solver/", "analytic/", "studies/", "Eigen/", "gsl/"},
                             {"stickslip::solver", "stickslip::analytic", "Eigen", "GSL"}),

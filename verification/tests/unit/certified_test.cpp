@@ -1,0 +1,734 @@
+/// Ball arithmetic: what is certain is stated, what is not is not, and the closed forms have their
+/// properties.
+
+#include "stickslip/certified/stick_modes.hpp"
+
+#include <acb_calc.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "stickslip/certified/criterion.hpp"
+#include "stickslip/certified/roots.hpp"
+#include "stickslip/certified/slip_modes.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+using namespace certified;
+
+Real decimal(const std::string& text) { return Rational(std::string_view(text)); }
+
+/// x is known to one unit in the last of the digits given, and agrees with them.
+::testing::AssertionResult has_digits(const Real& x, const std::string& digits) {
+  const std::size_t point = digits.find('.');
+  const auto decimals = static_cast<unsigned>(digits.size() - point - 1);
+  const Real unit = 1 / pow(Real(10), decimals);
+  if (abs(x - decimal(digits)) <= unit && x.radius() < unit) return ::testing::AssertionSuccess();
+  return ::testing::AssertionFailure() << enclosure(x, 40).value << " is not " << digits;
+}
+
+/// x may be 0 and is at most 10^-digits in size.
+::testing::AssertionResult vanishes(const Real& x, unsigned digits = 40) {
+  if (x.contains_zero() && abs(x) < 1 / pow(Real(10), digits)) return ::testing::AssertionSuccess();
+  return ::testing::AssertionFailure() << enclosure(x, 10).value << " +/- " << enclosure(x, 10).radius
+                                       << " is not 0 to " << digits << " digits";
+}
+
+::testing::AssertionResult throws_about(const std::function<void()>& call, const std::string& words) {
+  try {
+    call();
+  } catch (const std::exception& error) {
+    if (std::string(error.what()).find(words) != std::string::npos) return ::testing::AssertionSuccess();
+    return ::testing::AssertionFailure() << "'" << error.what() << "' does not say '" << words << "'";
+  }
+  return ::testing::AssertionFailure() << "nothing was thrown";
+}
+
+Beam paper_beam(const Rational& axial_force = "500") {
+  return Beam({"2", "0.01", "1/120000", "1000", "2e9", axial_force});
+}
+
+/// Length, EI and rho A are 1: omega = kappa, P = z.
+Beam unit_beam(const Rational& axial_force) { return Beam({"1", "1", "1", "1", "1", axial_force}); }
+
+/// Compression, P = 0, tension, close to buckling.
+std::vector<Beam> beams() {
+  return {paper_beam(), paper_beam("0"), paper_beam("-9000"), paper_beam("80000"), unit_beam("1e-9")};
+}
+
+// Real.
+
+TEST(CertifiedReal, ReadsDecimalsAndRatiosExactly) {
+  EXPECT_TRUE((Real(Rational("1/120000")) * 120000 - 1).contains_zero());
+  EXPECT_TRUE((Real(Rational("-0.5e-3")) * 2000 + 1).contains_zero());
+  EXPECT_TRUE((Real(Rational("1.5E+3/3e0")) - 500).contains_zero());
+  EXPECT_TRUE((Real(Rational("+.25")) - Real(0.25)).contains_zero());
+  EXPECT_TRUE((Real(Rational("2e9")) - Real(2e9)).contains_zero());
+  // The double 0.1 is 0.1000000000000000055511151231257827...
+  EXPECT_TRUE(has_digits(Real(Rational(0.1)), "0.1000000000000000055511151231257827"));
+  EXPECT_TRUE(has_digits(Rational("0.1"), "0.1000000000000000000000000000000000"));
+  EXPECT_EQ(Rational("-1/3").sign(), -1);
+  EXPECT_EQ(Rational("0e5").sign(), 0);
+}
+
+TEST(CertifiedReal, RefusesWhatIsNoNumber) {
+  for (const char* text :
+       {"", "abc", "1/0", "1e", "1e99999999", "1/2/3", "--1", "1e+-3", " 1", "1 ", ".", "1/"})
+    EXPECT_TRUE(
+        throws_about([&] { (void)Rational(text); }, "'" + std::string(text) + "' is no exact number"));
+  for (const double value : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+    EXPECT_TRUE(throws_about([&] { (void)Rational(value); }, "not finite"));
+    EXPECT_TRUE(throws_about([&] { (void)Real(value); }, "not finite"));
+  }
+  EXPECT_TRUE(throws_about([] { const PrecisionScope scope(8); }, "8 bits"));
+}
+
+TEST(CertifiedReal, OrdersOnlyWhatIsCertain) {
+  const Real low = hull(1, 2), high = hull(3, 4), between = hull(Real(1.5), Real(3.5));
+  EXPECT_TRUE(low < high && low <= high && high > low && high >= low);
+  EXPECT_FALSE(low > high || low >= high || high < low || high <= low);
+  for (const Real& other : {low, high})
+    EXPECT_FALSE(between < other || between > other || between <= other || between >= other);
+  EXPECT_TRUE(low.overlaps(between) && high.overlaps(between) && !low.overlaps(high));
+  EXPECT_TRUE(hull(low, high).contains(between) && !between.contains(low));
+  EXPECT_TRUE(intersection(low, between).contains(Real(1.75)));
+  EXPECT_FALSE(intersection(low, between).contains(Real(1.25)));
+  EXPECT_THROW((void)intersection(low, high), std::logic_error);
+  EXPECT_EQ(low.certain_sign(), 1);
+  EXPECT_EQ((-low).certain_sign(), -1);
+  EXPECT_EQ((low - between).certain_sign(), 0);
+}
+
+TEST(CertifiedReal, FunctionsKeepTheirIdentitiesOnBalls) {
+  for (const char* text : {"1/7", "2.5", "-11/3", "40"}) {
+    const Real x = Rational(text);
+    EXPECT_TRUE(vanishes(pow(sin(x), 2) + pow(cos(x), 2) - 1));
+    EXPECT_TRUE(vanishes((pow(cosh(x), 2) - pow(sinh(x), 2) - 1)));
+    EXPECT_TRUE(vanishes(tan(x) - sin(x) / cos(x)));
+    EXPECT_TRUE(vanishes(tanh(x) - sinh(x) / cosh(x)));
+    EXPECT_TRUE(vanishes(exp(x) * exp(-x) - 1));
+    EXPECT_TRUE(vanishes(pow(sqrt(abs(x)), 2) - abs(x)));
+    EXPECT_TRUE(vanishes(sinc(x) * x - sin(x)));
+    EXPECT_TRUE(vanishes(max(x, -x) - abs(x)));
+  }
+  EXPECT_TRUE(has_digits(pi(), "3.14159265358979323846264338327950288419716939937510"));
+  EXPECT_TRUE(sinc(Real(0)).contains(Real(1)));
+}
+
+TEST(CertifiedReal, NestsUnderRefinement) {
+  const auto evaluate = [](long bits) {
+    const PrecisionScope scope(bits);
+    const Real x = Rational("22/7");
+    return std::vector{sin(x), exp(x), sqrt(x), tanh(x), sinc(x), pi() - x};
+  };
+  const auto coarse = evaluate(64), fine = evaluate(128), finest = evaluate(512);
+  for (std::size_t i = 0; i < coarse.size(); ++i) {
+    EXPECT_TRUE(coarse[i].contains(fine[i]) && fine[i].contains(finest[i])) << i;
+    EXPECT_GT(fine[i].accurate_bits(), coarse[i].accurate_bits() + 60) << i;
+    EXPECT_GT(finest[i].accurate_bits(), fine[i].accurate_bits() + 380) << i;
+  }
+  EXPECT_EQ(precision(), 256);
+}
+
+TEST(CertifiedReal, PrintsADecimalBallAroundTheBall) {
+  for (const Real& x : {pi(), -exp(Real(100)) / 3, Real(Rational("1e-40/7")),
+                        hull(Real(1), Real(Rational("1.001"))), Real(0.5), Real(0), hull(-1, 2)}) {
+    const Enclosure printed = enclosure(x);
+    const Real value = decimal(printed.value), radius = decimal(printed.radius);
+    EXPECT_TRUE(value - radius <= x.lower() && x.upper() <= value + radius)
+        << printed.value << " " << printed.radius;
+    EXPECT_TRUE(radius <= x.radius() * Real(1.1) + abs(value) / pow(Real(10), 28)) << printed.radius;
+    EXPECT_DOUBLE_EQ(printed.midpoint, x.nearest_double());
+  }
+  EXPECT_EQ(enclosure(pi()).value, "3.14159265358979323846264338328");
+  EXPECT_EQ(enclosure(Real(0.5)).radius, "0");
+  EXPECT_THROW((void)enclosure(1 / Real(0)), std::invalid_argument);
+}
+
+TEST(CertifiedReal, CountsUnitsInTheLastPlaceFromAbove) {
+  EXPECT_EQ(distance_in_ulps(1.0, Real(1)), 0.0);
+  EXPECT_EQ(distance_in_ulps(1.0, Real(1) + Real(0x1p-53)), 0.5);
+  EXPECT_EQ(distance_in_ulps(-3.0, Real(-3) + Real(0x1p-50)), 2.0);
+  EXPECT_EQ(distance_in_ulps(0.0, Real(0x1p-1073)), 2.0);
+  // pi - 3.141592653589793116 = 1.2246467991473532e-16, of 2^-51.
+  const double distance = distance_in_ulps(std::numbers::pi, pi());
+  EXPECT_TRUE(within(distance, 1.2246467991473532e-16 * 0x1p51, round_off(4, 1, distance)));
+  EXPECT_GE(distance_in_ulps(1.0, hull(1, 2)), 0x1p52);
+  EXPECT_TRUE(std::isinf(distance_in_ulps(std::nan(""), Real(1))));
+  EXPECT_TRUE(std::isinf(distance_in_ulps(1.0, 1 / Real(0))));
+}
+
+TEST(CertifiedReal, PrecisionRisesUntilTheDigitsHold) {
+  // 1 - cos(1e-30) = 5e-61 has no digit left at 128 bits.
+  const Real x = to_digits(30, [] { return 1 - cos(Real(Rational("1e-30"))); });
+  EXPECT_TRUE(has_digits(x * pow(Real(10), 61), "5.00000000000000000000000000000"));
+  EXPECT_TRUE(throws_about([] { (void)to_digits(30, [] { return pi() - pi(); }); }, "30 digits"));
+}
+
+// Roots.
+
+TEST(CertifiedRoots, FindsEveryZeroOfTheSine) {
+  const auto sine = [](const Real& x) { return sin(Dual<Real>(x, 1)); };
+  const std::vector<Real> roots = isolate_roots(sine, 1, 100);
+  ASSERT_EQ(roots.size(), 31u);
+  for (std::size_t n = 1; n <= roots.size(); ++n)
+    EXPECT_TRUE(vanishes(roots[n - 1] - static_cast<int>(n) * pi(), 65)) << n;
+}
+
+/// (x - 1)(x - 1 - gap).
+DifferentiableFunction parabola(const Rational& gap) {
+  return [second = 1 + Real(gap)](const Real& at) {
+    const Dual<Real> x(at, 1);
+    return (x - 1) * (x - Dual<Real>(second));
+  };
+}
+
+TEST(CertifiedRoots, TellsCloseRootsApart) {
+  const std::vector<Real> roots = isolate_roots(parabola("1e-10"), 0, 3);
+  ASSERT_EQ(roots.size(), 2u);
+  EXPECT_TRUE(roots[0].contains(1) && !roots[1].contains(1));
+  EXPECT_TRUE(vanishes(roots[1] - roots[0] - Real(Rational("1e-10")), 60));
+}
+
+TEST(CertifiedRoots, RefusesWhatItCannotDecide) {
+  EXPECT_TRUE(throws_about([] { (void)isolate_roots(parabola("0"), 0, 3); }, "between"));
+  EXPECT_TRUE(throws_about([] { (void)isolate_roots(parabola("1e-30"), 0, 3); }, "between"));
+  EXPECT_TRUE(throws_about([] { (void)isolate_roots(parabola("1/2"), 1, 3); }, "certain sign at the ends"));
+  EXPECT_TRUE(throws_about([] { (void)isolate_roots(parabola("1/2"), 3, 0); }, "exact and ascending"));
+  EXPECT_TRUE(throws_about([] { (void)isolate_roots(parabola("1/2"), 0, pi()); }, "exact and ascending"));
+  EXPECT_TRUE(throws_about([] { (void)isolate_root(parabola("1/2"), 0, 3); }, "2 roots"));
+}
+
+TEST(CertifiedRoots, FindsNoneWhereThereIsNone) {
+  const auto above_zero = [](const Real& at) {
+    const Dual<Real> x(at, 1);
+    return x * x + Dual<Real>(Rational("1e-12"));
+  };
+  EXPECT_TRUE(isolate_roots(above_zero, -1, 3).empty());
+}
+
+/// Sign changes of `function` at `count` equal steps.
+int sign_changes(const std::function<double(double)>& function, double from, double to, int count) {
+  int changes = 0;
+  for (int i = 0; i < count; ++i)
+    changes +=
+        function(from + (to - from) * i / count) * function(from + (to - from) * (i + 1) / count) < 0.0;
+  return changes;
+}
+
+/// b and bb in doubles.
+std::pair<double, double> wave_numbers(double kappa, double z) {
+  const double s = std::hypot(0.5 * z, kappa);
+  return {std::sqrt(std::max(0.0, s - 0.5 * z)), std::sqrt(s + 0.5 * z)};
+}
+
+TEST(CertifiedRoots, AreThoseThatTenThousandSamplesBracket) {
+  for (const double z : {-40.0, -3.0, 0.0, 12.0, 19.0}) {
+    const auto stick = [z](double kappa) {
+      const auto [b, bb] = wave_numbers(kappa, z);
+      return b * std::sin(bb) - bb * std::cos(bb) * std::tanh(b);
+    };
+    const auto slip = [z](double kappa) {
+      const auto [b, bb] = wave_numbers(kappa, z);
+      return (z * z + 2 * kappa * kappa) / std::cosh(b) + 2 * kappa * kappa * std::cos(bb) +
+             z * kappa * std::tanh(b) * std::sin(bb);
+    };
+    const Beam beam = unit_beam(Rational(z));
+    for (const int count : {1, 2, 9, 10}) {
+      const double last_stick = certified::stick_modes(beam, count).back().angular_frequency.nearest_double();
+      const double last_slip = slip_frequencies(beam, count).back().angular_frequency.nearest_double();
+      EXPECT_EQ(sign_changes(stick, 1e-3, last_stick * (1.0 + 1e-6), 10000), count) << z;
+      EXPECT_EQ(sign_changes(slip, 1e-3, last_slip * (1.0 + 1e-6), 10000), count) << z;
+    }
+  }
+}
+
+// Stick modes.
+
+TEST(CertifiedStickModes, BucklingIsTheFirstRootOfTanYIsY) {
+  const Real y = sqrt(buckling_factor());
+  EXPECT_TRUE(has_digits(y, "4.49340945790906417530788092728"));
+  EXPECT_TRUE(vanishes(tan(y) - y));
+  EXPECT_TRUE(vanishes(buckling_load(paper_beam()) * 6 / 25000 - buckling_factor()));
+}
+
+TEST(CertifiedStickModes, HaveTheTabulatedConstantsWithoutAxialForce) {
+  const auto modes = certified::stick_modes(unit_beam("0"), 3);
+  EXPECT_TRUE(has_digits(modes[0].hyperbolic_wave_number, "3.926602312047918778"));
+  EXPECT_TRUE(has_digits(modes[1].hyperbolic_wave_number, "7.06858274562873"));
+  EXPECT_TRUE(has_digits(modes[2].trigonometric_wave_number, "10.21017612281303"));
+  for (const StickMode& mode : modes) {
+    EXPECT_TRUE(vanishes(pow(mode.hyperbolic_wave_number, 2) - mode.angular_frequency));
+    EXPECT_TRUE(vanishes(2 * pi() * mode.frequency_hz - mode.angular_frequency));
+  }
+}
+
+TEST(CertifiedStickModes, SolveTheEquationOfMotionAndItsBoundaryConditions) {
+  for (const Beam& beam : beams()) {
+    const Real length = beam.length(), p = beam.axial_force() / beam.bending_stiffness();
+    for (const StickMode& mode : certified::stick_modes(beam, 10)) {
+      SCOPED_TRACE(mode.number);
+      const Real beta2 = pow(mode.hyperbolic_wave_number, 2),
+                 betabar2 = pow(mode.trigonometric_wave_number, 2);
+      const Derivatives base = mode.shape(0), tip = mode.shape(length);
+      EXPECT_TRUE(vanishes(base[0], 35) && vanishes(base[1], 35) && vanishes(tip[0], 35) &&
+                  vanishes(tip[2], 35));
+      EXPECT_TRUE(vanishes(base[2] / (beta2 + betabar2) - 1));
+      // Solutions of phi'' = beta^2 phi and psi'' = -betabar^2 psi solve U'''' + p U'' = k U if and only if
+      EXPECT_TRUE(vanishes((betabar2 - beta2 - p) / betabar2));
+      EXPECT_TRUE(vanishes(beta2 * betabar2 * beam.bending_stiffness() /
+                               (beam.mass_per_length() * pow(mode.angular_frequency, 2)) -
+                           1));
+    }
+  }
+}
+
+/// The mean value theorem for each derivative: [d(x + h) - d(x)]/h lies in d' over the whole step.
+void expect_derivatives(const std::function<Derivatives(const Real&)>& shape, const Real& length) {
+  for (int i = 0; i < 7; ++i) {
+    const Real x = length * i / 7, step = length / pow(Real(10), 12), next = x + step;
+    const Derivatives here = shape(x), there = shape(next), along = shape(hull(x, next));
+    for (std::size_t order = 0; order < 3; ++order) {
+      const Real slope = (there[order] - here[order]) / step;
+      EXPECT_TRUE(along[order + 1].overlaps(slope)) << order << " at " << i << "/7";
+      // Not by being wide.
+      EXPECT_TRUE(along[order + 1].radius() * pow(length, static_cast<unsigned>(order) + 1) < Real(0.01))
+          << order << " at " << i << "/7";
+    }
+  }
+}
+
+TEST(CertifiedStickModes, DerivativesAreThoseOfTheShapes) {
+  for (const Beam& beam : beams()) {
+    const QuasiStaticShape quasi_static(beam);
+    const auto modes = certified::stick_modes(beam, 2);
+    if (beam.data().axial_force.approximately() < 50000)  // next to buckling S is large
+      expect_derivatives([&](const Real& x) { return quasi_static.at(x); }, beam.length());
+    expect_derivatives([&](const Real& x) { return modes[1].shape(x); }, beam.length());
+  }
+}
+
+TEST(CertifiedStickModes, QuasiStaticShapeSolvesItsBoundaryValueProblem) {
+  for (const Beam& beam : beams()) {
+    const QuasiStaticShape shape(beam);
+    const Real length = beam.length(), p = beam.axial_force() / beam.bending_stiffness();
+    const Derivatives base = shape.at(0), tip = shape.at(length), inside = shape.at(length / 3);
+    EXPECT_TRUE(vanishes(base[0]) && vanishes(base[1]) && vanishes(tip[0] + 1) && vanishes(tip[2]));
+    // S'''' + p S'' = 0 has the integral S''' + p S' = const.
+    EXPECT_TRUE(vanishes(base[3] + p * base[1] - inside[3] - p * inside[1]));
+    EXPECT_TRUE(vanishes(base[3] + p * base[1] - tip[3] - p * tip[1]));
+  }
+}
+
+/// int_0^length U_m U_n dx and int_0^length U_n (1 + S) dx by Arb's rigorous quadrature of the complex
+/// functions.
+struct Integrand {
+  const StickMode &first, &second;
+  const Real* sigma;  // sqrt(P/EI) in compression: S in place of the first mode
+  Real length;
+};
+
+void shape_of(acb_t result, const StickMode& mode, const acb_t x, slong bits) {
+  acb_t y, term;
+  acb_init(y), acb_init(term);
+  const Real &beta = mode.hyperbolic_wave_number, &betabar = mode.trigonometric_wave_number;
+  acb_mul_arb(y, x, beta.data(), bits);
+  acb_cosh(result, y, bits);
+  acb_sinh(term, y, bits);
+  acb_mul_arb(term, term, (mode.shape_ratio * betabar).data(), bits);
+  acb_sub(result, result, term, bits);
+  acb_mul_arb(y, x, betabar.data(), bits);
+  acb_cos(term, y, bits);
+  acb_sub(result, result, term, bits);
+  acb_sin(term, y, bits);
+  acb_mul_arb(term, term, (mode.shape_ratio * beta).data(), bits);
+  acb_add(result, result, term, bits);
+  acb_clear(y), acb_clear(term);
+}
+
+/// 1 + S = [sigma (L - x) cos(sigma L) - sin(sigma (L - x))]/[sigma L cos(sigma L) - sin(sigma L)].
+void absolute_quasi_static(acb_t result, const Real& sigma, const Real& length, const acb_t x, slong bits) {
+  acb_t rest, sine;
+  acb_init(rest), acb_init(sine);
+  acb_sub_arb(rest, x, length.data(), bits);
+  acb_mul_arb(rest, rest, (-sigma).data(), bits);
+  acb_sin(sine, rest, bits);
+  acb_mul_arb(result, rest, cos(sigma * length).data(), bits);
+  acb_sub(result, result, sine, bits);
+  const Real y = sigma * length;
+  acb_div_arb(result, result, (y * cos(y) - sin(y)).data(), bits);
+  acb_clear(rest), acb_clear(sine);
+}
+
+int evaluate_integrand(acb_ptr result, const acb_t x, void* parameters, slong, slong bits) {
+  const auto& [first, second, sigma, length] = *static_cast<const Integrand*>(parameters);
+  acb_t factor;
+  acb_init(factor);
+  shape_of(result, second, x, bits);
+  if (sigma != nullptr)
+    absolute_quasi_static(factor, *sigma, length, x, bits);
+  else
+    shape_of(factor, first, x, bits);
+  acb_mul(result, result, factor, bits);
+  acb_clear(factor);
+  return 0;
+}
+
+Real integral(Integrand integrand) {
+  acb_t from, to, result;
+  acb_init(from), acb_init(to), acb_init(result);
+  acb_set_arb(to, integrand.length.data());
+  mag_t tolerance;
+  mag_init(tolerance);
+  mag_set_ui_2exp_si(tolerance, 1, -120);
+  acb_calc_integrate(result, evaluate_integrand, &integrand, from, to, 120, tolerance, nullptr, precision());
+  Real value;
+  arb_set(value.data(), acb_realref(result));
+  mag_clear(tolerance);
+  acb_clear(from), acb_clear(to), acb_clear(result);
+  return value;
+}
+
+TEST(CertifiedStickModes, AreOrthogonalUnderRigorousQuadrature) {
+  const Beam beam = paper_beam("30000");
+  const auto modes = certified::stick_modes(beam, 4);
+  for (const StickMode& m : modes)
+    for (const StickMode& n : modes) {
+      const Real value = integral({m, n, nullptr, beam.length()});
+      if (m.number == n.number)
+        EXPECT_TRUE(value > Real(0.5));
+      else
+        EXPECT_TRUE(vanishes(value, 30)) << m.number << " " << n.number;
+    }
+}
+
+TEST(CertifiedStickModes, ParticipationIsTheQuotientOfRigorousQuadratures) {
+  for (const char* force : {"500", "80000"}) {
+    const Beam beam = paper_beam(force);
+    const Real sigma = sqrt(beam.axial_force() / beam.bending_stiffness());
+    const auto modes = certified::stick_modes(beam, 6);
+    for (const std::size_t n : {0u, 1u, 5u}) {
+      const Real load = integral({modes[n], modes[n], &sigma, beam.length()});
+      const Real norm = integral({modes[n], modes[n], nullptr, beam.length()});
+      EXPECT_TRUE(vanishes(modes[n].participation + load / norm, 28)) << force << " N, mode " << n + 1;
+    }
+  }
+}
+
+TEST(CertifiedStickModes, ParticipationIsThatOfTheThirdDerivativeAtTheBase) {
+  // k int U (1 + S) dx = -U'''(0), by two integrations by parts.
+  for (const char* force : {"-9000", "0"}) {
+    const Beam beam = paper_beam(force);
+    const Real stiffness = beam.bending_stiffness();
+    for (const StickMode& mode : certified::stick_modes(beam, 5)) {
+      const Real k = beam.mass_per_length() * pow(mode.angular_frequency, 2) / stiffness;
+      const Real norm = integral({mode, mode, nullptr, beam.length()});
+      EXPECT_TRUE(vanishes(mode.participation - mode.shape(0)[3] / (k * norm), 28)) << force << mode.number;
+    }
+  }
+}
+
+TEST(CertifiedStickModes, AreContinuousWhereCompressionTurnsIntoTension) {
+  // dU, dC and d omega are of the order of P, 1e-20 of EI/L^2.
+  const auto none = certified::stick_modes(unit_beam("0"), 3);
+  for (const char* force : {"1e-20", "-1e-20"}) {
+    const Beam beam = unit_beam(force);
+    const auto few = certified::stick_modes(beam, 3);
+    for (std::size_t n = 0; n < 3; ++n) {
+      EXPECT_TRUE(abs(few[n].participation - none[n].participation) < Real(1e-20)) << force;
+      EXPECT_TRUE(abs(few[n].angular_frequency - none[n].angular_frequency) < Real(1e-20)) << force;
+    }
+    const Derivatives shape = QuasiStaticShape(beam).at(Real(0.5)),
+                      cubic = QuasiStaticShape(unit_beam("0")).at(Real(0.5));
+    for (std::size_t order = 0; order < 4; ++order)
+      EXPECT_TRUE(abs(shape[order] - cubic[order]) < Real(2e-20)) << force << order;
+  }
+}
+
+TEST(CertifiedStickModes, LieOneInEachAsymptoticInterval) {
+  for (const char* load : {"-300", "0", "15"}) {
+    const auto modes = certified::stick_modes(unit_beam(load), 60);
+    ASSERT_EQ(modes.size(), 60u);
+    for (const StickMode& mode : modes) {
+      const Real bb = mode.trigonometric_wave_number / pi();
+      EXPECT_TRUE(mode.number < bb && bb < mode.number + Real(0.5)) << load << mode.number;
+    }
+  }
+}
+
+TEST(CertifiedStickModes, NestUnderRefinement) {
+  const auto evaluate = [](long bits) {
+    const PrecisionScope scope(bits);
+    const auto mode = certified::stick_modes(paper_beam(), 4).back();
+    return std::array{mode.angular_frequency, mode.participation, mode.shape(Real(0.75))[0],
+                      mode.shape(2)[3]};
+  };
+  const auto coarse = evaluate(128), fine = evaluate(256), finest = evaluate(512);
+  for (std::size_t i = 0; i < coarse.size(); ++i) {
+    EXPECT_TRUE(coarse[i].contains(fine[i]) && fine[i].contains(finest[i])) << i;
+    EXPECT_GT(finest[i].accurate_bits(), fine[i].accurate_bits() + 200) << i;
+  }
+}
+
+TEST(CertifiedStickModes, RefuseBuckledAndImpossibleBeams) {
+  EXPECT_NO_THROW((void)certified::stick_modes(unit_beam("20.1907"), 1));
+  EXPECT_TRUE(throws_about([] { (void)certified::stick_modes(unit_beam("20.190728557"), 1); },
+                           "beam.axial_force is 20.190728557"));
+  EXPECT_TRUE(throws_about([] { (void)QuasiStaticShape(unit_beam("21")); }, "20.19072855642663"));
+  EXPECT_TRUE(throws_about([] { (void)Beam({"-2", "1", "1", "1", "1", "0"}); }, "beam.length is -2"));
+  EXPECT_TRUE(throws_about([] { (void)Beam({"2", "1", "1", "1", "0", "0"}); }, "beam.youngs_modulus is 0"));
+  for (const int count : {0, 1001})
+    EXPECT_TRUE(throws_about([&] { (void)certified::stick_modes(paper_beam(), count); }, "numerics.modes"));
+}
+
+// Slip modes.
+
+TEST(CertifiedSlipModes, HaveTheTabulatedConstantsOfTheCantilever) {
+  const auto modes = slip_frequencies(unit_beam("0"), 3);
+  EXPECT_TRUE(has_digits(sqrt(modes[0].angular_frequency), "1.87510406871196116644530824107821"));
+  EXPECT_TRUE(has_digits(sqrt(modes[1].angular_frequency), "4.69409113297417457643639177801"));
+  EXPECT_TRUE(has_digits(sqrt(modes[2].angular_frequency), "7.8547574382376125648610085"));
+}
+
+TEST(CertifiedSlipModes, SatisfyTheBoundaryConditionsOfTheFollowerLoad) {
+  // u = A [cosh(b x) - cos(bb x)] + B [sinh(b x)/b - sin(bb x)/bb] has u''(1) = u'''(1) = 0.
+  for (const char* load : {"-50", "-1", "0", "5", "20"})
+    for (const SlipFrequency& mode : slip_frequencies(unit_beam(load), 7)) {
+      const Real half = Real(Rational(load)) / 2, s = sqrt(pow(half, 2) + pow(mode.angular_frequency, 2));
+      const Real b = sqrt(s - half), bb = sqrt(s + half);
+      const Real a2 = pow(b, 2) * cosh(b) + pow(bb, 2) * cos(bb), b2 = b * sinh(b) + bb * sin(bb);
+      const Real a3 = pow(b, 3) * sinh(b) - pow(bb, 3) * sin(bb),
+                 b3 = pow(b, 2) * cosh(b) + pow(bb, 2) * cos(bb);
+      EXPECT_TRUE(vanishes((a2 * b3 - a3 * b2) / pow(a2, 2), 30)) << load << " mode " << mode.number;
+    }
+}
+
+TEST(CertifiedSlipModes, FlutterWhereBeckHasIt) {
+  EXPECT_TRUE(has_digits(flutter_factor(), "20.050953"));
+  EXPECT_GT(flutter_factor().accurate_bits(), 200);
+  const auto below = slip_frequencies(unit_beam("20.0509536"), 2);
+  EXPECT_TRUE(below[0].angular_frequency < below[1].angular_frequency);
+  EXPECT_TRUE(below[1].angular_frequency - below[0].angular_frequency < Real(0.01));
+  EXPECT_TRUE(throws_about([] { (void)slip_frequencies(unit_beam("20.0509537"), 2); },
+                           "below the flutter load of the slip state, 20.0509536189737"));
+  EXPECT_TRUE(throws_about([] { (void)slip_frequencies(unit_beam("1000"), 2); }, "beam.axial_force is 1000"));
+  EXPECT_TRUE(throws_about([] { (void)slip_frequencies(unit_beam("1"), 0); }, "numerics.modes is 0"));
+}
+
+TEST(CertifiedSlipModes, AreContinuousWhereCompressionTurnsIntoTension) {
+  const auto none = slip_frequencies(unit_beam("0"), 5);
+  for (const char* force : {"1e-12", "-1e-12"}) {
+    const auto few = slip_frequencies(unit_beam(force), 5);
+    for (std::size_t n = 0; n < 5; ++n) {
+      EXPECT_TRUE(abs(few[n].angular_frequency - none[n].angular_frequency) < Real(1e-12)) << force;
+      EXPECT_TRUE(vanishes(2 * pi() * few[n].frequency_hz - few[n].angular_frequency));
+    }
+  }
+}
+
+// Response.
+
+TEST(CertifiedResponse, ObeysItsInitialAndBoundaryConditions) {
+  for (const Beam& beam : beams()) {
+    const StickResponse response(beam, {"31/3", "1/1000"}, 6);
+    const Real length = beam.length(), t = Rational("1/7");
+    const Real base = sin(2 * pi() * Real(Rational("31/3")) * t) / 1000;
+    EXPECT_TRUE(vanishes(response.absolute_displacement(0, t) - base, 35));
+    EXPECT_TRUE(vanishes(response.absolute_displacement(length, t), 35));
+    EXPECT_TRUE(vanishes(response.relative_displacement(length, t) + base, 35));
+    EXPECT_TRUE(vanishes(response.relative_displacement(length / 2, 0)));
+    EXPECT_TRUE(vanishes(response.friction_force(0)));
+  }
+}
+
+TEST(CertifiedResponse, StartsAtTheSpeedOfTheQuasiStaticShape) {
+  // u(x,t)/t -> S(x) A0 Omega, and the modal coordinates begin as t^3.
+  const Beam beam = paper_beam();
+  const StickResponse response(beam, {"25", "1e-3"}, 10);
+  const Real t = Rational("1e-15"), omega = 50 * pi();
+  const Real expected = QuasiStaticShape(beam).at(1)[0] * omega / 1000;
+  EXPECT_TRUE(abs(response.relative_displacement(1, t) / t / expected - 1) < Real(1e-20));
+  const Real force = beam.bending_stiffness() * QuasiStaticShape(beam).at(2)[3] * omega / 1000;
+  EXPECT_TRUE(abs(response.friction_force(t) / t / force - 1) < Real(1e-20));
+}
+
+TEST(CertifiedResponse, ModalCoordinatesSolveTheirEquation) {
+  // One mode: u - S h = U T with T'' + omega^2 T = C h'' (Eq. 24), by central differences of exact values.
+  const Beam beam = paper_beam();
+  const StickResponse response(beam, {"40", "1"}, 1);
+  const StickMode& mode = response.modes().front();
+  const Real omega = 80 * pi(), x = 1, step = Rational("1e-12");
+  const auto modal = [&](const Real& t) {
+    return (response.relative_displacement(x, t) - QuasiStaticShape(beam).at(x)[0] * sin(omega * t)) /
+           mode.shape(x)[0];
+  };
+  for (const char* text : {"0.013", "1.7"}) {
+    const Real t = Rational(text);
+    const Real bend = (modal(t + step) - 2 * modal(t) + modal(t - step)) / pow(step, 2);
+    const Real residual = bend + pow(mode.angular_frequency, 2) * modal(t) +
+                          mode.participation * pow(omega, 2) * sin(omega * t);
+    EXPECT_TRUE(abs(residual) < Real(1e-10)) << text;  // (omega step)^2/12 of 6e4
+  }
+}
+
+TEST(CertifiedResponse, ForceIsTheSumOfItsSinusoids) {
+  const StickResponse response(paper_beam(), {"35", "0.5e-3"});
+  const auto sinusoids = response.force_sinusoids();
+  ASSERT_EQ(sinusoids.size(), 11u);
+  for (const char* text : {"0.003", "0.7", "9.99"}) {
+    const Real t = Rational(text);
+    Real sum;
+    for (const auto& [a, w] : sinusoids) sum += a * sin(w * t);
+    EXPECT_TRUE(vanishes(sum - response.friction_force(t)));
+  }
+}
+
+TEST(CertifiedResponse, HoldsAcrossResonanceWhatFrequenciesCannotTellApart) {
+  // At 100 bits the excitation cannot be told from the mode, at 256 it can: two formulas for one number.
+  const std::string natural =
+      enclosure(certified::stick_modes(paper_beam(), 1).front().frequency_hz, 40).value;
+  const Excitation excitation{std::string_view(natural), "1e-3"};
+  const auto force = [&](long bits) {
+    const PrecisionScope scope(bits);
+    return StickResponse(paper_beam(), excitation, 3).friction_force(Rational("1.3"));
+  };
+  const Real coarse = force(100), fine = force(256);
+  EXPECT_TRUE(coarse.contains(fine));
+  EXPECT_GT(coarse.accurate_bits(), 50);
+  EXPECT_GT(fine.accurate_bits(), 80);  // of which the quotient costs 133
+  const PrecisionScope scope(100);
+  EXPECT_TRUE(throws_about([&] { (void)StickResponse(paper_beam(), excitation, 3).force_sinusoids(); },
+                           "natural frequency 1"));
+}
+
+TEST(CertifiedResponse, RefusesImpossibleExcitations) {
+  EXPECT_TRUE(throws_about(
+      [] {
+        (void)StickResponse(paper_beam(), {"0", "1"});
+      },
+      "excitation.frequency_hz is 0"));
+  EXPECT_TRUE(throws_about(
+      [] {
+        (void)StickResponse(paper_beam(), {"1", "-1"});
+      },
+      "excitation.amplitude is -1"));
+}
+
+// Maximum.
+
+TEST(CertifiedMaximum, IsTheAmplitudeOfASingleSinusoid) {
+  const auto maximum = max_abs_of_sinusoids({{Real(Rational("-1/3")), Real(3)}}, "1");
+  EXPECT_TRUE(vanishes(maximum.value - Real(Rational("1/3")), 60));
+  ASSERT_EQ(maximum.times.size(), 1u);
+  EXPECT_TRUE(vanishes(maximum.times.front() - pi() / 6, 60));
+}
+
+TEST(CertifiedMaximum, LiesAtTheEndOfAShortSpan) {
+  for (const char* duration : {"0.1", "1/3", "0.5"}) {
+    const auto maximum = max_abs_of_sinusoids({{Real(2), Real(3)}}, duration);
+    EXPECT_TRUE(vanishes(maximum.value - 2 * sin(3 * Real(Rational(duration))), 60)) << duration;
+    ASSERT_EQ(maximum.times.size(), 1u);
+    EXPECT_TRUE(vanishes(maximum.times.front() - Real(Rational(duration)), 60));
+  }
+}
+
+TEST(CertifiedMaximum, NamesAllTimesThatCannotBeToldApart) {
+  const auto maximum = max_abs_of_sinusoids({{Real(1), 2 * pi()}}, "1.6");  // at 1/4, 3/4, 5/4
+  EXPECT_TRUE(vanishes(maximum.value - 1, 60));
+  ASSERT_EQ(maximum.times.size(), 3u);
+  for (int i = 0; i < 3; ++i)
+    EXPECT_TRUE(vanishes(maximum.times[static_cast<std::size_t>(i)] - Real(2 * i + 1) / 4, 60));
+}
+
+TEST(CertifiedMaximum, TellsNearlyEqualPeaksApart) {
+  // |sin| whose second peak is higher by a slow second term, less than doubles can see.
+  const std::vector<Sinusoid> sinusoids{{Real(1), 2 * pi()}, {Real(Rational("1e-25")), Real(-1)}};
+  const auto maximum = max_abs_of_sinusoids(sinusoids, "1.1");
+  ASSERT_EQ(maximum.times.size(), 1u);
+  EXPECT_TRUE(abs(maximum.times.front() - Real(0.75)) < Real(1e-20));
+  EXPECT_TRUE(abs(maximum.value - 1 - Real(Rational("1e-25")) * sin(Real(0.75))) < Real(1e-45));
+}
+
+TEST(CertifiedMaximum, IsBracketedByTenThousandSamples) {
+  const Beam beam = paper_beam();
+  for (const char* hz : {"15", "24.9", "82", "200"}) {
+    const StickResponse response(beam, {hz, "1e-3"}, 4);
+    const auto sinusoids = response.force_sinusoids();
+    const auto maximum = max_abs_of_sinusoids(sinusoids, "0.5");
+    double largest = 0.0, curvature = 0.0;
+    for (const auto& [a, w] : sinusoids)
+      curvature += std::abs(a.nearest_double()) * std::pow(w.nearest_double(), 2);
+    for (int i = 0; i <= 10000; ++i) {
+      double sum = 0.0;
+      for (const auto& [a, w] : sinusoids)
+        sum += a.nearest_double() * std::sin(w.nearest_double() * 0.5 * i / 10000);
+      largest = std::max(largest, std::abs(sum));
+    }
+    const double value = maximum.value.nearest_double();
+    EXPECT_LE(largest, value * (1.0 + 1e-12)) << hz;
+    EXPECT_TRUE(within(largest, value, discretisation(curvature * 5e-5 * 5e-5 / 8.0, 1.0, "M dt^2/8"))) << hz;
+    ASSERT_EQ(maximum.times.size(), 1u);
+    EXPECT_TRUE(vanishes(abs(response.friction_force(maximum.times.front())) - maximum.value)) << hz;
+    EXPECT_GT(maximum.value.accurate_bits(), 150);
+  }
+}
+
+TEST(CertifiedMaximum, RefusesSpansThatAreNone) {
+  EXPECT_TRUE(throws_about(
+      [] {
+        (void)max_abs_of_sinusoids({{Real(1), Real(1)}}, "0");
+      },
+      "numerics.duration is 0"));
+  EXPECT_TRUE(throws_about(
+      [] {
+        (void)max_abs_of_sinusoids({{Real(1), Real(1e12)}}, "10");
+      },
+      "numerics.duration is 10"));
+  const std::vector<Sinusoid> cancelling{{Real(1e12), Real(1)}, {Real(-1e12), Real(1) + Real(1e-13)}};
+  EXPECT_TRUE(throws_about([&] { (void)max_abs_of_sinusoids(cancelling, "3"); }, "numerics.duration is 3"));
+  EXPECT_TRUE(max_abs_of_sinusoids({{Real(0), Real(1)}}, "1").value.contains(0));
+}
+
+// Criterion.
+
+TEST(CertifiedCriterion, TurnsAtTheCriticalAmplitude) {
+  const Beam beam = paper_beam();
+  const auto at = [&](const Rational& amplitude, const Rational& friction) {
+    return evaluate_criterion(beam, friction, {"35", amplitude}, "0.5", 4);
+  };
+  const auto criterion = at("1e-3", "0.6");
+  EXPECT_TRUE(criterion.friction_limit.contains(300));
+  EXPECT_TRUE(vanishes(criterion.critical_amplitude * criterion.force_max.value * 1000 - 300, 30));
+  EXPECT_EQ(criterion.verdict, Verdict::stick_slip);
+
+  const std::string digits = enclosure(criterion.critical_amplitude, 40).value;
+  const std::string below = digits.substr(0, 36), above = below + "9999";
+  EXPECT_EQ(at(std::string_view(below), "0.6").verdict, Verdict::stick);
+  EXPECT_EQ(at(std::string_view(above), "0.6").verdict, Verdict::stick_slip);
+  const PrecisionScope scope(100);
+  EXPECT_EQ(at(std::string_view(digits), "0.6").verdict, Verdict::undecided);
+}
+
+TEST(CertifiedCriterion, RefusesWhatHasNoContactOrNoMotion) {
+  const auto with = [](const char* force, const char* friction, const char* amplitude) {
+    return [=] { (void)evaluate_criterion(paper_beam(force), friction, {"35", amplitude}, "1", 1); };
+  };
+  EXPECT_TRUE(throws_about(with("0", "0.6", "1"), "beam.axial_force is 0"));
+  EXPECT_TRUE(throws_about(with("500", "-0.6", "1"), "friction.static_coefficient is -0.6"));
+  EXPECT_TRUE(throws_about(with("500", "0.6", "0"), "excitation.amplitude is 0"));
+  for (const auto& [verdict, text] : {std::pair{Verdict::stick, "stick"},
+                                      {Verdict::stick_slip, "stick-slip"},
+                                      {Verdict::undecided, "undecided"}})
+    EXPECT_EQ(to_string(verdict), text);
+}
+
+}  // namespace
+}  // namespace stickslip::testing
