@@ -1,0 +1,338 @@
+/// Doubles against proven enclosures: the closed form in units in the last place, finite elements from above.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "stickslip/analytic/criterion.hpp"
+#include "stickslip/analytic/slip_modes.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/certified/criterion.hpp"
+#include "stickslip/certified/slip_modes.hpp"
+#include "stickslip/certified/stick_response.hpp"
+#include "stickslip/solver/modal_analysis.hpp"
+#include "support/beams.hpp"
+#include "support/random_beams.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+using certified::Rational;
+using certified::Real;
+
+constexpr int mode_count = 10;
+
+/// The very doubles, so that no conversion of decimals enters.
+certified::Beam exactly(const data::Beam& beam) {
+  return certified::Beam({Rational(beam.length()), Rational(beam.area()),
+                          Rational(beam.second_moment_of_area()), Rational(beam.density()),
+                          Rational(beam.youngs_modulus()), Rational(beam.axial_force())});
+}
+
+data::Beam with_axial_force(const data::Beam& beam, double axial_force) {
+  auto properties = beam.properties();
+  properties.axial_force = axial_force;
+  return data::Beam(properties);
+}
+
+struct NamedBeam {
+  std::string name;
+  data::Beam beam;
+};
+
+std::vector<NamedBeam> beams() {
+  const data::Beam steel_strip({.length = 0.5,
+                                .area = 3e-5,
+                                .second_moment_of_area = 2.5e-12,
+                                .density = 7850.0,
+                                .youngs_modulus = 210e9,
+                                .axial_force = 10.0});
+  const data::Beam soft_and_short({.length = 0.08,
+                                   .area = 2.5e-5,
+                                   .second_moment_of_area = 5.2e-11,
+                                   .density = 1100.0,
+                                   .youngs_modulus = 2e6,
+                                   .axial_force = 0.1});
+  std::vector<NamedBeam> all{
+      {"paper", paper_beam()},
+      {"steel strip", steel_strip},
+      {"soft and short", soft_and_short},
+      {"near buckling", paper_beam_with_axial_force(0.97 * analytic::stick_buckling_load(paper_beam()))},
+      {"in tension", paper_beam_with_axial_force(-60000.0)},
+      {"without axial force", paper_beam_with_axial_force(0.0)}};
+  on_random_beams(3, any_force, [&](const data::Beam& beam, RandomNumbers&) {
+    all.push_back({"random " + std::to_string(all.size()), beam});
+  });
+  return all;
+}
+
+double ulp(double value) {
+  const double size = std::abs(value);
+  return std::nextafter(size, std::numeric_limits<double>::infinity()) - size;
+}
+
+/// `computed` is off by a rounding error: measured in ulps of the larger of it and `scale`, against
+/// round_off().
+::testing::AssertionResult within_ulps(double computed, const Real& exact, double operations,
+                                       double condition, double scale = 0.0) {
+  const double largest = std::max(std::abs(computed), std::abs(scale));
+  Tolerance tolerance = round_off(operations, condition, largest);
+  tolerance.value /= ulp(largest);
+  tolerance.derivation += ", in units in the last place";
+  const double error = certified::distance_in_ulps(computed, exact) * (ulp(computed) / ulp(largest));
+  return within(error, 0.0, tolerance);
+}
+
+/// |P dq/dP| of the quantities of a beam, by differences of enclosed values.
+template <class Quantities>
+std::vector<double> force_sensitivities(const data::Beam& beam, const Quantities& quantities) {
+  constexpr double kStep = 1e-6;
+  const auto here = quantities(exactly(beam));
+  const auto there = quantities(exactly(with_axial_force(beam, beam.axial_force() * (1.0 - kStep))));
+  std::vector<double> result;
+  for (std::size_t i = 0; i < here.size(); ++i)
+    result.push_back(std::abs((there[i] - here[i]).nearest_double()) / kStep);
+  return result;
+}
+
+TEST(EnclosedFrequencies, OfTheStickStateAgreeToTheLastPlaces) {
+  // Ten roundings: EI, rho A, their quotient, its root, L^2, z, b, bb, the product, 2 pi.
+  for (const auto& [name, beam] : beams()) {
+    SCOPED_TRACE(name);
+    const auto exact = certified::stick_modes(exactly(beam), mode_count);
+    const auto modes = analytic::stick_modes(beam, mode_count);
+    for (std::size_t n = 0; n < modes.size(); ++n) {
+      const double condition = modes[n].condition_number();
+      EXPECT_TRUE(within_ulps(modes[n].angular_frequency(), exact[n].angular_frequency, 10, condition))
+          << n + 1;
+      EXPECT_TRUE(within_ulps(modes[n].frequency_hz(), exact[n].frequency_hz, 10, condition)) << n + 1;
+      EXPECT_TRUE(within_ulps(modes[n].trigonometric_wave_number(), exact[n].trigonometric_wave_number, 10,
+                              condition))
+          << n + 1;
+    }
+  }
+}
+
+TEST(EnclosedFrequencies, OfTheSlipStateAgreeToTheLastPlaces) {
+  for (const auto& [name, beam] : beams()) {
+    SCOPED_TRACE(name);
+    const auto frequencies = [](const certified::Beam& data) {
+      std::vector<Real> omegas;
+      for (const auto& mode : certified::slip_frequencies(data, mode_count))
+        omegas.push_back(mode.angular_frequency);
+      return omegas;
+    };
+    const auto exact = frequencies(exactly(beam));
+    const auto sensitivities = force_sensitivities(beam, frequencies);
+    const auto modes = analytic::slip_modes(beam, mode_count);
+    for (std::size_t n = 0; n < modes.size(); ++n) {
+      const double omega = modes[n].angular_frequency();
+      EXPECT_TRUE(within_ulps(omega, exact[n], 10, 1.0 + sensitivities[n] / omega)) << n + 1;
+    }
+  }
+}
+
+TEST(EnclosedFrequencies, OfBucklingAndFlutterAgree) {
+  const data::Beam beam = paper_beam();
+  const certified::Beam exact = exactly(beam);
+  EXPECT_TRUE(within_ulps(analytic::stick_buckling_load(beam), certified::buckling_load(exact), 5, 1));
+  const Real flutter = certified::flutter_factor() * exact.bending_stiffness() / pow(exact.length(), 2);
+  const double computed = analytic::flutter_load(beam);
+  EXPECT_TRUE(within(certified::distance_in_ulps(computed, flutter) * ulp(computed), 0.0,
+                     reference(1e-12 * computed, "the flutter load in doubles")));
+}
+
+TEST(EnclosedFrequencies, OfTheStickStateAreBoundsBelowFiniteElements) {
+  // Hermite elements with the consistent mass are a Ritz method; without axial force they are high by
+  // (bb h/L)^4/1440 of omega.
+  constexpr int elements = 12;
+  for (const auto& [name, beam] : beams()) {
+    SCOPED_TRACE(name);
+    const auto exact = certified::stick_modes(exactly(beam), 5);
+    const auto modes = solver::stick_modes(solver::BeamModel(beam, elements), 5);
+    for (std::size_t n = 0; n < modes.size(); ++n) {
+      const Real excess = Real(modes[n].angular_frequency) / exact[n].angular_frequency - 1;
+      EXPECT_TRUE(excess > 0) << n + 1;
+      if (beam.axial_force() == 0.0) {
+        const double bb = exact[n].trigonometric_wave_number.nearest_double() * beam.length();
+        EXPECT_TRUE(within(excess.nearest_double(), std::pow(bb / elements, 4) / 1440.0,
+                           discretisation(std::pow(bb / elements, 6) / 1440.0, 1.0, "the next order, h^6")))
+            << n + 1;
+      }
+    }
+  }
+}
+
+TEST(EnclosedShapes, OfTheModesAgreeToTheLastPlaces) {
+  for (const auto& [name, beam] : beams()) {
+    SCOPED_TRACE(name);
+    const auto exact = certified::stick_modes(exactly(beam), mode_count);
+    const auto modes = analytic::stick_modes(beam, mode_count);
+    for (std::size_t n = 0; n < modes.size(); ++n) {
+      const double bb = modes[n].trigonometric_wave_number() * beam.length();
+      for (const double share : {0.05, 0.31, 0.5, 0.83}) {
+        const double x = share * beam.length();
+        const auto shape = exact[n].shape(Real(x));
+        const double wave = modes[n].trigonometric_wave_number();
+        EXPECT_TRUE(within_ulps(modes[n].shape(x), shape[0], 10, bb * modes[n].condition_number(), 1.0))
+            << n + 1 << " at " << share;
+        EXPECT_TRUE(within_ulps(modes[n].slope(x), shape[1], 10, bb * modes[n].condition_number(), wave))
+            << n + 1 << " at " << share;
+        EXPECT_TRUE(
+            within_ulps(modes[n].curvature(x), shape[2], 10, bb * modes[n].condition_number(), wave * wave))
+            << n + 1 << " at " << share;
+      }
+      EXPECT_TRUE(within_ulps(modes[n].third_derivative(beam.length()),
+                              exact[n].shape(Real(beam.length()))[3], 10, 3 * modes[n].condition_number()))
+          << n + 1;
+    }
+  }
+}
+
+TEST(EnclosedShapes, OfTheParticipationsAgreeToTheLastPlaces) {
+  for (const auto& [name, beam] : beams()) {
+    SCOPED_TRACE(name);
+    const auto participations = [](const certified::Beam& data) {
+      std::vector<Real> values;
+      for (const auto& mode : certified::stick_modes(data, mode_count)) values.push_back(mode.participation);
+      return values;
+    };
+    const auto exact = participations(exactly(beam));
+    const auto sensitivities = force_sensitivities(beam, participations);
+    const auto modes = analytic::stick_modes(beam, mode_count);
+    for (std::size_t n = 0; n < modes.size(); ++n) {
+      const double value = modes[n].participation();
+      EXPECT_TRUE(within_ulps(value, exact[n], 20, 1.0 + sensitivities[n] / std::abs(value))) << n + 1;
+    }
+  }
+}
+
+TEST(EnclosedShapes, OfTheQuasiStaticDeflectionAgreeToTheLastPlaces) {
+  for (const auto& [name, beam] : beams()) {
+    SCOPED_TRACE(name);
+    const certified::QuasiStaticShape exact(exactly(beam));
+    const analytic::QuasiStaticShape shape(beam);
+    const double condition = nearness_of_buckling(beam), length = beam.length();
+    for (const double share : {0.05, 0.31, 0.5, 0.83, 1.0}) {
+      const double x = share * length;
+      const auto values = exact.at(Real(x));
+      // Near the base S ~ (x/L)^2 is a difference of terms of the order of 1.
+      EXPECT_TRUE(within_ulps(shape.value(x), values[0], 10, condition, 1.0)) << share;
+      EXPECT_TRUE(within_ulps(shape.slope(x), values[1], 10, condition, 1.0 / length)) << share;
+      EXPECT_TRUE(within_ulps(shape.curvature(x), values[2], 10, condition, 3.0 / (length * length)))
+          << share;
+      EXPECT_TRUE(
+          within_ulps(shape.third_derivative(x), values[3], 10, condition, 3.0 / (length * length * length)))
+          << share;
+    }
+  }
+}
+
+/// Between the first two natural frequencies, away from both.
+data::HarmonicExcitation shaken(const data::Beam& beam) {
+  const auto modes = analytic::stick_modes(beam, 2);
+  return data::HarmonicExcitation(
+      {.frequency_hz = 0.6 * modes[0].frequency_hz() + 0.4 * modes[1].frequency_hz(),
+       .amplitude = 1e-3 * beam.length()});
+}
+
+certified::Excitation exactly(const data::HarmonicExcitation& excitation) {
+  return {Rational(excitation.frequency_hz()), Rational(excitation.amplitude())};
+}
+
+/// Sum of the amplitudes of a history, each times 1 + w t for the rounding of its phase, and times the
+/// condition of its frequency.
+double history_scale(const analytic::StickResponse& response, double omega, double steady,
+                     const std::vector<analytic::Sinusoid>& transient, double t) {
+  double scale = std::abs(steady) * (1.0 + omega * t);
+  for (std::size_t n = 0; n < transient.size(); ++n)
+    scale += std::abs(transient[n].amplitude) * (1.0 + transient[n].angular_frequency * t) *
+             response.modes()[n].condition_number();
+  return scale;
+}
+
+double angular_frequency(const data::HarmonicExcitation& excitation) {
+  return 2.0 * std::numbers::pi * excitation.frequency_hz();
+}
+
+double force_scale(const analytic::StickResponse& response, const data::HarmonicExcitation& excitation,
+                   double t) {
+  return history_scale(response, angular_frequency(excitation), response.steady_force_amplitude(),
+                       response.transient_force(), t);
+}
+
+TEST(EnclosedResponse, InDisplacementAndForceAgreesToTheLastPlaces) {
+  for (const auto& [name, beam] : beams()) {
+    SCOPED_TRACE(name);
+    const data::HarmonicExcitation excitation = shaken(beam);
+    const analytic::StickResponse response(beam, excitation, mode_count);
+    const certified::StickResponse exact(exactly(beam), exactly(excitation), mode_count);
+    const double condition = nearness_of_buckling(beam);
+    for (const double periods : {0.13, 3.7, 41.3}) {
+      const double t = periods * period(excitation);
+      EXPECT_TRUE(within_ulps(response.friction_force(t), exact.friction_force(Real(t)), 10, condition,
+                              force_scale(response, excitation, t)))
+          << periods;
+      for (const double share : {0.4, 0.77}) {
+        const double x = share * beam.length();
+        const double scale = excitation.amplitude() + history_scale(response, angular_frequency(excitation),
+                                                                    response.steady_displacement_amplitude(x),
+                                                                    response.transient_displacement(x), t);
+        EXPECT_TRUE(within_ulps(response.relative_displacement(x, t),
+                                exact.relative_displacement(Real(x), Real(t)), 10, condition, scale))
+            << periods;
+        EXPECT_TRUE(within_ulps(response.absolute_displacement(x, t),
+                                exact.absolute_displacement(Real(x), Real(t)), 10, condition, scale))
+            << periods;
+      }
+    }
+  }
+}
+
+TEST(EnclosedMaximum, LiesInTheBoundsOfTheDoubles) {
+  for (const auto& [name, beam] : beams()) {
+    SCOPED_TRACE(name);
+    // The bounds hold for the force as doubles evaluate it, which is off by its rounding.
+    const data::HarmonicExcitation excitation = shaken(beam);
+    const analytic::StickResponse response(beam, excitation, mode_count);
+    for (const double periods : {0.2, 3.3, 60.0}) {
+      const double duration = periods * period(excitation);
+      const analytic::Bounds bounds = response.max_abs_friction_force(duration);
+      const Real maximum = certified::max_abs_friction_force(exactly(beam), exactly(excitation),
+                                                             Rational(duration), mode_count)
+                               .value;
+      EXPECT_GT(maximum.accurate_bits(), 100);
+      const double rounding =
+          round_off(10, nearness_of_buckling(beam), force_scale(response, excitation, duration)).value;
+      EXPECT_TRUE(maximum <= Real(bounds.upper) + Real(rounding)) << periods;
+      EXPECT_TRUE(maximum >= Real(bounds.lower) - Real(rounding)) << periods;
+      EXPECT_TRUE(within(bounds.midpoint(), maximum.nearest_double(),
+                         {bounds.half_width() + rounding, "round-off",
+                          "half the width of the bounds, and the rounding of the force"}))
+          << periods;
+    }
+  }
+}
+
+TEST(EnclosedMaximum, GivesTheCriticalAmplitudeAndTheVerdictOfTheDoubles) {
+  for (const double hz : {15.0, 25.0, 35.0, 70.0}) {
+    const data::HarmonicExcitation excitation({.frequency_hz = hz, .amplitude = 0.5e-3});
+    const auto criterion = analytic::evaluate_criterion(paper_beam(), paper_friction(), excitation, 10.0);
+    const auto exact =
+        certified::evaluate_criterion(exactly(paper_beam()), Rational(0.6), exactly(excitation), "10");
+    EXPECT_TRUE(exact.critical_amplitude.overlaps(
+        hull(Real(criterion.critical_amplitude.lower), Real(criterion.critical_amplitude.upper))))
+        << hz;
+    EXPECT_EQ(to_string(exact.verdict), to_string(criterion.verdict)) << hz;
+  }
+}
+
+}  // namespace
+}  // namespace stickslip::testing
