@@ -1,5 +1,7 @@
 #include "stickslip/certified/beam.hpp"
 
+#include <array>
+#include <charconv>
 #include <stdexcept>
 #include <utility>
 
@@ -39,9 +41,11 @@ Real buckling_load(const Beam& beam) {
 }
 
 std::string refusal(std::string_view field, const Rational& value, std::string_view allowed) {
-  const PrecisionScope scope(256);
-  return std::string(field) + " is " + enclosure(value, 17).value + "; it must be " + std::string(allowed) +
-         ".";
+  std::array<char, 32> shortest{};
+  const auto end =
+      std::to_chars(shortest.data(), shortest.data() + shortest.size(), value.approximately()).ptr;
+  return std::string(field) + " is " + std::string(shortest.data(), end) + "; it must be " +
+         std::string(allowed) + ".";
 }
 
 }  // namespace stickslip::certified

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -17,7 +18,7 @@ namespace {
 /// With u = 2^-53: the argument w t of a sinusoid is off by w t 2u (rounding of w and of the product), its
 /// sine by 2u more; amplitude, product and the sum of n terms add (n + 2) u. So the error of f is below u sum
 /// |a_i| (2 w_i t + n + 4), and that of f' the same with |a_i| w_i and one rounding more. Both are taken
-/// twice, which covers the rounding of the bounds themselves.
+/// twice, which covers the rounding of the bounds themselves and the radii of the balls, below u/64.
 class DoubleForce {
  public:
   DoubleForce(const std::vector<Sinusoid>& sinusoids, double duration) {
@@ -70,36 +71,30 @@ struct Cells {
   std::vector<std::int64_t> indices;
 };
 
-/// Doubles do not do.
-struct TooCoarse {};
-
-/// The cells that may hold the maximum over a span which ends between `sampled` and `duration`.
-Cells promising_cells(const DoubleForce& force, double sampled, double duration) {
+/// The cells that may hold the maximum over a span which ends between `sampled` and `duration`, or nothing if
+/// doubles are too coarse to tell.
+std::optional<Cells> promising_cells(const DoubleForce& force, double sampled, double duration) {
   constexpr double kFinest = 1e-10;   // of the maximum: what a cell's bound may exceed |f| by, at the end
   constexpr double kCoarsest = 1e-8;  // of the maximum: what the evaluation may be off
   constexpr std::size_t kMostCells = 1000000;
   double largest = 0.0;
   for (int i = 1; i <= 1024; ++i) largest = std::max(largest, force.at(sampled * i / 1025.0).force);
-  if (!(force.value_error() < kCoarsest * largest)) throw TooCoarse();
+  if (!(force.value_error() < kCoarsest * largest)) return std::nullopt;
   largest -= force.value_error();
 
-  Cells cells{std::exp2(std::floor(std::log2(std::sqrt(largest / force.curvature())))), {}};
-  const double count = std::ceil(duration / cells.width);
-  const auto keep_promising = [&](Cells& kept, std::int64_t index) {
-    const double r = 0.5 * kept.width, middle = (static_cast<double>(index) + 0.5) * kept.width;
+  Cells kept{std::exp2(std::floor(std::log2(std::sqrt(largest / force.curvature())))), {}};
+  const auto count = static_cast<std::int64_t>(std::ceil(duration / kept.width));
+  const auto keep_promising = [&](Cells& cells, std::int64_t index) {
+    const double r = 0.5 * cells.width, middle = (static_cast<double>(index) + 0.5) * cells.width;
     if (middle - r >= duration) return;
     const DoubleForce::Values values = force.at(middle);
     if (middle <= sampled) largest = std::max(largest, values.force - force.value_error());
-    if (force.bound(values, r) >= largest) kept.indices.push_back(index);
+    if (force.bound(values, r) >= largest) cells.indices.push_back(index);
   };
-  const std::vector<std::int64_t> none;
-  Cells kept{cells.width, none};
-  for (std::int64_t i = 0; i < static_cast<std::int64_t>(count); ++i) keep_promising(kept, i);
+  for (std::int64_t i = 0; i < count; ++i) keep_promising(kept, i);
   while (force.curvature() * kept.width * kept.width > kFinest * largest) {
-    if (kept.indices.size() > kMostCells)
-      throw std::domain_error(
-          "The friction force is nearly constant in size; its maximum cannot be located.");
-    Cells halves{0.5 * kept.width, none};
+    if (kept.indices.size() > kMostCells) return std::nullopt;
+    Cells halves{0.5 * kept.width, {}};
     for (const std::int64_t index : kept.indices)
       for (const std::int64_t half : {2 * index, 2 * index + 1}) keep_promising(halves, half);
     kept = std::move(halves);
@@ -160,19 +155,21 @@ std::vector<Candidate> candidates(const BallForce& force, const Cells& cells, co
 
 ForceMaximum max_abs_of_sinusoids(const std::vector<Sinusoid>& sinusoids, const Rational& duration) {
   if (duration.sign() <= 0) throw std::invalid_argument(refusal("numerics.duration", duration, "positive"));
+  if (std::ranges::any_of(sinusoids, [](const Sinusoid& s) {
+        return s.amplitude.accurate_bits() < 60 || s.angular_frequency.accurate_bits() < 60;
+      }))
+    throw std::invalid_argument("The sinusoids of a force are not known to 60 bits; raise the precision.");
   if (std::ranges::all_of(sinusoids, [](const Sinusoid& s) { return abs(s.amplitude) <= 0; }))
     return {0, {0}};
   const double nearest = duration.approximately();
   const double end = std::nextafter(nearest, std::numeric_limits<double>::infinity());
-  Cells cells;
-  try {
-    cells = promising_cells(DoubleForce(sinusoids, end), std::nextafter(nearest, 0.0), end);
-  } catch (const TooCoarse&) {
+  const std::optional<Cells> cells =
+      promising_cells(DoubleForce(sinusoids, end), std::nextafter(nearest, 0.0), end);
+  if (!cells)
     throw std::domain_error(refusal("numerics.duration", duration,
                                     "so short, and the excitation so far from a natural frequency, that "
                                     "doubles give the friction force to 1e-8 of its maximum"));
-  }
-  const std::vector<Candidate> all = candidates(BallForce(sinusoids), cells, duration);
+  const std::vector<Candidate> all = candidates(BallForce(sinusoids), *cells, duration);
   if (all.empty()) throw std::logic_error("The largest friction force was lost.");
 
   ForceMaximum maximum{all.front().magnitude, {}};

@@ -42,7 +42,7 @@ class Beam {
 /// P_cr, N.
 [[nodiscard]] Real buckling_load(const Beam& beam);
 
-/// "<field> is <value>; it must be <allowed>."
+/// "<field> is <value>; it must be <allowed>.", the value as the shortest decimal of its double.
 [[nodiscard]] std::string refusal(std::string_view field, const Rational& value, std::string_view allowed);
 
 }  // namespace stickslip::certified

@@ -21,9 +21,9 @@ struct ForceMaximum {
 /// evaluated there. sin and cos of the C library are trusted to 2^-52, twice what glibc states, when
 /// intervals are dropped.
 ///
-/// Throws std::invalid_argument, naming numerics.duration, unless it is positive, and std::domain_error if
-/// the evaluation in doubles is too coarse: next to a resonance (relative distance below about 1e-7), where
-/// large amplitudes cancel.
+/// Throws std::invalid_argument, naming numerics.duration, unless it is positive, or if a sinusoid is known
+/// to less than 60 bits, and std::domain_error if the evaluation in doubles is too coarse: next to a
+/// resonance (relative distance below about 1e-7), where large amplitudes cancel.
 [[nodiscard]] ForceMaximum max_abs_of_sinusoids(const std::vector<Sinusoid>& sinusoids,
                                                 const Rational& duration);
 
