@@ -128,8 +128,8 @@ struct Candidate {
   Real time, magnitude;
 };
 
-/// The stationary points of f in runs of neighbouring cells, and the ends of the span where a run reaches
-/// them.
+/// The stationary points of f in runs of neighbouring cells, and the end of the span if a run reaches it. (At
+/// t = 0 the force is 0.) The maximum is not on the border of a run: all cells around it are promising.
 std::vector<Candidate> candidates(const BallForce& force, const Cells& cells, const Real& duration) {
   const Real width(cells.width), end = duration.lower();
   const auto time = [&](std::int64_t index) { return Real(static_cast<double>(index)) * width; };
@@ -137,13 +137,11 @@ std::vector<Candidate> candidates(const BallForce& force, const Cells& cells, co
   const auto add = [&](const Real& t) { found.push_back({t, abs(force.value(t))}); };
   for (std::size_t i = 0; i < cells.indices.size();) {
     std::size_t next = i + 1;
-    while (next < cells.indices.size() && cells.indices[next] <= cells.indices[next - 1] + 2) ++next;
-    // One cell more on each side: the maximum may lie on the border of a run, where f' has no certain sign.
-    const std::int64_t before = std::max<std::int64_t>(0, cells.indices[i] - 1);
-    const Real past = time(cells.indices[next - 1] + 2);
+    while (next < cells.indices.size() && cells.indices[next] == cells.indices[next - 1] + 1) ++next;
+    const Real past = time(cells.indices[next - 1] + 1);
     const bool reaches_end = !(past < end);
-    for (const Real& t : isolate_roots([&](const Real& at) { return force.slope(at); }, time(before),
-                                       reaches_end ? end : past))
+    for (const Real& t : isolate_roots([&](const Real& at) { return force.slope(at); },
+                                       time(cells.indices[i]), reaches_end ? end : past))
       add(t);
     if (reaches_end) add(duration);
     i = next;

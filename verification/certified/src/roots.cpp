@@ -32,25 +32,14 @@ Cut cut(const DifferentiableFunction& function, const Piece& piece) {
                            "; the precision is too low, or a root is not simple.");
 }
 
-/// Contracts a ball that holds exactly one root, and on which F' excludes 0, until it shrinks no more.
-Real contracted(const DifferentiableFunction& function, Piece piece) {
-  Real root = hull(piece.lower, piece.upper);
+/// Contracts a ball that holds exactly one root, and on which F' excludes 0. Each interval Newton step leaves
+/// one side of the midpoint only, until F has no certain sign there.
+Real contracted(const DifferentiableFunction& function, Real root) {
   for (;;) {
     const Real middle = root.midpoint();
-    const Real slope = function(root).slope;
-    const Real newton = intersection(root, middle - function(middle).value / slope);
-    if (newton.radius() * 2 < root.radius()) {
-      root = newton;
-      continue;
-    }
-    // A step that does not halve the ball is replaced by a bisection, which ends where signs become
-    // uncertain.
-    const int sign = function(middle).value.certain_sign();
-    if (sign == 0) return newton;
-    (sign == piece.sign_at_lower ? piece.lower : piece.upper) = middle;
-    const Real bisected = intersection(newton, hull(piece.lower, piece.upper));
-    if (!(bisected.radius() < root.radius())) return bisected;
-    root = bisected;
+    const Real newton = intersection(root, middle - function(middle).value / function(root).slope);
+    if (!(newton.radius() * 4 < root.radius() * 3)) return newton;
+    root = newton;
   }
 }
 
@@ -76,7 +65,7 @@ std::vector<Real> isolate_roots(const DifferentiableFunction& function, const Re
     const Dual<Real> range = function(whole);
     if (range.value.certain_sign() != 0) continue;
     if (range.slope.certain_sign() != 0) {
-      if (piece.sign_at_lower != piece.sign_at_upper) roots.push_back(contracted(function, piece));
+      if (piece.sign_at_lower != piece.sign_at_upper) roots.push_back(contracted(function, whole));
       continue;
     }
     const Cut middle = cut(function, piece);

@@ -59,7 +59,7 @@ Parts parts(const StickMode& mode, const Real& x) {
           part(-c + r * beta * s, betabar * (s + r * beta * c), nu)};
 }
 
-/// Antiderivatives of U^2 and of U (1 + S) at one x.
+/// Antiderivatives of U^2 and of U (1 + S) at one x; int phi psi = (phi' psi - phi psi')/(mu - nu).
 struct Integrals {
   Real of_square, of_load;
 };
