@@ -82,8 +82,7 @@ TEST(CertifiedReal, ReadsDecimalsAndRatiosExactly) {
 TEST(CertifiedReal, RefusesWhatIsNoNumber) {
   for (const char* text :
        {"", "abc", "1/0", "1e", "1e99999999", "1/2/3", "--1", "1e+-3", " 1", "1 ", ".", "1/"})
-    EXPECT_TRUE(
-        throws_about([&] { (void)Rational(text); }, "'" + std::string(text) + "' is no exact number"));
+    EXPECT_TRUE(throws_about([&] { (void)Rational(text); }, std::string(text) + "' is no exact number"));
   for (const double value : {std::nan(""), std::numeric_limits<double>::infinity()}) {
     EXPECT_TRUE(throws_about([&] { (void)Rational(value); }, "not finite"));
     EXPECT_TRUE(throws_about([&] { (void)Real(value); }, "not finite"));
