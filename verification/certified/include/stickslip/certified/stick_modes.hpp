@@ -8,6 +8,8 @@
 ///     U(x) = cosh(beta x) - cos(betabar x) - r [betabar sinh(beta x) - beta sin(betabar x)],       (22)
 ///     r = [cosh(beta L) - cos(betabar L)]/[betabar sinh(beta L) - beta sin(betabar L)],
 ///     beta tan(betabar L) = betabar tanh(beta L).                                                  (23)
+///
+/// U and C_n lose 1.44 beta L bits: 256 bits leave 30 digits up to about mode 30, mode 200 takes 2048.
 
 #include <array>
 #include <vector>
