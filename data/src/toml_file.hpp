@@ -1,14 +1,14 @@
 #pragma once
 
 /// What both kinds of TOML files (cases, the paper's numbers) need: reading with a bound, places and values
-/// as text, and the nearest known name to a misspelt one.
+/// as text.
 
 #include <toml++/toml.h>
 
 #include <filesystem>
 #include <string>
-#include <string_view>
-#include <vector>
+
+#include "input_text.hpp"
 
 namespace stickslip::data {
 
@@ -20,16 +20,5 @@ namespace stickslip::data {
 
 /// The value and its type on one line: "abc" (a string), true (a boolean), an array, 0.5 (a float).
 [[nodiscard]] std::string describe(const toml::node& node);
-
-/// The text on one line, control characters replaced and anything beyond 60 bytes cut off, for use in a
-/// message.
-[[nodiscard]] std::string printable(std::string_view text);
-
-/// "a, b, c"
-[[nodiscard]] std::string joined(const std::vector<std::string>& names);
-
-/// " (did you mean beam.length?)", or nothing when no name is near: at most a third of the letters may differ
-/// (Levenshtein distance).
-[[nodiscard]] std::string suggestion(std::string_view word, const std::vector<std::string>& names);
 
 }  // namespace stickslip::data

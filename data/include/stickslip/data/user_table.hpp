@@ -1,0 +1,60 @@
+#pragma once
+
+/// Somebody else's results as a CSV file, to be compared with a data set.
+///
+/// Columns are found by their names, in any order and in any case; a unit may follow the name and is
+/// converted to that of the data set: `frequency [kHz]`, `frequency (kHz)`, `frequency / kHz`,
+/// `frequency_kHz`. Cells are separated by commas, semicolons or tabs and may be quoted; blanks around them,
+/// CRLF, a byte order mark, empty lines and lines that begin with # are understood. Columns that the data set
+/// does not have are left alone.
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "stickslip/data/reference.hpp"
+
+namespace stickslip::data {
+
+/// --column REFERENCE=THEIRS[:unit]: which of their columns it is, and in which unit.
+struct ColumnMapping {
+  std::string reference;
+  std::string theirs;
+  std::string unit;  ///< empty: as the header says, or that of the data set
+
+  /// Throws InputError if there is no '=' or a side is empty.
+  static ColumnMapping parse(std::string_view text);
+};
+
+struct UserTable {
+  std::filesystem::path file;
+  std::vector<Column> columns;     ///< those that the data set has, in its units
+  std::vector<std::size_t> lines;  ///< where each row stands
+
+  [[nodiscard]] std::size_t rows() const { return lines.size(); }
+  /// Null if the file lacks it.
+  [[nodiscard]] const Column* column(std::string_view name) const;
+  /// "theirs.csv:12"
+  [[nodiscard]] std::string place(std::size_t row) const;
+};
+
+/// Reads a file of at most 500 MB. It must have the columns of the primary key (but not one in which the data
+/// set has one value only, nor the `index` of events), the abscissa, the `change` and the `time` of events,
+/// and at least one of the values that are compared. Throws InputError, naming file, line, column and value
+/// and what is allowed, for a column that is missing, stands twice or has an unknown unit, for a cell that is
+/// no finite number, for a line with fewer or more cells, for no rows, for a key that stands twice, for an
+/// abscissa that does not increase and for times of events that decrease.
+[[nodiscard]] UserTable read_user_table(const std::filesystem::path& file, const ReferenceTable& reference,
+                                        const std::vector<ColumnMapping>& mappings = {});
+
+/// Throws InputError if a mapping names a column that none of the data sets has.
+void require_known_columns(const std::vector<ColumnMapping>& mappings,
+                           const std::vector<const ReferenceTable*>& references);
+
+/// The primary key without the abscissa and without `index`: what tells one curve, or one sequence of events,
+/// from another.
+[[nodiscard]] std::vector<std::string> group_columns(const Resource& resource);
+
+}  // namespace stickslip::data

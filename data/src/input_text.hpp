@@ -1,0 +1,32 @@
+#pragma once
+
+/// What reading a file of any format needs: its bytes, parts of it fit for a message, and the nearest known
+/// name to a misspelt one.
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stickslip::data {
+
+/// The bytes of a file, which may have `most` of them. Throws InputError, naming the file, if it cannot be
+/// read, is empty or larger.
+[[nodiscard]] std::string read_bounded(const std::filesystem::path& file, std::size_t most);
+
+/// Without blanks at either end.
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
+/// The text on one line, control characters replaced and anything beyond 60 bytes cut off, for use in a
+/// message.
+[[nodiscard]] std::string printable(std::string_view text);
+
+/// "a, b, c"
+[[nodiscard]] std::string joined(const std::vector<std::string>& names);
+
+/// " (did you mean beam.length?)", or nothing when no name is near: at most a third of the letters may differ
+/// (Levenshtein distance).
+[[nodiscard]] std::string suggestion(std::string_view word, const std::vector<std::string>& names);
+
+}  // namespace stickslip::data

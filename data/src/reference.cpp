@@ -1,0 +1,440 @@
+#include "stickslip/data/reference.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include "csv_text.hpp"
+#include "input_text.hpp"
+#include "json_file.hpp"
+#include "sha256.hpp"
+#include "stickslip/data/case_file.hpp"
+
+namespace stickslip::data {
+
+namespace {
+
+constexpr std::size_t largest_table = 500'000'000;  // bytes
+constexpr std::string_view radius_suffix = "_radius";
+
+template <std::size_t N>
+std::vector<std::string> words(const std::array<std::string_view, N>& names) {
+  return {names.begin(), names.end()};
+}
+
+ValueClass value_class_of(const JsonNode& node) {
+  return static_cast<ValueClass>(node.one_of(words(value_class_names)));
+}
+
+std::string optional_text(const JsonNode& node, const std::string& key) {
+  const auto member = node.find(key);
+  return member ? member->text() : "";
+}
+
+std::vector<std::string> names_of(const std::vector<Field>& fields) {
+  std::vector<std::string> names;
+  for (const Field& field : fields) names.push_back(field.name);
+  return names;
+}
+
+// The name of a column that the schema has.
+std::string column_in(const Resource& resource, const JsonNode& node) {
+  std::string name = node.text();
+  if (resource.field(name) == nullptr)
+    node.refuse("a field of the schema" + suggestion(name, names_of(resource.fields)) + ": " +
+                joined(names_of(resource.fields)));
+  return name;
+}
+
+std::string number_column_in(const Resource& resource, const JsonNode& node) {
+  std::string name = column_in(resource, node);
+  if (resource.field(name)->type == FieldType::string) node.refuse("a field of numbers");
+  return name;
+}
+
+Field field_of(const JsonNode& node) {
+  Field field;
+  field.name = node.at("name").text();
+  field.type = static_cast<FieldType>(node.at("type").one_of({"string", "integer", "number"}));
+  field.unit = optional_text(node, "unit");
+  field.description = optional_text(node, "description");
+  if (const auto value_class = node.find("class")) field.value_class = value_class_of(*value_class);
+  if (const auto constraints = node.find("constraints"))
+    if (const auto required = constraints->find("required")) field.required = required->flag();
+  return field;
+}
+
+// A radius for each value that needs one, in its unit, and none without a value.
+void require_radii(const Resource& resource, const std::vector<JsonNode>& nodes) {
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const Field& field = resource.fields[i];
+    const bool is_radius = field.name.ends_with(radius_suffix);
+    if (is_radius) {
+      const Field* value =
+          resource.field(std::string_view(field.name).substr(0, field.name.size() - radius_suffix.size()));
+      if (value == nullptr) nodes[i].complain("is the radius of no field: " + field.name);
+      if (value->unit != field.unit)
+        nodes[i].complain("has the unit '" + field.unit + "', but must have that of " + value->name + ", '" +
+                          value->unit + "'");
+    }
+    const bool needs_one =
+        field.value_class == ValueClass::enclosed || field.value_class == ValueClass::converged;
+    if (needs_one && resource.field(field.name + std::string(radius_suffix)) == nullptr)
+      nodes[i].complain("is " + std::string(to_string(*field.value_class)) + ", but the schema lacks " +
+                        field.name + std::string(radius_suffix));
+    if (field.value_class && field.type == FieldType::string)
+      nodes[i].complain("has a class, but holds words");
+  }
+}
+
+void read_schema(const JsonNode& schema, Resource& resource) {
+  const auto nodes = schema.at("fields").elements();
+  if (nodes.empty()) schema.at("fields").refuse("an array of fields that is not empty");
+  for (const JsonNode& node : nodes) {
+    Field field = field_of(node);
+    if (resource.field(field.name) != nullptr) node.at("name").complain("stands twice: " + field.name);
+    resource.fields.push_back(std::move(field));
+  }
+  require_radii(resource, nodes);
+  const auto key = schema.find("primaryKey");
+  if (!key) return;
+  if (key->value().is_string()) {
+    resource.primary_key = {column_in(resource, *key)};
+    return;
+  }
+  for (const JsonNode& column : key->elements()) resource.primary_key.push_back(column_in(resource, column));
+}
+
+double positive(const JsonNode& node) {
+  const double value = node.number();
+  if (!(value > 0.0)) node.refuse("a number above 0");
+  return value;
+}
+
+double not_negative(const JsonNode& node) {
+  const double value = node.number();
+  if (!(value >= 0.0)) node.refuse("a number that is not negative");
+  return value;
+}
+
+Interpolation interpolation_of(const JsonNode& node, const Resource& resource) {
+  Interpolation interpolation;
+  const JsonNode order = node.at("order");
+  if (order.integer() < 1 || order.integer() > 9) order.refuse("an integer from 1 to 9");
+  interpolation.order = static_cast<int>(order.integer());
+  for (const auto& [field, bound] : node.at("error").members()) {
+    if (resource.field(field) == nullptr)
+      bound.complain("is of no field of the schema" + suggestion(field, names_of(resource.fields)));
+    interpolation.error[field] = not_negative(bound);
+  }
+  return interpolation;
+}
+
+ComparisonRule comparison_of(const JsonNode& node, const Resource& resource) {
+  ComparisonRule rule;
+  rule.kind = static_cast<ComparisonKind>(node.at("kind").one_of(words(comparison_kind_names)));
+  const auto values = node.at("values").elements();
+  if (values.empty()) node.at("values").refuse("an array that is not empty");
+  for (const JsonNode& value : values)
+    rule.values.push_back({.field = number_column_in(resource, value.at("field")),
+                           .norm = static_cast<Norm>(value.at("norm").one_of(words(norm_names))),
+                           .tolerance = not_negative(value.at("tolerance"))});
+  const bool is_sampled = rule.kind == ComparisonKind::curve || rule.kind == ComparisonKind::phases;
+  if (is_sampled) rule.abscissa = number_column_in(resource, node.at("abscissa"));
+  if (const auto interpolation = node.find("interpolation"); interpolation && is_sampled) {
+    rule.interpolation = interpolation_of(*interpolation, resource);
+    for (const ComparedValue& value : rule.values)
+      if (!rule.interpolation->error.contains(value.field))
+        interpolation->at("error").complain("lacks " + value.field + ", which is compared");
+  }
+  if (rule.kind == ComparisonKind::phases) rule.events = node.at("events").text();
+  if (const auto horizon = node.find("horizon")) rule.horizon = positive(*horizon);
+  if (rule.kind == ComparisonKind::table && resource.primary_key.empty())
+    node.complain("is of the kind table, but the schema lacks a primaryKey");
+  const auto require = [&](const char* column) {
+    if (resource.field(column) == nullptr)
+      node.complain("is of the kind " + std::string(to_string(rule.kind)) +
+                    ", but the schema lacks the field " + column);
+  };
+  if (rule.kind == ComparisonKind::events)
+    for (const char* column : {"change", "time"}) require(column);
+  if (rule.kind == ComparisonKind::phases) require("phase");
+  return rule;
+}
+
+DiagnosisRule diagnosis_of(const JsonNode& node, const Resource& resource) {
+  DiagnosisRule rule;
+  rule.quantity = node.at("quantity").text();
+  if (const JsonNode problem = node.at("case"); problem.value().is_object())
+    rule.case_column = column_in(resource, problem.at("column"));
+  else
+    rule.case_name = problem.text();
+  rule.abscissa = number_column_in(resource, node.at("abscissa"));
+  rule.value = number_column_in(resource, node.at("value"));
+  return rule;
+}
+
+Provenance provenance_of(const JsonNode& node) {
+  Provenance provenance;
+  provenance.value_class = value_class_of(node.at("class"));
+  provenance.method = node.at("method").text();
+  if (const JsonNode settings = node.at("settings"); settings.value().is_object())
+    provenance.settings = settings.value().dump();
+  else
+    settings.refuse("an object");
+  provenance.software = node.at("software").text();
+  provenance.checks = node.at("checks").texts();
+  if (provenance.checks.empty()) node.at("checks").refuse("an array that is not empty");
+  return provenance;
+}
+
+// Inside the package.
+std::filesystem::path safe_path(const JsonNode& node) {
+  std::filesystem::path path = node.text();
+  if (path.is_absolute() || std::ranges::count(path, std::filesystem::path("..")) > 0)
+    node.refuse("a path inside the folder of the package");
+  return path;
+}
+
+std::string digest_of(const JsonNode& node) {
+  constexpr std::string_view method = "sha256:";
+  const std::string text = node.text();
+  const std::string digest = text.substr(std::min(text.size(), method.size()));
+  const bool is_digest =
+      digest.size() == 64 && digest.find_first_not_of("0123456789abcdef") == std::string::npos;
+  if (!text.starts_with(method) || !is_digest) node.refuse("sha256: and 64 hexadecimal digits");
+  return digest;
+}
+
+void require_word(const JsonNode& node, const std::string& key, const std::string& word) {
+  if (const auto member = node.find(key)) static_cast<void>(member->one_of({word}));
+}
+
+Resource resource_of(const JsonNode& node) {
+  Resource resource;
+  resource.name = node.at("name").text();
+  resource.path = safe_path(node.at("path"));
+  require_word(node, "profile", "tabular-data-resource");
+  require_word(node, "format", "csv");
+  require_word(node, "encoding", "utf-8");
+  const long bytes = node.at("bytes").integer();
+  if (bytes < 1) node.at("bytes").refuse("an integer above 0");
+  resource.bytes = static_cast<std::size_t>(bytes);
+  resource.sha256 = digest_of(node.at("hash"));
+  resource.title = node.at("title").text();
+  resource.description = node.at("description").text();
+  read_schema(node.at("schema"), resource);
+  if (const auto comparison = node.find("comparison"))
+    resource.comparison = comparison_of(*comparison, resource);
+  if (const auto diagnosis = node.find("diagnosis")) resource.diagnosis = diagnosis_of(*diagnosis, resource);
+  resource.provenance = provenance_of(node.at("provenance"));
+  return resource;
+}
+
+std::vector<std::string> names_of(const std::vector<Resource>& resources) {
+  std::vector<std::string> names;
+  for (const Resource& resource : resources) names.push_back(resource.name);
+  return names;
+}
+
+// Every set of phases has its events, and no name stands twice.
+void require_consistent(const ReferencePackage& package, const std::vector<JsonNode>& nodes) {
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const Resource& resource = package.resources[i];
+    if (!names.insert(resource.name).second) nodes[i].at("name").complain("stands twice: " + resource.name);
+    if (!resource.comparison || resource.comparison->events.empty()) continue;
+    const auto events = std::ranges::find(package.resources, resource.comparison->events, &Resource::name);
+    if (events == package.resources.end() || !events->comparison ||
+        events->comparison->kind != ComparisonKind::events)
+      nodes[i].at("comparison").at("events").refuse("a resource of the kind events");
+  }
+}
+
+std::vector<std::string> split(std::string_view line) {
+  std::vector<std::string> cells;
+  for (std::size_t begin = 0;;) {
+    const auto end = line.find(',', begin);
+    cells.emplace_back(line.substr(begin, end - begin));
+    if (end == std::string_view::npos) return cells;
+    begin = end + 1;
+  }
+}
+
+class TableReader {
+ public:
+  TableReader(std::filesystem::path file, const Resource& resource, const std::string& csv)
+      : file_(std::move(file)), resource_(resource), rest_(csv) {}
+
+  [[nodiscard]] std::vector<Column> columns() {
+    require_header();
+    for (const Field& field : resource_.fields) columns_.push_back({field, {}, {}});
+    while (!rest_.empty()) read_row();
+    if (columns_.front().text.empty()) refuse_line("the table has no rows");
+    require_unique_keys();
+    return std::move(columns_);
+  }
+
+ private:
+  std::vector<std::string> next_line() {
+    const auto end = rest_.find('\n');
+    const std::string_view line = rest_.substr(0, end);
+    rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+    ++line_;
+    return split(line);
+  }
+
+  void require_header() {
+    const auto names = next_line(), expected = names_of(resource_.fields);
+    for (std::size_t i = 0; i < std::min(names.size(), expected.size()); ++i)
+      if (names[i] != expected[i])
+        refuse_cell(i, "is the name of the column, but must be " + expected[i] + " as in the schema",
+                    names[i]);
+    require_count(names.size());
+  }
+
+  void read_row() {
+    const auto cells = next_line();
+    require_count(cells.size());
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      columns_[i].values.push_back(value_of(i, cells[i]));
+      columns_[i].text.push_back(cells[i]);
+    }
+    for (std::size_t i = 0; i < cells.size(); ++i) require_radius(i, cells);
+  }
+
+  [[nodiscard]] double value_of(std::size_t i, const std::string& cell) const {
+    const Field& field = resource_.fields[i];
+    const bool is_key = std::ranges::count(resource_.primary_key, field.name) > 0;
+    if (cell.empty()) {
+      if (field.required || is_key) refuse_cell(i, "must not be empty", cell);
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+    if (field.type == FieldType::string) return std::numeric_limits<double>::quiet_NaN();
+    const auto value = finite_number(cell);
+    if (!value) refuse_cell(i, "must be a finite number", cell);
+    if (field.type == FieldType::integer && *value != std::floor(*value))
+      refuse_cell(i, "must be an integer", cell);
+    return *value;
+  }
+
+  // A value and its radius are both there or both empty, and the radius is not negative.
+  void require_radius(std::size_t i, const std::vector<std::string>& cells) const {
+    const std::string& name = resource_.fields[i].name;
+    if (!name.ends_with(radius_suffix)) return;
+    const auto value =
+        std::ranges::find(resource_.fields, name.substr(0, name.size() - radius_suffix.size()), &Field::name);
+    if (columns_[i].values.back() < 0.0) refuse_cell(i, "must not be negative", cells[i]);
+    if (cells[i].empty() != cells[static_cast<std::size_t>(value - resource_.fields.begin())].empty())
+      refuse_cell(i, "must be empty exactly where " + value->name + " is", cells[i]);
+  }
+
+  void require_unique_keys() const {
+    std::vector<KeyColumn> key;
+    for (const std::string& name : resource_.primary_key) {
+      const auto column = std::ranges::find(columns_, name, [](const Column& c) { return c.field.name; });
+      key.push_back({&column->text, column->field.type == FieldType::string ? nullptr : &column->values});
+    }
+    if (key.empty()) return;
+    if (const auto twice = repeated_key(key, columns_.front().text.size()))
+      throw InputError(file_.string() + ":" + std::to_string(twice->second + 2) + ":1: the primary key " +
+                       joined(resource_.primary_key) + " stands in line " + std::to_string(twice->first + 2) +
+                       " already");
+  }
+
+  void require_count(std::size_t count) const {
+    if (count != resource_.fields.size())
+      refuse_line("the line has " + std::to_string(count) + " cells, but must have " +
+                  std::to_string(resource_.fields.size()));
+  }
+
+  [[noreturn]] void refuse_line(const std::string& sentence) const {
+    throw InputError(file_.string() + ":" + std::to_string(line_) + ": " + sentence);
+  }
+
+  [[noreturn]] void refuse_cell(std::size_t i, const std::string& allowed, const std::string& cell) const {
+    throw InputError(cell_place(file_, line_, i + 1, resource_.fields[i].name) + ": '" + printable(cell) +
+                     "' " + allowed);
+  }
+
+  std::filesystem::path file_;
+  const Resource& resource_;
+  std::string_view rest_;
+  std::size_t line_{};
+  std::vector<Column> columns_;
+};
+
+}  // namespace
+
+const Field* Resource::field(std::string_view column) const {
+  const auto found = std::ranges::find(fields, column, &Field::name);
+  return found == fields.end() ? nullptr : &*found;
+}
+
+const Resource& ReferencePackage::resource(const std::string& wanted) const {
+  const auto found = std::ranges::find(resources, wanted, &Resource::name);
+  if (found == resources.end())
+    throw InputError("the data set " + (wanted.empty() ? "\"\"" : printable(wanted)) + " is unknown" +
+                     suggestion(wanted, names_of(resources)) + ", but must be one of " +
+                     joined(names_of(resources)));
+  return *found;
+}
+
+const Column& ReferenceTable::column(std::string_view name) const {
+  const auto found =
+      std::ranges::find(columns, name, [](const Column& c) { return std::string_view(c.field.name); });
+  if (found == columns.end())
+    throw std::out_of_range("no column " + std::string(name) + " in " + resource.name);
+  return *found;
+}
+
+std::vector<double> ReferenceTable::radius_of(const std::string& column_name) const {
+  const std::string radius = column_name + std::string(radius_suffix);
+  if (resource.field(radius) == nullptr) return std::vector<double>(rows(), 0.0);
+  return column(radius).values;
+}
+
+std::filesystem::path reference_directory() { return data_directory() / "reference"; }
+
+ReferencePackage load_reference(const std::filesystem::path& folder) {
+  const JsonFile file(folder / "datapackage.json");
+  const JsonNode root = file.root();
+  ReferencePackage package{.folder = folder,
+                           .name = root.at("name").text(),
+                           .title = root.at("title").text(),
+                           .description = root.at("description").text(),
+                           .version = root.at("version").text(),
+                           .resources = {}};
+  if (root.at("licenses").elements().empty()) root.at("licenses").refuse("an array that is not empty");
+  const auto nodes = root.at("resources").elements();
+  if (nodes.empty()) root.at("resources").refuse("an array that is not empty");
+  for (const JsonNode& node : nodes) package.resources.push_back(resource_of(node));
+  require_consistent(package, nodes);
+  return package;
+}
+
+ReferenceTable read_table(const ReferencePackage& package, const std::string& name) {
+  const Resource& resource = package.resource(name);
+  const std::filesystem::path file = package.folder / resource.path;
+  ReferenceTable table{.resource = resource, .csv = read_bounded(file, largest_table), .columns = {}};
+  const auto altered = [&](const std::string& what, const std::string& is, const std::string& expected) {
+    throw InputError(file.string() + ": " + what + " is " + is + ", but must be " + expected +
+                     " as in datapackage.json: the file has been altered");
+  };
+  if (table.csv.size() != resource.bytes)
+    altered("its size", std::to_string(table.csv.size()) + " bytes", std::to_string(resource.bytes));
+  if (const std::string digest = sha256(table.csv); digest != resource.sha256)
+    altered("its SHA-256 digest", digest, resource.sha256);
+  table.columns = TableReader(file, resource, table.csv).columns();
+  return table;
+}
+
+bool is_same_key(double a, double b) {
+  constexpr double tolerance = 1e-9;
+  return a == b || std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
+}
+
+}  // namespace stickslip::data

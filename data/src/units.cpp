@@ -1,0 +1,77 @@
+#include "units.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+#include <utility>
+
+namespace stickslip::data {
+
+namespace {
+
+struct NamedUnit {
+  std::string_view name;
+  Unit unit;
+};
+
+// Powers of ten divide, so that 25 ms become the double nearest to 0.025.
+constexpr std::array units{NamedUnit{"Hz", {"Hz"}},
+                           NamedUnit{"mHz", {"Hz", 1, 1e3}},
+                           NamedUnit{"kHz", {"Hz", 1e3}},
+                           NamedUnit{"MHz", {"Hz", 1e6}},
+                           NamedUnit{"rad/s", {"Hz", 1, 2.0 * std::numbers::pi}},
+                           NamedUnit{"s", {"s"}},
+                           NamedUnit{"ms", {"s", 1, 1e3}},
+                           NamedUnit{"us", {"s", 1, 1e6}},
+                           NamedUnit{"ns", {"s", 1, 1e9}},
+                           NamedUnit{"m", {"m"}},
+                           NamedUnit{"cm", {"m", 1, 1e2}},
+                           NamedUnit{"mm", {"m", 1, 1e3}},
+                           NamedUnit{"um", {"m", 1, 1e6}},
+                           NamedUnit{"nm", {"m", 1, 1e9}},
+                           NamedUnit{"N", {"N"}},
+                           NamedUnit{"mN", {"N", 1, 1e3}},
+                           NamedUnit{"kN", {"N", 1e3}},
+                           NamedUnit{"MN", {"N", 1e6}},
+                           NamedUnit{"m/s", {"m/s"}},
+                           NamedUnit{"cm/s", {"m/s", 1, 1e2}},
+                           NamedUnit{"mm/s", {"m/s", 1, 1e3}},
+                           NamedUnit{"m/s^2", {"m/s^2"}},
+                           NamedUnit{"mm/s^2", {"m/s^2", 1, 1e3}},
+                           NamedUnit{"Pa", {"Pa"}},
+                           NamedUnit{"kPa", {"Pa", 1e3}},
+                           NamedUnit{"MPa", {"Pa", 1e6}},
+                           NamedUnit{"GPa", {"Pa", 1e9}},
+                           NamedUnit{"J", {"J"}},
+                           NamedUnit{"mJ", {"J", 1, 1e3}},
+                           NamedUnit{"1", {""}},
+                           NamedUnit{"-", {""}},
+                           NamedUnit{"%", {"", 1, 1e2}}};
+
+// As the table spells it: "m_per_s" is m/s, and both Greek letters for micro are u.
+std::string spelled(std::string_view name) {
+  std::string text(name);
+  for (const auto& [from, to] : {std::pair<std::string_view, std::string_view>{"_per_", "/"},
+                                 {"\u00b5", "u"},
+                                 {"\u03bc", "u"},
+                                 {"\u00b2", "^2"}})
+    if (const auto at = text.find(from); at != std::string::npos) text.replace(at, from.size(), to);
+  return text;
+}
+
+}  // namespace
+
+std::optional<Unit> unit_named(std::string_view name) {
+  const auto found = std::ranges::find(units, spelled(name), &NamedUnit::name);
+  if (found == units.end()) return std::nullopt;
+  return found->unit;
+}
+
+std::string units_convertible_to(std::string_view si) {
+  std::string list;
+  for (const auto& [name, unit] : units)
+    if (unit.si == si) list.append(list.empty() ? "" : ", ").append(name);
+  return list.empty() ? std::string(si) : list;
+}
+
+}  // namespace stickslip::data

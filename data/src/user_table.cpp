@@ -1,0 +1,414 @@
+#include "stickslip/data/user_table.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "csv_text.hpp"
+#include "input_text.hpp"
+#include "stickslip/data/case_file.hpp"
+#include "units.hpp"
+
+namespace stickslip::data {
+
+namespace {
+
+constexpr std::size_t largest_table = 500'000'000;  // bytes
+
+// As names are compared: in lower case, with an underscore for a blank or a hyphen.
+std::string folded(std::string_view name) {
+  std::string text(trimmed(name));
+  for (char& c : text)
+    c = c == ' ' || c == '-' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+// The cells of a line. Nothing if a quote is not closed or is followed by anything but a separator.
+std::optional<std::vector<std::string>> split(std::string_view line, char separator) {
+  std::vector<std::string> cells;
+  for (std::size_t at = 0;;) {
+    while (at < line.size() && line[at] == ' ') ++at;
+    std::string cell;
+    if (at < line.size() && line[at] == '"') {
+      for (++at; at < line.size(); ++at) {
+        if (line[at] != '"')
+          cell += line[at];
+        else if (line.substr(at, 2) == "\"\"")
+          cell += line[at++];
+        else
+          break;
+      }
+      if (at == line.size()) return std::nullopt;
+      const auto end = std::min(line.find(separator, at), line.size());
+      if (!trimmed(line.substr(at + 1, end - at - 1)).empty()) return std::nullopt;
+      at = end;
+    } else {
+      const auto end = std::min(line.find(separator, at), line.size());
+      cell = trimmed(line.substr(at, end - at));
+      at = end;
+    }
+    cells.push_back(std::move(cell));
+    if (at == line.size()) return cells;
+    ++at;
+  }
+}
+
+// The first of tab, semicolon and comma that stands outside quotes.
+char separator_of(std::string_view header) {
+  for (const char separator : {'\t', ';', ','}) {
+    bool quoted = false;
+    for (const char c : header) {
+      if (c == '"') quoted = !quoted;
+      if (c == separator && !quoted) return separator;
+    }
+  }
+  return ',';
+}
+
+// A header's name and unit; the unit is nothing if there is none.
+struct Header {
+  std::string name;
+  std::optional<std::string> unit;
+};
+
+// "name [unit]", "name (unit)", "name / unit"
+Header header_of(std::string_view text) {
+  for (const auto& [open, close] : {std::pair{'[', ']'}, std::pair{'(', ')'}}) {
+    const auto begin = text.rfind(open);
+    if (begin != std::string_view::npos && text.ends_with(close))
+      return {std::string(trimmed(text.substr(0, begin))),
+              std::string(trimmed(text.substr(begin + 1, text.size() - begin - 2)))};
+  }
+  if (const auto slash = text.find(" / "); slash != std::string_view::npos)
+    return {std::string(trimmed(text.substr(0, slash))), std::string(trimmed(text.substr(slash + 3)))};
+  return {std::string(text), std::nullopt};
+}
+
+// The unit in a header such as name_unit, if the name is this one.
+std::optional<std::string> unit_behind(const std::string& name, const std::string& header) {
+  if (header.size() <= name.size() + 1 || header[name.size()] != '_') return std::nullopt;
+  if (folded(header.substr(0, name.size())) != folded(name)) return std::nullopt;
+  const std::string unit = header.substr(name.size() + 1);
+  return unit_named(unit) ? std::optional(unit) : std::nullopt;
+}
+
+class UserTableReader {
+ public:
+  UserTableReader(const std::filesystem::path& file, const ReferenceTable& reference,
+                  const std::vector<ColumnMapping>& mappings)
+      : reference_(reference), mappings_(mappings), text_(read_bounded(file, largest_table)), rest_(text_) {
+    table_.file = file;
+  }
+
+  [[nodiscard]] UserTable read() {
+    skip_byte_order_mark();
+    read_header();
+    find_columns();
+    while (const auto line = next_line()) read_row(*line);
+    if (table_.rows() == 0) refuse("the table has no rows, but must have at least one");
+    add_constant_keys();
+    require_order();
+    require_unique_keys();
+    return std::move(table_);
+  }
+
+ private:
+  // One of their columns that is read.
+  struct Source {
+    std::size_t position;
+    const Field* field;
+    std::optional<Unit> unit;
+  };
+
+  [[nodiscard]] const Resource& resource() const { return reference_.resource; }
+
+  void skip_byte_order_mark() {
+    constexpr std::string_view utf8 = "\xEF\xBB\xBF";
+    if (rest_.starts_with(utf8)) rest_.remove_prefix(utf8.size());
+    if (rest_.starts_with("\xFF\xFE") || rest_.starts_with("\xFE\xFF") ||
+        rest_.find('\0') != std::string_view::npos)
+      throw InputError(table_.file.string() + ": is no text in UTF-8");
+  }
+
+  // The next line that holds something.
+  std::optional<std::string_view> next_line() {
+    while (!rest_.empty()) {
+      const auto end = rest_.find('\n');
+      std::string_view line = rest_.substr(0, end);
+      rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+      ++line_;
+      if (line.ends_with('\r')) line.remove_suffix(1);
+      const std::string_view content = trimmed(line);
+      if (!content.empty() && !content.starts_with('#')) return line;
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::vector<std::string> cells_of(std::string_view line) const {
+    auto cells = split(line, separator_);
+    if (!cells) refuse("a quote is not closed, or something follows it: " + printable(line));
+    return *std::move(cells);
+  }
+
+  void read_header() {
+    const auto line = next_line();
+    if (!line) refuse("there is no line with the names of the columns");
+    separator_ = separator_of(*line);
+    headers_ = cells_of(*line);
+    header_line_ = line_;
+  }
+
+  // --- columns
+
+  [[nodiscard]] const ColumnMapping* mapping_of(const std::string& name) const {
+    const auto found = std::ranges::find(
+        mappings_, folded(name), [](const ColumnMapping& mapping) { return folded(mapping.reference); });
+    return found == mappings_.end() ? nullptr : &*found;
+  }
+
+  // Whether one of their headers is this name, and the unit that it says.
+  [[nodiscard]] static std::optional<Header> match(const std::string& text, const std::string& name) {
+    if (folded(text) == folded(name)) return Header{text, std::nullopt};
+    if (Header header = header_of(text); folded(header.name) == folded(name)) return header;
+    if (const auto unit = unit_behind(name, text)) return Header{name, *unit};
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::optional<Source> find(const Field& field) const {
+    const ColumnMapping* mapping = mapping_of(field.name);
+    const std::string& name = mapping != nullptr ? mapping->theirs : field.name;
+    std::optional<Source> source;
+    for (std::size_t i = 0; i < headers_.size(); ++i) {
+      const auto header = match(headers_[i], name);
+      if (!header) continue;
+      if (source)
+        throw InputError(place(header_line_, i) + ": the column " + printable(name) +
+                         " stands twice, in column " + std::to_string(source->position + 1) + " as '" +
+                         printable(headers_[source->position]) + "'");
+      source = Source{i, &field, std::nullopt};
+      const std::string unit =
+          mapping != nullptr && !mapping->unit.empty() ? mapping->unit : header->unit.value_or(field.unit);
+      if (field.type != FieldType::string) source->unit = unit_for(field, unit, i);
+    }
+    if (!source && mapping != nullptr) refuse_missing(name, " (for " + field.name + ")");
+    return source;
+  }
+
+  [[nodiscard]] Unit unit_for(const Field& field, const std::string& name, std::size_t position) const {
+    if (name == field.unit) return {.si = field.unit};
+    const auto unit = unit_named(name);
+    if (!unit || unit->si != field.unit)
+      throw InputError(place(header_line_, position) + ": the unit of " + field.name + " is '" +
+                       printable(name) + "', but must be one of " + units_convertible_to(field.unit));
+    return *unit;
+  }
+
+  [[noreturn]] void refuse_missing(const std::string& name, const std::string& purpose) const {
+    std::vector<std::string> names;
+    for (const std::string& header : headers_) names.push_back(printable(header));
+    throw InputError(table_.file.string() + ":" + std::to_string(header_line_) + ": the column " +
+                     printable(name) + purpose + " is missing" + suggestion(name, names) + "; the file has " +
+                     joined(names) + " (--column REFERENCE=THEIRS says which is which)");
+  }
+
+  [[nodiscard]] bool must_have(const std::string& name) const {
+    const ComparisonRule& rule = *resource().comparison;
+    const bool is_event = rule.kind == ComparisonKind::events;
+    if (name == rule.abscissa || (is_event && (name == "change" || name == "time"))) return true;
+    const bool is_key = std::ranges::count(resource().primary_key, name) > 0;
+    return is_key && !(is_event && name == "index") && !constant(name);
+  }
+
+  // The one value that the data set has in a column.
+  [[nodiscard]] std::optional<std::string> constant(const std::string& name) const {
+    const auto& text = reference_.column(name).text;
+    const bool is_one =
+        std::ranges::all_of(text, [&](const std::string& cell) { return cell == text.front(); });
+    return is_one ? std::optional(text.front()) : std::nullopt;
+  }
+
+  [[nodiscard]] bool is_compared(const std::string& name) const {
+    const auto& values = resource().comparison->values;
+    return std::ranges::find(values, name, &ComparedValue::field) != values.end();
+  }
+
+  void find_columns() {
+    if (!resource().comparison)
+      throw InputError("the data set " + resource().name + " says nothing of how to compare with it");
+    bool has_value = false;
+    for (const Field& field : resource().fields) {
+      const auto source = find(field);
+      if (!source && must_have(field.name)) refuse_missing(field.name, "");
+      if (!source) continue;
+      has_value = has_value || is_compared(field.name);
+      sources_.push_back(*source);
+      table_.columns.push_back({field, {}, {}});
+    }
+    if (!has_value) refuse_missing(resource().comparison->values.front().field, "");
+  }
+
+  // --- rows
+
+  void read_row(std::string_view line) {
+    const auto cells = cells_of(line);
+    if (cells.size() != headers_.size())
+      refuse("the line has " + std::to_string(cells.size()) + " cells, but must have " +
+             std::to_string(headers_.size()) + " as the line of names has");
+    table_.lines.push_back(line_);
+    for (std::size_t i = 0; i < sources_.size(); ++i) {
+      table_.columns[i].values.push_back(value_of(sources_[i], cells[sources_[i].position]));
+      table_.columns[i].text.push_back(cells[sources_[i].position]);
+    }
+  }
+
+  [[nodiscard]] double value_of(const Source& source, const std::string& cell) const {
+    const auto refuse_cell = [&](const std::string& allowed) {
+      throw InputError(place(line_, source.position) + ": " + source.field->name + " is '" + printable(cell) +
+                       "', but must be " + allowed);
+    };
+    if (source.field->type == FieldType::string) {
+      if (cell.empty()) refuse_cell("a word");
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+    const auto number = finite_number(cell);
+    if (!number) refuse_cell("a finite number, as 0.025 or 2.5e-2");
+    if (source.field->type == FieldType::integer && *number != std::floor(*number)) refuse_cell("an integer");
+    return source.unit->to_si(*number);
+  }
+
+  void add_constant_keys() {
+    for (const std::string& name : resource().primary_key) {
+      if (table_.column(name) != nullptr || name == "index") continue;
+      const Column& reference = reference_.column(name);
+      table_.columns.push_back({reference.field, std::vector(table_.rows(), reference.text.front()),
+                                std::vector(table_.rows(), reference.values.front())});
+    }
+  }
+
+  // The abscissa increases within a curve, and the time of the events of one run does not decrease.
+  void require_order() const {
+    const ComparisonRule& rule = *resource().comparison;
+    if (rule.kind == ComparisonKind::table) return;
+    const bool is_event = rule.kind == ComparisonKind::events;
+    const Column& abscissa = *table_.column(is_event ? "time" : rule.abscissa);
+    std::map<std::vector<std::string>, std::size_t> previous;
+    for (std::size_t row = 0; row < table_.rows(); ++row) {
+      std::vector<std::string> group;
+      for (const std::string& name : group_columns(resource()))
+        group.push_back(table_.column(name)->text[row]);
+      const auto [entry, is_first] = previous.try_emplace(group, row);
+      const std::size_t before = std::exchange(entry->second, row);
+      if (is_first) continue;
+      const double step = abscissa.values[row] - abscissa.values[before];
+      if (step < 0.0 || (step == 0.0 && !is_event))
+        throw InputError(place_of(abscissa, row) + ": " + abscissa.field.name + " is " + abscissa.text[row] +
+                         (is_event ? ", but must not be below " : ", but must be above ") +
+                         abscissa.text[before] + " of line " + std::to_string(table_.lines[before]));
+    }
+  }
+
+  void require_unique_keys() const {
+    std::vector<KeyColumn> key;
+    for (const std::string& name : resource().primary_key)
+      if (const Column* column = table_.column(name); column != nullptr)
+        key.push_back({&column->text, column->field.type == FieldType::string ? nullptr : &column->values});
+    const bool has_index =
+        resource().comparison->kind != ComparisonKind::events || table_.column("index") != nullptr;
+    if (key.empty() || !has_index) return;
+    const auto twice = repeated_key(key, table_.rows());
+    if (!twice) return;
+    std::string values;
+    for (const std::string& name : resource().primary_key)
+      values += (values.empty() ? "" : ", ") + name + " = " + table_.column(name)->text[twice->second];
+    throw InputError(table_.place(twice->second) + ": " + printable(values) + " stands in line " +
+                     std::to_string(table_.lines[twice->first]) + " already, but must stand once");
+  }
+
+  // --- refusals
+
+  [[nodiscard]] std::string place(std::size_t line, std::size_t position) const {
+    return cell_place(table_.file, line, position + 1, headers_[position]);
+  }
+
+  [[nodiscard]] std::string place_of(const Column& column, std::size_t row) const {
+    const auto source =
+        std::ranges::find(sources_, column.field.name, [](const Source& s) { return s.field->name; });
+    return place(table_.lines[row], source->position);
+  }
+
+  [[noreturn]] void refuse(const std::string& sentence) const {
+    throw InputError(table_.file.string() + ":" + std::to_string(line_) + ": " + sentence);
+  }
+
+  const ReferenceTable& reference_;
+  const std::vector<ColumnMapping>& mappings_;
+  std::string text_;
+  std::string_view rest_;
+  std::size_t line_{}, header_line_{};
+  char separator_{','};
+  std::vector<std::string> headers_;
+  std::vector<Source> sources_;
+  UserTable table_;
+};
+
+}  // namespace
+
+ColumnMapping ColumnMapping::parse(std::string_view text) {
+  const auto equals = text.find('=');
+  const std::string_view reference = trimmed(text.substr(0, equals));
+  std::string_view theirs =
+      equals == std::string_view::npos ? std::string_view{} : trimmed(text.substr(equals + 1));
+  std::string_view unit;
+  if (const auto colon = theirs.rfind(':'); colon != std::string_view::npos) {
+    unit = trimmed(theirs.substr(colon + 1));
+    theirs = trimmed(theirs.substr(0, colon));
+  }
+  if (reference.empty() || theirs.empty())
+    throw InputError("column " + printable(text) +
+                     ": must read REFERENCE=THEIRS or REFERENCE=THEIRS:unit, as in frequency=f1:kHz");
+  return {std::string(reference), std::string(theirs), std::string(unit)};
+}
+
+const Column* UserTable::column(std::string_view name) const {
+  const auto found =
+      std::ranges::find(columns, name, [](const Column& c) { return std::string_view(c.field.name); });
+  return found == columns.end() ? nullptr : &*found;
+}
+
+std::string UserTable::place(std::size_t row) const {
+  return file.string() + ":" + std::to_string(lines[row]);
+}
+
+std::vector<std::string> group_columns(const Resource& resource) {
+  std::vector<std::string> names;
+  if (!resource.comparison) return names;
+  for (const std::string& name : resource.primary_key)
+    if (name != resource.comparison->abscissa && name != "index") names.push_back(name);
+  return names;
+}
+
+void require_known_columns(const std::vector<ColumnMapping>& mappings,
+                           const std::vector<const ReferenceTable*>& references) {
+  std::vector<std::string> names;
+  for (const ReferenceTable* reference : references)
+    for (const Field& field : reference->resource.fields)
+      if (std::ranges::count(names, field.name) == 0) names.push_back(field.name);
+  for (const ColumnMapping& mapping : mappings) {
+    const bool is_known = std::ranges::any_of(
+        names, [&](const std::string& name) { return folded(name) == folded(mapping.reference); });
+    if (!is_known)
+      throw InputError("column " + printable(mapping.reference) + " is unknown" +
+                       suggestion(mapping.reference, names) + ", but must be one of " + joined(names));
+  }
+}
+
+UserTable read_user_table(const std::filesystem::path& file, const ReferenceTable& reference,
+                          const std::vector<ColumnMapping>& mappings) {
+  return UserTableReader(file, reference, mappings).read();
+}
+
+}  // namespace stickslip::data
