@@ -29,6 +29,12 @@ void add_design_command(CLI::App& app);
 /// `report`: the figures and the V&V report.
 void add_report_command(CLI::App& app);
 
+/// `reference`: lists, describes and hands out the published reference data.
+void add_reference_command(CLI::App& app);
+
+/// `compare`: somebody's results against the reference data.
+void add_compare_command(CLI::App& app);
+
 /// `cases`: what data/cases holds.
 void add_cases_command(CLI::App& app);
 

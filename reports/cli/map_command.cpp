@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -10,6 +9,7 @@
 
 #include "case_options.hpp"
 #include "commands.hpp"
+#include "figure_format.hpp"
 #include "interruption.hpp"
 #include "output_file.hpp"
 #include "range_text.hpp"
@@ -32,13 +32,6 @@ struct MapOptions {
   std::string figure;
 };
 
-// "pdf" or "png".
-std::string format_of(const std::string& figure) {
-  const std::string extension = std::filesystem::path(figure).extension().string();
-  if (extension == ".pdf" || extension == ".png") return extension.substr(1);
-  throw data::InputError(fmt::format("--figure is '{}', but must end in .pdf or .png", figure));
-}
-
 void write(OutputFile& file, std::string_view text) {
   file.write(text);
   file.commit();
@@ -48,7 +41,7 @@ void write(OutputFile& file, std::string_view text) {
 void write_figure(const studies::CriterionMap& map, const report::CsvTable& table, const MapOptions& options,
                   OutputFile& file) {
   try {
-    write(file, report::draw(table, map, format_of(options.figure)));
+    write(file, report::draw(table, map, figure_format(options.figure)));
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(fmt::format("{}; the map itself is in {}", error.what(),
                                          options.output == "-" ? "standard output" : options.output));
@@ -93,7 +86,7 @@ void run(const MapOptions& options) {
   OutputFile output(options.output);
   std::optional<OutputFile> figure;
   if (!options.figure.empty()) {
-    (void)format_of(options.figure);
+    (void)figure_format(options.figure);
     (void)report::templates_directory();  // refused now rather than after the map
     figure.emplace(options.figure);
   }
@@ -134,7 +127,8 @@ void add_map_command(CLI::App& app) {
       ->check(number());
   command->add_option("--output", options->output, "CSV file, '-' for standard output")
       ->capture_default_str();
-  command->add_option("--figure", options->figure, "Figure to draw, a .png or a .pdf file (needs gnuplot)");
+  command->add_option("--figure", options->figure,
+                      "Figure to draw, a .png, .pdf or .svg file (needs gnuplot)");
   command->callback([options] { run(*options); });
 }
 

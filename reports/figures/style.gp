@@ -2,7 +2,7 @@
 #
 # A figure sets width and height (cm) and loads this file. From the command line come
 #   folder  where its CSV files are, with a slash at the end
-#   format  'pdf' or 'png'
+#   format  'pdf', 'png' or 'svg'
 #   output  the file to write
 # as in
 #   gnuplot -e "folder='build/reports/'; format='pdf'; output='refinement.pdf'" refinement.gp
@@ -12,7 +12,13 @@ if (format eq 'pdf') {
   # This terminal, too, takes fonts at 96 dots per inch and not at 72.
   set terminal pdfcairo enhanced color font typeface.',7.5' fontscale 0.75 linewidth 1.0 \
       size width cm, height cm
-} else {
+}
+if (format eq 'svg') {
+  pixels_per_cm = 96.0 / 2.54
+  set terminal svg enhanced font typeface.',7.5' fontscale 1.0 linewidth 1.0 \
+      size width * pixels_per_cm, height * pixels_per_cm background '#FFFFFF'
+}
+if (format eq 'png') {
   dots_per_cm = 80.0
   magnification = dots_per_cm * 2.54 / 72.0
   font_magnification = dots_per_cm * 2.54 / 96.0  # this terminal takes fonts at 96 dots per inch

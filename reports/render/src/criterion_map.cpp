@@ -1,22 +1,13 @@
 #include "stickslip/report/criterion_map.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <cerrno>
-#include <cstdlib>
-#include <filesystem>
-#include <system_error>
 #include <vector>
 
 #include "drawing.hpp"
 #include "map_figure.hpp"
-#include "stickslip/report/output_folder.hpp"
-#include "stickslip/report/text_file.hpp"
 
 namespace stickslip::report {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -37,28 +28,6 @@ CsvColumn column_of(studies::Parameter parameter) {
   }
   return {};
 }
-
-// A folder of its own that is gone in the end.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "stickslip-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr)
-      throw std::system_error(errno, std::generic_category(), "no temporary folder " + name);
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;  // nothing is left to be done about a folder that cannot be removed
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 // What the axis `name` (x or y) shows, counted from 1, and whether its values are in equal ratios.
 void add_axis(const std::string& name, const studies::MapAxis& axis, std::vector<FigureData::Value>& values) {
@@ -105,11 +74,8 @@ FigureData figure_of(const data::Case& problem, const studies::CriterionMap& map
 }
 
 std::string draw(const CsvTable& table, const studies::CriterionMap& map, const std::string& format) {
-  const TemporaryFolder folder;
-  OutputFolder output(folder.path());
-  output.write("map.csv", table.text());
-  output.write("map-values.csv", values_table(values_of(map)).text());
-  return read_text(draw_in_scratch("map", format, "../../", {"map." + format}, output).front());
+  return drawing_of("map", format,
+                    {{"map.csv", table.text()}, {"map-values.csv", values_table(values_of(map)).text()}});
 }
 
 }  // namespace stickslip::report

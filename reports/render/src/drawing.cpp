@@ -1,9 +1,13 @@
 #include "drawing.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <cerrno>
+#include <cstdlib>
 #include <sstream>
 #include <string_view>
+#include <system_error>
 
 #include "external_tool.hpp"
 #include "fingerprint.hpp"
@@ -38,6 +42,28 @@ void add_scripts(const fs::path& script, Fingerprint& fingerprint) {
                   fingerprint);
 }
 
+// A folder of its own that is gone in the end.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (fs::temp_directory_path() / "stickslip-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr)
+      throw std::system_error(errno, std::generic_category(), "no temporary folder " + name);
+    path_ = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;  // nothing is left to be done about a folder that cannot be removed
+    fs::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
 }  // namespace
 
 std::string fingerprint_of(const std::string& name, const std::vector<std::string>& tables,
@@ -63,6 +89,14 @@ std::vector<fs::path> draw_in_scratch(const std::string& script, const std::stri
     require_success(status, files.back(), log);
   }
   return files;
+}
+
+std::string drawing_of(const std::string& script, const std::string& format,
+                       const std::map<std::string, std::string>& tables) {
+  const TemporaryFolder folder;
+  OutputFolder output(folder.path());
+  for (const auto& [name, text] : tables) output.write(name, text);
+  return read_text(draw_in_scratch(script, format, "../../", {script + "." + format}, output).front());
 }
 
 void draw(const std::string& name, OutputFolder& output) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,11 @@ namespace stickslip::report {
                                                                  const std::string& tables,
                                                                  const std::vector<std::string>& drawings,
                                                                  OutputFolder& output);
+
+/// The bytes of a drawing by figures/<script>.gp of these tables, whose keys are the names of their files.
+/// Throws as draw() does.
+[[nodiscard]] std::string drawing_of(const std::string& script, const std::string& format,
+                                     const std::map<std::string, std::string>& tables);
 
 /// What a figure is made from: its script, the scripts that this one loads, and its tables in the output
 /// folder.

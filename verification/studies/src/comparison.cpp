@@ -42,10 +42,22 @@ struct Point {
   std::string where;
 };
 
+// What an error is divided by.
+double unit_of(Norm norm, double reference, double scale) {
+  switch (norm) {
+    case Norm::relative:
+      return std::abs(reference);
+    case Norm::scale:
+      return scale;
+    case Norm::absolute:
+      break;
+  }
+  return 1.0;
+}
+
 // |x| in a norm. Relative to nothing, only nothing is small.
 double measured(double x, Norm norm, double reference, double scale) {
-  if (norm == Norm::absolute || x == 0.0) return std::abs(x);
-  return std::abs(x) / std::abs(norm == Norm::relative ? reference : scale);
+  return x == 0.0 ? 0.0 : std::abs(x) / unit_of(norm, reference, scale);
 }
 
 // By how much an error exceeds the uncertainty.
@@ -68,6 +80,8 @@ bool judge(Comparison::Quantity& quantity, const Point& point, double scale) {
   series.theirs.push_back(point.theirs);
   series.reference.push_back(point.reference);
   series.half_width.push_back(point.half_width);
+  series.allowed.push_back(point.half_width +
+                           quantity.tolerance * unit_of(quantity.norm, point.reference, scale));
   ++quantity.compared;
 
   const double error = measured(point.theirs - point.reference, quantity.norm, point.reference, scale);
@@ -115,7 +129,7 @@ void count(Comparison::Quantity& quantity, const std::string& where) {
 struct Group {
   std::string label;
   Rows reference, theirs;
-  bool differs{};
+  bool differs{};  // in its events, phases or the quantity that a diagnosis is made of
 };
 
 bool is_same_cell(const data::Column& a, std::size_t i, const data::Column& b, std::size_t j) {
@@ -360,9 +374,10 @@ class Comparer {
   }
 
   void open_series(const Group& group) {
-    for (Comparison::Quantity& quantity : result_.quantities)
-      quantity.series.push_back(
-          {.group = group.label, .abscissa = {}, .theirs = {}, .reference = {}, .half_width = {}});
+    for (Comparison::Quantity& quantity : result_.quantities) {
+      quantity.series.emplace_back();
+      quantity.series.back().group = group.label;
+    }
   }
 
   // The largest |value| of a group up to the horizon.
@@ -377,6 +392,11 @@ class Comparer {
     return scale;
   }
 
+  [[nodiscard]] bool is_diagnosed(const std::string& field) const {
+    const auto& diagnosis = reference_.resource.diagnosis;
+    return diagnosis && diagnosis->value == field;
+  }
+
   // Judges their row, unless the reference has no value there.
   void judge_at(Comparison::Quantity& quantity, Group& group, std::size_t their_row, double abscissa,
                 const std::optional<Interpolated>& reference, double scale, const std::string& where) {
@@ -389,7 +409,7 @@ class Comparer {
                       .reference = reference->value,
                       .half_width = reference->half_width,
                       .where = where};
-    if (judge(quantity, point, scale)) group.differs = true;
+    if (judge(quantity, point, scale) && is_diagnosed(quantity.name)) group.differs = true;
   }
 
   void skip_in_all(const std::string& reason) {
@@ -485,7 +505,7 @@ class Comparer {
   }
 
   [[nodiscard]] std::string where_of(const Group& group, double abscissa) const {
-    return fmt::format("{} = {}{}{}{}", rule_.abscissa, shortest_text(abscissa),
+    return fmt::format("{} = {:.9g}{}{}{}", rule_.abscissa, abscissa,
                        result_.abscissa_unit.empty() ? "" : " ", result_.abscissa_unit,
                        group.label.empty() ? "" : ", " + group.label);
   }
@@ -761,9 +781,7 @@ class Comparer {
     const auto add = [&](double abscissa, double value) {
       observation.abscissa.push_back(abscissa);
       observation.values.push_back(value);
-      observation.uncertainty.push_back(compared->norm == Norm::absolute   ? tolerance
-                                        : compared->norm == Norm::relative ? tolerance * std::abs(value)
-                                                                           : tolerance * scale);
+      observation.uncertainty.push_back(tolerance * unit_of(compared->norm, value, scale));
     };
     if (quantity == Quantity::contact_event) {
       // Onsets and captures are counted, reversals are not.

@@ -5,12 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "stickslip/data/problem.hpp"
-
 namespace stickslip::studies {
 
 std::string description(std::size_t index, const TabulatedEvent& event) {
-  return fmt::format("event {} ({} at {} s)", index + 1, event.change, data::shortest_text(event.time));
+  return fmt::format("event {} ({} at {:.9g} s)", index + 1, event.change, event.time);
 }
 
 SequenceMatch match(const std::vector<TabulatedEvent>& reference, const std::vector<TabulatedEvent>& theirs,

@@ -543,7 +543,7 @@ TEST_F(MapCommand, RefusesAxesThatAreNoneInOneSentence) {
   expect_refused("map --x length=1:2:2 --y length=1:3:4",
                  "both axes of the map are beam.length, but must be two parameters");
   expect_refused(std::string("map ") + two_axes + "--figure map.jpg",
-                 "--figure is 'map.jpg', but must end in .pdf or .png");
+                 "--figure is 'map.jpg', but must end in .pdf, .png or .svg");
   expect_refused(std::string("map --json ") + two_axes, "--json needs --output FILE");
   expect_refused(std::string("map --set beam.axial_force=0 ") + two_axes,
                  "beam.axial_force is 0; it must be positive");

@@ -47,6 +47,7 @@ struct Comparison {
     std::vector<double> abscissa;  ///< the row number where there is none
     std::vector<double> theirs, reference;
     std::vector<double> half_width;  ///< of the reference, interpolation included
+    std::vector<double> allowed;     ///< the largest difference that agrees, in the unit of the quantity
   };
 
   struct Quantity {

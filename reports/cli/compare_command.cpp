@@ -1,0 +1,155 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "case_options.hpp"
+#include "commands.hpp"
+#include "comparison_output.hpp"
+#include "figure_format.hpp"
+#include "output_file.hpp"
+#include "stickslip/report/comparison_figure.hpp"
+#include "stickslip/report/report.hpp"
+
+namespace stickslip::cli {
+
+namespace {
+
+struct CompareOptions {
+  std::string name, file, events;
+  std::string package = data::reference_directory().string();
+  std::vector<std::string> columns, tolerances;
+  std::optional<double> until;
+  std::string json, junit, figure;
+  bool quiet{};
+};
+
+// "QUANTITY=VALUE", or "VALUE" for all.
+studies::ComparisonSettings::Tolerance parse_tolerance(const std::string& text) {
+  const auto equals = text.find('=');
+  const std::string number = equals == std::string::npos ? text : text.substr(equals + 1);
+  const auto value = parse<double>(number);
+  if (!value || equals == 0)
+    throw data::InputError(fmt::format(
+        "--tolerance is '{}', but must be a number or QUANTITY=NUMBER, as in frequency=1e-3", text));
+  return {.quantity = equals == std::string::npos ? "" : text.substr(0, equals), .value = *value};
+}
+
+std::vector<data::ColumnMapping> mappings_of(const CompareOptions& options) {
+  std::vector<data::ColumnMapping> mappings;
+  for (const std::string& text : options.columns) mappings.push_back(data::ColumnMapping::parse(text));
+  return mappings;
+}
+
+// The mappings of columns that the data set has.
+std::vector<data::ColumnMapping> mappings_for(const data::ReferenceTable& reference,
+                                              const std::vector<data::ColumnMapping>& all) {
+  std::vector<data::ColumnMapping> mappings;
+  for (const data::ColumnMapping& mapping : all)
+    if (reference.resource.field(mapping.reference) != nullptr) mappings.push_back(mapping);
+  return mappings;
+}
+
+studies::Comparison compare(const CompareOptions& options) {
+  const data::ReferencePackage package = data::load_reference(options.package);
+  const data::ReferenceTable reference = data::read_table(package, options.name);
+  const auto& rule = reference.resource.comparison;
+  studies::ComparisonSettings settings{.tolerances = {}, .until = options.until, .events = {}};
+  for (const std::string& text : options.tolerances) settings.tolerances.push_back(parse_tolerance(text));
+
+  const auto mappings = mappings_of(options);
+  std::vector<const data::ReferenceTable*> references{&reference};
+  std::optional<data::ReferenceTable> events;
+  if (!options.events.empty()) {
+    if (!rule || rule->kind != data::ComparisonKind::phases)
+      throw data::InputError(
+          fmt::format("--events is given, but {} is no history with events of its own", options.name));
+    events = data::read_table(package, rule->events);
+    references.push_back(&*events);
+  }
+  data::require_known_columns(mappings, references);
+  if (events)
+    settings.events = data::read_user_table(options.events, *events, mappings_for(*events, mappings));
+  const data::UserTable theirs =
+      data::read_user_table(options.file, reference, mappings_for(reference, mappings));
+  return studies::compare(package, options.name, theirs, settings);
+}
+
+// Refuses what cannot be written before anything is computed.
+std::optional<OutputFile>& open(std::optional<OutputFile>& file, const std::string& path) {
+  if (!path.empty()) file.emplace(path);
+  return file;
+}
+
+void write(std::optional<OutputFile>& file, const std::string& text) {
+  if (!file) return;
+  file->write(text);
+  file->commit();
+}
+
+void run(const CompareOptions& options) {
+  if (options.json == "-" && options.junit == "-")
+    throw data::InputError(
+        "--json - and --junit - both want standard output, but one of them must be a file");
+  if (!options.figure.empty()) {
+    (void)figure_format(options.figure);
+    (void)report::templates_directory();
+  }
+  std::optional<OutputFile> json, junit, figure;
+  open(json, options.json);
+  open(junit, options.junit);
+  open(figure, options.figure);
+
+  const studies::Comparison comparison = compare(options);
+  if (!options.quiet && options.json != "-" && options.junit != "-") fmt::print("{}", text_of(comparison));
+  if (json) write(json, json_of(comparison, options.file).dump(2) + "\n");
+  if (junit) write(junit, junit_of(comparison, options.file));
+  if (figure) write(figure, report::draw(comparison, figure_format(options.figure)));
+  if (comparison.agreement == studies::Agreement::differs) {
+    std::fflush(stdout);
+    throw CLI::RuntimeError(1);
+  }
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app) {
+  auto* command = app.add_subcommand("compare",
+                                     "Results of your own against the reference data. Exit status 0: they "
+                                     "agree, or nothing differs; 1: they "
+                                     "differ; 2: they cannot be compared");
+  auto options = std::make_shared<CompareOptions>();
+  command->add_option("NAME", options->name, "A data set that 'stickslip reference list' lists")->required();
+  command
+      ->add_option(
+          "FILE", options->file,
+          "CSV file with the columns of the data set; a unit may follow a name, as in 'frequency [kHz]'")
+      ->required();
+  command->add_option(
+      "--events", options->events,
+      "CSV file with the changes of contact of the same run, for a history with stick and slip");
+  command
+      ->add_option("--column", options->columns,
+                   "Which column of yours is which, and in which unit, as in frequency=f1:kHz; repeatable")
+      ->type_name("REFERENCE=YOURS[:UNIT]")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--tolerance", options->tolerances,
+                   "Instead of that of the data set, of one quantity or of all; repeatable")
+      ->type_name("[QUANTITY=]NUMBER")
+      ->allow_extra_args(false);
+  command->add_option("--until", options->until, "Compare nothing later, s")->check(number());
+  command->add_option("--json", options->json, "JSON file with all numbers, '-' for standard output");
+  command->add_option("--junit", options->junit, "XML file in JUnit's format, '-' for standard output");
+  command->add_option("--figure", options->figure,
+                      "Figure to draw, a .png, .pdf or .svg file (needs gnuplot)");
+  command->add_option("--package", options->package, "Folder with another data package")
+      ->capture_default_str();
+  command->add_flag("--quiet", options->quiet, "Print nothing");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace stickslip::cli

@@ -1,0 +1,211 @@
+#include "comparison_output.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <pugixml.hpp>
+#include <sstream>
+#include <vector>
+
+namespace stickslip::cli {
+
+namespace {
+
+using studies::Agreement;
+using studies::Comparison;
+
+std::string number_of(std::optional<double> value) { return value ? fmt::format("{:.3g}", *value) : "-"; }
+
+// In the unit of the quantity, or relative to it.
+std::string measured(std::optional<double> value, const Comparison::Quantity& quantity) {
+  const bool has_unit = value && quantity.norm == data::Norm::absolute && !quantity.unit.empty();
+  return has_unit ? number_of(value) + " " + quantity.unit : number_of(value);
+}
+
+std::string verdict_of(const Comparison::Quantity& quantity) {
+  const auto verdict = studies::to_string(quantity.agreement);
+  if (quantity.agreement != Agreement::undecided || quantity.compared == 0) return std::string(verdict);
+  return fmt::format("{} ({} of {})", verdict, quantity.undecided, quantity.compared);
+}
+
+using Row = std::array<std::string, 8>;
+
+Row row_of(const Comparison::Quantity& quantity) {
+  return {quantity.name,
+          std::string(to_string(quantity.norm)),
+          std::to_string(quantity.compared),
+          measured(quantity.error, quantity),
+          quantity.where.empty() ? "-" : quantity.where,
+          measured(quantity.uncertainty, quantity),
+          measured(quantity.tolerance, quantity),
+          verdict_of(quantity)};
+}
+
+std::string aligned(const std::vector<Row>& rows) {
+  std::array<std::size_t, std::tuple_size_v<Row>> widths{};
+  for (const Row& row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  std::string text;
+  for (const Row& row : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) line += fmt::format("{:<{}}  ", row[i], widths[i]);
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  return text;
+}
+
+// "2 beyond the horizon, 3 outside the range of the data set"
+std::string skipped_of(const Comparison::Quantity& quantity) {
+  std::string text;
+  for (const auto& [reason, points] : quantity.skipped)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", points, reason);
+  return text;
+}
+
+std::string prefix_of(const std::string& group) { return group.empty() ? "" : group + ": "; }
+
+// Why a quantity does not agree, in one clause.
+std::string reason_of(const Comparison::Quantity& quantity) {
+  if (quantity.compared == 0 && !quantity.error) return "no point could be compared";
+  return fmt::format("error {} at {}, tolerance {}, uncertainty of the reference {}",
+                     measured(quantity.error, quantity), quantity.where,
+                     measured(quantity.tolerance, quantity), measured(quantity.uncertainty, quantity));
+}
+
+std::string conclusion_of(Agreement agreement) {
+  switch (agreement) {
+    case Agreement::agrees:
+      return "agrees";
+    case Agreement::differs:
+      return "differs";
+    case Agreement::undecided:
+      break;
+  }
+  return "undecided: the reference is not known well enough, or not compared, where it says so; nothing "
+         "differs";
+}
+
+std::string finding_name(studies::Finding finding) {
+  switch (finding) {
+    case studies::Finding::correct:
+      return "correct";
+    case studies::Finding::mistaken:
+      return "mistaken";
+    case studies::Finding::undecided:
+      return "undecided";
+    case studies::Finding::unexplained:
+      break;
+  }
+  return "unexplained";
+}
+
+Json json_of(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
+Json json_of(const Comparison::Quantity& quantity) {
+  Json object{{"quantity", quantity.name},        {"unit", quantity.unit},
+              {"norm", to_string(quantity.norm)}, {"error", json_of(quantity.error)},
+              {"where", quantity.where},          {"uncertainty", json_of(quantity.uncertainty)},
+              {"tolerance", quantity.tolerance},  {"verdict", studies::to_string(quantity.agreement)},
+              {"compared", quantity.compared},    {"undecided", quantity.undecided},
+              {"skipped", Json::array()},         {"series", Json::array()}};
+  for (const auto& [reason, points] : quantity.skipped)
+    object["skipped"].push_back({{"reason", reason}, {"points", points}});
+  for (const auto& series : quantity.series)
+    object["series"].push_back({{"group", series.group},
+                                {"abscissa", series.abscissa},
+                                {"theirs", series.theirs},
+                                {"reference", series.reference},
+                                {"half_width", series.half_width},
+                                {"allowed", series.allowed}});
+  return object;
+}
+
+Json json_of(const Comparison::Likeness& likeness) {
+  Json object{{"group", likeness.group}, {"sentence", likeness.sentence}, {"finding", nullptr}};
+  if (!likeness.diagnosis) return object;
+  const studies::Diagnosis& diagnosis = *likeness.diagnosis;
+  object["finding"] = finding_name(diagnosis.finding);
+  object["distance_from_truth"] = diagnosis.from_truth;
+  object["uncertainty"] = diagnosis.uncertainty;
+  object["required_ratio"] = diagnosis.required_ratio;
+  object["named"] = diagnosis.named;
+  object["ranking"] = Json::array();
+  for (const studies::Suspect& suspect : diagnosis.ranked)
+    object["ranking"].push_back({{"name", suspect.name},
+                                 {"distance", suspect.distance},
+                                 {"distance_from_truth", suspect.from_truth}});
+  return object;
+}
+
+auto count_of(const Comparison& comparison, Agreement agreement) {
+  return std::ranges::count(comparison.quantities, agreement, &Comparison::Quantity::agreement);
+}
+
+}  // namespace
+
+std::string text_of(const Comparison& comparison) {
+  std::string text = fmt::format("{}: {}\n\n", comparison.name, comparison.title);
+  std::vector<Row> rows{
+      {"quantity", "norm", "compared", "error", "at", "uncertainty", "tolerance", "verdict"}};
+  for (const auto& quantity : comparison.quantities) rows.push_back(row_of(quantity));
+  text += aligned(rows) + "\n";
+  for (const auto& quantity : comparison.quantities)
+    if (const std::string skipped = skipped_of(quantity); !skipped.empty())
+      text += fmt::format("{}: not compared: {}\n", quantity.name, skipped);
+  for (const std::string& remark : comparison.remarks) text += remark + "\n";
+  for (const auto& likeness : comparison.likenesses)
+    text += fmt::format("{}{}\n", prefix_of(likeness.group), likeness.sentence);
+  return text + fmt::format("{}\n", conclusion_of(comparison.agreement));
+}
+
+Json json_of(const Comparison& comparison, const std::string& file) {
+  Json object{{"data_set", comparison.name},
+              {"title", comparison.title},
+              {"kind", to_string(comparison.kind)},
+              {"file", file},
+              {"verdict", studies::to_string(comparison.agreement)},
+              {"abscissa", comparison.abscissa},
+              {"abscissa_unit", comparison.abscissa_unit},
+              {"quantities", Json::array()},
+              {"remarks", comparison.remarks},
+              {"diagnoses", Json::array()}};
+  for (const auto& quantity : comparison.quantities) object["quantities"].push_back(json_of(quantity));
+  for (const auto& likeness : comparison.likenesses) object["diagnoses"].push_back(json_of(likeness));
+  return object;
+}
+
+std::string junit_of(const Comparison& comparison, const std::string& file) {
+  pugi::xml_document document;
+  pugi::xml_node declaration = document.append_child(pugi::node_declaration);
+  declaration.append_attribute("version") = "1.0";
+  declaration.append_attribute("encoding") = "UTF-8";
+  const auto failures = static_cast<long long>(count_of(comparison, Agreement::differs));
+  const auto skipped = static_cast<long long>(count_of(comparison, Agreement::undecided));
+  pugi::xml_node suites = document.append_child("testsuites"), suite = suites.append_child("testsuite");
+  for (pugi::xml_node node : {suites, suite}) {
+    node.append_attribute("name") = comparison.name.c_str();
+    node.append_attribute("tests") = static_cast<long long>(comparison.quantities.size());
+    node.append_attribute("failures") = failures;
+    node.append_attribute("errors") = 0;
+    if (node == suite) node.append_attribute("skipped") = skipped;
+  }
+  for (const auto& quantity : comparison.quantities) {
+    pugi::xml_node test = suite.append_child("testcase");
+    test.append_attribute("classname") = comparison.name.c_str();
+    test.append_attribute("name") = quantity.name.c_str();
+    if (quantity.agreement == Agreement::agrees) continue;
+    const bool differs = quantity.agreement == Agreement::differs;
+    pugi::xml_node outcome = test.append_child(differs ? "failure" : "skipped");
+    outcome.append_attribute("message") = reason_of(quantity).c_str();
+    if (differs) outcome.append_attribute("type") = "differs";
+  }
+  suite.append_child("system-out").text() = (file + "\n" + text_of(comparison)).c_str();
+  std::ostringstream text;
+  document.save(text, "  ");
+  return text.str();
+}
+
+}  // namespace stickslip::cli

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+
+namespace stickslip::cli {
+
+/// "pdf", "png" or "svg", by the name of the file that --figure gives. Throws data::InputError for another
+/// one.
+[[nodiscard]] std::string figure_format(const std::string& figure);
+
+}  // namespace stickslip::cli
