@@ -243,9 +243,11 @@ std::vector<std::string> names_of(const std::vector<Resource>& resources) {
 // Every set of phases has its events, and no name stands twice.
 void require_consistent(const ReferencePackage& package, const std::vector<JsonNode>& nodes) {
   std::set<std::string> names;
+  for (const JsonNode& node : nodes)
+    if (const JsonNode name = node.at("name"); !names.insert(name.text()).second)
+      name.complain("stands twice: " + name.text());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const Resource& resource = package.resources[i];
-    if (!names.insert(resource.name).second) nodes[i].at("name").complain("stands twice: " + resource.name);
     if (!resource.comparison || resource.comparison->events.empty()) continue;
     const auto events = std::ranges::find(package.resources, resource.comparison->events, &Resource::name);
     if (events == package.resources.end() || !events->comparison ||

@@ -10,7 +10,7 @@ left = 2.2
 panel = count > 1 ? 6.6 : 11.8
 gap = 2.4
 width = left + count * panel + (count - 1) * gap + 0.5
-height = 9.5
+height = 10
 load 'style.gp'
 label_file = folder.'comparison-labels.csv'
 array labels[count + 1]
@@ -26,6 +26,7 @@ do for [i = 1:count] {
   set xrange [*:*] noextend
   stats file using 1 name 'x' nooutput
   spread = x_max > x_min ? x_max - x_min : 1.0
+  if (!strstrt(labels[1], ' / ') && spread <= 12) { set xtics 1 }  # they are counted
   set xrange [x_min - 0.03 * spread:x_max + 0.03 * spread]
 
   set tmargin at screen 0.93
@@ -46,11 +47,11 @@ do for [i = 1:count] {
   }
 
   set tmargin at screen 0.46
-  set bmargin at screen 0.13
+  set bmargin at screen 0.17
   set xlabel labels[1]
   set format x '%g'
   set ylabel 'difference'.(strstrt(labels[i + 1], ' / ') ? labels[i + 1][strstrt(labels[i + 1], ' / '):*] : '') offset 0.5
-  set key at screen 0.98, 0.015 right bottom horizontal maxrows 1
+  set key at screen 0.5, 0.01 center bottom horizontal maxrows 1
   if (i < count) { unset key }
   if (smooth) {
     plot file using 1:(-$5):5 with filledcurves fillcolor rgb blue fillstyle transparent solid 0.18 noborder \
@@ -59,7 +60,8 @@ do for [i = 1:count] {
          file using 1:($2 - $3) with linespoints linecolor rgb vermillion linewidth 0.6 pointtype 7 pointsize 0.2 \
            title 'difference'
   } else {
-    plot file using 1:(0):5 with yerrorbars linecolor rgb blue linewidth 1.5 pointtype 0 title 'allowed', \
+    plot file using 1:(-$5):(0):(2 * $5) with vectors heads size graph 0.006, 90 linecolor rgb blue linewidth 1.2 \
+           title 'allowed', \
          0 with lines linestyle 3 notitle, \
          file using 1:($2 - $3) with points linecolor rgb vermillion pointtype 7 pointsize 0.5 title 'difference'
   }
