@@ -1,0 +1,109 @@
+#pragma once
+
+/// The command line, run as a program. STICKSLIP_PROGRAM is its path.
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace stickslip::testing {
+
+struct Outcome {
+  int status{};
+  std::string output, errors;
+};
+
+inline std::string contents(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+class CommandLine : public ::testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::create_directory(folder_); }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  /// Runs `stickslip <arguments>` through the shell.
+  [[nodiscard]] Outcome run(const std::string& arguments) const {
+    const std::string command = std::string("'") + STICKSLIP_PROGRAM + "' " + arguments + " >'" +
+                                path("stdout") + "' 2>'" + path("stderr") + "'";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(path("stdout")), contents(path("stderr"))};
+  }
+
+  [[nodiscard]] nlohmann::json json(const std::string& arguments) const {
+    const Outcome outcome = run(arguments + " --json");
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    return nlohmann::json::parse(outcome.output);
+  }
+
+  [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  [[nodiscard]] std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& file : std::filesystem::directory_iterator(folder_))
+      names.push_back(file.path().filename());
+    return names;
+  }
+
+  void expect_refused(const std::string& arguments, const std::string& part) const {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 2) << arguments;
+    EXPECT_EQ(outcome.output, "") << arguments;
+    EXPECT_TRUE(outcome.errors.starts_with("stickslip: ")) << outcome.errors;
+    EXPECT_EQ(std::ranges::count(outcome.errors, '\n'), 1) << outcome.errors;
+    EXPECT_NE(outcome.errors.find(part), std::string::npos) << outcome.errors;
+  }
+
+ private:
+  std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() / ("stickslip-command-line-" + std::to_string(::getpid()));
+};
+
+inline std::vector<std::vector<std::string>> csv(const std::string& text) {
+  std::vector<std::vector<std::string>> rows;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    rows.emplace_back();
+    std::istringstream cells(line);
+    for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
+  }
+  return rows;
+}
+
+/// Commands that draw, with a gnuplot of the test's own, or with none: what draws need not be installed here.
+class Drawing : public CommandLine {
+ protected:
+  void SetUp() override {
+    CommandLine::SetUp();
+    ::setenv("PATH", (path("tools") + ":/usr/bin:/bin").c_str(), 1);
+    std::filesystem::create_directory(path("tools"));
+  }
+  void TearDown() override {
+    ::setenv("PATH", old_path_.c_str(), 1);
+    CommandLine::TearDown();
+  }
+
+  /// A shell script that is called as gnuplot is: -e 'name=value; ...' script.
+  void install_gnuplot(const std::string& body) const {
+    const std::string program = path("tools/gnuplot");
+    std::ofstream(program) << "#!/bin/sh\neval \"$2\"\n[ -f \"$3\" ] || exit 1\n" << body;
+    std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  }
+
+ private:
+  const std::string old_path_ = std::getenv("PATH");
+};
+
+}  // namespace stickslip::testing
