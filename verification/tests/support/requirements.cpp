@@ -25,6 +25,12 @@ const std::vector<Requirement> table{
      "The two implementations share the problem statement and nothing else.",
      "Design",
      {"Independence"}},
+    {"P5",
+     "Reference data are read as published; whatever is altered, missing or inconsistent in them, and in "
+     "files to be "
+     "compared with them, is refused at its place.",
+     "Data package",
+     {"ReferenceReader", "ReferenceKeys", "UserTable", "ColumnMapping"}},
 
     // Closed form.
     {"A1",
@@ -203,6 +209,14 @@ const std::vector<Requirement> table{
      "Eqs. (16) to (30)",
      {"EnclosedFrequencies", "EnclosedShapes", "EnclosedResponse", "EnclosedMaximum"}},
 
+    {"X18",
+     "A comparison with reference data agrees with a copy, finds an error of known size, keeps events and "
+     "phases apart, "
+     "and names a known mistake.",
+     "Data package; Sects. 2 to 5",
+     {"ComparedCopy", "ComparedTable", "ComparedCurve", "ComparedVerdict", "ComparedEvents",
+      "ComparedHistory", "LikenedTo", "LikenedToNothing"}},
+
     // Whatever the beam is.
     {"M1",
      "Random beams keep symmetry, units, similarity, superposition, time shift and the order of the "
@@ -226,7 +240,7 @@ const std::vector<Requirement> table{
     {"U1",
      "The command line prints what the implementations return and refuses bad input in one sentence.",
      "Commands",
-     {"CommandLine", "Animation", "MapCommand", "DesignCommand"}},
+     {"CommandLine", "Animation", "MapCommand", "DesignCommand", "ReferenceCommand", "CompareCommand"}},
     {"U2",
      "Figures and report appear whole or not at all, are drawn from their CSV files alone, and only when "
      "something has changed.",
