@@ -84,8 +84,7 @@ std::string conclusion_of(Agreement agreement) {
     case Agreement::undecided:
       break;
   }
-  return "undecided: the reference is not known well enough, or not compared, where it says so; nothing "
-         "differs";
+  return "undecided: nothing differs, but the reference does not settle everything";
 }
 
 std::string finding_name(studies::Finding finding) {

@@ -109,8 +109,8 @@ TEST_F(CompareCommand, AgreesWithACopyOfEveryDataSet) {
 
 TEST_F(CompareCommand, ReadsTheFilesThatRespondWrites) {
   const std::string history = path("history.csv"), events = path("events.csv");
-  ASSERT_EQ(run("respond damped --method event-driven --set numerics.modes=20 --duration 0.12 --output '" + history + "' --events '" +
-                events + "'")
+  ASSERT_EQ(run("respond damped --method event-driven --set numerics.modes=20 --duration 0.12 --output '" +
+                history + "' --events '" + events + "'")
                 .status,
             0);
   // Twenty modes against forty: events differ by 8e-9 s and 1.2e-8 m, the force by 0.1 N.
