@@ -74,7 +74,8 @@ TEST_F(UserTable, IsTheSameHoweverItIsSpelled) {
       "\"beam\",\"mode\",\"frequency\"\n\"paper\",\"1\",\"25\"\n\"paper\" , 2,81.5\n",
       "beam,mode,frequency\npaper,1.0,+2.5e+1\npaper,2,8.15E1\n",
       "beam,mode,frequency,remark\npaper,1,25,\"a, \"\"b\"\"\"\npaper,2,81.5,\n",
-      "beam;mode;frequency;remark\npaper;1;25;a,b\npaper;2;81.5;c\n"};
+      "beam;mode;frequency;remark\npaper;1;25;a,b\npaper;2;81.5;c\n",
+      "beam,mode,frequency,\"a; b\"\npaper,1,25,a\npaper,2,81.5,b\n"};
   for (const std::string& text : spellings) {
     const auto table = read("stick-frequencies", text);
     ASSERT_EQ(table.rows(), 2u) << text;
@@ -153,8 +154,8 @@ TEST_F(UserTable, ConvertsEveryUnitToThatOfTheDataSet) {
 }
 
 TEST_F(UserTable, DividesByPowersOfTenSoThatDecimalsStayTheNearestDouble) {
-  const auto table = read("stick-force", "t_ms,friction_force_mN\n5,300\n11,7\n");
-  EXPECT_EQ(table.column("t")->values, (std::vector<double>{0.005, 0.011}));
+  const auto table = read("stick-force", "t_ms,friction_force_mN\n9,300\n18,7\n");
+  EXPECT_EQ(table.column("t")->values, (std::vector<double>{0.009, 0.018}));
   EXPECT_EQ(table.column("friction_force")->values, (std::vector<double>{0.3, 0.007}));
 }
 
