@@ -1,6 +1,7 @@
 /// Somebody else's CSV files: every spelling that is understood gives the same numbers, and what cannot be
 /// used is refused in one sentence that names file, line, column and value.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -125,10 +126,10 @@ TEST_F(UserTable, ConvertsEveryUnitToThatOfTheDataSet) {
   const auto expect = [&](const std::string& set, const std::string& before, const std::string& column,
                           const std::string& after, const std::vector<Spelling>& spellings) {
     for (const auto& [unit, per_unit] : spellings) {
-      const std::string text = before + column + " [" + unit + "]\n" + after + "0.375\n";
+      const std::string text = fmt::format("{}{} [{}]\n{}0.375\n", before, column, unit, after);
       const double value = read(set, text).column(column)->values[0];
       EXPECT_TRUE(within(value, 0.375 * per_unit, round_off(1.0, 1.0, value))) << unit;
-      const auto underscored = read(set, before + column + "_" + unit + "\n" + after + "0.375\n");
+      const auto underscored = read(set, fmt::format("{}{}_{}\n{}0.375\n", before, column, unit, after));
       EXPECT_EQ(underscored.column(column)->values[0], value) << unit;
     }
   };
@@ -244,7 +245,7 @@ TEST_F(UserTable, RefusesWhatCannotBeUsedInOneSentence) {
       {events, "index,time,change\n1,0.1,onset\n1,0.2,capture\n",
        "mine.csv:3: index = 1 stands in line 2 already, but must stand once"},
       {frequencies, std::string("\xFF\xFE") + "b", "mine.csv: is no text in UTF-8"},
-      {frequencies, header + std::string(1, '\0') + "\n", "mine.csv: is no text in UTF-8"},
+      {frequencies, std::string("beam\0\n", 6), "mine.csv: is no text in UTF-8"},
       {"beams", "beam\npaper\n", "the data set beams says nothing of how to compare with it"}};
   for (const auto& [set, text, sentence] : defects) EXPECT_EQ(refusal(set, text), sentence);
 }
