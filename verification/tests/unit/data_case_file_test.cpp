@@ -469,8 +469,9 @@ TEST(PublishedCases, AMisspeltNameIsRefusedWithTheNamesThereAre) {
     FAIL() << "accepted";
   } catch (const data::InputError& error) {
     EXPECT_STREQ(error.what(),
-                 "case papr is unknown (did you mean paper?), but must be a file or one of damped, paper, "
-                 "paper-figure14, paper-half-stiffness");
+                 "case papr is unknown (did you mean paper?), but must be a file or one of damped, "
+                 "near-buckling, paper, paper-figure14, paper-figure9, paper-half-stiffness, soft-short, "
+                 "steel-strip, tension");
   }
 }
 
