@@ -1,0 +1,407 @@
+/// What ball arithmetic encloses: the stick state, the frequencies of the slip state, the criterion.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+
+#include "sets.hpp"
+#include "stickslip/certified/criterion.hpp"
+#include "stickslip/certified/slip_modes.hpp"
+#include "stickslip/certified/stick_modes.hpp"
+
+namespace stickslip::reference {
+
+using certified::PrecisionScope;
+using certified::Rational;
+using certified::Real;
+using data::ValueClass;
+
+namespace {
+
+constexpr long bits = 384;
+constexpr int mode_count = 10;
+const std::string digits_and_bits = fmt::format(R"({{"bits": {}, "digits": 30}})", bits);
+
+data::Resource resource(std::string name, std::string path, std::string title, std::string description) {
+  data::Resource resource;
+  resource.name = std::move(name);
+  resource.path = std::move(path);
+  resource.title = std::move(title);
+  resource.description = std::move(description);
+  return resource;
+}
+
+data::ComparisonRule table_of(std::vector<data::ComparedValue> values) {
+  return {.kind = data::ComparisonKind::table,
+          .values = std::move(values),
+          .abscissa = {},
+          .interpolation = {},
+          .events = {},
+          .horizon = {}};
+}
+
+data::DiagnosisRule for_each_beam(std::string quantity, std::string value) {
+  return {.quantity = std::move(quantity),
+          .case_name = {},
+          .case_column = "beam",
+          .abscissa = "mode",
+          .value = std::move(value)};
+}
+
+data::DiagnosisRule in_case(std::string quantity, std::string name, std::string abscissa, std::string value) {
+  return {.quantity = std::move(quantity),
+          .case_name = std::move(name),
+          .case_column = {},
+          .abscissa = std::move(abscissa),
+          .value = std::move(value)};
+}
+
+const data::Field beam_column = word("beam", "name of the beam, in beams.csv");
+const data::Field mode_column = integer("mode", "number n, from the lowest");
+
+// k/20 of a length that stands in a case file as a decimal.
+Rational point_of(const NamedBeam& named, int k, double& as_double) {
+  as_double = named.problem.beam.length() * k / 20.0;
+  return exact(as_double);
+}
+
+}  // namespace
+
+DataSet beam_table() {
+  DataSet set{
+      resource("beams", "beams.csv", "Beams",
+               "Uniform beams, clamped at x = 0 and pressed against a wall at x = L by the axial force "
+               "P (compression positive; in tension, where there is no contact, the tip is held). All "
+               "numbers are exact: everything else is computed from these decimals."),
+      {}};
+  set.resource.fields = {word("beam", "name"),
+                         exact_number("length", "m", "L"),
+                         exact_number("area", "m^2", "A"),
+                         exact_number("second_moment_of_area", "m^4", "I"),
+                         exact_number("density", "kg/m^3", "rho"),
+                         exact_number("youngs_modulus", "Pa", "E"),
+                         exact_number("axial_force", "N", "P, compression positive")};
+  set.resource.primary_key = {"beam"};
+  set.resource.provenance = {
+      .value_class = ValueClass::exact,
+      .method = "chosen: the beam of the paper, and four that stress an implementation elsewhere",
+      .settings = "{}",
+      .software = software(),
+      .checks = {"each is a case file of the same name that the program runs"}};
+  for (const NamedBeam& named : beams()) {
+    const data::BeamProperties& p = named.problem.beam.properties();
+    set.rows.push_back(Row()
+                           .text(named.name)
+                           .number(p.length)
+                           .number(p.area)
+                           .number(p.second_moment_of_area)
+                           .number(p.density)
+                           .number(p.youngs_modulus)
+                           .number(p.axial_force));
+  }
+  return set;
+}
+
+DataSet stick_frequencies() {
+  DataSet set{
+      resource("stick-frequencies", "frequencies/stick.csv", "Natural frequencies of the stick state",
+               "Clamped-pinned under the axial force P: roots of beta tan(betabar L) = betabar tanh(beta "
+               "L), beta^2 = -p/2 + sqrt(p^2/4 + k), betabar^2 = p/2 + sqrt(p^2/4 + k), p = P/EI, k = "
+               "rho A omega^2/EI."),
+      {}};
+  set.resource.fields = {beam_column, mode_column};
+  add_value(set.resource.fields, "frequency", "Hz", "omega_n/(2 pi)", ValueClass::enclosed);
+  add_value(set.resource.fields, "hyperbolic_wave_number", "1/m", "beta_n", ValueClass::enclosed);
+  add_value(set.resource.fields, "trigonometric_wave_number", "1/m", "betabar_n", ValueClass::enclosed);
+  set.resource.primary_key = {"beam", "mode"};
+  set.resource.comparison = table_of({{"frequency", data::Norm::relative, 1e-6},
+                                      {"hyperbolic_wave_number", data::Norm::relative, 1e-6},
+                                      {"trigonometric_wave_number", data::Norm::relative, 1e-6}});
+  set.resource.diagnosis = for_each_beam("stick frequency", "frequency");
+  set.resource.provenance = enclosed_by(
+      "every root of the characteristic equation from the first on is isolated", digits_and_bits,
+      {"no interval between the roots holds another one: the function or its derivative has a certain "
+       "sign on every piece"});
+  const PrecisionScope scope(bits);
+  for (const NamedBeam& named : beams())
+    for (const certified::StickMode& mode : certified::stick_modes(named.beam, mode_count))
+      set.rows.push_back(Row()
+                             .text(named.name)
+                             .number(mode.number)
+                             .enclosed(mode.frequency_hz)
+                             .enclosed(mode.hyperbolic_wave_number)
+                             .enclosed(mode.trigonometric_wave_number));
+  return set;
+}
+
+DataSet slip_frequencies() {
+  DataSet set{
+      resource("slip-frequencies", "frequencies/slip.csv", "Natural frequencies of the slip state",
+               "Clamped-free under the follower force P (Beck's column), kappa = omega L^2 sqrt(rho A/EI), "
+               "z = P L^2/EI: z^2 + 2 kappa^2 (1 + cosh(b) cos(bb)) + z kappa sinh(b) sin(bb) = 0. Beams "
+               "beyond the flutter load are left out."),
+      {}};
+  set.resource.fields = {beam_column, mode_column};
+  add_value(set.resource.fields, "frequency", "Hz", "omega_n/(2 pi)", ValueClass::enclosed);
+  set.resource.primary_key = {"beam", "mode"};
+  set.resource.comparison = table_of({{"frequency", data::Norm::relative, 1e-6}});
+  set.resource.diagnosis = for_each_beam("slip frequency", "frequency");
+  set.resource.provenance = enclosed_by("every root of the frequency equation is isolated", digits_and_bits,
+                                        {"their number is that of the cantilever without axial force"});
+  const PrecisionScope scope(bits);
+  for (const NamedBeam& named : beams()) {
+    if (!(named.beam.load_factor() < certified::flutter_factor())) continue;
+    for (const certified::SlipFrequency& mode : certified::slip_frequencies(named.beam, mode_count))
+      set.rows.push_back(Row().text(named.name).number(mode.number).enclosed(mode.frequency_hz));
+  }
+  return set;
+}
+
+DataSet critical_loads() {
+  DataSet set{
+      resource("critical-loads", "static/loads.csv", "Buckling and flutter loads, stiffness of the tip",
+               "Buckling of the stick state, P_cr = y^2 EI/L^2 with tan y = y; flutter of the slip state "
+               "(Beck's column); and the force that holds the tip, per deflection of it, at rest: EI "
+               "S'''(L) of the static shape, under the axial force of the beam."),
+      {}};
+  set.resource.fields = {beam_column};
+  add_value(set.resource.fields, "buckling_load", "N", "of the stick state", ValueClass::enclosed);
+  add_value(set.resource.fields, "flutter_load", "N", "of the slip state", ValueClass::enclosed);
+  add_value(set.resource.fields, "holding_stiffness", "N/m", "EI S'''(L), the shear force of S",
+            ValueClass::enclosed);
+  set.resource.primary_key = {"beam"};
+  set.resource.comparison = table_of({{"buckling_load", data::Norm::relative, 1e-6},
+                                      {"flutter_load", data::Norm::relative, 1e-6},
+                                      {"holding_stiffness", data::Norm::relative, 1e-6}});
+  set.resource.provenance =
+      enclosed_by("the root of tan y = y, and the double root of the frequency equation", digits_and_bits,
+                  {"Beck's 20.05 EI/L^2"});
+  const PrecisionScope scope(bits);
+  for (const NamedBeam& named : beams()) {
+    const Real unit = named.beam.bending_stiffness() / pow(named.beam.length(), 2);
+    set.rows.push_back(Row()
+                           .text(named.name)
+                           .enclosed(certified::buckling_load(named.beam))
+                           .enclosed(certified::flutter_factor() * unit)
+                           .enclosed(named.beam.bending_stiffness() *
+                                     certified::QuasiStaticShape(named.beam).at(named.beam.length())[3]));
+  }
+  return set;
+}
+
+DataSet participation() {
+  DataSet set{
+      resource("participation", "shapes/participation.csv", "Participation factors",
+               "C_n = -int U_n (1 + S) dx/int U_n^2 dx of Eq. (25), U_n in the scale of Eq. (22): U_n''(0) = "
+               "beta^2 + betabar^2."),
+      {}};
+  set.resource.fields = {beam_column, mode_column};
+  add_value(set.resource.fields, "participation", "", "C_n", ValueClass::enclosed);
+  set.resource.primary_key = {"beam", "mode"};
+  set.resource.comparison = table_of({{"participation", data::Norm::relative, 1e-6}});
+  set.resource.diagnosis = for_each_beam("participation", "participation");
+  set.resource.provenance =
+      enclosed_by("the integrals in closed form", digits_and_bits, {"the integrals by rigorous quadrature"});
+  const PrecisionScope scope(bits);
+  for (const NamedBeam& named : beams())
+    for (const certified::StickMode& mode : certified::stick_modes(named.beam, mode_count))
+      set.rows.push_back(Row().text(named.name).number(mode.number).enclosed(mode.participation));
+  return set;
+}
+
+DataSet static_shapes() {
+  DataSet set{resource("static-shapes", "shapes/static.csv", "Static shapes",
+                       "S(x) of Eq. (18): S'''' + (P/EI) S'' = 0, S(0) = S'(0) = S''(L) = 0, S(L) = -1; with "
+                       "hyperbolic functions in tension."),
+              {}};
+  set.resource.fields = {beam_column, exact_number("x", "m", "distance from the clamp")};
+  add_value(set.resource.fields, "shape", "", "S(x)", ValueClass::enclosed);
+  add_value(set.resource.fields, "slope", "1/m", "S'(x)", ValueClass::enclosed);
+  set.resource.primary_key = {"beam", "x"};
+  set.resource.comparison =
+      table_of({{"shape", data::Norm::scale, 1e-6}, {"slope", data::Norm::scale, 1e-6}});
+  set.resource.diagnosis = {.quantity = "quasi-static shape",
+                            .case_name = {},
+                            .case_column = "beam",
+                            .abscissa = "x",
+                            .value = "shape"};
+  set.resource.provenance = enclosed_by("Eq. (18)", digits_and_bits, {"the boundary values hold"});
+  const PrecisionScope scope(bits);
+  for (const NamedBeam& named : beams()) {
+    const certified::QuasiStaticShape shape(named.beam);
+    for (int k = 1; k <= 20; ++k) {
+      double x = 0.0;
+      const certified::Derivatives at = shape.at(Real(point_of(named, k, x)));
+      set.rows.push_back(Row()
+                             .text(named.name)
+                             .number(x)
+                             .enclosed(at[0])
+                             .enclosed(at[1], 1.0 / named.problem.beam.length()));
+    }
+  }
+  return set;
+}
+
+DataSet mode_shapes() {
+  DataSet set{resource("mode-shapes", "shapes/stick-modes.csv", "Mode shapes of the stick state",
+                       "U_n(x) of Eq. (22), with U_n''(0) = beta^2 + betabar^2."),
+              {}};
+  set.resource.fields = {beam_column, mode_column, exact_number("x", "m", "distance from the clamp")};
+  add_value(set.resource.fields, "shape", "", "U_n(x)", ValueClass::enclosed);
+  set.resource.primary_key = {"beam", "mode", "x"};
+  set.resource.comparison = table_of({{"shape", data::Norm::scale, 1e-4}});
+  set.resource.provenance = enclosed_by(
+      "Eq. (22)", digits_and_bits, {"value and slope vanish at the clamp, value and curvature at the tip"});
+  const PrecisionScope scope(bits);
+  for (const NamedBeam& named : beams())
+    for (const certified::StickMode& mode : certified::stick_modes(named.beam, mode_count))
+      for (int k = 1; k < 20; ++k) {
+        double x = 0.0;
+        const Real at(point_of(named, k, x));
+        set.rows.push_back(
+            Row().text(named.name).number(mode.number).number(x).enclosed(mode.shape(at)[0], 1.0));
+      }
+  return set;
+}
+
+DataSet stick_history_of_ten_modes() {
+  DataSet set{
+      resource("stick-history-ten-modes", "stick/ten-modes.csv", "The held beam by the paper's ten modes",
+               "Fig. 9: the paper's beam at 15 Hz and 0.5 mm, tip held, by Eqs. (27) and (28) with N = 10: "
+               "for another evaluation of these sums. Finite elements are nearer to stick-history, which "
+               "has all modes."),
+      {}};
+  set.resource.fields = {exact_number("t", "s", "time")};
+  add_value(set.resource.fields, "midspan_displacement", "m", "y(L/2, t), absolute", ValueClass::enclosed);
+  add_value(set.resource.fields, "friction_force", "N", "f(t) in the sign of Eq. (28)", ValueClass::enclosed);
+  set.resource.primary_key = {"t"};
+  set.resource.comparison = table_of(
+      {{"midspan_displacement", data::Norm::scale, 1e-6}, {"friction_force", data::Norm::scale, 1e-6}});
+  set.resource.provenance = enclosed_by(
+      "Eqs. (27), (28) with omega_n^2 in Eq. (24)",
+      fmt::format(R"({{"bits": {}, "digits": 30, "modes": 10, "frequency_hz": 15, "amplitude": 0.0005}})",
+                  bits),
+      {"y and y_t vanish at t = 0 relative to the wall"});
+  const PrecisionScope scope(bits);
+  const NamedBeam& paper = beams().front();
+  const certified::StickResponse response(paper.beam, {"15", "0.0005"}, 10);
+  const Real midspan = paper.beam.length() / 2;
+  for (int k = 1; k <= 1000; ++k) {
+    const double t = k / 1000.0;
+    const Real time(exact(t));
+    set.rows.push_back(Row()
+                           .number(t)
+                           .enclosed(response.absolute_displacement(midspan, time), 1e-3)
+                           .enclosed(response.friction_force(time), 100.0));
+  }
+  return set;
+}
+
+namespace {
+
+const Rational ten_seconds("10");
+
+// 5 to 120 Hz by 5 Hz.
+std::vector<int> frequencies() {
+  std::vector<int> list;
+  for (int hz = 5; hz <= 120; hz += 5) list.push_back(hz);
+  return list;
+}
+
+// Of a case at a frequency, per metre of amplitude: as dear as it is needed often.
+const certified::ForceMaximum& force_maximum(const NamedBeam& named, int hz) {
+  static std::map<std::pair<std::string, int>, certified::ForceMaximum> known;
+  const auto key = std::pair(named.name, hz);
+  if (const auto found = known.find(key); found != known.end()) return found->second;
+  return known.emplace(key, certified::max_abs_friction_force(named.beam, {exact(hz), "1"}, ten_seconds, 10))
+      .first->second;
+}
+
+const NamedBeam& half_stiffness() {
+  static const NamedBeam named = named_beam("paper-half-stiffness");
+  return named;
+}
+
+}  // namespace
+
+DataSet friction_maxima() {
+  DataSet set{
+      resource("friction-maxima", "criterion/friction-maxima.csv", "Largest static friction force",
+               "|f|_max of Eq. (28) over 0 <= t <= 10 s with N = 10 (Fig. 10), the paper's beam at 0.5 mm."),
+      {}};
+  set.resource.fields = {exact_number("frequency", "Hz", "of the base")};
+  add_value(set.resource.fields, "friction_force", "N", "|f|_max", ValueClass::enclosed);
+  set.resource.primary_key = {"frequency"};
+  set.resource.comparison = table_of({{"friction_force", data::Norm::relative, 1e-3}});
+  set.resource.diagnosis = in_case("force maximum", "paper", "frequency", "friction_force");
+  set.resource.provenance = enclosed_by(
+      "times are dropped where a bound of f'' keeps |f| below the largest value found; in what is left every "
+      "root of f' is isolated",
+      R"({"modes": 10, "duration": 10, "amplitude": 0.0005, "digits": 30})",
+      {"the rigorous bounds of the double-precision search overlap"});
+  const PrecisionScope scope(bits);
+  for (int hz = 1; hz <= 120; ++hz)
+    set.rows.push_back(
+        Row().number(hz).enclosed(force_maximum(beams().front(), hz).value * Real(Rational("0.0005"))));
+  return set;
+}
+
+DataSet critical_amplitudes() {
+  DataSet set{
+      resource("critical-amplitudes", "criterion/critical-amplitudes.csv", "Critical amplitudes",
+               "The base amplitude at which |f|_max over 10 s reaches mu_s P = 300 N, N = 10: Figs. 6, 11 "
+               "(case paper) and 13 (case paper-half-stiffness)."),
+      {}};
+  set.resource.fields = {word("beam", "name of the case"), exact_number("frequency", "Hz", "of the base")};
+  add_value(set.resource.fields, "amplitude", "m", "A_c", ValueClass::enclosed);
+  set.resource.primary_key = {"beam", "frequency"};
+  set.resource.comparison = table_of({{"amplitude", data::Norm::relative, 1e-3}});
+  set.resource.diagnosis = {.quantity = "critical amplitude",
+                            .case_name = {},
+                            .case_column = "beam",
+                            .abscissa = "frequency",
+                            .value = "amplitude"};
+  set.resource.provenance = enclosed_by("mu_s P over the largest force per metre, as in friction-maxima",
+                                        R"({"modes": 10, "duration": 10, "digits": 30})",
+                                        {"one linear run of finite elements per frequency"});
+  const PrecisionScope scope(bits);
+  const Real limit(Rational("300"));
+  for (const NamedBeam* named : {&beams().front(), &half_stiffness()})
+    for (const int hz : frequencies())
+      set.rows.push_back(
+          Row().text(named->name).number(hz).enclosed(limit / force_maximum(*named, hz).value));
+  return set;
+}
+
+DataSet classification() {
+  DataSet set{
+      resource("classification", "criterion/classification.csv", "Stick or stick-slip",
+               "Fig. 12: the criterion |f|_max > mu_s P over 10 s with N = 10, the paper's beam. The ratio "
+               "|f|_max/(mu_s P) says how near a point is to the boundary; finite elements of the paper's "
+               "mesh and step may differ within 3 % of it."),
+      {}};
+  set.resource.fields = {exact_number("frequency", "Hz", "of the base"),
+                         exact_number("amplitude", "m", "of the base"),
+                         word("verdict", "stick or stick-slip")};
+  add_value(set.resource.fields, "force_ratio", "", "|f|_max/(mu_s P)", ValueClass::enclosed);
+  set.resource.primary_key = {"frequency", "amplitude"};
+  set.resource.comparison = table_of({{"force_ratio", data::Norm::relative, 1e-3}});
+  set.resource.provenance =
+      enclosed_by("as in friction-maxima", R"({"modes": 10, "duration": 10, "digits": 30})",
+                  {"every verdict is certain", "the grid of Fig. 12 by finite elements"});
+  const PrecisionScope scope(bits);
+  const Real limit(Rational("300"));
+  for (const int hz : frequencies())
+    for (int k = 1; k <= 20; ++k) {
+      const double amplitude = k * 5 / 1e5;
+      const Real ratio = Real(exact(amplitude)) * force_maximum(beams().front(), hz).value / limit;
+      const int side = (ratio - Real(1)).certain_sign();
+      if (side == 0) throw std::runtime_error(fmt::format("no verdict at {} Hz, {} m", hz, amplitude));
+      set.rows.push_back(
+          Row().number(hz).number(amplitude).text(side > 0 ? "stick-slip" : "stick").enclosed(ratio));
+    }
+  return set;
+}
+
+}  // namespace stickslip::reference

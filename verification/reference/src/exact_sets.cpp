@@ -1,0 +1,175 @@
+/// Closed forms that anyone can write down: one mass with friction, a manufactured motion.
+
+#include <array>
+#include <utility>
+
+#include "sets.hpp"
+
+namespace stickslip::reference {
+
+using certified::PrecisionScope;
+using certified::Rational;
+using certified::Real;
+using data::ValueClass;
+
+namespace {
+
+constexpr long bits = 256;
+
+}  // namespace
+
+DataSet single_mass_events() {
+  DataSet set;
+  data::Resource& resource = set.resource;
+  resource.name = "single-mass-events";
+  resource.path = "single-mass/events.csv";
+  resource.title = "Stops and reversals of one mass with Coulomb friction";
+  resource.description =
+      "slider: m = 2 kg, mu N = 3 N, starts at 0.25 m with 1.3 m/s and stops at v0/(mu N/m) after v0^2/(2 mu "
+      "N/m). oscillator: m = 1 kg, a spring of 4 N/m to the fixed frame, mu N = 0.4 N, starts at rest at "
+      "1.04 m: "
+      "turning points at i pi/2 s, where it is (-1)^i (1.04 - 0.2 i) m; the fifth lies within the dead zone "
+      "of "
+      "0.1 m, and it sticks.";
+  resource.fields = {word("system", "slider or oscillator"), integer("index", "number of the event, from 1"),
+                     word("change", "reversal or capture")};
+  add_value(resource.fields, "time", "s", "of the event", ValueClass::enclosed);
+  add_value(resource.fields, "position", "m", "of the mass", ValueClass::enclosed);
+  resource.primary_key = {"system", "index"};
+  resource.comparison = {
+      .kind = data::ComparisonKind::table,
+      .values = {{"time", data::Norm::relative, 1e-6}, {"position", data::Norm::absolute, 1e-6}},
+      .abscissa = {},
+      .interpolation = {},
+      .events = {},
+      .horizon = {}};
+  resource.provenance = {
+      .value_class = ValueClass::enclosed,
+      .method = "the piecewise closed form, in ball arithmetic (Arb)",
+      .settings = R"({"bits": 256, "digits": 30})",
+      .software = software(),
+      .checks = {"the event-driven engine and the time stepper, to round-off and to order two"}};
+  const PrecisionScope scope(bits);
+  const Real deceleration = Real(3) / Real(2), v0(Rational("1.3"));
+  set.rows.push_back(Row()
+                         .text("slider")
+                         .number(1)
+                         .text("capture")
+                         .enclosed(v0 / deceleration)
+                         .enclosed(Real(Rational("0.25")) + v0 * v0 / (2 * deceleration)));
+  for (int i = 1; i <= 5; ++i)
+    set.rows.push_back(Row()
+                           .text("oscillator")
+                           .number(i)
+                           .text(i < 5 ? "reversal" : "capture")
+                           .enclosed(Real(i) * certified::pi() / 2)
+                           .enclosed(Real(i % 2 == 0 ? 1 : -1) *
+                                     (Real(Rational("1.04")) - Real(i) * Real(Rational("0.2")))));
+  return set;
+}
+
+DataSet friction_powers() {
+  DataSet set;
+  data::Resource& resource = set.resource;
+  resource.name = "friction-powers";
+  resource.path = "single-mass/friction-powers.csv";
+  resource.title = "Mean friction power of a mass on a shaken plane";
+  resource.description =
+      "Case SDND104: 1 kg on a plane that moves by w, w_tt = a sin(2 pi t), with Coulomb friction mu N = 1 "
+      "N, from "
+      "rest on the plane; the mean of 10 N |v_s| over 4 <= t <= 12 s.";
+  resource.fields = {exact_number("amplitude", "m/s^2", "a")};
+  add_value(resource.fields, "power", "W", "mean", ValueClass::external);
+  resource.primary_key = {"amplitude"};
+  resource.comparison = {.kind = data::ComparisonKind::table,
+                         .values = {{"power", data::Norm::relative, 1e-6}},
+                         .abscissa = {},
+                         .interpolation = {},
+                         .events = {},
+                         .horizon = {}};
+  resource.provenance = {
+      .value_class = ValueClass::external,
+      .method =
+          "the test case SDND104 of the validation manual of code_aster, its piecewise closed "
+          "form evaluated with 40 digits",
+      .settings = R"({"digits": 40})",
+      .software = "none",
+      .checks = {"the event-driven engine, to ten digits"}};
+  constexpr std::array<std::array<const char*, 3>, 4> rows{{{"0.99", "0", "0"},
+                                                            {"1.01", "2.26164121279787e-4", "5e-19"},
+                                                            {"1.5", "0.409062451015709", "5e-16"},
+                                                            {"15", "15.2670995893716", "5e-14"}}};
+  for (const auto& [amplitude, power, radius] : rows)
+    set.rows.push_back(Row().text(amplitude).text(power).text(radius));
+  return set;
+}
+
+DataSet manufactured_motion() {
+  DataSet set;
+  data::Resource& resource = set.resource;
+  resource.name = "manufactured-motion";
+  resource.path = "manufactured/motion.csv";
+  resource.title = "A manufactured motion and the load that it takes";
+  resource.description =
+      "The paper's beam is to move as u(x,t) = phi(x) cos(w t), phi = a sin^2(2 x/L) exp(x/(2 L)), a = 1 mm, "
+      "w = 40 "
+      "rad/s, which no cubic element holds. Under the axial force of the first column that takes the load "
+      "q(x) "
+      "cos(w t) per length, q = -rho A w^2 phi + EI phi'''' + P phi'', and at the tip (the last row of each "
+      "force) the bending moment EI phi''(L) cos(w t) and, in slip, where the axial force follows the tip, "
+      "the "
+      "force -EI phi'''(L) cos(w t); in stick that force is the reaction.";
+  resource.fields = {exact_number("axial_force", "N", "P, compression positive"),
+                     exact_number("x", "m", "distance from the clamp")};
+  add_value(resource.fields, "displacement", "m", "phi(x)", ValueClass::enclosed);
+  add_value(resource.fields, "load", "N/m", "q(x)", ValueClass::enclosed);
+  add_value(resource.fields, "bending_moment", "N m", "EI phi''(x)", ValueClass::enclosed);
+  add_value(resource.fields, "shear_force", "N", "EI phi'''(x)", ValueClass::enclosed);
+  resource.primary_key = {"axial_force", "x"};
+  resource.comparison = {.kind = data::ComparisonKind::table,
+                         .values = {{"displacement", data::Norm::scale, 1e-6},
+                                    {"load", data::Norm::scale, 1e-6},
+                                    {"bending_moment", data::Norm::scale, 1e-6},
+                                    {"shear_force", data::Norm::scale, 1e-6}},
+                         .abscissa = {},
+                         .interpolation = {},
+                         .events = {},
+                         .horizon = {}};
+  resource.provenance = {.value_class = ValueClass::enclosed,
+                         .method = "the derivatives in closed form, in ball arithmetic (Arb)",
+                         .settings = R"({"bits": 256, "digits": 30})",
+                         .software = software(),
+                         .checks = {"phi and phi' vanish at the clamp"}};
+  const PrecisionScope scope(bits);
+  const NamedBeam& paper = beams().front();
+  const Real length = paper.beam.length(), rigidity = paper.beam.bending_stiffness();
+  const Real a(Rational("0.001")), squared_rate(1600);
+  for (const char* axial_force : {"-40000", "0", "40000"})
+    for (int k = 1; k <= 20; ++k) {
+      const double x = paper.problem.beam.length() * k / 20.0;
+      const Real xi = Real(exact(x)) / length;
+      // phi = a/2 (exp(b xi) - Re exp((b + 4 i) xi)), b = 1/2; each derivative multiplies by b/L or (b + 4
+      // i)/L.
+      const Real b = Real(1) / 2, growth = exp(b * xi), four(4);
+      Real plain = growth, real = growth * cos(four * xi), imaginary = growth * sin(four * xi), scale = a / 2;
+      std::array<Real, 5> phi;
+      for (Real& derivative : phi) {
+        derivative = scale * (plain - real);
+        plain = b * plain;
+        real = std::exchange(imaginary, b * imaginary + four * real) * Real(-4) + b * real;
+        scale = scale / length;
+      }
+      const Real load = rigidity * phi[4] + Real(Rational(axial_force)) * phi[2] -
+                        paper.beam.mass_per_length() * squared_rate * phi[0];
+      set.rows.push_back(Row()
+                             .text(axial_force)
+                             .number(x)
+                             .enclosed(phi[0], 1e-3)
+                             .enclosed(load, 10.0)
+                             .enclosed(rigidity * phi[2], 10.0)
+                             .enclosed(rigidity * phi[3], 10.0));
+    }
+  return set;
+}
+
+}  // namespace stickslip::reference

@@ -1,0 +1,141 @@
+#include "stickslip/reference/package.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "sets.hpp"
+#include "sha256.hpp"
+
+namespace stickslip::reference {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* type_names[] = {"string", "integer", "number"};
+
+Json field_json(const data::Field& field) {
+  Json json{{"name", field.name}, {"type", type_names[static_cast<std::size_t>(field.type)]}};
+  if (!field.unit.empty()) json["unit"] = field.unit;
+  json["description"] = field.description;
+  if (field.value_class) json["class"] = data::to_string(*field.value_class);
+  json["constraints"] = {{"required", true}};
+  return json;
+}
+
+Json comparison_json(const data::ComparisonRule& rule) {
+  Json json{{"kind", data::to_string(rule.kind)}, {"values", Json::array()}};
+  for (const data::ComparedValue& value : rule.values)
+    json["values"].push_back(
+        {{"field", value.field}, {"norm", data::to_string(value.norm)}, {"tolerance", value.tolerance}});
+  if (!rule.abscissa.empty()) json["abscissa"] = rule.abscissa;
+  if (rule.interpolation)
+    json["interpolation"] = {{"order", rule.interpolation->order}, {"error", rule.interpolation->error}};
+  if (!rule.events.empty()) json["events"] = rule.events;
+  if (rule.horizon) json["horizon"] = *rule.horizon;
+  return json;
+}
+
+Json diagnosis_json(const data::DiagnosisRule& rule) {
+  Json json{{"quantity", rule.quantity}};
+  if (rule.case_column.empty())
+    json["case"] = rule.case_name;
+  else
+    json["case"] = {{"column", rule.case_column}};
+  json["abscissa"] = rule.abscissa;
+  json["value"] = rule.value;
+  return json;
+}
+
+Json resource_json(const DataSet& set, const std::string& csv) {
+  const data::Resource& resource = set.resource;
+  Json json{{"name", resource.name},
+            {"path", resource.path.generic_string()},
+            {"profile", "tabular-data-resource"},
+            {"format", "csv"},
+            {"mediatype", "text/csv"},
+            {"encoding", "utf-8"},
+            {"bytes", csv.size()},
+            {"hash", "sha256:" + data::sha256(csv)},
+            {"title", resource.title},
+            {"description", resource.description}};
+  Json fields = Json::array();
+  for (const data::Field& field : resource.fields) fields.push_back(field_json(field));
+  json["schema"] = {{"fields", fields}, {"primaryKey", resource.primary_key}};
+  if (resource.comparison) json["comparison"] = comparison_json(*resource.comparison);
+  if (resource.diagnosis) json["diagnosis"] = diagnosis_json(*resource.diagnosis);
+  const data::Provenance& provenance = resource.provenance;
+  json["provenance"] = {{"class", data::to_string(provenance.value_class)},
+                        {"method", provenance.method},
+                        {"settings", Json::parse(provenance.settings)},
+                        {"software", provenance.software},
+                        {"checks", provenance.checks}};
+  return json;
+}
+
+}  // namespace
+
+const std::vector<Recipe>& recipes() {
+  static const std::vector<Recipe> all{{"beams", beam_table, true},
+                                       {"stick-frequencies", stick_frequencies, true},
+                                       {"slip-frequencies", slip_frequencies, true},
+                                       {"critical-loads", critical_loads, true},
+                                       {"participation", participation, true},
+                                       {"static-shapes", static_shapes, true},
+                                       {"mode-shapes", mode_shapes, true},
+                                       {"stick-history-ten-modes", stick_history_of_ten_modes, true},
+                                       {"stick-history", stick_history, true},
+                                       {"friction-maxima", friction_maxima, true},
+                                       {"critical-amplitudes", critical_amplitudes, true},
+                                       {"classification", classification, true},
+                                       {"length-force", length_force_ratios, true},
+                                       {"stick-slip-events", stick_slip_events, false},
+                                       {"stick-slip-history", stick_slip_history, false},
+                                       {"single-mass-events", single_mass_events, true},
+                                       {"friction-powers", friction_powers, true},
+                                       {"manufactured-motion", manufactured_motion, true}};
+  return all;
+}
+
+std::string csv_of(const DataSet& set) {
+  std::string text;
+  for (const data::Field& field : set.resource.fields) text += (text.empty() ? "" : ",") + field.name;
+  text += '\n';
+  for (const auto& row : set.rows) {
+    if (row.size() != set.resource.fields.size())
+      throw std::logic_error(fmt::format("{}: a row of {} cells for {} fields", set.resource.name, row.size(),
+                                         set.resource.fields.size()));
+    text += fmt::format("{}\n", fmt::join(row, ","));
+  }
+  return text;
+}
+
+std::map<std::string, std::string> package_files(const std::vector<DataSet>& sets) {
+  std::map<std::string, std::string> files;
+  Json resources = Json::array();
+  for (const DataSet& set : sets) {
+    const std::string csv = csv_of(set);
+    resources.push_back(resource_json(set, csv));
+    files[set.resource.path.generic_string()] = csv;
+  }
+  const Json package{
+      {"profile", "tabular-data-package"},
+      {"name", "stickslip-reference"},
+      {"title", "Reference data for the stick-slip vibration of beams"},
+      {"description",
+       "The problem of Won, Lee and Chung, Stick-slip vibration of a cantilever beam subjected to harmonic "
+       "base "
+       "excitation, Nonlinear Dynamics (2018), and its parts: numbers with the half-widths of their "
+       "uncertainties, for checking other implementations. README.md explains the files."},
+      {"version", "1.0.0"},
+      {"licenses",
+       {{{"name", "MIT"}, {"path", "https://opensource.org/licenses/MIT"}, {"title", "MIT License"}}}},
+      {"resources", resources}};
+  files["datapackage.json"] = package.dump(1) + '\n';
+  return files;
+}
+
+}  // namespace stickslip::reference

@@ -1,0 +1,107 @@
+#include "sets.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace stickslip::reference {
+
+using certified::Rational;
+using certified::Real;
+
+Rational exact(double value) { return {std::string_view(data::shortest_text(value))}; }
+
+NamedBeam named_beam(const std::string& name) {
+  data::Case problem = data::load_case(name);
+  const data::BeamProperties& p = problem.beam.properties();
+  certified::Beam beam({.length = exact(p.length),
+                        .area = exact(p.area),
+                        .second_moment_of_area = exact(p.second_moment_of_area),
+                        .density = exact(p.density),
+                        .youngs_modulus = exact(p.youngs_modulus),
+                        .axial_force = exact(p.axial_force)});
+  return {name, std::move(problem), std::move(beam)};
+}
+
+const std::vector<NamedBeam>& beams() {
+  static const std::vector<NamedBeam> all = [] {
+    std::vector<NamedBeam> list;
+    for (const char* name : {"paper", "steel-strip", "soft-short", "near-buckling", "tension"})
+      list.push_back(named_beam(name));
+    return list;
+  }();
+  return all;
+}
+
+Row& Row::text(std::string cell) {
+  cells_.push_back(std::move(cell));
+  return *this;
+}
+
+Row& Row::number(double value) { return text(data::shortest_text(value)); }
+
+Row& Row::number(int value) { return text(std::to_string(value)); }
+
+Row& Row::enclosed(const Real& value, double scale) {
+  const certified::Enclosure enclosure = certified::enclosure(value);
+  if (!(std::stod(enclosure.radius) <= 1e-28 * std::max(std::abs(enclosure.midpoint), scale)))
+    throw std::runtime_error(
+        fmt::format("{} +- {} is not as sharp as it is to be published", enclosure.value, enclosure.radius));
+  return text(enclosure.value).text(enclosure.radius);
+}
+
+Row& Row::converged(double value, double radius) {
+  // Upwards, by more than the rounding of the value takes.
+  const double printed_radius = 1.02 * radius;
+  const int decimals = static_cast<int>(std::ceil(-std::log10(printed_radius))) + 2;
+  if (!(radius > 0.0 && decimals < 60)) throw std::runtime_error("a radius must be positive");
+  return text(decimals >= 0 ? fmt::format("{:.{}f}", value, decimals) : fmt::format("{:.0f}", value))
+      .text(fmt::format("{:.1e}", 1.05 * printed_radius));
+}
+
+data::Field word(std::string name, std::string description) {
+  return {.name = std::move(name),
+          .type = data::FieldType::string,
+          .unit = {},
+          .description = std::move(description),
+          .value_class = {},
+          .required = true};
+}
+
+data::Field integer(std::string name, std::string description) {
+  data::Field field = word(std::move(name), std::move(description));
+  field.type = data::FieldType::integer;
+  return field;
+}
+
+data::Field exact_number(std::string name, std::string unit, std::string description) {
+  data::Field field = word(std::move(name), std::move(description));
+  field.type = data::FieldType::number;
+  field.unit = std::move(unit);
+  field.value_class = data::ValueClass::exact;
+  return field;
+}
+
+void add_value(std::vector<data::Field>& fields, const std::string& name, const std::string& unit,
+               const std::string& description, data::ValueClass value_class) {
+  fields.push_back(exact_number(name, unit, description));
+  fields.back().value_class = value_class;
+  fields.push_back(exact_number(name + "_radius", unit, "half-width of the uncertainty of " + name));
+  fields.back().value_class.reset();
+}
+
+std::string software() { return "stickslip " STICKSLIP_VERSION; }
+
+data::Provenance enclosed_by(std::string method, std::string settings, std::vector<std::string> checks) {
+  checks.emplace_back(
+      "the double-precision library agrees to a few units in the last place times the condition");
+  return {.value_class = data::ValueClass::enclosed,
+          .method = "ball arithmetic (Arb), every rounding accounted for: " + std::move(method),
+          .settings = std::move(settings),
+          .software = software() + ", Arb " + std::string(arb_version),
+          .checks = std::move(checks)};
+}
+
+}  // namespace stickslip::reference
