@@ -21,6 +21,7 @@
 #include "support/beams.hpp"
 #include "support/order.hpp"
 #include "support/parameter_name.hpp"
+#include "support/published_data.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -225,6 +226,13 @@ TEST_P(PredictabilityLong, UndampedHistoriesPartByTheirCutOffAndNotByChaos) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Hz, PredictabilityLong, ::testing::Values(25.0, 70.0), NameOfDouble());
+
+TEST(PublishedDataLong, IsWhatTheCodeMakes) {
+  const data::ReferencePackage package = data::load_reference();
+  for (const reference::Recipe& recipe : reference::recipes())
+    if (!recipe.is_quick)
+      expect_same_data(data::read_table(package, std::string(recipe.name)), recipe.make());
+}
 
 }  // namespace
 }  // namespace stickslip::testing

@@ -31,6 +31,10 @@ const std::vector<Requirement> table{
      "compared with them, is refused at its place.",
      "Data package",
      {"ReferenceReader", "ReferenceKeys", "UserTable", "ColumnMapping"}},
+    {"P6",
+     "The published data are what the code makes, each number with its uncertainty and its provenance.",
+     "Data package",
+     {"PublishedData", "PublishedDataLong"}},
 
     // Closed form.
     {"A1",
@@ -209,7 +213,7 @@ const std::vector<Requirement> table{
      "Eqs. (16) to (30)",
      {"EnclosedFrequencies", "EnclosedShapes", "EnclosedResponse", "EnclosedMaximum"}},
 
-    {"X18",
+    {"X20",
      "A comparison with reference data agrees with a copy, finds an error of known size, keeps events and "
      "phases apart, "
      "and names a known mistake.",
