@@ -272,12 +272,14 @@ DataSet stick_history_of_ten_modes() {
                "for another evaluation of these sums. Finite elements are nearer to stick-history, which "
                "has all modes."),
       {}};
-  set.resource.fields = {exact_number("t", "s", "time")};
+  set.resource.fields = {exact_number("time", "s", "since the start")};
   add_value(set.resource.fields, "midspan_displacement", "m", "y(L/2, t), absolute", ValueClass::enclosed);
   add_value(set.resource.fields, "friction_force", "N", "f(t) in the sign of Eq. (28)", ValueClass::enclosed);
-  set.resource.primary_key = {"t"};
+  set.resource.primary_key = {"time"};
   set.resource.comparison = table_of(
       {{"midspan_displacement", data::Norm::scale, 1e-6}, {"friction_force", data::Norm::scale, 1e-6}});
+  set.resource.comparison->kind = data::ComparisonKind::curve;
+  set.resource.comparison->abscissa = "time";
   set.resource.provenance = enclosed_by(
       "Eqs. (27), (28) with omega_n^2 in Eq. (24)",
       fmt::format(R"({{"bits": {}, "digits": 30, "modes": 10, "frequency_hz": 15, "amplitude": 0.0005}})",
