@@ -39,8 +39,7 @@ DataSet stick_history() {
   resource.title = "The held beam with all its modes";
   resource.description =
       "Fig. 9: the paper's beam at 15 Hz and 0.5 mm, tip held, from rest relative to the wall, for any "
-      "converged "
-      "implementation. The paper's ten modes leave 0.02 % of y and 1.6 % of f out.";
+      "converged implementation. The paper's ten modes leave 0.02 % of y and 1.6 % of f out.";
   resource.fields = {exact_number("time", "s", "since the start")};
   add_value(resource.fields, "midspan_displacement", "m", "y(L/2, t), absolute", ValueClass::converged);
   add_value(resource.fields, "friction_force", "N", "f(t) in the sign of Eq. (28)", ValueClass::converged);
@@ -60,8 +59,7 @@ DataSet stick_history() {
   constexpr int modes = 200;
   resource.provenance = converged_by(
       "Eqs. (27), (28) with the steady part in closed form and 200 free vibrations; the half-width is the "
-      "largest "
-      "difference to 100 of them, which leave out sixteen times as much",
+      "largest difference to 100 of them, which leave out sixteen times as much",
       fmt::format(R"({{"modes": {}, "frequency_hz": 15, "amplitude": 0.0005}})", modes),
       {"finite elements, to their predicted error", "the bound of the omitted free vibrations"});
 
@@ -98,8 +96,7 @@ DataSet length_force_ratios() {
   resource.title = "The criterion over length and axial force";
   resource.description =
       "Fig. 14: |f|_max/(mu_s P) over 10 s with N = 10 at 25 Hz and 1 mm for the section 0.2 m x 0.02 m "
-      "(case "
-      "paper-figure14); stick-slip above 1. Points beyond 0.99 of the buckling load are left out.";
+      "(case paper-figure14); stick-slip above 1. Points beyond 0.99 of the buckling load are left out.";
   resource.fields = {exact_number("length", "m", "L"), exact_number("axial_force", "N", "P")};
   add_value(resource.fields, "force_ratio", "", "|f|_max/(mu_s P)", ValueClass::converged);
   resource.primary_key = {"length", "axial_force"};
@@ -112,8 +109,7 @@ DataSet length_force_ratios() {
   constexpr double width = 1e-10, rounding = 1e-9;
   resource.provenance = converged_by(
       "rigorous bounds of the maximum by interval halving in double precision, 1e-10 apart; the half-width "
-      "adds "
-      "1e-9 for the rounding of the modes, whose phases turn by 1e5 rad",
+      "adds 1e-9 for the rounding of the modes, whose phases turn by 1e5 rad",
       R"({"modes": 10, "duration": 10, "relative_width": 1e-10})",
       {"the same search is within its bounds of the enclosures in friction-maxima"});
   const data::Case problem = data::load_case("paper-figure14");
@@ -161,8 +157,7 @@ data::Provenance benchmark_provenance() {
   return converged_by(
       "event-driven integration on the modes of the continuous beam, held while it sticks: exact in stick, "
       "Runge-Kutta of order 8 in slip. The error falls faster than the third power of the number of modes; "
-      "the "
-      "half-width is the difference to 28 modes, of which at most 0.55 are left",
+      "the half-width is the difference to 28 modes, of which at most 0.55 are left",
       fmt::format(R"({{"modes": {}, "fewer_modes": 28, "tolerance": 1e-12, "shortest_stick": 2e-5}})",
                   reference_modes),
       {"finite elements with generalised-alpha converge to it in mesh and step",
@@ -180,9 +175,8 @@ DataSet stick_slip_events() {
   resource.title = "Onsets and captures of the damped stick-slip vibration";
   resource.description =
       "The paper's beam at 25 Hz and 1 mm with Kelvin-Voigt damping of 0.5 % of critical in the first mode "
-      "(case "
-      "damped), from the quasi-static start. Stick phases shorter than 2e-5 s count as part of the slip "
-      "round them.";
+      "(case damped), from the quasi-static start. Stick phases shorter than 2e-5 s count as part of the "
+      "slip round them.";
   resource.fields = {integer("index", "number of the event, from 1"),
                      word("change", "onset (of slip) or capture")};
   add_value(resource.fields, "time", "s", "of the event", ValueClass::converged);
@@ -244,10 +238,8 @@ DataSet stick_slip_history() {
   resource.title = "The damped stick-slip vibration in time";
   resource.description =
       "The tip and the friction force of stick-slip-events, phase by phase: between an event here and the "
-      "same one "
-      "elsewhere the two are in different states, and nothing can be compared. Samples at which 28 and 40 "
-      "modes are "
-      "in different states are left out.";
+      "same one elsewhere the two are in different states, and nothing can be compared. Samples at which 28 "
+      "and 40 modes are in different states are left out.";
   resource.fields = {exact_number("time", "s", "since the start"), word("phase", "stick or slip")};
   add_value(resource.fields, "tip_displacement", "m", "y(L, t), in the fixed frame", ValueClass::converged);
   add_value(resource.fields, "friction_force", "N", "f(t), of the wall on the tip, in the sign of Eq. (28)",

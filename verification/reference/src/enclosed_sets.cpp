@@ -69,12 +69,11 @@ Rational point_of(const NamedBeam& named, int k, double& as_double) {
 }  // namespace
 
 DataSet beam_table() {
-  DataSet set{
-      resource("beams", "beams.csv", "Beams",
-               "Uniform beams, clamped at x = 0 and pressed against a wall at x = L by the axial force "
-               "P (compression positive; in tension, where there is no contact, the tip is held). All "
-               "numbers are exact: everything else is computed from these decimals."),
-      {}};
+  DataSet set{resource("beams", "beams.csv", "Beams",
+                       "Uniform beams, clamped at x = 0 and pressed against a wall at x = L by the axial "
+                       "force P (compression positive; in tension, where there is no contact, the tip is "
+                       "held). All numbers are exact: everything else is computed from these decimals."),
+              {}};
   set.resource.fields = {word("beam", "name"),
                          exact_number("length", "m", "L"),
                          exact_number("area", "m^2", "A"),
@@ -104,12 +103,11 @@ DataSet beam_table() {
 }
 
 DataSet stick_frequencies() {
-  DataSet set{
-      resource("stick-frequencies", "frequencies/stick.csv", "Natural frequencies of the stick state",
-               "Clamped-pinned under the axial force P: roots of beta tan(betabar L) = betabar tanh(beta "
-               "L), beta^2 = -p/2 + sqrt(p^2/4 + k), betabar^2 = p/2 + sqrt(p^2/4 + k), p = P/EI, k = "
-               "rho A omega^2/EI."),
-      {}};
+  DataSet set{resource("stick-frequencies", "frequencies/stick.csv", "Natural frequencies of the stick state",
+                       "Clamped-pinned under the axial force P: roots of beta tan(betabar L) = betabar "
+                       "tanh(beta L), beta^2 = -p/2 + sqrt(p^2/4 + k), betabar^2 = p/2 + sqrt(p^2/4 + k), p "
+                       "= P/EI, k = rho A omega^2/EI."),
+              {}};
   set.resource.fields = {beam_column, mode_column};
   add_value(set.resource.fields, "frequency", "Hz", "omega_n/(2 pi)", ValueClass::enclosed);
   add_value(set.resource.fields, "hyperbolic_wave_number", "1/m", "beta_n", ValueClass::enclosed);
@@ -119,10 +117,10 @@ DataSet stick_frequencies() {
                                       {"hyperbolic_wave_number", data::Norm::relative, 1e-6},
                                       {"trigonometric_wave_number", data::Norm::relative, 1e-6}});
   set.resource.diagnosis = for_each_beam("stick frequency", "frequency");
-  set.resource.provenance = enclosed_by(
-      "every root of the characteristic equation from the first on is isolated", digits_and_bits,
-      {"no interval between the roots holds another one: the function or its derivative has a certain "
-       "sign on every piece"});
+  set.resource.provenance =
+      enclosed_by("every root of the characteristic equation from the first on is isolated", digits_and_bits,
+                  {"no interval between the roots holds another one: the function or its derivative has a "
+                   "certain sign on every piece"});
   const PrecisionScope scope(bits);
   for (const NamedBeam& named : beams())
     for (const certified::StickMode& mode : certified::stick_modes(named.beam, mode_count))
@@ -136,12 +134,11 @@ DataSet stick_frequencies() {
 }
 
 DataSet slip_frequencies() {
-  DataSet set{
-      resource("slip-frequencies", "frequencies/slip.csv", "Natural frequencies of the slip state",
-               "Clamped-free under the follower force P (Beck's column), kappa = omega L^2 sqrt(rho A/EI), "
-               "z = P L^2/EI: z^2 + 2 kappa^2 (1 + cosh(b) cos(bb)) + z kappa sinh(b) sin(bb) = 0. Beams "
-               "beyond the flutter load are left out."),
-      {}};
+  DataSet set{resource("slip-frequencies", "frequencies/slip.csv", "Natural frequencies of the slip state",
+                       "Clamped-free under the follower force P (Beck's column), kappa = omega L^2 sqrt(rho "
+                       "A/EI), z = P L^2/EI: z^2 + 2 kappa^2 (1 + cosh(b) cos(bb)) + z kappa sinh(b) sin(bb) "
+                       "= 0. Beams beyond the flutter load are left out."),
+              {}};
   set.resource.fields = {beam_column, mode_column};
   add_value(set.resource.fields, "frequency", "Hz", "omega_n/(2 pi)", ValueClass::enclosed);
   set.resource.primary_key = {"beam", "mode"};
@@ -162,8 +159,8 @@ DataSet critical_loads() {
   DataSet set{
       resource("critical-loads", "static/loads.csv", "Buckling and flutter loads, stiffness of the tip",
                "Buckling of the stick state, P_cr = y^2 EI/L^2 with tan y = y; flutter of the slip state "
-               "(Beck's column); and the force that holds the tip, per deflection of it, at rest: EI "
-               "S'''(L) of the static shape, under the axial force of the beam."),
+               "(Beck's column); and the force that holds the tip, per deflection of it, at rest: EI S'''(L) "
+               "of the static shape, under the axial force of the beam."),
       {}};
   set.resource.fields = {beam_column};
   add_value(set.resource.fields, "buckling_load", "N", "of the stick state", ValueClass::enclosed);
@@ -191,11 +188,10 @@ DataSet critical_loads() {
 }
 
 DataSet participation() {
-  DataSet set{
-      resource("participation", "shapes/participation.csv", "Participation factors",
-               "C_n = -int U_n (1 + S) dx/int U_n^2 dx of Eq. (25), U_n in the scale of Eq. (22): U_n''(0) = "
-               "beta^2 + betabar^2."),
-      {}};
+  DataSet set{resource("participation", "shapes/participation.csv", "Participation factors",
+                       "C_n = -int U_n (1 + S) dx/int U_n^2 dx of Eq. (25), U_n in the scale of Eq. (22): "
+                       "U_n''(0) = beta^2 + betabar^2."),
+              {}};
   set.resource.fields = {beam_column, mode_column};
   add_value(set.resource.fields, "participation", "", "C_n", ValueClass::enclosed);
   set.resource.primary_key = {"beam", "mode"};
@@ -269,8 +265,8 @@ DataSet stick_history_of_ten_modes() {
   DataSet set{
       resource("stick-history-ten-modes", "stick/ten-modes.csv", "The held beam by the paper's ten modes",
                "Fig. 9: the paper's beam at 15 Hz and 0.5 mm, tip held, by Eqs. (27) and (28) with N = 10: "
-               "for another evaluation of these sums. Finite elements are nearer to stick-history, which "
-               "has all modes."),
+               "for another evaluation of these sums. Finite elements are nearer to stick-history, which has "
+               "all modes."),
       {}};
   set.resource.fields = {exact_number("time", "s", "since the start")};
   add_value(set.resource.fields, "midspan_displacement", "m", "y(L/2, t), absolute", ValueClass::enclosed);
@@ -350,11 +346,10 @@ DataSet friction_maxima() {
 }
 
 DataSet critical_amplitudes() {
-  DataSet set{
-      resource("critical-amplitudes", "criterion/critical-amplitudes.csv", "Critical amplitudes",
-               "The base amplitude at which |f|_max over 10 s reaches mu_s P = 300 N, N = 10: Figs. 6, 11 "
-               "(case paper) and 13 (case paper-half-stiffness)."),
-      {}};
+  DataSet set{resource("critical-amplitudes", "criterion/critical-amplitudes.csv", "Critical amplitudes",
+                       "The base amplitude at which |f|_max over 10 s reaches mu_s P = 300 N, N = 10: Figs. "
+                       "6, 11 (case paper) and 13 (case paper-half-stiffness)."),
+              {}};
   set.resource.fields = {word("beam", "name of the case"), exact_number("frequency", "Hz", "of the base")};
   add_value(set.resource.fields, "amplitude", "m", "A_c", ValueClass::enclosed);
   set.resource.primary_key = {"beam", "frequency"};
@@ -377,12 +372,11 @@ DataSet critical_amplitudes() {
 }
 
 DataSet classification() {
-  DataSet set{
-      resource("classification", "criterion/classification.csv", "Stick or stick-slip",
-               "Fig. 12: the criterion |f|_max > mu_s P over 10 s with N = 10, the paper's beam. The ratio "
-               "|f|_max/(mu_s P) says how near a point is to the boundary; finite elements of the paper's "
-               "mesh and step may differ within 3 % of it."),
-      {}};
+  DataSet set{resource("classification", "criterion/classification.csv", "Stick or stick-slip",
+                       "Fig. 12: the criterion |f|_max > mu_s P over 10 s with N = 10, the paper's beam. The "
+                       "ratio |f|_max/(mu_s P) says how near a point is to the boundary; finite elements of "
+                       "the paper's mesh and step may differ within 3 % of it."),
+              {}};
   set.resource.fields = {exact_number("frequency", "Hz", "of the base"),
                          exact_number("amplitude", "m", "of the base"),
                          word("verdict", "stick or stick-slip")};

@@ -27,10 +27,8 @@ DataSet single_mass_events() {
   resource.description =
       "slider: m = 2 kg, mu N = 3 N, starts at 0.25 m with 1.3 m/s and stops at v0/(mu N/m) after v0^2/(2 mu "
       "N/m). oscillator: m = 1 kg, a spring of 4 N/m to the fixed frame, mu N = 0.4 N, starts at rest at "
-      "1.04 m: "
-      "turning points at i pi/2 s, where it is (-1)^i (1.04 - 0.2 i) m; the fifth lies within the dead zone "
-      "of "
-      "0.1 m, and it sticks.";
+      "1.04 m: turning points at i pi/2 s, where it is (-1)^i (1.04 - 0.2 i) m; the fifth lies within the "
+      "dead zone of 0.1 m, and it sticks.";
   resource.fields = {word("system", "slider or oscillator"), integer("index", "number of the event, from 1"),
                      word("change", "reversal or capture")};
   add_value(resource.fields, "time", "s", "of the event", ValueClass::enclosed);
@@ -76,8 +74,7 @@ DataSet friction_powers() {
   resource.title = "Mean friction power of a mass on a shaken plane";
   resource.description =
       "Case SDND104: 1 kg on a plane that moves by w, w_tt = a sin(2 pi t), with Coulomb friction mu N = 1 "
-      "N, from "
-      "rest on the plane; the mean of 10 N |v_s| over 4 <= t <= 12 s.";
+      "N, from rest on the plane; the mean of 10 N |v_s| over 4 <= t <= 12 s.";
   resource.fields = {exact_number("amplitude", "m/s^2", "a")};
   add_value(resource.fields, "power", "W", "mean", ValueClass::external);
   resource.primary_key = {"amplitude"};
@@ -87,14 +84,13 @@ DataSet friction_powers() {
                          .interpolation = {},
                          .events = {},
                          .horizon = {}};
-  resource.provenance = {
-      .value_class = ValueClass::external,
-      .method =
-          "the test case SDND104 of the validation manual of code_aster, its piecewise closed "
-          "form evaluated with 40 digits",
-      .settings = R"({"digits": 40})",
-      .software = "none",
-      .checks = {"the event-driven engine, to ten digits"}};
+  resource.provenance = {.value_class = ValueClass::external,
+                         .method =
+                             "the test case SDND104 of the validation manual of code_aster, its piecewise "
+                             "closed form evaluated with 40 digits",
+                         .settings = R"({"digits": 40})",
+                         .software = "none",
+                         .checks = {"the event-driven engine, to ten digits"}};
   constexpr std::array<std::array<const char*, 3>, 4> rows{{{"0.99", "0", "0"},
                                                             {"1.01", "2.26164121279787e-4", "5e-19"},
                                                             {"1.5", "0.409062451015709", "5e-16"},
@@ -112,13 +108,10 @@ DataSet manufactured_motion() {
   resource.title = "A manufactured motion and the load that it takes";
   resource.description =
       "The paper's beam is to move as u(x,t) = phi(x) cos(w t), phi = a sin^2(2 x/L) exp(x/(2 L)), a = 1 mm, "
-      "w = 40 "
-      "rad/s, which no cubic element holds. Under the axial force of the first column that takes the load "
-      "q(x) "
-      "cos(w t) per length, q = -rho A w^2 phi + EI phi'''' + P phi'', and at the tip (the last row of each "
-      "force) the bending moment EI phi''(L) cos(w t) and, in slip, where the axial force follows the tip, "
-      "the "
-      "force -EI phi'''(L) cos(w t); in stick that force is the reaction.";
+      "w = 40 rad/s, which no cubic element holds. Under the axial force of the first column that takes the "
+      "load q(x) cos(w t) per length, q = -rho A w^2 phi + EI phi'''' + P phi'', and at the tip (the last "
+      "row of each force) the bending moment EI phi''(L) cos(w t) and, in slip, where the axial force "
+      "follows the tip, the force -EI phi'''(L) cos(w t); in stick that force is the reaction.";
   resource.fields = {exact_number("axial_force", "N", "P, compression positive"),
                      exact_number("x", "m", "distance from the clamp")};
   add_value(resource.fields, "displacement", "m", "phi(x)", ValueClass::enclosed);

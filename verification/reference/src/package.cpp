@@ -127,8 +127,7 @@ std::map<std::string, std::string> package_files(const std::vector<DataSet>& set
       {"title", "Reference data for the stick-slip vibration of beams"},
       {"description",
        "The problem of Won, Lee and Chung, Stick-slip vibration of a cantilever beam subjected to harmonic "
-       "base "
-       "excitation, Nonlinear Dynamics (2018), and its parts: numbers with the half-widths of their "
+       "base excitation, Nonlinear Dynamics (2018), and its parts: numbers with the half-widths of their "
        "uncertainties, for checking other implementations. README.md explains the files."},
       {"version", "1.0.0"},
       {"licenses",
