@@ -32,30 +32,18 @@ data::Provenance converged_by(std::string method, std::string settings, std::vec
 }  // namespace
 
 DataSet stick_history() {
-  DataSet set;
-  data::Resource& resource = set.resource;
-  resource.name = "stick-history";
-  resource.path = "stick/history.csv";
-  resource.title = "The held beam with all its modes";
-  resource.description =
+  DataSet set = data_set(
+      "stick-history", "stick/history.csv", "The held beam with all its modes",
       "Fig. 9: the paper's beam at 15 Hz and 0.5 mm, tip held, from rest relative to the wall, for any "
-      "converged implementation. The paper's ten modes leave 0.02 % of y and 1.6 % of f out.";
+      "converged implementation. The paper's ten modes leave 0.02 % of y and 1.6 % of f out.");
+  data::Resource& resource = set.resource;
   resource.fields = {exact_number("time", "s", "since the start")};
   add_value(resource.fields, "midspan_displacement", "m", "y(L/2, t), absolute", ValueClass::converged);
   add_value(resource.fields, "friction_force", "N", "f(t) in the sign of Eq. (28)", ValueClass::converged);
   resource.primary_key = {"time"};
-  resource.comparison = {.kind = data::ComparisonKind::curve,
-                         .values = {{"midspan_displacement", data::Norm::scale, 1e-3},
-                                    {"friction_force", data::Norm::scale, 2e-2}},
-                         .abscissa = "time",
-                         .interpolation = {},
-                         .events = {},
-                         .horizon = {}};
-  resource.diagnosis = {.quantity = "stick displacement",
-                        .case_name = "paper-figure9",
-                        .case_column = {},
-                        .abscissa = "time",
-                        .value = "midspan_displacement"};
+  resource.comparison = along("time", {{"midspan_displacement", data::Norm::scale, 1e-3},
+                                       {"friction_force", data::Norm::scale, 2e-2}});
+  resource.diagnosis = in_case("stick displacement", "paper-figure9", "time", "midspan_displacement");
   constexpr int modes = 200;
   resource.provenance = converged_by(
       "Eqs. (27), (28) with the steady part in closed form and 200 free vibrations; the half-width is the "
@@ -89,23 +77,15 @@ DataSet stick_history() {
 }
 
 DataSet length_force_ratios() {
-  DataSet set;
-  data::Resource& resource = set.resource;
-  resource.name = "length-force";
-  resource.path = "criterion/length-force.csv";
-  resource.title = "The criterion over length and axial force";
-  resource.description =
+  DataSet set = data_set(
+      "length-force", "criterion/length-force.csv", "The criterion over length and axial force",
       "Fig. 14: |f|_max/(mu_s P) over 10 s with N = 10 at 25 Hz and 1 mm for the section 0.2 m x 0.02 m "
-      "(case paper-figure14); stick-slip above 1. Points beyond 0.99 of the buckling load are left out.";
+      "(case paper-figure14); stick-slip above 1. Points beyond 0.99 of the buckling load are left out.");
+  data::Resource& resource = set.resource;
   resource.fields = {exact_number("length", "m", "L"), exact_number("axial_force", "N", "P")};
   add_value(resource.fields, "force_ratio", "", "|f|_max/(mu_s P)", ValueClass::converged);
   resource.primary_key = {"length", "axial_force"};
-  resource.comparison = {.kind = data::ComparisonKind::table,
-                         .values = {{"force_ratio", data::Norm::relative, 1e-3}},
-                         .abscissa = {},
-                         .interpolation = {},
-                         .events = {},
-                         .horizon = {}};
+  resource.comparison = by_rows({{"force_ratio", data::Norm::relative, 1e-3}});
   constexpr double width = 1e-10, rounding = 1e-9;
   resource.provenance = converged_by(
       "rigorous bounds of the maximum by interval halving in double precision, 1e-10 apart; the half-width "
@@ -168,15 +148,12 @@ data::Provenance benchmark_provenance() {
 }  // namespace
 
 DataSet stick_slip_events() {
-  DataSet set;
-  data::Resource& resource = set.resource;
-  resource.name = "stick-slip-events";
-  resource.path = "stick-slip/events.csv";
-  resource.title = "Onsets and captures of the damped stick-slip vibration";
-  resource.description =
+  DataSet set = data_set(
+      "stick-slip-events", "stick-slip/events.csv", "Onsets and captures of the damped stick-slip vibration",
       "The paper's beam at 25 Hz and 1 mm with Kelvin-Voigt damping of 0.5 % of critical in the first mode "
       "(case damped), from the quasi-static start. Stick phases shorter than 2e-5 s count as part of the "
-      "slip round them.";
+      "slip round them.");
+  data::Resource& resource = set.resource;
   resource.fields = {integer("index", "number of the event, from 1"),
                      word("change", "onset (of slip) or capture")};
   add_value(resource.fields, "time", "s", "of the event", ValueClass::converged);
@@ -189,11 +166,7 @@ DataSet stick_slip_events() {
       .interpolation = {},
       .events = {},
       .horizon = horizon};
-  resource.diagnosis = {.quantity = "contact event",
-                        .case_name = "damped",
-                        .case_column = {},
-                        .abscissa = "index",
-                        .value = "time"};
+  resource.diagnosis = in_case("contact event", "damped", "index", "time");
   resource.provenance = benchmark_provenance();
   int index = 0;
   for (const studies::BenchmarkEvent& entry : benchmark().events)
@@ -231,15 +204,12 @@ std::vector<Sample> samples(int modes) {
 }  // namespace
 
 DataSet stick_slip_history() {
-  DataSet set;
-  data::Resource& resource = set.resource;
-  resource.name = "stick-slip-history";
-  resource.path = "stick-slip/history.csv";
-  resource.title = "The damped stick-slip vibration in time";
-  resource.description =
+  DataSet set = data_set(
+      "stick-slip-history", "stick-slip/history.csv", "The damped stick-slip vibration in time",
       "The tip and the friction force of stick-slip-events, phase by phase: between an event here and the "
       "same one elsewhere the two are in different states, and nothing can be compared. Samples at which 28 "
-      "and 40 modes are in different states are left out.";
+      "and 40 modes are in different states are left out.");
+  data::Resource& resource = set.resource;
   resource.fields = {exact_number("time", "s", "since the start"), word("phase", "stick or slip")};
   add_value(resource.fields, "tip_displacement", "m", "y(L, t), in the fixed frame", ValueClass::converged);
   add_value(resource.fields, "friction_force", "N", "f(t), of the wall on the tip, in the sign of Eq. (28)",

@@ -23,40 +23,6 @@ constexpr long bits = 384;
 constexpr int mode_count = 10;
 const std::string digits_and_bits = fmt::format(R"({{"bits": {}, "digits": 30}})", bits);
 
-data::Resource resource(std::string name, std::string path, std::string title, std::string description) {
-  data::Resource resource;
-  resource.name = std::move(name);
-  resource.path = std::move(path);
-  resource.title = std::move(title);
-  resource.description = std::move(description);
-  return resource;
-}
-
-data::ComparisonRule table_of(std::vector<data::ComparedValue> values) {
-  return {.kind = data::ComparisonKind::table,
-          .values = std::move(values),
-          .abscissa = {},
-          .interpolation = {},
-          .events = {},
-          .horizon = {}};
-}
-
-data::DiagnosisRule for_each_beam(std::string quantity, std::string value) {
-  return {.quantity = std::move(quantity),
-          .case_name = {},
-          .case_column = "beam",
-          .abscissa = "mode",
-          .value = std::move(value)};
-}
-
-data::DiagnosisRule in_case(std::string quantity, std::string name, std::string abscissa, std::string value) {
-  return {.quantity = std::move(quantity),
-          .case_name = std::move(name),
-          .case_column = {},
-          .abscissa = std::move(abscissa),
-          .value = std::move(value)};
-}
-
 const data::Field beam_column = word("beam", "name of the beam, in beams.csv");
 const data::Field mode_column = integer("mode", "number n, from the lowest");
 
@@ -69,11 +35,10 @@ Rational point_of(const NamedBeam& named, int k, double& as_double) {
 }  // namespace
 
 DataSet beam_table() {
-  DataSet set{resource("beams", "beams.csv", "Beams",
-                       "Uniform beams, clamped at x = 0 and pressed against a wall at x = L by the axial "
-                       "force P (compression positive; in tension, where there is no contact, the tip is "
-                       "held). All numbers are exact: everything else is computed from these decimals."),
-              {}};
+  DataSet set = data_set("beams", "beams.csv", "Beams",
+                         "Uniform beams, clamped at x = 0 and pressed against a wall at x = L by the axial "
+                         "force P (compression positive; in tension, where there is no contact, the tip is "
+                         "held). All numbers are exact: everything else is computed from these decimals.");
   set.resource.fields = {word("beam", "name"),
                          exact_number("length", "m", "L"),
                          exact_number("area", "m^2", "A"),
@@ -103,20 +68,20 @@ DataSet beam_table() {
 }
 
 DataSet stick_frequencies() {
-  DataSet set{resource("stick-frequencies", "frequencies/stick.csv", "Natural frequencies of the stick state",
-                       "Clamped-pinned under the axial force P: roots of beta tan(betabar L) = betabar "
-                       "tanh(beta L), beta^2 = -p/2 + sqrt(p^2/4 + k), betabar^2 = p/2 + sqrt(p^2/4 + k), p "
-                       "= P/EI, k = rho A omega^2/EI."),
-              {}};
+  DataSet set =
+      data_set("stick-frequencies", "frequencies/stick.csv", "Natural frequencies of the stick state",
+               "Clamped-pinned under the axial force P: roots of beta tan(betabar L) = betabar "
+               "tanh(beta L), beta^2 = -p/2 + sqrt(p^2/4 + k), betabar^2 = p/2 + sqrt(p^2/4 + k), p "
+               "= P/EI, k = rho A omega^2/EI.");
   set.resource.fields = {beam_column, mode_column};
   add_value(set.resource.fields, "frequency", "Hz", "omega_n/(2 pi)", ValueClass::enclosed);
   add_value(set.resource.fields, "hyperbolic_wave_number", "1/m", "beta_n", ValueClass::enclosed);
   add_value(set.resource.fields, "trigonometric_wave_number", "1/m", "betabar_n", ValueClass::enclosed);
   set.resource.primary_key = {"beam", "mode"};
-  set.resource.comparison = table_of({{"frequency", data::Norm::relative, 1e-6},
-                                      {"hyperbolic_wave_number", data::Norm::relative, 1e-6},
-                                      {"trigonometric_wave_number", data::Norm::relative, 1e-6}});
-  set.resource.diagnosis = for_each_beam("stick frequency", "frequency");
+  set.resource.comparison = by_rows({{"frequency", data::Norm::relative, 1e-6},
+                                     {"hyperbolic_wave_number", data::Norm::relative, 1e-6},
+                                     {"trigonometric_wave_number", data::Norm::relative, 1e-6}});
+  set.resource.diagnosis = for_each_beam("stick frequency", "mode", "frequency");
   set.resource.provenance =
       enclosed_by("every root of the characteristic equation from the first on is isolated", digits_and_bits,
                   {"no interval between the roots holds another one: the function or its derivative has a "
@@ -134,16 +99,16 @@ DataSet stick_frequencies() {
 }
 
 DataSet slip_frequencies() {
-  DataSet set{resource("slip-frequencies", "frequencies/slip.csv", "Natural frequencies of the slip state",
-                       "Clamped-free under the follower force P (Beck's column), kappa = omega L^2 sqrt(rho "
-                       "A/EI), z = P L^2/EI: z^2 + 2 kappa^2 (1 + cosh(b) cos(bb)) + z kappa sinh(b) sin(bb) "
-                       "= 0. Beams beyond the flutter load are left out."),
-              {}};
+  DataSet set =
+      data_set("slip-frequencies", "frequencies/slip.csv", "Natural frequencies of the slip state",
+               "Clamped-free under the follower force P (Beck's column), kappa = omega L^2 sqrt(rho "
+               "A/EI), z = P L^2/EI: z^2 + 2 kappa^2 (1 + cosh(b) cos(bb)) + z kappa sinh(b) sin(bb) "
+               "= 0. Beams beyond the flutter load are left out.");
   set.resource.fields = {beam_column, mode_column};
   add_value(set.resource.fields, "frequency", "Hz", "omega_n/(2 pi)", ValueClass::enclosed);
   set.resource.primary_key = {"beam", "mode"};
-  set.resource.comparison = table_of({{"frequency", data::Norm::relative, 1e-6}});
-  set.resource.diagnosis = for_each_beam("slip frequency", "frequency");
+  set.resource.comparison = by_rows({{"frequency", data::Norm::relative, 1e-6}});
+  set.resource.diagnosis = for_each_beam("slip frequency", "mode", "frequency");
   set.resource.provenance = enclosed_by("every root of the frequency equation is isolated", digits_and_bits,
                                         {"their number is that of the cantilever without axial force"});
   const PrecisionScope scope(bits);
@@ -156,21 +121,20 @@ DataSet slip_frequencies() {
 }
 
 DataSet critical_loads() {
-  DataSet set{
-      resource("critical-loads", "static/loads.csv", "Buckling and flutter loads, stiffness of the tip",
+  DataSet set =
+      data_set("critical-loads", "static/loads.csv", "Buckling and flutter loads, stiffness of the tip",
                "Buckling of the stick state, P_cr = y^2 EI/L^2 with tan y = y; flutter of the slip state "
                "(Beck's column); and the force that holds the tip, per deflection of it, at rest: EI S'''(L) "
-               "of the static shape, under the axial force of the beam."),
-      {}};
+               "of the static shape, under the axial force of the beam.");
   set.resource.fields = {beam_column};
   add_value(set.resource.fields, "buckling_load", "N", "of the stick state", ValueClass::enclosed);
   add_value(set.resource.fields, "flutter_load", "N", "of the slip state", ValueClass::enclosed);
   add_value(set.resource.fields, "holding_stiffness", "N/m", "EI S'''(L), the shear force of S",
             ValueClass::enclosed);
   set.resource.primary_key = {"beam"};
-  set.resource.comparison = table_of({{"buckling_load", data::Norm::relative, 1e-6},
-                                      {"flutter_load", data::Norm::relative, 1e-6},
-                                      {"holding_stiffness", data::Norm::relative, 1e-6}});
+  set.resource.comparison = by_rows({{"buckling_load", data::Norm::relative, 1e-6},
+                                     {"flutter_load", data::Norm::relative, 1e-6},
+                                     {"holding_stiffness", data::Norm::relative, 1e-6}});
   set.resource.provenance =
       enclosed_by("the root of tan y = y, and the double root of the frequency equation", digits_and_bits,
                   {"Beck's 20.05 EI/L^2"});
@@ -188,15 +152,14 @@ DataSet critical_loads() {
 }
 
 DataSet participation() {
-  DataSet set{resource("participation", "shapes/participation.csv", "Participation factors",
-                       "C_n = -int U_n (1 + S) dx/int U_n^2 dx of Eq. (25), U_n in the scale of Eq. (22): "
-                       "U_n''(0) = beta^2 + betabar^2."),
-              {}};
+  DataSet set = data_set("participation", "shapes/participation.csv", "Participation factors",
+                         "C_n = -int U_n (1 + S) dx/int U_n^2 dx of Eq. (25), U_n in the scale of Eq. (22): "
+                         "U_n''(0) = beta^2 + betabar^2.");
   set.resource.fields = {beam_column, mode_column};
   add_value(set.resource.fields, "participation", "", "C_n", ValueClass::enclosed);
   set.resource.primary_key = {"beam", "mode"};
-  set.resource.comparison = table_of({{"participation", data::Norm::relative, 1e-6}});
-  set.resource.diagnosis = for_each_beam("participation", "participation");
+  set.resource.comparison = by_rows({{"participation", data::Norm::relative, 1e-6}});
+  set.resource.diagnosis = for_each_beam("participation", "mode", "participation");
   set.resource.provenance =
       enclosed_by("the integrals in closed form", digits_and_bits, {"the integrals by rigorous quadrature"});
   const PrecisionScope scope(bits);
@@ -207,21 +170,16 @@ DataSet participation() {
 }
 
 DataSet static_shapes() {
-  DataSet set{resource("static-shapes", "shapes/static.csv", "Static shapes",
-                       "S(x) of Eq. (18): S'''' + (P/EI) S'' = 0, S(0) = S'(0) = S''(L) = 0, S(L) = -1; with "
-                       "hyperbolic functions in tension."),
-              {}};
+  DataSet set =
+      data_set("static-shapes", "shapes/static.csv", "Static shapes",
+               "S(x) of Eq. (18): S'''' + (P/EI) S'' = 0, S(0) = S'(0) = S''(L) = 0, S(L) = -1; with "
+               "hyperbolic functions in tension.");
   set.resource.fields = {beam_column, exact_number("x", "m", "distance from the clamp")};
   add_value(set.resource.fields, "shape", "", "S(x)", ValueClass::enclosed);
   add_value(set.resource.fields, "slope", "1/m", "S'(x)", ValueClass::enclosed);
   set.resource.primary_key = {"beam", "x"};
-  set.resource.comparison =
-      table_of({{"shape", data::Norm::scale, 1e-6}, {"slope", data::Norm::scale, 1e-6}});
-  set.resource.diagnosis = {.quantity = "quasi-static shape",
-                            .case_name = {},
-                            .case_column = "beam",
-                            .abscissa = "x",
-                            .value = "shape"};
+  set.resource.comparison = by_rows({{"shape", data::Norm::scale, 1e-6}, {"slope", data::Norm::scale, 1e-6}});
+  set.resource.diagnosis = for_each_beam("quasi-static shape", "x", "shape");
   set.resource.provenance = enclosed_by("Eq. (18)", digits_and_bits, {"the boundary values hold"});
   const PrecisionScope scope(bits);
   for (const NamedBeam& named : beams()) {
@@ -240,13 +198,12 @@ DataSet static_shapes() {
 }
 
 DataSet mode_shapes() {
-  DataSet set{resource("mode-shapes", "shapes/stick-modes.csv", "Mode shapes of the stick state",
-                       "U_n(x) of Eq. (22), with U_n''(0) = beta^2 + betabar^2."),
-              {}};
+  DataSet set = data_set("mode-shapes", "shapes/stick-modes.csv", "Mode shapes of the stick state",
+                         "U_n(x) of Eq. (22), with U_n''(0) = beta^2 + betabar^2.");
   set.resource.fields = {beam_column, mode_column, exact_number("x", "m", "distance from the clamp")};
   add_value(set.resource.fields, "shape", "", "U_n(x)", ValueClass::enclosed);
   set.resource.primary_key = {"beam", "mode", "x"};
-  set.resource.comparison = table_of({{"shape", data::Norm::scale, 1e-4}});
+  set.resource.comparison = by_rows({{"shape", data::Norm::scale, 1e-4}});
   set.resource.provenance = enclosed_by(
       "Eq. (22)", digits_and_bits, {"value and slope vanish at the clamp, value and curvature at the tip"});
   const PrecisionScope scope(bits);
@@ -262,20 +219,17 @@ DataSet mode_shapes() {
 }
 
 DataSet stick_history_of_ten_modes() {
-  DataSet set{
-      resource("stick-history-ten-modes", "stick/ten-modes.csv", "The held beam by the paper's ten modes",
+  DataSet set =
+      data_set("stick-history-ten-modes", "stick/ten-modes.csv", "The held beam by the paper's ten modes",
                "Fig. 9: the paper's beam at 15 Hz and 0.5 mm, tip held, by Eqs. (27) and (28) with N = 10: "
                "for another evaluation of these sums. Finite elements are nearer to stick-history, which has "
-               "all modes."),
-      {}};
+               "all modes.");
   set.resource.fields = {exact_number("time", "s", "since the start")};
   add_value(set.resource.fields, "midspan_displacement", "m", "y(L/2, t), absolute", ValueClass::enclosed);
   add_value(set.resource.fields, "friction_force", "N", "f(t) in the sign of Eq. (28)", ValueClass::enclosed);
   set.resource.primary_key = {"time"};
-  set.resource.comparison = table_of(
-      {{"midspan_displacement", data::Norm::scale, 1e-6}, {"friction_force", data::Norm::scale, 1e-6}});
-  set.resource.comparison->kind = data::ComparisonKind::curve;
-  set.resource.comparison->abscissa = "time";
+  set.resource.comparison = along("time", {{"midspan_displacement", data::Norm::scale, 1e-6},
+                                           {"friction_force", data::Norm::scale, 1e-6}});
   set.resource.provenance = enclosed_by(
       "Eqs. (27), (28) with omega_n^2 in Eq. (24)",
       fmt::format(R"({{"bits": {}, "digits": 30, "modes": 10, "frequency_hz": 15, "amplitude": 0.0005}})",
@@ -324,14 +278,13 @@ const NamedBeam& half_stiffness() {
 }  // namespace
 
 DataSet friction_maxima() {
-  DataSet set{
-      resource("friction-maxima", "criterion/friction-maxima.csv", "Largest static friction force",
-               "|f|_max of Eq. (28) over 0 <= t <= 10 s with N = 10 (Fig. 10), the paper's beam at 0.5 mm."),
-      {}};
+  DataSet set =
+      data_set("friction-maxima", "criterion/friction-maxima.csv", "Largest static friction force",
+               "|f|_max of Eq. (28) over 0 <= t <= 10 s with N = 10 (Fig. 10), the paper's beam at 0.5 mm.");
   set.resource.fields = {exact_number("frequency", "Hz", "of the base")};
   add_value(set.resource.fields, "friction_force", "N", "|f|_max", ValueClass::enclosed);
   set.resource.primary_key = {"frequency"};
-  set.resource.comparison = table_of({{"friction_force", data::Norm::relative, 1e-3}});
+  set.resource.comparison = by_rows({{"friction_force", data::Norm::relative, 1e-3}});
   set.resource.diagnosis = in_case("force maximum", "paper", "frequency", "friction_force");
   set.resource.provenance = enclosed_by(
       "times are dropped where a bound of f'' keeps |f| below the largest value found; in what is left every "
@@ -346,19 +299,15 @@ DataSet friction_maxima() {
 }
 
 DataSet critical_amplitudes() {
-  DataSet set{resource("critical-amplitudes", "criterion/critical-amplitudes.csv", "Critical amplitudes",
-                       "The base amplitude at which |f|_max over 10 s reaches mu_s P = 300 N, N = 10: Figs. "
-                       "6, 11 (case paper) and 13 (case paper-half-stiffness)."),
-              {}};
+  DataSet set =
+      data_set("critical-amplitudes", "criterion/critical-amplitudes.csv", "Critical amplitudes",
+               "The base amplitude at which |f|_max over 10 s reaches mu_s P = 300 N, N = 10: Figs. "
+               "6, 11 (case paper) and 13 (case paper-half-stiffness).");
   set.resource.fields = {word("beam", "name of the case"), exact_number("frequency", "Hz", "of the base")};
   add_value(set.resource.fields, "amplitude", "m", "A_c", ValueClass::enclosed);
   set.resource.primary_key = {"beam", "frequency"};
-  set.resource.comparison = table_of({{"amplitude", data::Norm::relative, 1e-3}});
-  set.resource.diagnosis = {.quantity = "critical amplitude",
-                            .case_name = {},
-                            .case_column = "beam",
-                            .abscissa = "frequency",
-                            .value = "amplitude"};
+  set.resource.comparison = by_rows({{"amplitude", data::Norm::relative, 1e-3}});
+  set.resource.diagnosis = for_each_beam("critical amplitude", "frequency", "amplitude");
   set.resource.provenance = enclosed_by("mu_s P over the largest force per metre, as in friction-maxima",
                                         R"({"modes": 10, "duration": 10, "digits": 30})",
                                         {"one linear run of finite elements per frequency"});
@@ -372,17 +321,17 @@ DataSet critical_amplitudes() {
 }
 
 DataSet classification() {
-  DataSet set{resource("classification", "criterion/classification.csv", "Stick or stick-slip",
-                       "Fig. 12: the criterion |f|_max > mu_s P over 10 s with N = 10, the paper's beam. The "
-                       "ratio |f|_max/(mu_s P) says how near a point is to the boundary; finite elements of "
-                       "the paper's mesh and step may differ within 3 % of it."),
-              {}};
+  DataSet set =
+      data_set("classification", "criterion/classification.csv", "Stick or stick-slip",
+               "Fig. 12: the criterion |f|_max > mu_s P over 10 s with N = 10, the paper's beam. The "
+               "ratio |f|_max/(mu_s P) says how near a point is to the boundary; finite elements of "
+               "the paper's mesh and step may differ within 3 % of it.");
   set.resource.fields = {exact_number("frequency", "Hz", "of the base"),
                          exact_number("amplitude", "m", "of the base"),
                          word("verdict", "stick or stick-slip")};
   add_value(set.resource.fields, "force_ratio", "", "|f|_max/(mu_s P)", ValueClass::enclosed);
   set.resource.primary_key = {"frequency", "amplitude"};
-  set.resource.comparison = table_of({{"force_ratio", data::Norm::relative, 1e-3}});
+  set.resource.comparison = by_rows({{"force_ratio", data::Norm::relative, 1e-3}});
   set.resource.provenance =
       enclosed_by("as in friction-maxima", R"({"modes": 10, "duration": 10, "digits": 30})",
                   {"every verdict is certain", "the grid of Fig. 12 by finite elements"});

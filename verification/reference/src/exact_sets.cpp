@@ -19,28 +19,20 @@ constexpr long bits = 256;
 }  // namespace
 
 DataSet single_mass_events() {
-  DataSet set;
-  data::Resource& resource = set.resource;
-  resource.name = "single-mass-events";
-  resource.path = "single-mass/events.csv";
-  resource.title = "Stops and reversals of one mass with Coulomb friction";
-  resource.description =
+  DataSet set = data_set(
+      "single-mass-events", "single-mass/events.csv", "Stops and reversals of one mass with Coulomb friction",
       "slider: m = 2 kg, mu N = 3 N, starts at 0.25 m with 1.3 m/s and stops at v0/(mu N/m) after v0^2/(2 mu "
       "N/m). oscillator: m = 1 kg, a spring of 4 N/m to the fixed frame, mu N = 0.4 N, starts at rest at "
       "1.04 m: turning points at i pi/2 s, where it is (-1)^i (1.04 - 0.2 i) m; the fifth lies within the "
-      "dead zone of 0.1 m, and it sticks.";
+      "dead zone of 0.1 m, and it sticks.");
+  data::Resource& resource = set.resource;
   resource.fields = {word("system", "slider or oscillator"), integer("index", "number of the event, from 1"),
                      word("change", "reversal or capture")};
   add_value(resource.fields, "time", "s", "of the event", ValueClass::enclosed);
   add_value(resource.fields, "position", "m", "of the mass", ValueClass::enclosed);
   resource.primary_key = {"system", "index"};
-  resource.comparison = {
-      .kind = data::ComparisonKind::table,
-      .values = {{"time", data::Norm::relative, 1e-6}, {"position", data::Norm::absolute, 1e-6}},
-      .abscissa = {},
-      .interpolation = {},
-      .events = {},
-      .horizon = {}};
+  resource.comparison =
+      by_rows({{"time", data::Norm::relative, 1e-6}, {"position", data::Norm::absolute, 1e-6}});
   resource.provenance = {
       .value_class = ValueClass::enclosed,
       .method = "the piecewise closed form, in ball arithmetic (Arb)",
@@ -67,23 +59,15 @@ DataSet single_mass_events() {
 }
 
 DataSet friction_powers() {
-  DataSet set;
-  data::Resource& resource = set.resource;
-  resource.name = "friction-powers";
-  resource.path = "single-mass/friction-powers.csv";
-  resource.title = "Mean friction power of a mass on a shaken plane";
-  resource.description =
+  DataSet set = data_set(
+      "friction-powers", "single-mass/friction-powers.csv", "Mean friction power of a mass on a shaken plane",
       "Case SDND104: 1 kg on a plane that moves by w, w_tt = a sin(2 pi t), with Coulomb friction mu N = 1 "
-      "N, from rest on the plane; the mean of 10 N |v_s| over 4 <= t <= 12 s.";
+      "N, from rest on the plane; the mean of 10 N |v_s| over 4 <= t <= 12 s.");
+  data::Resource& resource = set.resource;
   resource.fields = {exact_number("amplitude", "m/s^2", "a")};
   add_value(resource.fields, "power", "W", "mean", ValueClass::external);
   resource.primary_key = {"amplitude"};
-  resource.comparison = {.kind = data::ComparisonKind::table,
-                         .values = {{"power", data::Norm::relative, 1e-6}},
-                         .abscissa = {},
-                         .interpolation = {},
-                         .events = {},
-                         .horizon = {}};
+  resource.comparison = by_rows({{"power", data::Norm::relative, 1e-6}});
   resource.provenance = {.value_class = ValueClass::external,
                          .method =
                              "the test case SDND104 of the validation manual of code_aster, its piecewise "
@@ -101,17 +85,14 @@ DataSet friction_powers() {
 }
 
 DataSet manufactured_motion() {
-  DataSet set;
-  data::Resource& resource = set.resource;
-  resource.name = "manufactured-motion";
-  resource.path = "manufactured/motion.csv";
-  resource.title = "A manufactured motion and the load that it takes";
-  resource.description =
+  DataSet set = data_set(
+      "manufactured-motion", "manufactured/motion.csv", "A manufactured motion and the load that it takes",
       "The paper's beam is to move as u(x,t) = phi(x) cos(w t), phi = a sin^2(2 x/L) exp(x/(2 L)), a = 1 mm, "
       "w = 40 rad/s, which no cubic element holds. Under the axial force of the first column that takes the "
       "load q(x) cos(w t) per length, q = -rho A w^2 phi + EI phi'''' + P phi'', and at the tip (the last "
       "row of each force) the bending moment EI phi''(L) cos(w t) and, in slip, where the axial force "
-      "follows the tip, the force -EI phi'''(L) cos(w t); in stick that force is the reaction.";
+      "follows the tip, the force -EI phi'''(L) cos(w t); in stick that force is the reaction.");
+  data::Resource& resource = set.resource;
   resource.fields = {exact_number("axial_force", "N", "P, compression positive"),
                      exact_number("x", "m", "distance from the clamp")};
   add_value(resource.fields, "displacement", "m", "phi(x)", ValueClass::enclosed);
@@ -119,15 +100,10 @@ DataSet manufactured_motion() {
   add_value(resource.fields, "bending_moment", "N m", "EI phi''(x)", ValueClass::enclosed);
   add_value(resource.fields, "shear_force", "N", "EI phi'''(x)", ValueClass::enclosed);
   resource.primary_key = {"axial_force", "x"};
-  resource.comparison = {.kind = data::ComparisonKind::table,
-                         .values = {{"displacement", data::Norm::scale, 1e-6},
-                                    {"load", data::Norm::scale, 1e-6},
-                                    {"bending_moment", data::Norm::scale, 1e-6},
-                                    {"shear_force", data::Norm::scale, 1e-6}},
-                         .abscissa = {},
-                         .interpolation = {},
-                         .events = {},
-                         .horizon = {}};
+  resource.comparison = by_rows({{"displacement", data::Norm::scale, 1e-6},
+                                 {"load", data::Norm::scale, 1e-6},
+                                 {"bending_moment", data::Norm::scale, 1e-6},
+                                 {"shear_force", data::Norm::scale, 1e-6}});
   resource.provenance = {.value_class = ValueClass::enclosed,
                          .method = "the derivatives in closed form, in ball arithmetic (Arb)",
                          .settings = R"({"bits": 256, "digits": 30})",

@@ -94,6 +94,43 @@ void add_value(std::vector<data::Field>& fields, const std::string& name, const 
 
 std::string software() { return "stickslip " STICKSLIP_VERSION; }
 
+DataSet data_set(std::string name, std::string path, std::string title, std::string description) {
+  DataSet set;
+  set.resource.name = std::move(name);
+  set.resource.path = std::move(path);
+  set.resource.title = std::move(title);
+  set.resource.description = std::move(description);
+  return set;
+}
+
+data::ComparisonRule by_rows(std::vector<data::ComparedValue> values) {
+  data::ComparisonRule rule;
+  rule.kind = data::ComparisonKind::table;
+  rule.values = std::move(values);
+  return rule;
+}
+
+data::ComparisonRule along(std::string abscissa, std::vector<data::ComparedValue> values) {
+  data::ComparisonRule rule = by_rows(std::move(values));
+  rule.kind = data::ComparisonKind::curve;
+  rule.abscissa = std::move(abscissa);
+  return rule;
+}
+
+data::DiagnosisRule in_case(std::string quantity, std::string name, std::string abscissa, std::string value) {
+  return {.quantity = std::move(quantity),
+          .case_name = std::move(name),
+          .case_column = {},
+          .abscissa = std::move(abscissa),
+          .value = std::move(value)};
+}
+
+data::DiagnosisRule for_each_beam(std::string quantity, std::string abscissa, std::string value) {
+  data::DiagnosisRule rule = in_case(std::move(quantity), {}, std::move(abscissa), std::move(value));
+  rule.case_column = "beam";
+  return rule;
+}
+
 data::Provenance enclosed_by(std::string method, std::string settings, std::vector<std::string> checks) {
   checks.emplace_back(
       "the double-precision library agrees to a few units in the last place times the condition");

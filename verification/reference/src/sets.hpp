@@ -57,6 +57,20 @@ void add_value(std::vector<data::Field>& fields, const std::string& name, const 
 /// "stickslip 1.0.0".
 [[nodiscard]] std::string software();
 
+/// Without fields and rows.
+[[nodiscard]] DataSet data_set(std::string name, std::string path, std::string title,
+                               std::string description);
+
+/// Compared row by row, or along an abscissa without interpolation.
+[[nodiscard]] data::ComparisonRule by_rows(std::vector<data::ComparedValue> values);
+[[nodiscard]] data::ComparisonRule along(std::string abscissa, std::vector<data::ComparedValue> values);
+
+/// Diagnosed in a case, or for each beam in the case of its name.
+[[nodiscard]] data::DiagnosisRule in_case(std::string quantity, std::string name, std::string abscissa,
+                                          std::string value);
+[[nodiscard]] data::DiagnosisRule for_each_beam(std::string quantity, std::string abscissa,
+                                                std::string value);
+
 [[nodiscard]] data::Provenance enclosed_by(std::string method, std::string settings,
                                            std::vector<std::string> checks);
 
