@@ -324,8 +324,8 @@ DataSet classification() {
   DataSet set =
       data_set("classification", "criterion/classification.csv", "Stick or stick-slip",
                "Fig. 12: the criterion |f|_max > mu_s P over 10 s with N = 10, the paper's beam. The "
-               "ratio |f|_max/(mu_s P) says how near a point is to the boundary; finite elements of "
-               "the paper's mesh and step may differ within 3 % of it.");
+               "ratio |f|_max/(mu_s P) says how near a point is to the boundary, where a mesh may "
+               "decide otherwise.");
   set.resource.fields = {exact_number("frequency", "Hz", "of the base"),
                          exact_number("amplitude", "m", "of the base"),
                          word("verdict", "stick or stick-slip")};
