@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -28,7 +30,7 @@ TEST_F(ReferenceCommand, ListsEveryDataSet) {
   ASSERT_EQ(outcome.status, 0) << outcome.errors;
   const auto package = nlohmann::json::parse(contents(fixture + "/datapackage.json"));
   for (const auto& resource : package["resources"]) {
-    const auto at = outcome.output.find("\n" + resource["name"].get<std::string>() + " ");
+    const auto at = outcome.output.find(fmt::format("\n{} ", resource["name"].get<std::string>()));
     ASSERT_NE(at, std::string::npos) << resource["name"];
     const std::string line = outcome.output.substr(at + 1, outcome.output.find('\n', at + 1) - at - 1);
     const auto lines = csv(contents(fixture + "/" + resource["path"].get<std::string>())).size();
