@@ -76,15 +76,9 @@ std::string reason_of(const Comparison::Quantity& quantity) {
 }
 
 std::string conclusion_of(Agreement agreement) {
-  switch (agreement) {
-    case Agreement::agrees:
-      return "agrees";
-    case Agreement::differs:
-      return "differs";
-    case Agreement::undecided:
-      break;
-  }
-  return "undecided: nothing differs, but the reference does not settle everything";
+  const auto verdict = studies::to_string(agreement);
+  if (agreement != Agreement::undecided) return std::string(verdict);
+  return fmt::format("{}: nothing differs, but the reference does not settle everything", verdict);
 }
 
 std::string finding_name(studies::Finding finding) {

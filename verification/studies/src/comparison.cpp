@@ -151,22 +151,13 @@ class Matcher {
 
   // "beam = paper, mode = 3"
   [[nodiscard]] std::string label(const std::vector<std::string>& columns, std::size_t row) const {
-    std::string text;
-    for (const std::string& name : columns)
-      text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", name, reference_.column(name).text[row]);
-    return text;
-  }
-
-  [[nodiscard]] std::string their_label(const std::vector<std::string>& columns, std::size_t row) const {
-    std::string text;
-    for (const std::string& name : columns)
-      text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", name, theirs_.column(name)->text[row]);
-    return text;
+    return label_of(columns, [&](const std::string& name) { return reference_.column(name).text[row]; });
   }
 
   [[noreturn]] void refuse_row(const std::vector<std::string>& columns, std::size_t their_row) const {
+    const auto cell = [&](const std::string& name) { return theirs_.column(name)->text[their_row]; };
     throw InputError(fmt::format("{}: {} is not in the data set {}", theirs_.place(their_row),
-                                 their_label(columns, their_row), reference_.resource.name));
+                                 label_of(columns, cell), reference_.resource.name));
   }
 
   [[nodiscard]] std::vector<Group> groups(const std::vector<std::string>& columns) const {
@@ -194,6 +185,14 @@ class Matcher {
   }
 
  private:
+  template <class Cell>
+  static std::string label_of(const std::vector<std::string>& columns, const Cell& cell) {
+    std::string text;
+    for (const std::string& name : columns)
+      text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", name, cell(name));
+    return text;
+  }
+
   const data::ReferenceTable& reference_;
   const data::UserTable& theirs_;
 };
