@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <fstream>
 #include <limits>
 #include <map>
@@ -12,6 +11,7 @@
 #include <utility>
 #include <variant>
 
+#include "stickslip/data/installation.hpp"
 #include "toml_file.hpp"
 
 namespace stickslip::data {
@@ -264,8 +264,7 @@ Override Override::parse(std::string_view text) {
 }
 
 std::filesystem::path data_directory() {
-  const char* chosen = std::getenv("STICKSLIP_DATA");
-  return chosen != nullptr && *chosen != '\0' ? chosen : STICKSLIP_DATA_DIRECTORY;
+  return installed_folder("STICKSLIP_DATA", "data", STICKSLIP_DATA_DIRECTORY);
 }
 
 std::filesystem::path find_case(const std::string& name_or_path) {

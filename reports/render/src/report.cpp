@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "document.hpp"
 #include "drawing.hpp"
@@ -14,6 +13,7 @@
 #include "fingerprint.hpp"
 #include "progress.hpp"
 #include "stickslip/data/case_file.hpp"
+#include "stickslip/data/installation.hpp"
 #include "stickslip/report/output_folder.hpp"
 #include "study_code.hpp"
 #include "study_results.hpp"
@@ -122,9 +122,8 @@ std::vector<std::string> figure_names() {
 }
 
 std::filesystem::path templates_directory() {
-  const char* directory = std::getenv("STICKSLIP_REPORTS");
   std::filesystem::path chosen =
-      directory != nullptr && *directory != '\0' ? directory : STICKSLIP_REPORTS_DIRECTORY;
+      data::installed_folder("STICKSLIP_REPORTS", "reports", STICKSLIP_REPORTS_DIRECTORY);
   if (!std::filesystem::is_directory(chosen / "figures") || !std::filesystem::is_directory(chosen / "latex"))
     throw data::InputError(fmt::format(
         "the folder of the report's templates (STICKSLIP_REPORTS) is {}, but must hold the folders "

@@ -30,8 +30,8 @@ struct Override {
   static Override parse(std::string_view text);
 };
 
-/// The folder with cases/ and paper/: the environment variable STICKSLIP_DATA if set, else the source tree's
-/// data/.
+/// The folder with cases/, paper/ and reference/: installed_folder() with the environment variable
+/// STICKSLIP_DATA.
 [[nodiscard]] std::filesystem::path data_directory();
 
 /// A name of a case in data_directory()/cases (without .toml), or a path to a file, as a path.

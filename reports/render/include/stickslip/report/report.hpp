@@ -31,8 +31,8 @@ void write_report(const ReportOptions& options);
 /// What `only` may hold, in the order of the report.
 [[nodiscard]] std::vector<std::string> figure_names();
 
-/// The folder with figures/ and latex/: the environment variable STICKSLIP_REPORTS if set, else the source
-/// tree's reports/. Throws data::InputError if it lacks one of them.
+/// The folder with figures/ and latex/: data::installed_folder() with the environment variable
+/// STICKSLIP_REPORTS. Throws data::InputError if it lacks one of them.
 [[nodiscard]] std::filesystem::path templates_directory();
 
 }  // namespace stickslip::report

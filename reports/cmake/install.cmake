@@ -1,0 +1,40 @@
+# cmake --install: the program with its files, and the libraries for find_package(stickslip).
+include(CMakePackageConfigHelpers)
+
+set(shared_files ${CMAKE_INSTALL_DATADIR}/stickslip) # data/src/installation.cpp looks there
+set(package_files ${CMAKE_INSTALL_LIBDIR}/cmake/stickslip)
+
+set(installed_libraries stickslip_data stickslip_files stickslip_solver stickslip_analytic)
+foreach(library IN LISTS installed_libraries)
+  string(REPLACE "stickslip_" "" name ${library})
+  set_target_properties(${library} PROPERTIES EXPORT_NAME ${name})
+endforeach()
+file(RELATIVE_PATH libraries ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
+set_target_properties(stickslip_cli PROPERTIES INSTALL_RPATH $ORIGIN/${libraries})
+
+install(TARGETS stickslip_cli)
+install(
+  TARGETS ${installed_libraries}
+  EXPORT stickslip-targets
+  FILE_SET HEADERS)
+install(
+  EXPORT stickslip-targets
+  NAMESPACE stickslip::
+  DESTINATION ${package_files})
+
+configure_package_config_file(
+  ${CMAKE_CURRENT_LIST_DIR}/stickslip-config.cmake.in ${CMAKE_BINARY_DIR}/stickslip-config.cmake
+  INSTALL_DESTINATION ${package_files}
+  PATH_VARS shared_files)
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/stickslip-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/stickslip-config.cmake ${CMAKE_BINARY_DIR}/stickslip-config-version.cmake
+        DESTINATION ${package_files})
+
+install(
+  DIRECTORY data/cases data/paper data/reference
+  DESTINATION ${shared_files}/data)
+install(
+  DIRECTORY reports/figures reports/latex
+  DESTINATION ${shared_files}/reports
+  PATTERN readme.png EXCLUDE)
+install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
