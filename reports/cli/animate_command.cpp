@@ -68,6 +68,8 @@ void add_animate_command(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--output", options->output, "Folder for frame-0001.png ... and motion.csv")
       ->capture_default_str();
+  add_examples(*command,
+               {"stickslip animate paper --hz 25 --amplitude 1e-3 --duration 0.1 --frames 5 --output film"});
   command->callback([options] { run(*options); });
 }
 

@@ -1,11 +1,16 @@
 #include "case_options.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace stickslip::cli {
 
 void add_json_option(CLI::App& command, bool& json) {
   command.add_flag("--json", json, "Print one JSON object, numbers with all digits");
+}
+
+void add_package_option(CLI::App& command, std::string& package) {
+  command.add_option("--package", package, "Folder with another data package (else that of stickslip)");
 }
 
 void add_case_options(CLI::App& command, CaseOptions& options) {
@@ -16,6 +21,10 @@ void add_case_options(CLI::App& command, CaseOptions& options) {
       ->type_name("TABLE.KEY=VALUE")
       ->allow_extra_args(false);
   add_json_option(command, options.json);
+}
+
+void add_examples(CLI::App& command, const std::vector<std::string>& lines) {
+  command.footer(fmt::format("Examples:\n  {}", fmt::join(lines, "\n  ")));
 }
 
 CLI::Validator integer_between(long lowest, long highest) {

@@ -32,8 +32,12 @@ struct ExcitationOptions {
 };
 
 void add_json_option(CLI::App& command, bool& json);
+void add_package_option(CLI::App& command, std::string& package);
 void add_case_options(CLI::App& command, CaseOptions& options);
 void add_excitation_options(CLI::App& command, ExcitationOptions& options);
+
+/// Ends the help of a command with example command lines, which a test runs in this order.
+void add_examples(CLI::App& command, const std::vector<std::string>& lines);
 
 /// The number that the whole text is, if it is one.
 template <class Number>

@@ -30,6 +30,7 @@ void add_cases_command(CLI::App& app) {
   auto* command = app.add_subcommand("cases", "List the published cases");
   auto json = std::make_shared<bool>(false);
   add_json_option(*command, *json);
+  add_examples(*command, {"stickslip cases", "stickslip cases --json"});
   command->callback([json] {
     const auto cases = data::list_cases();
     if (*json)

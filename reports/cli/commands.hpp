@@ -38,4 +38,8 @@ void add_compare_command(CLI::App& app);
 /// `cases`: what data/cases holds.
 void add_cases_command(CLI::App& app);
 
+/// `documentation`, which --help does not list: the manual page and the completions of the shells, made from
+/// `app` itself.
+void add_documentation_command(CLI::App& app);
+
 }  // namespace stickslip::cli

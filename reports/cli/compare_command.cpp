@@ -146,9 +146,10 @@ void add_compare_command(CLI::App& app) {
   command->add_option("--junit", options->junit, "XML file in JUnit's format, '-' for standard output");
   command->add_option("--figure", options->figure,
                       "Figure to draw, a .png, .pdf or .svg file (needs gnuplot)");
-  command->add_option("--package", options->package, "Folder with another data package")
-      ->capture_default_str();
+  add_package_option(*command, options->package);
   command->add_flag("--quiet", options->quiet, "Print nothing");
+  add_examples(*command, {"stickslip reference export stick-frequencies --output mine.csv",
+                          "stickslip compare stick-frequencies mine.csv --tolerance 1e-6"});
   command->callback([options] { run(*options); });
 }
 

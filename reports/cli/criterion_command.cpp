@@ -99,6 +99,8 @@ void add_criterion_command(CLI::App& app) {
   auto options = std::make_shared<CriterionOptions>();
   add_case_options(*command, options->problem);
   add_excitation_options(*command, options->excitation);
+  add_examples(*command, {"stickslip criterion steel-strip --hz 30",
+                          "stickslip criterion paper --set beam.length=1.8 --amplitude 0.5e-3 --json"});
   command->callback([options] { run(*options); });
 }
 

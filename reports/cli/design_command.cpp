@@ -165,6 +165,7 @@ void add_design_command(CLI::App& app) {
       ->type_name("FROM:TO");
   command->add_option("--duration", options->duration, "Duration, s (else that of the case)")
       ->check(number());
+  add_examples(*command, {"stickslip design steel-strip --band 24:26 --length 0.25:0.35 --force 10:40"});
   command->callback([options] { run(*options); });
 }
 

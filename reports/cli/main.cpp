@@ -10,6 +10,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "case_options.hpp"
 #include "commands.hpp"
 #include "output_file.hpp"
 #include "stickslip/version.hpp"
@@ -38,6 +39,8 @@ void add_commands(CLI::App& app) {
   add_compare_command(app);
   add_report_command(app);
   add_cases_command(app);
+  add_documentation_command(app);
+  add_examples(app, {"stickslip criterion steel-strip", "stickslip criterion --help"});
 }
 
 int run(int argc, char** argv) {

@@ -129,6 +129,8 @@ void add_map_command(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--figure", options->figure,
                       "Figure to draw, a .png, .pdf or .svg file (needs gnuplot)");
+  add_examples(*command, {"stickslip map paper --x frequency=10:40:31 --y amplitude=1e-4:1e-3:10:log "
+                          "--output map.csv --figure map.svg"});
   command->callback([options] { run(*options); });
 }
 

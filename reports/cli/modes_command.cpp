@@ -130,12 +130,14 @@ void add_modes_command(CLI::App& app) {
   command->add_option("--state", options->state, "Tip pinned to the wall, or sliding under the follower load")
       ->check(CLI::IsMember({"stick", "slip"}))
       ->capture_default_str();
-  command->add_option("--method", options->method)
+  command->add_option("--method", options->method, "Of the continuous beam, or of its finite elements")
       ->check(CLI::IsMember({"closed-form", "fe"}))
       ->capture_default_str();
   command->add_option("--count", options->count, "How many, from the lowest")
       ->check(integer_between(1, 1000))
       ->capture_default_str();
+  add_examples(*command, {"stickslip modes steel-strip --state slip --count 5",
+                          "stickslip modes paper --method fe --set numerics.elements=40"});
   command->callback([options] { run(*options); });
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "case_options.hpp"
 #include "commands.hpp"
 #include "output_file.hpp"
 #include "stickslip/data/reference.hpp"
@@ -111,17 +112,19 @@ void export_table(const ReferenceOptions& options) {
 void add_reference_command(CLI::App& app) {
   auto* command = app.add_subcommand("reference", "The published reference data");
   command->require_subcommand(1);
+  add_examples(*command, {"stickslip reference list", "stickslip reference export stick-history --output ."});
   auto options = std::make_shared<ReferenceOptions>();
   const auto add = [&](const char* name, const char* help, void (*action)(const ReferenceOptions&)) {
     auto* sub = command->add_subcommand(name, help);
-    sub->add_option("--package", options->package, "Folder with another data package")->capture_default_str();
+    add_package_option(*sub, options->package);
     sub->callback([options, action] { action(*options); });
     return sub;
   };
-  add("list", "What there is", list);
+  add_examples(*add("list", "What there is", list), {"stickslip reference list"});
   for (auto* sub :
        {add("show", "What one data set holds, how well it is known and where it comes from", show),
         add("export", "Its CSV file", export_table)}) {
+    add_examples(*sub, {fmt::format("stickslip reference {} stick-frequencies", sub->get_name())});
     sub->add_option("NAME", options->name, "A data set that 'stickslip reference list' lists")->required();
     if (sub->get_name() == "export")
       sub->add_option("--output", options->output, "File or folder, '-' for standard output")

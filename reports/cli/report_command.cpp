@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "case_options.hpp"
 #include "commands.hpp"
 #include "stickslip/report/report.hpp"
 #include "stickslip/version.hpp"
@@ -31,6 +32,7 @@ void add_report_command(CLI::App& app) {
       ->type_name("FIG,...")
       ->allow_extra_args(false);
   command->add_flag("--quiet", options->quiet, "No progress on standard error");
+  add_examples(*command, {"stickslip report --only fig1,fig2 --output figures"});
   command->callback([options] { report::write_report(*options); });
 }
 

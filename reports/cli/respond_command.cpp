@@ -284,6 +284,10 @@ void add_respond_command(CLI::App& app) {
   command->add_option("--every", options->every, "Write every N-th time step only")
       ->check(integer_between(1, 1'000'000'000))
       ->capture_default_str();
+  add_examples(*command,
+               {"stickslip respond paper --hz 25 --amplitude 1e-3 --duration 1 --output history.csv",
+                "stickslip respond steel-strip --method event-driven --duration 0.2 --events events.csv "
+                "--output history.csv"});
   command->callback([options] { run(*options); });
 }
 

@@ -37,4 +37,5 @@ install(
   DIRECTORY reports/figures reports/latex
   DESTINATION ${shared_files}/reports
   PATTERN readme.png EXCLUDE)
+install(DIRECTORY ${CMAKE_BINARY_DIR}/share/ DESTINATION ${CMAKE_INSTALL_DATADIR})
 install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
