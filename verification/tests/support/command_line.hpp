@@ -36,9 +36,13 @@ class CommandLine : public ::testing::Test {
 
   /// Runs `stickslip <arguments>` through the shell.
   [[nodiscard]] Outcome run(const std::string& arguments) const {
-    const std::string command = std::string("'") + STICKSLIP_PROGRAM + "' " + arguments + " >'" +
-                                path("stdout") + "' 2>'" + path("stderr") + "'";
-    const int status = std::system(command.c_str());
+    return shell(std::string("'") + STICKSLIP_PROGRAM + "' " + arguments);
+  }
+
+  /// Runs any command through the shell.
+  [[nodiscard]] Outcome shell(const std::string& command) const {
+    const int status =
+        std::system(("{ " + command + "\n} >'" + path("stdout") + "' 2>'" + path("stderr") + "'").c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(path("stdout")), contents(path("stderr"))};
   }
 
@@ -94,6 +98,16 @@ class Drawing : public CommandLine {
     ::setenv("PATH", old_path_.c_str(), 1);
     CommandLine::TearDown();
   }
+
+  /// Draws the frames of an animation.
+  static constexpr const char* draw_all =
+      "value() { sed -n \"s/^$1,\\([^,]*\\),.*/\\1/p\" \"${folder}animation-values.csv\"; }\n"
+      "first_frame=$(value first_frame)\n"
+      "last_frame=$(value last_frame)\n"
+      "while [ $first_frame -le $last_frame ]; do\n"
+      "  cat \"${folder}frames.csv\" > $(printf frame-%04d.png $first_frame)\n"
+      "  first_frame=$((first_frame + 1))\n"
+      "done\n";
 
   /// A shell script that is called as gnuplot is: -e 'name=value; ...' script.
   void install_gnuplot(const std::string& body) const {

@@ -268,6 +268,10 @@ const std::vector<Requirement> table{
      "Mutants",
      {"CuratedMutants", "GeneratedMutants", "Mutator", "KillMatrix", "GeneratedSample", "MutantRecord",
       "MutantRecordFolder"}},
+    {"U7",
+     "Help, manual page, completion and tutorial say what the program does.",
+     "Documentation",
+     {"HelpExamples", "ManualPage", "BashCompletion", "Tutorial"}},
 };
 
 }  // namespace

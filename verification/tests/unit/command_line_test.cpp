@@ -276,15 +276,6 @@ class Animation : public Drawing {
   [[nodiscard]] std::string command(const std::string& options) const {
     return "animate --hz 25 --amplitude 1e-3 --output '" + path("film") + "' " + options;
   }
-
-  static constexpr const char* draw_all =
-      "value() { sed -n \"s/^$1,\\([^,]*\\),.*/\\1/p\" \"${folder}animation-values.csv\"; }\n"
-      "first_frame=$(value first_frame)\n"
-      "last_frame=$(value last_frame)\n"
-      "while [ $first_frame -le $last_frame ]; do\n"
-      "  cat \"${folder}frames.csv\" > $(printf frame-%04d.png $first_frame)\n"
-      "  first_frame=$((first_frame + 1))\n"
-      "done\n";
 };
 
 TEST_F(Animation, HasTheFramesAskedForAndTheMotion) {

@@ -1,0 +1,180 @@
+/// What the program says of itself: examples of the help, manual page and completion, against the help.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "support/command_line.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+// What a heading of the help is followed by, without the indentation; what belongs to an entry goes on
+// further to the right.
+std::vector<std::string> entries(const std::string& help, const std::string& heading) {
+  const auto lines = lines_of(help);
+  std::vector<std::string> found;
+  for (auto line = std::ranges::find(lines, heading);
+       line != lines.end() && ++line != lines.end() && !line->empty();)
+    if (line->starts_with("  ") && line->at(2) != ' ') found.push_back(line->substr(2));
+  return found;
+}
+
+std::string first_word(const std::string& text) { return text.substr(0, text.find(' ')); }
+
+// The files of a build tree whose program this is.
+std::string built(const std::string& file) {
+  return contents(fs::path(STICKSLIP_PROGRAM).parent_path().parent_path() / "share" / file);
+}
+
+// Whether a word stands in a text, and not as a part of a longer one.
+bool holds_word(const std::string& text, const std::string& word) {
+  const auto is_part = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-'; };
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
+    if ((at == 0 || !is_part(text[at - 1])) &&
+        (at + word.size() == text.size() || !is_part(text[at + word.size()])))
+      return true;
+  return false;
+}
+
+class Documented : public Drawing {
+ protected:
+  [[nodiscard]] std::string help(const std::string& command) const {
+    const Outcome outcome = run(command + " --help");
+    EXPECT_EQ(outcome.status, 0) << command;
+    return outcome.output;
+  }
+
+  // Paths of all subcommands, from "" for the program to "reference export".
+  [[nodiscard]] std::vector<std::string> commands(const std::string& command = "") const {
+    std::vector<std::string> all{command};
+    for (const std::string& entry : entries(help(command), "Subcommands:"))
+      for (const std::string& below : commands(command + (command.empty() ? "" : " ") + first_word(entry)))
+        all.push_back(below);
+    return all;
+  }
+
+  // "--hz" and the like, "-h" and the names of positional arguments.
+  [[nodiscard]] std::vector<std::string> arguments(const std::string& command) const {
+    std::vector<std::string> names;
+    const std::string text = help(command);
+    for (const std::string& entry : entries(text, "Positionals:")) names.push_back(first_word(entry));
+    for (const std::string& entry : entries(text, "Options:")) {
+      std::istringstream spellings(first_word(entry));
+      for (std::string name; std::getline(spellings, name, ',');) names.push_back(name);
+    }
+    return names;
+  }
+};
+
+using HelpExamples = Documented;
+using ManualPage = Documented;
+using BashCompletion = Documented;
+
+TEST_F(HelpExamples, AreThereForEveryCommandAndRun) {
+  install_gnuplot("case $3 in\nanimation.gp)\n" + std::string(draw_all) +
+                  ";;\n*) echo drawn > $output ;;\nesac\n");
+  const auto all = commands();
+  ASSERT_GE(all.size(), 14U);
+  for (const std::string& command : all) {
+    const auto examples = entries(help(command), "Examples:");
+    EXPECT_FALSE(examples.empty()) << command;
+    for (const std::string& example : examples) {
+      ASSERT_TRUE(example.starts_with("stickslip ")) << example;
+      const std::string program = fs::path(STICKSLIP_PROGRAM).parent_path().string();
+      EXPECT_EQ(shell(fmt::format("cd '{}' && PATH='{}':$PATH {}", path(""), program, example)).status, 0)
+          << example;
+    }
+    EXPECT_TRUE(std::ranges::any_of(examples, [&](const std::string& example) {
+      return example.starts_with("stickslip " + command);
+    })) << command;
+  }
+}
+
+TEST_F(ManualPage, HoldsEveryCommandOptionAndExampleOfTheHelp) {
+  std::string page = run("documentation man").output;
+  for (const auto& [escape, character] :
+       {std::pair{"\\\\-", "-"}, {"\\\\\\(aq", "'"}, {"\\\\\\(dq", "\""}, {"\\\\f[BIR]", ""}})
+    page = std::regex_replace(page, std::regex(escape), character);
+  for (const std::string& command : commands()) {
+    const std::string heading = command.empty() ? ".SH OPTIONS" : ".SS stickslip " + command + " [OPTIONS]";
+    const std::size_t begin = page.find(heading);
+    ASSERT_NE(begin, std::string::npos) << heading;
+    const std::size_t end = page.find("\n.S", begin);
+    const std::string section = page.substr(begin, end - begin);
+    for (const std::string& name : arguments(command))
+      EXPECT_TRUE(holds_word(section, name)) << command << " " << name;
+    for (const std::string& example : entries(help(command), "Examples:"))
+      EXPECT_NE(section.find("\n" + example + "\n"), std::string::npos) << example;
+  }
+}
+
+TEST_F(ManualPage, IsTypesetWithoutAWarning) {
+  ASSERT_EQ(run("documentation man --output '" + path("page.1") + "'").status, 0);
+  const Outcome groff = shell("groff -man -Tutf8 -ww -z '" + path("page.1") + "'");
+  if (groff.status == 127) GTEST_SKIP() << "groff is not installed";
+  EXPECT_EQ(groff.status, 0);
+  EXPECT_EQ(groff.errors, "");
+}
+
+TEST_F(ManualPage, AndCompletionsOfTheBuildAreThoseOfTheProgram) {
+  for (const auto& [format, file] : {std::pair{"man", "man/man1/stickslip.1"},
+                                     {"bash", "bash-completion/completions/stickslip"},
+                                     {"zsh", "zsh/site-functions/_stickslip"},
+                                     {"fish", "fish/vendor_completions.d/stickslip.fish"}}) {
+    const Outcome outcome = run(std::string("documentation ") + format);
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    EXPECT_EQ(built(file), outcome.output) << format;
+  }
+}
+
+TEST_F(BashCompletion, KnowsCommandsOptionsChoicesNamesAndFiles) {
+  ASSERT_EQ(run("documentation bash --output '" + path("completion") + "'").status, 0);
+  std::filesystem::create_directory(path("my beams"));
+  std::ofstream(path("my-beam.toml")) << "\n";
+  // What bash offers for the last of the words, into which it has split a line.
+  const auto offered = [&](const std::string& words) {
+    const Outcome outcome = shell(
+        fmt::format("cd '{}' && bash --norc -c 'source completion; complete -p stickslip >/dev/null || exit "
+                    "1; COMP_WORDS=(\"$@\"); "
+                    "COMP_CWORD=$(($# - 1)); _stickslip; printf \"%s|\" \"${{COMPREPLY[@]}}\"' bash '{}' {}",
+                    path(""), STICKSLIP_PROGRAM, words));
+    EXPECT_EQ(outcome.status, 0) << words;
+    EXPECT_EQ(outcome.errors, "") << words;
+    return outcome.output;
+  };
+  EXPECT_EQ(offered("cri"), "criterion|");
+  EXPECT_EQ(offered("respond --m"), "--method|");
+  EXPECT_EQ(offered("respond --method ''"), "closed-form|event-driven|fe|");
+  EXPECT_EQ(offered("respond --method = cl"), "closed-form|");
+  EXPECT_EQ(offered("respond --method ="), "closed-form|event-driven|fe|");
+  EXPECT_EQ(offered("modes steel"), "steel-strip|");
+  EXPECT_EQ(offered("criterion 'my b'"), "my beams|");
+  EXPECT_EQ(offered("criterion --set beam.length = 1 my-"), "my-beam.toml|");
+  EXPECT_EQ(offered("design --band 20 : 30 --json steel"), "steel-strip|");
+  EXPECT_EQ(offered("respond paper --output my-"), "my-beam.toml|");
+  EXPECT_EQ(offered("reference e"), "export|");
+  EXPECT_EQ(offered("reference show stick-f"), "stick-frequencies|");
+  EXPECT_EQ(offered("compare stick-f"), "stick-frequencies|");
+  EXPECT_EQ(offered("compare stick-frequencies my-"), "my-beam.toml|");
+  EXPECT_EQ(offered("criterion --hz 2"), "|");
+  EXPECT_EQ(offered("documentation"), "|");
+}
+
+}  // namespace
+}  // namespace stickslip::testing
