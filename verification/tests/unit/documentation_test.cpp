@@ -139,7 +139,7 @@ TEST_F(ManualPage, AndCompletionsOfTheBuildAreThoseOfTheProgram) {
                                      {"fish", "fish/vendor_completions.d/stickslip.fish"}}) {
     const Outcome outcome = run(std::string("documentation ") + format);
     EXPECT_EQ(outcome.status, 0) << outcome.errors;
-    EXPECT_EQ(built(file), outcome.output) << format;
+    EXPECT_TRUE(built(file) == outcome.output) << file << " in share of the build is another";
   }
 }
 
