@@ -102,5 +102,16 @@ TEST_F(Tutorial, PrintsWhatItShows) {
   EXPECT_GE(scripts, 10U);
 }
 
+TEST_F(Tutorial, BeginsAsTheReadmeDoes) {
+  const auto first = [](const std::string& file, const std::string& language) {
+    const auto blocks = blocks_of(contents(STICKSLIP_SOURCE_DIRECTORY "/" + file));
+    const auto found = std::ranges::find(blocks, language, &Block::language);
+    EXPECT_NE(found, blocks.end()) << file;
+    return found == blocks.end() ? "" : found->text;
+  };
+  for (const std::string language : {"toml", "text"})
+    EXPECT_EQ(first("README.md", language), first("reports/tutorial.md", language));
+}
+
 }  // namespace
 }  // namespace stickslip::testing
