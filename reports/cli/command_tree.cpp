@@ -45,6 +45,7 @@ Argument argument_of(const CLI::Option& option) {
   argument.name = option.get_positional() ? option.get_name(true) : "--" + option.get_lnames().front();
   if (!option.get_snames().empty()) argument.short_name = "-" + option.get_snames().front();
   if (option.get_items_expected_max() == 0) return argument;
+  argument.repeatable = option.get_expected_max() > 1;
   read_type(option.get_type_name(), argument);
   if (option.get_positional()) {
     argument.value.clear();

@@ -28,6 +28,7 @@ struct Argument {
   std::string default_value;  ///< or empty
   std::string description;
   bool required{};
+  bool repeatable{};
 };
 
 struct Command {

@@ -15,15 +15,10 @@ std::string data_sets_of(std::string_view program) {
   return fmt::format("{} reference list 2>/dev/null | tail -n +4 | cut -d' ' -f1", program);
 }
 
-std::vector<std::string> names_of(const std::vector<Command>& commands) {
+template <class Named>
+std::vector<std::string> names_of(const std::vector<Named>& all) {
   std::vector<std::string> names;
-  for (const Command& command : commands) names.push_back(command.name);
-  return names;
-}
-
-std::vector<std::string> names_of(const std::vector<Argument>& arguments) {
-  std::vector<std::string> names;
-  for (const Argument& argument : arguments) names.push_back(argument.name);
+  for (const Named& one : all) names.push_back(one.name);
   return names;
 }
 
@@ -103,11 +98,11 @@ std::string zsh_specifications(const Command& command, std::string_view indent) 
     text += fmt::format(" \\\n{}  '{}'", indent, specification);
   };
   for (const Argument& option : command.options) {
-    const bool repeatable = option.description.find("repeatable") != std::string::npos;
     const std::string value = option.kind == ValueKind::none
                                   ? ""
                                   : fmt::format(":{}:{}", zsh_text(option.value), zsh_action(option));
-    add(fmt::format("{}{}[{}]{}", repeatable ? "*" : "", option.name, zsh_text(option.description), value));
+    add(fmt::format("{}{}[{}]{}", option.repeatable ? "*" : "", option.name, zsh_text(option.description),
+                    value));
   }
   for (const Argument& positional : command.positionals)
     add(fmt::format("{}:{}:{}", positional.required ? "" : ":", positional.name, zsh_action(positional)));
@@ -233,20 +228,25 @@ _stickslip "$@"
                      cases_of("stickslip"), data_sets_of("stickslip"), zsh_body(program, "  "));
 }
 
+namespace {
+
+// fish: whether the line has come to this command, and not to one below it.
+std::string fish_condition(const Command& command) {
+  if (command.path.empty()) return "__fish_use_subcommand";
+  const std::string seen = "__fish_seen_subcommand_from ";
+  std::string condition = seen;
+  for (const char c : command.path) condition += c == ' ' ? "; and " + seen : std::string(1, c);
+  if (command.subcommands.empty()) return condition;
+  return fmt::format("{}; and not {}{}", condition, seen, fmt::join(names_of(command.subcommands), " "));
+}
+
+}  // namespace
+
 std::string fish_completion(const Command& program) {
   std::string text =
       "# Completion of stickslip for fish, made by the program itself.\ncomplete -c stickslip -f\n";
   for (const Command* command : all_commands(program)) {
-    std::string here = "__fish_use_subcommand";
-    if (!command->path.empty()) {
-      here = "__fish_seen_subcommand_from " + command->path;
-      if (const std::size_t space = here.rfind(' '); command->path.find(' ') != std::string::npos)
-        here.replace(space, 1, "; and __fish_seen_subcommand_from ");
-      if (!command->subcommands.empty())
-        here += fmt::format("; and not __fish_seen_subcommand_from {}",
-                            fmt::join(names_of(command->subcommands), " "));
-    }
-    const std::string line = fmt::format("complete -c stickslip -n '{}'", here);
+    const std::string line = fmt::format("complete -c stickslip -n '{}'", fish_condition(*command));
     for (const Command& sub : command->subcommands)
       text += fmt::format("{} -a {} -d '{}'\n", line, sub.name, escaped(sub.description, "\\"));
     for (const Argument& option : command->options)
