@@ -1,7 +1,9 @@
 #include "stickslip/studies/criterion_map.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 
@@ -38,17 +40,35 @@ analytic::Bounds unit_force(const data::Case& problem, MapMethod method) {
   return {force, force};
 }
 
-CriterionMap::Cell cell_of(const data::Case& problem, const std::optional<analytic::Bounds>& force) {
-  CriterionMap::Cell cell;
-  if (!force) {
-    cell.state = CellState::no_stick_state;
-    return cell;
-  }
+// Whether the tip slips at one point of the map.
+bool slips(const data::Case& problem, MapMethod method) {
   const double limit = problem.friction.static_coefficient() * problem.beam.axial_force();
-  const double amplitude = problem.excitation.amplitude();
-  cell.force_ratio = amplitude * force->midpoint() / limit;
-  cell.state = amplitude * force->lower > limit ? CellState::stick_slip : CellState::stick;
-  return cell;
+  return problem.excitation.amplitude() * unit_force(problem, method).lower > limit;
+}
+
+data::Case case_at(const MapTask& task, std::size_t i, std::size_t j) {
+  return with_value(with_value(task.problem, task.x.parameter, task.x.values[i]), task.y.parameter,
+                    task.y.values[j]);
+}
+
+// What |f_max| per metre is compared by.
+struct Factors {
+  double amplitude{}, static_coefficient{}, axial_force{};
+
+  void set(Parameter parameter, double value) {
+    if (parameter == Parameter::amplitude) amplitude = value;
+    if (parameter == Parameter::static_coefficient) static_coefficient = value;
+    if (parameter == Parameter::axial_force) axial_force = value;
+  }
+};
+
+void complete(CriterionMap::Cell& cell, const MapEvaluation& evaluation, const Factors& factors,
+              bool states_only) {
+  cell.state = evaluation.state;
+  if (!evaluation.unit_force) return;
+  const double limit = factors.static_coefficient * factors.axial_force;
+  if (!states_only) cell.force_ratio = factors.amplitude * evaluation.unit_force->midpoint() / limit;
+  if (factors.amplitude * evaluation.unit_force->lower > limit) cell.state = CellState::stick_slip;
 }
 
 }  // namespace
@@ -63,41 +83,99 @@ MapAxis map_axis(Parameter parameter, double from, double to, int count, bool lo
   return axis;
 }
 
-CriterionMap criterion_map(const data::Case& problem, const MapAxis& x, const MapAxis& y, MapMethod method,
-                           const std::function<void(double)>& progress) {
+std::size_t evaluation_count(const MapTask& task) {
+  const auto& [problem, x, y, method, states_only] = task;
   if (x.parameter == y.parameter)
     throw std::invalid_argument("both axes of the map are " + std::string(field_of(x.parameter)) +
                                 ", but must be two parameters");
+  for (const double value : x.values) (void)with_value(problem, x.parameter, value);
+  for (const double value : y.values) (void)with_value(problem, y.parameter, value);
+  require_friction(case_at(task, 0, 0));
+  return evaluations_along(x) * evaluations_along(y);
+}
+
+std::vector<std::size_t> share_of(std::size_t evaluations, std::size_t part, std::size_t parts) {
+  if (part < 1 || part > parts)
+    throw std::invalid_argument("the part is " + std::to_string(part) + " of " + std::to_string(parts) +
+                                ", but must be from 1 to as many as there are");
+  std::vector<std::size_t> share;
+  for (std::size_t round = 0; round * parts < evaluations; ++round) {
+    // Multiples of the golden ratio fill a circle evenly, however many are taken.
+    const double turn = std::fmod(static_cast<double>(round) * std::numbers::phi, 1.0);
+    const auto shift = static_cast<std::size_t>(turn * static_cast<double>(parts));
+    const std::size_t number = round * parts + (part - 1 + shift) % parts;
+    if (number < evaluations) share.push_back(number);
+  }
+  return share;
+}
+
+void evaluate(const MapTask& task, std::span<const std::size_t> numbers, MapEvaluations& evaluations,
+              const std::function<void(std::span<const std::size_t>)>& settled) {
+  const std::size_t columns = evaluations_along(task.x);
+  if (evaluations.size() != evaluation_count(task))
+    throw std::invalid_argument("there is room for " + std::to_string(evaluations.size()) +
+                                " evaluations of the map, but must be for " +
+                                std::to_string(evaluation_count(task)));
   const bool may_buckle =
-      moves_the_buckling_load_ratio(x.parameter) || moves_the_buckling_load_ratio(y.parameter);
-  const auto case_at = [&](std::size_t i, std::size_t j) {
-    return with_value(with_value(problem, x.parameter, x.values[i]), y.parameter, y.values[j]);
+      moves_the_buckling_load_ratio(task.x.parameter) || moves_the_buckling_load_ratio(task.y.parameter);
+  const bool decide_only =
+      task.states_only && !is_a_factor(task.x.parameter) && !is_a_factor(task.y.parameter);
+  const auto evaluation_at = [&](std::size_t number) -> MapEvaluation {
+    const data::Case point = case_at(task, number % columns, number / columns);
+    if (may_buckle && point.beam.axial_force() >= analytic::stick_buckling_load(point.beam))
+      return {.unit_force = {}, .state = CellState::no_stick_state};
+    analytic::require_contact(point.beam);
+    if (decide_only)
+      return {.unit_force = {},
+              .state = slips(point, task.method) ? CellState::stick_slip : CellState::stick};
+    return {.unit_force = unit_force(point, task.method), .state = CellState::stick};
   };
+  std::vector<std::size_t> done;
+  in_parallel_settling(
+      numbers.size(), [&](std::size_t i) { evaluations[numbers[i]] = evaluation_at(numbers[i]); },
+      [&](std::span<const std::size_t> indices) {
+        if (!settled) return;
+        done.clear();
+        for (const std::size_t i : indices) done.push_back(numbers[i]);
+        settled(done);
+      });
+}
 
-  require_friction(case_at(0, 0));
-
+CriterionMap criterion_map(const MapTask& task, const MapEvaluations& evaluations) {
+  const MapAxis &x = task.x, &y = task.y;
   const std::size_t columns = evaluations_along(x), rows = evaluations_along(y);
-  std::vector<std::optional<analytic::Bounds>> forces(columns * rows);
-  in_parallel(
-      forces.size(),
-      [&](std::size_t n) {
-        const data::Case point = case_at(n % columns, n / columns);
-        if (may_buckle && point.beam.axial_force() >= analytic::stick_buckling_load(point.beam)) return;
-        analytic::require_contact(point.beam);
-        forces[n] = unit_force(point, method);
-      },
-      progress);
-
-  CriterionMap map{.x = x, .y = y, .cells = {}};
-  map.cells.reserve(x.values.size() * y.values.size());
-  for (std::size_t j = 0; j < y.values.size(); ++j)
-    for (std::size_t i = 0; i < x.values.size(); ++i) {
-      map.cells.push_back(
-          cell_of(case_at(i, j), forces[(columns > 1 ? i : 0) + columns * (rows > 1 ? j : 0)]));
-      map.cells.back().x = x.values[i];
-      map.cells.back().y = y.values[j];
+  if (evaluations.size() != columns * rows ||
+      !std::ranges::all_of(evaluations, &MapEvaluations::value_type::has_value))
+    throw std::invalid_argument("evaluations of the map are missing");
+  CriterionMap map{.x = x, .y = y, .states_only = task.states_only, .cells = {}};
+  map.cells.resize(x.values.size() * y.values.size());
+  Factors factors{.amplitude = task.problem.excitation.amplitude(),
+                  .static_coefficient = task.problem.friction.static_coefficient(),
+                  .axial_force = task.problem.beam.axial_force()};
+  auto cell = map.cells.begin();
+  for (std::size_t j = 0; j < y.values.size(); ++j) {
+    factors.set(y.parameter, y.values[j]);
+    for (std::size_t i = 0; i < x.values.size(); ++i, ++cell) {
+      factors.set(x.parameter, x.values[i]);
+      cell->x = x.values[i];
+      cell->y = y.values[j];
+      complete(*cell, *evaluations[(columns > 1 ? i : 0) + columns * (rows > 1 ? j : 0)], factors,
+               task.states_only);
     }
+  }
   return map;
+}
+
+CriterionMap criterion_map(const data::Case& problem, const MapAxis& x, const MapAxis& y, MapMethod method,
+                           const std::function<void(double)>& progress) {
+  const MapTask task{.problem = problem, .x = x, .y = y, .method = method};
+  MapEvaluations evaluations(evaluation_count(task));
+  std::size_t done = 0;
+  evaluate(task, share_of(evaluations.size(), 1, 1), evaluations, [&](std::span<const std::size_t> numbers) {
+    done += numbers.size();
+    if (progress) progress(static_cast<double>(done) / static_cast<double>(evaluations.size()));
+  });
+  return criterion_map(task, evaluations);
 }
 
 }  // namespace stickslip::studies

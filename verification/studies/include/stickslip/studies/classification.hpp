@@ -37,8 +37,8 @@ struct ClassificationStudy {
 };
 
 /// Runs both implementations on the grid; each finite-element point is a run of its own with the contact,
-/// ended at its first slip. Uses two threads; the result does not depend on that. `progress`, if given, is
-/// told the share done.
+/// ended at its first slip. Uses thread_count() threads; the result does not depend on that. `progress`, if
+/// given, is told the share done.
 [[nodiscard]] ClassificationStudy classification_study(const data::Beam& beam,
                                                        const data::FrictionLaw& friction,
                                                        const data::NumericalSettings& numerics,

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "stickslip/analytic/bounds.hpp"
 #include "stickslip/data/problem.hpp"
 #include "stickslip/studies/problem_parameter.hpp"
 
@@ -31,20 +34,55 @@ struct MapAxis {
 struct CriterionMap {
   struct Cell {
     double x{}, y{};
-    std::optional<double> force_ratio;  ///< |f_max| / (mu_s P); none without stick state
+    std::optional<double> force_ratio;  ///< |f_max| / (mu_s P); none without stick state or if not asked for
     CellState state{};                  ///< stick_slip if the ratio is above 1
   };
   MapAxis x, y;
+  bool states_only{};
   std::vector<Cell> cells;  ///< x varies fastest
 };
+
+/// A map to be computed.
+struct MapTask {
+  data::Case problem;
+  MapAxis x, y;
+  MapMethod method{};
+  bool states_only{};  ///< leave out the force ratio, and with it what the states do not need
+};
+
+/// What one evaluation of the force says of the cells that share it.
+struct MapEvaluation {
+  std::optional<analytic::Bounds> unit_force;  ///< |f_max| per metre of amplitude, N/m
+  CellState state{};                           ///< of the one cell there is, where the force is left out
+};
+
+/// The evaluations of a map by their number; empty where none has been made yet.
+using MapEvaluations = std::vector<std::optional<MapEvaluation>>;
 
 /// `count` values from `from` to `to`, in equal steps or, if `logarithmic`, in equal ratios; both ends are
 /// exact.
 [[nodiscard]] MapAxis map_axis(Parameter parameter, double from, double to, int count, bool logarithmic);
 
-/// Evaluates every cell. |f_max| is proportional to the amplitude and does not depend on mu_s: an axis of
-/// either costs nothing. Uses two threads; the result does not depend on that. `progress`, if given, is told
-/// the share done.
+/// How many evaluations a map needs. |f_max| is proportional to the amplitude and does not depend on mu_s: an
+/// axis of either costs nothing. Throws as criterion_map() does for axes that are refused.
+[[nodiscard]] std::size_t evaluation_count(const MapTask& task);
+
+/// The evaluations, ascending, that fall to part 1 ... `parts`, each to one of them. Of as many successive
+/// evaluations as there are parts each part gets one, at a place that changes from round to round, so that
+/// the parts cost about the same whatever the cost depends on. Throws std::invalid_argument unless
+/// 1 <= part <= parts.
+[[nodiscard]] std::vector<std::size_t> share_of(std::size_t evaluations, std::size_t part, std::size_t parts);
+
+/// Makes these evaluations on thread_count() threads; the result does not depend on that. `settled`, if
+/// given, is told the numbers of those that are new in `evaluations`, one call at a time; what it throws ends
+/// the work. `evaluations` has evaluation_count() elements. Throws as criterion_map().
+void evaluate(const MapTask& task, std::span<const std::size_t> numbers, MapEvaluations& evaluations,
+              const std::function<void(std::span<const std::size_t>)>& settled = {});
+
+/// The map that all its evaluations make. Throws std::invalid_argument if one is missing.
+[[nodiscard]] CriterionMap criterion_map(const MapTask& task, const MapEvaluations& evaluations);
+
+/// Evaluates every cell. `progress`, if given, is told the share done.
 ///
 /// Throws std::invalid_argument if both axes are the same parameter or mu_s is 0 somewhere, data::FieldError
 /// for a value that its field refuses, and std::domain_error, naming beam.axial_force, if P <= 0 somewhere,

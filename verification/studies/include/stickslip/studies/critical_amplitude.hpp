@@ -26,7 +26,7 @@ struct CriticalAmplitudeSearch {
 /// Raises the amplitude by `increment` from zero until the tip slips within numerics.duration(), up to `cap`,
 /// both in m. Predicted: agree() everywhere, for the stick state is linear in the amplitude and both runs
 /// step the same system over the same grid; only a critical amplitude within round-off of a multiple could
-/// differ. Uses two threads; the result does not depend on that.
+/// differ. Uses thread_count() threads; the result does not depend on that.
 [[nodiscard]] std::vector<CriticalAmplitudeSearch> critical_amplitude_searches(
     const data::Beam& beam, const data::FrictionLaw& friction, const data::NumericalSettings& numerics,
     const std::vector<double>& frequencies_hz, double increment, double cap,

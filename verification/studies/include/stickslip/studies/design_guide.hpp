@@ -67,8 +67,8 @@ struct DesignScan {
 /// of the force, counts as slipping, and so does what lies between two neighbours that slip: intervals that
 /// stick err on the safe side.
 ///
-/// Uses two threads; the result does not depend on that. `progress`, if given, is told the share done. Throws
-/// as band_margin(), and std::invalid_argument for another parameter or unless 0 < from < to.
+/// Uses thread_count() threads; the result does not depend on that. `progress`, if given, is told the share
+/// done. Throws as band_margin(), and std::invalid_argument for another parameter or unless 0 < from < to.
 [[nodiscard]] DesignScan design_scan(const data::Case& problem, Parameter parameter,
                                      const ParameterRange& range, const analytic::FrequencyBand& band,
                                      const std::function<void(double)>& progress = {});

@@ -85,7 +85,8 @@ struct ForceSensitivity {
   SamplingSearch search;
 };
 
-/// `paper` is the case of data/cases/paper.toml. Uses two threads; the result does not depend on that.
+/// `paper` is the case of data/cases/paper.toml. Uses thread_count() threads; the result does not depend on
+/// that.
 [[nodiscard]] ForceSensitivity force_sensitivity(const data::Case& paper);
 
 }  // namespace stickslip::studies

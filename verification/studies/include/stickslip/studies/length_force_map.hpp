@@ -23,7 +23,8 @@ struct LengthForceMap {
 
 /// Evaluates lengths from `shortest` to `longest` (m), or to 0.999 of the buckling length if that comes
 /// first, at each axial force (N, above 0 and under the buckling load of `shortest`). Section, excitation,
-/// friction, modes and duration are those of `problem`. Uses two threads; the result does not depend on that.
+/// friction, modes and duration are those of `problem`. Uses thread_count() threads; the result does not
+/// depend on that.
 [[nodiscard]] LengthForceMap length_force_map(const data::Case& problem, double shortest, double longest,
                                               const std::vector<double>& axial_forces);
 
