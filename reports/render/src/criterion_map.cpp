@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 #include "drawing.hpp"
@@ -39,8 +41,18 @@ std::vector<FigureData::Value> values_of(const studies::CriterionMap& map) {
   std::vector<FigureData::Value> values;
   add_axis("x", map.x, values);
   add_axis("y", map.y, values);
+  values.push_back({"states_only", map.states_only ? 1.0 : 0.0, "1"});
   return values;
 }
+
+// The texts of the values along an axis, which many cells share.
+std::vector<CsvText> texts_of(const studies::MapAxis& axis) {
+  std::vector<CsvText> texts;
+  for (const double value : axis.values) texts.emplace_back(csv_number(value));
+  return texts;
+}
+
+constexpr std::size_t longest_usual_row = 72;  // three numbers of 20 characters and a state
 
 }  // namespace
 
@@ -57,14 +69,25 @@ std::string to_string(studies::CellState state) {
 }
 
 CsvTable table_of(const data::Case& problem, const studies::CriterionMap& map) {
-  CsvTable table(
-      fmt::format("Criterion of stick-slip for the case {}", problem.name),
-      {column_of(map.x.parameter), column_of(map.y.parameter), {"force_ratio", "1"}, {"state", "-"}});
-  for (std::size_t i = 0; i < map.cells.size(); ++i) {
-    const auto& cell = map.cells[i];
-    table.add_row(
-        {csv_number(cell.x), csv_number(cell.y), csv_number(cell.force_ratio), to_string(cell.state)});
-    if ((i + 1) % map.x.values.size() == 0) table.end_grid_line();
+  std::vector<CsvColumn> columns{column_of(map.x.parameter), column_of(map.y.parameter)};
+  if (!map.states_only) columns.push_back({"force_ratio", "1"});
+  columns.push_back({"state", "-"});
+  CsvTable table(fmt::format("Criterion of stick-slip for the case {}", problem.name), columns);
+  table.reserve(map.cells.size() * longest_usual_row);
+
+  const std::vector<CsvText> x = texts_of(map.x), y = texts_of(map.y);
+  const std::array states{CsvText(to_string(studies::CellState::stick)),
+                          CsvText(to_string(studies::CellState::stick_slip)),
+                          CsvText(to_string(studies::CellState::no_stick_state))};
+  auto cell = map.cells.begin();
+  for (const CsvText& at_y : y) {
+    for (const CsvText& at_x : x) {
+      table.add(at_x).add(at_y);
+      if (!map.states_only) table.add(cell->force_ratio);
+      table.add(states[static_cast<std::size_t>(cell->state)]).end_row();
+      ++cell;
+    }
+    table.end_grid_line();
   }
   return table;
 }

@@ -13,6 +13,18 @@ struct CsvColumn {
   std::string unit;  ///< "m"; "1" for a pure number, "-" for a word
 };
 
+/// Text that the cell of any number of rows may hold.
+class CsvText {
+ public:
+  /// Throws std::invalid_argument if it holds a comma, a quote or a line break.
+  explicit CsvText(std::string text);
+
+  [[nodiscard]] const std::string& text() const noexcept { return text_; }
+
+ private:
+  std::string text_;
+};
+
 /// A table of comma-separated values: two comment lines (title, units), a line of column names, the rows.
 /// Numbers are written with the digits that read back as the same double.
 class CsvTable {
@@ -23,13 +35,27 @@ class CsvTable {
   /// quote or a line break.
   void add_row(const std::vector<std::string>& cells);
   void add_numbers(const std::vector<double>& values);
+
+  /// A row cell by cell, for tables of millions of rows; without a value the cell is empty.
+  CsvTable& add(const CsvText& cell);
+  CsvTable& add(std::optional<double> value);
+  /// Throws std::invalid_argument as add_row().
+  void end_row();
+
+  /// Makes room for text of this length in all, so that it need not move as it grows.
+  void reserve(std::size_t length) { text_.reserve(length); }
+
   /// An empty line between two lines of a grid, as gnuplot asks for; other readers skip it.
   void end_grid_line() { text_ += '\n'; }
 
   [[nodiscard]] const std::string& text() const noexcept { return text_; }
 
  private:
+  void require_columns(std::size_t cells) const;
+  void begin_cell();
+
   std::size_t columns_;
+  std::size_t cells_{};  // in the row that has not ended
   std::string text_;
 };
 
