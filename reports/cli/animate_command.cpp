@@ -6,6 +6,7 @@
 
 #include "case_options.hpp"
 #include "commands.hpp"
+#include "long_work.hpp"
 #include "stickslip/report/animation.hpp"
 
 namespace stickslip::cli {
@@ -36,7 +37,8 @@ void run(const AnimateOptions& options) {
                                                                      : report::MotionMethod::event_driven,
                                     .duration = duration,
                                     .frames = options.frames,
-                                    .output = options.output});
+                                    .output = options.output,
+                                    .quiet = is_quiet()});
   if (options.problem.json)
     print_json({{"case", problem.name},
                 {"method", options.method},

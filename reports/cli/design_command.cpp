@@ -3,15 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "case_options.hpp"
 #include "commands.hpp"
+#include "long_work.hpp"
 #include "number_text.hpp"
 #include "range_text.hpp"
-#include "stickslip/report/progress_in_tenths.hpp"
+#include "stickslip/report/interruption.hpp"
+#include "stickslip/report/progress.hpp"
 #include "stickslip/studies/design_guide.hpp"
 
 namespace stickslip::cli {
@@ -40,16 +43,26 @@ studies::ParameterRange range_of(const data::Case& problem, studies::Parameter p
   return studies::range_below_buckling(problem, parameter, below * value, above * value);
 }
 
+studies::DesignScan watched_scan(const data::Case& problem, studies::Parameter parameter,
+                                 const studies::ParameterRange& range, const analytic::FrequencyBand& band) {
+  const std::string_view what = parameter == studies::Parameter::length ? "lengths" : "axial forces";
+  report::Progress progress(fmt::format("stickslip design: {}", what), progress_surroundings());
+  const report::Interruption interruption([&] {
+    progress.finish();
+    return fmt::format("interrupted after {:.0f} % of the {}; nothing is kept", 100.0 * progress.share(),
+                       what);
+  });
+  return studies::design_scan(problem, parameter, range, band, std::ref(progress));
+}
+
 studies::Design design_of(const data::Case& problem, const DesignOptions& options) {
   const studies::ParameterRange band = parse_band("--band", options.band);
   studies::Design design{.band = {band.from, band.to}, .margin = {}, .lengths = {}, .forces = {}};
   design.margin = studies::band_margin(problem, design.band);
   const auto lengths = range_of(problem, studies::Parameter::length, "--length", options.length, 0.5, 2.0);
   const auto forces = range_of(problem, studies::Parameter::axial_force, "--force", options.force, 0.1, 10.0);
-  design.lengths = studies::design_scan(problem, studies::Parameter::length, lengths, design.band,
-                                        report::progress_in_tenths("design, lengths"));
-  design.forces = studies::design_scan(problem, studies::Parameter::axial_force, forces, design.band,
-                                       report::progress_in_tenths("design, forces"));
+  design.lengths = watched_scan(problem, studies::Parameter::length, lengths, design.band);
+  design.forces = watched_scan(problem, studies::Parameter::axial_force, forces, design.band);
   return design;
 }
 
@@ -165,6 +178,7 @@ void add_design_command(CLI::App& app) {
       ->type_name("FROM:TO");
   command->add_option("--duration", options->duration, "Duration, s (else that of the case)")
       ->check(number());
+  add_threads_option(*command);
   add_examples(*command, {"stickslip design steel-strip --band 24:26 --length 0.25:0.35 --force 10:40"});
   command->callback([options] { run(*options); });
 }

@@ -12,6 +12,7 @@
 
 #include "case_options.hpp"
 #include "commands.hpp"
+#include "long_work.hpp"
 #include "output_file.hpp"
 #include "stickslip/version.hpp"
 
@@ -39,6 +40,7 @@ void add_commands(CLI::App& app) {
   add_compare_command(app);
   add_report_command(app);
   add_cases_command(app);
+  add_quiet_option(app);
   add_documentation_command(app);
   add_examples(app, {"stickslip criterion steel-strip", "stickslip criterion --help"});
 }

@@ -2,19 +2,25 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "case_options.hpp"
 #include "commands.hpp"
 #include "figure_format.hpp"
-#include "interruption.hpp"
+#include "long_work.hpp"
+#include "map_records.hpp"
 #include "output_file.hpp"
 #include "range_text.hpp"
 #include "stickslip/report/criterion_map.hpp"
-#include "stickslip/report/progress_in_tenths.hpp"
+#include "stickslip/report/interruption.hpp"
+#include "stickslip/report/progress.hpp"
 #include "stickslip/report/report.hpp"
 
 namespace stickslip::cli {
@@ -28,9 +34,14 @@ struct MapOptions {
   std::string y = "amplitude=5e-5:1e-3:20";
   std::string method = "closed-form";
   std::optional<double> duration;
+  bool states_only{};
+  std::string shard;
+  std::vector<std::string> merge;
   std::string output = "-";
   std::string figure;
 };
+
+constexpr std::string_view closed_form = "closed-form";
 
 void write(OutputFile& file, std::string_view text) {
   file.write(text);
@@ -64,42 +75,183 @@ void print_summary(const studies::CriterionMap& map, const MapOptions& options) 
   if (!options.figure.empty()) fmt::print("Drawn in {}\n", options.figure);
 }
 
-Json to_json(const data::Case& problem, const studies::CriterionMap& map, const MapOptions& options) {
-  Json object{{"case", problem.name},     {"method", options.method}, {"x", options.x},
-              {"y", options.y},           {"output", options.output}, {"figure", nullptr},
-              {"cells", map.cells.size()}};
-  if (!options.figure.empty()) object["figure"] = options.figure;
+Json to_json(const studies::MapTask& task, const MapOptions& options) {
+  return {{"case", task.problem.name},
+          {"method", task.method == studies::MapMethod::closed_form ? closed_form : "fe"},
+          {"x", axis_text(task.x)},
+          {"y", axis_text(task.y)},
+          {"output", options.output}};
+}
+
+Json to_json(const studies::MapTask& task, const studies::CriterionMap& map, const MapOptions& options) {
+  Json object = to_json(task, options);
+  object["figure"] = options.figure.empty() ? Json() : Json(options.figure);
+  object["cells"] = map.cells.size();
   for (const auto state : states) object["states"][report::to_string(state)] = cells_in(map, state);
   return object;
 }
 
-void run(const MapOptions& options) {
-  const bool to_standard_output = options.output == "-";
-  if (options.problem.json && to_standard_output)
+void require_output_file(const MapOptions& options) {
+  if (options.output != "-") return;
+  if (options.problem.json)
     throw data::InputError("--json and --output - both want standard output, but --json needs --output FILE");
-  const studies::MapAxis x = parse_axis("--x", options.x), y = parse_axis("--y", options.y);
-  const data::Case problem = load_case(options.problem, options.excitation, options.duration);
-  const bool closed_form = options.method == "closed-form";
-  if (closed_form) require_undamped(problem, "the map in closed form (--method fe follows the damping)");
+  if (!options.shard.empty())
+    throw data::InputError("--output is standard output, but --shard needs --output FILE");
+}
 
-  const Interruption interruption;
-  OutputFile output(options.output);
-  std::optional<OutputFile> figure;
-  if (!options.figure.empty()) {
+studies::MapTask task_of(const MapOptions& options) {
+  studies::MapTask task{.problem = load_case(options.problem, options.excitation, options.duration),
+                        .x = parse_axis("--x", options.x),
+                        .y = parse_axis("--y", options.y),
+                        .method = options.method == closed_form ? studies::MapMethod::closed_form
+                                                                : studies::MapMethod::finite_elements,
+                        .states_only = options.states_only};
+  if (task.method == studies::MapMethod::closed_form)
+    require_undamped(task.problem, "the map in closed form (--method fe follows the damping)");
+  return task;
+}
+
+// Nothing is kept of what goes to a pipe or a device.
+std::filesystem::path unfinished_file(const MapOptions& options) {
+  std::error_code error;
+  const auto status = std::filesystem::status(options.output, error);
+  const bool is_file =
+      options.output != "-" && (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status));
+  return is_file ? options.output + ".partial" : "";
+}
+
+// The files of one run, put in place when the work is done.
+class Run {
+ public:
+  explicit Run(const MapOptions& options) : options_(options), output_(options.output) {
+    if (options.figure.empty()) return;
     (void)figure_format(options.figure);
     (void)report::templates_directory();  // refused now rather than after the map
-    figure.emplace(options.figure);
+    figure_.emplace(options.figure);
   }
-  const studies::CriterionMap map = studies::criterion_map(
-      problem, x, y, closed_form ? studies::MapMethod::closed_form : studies::MapMethod::finite_elements,
-      interruption.progress(report::progress_in_tenths("map")));
-  const report::CsvTable table = report::table_of(problem, map);
-  write(output, table.text());
-  if (figure) write_figure(map, table, options, *figure);
-  if (options.problem.json)
-    print_json(to_json(problem, map, options));
-  else if (!to_standard_output)
-    print_summary(map, options);
+
+  /// Makes the evaluations of a part that an earlier run has not left, and hands all of them to `write`.
+  void work(const studies::MapTask& task, const MapPart& part, const auto& write) {
+    studies::MapEvaluations evaluations(studies::evaluation_count(task));
+    const auto numbers = studies::share_of(evaluations.size(), part.part, part.parts);
+    UnfinishedMap unfinished(unfinished_file(options_), task, part, evaluations);
+    report::Progress progress("stickslip map", progress_surroundings(), numbers.size());
+    report::Interruption interruption([&] {
+      progress.finish();
+      discard();
+      return last_words(unfinished, numbers.size());
+    });
+    evaluate(task, numbers, evaluations, unfinished, progress);
+    progress.finish();
+    const auto undisturbed = interruption.hold();  // what draws is interrupted itself
+    write(evaluations);
+    unfinished.remove();
+  }
+
+  void finish(const studies::MapTask& task, const studies::MapEvaluations& evaluations) {
+    const studies::CriterionMap map = studies::criterion_map(task, evaluations);
+    const report::CsvTable table = report::table_of(task.problem, map);
+    write(output_, table.text());
+    if (figure_) write_figure(map, table, options_, *figure_);
+    if (options_.problem.json)
+      print_json(to_json(task, map, options_));
+    else if (options_.output != "-")
+      print_summary(map, options_);
+  }
+
+  void finish_shard(const studies::MapTask& task, const MapPart& part,
+                    const studies::MapEvaluations& evaluations) {
+    write(output_, shard_text(task, part, evaluations));
+    const std::size_t count = studies::share_of(evaluations.size(), part.part, part.parts).size();
+    if (!options_.problem.json) {
+      fmt::print("Shard {} of {}, {} of {} evaluations, written to {}\n", part.part, part.parts, count,
+                 evaluations.size(), options_.output);
+      return;
+    }
+    Json object = to_json(task, options_);
+    object["shard"] = part.part;
+    object["shards"] = part.parts;
+    object["evaluations"] = count;
+    print_json(object);
+  }
+
+ private:
+  void evaluate(const studies::MapTask& task, std::vector<std::size_t> numbers,
+                studies::MapEvaluations& evaluations, UnfinishedMap& unfinished,
+                report::Progress& progress) const {
+    const auto count = static_cast<double>(numbers.size());
+    std::size_t done = unfinished.found();
+    if (done > 0) {
+      if (!is_quiet())
+        fmt::print(stderr, "stickslip map: going on from {}, which holds {} of {} evaluations\n",
+                   unfinished.file().string(), done, numbers.size());
+      progress.start_at(static_cast<double>(done) / count);
+      std::erase_if(numbers, [&](std::size_t number) { return evaluations[number].has_value(); });
+    }
+    try {
+      studies::evaluate(task, numbers, evaluations, [&](std::span<const std::size_t> settled) {
+        unfinished.keep(settled);
+        done += settled.size();
+        progress(static_cast<double>(done) / count);
+      });
+    } catch (const std::logic_error&) {  // this map cannot be finished
+      unfinished.remove();
+      throw;
+    }
+  }
+
+  void discard() const {
+    output_.discard();
+    if (figure_) figure_->discard();
+  }
+
+  static std::string last_words(UnfinishedMap& unfinished, std::size_t count) {
+    if (unfinished.kept() > 0)
+      return fmt::format(
+          "interrupted; {} of {} evaluations are kept in {}, from which the same command goes on",
+          unfinished.kept(), count, unfinished.file().string());
+    unfinished.remove();
+    return "interrupted; no evaluation is kept";
+  }
+
+  const MapOptions& options_;
+  OutputFile output_;
+  std::optional<OutputFile> figure_;
+};
+
+void run(const MapOptions& options) {
+  require_output_file(options);
+  if (!options.merge.empty()) {
+    const MergedMap map = merged(options.merge);
+    return Run(options).finish(map.task, map.evaluations);
+  }
+  const studies::MapTask task = task_of(options);
+  const MapPart part = options.shard.empty() ? MapPart() : parse_part(options.shard);
+  Run run(options);
+  run.work(task, part, [&](const studies::MapEvaluations& evaluations) {
+    if (options.shard.empty())
+      run.finish(task, evaluations);
+    else
+      run.finish_shard(task, part, evaluations);
+  });
+}
+
+// --merge takes from the shards what the other options say.
+void add_shard_options(CLI::App& command, MapOptions& options) {
+  auto* shard = command
+                    .add_option("--shard", options.shard,
+                                "Make only part K of M of the evaluations and write them to the output, for "
+                                "--merge; M runs with one K each make the map")
+                    ->type_name("K/M");
+  auto* merge = command
+                    .add_option("--merge", options.merge,
+                                "Make no evaluation, but the map from these files, the outputs of all shards")
+                    ->type_name("FILE...");
+  shard->excludes(command.get_option("--figure"));
+  for (CLI::Option* option : command.get_options())
+    for (const std::string name : {"CASE", "--set", "--hz", "--amplitude", "--x", "--y", "--method",
+                                   "--duration", "--states-only", "--shard"})
+      if (option->check_name(name)) merge->excludes(option);
 }
 
 }  // namespace
@@ -125,10 +277,18 @@ void add_map_command(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--duration", options->duration, "Duration, s (else that of the case)")
       ->check(number());
-  command->add_option("--output", options->output, "CSV file, '-' for standard output")
+  command->add_flag("--states-only", options->states_only,
+                    "Leave out the force ratio: only whether each cell sticks or slips");
+  command
+      ->add_option("--output", options->output,
+                   "CSV file, '-' for standard output; what is finished of a long map is kept in "
+                   "FILE.partial, from which "
+                   "the same command goes on")
       ->capture_default_str();
   command->add_option("--figure", options->figure,
                       "Figure to draw, a .png, .pdf or .svg file (needs gnuplot)");
+  add_shard_options(*command, *options);
+  add_threads_option(*command);
   add_examples(*command, {"stickslip map paper --x frequency=10:40:31 --y amplitude=1e-4:1e-3:10:log "
                           "--output map.csv --figure map.svg"});
   command->callback([options] { run(*options); });

@@ -30,8 +30,7 @@ OutputFile::OutputFile(const std::string& path) : path_(path) {
 
 OutputFile::~OutputFile() {
   if (stream_ != nullptr && stream_ != stdout) std::fclose(stream_);
-  std::error_code ignored;  // nothing is left to be done about a temporary file that cannot be removed
-  if (!temporary_.empty()) fs::remove(temporary_, ignored);
+  discard();
 }
 
 void OutputFile::open_directly() {
@@ -61,7 +60,10 @@ void OutputFile::commit() {
   if (std::fclose(std::exchange(stream_, nullptr)) != 0) fail();
   if (temporary_.empty()) return;
   if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail();
-  temporary_.clear();
+}
+
+void OutputFile::discard() const noexcept {
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());  // once in place it has this name no longer
 }
 
 void OutputFile::fail() const {

@@ -32,6 +32,9 @@ class OutputFile {
   /// Puts the file in place. Throws OutputError.
   void commit();
 
+  /// Removes what has not been put in place, for a program that ends here; from any thread.
+  void discard() const noexcept;
+
  private:
   void open_directly();
   void open_temporary();
@@ -39,7 +42,7 @@ class OutputFile {
 
   std::string path_;
   std::filesystem::path target_;
-  std::filesystem::path temporary_;  // empty when written to directly
+  std::filesystem::path temporary_;  // empty when written to directly; set once
   std::FILE* stream_{};
 };
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -75,6 +76,14 @@ ParameterRange parse_range(std::string_view option, std::string_view text) {
 
 ParameterRange parse_band(std::string_view option, std::string_view text) {
   return from_to(option, text, true);
+}
+
+std::string axis_text(const studies::MapAxis& axis) {
+  const auto named =
+      std::ranges::find(parameters, axis.parameter, &std::pair<std::string_view, studies::Parameter>::second);
+  return fmt::format("{}={}:{}:{}{}", named->first, data::shortest_text(axis.values.front()),
+                     data::shortest_text(axis.values.back()), axis.values.size(),
+                     axis.logarithmic ? ":log" : "");
 }
 
 studies::MapAxis parse_axis(std::string_view option, std::string_view text) {

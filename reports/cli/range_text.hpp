@@ -3,6 +3,7 @@
 /// Ranges as the command line takes them. All functions throw data::InputError, naming the option, the part
 /// that is wrong and what is allowed.
 
+#include <string>
 #include <string_view>
 
 #include "stickslip/studies/criterion_map.hpp"
@@ -17,5 +18,8 @@ namespace stickslip::cli {
 /// "PARAMETER=FROM:TO:COUNT" in equal steps, or "PARAMETER=FROM:TO:COUNT:log" in equal ratios; FROM may be 0
 /// for an amplitude in equal steps.
 [[nodiscard]] studies::MapAxis parse_axis(std::string_view option, std::string_view text);
+
+/// What parse_axis() makes the same axis from.
+[[nodiscard]] std::string axis_text(const studies::MapAxis& axis);
 
 }  // namespace stickslip::cli

@@ -6,6 +6,7 @@
 
 #include "case_options.hpp"
 #include "commands.hpp"
+#include "long_work.hpp"
 #include "stickslip/report/report.hpp"
 #include "stickslip/version.hpp"
 
@@ -31,9 +32,12 @@ void add_report_command(CLI::App& app) {
       ->delimiter(',')
       ->type_name("FIG,...")
       ->allow_extra_args(false);
-  command->add_flag("--quiet", options->quiet, "No progress on standard error");
+  add_threads_option(*command);
   add_examples(*command, {"stickslip report --only fig1,fig2 --output figures"});
-  command->callback([options] { report::write_report(*options); });
+  command->callback([options] {
+    options->quiet = is_quiet();
+    report::write_report(*options);
+  });
 }
 
 }  // namespace stickslip::cli

@@ -1,6 +1,7 @@
 # The criterion over two parameters: |f_max|/(mu_s P) by colour and its contour 1, from a table of x, y, ratio and
 # state. Which parameter an axis has is x_parameter or y_parameter; its values follow each other in equal steps, or in
 # equal ratios where x_log or y_log is 1. White is the limit, blue sticks, orange slips, hatched has no stick state.
+# Where states_only is 1 the table has no ratio, and the regions have one colour each.
 width = 16
 height = 10
 load 'style.gp'
@@ -17,9 +18,10 @@ file = folder.'map.csv'
 # Cells of an image have one size: axes in equal ratios are drawn over the decadic logarithm.
 x_of(x) = x_log ? log10(x_scale * x) : x_scale * x
 y_of(y) = y_log ? log10(y_scale * y) : y_scale * y
-ratio(text) = text eq '' ? NaN : log10(real(text))
+region(text) = text eq 'stick' ? -0.75 : text eq 'stick-slip' ? 0.75 : NaN
+ratio(text) = states_only ? region(text) : text eq '' ? NaN : log10(real(text))
 stats file using (x_of($1)):(y_of($2)) name 'axis' nooutput
-stats file using (strcol(4) eq 'no stick state' ? 1 : 0) name 'buckled' nooutput
+stats file using (strcol(4 - int(states_only)) eq 'no stick state' ? 1 : 0) name 'buckled' nooutput
 limit = 'NaN'
 cells = 'NaN'
 if (buckled_min == 0) {
@@ -35,7 +37,7 @@ if (buckled_min == 0) {
   plot file using (x_of($1)):(y_of($2)):(ratio(strcol(3))) with table
   unset table
   cells = '$cells using 1:2:3 with image'
-  if (|$limit| > 4) { limit = '$limit using 1:2' }  # there are four lines of comment where there is no contour
+  if (!states_only && |$limit| > 4) { limit = '$limit using 1:2' }  # there are four lines of comment where there is no contour
 }
 set datafile separator whitespace
 unset datafile columnheaders
@@ -65,6 +67,7 @@ set palette defined (-1 '#08519C', -0.5 blue, 0 'white', 0.5 '#E69F00', 1 vermil
 set cbrange [-1.5:1.5]
 set cbtics ('≤ 1/30' -1.5, '1/10' -1, '1/3' log10(1/3.0), '1' 0, '3' log10(3), '10' 1, '≥ 30' 1.5)
 set cblabel '|f_{max}| / (μ_sP)'
+if (states_only) { unset colorbox }
 set key above horizontal center samplen 3 width -3 maxcols 2
 set margins screen 0.115, screen 0.84, screen 0.125, screen 0.90
 set object 1 rectangle from graph 0, graph 0 to graph 1, graph 1 behind fillcolor rgb grey \
@@ -73,4 +76,6 @@ limit_title = limit eq 'NaN' ? '' : '|f_{max}| = μ_sP'
 buckled_title = 'no stick state (buckled)'
 plot @cells notitle, \
      @limit with lines linecolor rgb black linewidth 1.2 title limit_title, \
+     for [i = 1:states_only] keyentry with boxes linecolor rgb blue fillstyle solid title 'stick', \
+     for [i = 1:states_only] keyentry with boxes linecolor rgb '#E69F00' fillstyle solid title 'stick-slip', \
      for [i = 1:buckled_max] keyentry with boxes linecolor rgb grey fillstyle pattern 4 title buckled_title

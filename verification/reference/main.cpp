@@ -1,9 +1,9 @@
 /// Writes the published reference data. Usage: stickslip_reference_data [--output FOLDER]
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cstddef>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -12,6 +12,8 @@
 
 #include "stickslip/data/reference.hpp"
 #include "stickslip/reference/package.hpp"
+#include "stickslip/report/interruption.hpp"
+#include "stickslip/report/progress.hpp"
 #include "stickslip/report/text_file.hpp"
 
 int main(int argc, char** argv) {
@@ -20,16 +22,26 @@ int main(int argc, char** argv) {
   CLI::App app("Makes the published reference data.", "stickslip_reference_data");
   std::string output = data::reference_directory().string();
   app.add_option("--output", output, "Folder for the package")->capture_default_str();
+  bool quiet = false;
+  app.add_flag("--quiet", quiet, "No progress on standard error");
   CLI11_PARSE(app, argc, argv);
   try {
-    const bool on_terminal = ::isatty(STDERR_FILENO) != 0;
+    const auto& recipes = reference::recipes();
     std::vector<reference::DataSet> sets;
-    for (const reference::Recipe& recipe : reference::recipes()) {
-      if (on_terminal)
-        fmt::print(stderr, "\r\033[K{} of {}: {}", sets.size() + 1, reference::recipes().size(), recipe.name);
-      sets.push_back(recipe.make());
+    {
+      report::Progress progress("stickslip_reference_data", report::Progress::standard_error(quiet),
+                                recipes.size());
+      const report::Interruption interruption([&] {
+        progress.finish();
+        return fmt::format("interrupted after {:.0f} % of the data sets; nothing is written",
+                           100.0 * progress.share());
+      });
+      for (std::size_t i = 0; i < recipes.size(); ++i) {
+        progress(static_cast<double>(i) / static_cast<double>(recipes.size()));
+        progress.stage(recipes[i].name);
+        sets.push_back(recipes[i].make());
+      }
     }
-    if (on_terminal) fmt::print(stderr, "\r\033[K");
     for (const auto& [name, text] : reference::package_files(sets)) {
       const fs::path file = fs::path(output) / name;
       fs::create_directories(file.parent_path());

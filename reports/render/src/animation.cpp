@@ -10,10 +10,11 @@
 #include "drawing.hpp"
 #include "external_tool.hpp"
 #include "figures.hpp"
-#include "progress.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/report/csv_table.hpp"
+#include "stickslip/report/interruption.hpp"
 #include "stickslip/report/output_folder.hpp"
+#include "stickslip/report/progress.hpp"
 #include "stickslip/report/report.hpp"
 #include "stickslip/report/text_file.hpp"
 #include "stickslip/studies/beam_motion.hpp"
@@ -79,13 +80,14 @@ std::vector<FigureData::Value> values_of(const data::Case& problem, const studie
           {"largest_displacement", studies::peak(motion), "m"}};
 }
 
-void draw_frames(const data::Case& problem, const studies::BeamMotion& motion, const Progress& progress,
+void draw_frames(const data::Case& problem, const studies::BeamMotion& motion, Progress& progress,
                  OutputFolder& output) {
   const std::size_t frames = motion.snapshots.size();
   std::vector<fs::path> drawn;
   for (std::size_t first = 0; first < frames; first += batch) {
     const std::size_t last = std::min(first + batch, frames);
-    progress(fmt::format("drawing frames {} to {} of {}", first + 1, last, frames));
+    progress(static_cast<double>(first) / static_cast<double>(frames));
+    progress.stage(fmt::format("drawing frames {} to {} of {}", first + 1, last, frames));
     write_text(output.scratch() / "frames.csv", table_of(problem, motion, first, last).text());
     auto values = values_of(problem, motion);
     values.push_back({"first_frame", static_cast<double>(first + 1), "1"});
@@ -105,8 +107,14 @@ void write_animation(const data::Case& problem, const AnimationOptions& options)
   (void)templates_directory();  // refused now rather than after the run
   OutputFolder output(options.output);
   refuse_later_frames(output, options.frames);
-  const Progress progress("animate", false);
-  progress("following the beam");
+  Progress progress("stickslip animate", Progress::standard_error(options.quiet),
+                    static_cast<std::size_t>(options.frames));
+  const Interruption interruption([&] {
+    progress.finish();
+    return fmt::format("interrupted after {:.0f} % of the frames, none of which is kept",
+                       100.0 * progress.share());
+  });
+  progress.stage("following the beam");
   const studies::BeamMotion motion = motion_of(problem, options);
   output.write("motion.csv", table_of(problem, motion, 0, motion.snapshots.size()).text());
   try {

@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdlib>
 
 #include "document.hpp"
 #include "drawing.hpp"
@@ -11,10 +13,11 @@
 #include "external_tool.hpp"
 #include "figures.hpp"
 #include "fingerprint.hpp"
-#include "progress.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/data/installation.hpp"
+#include "stickslip/report/interruption.hpp"
 #include "stickslip/report/output_folder.hpp"
+#include "stickslip/report/progress.hpp"
 #include "study_code.hpp"
 #include "study_results.hpp"
 #include "test_results.hpp"
@@ -36,6 +39,11 @@ std::vector<Figure> chosen_figures(const std::vector<std::string>& only) {
   return chosen;
 }
 
+// The steps of a report are the data of each figure, its drawing, and the document.
+double share_done(std::size_t figures, std::size_t steps) {
+  return static_cast<double>(steps) / static_cast<double>(2 * figures + 1);
+}
+
 // A figure whose tables are in the output folder.
 struct TabledFigure {
   std::string name;
@@ -52,11 +60,13 @@ TabledFigure write_tables(const std::string& figure, FigureData data, OutputFold
   return {figure, fingerprint_of(figure, files, output)};
 }
 
-void draw_all(const std::vector<TabledFigure>& figures, const Progress& progress, OutputFolder& output) {
+void draw_all(const std::vector<TabledFigure>& figures, Progress& progress, OutputFolder& output) {
   try {
-    for (const auto& [name, fingerprint] : figures) {
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+      progress(share_done(figures.size(), figures.size() + i));
+      const auto& [name, fingerprint] = figures[i];
       if (output.is_current(name, {name + ".pdf", name + ".png"}, fingerprint)) continue;
-      progress(fmt::format("drawing {}", name));
+      progress.stage(fmt::format("drawing {}", name));
       draw(name, output);
       output.record(name, fingerprint);
     }
@@ -97,12 +107,19 @@ void write_report(const ReportOptions& options) {
   const std::vector<TestResult> tests =
       options.tests.empty() ? std::vector<TestResult>{} : read_test_results(options.tests);
   OutputFolder output(options.output);
-  const Progress progress("report", options.quiet);
-  StudyResults results(progress, study_store(output));
+  Progress progress("stickslip report", Progress::standard_error(options.quiet));
+  const Interruption interruption([&] {
+    progress.finish();
+    return fmt::format("interrupted after {:.0f} % of the report; what the studies have found is kept in {}",
+                       100.0 * progress.share(), (output.folder() / ".studies").string());
+  });
+  StudyResults results([&](const std::string& what) { progress.stage(what); }, study_store(output));
 
   std::vector<TabledFigure> figures;
-  for (const Figure& figure : chosen)
+  for (const Figure& figure : chosen) {
+    progress(share_done(chosen.size(), figures.size()));
     figures.push_back(write_tables(figure.name, figure.data(results), output));
+  }
   draw_all(figures, progress, output);
   if (!options.only.empty()) return;
 
@@ -110,7 +127,7 @@ void write_report(const ReportOptions& options) {
   const Document document = make_document(results, environment, tests);
   const std::string fingerprint = fingerprint_of(document, environment, figures);
   if (output.is_current("vv-report", {"vv-report.pdf"}, fingerprint)) return;
-  progress("typesetting vv-report.pdf");
+  progress.stage("typesetting vv-report.pdf");
   typeset_document(document, output);
   output.record("vv-report", fingerprint);
 }

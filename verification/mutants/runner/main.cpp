@@ -1,29 +1,23 @@
 /// Runs the suite against wrong versions of the models, and writes what it catches.
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstddef>
 #include <exception>
+#include <functional>
+#include <string>
 #include <thread>
 
 #include "hunt.hpp"
 #include "stickslip/mutants/verdict.hpp"
-
-namespace {
+#include "stickslip/report/interruption.hpp"
+#include "stickslip/report/progress.hpp"
 
 using namespace stickslip::mutants;
-
-// A line on a terminal, nothing elsewhere.
-std::function<void(double)> progress_of(const char* what) {
-  if (::isatty(STDERR_FILENO) == 0) return {};
-  return [what](double share) {
-    fmt::print(stderr, "\r{}: {:3.0f} %{}", what, 100.0 * share, share < 1.0 ? "" : "\n");
-  };
-}
-
-}  // namespace
+using stickslip::report::Interruption;
+using stickslip::report::Progress;
 
 int main(int argc, char** argv) {
   CLI::App app{"Builds wrong versions of solver/ and analytic/ and runs the test suite against each."};
@@ -32,7 +26,7 @@ int main(int argc, char** argv) {
   int count = 400;
   std::uint64_t seed = 1;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
-  bool curated = false, generated = false;
+  bool curated = false, generated = false, quiet = false;
   app.add_flag("--curated", curated, "Only the curated mutants: every quick test against each");
   app.add_flag("--generated", generated, "Only the generated mutants: until the first test that fails");
   app.add_option("--count", count, "Generated mutants in the sample")
@@ -41,6 +35,7 @@ int main(int argc, char** argv) {
   app.add_option("--seed", seed, "Of the sample")->capture_default_str();
   app.add_option("--jobs", threads, "Mutants at a time")->capture_default_str()->check(CLI::Range(1, 1024));
   app.add_option("--output", output, "Folder for kill-matrix.csv and generated.json")->capture_default_str();
+  app.add_flag("--quiet", quiet, "No progress on standard error");
   CLI11_PARSE(app, argc, argv);
   const bool both = curated == generated;
 
@@ -56,17 +51,29 @@ int main(int argc, char** argv) {
               .programs = programs,
               .threads = threads,
               .progress = {}};
+    // Shows how far a hunt is, and says so where it is interrupted.
+    const auto watched = [&](const std::string& what, std::size_t mutants, const auto& run) {
+      Progress progress("stickslip_mutants: " + what, Progress::standard_error(quiet), mutants);
+      const Interruption interruption([&] {
+        progress.finish();
+        return fmt::format("interrupted after {:.0f} % of the {}; what is known of them is kept in {}",
+                           100.0 * progress.share(), what, folder.string());
+      });
+      hunt.progress = std::ref(progress);
+      return run();
+    };
     std::vector<std::string> complaints;
     if (both || curated) {
-      hunt.progress = progress_of("curated mutants");
-      const KillMatrix matrix = hunt_curated(hunt, curated_mutants());
+      const auto mutants = curated_mutants();
+      const KillMatrix matrix =
+          watched("curated mutants", mutants.size(), [&] { return hunt_curated(hunt, mutants); });
       write(matrix, output);
       fmt::print("{}\n", summary(matrix));
       complaints = survivors(matrix);
     }
     if (both || generated) {
-      hunt.progress = progress_of("generated mutants");
-      const GeneratedSample sample = hunt_generated(hunt, count, seed);
+      const GeneratedSample sample = watched("generated mutants", static_cast<std::size_t>(count),
+                                             [&] { return hunt_generated(hunt, count, seed); });
       write(sample, output);
       const auto proofs = equivalences();
       fmt::print("{}\n", summary(sample, proofs));

@@ -14,6 +14,7 @@ struct AnimationOptions {
   double duration{};             ///< s, from t = 0
   int frames{};                  ///< 2 ... most_frames, evenly over the duration, its ends included
   std::filesystem::path output;  ///< folder that receives the frames; made if missing
+  bool quiet{};                  ///< no progress on standard error
 };
 
 inline constexpr int most_frames = 9999;

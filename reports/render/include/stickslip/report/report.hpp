@@ -12,7 +12,7 @@ struct ReportOptions {
   /// Folder with GoogleTest's XML files of a test run, for the traceability; empty for none.
   std::filesystem::path tests{};
   std::vector<std::string> only;  ///< names of figures to render, without the PDF report; empty: everything
-  bool quiet{};                   ///< no progress on standard error, even if that is a terminal
+  bool quiet{};                   ///< no progress on standard error, whatever that is
   std::string version;            ///< of the program, for the title page
   std::string commit;             ///< that was built, for the title page
 };

@@ -1,0 +1,322 @@
+#include "map_records.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <boost/pfr/core.hpp>
+#include <cerrno>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "case_options.hpp"
+#include "fingerprint.hpp"
+#include "output_file.hpp"
+#include "range_text.hpp"
+#include "stickslip/report/criterion_map.hpp"
+#include "stickslip/report/text_file.hpp"
+#include "stickslip/version.hpp"
+
+namespace stickslip::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view closed_form = "closed-form", finite_elements = "fe";
+constexpr std::size_t check_digits = 16;
+
+template <typename Properties>
+Json numbers_of(const Properties& properties) {
+  Json numbers = Json::array();
+  boost::pfr::for_each_field(properties, [&](const auto& number) { numbers.push_back(number); });
+  return numbers;
+}
+
+template <typename Properties>
+Properties properties_of(const Json& numbers) {
+  Properties properties{};
+  boost::pfr::for_each_field(properties, [&](auto& number, std::size_t i) { numbers.at(i).get_to(number); });
+  return properties;
+}
+
+std::string program() { return fmt::format("stickslip {} (commit {})", version, commit); }
+
+Json to_json(const studies::MapTask& task, const MapPart& part) {
+  const data::Case& problem = task.problem;
+  return {{"program", program()},
+          {"case", problem.name},
+          {"beam", numbers_of(problem.beam.properties())},
+          {"friction", numbers_of(data::FrictionCoefficients{
+                           .static_coefficient = problem.friction.static_coefficient(),
+                           .kinetic_coefficient = problem.friction.kinetic_coefficient(),
+                           .decay = problem.friction.decay()})},
+          {"excitation", numbers_of(data::HarmonicMotion{.frequency_hz = problem.excitation.frequency_hz(),
+                                                         .amplitude = problem.excitation.amplitude()})},
+          {"numerics", numbers_of(problem.numerics.choices())},
+          {"damping", numbers_of(data::DampingProperties{.kelvin_voigt = problem.damping.kelvin_voigt(),
+                                                         .ratio = problem.damping.ratio()})},
+          {"x", axis_text(task.x)},
+          {"y", axis_text(task.y)},
+          {"method", task.method == studies::MapMethod::closed_form ? closed_form : finite_elements},
+          {"states_only", task.states_only},
+          {"parts", part.parts},
+          {"part", part.part}};
+}
+
+studies::MapTask task_of(const Json& json) {
+  return {.problem = {.name = json.at("case"),
+                      .beam = data::Beam(properties_of<data::BeamProperties>(json.at("beam"))),
+                      .friction =
+                          data::FrictionLaw(properties_of<data::FrictionCoefficients>(json.at("friction"))),
+                      .excitation = data::HarmonicExcitation(
+                          properties_of<data::HarmonicMotion>(json.at("excitation"))),
+                      .numerics =
+                          data::NumericalSettings(properties_of<data::NumericalChoices>(json.at("numerics"))),
+                      .damping = data::Damping(properties_of<data::DampingProperties>(json.at("damping")))},
+          .x = parse_axis("x", json.at("x").get<std::string>()),
+          .y = parse_axis("y", json.at("y").get<std::string>()),
+          .method = json.at("method") == closed_form ? studies::MapMethod::closed_form
+                                                     : studies::MapMethod::finite_elements,
+          .states_only = json.at("states_only")};
+}
+
+// The line with its check; that of a record depends on the first line, too.
+std::string checked(std::string_view content, report::Fingerprint before = {}) {
+  return fmt::format("{},{}\n", content, before.add(content).text());
+}
+
+report::Fingerprint check_of(std::string_view header_line) { return report::Fingerprint().add(header_line); }
+
+std::string header_line(const studies::MapTask& task, const MapPart& part) {
+  return checked(to_json(task, part).dump());
+}
+
+std::string record(std::size_t number, const studies::MapEvaluation& evaluation,
+                   const report::Fingerprint& header) {
+  if (!evaluation.unit_force)
+    return checked(fmt::format("{},{}", number, report::to_string(evaluation.state)), header);
+  return checked(fmt::format("{},{},{}", number, data::shortest_text(evaluation.unit_force->lower),
+                             data::shortest_text(evaluation.unit_force->upper)),
+                 header);
+}
+
+// The first line of a text, without its end and its check; nothing if it is torn or damaged.
+std::optional<std::string_view> first_content(std::string_view text, const report::Fingerprint& before = {}) {
+  const std::size_t end = text.find('\n');
+  if (end == std::string_view::npos || end <= check_digits) return std::nullopt;
+  const std::string_view content = text.substr(0, end - check_digits - 1);
+  if (text.substr(0, end + 1) != checked(content, before)) return std::nullopt;
+  return content;
+}
+
+struct Record {
+  std::size_t number{};
+  studies::MapEvaluation evaluation;
+};
+
+std::optional<Record> parse_record(std::string_view content) {
+  const std::size_t comma = content.find(',');
+  const auto number = parse<std::size_t>(content.substr(0, comma));
+  if (comma == std::string_view::npos || !number) return std::nullopt;
+  const std::string_view rest = content.substr(comma + 1);
+  for (const auto state :
+       {studies::CellState::stick, studies::CellState::stick_slip, studies::CellState::no_stick_state})
+    if (rest == report::to_string(state)) return Record{*number, {.unit_force = {}, .state = state}};
+  const std::size_t second = rest.find(',');
+  if (second == std::string_view::npos) return std::nullopt;
+  const auto lower = parse<double>(rest.substr(0, second)), upper = parse<double>(rest.substr(second + 1));
+  if (!lower || !upper) return std::nullopt;
+  return Record{*number,
+                {.unit_force = analytic::Bounds{*lower, *upper}, .state = studies::CellState::stick}};
+}
+
+// Takes the records that follow the first line, up to the first that is torn, damaged, double or not among
+// the numbers of the part, and returns how much of the text that is.
+struct Taken {
+  std::size_t records{}, length{};
+};
+
+Taken take_records(std::string_view text, std::size_t header_length, const std::vector<std::size_t>& numbers,
+                   studies::MapEvaluations& evaluations) {
+  const report::Fingerprint header = check_of(text.substr(0, header_length));
+  Taken taken{.records = 0, .length = header_length};
+  while (const auto content = first_content(text.substr(taken.length), header)) {
+    const auto next = parse_record(*content);
+    if (!next || !std::ranges::binary_search(numbers, next->number) || evaluations[next->number]) break;
+    evaluations[next->number] = next->evaluation;
+    ++taken.records;
+    taken.length += content->size() + check_digits + 2;
+  }
+  return taken;
+}
+
+// Which entry of two first lines differs, but the last one, the part.
+std::optional<std::string> difference(const Json& found, const Json& wanted) {
+  for (const auto& [key, value] : wanted.items())
+    if (key != "part" && found.value(key, Json()) != value)
+      return fmt::format("its {} is {}, but must be {}", key, found.value(key, Json()).dump(), value.dump());
+  return std::nullopt;
+}
+
+std::optional<Json> header_of(std::string_view text) {
+  const auto content = first_content(text);
+  if (!content) return std::nullopt;
+  Json json = Json::parse(*content, nullptr, false);
+  if (!json.is_object()) return std::nullopt;
+  return json;
+}
+
+void require_all(const std::vector<std::string>& file_of_part, const std::string& one) {
+  constexpr std::size_t named = 5;
+  std::vector<std::size_t> missing;
+  for (std::size_t part = 1; part <= file_of_part.size(); ++part)
+    if (file_of_part[part - 1].empty()) missing.push_back(part);
+  if (missing.empty()) return;
+  const std::size_t shown = std::min(missing.size(), named);
+  throw data::InputError(
+      fmt::format("--merge: shard {}{} of {} {} missing beside {}",
+                  fmt::join(missing.begin(), missing.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
+                  missing.size() > shown ? fmt::format(" and {} more", missing.size() - shown) : "",
+                  file_of_part.size(), missing.size() == 1 ? "is" : "are", one));
+}
+
+}  // namespace
+
+MapPart parse_part(std::string_view text) {
+  constexpr std::size_t most_parts = 1'000'000;
+  const std::size_t slash = text.find('/');
+  const auto part = parse<std::size_t>(text.substr(0, slash));
+  const auto parts =
+      slash == std::string_view::npos ? std::nullopt : parse<std::size_t>(text.substr(slash + 1));
+  if (!part || !parts || *part < 1 || *part > *parts || *parts > most_parts)
+    throw data::InputError(
+        fmt::format("--shard is '{}', but must be K/M with integers 1 <= K <= M <= {}", text, most_parts));
+  return {*part, *parts};
+}
+
+std::string shard_text(const studies::MapTask& task, const MapPart& part,
+                       const studies::MapEvaluations& evaluations) {
+  const std::string header = header_line(task, part);
+  const report::Fingerprint check = check_of(header);
+  std::string text = header;
+  for (const std::size_t number : studies::share_of(evaluations.size(), part.part, part.parts))
+    text += record(number, evaluations.at(number).value(), check);
+  return text;
+}
+
+MergedMap merged(const std::vector<std::string>& files) {
+  std::optional<MergedMap> map;
+  Json first;
+  std::vector<std::string> file_of_part;
+  for (const std::string& file : files) {
+    const auto refuse = [&](const std::string& why) {
+      throw data::InputError(fmt::format("--merge: {} {}", file, why));
+    };
+    const std::string text = report::read_text(file);
+    const auto header = header_of(text);
+    if (!header) refuse(fs::exists(file) ? "is no shard of a map" : "cannot be read");
+    if (header->value("program", "") != program())
+      refuse(fmt::format("was made by {}, but must be by {}", header->value("program", "another program"),
+                         program()));
+    if (!map) {
+      map.emplace(task_of(*header), studies::MapEvaluations());
+      map->evaluations.resize(studies::evaluation_count(map->task));
+      first = *header;
+      file_of_part.resize(header->at("parts").get<std::size_t>());
+    }
+    if (const auto why = difference(*header, first)) refuse("is a shard of another map: " + *why);
+    const MapPart part{.part = header->at("part"), .parts = file_of_part.size()};
+    if (!file_of_part[part.part - 1].empty())
+      refuse(
+          fmt::format("is shard {} of {}, but so is {}", part.part, part.parts, file_of_part[part.part - 1]));
+    file_of_part[part.part - 1] = file;
+    const auto numbers = studies::share_of(map->evaluations.size(), part.part, part.parts);
+    const Taken taken = take_records(text, text.find('\n') + 1, numbers, map->evaluations);
+    if (taken.length != text.size()) refuse(fmt::format("is damaged in line {}", taken.records + 2));
+    if (taken.records != numbers.size())
+      refuse(fmt::format("is not finished: it holds {} of {} evaluations", taken.records, numbers.size()));
+  }
+  require_all(file_of_part, files.front());
+  return *std::move(map);
+}
+
+UnfinishedMap::UnfinishedMap(fs::path file, const studies::MapTask& task, const MapPart& part,
+                             studies::MapEvaluations& evaluations)
+    : file_(std::move(file)), header_(header_line(task, part)), evaluations_(evaluations) {
+  if (file_.empty()) return;
+  open();
+  const std::string text = report::read_text(file_);
+  Taken taken;
+  if (text.starts_with(header_)) {
+    taken = take_records(text, header_.size(), studies::share_of(evaluations.size(), part.part, part.parts),
+                         evaluations);
+  } else if (!header_.starts_with(text)) {
+    ::close(descriptor_);
+    const auto found = header_of(text);
+    const std::string why = !found
+                                ? "it is no beginning of a map"
+                                : difference(*found, to_json(task, part))
+                                      .value_or(fmt::format("its part is {}, but must be {}",
+                                                            found->value("part", Json()).dump(), part.part));
+    throw data::InputError(
+        fmt::format("{} belongs to other work: {}; remove it or name another --output", file_.string(), why));
+  }
+  if (::ftruncate(descriptor_, static_cast<off_t>(taken.length)) != 0) fail();
+  if (taken.length == 0) append(header_);
+  found_ = kept_ = taken.records;
+}
+
+UnfinishedMap::~UnfinishedMap() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+std::size_t UnfinishedMap::kept() const {
+  const std::lock_guard lock(guard_);
+  return kept_;
+}
+
+void UnfinishedMap::keep(std::span<const std::size_t> numbers) {
+  if (file_.empty()) return;
+  const report::Fingerprint header = check_of(header_);
+  std::string text;
+  for (const std::size_t number : numbers) text += record(number, *evaluations_[number], header);
+  const std::lock_guard lock(guard_);
+  append(text);
+  kept_ += numbers.size();
+}
+
+void UnfinishedMap::remove() {
+  std::error_code ignored;  // nothing is left to be done about a file that cannot be removed
+  if (!file_.empty()) fs::remove(file_, ignored);
+}
+
+void UnfinishedMap::open() {
+  descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) fail();
+  if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
+  ::close(descriptor_);
+  throw data::InputError(fmt::format(
+      "{} is being written by another run; wait for it or name another --output", file_.string()));
+}
+
+void UnfinishedMap::append(const std::string& text) {
+  std::string_view rest = text;
+  while (!rest.empty()) {
+    const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) fail();
+    rest.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+void UnfinishedMap::fail() const {
+  throw OutputError(
+      fmt::format("{} cannot be written: {}", file_.string(), std::generic_category().message(errno)));
+}
+
+}  // namespace stickslip::cli

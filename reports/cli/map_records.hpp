@@ -1,0 +1,77 @@
+#pragma once
+
+/// Evaluations of a map in files: what a part of the map hands in, and what is kept of an unfinished one.
+///
+/// The first line is a JSON object that says which map it is (the case, the axes, the method, the program)
+/// and which part of it; each further line is an evaluation: its number and the bounds of |f_max| per metre
+/// of amplitude, with the digits that read back exactly, or its state. Every line ends with a check of itself
+/// and of the first line, 16 hexadecimal digits.
+
+#include <cstddef>
+#include <filesystem>
+#include <mutex>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "stickslip/studies/criterion_map.hpp"
+
+namespace stickslip::cli {
+
+/// Part 1 ... `parts` of the evaluations of a map (studies::share_of).
+struct MapPart {
+  std::size_t part = 1, parts = 1;
+};
+
+/// "K/M". Throws data::InputError, naming the option --shard, unless 1 <= K <= M <= 1000000.
+[[nodiscard]] MapPart parse_part(std::string_view text);
+
+/// The text of a file with all evaluations of a part.
+[[nodiscard]] std::string shard_text(const studies::MapTask& task, const MapPart& part,
+                                     const studies::MapEvaluations& evaluations);
+
+struct MergedMap {
+  studies::MapTask task;
+  studies::MapEvaluations evaluations;
+};
+
+/// The map that the files of all its parts make. Throws data::InputError, naming the file and what is wrong
+/// with it, unless they belong to one map made by this program and none is missing, double or damaged.
+[[nodiscard]] MergedMap merged(const std::vector<std::string>& files);
+
+/// What is finished of a part, beside its output: added to as the work goes on, whatever ends it, and read
+/// by the next run of the same work.
+class UnfinishedMap {
+ public:
+  /// An empty path keeps nothing. Throws data::InputError, naming the file, if it belongs to other work or
+  /// to a run that goes on; OutputError if it cannot be written.
+  UnfinishedMap(std::filesystem::path file, const studies::MapTask& task, const MapPart& part,
+                studies::MapEvaluations& evaluations);
+  ~UnfinishedMap();
+  UnfinishedMap(const UnfinishedMap&) = delete;
+  UnfinishedMap& operator=(const UnfinishedMap&) = delete;
+
+  [[nodiscard]] const std::filesystem::path& file() const noexcept { return file_; }
+  [[nodiscard]] std::size_t found() const noexcept { return found_; }  ///< evaluations of earlier runs
+  [[nodiscard]] std::size_t kept() const;                              ///< and of this one; 0 without a file
+
+  /// Throws OutputError.
+  void keep(std::span<const std::size_t> numbers);
+
+  /// Removes the file: the work is done, or cannot be.
+  void remove();
+
+ private:
+  void open();
+  void append(const std::string& text);
+  [[noreturn]] void fail() const;
+
+  std::filesystem::path file_;
+  std::string header_;
+  const studies::MapEvaluations& evaluations_;
+  std::size_t found_{}, kept_{};
+  int descriptor_{-1};
+  mutable std::mutex guard_;
+};
+
+}  // namespace stickslip::cli

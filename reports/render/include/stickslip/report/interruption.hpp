@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <csignal>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace stickslip::report {
+
+/// While it lives, Ctrl-C (SIGINT) and SIGTERM end the program in good order: `last_words` puts away what is
+/// not finished and says what was completed, in one sentence, which is printed on standard error after the
+/// program's name; then the program ends with the exit status 128 + n for signal n, whatever its threads are
+/// doing. A second signal ends it at once. A signal that is ignored stays so. One at a time may live.
+class Interruption {
+ public:
+  /// `last_words` is called on a thread of its own. Throws std::system_error if there is none to be had.
+  explicit Interruption(std::function<std::string()> last_words);
+  ~Interruption();
+  Interruption(const Interruption&) = delete;
+  Interruption& operator=(const Interruption&) = delete;
+
+  /// A signal that comes while the result lives waits until it is gone.
+  [[nodiscard]] std::unique_lock<std::mutex> hold() { return std::unique_lock(guard_); }
+
+ private:
+  void wait_for_signal();
+
+  static constexpr std::array signals_{SIGINT, SIGTERM};
+  std::function<std::string()> last_words_;
+  std::array<struct sigaction, signals_.size()> previous_{};
+  std::array<int, 2>
+      pipe_{};  // the handler writes to the second what the watching thread reads from the first
+  std::mutex guard_;
+  std::thread watcher_;
+};
+
+}  // namespace stickslip::report
