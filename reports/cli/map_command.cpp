@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <filesystem>
 #include <memory>
@@ -9,6 +10,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "case_options.hpp"
@@ -132,26 +134,25 @@ class Run {
 
   /// Makes the evaluations of a part that an earlier run has not left, and hands all of them to `write`.
   void work(const studies::MapTask& task, const MapPart& part, const auto& write) {
-    studies::MapEvaluations evaluations(studies::evaluation_count(task));
-    const auto numbers = studies::share_of(evaluations.size(), part.part, part.parts);
-    UnfinishedMap unfinished(unfinished_file(options_), task, part, evaluations);
+    evaluations_.resize(studies::evaluation_count(task));
+    const auto numbers = studies::share_of(evaluations_.size(), part.part, part.parts);
+    UnfinishedMap& unfinished = unfinished_.emplace(unfinished_file(options_), task, part, evaluations_);
     report::Progress progress("stickslip map", progress_surroundings(), numbers.size());
     report::Interruption interruption([&] {
       progress.finish();
       discard();
       return last_words(unfinished, numbers.size());
     });
-    evaluate(task, numbers, evaluations, unfinished, progress);
+    evaluate(task, numbers, progress);
     progress.finish();
     const auto undisturbed = interruption.hold();  // what draws is interrupted itself
-    write(evaluations);
-    unfinished.remove();
+    write(evaluations_);
   }
 
   void finish(const studies::MapTask& task, const studies::MapEvaluations& evaluations) {
     const studies::CriterionMap map = studies::criterion_map(task, evaluations);
     const report::CsvTable table = report::table_of(task.problem, map);
-    write(output_, table.text());
+    put_in_place(table.text());
     if (figure_) write_figure(map, table, options_, *figure_);
     if (options_.problem.json)
       print_json(to_json(task, map, options_));
@@ -161,7 +162,7 @@ class Run {
 
   void finish_shard(const studies::MapTask& task, const MapPart& part,
                     const studies::MapEvaluations& evaluations) {
-    write(output_, shard_text(task, part, evaluations));
+    put_in_place(shard_text(task, part, evaluations));
     const std::size_t count = studies::share_of(evaluations.size(), part.part, part.parts).size();
     if (!options_.problem.json) {
       fmt::print("Shard {} of {}, {} of {} evaluations, written to {}\n", part.part, part.parts, count,
@@ -175,37 +176,43 @@ class Run {
     print_json(object);
   }
 
- private:
-  void evaluate(const studies::MapTask& task, std::vector<std::size_t> numbers,
-                studies::MapEvaluations& evaluations, UnfinishedMap& unfinished,
-                report::Progress& progress) const {
-    const auto count = static_cast<double>(numbers.size());
-    std::size_t done = unfinished.found();
-    if (done > 0) {
-      if (!is_quiet())
-        fmt::print(stderr, "stickslip map: going on from {}, which holds {} of {} evaluations\n",
-                   unfinished.file().string(), done, numbers.size());
-      progress.start_at(static_cast<double>(done) / count);
-      std::erase_if(numbers, [&](std::size_t number) { return evaluations[number].has_value(); });
-    }
-    try {
-      studies::evaluate(task, numbers, evaluations, [&](std::span<const std::size_t> settled) {
-        unfinished.keep(settled);
-        done += settled.size();
-        progress(static_cast<double>(done) / count);
-      });
-    } catch (const std::logic_error&) {  // this map cannot be finished
-      unfinished.remove();
-      throw;
-    }
-  }
-
+  /// Removes what is not in place yet, for a program that ends here.
   void discard() const {
     output_.discard();
     if (figure_) figure_->discard();
   }
 
-  static std::string last_words(UnfinishedMap& unfinished, std::size_t count) {
+ private:
+  void evaluate(const studies::MapTask& task, std::vector<std::size_t> numbers, report::Progress& progress) {
+    const auto count = static_cast<double>(numbers.size());
+    std::size_t done = unfinished_->found();
+    if (done > 0) {
+      if (!is_quiet())
+        fmt::print(stderr, "stickslip map: going on from {}, which holds {} of {} evaluations\n",
+                   unfinished_->file().string(), done, numbers.size());
+      progress.start_at(static_cast<double>(done) / count);
+      std::erase_if(numbers, [&](std::size_t number) { return evaluations_[number].has_value(); });
+    }
+    try {
+      studies::evaluate(task, numbers, evaluations_, [&](std::span<const std::size_t> settled) {
+        unfinished_->keep(settled);
+        done += settled.size();
+        progress(static_cast<double>(done) / count);
+      });
+    } catch (const std::logic_error&) {  // this map cannot be finished
+      unfinished_->remove();
+      throw;
+    }
+  }
+
+  void put_in_place(std::string_view text) {
+    write(output_, text);
+    is_in_place_ = true;
+    if (unfinished_) unfinished_->remove();
+  }
+
+  [[nodiscard]] std::string last_words(UnfinishedMap& unfinished, std::size_t count) const {
+    if (is_in_place_) return fmt::format("interrupted; {} is written", options_.output);
     if (unfinished.kept() > 0)
       return fmt::format(
           "interrupted; {} of {} evaluations are kept in {}, from which the same command goes on",
@@ -217,13 +224,21 @@ class Run {
   const MapOptions& options_;
   OutputFile output_;
   std::optional<OutputFile> figure_;
+  studies::MapEvaluations evaluations_;
+  std::optional<UnfinishedMap> unfinished_;
+  std::atomic<bool> is_in_place_{false};
 };
 
 void run(const MapOptions& options) {
   require_output_file(options);
   if (!options.merge.empty()) {
     const MergedMap map = merged(options.merge);
-    return Run(options).finish(map.task, map.evaluations);
+    Run run(options);
+    const report::Interruption interruption([&] {
+      run.discard();
+      return std::string("interrupted; the map is not written");
+    });
+    return run.finish(map.task, map.evaluations);
   }
   const studies::MapTask task = task_of(options);
   const MapPart part = options.shard.empty() ? MapPart() : parse_part(options.shard);

@@ -72,7 +72,7 @@ void Progress::start_at(double share) {
   begin_ = surroundings_.now();
 }
 
-void Progress::stage(const std::string& what) {
+void Progress::stage(std::string_view what) {
   const std::lock_guard lock(guard_);
   stage_ = what;
   const auto now = surroundings_.now();

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <set>
 #include <stdexcept>
 #include <vector>
 
@@ -129,6 +131,74 @@ TEST(CriterionMap, TellsTheShareDone) {
                                  last = share;
                                });
   EXPECT_EQ(last, 1.0);
+}
+
+TEST(CriterionMap, OfStatesOnlyHasTheStatesOfTheWholeMap) {
+  const data::Case problem = flat_case_of(0.5);
+  const auto x = map_axis(Parameter::length, 0.8, 3.0, 7, false);
+  for (const auto& y : {map_axis(Parameter::axial_force, 200.0, 900.0, 5, true),
+                        map_axis(Parameter::amplitude, 0.0, 4e-3, 5, false),
+                        map_axis(Parameter::static_coefficient, 0.05, 0.9, 5, false)}) {
+    const studies::MapTask task{
+        .problem = problem, .x = x, .y = y, .method = MapMethod::closed_form, .states_only = true};
+    studies::MapEvaluations evaluations(studies::evaluation_count(task));
+    studies::evaluate(task, studies::share_of(evaluations.size(), 1, 1), evaluations);
+    const auto states = studies::criterion_map(task, evaluations).cells;
+    const auto whole = studies::criterion_map(problem, x, y, MapMethod::closed_form).cells;
+    ASSERT_EQ(states.size(), whole.size());
+    std::set<CellState> seen;
+    for (std::size_t n = 0; n < whole.size(); ++n) {
+      EXPECT_EQ(states[n].state, whole[n].state) << n;
+      EXPECT_FALSE(states[n].force_ratio.has_value());
+      seen.insert(states[n].state);
+    }
+    EXPECT_GE(seen.size(), 2u);
+  }
+}
+
+TEST(CriterionMap, IsNotPutTogetherBeforeItIsComplete) {
+  const studies::MapTask task{.problem = flat_case_of(0.1),
+                              .x = map_axis(Parameter::frequency, 5.0, 50.0, 4, false),
+                              .y = map_axis(Parameter::amplitude, 0.0, 1e-3, 3, false),
+                              .method = MapMethod::closed_form};
+  studies::MapEvaluations evaluations(studies::evaluation_count(task));
+  ASSERT_EQ(evaluations.size(), 4u);  // the amplitude costs nothing
+  studies::evaluate(task, studies::share_of(4, 1, 2), evaluations);
+  EXPECT_THROW((void)studies::criterion_map(task, evaluations), std::invalid_argument);
+  evaluations.pop_back();
+  EXPECT_THROW(studies::evaluate(task, studies::share_of(4, 1, 2), evaluations), std::invalid_argument);
+}
+
+TEST(MapShare, DealsEachEvaluationOnceAndAsManyToEachPart) {
+  for (const std::size_t evaluations : {0u, 1u, 7u, 100u, 2500u})
+    for (const std::size_t parts : {1u, 2u, 3u, 7u, 100u}) {
+      std::vector<int> dealt(evaluations);
+      for (std::size_t part = 1; part <= parts; ++part) {
+        const auto share = studies::share_of(evaluations, part, parts);
+        EXPECT_TRUE(std::ranges::is_sorted(share));
+        EXPECT_LE(share.size(), (evaluations + parts - 1) / parts);
+        EXPECT_GE(share.size(), evaluations / parts);
+        for (const std::size_t number : share) ++dealt.at(number);
+      }
+      EXPECT_EQ(dealt, std::vector<int>(evaluations, 1)) << evaluations << " in " << parts;
+    }
+  EXPECT_THROW((void)studies::share_of(10, 0, 3), std::invalid_argument);
+  EXPECT_THROW((void)studies::share_of(10, 4, 3), std::invalid_argument);
+}
+
+// The cost of an evaluation grows with its frequency, along x. With as many shards as columns each row holds
+// one evaluation of each shard, at places golden turns apart: of n of these the mean is off the centre of the
+// circle by their discrepancy, below (log2(n) + 1)/n.
+TEST(MapShare, CostsEachPartTheSameWhereTheCostGrowsAlongARow) {
+  constexpr std::size_t columns = 100, rows = 50;
+  for (std::size_t part = 1; part <= columns; ++part) {
+    double mean = 0.0;
+    for (const std::size_t number : studies::share_of(columns * rows, part, columns))
+      mean += static_cast<double>(number % columns) + 0.5;
+    mean /= columns * rows;
+    EXPECT_TRUE(within(mean, 0.5, discretisation((std::log2(rows) + 1.0) / rows, 1.0, "discrepancy")))
+        << part;
+  }
 }
 
 TEST(CriterionMap, RefusesWhatHasNoCriterion) {

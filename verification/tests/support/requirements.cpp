@@ -156,7 +156,7 @@ const std::vector<Requirement> table{
     {"X7",
      "Length and axial force decide as the criterion and finite elements say.",
      "Fig. 14; E9",
-     {"LengthForceMap", "ResonanceLength", "CriterionMap", "MapAxis"}},
+     {"LengthForceMap", "ResonanceLength", "CriterionMap", "MapAxis", "MapShare"}},
     {"X8",
      "Damped vibration agrees with the closed form in amplitude and phase.",
      "Complex modulus",
@@ -269,6 +269,12 @@ const std::vector<Requirement> table{
      {"CuratedMutants", "GeneratedMutants", "Mutator", "KillMatrix", "GeneratedSample", "MutantRecord",
       "MutantRecordFolder"}},
     {"U7",
+     "Maps made by any number of threads, shards and interrupted runs are the same bytes; long work shows "
+     "how "
+     "far it is and ends in good order.",
+     "Commands",
+     {"MapShards", "ProgressOf", "ProgressStyle", "InParallel", "ThreadCount"}},
+    {"U8",
      "Help, manual page, completion and tutorial say what the program does.",
      "Documentation",
      {"HelpExamples", "ManualPage", "BashCompletion", "Tutorial"}},

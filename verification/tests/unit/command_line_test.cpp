@@ -408,21 +408,6 @@ TEST_F(MapCommand, KeepsTheMapWhenItsFigureCannotBeDrawn) {
   EXPECT_EQ(files().size(), 4u);  // the table, stdout, stderr, tools
 }
 
-TEST_F(MapCommand, ThatIsInterruptedLeavesTheOldFileAndNothingElse) {
-  std::ofstream(path("map.csv")) << "old";
-  // In the foreground, timeout sends one signal; else a second one, which ends the program at once.
-  const std::string program =
-      std::string("timeout --foreground --preserve-status -k 20 -s INT 2 '") + STICKSLIP_PROGRAM + "' ";
-  const std::string far_too_long = "map paper --method fe --x frequency=1:100:500 --y length=1:2:500 ";
-  const int status = std::system((program + far_too_long + "--output '" + path("map.csv") + "' --figure '" +
-                                  path("map.png") + "' 2>'" + path("stderr") + "'")
-                                     .c_str());
-  EXPECT_EQ(WEXITSTATUS(status), 130);
-  EXPECT_EQ(contents(path("stderr")), "stickslip: interrupted\n");
-  EXPECT_EQ(contents(path("map.csv")), "old");
-  EXPECT_EQ(files().size(), 3u);  // the old file, stderr, tools
-}
-
 TEST_F(MapCommand, RefusesAxesThatAreNoneInOneSentence) {
   const std::string y = " --y amplitude=0:1e-3:2";
   expect_refused("map --x 15:35:3" + y, "--x: the axis is '15:35:3', but must be PARAMETER=FROM:TO:COUNT");

@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "latex_table.hpp"
 #include "stickslip/report/csv_table.hpp"
@@ -114,6 +115,19 @@ TEST(CsvTable, WritesNumbersThatReadBackExactly) {
   for (const double value : {std::numbers::pi, 1.0 / 3.0, 2.2250738585072014e-308, -1.7976931348623157e308})
     EXPECT_EQ(std::stod(report::csv_number(value)), value);
   EXPECT_EQ(report::csv_number(std::nullopt), "");
+}
+
+TEST(CsvTable, IsTheSameWrittenCellByCell) {
+  const std::vector<report::CsvColumn> columns{{"time_s", "s"}, {"tip_m", "m"}, {"state", "-"}};
+  report::CsvTable rows("Tip", columns), cells("Tip", columns);
+  const report::CsvText stick("stick");
+  rows.add_row({"0.1", "", "stick"});
+  cells.add(0.1).add(std::nullopt).add(stick).end_row();
+  rows.add_row({"1e-05", "-2", "stick"});
+  cells.add(1e-5).add(-2.0).add(stick).end_row();
+  EXPECT_EQ(cells.text(), rows.text());
+  EXPECT_THROW(cells.add(1.0).end_row(), std::invalid_argument);
+  EXPECT_THROW(report::CsvText("a,b"), std::invalid_argument);
 }
 
 TEST(CsvTable, RefusesARowOfTheWrongLengthAndACellThatWouldSplit) {

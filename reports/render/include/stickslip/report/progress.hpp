@@ -42,7 +42,7 @@ class Progress {
   void start_at(double share);
 
   /// What is being done now.
-  void stage(const std::string& what);
+  void stage(std::string_view what);
 
   /// Takes the bar from the screen; further progress is not shown.
   void finish();

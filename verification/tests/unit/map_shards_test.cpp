@@ -1,0 +1,254 @@
+/// Maps made in parts, by several threads, shards and runs: always the same bytes.
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <pty.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <thread>
+
+#include "support/command_line.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+
+class MapShards : public CommandLine {
+ protected:
+  static constexpr const char* closed_form =
+      "map paper-figure14 --duration 0.5 --x length=0.8:3:5 --y force=200:800:3 ";
+  static constexpr const char* finite_elements =
+      "map paper-figure14 --duration 0.1 --method fe --x frequency=10:50:3 --y friction=0.3:0.6:4 ";
+  // A third of a second on one thread.
+  static constexpr const char* longer =
+      "map paper-figure14 --duration 0.3 --method fe --threads 1 --x frequency=10:50:9 --y length=1:2:10 ";
+
+  [[nodiscard]] std::string output(const std::string& name) const { return "--output '" + path(name) + "' "; }
+
+  [[nodiscard]] std::string made(const std::string& arguments, const std::string& name) const {
+    const Outcome outcome = run(arguments + output(name));
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    return contents(path(name));
+  }
+
+  void make_shards(const std::string& map, int parts) const {
+    for (int part = 1; part <= parts; ++part)
+      (void)made(map + shard(part, parts), "shard-" + std::to_string(part));
+  }
+
+  [[nodiscard]] static std::string shard(int part, int parts) {
+    return "--shard " + std::to_string(part) + "/" + std::to_string(parts) + " ";
+  }
+
+  /// The last one first.
+  [[nodiscard]] std::string merge(int parts) const {
+    std::string arguments = "map --merge ";
+    for (int part = parts; part >= 1; --part) arguments += "'" + path("shard-" + std::to_string(part)) + "' ";
+    return arguments;
+  }
+
+  [[nodiscard]] std::ptrdiff_t lines_of(const std::string& name) const {
+    return std::ranges::count(contents(path(name)), '\n');
+  }
+
+  /// Sends the signal once the unfinished map has so many lines, and returns how the run ended and how long
+  /// after that.
+  struct End {
+    int status{};
+    std::chrono::steady_clock::duration after{};
+  };
+  [[nodiscard]] End end_with(int signal, const std::string& arguments, const std::string& unfinished,
+                             std::ptrdiff_t lines) const {
+    const std::string command = std::string("exec '") + STICKSLIP_PROGRAM + "' " + arguments + " 2>'" +
+                                path("stderr") + "' >/dev/null";
+    const pid_t process = ::fork();
+    if (process == 0) {
+      ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+      ::_exit(127);
+    }
+    const auto limit = std::chrono::steady_clock::now() + 10s;
+    while (lines_of(unfinished) < lines && std::chrono::steady_clock::now() < limit)
+      std::this_thread::sleep_for(2ms);
+    const auto sent = std::chrono::steady_clock::now();
+    ::kill(process, signal);
+    End end;
+    ::waitpid(process, &end.status, 0);
+    end.after = std::chrono::steady_clock::now() - sent;
+    return end;
+  }
+
+  /// What the command says on a terminal.
+  [[nodiscard]] static std::string on_terminal(const std::string& arguments) {
+    int terminal = -1;
+    const pid_t process = ::forkpty(&terminal, nullptr, nullptr, nullptr);
+    if (process == 0) {
+      const std::string command = std::string("exec '") + STICKSLIP_PROGRAM + "' " + arguments;
+      ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+      ::_exit(127);
+    }
+    std::string said;
+    std::array<char, 4096> bytes{};
+    for (ssize_t count = 0; (count = ::read(terminal, bytes.data(), bytes.size())) > 0;)
+      said.append(bytes.data(), static_cast<std::size_t>(count));
+    int status = -1;
+    ::waitpid(process, &status, 0);
+    EXPECT_EQ(status, 0) << said;
+    ::close(terminal);
+    return said;
+  }
+};
+
+TEST_F(MapShards, AreTheSameMapOnAnyNumberOfThreads) {
+  for (const std::string map : {closed_form, finite_elements}) {
+    const std::string one = made(map + "--threads 1 ", "map.csv");
+    for (const std::string threads : {"2", "3", "7"})
+      EXPECT_EQ(made(map + "--threads " + threads + " ", "map.csv"), one) << threads;
+  }
+}
+
+TEST_F(MapShards, MergeToTheBytesOfTheWholeMap) {
+  for (const std::string map : {closed_form, finite_elements}) {
+    const std::string whole = made(map, "whole.csv");
+    for (const int parts : {1, 2, 3, 7}) {  // the second map has three evaluations
+      make_shards(map, parts);
+      EXPECT_EQ(made(merge(parts), "merged.csv"), whole) << parts;
+    }
+  }
+}
+
+TEST_F(MapShards, MergeToTheStatesOfAMapWithoutRatios) {
+  const std::string map = closed_form + std::string("--states-only ");
+  const std::string whole = made(map, "whole.csv");
+  make_shards(map, 2);
+  EXPECT_EQ(made(merge(2), "merged.csv"), whole);
+  const auto with = csv(made(closed_form, "with.csv")), without = csv(whole);
+  ASSERT_EQ(with.size(), without.size());
+  for (std::size_t i = 2; i < with.size(); ++i) {
+    if (with[i].empty()) continue;
+    EXPECT_EQ(without[i], (std::vector{with[i][0], with[i][1], with[i][3]}));
+  }
+}
+
+TEST_F(MapShards, GoOnAfterAKillWhereverItCame) {
+  const std::string whole = made(longer, "whole.csv");
+  for (const std::ptrdiff_t lines : {1, 20, 50})
+    EXPECT_TRUE(WIFSIGNALED(end_with(SIGKILL, longer + output("map.csv"), "map.csv.partial", lines).status));
+  const auto kept = lines_of("map.csv.partial") - 1;
+  EXPECT_GE(kept, 49);
+  const Outcome outcome = run(longer + output("map.csv"));
+  EXPECT_EQ(outcome.errors, "stickslip map: going on from " + path("map.csv.partial") + ", which holds " +
+                                std::to_string(kept) + " of 90 evaluations\n");
+  EXPECT_EQ(contents(path("map.csv")), whole);
+  EXPECT_FALSE(fs::exists(path("map.csv.partial")));
+}
+
+TEST_F(MapShards, GoOnAfterAKillOfAShard) {
+  const std::string part = longer + shard(2, 2);
+  const std::string whole = made(part, "whole");
+  EXPECT_TRUE(WIFSIGNALED(end_with(SIGKILL, part + output("shard"), "shard.partial", 10).status));
+  EXPECT_FALSE(fs::exists(path("shard")));
+  EXPECT_EQ(made(part, "shard"), whole);
+}
+
+TEST_F(MapShards, EndWithinASecondOfCtrlCAndSayWhatIsKept) {
+  std::ofstream(path("map.csv")) << "old";
+  const End end = end_with(SIGINT, longer + output("map.csv") + "--figure '" + path("map.png") + "'",
+                           "map.csv.partial", 5);
+  EXPECT_EQ(WEXITSTATUS(end.status), 130);
+  EXPECT_LT(end.after, 1s);
+  EXPECT_EQ(contents(path("map.csv")), "old");
+  const auto kept = lines_of("map.csv.partial") - 1;
+  EXPECT_EQ(contents(path("stderr")), "stickslip: interrupted; " + std::to_string(kept) +
+                                          " of 90 evaluations are kept in " + path("map.csv.partial") +
+                                          ", from which the same command goes on\n");
+  EXPECT_EQ(files().size(), 3u);  // the old map, what is kept, stderr
+}
+
+TEST_F(MapShards, DropATornOrDamagedEndOfWhatIsKept) {
+  const std::string part = closed_form + shard(1, 2);
+  const std::string whole = made(part, "shard");  // what is kept of it looks like its output
+  const std::size_t header = whole.find('\n') + 1;
+  for (const std::size_t length :
+       {std::size_t{0}, header / 2, header - 1, header, header + 10, whole.size() - 1}) {
+    std::ofstream(path("shard.partial")) << whole.substr(0, length);
+    EXPECT_EQ(made(part, "shard"), whole) << length;
+  }
+  std::string damaged = whole;
+  ++damaged[header + 5];
+  std::ofstream(path("shard.partial")) << damaged;
+  EXPECT_EQ(made(part, "shard"), whole);
+}
+
+TEST_F(MapShards, DoNotGoOnFromOtherWork) {
+  const std::string half = made(closed_form + shard(1, 2), "shard");
+  std::ofstream(path("shard.partial")) << half;
+  const std::string part = shard(1, 2) + output("shard");
+  const std::string of_the_case = "map paper-figure14 --y force=200:800:3 " + part;
+  expect_refused(closed_form + shard(2, 2) + output("shard"),
+                 "its part is 1, but must be 2; remove it or name another --output");
+  expect_refused(closed_form + shard(1, 3) + output("shard"), "its parts is 2, but must be 3");
+  expect_refused(closed_form + part + "--set beam.density=900", "its beam is [2.0,");
+  expect_refused(of_the_case + "--x length=0.8:3:5", "its numerics is [");
+  expect_refused(of_the_case + "--duration 0.5 --x length=0.8:3:6",
+                 "its x is \"length=0.8:3:5\", but must be \"length=0.8:3:6\"");
+  expect_refused(closed_form + part + "--states-only", "its states_only is false, but must be true");
+  EXPECT_EQ(contents(path("shard.partial")), half);
+  std::ofstream(path("shard.partial")) << "something else\n";
+  expect_refused(closed_form + part, "it is no beginning of a map");
+  EXPECT_EQ(contents(path("shard.partial")), "something else\n");
+}
+
+TEST_F(MapShards, ThatAreMissingDoubleForeignOrDamagedDoNotMerge) {
+  make_shards(closed_form, 3);
+  const auto name = [&](int part) { return "'" + path("shard-" + std::to_string(part)) + "' "; };
+  expect_refused("map --merge " + name(1) + name(3), "shard 2 of 3 is missing beside " + path("shard-1"));
+  expect_refused("map --merge " + name(2), "shard 1, 3 of 3 are missing");
+  expect_refused(merge(3) + name(2), path("shard-2") + " is shard 2 of 3, but so is " + path("shard-2"));
+  const std::string good = contents(path("shard-2"));
+  (void)made(std::string(closed_form) + "--hz 20 " + shard(2, 3), "shard-2");
+  expect_refused(merge(3), path("shard-2") + " is a shard of another map: its excitation is [20");
+  std::ofstream(path("shard-2")) << good.substr(0, good.size() - 1);
+  expect_refused(merge(3), path("shard-2") + " is damaged in line 6");
+  std::ofstream(path("shard-2")) << good.substr(0, good.rfind('\n', good.size() - 2) + 1);
+  expect_refused(merge(3), path("shard-2") + " is not finished: it holds 4 of 5 evaluations");
+  std::ofstream(path("shard-2")) << "length_m\n";
+  expect_refused(merge(3), path("shard-2") + " is no shard of a map");
+  expect_refused("map --merge '" + path("none") + "'", path("none") + " cannot be read");
+}
+
+TEST_F(MapShards, RefuseWhatDoesNotGoTogether) {
+  for (const std::string part : {"0/3", "4/3", "1", "a/3", "1/", "1/2000000"})
+    expect_refused(closed_form + ("--shard " + part + " ") + output("shard"),
+                   "--shard is '" + part + "', but must be K/M");
+  expect_refused(closed_form + shard(1, 2), "--shard needs --output FILE");
+  expect_refused(closed_form + shard(1, 2) + output("shard") + "--figure map.png", "--shard");
+  expect_refused("map paper --merge shard", "--merge");
+  expect_refused("map --merge shard --states-only", "--merge");
+  expect_refused("map --threads 0", "0 is not an integer from 1 to 1024");
+  EXPECT_EQ(files().size(), 2u);  // stdout and stderr
+}
+
+TEST_F(MapShards, ShowABarOnATerminalUnlessQuiet) {
+  const std::string bar = "\r\033[Kstickslip map  [";
+  const std::string said = on_terminal(longer + output("map.csv"));
+  EXPECT_NE(said.find(bar), std::string::npos) << said;
+  EXPECT_NE(said.find("/s  0:0"), std::string::npos) << said;
+  EXPECT_NE(said.find("\r\033[K90 cells written to"), std::string::npos) << said;
+  for (const std::string& quiet :
+       {"--quiet " + std::string(closed_form), std::string(closed_form) + "--quiet "})
+    EXPECT_EQ(on_terminal(quiet + output("map.csv")).find('\033'), std::string::npos);
+}
+
+}  // namespace
+}  // namespace stickslip::testing
