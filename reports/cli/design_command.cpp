@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -43,26 +42,27 @@ studies::ParameterRange range_of(const data::Case& problem, studies::Parameter p
   return studies::range_below_buckling(problem, parameter, below * value, above * value);
 }
 
-studies::DesignScan watched_scan(const data::Case& problem, studies::Parameter parameter,
-                                 const studies::ParameterRange& range, const analytic::FrequencyBand& band) {
-  const std::string_view what = parameter == studies::Parameter::length ? "lengths" : "axial forces";
-  report::Progress progress(fmt::format("stickslip design: {}", what), progress_surroundings());
-  const report::Interruption interruption([&] {
-    progress.finish();
-    return fmt::format("interrupted after {:.0f} % of the {}; nothing is kept", 100.0 * progress.share(),
-                       what);
-  });
-  return studies::design_scan(problem, parameter, range, band, std::ref(progress));
-}
-
 studies::Design design_of(const data::Case& problem, const DesignOptions& options) {
   const studies::ParameterRange band = parse_band("--band", options.band);
   studies::Design design{.band = {band.from, band.to}, .margin = {}, .lengths = {}, .forces = {}};
+  report::Progress progress("stickslip design", progress_surroundings());
+  const report::Interruption interruption([&] {
+    progress.finish();
+    return fmt::format("interrupted after {:.0f} % of the design; nothing is kept", 100.0 * progress.share());
+  });
+  const auto half_from = [&progress](double start) {
+    return [&progress, start](double share) { progress(start + 0.5 * share); };
+  };
+  progress.stage("margin");
   design.margin = studies::band_margin(problem, design.band);
   const auto lengths = range_of(problem, studies::Parameter::length, "--length", options.length, 0.5, 2.0);
   const auto forces = range_of(problem, studies::Parameter::axial_force, "--force", options.force, 0.1, 10.0);
-  design.lengths = watched_scan(problem, studies::Parameter::length, lengths, design.band);
-  design.forces = watched_scan(problem, studies::Parameter::axial_force, forces, design.band);
+  progress.stage("lengths");
+  design.lengths =
+      studies::design_scan(problem, studies::Parameter::length, lengths, design.band, half_from(0.0));
+  progress.stage("axial forces");
+  design.forces =
+      studies::design_scan(problem, studies::Parameter::axial_force, forces, design.band, half_from(0.5));
   return design;
 }
 

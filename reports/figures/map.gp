@@ -67,9 +67,9 @@ set palette defined (-1 '#08519C', -0.5 blue, 0 'white', 0.5 '#E69F00', 1 vermil
 set cbrange [-1.5:1.5]
 set cbtics ('≤ 1/30' -1.5, '1/10' -1, '1/3' log10(1/3.0), '1' 0, '3' log10(3), '10' 1, '≥ 30' 1.5)
 set cblabel '|f_{max}| / (μ_sP)'
-if (states_only) { unset colorbox }
 set key above horizontal center samplen 3 width -3 maxcols 2
 set margins screen 0.115, screen 0.84, screen 0.125, screen 0.90
+if (states_only) { unset colorbox; set rmargin at screen 0.97 }
 set object 1 rectangle from graph 0, graph 0 to graph 1, graph 1 behind fillcolor rgb grey \
     fillstyle pattern 4 noborder
 limit_title = limit eq 'NaN' ? '' : '|f_{max}| = μ_sP'

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
+#include <filesystem>
+#include <system_error>
 
 #include "document.hpp"
 #include "drawing.hpp"
@@ -110,6 +112,8 @@ void write_report(const ReportOptions& options) {
   Progress progress("stickslip report", Progress::standard_error(options.quiet));
   const Interruption interruption([&] {
     progress.finish();
+    std::error_code ignored;  // what is left there the next report clears away
+    std::filesystem::remove_all(output.scratch(), ignored);
     return fmt::format("interrupted after {:.0f} % of the report; what the studies have found is kept in {}",
                        100.0 * progress.share(), (output.folder() / ".studies").string());
   });
