@@ -156,7 +156,9 @@ Entries entries_of_file(const std::filesystem::path& file) {
 }
 
 void apply(const Override& replacement, Entries& entries) {
-  const std::string place = "override " + printable(replacement.key + "=" + replacement.value);
+  const std::string place = replacement.place.empty()
+                                ? "override " + printable(replacement.key + "=" + replacement.value)
+                                : replacement.place;
   if (replacement.value.find_first_of("\r\n") != std::string::npos)
     throw InputError(place + ": must be one TOML value on one line");
   try {
@@ -260,7 +262,7 @@ Override Override::parse(std::string_view text) {
       equals == std::string_view::npos ? std::string_view{} : trimmed(text.substr(equals + 1));
   if (key.empty() || value.empty())
     throw InputError("override " + printable(text) + ": must read table.key=value, as in beam.length=1.8");
-  return {std::string(key), std::string(value)};
+  return {std::string(key), std::string(value), ""};
 }
 
 std::filesystem::path data_directory() {

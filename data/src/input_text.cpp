@@ -26,6 +26,28 @@ std::size_t edit_distance(std::string_view left, std::string_view right) {
   return row.back();
 }
 
+// Bytes of the character in UTF-8 at the front of the text; 0 if there is none. Surrogates and overlong forms
+// are none.
+std::size_t character_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned>(static_cast<unsigned char>(text[i])); };
+  const unsigned first = byte(0);
+  if (first < 0x80U) return 1;
+  const std::size_t length = first >= 0xF0U ? 4 : first >= 0xE0U ? 3 : 2;
+  if (first < 0xC2U || first > 0xF4U || text.size() < length) return 0;
+  for (std::size_t i = 1; i < length; ++i)
+    if ((byte(i) & 0xC0U) != 0x80U) return 0;
+  const bool is_overlong = (first == 0xE0U && byte(1) < 0xA0U) || (first == 0xF0U && byte(1) < 0x90U);
+  const bool is_outside = (first == 0xEDU && byte(1) > 0x9FU) || (first == 0xF4U && byte(1) > 0x8FU);
+  return is_overlong || is_outside ? 0 : length;
+}
+
+// Those of ASCII, and U+0080 ... U+009F.
+bool is_control(std::string_view character) {
+  const auto first = static_cast<unsigned char>(character[0]);
+  return first < 0x20U || first == 0x7FU ||
+         (first == 0xC2U && static_cast<unsigned char>(character[1]) < 0xA0U);
+}
+
 }  // namespace
 
 // Reads one byte more than is allowed at most, so that an endless file is refused like a large one.
@@ -35,6 +57,12 @@ std::string read_bounded(const std::filesystem::path& file, std::size_t most) {
     throw InputError(file.string() + ": is a folder, not a file");
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw InputError(file.string() + ": cannot be opened for reading");
+  const auto refuse_size = [&] {
+    throw InputError(file.string() + ": is larger than the " + std::to_string(most) +
+                     " bytes that are allowed");
+  };
+  if (std::filesystem::is_regular_file(file, error) && std::filesystem::file_size(file, error) > most)
+    refuse_size();
   constexpr std::size_t chunk = 1 << 20;
   std::string text;
   while (stream && text.size() <= most) {
@@ -45,9 +73,7 @@ std::string read_bounded(const std::filesystem::path& file, std::size_t most) {
   }
   if (stream.bad()) throw InputError(file.string() + ": cannot be read");
   if (text.empty()) throw InputError(file.string() + ": is empty");
-  if (text.size() > most)
-    throw InputError(file.string() + ": is larger than the " + std::to_string(most) +
-                     " bytes that are allowed");
+  if (text.size() > most) refuse_size();
   return text;
 }
 
@@ -57,16 +83,16 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
 }
 
-std::string printable(std::string_view text) {
-  constexpr std::size_t longest = 60;
-  const auto is_continuation = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
-  std::size_t length = std::min(text.size(), longest);
-  while (length > 0 && length < text.size() && is_continuation(text[length])) --length;
-  std::string line(text.substr(0, length));
-  std::replace_if(
-      line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == '\x7f'; },
-      '?');
-  return length < text.size() ? line + "..." : line;
+std::string printable(std::string_view text, std::size_t longest) {
+  std::string line;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = character_length(text.substr(at));
+    const std::string_view character = length > 0 ? text.substr(at, length) : "?";
+    if (line.size() + character.size() > longest) return line + "...";
+    line += is_control(character) ? "?" : character;
+    at += std::max<std::size_t>(length, 1);
+  }
+  return line;
 }
 
 std::string joined(const std::vector<std::string>& names) {

@@ -18,9 +18,9 @@ namespace stickslip::data {
 /// Without blanks at either end.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
-/// The text on one line, control characters replaced and anything beyond 60 bytes cut off, for use in a
-/// message.
-[[nodiscard]] std::string printable(std::string_view text);
+/// The text on one line for use in a message: control characters and what is no UTF-8 replaced, anything
+/// beyond `longest` bytes cut off.
+[[nodiscard]] std::string printable(std::string_view text, std::size_t longest = 60);
 
 /// "a, b, c"
 [[nodiscard]] std::string joined(const std::vector<std::string>& names);

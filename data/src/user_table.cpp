@@ -17,7 +17,7 @@ namespace stickslip::data {
 
 namespace {
 
-constexpr std::size_t largest_table = 500'000'000;  // bytes
+constexpr std::size_t largest_table = 50'000'000;  // bytes
 
 // As names are compared: in lower case, with an underscore for a blank or a hyphen.
 std::string folded(std::string_view name) {
@@ -271,13 +271,15 @@ class UserTableReader {
                        "', but must be " + allowed);
     };
     if (source.field->type == FieldType::string) {
-      if (cell.empty()) refuse_cell("a word");
+      if (cell.empty() || cell != printable(cell)) refuse_cell("a word");
       return std::numeric_limits<double>::quiet_NaN();
     }
     const auto number = finite_number(cell);
     if (!number) refuse_cell("a finite number, as 0.025 or 2.5e-2");
     if (source.field->type == FieldType::integer && *number != std::floor(*number)) refuse_cell("an integer");
-    return source.unit->to_si(*number);
+    const double value = source.unit->to_si(*number);
+    if (!std::isfinite(value)) refuse_cell("a number that is finite in " + source.field->unit);
+    return value;
   }
 
   void add_constant_keys() {

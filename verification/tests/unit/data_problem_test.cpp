@@ -130,6 +130,24 @@ TEST(ProblemTypes, RefuseNotANumberAndInfinityEverywhere) {
   }
 }
 
+TEST(ProblemTypes, RefuseMagnitudesThatNoBeamHas) {
+  auto fields = positive_fields();
+  for (const auto& field : non_negative_fields()) fields.push_back(field);
+  fields.push_back(beam_field("axial_force", &data::BeamProperties::axial_force));
+  for (const auto& field : fields)
+    for (const auto& [value, text] : {std::pair{1e300, "1e+300"}, {5e-324, "5e-324"}})
+      if (field.name != "friction.kinetic_coefficient" || value < 1.0)
+        expect_refused(field, value, text, "from 1e-");
+  expect_refused(beam_field("axial_force", &data::BeamProperties::axial_force), -1e300, "-1e+300",
+                 "from 1e-18 to 1e+18");
+}
+
+TEST(NumericalSettings, RefuseADurationOfMoreThanABillionSteps) {
+  const auto duration = numerics_field("duration", &data::NumericalChoices::duration);
+  EXPECT_EQ(refusal(duration, 1e5), "accepted");
+  expect_refused(duration, 1.1e5, "110000", "at most a billion times numerics.time_step, which is 1e-04");
+}
+
 TEST(Beam, AcceptsAnyFiniteAxialForce) {
   for (const double force : {-500.0, 0.0, 1e9})
     EXPECT_EQ(testing::paper_beam_with_axial_force(force).axial_force(), force);

@@ -23,8 +23,9 @@ class InputError : public std::invalid_argument {
 
 /// One `table.key=value` that replaces what the file says, or supplies what it lacks.
 struct Override {
-  std::string key;    ///< "beam.length"
-  std::string value;  ///< "1.8", as TOML
+  std::string key;      ///< "beam.length"
+  std::string value;    ///< "1.8", as TOML
+  std::string place{};  ///< where it was given, "--hz"; empty: "override beam.length=1.8"
 
   /// Splits "beam.length=1.8". Throws InputError if there is no '=' or either side is empty.
   static Override parse(std::string_view text);

@@ -40,7 +40,7 @@ struct UserTable {
   [[nodiscard]] std::string place(std::size_t row) const;
 };
 
-/// Reads a file of at most 500 MB. It must have the columns of the primary key (but not one in which the data
+/// Reads a file of at most 50 MB. It must have the columns of the primary key (but not one in which the data
 /// set has one value only, nor the `index` of events), the abscissa, the `change` and the `time` of events,
 /// and at least one of the values that are compared. Throws InputError, naming file, line, column and value
 /// and what is allowed, for a column that is missing, stands twice or has an unknown unit, for a cell that is
