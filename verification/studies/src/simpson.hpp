@@ -2,14 +2,12 @@
 
 #include <algorithm>
 
-#include "stickslip/analytic/stick_modes.hpp"
-
 namespace stickslip::studies {
 
 /// int_0^L g(x) dx by the composite Simpson rule, 400 intervals per half wave of the mode: relative error
 /// below 1e-9 for its shape, derivatives and their squares.
-template <typename Function>
-double simpson_integral(Function&& g, double length, const analytic::StickMode& mode) {
+template <typename Function, typename Mode>
+double simpson_integral(Function&& g, double length, const Mode& mode) {
   const int intervals = 400 * mode.number();
   const double step = length / intervals;
   double sum = 0.0;

@@ -1,0 +1,197 @@
+#include "stickslip/studies/problem_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "simpson.hpp"
+#include "stickslip/analytic/slip_modes.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/studies/discretisation.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+using std::numbers::pi;
+
+double model_error(const data::Beam& beam, double slopes, double third_derivatives) {
+  const double radius_squared = beam.second_moment_of_area() / beam.area();
+  return std::sqrt(1.0 + radius_squared * (slopes + shear_flexibility * third_derivatives)) - 1.0;
+}
+
+bool is_about_frequencies(Inquiry inquiry) {
+  return inquiry == Inquiry::stick_frequencies || inquiry == Inquiry::slip_frequencies;
+}
+
+bool may_slip(Inquiry inquiry) {
+  return inquiry == Inquiry::event_driven_history || inquiry == Inquiry::stepped_history;
+}
+
+double angular_frequency_of(const data::HarmonicExcitation& excitation) {
+  return 2.0 * pi * excitation.frequency_hz();
+}
+
+std::string percent(double share) { return fmt::format("{:.2g} %", 100.0 * share); }
+
+// Rounded down to two digits.
+double two_digits(double value) {
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+  return std::floor(value / unit * (1.0 + 1e-12)) * unit;
+}
+
+// The time step at which step_error() is what is allowed.
+double allowed_step(double spectral_radius, double omega) {
+  double lower = 0.0, upper = 2.0 * pi;  // omega h
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (lower + upper);
+    (step_error(spectral_radius, 1.0, middle) > allowed_step_error ? upper : lower) = middle;
+  }
+  return two_digits(lower / omega);
+}
+
+void warn_of_flutter(const data::Beam& beam, std::vector<Warning>& warnings) {
+  const double load = analytic::flutter_load(beam);
+  if (beam.axial_force() < load) return;
+  warnings.push_back(
+      {Concern::flutter, beam.axial_force(), load,
+       fmt::format("beam.axial_force is {} N, at the flutter load of the sliding beam, {:.6g} N, or over "
+                   "it: once the tip slips, the motion grows of itself",
+                   data::shortest_text(beam.axial_force()), load)});
+}
+
+void warn_of_resonance(const data::Case& problem, std::vector<Warning>& warnings) {
+  const bool is_damped = problem.damping.kelvin_voigt() > 0.0 || problem.damping.ratio() > 0.0;
+  const double omega = angular_frequency_of(problem.excitation), duration = problem.numerics.duration();
+  if (is_damped || problem.excitation.amplitude() == 0.0 || 0.5 * omega * duration < grown_response) return;
+  const auto modes = analytic::stick_modes(problem.beam, problem.numerics.modes());
+  const auto nearest = std::ranges::min_element(
+      modes, {}, [&](const auto& mode) { return std::abs(mode.angular_frequency() - omega); });
+  const double difference = std::abs(nearest->angular_frequency() - omega);
+  if (difference * duration > pi) return;
+  const std::string end =
+      difference * duration < 1e-6 ? "without end" : fmt::format("until {:.3g} s", pi / difference);
+  warnings.push_back(
+      {Concern::resonance, problem.excitation.frequency_hz(), nearest->frequency_hz(),
+       fmt::format(
+           "excitation.frequency_hz is {}, next to natural frequency {} of the stick state, {:.7g} Hz: the "
+           "reaction of the undamped beam grows with t, {}, so that its maximum is that of "
+           "numerics.duration, {} s",
+           data::shortest_text(problem.excitation.frequency_hz()), nearest->number(), nearest->frequency_hz(),
+           end, data::shortest_text(duration))});
+}
+
+void warn_of_thickness(const data::Beam& beam, bool slip, int mode, std::vector<Warning>& warnings) {
+  const double error = slip ? slip_model_error(beam, mode) : stick_model_error(beam, mode);
+  if (error <= allowed_model_error) return;
+  const double radius = std::sqrt(beam.second_moment_of_area() / beam.area());
+  warnings.push_back({Concern::thick_beam, error, allowed_model_error,
+                      fmt::format("the beam is thick for Euler-Bernoulli, sqrt(I/A)/L = {:.3g}: without "
+                                  "shear and rotary inertia its "
+                                  "natural frequency {} comes out about {} too high",
+                                  radius / beam.length(), mode, percent(error))});
+}
+
+void warn_of_step(const data::Case& problem, int mode, std::vector<Warning>& warnings) {
+  const double natural = analytic::stick_modes(problem.beam, mode).back().angular_frequency();
+  const double excitation = angular_frequency_of(problem.excitation);
+  const double omega = std::max(natural, excitation), step = problem.numerics.time_step();
+  const double error = step_error(problem.numerics.spectral_radius(), omega, step);
+  if (error <= allowed_step_error) return;
+  const double suggested = allowed_step(problem.numerics.spectral_radius(), omega);
+  const std::string what =
+      natural > excitation ? fmt::format("natural frequency {}", mode) : "the excitation";
+  warnings.push_back(
+      {Concern::long_step, step, suggested,
+       fmt::format("numerics.time_step is {} s, too long for {} at {:.4g} Hz, which it falsifies by {} in "
+                   "frequency or in amplitude per period; {:.2g} s falsify it by {}",
+                   data::shortest_text(step), what, omega / (2.0 * pi), percent(error), suggested,
+                   percent(allowed_step_error))});
+}
+
+}  // namespace
+
+double stick_model_error(const data::Beam& beam, int mode) {
+  const auto modes = analytic::stick_modes(beam, mode);
+  const auto& u = modes.back();
+  const auto integral = [&](auto derivative) {
+    return simpson_integral([&](double x) { return std::pow((u.*derivative)(x), 2); }, beam.length(), u);
+  };
+  return model_error(
+      beam, integral(&analytic::StickMode::slope) / u.norm_squared(),
+      integral(&analytic::StickMode::third_derivative) / integral(&analytic::StickMode::curvature));
+}
+
+// Slope and third derivative by parts, with U'''' = k U - p U'' and U''(L) = U'''(L) = 0:
+//   U'(L) = int U'',  int U'^2 = U(L) U'(L) - int U U'',
+//   U'''(0) = -int U'''',  int U'''^2 = -U''(0) U'''(0) - int U'' U''''.
+double slip_model_error(const data::Beam& beam, int mode) {
+  const auto modes = analytic::slip_modes(beam, mode);
+  const auto& u = modes.back();
+  const double p = beam.axial_force() / (beam.youngs_modulus() * beam.second_moment_of_area());
+  const double k = std::pow(u.hyperbolic_wave_number() * u.trigonometric_wave_number(), 2);
+  const auto fourth = [&](double x) { return k * u.shape(x) - p * u.curvature(x); };
+  const auto integral = [&](auto&& function) { return simpson_integral(function, beam.length(), u); };
+  const double tip_slope = integral([&](double x) { return u.curvature(x); });
+  const double slopes =
+      u.shape(beam.length()) * tip_slope - integral([&](double x) { return u.shape(x) * u.curvature(x); });
+  const double third_derivatives =
+      u.curvature(0.0) * integral(fourth) - integral([&](double x) { return u.curvature(x) * fourth(x); });
+  return model_error(beam, slopes / integral([&](double x) { return std::pow(u.shape(x), 2); }),
+                     third_derivatives / integral([&](double x) { return std::pow(u.curvature(x), 2); }));
+}
+
+double step_error(double spectral_radius, double omega, double time_step) {
+  const auto numerical = generalized_alpha_oscillation(spectral_radius, omega, time_step);
+  return std::max(std::abs(numerical.angular_frequency / omega - 1.0),
+                  -std::expm1(-2.0 * pi * numerical.decay_rate / omega));
+}
+
+int highest_mode_that_matters(const data::Case& problem) {
+  constexpr int instants = 2048;
+  const data::HarmonicExcitation unit({.frequency_hz = problem.excitation.frequency_hz(), .amplitude = 1.0});
+  const analytic::StickResponse response(problem.beam, unit, problem.numerics.modes());
+  const double span = std::max({problem.numerics.duration(), 1.0 / problem.excitation.frequency_hz(),
+                                1.0 / response.modes().front().frequency_hz()});
+  double largest = 0.0;
+  for (int i = 1; i <= instants; ++i) {
+    const double part = std::fmod(i * std::numbers::phi, 1.0);
+    largest = std::max(largest, std::abs(response.friction_force(part * span)));
+  }
+  const auto vibrations = response.transient_force();
+  for (std::size_t n = vibrations.size(); n > 1; --n)
+    if (std::abs(vibrations[n - 1].amplitude) > share_that_matters * largest) return static_cast<int>(n);
+  return 1;
+}
+
+std::vector<Warning> problem_warnings(const data::Case& problem, Inquiry inquiry, int frequencies) {
+  std::vector<Warning> warnings;
+  if (may_slip(inquiry)) warn_of_flutter(problem.beam, warnings);
+  if (inquiry == Inquiry::criterion || inquiry == Inquiry::closed_form_history)
+    warn_of_resonance(problem, warnings);
+  const int mode = is_about_frequencies(inquiry) ? frequencies : highest_mode_that_matters(problem);
+  warn_of_thickness(problem.beam, inquiry == Inquiry::slip_frequencies, mode, warnings);
+  if (inquiry == Inquiry::stepped_history) warn_of_step(problem, mode, warnings);
+  return warnings;
+}
+
+void require_feasible(const data::Case& problem, Inquiry inquiry) {
+  if (is_about_frequencies(inquiry) || inquiry == Inquiry::stepped_history) return;
+  const bool is_event_driven = inquiry == Inquiry::event_driven_history;
+  const double most_periods = is_event_driven ? 1e6 : 1e8;  // minutes of work
+  const double natural = analytic::stick_modes(problem.beam, problem.numerics.modes()).back().frequency_hz();
+  const double highest = std::max(natural, problem.excitation.frequency_hz());
+  if (problem.numerics.duration() * highest <= most_periods) return;
+  throw data::FieldError("numerics.duration", data::shortest_text(problem.numerics.duration()),
+                         fmt::format("at most {:.3g} s, {} periods of {}, {:.3g} Hz", most_periods / highest,
+                                     is_event_driven ? "a million" : "a hundred million",
+                                     natural > problem.excitation.frequency_hz()
+                                         ? fmt::format("natural frequency {}", problem.numerics.modes())
+                                         : "the excitation",
+                                     highest));
+}
+
+}  // namespace stickslip::studies
