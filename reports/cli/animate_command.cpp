@@ -24,21 +24,32 @@ struct AnimateOptions {
   std::string output = "frames";
 };
 
-void run(const AnimateOptions& options) {
+// With the duration that is drawn.
+data::Case case_of(const AnimateOptions& options) {
   const data::Case problem = load_case(options.problem, options.excitation, options.duration);
-  const double duration =
-      options.duration ? problem.numerics.duration() : periods / problem.excitation.frequency_hz();
+  if (options.duration) return problem;
+  return load_case(options.problem, options.excitation, periods / problem.excitation.frequency_hz());
+}
+
+void run(const AnimateOptions& options) {
+  const data::Case problem = case_of(options);
+  const double duration = problem.numerics.duration();
   if (options.frames - 1 > duration / problem.numerics.time_step() * (1.0 + 1e-12))
     throw data::InputError(fmt::format(
         "--frames is {}, but must be at most one per time step of {} s, of which {} s have {}",
         options.frames, data::shortest_text(problem.numerics.time_step()), data::shortest_text(duration),
         static_cast<long>(duration / problem.numerics.time_step() * (1.0 + 1e-12)) + 1));
+  const auto inquiry =
+      options.method == "fe" ? studies::Inquiry::stepped_history : studies::Inquiry::event_driven_history;
+  studies::require_feasible(problem, inquiry);
   report::write_animation(problem, {.method = options.method == "fe" ? report::MotionMethod::finite_elements
                                                                      : report::MotionMethod::event_driven,
                                     .duration = duration,
                                     .frames = options.frames,
                                     .output = options.output,
                                     .quiet = is_quiet()});
+  const auto warnings = warnings_of(problem, inquiry);
+  print_warnings(warnings);
   if (options.problem.json)
     print_json({{"case", problem.name},
                 {"method", options.method},
@@ -46,7 +57,8 @@ void run(const AnimateOptions& options) {
                 {"amplitude_m", problem.excitation.amplitude()},
                 {"duration_s", duration},
                 {"frames", options.frames},
-                {"output", options.output}});
+                {"output", options.output},
+                {"warnings", warnings}});
   else
     fmt::print("{} frames written to {}\n", options.frames, options.output);
 }
@@ -61,7 +73,7 @@ void add_animate_command(CLI::App& app) {
   command
       ->add_option("--method", options->method,
                    "Finite elements with contact, or event by event in the modes of the continuous beam")
-      ->check(CLI::IsMember({"event-driven", "fe"}))
+      ->check(one_of({"event-driven", "fe"}))
       ->capture_default_str();
   command->add_option("--duration", options->duration, "Duration, s (else ten periods of the excitation)")
       ->check(number());
@@ -69,6 +81,7 @@ void add_animate_command(CLI::App& app) {
       ->check(integer_between(2, report::most_frames))
       ->capture_default_str();
   command->add_option("--output", options->output, "Folder for frame-0001.png ... and motion.csv")
+      ->check(file_name())
       ->capture_default_str();
   add_examples(*command,
                {"stickslip animate paper --hz 25 --amplitude 1e-3 --duration 0.1 --frames 5 --output film"});

@@ -3,6 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "input_text.hpp"
+
 namespace stickslip::cli {
 
 void add_json_option(CLI::App& command, bool& json) {
@@ -10,7 +15,8 @@ void add_json_option(CLI::App& command, bool& json) {
 }
 
 void add_package_option(CLI::App& command, std::string& package) {
-  command.add_option("--package", package, "Folder with another data package (else that of stickslip)");
+  command.add_option("--package", package, "Folder with another data package (else that of stickslip)")
+      ->check(file_name());
 }
 
 void add_case_options(CLI::App& command, CaseOptions& options) {
@@ -26,18 +32,47 @@ void add_case_options(CLI::App& command, CaseOptions& options) {
 void add_examples(CLI::App& command, const std::vector<std::string>& lines) {
   command.footer(fmt::format("Examples:\n  {}", fmt::join(lines, "\n  ")));
 }
+namespace {
+
+// As a message shows it: something, even if nothing was given.
+std::string shown(const std::string& text) { return text.empty() ? "''" : data::printable(text); }
+
+}  // namespace
 
 CLI::Validator integer_between(long lowest, long highest) {
   const auto check = [lowest, highest](const std::string& text) -> std::string {
     const auto value = parse<long>(text);
     if (value && lowest <= *value && *value <= highest) return "";
-    return fmt::format("{} is not an integer from {} to {}", text, lowest, highest);
+    return fmt::format("{} is not an integer from {} to {}", shown(text), lowest, highest);
   };
   return {check, fmt::format("{} ... {}", lowest, highest)};
 }
 
 CLI::Validator number() {
-  return {[](const std::string& text) { return parse<double>(text) ? "" : text + " is not a number"; }, ""};
+  return {[](const std::string& text) { return parse<double>(text) ? "" : shown(text) + " is not a number"; },
+          ""};
+}
+
+CLI::Validator time() {
+  const auto check = [](const std::string& text) -> std::string {
+    const auto value = parse<double>(text);
+    if (value && std::isfinite(*value) && *value >= 0.0) return "";
+    return shown(text) + " is not a finite number of 0 or more";
+  };
+  return {check, ""};
+}
+
+CLI::Validator one_of(const std::vector<std::string>& names) {
+  const auto check = [names](const std::string& text) -> std::string {
+    if (std::ranges::find(names, text) != names.end()) return "";
+    return fmt::format("{} is unknown{}, but must be one of {}", shown(text), data::suggestion(text, names),
+                       data::joined(names));
+  };
+  return {check, fmt::format("{{{}}}", fmt::join(names, ","))};
+}
+
+CLI::Validator file_name() {
+  return {[](const std::string& text) { return text.empty() ? "'' is not the name of a file" : ""; }, ""};
 }
 
 void add_excitation_options(CLI::App& command, ExcitationOptions& options) {
@@ -51,20 +86,21 @@ std::vector<data::Override> overrides_of(const CaseOptions& options, const Excit
   std::vector<data::Override> overrides;
   for (const auto& text : options.overrides) overrides.push_back(data::Override::parse(text));
   if (excitation.frequency_hz)
-    overrides.push_back(override_with("excitation.frequency_hz", *excitation.frequency_hz));
-  if (excitation.amplitude) overrides.push_back(override_with("excitation.amplitude", *excitation.amplitude));
+    overrides.push_back(override_with("excitation.frequency_hz", *excitation.frequency_hz, "--hz"));
+  if (excitation.amplitude)
+    overrides.push_back(override_with("excitation.amplitude", *excitation.amplitude, "--amplitude"));
   return overrides;
 }
 
 data::Case load_case(const CaseOptions& options, const ExcitationOptions& excitation,
                      const std::optional<double>& duration) {
   auto overrides = overrides_of(options, excitation);
-  if (duration) overrides.push_back(override_with("numerics.duration", *duration));
+  if (duration) overrides.push_back(override_with("numerics.duration", *duration, "--duration"));
   return data::load_case(options.name, overrides);
 }
 
-data::Override override_with(const std::string& key, double value) {
-  return {key, data::shortest_text(value)};
+data::Override override_with(const std::string& key, double value, const std::string& option) {
+  return {key, data::shortest_text(value), option};
 }
 
 bool is_damped(const data::Case& problem) {
@@ -81,8 +117,30 @@ void require_undamped(const data::Case& problem, std::string_view what) {
       data::shortest_text(viscous ? problem.damping.kelvin_voigt() : problem.damping.ratio()), what));
 }
 
+std::vector<std::string> warnings_of(const data::Case& problem, studies::Inquiry inquiry, int frequencies) {
+  std::vector<std::string> sentences;
+  for (const auto& warning : studies::problem_warnings(problem, inquiry, frequencies))
+    sentences.push_back(warning.sentence);
+  return sentences;
+}
+
+void print_warnings(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) fmt::print(stderr, "stickslip: warning: {}\n", warning);
+}
+
 Json bounds_json(const analytic::Bounds& bounds) {
   return {{"lower", bounds.lower}, {"upper", bounds.upper}};
+}
+
+void require_finite(const Json& answer, const std::string& name) {
+  if (answer.is_structured()) {
+    for (const auto& [key, value] : answer.items()) require_finite(value, answer.is_object() ? key : name);
+  } else if (answer.is_number_float() && !std::isfinite(answer.get<double>())) {
+    throw data::InputError(
+        fmt::format("{} comes out as {}, but must be finite: quantities of this case are too large or too "
+                    "small for each other",
+                    name, data::shortest_text(answer.get<double>())));
+  }
 }
 
 void print_json(const Json& object) {

@@ -13,6 +13,7 @@
 
 #include "stickslip/analytic/bounds.hpp"
 #include "stickslip/data/case_file.hpp"
+#include "stickslip/studies/problem_warnings.hpp"
 
 namespace stickslip::cli {
 
@@ -49,9 +50,13 @@ template <class Number>
   return value;
 }
 
-/// Accepts integers from lowest to highest, or numbers: so that a refusal says what is allowed.
+/// Accept integers from lowest to highest, numbers, finite times of 0 or more, one of some names, or the name
+/// of a file: so that a refusal says what is allowed.
 [[nodiscard]] CLI::Validator integer_between(long lowest, long highest);
 [[nodiscard]] CLI::Validator number();
+[[nodiscard]] CLI::Validator time();
+[[nodiscard]] CLI::Validator one_of(const std::vector<std::string>& names);
+[[nodiscard]] CLI::Validator file_name();
 
 /// The overrides of --set, then those of the options with a name of their own, which win.
 /// Throws data::InputError.
@@ -62,8 +67,8 @@ template <class Number>
 [[nodiscard]] data::Case load_case(const CaseOptions& options, const ExcitationOptions& excitation,
                                    const std::optional<double>& duration);
 
-/// An override that sets a key to a number.
-[[nodiscard]] data::Override override_with(const std::string& key, double value);
+/// What an option of its own sets a key to.
+[[nodiscard]] data::Override override_with(const std::string& key, double value, const std::string& option);
 
 /// Whether the case has damping of either kind.
 [[nodiscard]] bool is_damped(const data::Case& problem);
@@ -71,8 +76,19 @@ template <class Number>
 /// Throws data::InputError, naming the damping, if the case has any; `what` needs it to have none.
 void require_undamped(const data::Case& problem, std::string_view what);
 
+/// The sentences of studies::problem_warnings().
+[[nodiscard]] std::vector<std::string> warnings_of(const data::Case& problem, studies::Inquiry inquiry,
+                                                   int frequencies = 0);
+
+/// One line on standard error for each.
+void print_warnings(const std::vector<std::string>& warnings);
+
 /// {"lower": ..., "upper": ...}
 [[nodiscard]] Json bounds_json(const analytic::Bounds& bounds);
+
+/// Throws data::InputError, naming the key, if a number of the answer is not finite: quantities that are
+/// allowed one by one can overflow together.
+void require_finite(const Json& answer, const std::string& name = "the answer");
 
 /// One JSON object on standard output.
 void print_json(const Json& object);

@@ -127,10 +127,12 @@ void add_compare_command(CLI::App& app) {
       ->add_option(
           "FILE", options->file,
           "CSV file with the columns of the data set; a unit may follow a name, as in 'frequency [kHz]'")
+      ->check(file_name())
       ->required();
-  command->add_option(
-      "--events", options->events,
-      "CSV file with the changes of contact of the same run, for a history with stick and slip");
+  command
+      ->add_option("--events", options->events,
+                   "CSV file with the changes of contact of the same run, for a history with stick and slip")
+      ->check(file_name());
   command
       ->add_option("--column", options->columns,
                    "Which column of yours is which, and in which unit, as in frequency=f1:kHz; repeatable")
@@ -141,11 +143,14 @@ void add_compare_command(CLI::App& app) {
                    "Instead of that of the data set, of one quantity or of all; repeatable")
       ->type_name("[QUANTITY=]NUMBER")
       ->allow_extra_args(false);
-  command->add_option("--until", options->until, "Compare nothing later, s")->check(number());
-  command->add_option("--json", options->json, "JSON file with all numbers, '-' for standard output");
-  command->add_option("--junit", options->junit, "XML file in JUnit's format, '-' for standard output");
-  command->add_option("--figure", options->figure,
-                      "Figure to draw, a .png, .pdf or .svg file (needs gnuplot)");
+  command->add_option("--until", options->until, "Compare nothing later, s")->check(time());
+  command->add_option("--json", options->json, "JSON file with all numbers, '-' for standard output")
+      ->check(file_name());
+  command->add_option("--junit", options->junit, "XML file in JUnit's format, '-' for standard output")
+      ->check(file_name());
+  command
+      ->add_option("--figure", options->figure, "Figure to draw, a .png, .pdf or .svg file (needs gnuplot)")
+      ->check(file_name());
   add_package_option(*command, options->package);
   command->add_flag("--quiet", options->quiet, "Print nothing");
   add_examples(*command, {"stickslip reference export stick-frequencies --output mine.csv",

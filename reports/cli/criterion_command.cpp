@@ -68,7 +68,8 @@ Json to_json(const analytic::Criterion& criterion) {
           {"verdict", to_string(criterion.verdict)}};
 }
 
-Json to_json(const data::Case& problem, const analytic::Criterion& paper, const analytic::Criterion& all) {
+Json to_json(const data::Case& problem, const analytic::Criterion& paper, const analytic::Criterion& all,
+             const std::vector<std::string>& warnings) {
   Json object{{"case", problem.name},
               {"frequency_hz", problem.excitation.frequency_hz()},
               {"amplitude_m", problem.excitation.amplitude()},
@@ -76,6 +77,7 @@ Json to_json(const data::Case& problem, const analytic::Criterion& paper, const 
               {"modes", problem.numerics.modes()}};
   object.update(to_json(paper));
   object["all_modes"] = to_json(all);
+  object["warnings"] = warnings;
   return object;
 }
 
@@ -83,10 +85,16 @@ void run(const CriterionOptions& options) {
   const data::Case problem =
       data::load_case(options.problem.name, overrides_of(options.problem, options.excitation));
   require_undamped(problem, "the criterion");
+  analytic::require_contact(problem.beam);
+  studies::require_feasible(problem, studies::Inquiry::criterion);
   const auto paper = with_paper_modes(problem);
   const auto all = with_all_modes(problem);
+  const auto warnings = warnings_of(problem, studies::Inquiry::criterion);
+  const Json answer = to_json(problem, paper, all, warnings);
+  require_finite(answer);
+  print_warnings(warnings);
   if (options.problem.json)
-    print_json(to_json(problem, paper, all));
+    print_json(answer);
   else
     print_table(problem, paper, all);
 }

@@ -12,6 +12,7 @@
 #include "long_work.hpp"
 #include "number_text.hpp"
 #include "range_text.hpp"
+#include "stickslip/analytic/criterion.hpp"
 #include "stickslip/report/interruption.hpp"
 #include "stickslip/report/progress.hpp"
 #include "stickslip/studies/design_guide.hpp"
@@ -42,9 +43,48 @@ studies::ParameterRange range_of(const data::Case& problem, studies::Parameter p
   return studies::range_below_buckling(problem, parameter, below * value, above * value);
 }
 
-studies::Design design_of(const data::Case& problem, const DesignOptions& options) {
-  const studies::ParameterRange band = parse_band("--band", options.band);
-  studies::Design design{.band = {band.from, band.to}, .margin = {}, .lengths = {}, .forces = {}};
+// What is looked at.
+struct Ranges {
+  studies::ParameterRange band, lengths, forces;
+};
+
+// The case with one key replaced, as by --set. Throws data::InputError, naming the option.
+data::Case with(const DesignOptions& options, const std::string& key, double value,
+                const std::string& option) {
+  auto overrides = overrides_of(options.problem);
+  overrides.push_back(override_with(key, value, option));
+  return data::load_case(options.problem.name, overrides);
+}
+
+Ranges ranges_of(const data::Case& problem, const DesignOptions& options) {
+  const Ranges ranges{
+      parse_band("--band", options.band),
+      range_of(problem, studies::Parameter::length, "--length", options.length, 0.5, 2.0),
+      range_of(problem, studies::Parameter::axial_force, "--force", options.force, 0.1, 10.0)};
+  const auto require_allowed = [&](const studies::ParameterRange& range, const std::string& key,
+                                   const std::string& option) {
+    for (const double end : {range.from, range.to}) (void)with(options, key, end, option);
+  };
+  require_allowed(ranges.band, "excitation.frequency_hz", "--band");
+  require_allowed(ranges.lengths, "beam.length", "--length");
+  require_allowed(ranges.forces, "beam.axial_force", "--force");
+  return ranges;
+}
+
+// The case at the highest frequency of the band and that length.
+data::Case at_the_end_of(const data::Case& problem, const studies::ParameterRange& band, double length) {
+  data::Case end = problem;
+  end.excitation =
+      data::HarmonicExcitation({.frequency_hz = band.to, .amplitude = problem.excitation.amplitude()});
+  data::BeamProperties properties = problem.beam.properties();
+  properties.length = length;
+  end.beam = data::Beam(properties);
+  return end;
+}
+
+studies::Design design_of(const data::Case& problem, const Ranges& ranges) {
+  studies::Design design{
+      .band = {ranges.band.from, ranges.band.to}, .margin = {}, .lengths = {}, .forces = {}};
   report::Progress progress("stickslip design", progress_surroundings());
   const report::Interruption interruption([&] {
     progress.finish();
@@ -55,14 +95,12 @@ studies::Design design_of(const data::Case& problem, const DesignOptions& option
   };
   progress.stage("margin");
   design.margin = studies::band_margin(problem, design.band);
-  const auto lengths = range_of(problem, studies::Parameter::length, "--length", options.length, 0.5, 2.0);
-  const auto forces = range_of(problem, studies::Parameter::axial_force, "--force", options.force, 0.1, 10.0);
   progress.stage("lengths");
   design.lengths =
-      studies::design_scan(problem, studies::Parameter::length, lengths, design.band, half_from(0.0));
+      studies::design_scan(problem, studies::Parameter::length, ranges.lengths, design.band, half_from(0.0));
   progress.stage("axial forces");
-  design.forces =
-      studies::design_scan(problem, studies::Parameter::axial_force, forces, design.band, half_from(0.5));
+  design.forces = studies::design_scan(problem, studies::Parameter::axial_force, ranges.forces, design.band,
+                                       half_from(0.5));
   return design;
 }
 
@@ -124,7 +162,8 @@ Json to_json(const studies::DesignScan& scan) {
   return {{"accuracy", scan.accuracy}, {"intervals", intervals}};
 }
 
-Json to_json(const data::Case& problem, const studies::Design& design) {
+Json to_json(const data::Case& problem, const studies::Design& design,
+             const std::vector<std::string>& warnings) {
   Json resonances = Json::array();
   for (const auto& resonance : design.margin.resonances)
     resonances.push_back({{"mode", resonance.mode}, {"frequency_hz", resonance.frequency_hz}});
@@ -140,16 +179,26 @@ Json to_json(const data::Case& problem, const studies::Design& design) {
           {"evaluations", design.margin.evaluations},
           {"natural_frequencies_in_band", resonances},
           {"lengths_m", to_json(design.lengths)},
-          {"axial_forces_N", to_json(design.forces)}};
+          {"axial_forces_N", to_json(design.forces)},
+          {"warnings", warnings}};
 }
 
 void run(const DesignOptions& options) {
   const data::Case problem =
       load_case(options.problem, {.frequency_hz = {}, .amplitude = options.amplitude}, options.duration);
   require_undamped(problem, "the design guide");
-  const studies::Design design = design_of(problem, options);
+  analytic::require_contact(problem.beam);
+  const Ranges ranges = ranges_of(problem, options);
+  for (const double length : {problem.beam.length(), ranges.lengths.from})
+    studies::require_feasible(at_the_end_of(problem, ranges.band, length), studies::Inquiry::design);
+  const studies::Design design = design_of(problem, ranges);
+  const auto warnings =
+      warnings_of(at_the_end_of(problem, ranges.band, problem.beam.length()), studies::Inquiry::design);
+  const Json answer = to_json(problem, design, warnings);
+  require_finite(answer);
+  print_warnings(warnings);
   if (options.problem.json)
-    print_json(to_json(problem, design));
+    print_json(answer);
   else
     print_table(problem, design);
 }

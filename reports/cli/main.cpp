@@ -9,9 +9,12 @@
 #include <iostream>
 #include <new>
 #include <stdexcept>
+#include <string>
 
+#include "argument_error.hpp"
 #include "case_options.hpp"
 #include "commands.hpp"
+#include "input_text.hpp"
 #include "long_work.hpp"
 #include "output_file.hpp"
 #include "stickslip/version.hpp"
@@ -22,13 +25,15 @@ namespace {
 
 enum ExitStatus : int { done = 0, failed = 1, unusable = 2 };
 
-int refuse(const char* sentence, ExitStatus status) {
-  fmt::print(stderr, "stickslip: {}\n", sentence);
+int refuse(const std::string& sentence, ExitStatus status) {
+  constexpr std::size_t longest = 2000;
+  fmt::print(stderr, "stickslip: {}\n", data::printable(sentence, longest));
   return status;
 }
 
 void add_commands(CLI::App& app) {
   app.require_subcommand(0, 1);  // none at all is refused by run(), which lets a misspelt one be named
+  app.option_defaults()->disable_flag_override();
   app.set_version_flag("--version", fmt::format("stickslip {} (commit {})", version, commit));
   add_modes_command(app);
   add_respond_command(app);
@@ -50,14 +55,13 @@ int run(int argc, char** argv) {
   add_commands(app);
   try {
     app.parse(argc, argv);
-    if (app.get_subcommands().empty())
-      return refuse("a subcommand is required (--help lists them)", unusable);
+    require_subcommand(app);
   } catch (const CLI::Success& request) {  // --help, --version
     app.exit(request);
   } catch (const CLI::RuntimeError& outcome) {
     return outcome.get_exit_code();
   } catch (const CLI::ParseError& error) {
-    return refuse(fmt::format("{} (--help says what is allowed)", error.what()).c_str(), unusable);
+    return refuse(sentence_for(app, error), unusable);
   }
   std::cout.flush();
   if (std::fflush(stdout) != 0 || !std::cout) return refuse("standard output cannot be written", unusable);

@@ -288,7 +288,7 @@ void add_map_command(CLI::App& app) {
   command
       ->add_option("--method", options->method,
                    "Closed form, or one linear finite-element run with the tip held for each evaluation")
-      ->check(CLI::IsMember({"closed-form", "fe"}))
+      ->check(one_of({"closed-form", "fe"}))
       ->capture_default_str();
   command->add_option("--duration", options->duration, "Duration, s (else that of the case)")
       ->check(number());
@@ -299,9 +299,11 @@ void add_map_command(CLI::App& app) {
                    "CSV file, '-' for standard output; what is finished of a long map is kept in "
                    "FILE.partial, from which "
                    "the same command goes on")
+      ->check(file_name())
       ->capture_default_str();
-  command->add_option("--figure", options->figure,
-                      "Figure to draw, a .png, .pdf or .svg file (needs gnuplot)");
+  command
+      ->add_option("--figure", options->figure, "Figure to draw, a .png, .pdf or .svg file (needs gnuplot)")
+      ->check(file_name());
   add_shard_options(*command, *options);
   add_threads_option(*command);
   add_examples(*command, {"stickslip map paper --x frequency=10:40:31 --y amplitude=1e-4:1e-3:10:log "

@@ -98,7 +98,7 @@ void print_table(const data::Case& problem, const ModesOptions& options,
 }
 
 Json to_json(const data::Case& problem, const ModesOptions& options,
-             const std::vector<Frequency>& frequencies) {
+             const std::vector<Frequency>& frequencies, const std::vector<std::string>& warnings) {
   Json hz = Json::array(), errors = Json::array();
   for (const auto& frequency : frequencies) {
     hz.push_back(frequency.hz);
@@ -109,14 +109,22 @@ Json to_json(const data::Case& problem, const ModesOptions& options,
   object["frequencies_hz"] = hz;
   object["relative_error_estimates"] = errors;
   if (is_damped(problem)) object["undamped"] = true;
+  object["warnings"] = warnings;
   return object;
 }
 
 void run(const ModesOptions& options) {
   const data::Case problem = data::load_case(options.problem.name, overrides_of(options.problem));
   const auto frequencies = frequencies_of(problem, options);
+  const auto warnings = warnings_of(
+      problem,
+      options.state == "slip" ? studies::Inquiry::slip_frequencies : studies::Inquiry::stick_frequencies,
+      options.count);
+  const Json answer = to_json(problem, options, frequencies, warnings);
+  require_finite(answer);
+  print_warnings(warnings);
   if (options.problem.json)
-    print_json(to_json(problem, options, frequencies));
+    print_json(answer);
   else
     print_table(problem, options, frequencies);
 }
@@ -128,10 +136,10 @@ void add_modes_command(CLI::App& app) {
   auto options = std::make_shared<ModesOptions>();
   add_case_options(*command, options->problem);
   command->add_option("--state", options->state, "Tip pinned to the wall, or sliding under the follower load")
-      ->check(CLI::IsMember({"stick", "slip"}))
+      ->check(one_of({"stick", "slip"}))
       ->capture_default_str();
   command->add_option("--method", options->method, "Of the continuous beam, or of its finite elements")
-      ->check(CLI::IsMember({"closed-form", "fe"}))
+      ->check(one_of({"closed-form", "fe"}))
       ->capture_default_str();
   command->add_option("--count", options->count, "How many, from the lowest")
       ->check(integer_between(1, 1000))

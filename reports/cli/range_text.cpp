@@ -1,7 +1,6 @@
 #include "range_text.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "case_options.hpp"
+#include "input_text.hpp"
 
 namespace stickslip::cli {
 
@@ -30,7 +30,8 @@ constexpr std::array<std::pair<std::string_view, studies::Parameter>, 6> paramet
 
 [[noreturn]] void refuse(std::string_view option, std::string_view part, std::string_view value,
                          std::string_view allowed) {
-  throw data::InputError(fmt::format("{}: {} is '{}', but must be {}", option, part, value, allowed));
+  throw data::InputError(
+      fmt::format("{}: {} is '{}', but must be {}", option, part, data::printable(value), allowed));
 }
 
 std::vector<std::string_view> split_at_colons(std::string_view text) {
@@ -60,12 +61,13 @@ ParameterRange from_to(std::string_view option, std::string_view text, bool equa
 }
 
 studies::Parameter parameter_of(std::string_view option, std::string_view name) {
-  std::vector<std::string_view> names;
+  std::vector<std::string> names;
   for (const auto& [known, parameter] : parameters) {
     if (known == name) return parameter;
-    names.push_back(known);
+    names.emplace_back(known);
   }
-  refuse(option, "PARAMETER", name, fmt::format("one of {}", fmt::join(names, ", ")));
+  refuse(option, "PARAMETER", name,
+         fmt::format("one of {}{}", data::joined(names), data::suggestion(name, names)));
 }
 
 }  // namespace

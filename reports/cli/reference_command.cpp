@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "case_options.hpp"
@@ -99,7 +100,8 @@ void show(const ReferenceOptions& options) {
 
 void export_table(const ReferenceOptions& options) {
   const data::ReferenceTable table = data::read_table(data::load_reference(options.package), options.name);
-  const bool is_folder = options.output != "-" && std::filesystem::is_directory(options.output);
+  std::error_code error;  // what is no folder is a file, or refused as one
+  const bool is_folder = options.output != "-" && std::filesystem::is_directory(options.output, error);
   OutputFile file(is_folder
                       ? (std::filesystem::path(options.output) / table.resource.path.filename()).string()
                       : options.output);
@@ -111,7 +113,7 @@ void export_table(const ReferenceOptions& options) {
 
 void add_reference_command(CLI::App& app) {
   auto* command = app.add_subcommand("reference", "The published reference data");
-  command->require_subcommand(1);
+  command->require_subcommand(0, 1);  // none at all is refused once the arguments are read
   add_examples(*command, {"stickslip reference list", "stickslip reference export stick-history --output ."});
   auto options = std::make_shared<ReferenceOptions>();
   const auto add = [&](const char* name, const char* help, void (*action)(const ReferenceOptions&)) {
@@ -128,6 +130,7 @@ void add_reference_command(CLI::App& app) {
     sub->add_option("NAME", options->name, "A data set that 'stickslip reference list' lists")->required();
     if (sub->get_name() == "export")
       sub->add_option("--output", options->output, "File or folder, '-' for standard output")
+          ->check(file_name())
           ->capture_default_str();
   }
 }

@@ -20,10 +20,12 @@ void add_report_command(CLI::App& app) {
   options->version = version;
   options->commit = commit;
   command->add_option("--output", options->output, "Folder for vv-report.pdf and the figures (CSV, PDF, PNG)")
+      ->check(file_name())
       ->capture_default_str();
   command
       ->add_option("--tests", options->tests,
                    "Folder with GoogleTest's XML files of a test run, for the traceability matrix")
+      ->check(file_name())
       ->type_name("FOLDER");
   command
       ->add_option("--only", options->only,

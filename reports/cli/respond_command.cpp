@@ -46,6 +46,17 @@ constexpr std::string_view header =
     "time_s,base_displacement_m,tip_displacement_m,midspan_displacement_m,"
     "sliding_velocity_m_per_s,friction_force_N,state\n";
 
+// Quantities that are allowed one by one can overflow together.
+void require_finite_row(const Row& row) {
+  for (const double value : {row.base_displacement, row.tip_displacement, row.midspan_displacement,
+                             row.sliding_velocity, row.friction_force})
+    if (!std::isfinite(value))
+      throw data::InputError(
+          fmt::format("the history is not finite at {} s: quantities of this case are too large or too small "
+                      "for each other",
+                      data::shortest_text(row.time)));
+}
+
 std::string csv_line(const Row& row) {
   const auto text = [](double value) { return data::shortest_text(value + 0.0); };  // -0 becomes 0
   return fmt::format("{},{},{},{},{},{},{}\n", text(row.time), text(row.base_displacement),
@@ -79,6 +90,7 @@ class Writer {
 
   // The header goes before the first row, so that a problem that is refused writes nothing.
   void write(const Row& row) {
+    require_finite_row(row);
     if (summary_.rows == 0) file_.write(header);
     file_.write(csv_line(row));
     ++summary_.rows;
@@ -132,10 +144,22 @@ void write_closed_form(const data::Case& problem, const RespondOptions& options,
   }
 }
 
+const std::map<std::string, studies::Inquiry> inquiries{
+    {"closed-form", studies::Inquiry::closed_form_history},
+    {"event-driven", studies::Inquiry::event_driven_history},
+    {"fe", studies::Inquiry::stepped_history}};
+
 const std::map<std::string, solver::ContactScheme> schemes{
     {"located", solver::ContactScheme::located},
     {"end-of-step", solver::ContactScheme::end_of_step},
     {"paper", solver::ContactScheme::paper}};
+
+template <class Value>
+std::vector<std::string> names_of(const std::map<std::string, Value>& table) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : table) names.push_back(name);
+  return names;
+}
 
 void write_finite_element(const data::Case& problem, const RespondOptions& options, Writer& writer) {
   const auto initial_velocity = options.initial_velocity == "zero" ? solver::InitialVelocity::zero
@@ -187,8 +211,7 @@ void write_event_driven(const data::Case& problem, const RespondOptions& options
   if (!run.events().empty()) writer.summary().first_slip = run.events().front().time;
 }
 
-void write_events(const std::string& path, const std::vector<EventRow>& events) {
-  OutputFile file(path);
+void write_events(OutputFile& file, const std::vector<EventRow>& events) {
   file.write(events_header);
   for (const EventRow& event : events)
     file.write(fmt::format("{},{},{}\n", data::shortest_text(event.time), event.change,
@@ -196,16 +219,17 @@ void write_events(const std::string& path, const std::vector<EventRow>& events) 
   file.commit();
 }
 
-void warn_of_slip(const data::Case& problem, double time) {
-  fmt::print(stderr,
-             "stickslip: warning: the closed form holds while the tip sticks, but |f| exceeds mu_s P = {} N "
-             "first at "
-             "{} s; --method fe and --method event-driven follow the slip\n",
-             data::shortest_text(problem.friction.static_coefficient() * problem.beam.axial_force()),
-             data::shortest_text(time));
+std::string warning_of_slip(const data::Case& problem, double time) {
+  return fmt::format(
+      "the closed form holds while the tip sticks, but |f| exceeds mu_s P = {} N first at {} s; --method fe "
+      "and "
+      "--method event-driven follow the slip",
+      data::shortest_text(problem.friction.static_coefficient() * problem.beam.axial_force()),
+      data::shortest_text(time));
 }
 
-Json to_json(const data::Case& problem, const RespondOptions& options, const Summary& summary) {
+Json to_json(const data::Case& problem, const RespondOptions& options, const Summary& summary,
+             const std::vector<std::string>& warnings) {
   Json object{{"case", problem.name},
               {"method", options.method},
               {"frequency_hz", problem.excitation.frequency_hz()},
@@ -218,6 +242,7 @@ Json to_json(const data::Case& problem, const RespondOptions& options, const Sum
               {"changes_of_contact", summary.events.size()}};
   if (summary.first_slip) object["first_slip_s"] = *summary.first_slip;
   if (options.method == "fe") object["scheme"] = options.scheme.value_or("located");
+  object["warnings"] = warnings;
   return object;
 }
 
@@ -238,16 +263,25 @@ void run(const RespondOptions& options) {
   if (closed_form && !options.events.empty())
     throw data::InputError(
         "--events is given, but the closed form follows no slip: it needs --method fe or event-driven");
+  if (!to_standard_output && options.output == options.events)
+    throw data::InputError(
+        fmt::format("--output and --events are both '{}', but must be two files", options.output));
+  const auto inquiry = inquiries.at(options.method);
+  studies::require_feasible(problem, inquiry);
   Writer writer(options.output);
+  std::optional<OutputFile> events;
+  if (!options.events.empty()) events.emplace(options.events);  // refused now rather than after the run
   const auto write = closed_form                        ? write_closed_form
                      : options.method == "event-driven" ? write_event_driven
                                                         : write_finite_element;
   write(problem, options, writer);
   const Summary summary = writer.finish();
-  if (!options.events.empty()) write_events(options.events, summary.events);
-  if (closed_form && summary.first_slip) warn_of_slip(problem, *summary.first_slip);
+  if (events) write_events(*events, summary.events);
+  auto warnings = warnings_of(problem, inquiry);
+  if (closed_form && summary.first_slip) warnings.push_back(warning_of_slip(problem, *summary.first_slip));
+  print_warnings(warnings);
   if (options.problem.json)
-    print_json(to_json(problem, options, summary));
+    print_json(to_json(problem, options, summary, warnings));
   else if (!to_standard_output)
     fmt::print("{} rows written to {}\n", summary.rows, options.output);
 }
@@ -263,24 +297,25 @@ void add_respond_command(CLI::App& app) {
       ->add_option("--method", options->method,
                    "Finite elements with contact, event by event in the modes of the continuous beam, or the "
                    "closed form of the stick state")
-      ->check(CLI::IsMember({"closed-form", "event-driven", "fe"}))
+      ->check(one_of(names_of(inquiries)))
       ->capture_default_str();
   command
       ->add_option("--initial-velocity", options->initial_velocity,
                    "u_t(x,0): S(x) h_t(0), or the zero of the paper's text (an impulsive start)")
-      ->check(CLI::IsMember({"quasi-static", "zero"}))
+      ->check(one_of({"quasi-static", "zero"}))
       ->capture_default_str();
   command
       ->add_option("--scheme", options->scheme,
                    "When the contact changes: located inside the step, at the end of the step, or by the "
                    "letter of the paper (threshold, no impulse); the last two show what the first is worth "
                    "(default: located)")
-      ->check(CLI::IsMember(schemes));
+      ->check(one_of(names_of(schemes)));
   command->add_option("--duration", options->duration, "Duration, s (else that of the case)")
       ->check(number());
   command->add_option("--output", options->output, "CSV file, '-' for standard output")
+      ->check(file_name())
       ->capture_default_str();
-  command->add_option("--events", options->events, "CSV file for the changes of contact");
+  command->add_option("--events", options->events, "CSV file for the changes of contact")->check(file_name());
   command->add_option("--every", options->every, "Write every N-th time step only")
       ->check(integer_between(1, 1'000'000'000))
       ->capture_default_str();

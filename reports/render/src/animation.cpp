@@ -40,8 +40,17 @@ void refuse_later_frames(const OutputFolder& output, int frames) {
 
 studies::BeamMotion motion_of(const data::Case& problem, const AnimationOptions& options) {
   const studies::MotionGrid grid{0.0, options.duration, options.frames, positions};
-  return options.method == MotionMethod::finite_elements ? studies::finite_element_motion(problem, grid)
-                                                         : studies::event_driven_motion(problem, grid);
+  studies::BeamMotion motion = options.method == MotionMethod::finite_elements
+                                   ? studies::finite_element_motion(problem, grid)
+                                   : studies::event_driven_motion(problem, grid);
+  const auto is_finite = [](double value) { return std::isfinite(value); };
+  for (const auto& snapshot : motion.snapshots)
+    if (!is_finite(snapshot.friction_force) || !std::ranges::all_of(snapshot.displacement, is_finite))
+      throw data::InputError(
+          fmt::format("the motion is not finite at {} s: quantities of this case are too large or too small "
+                      "for each other",
+                      data::shortest_text(snapshot.time)));
+  return motion;
 }
 
 // Frames first ... last - 1, `positions` rows each.

@@ -36,7 +36,8 @@ TEST_F(CommandLine, RefusesUnusableArgumentsInOneSentence) {
   expect_refused("respond --method event-driven --scheme located", "schemes belong to --method fe");
   expect_refused("respond --method event-driven --set beam.axial_force=-10", "beam.axial_force is -10");
   expect_refused("respond --method closed-form --events events.csv", "--events is given");
-  expect_refused("respond --scheme exact", "exact not in {end-of-step,located,paper}");
+  expect_refused("respond --scheme exact",
+                 "--scheme: exact is unknown, but must be one of end-of-step, located, paper");
   expect_refused("respond --method closed-form --scheme paper", "schemes belong to --method fe");
   expect_refused("respond --scheme paper --set numerics.velocity_threshold=0",
                  "numerics.velocity_threshold is 0, but must be above 0 (m/s)");

@@ -76,7 +76,7 @@ TEST_F(ReferenceCommand, RefusesAPackageThatHasBeenAltered) {
   expect_refused("reference export beams --package '" + path("package") + "'", "beams.csv: its size is");
   expect_refused("reference list --package '" + path("none") + "'", "datapackage.json: cannot be opened");
   expect_refused("reference show --package '" + fixture + "'", "NAME is required");
-  expect_refused("reference", "subcommand is required");
+  expect_refused("reference", "a subcommand of reference, one of list, show, export, is required");
 }
 
 class CompareCommand : public Drawing {
