@@ -208,6 +208,12 @@ const std::vector<Requirement> table{
      "What neither implementation can model both refuse, and nothing else.",
      "Eqs. (4), (23); buckling",
      {"Refusals"}},
+    {"X21",
+     "Warnings begin where flutter, resonance, shear and rotary inertia, or the time step do, and the "
+     "estimates "
+     "in them are right.",
+     "Euler-Bernoulli; Beck; generalised-alpha",
+     {"ProblemWarnings", "ThickBeam", "LongStep", "ModesThatMatter", "Resonance", "Flutter"}},
     {"X19",
      "Doubles agree with the proven enclosures to the last places that their condition leaves.",
      "Eqs. (16) to (30)",
@@ -244,7 +250,13 @@ const std::vector<Requirement> table{
     {"U1",
      "The command line prints what the implementations return and refuses bad input in one sentence.",
      "Commands",
-     {"CommandLine", "Animation", "MapCommand", "DesignCommand", "ReferenceCommand", "CompareCommand"}},
+     {"CommandLine", "Animation", "MapCommand", "DesignCommand", "ReferenceCommand", "CompareCommand",
+      "WarningsOf"}},
+    {"U7",
+     "Every key, option and column with every defect is refused in one sentence, or taken and gives finite "
+     "numbers.",
+     "Bad input",
+     {"InputMatrix", "CaseFileInput", "ColumnInput", "ColumnsOf", "OptionInput", "OptionsOf"}},
     {"U2",
      "Figures and report appear whole or not at all, are drawn from their CSV files alone, and only when "
      "something has changed.",

@@ -1,0 +1,622 @@
+/// Bad input of every kind at every place: each row of verification/tests/data/input-matrix.csv is tried, and
+/// there is a row for everything that can be tried. What is refused is refused in one sentence, and nothing
+/// is written; what is accepted gives finite numbers.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "stickslip/data/case_file.hpp"
+#include "stickslip/data/reference.hpp"
+#include "stickslip/data/user_table.hpp"
+#include "stickslip/studies/comparison.hpp"
+#include "stickslip/studies/input_matrix.hpp"
+#include "support/command_line.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+using studies::BadInput;
+
+const std::vector<BadInput>& matrix() {
+  static const auto rows = studies::input_matrix();
+  return rows;
+}
+
+std::vector<BadInput> rows_at(const std::string& where, const std::string& item_prefix = "") {
+  std::vector<BadInput> rows;
+  for (const BadInput& row : matrix())
+    if (row.where == where && row.item.starts_with(item_prefix)) rows.push_back(row);
+  return rows;
+}
+
+constexpr std::uintmax_t hundred_megabytes = 100'000'000;
+
+// What stands instead of a good value; those that are not here are no values.
+const std::map<std::string, std::string> bad_values{{"wrong type", "two"},
+                                                    {"not a number", "nan"},
+                                                    {"infinity", "inf"},
+                                                    {"negative", "-1"},
+                                                    {"zero", "0"},
+                                                    {"huge", "1e300"},
+                                                    {"denormal", "5e-324"},
+                                                    {"not UTF-8", "\xFF\x1B[31m"},
+                                                    {"deep nesting", std::string(50'000, '[')}};
+
+std::vector<std::string> all_defects() {
+  std::vector<std::string> defects{"missing", "unknown", "duplicate", "100 MB"};
+  for (const auto& [defect, value] : bad_values) defects.push_back(defect);
+  return defects;
+}
+
+// One letter more.
+std::string misspelt(const std::string& name) { return name + name.back(); }
+
+void expect_one_sentence(const std::string& sentence) {
+  EXPECT_FALSE(sentence.empty());
+  EXPECT_LT(sentence.size(), 2100u) << sentence.substr(0, 300);
+  EXPECT_TRUE(std::ranges::none_of(sentence, [](char c) {
+    return static_cast<unsigned char>(c) < 0x20U || static_cast<unsigned char>(c) >= 0x7FU;
+  })) << sentence;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+// "nan" and "inf" as words.
+bool holds_no_number(const std::string& text) {
+  std::string word;
+  for (const char c : text + " ") {
+    if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
+      word += c;
+      continue;
+    }
+    if (word == "nan" || word == "inf") return true;
+    word.clear();
+  }
+  return false;
+}
+
+// --- The matrix itself
+
+TEST(InputMatrix, HasEveryDefectAtEveryPlaceOnce) {
+  std::map<std::pair<std::string, std::string>, std::multiset<std::string>> found;
+  for (const BadInput& row : matrix()) found[{row.where, row.item}].insert(row.defect);
+  const auto defects = all_defects();
+  for (const auto& [place, its_defects] : found)
+    EXPECT_EQ(its_defects, std::multiset<std::string>(defects.begin(), defects.end()))
+        << place.first << " " << place.second;
+}
+
+TEST(InputMatrix, CountsItsRows) {
+  const auto counts = studies::count_by_defect(matrix());
+  EXPECT_EQ(counts.size(), 3 * all_defects().size());
+  int refused = 0, accepted = 0, reasons = 0;
+  for (const auto& count : counts) {
+    refused += count.refused;
+    accepted += count.accepted;
+  }
+  EXPECT_EQ(static_cast<std::size_t>(refused + accepted), matrix().size());
+  EXPECT_EQ(refused, std::ranges::count(matrix(), true, &BadInput::is_refused));
+  for (const auto& reason : studies::count_by_reason(matrix())) reasons += reason.rows;
+  EXPECT_EQ(reasons, accepted);
+}
+
+TEST(InputMatrix, RefusesALineThatIsNone) {
+  EXPECT_THROW((void)studies::parse_input_matrix("head\na,b,c\n"), std::invalid_argument);
+  EXPECT_THROW((void)studies::parse_input_matrix("head\na,b,c,refuse\n"), std::invalid_argument);
+  EXPECT_THROW((void)studies::parse_input_matrix("head\na,b,c,accepted: \n"), std::invalid_argument);
+  EXPECT_EQ(studies::parse_input_matrix("head\na,b,c,accepted: d, e\n").front().reason, "d, e");
+}
+
+// --- Case files
+
+struct CaseLine {
+  std::string table, key, value;
+  [[nodiscard]] std::string path() const { return table + "." + key; }
+};
+
+// Those of the damped case.
+const std::vector<CaseLine>& case_lines() {
+  static const auto lines = [] {
+    std::vector<CaseLine> result;
+    std::string table;
+    std::istringstream text(contents(data::find_case("damped")));
+    for (std::string line; std::getline(text, line);) {
+      line = line.substr(0, line.find('#'));
+      const auto equals = line.find('=');
+      if (line.starts_with('[')) table = line.substr(1, line.find(']') - 1);
+      if (equals != std::string::npos)
+        result.push_back({table, line.substr(0, line.find(' ')), line.substr(equals + 2)});
+    }
+    if (result.size() == 18) result.push_back({"damping", "ratio", "0.01"});
+    return result;
+  }();
+  return lines;
+}
+
+bool is_integer(const CaseLine& line) { return line.key == "elements" || line.key == "modes"; }
+
+std::string defective(const CaseLine& line, const std::string& defect) {
+  const auto with = [&](const std::string& key, const std::string& value) {
+    return key + " = " + value + "\n";
+  };
+  if (defect == "missing") return "";
+  if (defect == "unknown") return with(misspelt(line.key), line.value);
+  if (defect == "duplicate") return with(line.key, line.value) + with(line.key, line.value);
+  if (defect == "100 MB") return with(line.key, line.value);
+  if (defect == "wrong type") return with(line.key, "'two'");
+  if (defect == "huge" && is_integer(line)) return with(line.key, "9223372036854775807");
+  return with(line.key, bad_values.at(defect));
+}
+
+class CaseFileInput : public CommandLine {
+ protected:
+  // The number of the defective line.
+  [[nodiscard]] int write_case(const BadInput& row) const {
+    std::ofstream file(path("case.toml"), std::ios::binary);
+    int number = 0, found = 0;
+    std::string table;
+    for (const CaseLine& line : case_lines()) {
+      if (line.table != table) {
+        table = line.table;
+        file << "[" << table << "]\n";
+        ++number;
+      }
+      ++number;
+      if (line.path() == row.item) found = number;
+      file << (line.path() == row.item ? defective(line, row.defect) : line.key + " = " + line.value + "\n");
+    }
+    file.close();
+    if (row.defect == "100 MB") fs::resize_file(path("case.toml"), hundred_megabytes);
+    const bool is_seen_below =
+        row.defect == "duplicate" || (row.defect == "zero" && row.item == "friction.static_coefficient");
+    return is_seen_below ? found + 1 : found;
+  }
+
+  void expect_finite(const std::string& arguments) const {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    EXPECT_FALSE(holds_no_number(outcome.output)) << outcome.output;
+  }
+};
+
+TEST_F(CaseFileInput, CoversEveryKey) {
+  std::set<std::string> keys, tried;
+  for (const CaseLine& line : case_lines()) keys.insert(line.path());
+  for (const BadInput& row : rows_at("case file")) tried.insert(row.item);
+  EXPECT_EQ(keys.size(), 19u);
+  EXPECT_EQ(tried, keys);
+}
+
+TEST_F(CaseFileInput, IsRefusedInOneSentenceOrRead) {
+  for (const BadInput& row : rows_at("case file")) {
+    SCOPED_TRACE(row.item + ", " + row.defect);
+    const int line = write_case(row);
+    try {
+      (void)data::read_case(path("case.toml"));
+      EXPECT_FALSE(row.is_refused);
+    } catch (const data::InputError& error) {
+      const std::string sentence = error.what();
+      EXPECT_TRUE(row.is_refused) << sentence;
+      expect_one_sentence(sentence);
+      const bool has_line = row.defect != "missing" && row.defect != "100 MB";
+      EXPECT_TRUE(sentence.starts_with(path("case.toml") + (has_line ? fmt::format(":{}: ", line) : ": ")))
+          << sentence;
+      const bool is_no_toml =
+          row.defect == "not UTF-8" || row.defect == "deep nesting" || row.defect == "100 MB";
+      EXPECT_TRUE(is_no_toml || contains(sentence, row.defect == "duplicate"
+                                                       ? "'" + row.item.substr(row.item.find('.') + 1) + "'"
+                                                       : row.item))
+          << sentence;
+      if (row.defect == "unknown") {
+        EXPECT_TRUE(contains(sentence, "did you mean " + row.item + "?")) << sentence;
+      }
+    }
+  }
+}
+
+// A run without P has no contact and is another matter: its frequencies are finite.
+TEST_F(CaseFileInput, ThatIsReadGivesFiniteNumbers) {
+  for (const BadInput& row : rows_at("case file")) {
+    if (row.is_refused) continue;
+    SCOPED_TRACE(row.item + ", " + row.defect);
+    (void)write_case(row);
+    const std::string name = "'" + path("case.toml") + "' ";
+    expect_finite("modes " + name + "--count 2");
+    if (row.item == "beam.axial_force") continue;
+    expect_finite("respond " + name + "--duration 0.002");
+    expect_finite("criterion " + name +
+                  "--set damping.ratio=0 --set damping.kelvin_voigt=0 --set numerics.duration=0.1");
+  }
+}
+
+TEST_F(CaseFileInput, IsRefusedByTheProgramAsByTheReader) {
+  for (const std::string& defect : all_defects()) {
+    (void)write_case({"case file", "beam.length", defect, true, ""});
+    expect_refused("modes '" + path("case.toml") + "'", "case.toml");
+    EXPECT_EQ(files().size(), 3u);  // the case, stdout, stderr
+  }
+}
+
+// --- Columns of compared tables
+
+const std::string fixture = STICKSLIP_SOURCE_DIRECTORY "/verification/tests/data/reference";
+
+const data::ReferencePackage& package() {
+  static const auto read = data::load_reference(fixture);
+  return read;
+}
+
+const data::ReferenceTable& table_of(const std::string& set) {
+  static std::map<std::string, data::ReferenceTable> tables;
+  if (!tables.contains(set)) tables.emplace(set, data::read_table(package(), set));
+  return tables.at(set);
+}
+
+class ColumnInput : public CommandLine {
+ protected:
+  // The first rows of the data set, the third one defective; returns its line.
+  void write_table(const BadInput& row, const std::string& set, const std::string& column) const {
+    auto rows = csv(table_of(set).csv);
+    rows.resize(std::min<std::size_t>(rows.size(), 8));
+    auto& names = rows.front();
+    const auto position = static_cast<std::size_t>(std::ranges::find(names, column) - names.begin());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      auto& cells = rows[i];
+      if (row.defect == "missing") cells.erase(cells.begin() + static_cast<std::ptrdiff_t>(position));
+      if (row.defect == "duplicate") cells.push_back(cells[position]);
+      if (row.defect == "unknown" && i == 0) cells[position] = misspelt(column);
+      if (i == 3 && bad_values.contains(row.defect)) cells[position] = bad_values.at(row.defect);
+    }
+    std::ofstream file(path("mine.csv"), std::ios::binary);
+    for (const auto& cells : rows) file << fmt::format("{}\n", fmt::join(cells, ","));
+    file.close();
+    if (row.defect == "100 MB") fs::resize_file(path("mine.csv"), hundred_megabytes);
+  }
+
+  void compare(const std::string& set) const {
+    const auto comparison =
+        studies::compare(package(), set, data::read_user_table(path("mine.csv"), table_of(set), {}), {});
+    for (const auto& quantity : comparison.quantities)
+      EXPECT_TRUE(!quantity.error || std::isfinite(*quantity.error)) << quantity.name;
+  }
+};
+
+TEST_F(ColumnInput, CoversEveryColumnThatIsCompared) {
+  std::set<std::string> columns, tried;
+  for (const auto& resource : package().resources)
+    if (resource.comparison)
+      for (const auto& field : resource.fields) columns.insert(resource.name + " " + field.name);
+  for (const BadInput& row : rows_at("column")) tried.insert(row.item);
+  EXPECT_EQ(tried, columns);
+}
+
+class ColumnsOf : public ColumnInput, public ::testing::WithParamInterface<std::string> {};
+
+TEST_P(ColumnsOf, AreRefusedInOneSentenceOrCompared) {
+  const std::string set = GetParam();
+  for (const BadInput& row : rows_at("column", set + " ")) {
+    SCOPED_TRACE(row.item + ", " + row.defect);
+    const std::string column = row.item.substr(set.size() + 1);
+    write_table(row, set, column);
+    try {
+      compare(set);
+      EXPECT_FALSE(row.is_refused);
+    } catch (const data::InputError& error) {
+      const std::string sentence = error.what();
+      EXPECT_TRUE(row.is_refused) << sentence;
+      expect_one_sentence(sentence);
+      EXPECT_TRUE(sentence.starts_with(path("mine.csv"))) << sentence;
+      EXPECT_TRUE(row.defect == "100 MB" || contains(sentence, column)) << sentence;
+      if (bad_values.contains(row.defect)) {
+        EXPECT_TRUE(contains(sentence, "mine.csv:4") || contains(sentence, " line 4")) << sentence;
+      }
+    }
+  }
+}
+
+std::vector<std::string> compared_sets() {
+  std::vector<std::string> names;
+  for (const auto& resource : package().resources)
+    if (resource.comparison) names.push_back(resource.name);
+  return names;
+}
+
+std::string test_name(const ::testing::TestParamInfo<std::string>& instance) {
+  std::string name = instance.param;
+  std::ranges::replace_if(
+      name, [](char c) { return c == ' ' || c == '-'; }, '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(DataSets, ColumnsOf, ::testing::ValuesIn(compared_sets()), test_name);
+
+TEST_F(ColumnInput, IsRefusedByTheProgramAsByTheReader) {
+  for (const std::string& defect : all_defects()) {
+    const BadInput row{"column", "stick-frequencies frequency", defect, true, ""};
+    if (defect == "negative" || defect == "zero" || defect == "huge" || defect == "denormal") continue;
+    write_table(row, "stick-frequencies", "frequency");
+    expect_refused("compare stick-frequencies '" + path("mine.csv") + "' --package '" + fixture +
+                       "' --json '" + path("answer.json") + "'",
+                   "mine.csv");
+    EXPECT_EQ(files().size(), 3u);  // the table, stdout, stderr
+  }
+}
+
+// --- Options
+
+// What makes a subcommand run fast; an option that is tried replaces its own.
+struct Command {
+  std::string name;
+  std::vector<std::pair<std::string, std::string>> arguments;  // a positional one has no '-'
+};
+
+std::vector<Command> commands() {
+  const std::string set = "stick-frequencies";
+  return {{"modes", {{"CASE", "paper"}}},
+          {"respond", {{"CASE", "paper"}, {"--duration", "0.001"}, {"--output", "FOLDER/out.csv"}}},
+          {"animate",
+           {{"CASE", "paper"}, {"--duration", "0.001"}, {"--frames", "2"}, {"--output", "FOLDER/film"}}},
+          {"criterion", {{"CASE", "paper"}, {"--set", "numerics.duration=0.1"}}},
+          {"map",
+           {{"CASE", "paper"},
+            {"--x", "frequency=20:30:2"},
+            {"--y", "amplitude=1e-4:1e-3:2"},
+            {"--duration", "0.1"},
+            {"--output", "FOLDER/out.csv"}}},
+          {"design",
+           {{"CASE", "paper"},
+            {"--band", "20:20"},
+            {"--length", "1.99:2"},
+            {"--force", "499:500"},
+            {"--duration", "0.1"}}},
+          {"reference list", {{"--package", fixture}}},
+          {"reference show", {{"NAME", set}, {"--package", fixture}}},
+          {"reference export", {{"NAME", set}, {"--package", fixture}, {"--output", "FOLDER/out.csv"}}},
+          {"compare", {{"NAME", set}, {"FILE", fixture + "/frequencies/stick.csv"}, {"--package", fixture}}},
+          {"report", {{"--only", "fig2"}, {"--output", "FOLDER/report"}}},
+          {"cases", {}}};
+}
+
+std::string in_quotes(const std::string& text) { return "'" + text + "'"; }
+
+class OptionInput : public Drawing {
+ protected:
+  void SetUp() override {
+    Drawing::SetUp();
+    fs::current_path(path(""));  // where a file with a bad name would appear
+    install_gnuplot(
+        "[ -n \"$output\" ] && echo drawn > \"$output\"; for i in 0001 0002; do echo drawn > frame-$i.png; "
+        "done\n");
+  }
+
+  void TearDown() override {
+    fs::current_path(old_folder_);
+    Drawing::TearDown();
+  }
+
+  struct Listed {
+    std::string name;
+    bool takes_value{};
+  };
+
+  // What --help lists, but for itself.
+  [[nodiscard]] std::vector<Listed> listed(const std::string& command) const {
+    std::vector<Listed> options;
+    std::istringstream lines(run(command + " --help").output);
+    for (std::string line; std::getline(lines, line);) {
+      if (!line.starts_with("  ") || line.starts_with("   ") || line.starts_with("  -h")) continue;
+      std::istringstream words(line);
+      std::string name, type;
+      words >> name >> type;
+      const bool is_positional =
+          std::ranges::all_of(name, [](char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; });
+      if (!is_positional && !name.starts_with("--")) continue;
+      const bool names_a_type = line.size() > name.size() + 3 && line[name.size() + 3] != ' ';
+      options.push_back({name, is_positional || names_a_type});
+    }
+    return options;
+  }
+
+  // The command with that defect at that option.
+  [[nodiscard]] std::string arguments(const Command& command, const Listed& option,
+                                      const std::string& defect) const {
+    std::vector<std::string> words;
+    std::string good = "1";
+    for (const auto& [name, value] : command.arguments) {
+      if (name == option.name) good = value;
+      if (name == option.name && name != "--set") continue;
+      if (name.starts_with('-')) words.push_back(name);
+      words.push_back(value);
+    }
+    const bool is_positional = !option.name.starts_with('-');
+    const auto value = defect == "100 MB"            ? std::string(100'000, 'a')
+                       : bad_values.contains(defect) ? bad_values.at(defect)
+                                                     : good;
+    const auto give = [&](const std::string& name, const std::string& text) {
+      if (is_positional)
+        words.insert(option.name == "FILE" ? words.begin() + 1 : words.begin(), text);
+      else if (option.takes_value)
+        words.insert(words.end(), {name, text});
+      else
+        words.push_back(name);
+    };
+    if (defect == "missing") {
+      if (!is_positional) words.push_back(option.name);
+    } else if (defect == "unknown") {
+      give(misspelt(option.name), is_positional ? misspelt(good) : good);
+    } else if (defect == "duplicate") {
+      give(option.name, good);
+      give(option.name, good);
+    } else if (is_positional) {
+      give(option.name, value);
+    } else {
+      words.push_back(option.name + "=" + value);
+    }
+    std::string text = command.name;
+    for (std::string word : words) {
+      if (const auto at = word.find("FOLDER"); at != std::string::npos) word.replace(at, 6, path(""));
+      text += " " + in_quotes(word);
+    }
+    return text;
+  }
+
+  void try_all(const std::string& name) const {
+    const auto known = commands();
+    const Command& command = *std::ranges::find(known, name, &Command::name);
+    const auto options = listed(name);
+    std::set<std::string> found, tried;
+    for (const Listed& option : options) found.insert(name + " " + option.name);
+    const auto folder = files();
+    for (const BadInput& row : rows_at("option", name + " ")) {
+      const auto option = std::ranges::find(options, row.item.substr(name.size() + 1), &Listed::name);
+      tried.insert(row.item);
+      if (option == options.end()) continue;
+      SCOPED_TRACE(row.item + ", " + row.defect);
+      try_one(row, arguments(command, *option, row.defect), folder);
+    }
+    EXPECT_EQ(tried, found);
+  }
+
+ private:
+  const fs::path old_folder_ = fs::current_path();
+
+  void try_one(const BadInput& row, const std::string& arguments, std::vector<std::string> before) const {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, row.is_refused ? 2 : 0) << arguments.substr(0, 300) << "\n"
+                                                      << outcome.errors.substr(0, 300);
+    if (!row.is_refused) {
+      const bool repeats_a_name = row.reason == "a file may have that name";
+      EXPECT_TRUE(repeats_a_name || !holds_no_number(outcome.output)) << outcome.output;
+      for (const std::string& name : files())
+        if (name != "tools" && name != "stdout" && name != "stderr") fs::remove_all(path(name));
+      return;
+    }
+    EXPECT_EQ(outcome.output, "");
+    EXPECT_TRUE(outcome.errors.starts_with("stickslip: ") && outcome.errors.ends_with("\n"))
+        << outcome.errors;
+    if (!outcome.errors.empty()) expect_one_sentence(outcome.errors.substr(0, outcome.errors.size() - 1));
+    auto after = files();
+    std::erase(after, "stdout");
+    std::erase(after, "stderr");
+    std::erase(before, "stdout");
+    std::erase(before, "stderr");
+    EXPECT_EQ(after, before);
+    if (row.defect == "unknown" && row.item.find("--") != std::string::npos) {
+      EXPECT_TRUE(contains(outcome.errors, "did you mean " + row.item.substr(row.item.find("--")) + "?"))
+          << outcome.errors;
+    }
+  }
+};
+
+class OptionsOf : public OptionInput, public ::testing::WithParamInterface<std::string> {};
+
+TEST_P(OptionsOf, AreRefusedInOneSentenceOrTaken) { try_all(GetParam()); }
+
+std::vector<std::string> command_names() {
+  std::vector<std::string> names;
+  for (const Command& command : commands()) names.push_back(command.name);
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Subcommands, OptionsOf, ::testing::ValuesIn(command_names()), test_name);
+
+TEST_F(OptionInput, BelongToTheSubcommandsThatAreTried) {
+  std::set<std::string> names;
+  for (const std::string& name : command_names()) names.insert(name.substr(0, name.find(' ')));
+  std::istringstream lines(run("--help").output);
+  std::set<std::string> listed_names;
+  bool below = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (below && line.starts_with("  ") && !line.starts_with("   ")) {
+      std::istringstream words(line);
+      std::string name;
+      words >> name;
+      listed_names.insert(name);
+    }
+    below = below || line.starts_with("Subcommands");
+  }
+  EXPECT_EQ(listed_names, names);
+}
+
+TEST_F(OptionInput, ThatIsMisspeltGetsASuggestion) {
+  expect_refused("resond", "the subcommand resond is unknown (did you mean respond?)");
+  expect_refused("reference lst", "the subcommand lst is unknown (did you mean list?)");
+  expect_refused("modes --stat slip", "the option --stat is unknown (did you mean --state?)");
+  expect_refused("modes --stat=slip", "the option --stat=slip is unknown (did you mean --state?)");
+  expect_refused("modes --state slipp",
+                 "--state: slipp is unknown (did you mean slip?), but must be one of stick, slip");
+  expect_refused("map --x frequncy=1:2:3", "(did you mean frequency?)");
+  expect_refused("modes paper damped", "the argument damped is one more than modes takes");
+}
+
+TEST_F(OptionInput, ThatHasNoValueOrTwoIsNamed) {
+  expect_refused("modes --count", "--count is given without a value");
+  expect_refused("modes --count 3 --count 4", "--count is given 2 times");
+  expect_refused("modes --json=nan", "--json is given a value, but must stand alone");
+  expect_refused("respond --hz nan", "--hz: excitation.frequency_hz is nan");
+  expect_refused("respond --duration 1e9",
+                 "--duration: numerics.duration is 1e+09, but must be at most a billion times");
+  expect_refused("criterion --set numerics.duration=1e5",
+                 "a hundred million periods of natural frequency 10");
+  expect_refused("respond --output a --events a",
+                 "--output and --events are both 'a', but must be two files");
+}
+
+// --- Warnings of the program: one line each on standard error, the sentences in JSON, the exit status
+// unchanged.
+
+class WarningsOf : public CommandLine {
+ protected:
+  void expect_warning(const std::string& arguments, const std::string& part) const {
+    const Outcome outcome = run(arguments + " --json");
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    const auto answer = nlohmann::json::parse(outcome.output);
+    std::string lines;
+    for (const auto& warning : answer["warnings"])
+      lines += "stickslip: warning: " + warning.get<std::string>() + "\n";
+    EXPECT_EQ(outcome.errors, lines);
+    EXPECT_TRUE(contains(lines, part)) << arguments << "\n" << lines;
+  }
+};
+
+TEST_F(WarningsOf, TheSubcommandsAreOneLineEachAndInJson) {
+  const std::string output = " --output '" + path("out.csv") + "'";
+  expect_warning("modes --count 10", "natural frequency 10 comes out about 38 % too high");
+  expect_warning("modes --count 10 --state slip --method fe",
+                 "natural frequency 10 comes out about 34 % too high");
+  expect_warning("criterion", "grows with t, until 17.8 s");
+  expect_warning("respond --method closed-form --duration 1" + output, "next to natural frequency 1");
+  expect_warning("respond --hz 15 --duration 0.1 --set numerics.time_step=5e-3" + output,
+                 "too long for natural frequency");
+  expect_warning("respond --set beam.axial_force=84000 --duration 0.002" + output,
+                 "at the flutter load of the sliding beam");
+  expect_warning("respond --method event-driven --set beam.axial_force=84000 --duration 0.002" + output,
+                 "flutter load");
+  expect_warning("design --band 300:300 --duration 0.1 --length 1.99:2 --force 499:500",
+                 "thick for Euler-Bernoulli");
+}
+
+TEST_F(WarningsOf, ARunThatDeservesNoneAreNone) {
+  for (const std::string arguments :
+       {"modes --count 2", "criterion --hz 15 --set numerics.duration=0.5", "respond --hz 15 --duration 0.1"})
+    EXPECT_EQ(run(arguments).errors, "") << arguments;
+  EXPECT_EQ(json("modes --count 2")["warnings"], nlohmann::json::array());
+}
+
+}  // namespace
+}  // namespace stickslip::testing
