@@ -90,6 +90,8 @@ bool holds_no_number(const std::string& text) {
   return false;
 }
 
+std::string in_quotes(const std::string& text) { return fmt::format("'{}'", text); }
+
 // --- The matrix itself
 
 TEST(InputMatrix, HasEveryDefectAtEveryPlaceOnce) {
@@ -219,7 +221,7 @@ TEST_F(CaseFileInput, IsRefusedInOneSentenceOrRead) {
       const bool is_no_toml =
           row.defect == "not UTF-8" || row.defect == "deep nesting" || row.defect == "100 MB";
       EXPECT_TRUE(is_no_toml || contains(sentence, row.defect == "duplicate"
-                                                       ? "'" + row.item.substr(row.item.find('.') + 1) + "'"
+                                                       ? in_quotes(row.item.substr(row.item.find('.') + 1))
                                                        : row.item))
           << sentence;
       if (row.defect == "unknown") {
@@ -235,7 +237,7 @@ TEST_F(CaseFileInput, ThatIsReadGivesFiniteNumbers) {
     if (row.is_refused) continue;
     SCOPED_TRACE(row.item + ", " + row.defect);
     (void)write_case(row);
-    const std::string name = "'" + path("case.toml") + "' ";
+    const std::string name = in_quotes(path("case.toml")) + " ";
     expect_finite("modes " + name + "--count 2");
     if (row.item == "beam.axial_force") continue;
     expect_finite("respond " + name + "--duration 0.002");
@@ -391,8 +393,6 @@ std::vector<Command> commands() {
           {"report", {{"--only", "fig2"}, {"--output", "FOLDER/report"}}},
           {"cases", {}}};
 }
-
-std::string in_quotes(const std::string& text) { return "'" + text + "'"; }
 
 class OptionInput : public Drawing {
  protected:
