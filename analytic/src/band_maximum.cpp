@@ -23,14 +23,6 @@ void require(bool holds, std::string_view field, double value, std::string_view 
 
 }  // namespace
 
-std::vector<ModalForce> modal_forces(const data::Beam& beam, int modes) {
-  std::vector<ModalForce> forces;
-  for (const StickMode& mode : stick_modes(beam, modes))
-    forces.push_back({mode.angular_frequency(),
-                      bending_stiffness(beam) * mode.third_derivative(beam.length()) * mode.participation()});
-  return forces;
-}
-
 BandMaximum::BandMaximum(const data::Beam& beam, const FrequencyBand& band, double duration, int modes)
     : beam_(beam),
       duration_(duration),

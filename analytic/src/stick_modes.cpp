@@ -20,7 +20,7 @@ using std::numbers::pi;
 /// z_cr = P_cr L^2/EI = y^2, with y the first positive root of tan y = y.
 double buckling_load_factor() {
   const auto function = [](double y) { return std::sin(y) - y * std::cos(y); };
-  const double y =
+  static const double y =
       brent_root(as_gsl_function(function), {pi, 1.5 * pi}, 2.0 * std::numeric_limits<double>::epsilon());
   return y * y;
 }

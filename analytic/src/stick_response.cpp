@@ -12,6 +12,7 @@
 
 #include "beam_constants.hpp"
 #include "messages.hpp"
+#include "stickslip/analytic/force_maximum.hpp"
 
 namespace stickslip::analytic {
 namespace {
@@ -293,7 +294,19 @@ double StickResponse::second_derivative_bound(const History& history, double dur
   return bound + std::abs(at_omega) * omega_ * omega_;
 }
 
+ModalReaction StickResponse::reaction() const {
+  ModalReaction reaction{.quasi_static = force_.base, .modes = {}};
+  for (std::size_t n = 0; n < modes_.size(); ++n)
+    reaction.modes.push_back({modes_[n].angular_frequency(), force_.weights[n] / (omega_ * omega_)});
+  return reaction;
+}
+
 Bounds StickResponse::max_abs_friction_force(double duration, double relative_width) const {
+  const Bounds per_unit = ForceMaximum(reaction(), omega_, duration).refined_to(relative_width);
+  return {amplitude_ * per_unit.lower, amplitude_ * per_unit.upper};
+}
+
+Bounds StickResponse::max_abs_friction_force_by_halving(double duration, double relative_width) const {
   require_positive("numerics.duration", duration);
   if (!(relative_width >= 1e-13 && relative_width < 1.0))
     throw std::invalid_argument(refusal("relative_width", relative_width, "1e-13 ... 1"));

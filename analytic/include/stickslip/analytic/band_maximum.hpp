@@ -25,6 +25,7 @@
 #include <vector>
 
 #include "stickslip/analytic/bounds.hpp"
+#include "stickslip/analytic/modal_reaction.hpp"
 #include "stickslip/data/problem.hpp"
 
 namespace stickslip::analytic {
@@ -34,15 +35,6 @@ struct FrequencyBand {
   double from_hz{};
   double to_hz{};
 };
-
-/// The share of one mode in the stick-state reaction.
-struct ModalForce {
-  double angular_frequency{};  ///< omega_n, rad/s
-  double coefficient{};        ///< c_n = EI U_n'''(L) C_n, N/m
-};
-
-/// The first `modes` shares, ascending. Throws what stick_modes() throws.
-[[nodiscard]] std::vector<ModalForce> modal_forces(const data::Beam& beam, int modes);
 
 /// The search for that largest force, which can be taken up again for narrower bounds.
 class BandMaximum {

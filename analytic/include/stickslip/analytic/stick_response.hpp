@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "stickslip/analytic/bounds.hpp"
+#include "stickslip/analytic/modal_reaction.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/problem.hpp"
 
@@ -66,8 +67,14 @@ class StickResponse {
   [[nodiscard]] double steady_displacement_amplitude(double x) const;
   [[nodiscard]] std::vector<Sinusoid> transient_displacement(double x) const;
 
+  /// f as the sum over modes that it is, per unit amplitude.
+  [[nodiscard]] ModalReaction reaction() const;
+
   /// Bounds of max |f(t)| over 0 <= t <= duration, rigorous for the N modes kept at their computed
-  /// frequencies.
+  /// frequencies and amplitudes: ForceMaximum of reaction(), times A0. Throws what that throws.
+  [[nodiscard]] Bounds max_abs_friction_force(double duration, double relative_width = 1e-10) const;
+
+  /// The same the plain way, without the rounding of f in the bounds.
   ///
   /// On an interval of length h the maximum exceeds the larger end value by at most (h^2/8) max|f''|, and
   /// max|f''| <= sum |a_i| w_i^2; a mode in resonance, whose two amplitudes are large and opposite, counts
@@ -75,7 +82,8 @@ class StickResponse {
   /// best value found are dropped, the others are halved, until upper - lower <= relative_width * lower.
   /// Throws std::invalid_argument unless duration > 0 (numerics.duration) and 1e-13 <= relative_width < 1, or
   /// if the first division already needs more than 1e9 intervals.
-  [[nodiscard]] Bounds max_abs_friction_force(double duration, double relative_width = 1e-10) const;
+  [[nodiscard]] Bounds max_abs_friction_force_by_halving(double duration,
+                                                         double relative_width = 1e-10) const;
 
   /// The same from samples at t = i * sampling_step and t = duration only: lower is the largest sample, upper
   /// adds (sampling_step^2/8) max|f''|. Throws std::invalid_argument unless duration > 0, sampling_step > 0

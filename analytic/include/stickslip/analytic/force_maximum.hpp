@@ -1,0 +1,86 @@
+#pragma once
+
+/// |f_max| of Eqs. (29) and (30), fast: the same number as StickResponse::max_abs_friction_force, which is
+/// the plain way, at a fraction of its cost.
+///
+/// Per unit amplitude the reaction is a sum of sinusoids, a_0 sin(Omega t) + sum a_n sin(omega_n t), and of
+/// one modulated sinusoid for each mode in resonance, |Omega - omega_n| T < 2. Three bounds find its largest
+/// value over 0 <= t <= T without sampling it finely. On an interval of half-width r about t_c, with f_k the
+/// first k terms in falling order of amplitude, C_k >= max|f_k''|, D_k >= max|f_k'''| and R_k >= |f - f_k|,
+///
+///     |f| <= max(|f_k(t_c - r)|, |f_k(t_c + r)|) + C_k r^2/2 + R_k                                 (chord)
+///     |f| <= max |f_k(t_c) + f_k'(t_c) s + f_k''(t_c) s^2/2| + D_k r^3/6 + R_k,   |s| <= r       (parabola)
+///     |f| <= |f(t)| + f'(t)^2/(2 m)       where f has one sign, is concave away from zero, m <= |f''| (peak)
+///
+/// The amplitudes of the free vibrations fall as n^-4 while each has the same share in f'': a coarse division
+/// needs few terms, and the rest counts with its amplitude. A grid with the chord bound drops most of the
+/// time, with the terms and the step that make it cheapest; what is left is halved under the parabola bound,
+/// with more terms as it gets narrower, until the peak bound closes a piece after two or three steps of
+/// Newton's method.
+
+#include <cstddef>
+#include <vector>
+
+#include "stickslip/analytic/bounds.hpp"
+#include "stickslip/analytic/modal_reaction.hpp"
+
+namespace stickslip::analytic {
+
+/// The reaction of one beam to one excitation frequency over 0 <= t <= duration, per unit amplitude.
+class ForceMaximum {
+ public:
+  /// angular_frequency: Omega, rad/s; duration: T, s. Throws std::invalid_argument, naming
+  /// excitation.frequency_hz or numerics.duration, unless both are positive and finite.
+  ForceMaximum(const ModalReaction& reaction, double angular_frequency, double duration);
+
+  /// Bounds of max |f|/A0, N/m, with upper - lower <= relative_width * lower + 3 rounding(). They enclose the
+  /// maximum over all real t for the frequencies and coefficients given, rounding included. Throws
+  /// std::invalid_argument unless 1e-13 <= relative_width < 1, or if the grid would need more than 1e9
+  /// points.
+  [[nodiscard]] Bounds refined_to(double relative_width = 1e-10) const;
+
+  /// Whether max |f|/A0 exceeds the limit, N/m: what refined_to(1e-10).lower > limit says, at the cost of
+  /// deciding it.
+  [[nodiscard]] bool exceeds(double limit) const;
+
+  /// f(t)/A0, N/m.
+  [[nodiscard]] double value(double t) const;
+
+  /// Bound of the rounding error of an evaluation of f/A0, N/m.
+  [[nodiscard]] double rounding() const noexcept { return rounding_; }
+
+ private:
+  class Search;
+
+  // a sin(w t)
+  struct Sinusoid {
+    double amplitude{};
+    double angular_frequency{};
+  };
+  // b e(t) cos(sigma t), e(t) = sin(delta t)/delta: a mode in resonance, together with a Sinusoid.
+  struct Beat {
+    double amplitude{};  // b
+    double mean{};       // sigma = (Omega + omega_n)/2
+    double detuning{};   // delta = (Omega - omega_n)/2
+  };
+  struct Jet {
+    double value{}, slope{}, curvature{};
+  };
+  // What bounds the first k sinusoids with all beats, and the rest.
+  struct Truncation {
+    double curvature{};  // C_k
+    double third{};      // D_k
+    double rest{};       // R_k
+  };
+
+  [[nodiscard]] Jet jet(double t, std::size_t terms) const;
+  [[nodiscard]] double beats(double t) const;
+
+  double duration_;
+  std::vector<Sinusoid> sinusoids_;  // that at Omega first, then in falling order of amplitude
+  std::vector<Beat> beats_;
+  std::vector<Truncation> truncations_;  // by k = 1 ... sinusoids_.size()
+  double rounding_{};
+};
+
+}  // namespace stickslip::analytic

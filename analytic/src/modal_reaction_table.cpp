@@ -1,0 +1,120 @@
+#include "stickslip/analytic/modal_reaction_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+#include "beam_constants.hpp"
+#include "messages.hpp"
+
+namespace stickslip::analytic {
+namespace {
+
+using Functions = std::vector<double>;
+
+/// 1/(L^3 S'''(L)), then Omega_n^2 and Omega_n^2 c_n L^3/EI by mode, from the beam with L = EI = rho A = 1.
+Functions tabulated_functions(double load_factor, int modes) {
+  const data::Beam beam({.length = 1.0,
+                         .area = 1.0,
+                         .second_moment_of_area = 1.0,
+                         .density = 1.0,
+                         .youngs_modulus = 1.0,
+                         .axial_force = load_factor});
+  const ModalReaction reaction = modal_reaction(beam, modes);
+  Functions values{1.0 / reaction.quasi_static};
+  for (const ModalForce& mode : reaction.modes) {
+    const double squared = mode.angular_frequency * mode.angular_frequency;
+    values.push_back(squared);
+    values.push_back(squared * mode.coefficient);
+  }
+  return values;
+}
+
+/// Chebyshev coefficients by degree of the interpolant in `count` points of the first kind on [lowest,
+/// highest].
+std::vector<Functions> interpolant(double lowest, double highest, int modes, std::size_t count) {
+  std::vector<Functions> samples;
+  const auto angle = [count](std::size_t j) {
+    return std::numbers::pi * (static_cast<double>(j) + 0.5) / static_cast<double>(count);
+  };
+  for (std::size_t j = 0; j < count; ++j)
+    samples.push_back(tabulated_functions(std::lerp(lowest, highest, 0.5 + 0.5 * std::cos(angle(j))), modes));
+  std::vector<Functions> coefficients(count, Functions(samples.front().size(), 0.0));
+  for (std::size_t k = 0; k < count; ++k)
+    for (std::size_t j = 0; j < count; ++j) {
+      const double weight =
+          (k == 0 ? 1.0 : 2.0) / static_cast<double>(count) * std::cos(static_cast<double>(k) * angle(j));
+      for (std::size_t f = 0; f < samples[j].size(); ++f) coefficients[k][f] += weight * samples[j][f];
+    }
+  return coefficients;
+}
+
+/// Whether the last two coefficients of each function are rounding.
+bool ends_in_rounding(const std::vector<Functions>& coefficients) {
+  constexpr double rounding = 64.0 * std::numeric_limits<double>::epsilon();
+  const std::size_t degrees = coefficients.size();
+  for (std::size_t f = 0; f < coefficients.front().size(); ++f) {
+    double largest = 0.0;
+    for (const Functions& of_degree : coefficients) largest = std::max(largest, std::abs(of_degree[f]));
+    if (std::abs(coefficients[degrees - 1][f]) + std::abs(coefficients[degrees - 2][f]) > rounding * largest)
+      return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+ModalReactionTable::ModalReactionTable(double lowest_load_factor, double highest_load_factor, int modes)
+    : lowest_(lowest_load_factor), highest_(highest_load_factor) {
+  if (!(lowest_ >= 0.0 && lowest_ <= highest_))
+    throw std::invalid_argument(refusal("the lowest load factor", lowest_,
+                                        "at least 0 and at most the highest, " + digits(highest_)));
+  for (std::size_t count = 8; count <= 128; count *= 2) {
+    coefficients_ = interpolant(lowest_, highest_, modes, count);
+    if (ends_in_rounding(coefficients_)) return;
+  }
+  throw std::runtime_error("the modes as functions of the load factor did not converge");
+}
+
+// Clenshaw's recurrence, for all functions at once.
+std::vector<double> ModalReactionTable::functions_at(double load_factor) const {
+  const double width = highest_ - lowest_;
+  const double x = width > 0.0 ? (2.0 * load_factor - lowest_ - highest_) / width : 0.0;
+  const std::size_t count = coefficients_.front().size();
+  Functions next(count, 0.0), after(count, 0.0);
+  for (std::size_t k = coefficients_.size() - 1; k > 0; --k) {
+    for (std::size_t f = 0; f < count; ++f) after[f] = coefficients_[k][f] + 2.0 * x * next[f] - after[f];
+    next.swap(after);
+  }
+  for (std::size_t f = 0; f < count; ++f) after[f] = coefficients_[0][f] + x * next[f] - after[f];
+  return after;
+}
+
+bool ModalReactionTable::holds(const data::Beam& beam) const {
+  const double z = axial_load_factor(beam);
+  return z >= lowest_ && z <= highest_;
+}
+
+ModalReaction ModalReactionTable::at(const data::Beam& beam) const {
+  const double z = axial_load_factor(beam);
+  if (!holds(beam))
+    throw std::invalid_argument(
+        refusal("the load factor P L^2/EI", z,
+                "in the range of the table, " + digits(lowest_) + " ... " + digits(highest_)));
+  const Functions values = functions_at(z);
+  const double length = beam.length();
+  const double stiffness = bending_stiffness(beam) / (length * length * length);  // EI/L^3
+  const double frequency = std::sqrt(stiffness / (mass_per_length(beam) * length));
+  ModalReaction reaction{.quasi_static = stiffness / values[0], .modes = {}};
+  reaction.modes.reserve(values.size() / 2);
+  for (std::size_t n = 0; n < values.size() / 2; ++n) {
+    const double squared = values[1 + 2 * n];
+    reaction.modes.push_back({frequency * std::sqrt(squared), stiffness * values[2 + 2 * n] / squared});
+  }
+  return reaction;
+}
+
+}  // namespace stickslip::analytic
