@@ -8,6 +8,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "stickslip/solver/held_tip_basis.hpp"
+#include "stickslip/solver/modal_stick_run.hpp"
+
 namespace stickslip::solver {
 
 PrescribedMotion harmonic_motion(const data::HarmonicExcitation& excitation) {
@@ -83,6 +86,15 @@ IntegratorSettings integrator_settings(const data::NumericalSettings& numerics, 
           .scheme = run.scheme};
 }
 
+void require_undamped(const data::Damping& damping) {
+  const bool viscous = damping.kelvin_voigt() > 0.0;
+  if (!viscous && damping.ratio() == 0.0) return;
+  std::ostringstream value;
+  value << (viscous ? damping.kelvin_voigt() : damping.ratio());
+  throw data::FieldError(viscous ? "damping.kelvin_voigt" : "damping.ratio", value.str(),
+                         "0 in modal coordinates, which damping would couple");
+}
+
 BeamModel checked_model(const data::Beam& beam, int elements, TipContact contact) {
   require_contact(beam, contact);
   BeamModel model(beam, elements);
@@ -95,36 +107,57 @@ BeamModel checked_model(const data::Beam& beam, int elements, TipContact contact
 BeamSimulation::BeamSimulation(const data::Beam& beam, const data::FrictionLaw& friction,
                                const data::HarmonicExcitation& excitation,
                                const data::NumericalSettings& numerics, const BeamRun& run)
-    : model_(checked_model(beam, numerics.elements(), run.contact)),
-      base_(harmonic_motion(excitation)),
-      integrator_(beam_contact_system(model_, friction, base_, run.damping),
-                  integrator_settings(numerics, run)),
-      midspan_(model_.interpolation(0.5 * beam.length())) {
+    : model_(checked_model(beam, numerics.elements(), run.contact)), base_(harmonic_motion(excitation)) {
+  const IntegratorSettings settings = integrator_settings(numerics, run);
   const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(model_.degrees_of_freedom());
-  const Eigen::VectorXd shape = model_.unit_tip_deflection();
-  const double tip_velocity = -base_.velocity(0.0);
-  integrator_.start_stuck(at_rest,
-                          run.initial_velocity == InitialVelocity::zero ? at_rest : tip_velocity * shape);
+  Eigen::VectorXd velocity = -base_.velocity(0.0) * model_.unit_tip_deflection();
+  if (run.initial_velocity == InitialVelocity::zero)
+    velocity.head(model_.tip_deflection()).setZero(), velocity[model_.tip_rotation()] = 0.0;
+  if (run.coordinates == Coordinates::modal) {
+    require_undamped(run.damping);
+    const HeldTipBasis basis = held_tip_basis(model_);
+    integrator_ = std::make_unique<ModalStickSlipIntegrator>(
+        modal_contact_system(model_, basis, friction, base_), settings);
+    basis_.resize(model_.degrees_of_freedom(), model_.degrees_of_freedom());
+    basis_ << basis.modes, basis.static_shape;
+    velocity = modal_coordinates(model_, basis, velocity);
+  } else {
+    integrator_ = std::make_unique<StickSlipIntegrator>(
+        beam_contact_system(model_, friction, base_, run.damping), settings);
+  }
+  midspan_ = weights_at(0.5 * beam.length());
+  integrator_->start_stuck(at_rest, velocity);
+}
+
+Eigen::VectorXd BeamSimulation::weights_at(double x) const {
+  const Eigen::VectorXd nodal = model_.interpolation(x);
+  return basis_.size() > 0 ? basis_.transpose() * nodal : nodal;
 }
 
 double BeamSimulation::base_displacement() const { return base_.displacement(time()); }
 
 double BeamSimulation::displacement(double x) const {
-  return base_displacement() + model_.interpolation(x).dot(integrator_.displacement());
+  return base_displacement() + weights_at(x).dot(integrator_->displacement());
 }
 
 double BeamSimulation::tip_displacement() const {
-  return base_displacement() + integrator_.displacement()[model_.tip_deflection()];
+  return base_displacement() + integrator_->displacement()[integrator_->system().contact];
 }
 
 double BeamSimulation::midspan_displacement() const {
-  return base_displacement() + midspan_.dot(integrator_.displacement());
+  return base_displacement() + midspan_.dot(integrator_->displacement());
 }
 
 long step_count(double duration, double time_step) { return std::lround(duration / time_step); }
 
 double max_abs_friction_force(const data::Beam& beam, const data::HarmonicExcitation& excitation,
-                              const data::NumericalSettings& numerics, const data::Damping& damping) {
+                              const data::NumericalSettings& numerics, const data::Damping& damping,
+                              Coordinates coordinates) {
+  if (coordinates == Coordinates::modal) {
+    require_undamped(damping);
+    return ModalStickRun(beam, excitation, numerics)
+        .max_abs_friction_force(step_count(numerics.duration(), numerics.time_step()));
+  }
   const data::FrictionLaw unused({});
   BeamSimulation simulation(beam, unused, excitation, numerics,
                             {.contact = TipContact::glued, .damping = damping});
@@ -138,8 +171,10 @@ double max_abs_friction_force(const data::Beam& beam, const data::HarmonicExcita
 
 std::optional<double> first_slip(const data::Beam& beam, const data::FrictionLaw& friction,
                                  const data::HarmonicExcitation& excitation,
-                                 const data::NumericalSettings& numerics, const data::Damping& damping) {
-  BeamSimulation simulation(beam, friction, excitation, numerics, {.damping = damping});
+                                 const data::NumericalSettings& numerics, const data::Damping& damping,
+                                 Coordinates coordinates) {
+  BeamSimulation simulation(beam, friction, excitation, numerics,
+                            {.damping = damping, .coordinates = coordinates});
   const auto& events = simulation.integrator().events();
   for (long n = step_count(numerics.duration(), numerics.time_step()); n > 0 && events.empty(); --n)
     simulation.step();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -21,12 +22,20 @@ enum class TipContact {
   glued      ///< the tip never slips: the linear stick state for all time
 };
 
+/// In which coordinates a run steps: the results differ by rounding, the cost tenfold and more.
+enum class Coordinates {
+  nodal,  ///< deflections and rotations of the nodes, sparse matrices: the plain way, linear in the elements
+  modal   ///< of a HeldTipBasis: fast; undamped, and for meshes whose modes are worth finding, up to some
+          ///< hundred elements
+};
+
 /// What a run may do differently from the paper's.
 struct BeamRun {
   TipContact contact{TipContact::friction};
   InitialVelocity initial_velocity{InitialVelocity::quasi_static};
   data::Damping damping{};  ///< see damping_matrix()
   ContactScheme scheme{ContactScheme::located};
+  Coordinates coordinates{Coordinates::nodal};
 };
 
 /// h(t) = A0 sin(2 pi hz t) with its derivatives.
@@ -64,47 +73,54 @@ class BeamSimulation {
   /// Uses elements, time_step, spectral_radius and velocity_threshold of `numerics`. Throws
   /// std::domain_error, naming beam.axial_force, if P is at or over the buckling load, or if P <= 0 with
   /// TipContact::friction: without compression there is no contact; and what damping_matrix() throws. Throws
-  /// data::FieldError if ContactScheme::paper has no velocity threshold.
+  /// data::FieldError if ContactScheme::paper has no velocity threshold, or if Coordinates::modal has
+  /// damping.
   BeamSimulation(const data::Beam& beam, const data::FrictionLaw& friction,
                  const data::HarmonicExcitation& excitation, const data::NumericalSettings& numerics,
                  const BeamRun& run = {});
 
-  void step() { integrator_.step(); }
+  void step() { integrator_->step(); }
 
   /// See StickSlipIntegrator::observe.
-  void observe(StickSlipIntegrator::Observer observer) { integrator_.observe(std::move(observer)); }
+  void observe(StickSlipIntegrator::Observer observer) { integrator_->observe(std::move(observer)); }
 
-  [[nodiscard]] double time() const noexcept { return integrator_.time(); }                 ///< s
-  [[nodiscard]] double base_displacement() const;                                           ///< h, m
-  [[nodiscard]] double displacement(double x) const;                                        ///< y(x), m
-  [[nodiscard]] double tip_displacement() const;                                            ///< y(L), m
-  [[nodiscard]] double midspan_displacement() const;                                        ///< y(L/2), m
-  [[nodiscard]] double sliding_velocity() const { return integrator_.sliding_velocity(); }  ///< y_t(L), m/s
-  [[nodiscard]] double friction_force() const { return -integrator_.friction_force(); }     ///< f, N
-  [[nodiscard]] ContactState state() const noexcept { return integrator_.state(); }
+  [[nodiscard]] double time() const noexcept { return integrator_->time(); }                 ///< s
+  [[nodiscard]] double base_displacement() const;                                            ///< h, m
+  [[nodiscard]] double displacement(double x) const;                                         ///< y(x), m
+  [[nodiscard]] double tip_displacement() const;                                             ///< y(L), m
+  [[nodiscard]] double midspan_displacement() const;                                         ///< y(L/2), m
+  [[nodiscard]] double sliding_velocity() const { return integrator_->sliding_velocity(); }  ///< y_t(L), m/s
+  [[nodiscard]] double friction_force() const { return -integrator_->friction_force(); }     ///< f, N
+  [[nodiscard]] ContactState state() const noexcept { return integrator_->state(); }
   [[nodiscard]] const BeamModel& model() const noexcept { return model_; }
-  [[nodiscard]] const StickSlipIntegrator& integrator() const noexcept { return integrator_; }
+  [[nodiscard]] const StickSlipIntegrator& integrator() const noexcept { return *integrator_; }
 
  private:
   BeamModel model_;
   PrescribedMotion base_;
-  StickSlipIntegrator integrator_;
+  std::unique_ptr<StickSlipIntegrator> integrator_;
+  Eigen::MatrixXd basis_;  // of modal coordinates, q = basis_ z; else empty
   Eigen::VectorXd midspan_;
+
+  [[nodiscard]] Eigen::VectorXd weights_at(double x) const;
 };
 
 /// The number of whole steps in a duration: round(duration / time_step).
 [[nodiscard]] long step_count(double duration, double time_step);
 
 /// max |f| over the grid times 0 ... duration of a glued run, N: finite-element |f_max| of Eqs. (29), (30).
+/// In modal coordinates by ModalStickRun.
 [[nodiscard]] double max_abs_friction_force(const data::Beam& beam,
                                             const data::HarmonicExcitation& excitation,
                                             const data::NumericalSettings& numerics,
-                                            const data::Damping& damping = {});
+                                            const data::Damping& damping = {},
+                                            Coordinates coordinates = Coordinates::nodal);
 
 /// The time of the first slip, s, or nothing if the tip stays stuck for numerics.duration().
 [[nodiscard]] std::optional<double> first_slip(const data::Beam& beam, const data::FrictionLaw& friction,
                                                const data::HarmonicExcitation& excitation,
                                                const data::NumericalSettings& numerics,
-                                               const data::Damping& damping = {});
+                                               const data::Damping& damping = {},
+                                               Coordinates coordinates = Coordinates::nodal);
 
 }  // namespace stickslip::solver

@@ -92,7 +92,7 @@ class StickSlipIntegrator {
  public:
   /// Throws std::invalid_argument naming the setting or the part of the system that is unusable.
   StickSlipIntegrator(ContactSystem system, const IntegratorSettings& settings);
-  ~StickSlipIntegrator();
+  virtual ~StickSlipIntegrator();
   StickSlipIntegrator(const StickSlipIntegrator&) = delete;
   StickSlipIntegrator& operator=(const StickSlipIntegrator&) = delete;
 
@@ -132,6 +132,20 @@ class StickSlipIntegrator {
   [[nodiscard]] const std::vector<ContactEvent>& events() const noexcept { return events_; }
   [[nodiscard]] const ContactSystem& system() const noexcept { return system_; }
 
+ protected:
+  /// The state at end_time <= t_(n+1), if the contact stays as it is, in trial_; everything else of a step
+  /// goes by this. The place for a faster way to the same numbers.
+  virtual const Kinematics& trial(double end_time);
+
+  [[nodiscard]] const GeneralizedAlpha& method() const noexcept { return method_; }
+  /// f_d at the alpha level of a slip step in which the sliding velocity there is free_velocity + mobility
+  /// f_d.
+  [[nodiscard]] double alpha_level_friction(double free_velocity, double mobility) const;
+  /// What q[c] - w keeps in the present stick phase, m.
+  [[nodiscard]] double wall_offset() const noexcept { return wall_offset_; }
+
+  Kinematics now_, trial_;
+
  private:
   using Cholesky = Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<int>>;
   using Lu = Eigen::SparseLU<SparseMatrix, Eigen::NaturalOrdering<int>>;
@@ -144,7 +158,6 @@ class StickSlipIntegrator {
   const Cholesky& stick_matrix(StepOperator& op) const;
   const Lu& slip_matrix(StepOperator& op) const;
   [[nodiscard]] SparseMatrix step_matrix(const StepOperator& op, const SparseMatrix& stiffness) const;
-  const Kinematics& trial(double end_time);
   void take_stick_step(StepOperator& op, double end_time, Kinematics& state);
   void take_slip_step(StepOperator& op, Kinematics& state);
   void accept_trial(double new_time);
@@ -153,7 +166,6 @@ class StickSlipIntegrator {
   void subtract_internal_forces(const SparseMatrix& stiffness);
 
   [[nodiscard]] double location_tolerance() const;
-  [[nodiscard]] double alpha_level_friction(double free_velocity, double mobility) const;
   [[nodiscard]] double sliding_velocity(const Kinematics& state, double t) const;
   [[nodiscard]] double holding_force(const Kinematics& state, double t) const;
   [[nodiscard]] double excess_force(const Kinematics& state, double t) const;
@@ -182,10 +194,9 @@ class StickSlipIntegrator {
   double static_limit_{};                            // mu_s N
 
   std::unique_ptr<StepOperator> full_step_, partial_step_;
-  Kinematics alpha_level_, trial_;
+  Kinematics alpha_level_;
   Eigen::VectorXd residual_, new_acceleration_;
 
-  Kinematics now_;
   double time_{};
   long steps_{};
   ContactState state_{ContactState::stick};

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "stickslip/data/problem.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
+#include "stickslip/solver/generalized_alpha.hpp"
+#include "stickslip/solver/held_tip_basis.hpp"
+
+namespace stickslip::solver {
+
+/// The undamped linear stick run of BeamSimulation with TipContact::glued, fast: the same grid, the same
+/// method, the same numbers to rounding.
+///
+/// In the modes of the mesh with its tip held (HeldTipBasis) the
+/// generalised-alpha method is one recurrence per mode. With x = (eta, h eta_t, h^2 eta_tt) and k = (omega
+/// h)^2,
+///
+///     x_3' = [h^2 r h_tt(t_star) - alpha_m x_3 - k (x_1 + s x_2 + s (1/2 - beta) x_3)] / [1 - alpha_m + s
+///     beta k], x_2' = x_2 + (1 - gamma) x_3 + gamma x_3',     x_1' = x_1 + x_2 + (1/2 - beta) x_3 + beta
+///     x_3',
+///
+/// s = 1 - alpha_f, r = phi^T (-b + M sigma) with the static shape sigma of the tip's motion. The state at
+/// t_n with sin(Omega t_n) and cos(Omega t_n) is a vector y_n, a step y_(n+1) = T y_n and an output o y_n, so
+/// that B outputs from t_n on are the product of a matrix with the rows o, o T, ... o T^(B-1) and y_n: one
+/// matrix product for all blocks of B steps, whose states follow from each other by T^B.
+class ModalStickRun {
+ public:
+  /// Uses elements, time_step and spectral_radius of `numerics`. Needs all modes of the mesh, whose cost
+  /// grows as the cube of the elements. Throws std::domain_error, naming beam.axial_force, if P is at or over
+  /// the buckling load.
+  ModalStickRun(const data::Beam& beam, const data::HarmonicExcitation& excitation,
+                const data::NumericalSettings& numerics,
+                InitialVelocity initial_velocity = InitialVelocity::quasi_static);
+
+  /// f at t_0 ... t_steps, N, sign of Eq. (28).
+  [[nodiscard]] std::vector<double> friction_force(long steps) const;
+  /// The displacement u(x) relative to the base at t_0 ... t_steps, m; 0 <= x <= L.
+  [[nodiscard]] std::vector<double> relative_displacement(double x, long steps) const;
+
+  /// max |f| over t_0 ... t_steps, N.
+  [[nodiscard]] double max_abs_friction_force(long steps) const;
+
+ private:
+  // An output is modal . eta + of_base h + of_acceleration h_tt.
+  struct Output {
+    Eigen::VectorXd modal;
+    double of_base{};
+    double of_acceleration{};
+  };
+  using Modes = Eigen::Array<double, Eigen::Dynamic, 3>;  // x_1, x_2, x_3 by mode
+
+  // T^B, and the outputs of a block, both by what y = (x_1, x_2, x_3, sin(Omega t), cos(Omega t)) was at its
+  // start.
+  struct Block {
+    std::array<Modes, 3> of_state;
+    std::array<Modes, 2> of_load;
+    Eigen::MatrixXd outputs;
+  };
+
+  [[nodiscard]] Modes stepped(const Modes& state, double load) const;
+  [[nodiscard]] Block block_of(const Output& output) const;
+  template <class Sink>
+  void march(const Output& output, long steps, Sink&& sink) const;
+  [[nodiscard]] std::vector<double> history(const Output& output, long steps) const;
+
+  BeamModel model_;
+  GeneralizedAlpha method_;
+  double h_, amplitude_, omega_;
+  HeldTipBasis basis_;
+  Eigen::ArrayXd stiffness_;       // k
+  Eigen::ArrayXd load_;            // h^2 r
+  Eigen::ArrayXd inverse_factor_;  // 1/[1 - alpha_m + s beta k]
+  Modes start_;
+  Output force_;
+};
+
+}  // namespace stickslip::solver
