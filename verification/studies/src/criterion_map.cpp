@@ -1,14 +1,19 @@
 #include "stickslip/studies/criterion_map.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "parallel.hpp"
 #include "stickslip/analytic/criterion.hpp"
+#include "stickslip/analytic/force_maximum.hpp"
+#include "stickslip/analytic/modal_reaction_table.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 
 namespace stickslip::studies {
@@ -30,26 +35,90 @@ std::size_t evaluations_along(const MapAxis& axis) {
   return is_a_factor(axis.parameter) ? 1 : axis.values.size();
 }
 
-// |f_max| per metre of amplitude, N/m.
-analytic::Bounds unit_force(const data::Case& problem, MapMethod method) {
-  const data::HarmonicExcitation unit({.frequency_hz = problem.excitation.frequency_hz(), .amplitude = 1.0});
-  if (method == MapMethod::closed_form)
-    return analytic::StickResponse(problem.beam, unit, problem.numerics.modes())
-        .max_abs_friction_force(problem.numerics.duration());
-  const double force = solver::max_abs_friction_force(problem.beam, unit, problem.numerics, problem.damping);
-  return {force, force};
+// P L^2/EI, which the buckling load and the modes of the stick state depend on.
+double load_factor(const data::Beam& beam) {
+  return beam.axial_force() * beam.length() * beam.length() /
+         (beam.youngs_modulus() * beam.second_moment_of_area());
 }
 
-// Whether the tip slips at one point of the map.
-bool slips(const data::Case& problem, MapMethod method) {
-  const double limit = problem.friction.static_coefficient() * problem.beam.axial_force();
-  return problem.excitation.amplitude() * unit_force(problem, method).lower > limit;
+bool is_buckled(const data::Beam& beam) { return beam.axial_force() >= analytic::stick_buckling_load(beam); }
+
+// Up to here finding the modes of a mesh once is cheaper than ten thousand steps in nodal coordinates.
+constexpr int most_modal_elements = 200;
+
+solver::Coordinates coordinates_for(const data::Case& problem) {
+  const bool damped = problem.damping.kelvin_voigt() > 0.0 || problem.damping.ratio() > 0.0;
+  return damped || problem.numerics.elements() > most_modal_elements ? solver::Coordinates::nodal
+                                                                     : solver::Coordinates::modal;
 }
 
 data::Case case_at(const MapTask& task, std::size_t i, std::size_t j) {
   return with_value(with_value(task.problem, task.x.parameter, task.x.values[i]), task.y.parameter,
                     task.y.values[j]);
 }
+
+// |f_max| at the points of one map. All its modes are read from a table, or found once where the beam is the
+// same everywhere: which does not depend on the points that are asked for.
+class Forces {
+ public:
+  explicit Forces(const MapTask& task) : method_(task.method), modes_(task.problem.numerics.modes()) {
+    if (method_ != MapMethod::closed_form) return;
+    double lowest = std::numeric_limits<double>::infinity(), highest = 0.0;
+    for (const std::size_t j : ends_of(task.y))
+      for (const std::size_t i : ends_of(task.x)) {
+        const data::Beam beam = case_at(task, i, j).beam;
+        lowest = std::min(lowest, load_factor(beam));
+        highest = std::max(highest, load_factor(beam));
+        if (moves_the_buckling_load_ratio(task.x.parameter) ||
+            moves_the_buckling_load_ratio(task.y.parameter))
+          highest = std::min(highest, just_below_buckling(beam));
+      }
+    if (lowest > 0.0 && lowest < highest)
+      table_.emplace(lowest, highest, modes_);
+    else if (lowest == highest)
+      common_ = analytic::modal_reaction(case_at(task, 0, 0).beam, modes_);
+  }
+
+  // Per metre of amplitude, N/m.
+  [[nodiscard]] analytic::Bounds unit_force(const data::Case& problem) const {
+    if (method_ == MapMethod::closed_form) return search(problem).refined_to();
+    const data::HarmonicExcitation unit(
+        {.frequency_hz = problem.excitation.frequency_hz(), .amplitude = 1.0});
+    const double force = solver::max_abs_friction_force(problem.beam, unit, problem.numerics, problem.damping,
+                                                        coordinates_for(problem));
+    return {force, force};
+  }
+
+  // Whether the tip slips, which takes less than the force where that is far from the limit.
+  [[nodiscard]] bool slips(const data::Case& problem) const {
+    const double limit = problem.friction.static_coefficient() * problem.beam.axial_force();
+    const double amplitude = problem.excitation.amplitude();
+    if (method_ == MapMethod::closed_form)
+      return amplitude > 0.0 && search(problem).exceeds(limit / amplitude);
+    return amplitude * unit_force(problem).lower > limit;
+  }
+
+ private:
+  static std::array<std::size_t, 2> ends_of(const MapAxis& axis) { return {0, axis.values.size() - 1}; }
+
+  // Where the first mode still has a digit or two.
+  static double just_below_buckling(const data::Beam& beam) {
+    return load_factor(beam) * (analytic::stick_buckling_load(beam) / beam.axial_force()) * (1.0 - 1e-12);
+  }
+
+  [[nodiscard]] analytic::ForceMaximum search(const data::Case& problem) const {
+    const double omega = 2.0 * std::numbers::pi * problem.excitation.frequency_hz();
+    const double duration = problem.numerics.duration();
+    if (common_) return {*common_, omega, duration};
+    if (table_ && table_->holds(problem.beam)) return {table_->at(problem.beam), omega, duration};
+    return {analytic::modal_reaction(problem.beam, modes_), omega, duration};
+  }
+
+  MapMethod method_;
+  int modes_;
+  std::optional<analytic::ModalReaction> common_;
+  std::optional<analytic::ModalReactionTable> table_;
+};
 
 // What |f_max| per metre is compared by.
 struct Factors {
@@ -67,7 +136,9 @@ void complete(CriterionMap::Cell& cell, const MapEvaluation& evaluation, const F
   cell.state = evaluation.state;
   if (!evaluation.unit_force) return;
   const double limit = factors.static_coefficient * factors.axial_force;
-  if (!states_only) cell.force_ratio = factors.amplitude * evaluation.unit_force->midpoint() / limit;
+  const double ratio = factors.amplitude * evaluation.unit_force->midpoint() / limit;
+  if (!std::isfinite(ratio)) throw std::runtime_error("a force ratio of the map is too large to be told");
+  if (!states_only) cell.force_ratio = ratio;
   if (factors.amplitude * evaluation.unit_force->lower > limit) cell.state = CellState::stick_slip;
 }
 
@@ -120,15 +191,14 @@ void evaluate(const MapTask& task, std::span<const std::size_t> numbers, MapEval
       moves_the_buckling_load_ratio(task.x.parameter) || moves_the_buckling_load_ratio(task.y.parameter);
   const bool decide_only =
       task.states_only && !is_a_factor(task.x.parameter) && !is_a_factor(task.y.parameter);
+  const Forces forces(task);
   const auto evaluation_at = [&](std::size_t number) -> MapEvaluation {
     const data::Case point = case_at(task, number % columns, number / columns);
-    if (may_buckle && point.beam.axial_force() >= analytic::stick_buckling_load(point.beam))
-      return {.unit_force = {}, .state = CellState::no_stick_state};
+    if (may_buckle && is_buckled(point.beam)) return {.unit_force = {}, .state = CellState::no_stick_state};
     analytic::require_contact(point.beam);
     if (decide_only)
-      return {.unit_force = {},
-              .state = slips(point, task.method) ? CellState::stick_slip : CellState::stick};
-    return {.unit_force = unit_force(point, task.method), .state = CellState::stick};
+      return {.unit_force = {}, .state = forces.slips(point) ? CellState::stick_slip : CellState::stick};
+    return {.unit_force = forces.unit_force(point), .state = CellState::stick};
   };
   std::vector<std::size_t> done;
   in_parallel_settling(

@@ -11,6 +11,7 @@
 
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/studies/criterion_map.hpp"
 #include "stickslip/studies/discretisation.hpp"
 #include "support/flat_beam.hpp"
@@ -69,10 +70,29 @@ TEST(CriterionMap, HoldsTheCriterionOfEachCell) {
         const auto criterion =
             analytic::evaluate_criterion(point.beam, point.friction, point.excitation, 2.0);
         const double ratio = criterion.force_max.midpoint() / criterion.friction_limit;
-        EXPECT_TRUE(within(*cell.force_ratio, ratio, round_off(10, 1, ratio)));
+        EXPECT_TRUE(
+            within(*cell.force_ratio, ratio, reference(1e-10 * ratio, "the relative width of the bounds")));
         EXPECT_EQ(cell.state == CellState::stick_slip, criterion.verdict == analytic::Verdict::stick_slip);
       }
     }
+}
+
+TEST(CriterionMap, ByFiniteElementsIsThatOfThePlainRun) {
+  // An undamped map steps in modal coordinates, which give the plain run's force to 1e-10.
+  for (const double kelvin_voigt : {0.0, 1e-5}) {
+    data::Case problem = flat_case_of(0.05);
+    problem.damping = data::Damping({.kelvin_voigt = kelvin_voigt});
+    const auto x = map_axis(Parameter::frequency, 20.0, 60.0, 3, false);
+    const auto y = map_axis(Parameter::length, 0.8, 1.4, 2, false);
+    const auto map = studies::criterion_map(problem, x, y, MapMethod::finite_elements);
+    for (const auto& cell : map.cells) {
+      const data::Case point = with_value(with_value(problem, x.parameter, cell.x), y.parameter, cell.y);
+      const double force =
+          solver::max_abs_friction_force(point.beam, point.excitation, point.numerics, point.damping);
+      const double ratio = force / (point.friction.static_coefficient() * point.beam.axial_force());
+      EXPECT_TRUE(within(*cell.force_ratio, ratio, reference(1e-10 * ratio, "runs in modal coordinates")));
+    }
+  }
 }
 
 TEST(CriterionMap, IsProportionalToTheAmplitudeAndToTheInverseOfTheFriction) {
