@@ -10,6 +10,8 @@
 
 #include "external_tool.hpp"
 #include "numbers.hpp"
+#include "speed_tables.hpp"
+#include "stickslip/report/latex_text.hpp"
 #include "stickslip/report/report.hpp"
 #include "stickslip/report/text_file.hpp"
 #include "tables.hpp"
@@ -58,6 +60,11 @@ Document make_document(StudyResults& results, const Environment& environment,
   const MutantRecord mutants = read_mutant_record();
   Document document = make_tables(results, environment, tests, mutants, studies::input_matrix());
   document["numbers.tex"] = make_numbers(results, environment, tests, mutants);
+  const benchmarks::SpeedRecord speed = benchmarks::read_speed_record();
+  document["speed-processor.tex"] = escape(speed.processor);
+  document["table-speed.tex"] = speed_rows(speed);
+  document["table-load.tex"] = load_rows(speed);
+  document["table-scale.tex"] = scale_rows(speed);
   return document;
 }
 

@@ -1,0 +1,272 @@
+/// The fast ways against the plain ones, and both against what the machine can do. Quote ratios between lines
+/// of one run, not the times.
+
+#include <benchmark/benchmark.h>
+
+#include <Eigen/Core>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+#include <vector>
+
+#include "eigen_loops.hpp"
+#include "stickslip/analytic/criterion.hpp"
+#include "stickslip/analytic/force_maximum.hpp"
+#include "stickslip/analytic/modal_reaction_table.hpp"
+#include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/report/criterion_map.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
+#include "stickslip/solver/modal_stick_run.hpp"
+#include "stickslip/studies/criterion_map.hpp"
+#include "stickslip/studies/critical_amplitude.hpp"
+
+namespace stickslip::benchmarks {
+namespace {
+
+using solver::BeamSimulation;
+using solver::Coordinates;
+using solver::TipContact;
+
+const data::Beam beam({.length = 2.0,
+                       .area = 0.01,
+                       .second_moment_of_area = 1e-4 / 12.0,
+                       .density = 1000.0,
+                       .youngs_modulus = 2e9,
+                       .axial_force = 500.0});
+const data::FrictionLaw friction({.static_coefficient = 0.6, .kinetic_coefficient = 0.3, .decay = 1.0});
+constexpr double ten_seconds = 10.0;
+constexpr double steps = 1e5;
+
+data::HarmonicExcitation shaking(double hz, double amplitude) {
+  return data::HarmonicExcitation({.frequency_hz = hz, .amplitude = amplitude});
+}
+
+data::NumericalSettings settings(int elements, double duration = ten_seconds) {
+  return data::NumericalSettings({.elements = elements,
+                                  .time_step = 1e-4,
+                                  .spectral_radius = 0.9,
+                                  .velocity_threshold = 1e-4,
+                                  .modes = 10,
+                                  .duration = duration});
+}
+
+data::Case paper_case() {
+  return {.name = "paper",
+          .beam = beam,
+          .friction = friction,
+          .excitation = shaking(25.0, 1e-3),
+          .numerics = settings(20),
+          .damping = {}};
+}
+
+// What a step does, for the shares of what the machine can do.
+void count(benchmark::State& state, double flops_per_step, double bytes_per_step) {
+  state.counters["steps"] = steps;
+  state.counters["flops_per_step"] = flops_per_step;
+  state.counters["bytes_per_step"] = bytes_per_step;
+}
+
+// ---- the machine
+// -----------------------------------------------------------------------------------------------------
+
+// Multiplications and additions in the registers, as wide as the build makes them; independent, so that
+// neither waits.
+void peak_flops(benchmark::State& state) {
+  constexpr int lanes = 64, rounds = 10000;
+  Eigen::Array<double, lanes, 1> x = Eigen::Array<double, lanes, 1>::LinSpaced(0.0, 1.0);
+  const Eigen::Array<double, lanes, 1> a = Eigen::Array<double, lanes, 1>::Constant(0.999);
+  for (auto _ : state)
+    for (int round = 0; round < rounds; round += 4) {
+      x.head<16>() = x.head<16>() * a.head<16>() + a.tail<16>();
+      x.head<16>() = x.head<16>() * a.head<16>() + a.tail<16>();
+      x.head<16>() = x.head<16>() * a.head<16>() + a.tail<16>();
+      x.head<16>() = x.head<16>() * a.head<16>() + a.tail<16>();
+      benchmark::DoNotOptimize(x.data());
+    }
+  state.counters["flops"] = 2.0 * 16.0 * rounds;
+}
+BENCHMARK(peak_flops)->Name("peak/flops")->Unit(benchmark::kMicrosecond);
+
+// a = b + s c over arrays that stay in the second-level cache.
+void peak_cache(benchmark::State& state) {
+  constexpr Eigen::Index size = 8192;
+  Eigen::VectorXd a = Eigen::VectorXd::Zero(size);
+  const Eigen::VectorXd b = Eigen::VectorXd::Ones(size), c = Eigen::VectorXd::Ones(size);
+  for (auto _ : state) {
+    a = b + 0.3 * c;
+    benchmark::DoNotOptimize(a.data());
+    benchmark::ClobberMemory();
+  }
+  state.counters["bytes"] = 24.0 * size;
+}
+BENCHMARK(peak_cache)->Name("peak/cache")->Unit(benchmark::kMicrosecond);
+
+// ---- histories
+// -------------------------------------------------------------------------------------------------------
+
+void eigen_loop(benchmark::State& state, Factorisation factorisation) {
+  EigenLoop result;
+  for (auto _ : state) {
+    result = eigen_stick_loop(beam, shaking(35.0, 0.5e-3), settings(20), factorisation);
+    benchmark::DoNotOptimize(result.largest_force);
+  }
+  count(state, result.flops_per_step, result.bytes_per_step);
+}
+BENCHMARK_CAPTURE(eigen_loop, dense_lu, Factorisation::dense_lu)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(eigen_loop, sparse_ldlt, Factorisation::sparse_ldlt)->Unit(benchmark::kMillisecond);
+
+void stick_run(benchmark::State& state, Coordinates coordinates) {
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        solver::max_abs_friction_force(beam, shaking(35.0, 0.5e-3), settings(20), {}, coordinates));
+  if (coordinates == Coordinates::nodal) return;
+  // An output is the product of a row with the state of a block, three numbers of 39 modes and two of the
+  // load; a block of 64 steps moves its state on by nine and four multiplications with additions a mode. The
+  // state is written and read once a block, the outputs once; the rows stay in the cache.
+  constexpr double modes = 39.0, block = 64.0;
+  count(state, 2.0 * (3.0 * modes + 2.0) + 2.0 * 15.0 * modes / block,
+        8.0 * (2.0 + 2.0 * (3.0 * modes + 2.0) / block));
+}
+BENCHMARK_CAPTURE(stick_run, nodal, Coordinates::nodal)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(stick_run, modal, Coordinates::modal)->Unit(benchmark::kMillisecond);
+
+void stick_slip_run(benchmark::State& state, Coordinates coordinates) {
+  std::size_t events = 0;
+  for (auto _ : state) {
+    BeamSimulation run(beam, friction, shaking(25.0, 1e-3), settings(20), {.coordinates = coordinates});
+    while (run.integrator().steps() < static_cast<long>(steps)) run.step();
+    events = run.integrator().events().size();
+    benchmark::DoNotOptimize(run.friction_force());
+  }
+  state.counters["events"] = static_cast<double>(events);
+  // About 35 operations a mode in slip, on ten arrays; steps that are tried in search of an event come on
+  // top.
+  if (coordinates == Coordinates::modal) count(state, 35.0 * 39.0, 8.0 * 14.0 * 39.0);
+}
+BENCHMARK_CAPTURE(stick_slip_run, nodal, Coordinates::nodal)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(stick_slip_run, modal, Coordinates::modal)->Unit(benchmark::kMillisecond);
+
+// A hundredth of a second of the plain stick run: cost and memory grow as the number of elements.
+void elements(benchmark::State& state) {
+  const auto numerics = settings(static_cast<int>(state.range(0)), 0.01);
+  BeamSimulation run(beam, friction, shaking(35.0, 0.5e-3), numerics, {.contact = TipContact::glued});
+  for (auto _ : state) {
+    for (int n = 0; n < 100; ++n) run.step();
+    benchmark::DoNotOptimize(run.friction_force());
+  }
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK(elements)
+    ->Arg(20)
+    ->Arg(100)
+    ->Arg(500)
+    ->Arg(2000)
+    ->Arg(20000)
+    ->Complexity(benchmark::oN)
+    ->Unit(benchmark::kMillisecond);
+
+// ---- closed form
+// -----------------------------------------------------------------------------------------------------
+
+void force_maximum(benchmark::State& state, bool plain) {
+  const analytic::StickResponse response(beam, shaking(35.0, 0.5e-3), static_cast<int>(state.range(0)));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(plain ? response.max_abs_friction_force_by_halving(ten_seconds)
+                                   : response.max_abs_friction_force(ten_seconds));
+}
+BENCHMARK_CAPTURE(force_maximum, halving, true)->Arg(10)->Arg(40)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(force_maximum, search, false)->Arg(10)->Arg(40)->Unit(benchmark::kMillisecond);
+
+// ---- maps
+// ------------------------------------------------------------------------------------------------------------
+
+void map_of(benchmark::State& state, const studies::MapTask& task) {
+  const auto numbers = studies::share_of(studies::evaluation_count(task), 1, 1);
+  for (auto _ : state) {
+    studies::MapEvaluations evaluations(numbers.size());
+    studies::evaluate(task, numbers, evaluations);
+    const auto map = studies::criterion_map(task, evaluations);
+    benchmark::DoNotOptimize(report::table_of(task.problem, map).text().size());
+  }
+}
+
+// Figs. 10 to 12, as a table of a million cells.
+void frequency_amplitude(benchmark::State& state) {
+  map_of(state, {.problem = paper_case(),
+                 .x = studies::map_axis(studies::Parameter::frequency, 0.1, 120.0, 1200, false),
+                 .y = studies::map_axis(studies::Parameter::amplitude, 1e-6, 1e-3, 1000, false),
+                 .method = studies::MapMethod::closed_form});
+}
+BENCHMARK(frequency_amplitude)
+    ->Name("criterion_map/frequency_amplitude")
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+// The section of Fig. 14: 0.2 m by 0.02 m.
+data::Case flat_case() {
+  data::Case flat = paper_case();
+  auto properties = beam.properties();
+  properties.area = 0.004;
+  properties.second_moment_of_area = 0.2 * 0.02 * 0.02 * 0.02 / 12.0;
+  properties.length = 0.4;
+  properties.axial_force = 5.0;
+  flat.beam = data::Beam(properties);
+  return flat;
+}
+
+void length_force(benchmark::State& state) {
+  map_of(state, {.problem = flat_case(),
+                 .x = studies::map_axis(studies::Parameter::length, 0.4, 2.0, 1000, false),
+                 .y = studies::map_axis(studies::Parameter::axial_force, 5.0, 33000.0, 1000, true),
+                 .method = studies::MapMethod::closed_form,
+                 .states_only = true});
+}
+BENCHMARK(length_force)->Name("criterion_map/length_force")->Unit(benchmark::kMillisecond)->UseRealTime();
+
+// One point of that map by the plain way: lengths and forces in turn.
+void length_force_point(benchmark::State& state) {
+  const data::Case flat = flat_case();
+  int point = 0;
+  for (auto _ : state) {
+    auto properties = flat.beam.properties();
+    properties.length = std::lerp(0.4, 2.0, 0.01 * (point % 97));
+    properties.axial_force = 5.0 * std::pow(6600.0, 0.01 * (point % 89));
+    ++point;
+    const data::Beam at(properties);
+    if (at.axial_force() >= analytic::stick_buckling_load(at)) continue;
+    benchmark::DoNotOptimize(
+        analytic::StickResponse(at, shaking(25.0, 1.0), 10).max_abs_friction_force_by_halving(ten_seconds));
+  }
+}
+BENCHMARK(length_force_point)->Unit(benchmark::kMicrosecond);
+
+// ---- Fig. 6
+// ----------------------------------------------------------------------------------------------------------
+
+enum class Procedure { raised, linear, modal };
+
+void critical_amplitude(benchmark::State& state, Procedure procedure) {
+  constexpr double increment = 1e-5;
+  const double limit = friction.static_coefficient() * beam.axial_force();
+  const auto numerics = settings(20);
+  double found = 0.0;
+  for (auto _ : state) {
+    if (procedure == Procedure::raised) {
+      int runs = 1;
+      while (!solver::first_slip(beam, friction, shaking(35.0, runs * increment), numerics)) ++runs;
+      found = runs * increment;
+    } else {
+      const auto coordinates = procedure == Procedure::modal ? Coordinates::modal : Coordinates::nodal;
+      const double force =
+          solver::max_abs_friction_force(beam, shaking(35.0, increment), numerics, {}, coordinates);
+      found = (std::floor(limit / force) + 1.0) * increment;
+    }
+  }
+  state.counters["amplitude_mm"] = 1e3 * found;
+}
+BENCHMARK_CAPTURE(critical_amplitude, raised, Procedure::raised)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(critical_amplitude, linear, Procedure::linear)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(critical_amplitude, modal, Procedure::modal)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace stickslip::benchmarks
