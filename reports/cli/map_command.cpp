@@ -43,8 +43,6 @@ struct MapOptions {
   std::string figure;
 };
 
-constexpr std::string_view closed_form = "closed-form";
-
 void write(OutputFile& file, std::string_view text) {
   file.write(text);
   file.commit();
@@ -79,7 +77,7 @@ void print_summary(const studies::CriterionMap& map, const MapOptions& options) 
 
 Json to_json(const studies::MapTask& task, const MapOptions& options) {
   return {{"case", task.problem.name},
-          {"method", task.method == studies::MapMethod::closed_form ? closed_form : "fe"},
+          {"method", task.method == studies::MapMethod::closed_form ? closed_form_method : "fe"},
           {"x", axis_text(task.x)},
           {"y", axis_text(task.y)},
           {"output", options.output}};
@@ -105,8 +103,8 @@ studies::MapTask task_of(const MapOptions& options) {
   studies::MapTask task{.problem = load_case(options.problem, options.excitation, options.duration),
                         .x = parse_axis("--x", options.x),
                         .y = parse_axis("--y", options.y),
-                        .method = options.method == closed_form ? studies::MapMethod::closed_form
-                                                                : studies::MapMethod::finite_elements,
+                        .method = options.method == closed_form_method ? studies::MapMethod::closed_form
+                                                                       : studies::MapMethod::finite_elements,
                         .states_only = options.states_only};
   if (task.method == studies::MapMethod::closed_form)
     require_undamped(task.problem, "the map in closed form (--method fe follows the damping)");

@@ -27,7 +27,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view closed_form = "closed-form", finite_elements = "fe";
 constexpr std::size_t check_digits = 16;
 
 template <typename Properties>
@@ -48,24 +47,25 @@ std::string program() { return fmt::format("stickslip {} (commit {})", version, 
 
 Json to_json(const studies::MapTask& task, const MapPart& part) {
   const data::Case& problem = task.problem;
-  return {{"program", program()},
-          {"case", problem.name},
-          {"beam", numbers_of(problem.beam.properties())},
-          {"friction", numbers_of(data::FrictionCoefficients{
-                           .static_coefficient = problem.friction.static_coefficient(),
-                           .kinetic_coefficient = problem.friction.kinetic_coefficient(),
-                           .decay = problem.friction.decay()})},
-          {"excitation", numbers_of(data::HarmonicMotion{.frequency_hz = problem.excitation.frequency_hz(),
-                                                         .amplitude = problem.excitation.amplitude()})},
-          {"numerics", numbers_of(problem.numerics.choices())},
-          {"damping", numbers_of(data::DampingProperties{.kelvin_voigt = problem.damping.kelvin_voigt(),
-                                                         .ratio = problem.damping.ratio()})},
-          {"x", axis_text(task.x)},
-          {"y", axis_text(task.y)},
-          {"method", task.method == studies::MapMethod::closed_form ? closed_form : finite_elements},
-          {"states_only", task.states_only},
-          {"parts", part.parts},
-          {"part", part.part}};
+  return {
+      {"program", program()},
+      {"case", problem.name},
+      {"beam", numbers_of(problem.beam.properties())},
+      {"friction",
+       numbers_of(data::FrictionCoefficients{.static_coefficient = problem.friction.static_coefficient(),
+                                             .kinetic_coefficient = problem.friction.kinetic_coefficient(),
+                                             .decay = problem.friction.decay()})},
+      {"excitation", numbers_of(data::HarmonicMotion{.frequency_hz = problem.excitation.frequency_hz(),
+                                                     .amplitude = problem.excitation.amplitude()})},
+      {"numerics", numbers_of(problem.numerics.choices())},
+      {"damping", numbers_of(data::DampingProperties{.kelvin_voigt = problem.damping.kelvin_voigt(),
+                                                     .ratio = problem.damping.ratio()})},
+      {"x", axis_text(task.x)},
+      {"y", axis_text(task.y)},
+      {"method", task.method == studies::MapMethod::closed_form ? closed_form_method : finite_element_method},
+      {"states_only", task.states_only},
+      {"parts", part.parts},
+      {"part", part.part}};
 }
 
 studies::MapTask task_of(const Json& json) {
@@ -80,8 +80,8 @@ studies::MapTask task_of(const Json& json) {
                       .damping = data::Damping(properties_of<data::DampingProperties>(json.at("damping")))},
           .x = parse_axis("x", json.at("x").get<std::string>()),
           .y = parse_axis("y", json.at("y").get<std::string>()),
-          .method = json.at("method") == closed_form ? studies::MapMethod::closed_form
-                                                     : studies::MapMethod::finite_elements,
+          .method = json.at("method") == closed_form_method ? studies::MapMethod::closed_form
+                                                            : studies::MapMethod::finite_elements,
           .states_only = json.at("states_only")};
 }
 

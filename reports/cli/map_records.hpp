@@ -12,11 +12,15 @@
 #include <mutex>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "stickslip/studies/criterion_map.hpp"
 
 namespace stickslip::cli {
+
+/// How the methods of a map are called on the command line and in files.
+inline constexpr std::string_view closed_form_method = "closed-form", finite_element_method = "fe";
 
 /// Part 1 ... `parts` of the evaluations of a map (studies::share_of).
 struct MapPart {

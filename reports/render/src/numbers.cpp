@@ -16,13 +16,12 @@
 #include "stickslip/mutants/verdict.hpp"
 #include "stickslip/report/latex_text.hpp"
 #include "traceability.hpp"
+#include "units.hpp"
 
 namespace stickslip::report {
 
 namespace {
 
-constexpr double millimetre = 1e-3;   // m
-constexpr double millisecond = 1e-3;  // s
 constexpr double microsecond = 1e-6;  // s
 
 class Macros {

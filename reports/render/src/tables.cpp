@@ -15,13 +15,11 @@
 #include "stickslip/data/paper.hpp"
 #include "stickslip/report/latex_text.hpp"
 #include "traceability.hpp"
+#include "units.hpp"
 
 namespace stickslip::report {
 
 namespace {
-
-constexpr double millimetre = 1e-3;   // m
-constexpr double millisecond = 1e-3;  // s
 
 std::string word_of(bool slips) { return slips ? "stick-slip" : "stick"; }
 std::string without_full_stop(std::string text) {

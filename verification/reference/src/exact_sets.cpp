@@ -14,7 +14,7 @@ using data::ValueClass;
 
 namespace {
 
-constexpr long bits = 256;
+constexpr long exact_bits = 256;
 
 }  // namespace
 
@@ -39,7 +39,7 @@ DataSet single_mass_events() {
       .settings = R"({"bits": 256, "digits": 30})",
       .software = software(),
       .checks = {"the event-driven engine and the time stepper, to round-off and to order two"}};
-  const PrecisionScope scope(bits);
+  const PrecisionScope scope(exact_bits);
   const Real deceleration = Real(3) / Real(2), v0(Rational("1.3"));
   set.rows.push_back(Row()
                          .text("slider")
@@ -109,7 +109,7 @@ DataSet manufactured_motion() {
                          .settings = R"({"bits": 256, "digits": 30})",
                          .software = software(),
                          .checks = {"phi and phi' vanish at the clamp"}};
-  const PrecisionScope scope(bits);
+  const PrecisionScope scope(exact_bits);
   const NamedBeam& paper = beams().front();
   const Real length = paper.beam.length(), rigidity = paper.beam.bending_stiffness();
   const Real a(Rational("0.001")), squared_rate(1600);

@@ -17,7 +17,7 @@ namespace stickslip::studies {
 
 namespace {
 
-constexpr int reference_modes = 60;  // of the closed form
+constexpr int closed_form_modes = 60;  // of the closed form
 
 void require(bool holds, const char* field, const std::string& value, const char* allowed) {
   if (!holds) throw data::FieldError(field, value, allowed);
@@ -164,12 +164,13 @@ BeamMotionStudy beam_motion_study(const data::Case& problem, int snapshots, int 
   const MotionGrid grid{study.window, period, snapshots, positions};
   study.finite_element = finite_element_motion(problem, grid);
   study.reference = study.first_slip ? event_driven_motion(problem, grid)
-                                     : closed_form_motion(problem, grid, reference_modes);
+                                     : closed_form_motion(problem, grid, closed_form_modes);
   constexpr double always = std::numeric_limits<double>::infinity();
   const double end_of_stick = study.first_slip.value_or(always);
   study.peak = peak(study.reference);
   study.stick_difference = largest_difference(study.finite_element, study.reference, end_of_stick);
-  study.predicted_stick_difference = predicted_stick_difference(problem, grid, end_of_stick, reference_modes);
+  study.predicted_stick_difference =
+      predicted_stick_difference(problem, grid, end_of_stick, closed_form_modes);
   study.difference = largest_difference(study.finite_element, study.reference, always);
   return study;
 }

@@ -13,7 +13,7 @@ namespace stickslip::studies {
 
 namespace {
 
-constexpr int reference_modes = 60;
+constexpr int converged_modes = 60;
 constexpr int predicted_modes = 20;
 
 ClassifiedFrequency classified_frequency(const data::Beam& beam, const data::FrictionLaw& friction,
@@ -22,7 +22,7 @@ ClassifiedFrequency classified_frequency(const data::Beam& beam, const data::Fri
   const double duration = numerics.duration();
   const analytic::Criterion criterion =
       analytic::evaluate_criterion(beam, friction, unit, duration, numerics.modes());
-  const analytic::StickResponse reference(beam, unit, reference_modes, analytic::SteadyPart::exact);
+  const analytic::StickResponse reference(beam, unit, converged_modes, analytic::SteadyPart::exact);
   const double truncated = criterion.force_max.midpoint();
   const double converged = reference.max_abs_friction_force(duration, 1e-8).midpoint();
   const PredictedForce predicted(beam, unit, numerics, predicted_modes);

@@ -15,7 +15,7 @@ namespace stickslip::studies {
 
 namespace {
 
-constexpr int reference_modes = 20;
+constexpr int history_modes = 20;
 
 double trusted_time(const data::Beam& beam, const data::FrictionLaw& friction,
                     const data::HarmonicExcitation& excitation, const data::NumericalSettings& numerics,
@@ -27,7 +27,7 @@ double trusted_time(const data::Beam& beam, const data::FrictionLaw& friction,
       time_stepper_history(beam, friction, excitation, refined(numerics, elements, 0.1 * step), {}, shown,
                            10),
       event_driven_history(
-          analytic::BeamContactModel(beam, friction, excitation, data::Damping(), reference_modes).model(),
+          analytic::BeamContactModel(beam, friction, excitation, data::Damping(), history_modes).model(),
           shown, step)};
   const auto [low, high] = std::ranges::minmax(history.tip_displacement);
   double until = shown;

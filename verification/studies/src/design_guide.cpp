@@ -4,12 +4,12 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "hertz.hpp"
 #include "parallel.hpp"
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
@@ -19,7 +19,6 @@ namespace stickslip::studies {
 
 namespace {
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr double undecided = 1e-4;  // relative width at which a force still at the limit counts as above
 constexpr double spacing = 0.01;    // of neighbouring values, relative
 constexpr double relative_accuracy = 1e-5;  // of the ends of intervals, of the larger end of the range

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <numbers>
 
+#include "hertz.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
@@ -14,8 +14,6 @@
 namespace stickslip::studies {
 
 namespace {
-
-constexpr double two_pi = 2.0 * std::numbers::pi;
 
 using FiniteElementModes = std::vector<solver::FiniteElementMode>;
 

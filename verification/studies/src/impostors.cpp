@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <numbers>
 #include <stdexcept>
 
+#include "hertz.hpp"
 #include "parallel.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
@@ -23,9 +23,8 @@ namespace {
 
 using enum Quantity;
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int free_vibrations = 60;
+constexpr int kept_free_vibrations = 60;
 constexpr int fine_elements = 60;
 constexpr double closed_form_uncertainty = 1e-9;
 constexpr double unit_amplitude = 1e-3;  // m: the critical amplitude does not depend on that of the case
@@ -101,7 +100,7 @@ StickSum sum_of(const WrongModel& model, const data::Case& problem, Quantity qua
     return stick_sum(beam.mesh, beam.system,
                      model.force_row ? model.force_row(beam.mesh) : Eigen::RowVectorXd());
   }
-  StickSum sum = stick_sum(problem.beam, free_vibrations);
+  StickSum sum = stick_sum(problem.beam, kept_free_vibrations);
   if (model.equations) model.equations(sum, problem);
   return sum;
 }
@@ -117,7 +116,7 @@ HeldHistory held_in_closed_form(const data::Case& problem, StickReading reading,
     throw std::invalid_argument(
         "damping must be 0 for forces and motions of the held beam: their closed form is undamped");
   const auto response = std::make_shared<analytic::StickResponse>(
-      problem.beam, problem.excitation, free_vibrations, analytic::SteadyPart::exact);
+      problem.beam, problem.excitation, kept_free_vibrations, analytic::SteadyPart::exact);
   if (reading == StickReading::displacement)
     return {[response, middle = 0.5 * problem.beam.length()](double t) {
               return response->absolute_displacement(middle, t);

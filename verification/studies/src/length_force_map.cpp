@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <numbers>
 
+#include "hertz.hpp"
 #include "parallel.hpp"
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
@@ -13,7 +14,7 @@ namespace stickslip::studies {
 
 namespace {
 
-constexpr double relative_width = 1e-3;
+constexpr double width_of_a_ratio = 1e-3;
 
 data::Beam with_length_and_force(const data::Beam& beam, double length, double axial_force) {
   data::BeamProperties properties = beam.properties();
@@ -22,14 +23,10 @@ data::Beam with_length_and_force(const data::Beam& beam, double length, double a
   return data::Beam(properties);
 }
 
-double stick_hz(const data::Beam& beam, int mode) {
-  return analytic::stick_modes(beam, mode).back().frequency_hz();
-}
-
 double force_ratio(const data::Case& problem, const data::Beam& beam) {
-  const analytic::Criterion criterion =
-      analytic::evaluate_criterion(beam, problem.friction, problem.excitation, problem.numerics.duration(),
-                                   problem.numerics.modes(), analytic::SteadyPart::modal_sum, relative_width);
+  const analytic::Criterion criterion = analytic::evaluate_criterion(
+      beam, problem.friction, problem.excitation, problem.numerics.duration(), problem.numerics.modes(),
+      analytic::SteadyPart::modal_sum, width_of_a_ratio);
   return criterion.force_max.midpoint() / criterion.friction_limit;
 }
 

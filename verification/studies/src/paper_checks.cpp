@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 
+#include "hertz.hpp"
 #include "printed_forces.hpp"
 #include "simpson.hpp"
 #include "stickslip/analytic/criterion.hpp"
@@ -25,11 +25,6 @@
 namespace stickslip::studies {
 
 namespace {
-
-constexpr double two_pi = 2.0 * std::numbers::pi;
-double stick_hz(const data::Beam& beam, int mode) {
-  return analytic::stick_modes(beam, mode).back().frequency_hz();
-}
 
 // The frequencies of Fig. 6 from `first` on.
 std::vector<double> figure6_frequencies_from(double first) {

@@ -34,11 +34,11 @@ const data::ReferencePackage& package() {
   return fixture;
 }
 
-data::ReferenceTable reference(const std::string& set) { return data::read_table(package(), set); }
+data::ReferenceTable published_table(const std::string& set) { return data::read_table(package(), set); }
 
 // Somebody who has copied these columns of a data set, or all of them.
 data::UserTable copy_of(const std::string& set, const std::vector<std::string>& columns = {}) {
-  const auto table = reference(set);
+  const auto table = published_table(set);
   data::UserTable copy{.file = "mine.csv", .columns = {}, .lines = std::vector<std::size_t>(table.rows())};
   std::iota(copy.lines.begin(), copy.lines.end(), 2);
   for (const data::Column& column : table.columns)
@@ -131,7 +131,7 @@ TEST(ComparedCopy, HasAllPointsOfItsSeries) {
   EXPECT_EQ(comparison.abscissa, "mode");
   ASSERT_EQ(frequency.series.size(), 2u);
   EXPECT_EQ(frequency.series[1].group, "beam = paper-half-stiffness");
-  const auto table = reference("stick-frequencies");
+  const auto table = published_table("stick-frequencies");
   EXPECT_EQ(frequency.series[0].abscissa, (Values{1, 2, 3, 4, 5, 6}));
   for (std::size_t i = 0; i < 6; ++i) {
     EXPECT_EQ(frequency.series[1].theirs[i], table.column("frequency").values[i + 6]);
@@ -190,7 +190,7 @@ TEST(ComparedTable, RefusesRowsThatTheDataSetLacks) {
 }
 
 TEST(ComparedCurve, MeasuresErrorsByTheLargestValue) {
-  const auto table = reference("stick-force");
+  const auto table = published_table("stick-force");
   const auto& force = table.column("friction_force").values;
   const double scale = std::abs(*std::ranges::max_element(force, {}, [](double f) { return std::abs(f); }));
   for (const double error : {5e-4, -2e-3}) {
@@ -229,7 +229,8 @@ TEST(ComparedCurve, CountsWhatIsOutsideTheRange) {
 // S(x) between the samples: the stated bound is max |S''''| h^4/24 with h = 0.1 m, and holds.
 TEST(ComparedCurve, IsInterpolatedWithinTheStatedBound) {
   const analytic::QuasiStaticShape shape(data::load_case("paper").beam);
-  const double bound = reference("quasi-static-shape").resource.comparison->interpolation->error.at("shape");
+  const double bound =
+      published_table("quasi-static-shape").resource.comparison->interpolation->error.at("shape");
   auto mine = copy_of("quasi-static-shape");
   erase_row(mine, 20);
   for (std::size_t i = 0; i < mine.rows(); ++i) {
@@ -252,7 +253,7 @@ TEST(ComparedCurve, IsInterpolatedWithinTheStatedBound) {
 
 // time_radius of the third event is 8.8e-9 s.
 TEST(ComparedVerdict, IsUndecidedWhereTheReferenceIsNotKnownWellEnough) {
-  const double radius = reference("damped-events").radius_of("time")[2], tolerance = 1e-9;
+  const double radius = published_table("damped-events").radius_of("time")[2], tolerance = 1e-9;
   const ComparisonSettings settings{.tolerances = {{"time", tolerance}}, .until = {}, .events = {}};
   const auto verdict = [&](double error) {
     auto mine = copy_of("damped-events");
@@ -273,7 +274,7 @@ TEST(ComparedVerdict, IsUndecidedWhereTheReferenceIsNotKnownWellEnough) {
 }
 
 TEST(ComparedVerdict, AddsTheUncertaintyToTheTolerance) {
-  const double radius = reference("damped-events").radius_of("time")[2], tolerance = 1e-8;
+  const double radius = published_table("damped-events").radius_of("time")[2], tolerance = 1e-8;
   const ComparisonSettings settings{
       .tolerances = {{"", 1.0}, {"time", tolerance}}, .until = {}, .events = {}};
   const auto verdict = [&](double error) {
@@ -364,7 +365,7 @@ TEST(ComparedEvents, NameTheEventThatIsTooMany) {
 }
 
 TEST(ComparedEvents, MayLieOnEitherSideOfTheHorizon) {
-  const double sixth = reference("damped-events").column("time").values[5];
+  const double sixth = published_table("damped-events").column("time").values[5];
   const auto difference = [](const data::UserTable& mine, double until) {
     const Comparison comparison =
         compare_quietly("damped-events", mine, {.tolerances = {}, .until = until, .events = {}});
@@ -417,7 +418,7 @@ TEST(ComparedEvents, SayWhatWasNotGiven) {
 data::UserTable between_samples() {
   auto mine = copy_of("cubic-history");
   keep_rows(mine, [&](std::size_t row) { return (row + 1) % 101 != 0; });
-  const auto events = reference("cubic-events");
+  const auto events = published_table("cubic-events");
   for (std::size_t row = 0; row < mine.rows(); ++row) {
     double& t = values_of(mine, "t")[row];
     t += 0.0042;

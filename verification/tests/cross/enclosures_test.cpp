@@ -21,12 +21,12 @@ namespace {
 
 using analytic::Bounds;
 
-data::HarmonicExcitation shaking(double hz) {
+data::HarmonicExcitation shaken_at(double hz) {
   return data::HarmonicExcitation({.frequency_hz = hz, .amplitude = 1e-3});
 }
 
 double finite_element_maximum(double hz, double duration) {
-  return solver::max_abs_friction_force(paper_beam(), shaking(hz),
+  return solver::max_abs_friction_force(paper_beam(), shaken_at(hz),
                                         data::NumericalSettings(paper_choices(duration)));
 }
 
@@ -38,7 +38,7 @@ TEST(Enclosures, OfCoarseSamplesHoldTheMaximumOfFiniteElements) {
   for (const double hz : {10.0, 200.0}) {
     const double duration = 3.0 / hz;
     const double maximum = finite_element_maximum(hz, duration);
-    const analytic::StickResponse response(paper_beam(), shaking(hz), 20, analytic::SteadyPart::exact);
+    const analytic::StickResponse response(paper_beam(), shaken_at(hz), 20, analytic::SteadyPart::exact);
     for (const double share : {0.13, 0.29, 0.41}) {
       const Bounds bounds = response.sampled_max_abs_friction_force(duration, share / hz);
       EXPECT_LE(bounds.lower, maximum * (1.0 + share_missed)) << hz << " Hz, " << share;
@@ -49,7 +49,7 @@ TEST(Enclosures, OfCoarseSamplesHoldTheMaximumOfFiniteElements) {
 
 TEST(Enclosures, OfARisingForceEndWithThatOfFiniteElements) {
   const double maximum = finite_element_maximum(5.0, 3e-3);
-  const analytic::StickResponse response(paper_beam(), shaking(5.0), 20, analytic::SteadyPart::exact);
+  const analytic::StickResponse response(paper_beam(), shaken_at(5.0), 20, analytic::SteadyPart::exact);
   EXPECT_TRUE(within(response.sampled_max_abs_friction_force(3e-3, 2e-3).lower, maximum,
                      discretisation(share_missed * maximum, 2.0, "20 elements in a short run")));
 }
@@ -59,8 +59,8 @@ TEST(Enclosures, OfTheCriticalAmplitudeHoldThatOfFiniteElements) {
   for (const double hz : {15.0, 35.0}) {
     const double critical = 1e-3 * limit / finite_element_maximum(hz, 0.5);
     for (const double width : {0.3, 0.05}) {
-      const Bounds bounds = analytic::evaluate_criterion(paper_beam(), paper_friction(), shaking(hz), 0.5, 20,
-                                                         analytic::SteadyPart::exact, width)
+      const Bounds bounds = analytic::evaluate_criterion(paper_beam(), paper_friction(), shaken_at(hz), 0.5,
+                                                         20, analytic::SteadyPart::exact, width)
                                 .critical_amplitude;
       EXPECT_LT(bounds.lower, critical * (1.0 + share_missed)) << hz << " Hz, " << width;
       EXPECT_GT(bounds.upper, critical * (1.0 - share_missed)) << hz << " Hz, " << width;
@@ -71,10 +71,10 @@ TEST(Enclosures, OfTheCriticalAmplitudeHoldThatOfFiniteElements) {
 TEST(Enclosures, NextToResonanceHoldTheForceOfFiniteElements) {
   // A relative distance of 4e-15 leaves one digit to a difference of sines that is divided by it.
   const double natural = analytic::stick_modes(paper_beam(), 1).front().frequency_hz() * (1.0 + 4e-15);
-  solver::BeamSimulation beam(paper_beam(), paper_friction(), shaking(natural),
+  solver::BeamSimulation beam(paper_beam(), paper_friction(), shaken_at(natural),
                               data::NumericalSettings(paper_choices(0.3)),
                               {.contact = solver::TipContact::glued});
-  const analytic::StickResponse response(paper_beam(), shaking(natural), 20, analytic::SteadyPart::exact);
+  const analytic::StickResponse response(paper_beam(), shaken_at(natural), 20, analytic::SteadyPart::exact);
   double difference = 0.0, peak = 0.0;
   for (int n = 0; n < 3000; ++n) {
     beam.step();
@@ -90,10 +90,10 @@ TEST(Enclosures, OfAGrowingForceHoldItsMaximumWheneverItIsAskedFor) {
   // In resonance f grows with every half cycle, and its maximum changes sign: one run up to 1 s and a bit,
   // asked at 20 times in a cycle. The bounds are left wide, so that they rest on the bend of f alone.
   const double natural = analytic::stick_modes(paper_beam(), 1).front().frequency_hz();
-  solver::BeamSimulation beam(paper_beam(), paper_friction(), shaking(natural),
+  solver::BeamSimulation beam(paper_beam(), paper_friction(), shaken_at(natural),
                               data::NumericalSettings(paper_choices(1.0)),
                               {.contact = solver::TipContact::glued});
-  const analytic::StickResponse response(paper_beam(), shaking(natural), 2);
+  const analytic::StickResponse response(paper_beam(), shaken_at(natural), 2);
   double maximum = 0.0;
   for (int k = 0; k < 20; ++k) {
     while (beam.time() < 1.0 + k / (20.0 * natural)) {
@@ -109,10 +109,10 @@ TEST(Enclosures, OfAGrowingForceHoldItsMaximumWheneverItIsAskedFor) {
 }
 
 TEST(Enclosures, ListTheFreeVibrationsOfFiniteElements) {
-  solver::BeamSimulation beam(paper_beam(), paper_friction(), shaking(15.0),
+  solver::BeamSimulation beam(paper_beam(), paper_friction(), shaken_at(15.0),
                               data::NumericalSettings(paper_choices(0.3)),
                               {.contact = solver::TipContact::glued});
-  const analytic::StickResponse response(paper_beam(), shaking(15.0), 20, analytic::SteadyPart::exact);
+  const analytic::StickResponse response(paper_beam(), shaken_at(15.0), 20, analytic::SteadyPart::exact);
   const auto free_vibrations = response.transient_force();
   const double omega = 2.0 * std::numbers::pi * 15.0;
   double difference = 0.0, peak = 0.0;
@@ -149,17 +149,18 @@ TEST(GeometricEnergy, OfTheStaticShapeIsThatOfTheClosedForm) {
 TEST(NormalForce, IsTheCompressionAndNothingInTension) {
   const auto of_finite_elements = [](const data::Beam& beam) {
     return solver::beam_contact_system(solver::BeamModel(beam, 4), paper_friction(),
-                                       solver::harmonic_motion(shaking(10.0)))
+                                       solver::harmonic_motion(shaken_at(10.0)))
         .normal_force;
   };
   for (const double axial_force : {250.0, 500.0}) {
     const data::Beam beam = paper_beam_with_axial_force(axial_force);
-    EXPECT_EQ(of_finite_elements(beam),
-              analytic::BeamContactModel(beam, paper_friction(), shaking(10.0), {}, 2).model().normal_force);
+    EXPECT_EQ(
+        of_finite_elements(beam),
+        analytic::BeamContactModel(beam, paper_friction(), shaken_at(10.0), {}, 2).model().normal_force);
   }
   const data::Beam tensioned = paper_beam_with_axial_force(-400.0);
   EXPECT_EQ(of_finite_elements(tensioned), 0.0);
-  EXPECT_THROW(analytic::BeamContactModel(tensioned, paper_friction(), shaking(10.0), {}, 2),
+  EXPECT_THROW(analytic::BeamContactModel(tensioned, paper_friction(), shaken_at(10.0), {}, 2),
                std::domain_error);
 }
 

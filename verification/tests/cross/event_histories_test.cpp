@@ -24,7 +24,7 @@ namespace {
 
 using studies::HistoryEvent;
 
-constexpr double kelvin_voigt = 6.4e-5;  // s: 0.5 % of critical in the first stick mode
+constexpr double light_damping = 6.4e-5;  // s: 0.5 % of critical in the first stick mode
 
 data::Case damped_case(double frequency_hz) {
   return {.name = "damped",
@@ -32,7 +32,7 @@ data::Case damped_case(double frequency_hz) {
           .friction = paper_friction(),
           .excitation = data::HarmonicExcitation({.frequency_hz = frequency_hz, .amplitude = 1e-3}),
           .numerics = data::NumericalSettings(paper_choices(0.5)),
-          .damping = data::Damping({.kelvin_voigt = kelvin_voigt, .ratio = 0.0})};
+          .damping = data::Damping({.kelvin_voigt = light_damping, .ratio = 0.0})};
 }
 
 std::vector<double> times_of(const std::vector<HistoryEvent>& events) {

@@ -40,7 +40,7 @@ data::HarmonicExcitation excitation(std::size_t i) {
   return data::HarmonicExcitation({study().frequency_hz[i], 0.5e-3});
 }
 
-constexpr double duration = 10.0;
+constexpr double ten_seconds = 10.0;
 
 void truncation_moves_the_maximum_by_no_more_than_what_it_leaves_out() {
   // | max|f_N| - max|f| | <= max|f_N - f|: the difference of the steady amplitudes and the omitted free
@@ -65,7 +65,7 @@ void sampling_loses_no_more_than_the_curvature_allows() {
   for (std::size_t i = 0; i < study().frequency_hz.size(); ++i) {
     const StickResponse response(paper_beam(), excitation(i), 10);
     for (const double step : {1e-5, 1e-4, 1e-3, 5e-3}) {
-      const analytic::Bounds bounds = response.sampled_max_abs_friction_force(duration, step);
+      const analytic::Bounds bounds = response.sampled_max_abs_friction_force(ten_seconds, step);
       EXPECT_EQ(row("sampling step", fmt::format("{:g} s", step)).force[i], bounds.lower);
       EXPECT_LE(bounds.lower, closed_form().force[i]);
       EXPECT_GE(bounds.upper, closed_form().force[i]);
@@ -143,7 +143,7 @@ void no_trial_returns_all_printed_digits() {
   for (const auto* trial : {&search.closest, &search.most_returned}) {
     for (std::size_t i = 0; i < study().frequency_hz.size(); ++i) {
       const double again = StickResponse(paper_beam(), excitation(i), trial->modes)
-                               .sampled_max_abs_friction_force(duration, trial->sampling_step)
+                               .sampled_max_abs_friction_force(ten_seconds, trial->sampling_step)
                                .lower;
       // A million complex multiplications; the steady part and mode 1 cancel by 1000 at 25 Hz.
       EXPECT_TRUE(within(trial->force[i], again, round_off(1e6, 1.0, again)));

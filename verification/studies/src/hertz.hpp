@@ -1,0 +1,16 @@
+#pragma once
+
+#include <numbers>
+
+#include "stickslip/analytic/stick_modes.hpp"
+
+namespace stickslip::studies {
+
+inline constexpr double two_pi = 2.0 * std::numbers::pi;
+
+/// The natural frequency of a mode of the stick state, Hz, in closed form.
+[[nodiscard]] inline double stick_hz(const data::Beam& beam, int mode) {
+  return analytic::stick_modes(beam, mode).back().frequency_hz();
+}
+
+}  // namespace stickslip::studies
