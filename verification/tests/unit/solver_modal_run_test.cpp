@@ -1,0 +1,324 @@
+/// The fast runs in the modes of the mesh against the plain ones: the same numbers, up to rounding.
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "stickslip/solver/beam_simulation.hpp"
+#include "stickslip/solver/held_tip_basis.hpp"
+#include "stickslip/solver/modal_stick_run.hpp"
+#include "support/beams.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+using solver::BeamModel;
+using solver::BeamSimulation;
+using solver::Coordinates;
+using solver::HeldTipBasis;
+using solver::InitialVelocity;
+using solver::ModalStickRun;
+using solver::TipContact;
+using std::numbers::pi;
+
+data::HarmonicExcitation shaking(double hz, double amplitude) {
+  return data::HarmonicExcitation({.frequency_hz = hz, .amplitude = amplitude});
+}
+
+data::NumericalSettings settings(int elements, double spectral_radius, double time_step = 1e-4) {
+  auto choices = paper_choices(1.0);
+  choices.elements = elements;
+  choices.spectral_radius = spectral_radius;
+  choices.time_step = time_step;
+  return data::NumericalSettings(choices);
+}
+
+struct History {
+  std::vector<double> force, displacement;
+};
+
+double largest(const std::vector<double>& values) {
+  double maximum = 0.0;
+  for (const double value : values) maximum = std::max(maximum, std::abs(value));
+  return maximum;
+}
+
+double largest_difference(const std::vector<double>& one, const std::vector<double>& other) {
+  EXPECT_EQ(one.size(), other.size());
+  double difference = 0.0;
+  for (std::size_t i = 0; i < std::min(one.size(), other.size()); ++i)
+    difference = std::max(difference, std::abs(one[i] - other[i]));
+  return difference;
+}
+
+// f and u(x) by the plain loop.
+History plain_history(const data::Beam& beam, const data::HarmonicExcitation& excitation,
+                      const data::NumericalSettings& numerics, InitialVelocity initial_velocity, double x,
+                      long steps) {
+  BeamSimulation run(beam, paper_friction(), excitation, numerics,
+                     {.contact = TipContact::glued, .initial_velocity = initial_velocity});
+  History history;
+  const auto note = [&] {
+    history.force.push_back(run.friction_force());
+    history.displacement.push_back(run.displacement(x) - run.base_displacement());
+  };
+  for (note(); run.integrator().steps() < steps; note()) run.step();
+  return history;
+}
+
+// The plain loop rounds every degree of freedom at every step; a rounding of the deflections moves the force
+// by 12 EI/l^3 of it, and the roundings of so many steps add up as a random walk, of three vectors.
+Tolerance rounding_of_the_plain_loop(const data::Beam& beam, int elements, const History& history,
+                                     long steps) {
+  const double l = beam.length() / elements;
+  const double stiffness = 12.0 * beam.youngs_modulus() * beam.second_moment_of_area() / (l * l * l);
+  const double condition = 1.0 + stiffness * largest(history.displacement) / largest(history.force);
+  return round_off(3.0 * std::sqrt(static_cast<double>(steps)), condition, largest(history.force));
+}
+
+TEST(ModalStickRun, GivesTheForceOfThePlainLoopForEverySpectralRadius) {
+  for (const double radius : {0.0, 0.5, 0.9, 1.0})
+    for (const auto velocity : {InitialVelocity::quasi_static, InitialVelocity::zero})
+      for (const auto& [elements, axial_force] : {std::pair{20, 500.0}, {7, 75000.0}, {3, -2000.0}}) {
+        constexpr long steps = 5000;
+        const data::Beam beam = paper_beam_with_axial_force(axial_force);
+        const auto excitation = shaking(35.0, 0.5e-3);
+        const auto numerics = settings(elements, radius);
+        const History plain = plain_history(beam, excitation, numerics, velocity, 1.0, steps);
+        const auto force = ModalStickRun(beam, excitation, numerics, velocity).friction_force(steps);
+        ASSERT_EQ(force.size(), plain.force.size());
+        EXPECT_TRUE(within(largest_difference(force, plain.force), 0.0,
+                           rounding_of_the_plain_loop(beam, elements, plain, steps)))
+            << "radius " << radius << ", " << elements << " elements, P = " << axial_force;
+      }
+}
+
+TEST(ModalStickRun, StaysWithinTenToTheMinusTenOfThePlainLoopOverTenSeconds) {
+  constexpr long steps = 100000;
+  for (const double hz : {25.0, 35.0}) {  // in the first resonance and off it
+    const History plain = plain_history(paper_beam(), shaking(hz, 0.5e-3), settings(20, 0.9),
+                                        InitialVelocity::quasi_static, 1.0, steps);
+    const ModalStickRun run(paper_beam(), shaking(hz, 0.5e-3), settings(20, 0.9));
+    EXPECT_LE(largest_difference(run.friction_force(steps), plain.force), 1e-10 * largest(plain.force)) << hz;
+    EXPECT_LE(largest_difference(run.relative_displacement(1.0, steps), plain.displacement),
+              1e-10 * largest(plain.displacement))
+        << hz;
+  }
+}
+
+TEST(ModalStickRun, GivesTheDisplacementAnywhereOnTheBeam) {
+  constexpr long steps = 300;
+  const auto excitation = shaking(60.0, 0.5e-3);
+  for (const double x : {0.0, 0.13, 1.0, 1.97, 2.0}) {
+    const History plain =
+        plain_history(paper_beam(), excitation, settings(20, 0.9), InitialVelocity::zero, x, steps);
+    const auto displacement =
+        ModalStickRun(paper_beam(), excitation, settings(20, 0.9), InitialVelocity::zero)
+            .relative_displacement(x, steps);
+    EXPECT_TRUE(
+        within(largest_difference(displacement, plain.displacement), 0.0, round_off(steps, 10, 0.5e-3)))
+        << x;
+  }
+}
+
+TEST(ModalStickRun, MaximumIsThatOfItsHistoryWhereverTheRunEnds) {
+  // Blocks of 64 steps, 64 blocks at a time: the ends around a whole one of each.
+  const ModalStickRun run(paper_beam(), shaking(35.0, 0.5e-3), settings(6, 0.9));
+  const auto whole = run.friction_force(9000);
+  for (const long steps : {0L, 1L, 62L, 63L, 64L, 65L, 4094L, 4095L, 4096L, 4097L, 9000L}) {
+    const std::vector<double> part(whole.begin(), whole.begin() + steps + 1);
+    EXPECT_EQ(run.friction_force(steps), part) << steps;
+    EXPECT_EQ(run.max_abs_friction_force(steps), largest(part)) << steps;
+  }
+}
+
+TEST(ModalStickRun, IsNearerToExtendedPrecisionThanThePlainLoopWhereNothingIsDamped) {
+  // At a spectral radius of 1 the roundings of the highest modes stay for ever in the plain loop. The
+  // recurrence of each mode as the class states it, in extended precision, from the same modes.
+  constexpr long steps = 20000;
+  constexpr int elements = 20;
+  const auto excitation = shaking(35.0, 0.5e-3);
+  const auto numerics = settings(elements, 1.0);
+  const BeamModel model(paper_beam(), elements);
+  const HeldTipBasis basis = held_tip_basis(model);
+  const solver::GeneralizedAlpha method(1.0);
+  using Array = Eigen::Array<long double, Eigen::Dynamic, 1>;
+  const auto extended = [](double value) { return static_cast<long double>(value); };
+  const long double h = 1e-4, omega = 2.0L * extended(pi) * 35.0L, amplitude = extended(0.5e-3);
+  const long double share = 1.0L - extended(method.alpha_f()), beta = method.beta(), gamma = method.gamma();
+  const Array k = h * h * basis.squared_frequencies.cast<long double>().array();
+  const Array load = h * h *
+                     (basis.modes.transpose() * (model.mass() * basis.static_shape - model.base_load()))
+                         .cast<long double>()
+                         .array();
+  const Eigen::VectorXd weights = basis.modes.transpose() * model.interpolation(1.0);
+  const long double of_base = -extended(model.interpolation(1.0).dot(basis.static_shape));
+  Array x1 = Array::Zero(k.size()), x2 = x1, x3 = x1;
+  std::vector<double> displacement;
+  for (long n = 0; n <= steps; ++n) {
+    const long double t = static_cast<long double>(n) * h;
+    displacement.push_back(static_cast<double>((weights.cast<long double>().array() * x1).sum() +
+                                               of_base * amplitude * std::sin(omega * t)));
+    const long double acceleration = -amplitude * omega * omega * std::sin(omega * (t + share * h));
+    const Array next = (acceleration * load - extended(method.alpha_m()) * x3 -
+                        k * (x1 + share * x2 + share * (0.5L - beta) * x3)) /
+                       (1.0L - extended(method.alpha_m()) + share * beta * k);
+    x1 += x2 + (0.5L - beta) * x3 + beta * next;
+    x2 += (1.0L - gamma) * x3 + gamma * next;
+    x3 = next;
+  }
+  const History plain =
+      plain_history(paper_beam(), excitation, numerics, InitialVelocity::quasi_static, 1.0, steps);
+  const auto fast = ModalStickRun(paper_beam(), excitation, numerics).relative_displacement(1.0, steps);
+  const double of_fast = largest_difference(fast, displacement);
+  const double of_plain = largest_difference(plain.displacement, displacement);
+  EXPECT_LT(of_fast, of_plain);
+  // The state of a block passes on by one product: steps/64 roundings, of what a resonant mode makes of them.
+  EXPECT_TRUE(
+      within(of_fast, 0.0, round_off(static_cast<double>(steps) / 64.0, 10.0, largest(displacement))));
+}
+
+TEST(ModalStickRun, IsWhatTheMaximumInModalCoordinatesComesFrom) {
+  const auto numerics = settings(20, 0.9);
+  const double plain = solver::max_abs_friction_force(paper_beam(), shaking(70.0, 0.5e-3), numerics);
+  const double modal =
+      solver::max_abs_friction_force(paper_beam(), shaking(70.0, 0.5e-3), numerics, {}, Coordinates::modal);
+  EXPECT_LE(std::abs(modal - plain), 1e-10 * plain);
+  EXPECT_EQ(modal,
+            ModalStickRun(paper_beam(), shaking(70.0, 0.5e-3), numerics).max_abs_friction_force(10000));
+  EXPECT_THROW((void)solver::max_abs_friction_force(paper_beam(), shaking(70.0, 0.5e-3), numerics,
+                                                    data::Damping({.ratio = 0.01}), Coordinates::modal),
+               data::FieldError);
+}
+
+TEST(ModalStickRun, RefusesABuckledBeam) {
+  EXPECT_THROW(ModalStickRun(paper_beam_with_axial_force(90000.0), shaking(35.0, 1e-3), settings(4, 0.9)),
+               std::domain_error);
+}
+
+TEST(HeldTipBasis, DiagonalisesTheStickStateAndLeavesTheTipToTheStaticShape) {
+  for (const int elements : {1, 2, 20}) {
+    const BeamModel model(paper_beam(), elements);
+    const HeldTipBasis basis = held_tip_basis(model);
+    const Eigen::Index modes = 2 * elements - 1;
+    ASSERT_EQ(basis.modes.cols(), modes);
+    const Eigen::MatrixXd mass = basis.modes.transpose() * model.mass() * basis.modes;
+    EXPECT_LE((mass - Eigen::MatrixXd::Identity(modes, modes)).cwiseAbs().maxCoeff(), 1e-11);
+    EXPECT_EQ(basis.modes.row(model.tip_deflection()).cwiseAbs().maxCoeff(), 0.0);
+    EXPECT_EQ(basis.static_shape[model.tip_deflection()], 1.0);
+    const Eigen::MatrixXd stiffness = basis.modes.transpose() * model.stick_stiffness() * basis.modes;
+    const double highest = basis.squared_frequencies[modes - 1];
+    EXPECT_LE((stiffness - Eigen::MatrixXd(basis.squared_frequencies.asDiagonal())).cwiseAbs().maxCoeff(),
+              1e-10 * highest);
+    EXPECT_LE(
+        (basis.modes.transpose() * (model.stick_stiffness() * basis.static_shape)).cwiseAbs().maxCoeff(),
+        1e-11 * std::sqrt(highest) * std::sqrt(modes) * elements);
+  }
+}
+
+TEST(HeldTipBasis, CoordinatesGiveTheVectorBack) {
+  const BeamModel model(paper_beam(), 6);
+  const HeldTipBasis basis = held_tip_basis(model);
+  const Eigen::VectorXd q = Eigen::VectorXd::LinSpaced(12, -0.3, 1.1);
+  const Eigen::VectorXd z = modal_coordinates(model, basis, q);
+  const Eigen::VectorXd back = basis.modes * z.head(11) + basis.static_shape * z[11];
+  EXPECT_LE((back - q).cwiseAbs().maxCoeff(), 1e-11);
+}
+
+TEST(ModalStickSlipIntegrator, TakesTheStepsOfTheGeneralIntegratorInTheSameCoordinates) {
+  // From the same start through stick, onset, slip, reversals and captures, until rounding has grown visibly.
+  const BeamModel model(paper_beam(), 8);
+  const auto base = solver::harmonic_motion(shaking(25.0, 1e-3));
+  const auto system = modal_contact_system(model, held_tip_basis(model), paper_friction(), base);
+  for (const double radius : {0.0, 0.9, 1.0}) {
+    const solver::IntegratorSettings choice{
+        .time_step = 1e-4, .spectral_radius = radius, .velocity_threshold = 1e-4};
+    solver::StickSlipIntegrator general(system, choice);
+    solver::ModalStickSlipIntegrator fast(system, choice);
+    const Eigen::VectorXd rest = Eigen::VectorXd::Zero(16);
+    const Eigen::VectorXd velocity = -base.velocity(0.0) * Eigen::VectorXd::Unit(16, 15);
+    general.start_stuck(rest, velocity);
+    fast.start_stuck(rest, velocity);
+    while (general.steps() < 2000) {
+      general.step();
+      fast.step();
+    }
+    ASSERT_GE(general.events().size(), 20u);
+    ASSERT_EQ(fast.events().size(), general.events().size());
+    for (std::size_t i = 0; i < general.events().size(); ++i) {
+      EXPECT_EQ(fast.events()[i].kind, general.events()[i].kind);
+      EXPECT_NEAR(fast.events()[i].time, general.events()[i].time, 1e-11) << i;
+    }
+    EXPECT_LE((fast.displacement() - general.displacement()).cwiseAbs().maxCoeff(), 1e-12) << radius;
+  }
+}
+
+TEST(ModalStickSlipIntegrator, SeesTheContactChangesOfTheNodalRun) {
+  // Rounding, 1e-16 m at first, grows with every change; a quarter of a second has more than fifty.
+  const data::NumericalSettings numerics(paper_choices(0.25));
+  BeamSimulation nodal(paper_beam(), paper_friction(), shaking(25.0, 1e-3), numerics);
+  BeamSimulation modal(paper_beam(), paper_friction(), shaking(25.0, 1e-3), numerics,
+                       {.coordinates = Coordinates::modal});
+  double force_difference = 0.0, tip_difference = 0.0, midspan_difference = 0.0;
+  for (int n = 0; n < 2500; ++n) {
+    nodal.step();
+    modal.step();
+    force_difference = std::max(force_difference, std::abs(nodal.friction_force() - modal.friction_force()));
+    tip_difference = std::max(tip_difference, std::abs(nodal.tip_displacement() - modal.tip_displacement()));
+    midspan_difference =
+        std::max(midspan_difference, std::abs(nodal.midspan_displacement() - modal.midspan_displacement()));
+    EXPECT_NEAR(nodal.displacement(1.3), modal.displacement(1.3), 1e-13);
+  }
+  const auto& events = nodal.integrator().events();
+  ASSERT_GE(events.size(), 50u);
+  ASSERT_EQ(modal.integrator().events().size(), events.size());
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    EXPECT_EQ(modal.integrator().events()[i].kind, events[i].kind);
+    EXPECT_NEAR(modal.integrator().events()[i].time, events[i].time, 1e-11) << i;
+    EXPECT_NEAR(modal.integrator().events()[i].displacement, events[i].displacement, 1e-13) << i;
+  }
+  EXPECT_LE(force_difference, 1e-8 * 300.0);
+  EXPECT_LE(tip_difference, 1e-13);
+  EXPECT_LE(midspan_difference, 1e-13);
+}
+
+TEST(ModalStickSlipIntegrator, SlipsFirstWhenTheNodalRunDoes) {
+  const data::NumericalSettings numerics(paper_choices(1.0));
+  for (const auto& [hz, amplitude] : {std::pair{25.0, 1e-3}, {70.0, 0.5e-3}, {35.0, 0.4e-3}}) {
+    const auto nodal = solver::first_slip(paper_beam(), paper_friction(), shaking(hz, amplitude), numerics);
+    const auto modal = solver::first_slip(paper_beam(), paper_friction(), shaking(hz, amplitude), numerics,
+                                          {}, Coordinates::modal);
+    ASSERT_EQ(modal.has_value(), nodal.has_value()) << hz;
+    if (nodal) {
+      EXPECT_NEAR(*modal, *nodal, 1e-12) << hz;
+    }
+  }
+}
+
+TEST(ModalStickSlipIntegrator, RefusesDampingAndSystemsOfAnotherForm) {
+  for (const data::Damping& damping :
+       {data::Damping({.kelvin_voigt = 1e-5}), data::Damping({.ratio = 0.01})}) {
+    try {
+      const BeamSimulation run(paper_beam(), paper_friction(), shaking(25.0, 1e-3), settings(4, 0.9),
+                               {.damping = damping, .coordinates = Coordinates::modal});
+      FAIL();
+    } catch (const data::FieldError& refusal) {
+      EXPECT_EQ(refusal.field(), damping.ratio() > 0.0 ? "damping.ratio" : "damping.kelvin_voigt");
+    }
+  }
+  const BeamModel model(paper_beam(), 4);
+  const auto nodal =
+      beam_contact_system(model, paper_friction(), solver::harmonic_motion(shaking(25.0, 1e-3)));
+  EXPECT_THROW(solver::ModalStickSlipIntegrator(nodal, {.time_step = 1e-4, .spectral_radius = 0.9}),
+               std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace stickslip::testing
