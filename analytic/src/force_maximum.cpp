@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "messages.hpp"
+#include "sinc.hpp"
 
 namespace stickslip::analytic {
 namespace {
@@ -17,14 +18,6 @@ constexpr double kMostGridPoints = 1e9;
 // leaves more pieces to the search behind it. Measured, flat between 0.1 and 0.3.
 constexpr double kGridExcess = 0.2;
 constexpr std::size_t kBlock = 64;  // grid points that share their sines; a power of 2
-
-void require_positive(std::string_view field, double value) {
-  if (!(value > 0.0 && std::isfinite(value)))
-    throw std::invalid_argument(refusal(field, value, "positive and finite"));
-}
-
-/// sin(y)/y.
-double sinc(double y) { return y == 0.0 ? 1.0 : std::sin(y) / y; }
 
 /// The largest |a + b s + c s^2/2| over |s| <= r.
 double largest_parabola(double a, double b, double c, double r) {

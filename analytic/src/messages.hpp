@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -18,6 +20,12 @@ namespace stickslip::analytic {
 /// "<field> is <value>; it must be <allowed>."
 [[nodiscard]] inline std::string refusal(std::string_view field, double value, std::string_view allowed) {
   return std::string(field) + " is " + digits(value) + "; it must be " + std::string(allowed) + ".";
+}
+
+/// Throws std::invalid_argument, naming the field, unless the value is positive and finite.
+inline void require_positive(std::string_view field, double value) {
+  if (!(value > 0.0 && std::isfinite(value)))
+    throw std::invalid_argument(refusal(field, value, "positive and finite"));
 }
 
 }  // namespace stickslip::analytic

@@ -12,6 +12,7 @@
 
 #include "beam_constants.hpp"
 #include "messages.hpp"
+#include "sinc.hpp"
 #include "stickslip/analytic/force_maximum.hpp"
 
 namespace stickslip::analytic {
@@ -19,9 +20,6 @@ namespace {
 
 using std::numbers::pi;
 using Complex = std::complex<double>;
-
-/// sin(y)/y.
-double sinc(double y) { return y == 0.0 ? 1.0 : std::sin(y) / y; }
 
 /// g_n(t) of Eq. (26), given sin(Omega t): as it stands where the frequencies are well apart, since the phase
 /// omega_n t of a high mode, known to omega_n t eps, then enters with its small amplitude only; else in the
@@ -71,11 +69,6 @@ class SteadyShape {
  private:
   Complex b_, bb_, q_, determinant_;  // q = b coth(b)
 };
-
-void require_positive(std::string_view field, double value) {
-  if (!(value > 0.0 && std::isfinite(value)))
-    throw std::invalid_argument(refusal(field, value, "positive and finite"));
-}
 
 /// How many equal intervals a history is divided into, refused where that would never end.
 std::int64_t interval_count(double duration, double step) {
