@@ -2,38 +2,22 @@
 
 #include <benchmark/benchmark.h>
 
+#include "paper_problem.hpp"
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 
-namespace stickslip {
+namespace stickslip::benchmarks {
 namespace {
-
-const data::Beam beam({.length = 2.0,
-                       .area = 0.01,
-                       .second_moment_of_area = 1e-4 / 12.0,
-                       .density = 1000.0,
-                       .youngs_modulus = 2e9,
-                       .axial_force = 500.0});
-const data::FrictionLaw friction({.static_coefficient = 0.6, .kinetic_coefficient = 0.3, .decay = 1.0});
-
-data::NumericalSettings settings(int elements) {
-  return data::NumericalSettings({.elements = elements,
-                                  .time_step = 1e-4,
-                                  .spectral_radius = 0.9,
-                                  .velocity_threshold = 1e-4,
-                                  .modes = 10,
-                                  .duration = 1.0});
-}
 
 void run(benchmark::State& state, double amplitude, solver::TipContact contact) {
   const data::HarmonicExcitation excitation({.frequency_hz = 25.0, .amplitude = amplitude});
-  const auto numerics = settings(static_cast<int>(state.range(0)));
+  const auto numerics = settings(static_cast<int>(state.range(0)), 1.0);
   const long steps = solver::step_count(numerics.duration(), numerics.time_step());
   for (auto _ : state) {
-    solver::BeamSimulation simulation(beam, friction, excitation, numerics, {.contact = contact});
+    solver::BeamSimulation simulation(paper_beam, paper_friction, excitation, numerics, {.contact = contact});
     for (long n = 0; n < steps; ++n) {
       simulation.step();
       benchmark::DoNotOptimize(simulation.friction_force());
@@ -62,7 +46,8 @@ constexpr double half_a_second = 0.5;
 
 // Half a second of damped stick-slip at 25 Hz and 1 mm, from event to event in so many modes.
 void event_driven_run(benchmark::State& state) {
-  const analytic::BeamContactModel model(beam, friction, loud, light, static_cast<int>(state.range(0)));
+  const analytic::BeamContactModel model(paper_beam, paper_friction, loud, light,
+                                         static_cast<int>(state.range(0)));
   std::size_t events = 0;
   for (auto _ : state) {
     analytic::EventDriven run(model.model());
@@ -76,9 +61,9 @@ BENCHMARK(event_driven_run)->Arg(10)->Arg(20)->Unit(benchmark::kMillisecond);
 
 // The same by the time stepper on ten elements, in so many steps.
 void time_stepper_run(benchmark::State& state) {
-  const solver::BeamModel mesh(beam, 10);
+  const solver::BeamModel mesh(paper_beam, 10);
   const solver::PrescribedMotion base = solver::harmonic_motion(loud);
-  solver::ContactSystem system = solver::beam_contact_system(mesh, friction, base);
+  solver::ContactSystem system = solver::beam_contact_system(mesh, paper_friction, base);
   system.damping = light.kelvin_voigt() * mesh.elastic_stiffness();
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(mesh.degrees_of_freedom());
   const Eigen::VectorXd velocity = -base.velocity(0.0) * mesh.unit_tip_deflection();
@@ -98,7 +83,7 @@ BENCHMARK(time_stepper_run)->Arg(5000)->Arg(50000)->Unit(benchmark::kMillisecond
 // max |f| over 10 s with its rigorous bound, at one frequency.
 void force_maximum(benchmark::State& state) {
   const data::HarmonicExcitation excitation({.frequency_hz = 35.0, .amplitude = 0.5e-3});
-  const analytic::StickResponse response(beam, excitation, static_cast<int>(state.range(0)));
+  const analytic::StickResponse response(paper_beam, excitation, static_cast<int>(state.range(0)));
   for (auto _ : state) benchmark::DoNotOptimize(response.max_abs_friction_force(10.0));
 }
 BENCHMARK(force_maximum)->Arg(10)->Arg(40)->Unit(benchmark::kMillisecond);
@@ -106,9 +91,9 @@ BENCHMARK(force_maximum)->Arg(10)->Arg(40)->Unit(benchmark::kMillisecond);
 // Roots, shapes and integrals of the stick state.
 void stick_modes(benchmark::State& state) {
   for (auto _ : state)
-    benchmark::DoNotOptimize(analytic::stick_modes(beam, static_cast<int>(state.range(0))));
+    benchmark::DoNotOptimize(analytic::stick_modes(paper_beam, static_cast<int>(state.range(0))));
 }
 BENCHMARK(stick_modes)->Arg(10)->Arg(200)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
-}  // namespace stickslip
+}  // namespace stickslip::benchmarks

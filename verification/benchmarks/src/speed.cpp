@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "eigen_loops.hpp"
+#include "paper_problem.hpp"
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/analytic/modal_reaction_table.hpp"
@@ -27,33 +28,12 @@ using solver::BeamSimulation;
 using solver::Coordinates;
 using solver::TipContact;
 
-const data::Beam beam({.length = 2.0,
-                       .area = 0.01,
-                       .second_moment_of_area = 1e-4 / 12.0,
-                       .density = 1000.0,
-                       .youngs_modulus = 2e9,
-                       .axial_force = 500.0});
-const data::FrictionLaw friction({.static_coefficient = 0.6, .kinetic_coefficient = 0.3, .decay = 1.0});
-constexpr double ten_seconds = 10.0;
 constexpr double steps = 1e5;
-
-data::HarmonicExcitation shaking(double hz, double amplitude) {
-  return data::HarmonicExcitation({.frequency_hz = hz, .amplitude = amplitude});
-}
-
-data::NumericalSettings settings(int elements, double duration = ten_seconds) {
-  return data::NumericalSettings({.elements = elements,
-                                  .time_step = 1e-4,
-                                  .spectral_radius = 0.9,
-                                  .velocity_threshold = 1e-4,
-                                  .modes = 10,
-                                  .duration = duration});
-}
 
 data::Case paper_case() {
   return {.name = "paper",
-          .beam = beam,
-          .friction = friction,
+          .beam = paper_beam,
+          .friction = paper_friction,
           .excitation = shaking(25.0, 1e-3),
           .numerics = settings(20),
           .damping = {}};
@@ -107,7 +87,7 @@ BENCHMARK(peak_cache)->Name("peak/cache")->Unit(benchmark::kMicrosecond);
 void eigen_loop(benchmark::State& state, Factorisation factorisation) {
   EigenLoop result;
   for (auto _ : state) {
-    result = eigen_stick_loop(beam, shaking(35.0, 0.5e-3), settings(20), factorisation);
+    result = eigen_stick_loop(paper_beam, shaking(35.0, 0.5e-3), settings(20), factorisation);
     benchmark::DoNotOptimize(result.largest_force);
   }
   count(state, result.flops_per_step, result.bytes_per_step);
@@ -118,7 +98,7 @@ BENCHMARK_CAPTURE(eigen_loop, sparse_ldlt, Factorisation::sparse_ldlt)->Unit(ben
 void stick_run(benchmark::State& state, Coordinates coordinates) {
   for (auto _ : state)
     benchmark::DoNotOptimize(
-        solver::max_abs_friction_force(beam, shaking(35.0, 0.5e-3), settings(20), {}, coordinates));
+        solver::max_abs_friction_force(paper_beam, shaking(35.0, 0.5e-3), settings(20), {}, coordinates));
   if (coordinates == Coordinates::nodal) return;
   // An output is the product of a row with the state of a block, three numbers of 39 modes and two of the
   // load; a block of 64 steps moves its state on by nine and four multiplications with additions a mode. The
@@ -133,7 +113,8 @@ BENCHMARK_CAPTURE(stick_run, modal, Coordinates::modal)->Unit(benchmark::kMillis
 void stick_slip_run(benchmark::State& state, Coordinates coordinates) {
   std::size_t events = 0;
   for (auto _ : state) {
-    BeamSimulation run(beam, friction, shaking(25.0, 1e-3), settings(20), {.coordinates = coordinates});
+    BeamSimulation run(paper_beam, paper_friction, shaking(25.0, 1e-3), settings(20),
+                       {.coordinates = coordinates});
     while (run.integrator().steps() < static_cast<long>(steps)) run.step();
     events = run.integrator().events().size();
     benchmark::DoNotOptimize(run.friction_force());
@@ -149,7 +130,8 @@ BENCHMARK_CAPTURE(stick_slip_run, modal, Coordinates::modal)->Unit(benchmark::kM
 // A hundredth of a second of the plain stick run: cost and memory grow as the number of elements.
 void elements(benchmark::State& state) {
   const auto numerics = settings(static_cast<int>(state.range(0)), 0.01);
-  BeamSimulation run(beam, friction, shaking(35.0, 0.5e-3), numerics, {.contact = TipContact::glued});
+  BeamSimulation run(paper_beam, paper_friction, shaking(35.0, 0.5e-3), numerics,
+                     {.contact = TipContact::glued});
   for (auto _ : state) {
     for (int n = 0; n < 100; ++n) run.step();
     benchmark::DoNotOptimize(run.friction_force());
@@ -169,7 +151,7 @@ BENCHMARK(elements)
 // -----------------------------------------------------------------------------------------------------
 
 void force_maximum(benchmark::State& state, bool plain) {
-  const analytic::StickResponse response(beam, shaking(35.0, 0.5e-3), static_cast<int>(state.range(0)));
+  const analytic::StickResponse response(paper_beam, shaking(35.0, 0.5e-3), static_cast<int>(state.range(0)));
   for (auto _ : state)
     benchmark::DoNotOptimize(plain ? response.max_abs_friction_force_by_halving(ten_seconds)
                                    : response.max_abs_friction_force(ten_seconds));
@@ -205,7 +187,7 @@ BENCHMARK(frequency_amplitude)
 // The section of Fig. 14: 0.2 m by 0.02 m.
 data::Case flat_case() {
   data::Case flat = paper_case();
-  auto properties = beam.properties();
+  auto properties = paper_beam.properties();
   properties.area = 0.004;
   properties.second_moment_of_area = 0.2 * 0.02 * 0.02 * 0.02 / 12.0;
   properties.length = 0.4;
@@ -247,18 +229,19 @@ enum class Procedure { raised, linear, modal };
 
 void critical_amplitude(benchmark::State& state, Procedure procedure) {
   constexpr double increment = 1e-5;
-  const double limit = friction.static_coefficient() * beam.axial_force();
+  const double limit = paper_friction.static_coefficient() * paper_beam.axial_force();
   const auto numerics = settings(20);
   double found = 0.0;
   for (auto _ : state) {
     if (procedure == Procedure::raised) {
       int runs = 1;
-      while (!solver::first_slip(beam, friction, shaking(35.0, runs * increment), numerics)) ++runs;
+      while (!solver::first_slip(paper_beam, paper_friction, shaking(35.0, runs * increment), numerics))
+        ++runs;
       found = runs * increment;
     } else {
       const auto coordinates = procedure == Procedure::modal ? Coordinates::modal : Coordinates::nodal;
       const double force =
-          solver::max_abs_friction_force(beam, shaking(35.0, increment), numerics, {}, coordinates);
+          solver::max_abs_friction_force(paper_beam, shaking(35.0, increment), numerics, {}, coordinates);
       found = (std::floor(limit / force) + 1.0) * increment;
     }
   }
