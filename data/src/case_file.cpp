@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <fstream>
 #include <limits>
@@ -31,10 +32,18 @@ using Target = std::variant<double*, int*>;
 
 enum class Presence { required, optional };  // an optional key that is missing keeps the value of a Draft
 
+// Magnitudes that a quantity may have unless it is 0: far wider than any beam, and so narrow that no product
+// of powers of them leaves the range of a double.
+struct Magnitudes {
+  double smallest{}, largest{std::numeric_limits<double>::infinity()};
+  std::string_view unit;
+};
+
 struct Key {
   std::string_view table;
   std::string_view name;
   Target (*target)(Draft&);
+  Magnitudes magnitudes{};
   Presence presence{Presence::required};
 
   [[nodiscard]] std::string path() const { return std::string(table) + "." + std::string(name); }
@@ -47,28 +56,38 @@ Target member(Draft& draft) {
 
 // Every key of a case file; a further one is one more line here.
 constexpr std::array keys{
-    Key{"beam", "length", member<&Draft::beam, &BeamProperties::length>},
-    Key{"beam", "area", member<&Draft::beam, &BeamProperties::area>},
-    Key{"beam", "second_moment_of_area", member<&Draft::beam, &BeamProperties::second_moment_of_area>},
-    Key{"beam", "density", member<&Draft::beam, &BeamProperties::density>},
-    Key{"beam", "youngs_modulus", member<&Draft::beam, &BeamProperties::youngs_modulus>},
-    Key{"beam", "axial_force", member<&Draft::beam, &BeamProperties::axial_force>},
-    Key{"friction", "static_coefficient",
-        member<&Draft::friction, &FrictionCoefficients::static_coefficient>},
+    Key{"beam", "length", member<&Draft::beam, &BeamProperties::length>, Magnitudes{1e-9, 1e6, "m"}},
+    Key{"beam", "area", member<&Draft::beam, &BeamProperties::area>, Magnitudes{1e-18, 1e12, "m^2"}},
+    Key{"beam", "second_moment_of_area", member<&Draft::beam, &BeamProperties::second_moment_of_area>,
+        Magnitudes{1e-36, 1e24, "m^4"}},
+    Key{"beam", "density", member<&Draft::beam, &BeamProperties::density>, Magnitudes{1e-6, 1e9, "kg/m^3"}},
+    Key{"beam", "youngs_modulus", member<&Draft::beam, &BeamProperties::youngs_modulus>,
+        Magnitudes{1e-3, 1e18, "Pa"}},
+    Key{"beam", "axial_force", member<&Draft::beam, &BeamProperties::axial_force>,
+        Magnitudes{1e-18, 1e18, "N"}},
+    Key{"friction", "static_coefficient", member<&Draft::friction, &FrictionCoefficients::static_coefficient>,
+        Magnitudes{1e-9, 1e6, ""}},
     Key{"friction", "kinetic_coefficient",
-        member<&Draft::friction, &FrictionCoefficients::kinetic_coefficient>},
-    Key{"friction", "decay", member<&Draft::friction, &FrictionCoefficients::decay>},
-    Key{"excitation", "frequency_hz", member<&Draft::excitation, &HarmonicMotion::frequency_hz>},
-    Key{"excitation", "amplitude", member<&Draft::excitation, &HarmonicMotion::amplitude>},
+        member<&Draft::friction, &FrictionCoefficients::kinetic_coefficient>, Magnitudes{1e-9, 1e6, ""}},
+    Key{"friction", "decay", member<&Draft::friction, &FrictionCoefficients::decay>,
+        Magnitudes{1e-15, 1e15, "s/m"}},
+    Key{"excitation", "frequency_hz", member<&Draft::excitation, &HarmonicMotion::frequency_hz>,
+        Magnitudes{1e-9, 1e12, "Hz"}},
+    Key{"excitation", "amplitude", member<&Draft::excitation, &HarmonicMotion::amplitude>,
+        Magnitudes{1e-18, 1e6, "m"}},
     Key{"numerics", "elements", member<&Draft::numerics, &NumericalChoices::elements>},
-    Key{"numerics", "time_step", member<&Draft::numerics, &NumericalChoices::time_step>},
+    Key{"numerics", "time_step", member<&Draft::numerics, &NumericalChoices::time_step>,
+        Magnitudes{1e-15, 1e9, "s"}},
     Key{"numerics", "spectral_radius", member<&Draft::numerics, &NumericalChoices::spectral_radius>},
-    Key{"numerics", "velocity_threshold", member<&Draft::numerics, &NumericalChoices::velocity_threshold>},
+    Key{"numerics", "velocity_threshold", member<&Draft::numerics, &NumericalChoices::velocity_threshold>,
+        Magnitudes{1e-18, 1e9, "m/s"}},
     Key{"numerics", "modes", member<&Draft::numerics, &NumericalChoices::modes>},
-    Key{"numerics", "duration", member<&Draft::numerics, &NumericalChoices::duration>},
+    Key{"numerics", "duration", member<&Draft::numerics, &NumericalChoices::duration>,
+        Magnitudes{1e-15, 1e15, "s"}},
     Key{"damping", "kelvin_voigt", member<&Draft::damping, &DampingProperties::kelvin_voigt>,
+        Magnitudes{1e-18, 1e6, "s"}, Presence::optional},
+    Key{"damping", "ratio", member<&Draft::damping, &DampingProperties::ratio>, Magnitudes{1e-9, 1.0, ""},
         Presence::optional},
-    Key{"damping", "ratio", member<&Draft::damping, &DampingProperties::ratio>, Presence::optional},
 };
 
 // A value as it was given, and where.
@@ -177,6 +196,16 @@ std::string text_of(const Entry& entry) {
   return std::get<std::string>(entry.value);
 }
 
+// What is not finite is left to the problem types.
+void require_magnitude(const Key& key, double value) {
+  const auto& [smallest, largest, unit] = key.magnitudes;
+  const double magnitude = std::abs(value);
+  if (value == 0.0 || !std::isfinite(value) || (smallest <= magnitude && magnitude <= largest)) return;
+  throw FieldError(key.path(), shortest_text(value),
+                   "from " + shortest_text(smallest) + " to " + shortest_text(largest) +
+                       (unit.empty() ? "" : " (" + std::string(unit) + ")") + " in magnitude");
+}
+
 void assign(const Key& key, const Entry& entry, double& field) {
   if (const auto* floating = std::get_if<double>(&entry.value))
     field = *floating;
@@ -184,6 +213,7 @@ void assign(const Key& key, const Entry& entry, double& field) {
     field = static_cast<double>(*integer);
   else
     throw FieldError(key.path(), text_of(entry), "a number");
+  require_magnitude(key, field);
 }
 
 void assign(const Key& key, const Entry& entry, int& field) {
@@ -277,6 +307,14 @@ std::filesystem::path find_case(const std::string& name_or_path) {
   for (const auto& listing : list_cases()) names.push_back(listing.name);
   throw InputError("case " + (name_or_path.empty() ? "\"\"" : printable(name_or_path)) + " is unknown" +
                    suggestion(name_or_path, names) + ", but must be a file or one of " + joined(names));
+}
+
+void require_magnitude(std::string_view key, double value, const std::string& place) {
+  try {
+    require_magnitude(*std::ranges::find(keys, key, &Key::path), value);
+  } catch (const FieldError& error) {
+    throw InputError(place + ": " + error.what());
+  }
 }
 
 Case read_case(const std::filesystem::path& file, const std::vector<Override>& overrides) {

@@ -518,7 +518,7 @@ TEST(MaximumForce, IsZeroWithoutExcitation) {
 }
 
 TEST(MaximumForce, SurvivesExtremeAmplitudesAndDurations) {
-  for (const double amplitude : {1e-18, 1e6}) {
+  for (const double amplitude : {1e-300, 1e250}) {
     const StickResponse response(paper_beam(), shaking(15.0, amplitude));
     const Bounds bounds = response.max_abs_friction_force(1.0);
     EXPECT_GT(bounds.lower, 0.0);

@@ -199,6 +199,27 @@ TEST_F(CaseFile, IsDampedByAnOverrideWithoutATableOfItsOwn) {
             "value 0.1 (a float), but [damping] has the keys kelvin_voigt, ratio");
 }
 
+TEST_F(CaseFile, RefusesMagnitudesThatNoBeamHas) {
+  for (const auto& key : valid_keys()) {
+    const bool is_below_one = key.key == "spectral_radius" || key.key == "ratio";
+    if (key.is_integer() || is_below_one) continue;
+    for (const std::string value : {"1e+300", "5e-324"})
+      EXPECT_TRUE(refusal(case_with(key.path(), key.key + " = " + value + "\n"))
+                      .starts_with(at(key.path()) + key.path() + " is " + value + ", but must be from "))
+          << key.path();
+  }
+  EXPECT_EQ(refusal(case_with("beam.axial_force", "axial_force = -1e300\n")),
+            at("beam.axial_force") +
+                "beam.axial_force is -1e+300, but must be from 1e-18 to 1e+18 (N) in magnitude");
+  EXPECT_EQ(refusal(valid_case(), {{"damping.ratio", "1e-10"}}),
+            "override damping.ratio=1e-10: damping.ratio is 1e-10, but must be from 1e-09 to 1 in magnitude");
+  EXPECT_EQ(refusal(valid_case(), {{"beam.length", "1e7", "--length"}}),
+            "--length: beam.length is 1e+07, but must be from 1e-09 to 1e+06 (m) in magnitude");
+  EXPECT_EQ(refusal_of([] { data::require_magnitude("friction.decay", 1e16, "--x"); }),
+            "--x: friction.decay is 1e+16, but must be from 1e-15 to 1e+15 (s/m) in magnitude");
+  EXPECT_EQ(refusal_of([] { data::require_magnitude("friction.decay", 0.0, "--x"); }), "accepted");
+}
+
 TEST_F(CaseFile, MustHoldEveryRequiredTable) {
   for (const std::string table : {"beam", "friction", "excitation", "numerics"}) {
     const std::string sentence = refusal(case_without_table(table));

@@ -39,9 +39,14 @@ struct Override {
 /// Throws InputError, naming the cases there are, if neither exists.
 [[nodiscard]] std::filesystem::path find_case(const std::string& name_or_path);
 
+/// Throws InputError, naming the place, if no case may have a number of that magnitude at the key, as
+/// "beam.length", which must be one of problem.hpp.
+void require_magnitude(std::string_view key, double value, const std::string& place);
+
 /// Reads and validates a case, of at most 1 MB; the last override of a key wins. An integer may stand where a
 /// float is expected, but not the other way round. Throws InputError for a file that cannot be read, a syntax
-/// error, an unknown, missing or mistyped key, or a value that the problem types refuse.
+/// error, an unknown, missing or mistyped key, a value that the problem types refuse, or one that no beam
+/// has: each quantity has a range of magnitudes, in SI units, that the problem types do not know.
 [[nodiscard]] Case read_case(const std::filesystem::path& file, const std::vector<Override>& overrides = {});
 
 /// find_case, then read_case.

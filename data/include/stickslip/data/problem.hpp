@@ -37,12 +37,12 @@ class FieldError : public std::invalid_argument {
 
 /// What a Beam is built from; field names are the keys of the table [beam] in a case file.
 struct BeamProperties {
-  double length{};                 ///< L, m, 1e-9 ... 1e6
-  double area{};                   ///< A, m^2, 1e-18 ... 1e12
-  double second_moment_of_area{};  ///< I, m^4, 1e-36 ... 1e24
-  double density{};                ///< rho, kg/m^3, 1e-6 ... 1e9
-  double youngs_modulus{};         ///< E, Pa, 1e-3 ... 1e18
-  double axial_force{};            ///< P, N, compression positive, |P| 1e-18 ... 1e18 or 0
+  double length{};                 ///< L, m, > 0
+  double area{};                   ///< A, m^2, > 0
+  double second_moment_of_area{};  ///< I, m^4, > 0
+  double density{};                ///< rho, kg/m^3, > 0
+  double youngs_modulus{};         ///< E, Pa, > 0
+  double axial_force{};            ///< P, N, compression positive, any finite value
 };
 
 /// A uniform, slender beam. Cannot be built invalid.
@@ -65,9 +65,9 @@ class Beam {
 
 /// What a FrictionLaw is built from; field names are the keys of the table [friction].
 struct FrictionCoefficients {
-  double static_coefficient{};   ///< mu_s, 0 or 1e-9 ... 1e6; at 0 nothing holds the tip
-  double kinetic_coefficient{};  ///< mu_m, the limit at high sliding velocity, 0 or 1e-9 ... mu_s
-  double decay{};                ///< alpha, s/m, 0 or 1e-15 ... 1e15; at 0 it is mu_s at every velocity
+  double static_coefficient{};   ///< mu_s, >= 0
+  double kinetic_coefficient{};  ///< mu_m, the limit at high sliding velocity, 0 <= mu_m <= mu_s
+  double decay{};                ///< alpha, s/m, >= 0
 };
 
 /// The exponential friction law of Eq. (7), mu(v) = mu_m + (mu_s - mu_m) exp(-alpha |v|).
@@ -87,8 +87,8 @@ class FrictionLaw {
 
 /// What a HarmonicExcitation is built from; field names are the keys of the table [excitation].
 struct HarmonicMotion {
-  double frequency_hz{};  ///< Hz, 1e-9 ... 1e12
-  double amplitude{};     ///< A0, m, 0 or 1e-18 ... 1e6; at 0 nothing moves
+  double frequency_hz{};  ///< Hz, > 0
+  double amplitude{};     ///< A0, m, >= 0
 };
 
 /// Harmonic base displacement h(t) = A0 sin(2 pi frequency_hz t). Cannot be built invalid.
@@ -106,9 +106,8 @@ class HarmonicExcitation {
 
 /// What a Damping is built from; field names are the keys of the table [damping].
 struct DampingProperties {
-  double kelvin_voigt{};  ///< eta, s, 0 or 1e-18 ... 1e6: the bending moment is EI (u_xx + eta u_xxt)
-  /// zeta, 0 or 1e-9 <= zeta < 1: fraction of critical damping of every mode of the beam with its tip free
-  /// and P = 0
+  double kelvin_voigt{};  ///< eta, s, >= 0: the bending moment is EI (u_xx + eta u_xxt)
+  /// zeta, 0 <= zeta < 1: fraction of critical damping of every mode of the beam with its tip free and P = 0
   double ratio{};
 };
 
@@ -130,11 +129,11 @@ class Damping {
 /// What NumericalSettings are built from; field names are the keys of the table [numerics].
 struct NumericalChoices {
   int elements{};               ///< number of finite elements, 1 ... 100000
-  double time_step{};           ///< s, 1e-15 ... 1e9
+  double time_step{};           ///< s, > 0
   double spectral_radius{};     ///< of generalised-alpha at infinite frequency, 0 ... 1
-  double velocity_threshold{};  ///< epsilon of Sect. 3, m/s, 0 or 1e-18 ... 1e9
+  double velocity_threshold{};  ///< epsilon of Sect. 3, m/s, >= 0
   int modes{};                  ///< N of Eq. (21), 1 ... 200
-  double duration{};            ///< s, 1 ... 1e9 times time_step, up to 1e15
+  double duration{};            ///< s, 1 ... 1e9 times time_step
 };
 
 /// Settings of both implementations. Cannot be built invalid.
