@@ -2,7 +2,9 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "case_options.hpp"
 #include "commands.hpp"
 #include "completion.hpp"
 #include "manual_page.hpp"
@@ -30,8 +32,12 @@ void add_documentation_command(CLI::App& app) {
   auto* command = app.add_subcommand("documentation", "Manual page, or completion for a shell");
   command->group("");
   auto options = std::make_shared<DocumentationOptions>();
-  command->add_option("FORMAT", options->format)->check(CLI::IsMember(formats))->required();
-  command->add_option("--output", options->output, "File, '-' for standard output")->capture_default_str();
+  std::vector<std::string> names;
+  for (const auto& [name, text_of] : formats) names.push_back(name);
+  command->add_option("FORMAT", options->format)->check(one_of(names))->required();
+  command->add_option("--output", options->output, "File, '-' for standard output")
+      ->check(file_name())
+      ->capture_default_str();
   command->callback([&app, options] {
     OutputFile file(options->output);
     file.write(formats.at(options->format)(command_tree(app)));

@@ -37,7 +37,7 @@ struct MapOptions {
   std::string method = "closed-form";
   std::optional<double> duration;
   bool states_only{};
-  std::string shard;
+  std::optional<MapPart> shard;
   std::vector<std::string> merge;
   std::string output = "-";
   std::string figure;
@@ -95,14 +95,21 @@ void require_output_file(const MapOptions& options) {
   if (options.output != "-") return;
   if (options.problem.json)
     throw data::InputError("--json and --output - both want standard output, but --json needs --output FILE");
-  if (!options.shard.empty())
-    throw data::InputError("--output is standard output, but --shard needs --output FILE");
+  if (options.shard) throw data::InputError("--output is standard output, but --shard needs --output FILE");
+}
+
+// An axis whose ends a case may have.
+studies::MapAxis axis_of(const std::string& option, const std::string& text) {
+  studies::MapAxis axis = parse_axis(option, text);
+  for (const double end : {axis.values.front(), axis.values.back()})
+    data::require_magnitude(studies::field_of(axis.parameter), end, option);
+  return axis;
 }
 
 studies::MapTask task_of(const MapOptions& options) {
   studies::MapTask task{.problem = load_case(options.problem, options.excitation, options.duration),
-                        .x = parse_axis("--x", options.x),
-                        .y = parse_axis("--y", options.y),
+                        .x = axis_of("--x", options.x),
+                        .y = axis_of("--y", options.y),
                         .method = options.method == closed_form_method ? studies::MapMethod::closed_form
                                                                        : studies::MapMethod::finite_elements,
                         .states_only = options.states_only};
@@ -239,26 +246,28 @@ void run(const MapOptions& options) {
     return run.finish(map.task, map.evaluations);
   }
   const studies::MapTask task = task_of(options);
-  const MapPart part = options.shard.empty() ? MapPart() : parse_part(options.shard);
+  const MapPart part = options.shard.value_or(MapPart());
   Run run(options);
   run.work(task, part, [&](const studies::MapEvaluations& evaluations) {
-    if (options.shard.empty())
-      run.finish(task, evaluations);
-    else
+    if (options.shard)
       run.finish_shard(task, part, evaluations);
+    else
+      run.finish(task, evaluations);
   });
 }
 
 // --merge takes from the shards what the other options say.
 void add_shard_options(CLI::App& command, MapOptions& options) {
   auto* shard = command
-                    .add_option("--shard", options.shard,
-                                "Make only part K of M of the evaluations and write them to the output, for "
-                                "--merge; M runs with one K each make the map")
+                    .add_option_function<std::string>(
+                        "--shard", [&options](const std::string& text) { options.shard = parse_part(text); },
+                        "Make only part K of M of the evaluations and write them to the output, for "
+                        "--merge; M runs with one K each make the map")
                     ->type_name("K/M");
   auto* merge = command
                     .add_option("--merge", options.merge,
                                 "Make no evaluation, but the map from these files, the outputs of all shards")
+                    ->check(file_name())
                     ->type_name("FILE...");
   shard->excludes(command.get_option("--figure"));
   for (CLI::Option* option : command.get_options())

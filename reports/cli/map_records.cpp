@@ -15,6 +15,7 @@
 
 #include "case_options.hpp"
 #include "fingerprint.hpp"
+#include "input_text.hpp"
 #include "output_file.hpp"
 #include "range_text.hpp"
 #include "stickslip/report/criterion_map.hpp"
@@ -84,6 +85,8 @@ studies::MapTask task_of(const Json& json) {
                                                             : studies::MapMethod::finite_elements,
           .states_only = json.at("states_only")};
 }
+
+constexpr std::size_t largest_shard = 500'000'000;  // bytes, more than the largest map takes
 
 // The line with its check; that of a record depends on the first line, too.
 std::string checked(std::string_view content, report::Fingerprint before = {}) {
@@ -171,6 +174,14 @@ std::optional<Json> header_of(std::string_view text) {
   return json;
 }
 
+std::string shard_in(const std::string& file) {
+  try {
+    return data::read_bounded(file, largest_shard);
+  } catch (const data::InputError& error) {
+    throw data::InputError(std::string("--merge: ") + error.what());
+  }
+}
+
 void require_all(const std::vector<std::string>& file_of_part, const std::string& one) {
   constexpr std::size_t named = 5;
   std::vector<std::size_t> missing;
@@ -217,9 +228,9 @@ MergedMap merged(const std::vector<std::string>& files) {
     const auto refuse = [&](const std::string& why) {
       throw data::InputError(fmt::format("--merge: {} {}", file, why));
     };
-    const std::string text = report::read_text(file);
+    const std::string text = shard_in(file);
     const auto header = header_of(text);
-    if (!header) refuse(fs::exists(file) ? "is no shard of a map" : "cannot be read");
+    if (!header) refuse("is no shard of a map");
     if (header->value("program", "") != program())
       refuse(fmt::format("was made by {}, but must be by {}", header->value("program", "another program"),
                          program()));

@@ -391,7 +391,8 @@ std::vector<Command> commands() {
           {"reference export", {{"NAME", set}, {"--package", fixture}, {"--output", "FOLDER/out.csv"}}},
           {"compare", {{"NAME", set}, {"FILE", fixture + "/frequencies/stick.csv"}, {"--package", fixture}}},
           {"report", {{"--only", "fig2"}, {"--output", "FOLDER/report"}}},
-          {"cases", {}}};
+          {"cases", {}},
+          {"documentation", {{"FORMAT", "man"}, {"--output", "FOLDER/stickslip.1"}}}};
 }
 
 class OptionInput : public Drawing {
@@ -414,10 +415,16 @@ class OptionInput : public Drawing {
     bool takes_value{};
   };
 
+  // The help up to its examples.
+  [[nodiscard]] std::istringstream help(const std::string& command) const {
+    const std::string text = run(command + " --help").output;
+    return std::istringstream(text.substr(0, text.find("\nExamples:")));
+  }
+
   // What --help lists, but for itself.
   [[nodiscard]] std::vector<Listed> listed(const std::string& command) const {
     std::vector<Listed> options;
-    std::istringstream lines(run(command + " --help").output);
+    auto lines = help(command);
     for (std::string line; std::getline(lines, line);) {
       if (!line.starts_with("  ") || line.starts_with("   ") || line.starts_with("  -h")) continue;
       std::istringstream words(line);
@@ -426,7 +433,8 @@ class OptionInput : public Drawing {
       const bool is_positional =
           std::ranges::all_of(name, [](char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; });
       if (!is_positional && !name.starts_with("--")) continue;
-      const bool names_a_type = line.size() > name.size() + 3 && line[name.size() + 3] != ' ';
+      const bool names_a_type =
+          line.size() > name.size() + 3 && line[name.size() + 3] != ' ' && type != "Excludes:";
       options.push_back({name, is_positional || names_a_type});
     }
     return options;
@@ -440,6 +448,7 @@ class OptionInput : public Drawing {
     for (const auto& [name, value] : command.arguments) {
       if (name == option.name) good = value;
       if (name == option.name && name != "--set") continue;
+      if (option.name == "--merge" && name != "--output") continue;  // what it excludes
       if (name.starts_with('-')) words.push_back(name);
       words.push_back(value);
     }
@@ -538,8 +547,8 @@ INSTANTIATE_TEST_SUITE_P(Subcommands, OptionsOf, ::testing::ValuesIn(command_nam
 TEST_F(OptionInput, BelongToTheSubcommandsThatAreTried) {
   std::set<std::string> names;
   for (const std::string& name : command_names()) names.insert(name.substr(0, name.find(' ')));
-  std::istringstream lines(run("--help").output);
-  std::set<std::string> listed_names;
+  auto lines = help("");
+  std::set<std::string> listed_names{"documentation"};  // hidden
   bool below = false;
   for (std::string line; std::getline(lines, line);) {
     if (below && line.starts_with("  ") && !line.starts_with("   ")) {
@@ -573,8 +582,35 @@ TEST_F(OptionInput, ThatHasNoValueOrTwoIsNamed) {
                  "--duration: numerics.duration is 1e+09, but must be at most a billion times");
   expect_refused("criterion --set numerics.duration=1e5",
                  "a hundred million periods of natural frequency 10");
+  expect_refused("map --threads 1e9", "--threads: 1e9 is not an integer from 1 to 1024");
+  expect_refused("map --threads 0", "--threads: 0 is not an integer from 1 to 1024");
+  expect_refused("map --x length=1e-300:1:2",
+                 "--x: beam.length is 1e-300, but must be from 1e-09 to 1e+06 (m)");
+  expect_refused("map --shard 0/3 --output a", "--shard is '0/3', but must be K/M with integers 1 <= K <= M");
+  expect_refused("map --shard '' --output a", "--shard is '', but must be K/M");
+  expect_refused("map --merge ''", "--merge: '' is not the name of a file");
+  expect_refused("documentation fsh", "FORMAT: fsh is unknown (did you mean fish?)");
   expect_refused("respond --output a --events a",
                  "--output and --events are both 'a', but must be two files");
+}
+
+TEST_F(OptionInput, ThatNamesNoShardIsRefused) {
+  std::ofstream(path("empty"));
+  std::ofstream(path("binary"), std::ios::binary) << std::string("\0\xFF\x1B\n\n", 5);
+  std::ofstream(path("text")) << "frequency,amplitude\n1,2\n";
+  std::ofstream(path("large"));
+  fs::resize_file(path("large"), 10 * hundred_megabytes);
+  const std::vector<std::pair<std::string, std::string>> files{
+      {"missing", ": cannot be opened for reading"},
+      {"", ": is a folder"},
+      {"empty", ": is empty"},
+      {"binary", " is no shard of a map"},
+      {"text", " is no shard of a map"},
+      {"large", ": is larger than the 500000000 bytes"}};
+  for (const auto& [name, why] : files)
+    expect_refused("map --merge " + in_quotes(path(name)) + " --output " + in_quotes(path("out.csv")),
+                   "--merge: " + path(name) + why);
+  EXPECT_FALSE(fs::exists(path("out.csv")));
 }
 
 // --- Warnings of the program: one line each on standard error, the sentences in JSON, the exit status

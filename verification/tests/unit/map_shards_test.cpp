@@ -225,7 +225,7 @@ TEST_F(MapShards, ThatAreMissingDoubleForeignOrDamagedDoNotMerge) {
   expect_refused(merge(3), path("shard-2") + " is not finished: it holds 4 of 5 evaluations");
   std::ofstream(path("shard-2")) << "length_m\n";
   expect_refused(merge(3), path("shard-2") + " is no shard of a map");
-  expect_refused("map --merge '" + path("none") + "'", path("none") + " cannot be read");
+  expect_refused("map --merge '" + path("none") + "'", path("none") + ": cannot be opened for reading");
 }
 
 TEST_F(MapShards, RefuseWhatDoesNotGoTogether) {
