@@ -117,11 +117,14 @@ void require_undamped(const data::Case& problem, std::string_view what) {
       data::shortest_text(viscous ? problem.damping.kelvin_voigt() : problem.damping.ratio()), what));
 }
 
-std::vector<std::string> warnings_of(const data::Case& problem, studies::Inquiry inquiry, int frequencies) {
+std::vector<std::string> sentences_of(const std::vector<studies::Warning>& warnings) {
   std::vector<std::string> sentences;
-  for (const auto& warning : studies::problem_warnings(problem, inquiry, frequencies))
-    sentences.push_back(warning.sentence);
+  for (const auto& warning : warnings) sentences.push_back(warning.sentence);
   return sentences;
+}
+
+std::vector<std::string> warnings_of(const data::Case& problem, studies::Inquiry inquiry, int frequencies) {
+  return sentences_of(studies::problem_warnings(problem, inquiry, frequencies));
 }
 
 void print_warnings(const std::vector<std::string>& warnings) {

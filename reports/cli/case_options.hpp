@@ -76,6 +76,8 @@ template <class Number>
 /// Throws data::InputError, naming the damping, if the case has any; `what` needs it to have none.
 void require_undamped(const data::Case& problem, std::string_view what);
 
+[[nodiscard]] std::vector<std::string> sentences_of(const std::vector<studies::Warning>& warnings);
+
 /// The sentences of studies::problem_warnings().
 [[nodiscard]] std::vector<std::string> warnings_of(const data::Case& problem, studies::Inquiry inquiry,
                                                    int frequencies = 0);

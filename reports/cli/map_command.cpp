@@ -83,11 +83,13 @@ Json to_json(const studies::MapTask& task, const MapOptions& options) {
           {"output", options.output}};
 }
 
-Json to_json(const studies::MapTask& task, const studies::CriterionMap& map, const MapOptions& options) {
+Json to_json(const studies::MapTask& task, const studies::CriterionMap& map,
+             const std::vector<std::string>& warnings, const MapOptions& options) {
   Json object = to_json(task, options);
   object["figure"] = options.figure.empty() ? Json() : Json(options.figure);
   object["cells"] = map.cells.size();
   for (const auto state : states) object["states"][report::to_string(state)] = cells_in(map, state);
+  object["warnings"] = warnings;
   return object;
 }
 
@@ -159,8 +161,11 @@ class Run {
     const report::CsvTable table = report::table_of(task.problem, map);
     put_in_place(table.text());
     if (figure_) write_figure(map, table, options_, *figure_);
+    const auto warnings =
+        sentences_of(studies::warnings_common_to(task.problem, {task.x.parameter, task.y.parameter}));
+    print_warnings(warnings);
     if (options_.problem.json)
-      print_json(to_json(task, map, options_));
+      print_json(to_json(task, map, warnings, options_));
     else if (options_.output != "-")
       print_summary(map, options_);
   }

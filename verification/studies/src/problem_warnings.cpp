@@ -178,6 +178,20 @@ std::vector<Warning> problem_warnings(const data::Case& problem, Inquiry inquiry
   return warnings;
 }
 
+std::vector<Warning> warnings_common_to(const data::Case& problem, const std::vector<Parameter>& varied) {
+  if (problem.beam.axial_force() >= analytic::stick_buckling_load(problem.beam)) return {};
+  const auto moves_a_frequency = [](Parameter parameter) {
+    return parameter != Parameter::amplitude && parameter != Parameter::static_coefficient;
+  };
+  auto warnings = problem_warnings(problem, Inquiry::criterion);
+  std::erase_if(warnings, [&](const Warning& warning) {
+    return warning.concern == Concern::resonance
+               ? std::ranges::any_of(varied, moves_a_frequency)
+               : std::ranges::find(varied, Parameter::length) != varied.end();
+  });
+  return warnings;
+}
+
 void require_feasible(const data::Case& problem, Inquiry inquiry) {
   if (is_about_frequencies(inquiry) || inquiry == Inquiry::stepped_history) return;
   const bool is_event_driven = inquiry == Inquiry::event_driven_history;

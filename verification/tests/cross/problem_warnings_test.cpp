@@ -264,6 +264,29 @@ TEST(ProblemWarnings, OfThePapersCaseAreItsResonanceAlone) {
   EXPECT_EQ(concerns(Inquiry::stick_frequencies, 3), std::vector{Concern::thick_beam});  // by 5.1 %
 }
 
+TEST(ProblemWarnings, OfAMapAreThoseThatItsAxesLeaveAsTheyAre) {
+  using studies::Parameter;
+  const auto concerns = [](const std::vector<data::Override>& overrides, const std::vector<Parameter>& axes) {
+    std::vector<Concern> found;
+    for (const auto& warning : studies::warnings_common_to(paper_with(overrides), axes))
+      found.push_back(warning.concern);
+    return found;
+  };
+  const std::vector<data::Override> resonant, fast{{"excitation.frequency_hz", "300"}};
+  EXPECT_EQ(concerns(resonant, {Parameter::amplitude, Parameter::static_coefficient}),
+            std::vector{Concern::resonance});
+  EXPECT_EQ(concerns(fast, {Parameter::amplitude, Parameter::static_coefficient}),
+            std::vector{Concern::thick_beam});
+  for (const Parameter axis :
+       {Parameter::frequency, Parameter::length, Parameter::axial_force, Parameter::youngs_modulus}) {
+    EXPECT_EQ(concerns(resonant, {axis, Parameter::amplitude}), std::vector<Concern>{});
+    EXPECT_EQ(concerns(fast, {Parameter::amplitude, axis}),
+              axis == Parameter::length ? std::vector<Concern>{} : std::vector{Concern::thick_beam});
+  }
+  EXPECT_EQ(concerns({{"beam.axial_force", "1e5"}}, {Parameter::amplitude, Parameter::axial_force}),
+            std::vector<Concern>{});
+}
+
 TEST(ProblemWarnings, AreOneSentenceEach) {
   for (const auto& listing : data::list_cases())
     for (const Inquiry inquiry : {Inquiry::stick_frequencies, Inquiry::slip_frequencies, Inquiry::criterion,

@@ -643,13 +643,18 @@ TEST_F(WarningsOf, TheSubcommandsAreOneLineEachAndInJson) {
                  "at the flutter load of the sliding beam");
   expect_warning("respond --method event-driven --set beam.axial_force=84000 --duration 0.002" + output,
                  "flutter load");
+  const std::string amplitudes = "map --y amplitude=1e-4:2e-4:2 --x ";
+  expect_warning(amplitudes + "friction=0.4:0.6:2" + output, "next to natural frequency 1");
+  expect_warning(amplitudes + "friction=0.4:0.6:2 --hz 300 --duration 0.1" + output,
+                 "thick for Euler-Bernoulli");
   expect_warning("design --band 300:300 --duration 0.1 --length 1.99:2 --force 499:500",
                  "thick for Euler-Bernoulli");
 }
 
 TEST_F(WarningsOf, ARunThatDeservesNoneAreNone) {
   for (const std::string arguments :
-       {"modes --count 2", "criterion --hz 15 --set numerics.duration=0.5", "respond --hz 15 --duration 0.1"})
+       {"modes --count 2", "criterion --hz 15 --set numerics.duration=0.5", "respond --hz 15 --duration 0.1",
+        "map --x frequency=20:30:2 --y amplitude=1e-4:2e-4:2 --duration 0.1"})
     EXPECT_EQ(run(arguments).errors, "") << arguments;
   EXPECT_EQ(json("modes --count 2")["warnings"], nlohmann::json::array());
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
+#include "stickslip/studies/problem_parameter.hpp"
 
 namespace stickslip::studies {
 
@@ -78,6 +79,12 @@ constexpr double shear_flexibility = 3.0;
 /// `frequencies` is how many were asked for. Throws what stick_modes() throws.
 [[nodiscard]] std::vector<Warning> problem_warnings(const data::Case& problem, Inquiry inquiry,
                                                     int frequencies = 0);
+
+/// Those of the criterion that hold wherever these parameters of the case are varied: no resonance if one of
+/// them moves a frequency, no thick beam if the length is among them, and none at all of a case whose P is at
+/// the buckling load or over it.
+[[nodiscard]] std::vector<Warning> warnings_common_to(const data::Case& problem,
+                                                      const std::vector<Parameter>& varied);
 
 /// Throws data::FieldError, naming numerics.duration, if a closed form would have to follow more than 1e8
 /// periods of the highest natural frequency kept, or of the excitation, or an event-driven history more than
