@@ -186,7 +186,7 @@ void apply(const Override& replacement, Entries& entries) {
     require_known_key(place, replacement.key, value);
     entries.insert_or_assign(replacement.key, entry_of(value, place));
   } catch (const toml::parse_error& error) {
-    throw InputError(place + ": the value is not valid TOML: " + std::string(error.description()));
+    throw InputError(place + ": the value is not valid TOML: " + description_of(error));
   }
 }
 

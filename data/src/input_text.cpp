@@ -63,7 +63,7 @@ std::string read_bounded(const std::filesystem::path& file, std::size_t most) {
   };
   if (std::filesystem::is_regular_file(file, error) && std::filesystem::file_size(file, error) > most)
     refuse_size();
-  constexpr std::size_t chunk = 1 << 20;
+  constexpr std::size_t chunk = 1 << 16;
   std::string text;
   while (stream && text.size() <= most) {
     const std::size_t before = text.size();

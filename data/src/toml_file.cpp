@@ -1,5 +1,6 @@
 #include "toml_file.hpp"
 
+#include <algorithm>
 #include <locale>
 #include <sstream>
 
@@ -37,8 +38,15 @@ toml::table read_toml(const std::filesystem::path& file) {
     return toml::parse(text, file.string());
   } catch (const toml::parse_error& error) {
     throw InputError(file.string() + ":" + std::to_string(error.source().begin.line) +
-                     ": is not valid TOML: " + std::string(error.description()));
+                     ": is not valid TOML: " + description_of(error));
   }
+}
+
+std::string description_of(const toml::parse_error& error) {
+  std::string text(error.description());
+  std::ranges::replace_if(
+      text, [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == '\x7f'; }, '?');
+  return text;
 }
 
 std::string place_of(const std::filesystem::path& file, const toml::node& node) {
