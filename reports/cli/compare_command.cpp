@@ -12,6 +12,7 @@
 #include "figure_format.hpp"
 #include "output_file.hpp"
 #include "stickslip/report/comparison_figure.hpp"
+#include "stickslip/report/interruption.hpp"
 #include "stickslip/report/report.hpp"
 
 namespace stickslip::cli {
@@ -103,6 +104,11 @@ void run(const CompareOptions& options) {
   open(junit, options.junit);
   open(figure, options.figure);
 
+  const report::Interruption interruption([&] {
+    for (const auto* file : {&json, &junit, &figure})
+      if (*file) (*file)->discard();
+    return "interrupted; a file that is not in place yet will not be";
+  });
   const studies::Comparison comparison = compare(options);
   if (!options.quiet && options.json != "-" && options.junit != "-") fmt::print("{}", text_of(comparison));
   if (json) write(json, json_of(comparison, options.file).dump(2) + "\n");

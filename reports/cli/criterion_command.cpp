@@ -8,6 +8,7 @@
 #include "case_options.hpp"
 #include "commands.hpp"
 #include "number_text.hpp"
+#include "stickslip/report/interruption.hpp"
 
 namespace stickslip::cli {
 
@@ -87,6 +88,7 @@ void run(const CriterionOptions& options) {
   require_undamped(problem, "the criterion");
   analytic::require_contact(problem.beam);
   studies::require_feasible(problem, studies::Inquiry::criterion);
+  const report::Interruption interruption([] { return "interrupted before there was a result"; });
   const auto paper = with_paper_modes(problem);
   const auto all = with_all_modes(problem);
   const auto warnings = warnings_of(problem, studies::Inquiry::criterion);

@@ -2,6 +2,8 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -11,6 +13,43 @@
 namespace stickslip::cli {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+std::string prefix_of_temporaries(const fs::path& target) {
+  return fmt::format(".{}.", target.filename().string());
+}
+
+// Temporary files of the target that no process holds any more.
+void remove_abandoned(const fs::path& target) {
+  const std::string prefix = prefix_of_temporaries(target);
+  std::error_code error;  // what cannot be listed or removed is in nobody's way
+  for (const auto& entry : fs::directory_iterator(target.parent_path(), error)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with(prefix) || name.size() == prefix.size() ||
+        name.find_first_not_of("0123456789", prefix.size()) != std::string::npos)
+      continue;
+    const int descriptor = ::open(entry.path().c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
+    if (descriptor < 0) continue;
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) ::unlink(entry.path().c_str());
+    ::close(descriptor);
+  }
+}
+
+// A new file that stays locked while it is open, or -1. Somebody else's remove_abandoned() may come between
+// the two.
+int create_locked(const fs::path& file) {
+  for (;;) {
+    const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor < 0) return -1;
+    ::flock(descriptor, LOCK_EX);
+    struct stat status {};
+    if (::fstat(descriptor, &status) == 0 && status.st_nlink > 0) return descriptor;
+    ::close(descriptor);
+  }
+}
+
+}  // namespace
 
 OutputFile::OutputFile(const std::string& path) : path_(path) {
   if (path == "-") {
@@ -40,9 +79,10 @@ void OutputFile::open_directly() {
 
 void OutputFile::open_temporary() {
   if (::access(target_.c_str(), W_OK) != 0 && errno != ENOENT) fail();
+  remove_abandoned(target_);
   const fs::path beside =
-      target_.parent_path() / fmt::format(".{}.{}", target_.filename().string(), ::getpid());
-  const int descriptor = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      target_.parent_path() / (prefix_of_temporaries(target_) + std::to_string(::getpid()));
+  const int descriptor = create_locked(beside);
   if (descriptor < 0) fail();
   temporary_ = beside;
   stream_ = ::fdopen(descriptor, "wb");

@@ -14,10 +14,11 @@ class OutputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A file that appears under its name only when it is complete: written beside it under a temporary name,
-/// flushed to the disk and renamed by commit(); removed if commit() is not reached. "-" is standard output.
-/// What exists and is no regular file (a pipe, /dev/null) is written to directly; a symbolic link stays and
-/// its target is replaced.
+/// A file that appears under its name only when it is complete: written beside it under a temporary name
+/// (.NAME.PID, locked while it is written; what a killed run has left there the next one removes), flushed to
+/// the disk and renamed by commit(); removed if commit() is not reached. "-" is standard output. What exists
+/// and is no regular file (a pipe, /dev/null) is written to directly; a symbolic link stays and its target is
+/// replaced.
 class OutputFile {
  public:
   /// Throws OutputError if the path cannot be written.

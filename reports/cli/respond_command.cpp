@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -14,6 +15,7 @@
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/report/interruption.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 
 namespace stickslip::cli {
@@ -93,11 +95,17 @@ class Writer {
     require_finite_row(row);
     if (summary_.rows == 0) file_.write(header);
     file_.write(csv_line(row));
+    time_ = row.time;
     ++summary_.rows;
     summary_.largest_force = std::max(summary_.largest_force, std::abs(row.friction_force));
   }
 
   [[nodiscard]] Summary& summary() { return summary_; }
+
+  /// Of the last row, s; any thread may ask.
+  [[nodiscard]] double time() const { return time_; }
+
+  void discard() const noexcept { file_.discard(); }
 
   Summary finish() {
     file_.commit();
@@ -107,6 +115,7 @@ class Writer {
  private:
   OutputFile file_;
   Summary summary_;
+  std::atomic<double> time_{};
 };
 
 long steps_of(const data::Case& problem) {
@@ -271,6 +280,14 @@ void run(const RespondOptions& options) {
   Writer writer(options.output);
   std::optional<OutputFile> events;
   if (!options.events.empty()) events.emplace(options.events);  // refused now rather than after the run
+  const report::Interruption interruption([&] {
+    writer.discard();
+    if (events) events->discard();
+    return fmt::format(
+        "interrupted at {} s of {} s; {}", data::shortest_text(writer.time()),
+        data::shortest_text(problem.numerics.duration()),
+        to_standard_output ? "standard output holds the history up to there at most" : "nothing is kept");
+  });
   const auto write = closed_form                        ? write_closed_form
                      : options.method == "event-driven" ? write_event_driven
                                                         : write_finite_element;
