@@ -97,6 +97,8 @@ studies::MapAxis parse_axis(std::string_view option, std::string_view text) {
   const studies::Parameter parameter = parameter_of(option, text.substr(0, equals));
   const bool zero = parameter == studies::Parameter::amplitude && !logarithmic;
   const ParameterRange range = range_of(option, parts[0], parts[1], zero, false);
+  if (logarithmic && !std::isfinite(range.to / range.from))
+    refuse(option, "TO", parts[1], fmt::format("at most 1e308 times FROM, {}", parts[0]));
   const auto count = parse<int>(parts[2]);
   if (!count || *count < 2 || *count > most_values)
     refuse(option, "COUNT", parts[2], fmt::format("an integer from 2 to {}", most_values));
