@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cstddef>
 #include <cstdlib>
 #include <sstream>
 #include <string_view>
@@ -29,6 +31,16 @@ void require_success(int status, const fs::path& drawing, const fs::path& log) {
   throw std::runtime_error(
       fmt::format("gnuplot could not draw {}: {}", drawing.filename().string(),
                   words.empty() ? fmt::format("it ended with status {} and said nothing", status) : words));
+}
+
+// Blanks out when a PDF was made, in place, so that the same data make the same bytes.
+void remove_date(const fs::path& pdf) {
+  std::string bytes = read_text(pdf);
+  const std::size_t begin = bytes.find("/CreationDate (");
+  const std::size_t end = bytes.find(')', begin);
+  if (begin == std::string::npos || end == std::string::npos) return;
+  std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(begin), end + 1 - begin, ' ');
+  write_text(pdf, bytes);
 }
 
 // A script and those that it loads.
@@ -87,6 +99,7 @@ std::vector<fs::path> draw_in_scratch(const std::string& script, const std::stri
   for (const std::string& drawing : drawings) {
     files.push_back(folder / drawing);
     require_success(status, files.back(), log);
+    if (format == "pdf") remove_date(files.back());
   }
   return files;
 }
