@@ -13,6 +13,10 @@ build_packages=(
 # shellcheck disable=SC2034
 figure_packages=(gnuplot-nox fonts-dejavu-core)
 
+# What feeds the fuzz targets.
+# shellcheck disable=SC2034
+fuzz_packages=(clang libclang-rt-14-dev)
+
 fail() {
   echo "$(basename "$0"): $*" >&2
   exit 2

@@ -100,7 +100,7 @@ class Scan {
       for (const double hz : {band_.from_hz, band_.to_hz})
         if (const auto value = value_at_resonance(range, mode, hz)) values.push_back(*value);
     std::ranges::sort(values);
-    values.erase(std::ranges::unique(values).begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
     return values;
   }
 

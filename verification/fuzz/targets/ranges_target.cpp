@@ -1,0 +1,45 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "range_text.hpp"
+#include "stickslip/data/case_file.hpp"
+#include "target.hpp"
+
+namespace stickslip::fuzz {
+
+namespace {
+
+void require_ascending(std::span<const double> values, std::string_view text) {
+  const bool holds =
+      std::ranges::all_of(values, [](double value) { return std::isfinite(value) && value >= 0.0; }) &&
+      std::ranges::is_sorted(values);
+  if (!holds) throw Violation("no ascending finite numbers of 0 or more: " + std::string(text));
+}
+
+void refused_or(const std::function<void()>& parse) {
+  try {
+    parse();
+  } catch (const data::InputError& refusal) {
+    require_sentence(refusal);
+  }
+}
+
+}  // namespace
+
+void parse_ranges(Bytes bytes) {
+  const std::string text(bytes.begin(), bytes.end());
+  refused_or([&] {
+    const auto axis = cli::parse_axis("--x", text);
+    if (axis.values.size() < 2) throw Violation("an axis of fewer than two values: " + text);
+    require_ascending(axis.values, text);
+    if (axis.values.front() == axis.values.back()) throw Violation("an axis that goes nowhere: " + text);
+  });
+  for (const auto parse : {cli::parse_range, cli::parse_band})
+    refused_or([&] {
+      const auto [from, to] = parse("--band", text);
+      require_ascending(std::array{from, to}, text);
+    });
+}
+
+}  // namespace stickslip::fuzz
