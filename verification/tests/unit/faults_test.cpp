@@ -1,0 +1,227 @@
+/// Full disks, folders that cannot be written, pipes that close, programs that are missing, signals and runs
+/// that diverge: a clear sentence, the right exit status, and no file that is not whole.
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "support/command_line.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Fault : public CommandLine {
+ protected:
+  // All files below a folder, those that begin with a dot as well.
+  [[nodiscard]] static std::vector<std::string> all_files(const fs::path& folder) {
+    std::vector<std::string> names;
+    if (!fs::exists(folder)) return names;
+    for (const auto& file : fs::recursive_directory_iterator(folder))
+      if (!file.is_directory()) names.push_back(fs::relative(file.path(), folder).string());
+    std::ranges::sort(names);
+    return names;
+  }
+
+  // Runs the program, sends it a signal after a while and says how it ended, as a shell would.
+  struct Ending {
+    int status{};
+    double seconds{};  // from the signal to the end
+    std::string errors;
+  };
+  [[nodiscard]] Ending signalled(const std::string& arguments, int signal,
+                                 std::chrono::milliseconds after) const {
+    const std::string command = std::string("exec '") + STICKSLIP_PROGRAM + "' " + arguments + " >'" +
+                                path("stdout") + "' 2>'" + path("stderr") + "'";
+    const pid_t process = ::fork();
+    if (process == 0) {
+      ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+      ::_exit(127);
+    }
+    std::this_thread::sleep_for(after);
+    const auto begin = std::chrono::steady_clock::now();
+    ::kill(process, signal);
+    int status = 0;
+    ::waitpid(process, &status, 0);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), took.count(),
+            contents(path("stderr"))};
+  }
+
+  // One sentence that names the file.
+  void expect_failure(const Outcome& outcome, int status, const std::string& name,
+                      const std::string& reason) const {
+    EXPECT_EQ(outcome.status, status) << outcome.errors;
+    EXPECT_EQ(std::ranges::count(outcome.errors, '\n'), 1) << outcome.errors;
+    EXPECT_NE(outcome.errors.find(name), std::string::npos) << outcome.errors;
+    EXPECT_NE(outcome.errors.find(reason), std::string::npos) << outcome.errors;
+  }
+
+  static constexpr const char* history = "respond paper --hz 25 --amplitude 1e-3 --duration 0.3";  // 400 kB
+};
+
+// A limit of 4 kB for each file stands for the disk.
+TEST_F(Fault, DiskThatIsFullIsNamedAndLeavesTheOldFiles) {
+  const auto limited = [&](const std::string& arguments) {
+    return shell("ulimit -f 4; '" + std::string(STICKSLIP_PROGRAM) + "' " + arguments);
+  };
+  std::ofstream(path("old.csv")) << "old";
+  expect_failure(limited(history + (" --output '" + path("old.csv") + "'")), 2, "old.csv", "File too large");
+  EXPECT_EQ(contents(path("old.csv")), "old");
+  expect_failure(
+      limited("map paper --x frequency=1:50:50 --y amplitude=1e-4:1e-3:5 --output '" + path("map.csv") + "'"),
+      2, "map.csv", "File too large");
+  expect_failure(limited("reference export stick-history --output '" + path("table.csv") + "'"), 2,
+                 "table.csv", "File too large");
+  EXPECT_EQ(all_files(path("")), (std::vector<std::string>{"old.csv", "stderr", "stdout"}));
+  expect_failure(limited("report --quiet --only fig2 --output '" + path("report") + "'"), 1, "fig2.csv",
+                 "File too large");
+  expect_failure(limited("animate --duration 0.1 --frames 5 --output '" + path("film") + "'"), 1,
+                 "motion.csv", "File too large");
+  EXPECT_EQ(all_files(path("report")), std::vector<std::string>{});
+  EXPECT_EQ(all_files(path("film")), std::vector<std::string>{});
+}
+
+TEST_F(Fault, StandardOutputThatIsFullIsNamed) {
+  for (const std::string& arguments : std::vector<std::string>{
+           "criterion", "modes", "cases", "reference list", "reference export stick-frequencies", "--help",
+           "respond --duration 0.01", "map --x frequency=1:9:3 --y amplitude=1e-4:1e-3:2"}) {
+    const Outcome outcome = shell("'" + std::string(STICKSLIP_PROGRAM) + "' " + arguments + " >/dev/full");
+    expect_failure(outcome, 2, "standard output", "cannot be written");
+  }
+}
+
+// A folder below a file can be written by nobody, root included.
+TEST_F(Fault, FolderThatCannotBeWrittenIsNamedBeforeAnythingIsComputed) {
+  std::ofstream(path("file")) << "in the way";
+  const std::string inside = "'" + path("file") + "/below'";
+  for (const std::string& command :
+       std::vector<std::string>{"respond --duration 1e5 --output ",
+                                "respond --duration 1e5 --output '" + path("new.csv") + "' --events ",
+                                "map --method fe --x frequency=1:9:2000 --y length=1:2:2000 --output ",
+                                "animate --duration 1e5 --frames 5 --output ", "report --output ",
+                                "reference export stick-frequencies --output "}) {
+    const Outcome outcome = run(command + inside);
+    expect_failure(outcome, 2, path("file"), "Not a directory");
+  }
+  EXPECT_EQ(all_files(path("")), (std::vector<std::string>{"file", "stderr", "stdout"}));
+}
+
+// As any other tool: the shell sees 141, a person nothing.
+TEST_F(Fault, PipeThatClosesEndsTheProgramWithoutAWord) {
+  const std::string program = STICKSLIP_PROGRAM;
+  const Outcome outcome =
+      shell("{ '" + program + "' " + history + "; echo $? >'" + path("status") + "'; } | head -n 1");
+  EXPECT_EQ(contents(path("status")), "141\n");
+  EXPECT_EQ(outcome.errors, "");
+  EXPECT_TRUE(outcome.output.starts_with("time_s,")) << outcome.output;
+}
+
+TEST_F(Fault, ProgramThatIsMissingCostsWhatItDrawsAlone) {
+  const auto without_tools = [&](const std::string& arguments) {
+    return shell("PATH='" + path("nothing") + "' '" + STICKSLIP_PROGRAM + "' " + arguments);
+  };
+  expect_failure(without_tools("report --quiet --only fig2 --output '" + path("report") + "'"), 1,
+                 path("report"), "gnuplot is not installed or not on the search path");
+  EXPECT_EQ(all_files(path("report")), (std::vector<std::string>{"fig2-values.csv", "fig2.csv"}));
+  ASSERT_EQ(run("reference export stick-frequencies --output '" + path("mine.csv") + "'").status, 0);
+  expect_failure(without_tools("compare stick-frequencies '" + path("mine.csv") + "' --quiet --json '" +
+                               path("verdict.json") + "' --figure '" + path("verdict.png") + "'"),
+                 1, "gnuplot", "is not installed");
+  EXPECT_TRUE(nlohmann::json::accept(contents(path("verdict.json"))));
+  EXPECT_FALSE(fs::exists(path("verdict.png")));
+}
+
+TEST_F(Fault, CtrlCEndsLongWorkAtOnceAndSaysHowFarItCame) {
+  struct Work {
+    std::string arguments, beginning, end;
+  };
+  const std::string output = " --output '" + path("history.csv") + "'";
+  for (const auto& [arguments, beginning, end] : std::vector<Work>{
+           {"respond --duration 1e5" + output, "interrupted at ", " s of 1e+05 s; nothing is kept\n"},
+           {"respond --method event-driven --duration 300" + output, "interrupted at ",
+            " s of 300 s; nothing is kept\n"},
+           {"respond --duration 1e5", "interrupted at ",
+            "standard output holds the history up to there at most\n"},
+           {"criterion --set numerics.duration=2e4", "interrupted before there was a result", "\n"}}) {
+    const Ending ending = signalled(arguments, SIGINT, std::chrono::milliseconds(150));
+    EXPECT_EQ(ending.status, 130) << arguments;
+    EXPECT_LT(ending.seconds, 1.0) << arguments;
+    EXPECT_TRUE(ending.errors.starts_with("stickslip: " + beginning)) << ending.errors;
+    EXPECT_TRUE(ending.errors.ends_with(end)) << ending.errors;
+    EXPECT_EQ(std::ranges::count(ending.errors, '\n'), 1) << ending.errors;
+  }
+  EXPECT_EQ(all_files(path("")), (std::vector<std::string>{"stderr", "stdout"}));
+}
+
+// A base that is shaken beyond what a double holds.
+TEST_F(Fault, RunThatDivergesSaysWhenAndLeavesTheOldFile) {
+  std::ofstream(path("old.csv")) << "old";
+  const Outcome outcome =
+      run("respond --duration 0.1 --hz 1000 --amplitude 1e300 --output '" + path("old.csv") + "'");
+  expect_failure(outcome, 1, "at t = 0.0002 s", "the run has diverged");
+  EXPECT_EQ(contents(path("old.csv")), "old");
+  EXPECT_EQ(all_files(path("")), (std::vector<std::string>{"old.csv", "stderr", "stdout"}));
+}
+
+// What a run leaves that is killed at any moment: files that are whole, and temporary ones that the next run
+// removes.
+class KilledRun : public Fault {
+ protected:
+  // Kills the same run at `moments` moments spread over `seconds`; what is under its name is whole.
+  void kill_at(int moments, double seconds, const std::string& arguments, const fs::path& folder,
+               const std::vector<std::string>& names) const {
+    std::vector<std::string> whole;
+    ASSERT_EQ(run(arguments).status, 0);
+    for (const std::string& name : names) whole.push_back(contents(folder / name));
+    for (int moment = 0; moment < moments; ++moment) {
+      for (const std::string& name : names) fs::remove(folder / name);
+      const auto after =
+          std::chrono::milliseconds(static_cast<int>(1e3 * seconds * (moment + 0.5) / moments));
+      const Ending ending = signalled(arguments, SIGKILL, after);
+      for (std::size_t i = 0; i < names.size(); ++i)
+        if (fs::exists(folder / names[i])) {
+          EXPECT_EQ(contents(folder / names[i]), whole[i]) << names[i];
+        }
+    }
+    const Outcome again = run(arguments);
+    EXPECT_EQ(again.status, 0) << again.errors;
+    for (std::size_t i = 0; i < names.size(); ++i)
+      EXPECT_EQ(contents(folder / names[i]), whole[i]) << names[i];
+  }
+};
+
+TEST_F(KilledRun, OfRespondLeavesOnlyWhatIsWhole) {
+  kill_at(8, 0.1, history + (" --output '" + path("history.csv") + "' --events '" + path("events.csv") + "'"),
+          path(""), {"history.csv", "events.csv"});
+  EXPECT_EQ(all_files(path("")), (std::vector<std::string>{"events.csv", "history.csv", "stderr", "stdout"}));
+}
+
+TEST_F(KilledRun, OfMapLeavesOnlyWhatIsWhole) {
+  kill_at(5, 0.1,
+          "map paper --x frequency=1:120:60 --y amplitude=1e-4:1e-3:5 --output '" + path("map.csv") + "'",
+          path(""), {"map.csv"});
+  EXPECT_EQ(all_files(path("")), (std::vector<std::string>{"map.csv", "stderr", "stdout"}));
+}
+
+TEST_F(KilledRun, OfReportLeavesOnlyWhatIsWhole) {
+  kill_at(5, 0.3, "report --quiet --only fig2 --output '" + path("report") + "'", path("report"),
+          {"fig2.csv", "fig2-values.csv", "fig2.pdf", "fig2.png"});
+  EXPECT_EQ(all_files(path("report")),
+            (std::vector<std::string>{".made/fig2", "fig2-values.csv", "fig2.csv", "fig2.pdf", "fig2.png"}));
+}
+
+}  // namespace
+}  // namespace stickslip::testing
