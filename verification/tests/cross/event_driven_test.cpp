@@ -196,11 +196,11 @@ struct Event {
 };
 using Events = std::vector<Event>;
 
-constexpr double duration = 0.1;
+constexpr double tenth_of_a_second = 0.1;
 
 Events event_driven(const ContactModel& model) {
   EventDriven run(model);
-  run.advance_to(duration);
+  run.advance_to(tenth_of_a_second);
   Events events;
   for (const auto& event : run.events())
     events.push_back({static_cast<int>(event.change), event.time, event.position});
@@ -211,7 +211,7 @@ Events stepped(const MeshedBeam& beam, double time_step, double spectral_radius)
   solver::StickSlipIntegrator run(beam.system, {.time_step = time_step, .spectral_radius = spectral_radius});
   run.start_stuck(Eigen::VectorXd::Zero(beam.mesh.degrees_of_freedom()),
                   -beam.base.velocity(0.0) * beam.mesh.unit_tip_deflection());
-  while (run.steps() < std::lround(duration / time_step)) run.step();
+  while (run.steps() < std::lround(tenth_of_a_second / time_step)) run.step();
   Events events;
   for (const auto& event : run.events())
     events.push_back({static_cast<int>(event.kind), event.time, event.displacement});

@@ -15,7 +15,7 @@
 namespace stickslip::testing {
 namespace {
 
-constexpr int elements = 10;
+constexpr int ten_elements = 10;
 
 data::HarmonicExcitation shaking() {
   return data::HarmonicExcitation({.frequency_hz = 25.0, .amplitude = 1e-3});
@@ -38,7 +38,7 @@ struct Refusals {
 Refusals of_a_run(double axial_force) {
   const data::Beam beam = paper_beam_with_axial_force(axial_force);
   auto choices = paper_choices(1e-3);
-  choices.elements = elements;
+  choices.elements = ten_elements;
   const data::NumericalSettings numerics(choices);
   return {refuses<std::domain_error>(
               [&] { (void)solver::first_slip(beam, paper_friction(), shaking(), numerics); }),
@@ -68,7 +68,7 @@ TEST(Refusals, OfStickModesAndStaticShapesBeginAtTheBucklingLoad) {
   const double buckling = analytic::stick_buckling_load(paper_beam());
   for (const double share : {-3.0, 0.0, 0.999, 1.001, 2.5, 8.0}) {
     const data::Beam beam = paper_beam_with_axial_force(share * buckling);
-    const solver::BeamModel model(beam, elements);
+    const solver::BeamModel model(beam, ten_elements);
     EXPECT_EQ(refuses<std::domain_error>([&] { (void)solver::stick_modes(model, 1); }), share > 1.0) << share;
     EXPECT_EQ(refuses<std::domain_error>([&] { (void)analytic::stick_modes(beam, 1); }), share > 1.0)
         << share;
@@ -79,7 +79,7 @@ TEST(Refusals, OfStickModesAndStaticShapesBeginAtTheBucklingLoad) {
 }
 
 TEST(Refusals, OfModesAreForCountsWithoutAny) {
-  const solver::BeamModel model(paper_beam(), elements);
+  const solver::BeamModel model(paper_beam(), ten_elements);
   for (const int count : {-1, 0, 1}) {
     EXPECT_EQ(refuses<std::invalid_argument>([&] { (void)solver::stick_modes(model, count); }), count < 1);
     EXPECT_EQ(refuses<std::invalid_argument>([&] { (void)analytic::stick_modes(paper_beam(), count); }),

@@ -302,6 +302,18 @@ TEST(ModalStickSlipIntegrator, SlipsFirstWhenTheNodalRunDoes) {
   }
 }
 
+TEST(ModalStickSlipIntegrator, StopsWithTheTimeWhereTheStateIsNoLongerFiniteAsTheNodalRunDoes) {
+  for (const Coordinates coordinates : {Coordinates::nodal, Coordinates::modal}) try {
+      BeamSimulation run(paper_beam(), paper_friction(), shaking(1000.0, 1e303), settings(20, 0.9),
+                         {.contact = TipContact::glued, .coordinates = coordinates});
+      while (run.integrator().steps() < 100) run.step();
+      FAIL();
+    } catch (const std::runtime_error& error) {
+      EXPECT_NE(std::string(error.what()).find("no longer finite at t = 0."), std::string::npos)
+          << error.what();
+    }
+}
+
 TEST(ModalStickSlipIntegrator, RefusesDampingAndSystemsOfAnotherForm) {
   for (const data::Damping& damping :
        {data::Damping({.kelvin_voigt = 1e-5}), data::Damping({.ratio = 0.01})}) {
