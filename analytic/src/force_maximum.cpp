@@ -73,7 +73,10 @@ ForceMaximum::ForceMaximum(const ModalReaction& reaction, double angular_frequen
   });
 
   Truncation kept;
-  double rounding = 0.0;  // in units of kUnitRoundoff
+  // In units of kUnitRoundoff. A phase w t is wrong by up to w T: twice on the grid, once in the slope and
+  // the curvature of a parabola, once in where a piece of time ends.
+  constexpr double phases = 4.0;
+  double rounding = 0.0;
   const auto operations = static_cast<double>(sinusoids_.size() + beats_.size()) + 10.0;
   for (const Beat& beat : beats_) {
     // |e| <= E, |e'| <= 1, |e''| <= delta, |e'''| <= delta^2
@@ -81,13 +84,13 @@ ForceMaximum::ForceMaximum(const ModalReaction& reaction, double angular_frequen
     const double largest = delta * duration > 1.0 ? 1.0 / delta : duration;
     kept.curvature += b * (delta + 2.0 * sigma + largest * sigma * sigma);
     kept.third += b * (delta * delta + 3.0 * sigma * (delta + sigma) + largest * sigma * sigma * sigma);
-    rounding += b * largest * (2.0 * sigma * duration + operations);
+    rounding += b * largest * (phases * sigma * duration + operations);
   }
   for (const Sinusoid& term : sinusoids_) {
     const double a = std::abs(term.amplitude), w = term.angular_frequency;
     kept.curvature += a * w * w;
     kept.third += a * w * w * w;
-    rounding += a * (2.0 * w * duration + operations * std::min(1.0, w * duration));
+    rounding += a * (phases * w * duration + operations * std::min(1.0, w * duration));
     truncations_.push_back(kept);
   }
   rounding_ = kUnitRoundoff * (rounding + operations * cancelled * std::min(1.0, omega * duration));

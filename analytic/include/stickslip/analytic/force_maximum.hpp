@@ -46,7 +46,7 @@ class ForceMaximum {
   /// f(t)/A0, N/m.
   [[nodiscard]] double value(double t) const;
 
-  /// Bound of the rounding error of an evaluation of f/A0, N/m.
+  /// Bound of the rounding error of an evaluation of f/A0 and of what the bounds above make of it, N/m.
   [[nodiscard]] double rounding() const noexcept { return rounding_; }
 
  private:
