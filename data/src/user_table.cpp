@@ -100,7 +100,10 @@ class UserTableReader {
  public:
   UserTableReader(const std::filesystem::path& file, const ReferenceTable& reference,
                   const std::vector<ColumnMapping>& mappings)
-      : reference_(reference), mappings_(mappings), text_(read_bounded(file, largest_user_table)), rest_(text_) {
+      : reference_(reference),
+        mappings_(mappings),
+        text_(read_bounded(file, largest_user_table)),
+        rest_(text_) {
     table_.file = file;
   }
 

@@ -108,8 +108,8 @@ std::string Progress::bar(Clock::time_point now) const {
 }
 
 std::string Progress::line(Clock::time_point now) const {
-  return fmt::format("{}: {} %{}{}{}\n", job_, per_cent(share_), pace(now, ", "),
-                     stage_.empty() ? "" : ", ", stage_);
+  return fmt::format("{}: {} %{}{}{}\n", job_, per_cent(share_), pace(now, ", "), stage_.empty() ? "" : ", ",
+                     stage_);
 }
 
 // Rate and time left, once there is something to go by.
