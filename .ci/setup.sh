@@ -17,6 +17,10 @@ figure_packages=(gnuplot-nox fonts-dejavu-core)
 # shellcheck disable=SC2034
 fuzz_packages=(clang libclang-rt-14-dev)
 
+# What the tests need besides: their framework, and what typesets the manual page.
+# shellcheck disable=SC2034
+test_packages=(libgtest-dev groff-base)
+
 fail() {
   echo "$(basename "$0"): $*" >&2
   exit 2
