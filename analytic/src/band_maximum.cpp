@@ -6,10 +6,8 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "beam_constants.hpp"
 #include "messages.hpp"
-#include "stickslip/analytic/stick_modes.hpp"
-#include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/analytic/force_maximum.hpp"
 
 namespace stickslip::analytic {
 namespace {
@@ -24,19 +22,14 @@ void require(bool holds, std::string_view field, double value, std::string_view 
 }  // namespace
 
 BandMaximum::BandMaximum(const data::Beam& beam, const FrequencyBand& band, double duration, int modes)
-    : beam_(beam),
-      duration_(duration),
-      count_(modes),
-      base_(bending_stiffness(beam) * QuasiStaticShape(beam).third_derivative(beam.length())),
-      modes_(modal_forces(beam, modes)),
-      best_omega_(kTwoPi * band.from_hz) {
+    : reaction_(modal_reaction(beam, modes)), duration_(duration), best_omega_(kTwoPi * band.from_hz) {
   require(band.from_hz > 0.0, "band.from_hz", band.from_hz, "positive");
   require(band.to_hz >= band.from_hz && std::isfinite(band.to_hz), "band.to_hz", band.to_hz,
           "finite and not below band.from_hz");
   require(duration > 0.0 && std::isfinite(duration), "numerics.duration", duration, "positive and finite");
   double from = kTwoPi * band.from_hz;
   const double to = kTwoPi * band.to_hz;
-  for (const ModalForce& mode : modes_)
+  for (const ModalForce& mode : reaction_.modes)
     if (from < mode.angular_frequency && mode.angular_frequency < to) {
       add(from, mode.angular_frequency);
       from = mode.angular_frequency;
@@ -85,8 +78,7 @@ void BandMaximum::sharpen(const Interval& interval) {
 
 double BandMaximum::upper_value(double omega) {
   if (const auto known = values_.find(omega); known != values_.end()) return known->second;
-  const data::HarmonicExcitation unit({.frequency_hz = omega / kTwoPi, .amplitude = 1.0});
-  const Bounds value = StickResponse(beam_, unit, count_).max_abs_friction_force(duration_, kWidthOfAValue);
+  const Bounds value = ForceMaximum(reaction_, omega, duration_).refined_to(kWidthOfAValue);
   if (value.lower > lower_) {
     lower_ = value.lower;
     best_omega_ = omega;
@@ -96,10 +88,10 @@ double BandMaximum::upper_value(double omega) {
 
 BandMaximum::Suprema BandMaximum::between(double from, double to) const {
   const double t = duration_, a = from, b = to, middle = 0.5 * (a + b);
-  double steady = base_;                         // amplitude at Omega in the middle, of the modes apart
+  double steady = reaction_.quasi_static;        // amplitude at Omega in the middle, of the modes apart
   double steady_slope = 0.0, steady_bend = 0.0;  // sums of |c p'| and |c p''|
   Suprema sum;
-  for (const ModalForce& mode : modes_) {
+  for (const ModalForce& mode : reaction_.modes) {
     const double w = mode.angular_frequency, c = std::abs(mode.coefficient);
     const double near = (2.0 * t + 2.0 * b * t * t + b * b * t * t * t / 3.0) / w;
     const double x = std::max({0.0, a - w, w - b}) * (a + w);  // <= |Omega^2 - omega_n^2|

@@ -74,11 +74,8 @@ class BandMaximum {
   void sharpen(const Interval& interval);
   [[nodiscard]] Bounds bounds() const;
 
-  data::Beam beam_;
+  ModalReaction reaction_;
   double duration_;
-  int count_;
-  double base_;  // EI S'''(L)
-  std::vector<ModalForce> modes_;
   std::map<double, double> values_;  // upper bound of |f_max| by Omega
   std::priority_queue<Interval> intervals_;
   double lower_ = 0.0;

@@ -1,7 +1,7 @@
 #pragma once
 
-/// |f_max| of Eqs. (29) and (30), fast: the same number as StickResponse::max_abs_friction_force, which is
-/// the plain way, at a fraction of its cost.
+/// |f_max| of Eqs. (29) and (30), fast: what StickResponse::max_abs_friction_force returns, at a fraction of
+/// the cost of the plain way, StickResponse::max_abs_friction_force_by_halving.
 ///
 /// Per unit amplitude the reaction is a sum of sinusoids, a_0 sin(Omega t) + sum a_n sin(omega_n t), and of
 /// one modulated sinusoid for each mode in resonance, |Omega - omega_n| T < 2. Three bounds find its largest
