@@ -32,6 +32,7 @@ void add_case_options(CLI::App& command, CaseOptions& options) {
 void add_examples(CLI::App& command, const std::vector<std::string>& lines) {
   command.footer(fmt::format("Examples:\n  {}", fmt::join(lines, "\n  ")));
 }
+
 namespace {
 
 // As a message shows it: something, even if nothing was given.
@@ -103,12 +104,8 @@ data::Override override_with(const std::string& key, double value, const std::st
   return {key, data::shortest_text(value), option};
 }
 
-bool is_damped(const data::Case& problem) {
-  return problem.damping.kelvin_voigt() > 0.0 || problem.damping.ratio() > 0.0;
-}
-
 void require_undamped(const data::Case& problem, std::string_view what) {
-  if (!is_damped(problem)) return;
+  if (!studies::is_damped(problem)) return;
   const bool viscous = problem.damping.kelvin_voigt() > 0.0;
   throw data::InputError(fmt::format(
       "{} is {}, but must be 0 for {}: Eq. (26) is that of the undamped beam; respond --method fe "

@@ -70,9 +70,6 @@ template <class Number>
 /// What an option of its own sets a key to.
 [[nodiscard]] data::Override override_with(const std::string& key, double value, const std::string& option);
 
-/// Whether the case has damping of either kind.
-[[nodiscard]] bool is_damped(const data::Case& problem);
-
 /// Throws data::InputError, naming the damping, if the case has any; `what` needs it to have none.
 void require_undamped(const data::Case& problem, std::string_view what);
 

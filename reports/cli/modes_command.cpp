@@ -93,7 +93,7 @@ void print_table(const data::Case& problem, const ModesOptions& options,
   for (const auto& frequency : frequencies)
     fmt::print("{:>4}  {}\n", ++number,
                significant(frequency.hz, digits_that_hold(frequency.relative_error)));
-  if (is_damped(problem))
+  if (studies::is_damped(problem))
     fmt::print("\nThese are the undamped frequencies; the damping of the case is left out.\n");
 }
 
@@ -108,7 +108,7 @@ Json to_json(const data::Case& problem, const ModesOptions& options,
   if (options.method == "fe") object["elements"] = problem.numerics.elements();
   object["frequencies_hz"] = hz;
   object["relative_error_estimates"] = errors;
-  if (is_damped(problem)) object["undamped"] = true;
+  if (studies::is_damped(problem)) object["undamped"] = true;
   object["warnings"] = warnings;
   return object;
 }

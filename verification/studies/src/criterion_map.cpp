@@ -47,9 +47,8 @@ bool is_buckled(const data::Beam& beam) { return beam.axial_force() >= analytic:
 constexpr int most_modal_elements = 200;
 
 solver::Coordinates coordinates_for(const data::Case& problem) {
-  const bool damped = problem.damping.kelvin_voigt() > 0.0 || problem.damping.ratio() > 0.0;
-  return damped || problem.numerics.elements() > most_modal_elements ? solver::Coordinates::nodal
-                                                                     : solver::Coordinates::modal;
+  return is_damped(problem) || problem.numerics.elements() > most_modal_elements ? solver::Coordinates::nodal
+                                                                                 : solver::Coordinates::modal;
 }
 
 data::Case case_at(const MapTask& task, std::size_t i, std::size_t j) {

@@ -112,7 +112,7 @@ struct HeldHistory {
 };
 
 HeldHistory held_in_closed_form(const data::Case& problem, StickReading reading, double end) {
-  if (problem.damping.ratio() > 0.0 || problem.damping.kelvin_voigt() > 0.0)
+  if (is_damped(problem))
     throw std::invalid_argument(
         "damping must be 0 for forces and motions of the held beam: their closed form is undamped");
   const auto response = std::make_shared<analytic::StickResponse>(

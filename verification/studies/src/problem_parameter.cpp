@@ -75,6 +75,10 @@ data::Case with_value(const data::Case& problem, Parameter parameter, double val
   return changed;
 }
 
+bool is_damped(const data::Case& problem) {
+  return problem.damping.kelvin_voigt() > 0.0 || problem.damping.ratio() > 0.0;
+}
+
 void require_friction(const data::Case& problem) {
   if (problem.friction.static_coefficient() > 0.0) return;
   throw data::FieldError(field_of(Parameter::static_coefficient), "0",

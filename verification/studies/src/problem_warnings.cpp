@@ -64,9 +64,9 @@ void warn_of_flutter(const data::Beam& beam, std::vector<Warning>& warnings) {
 }
 
 void warn_of_resonance(const data::Case& problem, std::vector<Warning>& warnings) {
-  const bool is_damped = problem.damping.kelvin_voigt() > 0.0 || problem.damping.ratio() > 0.0;
   const double omega = angular_frequency_of(problem.excitation), duration = problem.numerics.duration();
-  if (is_damped || problem.excitation.amplitude() == 0.0 || 0.5 * omega * duration < grown_response) return;
+  if (is_damped(problem) || problem.excitation.amplitude() == 0.0 || 0.5 * omega * duration < grown_response)
+    return;
   const auto modes = analytic::stick_modes(problem.beam, problem.numerics.modes());
   const auto nearest = std::ranges::min_element(
       modes, {}, [&](const auto& mode) { return std::abs(mode.angular_frequency() - omega); });

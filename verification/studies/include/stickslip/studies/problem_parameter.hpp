@@ -23,6 +23,9 @@ inline constexpr std::array all_parameters{Parameter::frequency,      Parameter:
 /// kinetic one takes that down with it. Throws data::FieldError for a value that the field refuses.
 [[nodiscard]] data::Case with_value(const data::Case& problem, Parameter parameter, double value);
 
+/// Whether the case has damping of either kind.
+[[nodiscard]] bool is_damped(const data::Case& problem);
+
 /// Throws data::FieldError if the static coefficient is 0: a force ratio or a margin needs one.
 void require_friction(const data::Case& problem);
 
