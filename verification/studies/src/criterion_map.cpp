@@ -30,16 +30,21 @@ bool moves_the_buckling_load_ratio(Parameter parameter) {
          parameter == Parameter::youngs_modulus;
 }
 
+// Whether some cells of the map may have no stick state, and others one.
+bool may_buckle(const MapTask& task) {
+  return moves_the_buckling_load_ratio(task.x.parameter) || moves_the_buckling_load_ratio(task.y.parameter);
+}
+
 // How many values of an axis need an evaluation of their own.
 std::size_t evaluations_along(const MapAxis& axis) {
   return is_a_factor(axis.parameter) ? 1 : axis.values.size();
 }
 
 // P L^2/EI, which the buckling load and the modes of the stick state depend on.
-double load_factor(const data::Beam& beam) {
-  return beam.axial_force() * beam.length() * beam.length() /
-         (beam.youngs_modulus() * beam.second_moment_of_area());
+double load_factor(const data::Beam& beam, double axial_force) {
+  return axial_force * beam.length() * beam.length() / (beam.youngs_modulus() * beam.second_moment_of_area());
 }
+double load_factor(const data::Beam& beam) { return load_factor(beam, beam.axial_force()); }
 
 bool is_buckled(const data::Beam& beam) { return beam.axial_force() >= analytic::stick_buckling_load(beam); }
 
@@ -68,10 +73,8 @@ class Forces {
         const data::Beam beam = case_at(task, i, j).beam;
         lowest = std::min(lowest, load_factor(beam));
         highest = std::max(highest, load_factor(beam));
-        if (moves_the_buckling_load_ratio(task.x.parameter) ||
-            moves_the_buckling_load_ratio(task.y.parameter))
-          highest = std::min(highest, just_below_buckling(beam));
       }
+    if (may_buckle(task)) highest = std::min(highest, just_below_buckling(case_at(task, 0, 0).beam));
     if (lowest > 0.0 && lowest < highest)
       table_.emplace(lowest, highest, modes_);
     else if (lowest == highest)
@@ -100,9 +103,9 @@ class Forces {
  private:
   static std::array<std::size_t, 2> ends_of(const MapAxis& axis) { return {0, axis.values.size() - 1}; }
 
-  // Where the first mode still has a digit or two.
+  // The same for all beams; the first mode still has a digit or two there.
   static double just_below_buckling(const data::Beam& beam) {
-    return load_factor(beam) * (analytic::stick_buckling_load(beam) / beam.axial_force()) * (1.0 - 1e-12);
+    return load_factor(beam, analytic::stick_buckling_load(beam)) * (1.0 - 1e-12);
   }
 
   [[nodiscard]] analytic::ForceMaximum search(const data::Case& problem) const {
@@ -186,14 +189,14 @@ void evaluate(const MapTask& task, std::span<const std::size_t> numbers, MapEval
     throw std::invalid_argument("there is room for " + std::to_string(evaluations.size()) +
                                 " evaluations of the map, but must be for " +
                                 std::to_string(evaluation_count(task)));
-  const bool may_buckle =
-      moves_the_buckling_load_ratio(task.x.parameter) || moves_the_buckling_load_ratio(task.y.parameter);
+  const bool may_be_buckled = may_buckle(task);
   const bool decide_only =
       task.states_only && !is_a_factor(task.x.parameter) && !is_a_factor(task.y.parameter);
   const Forces forces(task);
   const auto evaluation_at = [&](std::size_t number) -> MapEvaluation {
     const data::Case point = case_at(task, number % columns, number / columns);
-    if (may_buckle && is_buckled(point.beam)) return {.unit_force = {}, .state = CellState::no_stick_state};
+    if (may_be_buckled && is_buckled(point.beam))
+      return {.unit_force = {}, .state = CellState::no_stick_state};
     analytic::require_contact(point.beam);
     if (decide_only)
       return {.unit_force = {}, .state = forces.slips(point) ? CellState::stick_slip : CellState::stick};
