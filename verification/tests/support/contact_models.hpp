@@ -3,9 +3,6 @@
 /// The systems of single_mass.hpp and exact_pair.hpp once more, as the ContactModel of the event-driven
 /// engine: reduced by hand, so that they share nothing with the finite-element reduction of studies/.
 
-#include <cmath>
-#include <numbers>
-
 #include "stickslip/analytic/contact_model.hpp"
 #include "support/exact_pair.hpp"
 
@@ -21,61 +18,16 @@ struct MassModel {
 };
 
 /// A single mass has no held modes.
-inline analytic::ContactModel contact_model(const MassModel& mass) {
-  return {.angular_frequency = {},
-          .mass_coupling = {},
-          .contact_mass = mass.mass,
-          .contact_stiffness = mass.stiffness,
-          .follower = {},
-          .contact_follower = 0.0,
-          .damping = {},
-          .load = {0.0},
-          .load_angular_frequency = mass.omega,
-          .wall_amplitude = -mass.wall_acceleration / (mass.omega * mass.omega),
-          .normal_force = mass.normal_force,
-          .friction = data::FrictionLaw(mass.friction)};
-}
+[[nodiscard]] analytic::ContactModel contact_model(const MassModel& mass);
 
 /// Mass 1 kg, mu N = 1 N, on a plane shaken by w_tt = amplitude sin(2 pi t): case SDND104 of a public
 /// validation manual.
-inline analytic::ContactModel shaken_plane(double amplitude) {
-  return contact_model({.normal_force = 10.0,
-                        .friction = {.static_coefficient = 0.1, .kinetic_coefficient = 0.1, .decay = 0.0},
-                        .wall_acceleration = amplitude,
-                        .omega = 2.0 * std::numbers::pi});
-}
+[[nodiscard]] analytic::ContactModel shaken_plane(double amplitude);
 
 /// q_1 = sigma q_2 + U T with sigma = -K_12/K_11 and U = 1/sqrt(M_11).
-inline double static_shape(const ForcedPair& pair) {
-  return -pair.stick_stiffness(0, 1) / pair.stick_stiffness(0, 0);
-}
-inline double mode_shape(const ForcedPair& pair) { return 1.0 / std::sqrt(pair.mass(0, 0)); }
+[[nodiscard]] double static_shape(const ForcedPair& pair);
+[[nodiscard]] double mode_shape(const ForcedPair& pair);
 
-inline analytic::ContactModel contact_model(const ForcedPair& pair) {
-  const double sigma = static_shape(pair), mode = mode_shape(pair);
-  const Eigen::Matrix2d& k = pair.stick_stiffness;
-  const Eigen::Matrix2d& m = pair.mass;
-  const Eigen::Matrix2d& c = pair.damping;
-  const double follower = pair.slip_stiffness(1, 0) - k(1, 0);
-  analytic::Matrix damping(2, 2);
-  damping(0, 0) = mode * c(0, 0) * mode;
-  damping(0, 1) = mode * (c(0, 0) * sigma + c(0, 1));
-  damping(1, 0) = (sigma * c(0, 0) + c(1, 0)) * mode;
-  damping(1, 1) = sigma * (c(0, 0) * sigma + c(0, 1)) + c(1, 0) * sigma + c(1, 1);
-  return {.angular_frequency = {std::sqrt(k(0, 0) / m(0, 0))},
-          .mass_coupling = {mode * (m(0, 0) * sigma + m(0, 1))},
-          .contact_mass = sigma * (m(0, 0) * sigma + 2.0 * m(0, 1)) + m(1, 1),
-          .contact_stiffness = k(1, 1) - k(0, 1) * k(0, 1) / k(0, 0),
-          .follower = {follower * mode},
-          .contact_follower = follower * sigma,
-          .damping = damping,
-          .load = {mode * pair.load[0], sigma * pair.load[0] + pair.load[1]},
-          .load_angular_frequency = pair.omega,
-          .wall_amplitude = pair.wall_amplitude,
-          .normal_force = pair.normal_force,
-          .friction = data::FrictionLaw({.static_coefficient = pair.friction_coefficient,
-                                         .kinetic_coefficient = pair.friction_coefficient,
-                                         .decay = 0.0})};
-}
+[[nodiscard]] analytic::ContactModel contact_model(const ForcedPair& pair);
 
 }  // namespace stickslip::testing

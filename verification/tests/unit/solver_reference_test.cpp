@@ -22,7 +22,7 @@ using solver::ElementVector;
 
 constexpr double length = 0.7;
 constexpr double mass_per_length = 3.5;
-constexpr double rigidity = 11.0;
+constexpr double flexural_rigidity = 11.0;
 
 const ElementVector translation(1.0, 0.0, 1.0, 0.0);
 const ElementVector rotation(0.0, 1.0, length, 1.0);
@@ -56,13 +56,14 @@ void expect_equal(const Eigen::MatrixXd& computed, const Eigen::MatrixXd& expect
 
 TEST(BeamElement, MatricesAreSymmetric) {
   for (const ElementMatrix& matrix :
-       {solver::consistent_mass(mass_per_length, length), solver::bending_stiffness(rigidity, length),
-        solver::geometric_stiffness(length)})
+       {solver::consistent_mass(mass_per_length, length),
+        solver::bending_stiffness(flexural_rigidity, length), solver::geometric_stiffness(length)})
     EXPECT_EQ(matrix, ElementMatrix(matrix.transpose()));
 }
 
 TEST(BeamElement, StiffnessesAreTheIntegralsOfTheirShapeFunctions) {
-  expect_equal(solver::bending_stiffness(rigidity, length), rigidity * integral_of_dyad(curvatures), 20);
+  expect_equal(solver::bending_stiffness(flexural_rigidity, length),
+               flexural_rigidity * integral_of_dyad(curvatures), 20);
   expect_equal(solver::geometric_stiffness(length), integral_of_dyad(slopes), 20);
 }
 
@@ -93,7 +94,7 @@ TEST(BeamElement, HasTwoRigidMotionsWithoutStrainAndOneWithoutSlope) {
     return Eigen::SelfAdjointEigenSolver<ElementMatrix>(matrix).eigenvalues();
   };
   const Eigen::Vector4d mass = eigenvalues(solver::consistent_mass(mass_per_length, length));
-  const Eigen::Vector4d bending = eigenvalues(solver::bending_stiffness(rigidity, length));
+  const Eigen::Vector4d bending = eigenvalues(solver::bending_stiffness(flexural_rigidity, length));
   const Eigen::Vector4d geometric = eigenvalues(solver::geometric_stiffness(length));
   EXPECT_GT(mass[0], 1e-4 * mass[3]);
   for (const Eigen::Index i : {0, 1}) EXPECT_TRUE(within(bending[i], 0.0, round_off(4, 1, bending[3])));
@@ -129,8 +130,9 @@ Eigen::VectorXd patch_values(const std::array<double, 4>& c) {
 
 TEST(BeamElement, UnequalElementsPassThePatchTestsOfConstantAndLinearCurvature) {
   // Nothing but the moments EI w'' and the shear forces -EI w''' at the ends holds them.
-  const Eigen::MatrixXd k = assembled_patch([](double l) { return solver::bending_stiffness(rigidity, l); });
-  const double ei = rigidity, end = patch_length;
+  const Eigen::MatrixXd k =
+      assembled_patch([](double l) { return solver::bending_stiffness(flexural_rigidity, l); });
+  const double ei = flexural_rigidity, end = patch_length;
   Eigen::VectorXd parabola(8), cubic(8);
   parabola << 0.0, -2.0 * ei, 0.0, 0.0, 0.0, 0.0, 0.0, 2.0 * ei;
   cubic << 6.0 * ei, 0.0, 0.0, 0.0, 0.0, 0.0, -6.0 * ei, 6.0 * ei * end;
