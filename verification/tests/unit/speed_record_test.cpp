@@ -1,6 +1,7 @@
 /// The record of the benchmarks: written, read back, refused where it cannot be used, and drawn up as tables.
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <string>
@@ -42,7 +43,8 @@ class SpeedRecordFile : public ::testing::Test {
     report::write_text(file_, text);
     return benchmarks::read_speed_record(file_);
   }
-  std::filesystem::path file_ = std::filesystem::path(::testing::TempDir()) / "speed-record-test.toml";
+  std::filesystem::path file_ = std::filesystem::temp_directory_path() /
+                                ("stickslip-speed-record-" + std::to_string(::getpid()) + ".toml");
 };
 
 TEST_F(SpeedRecordFile, ReturnsWhatWasWritten) {
