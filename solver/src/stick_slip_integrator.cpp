@@ -28,7 +28,8 @@ void require(bool condition, const std::string& message) {
 
 template <typename Cholesky>
 bool is_positive_definite(const Cholesky& factorization) {
-  return factorization.info() == Eigen::Success && factorization.vectorD().minCoeff() > 0.0;
+  return factorization.info() == Eigen::Success && factorization.vectorD().allFinite() &&
+         factorization.vectorD().minCoeff() > 0.0;
 }
 
 void require_size(Eigen::Index size, Eigen::Index expected, const char* name) {

@@ -4,11 +4,25 @@
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "constrained.hpp"
 #include "step_operator.hpp"
 
 namespace stickslip::solver {
+
+namespace {
+
+// What a failed factorisation leaves behind has no pivots, and solving with it writes anywhere.
+template <typename Factorization>
+void require_factorised(const Factorization& factorization, double step_length) {
+  if (factorization.info() == Eigen::Success) return;
+  std::ostringstream text;
+  text << "the matrix of a step of " << step_length << " s is singular or not finite";
+  throw std::runtime_error(text.str());
+}
+
+}  // namespace
 
 StickSlipIntegrator::StepOperator& StickSlipIntegrator::step_operator(double length) {
   // The end of a step is n h and not a sum, so that a whole step's length is h only up to round-off.
@@ -22,20 +36,24 @@ StickSlipIntegrator::StepOperator& StickSlipIntegrator::step_operator(double len
 }
 
 const StickSlipIntegrator::Cholesky& StickSlipIntegrator::stick_matrix(StepOperator& op) const {
-  if (!op.stick)
-    op.stick =
+  if (!op.stick) {
+    auto stick =
         std::make_unique<Cholesky>(constrained(step_matrix(op, system_.stick_stiffness), system_.contact));
+    require_factorised(*stick, op.length);
+    op.stick = std::move(stick);
+  }
   return *op.stick;
 }
 
 const StickSlipIntegrator::Lu& StickSlipIntegrator::slip_matrix(StepOperator& op) const {
   if (!op.slip) {
-    op.slip = std::make_unique<Lu>();
+    auto slip = std::make_unique<Lu>();
     // Nearly symmetric positive definite: pivots on the diagonal, in any system of units.
-    op.slip->setPivotThreshold(0.0);
-    op.slip->compute(step_matrix(op, system_.slip_stiffness));
-    op.mobility =
-        op.slip->solve(Eigen::VectorXd(Eigen::VectorXd::Unit(system_.mass.rows(), system_.contact)));
+    slip->setPivotThreshold(0.0);
+    slip->compute(step_matrix(op, system_.slip_stiffness));
+    require_factorised(*slip, op.length);
+    op.mobility = slip->solve(Eigen::VectorXd(Eigen::VectorXd::Unit(system_.mass.rows(), system_.contact)));
+    op.slip = std::move(slip);
   }
   return *op.slip;
 }

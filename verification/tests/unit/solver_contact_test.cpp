@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -448,6 +449,32 @@ TEST(StickSlipIntegrator, StopsWhenItsStateIsNoLongerFinite) {
                              {.time_step = 0.5, .spectral_radius = 1.0});
   slider.start_slipping(scalar(1.79e308), scalar(1e308));
   EXPECT_THROW(slider.step(), std::runtime_error);
+}
+
+TEST(StickSlipIntegrator, RefusesStiffnessThatHasOverflowed) {
+  for (const double entry : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+    solver::ContactSystem system = pair_of_masses(1.0, coulomb);
+    system.stick_stiffness.coeffRef(0, 0) = entry;
+    EXPECT_THROW(StickSlipIntegrator(system, {.time_step = 1e-3, .spectral_radius = 1.0}),
+                 std::invalid_argument)
+        << entry;
+  }
+}
+
+TEST(StickSlipIntegrator, NeverSolvesWithAMatrixThatCouldNotBeFactorised) {
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(2);
+  solver::ContactSystem overflown = pair_of_masses(1.0, coulomb);
+  overflown.slip_stiffness.coeffRef(0, 0) = std::nan("");
+  StickSlipIntegrator sliding(overflown, {.time_step = 1e-3, .spectral_radius = 1.0});
+  for (int attempt = 0; attempt < 2; ++attempt)
+    EXPECT_THROW(sliding.start_slipping(zero, zero), std::runtime_error);
+
+  // In a step of 1 s, M/2 + C/4 + K/8 = 0 for the first mass.
+  solver::ContactSystem cancelling = pair_of_masses(1.0, coulomb);
+  cancelling.damping.coeffRef(0, 0) = -19.0;
+  StickSlipIntegrator stuck(cancelling, {.time_step = 1.0, .spectral_radius = 1.0});
+  for (int attempt = 0; attempt < 2; ++attempt)
+    EXPECT_THROW(stuck.start_stuck(zero, zero), std::runtime_error);
 }
 
 TEST(StickSlipIntegrator, StopsWithAMessageWhenTheFrictionLawFallsTooFastForTheStep) {
