@@ -285,6 +285,11 @@ bool is_file(const std::filesystem::path& path) {
 
 }  // namespace
 
+void refuse_overflow(std::string_view result) {
+  throw InputError(std::string(result) +
+                   ": quantities of this case are too large or too small for each other");
+}
+
 Override Override::parse(std::string_view text) {
   const auto equals = text.find('=');
   const std::string_view key = trimmed(text.substr(0, equals));

@@ -136,10 +136,8 @@ void require_finite(const Json& answer, const std::string& name) {
   if (answer.is_structured()) {
     for (const auto& [key, value] : answer.items()) require_finite(value, answer.is_object() ? key : name);
   } else if (answer.is_number_float() && !std::isfinite(answer.get<double>())) {
-    throw data::InputError(
-        fmt::format("{} comes out as {}, but must be finite: quantities of this case are too large or too "
-                    "small for each other",
-                    name, data::shortest_text(answer.get<double>())));
+    data::refuse_overflow(fmt::format("{} comes out as {}, but must be finite", name,
+                                      data::shortest_text(answer.get<double>())));
   }
 }
 

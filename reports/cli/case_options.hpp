@@ -85,8 +85,8 @@ void print_warnings(const std::vector<std::string>& warnings);
 /// {"lower": ..., "upper": ...}
 [[nodiscard]] Json bounds_json(const analytic::Bounds& bounds);
 
-/// Throws data::InputError, naming the key, if a number of the answer is not finite: quantities that are
-/// allowed one by one can overflow together.
+/// Throws data::InputError, naming the key, if a number of the answer is not finite: see
+/// data::refuse_overflow().
 void require_finite(const Json& answer, const std::string& name = "the answer");
 
 /// One JSON object on standard output.

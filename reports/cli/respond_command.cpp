@@ -48,15 +48,11 @@ constexpr std::string_view header =
     "time_s,base_displacement_m,tip_displacement_m,midspan_displacement_m,"
     "sliding_velocity_m_per_s,friction_force_N,state\n";
 
-// Quantities that are allowed one by one can overflow together.
 void require_finite_row(const Row& row) {
   for (const double value : {row.base_displacement, row.tip_displacement, row.midspan_displacement,
                              row.sliding_velocity, row.friction_force})
     if (!std::isfinite(value))
-      throw data::InputError(
-          fmt::format("the history is not finite at {} s: quantities of this case are too large or too small "
-                      "for each other",
-                      data::shortest_text(row.time)));
+      data::refuse_overflow(fmt::format("the history is not finite at {} s", data::shortest_text(row.time)));
 }
 
 std::string csv_line(const Row& row) {

@@ -21,6 +21,10 @@ class InputError : public std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
+/// Throws InputError for a result that is not finite, as "the answer comes out as inf, but must be finite":
+/// quantities that are allowed one by one can overflow together.
+[[noreturn]] void refuse_overflow(std::string_view result);
+
 /// One `table.key=value` that replaces what the file says, or supplies what it lacks.
 struct Override {
   std::string key;      ///< "beam.length"
