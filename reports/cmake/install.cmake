@@ -5,9 +5,12 @@ set(shared_files ${CMAKE_INSTALL_DATADIR}/stickslip) # data/src/installation.cpp
 set(package_files ${CMAKE_INSTALL_LIBDIR}/cmake/stickslip)
 
 set(installed_libraries stickslip_data stickslip_files stickslip_solver stickslip_analytic)
+# Shared ones are compatible as the package is: within a minor version.
 foreach(library IN LISTS installed_libraries)
   string(REPLACE "stickslip_" "" name ${library})
-  set_target_properties(${library} PROPERTIES EXPORT_NAME ${name})
+  set_target_properties(
+    ${library} PROPERTIES EXPORT_NAME ${name} VERSION ${PROJECT_VERSION}
+                          SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 endforeach()
 file(RELATIVE_PATH libraries ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
 set_target_properties(stickslip_cli PROPERTIES INSTALL_RPATH $ORIGIN/${libraries})

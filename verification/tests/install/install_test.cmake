@@ -57,6 +57,14 @@ expect_equal("the exit status without templates" 2 ${status})
 only_match(templates "is ([^ ]*), but" "${refusal}")
 expect_equal("the folder of templates" ${prefix}/share/stickslip/reports "${templates}")
 
+# Shared libraries have a version, so that an incompatible one is not loaded in their place.
+file(GLOB_RECURSE shared_libraries ${prefix}/lib*/libstickslip_*.so)
+foreach(library IN LISTS shared_libraries)
+  if(NOT IS_SYMLINK ${library})
+    message(FATAL_ERROR "${library} has no version")
+  endif()
+endforeach()
+
 # The libraries, from their new place.
 run(ignored ${CMAKE_COMMAND} -S ${consumer} -B ${scratch}/build -G ${GENERATOR} -D CMAKE_PREFIX_PATH=${prefix}
     -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_FLAGS=${FLAGS})
