@@ -11,6 +11,8 @@
 
 namespace stickslip::data {
 
+constexpr std::size_t largest_table = 50'000'000;  ///< bytes
+
 /// "stick.csv:12, column 3 (frequency)", counted from 1.
 [[nodiscard]] std::string cell_place(const std::filesystem::path& file, std::size_t line, std::size_t column,
                                      std::string_view name);

@@ -122,6 +122,10 @@ class Builder final : public nlohmann::json_sax<json> {
   }
 
   bool open(json empty) {
+    constexpr std::size_t deepest = 100;  // every place keeps the names of all levels above it
+    if (levels_.size() == deepest)
+      throw InputError(file_ + ":" + line_and_column(text_, read_ - 1) + ": is nested deeper than the " +
+                       std::to_string(deepest) + " levels that are allowed");
     pointer_.clear();
     json* const value = put(std::move(empty));
     levels_.push_back({value, pointer_});
@@ -195,6 +199,13 @@ std::vector<JsonNode> JsonNode::elements() const {
   for (std::size_t i = 0; i < value_->size(); ++i)
     nodes.emplace_back(*file_, (*value_)[i], pointer_ + "/" + std::to_string(i));
   return nodes;
+}
+
+void JsonNode::require_spelling(const std::vector<std::string>& known) const {
+  for (const auto& [key, node] : members())
+    if (std::ranges::find(known, key) == known.end())
+      if (const std::string nearest = suggestion(key, known); !nearest.empty())
+        node.complain("is unknown" + nearest);
 }
 
 std::string JsonNode::text() const {

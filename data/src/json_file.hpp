@@ -14,10 +14,11 @@ namespace stickslip::data {
 
 class JsonNode;
 
-/// A JSON file of at most 10 MB.
+/// A JSON file of at most 10 MB and 100 levels.
 class JsonFile {
  public:
-  /// Throws InputError, naming file, line and column, for a syntax error and for a key that stands twice.
+  /// Throws InputError, naming file, line and column, for a syntax error, for a key that stands twice and
+  /// for what is nested too deeply.
   explicit JsonFile(std::filesystem::path file);
 
   [[nodiscard]] JsonNode root() const;
@@ -50,6 +51,9 @@ class JsonNode {
   [[nodiscard]] std::vector<std::pair<std::string, JsonNode>> members() const;
   /// The elements of an array.
   [[nodiscard]] std::vector<JsonNode> elements() const;
+
+  /// Refuses a key of an object that is nearly a known one; any other is the writer's own.
+  void require_spelling(const std::vector<std::string>& known) const;
 
   /// A string that is not empty.
   [[nodiscard]] std::string text() const;

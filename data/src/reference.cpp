@@ -17,7 +17,6 @@ namespace stickslip::data {
 
 namespace {
 
-constexpr std::size_t largest_table = 500'000'000;  // bytes
 constexpr std::string_view radius_suffix = "_radius";
 
 template <std::size_t N>
@@ -56,14 +55,18 @@ std::string number_column_in(const Resource& resource, const JsonNode& node) {
 }
 
 Field field_of(const JsonNode& node) {
+  node.require_spelling({"name", "type", "unit", "description", "class", "constraints", "title", "format"});
   Field field;
   field.name = node.at("name").text();
   field.type = static_cast<FieldType>(node.at("type").one_of({"string", "integer", "number"}));
   field.unit = optional_text(node, "unit");
   field.description = optional_text(node, "description");
   if (const auto value_class = node.find("class")) field.value_class = value_class_of(*value_class);
-  if (const auto constraints = node.find("constraints"))
+  if (const auto constraints = node.find("constraints")) {
+    constraints->require_spelling(
+        {"required", "unique", "minimum", "maximum", "minLength", "maxLength", "pattern", "enum"});
     if (const auto required = constraints->find("required")) field.required = required->flag();
+  }
   return field;
 }
 
@@ -91,6 +94,7 @@ void require_radii(const Resource& resource, const std::vector<JsonNode>& nodes)
 }
 
 void read_schema(const JsonNode& schema, Resource& resource) {
+  schema.require_spelling({"fields", "primaryKey", "foreignKeys", "missingValues"});
   const auto nodes = schema.at("fields").elements();
   if (nodes.empty()) schema.at("fields").refuse("an array of fields that is not empty");
   for (const JsonNode& node : nodes) {
@@ -121,6 +125,7 @@ double not_negative(const JsonNode& node) {
 }
 
 Interpolation interpolation_of(const JsonNode& node, const Resource& resource) {
+  node.require_spelling({"order", "error"});
   Interpolation interpolation;
   const JsonNode order = node.at("order");
   if (order.integer() < 1 || order.integer() > 9) order.refuse("an integer from 1 to 9");
@@ -134,14 +139,17 @@ Interpolation interpolation_of(const JsonNode& node, const Resource& resource) {
 }
 
 ComparisonRule comparison_of(const JsonNode& node, const Resource& resource) {
+  node.require_spelling({"kind", "values", "abscissa", "interpolation", "events", "horizon"});
   ComparisonRule rule;
   rule.kind = static_cast<ComparisonKind>(node.at("kind").one_of(words(comparison_kind_names)));
   const auto values = node.at("values").elements();
   if (values.empty()) node.at("values").refuse("an array that is not empty");
-  for (const JsonNode& value : values)
+  for (const JsonNode& value : values) {
+    value.require_spelling({"field", "norm", "tolerance"});
     rule.values.push_back({.field = number_column_in(resource, value.at("field")),
                            .norm = static_cast<Norm>(value.at("norm").one_of(words(norm_names))),
                            .tolerance = not_negative(value.at("tolerance"))});
+  }
   const bool is_sampled = rule.kind == ComparisonKind::curve || rule.kind == ComparisonKind::phases;
   if (is_sampled) rule.abscissa = number_column_in(resource, node.at("abscissa"));
   if (const auto interpolation = node.find("interpolation"); interpolation && is_sampled) {
@@ -166,18 +174,22 @@ ComparisonRule comparison_of(const JsonNode& node, const Resource& resource) {
 }
 
 DiagnosisRule diagnosis_of(const JsonNode& node, const Resource& resource) {
+  node.require_spelling({"quantity", "case", "abscissa", "value"});
   DiagnosisRule rule;
   rule.quantity = node.at("quantity").text();
-  if (const JsonNode problem = node.at("case"); problem.value().is_object())
+  if (const JsonNode problem = node.at("case"); problem.value().is_object()) {
+    problem.require_spelling({"column"});
     rule.case_column = column_in(resource, problem.at("column"));
-  else
+  } else {
     rule.case_name = problem.text();
+  }
   rule.abscissa = number_column_in(resource, node.at("abscissa"));
   rule.value = number_column_in(resource, node.at("value"));
   return rule;
 }
 
 Provenance provenance_of(const JsonNode& node) {
+  node.require_spelling({"class", "method", "settings", "software", "checks"});
   Provenance provenance;
   provenance.value_class = value_class_of(node.at("class"));
   provenance.method = node.at("method").text();
@@ -214,11 +226,15 @@ void require_word(const JsonNode& node, const std::string& key, const std::strin
 }
 
 Resource resource_of(const JsonNode& node) {
+  node.require_spelling({"name", "path", "profile", "format", "mediatype", "encoding", "bytes", "hash",
+                         "title", "description", "schema", "comparison", "diagnosis", "provenance",
+                         "licenses", "sources", "dialect"});
   Resource resource;
   resource.name = node.at("name").text();
   resource.path = safe_path(node.at("path"));
   require_word(node, "profile", "tabular-data-resource");
   require_word(node, "format", "csv");
+  require_word(node, "mediatype", "text/csv");
   require_word(node, "encoding", "utf-8");
   const long bytes = node.at("bytes").integer();
   if (bytes < 1) node.at("bytes").refuse("an integer above 0");
@@ -232,6 +248,15 @@ Resource resource_of(const JsonNode& node) {
   if (const auto diagnosis = node.find("diagnosis")) resource.diagnosis = diagnosis_of(*diagnosis, resource);
   resource.provenance = provenance_of(node.at("provenance"));
   return resource;
+}
+
+void require_licenses(const JsonNode& licenses) {
+  const std::vector<std::string> keys{"name", "path", "title"};
+  if (licenses.elements().empty()) licenses.refuse("an array that is not empty");
+  for (const JsonNode& license : licenses.elements()) {
+    license.require_spelling(keys);
+    for (const std::string& key : keys) static_cast<void>(optional_text(license, key));
+  }
 }
 
 std::vector<std::string> names_of(const std::vector<Resource>& resources) {
@@ -315,7 +340,10 @@ class TableReader {
       if (field.required || is_key) refuse_cell(i, "must not be empty", cell);
       return std::numeric_limits<double>::quiet_NaN();
     }
-    if (field.type == FieldType::string) return std::numeric_limits<double>::quiet_NaN();
+    if (field.type == FieldType::string) {
+      if (cell != printable(cell)) refuse_cell(i, "must be a word, in UTF-8 and of 60 bytes at most", cell);
+      return std::numeric_limits<double>::quiet_NaN();
+    }
     const auto value = finite_number(cell);
     if (!value) refuse_cell(i, "must be a finite number", cell);
     if (field.type == FieldType::integer && *value != std::floor(*value))
@@ -404,13 +432,16 @@ std::filesystem::path reference_directory() { return data_directory() / "referen
 ReferencePackage load_reference(const std::filesystem::path& folder) {
   const JsonFile file(folder / "datapackage.json");
   const JsonNode root = file.root();
+  root.require_spelling({"profile", "name", "id", "title", "description", "version", "licenses", "resources",
+                         "homepage", "created", "keywords", "contributors", "sources", "image"});
   ReferencePackage package{.folder = folder,
                            .name = root.at("name").text(),
                            .title = root.at("title").text(),
                            .description = root.at("description").text(),
                            .version = root.at("version").text(),
                            .resources = {}};
-  if (root.at("licenses").elements().empty()) root.at("licenses").refuse("an array that is not empty");
+  require_word(root, "profile", "tabular-data-package");
+  require_licenses(root.at("licenses"));
   const auto nodes = root.at("resources").elements();
   if (nodes.empty()) root.at("resources").refuse("an array that is not empty");
   for (const JsonNode& node : nodes) package.resources.push_back(resource_of(node));

@@ -17,8 +17,6 @@ namespace stickslip::data {
 
 namespace {
 
-constexpr std::size_t largest_user_table = 50'000'000;  // bytes
-
 // As names are compared: in lower case, with an underscore for a blank or a hyphen.
 std::string folded(std::string_view name) {
   std::string text(trimmed(name));
@@ -100,10 +98,7 @@ class UserTableReader {
  public:
   UserTableReader(const std::filesystem::path& file, const ReferenceTable& reference,
                   const std::vector<ColumnMapping>& mappings)
-      : reference_(reference),
-        mappings_(mappings),
-        text_(read_bounded(file, largest_user_table)),
-        rest_(text_) {
+      : reference_(reference), mappings_(mappings), text_(read_bounded(file, largest_table)), rest_(text_) {
     table_.file = file;
   }
 

@@ -26,13 +26,19 @@ struct ReferenceOptions {
 
 void list(const ReferenceOptions& options) {
   const data::ReferencePackage package = data::load_reference(options.package);
-  fmt::print("{}, version {}\n\n", package.title, package.version);
   std::size_t width = 4;
-  for (const auto& resource : package.resources) width = std::max(width, resource.name.size());
+  std::vector<std::size_t> rows;
+  for (const auto& resource : package.resources) {
+    width = std::max(width, resource.name.size());
+    rows.push_back(data::read_table(package, resource.name).rows());
+  }
+  fmt::print("{}, version {}\n\n", package.title, package.version);
   fmt::print("{:<{}}  {:<9}  {:>7}  title\n", "name", width, "class", "rows");
-  for (const auto& resource : package.resources)
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const data::Resource& resource = package.resources[i];
     fmt::print("{:<{}}  {:<9}  {:>7}  {}\n", resource.name, width, to_string(resource.provenance.value_class),
-               data::read_table(package, resource.name).rows(), resource.title);
+               rows[i], resource.title);
+  }
 }
 
 std::string type_of(const data::Field& field) {
