@@ -25,10 +25,12 @@ std::vector<std::string> subcommands_of(const CLI::App& app) {
   return names;
 }
 
+// Those of the command and of all above it.
 std::vector<std::string> options_of(const CLI::App& app) {
   std::vector<std::string> names;
-  for (const CLI::Option* option : app.get_options())
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  for (const CLI::App* command = &app; command != nullptr; command = command->get_parent())
+    for (const CLI::Option* option : command->get_options())
+      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
   return names;
 }
 
