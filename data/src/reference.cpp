@@ -320,7 +320,10 @@ class TableReader {
       if (names[i] != expected[i])
         refuse_cell(i, "is the name of the column, but must be " + expected[i] + " as in the schema",
                     names[i]);
-    require_count(names.size());
+    if (names.size() < expected.size())
+      refuse_line("the column " + expected[names.size()] + " of the schema is missing");
+    if (names.size() > expected.size())
+      refuse_line("the column " + printable(names[expected.size()]) + " is one more than the schema has");
   }
 
   void read_row() {
