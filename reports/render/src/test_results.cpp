@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <pugixml.hpp>
 #include <string_view>
@@ -116,6 +117,10 @@ std::vector<TestResult> read_test_results(const fs::path& folder) {
   std::vector<TestResult> results;
   for (const auto& entry : fs::recursive_directory_iterator(folder, error)) {
     if (entry.path().extension() != ".xml") continue;
+    constexpr std::uintmax_t largest = 50'000'000;
+    if (entry.is_regular_file() && entry.file_size() > largest)
+      throw data::InputError(
+          fmt::format("{}: is larger than the {} bytes that are allowed", entry.path().string(), largest));
     pugi::xml_document document;
     if (const auto parsed = document.load_file(entry.path().c_str()); !parsed)
       throw data::InputError(fmt::format("{}: {}", entry.path().string(), parsed.description()));
