@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "sha256.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/data/reference.hpp"
 #include "stickslip/data/user_table.hpp"
@@ -105,7 +106,7 @@ TEST(InputMatrix, HasEveryDefectAtEveryPlaceOnce) {
 
 TEST(InputMatrix, CountsItsRows) {
   const auto counts = studies::count_by_defect(matrix());
-  EXPECT_EQ(counts.size(), 3 * all_defects().size());
+  EXPECT_EQ(counts.size(), 4 * all_defects().size());
   int refused = 0, accepted = 0, reasons = 0;
   for (const auto& count : counts) {
     refused += count.refused;
@@ -269,24 +270,40 @@ const data::ReferenceTable& table_of(const std::string& set) {
   return tables.at(set);
 }
 
+using Rows = std::vector<std::vector<std::string>>;
+
+// The header and some rows.
+Rows first_rows(const std::string& text) {
+  Rows rows = csv(text);
+  rows.resize(std::min<std::size_t>(rows.size(), 8));
+  return rows;
+}
+
+// A column with a defect, a bad value in the third row.
+Rows spoilt_rows(Rows rows, const std::string& column, const std::string& defect) {
+  const auto& names = rows.front();
+  const auto position = static_cast<std::size_t>(std::ranges::find(names, column) - names.begin());
+  for (auto& cells : rows) {
+    if (defect == "missing") cells.erase(cells.begin() + static_cast<std::ptrdiff_t>(position));
+    if (defect == "duplicate") cells.push_back(cells[position]);
+  }
+  if (defect == "unknown") rows[0][position] = misspelt(column);
+  if (bad_values.contains(defect)) rows[3][position] = bad_values.at(defect);
+  return rows;
+}
+
+std::string text_of(const Rows& rows) {
+  std::string text;
+  for (const auto& cells : rows) text += fmt::format("{}\n", fmt::join(cells, ","));
+  return text;
+}
+
 class ColumnInput : public CommandLine {
  protected:
   // The first rows of the data set, the third one defective; returns its line.
   void write_table(const BadInput& row, const std::string& set, const std::string& column) const {
-    auto rows = csv(table_of(set).csv);
-    rows.resize(std::min<std::size_t>(rows.size(), 8));
-    auto& names = rows.front();
-    const auto position = static_cast<std::size_t>(std::ranges::find(names, column) - names.begin());
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      auto& cells = rows[i];
-      if (row.defect == "missing") cells.erase(cells.begin() + static_cast<std::ptrdiff_t>(position));
-      if (row.defect == "duplicate") cells.push_back(cells[position]);
-      if (row.defect == "unknown" && i == 0) cells[position] = misspelt(column);
-      if (i == 3 && bad_values.contains(row.defect)) cells[position] = bad_values.at(row.defect);
-    }
-    std::ofstream file(path("mine.csv"), std::ios::binary);
-    for (const auto& cells : rows) file << fmt::format("{}\n", fmt::join(cells, ","));
-    file.close();
+    std::ofstream(path("mine.csv"), std::ios::binary)
+        << text_of(spoilt_rows(first_rows(table_of(set).csv), column, row.defect));
     if (row.defect == "100 MB") fs::resize_file(path("mine.csv"), hundred_megabytes);
   }
 
@@ -341,7 +358,7 @@ std::vector<std::string> compared_sets() {
 std::string test_name(const ::testing::TestParamInfo<std::string>& instance) {
   std::string name = instance.param;
   std::ranges::replace_if(
-      name, [](char c) { return c == ' ' || c == '-'; }, '_');
+      name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
   return name;
 }
 
@@ -359,17 +376,241 @@ TEST_F(ColumnInput, IsRefusedByTheProgramAsByTheReader) {
   }
 }
 
+// --- The published package: every column of its tables, every key of its description. Somebody's copy of it
+// is spoilt, and signed again, so that the digests say nothing.
+
+using Description = nlohmann::ordered_json;
+
+Description description_of(const fs::path& folder) {
+  return Description::parse(contents(folder / "datapackage.json"));
+}
+
+class PackageInput : public CommandLine {
+ protected:
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(path(name), std::ios::binary) << text;
+  }
+
+  void enlarge(const std::string& name) const { fs::resize_file(path(name), hundred_megabytes); }
+
+  // The sentence that refuses a package or one of its tables, empty if both are accepted.
+  [[nodiscard]] std::string refusal(const std::string& folder, std::size_t resource = 0) const {
+    try {
+      const auto package = data::load_reference(path(folder));
+      (void)data::read_table(package, package.resources.at(resource).name);
+      return "";
+    } catch (const data::InputError& error) {
+      expect_one_sentence(error.what());
+      return error.what();
+    }
+  }
+};
+
+// The published data sets, cut after some rows.
+class PublishedColumns : public PackageInput, public ::testing::WithParamInterface<std::string> {
+ protected:
+  void write_signed(const std::string& csv) {
+    resource_["bytes"] = csv.size();
+    resource_["hash"] = "sha256:" + data::sha256(csv);
+    description_["resources"] = {resource_};
+    write("datapackage.json", description_.dump());
+    write("table.csv", csv);
+  }
+
+  void SetUp() override {
+    PackageInput::SetUp();
+    description_ = description_of(data::reference_directory());
+    for (const Description& resource : description_["resources"])
+      if (resource["name"] == GetParam()) resource_ = resource;
+    rows_ = first_rows(contents(data::reference_directory() / resource_["path"].get<std::string>()));
+    resource_["path"] = "table.csv";
+    for (const char* key : {"comparison", "diagnosis"}) resource_.erase(key);
+  }
+
+  Description description_, resource_;
+  Rows rows_;
+};
+
+TEST_P(PublishedColumns, AreRefusedInOneSentenceOrRead) {
+  const std::string original = text_of(rows_);
+  write_signed(original);
+  ASSERT_EQ(refusal(""), "");
+  for (const BadInput& row : rows_at("package", GetParam() + " ")) {
+    SCOPED_TRACE(row.item + ", " + row.defect);
+    const std::string column = row.item.substr(GetParam().size() + 1);
+    const std::string spoilt = text_of(spoilt_rows(rows_, column, row.defect));
+    write_signed(spoilt);
+    if (row.defect == "100 MB") enlarge("table.csv");
+    const std::string sentence = refusal("");
+    EXPECT_EQ(!sentence.empty(), row.is_refused) << sentence;
+    if (row.is_refused) {
+      EXPECT_TRUE(sentence.starts_with(path("table.csv") + ":")) << sentence;
+      EXPECT_TRUE(row.defect == "100 MB" || contains(sentence, column)) << sentence;
+      EXPECT_TRUE(!bad_values.contains(row.defect) || contains(sentence, "table.csv:4")) << sentence;
+    }
+    if (spoilt == original) continue;
+    write_signed(original);
+    write("table.csv", spoilt);
+    EXPECT_TRUE(contains(refusal(""), "the file has been altered")) << refusal("");
+  }
+}
+
+TEST_P(PublishedColumns, AreMissedInATruncatedRow) {
+  for (std::size_t cells = 0; cells < rows_.front().size(); ++cells) {
+    Rows truncated = rows_;
+    truncated[3].resize(cells);
+    write_signed(text_of(truncated));
+    EXPECT_EQ(refusal(""), fmt::format("{}:4: the line has {} cells, but must have {}", path("table.csv"),
+                                       std::max<std::size_t>(cells, 1), rows_.front().size()));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(DataSets, PublishedColumns, ::testing::ValuesIn([] {
+                           std::vector<std::string> names;
+                           for (const auto& resource : data::load_reference().resources)
+                             names.push_back(resource.name);
+                           return names;
+                         }()),
+                         test_name);
+
+// A key of a description by its path, in which * stands for the index of an array, and where it stands first.
+using Keys = std::vector<std::pair<std::string, Description::json_pointer>>;
+
+void collect_keys(const Description& value, const std::string& path, const Description::json_pointer& at,
+                  Keys& keys) {
+  if (!value.is_structured() || path.ends_with("/settings") || path.ends_with("/error"))
+    return;  // the keys of settings are free, those of error are columns
+  for (const auto& [name, member] : value.items()) {
+    const std::string below = (path.empty() ? "" : path + "/") + (value.is_array() ? "*" : name);
+    const auto there = value.is_array() ? at / std::stoul(name) : at / name;
+    if (value.is_object() && std::ranges::find(keys, below, &Keys::value_type::first) == keys.end())
+      keys.emplace_back(below, there);
+    collect_keys(member, below, there, keys);
+  }
+}
+
+const Keys& description_keys() {
+  static const auto keys = [] {
+    Keys found;
+    collect_keys(description_of(fixture), "", Description::json_pointer(), found);
+    return found;
+  }();
+  return keys;
+}
+
+class PackageKeys : public PackageInput, public ::testing::WithParamInterface<std::string> {
+ protected:
+  [[nodiscard]] static std::string in_double_quotes(const std::string& text) { return "\"" + text + "\""; }
+
+  [[nodiscard]] static std::string bad_member_value(const Description& good, const std::string& defect) {
+    const std::string& bad = bad_values.at(defect);
+    if (defect == "wrong type") return good.is_string() ? "[2]" : in_double_quotes(bad);
+    return defect == "not UTF-8" ? in_double_quotes(bad) : bad;
+  }
+
+  // The text of the fixture's description with that defect.
+  [[nodiscard]] static std::string spoilt_text(const Description::json_pointer& key,
+                                               const std::string& defect) {
+    const std::string mark = "spoilt here";
+    Description description = description_of(fixture);
+    const Description value = description[key];
+    const std::string name = key.back();
+    if (defect == "missing") {
+      description[key.parent_pointer()].erase(name);
+      return description.dump();
+    }
+    description[key] = mark;
+    std::string text = description.dump();
+    const auto member = [&](const std::string& its_name, const std::string& its_value) {
+      return fmt::format("\"{}\":{}", its_name, its_value);
+    };
+    const std::string good = member(name, value.dump());
+    const std::string marked = member(name, in_double_quotes(mark));
+    return text.replace(text.find(marked), marked.size(),
+                        defect == "unknown"     ? member(misspelt(name), value.dump())
+                        : defect == "duplicate" ? good + "," + good
+                        : defect == "100 MB"    ? good
+                                                : member(name, bad_member_value(value, defect)));
+  }
+};
+
+TEST_P(PackageKeys, AreRefusedInOneSentenceOrRead) {
+  fs::copy(fixture, path("package"), fs::copy_options::recursive);
+  const auto key = std::ranges::find(description_keys(), GetParam(), &Keys::value_type::first)->second;
+  const std::string name = key.back();
+  const std::string pointer = key.to_string();
+  const std::size_t resource = pointer.starts_with("/resources/") ? std::stoul(pointer.substr(11)) : 0;
+  for (const BadInput& row : rows_at("package")) {
+    if (row.item != GetParam()) continue;
+    SCOPED_TRACE(row.item + ", " + row.defect);
+    write("package/datapackage.json", spoilt_text(key, row.defect));
+    if (row.defect == "100 MB") enlarge("package/datapackage.json");
+    const std::string sentence = refusal("package", resource);
+    EXPECT_EQ(!sentence.empty(), row.is_refused) << sentence;
+    if (!row.is_refused) continue;
+    EXPECT_TRUE(sentence.starts_with(path("package/datapackage.json:"))) << sentence;
+    const bool is_no_json = row.defect == "not UTF-8" || row.defect == "deep nesting" ||
+                            row.defect == "100 MB" || row.defect == "not a number" ||
+                            row.defect == "infinity";
+    EXPECT_TRUE(is_no_json || contains(sentence, name)) << sentence;
+    EXPECT_TRUE(row.defect != "unknown" || contains(sentence, "did you mean " + name + "?")) << sentence;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Description, PackageKeys, ::testing::ValuesIn([] {
+                           std::vector<std::string> items;
+                           for (const auto& [item, pointer] : description_keys()) items.push_back(item);
+                           return items;
+                         }()),
+                         test_name);
+
+TEST_F(PackageInput, CoversEveryKeyAndColumn) {
+  std::set<std::string> items, tried;
+  for (const auto& [item, pointer] : description_keys()) items.insert(item);
+  for (const auto& resource : data::load_reference().resources)
+    for (const auto& field : resource.fields) items.insert(resource.name + " " + field.name);
+  for (const BadInput& row : rows_at("package")) tried.insert(row.item);
+  EXPECT_EQ(tried, items);
+}
+
+TEST_F(PackageInput, IsRefusedByTheProgramAsByTheReader) {
+  fs::copy(fixture, path("package"), fs::copy_options::recursive);
+  const std::string package = " --package " + in_quotes(path("package"));
+  const auto refused_by_all = [&](const std::string& part) {
+    const std::string set = "stick-frequencies";
+    for (const std::string& command :
+         {"reference list" + package, "reference show " + set + package,
+          "reference export " + set + " --output " + in_quotes(path("out.csv")) + package,
+          "compare " + set + " " + in_quotes(fixture + "/frequencies/stick.csv") + package})
+      expect_refused(command, part);
+    EXPECT_FALSE(fs::exists(path("out.csv")));
+  };
+  write("package/frequencies/stick.csv", "beam,mode\n");
+  refused_by_all("stick.csv: its size is 10 bytes, but must be");
+  enlarge("package/frequencies/stick.csv");
+  refused_by_all("stick.csv: is larger than the 50000000 bytes that are allowed");
+  write("package/datapackage.json", bad_values.at("deep nesting"));
+  refused_by_all("datapackage.json:1:101: is nested deeper than the 100 levels that are allowed");
+  enlarge("package/datapackage.json");
+  refused_by_all("datapackage.json: is larger than the 10000000 bytes that are allowed");
+}
+
 // --- Options
 
-// What makes a subcommand run fast; an option that is tried replaces its own.
+// What makes a subcommand run fast; an option that is tried replaces its own. "stickslip" is the program
+// alone.
 struct Command {
   std::string name;
   std::vector<std::pair<std::string, std::string>> arguments;  // a positional one has no '-'
+
+  [[nodiscard]] std::string words() const { return name == "stickslip" ? "" : name; }
 };
 
 std::vector<Command> commands() {
   const std::string set = "stick-frequencies";
-  return {{"modes", {{"CASE", "paper"}}},
+  return {{"stickslip", {{"SUBCOMMAND", "cases"}}},
+          {"reference", {{"SUBCOMMAND", "list"}}},
+          {"modes", {{"CASE", "paper"}}},
           {"respond", {{"CASE", "paper"}, {"--duration", "0.001"}, {"--output", "FOLDER/out.csv"}}},
           {"animate",
            {{"CASE", "paper"}, {"--duration", "0.001"}, {"--frames", "2"}, {"--output", "FOLDER/film"}}},
@@ -400,6 +641,11 @@ class OptionInput : public Drawing {
   void SetUp() override {
     Drawing::SetUp();
     fs::current_path(path(""));  // where a file with a bad name would appear
+    fs::create_directory(path("large"));
+    for (const std::string file : {"large/datapackage.json", "large/results.xml"}) {
+      std::ofstream{path(file)};
+      fs::resize_file(path(file), hundred_megabytes);
+    }
     install_gnuplot(
         "[ -n \"$output\" ] && echo drawn > \"$output\"; for i in 0001 0002; do echo drawn > frame-$i.png; "
         "done\n");
@@ -421,11 +667,12 @@ class OptionInput : public Drawing {
     return std::istringstream(text.substr(0, text.find("\nExamples:")));
   }
 
-  // What --help lists, but for itself.
-  [[nodiscard]] std::vector<Listed> listed(const std::string& command) const {
+  // What --help lists; itself only where subcommands follow, since it is the same everywhere.
+  [[nodiscard]] std::vector<Listed> listed(const Command& command) const {
     std::vector<Listed> options;
-    auto lines = help(command);
+    auto lines = help(command.words());
     for (std::string line; std::getline(lines, line);) {
+      if (line.ends_with("[SUBCOMMAND]")) options = {{"--help", false}, {"SUBCOMMAND", true}};
       if (!line.starts_with("  ") || line.starts_with("   ") || line.starts_with("  -h")) continue;
       std::istringstream words(line);
       std::string name, type;
@@ -440,32 +687,47 @@ class OptionInput : public Drawing {
     return options;
   }
 
+  // What an option is given. Linux passes no argument beyond 128 KiB to a program, so that 100 kB stand for
+  // 100 MB; but what is read can be a file of 100 MB.
+  [[nodiscard]] std::vector<std::string> values(const std::string& item, const std::string& defect) const {
+    if (bad_values.contains(defect)) return {bad_values.at(defect)};
+    if (defect != "100 MB") return {""};
+    std::vector<std::string> large{std::string(100'000, 'a')};
+    const bool is_read = item.ends_with(" CASE") || item == "compare FILE" || item == "compare --events" ||
+                         item == "map --merge";
+    if (is_read) large.push_back(path("large/datapackage.json"));
+    if (item.ends_with(" --package") || item == "report --tests") large.push_back(path("large"));
+    return large;
+  }
+
   // The command with that defect at that option.
-  [[nodiscard]] std::string arguments(const Command& command, const Listed& option,
-                                      const std::string& defect) const {
+  [[nodiscard]] std::string arguments(const Command& command, const Listed& option, const std::string& defect,
+                                      const std::string& value) const {
     std::vector<std::string> words;
     std::string good = "1";
-    for (const auto& [name, value] : command.arguments) {
-      if (name == option.name) good = value;
+    for (const auto& [name, usual] : command.arguments) {
+      if (name == option.name) good = usual;
       if (name == option.name && name != "--set") continue;
       if (option.name == "--merge" && name != "--output") continue;  // what it excludes
       if (name.starts_with('-')) words.push_back(name);
-      words.push_back(value);
+      words.push_back(usual);
     }
     const bool is_positional = !option.name.starts_with('-');
-    const auto value = defect == "100 MB"            ? std::string(100'000, 'a')
-                       : bad_values.contains(defect) ? bad_values.at(defect)
-                                                     : good;
+    const bool is_before_subcommand =
+        !command.arguments.empty() && command.arguments.front().first == "SUBCOMMAND";
+    const auto append = [&](const std::vector<std::string>& more) {
+      words.insert(is_before_subcommand ? words.begin() : words.end(), more.begin(), more.end());
+    };
     const auto give = [&](const std::string& name, const std::string& text) {
       if (is_positional)
         words.insert(option.name == "FILE" ? words.begin() + 1 : words.begin(), text);
       else if (option.takes_value)
-        words.insert(words.end(), {name, text});
+        append({name, text});
       else
-        words.push_back(name);
+        append({name});
     };
     if (defect == "missing") {
-      if (!is_positional) words.push_back(option.name);
+      if (!is_positional) append({option.name});
     } else if (defect == "unknown") {
       give(misspelt(option.name), is_positional ? misspelt(good) : good);
     } else if (defect == "duplicate") {
@@ -474,9 +736,9 @@ class OptionInput : public Drawing {
     } else if (is_positional) {
       give(option.name, value);
     } else {
-      words.push_back(option.name + "=" + value);
+      append({option.name + "=" + value});
     }
-    std::string text = command.name;
+    std::string text = command.words();
     for (std::string word : words) {
       if (const auto at = word.find("FOLDER"); at != std::string::npos) word.replace(at, 6, path(""));
       text += " " + in_quotes(word);
@@ -487,17 +749,17 @@ class OptionInput : public Drawing {
   // An option of a subcommand, "reference show NAME".
   void try_all(const std::string& item) const {
     const auto last = item.rfind(' ');
-    const std::string name = item.substr(0, last);
     const auto known = commands();
-    const auto options = listed(name);
+    const Command& command = *std::ranges::find(known, item.substr(0, last), &Command::name);
+    const auto options = listed(command);
     const auto option = std::ranges::find(options, item.substr(last + 1), &Listed::name);
     ASSERT_NE(option, options.end());
     const auto folder = files();
     for (const BadInput& row : rows_at("option")) {
       if (row.item != item) continue;
       SCOPED_TRACE(row.item + ", " + row.defect);
-      const Command& command = *std::ranges::find(known, name, &Command::name);
-      try_one(row, arguments(command, *option, row.defect), folder);
+      for (const std::string& value : values(item, row.defect))
+        try_one(row, arguments(command, *option, row.defect, value), folder);
     }
   }
 
@@ -512,7 +774,8 @@ class OptionInput : public Drawing {
       const bool repeats_a_name = row.reason == "a file may have that name";
       EXPECT_TRUE(repeats_a_name || !holds_no_number(outcome.output)) << outcome.output;
       for (const std::string& name : files())
-        if (name != "tools" && name != "stdout" && name != "stderr") fs::remove_all(path(name));
+        if (name != "tools" && name != "large" && name != "stdout" && name != "stderr")
+          fs::remove_all(path(name));
       return;
     }
     EXPECT_EQ(outcome.output, "");
@@ -525,6 +788,12 @@ class OptionInput : public Drawing {
     std::erase(before, "stdout");
     std::erase(before, "stderr");
     EXPECT_EQ(after, before);
+    if (arguments.find(path("large")) != std::string::npos) {
+      EXPECT_TRUE(contains(outcome.errors, path("large/"))) << outcome.errors;
+    }
+    if (row.defect == "unknown" && row.item.ends_with("SUBCOMMAND")) {
+      EXPECT_TRUE(contains(outcome.errors, "did you mean ")) << outcome.errors;
+    }
     if (row.defect == "unknown" && row.item.find("--") != std::string::npos) {
       EXPECT_TRUE(contains(outcome.errors, "did you mean " + row.item.substr(row.item.find("--")) + "?"))
           << outcome.errors;
@@ -547,14 +816,15 @@ INSTANTIATE_TEST_SUITE_P(Subcommands, OptionsOf, ::testing::ValuesIn(tried_optio
 TEST_F(OptionInput, CoversEveryOption) {
   std::vector<std::string> options;
   for (const Command& command : commands())
-    for (const Listed& option : listed(command.name)) options.push_back(command.name + " " + option.name);
+    for (const Listed& option : listed(command)) options.push_back(command.name + " " + option.name);
   std::ranges::sort(options);
   EXPECT_EQ(tried_options(), options);
 }
 
 TEST_F(OptionInput, BelongToTheSubcommandsThatAreTried) {
   std::set<std::string> names;
-  for (const Command& command : commands()) names.insert(command.name.substr(0, command.name.find(' ')));
+  for (const Command& command : commands())
+    if (!command.words().empty()) names.insert(command.name.substr(0, command.name.find(' ')));
   auto lines = help("");
   std::set<std::string> listed_names{"documentation"};  // hidden
   bool below = false;
@@ -606,15 +876,15 @@ TEST_F(OptionInput, ThatNamesNoShardIsRefused) {
   std::ofstream(path("empty"));
   std::ofstream(path("binary"), std::ios::binary) << std::string("\0\xFF\x1B\n\n", 5);
   std::ofstream(path("text")) << "frequency,amplitude\n1,2\n";
-  std::ofstream(path("large"));
-  fs::resize_file(path("large"), 10 * hundred_megabytes);
+  std::ofstream(path("oversized"));
+  fs::resize_file(path("oversized"), 10 * hundred_megabytes);
   const std::vector<std::pair<std::string, std::string>> files{
       {"missing", ": cannot be opened for reading"},
       {"", ": is a folder"},
       {"empty", ": is empty"},
       {"binary", " is no shard of a map"},
       {"text", " is no shard of a map"},
-      {"large", ": is larger than the 500000000 bytes"}};
+      {"oversized", ": is larger than the 500000000 bytes"}};
   for (const auto& [name, why] : files)
     expect_refused("map --merge " + in_quotes(path(name)) + " --output " + in_quotes(path("out.csv")),
                    "--merge: " + path(name) + why);

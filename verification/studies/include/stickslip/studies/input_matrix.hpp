@@ -1,8 +1,8 @@
 #pragma once
 
-/// What becomes of bad input: every key of a case file, every option of the command line and every column of
-/// a compared table, each with every defect, as verification/tests/data/input-matrix.csv has it. The tests
-/// try each row.
+/// What becomes of bad input: every key of a case file, every option of the command line, every column of a
+/// compared table, every column and key of the published package, each with every defect, as
+/// verification/tests/data/input-matrix.csv has it. The tests try each row.
 
 #include <string>
 #include <string_view>
@@ -11,8 +11,8 @@
 namespace stickslip::studies {
 
 struct BadInput {
-  std::string where;   ///< "case file", "option" or "column"
-  std::string item;    ///< "beam.length", "respond --hz", "damped-history time"
+  std::string where;   ///< "case file", "option", "column" or "package"
+  std::string item;    ///< "beam.length", "respond --hz", "damped-history time", "resources/*/title"
   std::string defect;  ///< "not a number"
   bool is_refused{};
   std::string reason;  ///< why it is accepted, empty if it is refused
