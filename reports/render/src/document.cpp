@@ -85,6 +85,7 @@ void typeset_document(const Document& document, OutputFolder& output) {
   if (mentions(folder / "vv-report.log", {"undefined references", "multiply-defined labels"}))
     throw std::runtime_error(
         "the report refers to a figure, a table or a section that it does not have, or that stands twice");
+  output.forget("vv-report");
   output.publish(folder / "vv-report.pdf");
 }
 

@@ -113,10 +113,12 @@ std::string drawing_of(const std::string& script, const std::string& format,
 }
 
 void draw(const std::string& name, OutputFolder& output) {
+  std::vector<fs::path> drawn;
   for (const std::string format : {"pdf", "png"})
-    for (const fs::path& file :
-         draw_in_scratch(name, format, "../../", {fmt::format("{}.{}", name, format)}, output))
-      output.publish(file);
+    drawn.push_back(
+        draw_in_scratch(name, format, "../../", {fmt::format("{}.{}", name, format)}, output).front());
+  output.forget(name);
+  for (const fs::path& file : drawn) output.publish(file);
 }
 
 }  // namespace stickslip::report

@@ -33,6 +33,13 @@ int lock_folder(const fs::path& folder) {
                   folder.string()));
 }
 
+void move(const fs::path& file, const fs::path& target) {
+  std::error_code error;
+  fs::rename(file, target, error);
+  if (error)
+    throw std::runtime_error(fmt::format("{} cannot be written: {}", target.string(), error.message()));
+}
+
 }  // namespace
 
 OutputFolder::OutputFolder(const fs::path& folder) {
@@ -50,9 +57,13 @@ OutputFolder::OutputFolder(const fs::path& folder) {
 }
 
 OutputFolder::~OutputFolder() {
-  std::error_code ignored;  // nothing is left to be done about a scratch folder that cannot be removed
-  fs::remove_all(scratch_, ignored);
+  clear_scratch();
   ::close(lock_);
+}
+
+void OutputFolder::clear_scratch() const noexcept {
+  std::error_code ignored;
+  fs::remove_all(scratch_, ignored);
 }
 
 void OutputFolder::write(const std::string& name, std::string_view text) {
@@ -71,15 +82,12 @@ bool OutputFolder::is_current(const std::string& name, const std::vector<std::st
 
 void OutputFolder::record(const std::string& name, const std::string& fingerprint) {
   fs::create_directories(folder_ / ".made");
-  write_text(folder_ / ".made" / name, fingerprint);
+  write_text(scratch_ / name, fingerprint);
+  move(scratch_ / name, folder_ / ".made" / name);
 }
 
-void OutputFolder::publish(const fs::path& file) {
-  const fs::path target = folder_ / file.filename();
-  std::error_code error;
-  fs::rename(file, target, error);
-  if (error)
-    throw std::runtime_error(fmt::format("{} cannot be written: {}", target.string(), error.message()));
-}
+void OutputFolder::forget(const std::string& name) { fs::remove(folder_ / ".made" / name); }
+
+void OutputFolder::publish(const fs::path& file) { move(file, folder_ / file.filename()); }
 
 }  // namespace stickslip::report

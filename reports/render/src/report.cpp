@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdlib>
 #include <filesystem>
-#include <system_error>
 
 #include "document.hpp"
 #include "drawing.hpp"
@@ -112,8 +111,7 @@ void write_report(const ReportOptions& options) {
   Progress progress("stickslip report", Progress::standard_error(options.quiet));
   const Interruption interruption([&] {
     progress.finish();
-    std::error_code ignored;  // what is left there the next report clears away
-    std::filesystem::remove_all(output.scratch(), ignored);
+    output.clear_scratch();
     return fmt::format("interrupted after {:.0f} % of the report; what the studies have found is kept in {}",
                        100.0 * progress.share(), (output.folder() / ".studies").string());
   });

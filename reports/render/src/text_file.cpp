@@ -32,8 +32,14 @@ void write_text(const std::filesystem::path& file, std::string_view text) {
 
 void replace_text(const std::filesystem::path& file, std::string_view text) {
   const std::filesystem::path unfinished = file.string() + ".unfinished";
-  write_text(unfinished, text);
-  std::filesystem::rename(unfinished, file);
+  try {
+    write_text(unfinished, text);
+    std::filesystem::rename(unfinished, file);
+  } catch (const std::runtime_error&) {
+    std::error_code ignored;  // it may not even be there
+    std::filesystem::remove(unfinished, ignored);
+    throw;
+  }
 }
 
 }  // namespace stickslip::report

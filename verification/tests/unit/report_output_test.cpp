@@ -61,6 +61,31 @@ TEST_F(ReportOutput, ClearsWhatAnInterruptedRunHasLeft) {
   EXPECT_TRUE(fs::is_empty(output.scratch()));
 }
 
+TEST_F(ReportOutput, IsNotCurrentWhileItsFilesAreReplaced) {
+  report::OutputFolder output(folder_);
+  output.write("a.csv", "1,2\n");
+  output.record("a", "made from this");
+  EXPECT_TRUE(output.is_current("a", {"a.csv"}, "made from this"));
+  EXPECT_FALSE(output.is_current("a", {"a.csv"}, "made from that"));
+  EXPECT_FALSE(output.is_current("a", {"a.csv", "a.png"}, "made from this"));
+  output.forget("a");
+  EXPECT_FALSE(output.is_current("a", {"a.csv"}, "made from this"));
+}
+
+TEST_F(ReportOutput, KeepsTheOldRecordWhenTheNewOneCannotBeWritten) {
+  report::OutputFolder output(folder_);
+  output.record("a", "old");
+  fs::create_directory(output.scratch() / "a");  // in the way of the new one
+  EXPECT_THROW(output.record("a", "new"), std::runtime_error);
+  EXPECT_EQ(report::read_text(folder_ / ".made" / "a"), "old");
+}
+
+TEST_F(ReportOutput, LeavesNothingOfATextThatCannotBePutInPlace) {
+  fs::create_directories(folder_ / "a" / "in the way");
+  EXPECT_THROW(report::replace_text(folder_ / "a", "text"), std::runtime_error);
+  EXPECT_FALSE(fs::exists(folder_ / "a.unfinished"));
+}
+
 TEST_F(ReportOutput, BelongsToOneReportAtATime) {
   const report::OutputFolder output(folder_);
   EXPECT_THROW(const report::OutputFolder second(folder_), data::InputError);

@@ -162,6 +162,18 @@ TEST_F(DrawnFigures, AreAllDrawnAgainWhenTheStyleChanges) {
   for (const char* name : {"fig1.png", "fig2.png", "fig7.png"}) EXPECT_FALSE(is_kept(name)) << name;
 }
 
+TEST_F(DrawnFigures, AppearInAllFormatsOrInNone) {
+  mark();
+  const fs::path script = templates_ / "figures" / "fig7.gp";
+  const std::string before = report::read_text(script);
+  report::write_text(script, before + "if (format eq 'png') exit error 'no colours'\n");
+  EXPECT_THROW(draw(), std::runtime_error);
+  report::write_text(script, before);
+  draw();
+  EXPECT_TRUE(is_kept("fig7.pdf"));
+  EXPECT_TRUE(is_kept("fig7.png"));
+}
+
 TEST_F(DrawnFigures, FollowTheCaseTheyAreDrawnFrom) {
   const fs::path data = folder_ / "data";
   fs::copy(data::data_directory(), data, fs::copy_options::recursive);

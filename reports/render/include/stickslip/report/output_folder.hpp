@@ -31,6 +31,13 @@ class OutputFolder {
                                 const std::string& fingerprint) const;
   /// Remembers what `name`, a figure or the report, was made from. Throws std::runtime_error.
   void record(const std::string& name, const std::string& fingerprint);
+  /// Forgets it: before the first of its files is published, so that old and new ones together never count as
+  /// current.
+  void forget(const std::string& name);
+
+  /// Removes the scratch folder, for a program that ends here; from any thread. What cannot be removed the
+  /// next one clears away.
+  void clear_scratch() const noexcept;
 
   /// Moves a file of the scratch folder into the folder, under its own name. Throws std::runtime_error.
   void publish(const std::filesystem::path& file);
