@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <memory>
 #include <optional>
@@ -85,12 +86,6 @@ std::optional<OutputFile>& open(std::optional<OutputFile>& file, const std::stri
   return file;
 }
 
-void write(std::optional<OutputFile>& file, const std::string& text) {
-  if (!file) return;
-  file->write(text);
-  file->commit();
-}
-
 void run(const CompareOptions& options) {
   if (options.json == "-" && options.junit == "-")
     throw data::InputError(
@@ -99,25 +94,33 @@ void run(const CompareOptions& options) {
     (void)figure_format(options.figure);
     (void)report::templates_directory();
   }
-  std::optional<OutputFile> json, junit, figure;
+  std::optional<OutputFile> table, json, junit, figure;
+  if (!options.quiet && options.json != "-" && options.junit != "-") table.emplace("-");
   open(json, options.json);
   open(junit, options.junit);
   open(figure, options.figure);
 
-  const report::Interruption interruption([&] {
+  std::vector<std::string> written;
+  report::Interruption interruption([&] {
     for (const auto* file : {&json, &junit, &figure})
       if (*file) (*file)->discard();
-    return "interrupted; a file that is not in place yet will not be";
+    if (written.empty()) return std::string("interrupted; nothing is written");
+    return fmt::format("interrupted; nothing is written but {}", fmt::join(written, " and "));
   });
+  const auto write = [&](std::optional<OutputFile>& file, const std::string& path, const auto& text) {
+    if (!file) return;
+    const auto undisturbed = interruption.hold();
+    file->write(text());
+    file->commit();
+    written.push_back(path == "-" ? "standard output" : path);
+  };
+
   const studies::Comparison comparison = compare(options);
-  if (!options.quiet && options.json != "-" && options.junit != "-") fmt::print("{}", text_of(comparison));
-  if (json) write(json, json_of(comparison, options.file).dump(2) + "\n");
-  if (junit) write(junit, junit_of(comparison, options.file));
-  if (figure) write(figure, report::draw(comparison, figure_format(options.figure)));
-  if (comparison.agreement == studies::Agreement::differs) {
-    std::fflush(stdout);
-    throw CLI::RuntimeError(1);
-  }
+  write(table, "-", [&] { return text_of(comparison); });
+  write(json, options.json, [&] { return json_of(comparison, options.file).dump(2) + "\n"; });
+  write(junit, options.junit, [&] { return junit_of(comparison, options.file); });
+  write(figure, options.figure, [&] { return report::draw(comparison, figure_format(options.figure)); });
+  if (comparison.agreement == studies::Agreement::differs) throw CLI::RuntimeError(1);
 }
 
 }  // namespace

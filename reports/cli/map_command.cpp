@@ -152,8 +152,17 @@ class Run {
     });
     evaluate(task, numbers, progress);
     progress.finish();
-    const auto undisturbed = interruption.hold();  // what draws is interrupted itself
+    const auto undisturbed = interruption.hold();
     write(evaluations_);
+  }
+
+  void merge(const MergedMap& map) {
+    report::Interruption interruption([&] {
+      discard();
+      return is_in_place_ ? map_is_written() : "interrupted; the map is not written";
+    });
+    const auto undisturbed = interruption.hold();
+    finish(map.task, map.evaluations);
   }
 
   void finish(const studies::MapTask& task, const studies::MapEvaluations& evaluations) {
@@ -221,8 +230,13 @@ class Run {
     if (unfinished_) unfinished_->remove();
   }
 
+  [[nodiscard]] std::string map_is_written() const {
+    return fmt::format("interrupted; {} is written",
+                       options_.output == "-" ? "standard output" : options_.output);
+  }
+
   [[nodiscard]] std::string last_words(UnfinishedMap& unfinished, std::size_t count) const {
-    if (is_in_place_) return fmt::format("interrupted; {} is written", options_.output);
+    if (is_in_place_) return map_is_written();
     if (unfinished.kept() > 0)
       return fmt::format(
           "interrupted; {} of {} evaluations are kept in {}, from which the same command goes on",
@@ -244,11 +258,7 @@ void run(const MapOptions& options) {
   if (!options.merge.empty()) {
     const MergedMap map = merged(options.merge);
     Run run(options);
-    const report::Interruption interruption([&] {
-      run.discard();
-      return std::string("interrupted; the map is not written");
-    });
-    return run.finish(map.task, map.evaluations);
+    return run.merge(map);
   }
   const studies::MapTask task = task_of(options);
   const MapPart part = options.shard.value_or(MapPart());

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -87,8 +88,9 @@ std::vector<FigureData::Value> values_of(const data::Case& problem, const studie
           {"largest_displacement", studies::peak(motion), "m"}};
 }
 
-void draw_frames(const data::Case& problem, const studies::BeamMotion& motion, Progress& progress,
-                 OutputFolder& output) {
+// The drawings, in the scratch folder.
+std::vector<fs::path> drawn_frames(const data::Case& problem, const studies::BeamMotion& motion,
+                                   Progress& progress, OutputFolder& output) {
   const std::size_t frames = motion.snapshots.size();
   std::vector<fs::path> drawn;
   for (std::size_t first = 0; first < frames; first += batch) {
@@ -105,7 +107,7 @@ void draw_frames(const data::Case& problem, const studies::BeamMotion& motion, P
     for (fs::path& file : draw_in_scratch("animation", "png", "../", names, output))
       drawn.push_back(std::move(file));
   }
-  for (const fs::path& file : drawn) output.publish(file);
+  return drawn;
 }
 
 }  // namespace
@@ -116,19 +118,25 @@ void write_animation(const data::Case& problem, const AnimationOptions& options)
   refuse_later_frames(output, options.frames);
   Progress progress("stickslip animate", Progress::standard_error(options.quiet),
                     static_cast<std::size_t>(options.frames));
-  const Interruption interruption([&] {
+  const std::string table = (output.folder() / "motion.csv").string();
+  std::atomic<bool> has_motion{false};
+  Interruption interruption([&] {
     progress.finish();
-    return fmt::format("interrupted after {:.0f} % of the frames, none of which is kept",
-                       100.0 * progress.share());
+    output.clear_scratch();
+    return fmt::format("interrupted after {:.0f} % of the frames, none of which is kept{}",
+                       100.0 * progress.share(), has_motion ? "; the motion is in " + table : "");
   });
   progress.stage("following the beam");
   const studies::BeamMotion motion = motion_of(problem, options);
   output.write("motion.csv", table_of(problem, motion, 0, motion.snapshots.size()).text());
+  has_motion = true;
   try {
-    draw_frames(problem, motion, progress, output);
+    const std::vector<fs::path> frames = drawn_frames(problem, motion, progress, output);
+    const auto undisturbed = interruption.hold();
+    for (const fs::path& frame : frames) output.publish(frame);
   } catch (const ToolMissing& missing) {
-    throw std::runtime_error(fmt::format("{}, so that no frame is drawn; the motion is in {}", missing.what(),
-                                         (output.folder() / "motion.csv").string()));
+    throw std::runtime_error(
+        fmt::format("{}, so that no frame is drawn; the motion is in {}", missing.what(), table));
   }
 }
 

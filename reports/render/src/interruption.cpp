@@ -12,6 +12,8 @@
 #include <system_error>
 #include <utility>
 
+#include "external_tool.hpp"
+
 namespace stickslip::report {
 
 namespace {
@@ -60,6 +62,7 @@ void Interruption::wait_for_signal() {
   while (::read(pipe_[0], &signal, 1) < 0 && errno == EINTR) {
   }
   if (signal == no_signal) return;
+  end_tools();  // who holds waits for none of them
   const std::lock_guard lock(guard_);
   fmt::print(stderr, "{}: {}\n", ::program_invocation_short_name, last_words_());
   std::fflush(stderr);

@@ -111,8 +111,13 @@ class Drawing : public CommandLine {
 
   /// A shell script that is called as gnuplot is: -e 'name=value; ...' script.
   void install_gnuplot(const std::string& body) const {
-    const std::string program = path("tools/gnuplot");
-    std::ofstream(program) << "#!/bin/sh\neval \"$2\"\n[ -f \"$3\" ] || exit 1\n" << body;
+    install_tool("gnuplot", "eval \"$2\"\n[ -f \"$3\" ] || exit 1\n" + body);
+  }
+
+  /// A shell script that stands before a program of that name.
+  void install_tool(const std::string& name, const std::string& body) const {
+    const std::string program = path("tools/" + name);
+    std::ofstream(program) << "#!/bin/sh\n" << body;
     std::filesystem::permissions(program, std::filesystem::perms::owner_all);
   }
 

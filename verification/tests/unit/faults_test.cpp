@@ -1,65 +1,25 @@
 /// Full disks, folders that cannot be written, pipes that close, programs that are missing, signals and runs
 /// that diverge: a clear sentence, the right exit status, and no file that is not whole.
 
-#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <string>
-#include <thread>
 #include <vector>
 
-#include "support/command_line.hpp"
+#include "support/signalled_run.hpp"
 
 namespace stickslip::testing {
 namespace {
 
 namespace fs = std::filesystem;
 
-class Fault : public CommandLine {
+class Fault : public SignalledRun {
  protected:
-  // All files below a folder, those that begin with a dot as well.
-  [[nodiscard]] static std::vector<std::string> all_files(const fs::path& folder) {
-    std::vector<std::string> names;
-    if (!fs::exists(folder)) return names;
-    for (const auto& file : fs::recursive_directory_iterator(folder))
-      if (!file.is_directory()) names.push_back(fs::relative(file.path(), folder).string());
-    std::ranges::sort(names);
-    return names;
-  }
-
-  // Runs the program, sends it a signal after a while and says how it ended, as a shell would.
-  struct Ending {
-    int status{};
-    double seconds{};  // from the signal to the end
-    std::string errors;
-  };
-  [[nodiscard]] Ending signalled(const std::string& arguments, int signal,
-                                 std::chrono::milliseconds after) const {
-    const std::string command = std::string("exec '") + STICKSLIP_PROGRAM + "' " + arguments + " >'" +
-                                path("stdout") + "' 2>'" + path("stderr") + "'";
-    const pid_t process = ::fork();
-    if (process == 0) {
-      ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
-      ::_exit(127);
-    }
-    std::this_thread::sleep_for(after);
-    const auto begin = std::chrono::steady_clock::now();
-    ::kill(process, signal);
-    int status = 0;
-    ::waitpid(process, &status, 0);
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), took.count(),
-            contents(path("stderr"))};
-  }
-
   // One sentence that names the file.
   void expect_failure(const Outcome& outcome, int status, const std::string& name,
                       const std::string& reason) const {

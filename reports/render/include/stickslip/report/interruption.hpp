@@ -9,10 +9,11 @@
 
 namespace stickslip::report {
 
-/// While it lives, Ctrl-C (SIGINT) and SIGTERM end the program in good order: `last_words` puts away what is
-/// not finished and says what was completed, in one sentence, which is printed on standard error after the
-/// program's name; then the program ends with the exit status 128 + n for signal n, whatever its threads are
-/// doing. A second signal ends it at once. A signal that is ignored stays so. One at a time may live.
+/// While it lives, Ctrl-C (SIGINT) and SIGTERM end the program in good order: other programs that it runs are
+/// killed (end_tools()); `last_words` puts away what is not finished and says what was completed, in one
+/// sentence, which is printed on standard error after the program's name; then the program ends with the exit
+/// status 128 + n for signal n, whatever its threads are doing. A second signal ends it at once. A signal
+/// that is ignored stays so. One at a time may live.
 class Interruption {
  public:
   /// `last_words` is called on a thread of its own. Throws std::system_error if there is none to be had.

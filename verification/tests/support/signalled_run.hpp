@@ -1,0 +1,73 @@
+#pragma once
+
+/// The command line, ended by a signal while it works.
+
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "support/command_line.hpp"
+
+namespace stickslip::testing {
+
+class SignalledRun : public Drawing {
+ protected:
+  /// All files below a folder, those that begin with a dot as well.
+  [[nodiscard]] static std::vector<std::string> all_files(const std::filesystem::path& folder) {
+    std::vector<std::string> names;
+    if (!std::filesystem::exists(folder)) return names;
+    for (const auto& file : std::filesystem::recursive_directory_iterator(folder))
+      if (!file.is_directory()) names.push_back(std::filesystem::relative(file.path(), folder).string());
+    std::ranges::sort(names);
+    return names;
+  }
+
+  struct Ending {
+    int status{};      // as a shell would give it
+    double seconds{};  // from the signal to the end
+    std::string errors;
+  };
+
+  /// Runs the program, waits and sends it a signal.
+  [[nodiscard]] Ending signalled(const std::string& arguments, int signal,
+                                 const std::function<void()>& wait) const {
+    const std::string command = std::string("exec '") + STICKSLIP_PROGRAM + "' " + arguments + " >'" +
+                                path("stdout") + "' 2>'" + path("stderr") + "'";
+    const pid_t process = ::fork();
+    if (process == 0) {
+      ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+      ::_exit(127);
+    }
+    wait();
+    const auto begin = std::chrono::steady_clock::now();
+    ::kill(process, signal);
+    int status = 0;
+    ::waitpid(process, &status, 0);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), took.count(),
+            contents(path("stderr"))};
+  }
+
+  [[nodiscard]] Ending signalled(const std::string& arguments, int signal,
+                                 std::chrono::duration<double> after) const {
+    return signalled(arguments, signal, [after] { std::this_thread::sleep_for(after); });
+  }
+
+  /// Waits until something is so, for ten seconds at most.
+  static void wait_until(const std::function<bool()>& is_so) {
+    const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+    while (!is_so() && std::chrono::steady_clock::now() < limit)
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    EXPECT_TRUE(is_so());
+  }
+};
+
+}  // namespace stickslip::testing

@@ -1,0 +1,138 @@
+/// Ctrl-C while a figure is drawn, a report is typeset or a long search goes on: the end within a second, one
+/// sentence about what is there, no file that is not whole, and no other program left behind.
+
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "support/signalled_run.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+class Interrupted : public SignalledRun {
+ protected:
+  void SetUp() override {
+    SignalledRun::SetUp();
+    fs::create_directory(temporary_);
+    ::setenv("TMPDIR", temporary_.c_str(), 1);
+  }
+  void TearDown() override {
+    ::unsetenv("TMPDIR");
+    SignalledRun::TearDown();
+  }
+
+  /// A program that would take a minute, most of it in a program that it starts.
+  void install_sleeper(const std::string& name) const {
+    install_tool(name, "[ \"$1\" = --version ] && exit\nsleep 60 &\necho $$ $! >'" + path("unfinished") +
+                           "'\nmv '" + path("unfinished") + "' '" + path("processes") + "'\nwait\n");
+  }
+
+  [[nodiscard]] static bool is_running(const std::string& process) {
+    const std::string status = contents("/proc/" + process + "/stat");
+    return !status.empty() && status.substr(status.rfind(')') + 2, 1) != "Z";
+  }
+
+  [[nodiscard]] bool sleeps() const { return fs::exists(path("processes")); }
+
+  /// Runs until the sleeper sleeps, sends the signal and returns what is said, without the program's name.
+  [[nodiscard]] std::string said_after(int signal, const std::string& arguments) const {
+    const Ending ending = signalled(arguments, signal, [&] { wait_until([&] { return sleeps(); }); });
+    EXPECT_EQ(ending.status, 128 + signal) << arguments;
+    EXPECT_LT(ending.seconds, 1.0) << arguments;
+    std::istringstream processes(contents(path("processes")));
+    for (std::string process; processes >> process;) wait_until([&] { return !is_running(process); });
+    fs::remove(path("processes"));
+    EXPECT_EQ(all_files(temporary_), std::vector<std::string>{}) << arguments;
+    return one_sentence(ending);
+  }
+
+  [[nodiscard]] static std::string one_sentence(const Ending& ending) {
+    const std::string name = "stickslip: ";
+    EXPECT_TRUE(ending.errors.starts_with(name)) << ending.errors;
+    EXPECT_EQ(std::ranges::count(ending.errors, '\n'), 1) << ending.errors;
+    return ending.errors.substr(std::min(name.size(), ending.errors.size()));
+  }
+
+  /// The outputs of a test, which are all in one folder.
+  [[nodiscard]] std::string out(const std::string& name = "") const { return path("out/" + name); }
+
+ private:
+  const fs::path temporary_ = path("temporary");
+};
+
+TEST_F(Interrupted, ReportThatIsDrawnKeepsItsTables) {
+  install_sleeper("gnuplot");
+  EXPECT_EQ(said_after(SIGINT, "report --only fig2 --output '" + out() + "'"),
+            "interrupted after 33 % of the report; what the studies have found is kept in " +
+                out(".studies") + "\n");
+  EXPECT_EQ(all_files(out()), (std::vector<std::string>{"fig2-values.csv", "fig2.csv"}));
+}
+
+TEST_F(Interrupted, AnimationThatIsDrawnKeepsTheMotion) {
+  install_sleeper("gnuplot");
+  EXPECT_EQ(said_after(SIGTERM, "animate --duration 0.1 --frames 5 --output '" + out() + "'"),
+            "interrupted after 0 % of the frames, none of which is kept; the motion is in " +
+                out("motion.csv") + "\n");
+  EXPECT_EQ(all_files(out()), std::vector<std::string>{"motion.csv"});
+}
+
+TEST_F(Interrupted, ComparisonThatIsDrawnSaysWhatIsWritten) {
+  install_sleeper("gnuplot");
+  ASSERT_EQ(run("reference export stick-frequencies --output '" + path("mine.csv") + "'").status, 0);
+  fs::create_directory(out());
+  const std::string compare = "compare stick-frequencies '" + path("mine.csv") + "' --figure '" +
+                              out("verdict.png") + "' --json '" + out("verdict.json") + "' ";
+  EXPECT_EQ(said_after(SIGINT, compare),
+            "interrupted; nothing is written but standard output and " + out("verdict.json") + "\n");
+  EXPECT_NE(contents(path("stdout")).find("frequency"), std::string::npos);
+  EXPECT_TRUE(nlohmann::json::accept(contents(out("verdict.json"))));
+  EXPECT_EQ(all_files(out()), std::vector<std::string>{"verdict.json"});
+}
+
+TEST_F(Interrupted, MapThatIsDrawnIsWritten) {
+  install_sleeper("gnuplot");
+  fs::create_directory(out());
+  const std::string files = "--output '" + out("map.csv") + "' --figure '" + out("map.png") + "'";
+  const std::string map = "map paper --x frequency=1:9:3 --y amplitude=1e-4:1e-3:2 ";
+  const std::string is_written = "interrupted; " + out("map.csv") + " is written\n";
+  EXPECT_EQ(said_after(SIGINT, map + files), is_written);
+  const std::string whole = contents(out("map.csv"));
+  EXPECT_EQ(whole, run(map).output);
+  EXPECT_EQ(all_files(out()), std::vector<std::string>{"map.csv"});
+
+  ASSERT_EQ(run(map + "--shard 1/1 --output '" + path("shard") + "'").status, 0);
+  fs::remove(out("map.csv"));
+  EXPECT_EQ(said_after(SIGINT, "map --merge '" + path("shard") + "' " + files), is_written);
+  EXPECT_EQ(contents(out("map.csv")), whole);
+  EXPECT_EQ(all_files(out()), std::vector<std::string>{"map.csv"});
+}
+
+TEST_F(Interrupted, SearchesEndAtOnce) {
+  struct Work {
+    std::string arguments, said;
+  };
+  for (const auto& [arguments, said] : std::vector<Work>{
+           {"design paper --band 1:100 --duration 1e4", " % of the design; nothing is kept\n"},
+           {"report --only fig12 --output '" + out() + "'",
+            " % of the report; what the studies have found is kept in " + out(".studies") + "\n"}}) {
+    const Ending ending = signalled(arguments, SIGINT, 200ms);
+    EXPECT_EQ(ending.status, 130) << arguments;
+    EXPECT_LT(ending.seconds, 1.0) << arguments;
+    const std::string sentence = one_sentence(ending);
+    EXPECT_TRUE(sentence.starts_with("interrupted after ")) << sentence;
+    EXPECT_TRUE(sentence.ends_with(said)) << sentence;
+  }
+  EXPECT_EQ(all_files(out()), std::vector<std::string>{});
+}
+
+}  // namespace
+}  // namespace stickslip::testing
