@@ -179,20 +179,20 @@ class Run {
       print_summary(map, options_);
   }
 
+  /// Whether an earlier run has finished the shard, and says so.
+  [[nodiscard]] bool finds_shard(const studies::MapTask& task, const MapPart& part) {
+    if (!holds_shard(options_.output, task, part)) return false;
+    evaluations_.resize(studies::evaluation_count(task));
+    if (const auto file = unfinished_file(options_); std::filesystem::exists(file))  // killed as it ended
+      UnfinishedMap(file, task, part, evaluations_).remove();
+    print_shard(task, part, true);
+    return true;
+  }
+
   void finish_shard(const studies::MapTask& task, const MapPart& part,
                     const studies::MapEvaluations& evaluations) {
     put_in_place(shard_text(task, part, evaluations));
-    const std::size_t count = studies::share_of(evaluations.size(), part.part, part.parts).size();
-    if (!options_.problem.json) {
-      fmt::print("Shard {} of {}, {} of {} evaluations, written to {}\n", part.part, part.parts, count,
-                 evaluations.size(), options_.output);
-      return;
-    }
-    Json object = to_json(task, options_);
-    object["shard"] = part.part;
-    object["shards"] = part.parts;
-    object["evaluations"] = count;
-    print_json(object);
+    print_shard(task, part, false);
   }
 
   /// Removes what is not in place yet, for a program that ends here.
@@ -222,6 +222,21 @@ class Run {
       unfinished_->remove();
       throw;
     }
+  }
+
+  void print_shard(const studies::MapTask& task, const MapPart& part, bool found) const {
+    const std::size_t count = studies::share_of(evaluations_.size(), part.part, part.parts).size();
+    if (!options_.problem.json) {
+      fmt::print("Shard {} of {}, {} of {} evaluations, {} {}\n", part.part, part.parts, count,
+                 evaluations_.size(), found ? "is complete already in" : "written to", options_.output);
+      return;
+    }
+    Json object = to_json(task, options_);
+    object["shard"] = part.part;
+    object["shards"] = part.parts;
+    object["evaluations"] = count;
+    object["complete_already"] = found;
+    print_json(object);
   }
 
   void put_in_place(std::string_view text) {
@@ -263,6 +278,7 @@ void run(const MapOptions& options) {
   const studies::MapTask task = task_of(options);
   const MapPart part = options.shard.value_or(MapPart());
   Run run(options);
+  if (options.shard && run.finds_shard(task, part)) return;
   run.work(task, part, [&](const studies::MapEvaluations& evaluations) {
     if (options.shard)
       run.finish_shard(task, part, evaluations);

@@ -220,6 +220,17 @@ std::string shard_text(const studies::MapTask& task, const MapPart& part,
   return text;
 }
 
+bool holds_shard(const fs::path& file, const studies::MapTask& task, const MapPart& part) {
+  std::error_code error;
+  if (!fs::is_regular_file(file, error) || fs::file_size(file, error) > largest_shard) return false;
+  const std::string text = report::read_text(file), header = header_line(task, part);
+  if (!text.starts_with(header)) return false;
+  studies::MapEvaluations evaluations(studies::evaluation_count(task));
+  const auto numbers = studies::share_of(evaluations.size(), part.part, part.parts);
+  const Taken taken = take_records(text, header.size(), numbers, evaluations);
+  return taken.length == text.size() && taken.records == numbers.size();
+}
+
 MergedMap merged(const std::vector<std::string>& files) {
   std::optional<MergedMap> map;
   Json first;

@@ -34,6 +34,10 @@ struct MapPart {
 [[nodiscard]] std::string shard_text(const studies::MapTask& task, const MapPart& part,
                                      const studies::MapEvaluations& evaluations);
 
+/// Whether a file holds all evaluations of this part of this map, made by this program, undamaged.
+[[nodiscard]] bool holds_shard(const std::filesystem::path& file, const studies::MapTask& task,
+                               const MapPart& part);
+
 struct MergedMap {
   studies::MapTask task;
   studies::MapEvaluations evaluations;

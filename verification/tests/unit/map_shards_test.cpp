@@ -176,6 +176,36 @@ TEST_F(MapShards, EndWithinASecondOfCtrlCAndSayWhatIsKept) {
   EXPECT_EQ(files().size(), 3u);  // the old map, what is kept, stderr
 }
 
+TEST_F(MapShards, AreNotMadeAgainWhereTheyAreComplete) {
+  const std::string part = longer + shard(2, 2);
+  const std::string whole = made(part, "shard");
+  const auto written = fs::last_write_time(path("shard"));
+  const std::string said =
+      "Shard 2 of 2, 45 of 90 evaluations, is complete already in " + path("shard") + "\n";
+  EXPECT_EQ(run(part + output("shard")).output, said);
+  EXPECT_EQ(json(part + output("shard")).at("complete_already"), true);
+  // A run that was killed after the shard was in place.
+  std::ofstream(path("shard.partial")) << whole;
+  EXPECT_EQ(run(part + output("shard")).output, said);
+  EXPECT_FALSE(fs::exists(path("shard.partial")));
+  EXPECT_EQ(fs::last_write_time(path("shard")), written);
+}
+
+TEST_F(MapShards, AreMadeAgainWhereTheyAreDamagedOrOfOtherWork) {
+  const std::string part = closed_form + shard(1, 2);
+  const std::string whole = made(part, "shard");
+  std::string damaged = whole;
+  ++damaged[damaged.size() - 5];
+  for (const std::string& text : {std::string(), whole.substr(0, whole.rfind('\n', whole.size() - 2) + 1),
+                                  whole.substr(0, whole.size() - 1), damaged, whole + "x"}) {
+    std::ofstream(path("shard")) << text;
+    EXPECT_EQ(json(part + output("shard")).at("complete_already"), false);
+    EXPECT_EQ(contents(path("shard")), whole);
+  }
+  EXPECT_NE(made(closed_form + shard(2, 2), "shard"), whole);
+  EXPECT_EQ(made(part, "shard"), whole);
+}
+
 TEST_F(MapShards, DropATornOrDamagedEndOfWhatIsKept) {
   const std::string part = closed_form + shard(1, 2);
   const std::string whole = made(part, "shard");  // what is kept of it looks like its output
