@@ -1,0 +1,59 @@
+/// LaTeX that is missing, or cannot typeset the report: a sentence that says so, and every file that was
+/// there.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+#include "document.hpp"
+#include "stickslip/report/output_folder.hpp"
+#include "support/command_line.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+class Typesetting : public Drawing {
+ protected:
+  /// What is said of a report whose folder holds a figure and an older PDF, both of which stay.
+  [[nodiscard]] std::string complaint() const {
+    report::OutputFolder output(folder());
+    output.write("fig2.png", "figure");
+    output.write("vv-report.pdf", "old");
+    output.record("vv-report", "what the old one was made from");
+    std::string sentence;
+    try {
+      report::typeset_document({}, output);
+    } catch (const std::runtime_error& error) {
+      sentence = error.what();
+    }
+    EXPECT_EQ(contents(folder() + "/fig2.png"), "figure");
+    EXPECT_EQ(contents(folder() + "/vv-report.pdf"), "old");
+    EXPECT_TRUE(output.is_current("vv-report", {"vv-report.pdf"}, "what the old one was made from"));
+    return sentence;
+  }
+
+  [[nodiscard]] std::string folder() const {
+    return std::filesystem::canonical(path("")).string() + "/report";
+  }
+};
+
+TEST_F(Typesetting, SaysThatLatexIsMissingAndWhereTheFiguresAre) {
+  ::setenv("PATH", path("tools").c_str(), 1);
+  EXPECT_EQ(
+      complaint(),
+      "pdflatex is not installed or not on the search path, so that there is no PDF report; the figures "
+      "are in " +
+          folder());
+}
+
+TEST_F(Typesetting, SaysWhatLatexLacks) {
+  install_tool("pdflatex",
+               "printf \"! LaTeX Error: File \\`lmodern.sty' not found.\\n\\n\" >vv-report.log\nexit 1\n");
+  EXPECT_EQ(complaint(),
+            "pdflatex could not typeset the report (status 1): LaTeX Error: File `lmodern.sty' not found. ");
+}
+
+}  // namespace
+}  // namespace stickslip::testing
