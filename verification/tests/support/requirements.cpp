@@ -309,7 +309,7 @@ const std::vector<Requirement> table{
      "whole, "
      "and a clear sentence.",
      "Faults",
-     {"Fault", "Interrupted", "KilledRun", "Typesetting"}},
+     {"Fault", "Interrupted", "KilledRun", "KilledRunLong", "Typesetting", "WholeReport"}},
     {"U13",
      "The same input gives the same bytes, in every locale.",
      "Reproducibility",

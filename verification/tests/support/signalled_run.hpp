@@ -20,6 +20,9 @@ namespace stickslip::testing {
 
 class SignalledRun : public Drawing {
  protected:
+  /// The outputs of a test, where they are all in one folder.
+  [[nodiscard]] std::string out(const std::string& name = "") const { return path("out/" + name); }
+
   /// All files below a folder, those that begin with a dot as well.
   [[nodiscard]] static std::vector<std::string> all_files(const std::filesystem::path& folder) {
     std::vector<std::string> names;
@@ -61,9 +64,10 @@ class SignalledRun : public Drawing {
     return signalled(arguments, signal, [after] { std::this_thread::sleep_for(after); });
   }
 
-  /// Waits until something is so, for ten seconds at most.
-  static void wait_until(const std::function<bool()>& is_so) {
-    const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+  /// Waits until something is so, which must come in time.
+  static void wait_until(const std::function<bool()>& is_so,
+                         std::chrono::seconds at_most = std::chrono::minutes(1)) {
+    const auto limit = std::chrono::steady_clock::now() + at_most;
     while (!is_so() && std::chrono::steady_clock::now() < limit)
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
     EXPECT_TRUE(is_so());

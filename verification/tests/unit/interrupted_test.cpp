@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "support/signalled_run.hpp"
+#include "support/sleeping_tool.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -18,56 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
-class Interrupted : public SignalledRun {
- protected:
-  void SetUp() override {
-    SignalledRun::SetUp();
-    fs::create_directory(temporary_);
-    ::setenv("TMPDIR", temporary_.c_str(), 1);
-  }
-  void TearDown() override {
-    ::unsetenv("TMPDIR");
-    SignalledRun::TearDown();
-  }
-
-  /// A program that would take a minute, most of it in a program that it starts.
-  void install_sleeper(const std::string& name) const {
-    install_tool(name, "[ \"$1\" = --version ] && exit\nsleep 60 &\necho $$ $! >'" + path("unfinished") +
-                           "'\nmv '" + path("unfinished") + "' '" + path("processes") + "'\nwait\n");
-  }
-
-  [[nodiscard]] static bool is_running(const std::string& process) {
-    const std::string status = contents("/proc/" + process + "/stat");
-    return !status.empty() && status.substr(status.rfind(')') + 2, 1) != "Z";
-  }
-
-  [[nodiscard]] bool sleeps() const { return fs::exists(path("processes")); }
-
-  /// Runs until the sleeper sleeps, sends the signal and returns what is said, without the program's name.
-  [[nodiscard]] std::string said_after(int signal, const std::string& arguments) const {
-    const Ending ending = signalled(arguments, signal, [&] { wait_until([&] { return sleeps(); }); });
-    EXPECT_EQ(ending.status, 128 + signal) << arguments;
-    EXPECT_LT(ending.seconds, 1.0) << arguments;
-    std::istringstream processes(contents(path("processes")));
-    for (std::string process; processes >> process;) wait_until([&] { return !is_running(process); });
-    fs::remove(path("processes"));
-    EXPECT_EQ(all_files(temporary_), std::vector<std::string>{}) << arguments;
-    return one_sentence(ending);
-  }
-
-  [[nodiscard]] static std::string one_sentence(const Ending& ending) {
-    const std::string name = "stickslip: ";
-    EXPECT_TRUE(ending.errors.starts_with(name)) << ending.errors;
-    EXPECT_EQ(std::ranges::count(ending.errors, '\n'), 1) << ending.errors;
-    return ending.errors.substr(std::min(name.size(), ending.errors.size()));
-  }
-
-  /// The outputs of a test, which are all in one folder.
-  [[nodiscard]] std::string out(const std::string& name = "") const { return path("out/" + name); }
-
- private:
-  const fs::path temporary_ = path("temporary");
-};
+class Interrupted : public SleepingTool {};
 
 TEST_F(Interrupted, ReportThatIsDrawnKeepsItsTables) {
   install_sleeper("gnuplot");

@@ -1,0 +1,120 @@
+/// Runs that are killed at fifty random moments: what has a name of its own is whole each time, and the same
+/// command completes.
+
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "support/signalled_run.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+class KilledRunLong : public SignalledRun {
+ protected:
+  /// Kills a command `kills` times while it works, each at a random moment of the time that it takes
+  /// undisturbed, and lets it go on from what is there; once its outputs are complete it begins anew. What is
+  /// under the name of an output has the bytes of the undisturbed run, and nothing else is left in the end.
+  void kill(const std::string& what, int kills, const std::string& command,
+            const std::vector<std::string>& outputs) {
+    const double whole = seconds_of(command);
+    std::map<std::string, std::string> undisturbed;
+    for (const std::string& name : outputs) {
+      undisturbed[name] = contents(out(name));
+      ASSERT_NE(undisturbed[name], "") << name;
+    }
+    const std::vector<std::string> left = all_files(out());
+
+    std::uniform_real_distribution<double> moments(0.0, whole);
+    int runs = 0, completed = 0, resumed = 0;
+    bool is_fresh = false;
+    for (int killed = 0; killed < kills; ++runs) {
+      ASSERT_LT(runs, 6 * kills);
+      if (std::ranges::all_of(outputs, [&](const auto& name) { return fs::exists(out(name)); })) {
+        clear();
+        is_fresh = true;
+      }
+      const Ending ending = signalled(command, SIGKILL, std::chrono::duration<double>(moments(generator_)));
+      if (ending.status == 128 + SIGKILL) {
+        ++killed;
+        resumed += is_fresh ? 0 : 1;
+      } else {
+        ASSERT_EQ(ending.status, 0) << ending.errors;
+        ++completed;
+      }
+      is_fresh = false;
+      for (const std::string& name : all_files(out()))
+        EXPECT_TRUE(undisturbed.contains(name) || name.starts_with('.') || name.ends_with(".partial"))
+            << name;
+      for (const auto& [name, text] : undisturbed)
+        if (fs::exists(out(name))) {
+          ASSERT_TRUE(contents(out(name)) == text) << name;
+        }
+    }
+    const Outcome again = run(command);
+    EXPECT_EQ(again.status, 0) << again.errors;
+    for (const auto& [name, text] : undisturbed) EXPECT_TRUE(contents(out(name)) == text) << name;
+    EXPECT_EQ(all_files(out()), left);
+    RecordProperty(what + "_runs", runs);
+    RecordProperty(what + "_killed_while_working", kills);
+    RecordProperty(what + "_killed_as_they_went_on", resumed);
+    RecordProperty(what + "_completed_before", completed);
+    RecordProperty(what + "_undisturbed_ms", static_cast<int>(1e3 * whole));
+  }
+
+  /// What a whole run takes: the shortest of three, since other work may delay one.
+  [[nodiscard]] double seconds_of(const std::string& command) const {
+    double shortest = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 3; ++i) {
+      clear();
+      const auto begin = std::chrono::steady_clock::now();
+      const Outcome outcome = run(command);
+      const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+      EXPECT_EQ(outcome.status, 0) << outcome.errors;
+      shortest = std::min(shortest, took.count());
+    }
+    return shortest;
+  }
+
+  void clear() const {
+    fs::remove_all(out());
+    fs::create_directory(out());
+  }
+
+ private:
+  std::mt19937 generator_{1};
+};
+
+TEST_F(KilledRunLong, OfReportLeavesOnlyWhatIsWholeAtFiftyMoments) {
+  kill("report", 50, "report --quiet --only fig1,fig2,fig7 --output '" + out() + "'",
+       {"fig1.pdf", "fig1.png", "fig2.csv", "fig2-values.csv", "fig2.pdf", "fig2.png", "fig7.csv",
+        "fig7-values.csv", "fig7.pdf", "fig7.png"});
+}
+
+TEST_F(KilledRunLong, OfMapLeavesOnlyWhatIsWholeAtFiftyMoments) {
+  const std::string map =
+      "map paper-figure14 --set damping.kelvin_voigt=1e-5 --duration 0.3 --method fe "
+      "--x frequency=10:50:15 --y length=1:2:16 ";
+  const std::string figure = out("map.png");
+  kill("map", 50, map + "--output '" + out("map.csv") + "' --figure '" + figure + "'",
+       {"map.csv", "map.png"});
+  const std::string whole = contents(out("map.csv"));
+  for (const std::string part : {"1", "2"}) {
+    kill("shard_" + part, 25, map + "--shard " + part + "/2 --output '" + out("shard") + "'", {"shard"});
+    fs::rename(out("shard"), path("shard-" + part));
+  }
+  EXPECT_EQ(run("map --merge '" + path("shard-1") + "' '" + path("shard-2") + "'").output, whole);
+}
+
+}  // namespace
+}  // namespace stickslip::testing
