@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cstddef>
 #include <filesystem>
 #include <memory>
@@ -43,16 +42,12 @@ struct MapOptions {
   std::string figure;
 };
 
-void write(OutputFile& file, std::string_view text) {
-  file.write(text);
-  file.commit();
-}
-
 // The table is in place by then.
 void write_figure(const studies::CriterionMap& map, const report::CsvTable& table, const MapOptions& options,
                   OutputFile& file) {
   try {
-    write(file, report::draw(table, map, figure_format(options.figure)));
+    file.write(report::draw(table, map, figure_format(options.figure)));
+    file.commit();
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(fmt::format("{}; the map itself is in {}", error.what(),
                                          options.output == "-" ? "standard output" : options.output));
@@ -144,24 +139,22 @@ class Run {
     evaluations_.resize(studies::evaluation_count(task));
     const auto numbers = studies::share_of(evaluations_.size(), part.part, part.parts);
     UnfinishedMap& unfinished = unfinished_.emplace(unfinished_file(options_), task, part, evaluations_);
-    report::Progress progress("stickslip map", progress_surroundings(), numbers.size());
-    report::Interruption interruption([&] {
+    report::Progress& progress = progress_.emplace("stickslip map", progress_surroundings(), numbers.size());
+    interruption_.emplace([this, &unfinished, &progress, count = numbers.size()] {
       progress.finish();
       discard();
-      return last_words(unfinished, numbers.size());
+      return last_words(unfinished, count);
     });
     evaluate(task, numbers, progress);
     progress.finish();
-    const auto undisturbed = interruption.hold();
     write(evaluations_);
   }
 
   void merge(const MergedMap& map) {
-    report::Interruption interruption([&] {
+    interruption_.emplace([this] {
       discard();
       return is_in_place_ ? map_is_written() : "interrupted; the map is not written";
     });
-    const auto undisturbed = interruption.hold();
     finish(map.task, map.evaluations);
   }
 
@@ -169,7 +162,10 @@ class Run {
     const studies::CriterionMap map = studies::criterion_map(task, evaluations);
     const report::CsvTable table = report::table_of(task.problem, map);
     put_in_place(table.text());
-    if (figure_) write_figure(map, table, options_, *figure_);
+    if (figure_) {
+      const auto undisturbed = interruption_->hold();
+      write_figure(map, table, options_, *figure_);
+    }
     const auto warnings =
         sentences_of(studies::warnings_common_to(task.problem, {task.x.parameter, task.y.parameter}));
     print_warnings(warnings);
@@ -240,7 +236,9 @@ class Run {
   }
 
   void put_in_place(std::string_view text) {
-    write(output_, text);
+    output_.write(text);
+    const auto undisturbed = interruption_->hold();
+    output_.commit();
     is_in_place_ = true;
     if (unfinished_) unfinished_->remove();
   }
@@ -265,7 +263,9 @@ class Run {
   std::optional<OutputFile> figure_;
   studies::MapEvaluations evaluations_;
   std::optional<UnfinishedMap> unfinished_;
-  std::atomic<bool> is_in_place_{false};
+  bool is_in_place_{};
+  std::optional<report::Progress> progress_;
+  std::optional<report::Interruption> interruption_;
 };
 
 void run(const MapOptions& options) {
