@@ -46,6 +46,7 @@ class SignalledRun : public Drawing {
                                 path("stdout") + "' 2>'" + path("stderr") + "'";
     const pid_t process = ::fork();
     if (process == 0) {
+      ::signal(signal, SIG_DFL);  // a shell that starts the tests in the background has them ignore Ctrl-C
       ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
       ::_exit(127);
     }

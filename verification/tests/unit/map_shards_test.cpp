@@ -9,22 +9,20 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <string>
-#include <thread>
+#include <vector>
 
-#include "support/command_line.hpp"
+#include "support/signalled_run.hpp"
 
 namespace stickslip::testing {
 namespace {
 
-using namespace std::chrono_literals;
 namespace fs = std::filesystem;
 
-class MapShards : public CommandLine {
+class MapShards : public SignalledRun {
  protected:
   static constexpr const char* closed_form =
       "map paper-figure14 --duration 0.5 --x length=0.8:3:5 --y force=200:800:3 ";
@@ -63,30 +61,10 @@ class MapShards : public CommandLine {
     return std::ranges::count(contents(path(name)), '\n');
   }
 
-  /// Sends the signal once the unfinished map has so many lines, and returns how the run ended and how long
-  /// after that.
-  struct End {
-    int status{};
-    std::chrono::steady_clock::duration after{};
-  };
-  [[nodiscard]] End end_with(int signal, const std::string& arguments, const std::string& unfinished,
-                             std::ptrdiff_t lines) const {
-    const std::string command = std::string("exec '") + STICKSLIP_PROGRAM + "' " + arguments + " 2>'" +
-                                path("stderr") + "' >/dev/null";
-    const pid_t process = ::fork();
-    if (process == 0) {
-      ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
-      ::_exit(127);
-    }
-    const auto limit = std::chrono::steady_clock::now() + 10s;
-    while (lines_of(unfinished) < lines && std::chrono::steady_clock::now() < limit)
-      std::this_thread::sleep_for(2ms);
-    const auto sent = std::chrono::steady_clock::now();
-    ::kill(process, signal);
-    End end;
-    ::waitpid(process, &end.status, 0);
-    end.after = std::chrono::steady_clock::now() - sent;
-    return end;
+  /// Sends the signal once the unfinished map has so many lines.
+  [[nodiscard]] Ending end_with(int signal, const std::string& arguments, const std::string& unfinished,
+                                std::ptrdiff_t lines) const {
+    return signalled(arguments, signal, [&] { wait_until([&] { return lines_of(unfinished) >= lines; }); });
   }
 
   /// What the command says on a terminal.
@@ -144,7 +122,7 @@ TEST_F(MapShards, MergeToTheStatesOfAMapWithoutRatios) {
 TEST_F(MapShards, GoOnAfterAKillWhereverItCame) {
   const std::string whole = made(longer, "whole.csv");
   for (const std::ptrdiff_t lines : {1, 20, 50})
-    EXPECT_TRUE(WIFSIGNALED(end_with(SIGKILL, longer + output("map.csv"), "map.csv.partial", lines).status));
+    EXPECT_EQ(end_with(SIGKILL, longer + output("map.csv"), "map.csv.partial", lines).status, 128 + SIGKILL);
   const auto kept = lines_of("map.csv.partial") - 1;
   EXPECT_GE(kept, 49);
   const Outcome outcome = run(longer + output("map.csv"));
@@ -157,23 +135,24 @@ TEST_F(MapShards, GoOnAfterAKillWhereverItCame) {
 TEST_F(MapShards, GoOnAfterAKillOfAShard) {
   const std::string part = longer + shard(2, 2);
   const std::string whole = made(part, "whole");
-  EXPECT_TRUE(WIFSIGNALED(end_with(SIGKILL, part + output("shard"), "shard.partial", 10).status));
+  EXPECT_EQ(end_with(SIGKILL, part + output("shard"), "shard.partial", 10).status, 128 + SIGKILL);
   EXPECT_FALSE(fs::exists(path("shard")));
   EXPECT_EQ(made(part, "shard"), whole);
 }
 
 TEST_F(MapShards, EndWithinASecondOfCtrlCAndSayWhatIsKept) {
   std::ofstream(path("map.csv")) << "old";
-  const End end = end_with(SIGINT, longer + output("map.csv") + "--figure '" + path("map.png") + "'",
-                           "map.csv.partial", 5);
-  EXPECT_EQ(WEXITSTATUS(end.status), 130);
-  EXPECT_LT(end.after, 1s);
+  const Ending end = end_with(SIGINT, longer + output("map.csv") + "--figure '" + path("map.png") + "'",
+                              "map.csv.partial", 5);
+  EXPECT_EQ(end.status, 128 + SIGINT);
+  EXPECT_LT(end.seconds, 1.0);
   EXPECT_EQ(contents(path("map.csv")), "old");
   const auto kept = lines_of("map.csv.partial") - 1;
-  EXPECT_EQ(contents(path("stderr")), "stickslip: interrupted; " + std::to_string(kept) +
-                                          " of 90 evaluations are kept in " + path("map.csv.partial") +
-                                          ", from which the same command goes on\n");
-  EXPECT_EQ(files().size(), 3u);  // the old map, what is kept, stderr
+  EXPECT_EQ(end.errors, "stickslip: interrupted; " + std::to_string(kept) +
+                            " of 90 evaluations are kept in " + path("map.csv.partial") +
+                            ", from which the same command goes on\n");
+  EXPECT_EQ(all_files(path("")),
+            (std::vector<std::string>{"map.csv", "map.csv.partial", "stderr", "stdout"}));
 }
 
 TEST_F(MapShards, AreNotMadeAgainWhereTheyAreComplete) {
@@ -267,7 +246,7 @@ TEST_F(MapShards, RefuseWhatDoesNotGoTogether) {
   expect_refused("map paper --merge shard", "--merge");
   expect_refused("map --merge shard --states-only", "--merge");
   expect_refused("map --threads 0", "0 is not an integer from 1 to 1024");
-  EXPECT_EQ(files().size(), 2u);  // stdout and stderr
+  EXPECT_EQ(all_files(path("")), (std::vector<std::string>{"stderr", "stdout"}));
 }
 
 TEST_F(MapShards, ShowABarOnATerminalUnlessQuiet) {
