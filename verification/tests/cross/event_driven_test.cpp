@@ -17,6 +17,7 @@
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/energy_books.hpp"
+#include "stickslip/solver/held_tip_basis.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
 #include "stickslip/studies/finite_element_contact_model.hpp"
 #include "support/beams.hpp"
@@ -40,18 +41,23 @@ data::HarmonicExcitation shaking(double hz) {
   return data::HarmonicExcitation({.frequency_hz = hz, .amplitude = 1e-3});
 }
 
-/// The beam on a mesh, damped.
+/// The beam on a mesh, damped or not.
 struct MeshedBeam {
   solver::BeamModel mesh;
   data::HarmonicExcitation excitation;
   solver::PrescribedMotion base = solver::harmonic_motion(excitation);
   solver::ContactSystem system;
 
-  MeshedBeam(int elements, double hz)
+  MeshedBeam(int elements, double hz, double viscosity = kelvin_voigt)
       : mesh(paper_beam(), elements),
         excitation(shaking(hz)),
         system(solver::beam_contact_system(mesh, paper_friction(), base)) {
-    system.damping = kelvin_voigt * mesh.elastic_stiffness();
+    system.damping = viscosity * mesh.elastic_stiffness();
+  }
+
+  /// The base's velocity at the start, with the static shape of the tip.
+  [[nodiscard]] Eigen::VectorXd initial_velocity() const {
+    return -base.velocity(0.0) * mesh.unit_tip_deflection();
   }
 
   [[nodiscard]] FiniteElementContactModel reduced() const {
@@ -207,15 +213,25 @@ Events event_driven(const ContactModel& model) {
   return events;
 }
 
-Events stepped(const MeshedBeam& beam, double time_step, double spectral_radius) {
-  solver::StickSlipIntegrator run(beam.system, {.time_step = time_step, .spectral_radius = spectral_radius});
-  run.start_stuck(Eigen::VectorXd::Zero(beam.mesh.degrees_of_freedom()),
-                  -beam.base.velocity(0.0) * beam.mesh.unit_tip_deflection());
+Events stepped(solver::StickSlipIntegrator& run, const Eigen::VectorXd& velocity, double time_step) {
+  run.start_stuck(Eigen::VectorXd::Zero(velocity.size()), velocity);
   while (run.steps() < std::lround(tenth_of_a_second / time_step)) run.step();
   Events events;
   for (const auto& event : run.events())
     events.push_back({static_cast<int>(event.kind), event.time, event.displacement});
   return events;
+}
+
+Events stepped(const MeshedBeam& beam, double time_step, double spectral_radius) {
+  solver::StickSlipIntegrator run(beam.system, {.time_step = time_step, .spectral_radius = spectral_radius});
+  return stepped(run, beam.initial_velocity(), time_step);
+}
+
+Events stepped_in_modes(const MeshedBeam& beam, double time_step, double spectral_radius) {
+  const solver::HeldTipBasis basis = held_tip_basis(beam.mesh);
+  solver::ModalStickSlipIntegrator run(modal_contact_system(beam.mesh, basis, paper_friction(), beam.base),
+                                       {.time_step = time_step, .spectral_radius = spectral_radius});
+  return stepped(run, modal_coordinates(beam.mesh, basis, beam.initial_velocity()), time_step);
 }
 
 Events without_mesh(double hz, int modes) {
@@ -283,6 +299,30 @@ INSTANTIATE_TEST_SUITE_P(Beam, TimeStepper,
                                   parameter_name(std::get<1>(instance.param));
                          });
 
+TEST(ModalStickSlipIntegrator, ConvergesToTheEventDrivenHistoryOfItsMeshWithOrderTwo) {
+  // Undamped, and on three elements, so that the steps resolve every mode. The next terms: omega h of mode 2,
+  // as each change splits a step anywhere, and (omega h)^2 of the highest.
+  const MeshedBeam beam(3, 25.0, 0.0);
+  const ContactModel model = beam.reduced().model();
+  const auto next_term = [&model](double h) {
+    return model.angular_frequency[1] * h + std::pow(model.angular_frequency.back() * h, 2);
+  };
+  const Events exact = event_driven(model);
+  ASSERT_EQ(exact.size(), 9u);
+  for (const double spectral_radius : {0.9, 1.0}) {
+    std::vector<double> steps, times, positions;
+    for (const double h : {4e-5, 2e-5, 1e-5, 5e-6}) {
+      const Difference error = difference(stepped_in_modes(beam, h, spectral_radius), exact);
+      ASSERT_TRUE(std::isfinite(error.time)) << h;
+      steps.push_back(h);
+      times.push_back(error.time);
+      positions.push_back(error.position);
+    }
+    EXPECT_TRUE(order_is(order_levels(steps, times, next_term, 1e-12), 2.0)) << spectral_radius;
+    EXPECT_TRUE(order_is(order_levels(steps, positions, next_term, 1e-12), 2.0)) << spectral_radius;
+  }
+}
+
 class MeshedHistory : public ::testing::TestWithParam<double> {};
 
 TEST_P(MeshedHistory, DiffersFromTheHistoryWithoutAMeshByTheFourthPowerOfTheElement) {
@@ -336,8 +376,7 @@ TEST(EventDrivenAndStepped, KeepTheSameBooksThroughOnsetsAndCaptures) {
   const double end = 0.08;
   const auto stepped = [&](double time_step) {
     solver::StickSlipIntegrator run(beam.system, {.time_step = time_step, .spectral_radius = 0.9});
-    run.start_stuck(Eigen::VectorXd::Zero(beam.mesh.degrees_of_freedom()),
-                    -beam.base.velocity(0.0) * beam.mesh.unit_tip_deflection());
+    run.start_stuck(Eigen::VectorXd::Zero(beam.mesh.degrees_of_freedom()), beam.initial_velocity());
     solver::EnergyBooks books(run);
     run.observe([&books](const solver::StickSlipIntegrator& now) { books.enter(now); });
     while (run.steps() < std::lround(end / time_step)) run.step();
@@ -346,8 +385,7 @@ TEST(EventDrivenAndStepped, KeepTheSameBooksThroughOnsetsAndCaptures) {
   };
   const FiniteElementContactModel reduced = beam.reduced();
   EventDriven run(reduced.model(), {.keep_books = true});
-  const Eigen::VectorXd velocity = -beam.base.velocity(0.0) * beam.mesh.unit_tip_deflection();
-  run.start_stuck({}, reduced.amplitudes(velocity));
+  run.start_stuck({}, reduced.amplitudes(beam.initial_velocity()));
   run.advance_to(end);
   const analytic::EnergyBooks exact = run.books();
   const auto coarse = stepped(4e-5), fine = stepped(2e-5);
