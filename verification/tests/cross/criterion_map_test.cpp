@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "stickslip/analytic/criterion.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/studies/criterion_map.hpp"
@@ -174,6 +175,31 @@ TEST(CriterionMap, OfStatesOnlyHasTheStatesOfTheWholeMap) {
     }
     EXPECT_GE(seen.size(), 2u);
   }
+}
+
+TEST(CriterionMap, OfStatesOnlySeesWhatResonanceAloneBringsOverTheLimit) {
+  // One beam that just slips in its first resonance, where its vibration grows for ten seconds; ten widths of
+  // the resonance beside it, 1/(10 s) each, it sticks.
+  data::Case problem = flat_case_of(10.0);
+  const double natural = analytic::stick_modes(problem.beam, 1).front().frequency_hz();
+  const data::HarmonicExcitation unit({.frequency_hz = natural, .amplitude = 1.0});
+  problem.excitation = data::HarmonicExcitation(
+      {.frequency_hz = natural,
+       .amplitude = 1.01 * analytic::evaluate_criterion(problem.beam, problem.friction, unit, 10.0)
+                               .critical_amplitude.upper});
+  const studies::MapTask task{
+      .problem = problem,
+      .x = {.parameter = Parameter::frequency, .values = {natural - 1.0, natural, natural + 1.0}},
+      .y = {.parameter = Parameter::length, .values = {problem.beam.length()}},
+      .method = MapMethod::closed_form,
+      .states_only = true};
+  studies::MapEvaluations evaluations(studies::evaluation_count(task));
+  studies::evaluate(task, studies::share_of(evaluations.size(), 1, 1), evaluations);
+  const auto cells = studies::criterion_map(task, evaluations).cells;
+  ASSERT_EQ(cells.size(), 3u);
+  EXPECT_EQ(cells[0].state, CellState::stick);
+  EXPECT_EQ(cells[1].state, CellState::stick_slip);
+  EXPECT_EQ(cells[2].state, CellState::stick);
 }
 
 TEST(CriterionMap, IsNotPutTogetherBeforeItIsComplete) {
