@@ -630,7 +630,8 @@ std::vector<Command> commands() {
           {"reference list", {{"--package", fixture}}},
           {"reference show", {{"NAME", set}, {"--package", fixture}}},
           {"reference export", {{"NAME", set}, {"--package", fixture}, {"--output", "FOLDER/out.csv"}}},
-          {"compare", {{"NAME", set}, {"FILE", fixture + "/frequencies/stick.csv"}, {"--package", fixture}}},
+          {"compare",
+           {{"NAME", "damped-history"}, {"FILE", fixture + "/damped/history.csv"}, {"--package", fixture}}},
           {"report", {{"--only", "fig2"}, {"--output", "FOLDER/report"}}},
           {"cases", {}},
           {"documentation", {{"FORMAT", "man"}, {"--output", "FOLDER/stickslip.1"}}}};
