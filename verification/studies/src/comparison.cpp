@@ -379,13 +379,13 @@ class Comparer {
     }
   }
 
-  // The largest |value| of a group up to the horizon.
+  // The largest |value| of a group up to the horizon of the data set, however soon the comparison ends.
   [[nodiscard]] double scale_of(const std::string& field, const Group& group) const {
     const auto& values = reference_.column(field).values;
-    const bool in_time = rule_.kind != ComparisonKind::table;
+    const double end = rule_.kind == ComparisonKind::table ? infinity : rule_.horizon.value_or(infinity);
     double scale = 0.0;
     for (const std::size_t row : group.reference) {
-      if (in_time && reference_.column(result_.abscissa).values[row] > horizon_) continue;
+      if (std::isfinite(end) && reference_.column(result_.abscissa).values[row] > end) continue;
       if (std::isfinite(values[row])) scale = std::max(scale, std::abs(values[row]));
     }
     return scale;
