@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numbers>
 
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/event_driven.hpp"
@@ -12,6 +11,7 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/studies/contact_histories.hpp"
 #include "stickslip/studies/discretisation.hpp"
+#include "stickslip/studies/problem_parameter.hpp"
 
 namespace stickslip::studies {
 
@@ -125,7 +125,7 @@ double largest_difference(const BeamMotion& a, const BeamMotion& b, double until
 
 double predicted_stick_difference(const data::Case& problem, const MotionGrid& grid, double until,
                                   int modes) {
-  const double omega = 2.0 * std::numbers::pi * problem.excitation.frequency_hz();
+  const double omega = angular_frequency(problem.excitation);
   const double step = problem.numerics.time_step();
   const analytic::StickResponse response(problem.beam, problem.excitation, modes,
                                          analytic::SteadyPart::exact);

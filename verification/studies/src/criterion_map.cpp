@@ -109,7 +109,7 @@ class Forces {
   }
 
   [[nodiscard]] analytic::ForceMaximum search(const data::Case& problem) const {
-    const double omega = 2.0 * std::numbers::pi * problem.excitation.frequency_hz();
+    const double omega = angular_frequency(problem.excitation);
     const double duration = problem.numerics.duration();
     if (common_) return {*common_, omega, duration};
     if (table_ && table_->holds(problem.beam)) return {table_->at(problem.beam), omega, duration};

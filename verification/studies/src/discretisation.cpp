@@ -5,9 +5,9 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <numbers>
 
 #include "simpson.hpp"
+#include "stickslip/studies/problem_parameter.hpp"
 
 namespace stickslip::studies {
 
@@ -125,7 +125,7 @@ double drift_bound(const data::Beam& beam, const std::vector<analytic::StickMode
 
 PredictedForce::PredictedForce(const data::Beam& beam, const data::HarmonicExcitation& excitation,
                                const data::NumericalSettings& numerics, int modes)
-    : omega_(2.0 * std::numbers::pi * excitation.frequency_hz()),
+    : omega_(angular_frequency(excitation)),
       time_step_(numerics.time_step()),
       steps_(std::lround(numerics.duration() / numerics.time_step())) {
   const double stiffness = beam.youngs_modulus() * beam.second_moment_of_area();

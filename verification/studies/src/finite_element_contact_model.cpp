@@ -4,10 +4,10 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <stdexcept>
 
 #include "stickslip/solver/beam_simulation.hpp"
+#include "stickslip/studies/problem_parameter.hpp"
 
 namespace stickslip::studies {
 
@@ -34,7 +34,7 @@ void require(bool condition, const char* message) {
 }  // namespace
 
 HarmonicDrive harmonic_drive(const data::HarmonicExcitation& excitation) {
-  const double omega = 2.0 * std::numbers::pi * excitation.frequency_hz();
+  const double omega = angular_frequency(excitation);
   return {.load_amplitude = -excitation.amplitude() * omega * omega,
           .angular_frequency = omega,
           .wall_amplitude = -excitation.amplitude()};

@@ -1,6 +1,7 @@
 #include "stickslip/studies/problem_parameter.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 namespace stickslip::studies {
 
@@ -73,6 +74,10 @@ data::Case with_value(const data::Case& problem, Parameter parameter, double val
   changed.excitation = data::HarmonicExcitation(motion);
   changed.friction = data::FrictionLaw(friction);
   return changed;
+}
+
+double angular_frequency(const data::HarmonicExcitation& excitation) {
+  return 2.0 * std::numbers::pi * excitation.frequency_hz();
 }
 
 bool is_damped(const data::Case& problem) {

@@ -11,6 +11,7 @@
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/studies/discretisation.hpp"
+#include "stickslip/studies/problem_parameter.hpp"
 
 namespace stickslip::studies {
 
@@ -29,10 +30,6 @@ bool is_about_frequencies(Inquiry inquiry) {
 
 bool may_slip(Inquiry inquiry) {
   return inquiry == Inquiry::event_driven_history || inquiry == Inquiry::stepped_history;
-}
-
-double angular_frequency_of(const data::HarmonicExcitation& excitation) {
-  return 2.0 * pi * excitation.frequency_hz();
 }
 
 std::string percent(double share) { return fmt::format("{:.2g} %", 100.0 * share); }
@@ -64,7 +61,7 @@ void warn_of_flutter(const data::Beam& beam, std::vector<Warning>& warnings) {
 }
 
 void warn_of_resonance(const data::Case& problem, std::vector<Warning>& warnings) {
-  const double omega = angular_frequency_of(problem.excitation), duration = problem.numerics.duration();
+  const double omega = angular_frequency(problem.excitation), duration = problem.numerics.duration();
   if (is_damped(problem) || problem.excitation.amplitude() == 0.0 || 0.5 * omega * duration < grown_response)
     return;
   const auto modes = analytic::stick_modes(problem.beam, problem.numerics.modes());
@@ -97,7 +94,7 @@ void warn_of_thickness(const data::Beam& beam, bool slip, int mode, std::vector<
 
 void warn_of_step(const data::Case& problem, int mode, std::vector<Warning>& warnings) {
   const double natural = analytic::stick_modes(problem.beam, mode).back().angular_frequency();
-  const double excitation = angular_frequency_of(problem.excitation);
+  const double excitation = angular_frequency(problem.excitation);
   const double omega = std::max(natural, excitation), step = problem.numerics.time_step();
   const double error = step_error(problem.numerics.spectral_radius(), omega, step);
   if (error <= allowed_step_error) return;

@@ -4,18 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <stdexcept>
 
 #include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/studies/problem_parameter.hpp"
 
 namespace stickslip::studies {
 
 namespace {
-
-double angular_frequency_of(const data::HarmonicExcitation& excitation) {
-  return 2.0 * std::numbers::pi * excitation.frequency_hz();
-}
 
 double square(double x) { return x * x; }
 
@@ -105,7 +101,7 @@ StickSum stick_sum(const solver::BeamModel& mesh, const solver::ContactSystem& s
 std::vector<analytic::Sinusoid> sinusoids(const StickSum& sum, const data::HarmonicExcitation& excitation,
                                           StickReading reading) {
   constexpr double off_resonance = 1e-8;
-  const double omega = angular_frequency_of(excitation), amplitude = excitation.amplitude();
+  const double omega = angular_frequency(excitation), amplitude = excitation.amplitude();
   std::vector<analytic::Sinusoid> terms{{amplitude * driven_part(sum, reading, omega), omega}};
   for (const StickSum::Mode& mode : sum.modes) {
     double w = mode.oscillator_frequency;
@@ -154,7 +150,7 @@ double max_abs(const std::vector<analytic::Sinusoid>& terms, double duration, do
 
 std::vector<double> stepped(const StickSum& sum, const ModalScheme& scheme,
                             const data::HarmonicExcitation& excitation, StickReading reading, long count) {
-  const double omega = angular_frequency_of(excitation), amplitude = excitation.amplitude();
+  const double omega = angular_frequency(excitation), amplitude = excitation.amplitude();
   const double h = scheme.step;
   std::vector<double> history;
   for (long n = 0; n <= count; ++n)

@@ -23,6 +23,9 @@ inline constexpr std::array all_parameters{Parameter::frequency,      Parameter:
 /// kinetic one takes that down with it. Throws data::FieldError for a value that the field refuses.
 [[nodiscard]] data::Case with_value(const data::Case& problem, Parameter parameter, double value);
 
+/// Omega, rad/s.
+[[nodiscard]] double angular_frequency(const data::HarmonicExcitation& excitation);
+
 /// Whether the case has damping of either kind.
 [[nodiscard]] bool is_damped(const data::Case& problem);
 
