@@ -40,13 +40,17 @@ class FileActions {
   posix_spawn_file_actions_t actions_{};
 };
 
-// What is started leads a process group of its own, so that it can be ended with all that it starts.
+// What is started leads a process group of its own, so that it can be ended with all that it starts, and gets
+// all signals, whichever this thread leaves to another.
 class OwnGroup {
  public:
   OwnGroup() {
+    sigset_t none;
+    ::sigemptyset(&none);
     ::posix_spawnattr_init(&attributes_);
-    ::posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP);
+    ::posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
     ::posix_spawnattr_setpgroup(&attributes_, 0);
+    ::posix_spawnattr_setsigmask(&attributes_, &none);
   }
   ~OwnGroup() { ::posix_spawnattr_destroy(&attributes_); }
   OwnGroup(const OwnGroup&) = delete;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <atomic>
 #include <csignal>
 #include <functional>
 #include <mutex>
@@ -13,7 +13,8 @@ namespace stickslip::report {
 /// killed (end_tools()); `last_words` puts away what is not finished and says what was completed, in one
 /// sentence, which is printed on standard error after the program's name; then the program ends with the exit
 /// status 128 + n for signal n, whatever its threads are doing. A second signal ends it at once. A signal
-/// that is ignored stays so. One at a time may live.
+/// that is ignored stays so. One at a time may live, on one thread: the signals are blocked there and on the
+/// threads that it starts, and taken by one that does nothing else.
 class Interruption {
  public:
   /// `last_words` is called on a thread of its own. Throws std::system_error if there is none to be had.
@@ -28,11 +29,9 @@ class Interruption {
  private:
   void wait_for_signal();
 
-  static constexpr std::array signals_{SIGINT, SIGTERM};
   std::function<std::string()> last_words_;
-  std::array<struct sigaction, signals_.size()> previous_{};
-  std::array<int, 2>
-      pipe_{};  // the handler writes to the second what the watching thread reads from the first
+  sigset_t watched_{}, previous_mask_{};
+  std::atomic<bool> is_over_{false};
   std::mutex guard_;
   std::thread watcher_;
 };
