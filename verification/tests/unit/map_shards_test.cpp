@@ -125,9 +125,10 @@ TEST_F(MapShards, GoOnAfterAKillWhereverItCame) {
     EXPECT_EQ(end_with(SIGKILL, longer + output("map.csv"), "map.csv.partial", lines).status, 128 + SIGKILL);
   const auto kept = lines_of("map.csv.partial") - 1;
   EXPECT_GE(kept, 49);
-  const Outcome outcome = run(longer + output("map.csv"));
-  EXPECT_EQ(outcome.errors, "stickslip map: going on from " + path("map.csv.partial") + ", which holds " +
-                                std::to_string(kept) + " of 90 evaluations\n");
+  const Outcome outcome = run(longer + output("map.csv"));  // a slow one says how far it is
+  EXPECT_TRUE(outcome.errors.starts_with("stickslip map: going on from " + path("map.csv.partial") +
+                                         ", which holds " + std::to_string(kept) + " of 90 evaluations\n"))
+      << outcome.errors;
   EXPECT_EQ(contents(path("map.csv")), whole);
   EXPECT_FALSE(fs::exists(path("map.csv.partial")));
 }
