@@ -21,6 +21,10 @@ fuzz_packages=(clang libclang-rt-14-dev)
 # shellcheck disable=SC2034
 test_packages=(libgtest-dev groff-base)
 
+# Ninja would work on two sources more than there are processors, which takes longer.
+CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
+export CMAKE_BUILD_PARALLEL_LEVEL
+
 fail() {
   echo "$(basename "$0"): $*" >&2
   exit 2
