@@ -26,7 +26,7 @@ namespace stickslip::data {
 [[nodiscard]] std::string joined(const std::vector<std::string>& names);
 
 /// " (did you mean beam.length?)", or nothing when no name is near: at most a third of the letters may differ
-/// (Levenshtein distance).
+/// (optimal string alignment: two neighbours in the wrong order count as one letter).
 [[nodiscard]] std::string suggestion(std::string_view word, const std::vector<std::string>& names);
 
 }  // namespace stickslip::data

@@ -496,6 +496,21 @@ TEST(PublishedCases, AMisspeltNameIsRefusedWithTheNamesThereAre) {
   }
 }
 
+TEST(PublishedCases, TwoLettersInTheWrongOrderCountAsOneMistake) {
+  const auto refusal = [](const std::string& name) -> std::string {
+    try {
+      static_cast<void>(data::load_case(name));
+    } catch (const data::InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_NE(refusal("papre").find("unknown (did you mean paper?)"), std::string::npos) << refusal("papre");
+  EXPECT_NE(refusal("tnesino").find("unknown (did you mean tension?)"), std::string::npos)
+      << refusal("tnesino");
+  EXPECT_EQ(refusal("repap").find("did you mean"), std::string::npos) << refusal("repap");
+}
+
 // Points STICKSLIP_DATA elsewhere while it lives.
 class DataFolder {
  public:
