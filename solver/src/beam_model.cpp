@@ -100,9 +100,15 @@ Eigen::VectorXd BeamModel::unit_tip_deflection() const {
 
 void require_stable_stick_state(const BeamModel& model) {
   const SparseMatrix held = constrained(model.stick_stiffness(), model.tip_deflection());
-  if (Eigen::SimplicialLLT<SparseMatrix>(held).info() == Eigen::Success) return;
   std::ostringstream text;
   text.precision(10);
+  // The factorisation takes what is not finite for positive definite.
+  if (!held.coeffs().allFinite()) {
+    text << "beam.length = " << model.beam().length() << " m: the stiffness overflows on " << model.elements()
+         << " elements";
+    throw std::domain_error(text.str());
+  }
+  if (Eigen::SimplicialLLT<SparseMatrix>(held).info() == Eigen::Success) return;
   text << "beam.axial_force = " << model.beam().axial_force()
        << " N: the stick state needs less than the buckling load, " << stick_buckling_load(model) << " N on "
        << model.elements() << " elements";

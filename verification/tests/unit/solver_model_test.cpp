@@ -127,6 +127,19 @@ TEST(BeamModel, RefusesAForceAtOrOverTheBucklingLoadAndNamesIt) {
   EXPECT_THROW(solver::BeamModel(paper_beam(), 0), std::invalid_argument);
 }
 
+TEST(BeamModel, RefusesABeamWhoseStiffnessOverflows) {
+  data::BeamProperties shortest = paper_beam_properties();
+  shortest.length = 1e-103;
+  const solver::BeamModel model(data::Beam(shortest), 8);
+  try {
+    (void)model.unit_tip_deflection();
+    FAIL() << "no exception";
+  } catch (const std::domain_error& error) {
+    EXPECT_STREQ(error.what(), "beam.length = 1e-103 m: the stiffness overflows on 8 elements");
+  }
+  EXPECT_THROW((void)solver::stick_modes(model, 1), std::domain_error);
+}
+
 TEST(ModalAnalysis, ModesAreOrthonormalAndSolveTheirPencil) {
   const solver::BeamModel model(paper_beam(), 10);
   const auto modes = solver::stick_modes(model, 6);

@@ -50,8 +50,7 @@ class BeamModel {
   [[nodiscard]] Eigen::VectorXd interpolation(double x) const;
 
   /// The static shape for a tip deflection of 1 in the stick state, without load: the finite-element -S(x).
-  /// Throws std::domain_error, naming beam.axial_force, its value and the buckling load, if P is at or over
-  /// it.
+  /// Throws what require_stable_stick_state() throws.
   [[nodiscard]] Eigen::VectorXd unit_tip_deflection() const;
 
  private:
@@ -62,7 +61,7 @@ class BeamModel {
 };
 
 /// Throws std::domain_error, naming beam.axial_force, its value and the buckling load of the mesh, if the
-/// stick state of the model is not stable.
+/// stick state of the model is not stable; naming beam.length, if the stiffness is not finite.
 void require_stable_stick_state(const BeamModel& model);
 
 }  // namespace stickslip::solver
