@@ -1,0 +1,93 @@
+/// The plain searches for |f_max|, by halving and by samples: they enclose what the fast one finds however
+/// wide they may be, and what they leave open falls with the square of the interval.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "stickslip/analytic/force_maximum.hpp"
+#include "stickslip/analytic/stick_response.hpp"
+#include "support/beams.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+using analytic::Bounds;
+using analytic::ForceMaximum;
+using analytic::StickResponse;
+
+// Of one history of f. Few modes, whose crests come near the sum of their amplitudes, leave the bound of f''
+// no slack.
+struct Search {
+  double frequency_hz, duration;
+  int modes;
+};
+
+std::vector<Search> searches() {
+  std::vector<Search> all;
+  for (const double hz : {7.0, 35.0, 70.0, 400.0})
+    for (const int modes : {1, 10})
+      for (const double duration : {0.004, 0.31, 1.1}) all.push_back({hz, duration, modes});
+  return all;
+}
+
+StickResponse response_of(const Search& search) {
+  return StickResponse(paper_beam(),
+                       data::HarmonicExcitation({.frequency_hz = search.frequency_hz, .amplitude = 1.0}),
+                       search.modes);
+}
+
+TEST(MaximumForce, ByHalvingIsEnclosedAtEveryWidthWithAGapThatFallsWithTheSquareOfTheInterval) {
+  for (const Search& search : searches()) {
+    SCOPED_TRACE(::testing::Message()
+                 << search.frequency_hz << " Hz, " << search.duration << " s, N = " << search.modes);
+    const StickResponse response = response_of(search);
+    const ForceMaximum fast(response.reaction(), 2.0 * std::numbers::pi * search.frequency_hz,
+                            search.duration);
+    const Bounds maximum = fast.refined_to(1e-12);
+    const double slack = fast.rounding();  // which the plain bounds leave out
+    double widest_gap = 0.0;
+    for (double width = 0.5; width > 1e-6; width /= 3.0) {
+      const Bounds bounds = response.max_abs_friction_force_by_halving(search.duration, width);
+      const double gap = bounds.upper - bounds.lower;
+      EXPECT_LE(bounds.lower, maximum.upper + slack) << width;
+      EXPECT_GE(bounds.upper, maximum.lower - slack) << width;
+      EXPECT_LE(gap, width * bounds.lower) << width;
+      if (gap == 0.0) continue;  // nothing promising was left
+      if (widest_gap == 0.0) widest_gap = gap;
+      // Intervals are halved k times: the gap is that of the first by 4^k, but for the rounding of the
+      // bounds.
+      const double halvings = std::log2(widest_gap / gap) / 2.0;
+      EXPECT_TRUE(within(halvings, std::round(halvings), round_off(1, bounds.upper / gap, 1.0))) << width;
+    }
+  }
+}
+
+TEST(MaximumForce, BySamplesIsEnclosedWithAGapThatFallsWithTheSquareOfTheStep) {
+  for (const Search& search : searches()) {
+    SCOPED_TRACE(::testing::Message()
+                 << search.frequency_hz << " Hz, " << search.duration << " s, N = " << search.modes);
+    const StickResponse response = response_of(search);
+    const ForceMaximum fast(response.reaction(), 2.0 * std::numbers::pi * search.frequency_hz,
+                            search.duration);
+    const Bounds maximum = fast.refined_to(1e-12);
+    double gap_of_twice_the_step = 0.0;
+    for (const double intervals : {100.0, 200.0, 400.0, 800.0}) {
+      const Bounds bounds =
+          response.sampled_max_abs_friction_force(search.duration, search.duration / intervals);
+      const double gap = bounds.upper - bounds.lower;
+      EXPECT_LE(bounds.lower, maximum.upper + fast.rounding()) << intervals;
+      EXPECT_GE(bounds.upper, maximum.lower - fast.rounding()) << intervals;
+      if (gap_of_twice_the_step > 0.0) {
+        EXPECT_TRUE(within(gap_of_twice_the_step / gap, 4.0, round_off(1, bounds.upper / gap, 4.0)));
+      }
+      gap_of_twice_the_step = gap;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace stickslip::testing
