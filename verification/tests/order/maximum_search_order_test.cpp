@@ -1,5 +1,6 @@
 /// The plain searches for |f_max|, by halving and by samples: they enclose what the fast one finds however
-/// wide they may be, and what they leave open falls with the square of the interval.
+/// wide they may be, and what they leave open falls with the square of the interval. The fast one, down to
+/// its rounding.
 
 #include <gtest/gtest.h>
 
@@ -85,6 +86,19 @@ TEST(MaximumForce, BySamplesIsEnclosedWithAGapThatFallsWithTheSquareOfTheStep) {
         EXPECT_TRUE(within(gap_of_twice_the_step / gap, 4.0, round_off(1, bounds.upper / gap, 4.0)));
       }
       gap_of_twice_the_step = gap;
+    }
+  }
+}
+
+TEST(MaximumForce, OfOneSinusoidIsEnclosedToItsRoundingForAnyDuration) {
+  // sin(t) rises to sin(T); where T^2/8, which the chord leaves open, is less than rounding, rounding alone
+  // keeps the two bounds apart.
+  for (double duration = 1.5; duration > 1e-20; duration *= 0.3) {
+    const ForceMaximum search({.quasi_static = 1.0, .modes = {}}, 1.0, duration);
+    for (const double width : {1e-13, 1e-6, 0.5}) {
+      const Bounds bounds = search.refined_to(width);
+      EXPECT_LE(bounds.lower, std::sin(duration)) << duration << " s, " << width;
+      EXPECT_GE(bounds.upper, std::sin(duration)) << duration << " s, " << width;
     }
   }
 }
