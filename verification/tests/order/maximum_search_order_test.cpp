@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "stickslip/analytic/force_maximum.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "support/beams.hpp"
 #include "support/tolerance.hpp"
@@ -88,6 +89,25 @@ TEST(MaximumForce, BySamplesIsEnclosedWithAGapThatFallsWithTheSquareOfTheStep) {
       gap_of_twice_the_step = gap;
     }
   }
+}
+
+TEST(MaximumForce, IsEnclosedByTheFastSearchAtEveryWidthInABeatToo) {
+  // In runs as short as these a mode and the excitation do not part: one beat stands for both.
+  const double resonance = analytic::stick_modes(paper_beam(), 1).front().frequency_hz();
+  for (const double hz : {resonance, resonance + 0.05, 35.0})
+    for (const int modes : {1, 10})
+      for (double duration = 0.01; duration < 0.2; duration *= 1.05) {
+        const ForceMaximum search(response_of({hz, duration, modes}).reaction(), 2.0 * std::numbers::pi * hz,
+                                  duration);
+        const Bounds maximum = search.refined_to(1e-12);
+        for (double width = 0.7; width > 1e-5; width /= 3.0) {
+          const Bounds bounds = search.refined_to(width);
+          EXPECT_LE(bounds.lower, maximum.upper)
+              << hz << " Hz, " << modes << ", " << duration << ", " << width;
+          EXPECT_GE(bounds.upper, maximum.lower)
+              << hz << " Hz, " << modes << ", " << duration << ", " << width;
+        }
+      }
 }
 
 TEST(MaximumForce, OfOneSinusoidIsEnclosedToItsRoundingForAnyDuration) {
