@@ -330,6 +330,15 @@ TEST(ModalStickSlipIntegrator, RefusesDampingAndSystemsOfAnotherForm) {
       beam_contact_system(model, paper_friction(), solver::harmonic_motion(shaking(25.0, 1e-3)));
   EXPECT_THROW(solver::ModalStickSlipIntegrator(nodal, {.time_step = 1e-4, .spectral_radius = 0.9}),
                std::invalid_argument);
+
+  const solver::ContactSystem modal = solver::modal_contact_system(
+      model, solver::held_tip_basis(model), paper_friction(), solver::harmonic_motion(shaking(25.0, 1e-3)));
+  for (const auto matrix : {&solver::ContactSystem::mass, &solver::ContactSystem::slip_stiffness}) {
+    solver::ContactSystem coupled = modal;
+    (coupled.*matrix).coeffRef(0, 1) = 1e-3;
+    EXPECT_THROW(solver::ModalStickSlipIntegrator(coupled, {.time_step = 1e-4, .spectral_radius = 0.9}),
+                 std::invalid_argument);
+  }
 }
 
 }  // namespace
