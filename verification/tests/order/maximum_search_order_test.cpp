@@ -123,5 +123,21 @@ TEST(MaximumForce, OfOneSinusoidIsEnclosedToItsRoundingForAnyDuration) {
   }
 }
 
+TEST(MaximumForce, OfTheCubeOfASineIsEnclosedToItsRoundingForAnyDuration) {
+  // A mode three times as fast as the excitation: f = (sin(3t) - 3 sin(t))/24 = -sin(t)^3/6, which bends away
+  // from zero at first. The reference is off by the half unit of the sine three times, of the power and of
+  // the quotient once: 5 eps/2.
+  for (double duration = 1.5; duration > 1e-3; duration *= 0.9) {
+    const ForceMaximum search({.quasi_static = 0.0, .modes = {{3.0, 1.0}}}, 1.0, duration);
+    const double largest = std::pow(std::sin(duration), 3) / 6.0;
+    const double rounding_of_the_reference = 6e-16 * largest;
+    for (const double width : {1e-13, 1e-10, 1e-6, 1e-3, 0.5}) {
+      const Bounds bounds = search.refined_to(width);
+      EXPECT_LE(bounds.lower, largest + rounding_of_the_reference) << duration << " s, " << width;
+      EXPECT_GE(bounds.upper, largest - rounding_of_the_reference) << duration << " s, " << width;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace stickslip::testing
