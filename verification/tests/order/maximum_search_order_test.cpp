@@ -2,10 +2,12 @@
 /// wide they may be, and what they leave open falls with the square of the interval. The fast one, down to
 /// its rounding.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include "stickslip/analytic/force_maximum.hpp"
@@ -42,13 +44,19 @@ StickResponse response_of(const Search& search) {
                        search.modes);
 }
 
+ForceMaximum fast_search(const Search& search) {
+  return {response_of(search).reaction(), 2.0 * std::numbers::pi * search.frequency_hz, search.duration};
+}
+
+std::string name_of(const Search& search) {
+  return fmt::format("{} Hz, {} s, N = {}", search.frequency_hz, search.duration, search.modes);
+}
+
 TEST(MaximumForce, ByHalvingIsEnclosedAtEveryWidthWithAGapThatFallsWithTheSquareOfTheInterval) {
   for (const Search& search : searches()) {
-    SCOPED_TRACE(::testing::Message()
-                 << search.frequency_hz << " Hz, " << search.duration << " s, N = " << search.modes);
+    SCOPED_TRACE(name_of(search));
     const StickResponse response = response_of(search);
-    const ForceMaximum fast(response.reaction(), 2.0 * std::numbers::pi * search.frequency_hz,
-                            search.duration);
+    const ForceMaximum fast = fast_search(search);
     const Bounds maximum = fast.refined_to(1e-12);
     const double slack = fast.rounding();  // which the plain bounds leave out
     double widest_gap = 0.0;
@@ -70,11 +78,9 @@ TEST(MaximumForce, ByHalvingIsEnclosedAtEveryWidthWithAGapThatFallsWithTheSquare
 
 TEST(MaximumForce, BySamplesIsEnclosedWithAGapThatFallsWithTheSquareOfTheStep) {
   for (const Search& search : searches()) {
-    SCOPED_TRACE(::testing::Message()
-                 << search.frequency_hz << " Hz, " << search.duration << " s, N = " << search.modes);
+    SCOPED_TRACE(name_of(search));
     const StickResponse response = response_of(search);
-    const ForceMaximum fast(response.reaction(), 2.0 * std::numbers::pi * search.frequency_hz,
-                            search.duration);
+    const ForceMaximum fast = fast_search(search);
     const Bounds maximum = fast.refined_to(1e-12);
     double gap_of_twice_the_step = 0.0;
     for (const double intervals : {100.0, 200.0, 400.0, 800.0}) {
@@ -97,15 +103,14 @@ TEST(MaximumForce, IsEnclosedByTheFastSearchAtEveryWidthInABeatToo) {
   for (const double hz : {resonance, resonance + 0.05, 35.0})
     for (const int modes : {1, 10})
       for (double duration = 0.01; duration < 0.2; duration *= 1.05) {
-        const ForceMaximum search(response_of({hz, duration, modes}).reaction(), 2.0 * std::numbers::pi * hz,
-                                  duration);
-        const Bounds maximum = search.refined_to(1e-12);
+        const Search search{hz, duration, modes};
+        SCOPED_TRACE(name_of(search));
+        const ForceMaximum fast = fast_search(search);
+        const Bounds maximum = fast.refined_to(1e-12);
         for (double width = 0.7; width > 1e-5; width /= 3.0) {
-          const Bounds bounds = search.refined_to(width);
-          EXPECT_LE(bounds.lower, maximum.upper)
-              << hz << " Hz, " << modes << ", " << duration << ", " << width;
-          EXPECT_GE(bounds.upper, maximum.lower)
-              << hz << " Hz, " << modes << ", " << duration << ", " << width;
+          const Bounds bounds = fast.refined_to(width);
+          EXPECT_LE(bounds.lower, maximum.upper) << width;
+          EXPECT_GE(bounds.upper, maximum.lower) << width;
         }
       }
 }
