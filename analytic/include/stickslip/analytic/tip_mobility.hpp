@@ -1,0 +1,61 @@
+#pragma once
+
+/// The mobility of the tip in closed form: the velocity of the sliding beam per unit friction force on its
+/// tip, as a function of the complex frequency s (1/s). The whole linear beam, all modes included, is in it.
+///
+/// A motion u(x) exp(s t) of the beam that is clamped at x = 0 and loaded by the force F exp(s t) at its tip
+/// obeys
+///
+///     D u'''' + P u'' + rho A s^2 u = 0,   u(0) = u'(0) = u''(L) = 0,   D u'''(L) = -F,   D = EI (1 + eta
+///     s),
+///
+/// the slip state of Eqs. (1), (2) and (5) with the follower force P of either sign and Kelvin-Voigt damping
+/// eta. Four exponents +-l_1, +-l_2 give the textbook form, a quotient of products of hyperbolic functions in
+/// which almost everything cancels where the exponents meet or are small. In
+///
+///     k = s L^2 sqrt(rho A/D),   z = P L^2/D,   a = -z + 2 k,   b = -z - 2 k     (a, b = (l_1 +- l_2)^2
+///     L^2),
+///
+/// and with the entire functions Phi(q) = sinh(sqrt q)/sqrt q, c(q) = (cosh(sqrt q) - 1)/q = Phi(q/4)^2/2, it
+/// is
+///
+///     Y(s) = L/(2 sqrt(D rho A)) [Phi(a) - Phi(b)] / [1 + (k/2) (c(a) - c(b))].
+///
+/// Its limits: Y/s is the static flexibility for s -> 0, L^3/(3 EI) at P = 0 and eta = 0; and the beam is
+/// half-infinite for short times, Y -> sqrt(2) D^(-1/4) (rho A)^(-3/4) s^(-1/2) for |s| -> infinity in Re s >
+/// 0. Undamped, its poles are +-i times the frequencies of the slip modes, its zeros those of the stick modes
+/// and 0.
+
+#include <complex>
+
+#include "stickslip/data/problem.hpp"
+
+namespace stickslip::analytic {
+
+class TipMobility {
+ public:
+  using Complex = std::complex<double>;
+
+  /// Throws std::invalid_argument, naming damping.ratio, unless that is 0: there is no such closed form with
+  /// an axial force.
+  explicit TipMobility(const data::Beam& beam, const data::Damping& damping = {});
+
+  /// Y(s), m/(N s); s in 1/s. No exponential grows. Accuracy: round-off, times |l L| for the phase of the
+  /// waves, and as the condition number of Y near a pole.
+  [[nodiscard]] Complex operator()(Complex s) const;
+
+  /// Velocity u_t(x) per unit force at the tip, m/(N s); 0 <= x <= L in m, and Y(s) at x = L.
+  [[nodiscard]] Complex transfer(double x, Complex s) const;
+
+ private:
+  struct Scaled {
+    Complex rigidity;   // D
+    Complex frequency;  // k
+    Complex load;       // z
+  };
+  [[nodiscard]] Scaled scaled(Complex s) const;
+
+  double length_, bending_stiffness_, mass_per_length_, axial_force_, kelvin_voigt_;
+};
+
+}  // namespace stickslip::analytic

@@ -1,0 +1,260 @@
+#include "stickslip/analytic/boundary_integral.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "fourier_transform.hpp"
+#include "messages.hpp"
+
+namespace stickslip::analytic {
+namespace {
+
+using Complex = std::complex<double>;
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// R = (E + O)/(E - O), the Pade approximant (k, k) of exp, with E even and O odd.
+class GaussMethod {
+ public:
+  explicit GaussMethod(int stages) : stages_(stages) {
+    if (stages < 1 || stages > most_stages)
+      throw std::invalid_argument(refusal("stages", stages, "1 ... " + std::to_string(most_stages)));
+    coefficients_[0] = 1.0;
+    for (int i = 1; i <= stages; ++i)
+      coefficients_[at(i)] =
+          coefficients_[at(i - 1)] * (stages - i + 1) / (static_cast<double>(2 * stages - i + 1) * i);
+  }
+
+  /// sum_i Y(x_i/h)/(x_i^2 R'(x_i)) over the solutions of R(x) = 1/zeta.
+  template <class Function>
+  [[nodiscard]] Complex sum_over_solutions(Complex zeta, const Function& weighted) const {
+    Complex sum = 0.0;
+    for (const Complex x : solutions((1.0 - zeta) / (1.0 + zeta)))
+      sum += weighted(x) / (x * x * derivative(x));
+    return sum;
+  }
+
+ private:
+  [[nodiscard]] static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+  /// R'(x).
+  [[nodiscard]] Complex derivative(Complex x) const {
+    Complex plus = 0.0, minus = 0.0, plus_rate = 0.0, minus_rate = 0.0;  // E + O, E - O
+    for (int i = stages_; i >= 0; --i) {
+      plus_rate = plus_rate * x + plus;
+      minus_rate = minus_rate * x + minus;
+      plus = plus * x + coefficients_[at(i)];
+      minus = minus * x + (i % 2 == 0 ? 1.0 : -1.0) * coefficients_[at(i)];
+    }
+    return (plus_rate * minus - plus * minus_rate) / (minus * minus);
+  }
+
+  /// The roots of tau E(x) - O(x), tau = (1 - zeta)/(1 + zeta), all at once by the method of Durand and
+  /// Kerner.
+  [[nodiscard]] std::vector<Complex> solutions(Complex tau) const {
+    std::array<Complex, most_stages + 1> monic{};
+    for (int i = 0; i <= stages_; ++i)
+      monic[at(i)] = coefficients_[at(i)] * (i % 2 == 0 ? tau : Complex(-1.0));
+    const Complex leading = monic[at(stages_)];
+    double radius = 0.0;
+    for (int i = 0; i <= stages_; ++i) {
+      monic[at(i)] /= leading;
+      if (i < stages_) radius = std::max(radius, std::pow(std::abs(monic[at(i)]), 1.0 / (stages_ - i)));
+    }
+    std::vector<Complex> roots;
+    for (int i = 0; i < stages_; ++i)
+      roots.push_back(std::polar(radius, 0.4 + 2.0 * std::numbers::pi * i / stages_));
+    constexpr int most_iterations = 200;
+    for (int iteration = 0; iteration < most_iterations; ++iteration) {
+      double change = 0.0;
+      for (Complex& root : roots) {
+        Complex value = 0.0, others = 1.0;
+        for (int i = stages_; i >= 0; --i) value = value * root + monic[at(i)];
+        for (const Complex& other : roots)
+          if (&other != &root) others *= root - other;
+        root -= value / others;
+        change = std::max(change, std::abs(value / others) / std::abs(root));
+      }
+      if (change < 16.0 * epsilon) break;
+    }
+    return roots;
+  }
+
+  int stages_;
+  std::array<double, most_stages + 1> coefficients_{};
+};
+
+Complex discrete_mobility(const GaussMethod& method, const Mobility& mobility, double time_step,
+                          Complex zeta) {
+  const Complex factor = (1.0 - zeta) / zeta;
+  return factor * factor *
+         method.sum_over_solutions(zeta, [&](Complex x) { return mobility(x / time_step); });
+}
+
+}  // namespace
+
+Complex discrete_mobility(const Mobility& mobility, double time_step, int stages, Complex zeta) {
+  require_positive("time_step", time_step);
+  return discrete_mobility(GaussMethod(stages), mobility, time_step, zeta);
+}
+
+std::vector<double> mobility_weights(const Mobility& mobility, double time_step, std::size_t count,
+                                     int stages) {
+  require_positive("time_step", time_step);
+  if (count < 1) throw std::invalid_argument("count is 0; it must be 1 or more.");
+  const GaussMethod method(stages);
+  // On a circle of radius r the weights beyond n come back with r^n, and rounding grows by r^-count: with n
+  // at least twice the count both are eps^(2/3) at r^count = eps^(1/3).
+  const std::size_t n = std::bit_ceil(2 * count);
+  const double radius = std::pow(epsilon, 1.0 / (3.0 * static_cast<double>(count)));
+  FourierTransform transform(n);
+  const auto spectrum = transform.spectrum();
+  for (std::size_t k = 0; k < spectrum.size(); ++k) {
+    const double angle = 2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(n);
+    spectrum[k] = discrete_mobility(method, mobility, time_step, std::polar(radius, -angle));
+  }
+  transform.backward();
+  std::vector<double> weights(count);
+  for (std::size_t j = 0; j < count; ++j)
+    weights[j] = transform.values()[j] / static_cast<double>(n) * std::pow(radius, -static_cast<double>(j));
+  return weights;
+}
+
+ContactStep solve_contact(const ContactLaw& law, double free_velocity, double weight) {
+  const double held = law.friction.static_coefficient() * law.normal_force;
+  if (std::abs(free_velocity) <= weight * held) return {0.0, -free_velocity / weight};
+  // |v| - |p| + W N mu(|v|) = 0: convex, rising, and negative at zero, so that Newton's method comes down to
+  // the root after its first step.
+  const double kinetic = law.friction.kinetic_coefficient() * law.normal_force;
+  double speed = 0.0;
+  constexpr int most_iterations = 100;
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    const double falling = (held - kinetic) * std::exp(-law.friction.decay() * speed);
+    const double residual = speed - std::abs(free_velocity) + weight * (kinetic + falling);
+    const double change = residual / (1.0 - weight * law.friction.decay() * falling);
+    speed -= change;
+    if (std::abs(change) <= 4.0 * epsilon * speed) break;
+  }
+  const double force = kinetic + (held - kinetic) * std::exp(-law.friction.decay() * speed);
+  return {std::copysign(speed, free_velocity), -std::copysign(force, free_velocity)};
+}
+
+/// Sums within a block of the latest values are direct. When the blocks of values up to n fill 2^i blocks,
+/// their contribution to the next 2^i blocks is added by one transform of twice that length.
+class OnlineConvolution::Engine {
+ public:
+  explicit Engine(std::vector<double> weights) : weights_(std::move(weights)), later_(weights_.size()) {
+    values_.reserve(weights_.size());
+    for (std::size_t size = block; size < weights_.size(); size *= 2) levels_.emplace_back(weights_, size);
+  }
+
+  [[nodiscard]] double history() const {
+    const std::size_t n = values_.size();
+    double sum = later_[n];
+    for (std::size_t j = n - n % block; j < n; ++j) sum += weights_[n - j] * values_[j];
+    return sum;
+  }
+
+  void append(double value) {
+    if (values_.size() == weights_.size())
+      throw std::invalid_argument("there are more values than weights: " + std::to_string(weights_.size()) +
+                                  ".");
+    values_.push_back(value);
+    const std::size_t n = values_.size();
+    if (n % block != 0 || n >= weights_.size()) return;
+    auto level = levels_.begin() + std::countr_zero(n / block);
+    if (level < levels_.end()) level->contribute(values_, later_);
+  }
+
+ private:
+  static constexpr std::size_t block = 128;
+
+  struct Level {
+    std::size_t size;
+    std::unique_ptr<FourierTransform> transform;
+    std::vector<Complex> kernel;  // of weights 0 ... 2 size - 1
+
+    Level(const std::vector<double>& weights, std::size_t values)
+        : size(values), transform(std::make_unique<FourierTransform>(2 * values)) {
+      const auto input = transform->values();
+      std::ranges::fill(input, 0.0);
+      std::copy_n(weights.begin(), std::min(weights.size(), input.size()), input.begin());
+      transform->forward();
+      kernel.assign(transform->spectrum().begin(), transform->spectrum().end());
+    }
+
+    // Of the last `size` values to the `size` sums after them; the first half of the circular convolution is
+    // mixed.
+    void contribute(const std::vector<double>& values, std::vector<double>& later) const {
+      const auto data = transform->values();
+      std::copy_n(values.end() - static_cast<std::ptrdiff_t>(size), size, data.begin());
+      std::fill_n(data.begin() + static_cast<std::ptrdiff_t>(size), size, 0.0);
+      transform->forward();
+      const auto spectrum = transform->spectrum();
+      for (std::size_t k = 0; k < spectrum.size(); ++k) spectrum[k] *= kernel[k];
+      transform->backward();
+      const std::size_t n = values.size();
+      for (std::size_t i = 0; i < size && n + i < later.size(); ++i)
+        later[n + i] += data[size + i] / static_cast<double>(2 * size);
+    }
+  };
+
+  std::vector<double> weights_, values_;
+  std::vector<double> later_;  // what earlier blocks contribute to each sum
+  std::vector<Level> levels_;
+};
+
+OnlineConvolution::OnlineConvolution(std::vector<double> weights)
+    : engine_(std::make_unique<Engine>(std::move(weights))) {}
+OnlineConvolution::~OnlineConvolution() = default;
+OnlineConvolution::OnlineConvolution(OnlineConvolution&&) noexcept = default;
+OnlineConvolution& OnlineConvolution::operator=(OnlineConvolution&&) noexcept = default;
+
+double OnlineConvolution::history() const { return engine_->history(); }
+void OnlineConvolution::append(double value) { engine_->append(value); }
+
+std::vector<double> convolution(const std::vector<double>& weights, const std::vector<double>& x) {
+  FourierTransform kernel(std::bit_ceil(2 * x.size())), data(std::bit_ceil(2 * x.size()));
+  const auto padded = [&](FourierTransform& transform, const std::vector<double>& source) {
+    std::ranges::fill(transform.values(), 0.0);
+    std::copy_n(source.begin(), x.size(), transform.values().begin());
+    transform.forward();
+  };
+  padded(kernel, weights);
+  padded(data, x);
+  for (std::size_t k = 0; k < data.spectrum().size(); ++k) data.spectrum()[k] *= kernel.spectrum()[k];
+  data.backward();
+  std::vector<double> sums(x.size());
+  for (std::size_t n = 0; n < sums.size(); ++n)
+    sums[n] = data.values()[n] / static_cast<double>(data.values().size());
+  return sums;
+}
+
+std::vector<ContactStep> contact_steps(const std::vector<double>& weights, const ContactLaw& law,
+                                       const std::vector<double>& holding_force) {
+  const double first = weights.front();
+  const double weakening = (law.friction.static_coefficient() - law.friction.kinetic_coefficient()) *
+                           law.friction.decay() * law.normal_force;
+  if (!(weakening * first < 1.0))
+    throw std::invalid_argument(
+        "time_step is too long: the sliding velocity of a step has one solution only if (mu_s - mu_m) alpha "
+        "N W_0 is "
+        "below 1, but it is " +
+        digits(weakening * first) + ".");
+  OnlineConvolution convolution(weights);
+  std::vector<ContactStep> steps;
+  steps.reserve(holding_force.size());
+  for (const double held : holding_force) {
+    steps.push_back(solve_contact(law, convolution.history() - first * held, first));
+    convolution.append(steps.back().friction_force - held);
+  }
+  return steps;
+}
+
+}  // namespace stickslip::analytic
