@@ -126,6 +126,17 @@ std::vector<double> mobility_weights(const Mobility& mobility, double time_step,
   return weights;
 }
 
+void require_unique_step(const ContactLaw& law, double first_weight) {
+  const double weakening = (law.friction.static_coefficient() - law.friction.kinetic_coefficient()) *
+                           law.friction.decay() * law.normal_force;
+  if (!(weakening * first_weight < 1.0))
+    throw std::invalid_argument(
+        "time_step is too long: the sliding velocity of a step has one solution only if (mu_s - mu_m) alpha "
+        "N W_0 "
+        "is below 1, but it is " +
+        digits(weakening * first_weight) + ".");
+}
+
 ContactStep solve_contact(const ContactLaw& law, double free_velocity, double weight) {
   const double held = law.friction.static_coefficient() * law.normal_force;
   if (std::abs(free_velocity) <= weight * held) return {0.0, -free_velocity / weight};
@@ -239,14 +250,7 @@ std::vector<double> convolution(const std::vector<double>& weights, const std::v
 std::vector<ContactStep> contact_steps(const std::vector<double>& weights, const ContactLaw& law,
                                        const std::vector<double>& holding_force) {
   const double first = weights.front();
-  const double weakening = (law.friction.static_coefficient() - law.friction.kinetic_coefficient()) *
-                           law.friction.decay() * law.normal_force;
-  if (!(weakening * first < 1.0))
-    throw std::invalid_argument(
-        "time_step is too long: the sliding velocity of a step has one solution only if (mu_s - mu_m) alpha "
-        "N W_0 is "
-        "below 1, but it is " +
-        digits(weakening * first) + ".");
+  require_unique_step(law, first);
   OnlineConvolution convolution(weights);
   std::vector<ContactStep> steps;
   steps.reserve(holding_force.size());

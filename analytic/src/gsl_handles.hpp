@@ -7,6 +7,7 @@
 #include <gsl/gsl_matrix.h>
 #include <gsl/gsl_odeiv2.h>
 #include <gsl/gsl_permutation.h>
+#include <gsl/gsl_spline.h>
 #include <gsl/gsl_vector.h>
 
 #include <memory>
@@ -23,6 +24,7 @@ struct ReleaseHandle {
   void operator()(gsl_eigen_nonsymmv_workspace* handle) const { gsl_eigen_nonsymmv_free(handle); }
   void operator()(gsl_eigen_gensymmv_workspace* handle) const { gsl_eigen_gensymmv_free(handle); }
   void operator()(gsl_integration_glfixed_table* handle) const { gsl_integration_glfixed_table_free(handle); }
+  void operator()(gsl_spline* handle) const { gsl_spline_free(handle); }
   void operator()(gsl_odeiv2_step* handle) const { gsl_odeiv2_step_free(handle); }
   void operator()(gsl_odeiv2_control* handle) const { gsl_odeiv2_control_free(handle); }
 };

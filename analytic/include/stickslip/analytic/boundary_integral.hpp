@@ -59,6 +59,10 @@ struct ContactLaw {
   data::FrictionLaw friction{{}};
 };
 
+/// Throws std::invalid_argument, naming time_step, unless kappa first_weight < 1: only then does every step
+/// have one solution.
+void require_unique_step(const ContactLaw& law, double first_weight);
+
 /// One step of the contact.
 struct ContactStep {
   double sliding_velocity{};  ///< v, mean over the step, m/s; exactly zero in stick
@@ -94,8 +98,8 @@ class OnlineConvolution {
                                               const std::vector<double>& x);
 
 /// The steps of a contact with mobility weights W, started at rest, under the holding forces f_h (means over
-/// the steps, N): one for each. Throws std::invalid_argument if there are more steps than weights or if kappa
-/// W_0 >= 1, naming time_step.
+/// the steps, N): one for each. Throws std::invalid_argument if there are more steps than weights, and what
+/// require_unique_step() throws.
 [[nodiscard]] std::vector<ContactStep> contact_steps(const std::vector<double>& weights,
                                                      const ContactLaw& law,
                                                      const std::vector<double>& holding_force);

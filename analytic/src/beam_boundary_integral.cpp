@@ -1,0 +1,198 @@
+#include "stickslip/analytic/beam_boundary_integral.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "gsl_handles.hpp"
+#include "gsl_status.hpp"
+#include "messages.hpp"
+#include "sinc.hpp"
+#include "stickslip/analytic/beam_contact_model.hpp"
+#include "stickslip/analytic/event_driven.hpp"
+#include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/analytic/tip_mobility.hpp"
+
+namespace stickslip::analytic {
+namespace {
+
+constexpr int undamped_modes = 200, damped_modes = 40;
+constexpr std::size_t most_steps = std::size_t{1} << 26;
+
+void require_grid(const TimeGrid& grid) {
+  require_positive("time_step", grid.time_step);
+  if (grid.steps < 1 || grid.steps > most_steps)
+    throw std::invalid_argument(
+        refusal("steps", static_cast<double>(grid.steps), "1 ... " + std::to_string(most_steps)));
+}
+
+/// The beam with damping, its tip held by as much friction as it takes.
+class HeldRun {
+ public:
+  HeldRun(const data::Beam& beam, const data::HarmonicExcitation& excitation, const data::Damping& damping)
+      : beam_(beam, data::FrictionLaw({.static_coefficient = 1e9, .kinetic_coefficient = 0.0, .decay = 0.0}),
+              excitation, damping, damped_modes),
+        run_(beam_.model()) {}
+
+  [[nodiscard]] double holding_force(double t) {
+    run_.advance_to(t);
+    return run_.holding_force();
+  }
+
+  [[nodiscard]] double displacement(const std::vector<double>& shapes, double t) {
+    run_.advance_to(t);
+    return absolute_displacement(shapes, run_);
+  }
+
+  [[nodiscard]] std::vector<double> shapes(double x) const { return beam_.shapes(x); }
+  [[nodiscard]] double lowest_frequency() const { return beam_.model().angular_frequency.front(); }
+
+ private:
+  BeamContactModel beam_;
+  EventDriven run_;
+};
+
+/// Adds amplitude sin(omega t), its mean over each step, to the values. The phase is turned from step to step
+/// and set anew often enough to stay at round-off.
+void add_sinusoid(double amplitude, double omega, double h, std::vector<double>& values) {
+  constexpr std::size_t block = 1024;
+  const double mean = amplitude * sinc(0.5 * omega * h);
+  const double turn_cos = std::cos(omega * h), turn_sin = std::sin(omega * h);
+  for (std::size_t first = 0; first < values.size(); first += block) {
+    const double phase = omega * (static_cast<double>(first) + 0.5) * h;
+    double sine = mean * std::sin(phase), cosine = mean * std::cos(phase);
+    for (std::size_t n = first; n < std::min(first + block, values.size()); ++n) {
+      values[n] += sine;
+      const double next = sine * turn_cos + cosine * turn_sin;
+      cosine = cosine * turn_cos - sine * turn_sin;
+      sine = next;
+    }
+  }
+}
+
+/// f_h = -A0 [s sin(Omega t) + sum c_n phi_n(t)] with the two sinusoids of phi_n apart, but for a mode so
+/// near to Omega that they cancel, whose phi_n is that of a StickResponse with this mode alone.
+std::vector<double> undamped_holding_force(const data::Beam& beam, const data::HarmonicExcitation& excitation,
+                                           const TimeGrid& grid) {
+  const StickResponse response(beam, excitation, undamped_modes, SteadyPart::exact);
+  const ModalReaction reaction = response.reaction();
+  const double omega = 2.0 * std::numbers::pi * excitation.frequency_hz(), h = grid.time_step;
+  std::vector<double> values(grid.steps);
+  double at_omega = reaction.quasi_static;
+  for (const auto& [natural, coefficient] : reaction.modes) {
+    const double difference = omega - natural, share = coefficient * omega / (difference * (omega + natural));
+    if (std::abs(difference) < 1e-3 * omega) {
+      // phi = Omega^2 [omega_n t cos((Omega + omega_n) t/2) sinc((Omega - omega_n) t/2) - sin(omega_n t)]/
+      //       ((Omega + omega_n) omega_n)
+      for (std::size_t n = 0; n < values.size(); ++n) {
+        const double t = (static_cast<double>(n) + 0.5) * h;
+        const double phi = omega * omega / ((omega + natural) * natural) *
+                           (natural * t * std::cos(0.5 * (omega + natural) * t) * sinc(0.5 * difference * t) -
+                            std::sin(natural * t));
+        values[n] -= excitation.amplitude() * coefficient * phi;
+      }
+      continue;
+    }
+    at_omega += share * omega;
+    add_sinusoid(excitation.amplitude() * share * omega * omega / natural, natural, h, values);
+  }
+  add_sinusoid(-excitation.amplitude() * at_omega, omega, h, values);
+  return values;
+}
+
+/// In the middle of each step, by a cubic spline through instants that are omega_1 H = 1e-3 apart or, with
+/// longer steps, through the middles themselves. A free vibration omega_n is off by (omega_n H)^4/384 at
+/// most; as its amplitude falls as omega_n^-2, that is 1e-7 of the force where omega_n H is about 4, and less
+/// elsewhere.
+std::vector<double> damped_holding_force(const data::Beam& beam, const data::HarmonicExcitation& excitation,
+                                         const data::Damping& damping, const TimeGrid& grid) {
+  const StatusInsteadOfAbort guard;
+  HeldRun run(beam, excitation, damping);
+  const double duration = static_cast<double>(grid.steps) * grid.time_step;
+  const double spacing = std::max(grid.time_step, 1e-3 / run.lowest_frequency());
+  std::vector<double> time, force;
+  for (std::size_t n = 0; time.size() < 4 || time.back() < duration; ++n) {
+    time.push_back(static_cast<double>(n) * spacing);
+    force.push_back(run.holding_force(time.back()));
+  }
+  const auto spline = owned(gsl_spline_alloc(gsl_interp_cspline, time.size()));
+  require_success(gsl_spline_init(spline.get(), time.data(), force.data(), time.size()), "holding force");
+  std::vector<double> values(grid.steps);
+  for (std::size_t n = 0; n < values.size(); ++n)
+    values[n] = gsl_spline_eval(spline.get(), (static_cast<double>(n) + 0.5) * grid.time_step, nullptr);
+  return values;
+}
+
+}  // namespace
+
+std::vector<double> holding_force(const data::Beam& beam, const data::HarmonicExcitation& excitation,
+                                  const data::Damping& damping, const TimeGrid& grid) {
+  require_grid(grid);
+  if (damping.kelvin_voigt() == 0.0) return undamped_holding_force(beam, excitation, grid);
+  return damped_holding_force(beam, excitation, damping, grid);
+}
+
+std::vector<double> held_displacement(const data::Beam& beam, const data::HarmonicExcitation& excitation,
+                                      const data::Damping& damping, const TimeGrid& grid, double x,
+                                      std::size_t every) {
+  require_grid(grid);
+  std::vector<double> values;
+  const auto sample = [&](const auto& displacement) {
+    for (std::size_t n = 0; n <= grid.steps; n += every)
+      values.push_back(displacement(static_cast<double>(n) * grid.time_step));
+  };
+  if (damping.kelvin_voigt() == 0.0) {
+    const StickResponse response(beam, excitation, undamped_modes, SteadyPart::exact);
+    sample([&](double t) { return response.absolute_displacement(x, t); });
+  } else {
+    HeldRun run(beam, excitation, damping);
+    const std::vector<double> shapes = run.shapes(x);
+    sample([&](double t) { return run.displacement(shapes, t); });
+  }
+  return values;
+}
+
+BeamBoundaryIntegral::BeamBoundaryIntegral(const data::Beam& beam, const data::FrictionLaw& friction,
+                                           const data::HarmonicExcitation& excitation,
+                                           const data::Damping& damping, const TimeGrid& grid, int stages)
+    : beam_(beam), excitation_(excitation), damping_(damping), grid_(grid), stages_(stages) {
+  if (!(beam.axial_force() > 0.0))
+    throw std::domain_error(
+        refusal("beam.axial_force", beam.axial_force(), "positive (compression), or there is no contact"));
+  const TipMobility mobility(beam, damping);
+  holding_force_ = holding_force(beam, excitation, damping, grid);
+  steps_ = contact_steps(mobility_weights(mobility, grid.time_step, grid.steps, stages),
+                         {beam.axial_force(), friction}, holding_force_);
+}
+
+std::vector<double> BeamBoundaryIntegral::tip_displacement(std::size_t every) const {
+  std::vector<double> values{0.0};
+  double position = 0.0;
+  for (std::size_t n = 1; n <= steps_.size(); ++n) {
+    position += grid_.time_step * steps_[n - 1].sliding_velocity;
+    if (n % every == 0) values.push_back(position);
+  }
+  return values;
+}
+
+std::vector<double> BeamBoundaryIntegral::displacement(double x, std::size_t every) const {
+  const TipMobility mobility(beam_, damping_);
+  const auto transfer = [&](std::complex<double> s) { return mobility.transfer(x, s); };
+  std::vector<double> force;
+  force.reserve(steps_.size());
+  for (std::size_t n = 0; n < steps_.size(); ++n)
+    force.push_back(steps_[n].friction_force - holding_force_[n]);
+  const std::vector<double> velocity =
+      convolution(mobility_weights(transfer, grid_.time_step, grid_.steps, stages_), force);
+  std::vector<double> values = held_displacement(beam_, excitation_, damping_, grid_, x, every);
+  double position = 0.0;
+  for (std::size_t n = 1; n <= velocity.size(); ++n) {
+    position += grid_.time_step * velocity[n - 1];
+    if (n % every == 0) values[n / every] += position;
+  }
+  return values;
+}
+
+}  // namespace stickslip::analytic
