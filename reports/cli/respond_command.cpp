@@ -6,12 +6,14 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <numbers>
 #include <string>
 #include <utility>
 
 #include "case_options.hpp"
 #include "commands.hpp"
 #include "output_file.hpp"
+#include "stickslip/analytic/beam_boundary_integral.hpp"
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/analytic/stick_response.hpp"
@@ -80,6 +82,7 @@ struct Summary {
   double largest_force{};            // max |f| over the rows, N
   std::optional<double> first_slip;  // s; closed form: of the first row with |f| > mu_s P
   std::vector<EventRow> events;
+  std::optional<double> step_effect;  // boundary integral: largest change of y(L) on twice the step, m
 };
 
 class Writer {
@@ -150,6 +153,7 @@ void write_closed_form(const data::Case& problem, const RespondOptions& options,
 }
 
 const std::map<std::string, studies::Inquiry> inquiries{
+    {"boundary-integral", studies::Inquiry::boundary_integral_history},
     {"closed-form", studies::Inquiry::closed_form_history},
     {"event-driven", studies::Inquiry::event_driven_history},
     {"fe", studies::Inquiry::stepped_history}};
@@ -216,6 +220,59 @@ void write_event_driven(const data::Case& problem, const RespondOptions& options
   if (!run.events().empty()) writer.summary().first_slip = run.events().front().time;
 }
 
+// Rows are numerics.time_step apart; the method steps by studies::boundary_integral_step().
+void write_boundary_integral(const data::Case& problem, const RespondOptions& options, Writer& writer) {
+  const double step = studies::boundary_integral_step(problem), row_step = problem.numerics.time_step();
+  const auto every = static_cast<std::size_t>(std::lround(row_step / step));
+  const auto rows = static_cast<std::size_t>(steps_of(problem));
+  const auto run_with = [&](std::size_t per_row) {
+    return analytic::BeamBoundaryIntegral(problem.beam, problem.friction, problem.excitation, problem.damping,
+                                          {row_step / static_cast<double>(per_row), rows * per_row});
+  };
+  const analytic::BeamBoundaryIntegral run = run_with(every);
+  const std::vector<double> tip = run.tip_displacement(every),
+                            midspan = run.displacement(problem.beam.length() / 2.0, every);
+  const double omega = 2.0 * std::numbers::pi * problem.excitation.frequency_hz();
+  const auto& steps = run.steps();
+  for (std::size_t n = 0; n < tip.size(); n += static_cast<std::size_t>(options.every)) {
+    // Velocity and force are means over steps; at a row, the mean of the steps before and after it. The force of the
+    // start is extrapolated: the tip sticks there.
+    const auto& before = steps[n == 0 ? 0 : n * every - 1];
+    const auto& after = steps[n * every == steps.size() ? steps.size() - 1 : n * every];
+    const double force = n == 0 ? 1.5 * steps[0].friction_force - 0.5 * steps[1].friction_force
+                                : 0.5 * (before.friction_force + after.friction_force);
+    const double time = static_cast<double>(n) * row_step;
+    const bool sticks = before.sliding_velocity == 0.0;
+    writer.write({.time = time,
+                  .base_displacement = problem.excitation.amplitude() * std::sin(omega * time),
+                  .tip_displacement = tip[n],
+                  .midspan_displacement = midspan[n],
+                  .sliding_velocity = sticks ? 0.0 : 0.5 * (before.sliding_velocity + after.sliding_velocity),
+                  .friction_force = -force,
+                  .state = sticks ? "stick" : "slip"});
+  }
+  double position = 0.0, direction = 0.0;
+  for (std::size_t n = 0; n < steps.size(); ++n) {
+    const double velocity = steps[n].sliding_velocity;
+    const double next = velocity == 0.0 ? 0.0 : std::copysign(1.0, velocity);
+    if (next != direction)
+      writer.summary().events.push_back({static_cast<double>(n) * run.grid().time_step,
+                                         direction == 0.0 ? "onset"
+                                         : next == 0.0    ? "capture"
+                                                          : "reversal",
+                                         position});
+    direction = next;
+    position += run.grid().time_step * velocity;
+  }
+  if (!writer.summary().events.empty()) writer.summary().first_slip = writer.summary().events.front().time;
+  if (every > 1) {
+    const std::vector<double> coarser = run_with(every / 2).tip_displacement(every / 2);
+    double largest = 0.0;
+    for (std::size_t n = 0; n < tip.size(); ++n) largest = std::max(largest, std::abs(tip[n] - coarser[n]));
+    writer.summary().step_effect = largest;
+  }
+}
+
 void write_events(OutputFile& file, const std::vector<EventRow>& events) {
   file.write(events_header);
   for (const EventRow& event : events)
@@ -246,6 +303,11 @@ Json to_json(const data::Case& problem, const RespondOptions& options, const Sum
               {"first_slip_s", nullptr},
               {"changes_of_contact", summary.events.size()}};
   if (summary.first_slip) object["first_slip_s"] = *summary.first_slip;
+  if (options.method == "boundary-integral") {
+    object["integration_step_s"] = studies::boundary_integral_step(problem);
+    object["largest_change_on_twice_the_step_m"] = nullptr;
+    if (summary.step_effect) object["largest_change_on_twice_the_step_m"] = *summary.step_effect;
+  }
   if (options.method == "fe") object["scheme"] = options.scheme.value_or("located");
   object["warnings"] = warnings;
   return object;
@@ -260,10 +322,13 @@ void run(const RespondOptions& options) {
   if (closed_form && options.initial_velocity != "quasi-static")
     throw data::InputError(
         "--initial-velocity is zero, but the closed form starts quasi-static: Eq. (26) assumes it");
-  if (options.scheme && options.method != "fe")
+  const bool boundary_integral = options.method == "boundary-integral";
+  if (boundary_integral && options.initial_velocity != "quasi-static")
     throw data::InputError(
-        fmt::format("--scheme is {}, but --method {} has no time step: schemes belong to --method fe",
-                    *options.scheme, options.method));
+        "--initial-velocity is zero, but the boundary integral starts quasi-static, as Eq. (28) does");
+  if (options.scheme && options.method != "fe")
+    throw data::InputError(fmt::format("--scheme is {}, but --method is {}: schemes belong to --method fe",
+                                       *options.scheme, options.method));
   if (closed_form) require_undamped(problem, "the closed form");
   if (closed_form && !options.events.empty())
     throw data::InputError(
@@ -285,6 +350,7 @@ void run(const RespondOptions& options) {
         to_standard_output ? "standard output holds the history up to there at most" : "nothing is kept");
   });
   const auto write = closed_form                        ? write_closed_form
+                     : boundary_integral                ? write_boundary_integral
                      : options.method == "event-driven" ? write_event_driven
                                                         : write_finite_element;
   write(problem, options, writer);
@@ -307,9 +373,11 @@ void add_respond_command(CLI::App& app) {
   add_case_options(*command, options->problem);
   add_excitation_options(*command, options->excitation);
   command
-      ->add_option("--method", options->method,
-                   "Finite elements with contact, event by event in the modes of the continuous beam, or the "
-                   "closed form of the stick state")
+      ->add_option(
+          "--method", options->method,
+          "Finite elements with contact, event by event in the modes of the continuous beam, the boundary "
+          "integral of the tip (all modes, no mesh; the one that converges without damping), or the closed "
+          "form of the stick state")
       ->check(one_of(names_of(inquiries)))
       ->capture_default_str();
   command

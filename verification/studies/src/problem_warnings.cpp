@@ -29,7 +29,8 @@ bool is_about_frequencies(Inquiry inquiry) {
 }
 
 bool may_slip(Inquiry inquiry) {
-  return inquiry == Inquiry::event_driven_history || inquiry == Inquiry::stepped_history;
+  return inquiry == Inquiry::event_driven_history || inquiry == Inquiry::boundary_integral_history ||
+         inquiry == Inquiry::stepped_history;
 }
 
 std::string percent(double share) { return fmt::format("{:.2g} %", 100.0 * share); }
@@ -189,8 +190,26 @@ std::vector<Warning> warnings_common_to(const data::Case& problem, const std::ve
   return warnings;
 }
 
+double boundary_integral_step(const data::Case& problem) {
+  constexpr double steps_per_period = 20000.0;
+  const double highest = std::max(problem.excitation.frequency_hz(),
+                                  analytic::stick_modes(problem.beam, 1).front().frequency_hz());
+  double step = problem.numerics.time_step();
+  while (step * highest * steps_per_period > 1.0) step *= 0.5;
+  return step;
+}
+
 void require_feasible(const data::Case& problem, Inquiry inquiry) {
   if (is_about_frequencies(inquiry) || inquiry == Inquiry::stepped_history) return;
+  if (inquiry == Inquiry::boundary_integral_history) {
+    if (problem.damping.ratio() != 0.0)
+      throw data::FieldError("damping.ratio", data::shortest_text(problem.damping.ratio()),
+                             "0 with the boundary integral, whose mobility has Kelvin-Voigt damping alone");
+    const double most_steps = std::ldexp(1.0, 24), step = boundary_integral_step(problem);
+    if (problem.numerics.duration() <= most_steps * step) return;
+    throw data::FieldError("numerics.duration", data::shortest_text(problem.numerics.duration()),
+                           fmt::format("at most {:.3g} s, 2^24 steps of {:.3g} s", most_steps * step, step));
+  }
   const bool is_event_driven = inquiry == Inquiry::event_driven_history;
   const double most_periods = is_event_driven ? 1e6 : 1e8;  // minutes of work
   const double natural = analytic::stick_modes(problem.beam, problem.numerics.modes()).back().frequency_hz();

@@ -159,9 +159,9 @@ TEST_F(BashCompletion, KnowsCommandsOptionsChoicesNamesAndFiles) {
   };
   EXPECT_EQ(offered("cri"), "criterion|");
   EXPECT_EQ(offered("respond --m"), "--method|");
-  EXPECT_EQ(offered("respond --method ''"), "closed-form|event-driven|fe|");
+  EXPECT_EQ(offered("respond --method ''"), "boundary-integral|closed-form|event-driven|fe|");
   EXPECT_EQ(offered("respond --method = cl"), "closed-form|");
-  EXPECT_EQ(offered("respond --method ="), "closed-form|event-driven|fe|");
+  EXPECT_EQ(offered("respond --method ="), "boundary-integral|closed-form|event-driven|fe|");
   EXPECT_EQ(offered("modes steel"), "steel-strip|");
   EXPECT_EQ(offered("criterion 'my b'"), "my beams|");
   EXPECT_EQ(offered("criterion --set beam.length = 1 my-"), "my-beam.toml|");

@@ -19,6 +19,7 @@ enum class Inquiry {
   criterion,            ///< |f_max|, in closed form
   closed_form_history,  ///< Eqs. (26) to (28)
   event_driven_history,
+  boundary_integral_history,
   stepped_history,  ///< finite elements and generalised-alpha
   design            ///< |f_max| over a band up to the excitation frequency of the case
 };
@@ -86,9 +87,14 @@ constexpr double shear_flexibility = 3.0;
 [[nodiscard]] std::vector<Warning> warnings_common_to(const data::Case& problem,
                                                       const std::vector<Parameter>& varied);
 
+/// The step of the boundary integral, s: numerics.time_step() divided by a power of two, at most 1/20000 of the period of
+/// the first stick mode and of the excitation. Throws what stick_modes() throws.
+[[nodiscard]] double boundary_integral_step(const data::Case& problem);
+
 /// Throws data::FieldError, naming numerics.duration, if a closed form would have to follow more than 1e8
-/// periods of the highest natural frequency kept, or of the excitation, or an event-driven history more than
-/// 1e6: minutes of work.
+/// periods of the highest natural frequency kept, or of the excitation, an event-driven history more than
+/// 1e6, or a boundary integral more than 2^24 steps: minutes of work. Naming damping.ratio for a boundary integral: the
+/// mobility is known in closed form with Kelvin-Voigt damping alone.
 void require_feasible(const data::Case& problem, Inquiry inquiry);
 
 }  // namespace stickslip::studies
