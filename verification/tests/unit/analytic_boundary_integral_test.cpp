@@ -1,0 +1,272 @@
+/// The boundary integral equation of a contact: its weights, its steps, and its histories of one and two
+/// masses against exact ones.
+
+#include "stickslip/analytic/boundary_integral.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+#include "stickslip/analytic/event_driven.hpp"
+#include "stickslip/analytic/free_mode_run.hpp"
+#include "stickslip/analytic/tip_mobility.hpp"
+#include "support/beams.hpp"
+#include "support/contact_models.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+using analytic::ContactLaw;
+using analytic::ContactStep;
+using Complex = std::complex<double>;
+using std::numbers::pi;
+
+/// What mobility_weights() states, 1e-11 max |W|, ten times.
+Tolerance of_weights(double largest) { return reference(1e-10 * largest, "mobility_weights()"); }
+
+std::vector<double> noise(std::size_t count) {
+  std::mt19937 generator(7);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  std::vector<double> values(count);
+  for (double& value : values) value = uniform(generator);
+  return values;
+}
+
+class GaussStages : public ::testing::TestWithParam<int> {};
+
+TEST_P(GaussStages, FollowAFreeMassExactly) {
+  // Under a constant force the velocity is linear in time: mean h/(2m) in the step of a unit force, then h/m.
+  const double mass = 3.0, h = 0.01;
+  const auto weights =
+      analytic::mobility_weights([&](Complex s) { return 1.0 / (mass * s); }, h, 300, GetParam());
+  for (std::size_t j = 0; j < weights.size(); ++j)
+    ASSERT_TRUE(within(weights[j], (j == 0 ? 0.5 : 1.0) * h / mass, of_weights(h / mass))) << j;
+}
+
+TEST_P(GaussStages, TurnAnOscillatorByThePhaseOfTheirPadeApproximant) {
+  // With a = omega h the exact weights are 2 (1 - cos a) cos(j a)/(omega^2 h). The approximant (k, k) of
+  // exp(x) is off by (k!)^2/((2k)! (2k+1)!) x^(2k+1), which turns each step by as much with x = a. After 100
+  // rad that is 100 a^2k of this constant, next to which the error of the amplitudes, a^2k of the same
+  // constant, is 1 %, and the next term a^2/20.
+  struct Level {
+    double angle, phase_constant;
+  };
+  const Level level =
+      std::vector<Level>{{0.1, 1.0 / 12.0},
+                         {0.5, 1.0 / 720.0},
+                         {1.0, 1.0 / 100800.0},
+                         {1.5, 576.0 / (40320.0 * 362880.0)}}[static_cast<std::size_t>(GetParam() - 1)];
+  const double a = level.angle, omega = 2.0, h = a / omega;
+  const auto count = static_cast<std::size_t>(100.0 / a) + 1;
+  const auto weights = analytic::mobility_weights([&](Complex s) { return s / (s * s + omega * omega); }, h,
+                                                  count, GetParam());
+  const double scale = 2.0 * (1.0 - std::cos(a)) / (omega * omega * h);
+  double largest = 0.0;  // over the last turn, where the phase error is that of 100 rad
+  for (auto j = static_cast<std::size_t>((100.0 - 2.0 * pi) / a); j < count; ++j)
+    largest = std::max(largest, std::abs(weights[j] / scale - std::cos(a * static_cast<double>(j))));
+  const double predicted = 100.0 * level.phase_constant * std::pow(a, 2 * GetParam());
+  EXPECT_TRUE(within(largest, predicted,
+                     discretisation((0.02 + 2.0 * pi / 100.0 + a * a / 20.0) * predicted, 1.0,
+                                    "amplitude, where in the last turn, next term")));
+}
+
+TEST_P(GaussStages, GiveThePowerSeriesOfTheDiscreteMobility) {
+  const analytic::TipMobility mobility(paper_beam());
+  const double h = 1e-4;
+  const Complex zeta = std::polar(0.9, 0.7);
+  const auto weights = analytic::mobility_weights(mobility, h, 400, GetParam());  // 0.9^400 = 5e-19
+  Complex sum = 0.0, power = 1.0;
+  for (const double weight : weights) {
+    sum += weight * power;
+    power *= zeta;
+  }
+  const Complex expected = analytic::discrete_mobility(mobility, h, GetParam(), zeta);
+  EXPECT_TRUE(
+      within(std::abs(sum - expected), 0.0, of_weights(10.0 * weights.front())));  // sum |zeta|^j = 10
+}
+
+TEST_P(GaussStages, KeepTheBeamPassive) {
+  // The work of any forces on the tip, h sum f_n v_n, is never negative: W + W^T has no negative eigenvalue.
+  const auto weights = analytic::mobility_weights(analytic::TipMobility(paper_beam()), 2e-5, 200, GetParam());
+  Eigen::MatrixXd work = Eigen::MatrixXd::Zero(200, 200);
+  for (Eigen::Index n = 0; n < 200; ++n)
+    for (Eigen::Index j = 0; j <= n; ++j) {
+      work(n, j) += weights[static_cast<std::size_t>(n - j)];
+      work(j, n) += weights[static_cast<std::size_t>(n - j)];
+    }
+  EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(work).eigenvalues().minCoeff(),
+            -of_weights(200.0 * weights.front()).value);
+}
+
+INSTANTIATE_TEST_SUITE_P(Stages, GaussStages, ::testing::Values(1, 2, 3, 4));
+
+TEST(BoundaryIntegral, ConvolvesAsItsSumsDo) {
+  // Over more than eight blocks of 128 and a length that is no power of two; sums of 1500 terms up to 1.
+  const auto weights = noise(1500);
+  auto values = noise(1499);
+  std::ranges::reverse(values);
+  analytic::OnlineConvolution online(weights);
+  const auto at_once = analytic::convolution(weights, values);
+  const Tolerance tolerance = round_off(11, 1.0, 40.0);  // log2 of the length; sqrt(1500) terms
+  for (std::size_t n = 0; n < values.size(); ++n) {
+    double sum = 0.0;
+    for (std::size_t j = 0; j < n; ++j) sum += weights[n - j] * values[j];
+    ASSERT_TRUE(within(online.history(), sum, tolerance)) << n;
+    ASSERT_TRUE(within(at_once[n], sum + weights[0] * values[n], tolerance)) << n;
+    online.append(values[n]);
+  }
+}
+
+TEST(BoundaryIntegral, RefusesMoreValuesThanWeights) {
+  analytic::OnlineConvolution online({1.0, 2.0});
+  online.append(1.0);
+  online.append(1.0);
+  EXPECT_THROW(online.append(1.0), std::invalid_argument);
+}
+
+TEST(BoundaryIntegral, SolvesTheContactOfAStepAndFindsTheOnlySolution) {
+  // kappa W = 0.3 * 500 * 2e-3 = 0.3.
+  const ContactLaw law{500.0, paper_friction()};
+  const double weight = 2e-3, limit = 300.0;
+  for (const double free_velocity :
+       {-3.0, -0.7, -0.6000001, -0.6, -0.1, 0.0, 0.3, 0.6, 0.6000001, 0.61, 5.0}) {
+    const ContactStep step = analytic::solve_contact(law, free_velocity, weight);
+    const double speed = std::abs(step.sliding_velocity);
+    EXPECT_TRUE(
+        within(step.sliding_velocity, free_velocity + weight * step.friction_force, round_off(4, 1.5, 5.0)));
+    if (std::abs(free_velocity) <= weight * limit) {
+      EXPECT_EQ(step.sliding_velocity, 0.0);
+    } else {
+      EXPECT_GT(step.sliding_velocity * free_velocity, 0.0);
+      EXPECT_TRUE(within(-std::copysign(1.0, free_velocity) * step.friction_force,
+                         500.0 * (0.3 + 0.3 * std::exp(-speed)), round_off(4, 1.0, 300.0)));
+    }
+  }
+}
+
+TEST(BoundaryIntegral, RefusesAStepWithMoreThanOneSolution) {
+  const ContactLaw law{500.0, paper_friction()};  // kappa = 150 N s/m
+  EXPECT_NO_THROW(analytic::require_unique_step(law, 0.999 / 150.0));
+  EXPECT_THROW(analytic::require_unique_step(law, 1.001 / 150.0), std::invalid_argument);
+  EXPECT_THROW((void)analytic::contact_steps({0.1, 0.1}, law, {1.0}), std::invalid_argument);
+  EXPECT_THROW(analytic::FreeModeRun({{0.0, 1.0}}, law, 1.0), std::invalid_argument);
+}
+
+/// Means of A sin(2 pi t) over the steps: the holding force of SDND104.
+std::vector<double> shaking(double amplitude, double h, double end) {
+  std::vector<double> forces;
+  for (double n = 0.5; n * h < end; n += 1.0)
+    forces.push_back(amplitude * std::sin(2.0 * pi * n * h) * std::sin(pi * h) / (pi * h));
+  return forces;
+}
+
+const ContactLaw one_newton{
+    10.0, data::FrictionLaw({.static_coefficient = 0.1, .kinetic_coefficient = 0.1, .decay = 0.0})};
+
+struct FrictionPower {
+  double amplitude, mean;
+};
+
+class BoundaryIntegralOfAShakenPlane : public ::testing::TestWithParam<FrictionPower> {};
+
+TEST_P(BoundaryIntegralOfAShakenPlane, HasThePublishedFrictionPower) {
+  // Mean of 10 N |v_s| over 4 <= t <= 12 s. The friction force of a step in which the contact changes is off
+  // by at most 2 mu N, the velocity behind it by 2 mu N h/m = 2 h, and friction never amplifies a difference
+  // of velocities: 20 h W.
+  for (const double h : {1e-3, 1e-4}) {
+    analytic::FreeModeRun run({{0.0, 1.0}}, one_newton, h);  // a mass of 1 kg
+    double sum = 0.0, time = 0.0;
+    for (const double force : shaking(GetParam().amplitude, h, 12.0)) {
+      const ContactStep step = run.step(force);
+      if (time > 4.0 - 0.5 * h) sum += 10.0 * std::abs(step.sliding_velocity) * h / 8.0;
+      time += h;
+    }
+    EXPECT_TRUE(within(sum, GetParam().mean,
+                       discretisation(20.0 * h * std::min(1.0, GetParam().mean), 1.0, "20 h W")));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Sdnd104, BoundaryIntegralOfAShakenPlane,
+                         ::testing::Values(FrictionPower{15.0, 15.2670995893716},
+                                           FrictionPower{1.5, 0.409062451015709},
+                                           FrictionPower{1.01, 2.26164121279787e-4},
+                                           FrictionPower{0.99, 0.0}));
+
+TEST(BoundaryIntegral, IsTheRunOfAFreeMassByItsOneMode) {
+  const double h = 1e-3;
+  const auto forces = shaking(1.5, h, 4.0);
+  const auto steps = analytic::contact_steps(
+      analytic::mobility_weights([](Complex s) { return 1.0 / s; }, h, forces.size(), 2), one_newton, forces);
+  analytic::FreeModeRun run({{0.0, 1.0}}, one_newton, h);
+  for (std::size_t n = 0; n < forces.size(); ++n)  // 4000 weights, forces of about 1 N
+    ASSERT_TRUE(
+        within(steps[n].sliding_velocity, run.step(forces[n]).sliding_velocity, of_weights(4000.0 * h)))
+        << n;
+}
+
+TEST(BoundaryIntegral, FollowsTwoMassesThroughTheir23Changes) {
+  // Velocities are off by the impulse of a step at each change, 2 mu N h/m_c = 4.4 h with m_c = 0.91 kg,
+  // which friction and damping do not amplify. Stops decelerate at 1 m/s^2 or more, so that times are off
+  // by 4.4 h and a step; positions gather 4.4 h for at most 12 s. The velocity left at a capture, 2.2 h at
+  // most, changes its sign from step to step in stick, with a force of 2 mu N at most: where that is clipped
+  // there are slips of one step, left out here.
+  const ForcedPair pair;
+  ExactPair exact(pair);
+  exact.run(12.0);
+  const Eigen::Matrix2d &m = pair.mass, &c = pair.damping, &k = pair.slip_stiffness;
+  const auto mobility = [&](Complex s) {
+    const Eigen::Matrix2cd dynamic = s * s * m + s * c + k;
+    return s * dynamic(0, 0) / (dynamic(0, 0) * dynamic(1, 1) - dynamic(0, 1) * dynamic(1, 0));
+  };
+  // The pair with its contact held by as much friction as it takes.
+  analytic::ContactModel model = contact_model(pair);
+  model.friction = data::FrictionLaw({.static_coefficient = 1e6, .kinetic_coefficient = 0.0, .decay = 0.0});
+  for (const std::size_t count : {std::size_t{12000}, std::size_t{96000}}) {
+    const double h = 12.0 / static_cast<double>(count);
+    analytic::EventDriven held(model);
+    held.start_stuck({0.0}, {-static_shape(pair) * pair.omega * pair.wall_amplitude / mode_shape(pair)});
+    std::vector<double> forces;
+    for (std::size_t n = 0; n < count; ++n) {
+      held.advance_to((static_cast<double>(n) + 0.5) * h);
+      forces.push_back(held.holding_force());
+    }
+    const auto steps = analytic::contact_steps(
+        analytic::mobility_weights(mobility, h, count, 2),
+        {pair.normal_force,
+         data::FrictionLaw({.static_coefficient = 0.2, .kinetic_coefficient = 0.2, .decay = 0.0})},
+        forces);
+    double position = 0.0, direction = 0.0, since = 0.0, since_position = 0.0, settled = 0.0;
+    std::size_t event = 0, lasting = 0;
+    for (std::size_t n = 0; n < count; ++n) {
+      const double velocity = steps[n].sliding_velocity;
+      const double now = velocity == 0.0 ? 0.0 : std::copysign(1.0, velocity);
+      if (now != direction) {
+        direction = now;
+        lasting = 0;
+        since = static_cast<double>(n) * h;
+        since_position = position;
+      }
+      position += velocity * h;
+      if (++lasting < 3 || direction == settled) continue;
+      settled = direction;
+      ASSERT_LT(event, exact.events().size());
+      const auto& expected = exact.events()[event++];
+      EXPECT_TRUE(within(since, expected.time, discretisation(5.4 * h, 1.0, "4.4 h and a step")));
+      EXPECT_TRUE(within(since_position, expected.displacement,
+                         discretisation(4.4 * h * 12.0, 1.0, "4.4 h for 12 s")));
+    }
+    EXPECT_EQ(event, 23u);
+  }
+}
+
+}  // namespace
+}  // namespace stickslip::testing
