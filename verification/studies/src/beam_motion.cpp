@@ -5,11 +5,15 @@
 #include <cstddef>
 #include <limits>
 
+#include "stickslip/analytic/beam_boundary_integral.hpp"
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/event_driven.hpp"
+#include "stickslip/analytic/free_mode_run.hpp"
+#include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/studies/contact_histories.hpp"
+#include "stickslip/studies/converged_history.hpp"
 #include "stickslip/studies/discretisation.hpp"
 #include "stickslip/studies/problem_parameter.hpp"
 
@@ -94,6 +98,38 @@ BeamMotion event_driven_motion(const data::Case& problem, const MotionGrid& grid
   return motion;
 }
 
+BeamMotion free_mode_motion(const data::Case& problem, const MotionGrid& grid, int steps_per_time_step) {
+  BeamMotion motion{positions(problem, grid), {}};
+  const std::vector<long> snapshots = snapshot_steps(grid, problem.numerics.time_step());
+  const analytic::TimeGrid steps{problem.numerics.time_step() / steps_per_time_step,
+                                 static_cast<std::size_t>(snapshots.back() * steps_per_time_step)};
+  const int modes = free_modes_for(problem.beam, steps.time_step);
+  const auto shapes = analytic::slip_modes(problem.beam, modes);
+  const analytic::StickResponse held(problem.beam, problem.excitation, closed_form_modes,
+                                     analytic::SteadyPart::exact);
+  const std::vector<double> holding_force =
+      analytic::holding_force(problem.beam, problem.excitation, data::Damping(), steps);
+  analytic::FreeModeRun run(analytic::free_modes(problem.beam, modes),
+                            {problem.beam.axial_force(), problem.friction}, steps.time_step);
+  analytic::ContactStep last;
+  std::size_t done = 0;
+  for (const long snapshot : snapshots) {
+    const double t = static_cast<double>(snapshot) * problem.numerics.time_step();
+    for (; done < static_cast<std::size_t>(snapshot * steps_per_time_step); ++done)
+      last = run.step(holding_force[done]);
+    motion.snapshots.push_back({.time = t,
+                                .sticks = last.sliding_velocity == 0.0,
+                                .friction_force = -last.friction_force,
+                                .displacement = {}});
+    for (const double x : motion.position) {
+      double y = held.absolute_displacement(x, t);
+      for (std::size_t k = 0; k < shapes.size(); ++k) y += shapes[k].shape(x) * run.amplitudes()[k];
+      motion.snapshots.back().displacement.push_back(y);
+    }
+  }
+  return motion;
+}
+
 BeamMotion closed_form_motion(const data::Case& problem, const MotionGrid& grid, int modes) {
   BeamMotion motion{positions(problem, grid), {}};
   const analytic::StickResponse response(problem.beam, problem.excitation, modes,
@@ -163,11 +199,15 @@ BeamMotionStudy beam_motion_study(const data::Case& problem, int snapshots, int 
   if (study.first_slip) study.window = std::max(0.0, *study.first_slip - 0.25 * period);
   const MotionGrid grid{study.window, period, snapshots, positions};
   study.finite_element = finite_element_motion(problem, grid);
-  study.reference = study.first_slip ? event_driven_motion(problem, grid)
+  constexpr int fine = 128, coarse = 64;  // steps in a time step of the finite elements
+  study.reference = study.first_slip ? free_mode_motion(problem, grid, fine)
                                      : closed_form_motion(problem, grid, closed_form_modes);
   constexpr double always = std::numeric_limits<double>::infinity();
   const double end_of_stick = study.first_slip.value_or(always);
   study.peak = peak(study.reference);
+  if (study.first_slip)
+    study.half_width =
+        2.0 * largest_difference(study.reference, free_mode_motion(problem, grid, coarse), always);
   study.stick_difference = largest_difference(study.finite_element, study.reference, end_of_stick);
   study.predicted_stick_difference =
       predicted_stick_difference(problem, grid, end_of_stick, closed_form_modes);

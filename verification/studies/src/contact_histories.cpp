@@ -3,38 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
-#include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/studies/event_history.hpp"
-#include "stickslip/studies/predictability.hpp"
+#include "stickslip/studies/finite_element_contact_model.hpp"
 
 namespace stickslip::studies {
 
 namespace {
 
-constexpr int history_modes = 20;
-
-double trusted_time(const data::Beam& beam, const data::FrictionLaw& friction,
-                    const data::HarmonicExcitation& excitation, const data::NumericalSettings& numerics,
-                    const TipHistory& history, double shown) {
-  const int elements = numerics.elements();
-  const double step = numerics.time_step();
-  const TipHistory others[] = {
-      time_stepper_history(beam, friction, excitation, refined(numerics, 2 * elements, step), {}, shown),
-      time_stepper_history(beam, friction, excitation, refined(numerics, elements, 0.1 * step), {}, shown,
-                           10),
-      event_driven_history(
-          analytic::BeamContactModel(beam, friction, excitation, data::Damping(), history_modes).model(),
-          shown, step)};
-  const auto [low, high] = std::ranges::minmax(history.tip_displacement);
-  double until = shown;
-  for (const TipHistory& other : others)
-    until = std::min(until, agreeing_until(history, other, fine_agreement * (high - low)));
-  return until;
-}
+constexpr double sample = 2e-4;
 
 }  // namespace
 
@@ -62,20 +43,69 @@ std::optional<double> closed_form_first_slip(const data::Beam& beam, const data:
 ContactHistory contact_history(const data::Beam& beam, const data::FrictionLaw& friction,
                                const data::HarmonicExcitation& excitation,
                                const data::NumericalSettings& numerics, double shown) {
-  const TipHistory run = time_stepper_history(beam, friction, excitation, numerics, {}, shown);
   ContactHistory history;
   history.frequency_hz = excitation.frequency_hz();
   history.amplitude = excitation.amplitude();
-  history.time = run.time;
-  history.tip_displacement = run.tip_displacement;
   history.finite_element_slip = solver::first_slip(beam, friction, excitation, numerics);
   history.criterion_slips =
       analytic::evaluate_criterion(beam, friction, excitation, numerics.duration(), numerics.modes())
           .verdict == analytic::Verdict::stick_slip;
-  if (history.criterion_slips)
+  const int samples = static_cast<int>(std::lround(shown / sample));
+  if (history.criterion_slips) {
     history.closed_form_slip = closed_form_first_slip(beam, friction, excitation, numerics.duration());
-  history.trusted_until = trusted_time(beam, friction, excitation, numerics, run, shown);
+    ConvergedHistory converged =
+        converged_history({.name = "history",
+                           .beam = beam,
+                           .friction = friction,
+                           .excitation = excitation,
+                           .numerics = numerics},
+                          {.duration = shown, .samples = samples, .steps_per_sample = 512});
+    history.time = std::move(converged.time);
+    history.tip_displacement = std::move(converged.tip);
+    history.half_width = std::move(converged.tip_half_width);
+    history.range = converged.tip_range;
+    history.levels = std::move(converged.levels);
+  } else {
+    for (int i = 0; i <= samples; ++i) history.time.push_back(shown * i / samples);
+    history.tip_displacement.assign(history.time.size(), 0.0);
+    history.half_width.assign(history.time.size(), 0.0);
+  }
   return history;
+}
+
+std::vector<PracticeRun> usual_practice(const data::Beam& beam, const data::FrictionLaw& friction,
+                                        const data::NumericalSettings& numerics,
+                                        const ContactHistory& converged) {
+  const data::HarmonicExcitation excitation({converged.frequency_hz, converged.amplitude});
+  const double duration = converged.time.back();
+  const int elements = numerics.elements();
+  std::vector<PracticeRun> runs;
+  const auto add = [&](const char* method, int mesh, double time_step, double radius,
+                       const TipHistory& history) {
+    runs.push_back(
+        {method, mesh, time_step, radius, history.changes,
+         largest_difference(converged.tip_displacement, history.tip_displacement) / converged.range,
+         history.tip_displacement});
+  };
+  const auto step = [&](const char* method, double radius, solver::ContactScheme scheme, double threshold) {
+    data::NumericalChoices choices = numerics.choices();
+    choices.spectral_radius = radius;
+    choices.velocity_threshold = threshold;
+    const double h = numerics.time_step();
+    add(method, elements, h, radius,
+        time_stepper_history(beam, friction, excitation, data::NumericalSettings(choices), {.scheme = scheme},
+                             duration, static_cast<int>(std::lround(sample / h))));
+  };
+  step("letter of the paper", numerics.spectral_radius(), solver::ContactScheme::paper,
+       numerics.velocity_threshold());
+  for (const double radius : {0.5, 0.9, 1.0})
+    step("located in the step", radius, solver::ContactScheme::located, 0.0);
+  for (const int mesh : {elements, 2 * elements})
+    add("event-driven", mesh, 0.0, 0.0,
+        event_driven_history(finite_element_contact_model(solver::BeamModel(beam, mesh), friction, excitation,
+                                                          data::Damping()),
+                             duration, sample));
+  return runs;
 }
 
 }  // namespace stickslip::studies

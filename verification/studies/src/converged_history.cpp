@@ -82,7 +82,7 @@ class Study {
   [[nodiscard]] Run free_modes(int steps_per_sample) const {
     const analytic::TimeGrid grid = grid_of(steps_per_sample);
     const auto every = static_cast<std::size_t>(steps_per_sample);
-    const int modes = modes_for(grid.time_step);
+    const int modes = free_modes_for(problem_.beam, grid.time_step);
     const double middle = 0.5 * problem_.beam.length();
     std::vector<double> shapes;
     for (const analytic::SlipMode& mode : analytic::slip_modes(problem_.beam, modes))
@@ -112,13 +112,6 @@ class Study {
             static_cast<std::size_t>(effort_.samples) * static_cast<std::size_t>(steps_per_sample)};
   }
 
-  /// As many as have omega_k h up to 20, by omega_k ~ k^2, but no more than slip_modes() gives.
-  [[nodiscard]] int modes_for(double time_step) const {
-    constexpr int probe = 20, most = 1000;
-    const double omega = analytic::slip_modes(problem_.beam, probe).back().angular_frequency();
-    return std::clamp(static_cast<int>(probe * std::sqrt(20.0 / (omega * time_step))), probe, most);
-  }
-
   const data::Case& problem_;
   const ConvergedEffort& effort_;
 };
@@ -126,12 +119,6 @@ class Study {
 double range_of(const std::vector<double>& values) {
   const auto [low, high] = std::ranges::minmax(values);
   return high - low;
-}
-
-double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest;
 }
 
 std::vector<double> half_widths(const std::vector<double>& finest, const std::vector<double>& coarser,
@@ -173,6 +160,18 @@ std::optional<ConvergedStick> with_half_widths(ConvergedStick stick, double step
 }
 
 }  // namespace
+
+double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+int free_modes_for(const data::Beam& beam, double time_step) {
+  constexpr int probe = 20, most = 1000;
+  const double omega = analytic::slip_modes(beam, probe).back().angular_frequency();
+  return std::clamp(static_cast<int>(probe * std::sqrt(20.0 / (omega * time_step))), probe, most);
+}
 
 double ConvergedHistory::largest_half_width() const { return tip_half_width.back() / tip_range; }
 

@@ -38,6 +38,12 @@ struct BeamMotion {
 [[nodiscard]] BeamMotion event_driven_motion(const data::Case& problem, const MotionGrid& grid);
 [[nodiscard]] BeamMotion closed_form_motion(const data::Case& problem, const MotionGrid& grid, int modes);
 
+/// By the free modes of the continuous beam, propagated exactly (analytic::FreeModeRun), with so many steps
+/// in a numerics.time_step(). Undamped: the damping of the problem is not used. The times, and what is
+/// thrown, as above.
+[[nodiscard]] BeamMotion free_mode_motion(const data::Case& problem, const MotionGrid& grid,
+                                          int steps_per_time_step);
+
 /// Largest |y| of a motion, m.
 [[nodiscard]] double peak(const BeamMotion& motion);
 
@@ -59,7 +65,8 @@ struct BeamMotionStudy {
   double amplitude{};  ///< m
   double window{};     ///< begin of the period drawn, s
   BeamMotion finite_element;
-  BeamMotion reference;              ///< closed form if the tip sticks throughout, else event by event
+  BeamMotion reference;              ///< closed form if the tip sticks throughout, else free modes
+  double half_width{};               ///< of the reference, m: twice its change on twice the step
   std::optional<double> first_slip;  ///< of the reference within the window, s
   double peak{};                     ///< max |y| of the reference, m
   double stick_difference{};         ///< largest difference up to the first slip, m

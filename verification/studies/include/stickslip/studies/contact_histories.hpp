@@ -1,31 +1,56 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
+#include "stickslip/studies/converged_history.hpp"
 
 namespace stickslip::studies {
 
-/// One panel of Figs. 4 and 5: the tip's history with contact, by finite elements, and the verdicts of both.
+/// One panel of Figs. 4 and 5: the motion of the tip as far as it has converged, and the verdicts of both
+/// implementations.
 struct ContactHistory {
   double frequency_hz{};
-  double amplitude{};                         ///< m
-  std::vector<double> time;                   ///< s
-  std::vector<double> tip_displacement;       ///< m
+  double amplitude{};        ///< m
+  std::vector<double> time;  ///< s
+  std::vector<double>
+      tip_displacement;            ///< y(L), m: of converged_history(), zero where the tip sticks throughout
+  std::vector<double> half_width;  ///< of y(L), m
+  double range{};                  ///< of y(L), m
+  std::vector<HistoryLevel> levels;  ///< of converged_history(); none where the tip sticks throughout
   std::optional<double> finite_element_slip;  ///< time of the first slip, s
   std::optional<double> closed_form_slip;     ///< first time |f| > mu_s P in the closed form, s
   bool criterion_slips{};                     ///< Eqs. (29), (30) over numerics.duration()
-  /// Time until which each of three other histories stays within 1 % of the range of the tip's motion, s: on
-  /// twice the elements, with a tenth of the step, and by the event-driven method on twenty modes of the
-  /// continuous beam. The history is not to be trusted beyond it.
-  double trusted_until{};
+
+  [[nodiscard]] double largest_half_width() const {
+    return half_width.back() / range;
+  }  ///< fraction of the range
 };
 
-/// Runs to `shown` seconds for the history (the verdicts use numerics.duration()).
+/// Runs to `shown` seconds for the history (the verdicts use numerics.duration()), sampled every 2e-4 s.
 [[nodiscard]] ContactHistory contact_history(const data::Beam& beam, const data::FrictionLaw& friction,
                                              const data::HarmonicExcitation& excitation,
                                              const data::NumericalSettings& numerics, double shown);
+
+/// An undamped history as it is usually computed, against the converged one.
+struct PracticeRun {
+  std::string method;
+  int elements{};
+  double time_step{};                    ///< s; 0 for event-driven runs
+  double spectral_radius{};              ///< of generalised-alpha
+  int changes{};                         ///< of contact
+  double largest_error{};                ///< of y(L) at the times of the history, as a fraction of its range
+  std::vector<double> tip_displacement;  ///< y(L) at the times of the history, m
+};
+
+/// The scheme by the letter of the paper; changes located inside the step with spectral radii of 0.5, 0.9 and
+/// 1; all with mesh and step of numerics; and event-driven runs on as many elements and on twice as many.
+[[nodiscard]] std::vector<PracticeRun> usual_practice(const data::Beam& beam,
+                                                      const data::FrictionLaw& friction,
+                                                      const data::NumericalSettings& numerics,
+                                                      const ContactHistory& converged);
 
 /// The first time at which |f| of the closed form (exact steady part) exceeds the limit, or nothing within
 /// the duration: looked for on a grid of 1/2000 of the shorter period, of the excitation and of the first

@@ -62,4 +62,11 @@ struct ConvergedEffort {
 [[nodiscard]] ConvergedHistory converged_history(const data::Case& problem,
                                                  const ConvergedEffort& effort = {});
 
+/// How many free modes a FreeModeRun of step h keeps here: those with omega_k h up to 20, as omega_k grows
+/// with k^2, at least 20 and at most 1000. Throws what slip_modes() throws.
+[[nodiscard]] int free_modes_for(const data::Beam& beam, double time_step);
+
+/// The largest difference of two series of one length.
+[[nodiscard]] double largest_difference(const std::vector<double>& a, const std::vector<double>& b);
+
 }  // namespace stickslip::studies
