@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -13,9 +14,11 @@
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/analytic/tip_mobility.hpp"
 #include "stickslip/certified/criterion.hpp"
 #include "stickslip/certified/slip_modes.hpp"
 #include "stickslip/certified/stick_response.hpp"
+#include "stickslip/certified/tip_mobility.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
 #include "support/beams.hpp"
 #include "support/random_beams.hpp"
@@ -332,6 +335,55 @@ TEST(EnclosedMaximum, GivesTheCriticalAmplitudeAndTheVerdictOfTheDoubles) {
         << hz;
     EXPECT_EQ(to_string(exact.verdict), to_string(criterion.verdict)) << hz;
   }
+}
+
+using Complex = std::complex<double>;
+
+data::Beam with_density(const data::Beam& beam, double density) {
+  auto properties = beam.properties();
+  properties.density = density;
+  return data::Beam(properties);
+}
+
+/// The doubles next to the enclosed Y(s).
+Complex enclosed_mobility(const data::Beam& beam, double eta, Complex s) {
+  const auto y = certified::tip_mobility(exactly(beam), Real(s.real()), Real(s.imag()), Rational(eta));
+  return {y.real.nearest_double(), y.imaginary.nearest_double()};
+}
+
+TEST(EnclosedTipMobility, AgreesToTheLastPlacesThatPolesAndPhasesLeave) {
+  // a = -z + 2 k and b = -z - 2 k are rounded to eps (|z| + 2 |k|), which is as much in z and half of it in
+  // k. The density moves k alone, k dY/dk = 2 rho dY/d rho, the axial force z. Ten roundings: EI, rho A, 1 +
+  // eta s, D, their quotient, its root, L^2, k, a, Phi(a). The last of the sizes is k = |z|/2, where l_1 =
+  // l_2.
+  constexpr double kStep = 1e-7;
+  for (const auto& [name, beam] : beams())
+    for (const double eta : {0.0, 1e-5}) {
+      const double meeting =
+          0.5 * std::abs(beam.axial_force()) / std::sqrt(rigidity(beam) * beam.density() * beam.area());
+      for (const double size : {1e-3, 0.3, 20.0, 1e3, 4e4, 1e6, meeting}) {
+        if (size == 0.0) continue;
+        for (const double angle : {0.0, 0.3, 1.0, 1.5, 0.5 * std::numbers::pi}) {
+          const Complex s = std::polar(size, angle), y = enclosed_mobility(beam, eta, s);
+          const Complex rigidity_of_s = rigidity(beam) * (1.0 + eta * s);
+          const double load_unit = std::abs(rigidity_of_s) / std::pow(beam.length(), 2);
+          const double k = std::abs(s * std::pow(beam.length(), 2) *
+                                    std::sqrt(beam.density() * beam.area() / rigidity_of_s));
+          const double z = std::abs(beam.axial_force()) / load_unit, width = z + 2.0 * k;
+          const Complex of_density =
+              (enclosed_mobility(with_density(beam, beam.density() * (1.0 + kStep)), eta, s) - y) / kStep;
+          const Complex of_force =
+              (enclosed_mobility(with_axial_force(beam, beam.axial_force() + kStep * load_unit), eta, s) -
+               y) /
+              kStep;
+          const double condition =
+              1.0 + width * (std::abs(of_density) / k + std::abs(of_force)) / std::abs(y);
+          const Complex error = analytic::TipMobility(beam, data::Damping({.kelvin_voigt = eta}))(s) - y;
+          EXPECT_TRUE(within(std::abs(error / y), 0.0, round_off(10, condition, 1.0)))
+              << name << ", eta = " << eta << ", s = " << s;
+        }
+      }
+    }
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ const std::vector<Requirement> table{
      "The closed forms of both states in ball arithmetic hold what is true and say so with a proven radius.",
      "Eqs. (16) to (30)",
      {"CertifiedReal", "CertifiedRoots", "CertifiedStickModes", "CertifiedSlipModes", "CertifiedResponse",
-      "CertifiedMaximum", "CertifiedCriterion"}},
+      "CertifiedMaximum", "CertifiedCriterion", "CertifiedTipMobility"}},
 
     // Finite elements and time stepping.
     {"F1",
@@ -221,7 +221,7 @@ const std::vector<Requirement> table{
     {"X19",
      "Doubles agree with the proven enclosures to the last places that their condition leaves.",
      "Eqs. (16) to (30)",
-     {"EnclosedFrequencies", "EnclosedShapes", "EnclosedResponse", "EnclosedMaximum"}},
+     {"EnclosedFrequencies", "EnclosedShapes", "EnclosedResponse", "EnclosedMaximum", "EnclosedTipMobility"}},
 
     {"X20",
      "A comparison with reference data agrees with a copy, finds an error of known size, keeps events and "

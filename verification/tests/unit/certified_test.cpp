@@ -17,6 +17,7 @@
 #include "stickslip/certified/criterion.hpp"
 #include "stickslip/certified/roots.hpp"
 #include "stickslip/certified/slip_modes.hpp"
+#include "stickslip/certified/tip_mobility.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -619,6 +620,71 @@ TEST(CertifiedResponse, RefusesImpossibleExcitations) {
         (void)StickResponse(paper_beam(), {"1", "-1"});
       },
       "excitation.amplitude is -1"));
+}
+
+// Mobility of the tip.
+
+TEST(CertifiedTipMobility, IsThePublishedReceptanceWithoutAxialForce) {
+  // Y(i omega) = i omega (sin b cosh b - cos b sinh b)/[b^3 (1 + cos b cosh b)], b^2 = omega (Bishop and
+  // Johnson 1960), of a beam of unit length, stiffness and mass.
+  for (const char* omega : {"1e-3", "1", "10", "1e6"}) {
+    const Mobility y = tip_mobility(unit_beam("0"), 0, Rational(omega));
+    const Real b = sqrt(Real(Rational(omega)));
+    const Real expected =
+        b * b * (sin(b) * cosh(b) - cos(b) * sinh(b)) / (pow(b, 3) * (1 + cos(b) * cosh(b)));
+    EXPECT_TRUE(vanishes(y.real)) << omega;
+    EXPECT_TRUE(vanishes(y.imaginary / expected - 1)) << omega;
+  }
+}
+
+TEST(CertifiedTipMobility, TendsToTheStaticFlexibility) {
+  // (sin y - y cos y)/y^3, y^2 = z; y^3 changes its sign with that of the numerator in tension. Of the next
+  // term k^2 = 1e-40 is left, of the precision the square root of what cancels.
+  const Real s = Rational("1e-20"), y = 2;
+  EXPECT_TRUE(abs(tip_mobility(unit_beam("0"), s, 0).real / s - Real(1) / 3) < Real(1e-35));
+  EXPECT_TRUE(abs(tip_mobility(unit_beam("4"), s, 0).real / s - (sin(y) - y * cos(y)) / 8) < Real(1e-35));
+  EXPECT_TRUE(abs(tip_mobility(unit_beam("-4"), s, 0).real / s - (y * cosh(y) - sinh(y)) / 8) < Real(1e-35));
+}
+
+TEST(CertifiedTipMobility, ChangesItsSignInEveryBallOfASlipAndOfAStickFrequency) {
+  for (const char* force : {"-9000", "0", "500", "60000"}) {
+    const Beam beam = paper_beam(force);
+    const auto changes = [&](const Real& omega) {
+      const Real step = Rational("1e-40");
+      return tip_mobility(beam, 0, omega - step).imaginary.certain_sign() *
+                 tip_mobility(beam, 0, omega + step).imaginary.certain_sign() ==
+             -1;
+    };
+    for (const auto& mode : slip_frequencies(beam, 4)) EXPECT_TRUE(changes(mode.angular_frequency)) << force;
+    for (const auto& mode : certified::stick_modes(beam, 4))
+      EXPECT_TRUE(changes(mode.angular_frequency)) << force;
+    EXPECT_FALSE(changes(Real(40)));
+  }
+}
+
+TEST(CertifiedTipMobility, NestsUnderRefinementAndExcludesAWrongDigit) {
+  const auto at = [](long bits, const Rational& force, const Rational& eta) {
+    const PrecisionScope scope(bits);
+    return tip_mobility(paper_beam(force), Rational("3.7"), Rational("811"), eta);
+  };
+  for (const char* force : {"-9000", "0", "500", "80000"})
+    for (const char* eta : {"0", "6.4e-5"}) {
+      const Mobility coarse = at(128, force, eta), fine = at(256, force, eta);
+      const Real wrong = 1 + Real(Rational("1e-30"));
+      for (const auto& [few, many] :
+           {std::pair{coarse.real, fine.real}, std::pair{coarse.imaginary, fine.imaginary}}) {
+        EXPECT_TRUE(few.contains(many)) << force;
+        EXPECT_GT(few.accurate_bits(), 100) << force;
+        EXPECT_GT(many.accurate_bits(), 228) << force;
+        EXPECT_FALSE(few.overlaps(many * wrong)) << force;
+      }
+    }
+}
+
+TEST(CertifiedTipMobility, IsNotFiniteWhereTheFormIsZeroByZero) {
+  for (const int s : {0, 2}) EXPECT_FALSE(tip_mobility(unit_beam("4"), s, 0).real.is_finite()) << s;
+  EXPECT_TRUE(throws_about([] { (void)tip_mobility(paper_beam(), 1, 0, "-1"); },
+                           "damping.kelvin_voigt is -1; it must be 0 or more"));
 }
 
 // Maximum.
