@@ -71,6 +71,13 @@ const std::vector<Requirement> table{
      {"CertifiedReal", "CertifiedRoots", "CertifiedStickModes", "CertifiedSlipModes", "CertifiedResponse",
       "CertifiedMaximum", "CertifiedCriterion", "CertifiedTipMobility"}},
 
+    {"A9",
+     "The mobility of the tip has the poles, zeros and limits of the beam and solves its boundary value "
+     "problem; "
+     "that of the mesh converges to it with order 4.",
+     "Eqs. (1), (2), (5)",
+     {"TipMobility", "TipMobilityOrder"}},
+
     // Finite elements and time stepping.
     {"F1",
      "The element matrices are the integrals of the shape functions and pass the patch tests.",
