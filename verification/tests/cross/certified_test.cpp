@@ -354,14 +354,15 @@ Complex enclosed_mobility(const data::Beam& beam, double eta, Complex s) {
 TEST(EnclosedTipMobility, AgreesToTheLastPlacesThatPolesAndPhasesLeave) {
   // a = -z + 2 k and b = -z - 2 k are rounded to eps (|z| + 2 |k|), which is as much in z and half of it in
   // k. The density moves k alone, k dY/dk = 2 rho dY/d rho, the axial force z. Ten roundings: EI, rho A, 1 +
-  // eta s, D, their quotient, its root, L^2, k, a, Phi(a). The last of the sizes is k = |z|/2, where l_1 =
-  // l_2.
+  // eta s, D, their quotient, its root, L^2, k, a, Phi(a). The last sizes are k = |z|/2, where l_1 =
+  // l_2, and next to it, where Phi is a series.
   constexpr double kStep = 1e-7;
   for (const auto& [name, beam] : beams())
     for (const double eta : {0.0, 1e-5}) {
       const double meeting =
           0.5 * std::abs(beam.axial_force()) / std::sqrt(rigidity(beam) * beam.density() * beam.area());
-      for (const double size : {1e-3, 0.3, 20.0, 1e3, 4e4, 1e6, meeting}) {
+      for (const double size :
+           {1e-3, 0.3, 20.0, 1e3, 4e4, 1e6, meeting, meeting + 0.1 * frequency_unit(beam)}) {
         if (size == 0.0) continue;
         for (const double angle : {0.0, 0.3, 1.0, 1.5, 0.5 * std::numbers::pi}) {
           const Complex s = std::polar(size, angle), y = enclosed_mobility(beam, eta, s);

@@ -298,15 +298,19 @@ TEST(TipMobility, IsPassiveWithDampingUnderAModerateAxialForceOnly) {
   for (const double eta : {6.4e-5, 5e-3}) EXPECT_LT(least_passivity(12.0, eta), 0.0) << eta;
 }
 
-TEST(TipMobility, IsConjugateAtTheConjugateFrequency) {
+TEST(TipMobility, IsConjugateAtTheConjugateFrequencyAndOddWithoutDamping) {
   for (const double eta : {0.0, 6.4e-5})
-    for (const Complex k : {Complex(0.1, 0.2), Complex(2.0, 30.0), Complex(1e3, 1e6)}) {
+    for (const Complex k : {Complex(0.1, 0.2), Complex(2.0, 30.0), Complex(1e3, 1e6), Complex(1e10, 1e9)}) {
       const TipMobility mobility(paper_beam(), kelvin_voigt(eta));
-      const Complex s = k * unit, y = mobility(s), half = mobility.transfer(0.5 * length, s);
-      EXPECT_TRUE(near(mobility(std::conj(s)), std::conj(y), round_off(10, 1.0, std::abs(y)))) << k;
-      EXPECT_TRUE(near(mobility.transfer(0.5 * length, std::conj(s)), std::conj(half),
-                       round_off(10, 1.0, std::abs(half))))
-          << k;
+      const Complex s = k * unit;
+      for (const double share : {0.5, 1.0}) {
+        const auto at = [&](Complex frequency) { return mobility.transfer(share * length, frequency); };
+        const Tolerance rounding = round_off(10, 1.0, std::abs(at(s)));
+        EXPECT_TRUE(near(at(std::conj(s)), std::conj(at(s)), rounding)) << k;
+        if (eta > 0.0) continue;
+        EXPECT_TRUE(near(at(-s), -at(s), rounding)) << k;
+        EXPECT_TRUE(near(mobility(-s), -mobility(s), round_off(10, 1.0, std::abs(mobility(s))))) << k;
+      }
     }
 }
 
