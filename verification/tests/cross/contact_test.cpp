@@ -156,8 +156,8 @@ TEST(StickSlipBeam, StaysBoundedOnAnyMeshAndStepWithAndWithoutDissipation) {
       }
 }
 
-// Kelvin-Voigt damping of the bending stiffness, 0.5 % of critical in mode 1, makes the history converge on
-// the mesh; undamped, every slip mode is pumped at the same rate.
+// Kelvin-Voigt damping of the bending stiffness, 0.5 % of critical in mode 1, makes the changes of contact
+// converge on the mesh; undamped, only the motion has a limit.
 TEST(StickSlipBeam, DampedBeamSlipsAndSticksWhenAnEventDrivenIntegrationDoes) {
   struct RecordedEvent {
     solver::ContactEvent::Kind kind;

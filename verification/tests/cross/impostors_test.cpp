@@ -81,7 +81,7 @@ data::Case with_numerics(data::Case problem, int elements, double time_step, int
   return problem;
 }
 
-// Stick-slip with a little Kelvin-Voigt damping, without which histories do not converge.
+// Stick-slip with a little Kelvin-Voigt damping, without which changes of contact do not converge.
 data::Case case_for(const std::string& name, Quantity quantity) {
   const double duration = is_of_stick_slip(quantity) ? 0.12 : 0.3;
   data::Case problem = name == "paper" ? paper_case(duration) : strip_case(duration);

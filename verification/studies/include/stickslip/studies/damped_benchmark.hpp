@@ -25,8 +25,8 @@ struct BenchmarkRun {
   std::vector<EventDifference> each;  ///< of each event of the reference that the run has in its place
 };
 
-/// A damped stick-slip history that converges: by the event-driven method on the modes of the continuous
-/// beam.
+/// A damped stick-slip history of which each change of contact converges: by the event-driven method on the
+/// modes of the continuous beam.
 ///
 /// Uncertainty: the difference to a run with 1/sqrt(2) of the modes. The error falls faster than N^-3, so
 /// that it is at most 1/(2^(3/2) - 1) = 0.55 of that difference; what is left covers the tolerance of the

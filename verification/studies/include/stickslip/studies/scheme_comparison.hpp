@@ -31,7 +31,9 @@ struct SchemeRun {
 };
 
 /// The same beam over numerics.duration() by the scheme with located changes, by that without location and by
-/// the letter of the paper, in this order, each with its energy books. Throws what BeamSimulation throws.
+/// the letter of the paper's Sects. 2 and 3 (its reference [18], Won & Chung, J. Sound Vib. 419, 42-62, 2018,
+/// which explains the rule of switching, is not at hand), in this order, each with its energy books. Throws
+/// what BeamSimulation throws.
 [[nodiscard]] std::vector<SchemeRun> compare_schemes(const data::Beam& beam,
                                                      const data::FrictionLaw& friction,
                                                      const data::HarmonicExcitation& excitation,
