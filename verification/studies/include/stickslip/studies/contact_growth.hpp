@@ -20,9 +20,9 @@
 ///   for |s| -> infinity, so that sigma* = kappa/m_c, m_c the mass that an impulse at the contact meets. For
 ///   a mass m, with or without a spring, kappa/m; for N free modes with the participation g each,
 ///   kappa N g; for a mesh it is proportional to 1/l. It grows without bound with the number of modes.
-/// - The undamped beam: between high modes Y is (g/2) pi/(delta) (cot + 1) of the phase, delta the distance
-///   of two frequencies, g = 4/(rho A L). Re Z/sigma is 2/g at the poles of Y and has its minimum 1/g between
-///   them. So sigma* >= 4 kappa/(rho A L), whatever P is.
+/// - The undamped beam: at high frequencies Y(i omega) = i c (tan x - 1) with the phase x = beta L, so that
+///   Re Z/sigma -> (dx/domega)/(c (sin x - cos x)^2). It is 2/g at the poles of Y and 1/g at least, g =
+///   4/(rho A L). So sigma* >= 4 kappa/(rho A L), whatever P is.
 
 #include <limits>
 #include <vector>
