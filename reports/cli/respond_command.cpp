@@ -358,6 +358,8 @@ void run(const RespondOptions& options) {
   if (events) write_events(*events, summary.events);
   auto warnings = warnings_of(problem, inquiry);
   if (closed_form && summary.first_slip) warnings.push_back(warning_of_slip(problem, *summary.first_slip));
+  if (!summary.events.empty())
+    if (const auto growth = studies::growth_warning(problem, inquiry)) warnings.push_back(growth->sentence);
   print_warnings(warnings);
   if (options.problem.json)
     print_json(to_json(problem, options, summary, warnings));

@@ -7,10 +7,13 @@
 #include <numbers>
 
 #include "simpson.hpp"
+#include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/studies/contact_growth.hpp"
 #include "stickslip/studies/discretisation.hpp"
+#include "stickslip/studies/history_convergence.hpp"
 #include "stickslip/studies/problem_parameter.hpp"
 
 namespace stickslip::studies {
@@ -174,6 +177,45 @@ std::vector<Warning> problem_warnings(const data::Case& problem, Inquiry inquiry
   warn_of_thickness(problem.beam, inquiry == Inquiry::slip_frequencies, mode, warnings);
   if (inquiry == Inquiry::stepped_history) warn_of_step(problem, mode, warnings);
   return warnings;
+}
+
+std::optional<Warning> growth_warning(const data::Case& problem, Inquiry inquiry) {
+  const data::NumericalSettings& numerics = problem.numerics;
+  const bool stepped = inquiry == Inquiry::stepped_history;
+  if ((stepped ? numerics.elements() : numerics.modes()) >
+      (is_damped(problem) ? most_damped_for_growth : most_undamped_for_growth))
+    return std::nullopt;
+  const auto contact = [&] {
+    if (!stepped)
+      return continuous_contact(analytic::BeamContactModel(problem.beam, problem.friction, problem.excitation,
+                                                           problem.damping, numerics.modes())
+                                    .model());
+    const auto system =
+        solver::beam_contact_system(solver::BeamModel(problem.beam, numerics.elements()), problem.friction,
+                                    solver::harmonic_motion(problem.excitation), problem.damping);
+    return stepped_contact(solver::ContactMobility(system), numerics.time_step(), numerics.spectral_radius());
+  }();
+  const double kappa = weakening(problem.friction, problem.beam.axial_force());
+  const double allowed = allowed_growth / numerics.duration();
+  if (grows_at_most(contact, kappa, allowed)) return std::nullopt;
+  const double own = growth_bound(contact, kappa);
+  const double beam = growth_bound(
+      continuous_contact(problem.beam, data::Damping({.kelvin_voigt = problem.damping.kelvin_voigt()})),
+      kappa);
+  std::string sentence = fmt::format(
+      "the contact changes, and sigma* is {:.3g} 1/s: by the bound exp(sigma* t) a rounding error may grow "
+      "to "
+      "the size of the motion within {:.2g} s; for the beam sigma* is {:.3g} 1/s",
+      own, allowed_growth / own, beam);
+  if (own > 1.1 * beam)
+    sentence +=
+        fmt::format(", about as with numerics.spectral_radius = 0, time_step = {:.2g} s, elements = {}",
+                    two_digits(time_step_of({.angle = filtering_angle}, problem.beam, numerics.elements())),
+                    numerics.elements());
+  if (beam > allowed)
+    sentence +=
+        fmt::format("; beyond {:.2g} s the bound is of no use for any discretisation", allowed_growth / beam);
+  return Warning{Concern::growth, own, allowed, sentence};
 }
 
 std::vector<Warning> warnings_common_to(const data::Case& problem, const std::vector<Parameter>& varied) {

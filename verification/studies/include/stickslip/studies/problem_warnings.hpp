@@ -4,6 +4,7 @@
 /// is what was asked for, but it means less than it seems to. And where a case asks for more than can be
 /// done.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,11 +25,11 @@ enum class Inquiry {
   design            ///< |f_max| over a band up to the excitation frequency of the case
 };
 
-enum class Concern { flutter, resonance, thick_beam, long_step };
+enum class Concern { flutter, resonance, thick_beam, long_step, growth };
 
 struct Warning {
   Concern concern{};
-  double value{};  ///< what was found: P (N), Omega/2pi (Hz), a relative error of a frequency, h (s)
+  double value{};  ///< what was found: P (N), Omega/2pi (Hz), a relative error of a frequency, h (s), sigma*
   double limit{};  ///< where the concern begins: flutter load, omega_n/2pi, allowed error, suggested step
   std::string sentence;
 };
@@ -80,6 +81,22 @@ constexpr double shear_flexibility = 3.0;
 /// `frequencies` is how many were asked for. Throws what stick_modes() throws.
 [[nodiscard]] std::vector<Warning> problem_warnings(const data::Case& problem, Inquiry inquiry,
                                                     int frequencies = 0);
+
+/// exp(sigma* T) above 1/eps of double precision: sigma* T above this number.
+constexpr double allowed_growth = 36.0;
+/// growth_warning() is silent about larger systems, whose sigma* would take seconds: elements of a mesh or
+/// modes, without and with damping.
+constexpr int most_undamped_for_growth = 200, most_damped_for_growth = 50;
+
+/// The warning of a stepped or event-driven history in which the contact changed: sigma* T > allowed_growth,
+/// with sigma* of its own discretisation (contact_growth.hpp) and T = numerics.duration(). By the bound
+/// exp(sigma* T) a rounding error may then grow to the size of the motion; observed growth is slower. value
+/// is sigma*, limit allowed_growth/T. The sentence also gives sigma* of the beam, with Kelvin-Voigt damping
+/// but without damping.ratio; the settings that have about that of the beam, if the run's is more than 1.1
+/// times it (spectral radius 0 and omega_max h = filtering_angle, history_convergence.hpp); and, if sigma* T
+/// of the beam is above allowed_growth too, the time up to which the bound is of use for any discretisation.
+/// Throws what the run itself throws.
+[[nodiscard]] std::optional<Warning> growth_warning(const data::Case& problem, Inquiry inquiry);
 
 /// Those of the criterion that hold wherever these parameters of the case are varied: no resonance if one of
 /// them moves a frequency, no thick beam if the length is among them, and none at all of a case whose P is at
