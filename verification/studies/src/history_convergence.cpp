@@ -73,14 +73,14 @@ HistoryRun history_run(const data::Case& problem, const ConvergedHistory& refere
 
 HistoryRefinement history_refinement(const data::Case& problem, const ConvergedHistory& reference,
                                      const StepRule& rule, const std::vector<int>& elements,
-                                     bool observe_growth) {
+                                     int observed_elements) {
   HistoryRefinement refinement;
   refinement.rule = rule;
   refinement.frequency_hz = problem.excitation.frequency_hz();
   std::vector<double> lengths, errors;
   for (const int count : elements) {
     refinement.runs.push_back(history_run(problem, reference, count, time_step_of(rule, problem.beam, count),
-                                          rule.spectral_radius, observe_growth));
+                                          rule.spectral_radius, count <= observed_elements));
     lengths.push_back(problem.beam.length() / count);
     errors.push_back(refinement.runs.back().error);
   }

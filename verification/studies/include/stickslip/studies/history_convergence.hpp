@@ -36,7 +36,7 @@ struct HistoryRun {
 
 /// How the step follows the mesh.
 struct StepRule {
-  std::string name;
+  std::string name{};
   double angle{};      ///< omega_max h; or 0 for a fixed step
   double time_step{};  ///< h, s, if the angle is 0
   double spectral_radius{};
