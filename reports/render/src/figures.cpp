@@ -11,6 +11,7 @@
 #include "stickslip/data/paper.hpp"
 #include "stickslip/mutants/record.hpp"
 #include "stickslip/solver/contact_system.hpp"
+#include "stickslip/studies/contact_growth.hpp"
 
 namespace stickslip::report {
 
@@ -394,26 +395,24 @@ FigureData event_order(StudyResults& results) {
   return data;
 }
 
-// Largest difference of the tip per period; comparison k of frequency j in the order of the table.
-FigureData predictability(StudyResults& results) {
-  CsvTable table("Separation of undamped histories", {{"frequency_Hz", "Hz"},
-                                                      {"comparison", "1"},
-                                                      {"what", "-"},
-                                                      {"time_s", "s"},
-                                                      {"separation_m", "m"},
-                                                      {"range_m", "m"}});
-  for (const auto& study : results.predictability())
-    for (std::size_t k = 0; k < study.separations.size(); ++k)
-      for (std::size_t i = 0; i < study.separations[k].time.size(); ++i)
-        table.add_row({csv_number(study.frequency_hz), std::to_string(k + 1), study.separations[k].what,
-                       csv_number(study.separations[k].time[i]),
-                       csv_number(study.separations[k].separation[i]), csv_number(study.range)});
+// Rule k in the order of the table.
+FigureData growth(StudyResults& results) {
+  CsvTable table("Undamped histories of generalised-alpha on meshes", {{"rule", "1"},
+                                                                       {"elements", "1"},
+                                                                       {"time_step_s", "s"},
+                                                                       {"spectral_radius", "1"},
+                                                                       {"growth_bound_per_s", "1/s"},
+                                                                       {"observed_growth_per_s", "1/s"},
+                                                                       {"error_percent", "%"}});
+  const auto& series = results.history_growth();
+  for (std::size_t k = 0; k < series.size(); ++k)
+    for (const auto& run : series[k].runs)
+      table.add_numbers({static_cast<double>(k + 1), static_cast<double>(run.elements), run.time_step,
+                         run.spectral_radius, run.growth_bound, run.observed_growth, 100.0 * run.error});
   FigureData data;
-  for (std::size_t j = 0; j < results.predictability().size(); ++j)
-    data.values.insert(data.values.end(),
-                       {{fmt::format("hz{}", j + 1), results.predictability()[j].frequency_hz, "Hz"},
-                        {fmt::format("range{}", j + 1), results.predictability()[j].range, "m"}});
-  data.tables.push_back({"predictability", std::move(table)});
+  data.values.push_back(
+      {"beam", studies::beam_growth_bound(results.paper().beam, results.paper().friction), "1/s"});
+  data.tables.push_back({"growth", std::move(table)});
   return data;
 }
 
@@ -520,7 +519,7 @@ const std::vector<Figure>& all_figures() {
                                            {"fig4", figure4},
                                            {"fig5", figure5},
                                            {"benchmark", benchmark},
-                                           {"predictability", predictability},
+                                           {"growth", growth},
                                            {"fig10", figure10},
                                            {"fig11", figure11},
                                            {"fig13", figure13},

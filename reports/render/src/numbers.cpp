@@ -15,6 +15,7 @@
 #include "stickslip/data/paper.hpp"
 #include "stickslip/mutants/verdict.hpp"
 #include "stickslip/report/latex_text.hpp"
+#include "stickslip/studies/contact_growth.hpp"
 #include "traceability.hpp"
 #include "units.hpp"
 
@@ -200,6 +201,7 @@ void define_histories(StudyResults& results, Macros& macros) {
   macros.define("FirstSlipLargestDifference", significant(findings.first_slip_difference / microsecond, 2));
   macros.define("TrustedShortest", fixed(findings.trusted.lowest, 2));
   macros.define("TrustedLongest", fixed(findings.trusted.highest, 2));
+  macros.plain("TrustedPercent", 100.0 * studies::fine_agreement);
   macros.plain("ShownDuration", StudyResults::shown_duration);
   macros.plain("SmallAmplitude", histories.front().amplitude / millimetre);
   macros.plain("LargeAmplitude", histories.back().amplitude / millimetre);
@@ -242,14 +244,10 @@ void define_events(StudyResults& results, Macros& macros) {
   macros.plain("EventOrderDuration", orders.front().duration);
   macros.count("EventOrderEvents", orders.front().events);
 
-  const auto& low = results.predictability().front();
-  const auto& high = results.predictability().back();
-  macros.define("PumpRate", significant(low.predicted_rate, 2));
-  macros.define("PerturbationLow", scientific(low.separations.front().largest * low.range, 1));
-  macros.define("PerturbationHigh", scientific(high.separations.front().largest * high.range, 1));
+  macros.define("BeamGrowthBound",
+                significant(studies::beam_growth_bound(results.paper().beam, results.paper().friction), 2));
+  macros.define("FilteringAngle", significant(studies::filtering_angle, 2));
   macros.define("Perturbation", scientific(studies::perturbation, 1));
-  macros.plain("TrustedPercent", 100.0 * studies::fine_agreement);
-  macros.plain("CoarsePercent", 100.0 * studies::coarse_agreement);
   macros.define("ShortestPlateau", significant(studies::shortest_plateau / millisecond, 1));
   const std::size_t literal_plateaus = results.schemes().back().plateaus.size();
   macros.define("LiteralPlateaus", literal_plateaus == 0 ? "none" : std::to_string(literal_plateaus));

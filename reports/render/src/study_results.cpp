@@ -18,6 +18,13 @@ constexpr int stick_history_levels = 4;
 constexpr int motion_snapshots = 9, motion_positions = 61;
 constexpr double highest_frequency = 120.0;  // of Figs. 10 to 13, Hz
 constexpr int slipping_frequencies_hz[] = {25, 70};
+constexpr int undamped_frequencies_hz[] = {25, 35, 70};
+constexpr double resolved_angle = 0.3;  // omega_max h
+constexpr double filtering_radii[] = {0.0, 0.5};
+// Resolved in time, 80 elements would take half a minute and 160 minutes.
+const std::vector<int> resolved_meshes{5, 10, 20, 40}, fixed_step_meshes{5, 10, 20, 40, 80, 160},
+    filtered_meshes{5, 10, 20, 40, 80}, finest_filtered_meshes{10, 20, 40, 80, 160},
+    coarser_filtered_meshes{10, 20, 40, 80};
 constexpr double event_order_duration = 0.12;  // s: seven events
 constexpr int event_order_elements = 10;
 const std::vector<int> event_order_divisors{1, 2, 4, 8, 16, 32, 64};
@@ -201,14 +208,45 @@ const std::vector<studies::DampedBenchmark>& StudyResults::damped_benchmarks() {
   });
 }
 
-const std::vector<studies::PredictabilityStudy>& StudyResults::predictability() {
-  return once(predictability_, "predictability", "how far undamped histories can be predicted", [&] {
-    std::vector<studies::PredictabilityStudy> all;
-    for (const int hz : slipping_frequencies_hz)
-      all.push_back(studies::predictability_study(paper_.beam, paper_.friction,
-                                                  at_frequency(damped_, hz).excitation, paper_.numerics,
-                                                  shown_duration, continuous_modes));
-    return all;
+data::Case StudyResults::undamped_at(double hz) const {
+  data::Case problem = at_frequency(damped_, hz);
+  problem.damping = data::Damping();
+  return problem;
+}
+
+const std::vector<studies::ConvergedHistory>& StudyResults::converged_histories() {
+  return once(converged_histories_, "converged-histories", "undamped histories as far as they converge", [&] {
+    std::vector<studies::ConvergedHistory> histories;
+    for (const int hz : undamped_frequencies_hz)
+      histories.push_back(studies::converged_history(undamped_at(hz)));
+    return histories;
+  });
+}
+
+const std::vector<studies::HistoryRefinement>& StudyResults::history_growth() {
+  return once(history_growth_, "history-growth", "growth of a disturbance on meshes", [&] {
+    const data::Case problem = undamped_at(undamped_frequencies_hz[0]);
+    const auto refined = [&](const studies::StepRule& rule, const std::vector<int>& elements) {
+      return studies::history_refinement(problem, converged_histories().front(), rule, elements,
+                                         elements.back());
+    };
+    const double radius = paper_.numerics.spectral_radius(), step = paper_.numerics.time_step();
+    return std::vector{refined({"resolved in time", resolved_angle, 0.0, radius}, resolved_meshes),
+                       refined({"fixed step", 0.0, step, radius}, fixed_step_meshes),
+                       refined({"filtering step", studies::filtering_angle, 0.0, 0.0}, filtered_meshes)};
+  });
+}
+
+const std::vector<studies::HistoryRefinement>& StudyResults::history_refinements() {
+  return once(history_refinements_, "history-refinements", "refinement of undamped histories on meshes", [&] {
+    std::vector<studies::HistoryRefinement> refinements;
+    for (const auto& reference : converged_histories())
+      for (const double radius : filtering_radii)
+        refinements.push_back(
+            studies::history_refinement(undamped_at(reference.frequency_hz), reference,
+                                        {"filtering step", studies::filtering_angle, 0.0, radius},
+                                        radius == 0.0 ? finest_filtered_meshes : coarser_filtered_meshes, 0));
+    return refinements;
   });
 }
 

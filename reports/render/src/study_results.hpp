@@ -22,11 +22,11 @@
 #include "stickslip/studies/force_maximum.hpp"
 #include "stickslip/studies/force_sensitivity.hpp"
 #include "stickslip/studies/frequencies.hpp"
+#include "stickslip/studies/history_convergence.hpp"
 #include "stickslip/studies/impostors.hpp"
 #include "stickslip/studies/length_force_map.hpp"
 #include "stickslip/studies/manufactured_solution.hpp"
 #include "stickslip/studies/paper_checks.hpp"
-#include "stickslip/studies/predictability.hpp"
 #include "stickslip/studies/scheme_comparison.hpp"
 #include "stickslip/studies/solution_verification.hpp"
 #include "stickslip/studies/stick_history.hpp"
@@ -61,17 +61,21 @@ class StudyResults {
   const studies::FrequencyStudy& half_stiffness_frequencies();      ///< stick state
   /// Fig. 13: point i is at the frequency of criterion()[i] times the ratio of the first natural frequencies.
   const std::vector<studies::CriticalAmplitudePoint>& half_stiffness_criterion();
-  const studies::LengthForceMap& length_force_map();                  ///< Fig. 14
-  const studies::ClassificationStudy& classification();               ///< Fig. 12
-  const std::vector<studies::BeamMotionStudy>& beam_motions();        ///< Fig. 3, in the paper's order
-  const std::vector<studies::ContactHistory>& contact_histories();    ///< Figs. 4 and 5, in the paper's order
-  const std::vector<studies::EventOrderStudy>& event_orders();        ///< spectral radii 0.9 and 1
-  const std::vector<studies::DampedBenchmark>& damped_benchmarks();   ///< 25 and 70 Hz
-  const std::vector<studies::PredictabilityStudy>& predictability();  ///< 25 and 70 Hz, undamped
-  const std::vector<studies::EnergyAudit>& energy_audits();           ///< damped, then undamped, 25 Hz
-  const std::vector<studies::SchemeRun>& schemes();                   ///< paper's settings, 25 Hz, 1 mm
-  const studies::ImpostorStudy& impostors();                          ///< of the damped benchmark, 25 Hz
-  const studies::ForceSensitivity& force_sensitivity();               ///< of the four printed |f_max|
+  const studies::LengthForceMap& length_force_map();                 ///< Fig. 14
+  const studies::ClassificationStudy& classification();              ///< Fig. 12
+  const std::vector<studies::BeamMotionStudy>& beam_motions();       ///< Fig. 3, in the paper's order
+  const std::vector<studies::ContactHistory>& contact_histories();   ///< Figs. 4 and 5, in the paper's order
+  const std::vector<studies::EventOrderStudy>& event_orders();       ///< spectral radii 0.9 and 1
+  const std::vector<studies::DampedBenchmark>& damped_benchmarks();  ///< 25 and 70 Hz
+  const std::vector<studies::ConvergedHistory>& converged_histories();  ///< 25, 35 and 70 Hz, undamped
+  /// At 25 Hz: resolved in time, with a fixed step, and with the step that filters; growth observed.
+  const std::vector<studies::HistoryRefinement>& history_growth();
+  /// The filtering step with the spectral radii 0 and 0.5, at each frequency of converged_histories().
+  const std::vector<studies::HistoryRefinement>& history_refinements();
+  const std::vector<studies::EnergyAudit>& energy_audits();  ///< damped, then undamped, 25 Hz
+  const std::vector<studies::SchemeRun>& schemes();          ///< paper's settings, 25 Hz, 1 mm
+  const studies::ImpostorStudy& impostors();                 ///< of the damped benchmark, 25 Hz
+  const studies::ForceSensitivity& force_sensitivity();      ///< of the four printed |f_max|
   const studies::SolutionVerification& solution_verification();
   const studies::CriterionMap&
   stiffness_map();                          ///< frequency and Young's modulus, at the amplitude of Fig. 4
@@ -84,6 +88,8 @@ class StudyResults {
   static constexpr double search_increment = 1e-5, search_cap = 1e-3;  ///< of searches(), m
 
  private:
+  /// The damped case at another frequency and without its damping.
+  [[nodiscard]] data::Case undamped_at(double hz) const;
   template <typename Result>
   const Result& once(std::optional<Result>& result, const std::string& name, const std::string& what,
                      const auto& study) {
@@ -118,7 +124,8 @@ class StudyResults {
   std::optional<std::vector<studies::BeamMotionStudy>> beam_motions_;
   std::optional<std::vector<studies::EventOrderStudy>> event_orders_;
   std::optional<std::vector<studies::DampedBenchmark>> damped_benchmarks_;
-  std::optional<std::vector<studies::PredictabilityStudy>> predictability_;
+  std::optional<std::vector<studies::ConvergedHistory>> converged_histories_;
+  std::optional<std::vector<studies::HistoryRefinement>> history_growth_, history_refinements_;
   std::optional<std::vector<studies::EnergyAudit>> energy_audits_;
   std::optional<std::vector<studies::SchemeRun>> schemes_;
   std::optional<studies::ImpostorStudy> impostors_;

@@ -457,17 +457,30 @@ std::string impostor_rows(StudyResults& results) {
   return rows.text();
 }
 
-std::string predictability(StudyResults& results) {
+std::string history_growth(StudyResults& results) {
   Rows rows;
-  for (const auto& study : results.predictability()) {
-    for (const auto& separation : study.separations) {
-      const auto until = [&](double time) { return time >= study.duration ? "--" : fixed(time, 3); };
-      rows.add({plain_number(study.frequency_hz), typeset(with_powers_of_ten(separation.what)),
-                until(separation.one_percent_until), until(separation.ten_percent_until),
-                compact_number(100.0 * separation.largest, 2), fixed(separation.growth_rate, 0),
-                fmt::format("{}, {}", separation.changes, separation.other_changes)});
-    }
+  for (const auto& series : results.history_growth()) {
+    for (const auto& run : series.runs)
+      rows.add({series.rule.name, plain_number(run.spectral_radius), std::to_string(run.elements),
+                scientific(run.time_step, 2), compact_number(run.highest_angle, 2),
+                fixed(run.growth_bound, 0), fixed(run.observed_growth, 0),
+                compact_number(100.0 * run.error, 2), std::to_string(run.changes)});
     rows.space();
+  }
+  return rows.text();
+}
+
+// Each on 10, 20, 40, 80 and, if it is there, 160 elements.
+std::string history_refinements(StudyResults& results) {
+  Rows rows;
+  const std::size_t columns = results.history_refinements().front().runs.size();
+  for (const auto& refinement : results.history_refinements()) {
+    std::vector<std::string> cells{plain_number(refinement.frequency_hz),
+                                   plain_number(refinement.rule.spectral_radius)};
+    for (const auto& run : refinement.runs) cells.push_back(compact_number(100.0 * run.error, 2));
+    cells.resize(columns + 2, "--");
+    cells.push_back(order_text(refinement.order));
+    rows.add(cells);
   }
   return rows.text();
 }
@@ -600,7 +613,8 @@ Document make_tables(StudyResults& results, const Environment& environment,
           {"idle-tests.tex", idle_test_names(mutants)},
           {"table-benchmark-events.tex", benchmark_events(results)},
           {"table-benchmark-runs.tex", benchmark_runs(results)},
-          {"table-predictability.tex", predictability(results)},
+          {"table-history-growth.tex", history_growth(results)},
+          {"table-history-refinements.tex", history_refinements(results)},
           {"table-impostors.tex", impostor_rows(results)},
           {"table-errata.tex", errata()},
           {"table-evidence.tex", evidence(results)},

@@ -127,6 +127,11 @@ ContactDynamics continuous_contact(const data::Beam& beam, const data::Damping& 
   return contact;
 }
 
+double beam_growth_bound(const data::Beam& beam, const data::FrictionLaw& friction,
+                         const data::Damping& damping) {
+  return growth_bound(continuous_contact(beam, damping), weakening(friction, beam.axial_force()));
+}
+
 ContactDynamics continuous_contact(const solver::ContactMobility& mobility) {
   ContactDynamics contact{.mobility = mobility,
                           .frequencies = {0.0},

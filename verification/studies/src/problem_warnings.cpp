@@ -200,13 +200,11 @@ std::optional<Warning> growth_warning(const data::Case& problem, Inquiry inquiry
   const double allowed = allowed_growth / numerics.duration();
   if (grows_at_most(contact, kappa, allowed)) return std::nullopt;
   const double own = growth_bound(contact, kappa);
-  const double beam = growth_bound(
-      continuous_contact(problem.beam, data::Damping({.kelvin_voigt = problem.damping.kelvin_voigt()})),
-      kappa);
+  const double beam = beam_growth_bound(problem.beam, problem.friction,
+                                        data::Damping({.kelvin_voigt = problem.damping.kelvin_voigt()}));
   std::string sentence = fmt::format(
-      "the contact changes, and sigma* is {:.3g} 1/s: by the bound exp(sigma* t) a rounding error may grow "
-      "to "
-      "the size of the motion within {:.2g} s; for the beam sigma* is {:.3g} 1/s",
+      "the contact changes, and sigma* is {:.3g} 1/s: by the bound exp(sigma* t) a rounding error may "
+      "grow to the size of the motion within {:.2g} s; for the beam sigma* is {:.3g} 1/s",
       own, allowed_growth / own, beam);
   if (own > 1.1 * beam)
     sentence +=

@@ -57,6 +57,10 @@ struct ContactDynamics {
 /// The beam itself, with the frequencies up to mode 40 and the limit above. Throws what TipMobility throws.
 [[nodiscard]] ContactDynamics continuous_contact(const data::Beam& beam, const data::Damping& damping = {});
 
+/// sigma* of the beam itself, 1/s. Throws what TipMobility throws.
+[[nodiscard]] double beam_growth_bound(const data::Beam& beam, const data::FrictionLaw& friction,
+                                       const data::Damping& damping = {});
+
 /// A ContactSystem in continuous time.
 [[nodiscard]] ContactDynamics continuous_contact(const solver::ContactMobility& mobility);
 
