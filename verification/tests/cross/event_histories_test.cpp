@@ -13,7 +13,6 @@
 #include "stickslip/studies/damped_benchmark.hpp"
 #include "stickslip/studies/event_history.hpp"
 #include "stickslip/studies/event_order.hpp"
-#include "stickslip/studies/predictability.hpp"
 #include "support/beams.hpp"
 #include "support/order.hpp"
 #include "support/parameter_name.hpp"
@@ -170,38 +169,6 @@ TEST_P(OrderThroughEvents, IsTwoWithLocationAndOneForTimesWithoutIt) {
 }
 
 INSTANTIATE_TEST_SUITE_P(SpectralRadius, OrderThroughEvents, ::testing::Values(0.9, 1.0), NameOfDouble());
-
-TEST(Predictability, APerturbationGrowsNoFasterThanWeakeningFrictionPumpsTheModes) {
-  // 25 Hz, 1 mm, undamped. Each free mode grows at most as exp(15 t), 0.3 s times a factor for what the
-  // events themselves may do to it; a chaotic history would lose nine digits within a dozen events.
-  constexpr double perturbation = 1e-9, amplitude = 1e-3, duration = 0.3;
-  const auto history = [&](double relative) {
-    const data::HarmonicExcitation excitation(
-        {.frequency_hz = 25.0, .amplitude = amplitude * (1.0 + relative)});
-    return studies::event_driven_history(
-        analytic::BeamContactModel(paper_beam(), paper_friction(), excitation, data::Damping(), 10).model(),
-        duration, 1e-4);
-  };
-  const auto a = history(0.0), b = history(perturbation);
-  EXPECT_GT(a.events.size(), 50u);
-  ASSERT_EQ(a.changes, b.changes);
-  double largest = 0.0;
-  for (std::size_t i = 0; i < a.time.size(); ++i)
-    largest = std::max(largest, std::abs(a.tip_displacement[i] - b.tip_displacement[i]));
-  // 2 (mu_s - mu_m) alpha N/(rho A L) = 15/s.
-  EXPECT_LT(largest, perturbation * amplitude * std::exp(15.0 * duration));
-  EXPECT_GT(largest, perturbation * amplitude);
-}
-
-TEST(Predictability, AgreementEndsAtTheFirstSampleThatDiffers) {
-  studies::TipHistory a, b;
-  a.time = b.time = {0.0, 1.0, 2.0, 3.0};
-  a.tip_displacement = {0.0, 0.0, 0.0, 0.0};
-  b.tip_displacement = {0.0, 0.1, -0.3, 0.0};
-  EXPECT_EQ(studies::agreeing_until(a, b, 0.05), 1.0);
-  EXPECT_EQ(studies::agreeing_until(a, b, 0.2), 2.0);
-  EXPECT_EQ(studies::agreeing_until(a, b, 1.0), 3.0);
-}
 
 }  // namespace
 }  // namespace stickslip::testing
