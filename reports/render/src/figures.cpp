@@ -21,7 +21,8 @@ std::string word_of(bool slips) { return slips ? "stick-slip" : "stick"; }
 
 std::string state_of(const studies::ModeShapeStudy::Curve& curve) { return curve.slip ? "slip" : "stick"; }
 
-// Four tip histories of one amplitude; panel i has the values hz<i>, trusted<i>, slips<i>.
+// Four tip histories of one amplitude; panel i has the values hz<i> and slips<i>, and the columns 2 i and 2 i
+// + 1.
 FigureData tip_histories(StudyResults& results, const std::string& figure) {
   const auto& all = results.contact_histories();
   const auto verdicts = data::printed_verdicts();
@@ -32,22 +33,59 @@ FigureData tip_histories(StudyResults& results, const std::string& figure) {
   std::vector<CsvColumn> columns{{"time_s", "s"}};
   FigureData data;
   data.values.push_back({"shown", StudyResults::shown_duration, "s"});
-  for (const auto* panel : panels) {
-    const std::string i = std::to_string(columns.size());
-    columns.push_back({fmt::format("tip_displacement_{}hz_m", panel->frequency_hz), "m"});
-    data.values.push_back({"hz" + i, panel->frequency_hz, "Hz"});
-    data.values.push_back({"trusted" + i, panel->trusted_until, "s"});
-    data.values.push_back({"slips" + i, panel->finite_element_slip ? 1.0 : 0.0, "1"});
+  const std::vector<double>* time = nullptr;
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    columns.push_back({fmt::format("tip_displacement_{}hz_m", panels[i]->frequency_hz), "m"});
+    columns.push_back({fmt::format("half_width_{}hz_m", panels[i]->frequency_hz), "m"});
+    data.values.push_back({fmt::format("hz{}", i + 1), panels[i]->frequency_hz, "Hz"});
+    data.values.push_back({fmt::format("slips{}", i + 1), panels[i]->converged ? 1.0 : 0.0, "1"});
+    if (panels[i]->converged) time = &panels[i]->converged->time;
   }
-  CsvTable table(fmt::format("Fig. {}: tip displacement y(L, t) at A0 = {} m, {} finite elements", figure,
-                             panels.front()->amplitude, results.paper().numerics.elements()),
+  CsvTable table(fmt::format("Fig. {}: tip displacement y(L, t) at A0 = {} m, converged, with half-width",
+                             figure, panels.front()->amplitude),
                  columns);
-  for (std::size_t n = 0; n < panels.front()->time.size(); ++n) {
-    std::vector<double> row{panels.front()->time[n]};
-    for (const auto* panel : panels) row.push_back(panel->tip_displacement[n]);
+  for (std::size_t n = 0; time != nullptr && n < time->size(); ++n) {
+    std::vector<double> row{(*time)[n]};
+    for (const auto* panel : panels) {
+      row.push_back(panel->converged ? panel->converged->tip[n] : 0.0);
+      row.push_back(panel->converged ? panel->converged->tip_half_width[n] : 0.0);
+    }
     table.add_numbers(row);
   }
   data.tables.push_back({"fig" + figure, std::move(table)});
+  return data;
+}
+
+// Undamped histories as they are usually computed, next to the converged one. Row j of panels has the value
+// hz<j>.
+FigureData practice(StudyResults& results) {
+  CsvTable table("Undamped tip displacement y(L, t): converged (run 0) and as usually computed",
+                 {{"frequency_Hz", "Hz"},
+                  {"run", "1"},
+                  {"method", "-"},
+                  {"elements", "1"},
+                  {"time_step_s", "s"},
+                  {"spectral_radius", "1"},
+                  {"largest_error_percent", "%"},
+                  {"time_s", "s"},
+                  {"tip_displacement_m", "m"}});
+  FigureData data;
+  data.values.push_back({"shown", StudyResults::shown_duration, "s"});
+  for (std::size_t j = 0; j < results.converged_histories().size(); ++j) {
+    const auto& converged = results.converged_histories()[j];
+    const auto add = [&](std::size_t run, const studies::PracticeRun& history) {
+      for (std::size_t n = 0; n < converged.time.size(); ++n)
+        table.add_row({csv_number(converged.frequency_hz), std::to_string(run), history.method,
+                       std::to_string(history.elements), csv_number(history.time_step),
+                       csv_number(history.spectral_radius), csv_number(100.0 * history.largest_error),
+                       csv_number(converged.time[n]), csv_number(history.tip_displacement[n])});
+    };
+    data.values.push_back({fmt::format("hz{}", j + 1), converged.frequency_hz, "Hz"});
+    add(0, {.method = "converged", .tip_displacement = converged.tip});
+    for (std::size_t run = 0; run < results.usual_practice()[j].size(); ++run)
+      add(run + 1, results.usual_practice()[j][run]);
+  }
+  data.tables.push_back({"practice", std::move(table)});
   return data;
 }
 
@@ -79,8 +117,7 @@ FigureData schematic(StudyResults& /*results*/) { return {}; }
 FigureData figure3(StudyResults& results) {
   CsvTable table(
       "Fig. 3: motion y(x, t) of the beam over one period, by finite elements and without a mesh (closed "
-      "form "
-      "where the tip sticks throughout, else event by event)",
+      "form where the tip sticks throughout, else converged on free modes)",
       {{"panel", "1"},
        {"frequency_Hz", "Hz"},
        {"snapshot", "1"},
@@ -519,6 +556,7 @@ const std::vector<Figure>& all_figures() {
                                            {"fig4", figure4},
                                            {"fig5", figure5},
                                            {"benchmark", benchmark},
+                                           {"practice", practice},
                                            {"growth", growth},
                                            {"fig10", figure10},
                                            {"fig11", figure11},

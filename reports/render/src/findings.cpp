@@ -69,7 +69,7 @@ Range guard_range(const studies::ClassificationStudy& study) {
 
 HistoryFindings history_findings(const std::vector<studies::ContactHistory>& histories) {
   HistoryFindings findings;
-  RangeBuilder trusted;
+  RangeBuilder half_widths;
   const auto verdicts = data::printed_verdicts();
   for (std::size_t i = 0; i < histories.size(); ++i) {
     const auto& history = histories[i];
@@ -77,12 +77,12 @@ HistoryFindings history_findings(const std::vector<studies::ContactHistory>& his
     const bool computed = history.finite_element_slip.has_value();
     if (printed == computed && printed == history.criterion_slips) ++findings.verdicts_agreeing;
     if (!computed) continue;
-    trusted.add(history.trusted_until);
+    if (history.converged) half_widths.add(history.converged->largest_half_width());
     if (history.closed_form_slip)
       findings.first_slip_difference = std::max(
           findings.first_slip_difference, std::abs(*history.finite_element_slip - *history.closed_form_slip));
   }
-  findings.trusted = trusted.range();
+  findings.half_widths = half_widths.range();
   return findings;
 }
 

@@ -44,7 +44,7 @@ struct PointCounts {
 struct HistoryFindings {
   int verdicts_agreeing{};         ///< paper, criterion and finite elements say the same
   double first_slip_difference{};  ///< largest, s
-  Range trusted;                   ///< of the runs that slip, s
+  Range half_widths;               ///< largest of each converged history, as a fraction of its range
 };
 [[nodiscard]] HistoryFindings history_findings(const std::vector<studies::ContactHistory>& histories);
 

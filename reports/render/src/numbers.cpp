@@ -199,9 +199,15 @@ void define_histories(StudyResults& results, Macros& macros) {
   macros.count("VerdictsTotal", histories.size());
   macros.count("VerdictsAgreeing", findings.verdicts_agreeing);
   macros.define("FirstSlipLargestDifference", significant(findings.first_slip_difference / microsecond, 2));
-  macros.define("TrustedShortest", fixed(findings.trusted.lowest, 2));
-  macros.define("TrustedLongest", fixed(findings.trusted.highest, 2));
-  macros.plain("TrustedPercent", 100.0 * studies::fine_agreement);
+  macros.define("HalfWidthLargest", significant(100.0 * findings.half_widths.highest, 1));
+  double least = 1.0, largest = 0.0;  // errors of usual practice
+  for (const auto& runs : results.usual_practice())
+    for (const auto& run : runs) {
+      least = std::min(least, run.largest_error);
+      largest = std::max(largest, run.largest_error);
+    }
+  macros.define("PracticeLeast", significant(100.0 * least, 2));
+  macros.define("PracticeLargest", significant(100.0 * largest, 2));
   macros.plain("ShownDuration", StudyResults::shown_duration);
   macros.plain("SmallAmplitude", histories.front().amplitude / millimetre);
   macros.plain("LargeAmplitude", histories.back().amplitude / millimetre);

@@ -18,7 +18,6 @@ constexpr int stick_history_levels = 4;
 constexpr int motion_snapshots = 9, motion_positions = 61;
 constexpr double highest_frequency = 120.0;  // of Figs. 10 to 13, Hz
 constexpr int slipping_frequencies_hz[] = {25, 70};
-constexpr int undamped_frequencies_hz[] = {25, 35, 70};
 constexpr double resolved_angle = 0.3;  // omega_max h
 constexpr double filtering_radii[] = {0.0, 0.5};
 // Resolved in time, 80 elements would take half a minute and 160 minutes.
@@ -215,17 +214,25 @@ data::Case StudyResults::undamped_at(double hz) const {
 }
 
 const std::vector<studies::ConvergedHistory>& StudyResults::converged_histories() {
-  return once(converged_histories_, "converged-histories", "undamped histories as far as they converge", [&] {
-    std::vector<studies::ConvergedHistory> histories;
-    for (const int hz : undamped_frequencies_hz)
-      histories.push_back(studies::converged_history(undamped_at(hz)));
-    return histories;
+  if (converged_histories_.empty())
+    for (const auto& history : contact_histories())
+      if (history.converged && history.amplitude == damped_.excitation.amplitude())
+        converged_histories_.push_back(*history.converged);
+  return converged_histories_;
+}
+
+const std::vector<std::vector<studies::PracticeRun>>& StudyResults::usual_practice() {
+  return once(usual_practice_, "usual-practice", "undamped histories as they are usually computed", [&] {
+    std::vector<std::vector<studies::PracticeRun>> runs;
+    for (const auto& history : converged_histories())
+      runs.push_back(studies::usual_practice(paper_.beam, paper_.friction, paper_.numerics, history));
+    return runs;
   });
 }
 
 const std::vector<studies::HistoryRefinement>& StudyResults::history_growth() {
   return once(history_growth_, "history-growth", "growth of a disturbance on meshes", [&] {
-    const data::Case problem = undamped_at(undamped_frequencies_hz[0]);
+    const data::Case problem = undamped_at(converged_histories().front().frequency_hz);
     const auto refined = [&](const studies::StepRule& rule, const std::vector<int>& elements) {
       return studies::history_refinement(problem, converged_histories().front(), rule, elements,
                                          elements.back());

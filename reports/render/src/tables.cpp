@@ -350,11 +350,11 @@ std::string verdicts(StudyResults& results) {
   Rows rows;
   for (std::size_t i = 0; i < histories.size(); ++i) {
     const auto& history = histories[i];
-    const bool to_the_end = history.trusted_until >= history.time.back();
     rows.add({printed[i].figure, plain_number(history.frequency_hz), fixed(history.amplitude / millimetre, 1),
               printed[i].verdict, word_of(history.criterion_slips),
               word_of(history.finite_element_slip.has_value()), time(history.closed_form_slip),
-              time(history.finite_element_slip), to_the_end ? "--" : fixed(history.trusted_until, 3)});
+              time(history.finite_element_slip),
+              history.converged ? significant(100.0 * history.converged->largest_half_width(), 1) : "--"});
   }
   return rows.text();
 }
@@ -454,6 +454,39 @@ std::string impostor_rows(StudyResults& results) {
               change_text(effect.force_maximum), change_text(effect.stick_force),
               change_text(effect.stick_displacement), change_text(effect.first_slip),
               change_text(effect.tip_displacement)});
+  return rows.text();
+}
+
+// A row for each run of usual practice: its largest error at each frequency.
+std::string usual_practice(StudyResults& results) {
+  Rows rows;
+  const auto& practice = results.usual_practice();
+  for (std::size_t run = 0; run < practice.front().size(); ++run) {
+    const auto& first = practice.front()[run];
+    const bool steps = first.time_step > 0.0;
+    std::vector<std::string> row{first.method, std::to_string(first.elements),
+                                 steps ? scientific(first.time_step, 0) : "--",
+                                 steps ? plain_number(first.spectral_radius) : "--"};
+    for (const auto& runs : practice) row.push_back(fixed(100.0 * runs[run].largest_error, 1));
+    rows.add(row);
+  }
+  return rows.text();
+}
+
+// A row for each level of each method: step, modes, and the difference to the finest at each frequency.
+std::string converged_levels(StudyResults& results) {
+  Rows rows;
+  const auto& histories = results.converged_histories();
+  for (std::size_t level = 0; level < histories.front().levels.size(); ++level) {
+    const auto& first = histories.front().levels[level];
+    std::vector<std::string> row{first.method, scientific(first.time_step, 1),
+                                 first.modes > 0 ? std::to_string(first.modes) : "all"};
+    for (const auto& history : histories) {
+      row.push_back(level == 0 ? "--" : significant(100.0 * history.levels[level].difference, 2));
+      row.push_back(std::to_string(history.levels[level].changes));
+    }
+    rows.add(row);
+  }
   return rows.text();
 }
 
@@ -613,6 +646,8 @@ Document make_tables(StudyResults& results, const Environment& environment,
           {"idle-tests.tex", idle_test_names(mutants)},
           {"table-benchmark-events.tex", benchmark_events(results)},
           {"table-benchmark-runs.tex", benchmark_runs(results)},
+          {"table-usual-practice.tex", usual_practice(results)},
+          {"table-converged-levels.tex", converged_levels(results)},
           {"table-history-growth.tex", history_growth(results)},
           {"table-history-refinements.tex", history_refinements(results)},
           {"table-impostors.tex", impostor_rows(results)},

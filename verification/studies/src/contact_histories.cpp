@@ -8,6 +8,7 @@
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
+#include "stickslip/studies/convergence.hpp"
 #include "stickslip/studies/event_history.hpp"
 #include "stickslip/studies/finite_element_contact_model.hpp"
 
@@ -50,42 +51,32 @@ ContactHistory contact_history(const data::Beam& beam, const data::FrictionLaw& 
   history.criterion_slips =
       analytic::evaluate_criterion(beam, friction, excitation, numerics.duration(), numerics.modes())
           .verdict == analytic::Verdict::stick_slip;
-  const int samples = static_cast<int>(std::lround(shown / sample));
   if (history.criterion_slips) {
     history.closed_form_slip = closed_form_first_slip(beam, friction, excitation, numerics.duration());
-    ConvergedHistory converged =
-        converged_history({.name = "history",
-                           .beam = beam,
-                           .friction = friction,
-                           .excitation = excitation,
-                           .numerics = numerics},
-                          {.duration = shown, .samples = samples, .steps_per_sample = 512});
-    history.time = std::move(converged.time);
-    history.tip_displacement = std::move(converged.tip);
-    history.half_width = std::move(converged.tip_half_width);
-    history.range = converged.tip_range;
-    history.levels = std::move(converged.levels);
-  } else {
-    for (int i = 0; i <= samples; ++i) history.time.push_back(shown * i / samples);
-    history.tip_displacement.assign(history.time.size(), 0.0);
-    history.half_width.assign(history.time.size(), 0.0);
+    history.converged = converged_history({.name = "history",
+                                           .beam = beam,
+                                           .friction = friction,
+                                           .excitation = excitation,
+                                           .numerics = numerics},
+                                          {.duration = shown,
+                                           .samples = static_cast<int>(std::lround(shown / sample)),
+                                           .steps_per_sample = 512});
   }
   return history;
 }
 
 std::vector<PracticeRun> usual_practice(const data::Beam& beam, const data::FrictionLaw& friction,
                                         const data::NumericalSettings& numerics,
-                                        const ContactHistory& converged) {
+                                        const ConvergedHistory& converged) {
   const data::HarmonicExcitation excitation({converged.frequency_hz, converged.amplitude});
-  const double duration = converged.time.back();
+  const double duration = converged.time.back(), spacing = converged.time[1];
   const int elements = numerics.elements();
   std::vector<PracticeRun> runs;
   const auto add = [&](const char* method, int mesh, double time_step, double radius,
                        const TipHistory& history) {
-    runs.push_back(
-        {method, mesh, time_step, radius, history.changes,
-         largest_difference(converged.tip_displacement, history.tip_displacement) / converged.range,
-         history.tip_displacement});
+    runs.push_back({method, mesh, time_step, radius, history.changes,
+                    largest_difference(converged.tip, history.tip_displacement) / converged.tip_range,
+                    history.tip_displacement});
   };
   const auto step = [&](const char* method, double radius, solver::ContactScheme scheme, double threshold) {
     data::NumericalChoices choices = numerics.choices();
@@ -94,7 +85,7 @@ std::vector<PracticeRun> usual_practice(const data::Beam& beam, const data::Fric
     const double h = numerics.time_step();
     add(method, elements, h, radius,
         time_stepper_history(beam, friction, excitation, data::NumericalSettings(choices), {.scheme = scheme},
-                             duration, static_cast<int>(std::lround(sample / h))));
+                             duration, static_cast<int>(std::lround(spacing / h))));
   };
   step("letter of the paper", numerics.spectral_radius(), solver::ContactScheme::paper,
        numerics.velocity_threshold());
@@ -104,7 +95,7 @@ std::vector<PracticeRun> usual_practice(const data::Beam& beam, const data::Fric
     add("event-driven", mesh, 0.0, 0.0,
         event_driven_history(finite_element_contact_model(solver::BeamModel(beam, mesh), friction, excitation,
                                                           data::Damping()),
-                             duration, sample));
+                             duration, spacing));
   return runs;
 }
 

@@ -14,6 +14,7 @@
 #include "stickslip/analytic/beam_boundary_integral.hpp"
 #include "stickslip/analytic/free_mode_run.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
+#include "stickslip/studies/convergence.hpp"
 
 namespace stickslip::studies {
 
@@ -160,12 +161,6 @@ std::optional<ConvergedStick> with_half_widths(ConvergedStick stick, double step
 }
 
 }  // namespace
-
-double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest;
-}
 
 int free_modes_for(const data::Beam& beam, double time_step) {
   constexpr int probe = 20, most = 1000;

@@ -2,6 +2,7 @@
 
 #include <gsl/gsl_cdf.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -54,6 +55,12 @@ OrderEstimate order_estimate(const std::vector<double>& steps, const std::vector
   const double freedom = levels - 2;
   const double quantile = gsl_cdf_tdist_Pinv(0.975, freedom);
   return {slope, quantile * std::sqrt(residual / (freedom * spread)), levels};
+}
+
+double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
 }
 
 }  // namespace stickslip::studies

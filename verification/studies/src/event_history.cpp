@@ -76,12 +76,6 @@ EventDifference largest_difference(const std::vector<HistoryEvent>& a, const std
   return largest;
 }
 
-double agreeing_until(const TipHistory& a, const TipHistory& b, double allowed) {
-  for (std::size_t i = 0; i < a.time.size(); ++i)
-    if (std::abs(a.tip_displacement[i] - b.tip_displacement[i]) > allowed) return a.time[i];
-  return a.time.back();
-}
-
 data::NumericalSettings refined(const data::NumericalSettings& numerics, int elements, double time_step) {
   data::NumericalChoices choices = numerics.choices();
   choices.elements = elements;

@@ -67,7 +67,7 @@ HistoryRun history_run(const data::Case& problem, const ConvergedHistory& refere
   result.error /= reference.tip_range;
   if (observe_growth)
     result.observed_growth = growth_rate(run, history(perturbation), 1.0 / problem.excitation.frequency_hz(),
-                                         coarse_agreement * reference.tip_range);
+                                         observed_until * reference.tip_range);
   return result;
 }
 

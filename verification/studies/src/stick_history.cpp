@@ -40,12 +40,6 @@ double largest_magnitude(const std::vector<double>& values) {
   return largest;
 }
 
-double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest;
-}
-
 data::NumericalSettings refined(const data::NumericalSettings& numerics, int level) {
   data::NumericalChoices choices = numerics.choices();
   choices.elements <<= level;

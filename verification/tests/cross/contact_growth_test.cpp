@@ -266,16 +266,6 @@ TEST(HistoryConvergence, MeasuresTheErrorAgainstTheHistoryGiven) {
   EXPECT_EQ(run.observed_growth, 0.0);
 }
 
-TEST(HistoryAgreement, EndsAtTheFirstSampleThatDiffers) {
-  studies::TipHistory a, b;
-  a.time = b.time = {0.0, 1.0, 2.0, 3.0};
-  a.tip_displacement = {0.0, 0.0, 0.0, 0.0};
-  b.tip_displacement = {0.0, 0.1, -0.3, 0.0};
-  EXPECT_EQ(studies::agreeing_until(a, b, 0.05), 1.0);
-  EXPECT_EQ(studies::agreeing_until(a, b, 0.2), 2.0);
-  EXPECT_EQ(studies::agreeing_until(a, b, 1.0), 3.0);
-}
-
 // --- The warning
 
 std::optional<studies::Warning> warning(const std::vector<data::Override>& overrides,

@@ -191,7 +191,7 @@ const std::vector<Requirement> table{
      "undamped histories converge where it stays bounded under refinement.",
      "Figs. 4, 5",
      {"ContactMobility", "SteppedMobility", "Weakening", "ContactGrowth", "FilteringStep",
-      "BoundaryIntegralGrowth", "HistoryConvergence", "HistoryConvergenceLong", "HistoryAgreement"}},
+      "BoundaryIntegralGrowth", "HistoryConvergence", "HistoryConvergenceLong"}},
     {"X13",
      "Observed orders come with intervals that mean what they say.",
      "Student's t",

@@ -9,27 +9,19 @@
 
 namespace stickslip::studies {
 
-/// One panel of Figs. 4 and 5: the motion of the tip as far as it has converged, and the verdicts of both
+/// One panel of Figs. 4 and 5: the motion as far as it has converged, and the verdicts of both
 /// implementations.
 struct ContactHistory {
   double frequency_hz{};
-  double amplitude{};        ///< m
-  std::vector<double> time;  ///< s
-  std::vector<double>
-      tip_displacement;            ///< y(L), m: of converged_history(), zero where the tip sticks throughout
-  std::vector<double> half_width;  ///< of y(L), m
-  double range{};                  ///< of y(L), m
-  std::vector<HistoryLevel> levels;  ///< of converged_history(); none where the tip sticks throughout
+  double amplitude{};  ///< m
+  std::optional<ConvergedHistory>
+      converged;  ///< sampled every 2e-4 s; nothing where the criterion says stick
   std::optional<double> finite_element_slip;  ///< time of the first slip, s
   std::optional<double> closed_form_slip;     ///< first time |f| > mu_s P in the closed form, s
   bool criterion_slips{};                     ///< Eqs. (29), (30) over numerics.duration()
-
-  [[nodiscard]] double largest_half_width() const {
-    return half_width.back() / range;
-  }  ///< fraction of the range
 };
 
-/// Runs to `shown` seconds for the history (the verdicts use numerics.duration()), sampled every 2e-4 s.
+/// Runs to `shown` seconds for the history (the verdicts use numerics.duration()).
 [[nodiscard]] ContactHistory contact_history(const data::Beam& beam, const data::FrictionLaw& friction,
                                              const data::HarmonicExcitation& excitation,
                                              const data::NumericalSettings& numerics, double shown);
@@ -50,7 +42,7 @@ struct PracticeRun {
 [[nodiscard]] std::vector<PracticeRun> usual_practice(const data::Beam& beam,
                                                       const data::FrictionLaw& friction,
                                                       const data::NumericalSettings& numerics,
-                                                      const ContactHistory& converged);
+                                                      const ConvergedHistory& converged);
 
 /// The first time at which |f| of the closed form (exact steady part) exceeds the limit, or nothing within
 /// the duration: looked for on a grid of 1/2000 of the shorter period, of the excitation and of the first

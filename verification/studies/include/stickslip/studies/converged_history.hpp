@@ -66,7 +66,4 @@ struct ConvergedEffort {
 /// with k^2, at least 20 and at most 1000. Throws what slip_modes() throws.
 [[nodiscard]] int free_modes_for(const data::Beam& beam, double time_step);
 
-/// The largest difference of two series of one length.
-[[nodiscard]] double largest_difference(const std::vector<double>& a, const std::vector<double>& b);
-
 }  // namespace stickslip::studies

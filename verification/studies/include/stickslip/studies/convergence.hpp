@@ -37,4 +37,7 @@ struct OrderEstimate {
 [[nodiscard]] OrderEstimate order_estimate(const std::vector<double>& steps,
                                            const std::vector<double>& errors);
 
+/// The largest difference of two series of one length.
+[[nodiscard]] double largest_difference(const std::vector<double>& a, const std::vector<double>& b);
+
 }  // namespace stickslip::studies

@@ -52,13 +52,6 @@ struct EventDifference {
 [[nodiscard]] EventDifference largest_difference(const std::vector<HistoryEvent>& a,
                                                  const std::vector<HistoryEvent>& b, std::size_t count);
 
-/// Differences of y(L), as shares of its range, up to which two histories count as alike.
-inline constexpr double fine_agreement = 0.01, coarse_agreement = 0.1;
-
-/// Time until which two histories on the same grid differ by no more than `allowed`, m; the end if they never
-/// do.
-[[nodiscard]] double agreeing_until(const TipHistory& a, const TipHistory& b, double allowed);
-
 /// `numerics` with another mesh and step, and without a velocity threshold: with events located it is not
 /// needed, and a capture at |v_s| = epsilon is early by epsilon/|v_s_t|, 1e-5 s for the paper's 1e-4 m/s.
 [[nodiscard]] data::NumericalSettings refined(const data::NumericalSettings& numerics, int elements,

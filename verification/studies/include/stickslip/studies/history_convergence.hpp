@@ -12,8 +12,8 @@
 
 namespace stickslip::studies {
 
-/// The relative change of the amplitude whose growth is observed.
-inline constexpr double perturbation = 1e-9;
+/// The relative change of the amplitude whose growth is observed, up to this share of the range of y(L).
+inline constexpr double perturbation = 1e-9, observed_until = 0.1;
 
 /// One run, in modal coordinates, with located changes and without a velocity threshold.
 struct HistoryRun {
