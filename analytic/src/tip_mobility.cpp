@@ -13,24 +13,24 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// sqrt(q) in the right half plane: a length that exponentials decay over.
-Complex decaying_root(Complex q) { return std::sqrt(q); }
+/// exp(-decay) Phi(q) and exp(-decay) c(q), where decay >= Re sqrt q.
+struct ScaledFunctions {
+  Complex sinh;  // Phi(q) = sinh(sqrt q)/sqrt q
+  Complex cosh;  // c(q) = (cosh(sqrt q) - 1)/q
+};
 
-/// exp(-decay) Phi(q), Phi(q) = sinh(sqrt q)/sqrt q, with decay >= Re sqrt q.
-Complex scaled_sinh(Complex q, double decay) {
-  const Complex root = decaying_root(q);
+ScaledFunctions scaled_functions(Complex q, double decay) {
+  const Complex root = std::sqrt(q);
   if (std::abs(root) < 0.5) {  // the series, to round-off
-    Complex sum = 1.0;
-    for (int n = 8; n >= 1; --n) sum = 1.0 + sum * q / ((2.0 * n) * (2.0 * n + 1.0));
-    return std::exp(-decay) * sum;
+    Complex sinh = 1.0, cosh = 1.0;
+    for (int n = 8; n >= 1; --n) {
+      sinh = 1.0 + sinh * q / ((2.0 * n) * (2.0 * n + 1.0));
+      cosh = 1.0 + cosh * q / ((2.0 * n + 1.0) * (2.0 * n + 2.0));
+    }
+    return {std::exp(-decay) * sinh, 0.5 * std::exp(-decay) * cosh};
   }
-  return 0.5 * (std::exp(root - decay) - std::exp(-root - decay)) / root;
-}
-
-/// exp(-decay) c(q), c(q) = (cosh(sqrt q) - 1)/q.
-Complex scaled_cosh(Complex q, double decay) {
-  const Complex half = scaled_sinh(0.25 * q, 0.5 * decay);
-  return 0.5 * half * half;
+  const Complex growing = std::exp(root - decay), falling = std::exp(-root - decay);
+  return {0.5 * (growing - falling) / root, (0.5 * (growing + falling) - std::exp(-decay)) / q};
 }
 
 /// The mean over a circle round k of an analytic function of k, which is its value at k, in a form that loses
@@ -45,22 +45,32 @@ Complex mean_over_circle(const Function& function, Complex centre, double radius
   return sum / static_cast<double>(nodes);
 }
 
-/// The least factor by which all that follows is scaled: the larger of Re sqrt a and Re sqrt b.
-double decay_of(Complex k, Complex z) {
-  return std::max(decaying_root(-z + 2.0 * k).real(), decaying_root(-z - 2.0 * k).real());
+/// Both functions at a and at b, times exp(-decay) with the least decay that keeps all from growing.
+struct Both {
+  double decay;
+  ScaledFunctions a, b;
+};
+
+Both both(Complex k, Complex z) {
+  const Complex a = -z + 2.0 * k, b = -z - 2.0 * k;
+  const double decay = std::max(std::sqrt(a).real(), std::sqrt(b).real());
+  return {decay, scaled_functions(a, decay), scaled_functions(b, decay)};
 }
 
 /// exp(-decay) [Phi(a) - Phi(b)]/(4 k), an even entire function of k.
-Complex numerator(Complex k, Complex z, double decay) {
-  const auto quotient = [&](Complex at) {
-    return (scaled_sinh(-z + 2.0 * at, decay) - scaled_sinh(-z - 2.0 * at, decay)) / (4.0 * at);
+Complex numerator(Complex k, Complex z, const Both& at) {
+  if (std::abs(k) >= 0.5) return (at.a.sinh - at.b.sinh) / (4.0 * k);
+  const auto quotient = [&](Complex node) {
+    return (scaled_functions(-z + 2.0 * node, at.decay).sinh -
+            scaled_functions(-z - 2.0 * node, at.decay).sinh) /
+           (4.0 * node);
   };
-  return std::abs(k) < 0.5 ? mean_over_circle(quotient, k, 1.0) : quotient(k);
+  return mean_over_circle(quotient, k, 1.0);
 }
 
 /// exp(-decay) [1 + (k/2) (c(a) - c(b))].
-Complex denominator(Complex k, Complex z, double decay) {
-  return std::exp(-decay) + 0.5 * k * (scaled_cosh(-z + 2.0 * k, decay) - scaled_cosh(-z - 2.0 * k, decay));
+Complex denominator(Complex k, const Both& at) {
+  return std::exp(-at.decay) + 0.5 * k * (at.a.cosh - at.b.cosh);
 }
 
 /// The exponents of exp(+-l_i x/L), in the right half plane.
@@ -69,7 +79,7 @@ struct Exponents {
 };
 
 Exponents exponents(Complex k, Complex z) {
-  const Complex sum = decaying_root(-z + 2.0 * k), difference = decaying_root(-z - 2.0 * k);
+  const Complex sum = std::sqrt(-z + 2.0 * k), difference = std::sqrt(-z - 2.0 * k);
   const auto right = [](Complex l) { return l.real() < 0.0 ? -l : l; };
   return {right(0.5 * (sum + difference)), right(0.5 * (sum - difference))};
 }
@@ -118,18 +128,19 @@ TipMobility::Scaled TipMobility::scaled(Complex s) const {
 
 Complex TipMobility::operator()(Complex s) const {
   const auto [rigidity, k, z] = scaled(s);
-  const double decay = decay_of(k, z);
-  return s * length_ * length_ * length_ / rigidity * 2.0 * numerator(k, z, decay) / denominator(k, z, decay);
+  const Both at = both(k, z);
+  return s * length_ * length_ * length_ / rigidity * 2.0 * numerator(k, z, at) / denominator(k, at);
 }
 
 Complex TipMobility::transfer(double x, Complex s) const {
   const auto [rigidity, k, z] = scaled(s);
-  const double decay = decay_of(k, z), xi = x / length_;
+  const Both at = both(k, z);
+  const double xi = x / length_;
   // The exponents meet at k = +-z/2, and both vanish with k and z.
   const bool close = std::abs(z * z - 4.0 * k * k) < 1.0 || std::abs(k) < 0.5;
-  const auto value = [&, load = z](Complex at) { return deflection(xi, at, load, decay); };
+  const auto value = [&, load = z](Complex node) { return deflection(xi, node, load, at.decay); };
   const Complex shape = close ? mean_over_circle(value, k, std::abs(z) < 4.0 ? 6.0 : 1.0) : value(k);
-  return s * length_ * length_ * length_ / rigidity * shape / denominator(k, z, decay);
+  return s * length_ * length_ * length_ / rigidity * shape / denominator(k, at);
 }
 
 }  // namespace stickslip::analytic

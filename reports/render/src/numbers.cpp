@@ -218,6 +218,10 @@ void define_events(StudyResults& results, Macros& macros) {
   const auto& finest = finest_stepped(benchmarks.front());
   macros.plain("LowHz", benchmarks.front().frequency_hz);
   macros.plain("HighHz", benchmarks.back().frequency_hz);
+  macros.plain("MiddleHz", results.converged_histories()[1].frequency_hz);
+  const auto& meshes = results.history_refinements().front().runs;
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+    macros.count(fmt::format("Mesh{}", "ABCDE"[i]), static_cast<std::size_t>(meshes[i].elements));
   macros.define("KelvinVoigt", scientific(benchmarks.front().kelvin_voigt, 2));
   macros.define("ShortestStick", significant(benchmarks.front().shortest_stick / microsecond, 2));
   std::size_t merged = 0;

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <utility>
+#include <iterator>
 
+#include "parallel.hpp"
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
@@ -60,7 +61,8 @@ ContactHistory contact_history(const data::Beam& beam, const data::FrictionLaw& 
                                            .numerics = numerics},
                                           {.duration = shown,
                                            .samples = static_cast<int>(std::lround(shown / sample)),
-                                           .steps_per_sample = 512});
+                                           .steps_per_sample = 512,
+                                           .with_midspan = false});
   }
   return history;
 }
@@ -71,31 +73,42 @@ std::vector<PracticeRun> usual_practice(const data::Beam& beam, const data::Fric
   const data::HarmonicExcitation excitation({converged.frequency_hz, converged.amplitude});
   const double duration = converged.time.back(), spacing = converged.time[1];
   const int elements = numerics.elements();
-  std::vector<PracticeRun> runs;
-  const auto add = [&](const char* method, int mesh, double time_step, double radius,
-                       const TipHistory& history) {
-    runs.push_back({method, mesh, time_step, radius, history.changes,
-                    largest_difference(converged.tip, history.tip_displacement) / converged.tip_range,
-                    history.tip_displacement});
+  const double h = numerics.time_step();
+  struct Stepped {
+    const char* method;
+    double radius;
+    solver::ContactScheme scheme;
+    double threshold;
   };
-  const auto step = [&](const char* method, double radius, solver::ContactScheme scheme, double threshold) {
-    data::NumericalChoices choices = numerics.choices();
-    choices.spectral_radius = radius;
-    choices.velocity_threshold = threshold;
-    const double h = numerics.time_step();
-    add(method, elements, h, radius,
-        time_stepper_history(beam, friction, excitation, data::NumericalSettings(choices), {.scheme = scheme},
-                             duration, static_cast<int>(std::lround(spacing / h))));
-  };
-  step("letter of the paper", numerics.spectral_radius(), solver::ContactScheme::paper,
-       numerics.velocity_threshold());
-  for (const double radius : {0.5, 0.9, 1.0})
-    step("located in the step", radius, solver::ContactScheme::located, 0.0);
-  for (const int mesh : {elements, 2 * elements})
-    add("event-driven", mesh, 0.0, 0.0,
-        event_driven_history(finite_element_contact_model(solver::BeamModel(beam, mesh), friction, excitation,
-                                                          data::Damping()),
-                             duration, spacing));
+  const Stepped stepped[] = {{"letter of the paper", numerics.spectral_radius(), solver::ContactScheme::paper,
+                              numerics.velocity_threshold()},
+                             {"located in the step", 0.5, solver::ContactScheme::located, 0.0},
+                             {"located in the step", 0.9, solver::ContactScheme::located, 0.0},
+                             {"located in the step", 1.0, solver::ContactScheme::located, 0.0}};
+  const int meshes[] = {elements, 2 * elements};  // of the event-driven runs
+  std::vector<PracticeRun> runs(std::size(stepped) + std::size(meshes));
+  in_parallel(runs.size(), [&](std::size_t i) {
+    PracticeRun& run = runs[i];
+    TipHistory history;
+    if (i < std::size(stepped)) {
+      const auto& [method, radius, scheme, threshold] = stepped[i];
+      data::NumericalChoices choices = numerics.choices();
+      choices.spectral_radius = radius;
+      choices.velocity_threshold = threshold;
+      history =
+          time_stepper_history(beam, friction, excitation, data::NumericalSettings(choices),
+                               {.scheme = scheme}, duration, static_cast<int>(std::lround(spacing / h)));
+      run = {.method = method, .elements = elements, .time_step = h, .spectral_radius = radius};
+    } else {
+      run = {.method = "event-driven", .elements = meshes[i - std::size(stepped)]};
+      history = event_driven_history(finite_element_contact_model(solver::BeamModel(beam, run.elements),
+                                                                  friction, excitation, data::Damping()),
+                                     duration, spacing);
+    }
+    run.changes = history.changes;
+    run.largest_error = largest_difference(converged.tip, history.tip_displacement) / converged.tip_range;
+    run.tip_displacement = history.tip_displacement;
+  });
   return runs;
 }
 

@@ -74,7 +74,7 @@ class Study {
     Gatherer gatherer(run, grid.time_step, every);
     for (const analytic::ContactStep& step : beam.steps()) gatherer.add(step);
     gatherer.finish();
-    run.midspan = beam.displacement(0.5 * problem_.beam.length(), every);
+    if (effort_.with_midspan) run.midspan = beam.displacement(0.5 * problem_.beam.length(), every);
     run.level.method = "boundary integral";
     run.level.time_step = grid.time_step;
     return run;
@@ -86,8 +86,9 @@ class Study {
     const int modes = free_modes_for(problem_.beam, grid.time_step);
     const double middle = 0.5 * problem_.beam.length();
     std::vector<double> shapes;
-    for (const analytic::SlipMode& mode : analytic::slip_modes(problem_.beam, modes))
-      shapes.push_back(mode.shape(middle));
+    if (effort_.with_midspan)
+      for (const analytic::SlipMode& mode : analytic::slip_modes(problem_.beam, modes))
+        shapes.push_back(mode.shape(middle));
     const std::vector<double> held = analytic::holding_force(problem_.beam, problem_.excitation, {}, grid);
     analytic::FreeModeRun beam(analytic::free_modes(problem_.beam, modes),
                                {problem_.beam.axial_force(), problem_.friction}, grid.time_step);
@@ -193,9 +194,10 @@ ConvergedHistory converged_history(const data::Case& problem, const ConvergedEff
   history.amplitude = problem.excitation.amplitude();
   for (int i = 0; i <= effort.samples; ++i) history.time.push_back(effort.duration * i / effort.samples);
   history.tip_range = range_of(finest.tip);
-  history.midspan_range = range_of(finest.midspan);
+  if (effort.with_midspan) history.midspan_range = range_of(finest.midspan);
   history.tip_half_width = half_widths(finest.tip, coarser.tip, other.tip);
-  history.midspan_half_width = half_widths(finest.midspan, coarser.midspan, other.midspan);
+  if (effort.with_midspan)
+    history.midspan_half_width = half_widths(finest.midspan, coarser.midspan, other.midspan);
   for (std::size_t i = 0; i < finest.sticks.size(); ++i) {
     const ConvergedStick& stick = finest.sticks[i];
     const bool has_ended = stick.end < effort.duration - 0.5 * finest.level.time_step;

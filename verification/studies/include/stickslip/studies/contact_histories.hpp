@@ -28,13 +28,13 @@ struct ContactHistory {
 
 /// An undamped history as it is usually computed, against the converged one.
 struct PracticeRun {
-  std::string method;
+  std::string method{};
   int elements{};
   double time_step{};                    ///< s; 0 for event-driven runs
   double spectral_radius{};              ///< of generalised-alpha
   int changes{};                         ///< of contact
   double largest_error{};                ///< of y(L) at the times of the history, as a fraction of its range
-  std::vector<double> tip_displacement;  ///< y(L) at the times of the history, m
+  std::vector<double> tip_displacement{};  ///< y(L) at the times of the history, m
 };
 
 /// The scheme by the letter of the paper; changes located inside the step with spectral radii of 0.5, 0.9 and

@@ -55,6 +55,7 @@ struct ConvergedEffort {
       4096};      ///< of the finest boundary integral; a power of two, halved from level to level
   int levels{4};  ///< of each method; the free modes start with half as many steps
   double shortest_stick{1e-3};  ///< s
+  bool with_midspan{true};      ///< else midspan is left empty, in half the time
 };
 
 /// Throws what analytic::BeamBoundaryIntegral throws. numerics of the case are not used. Undamped cases only:
