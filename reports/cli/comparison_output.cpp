@@ -19,8 +19,9 @@ using studies::Comparison;
 
 std::string number_of(std::optional<double> value) { return value ? fmt::format("{:.3g}", *value) : "-"; }
 
-// In the unit of the quantity, or relative to it.
+// In the unit of the quantity, relative to it or in per cent of its range.
 std::string measured(std::optional<double> value, const Comparison::Quantity& quantity) {
+  if (value && quantity.norm == data::Norm::range) return number_of(100.0 * *value) + " %";
   const bool has_unit = value && quantity.norm == data::Norm::absolute && !quantity.unit.empty();
   return has_unit ? number_of(value) + " " + quantity.unit : number_of(value);
 }

@@ -48,6 +48,7 @@ double unit_of(Norm norm, double reference, double scale) {
     case Norm::relative:
       return std::abs(reference);
     case Norm::scale:
+    case Norm::range:
       return scale;
     case Norm::absolute:
       break;
@@ -379,16 +380,20 @@ class Comparer {
     }
   }
 
-  // The largest |value| of a group up to the horizon of the data set, however soon the comparison ends.
-  [[nodiscard]] double scale_of(const std::string& field, const Group& group) const {
+  // The largest |value| of a group, or the range of its values, up to the horizon of the data set, however
+  // soon the comparison ends.
+  [[nodiscard]] double scale_of(const std::string& field, Norm norm, const Group& group) const {
     const auto& values = reference_.column(field).values;
     const double end = rule_.kind == ComparisonKind::table ? infinity : rule_.horizon.value_or(infinity);
-    double scale = 0.0;
+    double least = infinity, greatest = -infinity;
     for (const std::size_t row : group.reference) {
       if (std::isfinite(end) && reference_.column(result_.abscissa).values[row] > end) continue;
-      if (std::isfinite(values[row])) scale = std::max(scale, std::abs(values[row]));
+      if (!std::isfinite(values[row])) continue;
+      least = std::min(least, values[row]);
+      greatest = std::max(greatest, values[row]);
     }
-    return scale;
+    if (least > greatest) return 0.0;
+    return norm == Norm::range ? greatest - least : std::max(std::abs(least), std::abs(greatest));
   }
 
   [[nodiscard]] bool is_diagnosed(const std::string& field) const {
@@ -428,7 +433,7 @@ class Comparer {
     for (Comparison::Quantity& quantity : result_.quantities) {
       const auto& values = reference_.column(quantity.name).values;
       const auto radius = reference_.radius_of(quantity.name);
-      const double scale = scale_of(quantity.name, group);
+      const double scale = scale_of(quantity.name, quantity.norm, group);
       for (const Pair& pair : pairs) {
         const double abscissa = result_.abscissa.empty()
                                     ? static_cast<double>(pair.row + 1)
@@ -541,7 +546,7 @@ class Comparer {
       const double margin = coincidence(group);
       for (Comparison::Quantity& quantity : result_.quantities) {
         const Samples samples = samples_of(quantity.name, group.reference);
-        const double scale = scale_of(quantity.name, group);
+        const double scale = scale_of(quantity.name, quantity.norm, group);
         for (const std::size_t their_row : group.theirs) {
           const double x = theirs_.column(rule_.abscissa)->values[their_row];
           if (is_comparable(quantity, samples, x, margin))
@@ -699,7 +704,7 @@ class Comparer {
       rows.push_back(rows_in_phase(group, events, number));
     for (Comparison::Quantity& quantity : result_.quantities) {
       const bool is_first = &quantity == &result_.quantities.front();
-      const double scale = scale_of(quantity.name, group);
+      const double scale = scale_of(quantity.name, quantity.norm, group);
       const Samples all = samples_of(quantity.name, group.reference);
       std::vector<Samples> samples;
       for (const Rows& one : rows) samples.push_back(samples_of(quantity.name, one));
@@ -774,7 +779,7 @@ class Comparer {
   [[nodiscard]] Observation observation_of(const Group& group, Quantity quantity) const {
     const data::DiagnosisRule& rule = *reference_.resource.diagnosis;
     const auto compared = std::ranges::find(rule_.values, rule.value, &data::ComparedValue::field);
-    const double scale = scale_of(rule.value, group), tolerance = tolerance_of(*compared);
+    const double scale = scale_of(rule.value, compared->norm, group), tolerance = tolerance_of(*compared);
     const auto& values = theirs_.column(rule.value)->values;
     Observation observation{.quantity = quantity, .abscissa = {}, .values = {}, .uncertainty = {}};
     const auto add = [&](double abscissa, double value) {

@@ -204,6 +204,35 @@ TEST(ComparedCurve, MeasuresErrorsByTheLargestValue) {
   }
 }
 
+TEST(ComparedCurve, MeasuresErrorsByTheRangeOfThePublishedColumn) {
+  // Of the whole column, however few rows of it a file has.
+  auto with_range = package();
+  auto& rule = *std::ranges::find(with_range.resources, "stick-force", &data::Resource::name)->comparison;
+  rule.values.front().norm = data::Norm::range;
+  const auto table = published_table("stick-force");
+  const auto& force = table.column("friction_force").values;
+  const auto [least, greatest] = std::ranges::minmax(force);
+  const double range = greatest - least;
+  ASSERT_GT(range, 1.5 * std::max(greatest, -least));
+  for (const double error : {9e-4, -2e-3}) {
+    auto mine = copy_of("stick-force");
+    keep_rows(mine, [](std::size_t row) { return row >= 90 && row < 110; });
+    values_of(mine, "friction_force")[10] += error * range;
+    const auto found =
+        quantity(studies::compare(with_range, "stick-force", mine,
+                                  {.tolerances = {}, .until = {}, .events = {}, .diagnose = false}),
+                 "friction_force");
+    EXPECT_EQ(found.norm, data::Norm::range);
+    EXPECT_EQ(found.compared, 20u);
+    // The value, up to half the range or more, is rounded when the error is added.
+    EXPECT_TRUE(within(*found.error, std::abs(error), round_off(1.0, 1.0, 1.0)));
+    EXPECT_EQ(found.where, "t = 0.05 s");
+    EXPECT_EQ(found.agreement, error > 0.0 ? Agreement::agrees : Agreement::differs);
+    EXPECT_TRUE(within(*found.uncertainty, 1e-9 / range, round_off(1.0, 1.0, 1e-9 / range)));
+    EXPECT_TRUE(within(found.series[0].allowed[10], 1e-3 * range + 1e-9, round_off(2.0, 1.0, 1e-3 * range)));
+  }
+}
+
 TEST(ComparedCurve, RefusesAnAbscissaBetweenSamplesWithoutInterpolation) {
   auto mine = copy_of("stick-force");
   values_of(mine, "t")[3] += 1e-6;

@@ -310,7 +310,7 @@ std::vector<Defect> defects() {
       "but must be a field of numbers");
   add(
       "unknown_norm", [](json& p) { rule_of(p)["values"][0]["norm"] = "l2"; },
-      "one of relative, scale, absolute");
+      "one of relative, scale, absolute, range");
   add(
       "negative_tolerance", [](json& p) { rule_of(p)["values"][0]["tolerance"] = -1; },
       "tolerance is -1, but must be a number that is not negative");

@@ -48,10 +48,11 @@ struct Field {
 enum class Norm {
   relative,  ///< |e|/|reference|, row by row
   scale,     ///< |e| over the largest |reference| of the curve
-  absolute   ///< |e|, in the unit of the value
+  absolute,  ///< |e|, in the unit of the value
+  range      ///< |e| over the largest less the smallest reference of the curve
 };
 
-inline constexpr std::array<std::string_view, 3> norm_names{"relative", "scale", "absolute"};
+inline constexpr std::array<std::string_view, 4> norm_names{"relative", "scale", "absolute", "range"};
 [[nodiscard]] constexpr std::string_view to_string(Norm norm) noexcept {
   return norm_names[static_cast<std::size_t>(norm)];
 }
