@@ -79,6 +79,9 @@ Json resource_json(const DataSet& set, const std::string& csv) {
 }  // namespace
 
 const std::vector<Recipe>& recipes() {
+  const auto undamped = [](const char* name) {
+    return Recipe{name, [name] { return undamped_history(name); }, false};
+  };
   static const std::vector<Recipe> all{{"beams", beam_table, true},
                                        {"stick-frequencies", stick_frequencies, true},
                                        {"slip-frequencies", slip_frequencies, true},
@@ -94,6 +97,12 @@ const std::vector<Recipe>& recipes() {
                                        {"length-force", length_force_ratios, true},
                                        {"stick-slip-events", stick_slip_events, false},
                                        {"stick-slip-history", stick_slip_history, false},
+                                       undamped("undamped-history-25"),
+                                       undamped("undamped-history-35"),
+                                       undamped("undamped-history-70"),
+                                       undamped("undamped-history-steel-strip"),
+                                       undamped("undamped-history-soft-short"),
+                                       {"undamped-sticks", undamped_sticks, false},
                                        {"single-mass-events", single_mass_events, true},
                                        {"friction-powers", friction_powers, true},
                                        {"manufactured-motion", manufactured_motion, true}};

@@ -90,6 +90,9 @@ void add_value(std::vector<data::Field>& fields, const std::string& name, const 
 [[nodiscard]] DataSet length_force_ratios();
 [[nodiscard]] DataSet stick_slip_events();
 [[nodiscard]] DataSet stick_slip_history();
+[[nodiscard]] DataSet undamped_history(
+    std::string_view name);  ///< of the data set, one of those in recipes()
+[[nodiscard]] DataSet undamped_sticks();
 [[nodiscard]] DataSet single_mass_events();
 [[nodiscard]] DataSet friction_powers();
 [[nodiscard]] DataSet manufactured_motion();

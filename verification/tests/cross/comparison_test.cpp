@@ -1,6 +1,7 @@
 /// Somebody's results against reference data: a copy agrees, an error of known size is found where it is,
 /// events and phases are kept apart, and known mistakes are named.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -37,8 +38,9 @@ const data::ReferencePackage& package() {
 data::ReferenceTable published_table(const std::string& set) { return data::read_table(package(), set); }
 
 // Somebody who has copied these columns of a data set, or all of them.
-data::UserTable copy_of(const std::string& set, const std::vector<std::string>& columns = {}) {
-  const auto table = published_table(set);
+data::UserTable copy_of(const std::string& set, const std::vector<std::string>& columns = {},
+                        const data::ReferencePackage& from = package()) {
+  const auto table = data::read_table(from, set);
   data::UserTable copy{.file = "mine.csv", .columns = {}, .lines = std::vector<std::size_t>(table.rows())};
   std::iota(copy.lines.begin(), copy.lines.end(), 2);
   for (const data::Column& column : table.columns)
@@ -277,6 +279,82 @@ TEST(ComparedCurve, IsInterpolatedWithinTheStatedBound) {
   EXPECT_TRUE(within(*found.uncertainty, bound,
                      discretisation(1e-13, 1.0, "Lebesgue constant of four points below 3")));
 }
+
+// --- undamped histories, of the package that is published
+
+class ComparedUndamped : public ::testing::TestWithParam<std::string> {
+ protected:
+  [[nodiscard]] data::UserTable copy() const { return copy_of(GetParam(), {}, published_); }
+
+  [[nodiscard]] Comparison compare_with(const data::UserTable& mine,
+                                        const ComparisonSettings& settings = {}) const {
+    return studies::compare(published_, GetParam(), mine, settings);
+  }
+
+  static double range_of(data::UserTable& table, const std::string& name) {
+    const auto [least, greatest] = std::ranges::minmax(values_of(table, name));
+    return greatest - least;
+  }
+
+ private:
+  data::ReferencePackage published_ = data::load_reference();
+};
+
+TEST_P(ComparedUndamped, CopyAgreesAtEverySample) {
+  const Comparison comparison = compare_with(copy());
+  EXPECT_EQ(comparison.agreement, Agreement::agrees);
+  ASSERT_EQ(comparison.quantities.size(), 2u);
+  for (const auto& one : comparison.quantities) {
+    EXPECT_EQ(one.norm, data::Norm::range);
+    EXPECT_EQ(one.error, 0.0);
+    EXPECT_EQ(one.compared, 1001u);
+    EXPECT_TRUE(one.skipped.empty());
+  }
+}
+
+TEST_P(ComparedUndamped, OnePerCentOfTheRangeAtOneSampleDiffers) {
+  for (const std::string name : {"tip_displacement", "midspan_displacement"})
+    for (const double error : {0.004, -0.01}) {
+      auto mine = copy();
+      const double range = range_of(mine, name);
+      values_of(mine, name)[700] += error * range;
+      const Comparison comparison = compare_with(mine);
+      const auto found = quantity(comparison, name);
+      EXPECT_TRUE(within(*found.error, std::abs(error), round_off(1.0, 1.0, 1.0)));
+      EXPECT_EQ(found.where, fmt::format("time = {:.9g} s", values_of(mine, "time")[700]));
+      EXPECT_EQ(comparison.agreement, error > 0.0 ? Agreement::agrees : Agreement::differs);
+    }
+}
+
+TEST_P(ComparedUndamped, ShiftByOneSampleDiffers) {
+  auto mine = copy();
+  for (const std::string name : {"tip_displacement", "midspan_displacement"}) {
+    Values& values = values_of(mine, name);
+    std::rotate(values.rbegin(), values.rbegin() + 1, values.rend());
+    values[0] = 0.0;
+  }
+  // At least a period of the excitation has a hundred samples, of which each turns it by 2 pi/100.
+  for (const auto& one : compare_with(mine).quantities) {
+    EXPECT_EQ(one.agreement, Agreement::differs);
+    EXPECT_GT(*one.error, 0.02);
+  }
+}
+
+TEST_P(ComparedUndamped, BelowTheHalfWidthIsUndecided) {
+  const Comparison comparison = compare_with(copy(), {.tolerances = {{"", 1e-6}}, .until = {}, .events = {}});
+  for (const auto& one : comparison.quantities) EXPECT_EQ(one.agreement, Agreement::undecided) << one.name;
+  EXPECT_EQ(comparison.agreement, Agreement::undecided);
+}
+
+INSTANTIATE_TEST_SUITE_P(DataSets, ComparedUndamped,
+                         ::testing::Values("undamped-history-25", "undamped-history-35",
+                                           "undamped-history-70", "undamped-history-steel-strip",
+                                           "undamped-history-soft-short"),
+                         [](const auto& set) {
+                           std::string name = set.param.substr(17);
+                           std::ranges::replace(name, '-', '_');
+                           return name;
+                         });
 
 // --- verdicts
 

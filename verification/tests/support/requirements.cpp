@@ -238,7 +238,7 @@ const std::vector<Requirement> table{
      "and names a known mistake.",
      "Data package; Sects. 2 to 5",
      {"ComparedCopy", "ComparedTable", "ComparedCurve", "ComparedVerdict", "ComparedEvents",
-      "ComparedHistory", "LikenedTo", "LikenedToNothing"}},
+      "ComparedHistory", "ComparedUndamped", "ComparedUndampedLong", "LikenedTo", "LikenedToNothing"}},
 
     // Whatever the beam is.
     {"M1",

@@ -125,6 +125,27 @@ TEST_F(CompareCommand, ReadsTheFilesThatRespondWrites) {
       0);
 }
 
+TEST_F(CompareCommand, SaysTheLargestErrorOfAnUndampedHistoryInPerCentOfTheRange) {
+  // The contact by the letter of the paper, on the mesh and the step that it takes.
+  const std::string history = path("history.csv");
+  ASSERT_EQ(run("respond paper --hz 25 --amplitude 1e-3 --duration 0.5 --scheme paper --every 5 --output '" +
+                history + "'")
+                .status,
+            0);
+  const Outcome outcome = run("compare undamped-history-25 '" + history + "' --json -");
+  EXPECT_EQ(outcome.status, 1) << outcome.errors;
+  const auto tip = nlohmann::json::parse(outcome.output)["quantities"][0];
+  EXPECT_EQ(tip["quantity"], "tip_displacement");
+  EXPECT_EQ(tip["compared"], 1001);
+  const double error = tip["error"];
+  EXPECT_GT(error, 0.1);  // 40 %
+  const std::string text = run("compare undamped-history-25 '" + history + "'").output;
+  for (const std::string& part :
+       {std::string("tip_displacement      range  1001      "),
+        fmt::format("  {:.3g} %  time = ", 100.0 * error), std::string("  0.5 %  ")})
+    EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
+}
+
 TEST_F(CompareCommand, SaysWhatDiffersAndWhatItLooksLike) {
   EXPECT_EQ(run(command("stick-frequencies", right)).status, 0);
   EXPECT_EQ(run(command("stick-frequencies", right, "--tolerance 1e-9")).status, 1);

@@ -1,0 +1,147 @@
+/// The undamped stick-slip histories, as far as they have converged, and the sticks in them that have.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "sets.hpp"
+#include "stickslip/studies/converged_history.hpp"
+
+namespace stickslip::reference {
+
+using data::ValueClass;
+
+namespace {
+
+struct Run {
+  std::string_view set, file, title, beam, case_name;
+  double frequency_hz{}, amplitude{}, duration{};
+};
+
+// The paper's beam for half a second, the others for twelve periods of the excitation.
+constexpr std::array<Run, 5> runs{{
+    {"undamped-history-25", "stick-slip/undamped-25.csv", "Undamped stick-slip of the paper's beam, 25 Hz",
+     "The paper's beam", "paper", 25.0, 1e-3, 0.5},
+    {"undamped-history-35", "stick-slip/undamped-35.csv", "Undamped stick-slip of the paper's beam, 35 Hz",
+     "The paper's beam", "paper", 35.0, 1e-3, 0.5},
+    {"undamped-history-70", "stick-slip/undamped-70.csv", "Undamped stick-slip of the paper's beam, 70 Hz",
+     "The paper's beam", "paper", 70.0, 1e-3, 0.5},
+    {"undamped-history-steel-strip", "stick-slip/undamped-steel-strip.csv",
+     "Undamped stick-slip of a steel strip, 60 Hz", "The beam steel-strip", "steel-strip", 60.0, 6e-3, 0.2},
+    {"undamped-history-soft-short", "stick-slip/undamped-soft-short.csv",
+     "Undamped stick-slip of a soft short beam, 400 Hz", "The beam soft-short", "soft-short", 400.0, 0.7e-3,
+     0.03},
+}};
+
+constexpr double tolerance = 5e-3;             // of the range
+constexpr double least_half_width = 1e-8;      // of the range: far above rounding, far below the tolerance
+constexpr double shortest_stick = 0.05;        // of a period of the excitation
+constexpr double largest_stick_radius = 0.05;  // of a stick, at either end
+
+studies::ConvergedEffort effort_of(const Run& run) {
+  return {.duration = run.duration, .shortest_stick = shortest_stick / run.frequency_hz};
+}
+
+const studies::ConvergedHistory& history_of(const Run& run) {
+  static std::map<std::string_view, studies::ConvergedHistory> known;
+  if (const auto found = known.find(run.set); found != known.end()) return found->second;
+  data::Case problem = data::load_case(std::string(run.case_name));
+  problem.excitation =
+      data::HarmonicExcitation({.frequency_hz = run.frequency_hz, .amplitude = run.amplitude});
+  return known[run.set] = studies::converged_history(problem, effort_of(run));
+}
+
+data::Provenance provenance_of(std::string settings) {
+  const int steps = studies::ConvergedEffort{}.steps_per_sample;
+  return {
+      .value_class = ValueClass::converged,
+      .method = fmt::format(
+          "the boundary integral of the tip by Runge-Kutta convolution quadrature, friction constant over "
+          "a step, {} steps a sample. Half-width: twice the larger of the differences so far to {} steps "
+          "a sample and to the free modes of the beam, propagated exactly, {} steps a sample; at least "
+          "{:g} of the range. An estimate, not a bound",
+          steps, steps / 2, steps / 2, least_half_width),
+      .settings = std::move(settings),
+      .software = software(),
+      .checks = {"two methods that share neither kernel nor propagation, each on four steps",
+                 "generalised-alpha on 160 elements with spectral radius 0, at 25 Hz, within the "
+                 "tolerance"}};
+}
+
+}  // namespace
+
+DataSet undamped_history(std::string_view name) {
+  const Run& run = *std::ranges::find(runs, name, &Run::set);
+  const studies::ConvergedEffort effort = effort_of(run);
+  DataSet set = data_set(
+      std::string(run.set), std::string(run.file), std::string(run.title),
+      fmt::format(
+          "{} without damping at {:g} Hz and {:g} mm, from the quasi-static start (erratum E4): y = 0 "
+          "and y_t = (1 + S(x)) h_t(0), so that the tip is at rest. {} equal samples from 0 to {:g} s. "
+          "Stick and slip alternate without a countable sequence of events; the motion converges.",
+          run.beam, run.frequency_hz, 1e3 * run.amplitude, effort.samples + 1, run.duration));
+  data::Resource& resource = set.resource;
+  resource.fields = {exact_number("time", "s", "since the start")};
+  add_value(resource.fields, "tip_displacement", "m", "y(L, t), in the fixed frame", ValueClass::converged);
+  add_value(resource.fields, "midspan_displacement", "m", "y(L/2, t), in the fixed frame",
+            ValueClass::converged);
+  resource.primary_key = {"time"};
+  resource.comparison = along("time", {{"tip_displacement", data::Norm::range, tolerance},
+                                       {"midspan_displacement", data::Norm::range, tolerance}});
+  resource.comparison->horizon = run.duration;
+  resource.provenance = provenance_of(fmt::format(
+      R"({{"case": "{}", "frequency_hz": {}, "amplitude": {}, "duration": {}, "samples": {}, )"
+      R"("steps_per_sample": {}}})",
+      run.case_name, run.frequency_hz, run.amplitude, run.duration, effort.samples, effort.steps_per_sample));
+  const studies::ConvergedHistory& history = history_of(run);
+  for (std::size_t i = 0; i < history.time.size(); ++i)
+    set.rows.push_back(
+        Row()
+            .text(fmt::format("{:.9g}", history.time[i]))
+            .converged(history.tip[i],
+                       std::max(history.tip_half_width[i], least_half_width * history.tip_range))
+            .converged(history.midspan[i],
+                       std::max(history.midspan_half_width[i], least_half_width * history.midspan_range)));
+  return set;
+}
+
+DataSet undamped_sticks() {
+  DataSet set = data_set(
+      "undamped-sticks", "stick-slip/undamped-sticks.csv", "Sticks of the undamped histories",
+      fmt::format("In each undamped-history: the first stick, which ends with the first slip, and the later "
+                  "ones that last {:g} of a period of the excitation or longer and whose ends are known to "
+                  "{:g} of their length. Shorter ones cannot be counted. Look yours up by their times: the "
+                  "index is of this file.",
+                  shortest_stick, largest_stick_radius));
+  data::Resource& resource = set.resource;
+  resource.fields = {word("history", "the data set"), integer("index", "number of the stick, from 1")};
+  add_value(resource.fields, "begin", "s", "capture, or the start", ValueClass::converged);
+  add_value(resource.fields, "end", "s", "onset of slip", ValueClass::converged);
+  add_value(resource.fields, "position", "m", "y(L), of the tip in the fixed frame", ValueClass::converged);
+  resource.primary_key = {"history", "index"};
+  resource.provenance = provenance_of(
+      fmt::format(R"({{"shortest_stick": {}, "largest_radius": {}}})", shortest_stick, largest_stick_radius));
+  for (const Run& run : runs) {
+    const studies::ConvergedHistory& history = history_of(run);
+    int index = 0;
+    const auto add = [&](const studies::ConvergedStick& stick) {
+      set.rows.push_back(Row()
+                             .text(std::string(run.set))
+                             .number(++index)
+                             .converged(stick.begin, stick.begin_half_width)
+                             .converged(stick.end, stick.end_half_width)
+                             .converged(stick.position, std::max(stick.position_half_width,
+                                                                 least_half_width * history.tip_range)));
+    };
+    add(history.first_stick);
+    for (const studies::ConvergedStick& stick : history.sticks)
+      if (std::max(stick.begin_half_width, stick.end_half_width) <=
+          largest_stick_radius * (stick.end - stick.begin))
+        add(stick);
+  }
+  return set;
+}
+
+}  // namespace stickslip::reference
