@@ -202,16 +202,21 @@ std::optional<Warning> growth_warning(const data::Case& problem, Inquiry inquiry
   const double own = growth_bound(contact, kappa);
   const double beam = beam_growth_bound(problem.beam, problem.friction,
                                         data::Damping({.kelvin_voigt = problem.damping.kelvin_voigt()}));
+  const auto rate = [](double value) {
+    return value < 100.0 ? fmt::format("{:.3g} 1/s", value) : fmt::format("{:.0f} 1/s", value);
+  };
+  const bool is_beam_known = problem.damping.ratio() == 0.0;
   std::string sentence = fmt::format(
-      "the contact changes, and sigma* is {:.3g} 1/s: by the bound exp(sigma* t) a rounding error may "
-      "grow to the size of the motion within {:.2g} s; for the beam sigma* is {:.3g} 1/s",
-      own, allowed_growth / own, beam);
+      "the contact changes, and sigma* is {}: by the bound exp(sigma* t) a rounding error may grow to the "
+      "size "
+      "of the motion within {:.2g} s; for the {} sigma* is {}",
+      rate(own), allowed_growth / own, is_beam_known ? "beam" : "undamped beam", rate(beam));
   if (own > 1.1 * beam)
     sentence +=
         fmt::format(", about as with numerics.spectral_radius = 0, time_step = {:.2g} s, elements = {}",
                     two_digits(time_step_of({.angle = filtering_angle}, problem.beam, numerics.elements())),
                     numerics.elements());
-  if (beam > allowed)
+  if (beam > allowed && is_beam_known)
     sentence +=
         fmt::format("; beyond {:.2g} s the bound is of no use for any discretisation", allowed_growth / beam);
   return Warning{Concern::growth, own, allowed, sentence};

@@ -104,14 +104,14 @@ constexpr int most_undamped_for_growth = 200, most_damped_for_growth = 50;
 [[nodiscard]] std::vector<Warning> warnings_common_to(const data::Case& problem,
                                                       const std::vector<Parameter>& varied);
 
-/// The step of the boundary integral, s: numerics.time_step() divided by a power of two, at most 1/20000 of the period of
-/// the first stick mode and of the excitation. Throws what stick_modes() throws.
+/// The step of the boundary integral, s: numerics.time_step() divided by a power of two, at most 1/20000 of
+/// the period of the first stick mode and of the excitation. Throws what stick_modes() throws.
 [[nodiscard]] double boundary_integral_step(const data::Case& problem);
 
 /// Throws data::FieldError, naming numerics.duration, if a closed form would have to follow more than 1e8
 /// periods of the highest natural frequency kept, or of the excitation, an event-driven history more than
-/// 1e6, or a boundary integral more than 2^24 steps: minutes of work. Naming damping.ratio for a boundary integral: the
-/// mobility is known in closed form with Kelvin-Voigt damping alone.
+/// 1e6, or a boundary integral more than 2^24 steps: minutes of work. Naming damping.ratio for a boundary
+/// integral: the mobility is known in closed form with Kelvin-Voigt damping alone.
 void require_feasible(const data::Case& problem, Inquiry inquiry);
 
 }  // namespace stickslip::studies
