@@ -308,6 +308,13 @@ TEST(GrowthWarning, SaysWhenNoDiscretisationHelps) {
       << found->sentence;
 }
 
+TEST(GrowthWarning, SaysLessOfABeamWhoseDampingItsClosedFormDoesNotKnow) {
+  const auto found = warning({{"numerics.duration", "3"}, {"damping.ratio", "1e-4"}});
+  ASSERT_TRUE(found);
+  EXPECT_NE(found->sentence.find("for the undamped beam"), std::string::npos) << found->sentence;
+  EXPECT_EQ(found->sentence.find("any discretisation"), std::string::npos) << found->sentence;
+}
+
 TEST(GrowthWarning, CountsTheModesOfAnEventDrivenRun) {
   const auto inquiry = studies::Inquiry::event_driven_history;
   EXPECT_FALSE(warning({{"numerics.modes", "5"}, {"numerics.duration", "0.15"}}, inquiry));  // 213/s

@@ -94,8 +94,8 @@ constexpr int most_undamped_for_growth = 200, most_damped_for_growth = 50;
 /// is sigma*, limit allowed_growth/T. The sentence also gives sigma* of the beam, with Kelvin-Voigt damping
 /// but without damping.ratio; the settings that have about that of the beam, if the run's is more than 1.1
 /// times it (spectral radius 0 and omega_max h = filtering_angle, history_convergence.hpp); and, if sigma* T
-/// of the beam is above allowed_growth too, the time up to which the bound is of use for any discretisation.
-/// Throws what the run itself throws.
+/// of the beam is above allowed_growth too and damping.ratio is 0, the time up to which the bound is of use
+/// for any discretisation. Throws what the run itself throws.
 [[nodiscard]] std::optional<Warning> growth_warning(const data::Case& problem, Inquiry inquiry);
 
 /// Those of the criterion that hold wherever these parameters of the case are varied: no resonance if one of
