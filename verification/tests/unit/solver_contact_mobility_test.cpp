@@ -128,7 +128,7 @@ INSTANTIATE_TEST_SUITE_P(SpectralRadius, SteppedMobility, ::testing::Values(0.0,
 
 TEST(ContactMobility, RefusesWhatItIsNotDefinedFor) {
   solver::ContactSystem system = beam_system(3);
-  system.slip_stiffness.coeffRef(0, 1) *= 2.0;
+  system.slip_stiffness.coeffRef(0, 0) *= 2.0;
   EXPECT_THROW(solver::ContactMobility{system}, std::invalid_argument);
   system = beam_system(3);
   system.mass *= -1.0;
