@@ -57,6 +57,8 @@ studies::ContactDynamics without_limit(studies::ContactDynamics contact) {
 
 TEST(Weakening, IsTheSteepestFallOfTheFrictionForce) {
   EXPECT_DOUBLE_EQ(studies::weakening(paper_friction(), 500.0), kappa);
+  const data::FrictionLaw law({.static_coefficient = 0.5, .kinetic_coefficient = 0.25, .decay = 3.0});
+  EXPECT_DOUBLE_EQ(studies::weakening(law, 8.0), 6.0);
 }
 
 TEST(ContactGrowth, OfAMassIsKappaOverItWithAndWithoutASpring) {
@@ -64,6 +66,10 @@ TEST(ContactGrowth, OfAMassIsKappaOverItWithAndWithoutASpring) {
     const SingleMass mass{.mass = 2.0, .stiffness = stiffness, .normal_force = 1.0};
     const auto contact = studies::continuous_contact(solver::ContactMobility(contact_system(mass)));
     EXPECT_TRUE(within(growth_bound(contact, 3.0), 1.5, searched(1.5)));
+    // Re Z = sigma (m + k/|s|^2) falls up to the last frequency searched, where |s|^2 = 9 k/m + sigma^2.
+    const double at_the_end = 3.0 / (2.0 + 2.0 / 9.0);
+    EXPECT_TRUE(within(growth_bound(without_limit(contact), 3.0), at_the_end,
+                       discretisation(2e-3 * at_the_end, 1.0, "sigma^2 against 9 k/m, and the search")));
   }
 }
 
