@@ -145,6 +145,14 @@ const std::vector<Requirement> table{
      "Energy balance",
      {"EventDrivenBeam", "EventDrivenBeamEnergy"}},
 
+    {"D4",
+     "The boundary integral and the free modes return the exact histories of one and two masses, and the "
+     "same "
+     "histories of the beam.",
+     "Boundary integral; SDND104; exact solutions",
+     {"BoundaryIntegral", "BoundaryIntegralOfAShakenPlane", "GaussStages", "BeamBoundaryIntegral",
+      "ConvergedHistory"}},
+
     // One implementation against the other.
     {"X1",
      "Displacement and force of the stick state agree to the predicted errors of mesh and step.",
