@@ -235,12 +235,13 @@ void write_boundary_integral(const data::Case& problem, const RespondOptions& op
   const double omega = 2.0 * std::numbers::pi * problem.excitation.frequency_hz();
   const auto& steps = run.steps();
   for (std::size_t n = 0; n < tip.size(); n += static_cast<std::size_t>(options.every)) {
-    // Velocity and force are means over steps; at a row, the mean of the steps before and after it. The force of the
-    // start is extrapolated: the tip sticks there.
+    // Velocity and force are means over steps; at a row, the mean of the steps before and after it. The force
+    // of the start is extrapolated: the tip sticks there.
     const auto& before = steps[n == 0 ? 0 : n * every - 1];
     const auto& after = steps[n * every == steps.size() ? steps.size() - 1 : n * every];
-    const double force = n == 0 ? 1.5 * steps[0].friction_force - 0.5 * steps[1].friction_force
-                                : 0.5 * (before.friction_force + after.friction_force);
+    const double force = n == 0 && steps.size() > 1
+                             ? 1.5 * steps[0].friction_force - 0.5 * steps[1].friction_force
+                             : 0.5 * (before.friction_force + after.friction_force);
     const double time = static_cast<double>(n) * row_step;
     const bool sticks = before.sliding_velocity == 0.0;
     writer.write({.time = time,

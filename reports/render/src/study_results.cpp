@@ -18,7 +18,8 @@ constexpr int stick_history_levels = 4;
 constexpr int motion_snapshots = 9, motion_positions = 61;
 constexpr double highest_frequency = 120.0;  // of Figs. 10 to 13, Hz
 constexpr int slipping_frequencies_hz[] = {25, 70};
-constexpr double resolved_angle = 0.3;  // omega_max h
+constexpr double resolved_angle = 0.3, radiating_angle = 1.2;  // omega_max h
+constexpr double radiating_share = 0.01;                       // of the mass of an element
 constexpr double filtering_radii[] = {0.0, 0.5};
 // Resolved in time, 80 elements would take half a minute and 160 minutes.
 const std::vector<int> resolved_meshes{5, 10, 20, 40}, fixed_step_meshes{5, 10, 20, 40, 80, 160},
@@ -238,9 +239,11 @@ const std::vector<studies::HistoryRefinement>& StudyResults::history_growth() {
                                          elements.back());
     };
     const double radius = paper_.numerics.spectral_radius(), step = paper_.numerics.time_step();
-    return std::vector{refined({"resolved in time", resolved_angle, 0.0, radius}, resolved_meshes),
-                       refined({"fixed step", 0.0, step, radius}, fixed_step_meshes),
-                       refined({"filtering step", studies::filtering_angle, 0.0, 0.0}, filtered_meshes)};
+    return std::vector{
+        refined({"resolved in time", resolved_angle, 0.0, radius}, resolved_meshes),
+        refined({"fixed step", 0.0, step, radius}, fixed_step_meshes),
+        refined({"filtering step", studies::filtering_angle, 0.0, 0.0}, filtered_meshes),
+        refined({"radiating tip", radiating_angle, 0.0, 1.0, radiating_share}, resolved_meshes)};
   });
 }
 

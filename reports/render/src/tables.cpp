@@ -465,7 +465,7 @@ std::string usual_practice(StudyResults& results) {
     const auto& first = practice.front()[run];
     const bool steps = first.time_step > 0.0;
     std::vector<std::string> row{first.method, std::to_string(first.elements),
-                                 steps ? scientific(first.time_step, 0) : "--",
+                                 steps ? scientific(first.time_step, 1) : "--",
                                  steps ? plain_number(first.spectral_radius) : "--"};
     for (const auto& runs : practice) row.push_back(fixed(100.0 * runs[run].largest_error, 1));
     rows.add(row);
@@ -479,7 +479,7 @@ std::string converged_levels(StudyResults& results) {
   const auto& histories = results.converged_histories();
   for (std::size_t level = 0; level < histories.front().levels.size(); ++level) {
     const auto& first = histories.front().levels[level];
-    std::vector<std::string> row{first.method, scientific(first.time_step, 1),
+    std::vector<std::string> row{first.method, scientific(first.time_step, 2),
                                  first.modes > 0 ? std::to_string(first.modes) : "all"};
     for (const auto& history : histories) {
       row.push_back(level == 0 ? "--" : significant(100.0 * history.levels[level].difference, 2));

@@ -200,6 +200,36 @@ solver::ContactSystem contact_system(const analytic::ContactModel& model) {
           .friction = model.friction};
 }
 
+solver::ContactSystem with_radiating_contact(const solver::ContactSystem& system, double mass,
+                                             double dashpot) {
+  const Eigen::Index size = system.mass.rows(), c = system.contact;
+  const auto extended = [size](const solver::SparseMatrix& matrix) {
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(size + 1, size + 1);
+    result.topLeftCorner(size, size) = matrix;
+    return result;
+  };
+  Eigen::MatrixXd masses = extended(system.mass), damping = extended(system.damping);
+  masses(c, c) -= mass;
+  masses(size, size) = mass;
+  for (const Eigen::Index i : {c, size})
+    for (const Eigen::Index j : {c, size}) damping(i, j) += i == j ? dashpot : -dashpot;
+  // Nothing but the dashpot holds the mass; a stiffness that is not singular, though, is asked of a system.
+  const auto stiffness = [&](const solver::SparseMatrix& matrix) {
+    Eigen::MatrixXd result = extended(matrix);
+    result(size, size) = 1e-12 * result.diagonal().maxCoeff();
+    return solver::SparseMatrix(result.sparseView());
+  };
+  solver::ContactSystem result = system;
+  result.mass = masses.sparseView();
+  result.damping = damping.sparseView();
+  result.stick_stiffness = stiffness(system.stick_stiffness);
+  result.slip_stiffness = stiffness(system.slip_stiffness);
+  result.load_shape.conservativeResize(size + 1);
+  result.load_shape[size] = mass;
+  result.load_shape[c] -= mass;
+  return result;
+}
+
 ContactDynamics continuous_contact(const analytic::ContactModel& model) {
   if (!model.free_modes) return continuous_contact(solver::ContactMobility(contact_system(model)));
   const auto& modes = *model.free_modes;

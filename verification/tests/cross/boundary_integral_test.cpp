@@ -56,13 +56,13 @@ TEST(BeamBoundaryIntegral, HasAllEventsOfTheDampedBenchmark) {
   // Times fall on steps, and the velocity behind an event is off by the force of one step, 2 mu_s P h/m with
   // the mass rho A L/4 of a mode, 120 h m/s; stops decelerate at 40 m/s^2 or more. The event-driven history
   // of twenty modes is known to 1e-6 s and 2e-8 m.
-  const double h = 1e-5;
+  const double h = 2e-5;
   const data::Damping damping({.kelvin_voigt = 6.4e-5});
   const analytic::BeamContactModel modes(paper_beam(), paper_friction(), excitation(25.0, 1e-3), damping, 20);
   const auto events =
       studies::without_micro_sticks(studies::event_driven_history(modes.model(), 0.5, 1e-2).events, 2e-5);
   const BeamBoundaryIntegral beam(paper_beam(), paper_friction(), excitation(25.0, 1e-3), damping,
-                                  {h, 50000});
+                                  {h, 25000});
   std::vector<studies::HistoryEvent> found;
   double position = 0.0;
   bool stuck = true;

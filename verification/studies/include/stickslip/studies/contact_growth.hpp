@@ -78,4 +78,12 @@ struct ContactDynamics {
 /// in its free ones if it has them (without damping).
 [[nodiscard]] ContactDynamics continuous_contact(const analytic::ContactModel& model);
 
+/// The system with a radiating termination: `mass`, kg, is taken from the contact's degree of freedom and
+/// hung on it by a dashpot, N s/m, as one degree of freedom more. Slow motions find the mass in its place;
+/// fast ones, which a mesh cannot resolve, work against the dashpot, as they would against the waves that
+/// they send into the beam. With a dashpot of kappa, Re Z >= kappa at high frequencies. The base accelerates
+/// the mass as it does the contact's own. Precondition: 0 < mass < m_c, or M is no longer positive definite.
+[[nodiscard]] solver::ContactSystem with_radiating_contact(const solver::ContactSystem& system, double mass,
+                                                           double dashpot);
+
 }  // namespace stickslip::studies

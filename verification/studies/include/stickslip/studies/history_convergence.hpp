@@ -29,10 +29,12 @@ struct HistoryRun {
 
 /// The observed growth is the slope of the logarithm of the largest difference in each period of the load,
 /// from the first slip to a tenth of the range, or 0 if there are fewer than three periods. `time_step` is
-/// shortened to divide the spacing of the reference. Throws what solver::BeamSimulation throws.
+/// shortened to divide the spacing of the reference. With a radiating_share > 0 that share of the mass rho A
+/// l of an element, l its length, hangs on the tip by a dashpot of kappa (with_radiating_contact()). Throws
+/// what solver::BeamSimulation throws.
 [[nodiscard]] HistoryRun history_run(const data::Case& problem, const ConvergedHistory& reference,
                                      int elements, double time_step, double spectral_radius,
-                                     bool observe_growth);
+                                     bool observe_growth, double radiating_share = 0.0);
 
 /// How the step follows the mesh.
 struct StepRule {
@@ -40,6 +42,7 @@ struct StepRule {
   double angle{};      ///< omega_max h; or 0 for a fixed step
   double time_step{};  ///< h, s, if the angle is 0
   double spectral_radius{};
+  double radiating_share{};  ///< see history_run()
 };
 
 /// The time step of a rule, s.
