@@ -9,13 +9,13 @@ array hz[3] = [hz1, hz2, hz3]
 array runs[3] = [1, 3, 6]
 set xrange [0:shown]
 set xtics 0.1
-set multiplot layout 3, 3 margins 0.075, 0.985, 0.075, 0.915 spacing 0.05, 0.055
+set multiplot layout 3, 3 margins 0.075, 0.985, 0.075, 0.905 spacing 0.05, 0.08
 do for [j = 1:3] {
   do for [k = 1:3] {
     stats file using ($1 == hz[j] && $2 == runs[k] ? (method = strcol(3), size = $4, error = $7) : NaN) \
       nooutput
-    set title (j == 1 ? sprintf('%s, %d elements', method, size) : '') font typeface.',7' offset 0, -0.7
-    set label 1 sprintf('%g Hz, error %.1f %%', hz[j], error) at graph 0.97, 0.93 right font typeface.',7'
+    set title (j == 1 ? sprintf("%s, %d elements\n", method, size) : '').sprintf('%g Hz, error %.1f %%', hz[j], error) \
+      font typeface.',7' offset 0, -0.7
     set xlabel (j == 3 ? 'time t / s' : '')
     set ylabel (k == 1 ? 'y(L, t) / mm' : '') offset 1.5
     if (j == 1 && k == 1) {

@@ -11,6 +11,7 @@
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/studies/contact_growth.hpp"
 #include "stickslip/studies/discretisation.hpp"
 #include "stickslip/studies/history_convergence.hpp"

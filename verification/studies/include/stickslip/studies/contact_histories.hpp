@@ -30,10 +30,10 @@ struct ContactHistory {
 struct PracticeRun {
   std::string method{};
   int elements{};
-  double time_step{};                    ///< s; 0 for event-driven runs
-  double spectral_radius{};              ///< of generalised-alpha
-  int changes{};                         ///< of contact
-  double largest_error{};                ///< of y(L) at the times of the history, as a fraction of its range
+  double time_step{};        ///< s; 0 for event-driven runs
+  double spectral_radius{};  ///< of generalised-alpha
+  int changes{};             ///< of contact
+  double largest_error{};    ///< of y(L) at the times of the history, as a fraction of its range
   std::vector<double> tip_displacement{};  ///< y(L) at the times of the history, m
 };
 
