@@ -37,7 +37,6 @@ blue = '#0072B2'
 vermillion = '#D55E00'
 purple = '#CC79A7'
 grey = '#8C8C8C'
-pale = '#8DB9D8'
 
 set style line 1 linecolor rgb blue linewidth 1.5
 set style line 2 linecolor rgb vermillion linewidth 1.2 pointtype 6 pointsize 0.35

@@ -280,19 +280,21 @@ void define_events(StudyResults& results, Macros& macros) {
 }
 
 void define_motions(StudyResults& results, Macros& macros) {
-  double stick = 0.0, predicted = 0.0, relative = 0.0;
+  double stick = 0.0, predicted = 0.0, relative = 0.0, half_width = 0.0;
   for (const auto& motion : results.beam_motions()) {
     if (motion.stick_difference > stick) {
       stick = motion.stick_difference;
       predicted = motion.predicted_stick_difference;
     }
     relative = std::max(relative, motion.difference / motion.peak);
+    half_width = std::max(half_width, motion.half_width / motion.peak);
   }
   macros.plain("MotionAmplitude", results.beam_motions().front().amplitude / millimetre);
   macros.count("MotionSnapshots", results.beam_motions().front().reference.snapshots.size());
   macros.define("MotionStickDifference", scientific(stick, 2));
   macros.define("MotionStickPredicted", scientific(predicted, 2));
   macros.define("MotionDifferenceRelative", significant(100.0 * relative, 2));
+  macros.define("MotionHalfWidth", significant(100.0 * half_width, 1));
 }
 
 // "(a) half a unit of the last digit; (b) ..."

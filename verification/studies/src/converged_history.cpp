@@ -21,7 +21,7 @@ namespace stickslip::studies {
 namespace {
 
 struct Run {
-  std::vector<double> tip, midspan, friction_force;
+  std::vector<double> tip, midspan;
   std::vector<ConvergedStick> sticks;  // of every length, the first one included
   HistoryLevel level;
 };
@@ -36,23 +36,17 @@ class Gatherer {
   void add(const analytic::ContactStep& step) {
     const double time = static_cast<double>(steps_) * time_step_;
     const bool stuck = step.sliding_velocity == 0.0;
-    if (steps_ == 0) run_.friction_force = {-step.friction_force};
-    if (steps_ > 0 && steps_ % every_ == 0)
-      run_.friction_force.push_back(-0.5 * (previous_force_ + step.friction_force));
     if (stuck && !stuck_) run_.sticks.push_back({.begin = time, .end = time, .position = position_});
     if (steps_ > 0 && stuck != stuck_) ++run_.level.changes;
     position_ += time_step_ * step.sliding_velocity;
     if (stuck) run_.sticks.back().end = time + time_step_;
     stuck_ = stuck;
-    previous_force_ = step.friction_force;
     if (++steps_ % every_ == 0) run_.tip.push_back(position_);
   }
 
-  void finish() { run_.friction_force.push_back(-previous_force_); }
-
  private:
   Run& run_;
-  double time_step_, position_{}, previous_force_{};
+  double time_step_, position_{};
   std::size_t every_, steps_{};
   bool stuck_{};
 };
@@ -73,7 +67,6 @@ class Study {
     Run run;
     Gatherer gatherer(run, grid.time_step, every);
     for (const analytic::ContactStep& step : beam.steps()) gatherer.add(step);
-    gatherer.finish();
     if (effort_.with_midspan) run.midspan = beam.displacement(0.5 * problem_.beam.length(), every);
     run.level.method = "boundary integral";
     run.level.time_step = grid.time_step;
@@ -101,7 +94,6 @@ class Study {
       for (std::size_t k = 0; k < shapes.size(); ++k)
         run.midspan[(n + 1) / every] += shapes[k] * beam.amplitudes()[k];
     }
-    gatherer.finish();
     run.level.method = "free modes";
     run.level.time_step = grid.time_step;
     run.level.modes = modes;
@@ -212,7 +204,6 @@ ConvergedHistory converged_history(const data::Case& problem, const ConvergedEff
   }
   history.tip = finest.tip;
   history.midspan = finest.midspan;
-  history.friction_force = finest.friction_force;
   return history;
 }
 

@@ -104,9 +104,7 @@ HistoryRun history_run(const data::Case& problem, const ConvergedHistory& refere
       .growth_bound = growth_bound(stepped_contact(mobility, choices.time_step, spectral_radius),
                                    weakening(problem.friction, problem.beam.axial_force())),
       .changes = run.changes};
-  for (std::size_t i = 0; i < run.time.size(); ++i)
-    result.error = std::max(result.error, std::abs(run.tip_displacement[i] - reference.tip[i]));
-  result.error /= reference.tip_range;
+  result.error = largest_difference(run.tip_displacement, reference.tip) / reference.tip_range;
   if (observe_growth)
     result.observed_growth = growth_rate(run, history(perturbation), 1.0 / problem.excitation.frequency_hz(),
                                          observed_until * reference.tip_range);

@@ -41,7 +41,6 @@ struct ConvergedHistory {
   ConvergedStick first_stick;                              ///< from the start to the first slip
   std::vector<ConvergedStick> sticks;  ///< after it, at least shortest_stick long, in all three runs
   std::vector<HistoryLevel> levels;    ///< finest first, boundary integral before free modes
-  std::vector<double> friction_force;  ///< f of Eq. (28) at time, mean of the steps around it, N
 
   /// The largest half-width of y(L) as a fraction of its range.
   [[nodiscard]] double largest_half_width() const;
