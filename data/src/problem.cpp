@@ -1,7 +1,5 @@
 #include "stickslip/data/problem.hpp"
 
-#include <array>
-#include <charconv>
 #include <cmath>
 
 namespace stickslip::data {
@@ -10,17 +8,17 @@ namespace {
 
 void require_finite(std::string_view field, double value, std::string_view unit) {
   if (std::isfinite(value)) return;
-  throw FieldError(field, shortest_text(value), "a finite number" + std::string(unit));
+  throw FieldError(field, value, "a finite number" + std::string(unit));
 }
 
 void require_positive(std::string_view field, double value, std::string_view unit) {
   if (std::isfinite(value) && value > 0.0) return;
-  throw FieldError(field, shortest_text(value), "a finite number above 0" + std::string(unit));
+  throw FieldError(field, value, "a finite number above 0" + std::string(unit));
 }
 
 void require_not_negative(std::string_view field, double value, std::string_view unit) {
   if (std::isfinite(value) && value >= 0.0) return;
-  throw FieldError(field, shortest_text(value), "a finite number of 0 or more" + std::string(unit));
+  throw FieldError(field, value, "a finite number of 0 or more" + std::string(unit));
 }
 
 void require_between(std::string_view field, int value, int lowest, int highest) {
@@ -30,17 +28,6 @@ void require_between(std::string_view field, int value, int lowest, int highest)
 }
 
 }  // namespace
-
-FieldError::FieldError(std::string_view field, std::string_view value, std::string_view allowed)
-    : std::invalid_argument(std::string(field) + " is " + std::string(value) + ", but must be " +
-                            std::string(allowed)),
-      field_(field) {}
-
-std::string shortest_text(double value) {
-  std::array<char, 32> buffer{};  // the longest shortest text of a double has 24 characters
-  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-  return {buffer.data(), result.ptr};
-}
 
 Beam::Beam(const BeamProperties& properties) : properties_(properties) {
   require_positive("beam.length", length(), " (m)");

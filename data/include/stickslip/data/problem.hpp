@@ -12,28 +12,11 @@
 /// Every quantity is in SI units. Derived quantities (E I, rho A, Omega, mu(v), h(t)) are left to each of the
 /// two implementations on purpose, so that a slip in one of them shows when they are compared.
 
-#include <stdexcept>
 #include <string>
-#include <string_view>
+
+#include "stickslip/data/input_error.hpp"
 
 namespace stickslip::data {
-
-/// A value that a problem type refuses, in one sentence: "beam.length is -2, but must be a finite number
-/// above 0 (m)".
-class FieldError : public std::invalid_argument {
- public:
-  /// `field` is "table.key" of a case file, `value` the text of what was given, `allowed` what may stand
-  /// there.
-  FieldError(std::string_view field, std::string_view value, std::string_view allowed);
-
-  [[nodiscard]] const std::string& field() const noexcept { return field_; }
-
- private:
-  std::string field_;
-};
-
-/// The shortest decimal text that reads back as the same double: "0.1", "-2", "1e-05", "nan", "inf".
-[[nodiscard]] std::string shortest_text(double value);
 
 /// What a Beam is built from; field names are the keys of the table [beam] in a case file.
 struct BeamProperties {
