@@ -13,7 +13,7 @@
 
 #include "stickslip/analytic/bounds.hpp"
 #include "stickslip/data/case_file.hpp"
-#include "stickslip/studies/problem_warnings.hpp"
+#include "studies/criterion/problem_warnings.hpp"
 
 namespace stickslip::cli {
 

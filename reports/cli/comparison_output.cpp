@@ -122,15 +122,15 @@ Json json_of(const Comparison::Likeness& likeness) {
   if (!likeness.diagnosis) return object;
   const studies::Diagnosis& diagnosis = *likeness.diagnosis;
   object["finding"] = finding_name(diagnosis.finding);
-  object["distance_from_truth"] = diagnosis.from_truth;
+  object["distance_from_truth"] = diagnosis.from_reference;
   object["uncertainty"] = diagnosis.uncertainty;
   object["required_ratio"] = diagnosis.required_ratio;
   object["named"] = diagnosis.named;
   object["ranking"] = Json::array();
-  for (const studies::Suspect& suspect : diagnosis.ranked)
+  for (const studies::Candidate& suspect : diagnosis.ranked)
     object["ranking"].push_back({{"name", suspect.name},
                                  {"distance", suspect.distance},
-                                 {"distance_from_truth", suspect.from_truth}});
+                                 {"distance_from_truth", suspect.from_reference}});
   return object;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "case_options.hpp"
-#include "stickslip/studies/comparison.hpp"
+#include "comparison/comparison.hpp"
 
 namespace stickslip::cli {
 

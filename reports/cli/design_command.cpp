@@ -15,7 +15,7 @@
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/report/interruption.hpp"
 #include "stickslip/report/progress.hpp"
-#include "stickslip/studies/design_guide.hpp"
+#include "studies/criterion/design_guide.hpp"
 
 namespace stickslip::cli {
 

@@ -1,7 +1,7 @@
 #include "long_work.hpp"
 
 #include "case_options.hpp"
-#include "stickslip/studies/thread_count.hpp"
+#include "studies/common/thread_count.hpp"
 
 namespace stickslip::cli {
 

@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-#include "stickslip/studies/criterion_map.hpp"
+#include "studies/criterion/criterion_map.hpp"
 
 namespace stickslip::cli {
 

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "stickslip/data/problem.hpp"
-#include "stickslip/studies/common_digits.hpp"
+#include "studies/common/common_digits.hpp"
 
 namespace stickslip::cli {
 

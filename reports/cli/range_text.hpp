@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "stickslip/studies/criterion_map.hpp"
-#include "stickslip/studies/design_guide.hpp"
+#include "studies/criterion/criterion_map.hpp"
+#include "studies/criterion/design_guide.hpp"
 
 namespace stickslip::cli {
 

@@ -18,7 +18,7 @@
 #include "stickslip/report/progress.hpp"
 #include "stickslip/report/report.hpp"
 #include "stickslip/report/text_file.hpp"
-#include "stickslip/studies/beam_motion.hpp"
+#include "studies/stick_slip/beam_motion.hpp"
 
 namespace stickslip::report {
 

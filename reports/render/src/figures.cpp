@@ -11,7 +11,7 @@
 #include "stickslip/data/paper.hpp"
 #include "stickslip/mutants/record.hpp"
 #include "stickslip/solver/contact_system.hpp"
-#include "stickslip/studies/contact_growth.hpp"
+#include "studies/stick_slip/contact_growth.hpp"
 
 namespace stickslip::report {
 

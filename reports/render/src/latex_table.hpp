@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "stickslip/studies/convergence.hpp"
+#include "studies/convergence/convergence.hpp"
 
 namespace stickslip::report {
 

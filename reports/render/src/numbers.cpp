@@ -15,7 +15,7 @@
 #include "stickslip/data/paper.hpp"
 #include "stickslip/mutants/verdict.hpp"
 #include "stickslip/report/latex_text.hpp"
-#include "stickslip/studies/contact_growth.hpp"
+#include "studies/stick_slip/contact_growth.hpp"
 #include "traceability.hpp"
 #include "units.hpp"
 
@@ -340,12 +340,12 @@ void define_solution_verification(StudyResults& results, Macros& macros) {
   macros.define("SearchBestStep", scientific(search.most_returned.sampling_step, 1));
 }
 
-void define_impostors(StudyResults& results, Macros& macros) {
-  const auto& study = results.impostors();
-  macros.count("ImpostorCount", study.effects.size());
-  macros.plain("ImpostorStickDuration", study.stick_duration);
-  macros.plain("ImpostorContactDuration", study.contact_duration);
-  macros.define("ImpostorUncertainty", significant(100.0 * study.contact_uncertainty, 1));
+void define_wrong_models(StudyResults& results, Macros& macros) {
+  const auto& study = results.wrong_models();
+  macros.count("WrongModelCount", study.effects.size());
+  macros.plain("WrongModelStickDuration", study.stick_duration);
+  macros.plain("WrongModelContactDuration", study.contact_duration);
+  macros.define("WrongModelUncertainty", significant(100.0 * study.contact_uncertainty, 1));
 }
 
 void define_agreement(StudyResults& results, Macros& macros) {
@@ -421,7 +421,7 @@ std::string make_numbers(StudyResults& results, const Environment& environment,
   define_motions(results, macros);
   define_paper(results, macros);
   define_solution_verification(results, macros);
-  define_impostors(results, macros);
+  define_wrong_models(results, macros);
   define_agreement(results, macros);
   define_design(results, macros);
   define_mutants(mutants, macros);

@@ -33,7 +33,7 @@ const std::vector<double> energy_audit_steps{2e-5, 1e-5, 5e-6, 2.5e-6, 1.25e-6, 
 const std::vector<int> damped_audit_elements{10};
 const std::vector<int> undamped_audit_elements{5, 10, 20};
 constexpr int continuous_modes = 20;
-constexpr double impostor_stick_duration = 1.0, impostor_contact_duration = 0.12;  // s
+constexpr double wrong_model_stick_duration = 1.0, wrong_model_contact_duration = 0.12;  // s
 
 data::NumericalSettings with_duration(const data::NumericalSettings& numerics, double duration) {
   data::NumericalChoices choices = numerics.choices();
@@ -292,9 +292,9 @@ const std::vector<studies::BeamMotionStudy>& StudyResults::beam_motions() {
   });
 }
 
-const studies::ImpostorStudy& StudyResults::impostors() {
-  return once(impostors_, "impostors", "what the known mistakes change", [&] {
-    return studies::impostor_study(damped_, impostor_stick_duration, impostor_contact_duration);
+const studies::WrongModelStudy& StudyResults::wrong_models() {
+  return once(wrong_models_, "wrong models", "what the known mistakes change", [&] {
+    return studies::wrong_model_study(damped_, wrong_model_stick_duration, wrong_model_contact_duration);
   });
 }
 

@@ -9,28 +9,28 @@
 #include <utility>
 #include <vector>
 
+#include "comparison/wrong_models.hpp"
 #include "stickslip/data/case_file.hpp"
-#include "stickslip/studies/beam_motion.hpp"
-#include "stickslip/studies/classification.hpp"
-#include "stickslip/studies/contact_histories.hpp"
-#include "stickslip/studies/criterion_map.hpp"
-#include "stickslip/studies/critical_amplitude.hpp"
-#include "stickslip/studies/damped_benchmark.hpp"
-#include "stickslip/studies/design_guide.hpp"
-#include "stickslip/studies/energy_audit.hpp"
-#include "stickslip/studies/event_order.hpp"
-#include "stickslip/studies/force_maximum.hpp"
-#include "stickslip/studies/force_sensitivity.hpp"
-#include "stickslip/studies/frequencies.hpp"
-#include "stickslip/studies/history_convergence.hpp"
-#include "stickslip/studies/impostors.hpp"
-#include "stickslip/studies/length_force_map.hpp"
-#include "stickslip/studies/manufactured_solution.hpp"
-#include "stickslip/studies/paper_checks.hpp"
-#include "stickslip/studies/scheme_comparison.hpp"
-#include "stickslip/studies/solution_verification.hpp"
-#include "stickslip/studies/stick_history.hpp"
-#include "stickslip/studies/time_order.hpp"
+#include "studies/convergence/manufactured_solution.hpp"
+#include "studies/convergence/scheme_comparison.hpp"
+#include "studies/convergence/time_order.hpp"
+#include "studies/criterion/classification.hpp"
+#include "studies/criterion/criterion_map.hpp"
+#include "studies/criterion/critical_amplitude.hpp"
+#include "studies/criterion/design_guide.hpp"
+#include "studies/criterion/length_force_map.hpp"
+#include "studies/paper/force_sensitivity.hpp"
+#include "studies/paper/paper_checks.hpp"
+#include "studies/paper/solution_verification.hpp"
+#include "studies/stick/force_maximum.hpp"
+#include "studies/stick/frequencies.hpp"
+#include "studies/stick/stick_history.hpp"
+#include "studies/stick_slip/beam_motion.hpp"
+#include "studies/stick_slip/contact_histories.hpp"
+#include "studies/stick_slip/damped_benchmark.hpp"
+#include "studies/stick_slip/energy_audit.hpp"
+#include "studies/stick_slip/event_order.hpp"
+#include "studies/stick_slip/history_convergence.hpp"
 #include "study_store.hpp"
 
 namespace stickslip::report {
@@ -76,7 +76,7 @@ class StudyResults {
   const std::vector<studies::HistoryRefinement>& history_refinements();
   const std::vector<studies::EnergyAudit>& energy_audits();  ///< damped, then undamped, 25 Hz
   const std::vector<studies::SchemeRun>& schemes();          ///< paper's settings, 25 Hz, 1 mm
-  const studies::ImpostorStudy& impostors();                 ///< of the damped benchmark, 25 Hz
+  const studies::WrongModelStudy& wrong_models();            ///< of the damped benchmark, 25 Hz
   const studies::ForceSensitivity& force_sensitivity();      ///< of the four printed |f_max|
   const studies::SolutionVerification& solution_verification();
   const studies::CriterionMap&
@@ -131,7 +131,7 @@ class StudyResults {
   std::optional<std::vector<studies::HistoryRefinement>> history_growth_, history_refinements_;
   std::optional<std::vector<studies::EnergyAudit>> energy_audits_;
   std::optional<std::vector<studies::SchemeRun>> schemes_;
-  std::optional<studies::ImpostorStudy> impostors_;
+  std::optional<studies::WrongModelStudy> wrong_models_;
   std::optional<studies::ForceSensitivity> force_sensitivity_;
   std::optional<studies::SolutionVerification> solution_verification_;
   std::optional<studies::CriterionMap> stiffness_map_;

@@ -445,11 +445,11 @@ std::string change_text(const std::optional<double>& change) {
   return std::abs(100.0 * *change) < smallest ? "0" : compact_number(100.0 * *change, 2);
 }
 
-std::string impostor_rows(StudyResults& results) {
+std::string wrong_model_rows(StudyResults& results) {
   Rows rows;
-  for (const auto& effect : results.impostors().effects)
-    rows.add({fmt::format("\\texttt{{{}}}: {}. {}", escape(effect.impostor.name),
-                          typeset(effect.impostor.mistake), typeset(effect.impostor.place)),
+  for (const auto& effect : results.wrong_models().effects)
+    rows.add({fmt::format("\\texttt{{{}}}: {}. {}", escape(effect.wrong_model.name),
+                          typeset(effect.wrong_model.mistake), typeset(effect.wrong_model.place)),
               change_text(effect.stick_frequency), change_text(effect.slip_frequency),
               change_text(effect.force_maximum), change_text(effect.stick_force),
               change_text(effect.stick_displacement), change_text(effect.first_slip),
@@ -650,7 +650,7 @@ Document make_tables(StudyResults& results, const Environment& environment,
           {"table-converged-levels.tex", converged_levels(results)},
           {"table-history-growth.tex", history_growth(results)},
           {"table-history-refinements.tex", history_refinements(results)},
-          {"table-impostors.tex", impostor_rows(results)},
+          {"table-wrong-models.tex", wrong_model_rows(results)},
           {"table-errata.tex", errata()},
           {"table-evidence.tex", evidence(results)},
           {"table-printed.tex", printed(results)},

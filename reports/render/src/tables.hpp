@@ -3,7 +3,7 @@
 #include "document.hpp"
 #include "environment.hpp"
 #include "mutant_tables.hpp"
-#include "stickslip/studies/input_matrix.hpp"
+#include "studies/common/input_matrix.hpp"
 #include "study_results.hpp"
 #include "test_results.hpp"
 

@@ -18,8 +18,8 @@
 #include "stickslip/report/criterion_map.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/modal_stick_run.hpp"
-#include "stickslip/studies/criterion_map.hpp"
-#include "stickslip/studies/critical_amplitude.hpp"
+#include "studies/criterion/criterion_map.hpp"
+#include "studies/criterion/critical_amplitude.hpp"
 
 namespace stickslip::benchmarks {
 namespace {

@@ -8,9 +8,9 @@
 #include <stdexcept>
 
 #include "fingerprint.hpp"
-#include "parallel.hpp"
 #include "stickslip/mutants/mutator.hpp"
 #include "stickslip/report/text_file.hpp"
+#include "studies/common/parallel.hpp"
 
 namespace stickslip::mutants {
 

@@ -13,7 +13,7 @@
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
-#include "stickslip/studies/damped_benchmark.hpp"
+#include "studies/stick_slip/damped_benchmark.hpp"
 
 namespace stickslip::reference {
 

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "sets.hpp"
-#include "stickslip/studies/converged_history.hpp"
+#include "studies/stick_slip/converged_history.hpp"
 
 namespace stickslip::reference {
 

@@ -17,7 +17,7 @@
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_model.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
-#include "stickslip/studies/stick_history.hpp"
+#include "studies/stick/stick_history.hpp"
 #include "support/beams.hpp"
 #include "support/claim.hpp"
 #include "support/paper_case.hpp"

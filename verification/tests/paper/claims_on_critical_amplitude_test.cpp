@@ -11,9 +11,9 @@
 
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/paper.hpp"
-#include "stickslip/studies/critical_amplitude.hpp"
-#include "stickslip/studies/force_maximum.hpp"
-#include "stickslip/studies/frequencies.hpp"
+#include "studies/criterion/critical_amplitude.hpp"
+#include "studies/stick/force_maximum.hpp"
+#include "studies/stick/frequencies.hpp"
 #include "support/claim.hpp"
 #include "support/paper_case.hpp"
 #include "support/trend.hpp"

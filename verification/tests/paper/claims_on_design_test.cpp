@@ -11,7 +11,7 @@
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/paper.hpp"
-#include "stickslip/studies/length_force_map.hpp"
+#include "studies/criterion/length_force_map.hpp"
 #include "support/claim.hpp"
 #include "support/flat_beam.hpp"
 #include "support/paper_case.hpp"

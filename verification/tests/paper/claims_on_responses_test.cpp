@@ -15,7 +15,7 @@
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/data/paper.hpp"
-#include "stickslip/studies/contact_histories.hpp"
+#include "studies/stick_slip/contact_histories.hpp"
 #include "support/beams.hpp"
 #include "support/claim.hpp"
 #include "support/paper_case.hpp"

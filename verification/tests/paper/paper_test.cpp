@@ -10,7 +10,7 @@
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/paper.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
-#include "stickslip/studies/paper_checks.hpp"
+#include "studies/paper/paper_checks.hpp"
 #include "support/beams.hpp"
 #include "support/paper_case.hpp"
 #include "support/tolerance.hpp"

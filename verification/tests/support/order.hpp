@@ -12,7 +12,7 @@
 #include <sstream>
 #include <vector>
 
-#include "stickslip/studies/convergence.hpp"
+#include "studies/convergence/convergence.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {

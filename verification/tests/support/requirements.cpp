@@ -220,11 +220,11 @@ const std::vector<Requirement> table{
      "Roache (1994)",
      {"GridConvergenceIndex", "SolutionVerification"}},
     {"X17",
-     "Named wrong models differ from the truth where they claim to and are recognised by their results; "
+     "Named wrong models differ from the reference where they claim to and are recognised by their results; "
      "others "
      "are not blamed.",
      "Sects. 2 to 5; E1 to E4",
-     {"Impostors", "ImpostorsIn", "Impostor", "LineUpOfImpostors", "Diagnosis"}},
+     {"WrongModels", "WrongModelsIn", "WrongModel", "ReferenceResultsOf", "Diagnosis"}},
     {"X18",
      "What neither implementation can model both refuse, and nothing else.",
      "Eqs. (4), (23); buckling",

@@ -11,7 +11,7 @@
 #include <sstream>
 #include <string>
 
-#include "stickslip/studies/convergence.hpp"
+#include "studies/convergence/convergence.hpp"
 #include "support/trace.hpp"
 
 namespace stickslip::testing {

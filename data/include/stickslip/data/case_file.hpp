@@ -10,16 +10,10 @@
 #include <string_view>
 #include <vector>
 
+#include "stickslip/data/input_error.hpp"
 #include "stickslip/data/problem.hpp"
 
 namespace stickslip::data {
-
-/// Unusable input: one sentence that names the place (file and line, or the override), the key, the value and
-/// what is allowed.
-class InputError : public std::invalid_argument {
- public:
-  using std::invalid_argument::invalid_argument;
-};
 
 /// Throws InputError for a result that is not finite, as "the answer comes out as inf, but must be finite":
 /// quantities that are allowed one by one can overflow together.

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "stickslip/studies/comparison.hpp"
+#include "comparison/comparison.hpp"
 
 namespace stickslip::report {
 

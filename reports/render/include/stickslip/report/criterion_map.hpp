@@ -4,7 +4,7 @@
 
 #include "stickslip/data/problem.hpp"
 #include "stickslip/report/csv_table.hpp"
-#include "stickslip/studies/criterion_map.hpp"
+#include "studies/criterion/criterion_map.hpp"
 
 namespace stickslip::report {
 

@@ -1,0 +1,193 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "comparison/wrong_models.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+constexpr double accidental = 0.01;  // of all unrelated errors may be named
+constexpr double least_ratio = 3.0;
+
+bool each_counts_alike(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::stick_frequency:
+    case Quantity::slip_frequency:
+    case Quantity::force_maximum:
+    case Quantity::critical_amplitude:
+    case Quantity::contact_event:
+      return true;
+    default:
+      return false;
+  }
+}
+
+double root_mean_square(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value * value;
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+// (a - b)/s, entry by entry.
+std::vector<double> scaled_difference(const ModelResults& model_results, const std::vector<double>& a,
+                                      const std::vector<double>& b) {
+  const bool alike = each_counts_alike(model_results.quantity);
+  const double common = root_mean_square(model_results.reference);
+  std::vector<double> difference;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    difference.push_back((a[i] - b[i]) / (alike ? std::abs(model_results.reference[i]) : common));
+  return difference;
+}
+
+// K and n of Diagnosis.
+struct Field {
+  double count{}, dimension{1.0};
+};
+Field field_of(const ModelResults& model_results, double uncertainty) {
+  std::vector<std::vector<double>> directions;
+  for (const auto& wrong_model : model_results.wrong_models) {
+    if (!std::isfinite(wrong_model.from_reference) || wrong_model.from_reference <= uncertainty) continue;
+    directions.push_back(scaled_difference(model_results, wrong_model.values, model_results.reference));
+    const double length = root_mean_square(directions.back());
+    for (double& component : directions.back()) component /= length;
+  }
+  double sum = 0.0;
+  for (const auto& a : directions)
+    for (const auto& b : directions) {
+      double cosine = 0.0;
+      for (std::size_t i = 0; i < a.size(); ++i) cosine += a[i] * b[i];
+      cosine /= static_cast<double>(a.size());
+      sum += cosine * cosine;
+    }
+  if (directions.empty()) return {};
+  const auto count = static_cast<double>(directions.size());
+  return {.count = count, .dimension = count * count / sum};
+}
+
+void require_same_size(const char* what, std::size_t size, std::size_t expected) {
+  if (size != expected)
+    throw std::invalid_argument(
+        fmt::format("observation: {} {}, must be as many as the abscissa has, {}", size, what, expected));
+}
+
+void require_usable(const ModelResults& model_results, const Observation& observation) {
+  if (observation.quantity != model_results.quantity || observation.abscissa != model_results.abscissa)
+    throw std::invalid_argument("observation: must have the quantity and the abscissa of the comparison");
+  require_same_size("values", observation.values.size(), observation.abscissa.size());
+  require_same_size("uncertainties", observation.uncertainty.size(), observation.abscissa.size());
+  for (const double value : observation.values)
+    if (!std::isfinite(value))
+      throw std::invalid_argument(fmt::format("observation: value = {}, must be finite", value));
+  for (const double uncertainty : observation.uncertainty)
+    if (!(uncertainty >= 0.0 && std::isfinite(uncertainty)))
+      throw std::invalid_argument(
+          fmt::format("observation: uncertainty = {}, must be finite and not negative", uncertainty));
+}
+
+std::string percent(double share) { return fmt::format("{:.2g} %", 100.0 * share); }
+
+const WrongModel& wrong_model_named(const std::string& name) {
+  return *std::ranges::find(wrong_models(), name, &WrongModel::name);
+}
+
+std::string quoted(const std::vector<std::string>& names) {
+  return fmt::format("'{}'", fmt::join(names, "', '"));
+}
+
+}  // namespace
+
+double distance(const ModelResults& model_results, const std::vector<double>& a,
+                const std::vector<double>& b) {
+  const double result = root_mean_square(scaled_difference(model_results, a, b));
+  return std::isfinite(result) ? result : std::numeric_limits<double>::infinity();
+}
+
+Diagnosis diagnose(const ModelResults& model_results, const Observation& observation) {
+  require_usable(model_results, observation);
+  const auto& uncertainty = observation.uncertainty;
+  Diagnosis diagnosis;
+  diagnosis.from_reference = distance(model_results, observation.values, model_results.reference);
+  diagnosis.uncertainty = model_results.reference_uncertainty +
+                          distance(model_results, uncertainty, std::vector<double>(uncertainty.size(), 0.0));
+  const Field field = field_of(model_results, diagnosis.uncertainty);
+  diagnosis.dimension = field.dimension;
+  diagnosis.required_ratio =
+      std::max(least_ratio, std::pow(field.count / (accidental * std::log(10.0)), 1.0 / field.dimension));
+
+  for (const auto& wrong_model : model_results.wrong_models)
+    diagnosis.ranked.push_back({wrong_model.name,
+                                distance(model_results, observation.values, wrong_model.values),
+                                wrong_model.from_reference});
+  std::ranges::stable_sort(diagnosis.ranked, {}, &Candidate::distance);
+
+  const auto name_those_like = [&](const std::vector<double>& model) {
+    for (const Candidate& suspect : diagnosis.ranked) {
+      const auto member =
+          std::ranges::find(model_results.wrong_models, suspect.name, &ModelResults::Member::name);
+      if (distance(model_results, member->values, model) <= 2.0 * diagnosis.uncertainty)
+        diagnosis.named.push_back(suspect.name);
+    }
+  };
+  if (!std::isfinite(diagnosis.uncertainty)) {
+    diagnosis.finding = Finding::undecided;
+    return diagnosis;
+  }
+  if (diagnosis.from_reference <= diagnosis.uncertainty) {
+    diagnosis.finding = Finding::correct;
+    name_those_like(model_results.reference);
+    return diagnosis;
+  }
+  diagnosis.finding = Finding::unexplained;
+  if (diagnosis.ranked.empty()) return diagnosis;
+  const Candidate& nearest = diagnosis.ranked.front();
+  if (nearest.distance * diagnosis.required_ratio > diagnosis.from_reference) return diagnosis;
+  diagnosis.finding = Finding::mistaken;
+  name_those_like(
+      std::ranges::find(model_results.wrong_models, nearest.name, &ModelResults::Member::name)->values);
+  return diagnosis;
+}
+
+Diagnosis diagnose(const data::Case& problem, const Observation& observation) {
+  return diagnose(model_results(problem, observation.quantity, observation.abscissa), observation);
+}
+
+std::string sentence(const Diagnosis& diagnosis) {
+  const std::string from_reference = percent(diagnosis.from_reference);
+  switch (diagnosis.finding) {
+    case Finding::correct: {
+      std::string text = fmt::format("correct: {} from the reference, within the uncertainty of {}",
+                                     from_reference, percent(diagnosis.uncertainty));
+      if (!diagnosis.named.empty())
+        text += fmt::format("; it could not tell {} from the reference", quoted(diagnosis.named));
+      return text;
+    }
+    case Finding::mistaken: {
+      const std::vector<std::string> others(diagnosis.named.begin() + 1, diagnosis.named.end());
+      std::string text =
+          fmt::format("like '{}' ({}) to {}, while the reference is {} away", diagnosis.named.front(),
+                      wrong_model_named(diagnosis.named.front()).mistake,
+                      percent(diagnosis.ranked.front().distance), from_reference);
+      if (!others.empty()) text += fmt::format("; it could as well be {}", quoted(others));
+      return text;
+    }
+    case Finding::undecided:
+      return fmt::format("undecided: {} from a reference that another mesh and step do not confirm",
+                         from_reference);
+    case Finding::unexplained:
+      break;
+  }
+  std::string text = fmt::format("wrong by {}, like none of the known mistakes", from_reference);
+  if (!diagnosis.ranked.empty())
+    text += fmt::format("; the nearest, '{}', is {} away and would have to be within {}",
+                        diagnosis.ranked.front().name, percent(diagnosis.ranked.front().distance),
+                        percent(diagnosis.from_reference / diagnosis.required_ratio));
+  return text;
+}
+
+}  // namespace stickslip::studies

@@ -1,0 +1,450 @@
+#include "comparison/wrong_model_recipes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <utility>
+
+#include "stickslip/analytic/stick_modes.hpp"
+#include "studies/common/problem_parameter.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+using enum Quantity;
+using Quantities = std::vector<Quantity>;
+
+const Quantities held_motion{force_maximum, critical_amplitude, stick_force, stick_displacement};
+const Quantities stick_slip{contact_event, tip_displacement, friction_force};
+
+Quantities operator+(Quantities all, const Quantities& further) {
+  all.insert(all.end(), further.begin(), further.end());
+  return all;
+}
+
+const Quantities natural_frequencies{stick_frequency, slip_frequency};
+const Quantities everything =
+    natural_frequencies + Quantities{participation, quasi_static_shape} + held_motion + stick_slip;
+
+double mass_per_length(const data::Beam& beam) { return beam.density() * beam.area(); }
+double rigidity(const data::Beam& beam) { return beam.youngs_modulus() * beam.second_moment_of_area(); }
+
+data::Case with_second_moment(data::Case problem, double second_moment) {
+  data::BeamProperties properties = problem.beam.properties();
+  properties.second_moment_of_area = second_moment;
+  problem.beam = data::Beam(properties);
+  return problem;
+}
+
+data::Case with_damping(data::Case problem, const data::Damping& damping) {
+  problem.damping = damping;
+  return problem;
+}
+
+data::Case with_friction(data::Case problem, double static_coefficient, double kinetic_coefficient) {
+  problem.friction = data::FrictionLaw({.static_coefficient = static_coefficient,
+                                        .kinetic_coefficient = kinetic_coefficient,
+                                        .decay = problem.friction.decay()});
+  return problem;
+}
+
+// A rectangle b by d has A = b d and I = b d^3/12; about the other axis d b^3/12 = A^4/(144 I).
+std::optional<data::Case> about_the_other_axis(const data::Case& problem) {
+  const double area = problem.beam.area(), own = problem.beam.second_moment_of_area();
+  const double other = std::pow(area, 4) / (144.0 * own);
+  if (std::abs(other / own - 1.0) < 1e-9) return std::nullopt;
+  return with_second_moment(problem, other);
+}
+
+std::optional<data::Case> unless_coulomb(const data::Case& problem, double coefficient) {
+  if (problem.friction.static_coefficient() == problem.friction.kinetic_coefficient()) return std::nullopt;
+  return with_friction(problem, coefficient, coefficient);
+}
+
+// Both wave numbers with -P/(2EI): tan(beta L) = tanh(beta L), the modes of P = 0, and k = beta^4 + p beta^2.
+void use_one_wave_number(StickSum& sum, const data::Case& problem) {
+  const data::Beam& beam = problem.beam;
+  const double p = beam.axial_force() / rigidity(beam);
+  const data::Case unloaded = with_value(problem, Parameter::axial_force, 0.0);
+  const int count = static_cast<int>(sum.modes.size());
+  sum.modes = stick_sum(unloaded.beam, count).modes;
+  for (StickSum::Mode& mode : sum.modes) {
+    const double beta_squared = mode.natural_frequency * std::sqrt(mass_per_length(beam) / rigidity(beam));
+    mode.natural_frequency *= std::sqrt(1.0 + p / beta_squared);
+    mode.oscillator_frequency = mode.natural_frequency;
+  }
+}
+
+void let_the_wall_move_with_the_base(StickSum& sum) {
+  sum.force = 0.0;
+  sum.displacement = 1.0;
+  for (StickSum::Mode& mode : sum.modes) mode.participation = mode.rigid_participation;
+}
+
+solver::PrescribedMotion at_rest() {
+  const auto zero = [](double) { return 0.0; };
+  return {zero, zero, zero};
+}
+
+// Lumped after Hinton, Rock and Zienkiewicz: m l (1/2, l^2/78) at each end; the load is that of the masses.
+void lump_the_mass(solver::ContactSystem& system, const solver::BeamModel& mesh) {
+  const double length = mesh.beam().length() / mesh.elements();
+  const double mass = mass_per_length(mesh.beam()) * length;
+  Eigen::VectorXd lumped(mesh.degrees_of_freedom());
+  for (Eigen::Index i = 0; i < lumped.size(); i += 2) {
+    const double elements_there = i == mesh.tip_deflection() ? 1.0 : 2.0;
+    lumped[i] = elements_there * mass / 2.0;
+    lumped[i + 1] = elements_there * mass * length * length / 78.0;
+    system.load_shape[i] = -lumped[i];
+    system.load_shape[i + 1] = 0.0;
+  }
+  system.mass = solver::SparseMatrix(Eigen::MatrixXd(lumped.asDiagonal()).sparseView());
+}
+
+// EI u''' of the cubic in the last element.
+Eigen::RowVectorXd shear_of_the_last_element(const solver::BeamModel& mesh) {
+  const double l = mesh.beam().length() / mesh.elements();
+  const Eigen::RowVector4d third_derivative(12.0, 6.0 * l, -12.0, 6.0 * l);
+  Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(mesh.degrees_of_freedom());
+  const Eigen::Index there = std::min<Eigen::Index>(4, row.size());
+  row.tail(there) = rigidity(mesh.beam()) / (l * l * l) * third_derivative.tail(there);
+  return row;
+}
+
+ModalScheme scheme_of(const solver::GeneralizedAlpha& method, double step) {
+  return {.step = step,
+          .alpha_m = method.alpha_m(),
+          .alpha_f = method.alpha_f(),
+          .beta = method.beta(),
+          .gamma = method.gamma(),
+          .load_delay = method.load_time(0.0, step)};
+}
+
+ModalScheme scheme_of(const data::Case& problem) {
+  return scheme_of(solver::GeneralizedAlpha(problem.numerics.spectral_radius()),
+                   problem.numerics.time_step());
+}
+
+// The other weight, alpha_m of the new state, grows by alpha_m/(1 - alpha_m) > 1 in every step, however
+// short.
+ModalScheme with_alpha_f_of_the_new_state(const data::Case& problem) {
+  ModalScheme scheme = scheme_of(problem);
+  scheme.alpha_f = 1.0 - scheme.alpha_f;
+  scheme.load_delay = scheme.step - scheme.load_delay;
+  return scheme;
+}
+
+ModalScheme with_alphas_interchanged(const data::Case& problem) {
+  ModalScheme scheme = scheme_of(problem);
+  std::swap(scheme.alpha_m, scheme.alpha_f);
+  scheme.load_delay = (1.0 - scheme.alpha_f) * scheme.step;
+  return scheme;
+}
+
+ModalScheme with_the_load_at_the_end(const data::Case& problem) {
+  ModalScheme scheme = scheme_of(problem);
+  scheme.load_delay = scheme.step;
+  return scheme;
+}
+
+constexpr double added_damping = 0.01;  // of critical
+
+ModalScheme with_damping_added(const data::Case& problem) {
+  ModalScheme scheme = scheme_of(solver::GeneralizedAlpha(1.0), problem.numerics.time_step());
+  scheme.damping_ratio = added_damping;
+  return scheme;
+}
+
+double sign(double v) { return v < 0.0 ? -1.0 : 1.0; }
+
+double weakened(const data::FrictionLaw& law, double speed) {
+  const double kinetic = law.kinetic_coefficient();
+  return kinetic + (law.static_coefficient() - kinetic) * std::exp(-law.decay() * speed);
+}
+
+void take_the_relative_displacement(const data::Case& problem, Quantity quantity,
+                                    const std::vector<double>& abscissa, std::vector<double>& values) {
+  if (quantity != stick_displacement && quantity != tip_displacement) return;
+  const solver::PrescribedMotion base = solver::harmonic_motion(problem.excitation);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] -= base.displacement(abscissa[i]);
+}
+
+void change_the_sign_of_forces(const data::Case&, Quantity quantity, const std::vector<double>&,
+                               std::vector<double>& values) {
+  if (quantity != stick_force && quantity != friction_force) return;
+  for (double& value : values) value = -value;
+}
+
+// What the sum misses of the displacement falls as n^-5 or faster, of the force as n^-2.
+WrongModelRecipe with_modes(const std::string& name, const std::string& count, std::size_t modes) {
+  Quantities changes{force_maximum, critical_amplitude, stick_force};
+  if (modes < 3) changes.push_back(stick_displacement);
+  return {.wrong_model = {name, "the sum over " + count + " only", "Eq. (21)", changes},
+          .equations = [modes](StickSum& sum, const data::Case&) { sum.modes.resize(modes); },
+          .knows_stick_slip = false};
+}
+
+WrongModelRecipe with_mesh_of(const std::string& name, const std::string& count, int elements) {
+  return {.wrong_model = {name, "a mesh of " + count + " elements", "Sect. 2",
+                          natural_frequencies + held_motion + stick_slip},
+          .inputs = [elements](const data::Case& problem) { return with_elements(problem, elements); },
+          .mesh = [](solver::ContactSystem&, const solver::BeamModel&) {},
+          .depends_on_mesh = true};
+}
+
+std::vector<WrongModelRecipe> make_models() {
+  return {
+      {.wrong_model = {"second-moment-as-printed", "I is the printed one, a hundredth of what holds (E1)",
+                       "Sect. 3, parameters", everything},
+       .inputs = [](const data::Case& problem) -> std::optional<data::Case> {
+         return with_second_moment(problem, 0.01 * problem.beam.second_moment_of_area());
+       }},
+      {.wrong_model = {"second-moment-of-other-axis", "I is that about the other axis of the rectangle",
+                       "Sect. 3, parameters", everything},
+       .inputs = about_the_other_axis},
+      {.wrong_model = {"tension", "P pulls where it should press", "Eq. (1)", everything},
+       .inputs = [](const data::Case& problem) -> std::optional<data::Case> {
+         return with_value(problem, Parameter::axial_force, -problem.beam.axial_force());
+       }},
+      {.wrong_model = {"axial-force-left-out", "P presses the tip to the wall but does not bend the beam",
+                       "Eq. (1)", everything},
+       .inputs = [](const data::Case& problem) -> std::optional<data::Case> {
+         return with_value(problem, Parameter::axial_force, 0.0);
+       }},
+      {.wrong_model = {"one-wave-number", "both wave numbers have the printed sign of P/(2EI) (E2)",
+                       "Eq. (23)", Quantities{stick_frequency, participation} + held_motion},
+       .equations = use_one_wave_number,
+       .knows_stick_slip = false},
+      {.wrong_model = {"dead-load", "P keeps its direction where it should follow the tip", "Eq. (9)",
+                       Quantities{slip_frequency, force_maximum, critical_amplitude, stick_force} +
+                           stick_slip},
+       .mesh = [](solver::ContactSystem& system,
+                  const solver::BeamModel& mesh) { system.slip_stiffness = mesh.stick_stiffness(); }},
+      {.wrong_model = {"follower-term-sign", "the term P u'(L) at the tip has the wrong sign", "Eq. (9)",
+                       Quantities{slip_frequency, force_maximum, critical_amplitude, stick_force} +
+                           stick_slip},
+       .mesh =
+           [](solver::ContactSystem& system, const solver::BeamModel& mesh) {
+             system.slip_stiffness = 2.0 * mesh.stick_stiffness() - mesh.slip_stiffness();
+           }},
+      {.wrong_model = {"reaction-without-follower-term",
+                       "f is the support's reaction, EI u''' + P u', where it should be EI u'''",
+                       "Eq. (4)",
+                       {force_maximum, critical_amplitude, stick_force}},
+       .equations =
+           [](StickSum& sum, const data::Case&) {
+             sum.force += sum.follower_force;
+             for (StickSum::Mode& mode : sum.modes) mode.force += mode.follower_force;
+           },
+       .knows_stick_slip = false},
+      {.wrong_model = {"force-from-shape-functions",
+                       "f is EI u''' of the last element's cubic, where it should come from the balance",
+                       "Eq. (4)",
+                       {force_maximum, critical_amplitude, stick_force}},
+       .force_row = shear_of_the_last_element,
+       .knows_stick_slip = false},
+      {.wrong_model = {"force-sign",
+                       "f is the force on the beam, of the opposite sign",
+                       "Eq. (28)",
+                       {stick_force, friction_force}},
+       .reading = change_the_sign_of_forces},
+      {.wrong_model = {"relative-displacement",
+                       "u is reported where y = h + u should be",
+                       "Fig. 1",
+                       {stick_displacement, tip_displacement}},
+       .reading = take_the_relative_displacement},
+      {.wrong_model = {"wall-moves-with-base",
+                       "the tip sticks to the base: v_s is u_t where it should be y_t", "Eq. (3)",
+                       Quantities{participation} + held_motion + stick_slip},
+       .equations = [](StickSum& sum, const data::Case&) { let_the_wall_move_with_the_base(sum); },
+       .mesh = [](solver::ContactSystem& system, const solver::BeamModel&) { system.wall = at_rest(); }},
+      {.wrong_model = {"tip-clamped-in-stick", "the wall holds the rotation of the tip, too", "Eq. (3)",
+                       Quantities{stick_frequency} + held_motion},
+       .mesh =
+           [](solver::ContactSystem& system, const solver::BeamModel& mesh) {
+             const double clamp = 1e8 * rigidity(mesh.beam()) / mesh.beam().length();
+             system.stick_stiffness.coeffRef(mesh.tip_rotation(), mesh.tip_rotation()) += clamp;
+           },
+       .knows_stick_slip = false},
+      {.wrong_model = {"base-load-sign", "the load is +rho A h_tt", "Eq. (1)",
+                       Quantities{participation} + held_motion + stick_slip},
+       .equations =
+           [](StickSum& sum, const data::Case&) {
+             for (StickSum::Mode& mode : sum.modes) mode.participation -= 2.0 * mode.rigid_participation;
+           },
+       .mesh = [](solver::ContactSystem& system,
+                  const solver::BeamModel&) { system.load_shape = -system.load_shape; }},
+      {.wrong_model = {"base-load-left-out", "the base moves the beam's end but its inertia does not load it",
+                       "Eq. (1)", Quantities{participation} + held_motion + stick_slip},
+       .equations =
+           [](StickSum& sum, const data::Case&) {
+             for (StickSum::Mode& mode : sum.modes) mode.participation -= mode.rigid_participation;
+           },
+       .mesh = [](solver::ContactSystem& system, const solver::BeamModel&) { system.load_shape.setZero(); }},
+      {.wrong_model = {"hertz-as-radians", "the excitation frequency in Hz is taken for rad/s",
+                       "Sect. 3, excitation", held_motion + stick_slip},
+       .inputs = [](const data::Case& problem) -> std::optional<data::Case> {
+         return with_value(problem, Parameter::frequency,
+                           problem.excitation.frequency_hz() / (2.0 * std::numbers::pi));
+       }},
+      {.wrong_model = {"peak-to-peak-amplitude", "the amplitude is taken for the whole travel of the base",
+                       "Sect. 3, excitation", held_motion + stick_slip},
+       .inputs = [](const data::Case& problem) -> std::optional<data::Case> {
+         return with_value(problem, Parameter::amplitude, 0.5 * problem.excitation.amplitude());
+       }},
+      {.wrong_model = {"frequency-for-its-square", "omega_n T_n in the modal equation, as printed (E3)",
+                       "Eq. (24)", held_motion},
+       .equations =
+           [](StickSum& sum, const data::Case&) {
+             for (StickSum::Mode& mode : sum.modes)
+               mode.oscillator_frequency = std::sqrt(mode.natural_frequency);
+           },
+       .knows_stick_slip = false},
+      {.wrong_model = {"participation-without-shape", "C_n has 1 where it should have 1 + S", "Eq. (25)",
+                       Quantities{participation} + held_motion},
+       .equations =
+           [](StickSum& sum, const data::Case&) {
+             for (StickSum::Mode& mode : sum.modes) mode.participation = mode.rigid_participation;
+           },
+       .knows_stick_slip = false},
+      {.wrong_model = {"quasi-static-part-left-out", "the sum over the modes without S h(t)",
+                       "Eqs. (12), (27)", held_motion},
+       .equations =
+           [](StickSum& sum, const data::Case&) {
+             sum.force = 0.0;
+             sum.displacement = 1.0;
+           },
+       .knows_stick_slip = false},
+      {.wrong_model = {"zero-initial-velocity", "u_t(x,0) = 0 where it should be S(x) h_t(0) (E4)",
+                       "Sect. 3, initial conditions", held_motion + stick_slip},
+       .equations =
+           [](StickSum& sum, const data::Case& problem) {
+             sum.modes.resize(static_cast<std::size_t>(problem.numerics.modes()));
+             for (StickSum::Mode& mode : sum.modes)
+               mode.initial_rate = mode.participation - mode.rigid_participation;
+           },
+       .start = solver::InitialVelocity::zero},
+      with_modes("one-mode", "one mode", 1),
+      with_modes("two-modes", "two modes", 2),
+      with_modes("three-modes", "three modes", 3),
+      with_modes("five-modes", "five modes", 5),
+      {.wrong_model = {"steady-state-only", "the free vibrations of the start are left out", "Eq. (26)",
+                       held_motion},
+       .equations = [](StickSum& sum, const data::Case&) { sum.free_vibrations = false; },
+       .knows_stick_slip = false},
+      {.wrong_model = {"one-period-maximum",
+                       "|f_max| is looked for in the first period of the excitation only",
+                       "Sect. 5",
+                       {force_maximum, critical_amplitude}},
+       .observed_for = [](const data::Case& problem) { return 1.0 / problem.excitation.frequency_hz(); }},
+      with_mesh_of("two-elements", "two", 2),
+      with_mesh_of("four-elements", "four", 4),
+      {.wrong_model = {"lumped-mass", "masses are lumped at the nodes", "Eq. (8)",
+                       natural_frequencies + held_motion + stick_slip},
+       .mesh = lump_the_mass,
+       .depends_on_mesh = true},
+      {.wrong_model = {"load-without-moments", "the load on the mesh has forces but no moments", "Eq. (8)",
+                       held_motion + stick_slip},
+       .mesh = [](solver::ContactSystem& system,
+                  const solver::BeamModel& mesh) { system.load_shape[mesh.tip_rotation()] = 0.0; },
+       .depends_on_mesh = true},
+      {.wrong_model = {"alpha-convention-swapped",
+                       "alpha_f weights the new state where it should weight the old one: the motion grows",
+                       "Sect. 3, [24]", held_motion},
+       .equations =
+           [](StickSum& sum, const data::Case& problem) {
+             sum.modes.resize(static_cast<std::size_t>(problem.numerics.modes()));
+           },
+       .scheme = with_alpha_f_of_the_new_state,
+       .knows_stick_slip = false},
+      {.wrong_model = {"alphas-interchanged", "alpha_m stands where alpha_f should, and the other way round",
+                       "Sect. 3, [24]", held_motion},
+       .scheme = with_alphas_interchanged,
+       .knows_stick_slip = false},
+      {.wrong_model = {"load-at-end-of-step", "the load is taken at the end of the step", "Sect. 3, [24]",
+                       held_motion},
+       .scheme = with_the_load_at_the_end,
+       .knows_stick_slip = false},
+      {.wrong_model = {"strong-algorithmic-damping", "spectral radius 0 with ten times the step",
+                       "Sect. 3, [24]", held_motion},
+       .scheme =
+           [](const data::Case& problem) {
+             return scheme_of(solver::GeneralizedAlpha(0.0), 10.0 * problem.numerics.time_step());
+           },
+       .knows_stick_slip = false},
+      {.wrong_model = {"damping-added", "1 % of critical damping that the problem does not have", "Eq. (1)",
+                       held_motion + stick_slip},
+       .inputs = [](const data::Case& problem) -> std::optional<data::Case> {
+         if (problem.damping.ratio() > 0.0) return std::nullopt;
+         return with_damping(problem, data::Damping({.kelvin_voigt = problem.damping.kelvin_voigt(),
+                                                     .ratio = added_damping}));
+       },
+       .scheme = with_damping_added},
+      {.wrong_model = {"damping-left-out", "the damping of the problem is left out", "Eq. (1)", stick_slip},
+       .inputs = [](const data::Case& problem) -> std::optional<data::Case> {
+         if (problem.damping.ratio() == 0.0 && problem.damping.kelvin_voigt() == 0.0) return std::nullopt;
+         return with_damping(problem, {});
+       }},
+      {.wrong_model = {"kinetic-coefficient-as-limit", "mu_m limits the static friction force", "Eq. (4)",
+                       Quantities{critical_amplitude} + stick_slip},
+       .inputs =
+           [](const data::Case& problem) {
+             return unless_coulomb(problem, problem.friction.kinetic_coefficient());
+           }},
+      {.wrong_model = {"one-friction-coefficient",
+                       "friction does not fall with the sliding velocity",
+                       "Eq. (7)",
+                       {tip_displacement, friction_force, contact_event}},
+       .inputs =
+           [](const data::Case& problem) {
+             return unless_coulomb(problem, problem.friction.static_coefficient());
+           }},
+      {.wrong_model = {"kinetic-friction-at-once",
+                       "friction falls to mu_m P with the first slip",
+                       "Eq. (7)",
+                       {tip_displacement, friction_force, contact_event}},
+       .law = ContactLaw{[](const data::FrictionLaw& law, double v) {
+         return sign(v) * law.kinetic_coefficient();
+       }}},
+      {.wrong_model = {"velocity-in-millimetres",
+                       "the sliding velocity enters the friction law in mm/s",
+                       "Eq. (7)",
+                       {tip_displacement, friction_force, contact_event}},
+       .law = ContactLaw{[](const data::FrictionLaw& law, double v) {
+         return sign(v) * weakened(law, 1e3 * std::abs(v));
+       }}},
+      {.wrong_model = {"decay-without-magnitude",
+                       "exp(-alpha v) where it should be exp(-alpha |v|)",
+                       "Eq. (7)",
+                       {tip_displacement, friction_force, contact_event}},
+       .law = ContactLaw{[](const data::FrictionLaw& law, double v) { return sign(v) * weakened(law, v); }}},
+      {.wrong_model =
+           {"regularised-friction",
+            "the jump at v_s = 0 is smeared over 10 mm/s, so that the tip creeps where it should stick",
+            "Eq. (6)",
+            {tip_displacement, friction_force, contact_event}},
+       .law = ContactLaw{[](const data::FrictionLaw& law, double v) {
+                           return weakened(law, std::abs(v)) * std::tanh(v / 0.01);
+                         },
+                         false}},
+  };
+}
+
+}  // namespace
+
+data::Case with_elements(const data::Case& problem, int elements) {
+  data::NumericalChoices choices = problem.numerics.choices();
+  choices.elements = elements;
+  data::Case changed = problem;
+  changed.numerics = data::NumericalSettings(choices);
+  return changed;
+}
+
+const std::vector<WrongModelRecipe>& wrong_model_recipes() {
+  static const std::vector<WrongModelRecipe> models = make_models();
+  return models;
+}
+
+}  // namespace stickslip::studies

@@ -1,0 +1,93 @@
+#include "studies/common/problem_parameter.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace stickslip::studies {
+
+std::string_view field_of(Parameter parameter) {
+  switch (parameter) {
+    case Parameter::frequency:
+      return "excitation.frequency_hz";
+    case Parameter::amplitude:
+      return "excitation.amplitude";
+    case Parameter::length:
+      return "beam.length";
+    case Parameter::axial_force:
+      return "beam.axial_force";
+    case Parameter::youngs_modulus:
+      return "beam.youngs_modulus";
+    case Parameter::static_coefficient:
+      return "friction.static_coefficient";
+  }
+  return {};
+}
+
+double value_of(const data::Case& problem, Parameter parameter) {
+  switch (parameter) {
+    case Parameter::frequency:
+      return problem.excitation.frequency_hz();
+    case Parameter::amplitude:
+      return problem.excitation.amplitude();
+    case Parameter::length:
+      return problem.beam.length();
+    case Parameter::axial_force:
+      return problem.beam.axial_force();
+    case Parameter::youngs_modulus:
+      return problem.beam.youngs_modulus();
+    case Parameter::static_coefficient:
+      return problem.friction.static_coefficient();
+  }
+  return {};
+}
+
+data::Case with_value(const data::Case& problem, Parameter parameter, double value) {
+  data::BeamProperties beam = problem.beam.properties();
+  data::HarmonicMotion motion{.frequency_hz = problem.excitation.frequency_hz(),
+                              .amplitude = problem.excitation.amplitude()};
+  data::FrictionCoefficients friction{.static_coefficient = problem.friction.static_coefficient(),
+                                      .kinetic_coefficient = problem.friction.kinetic_coefficient(),
+                                      .decay = problem.friction.decay()};
+  switch (parameter) {
+    case Parameter::frequency:
+      motion.frequency_hz = value;
+      break;
+    case Parameter::amplitude:
+      motion.amplitude = value;
+      break;
+    case Parameter::length:
+      beam.length = value;
+      break;
+    case Parameter::axial_force:
+      beam.axial_force = value;
+      break;
+    case Parameter::youngs_modulus:
+      beam.youngs_modulus = value;
+      break;
+    case Parameter::static_coefficient:
+      friction.static_coefficient = value;
+      friction.kinetic_coefficient = std::min(friction.kinetic_coefficient, std::max(value, 0.0));
+      break;
+  }
+  data::Case changed = problem;
+  changed.beam = data::Beam(beam);
+  changed.excitation = data::HarmonicExcitation(motion);
+  changed.friction = data::FrictionLaw(friction);
+  return changed;
+}
+
+double angular_frequency(const data::HarmonicExcitation& excitation) {
+  return 2.0 * std::numbers::pi * excitation.frequency_hz();
+}
+
+bool is_damped(const data::Case& problem) {
+  return problem.damping.kelvin_voigt() > 0.0 || problem.damping.ratio() > 0.0;
+}
+
+void require_friction(const data::Case& problem) {
+  if (problem.friction.static_coefficient() > 0.0) return;
+  throw data::FieldError(field_of(Parameter::static_coefficient), "0",
+                         "above 0: without friction nothing sticks");
+}
+
+}  // namespace stickslip::studies

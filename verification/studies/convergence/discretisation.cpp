@@ -1,0 +1,187 @@
+#include "studies/convergence/discretisation.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+
+#include "studies/common/problem_parameter.hpp"
+#include "studies/common/simpson.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+// One step (q, h v, h^2 a)_(n+1) = map (q, h v, h^2 a)_n + load h^2 F(t_n + load_time h) of an oscillator,
+// written from the equations of Chung & Hulbert (1993).
+struct StepMap {
+  Eigen::Matrix3d map;
+  Eigen::Vector3d load;
+  double load_time;
+};
+
+StepMap step_map(double spectral_radius, double omega_times_step) {
+  const double r = spectral_radius, k = omega_times_step * omega_times_step;
+  const double am = (2.0 * r - 1.0) / (r + 1.0), af = r / (r + 1.0);
+  const double gamma = 0.5 - am + af, beta = 0.25 * (1.0 - am + af) * (1.0 - am + af);
+  const double divisor = (1.0 - am) + (1.0 - af) * beta * k;
+  const Eigen::RowVector3d acceleration =
+      -Eigen::RowVector3d(k, (1.0 - af) * k, am + (1.0 - af) * (0.5 - beta) * k) / divisor;
+  Eigen::Matrix3d map;
+  map.row(0) = Eigen::RowVector3d(1.0, 1.0, 0.5 - beta) + beta * acceleration;
+  map.row(1) = Eigen::RowVector3d(0.0, 1.0, 1.0 - gamma) + gamma * acceleration;
+  map.row(2) = acceleration;
+  return {map, Eigen::Vector3d(beta, gamma, 1.0) / divisor, 1.0 - af};
+}
+
+Eigen::Vector3cd amplification_eigenvalues(double spectral_radius, double omega_times_step) {
+  return step_map(spectral_radius, omega_times_step).map.eigenvalues();
+}
+
+}  // namespace
+
+double hermite_eigenvalue_error(const data::Beam& beam, const analytic::StickMode& mode,
+                                double element_length) {
+  // U'''' = k U - p U'' from the eigenvalue problem.
+  const double p = beam.axial_force() / (beam.youngs_modulus() * beam.second_moment_of_area());
+  const double k = std::pow(mode.hyperbolic_wave_number() * mode.trigonometric_wave_number(), 2);
+  const auto bending_square = [&](double x) {
+    return std::pow(k * mode.shape(x) - p * mode.curvature(x), 2);
+  };
+  const double ratio = simpson_integral(bending_square, beam.length(), mode) / mode.norm_squared();
+  return std::pow(element_length, 4) / 720.0 * ratio / k;
+}
+
+NumericalOscillation generalized_alpha_oscillation(double spectral_radius, double angular_frequency,
+                                                   double time_step) {
+  const Eigen::Vector3cd eigenvalues =
+      amplification_eigenvalues(spectral_radius, angular_frequency * time_step);
+  const Complex principal = *std::max_element(eigenvalues.begin(), eigenvalues.end(),
+                                              [](Complex a, Complex b) { return a.imag() < b.imag(); });
+  const Complex exponent = std::log(principal) / time_step;
+  return {exponent.imag(), -exponent.real()};
+}
+
+std::vector<double> amplification_moduli(double spectral_radius, double omega_times_step) {
+  const Eigen::Vector3d moduli = amplification_eigenvalues(spectral_radius, omega_times_step).cwiseAbs();
+  std::vector<double> sorted(moduli.begin(), moduli.end());
+  std::sort(sorted.rbegin(), sorted.rend());
+  return sorted;
+}
+
+SteppedResponse stepped_from_rest(double spectral_radius, double natural_frequency, double omega,
+                                  double time_step) {
+  const StepMap step = step_map(spectral_radius, natural_frequency * time_step);
+  const Complex turn = std::polar(1.0, omega * time_step);
+  const Complex load = -time_step * time_step * std::polar(1.0, omega * time_step * step.load_time);
+  const Eigen::Vector3cd steady =
+      (turn * Eigen::Matrix3cd::Identity() - step.map.cast<Complex>()).partialPivLu().solve(load * step.load);
+  const Eigen::EigenSolver<Eigen::Matrix3d> eigen(step.map);
+  const Eigen::Vector3cd start = -steady.imag().cast<Complex>();
+  const Eigen::Vector3cd shares = eigen.eigenvectors().partialPivLu().solve(start);
+  SteppedResponse response{steady[0], {}};
+  for (Eigen::Index j = 0; j < 3; ++j) {
+    const Complex factor = eigen.eigenvalues()[j];
+    if (factor.imag() < 0.0) continue;
+    const double pair = factor.imag() > 0.0 ? 2.0 : 1.0;
+    response.free.push_back({pair * shares[j] * eigen.eigenvectors()(0, j), factor});
+  }
+  return response;
+}
+
+double SteppedResponse::at(long n, double step_angle) const {
+  const auto steps = static_cast<double>(n);
+  double sum = (steady * std::polar(1.0, step_angle * steps)).imag();
+  for (const Term& term : free) sum += (term.amplitude * std::pow(term.factor, steps)).real();
+  return sum;
+}
+
+double frequency_on_mesh(const data::Beam& beam, const analytic::StickMode& mode, int elements) {
+  return mode.angular_frequency() *
+         std::sqrt(1.0 + hermite_eigenvalue_error(beam, mode, beam.length() / elements));
+}
+
+NumericalOscillation discrete_oscillation(const data::Beam& beam, const analytic::StickMode& mode,
+                                          const data::NumericalSettings& numerics) {
+  return generalized_alpha_oscillation(
+      numerics.spectral_radius(), frequency_on_mesh(beam, mode, numerics.elements()), numerics.time_step());
+}
+
+double drift_bound(const data::Beam& beam, const std::vector<analytic::StickMode>& modes,
+                   const std::vector<analytic::Sinusoid>& transient, const data::NumericalSettings& numerics,
+                   double duration) {
+  double bound = 0.0;
+  for (std::size_t n = 0; n < modes.size(); ++n) {
+    const NumericalOscillation discrete = discrete_oscillation(beam, modes[n], numerics);
+    const double phase = std::abs(discrete.angular_frequency - modes[n].angular_frequency()) * duration;
+    const double decay = -std::expm1(-discrete.decay_rate * duration);
+    bound += std::abs(transient[n].amplitude) * std::min(2.0, phase + decay);
+  }
+  return bound;
+}
+
+PredictedForce::PredictedForce(const data::Beam& beam, const data::HarmonicExcitation& excitation,
+                               const data::NumericalSettings& numerics, int modes)
+    : omega_(angular_frequency(excitation)),
+      time_step_(numerics.time_step()),
+      steps_(std::lround(numerics.duration() / numerics.time_step())) {
+  const double stiffness = beam.youngs_modulus() * beam.second_moment_of_area();
+  const double scale = stiffness * excitation.amplitude();
+  const double element_length = beam.length() / numerics.elements();
+  const analytic::StickResponse exact(beam, excitation, 3 * modes, analytic::SteadyPart::exact);
+  const std::vector<analytic::Sinusoid> transient = exact.transient_force();
+  rest_amplitude_ = exact.steady_force_amplitude();
+  for (std::size_t n = 0; n < transient.size(); ++n) {
+    const double amplitude = std::abs(transient[n].amplitude);
+    if (n >= static_cast<std::size_t>(modes)) {
+      phase_uncertainty_ += 2.0 * amplitude;
+      continue;
+    }
+    const analytic::StickMode& mode = exact.modes()[n];
+    const double natural = mode.angular_frequency();
+    const double weight =
+        scale * mode.third_derivative(beam.length()) * omega_ * omega_ * mode.participation();
+    terms_.push_back({weight, stepped_from_rest(numerics.spectral_radius(),
+                                                frequency_on_mesh(beam, mode, numerics.elements()), omega_,
+                                                numerics.time_step())});
+    // The exact steady amplitude holds this mode's undamped, exact share already.
+    rest_amplitude_ -= weight / (omega_ * omega_ - natural * natural);
+
+    const double error = hermite_eigenvalue_error(beam, mode, element_length);
+    const double next_term = std::pow(mode.trigonometric_wave_number() * element_length, 2) / 40.0;
+    const double phase = 0.5 * natural * numerics.duration() * error * next_term;
+    phase_uncertainty_ += amplitude * std::min(2.0, phase + error);
+  }
+  phase_uncertainty_ += exact.omitted_transient_bound();
+}
+
+double PredictedForce::uncertainty() const {
+  const double step_angle = omega_ * time_step_;
+  return phase_uncertainty_ + std::abs(rest_amplitude_) * 0.125 * step_angle * step_angle;
+}
+
+double PredictedForce::max_abs() const {
+  // Every sinusoid is advanced by one complex multiplication a step.
+  Complex steady = rest_amplitude_;
+  std::vector<SteppedResponse::Term> free;
+  for (const Term& term : terms_) {
+    steady += term.weight * term.response.steady;
+    for (const SteppedResponse::Term& vibration : term.response.free)
+      free.push_back({term.weight * vibration.amplitude, vibration.factor});
+  }
+  const Complex turn = std::polar(1.0, omega_ * time_step_);
+  double largest = 0.0;
+  for (long n = 0; n <= steps_; ++n) {
+    double force = steady.imag();
+    for (const SteppedResponse::Term& vibration : free) force += vibration.amplitude.real();
+    largest = std::max(largest, std::abs(force));
+    steady *= turn;
+    for (SteppedResponse::Term& vibration : free) vibration.amplitude *= vibration.factor;
+  }
+  return largest;
+}
+
+}  // namespace stickslip::studies

@@ -1,0 +1,86 @@
+#include "studies/criterion/classification.hpp"
+
+#include <cmath>
+#include <cstddef>
+
+#include "stickslip/analytic/criterion.hpp"
+#include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
+#include "studies/common/parallel.hpp"
+#include "studies/convergence/discretisation.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+constexpr int converged_modes = 60;
+constexpr int predicted_modes = 20;
+
+ClassifiedFrequency classified_frequency(const data::Beam& beam, const data::FrictionLaw& friction,
+                                         const data::NumericalSettings& numerics, double hz) {
+  const data::HarmonicExcitation unit({.frequency_hz = hz, .amplitude = 1e-3});
+  const double duration = numerics.duration();
+  const analytic::Criterion criterion =
+      analytic::evaluate_criterion(beam, friction, unit, duration, numerics.modes());
+  const analytic::StickResponse reference(beam, unit, converged_modes, analytic::SteadyPart::exact);
+  const double truncated = criterion.force_max.midpoint();
+  const double converged = reference.max_abs_friction_force(duration, 1e-8).midpoint();
+  const PredictedForce predicted(beam, unit, numerics, predicted_modes);
+  return {.frequency_hz = hz,
+          .critical_amplitude = criterion.critical_amplitude.midpoint(),
+          .relative_truncation_error = std::abs(truncated - converged) / converged,
+          .relative_discretisation_error =
+              (std::abs(predicted.max_abs() - converged) + predicted.uncertainty()) / converged};
+}
+
+}  // namespace
+
+ClassificationStudy classification_study(const data::Beam& beam, const data::FrictionLaw& friction,
+                                         const data::NumericalSettings& numerics,
+                                         const std::vector<double>& frequencies_hz,
+                                         const std::vector<double>& amplitudes,
+                                         const std::function<void(double)>& progress) {
+  ClassificationStudy study;
+  study.frequencies.resize(frequencies_hz.size());
+  study.points.resize(frequencies_hz.size() * amplitudes.size());
+
+  const auto classify_column = [&](std::size_t column) {
+    const double hz = frequencies_hz[column];
+    const ClassifiedFrequency frequency = classified_frequency(beam, friction, numerics, hz);
+    study.frequencies[column] = frequency;
+    for (std::size_t row = 0; row < amplitudes.size(); ++row) {
+      const double amplitude = amplitudes[row];
+      const data::HarmonicExcitation excitation({.frequency_hz = hz, .amplitude = amplitude});
+      const double distance = std::abs(amplitude / frequency.critical_amplitude - 1.0);
+      study.points[column * amplitudes.size() + row] = {
+          .frequency_hz = hz,
+          .amplitude = amplitude,
+          .closed_form_slips = amplitude > frequency.critical_amplitude,
+          .finite_element_slips = solver::first_slip(beam, friction, excitation, numerics).has_value(),
+          .in_guard_band = distance <= frequency.relative_guard()};
+    }
+  };
+  in_parallel(frequencies_hz.size(), classify_column, progress);
+
+  for (const ClassifiedPoint& point : study.points) {
+    const bool agree = point.closed_form_slips == point.finite_element_slips;
+    study.agreeing += agree ? 1 : 0;
+    study.in_guard_band += point.in_guard_band ? 1 : 0;
+    study.disagreeing_outside += !agree && !point.in_guard_band ? 1 : 0;
+  }
+  return study;
+}
+
+std::vector<double> figure12_frequencies() {
+  std::vector<double> frequencies;
+  for (int i = 1; i <= 24; ++i) frequencies.push_back(5.0 * i);
+  return frequencies;
+}
+
+std::vector<double> figure12_amplitudes() {
+  std::vector<double> amplitudes;
+  for (int i = 1; i <= 20; ++i) amplitudes.push_back(0.05e-3 * i);
+  return amplitudes;
+}
+
+}  // namespace stickslip::studies

@@ -1,0 +1,253 @@
+#include "studies/criterion/criterion_map.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "stickslip/analytic/criterion.hpp"
+#include "stickslip/analytic/force_maximum.hpp"
+#include "stickslip/analytic/modal_reaction_table.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
+#include "studies/common/parallel.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+// |f_max| is proportional to the amplitude, mu_s P to the static coefficient.
+bool is_a_factor(Parameter parameter) {
+  return parameter == Parameter::amplitude || parameter == Parameter::static_coefficient;
+}
+
+bool moves_the_buckling_load_ratio(Parameter parameter) {
+  return parameter == Parameter::length || parameter == Parameter::axial_force ||
+         parameter == Parameter::youngs_modulus;
+}
+
+// Whether some cells of the map may have no stick state, and others one.
+bool may_buckle(const MapTask& task) {
+  return moves_the_buckling_load_ratio(task.x.parameter) || moves_the_buckling_load_ratio(task.y.parameter);
+}
+
+// How many values of an axis need an evaluation of their own.
+std::size_t evaluations_along(const MapAxis& axis) {
+  return is_a_factor(axis.parameter) ? 1 : axis.values.size();
+}
+
+// P L^2/EI, which the buckling load and the modes of the stick state depend on.
+double load_factor(const data::Beam& beam, double axial_force) {
+  return axial_force * beam.length() * beam.length() / (beam.youngs_modulus() * beam.second_moment_of_area());
+}
+double load_factor(const data::Beam& beam) { return load_factor(beam, beam.axial_force()); }
+
+bool is_buckled(const data::Beam& beam) { return beam.axial_force() >= analytic::stick_buckling_load(beam); }
+
+// Up to here finding the modes of a mesh once is cheaper than ten thousand steps in nodal coordinates.
+constexpr int most_modal_elements = 200;
+
+solver::Coordinates coordinates_for(const data::Case& problem) {
+  return is_damped(problem) || problem.numerics.elements() > most_modal_elements ? solver::Coordinates::nodal
+                                                                                 : solver::Coordinates::modal;
+}
+
+data::Case case_at(const MapTask& task, std::size_t i, std::size_t j) {
+  return with_value(with_value(task.problem, task.x.parameter, task.x.values[i]), task.y.parameter,
+                    task.y.values[j]);
+}
+
+// |f_max| at the points of one map. All its modes are read from a table, or found once where the beam is the
+// same everywhere: which does not depend on the points that are asked for.
+class Forces {
+ public:
+  explicit Forces(const MapTask& task) : method_(task.method), modes_(task.problem.numerics.modes()) {
+    if (method_ != MapMethod::closed_form) return;
+    double lowest = std::numeric_limits<double>::infinity(), highest = 0.0;
+    for (const std::size_t j : ends_of(task.y))
+      for (const std::size_t i : ends_of(task.x)) {
+        const data::Beam beam = case_at(task, i, j).beam;
+        lowest = std::min(lowest, load_factor(beam));
+        highest = std::max(highest, load_factor(beam));
+      }
+    if (may_buckle(task)) highest = std::min(highest, just_below_buckling(case_at(task, 0, 0).beam));
+    if (lowest > 0.0 && lowest < highest)
+      table_.emplace(lowest, highest, modes_);
+    else if (lowest == highest)
+      common_ = analytic::modal_reaction(case_at(task, 0, 0).beam, modes_);
+  }
+
+  // Per metre of amplitude, N/m.
+  [[nodiscard]] analytic::Bounds unit_force(const data::Case& problem) const {
+    if (method_ == MapMethod::closed_form) return search(problem).refined_to();
+    const data::HarmonicExcitation unit(
+        {.frequency_hz = problem.excitation.frequency_hz(), .amplitude = 1.0});
+    const double force = solver::max_abs_friction_force(problem.beam, unit, problem.numerics, problem.damping,
+                                                        coordinates_for(problem));
+    return {force, force};
+  }
+
+  // Whether the tip slips, which takes less than the force where that is far from the limit.
+  [[nodiscard]] bool slips(const data::Case& problem) const {
+    const double limit = problem.friction.static_coefficient() * problem.beam.axial_force();
+    const double amplitude = problem.excitation.amplitude();
+    if (method_ == MapMethod::closed_form)
+      return amplitude > 0.0 && search(problem).exceeds(limit / amplitude);
+    return amplitude * unit_force(problem).lower > limit;
+  }
+
+ private:
+  static std::array<std::size_t, 2> ends_of(const MapAxis& axis) { return {0, axis.values.size() - 1}; }
+
+  // The same for all beams; the first mode still has a digit or two there.
+  static double just_below_buckling(const data::Beam& beam) {
+    return load_factor(beam, analytic::stick_buckling_load(beam)) * (1.0 - 1e-12);
+  }
+
+  [[nodiscard]] analytic::ForceMaximum search(const data::Case& problem) const {
+    const double omega = angular_frequency(problem.excitation);
+    const double duration = problem.numerics.duration();
+    if (common_) return {*common_, omega, duration};
+    if (table_ && table_->holds(problem.beam)) return {table_->at(problem.beam), omega, duration};
+    return {analytic::modal_reaction(problem.beam, modes_), omega, duration};
+  }
+
+  MapMethod method_;
+  int modes_;
+  std::optional<analytic::ModalReaction> common_;
+  std::optional<analytic::ModalReactionTable> table_;
+};
+
+// What |f_max| per metre is compared by.
+struct Factors {
+  double amplitude{}, static_coefficient{}, axial_force{};
+
+  void set(Parameter parameter, double value) {
+    if (parameter == Parameter::amplitude) amplitude = value;
+    if (parameter == Parameter::static_coefficient) static_coefficient = value;
+    if (parameter == Parameter::axial_force) axial_force = value;
+  }
+};
+
+void complete(CriterionMap::Cell& cell, const MapEvaluation& evaluation, const Factors& factors,
+              bool states_only) {
+  cell.state = evaluation.state;
+  if (!evaluation.unit_force) return;
+  const double limit = factors.static_coefficient * factors.axial_force;
+  const double ratio = factors.amplitude * evaluation.unit_force->midpoint() / limit;
+  if (!std::isfinite(ratio)) throw std::runtime_error("a force ratio of the map is too large to be told");
+  if (!states_only) cell.force_ratio = ratio;
+  if (factors.amplitude * evaluation.unit_force->lower > limit) cell.state = CellState::stick_slip;
+}
+
+}  // namespace
+
+MapAxis map_axis(Parameter parameter, double from, double to, int count, bool logarithmic) {
+  MapAxis axis{.parameter = parameter, .values = {}, .logarithmic = logarithmic};
+  for (int i = 0; i < count; ++i) {
+    const double share = static_cast<double>(i) / (count - 1);
+    axis.values.push_back(logarithmic ? from * std::pow(to / from, share) : std::lerp(from, to, share));
+  }
+  axis.values.back() = to;
+  return axis;
+}
+
+std::size_t evaluation_count(const MapTask& task) {
+  const auto& [problem, x, y, method, states_only] = task;
+  if (x.parameter == y.parameter)
+    throw std::invalid_argument("both axes of the map are " + std::string(field_of(x.parameter)) +
+                                ", but must be two parameters");
+  for (const double value : x.values) (void)with_value(problem, x.parameter, value);
+  for (const double value : y.values) (void)with_value(problem, y.parameter, value);
+  require_friction(case_at(task, 0, 0));
+  return evaluations_along(x) * evaluations_along(y);
+}
+
+std::vector<std::size_t> share_of(std::size_t evaluations, std::size_t part, std::size_t parts) {
+  if (part < 1 || part > parts)
+    throw std::invalid_argument("the part is " + std::to_string(part) + " of " + std::to_string(parts) +
+                                ", but must be from 1 to as many as there are");
+  std::vector<std::size_t> share;
+  for (std::size_t round = 0; round * parts < evaluations; ++round) {
+    // Multiples of the golden ratio fill a circle evenly, however many are taken.
+    const double turn = std::fmod(static_cast<double>(round) * std::numbers::phi, 1.0);
+    const auto shift = static_cast<std::size_t>(turn * static_cast<double>(parts));
+    const std::size_t number = round * parts + (part - 1 + shift) % parts;
+    if (number < evaluations) share.push_back(number);
+  }
+  return share;
+}
+
+void evaluate(const MapTask& task, std::span<const std::size_t> numbers, MapEvaluations& evaluations,
+              const std::function<void(std::span<const std::size_t>)>& settled) {
+  const std::size_t columns = evaluations_along(task.x);
+  if (evaluations.size() != evaluation_count(task))
+    throw std::invalid_argument("there is room for " + std::to_string(evaluations.size()) +
+                                " evaluations of the map, but must be for " +
+                                std::to_string(evaluation_count(task)));
+  const bool may_be_buckled = may_buckle(task);
+  const bool decide_only =
+      task.states_only && !is_a_factor(task.x.parameter) && !is_a_factor(task.y.parameter);
+  const Forces forces(task);
+  const auto evaluation_at = [&](std::size_t number) -> MapEvaluation {
+    const data::Case point = case_at(task, number % columns, number / columns);
+    if (may_be_buckled && is_buckled(point.beam))
+      return {.unit_force = {}, .state = CellState::no_stick_state};
+    analytic::require_contact(point.beam);
+    if (decide_only)
+      return {.unit_force = {}, .state = forces.slips(point) ? CellState::stick_slip : CellState::stick};
+    return {.unit_force = forces.unit_force(point), .state = CellState::stick};
+  };
+  std::vector<std::size_t> done;
+  in_parallel_settling(
+      numbers.size(), [&](std::size_t i) { evaluations[numbers[i]] = evaluation_at(numbers[i]); },
+      [&](std::span<const std::size_t> indices) {
+        if (!settled) return;
+        done.clear();
+        for (const std::size_t i : indices) done.push_back(numbers[i]);
+        settled(done);
+      });
+}
+
+CriterionMap criterion_map(const MapTask& task, const MapEvaluations& evaluations) {
+  const MapAxis &x = task.x, &y = task.y;
+  const std::size_t columns = evaluations_along(x), rows = evaluations_along(y);
+  if (evaluations.size() != columns * rows ||
+      !std::ranges::all_of(evaluations, &MapEvaluations::value_type::has_value))
+    throw std::invalid_argument("evaluations of the map are missing");
+  CriterionMap map{.x = x, .y = y, .states_only = task.states_only, .cells = {}};
+  map.cells.resize(x.values.size() * y.values.size());
+  Factors factors{.amplitude = task.problem.excitation.amplitude(),
+                  .static_coefficient = task.problem.friction.static_coefficient(),
+                  .axial_force = task.problem.beam.axial_force()};
+  auto cell = map.cells.begin();
+  for (std::size_t j = 0; j < y.values.size(); ++j) {
+    factors.set(y.parameter, y.values[j]);
+    for (std::size_t i = 0; i < x.values.size(); ++i, ++cell) {
+      factors.set(x.parameter, x.values[i]);
+      cell->x = x.values[i];
+      cell->y = y.values[j];
+      complete(*cell, *evaluations[(columns > 1 ? i : 0) + columns * (rows > 1 ? j : 0)], factors,
+               task.states_only);
+    }
+  }
+  return map;
+}
+
+CriterionMap criterion_map(const data::Case& problem, const MapAxis& x, const MapAxis& y, MapMethod method,
+                           const std::function<void(double)>& progress) {
+  const MapTask task{.problem = problem, .x = x, .y = y, .method = method};
+  MapEvaluations evaluations(evaluation_count(task));
+  std::size_t done = 0;
+  evaluate(task, share_of(evaluations.size(), 1, 1), evaluations, [&](std::span<const std::size_t> numbers) {
+    done += numbers.size();
+    if (progress) progress(static_cast<double>(done) / static_cast<double>(evaluations.size()));
+  });
+  return criterion_map(task, evaluations);
+}
+
+}  // namespace stickslip::studies

@@ -1,0 +1,235 @@
+#include "studies/criterion/design_guide.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "stickslip/analytic/criterion.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
+#include "studies/common/hertz.hpp"
+#include "studies/common/parallel.hpp"
+#include "studies/criterion/length_force_map.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+constexpr double undecided = 1e-4;  // relative width at which a force still at the limit counts as above
+constexpr double spacing = 0.01;    // of neighbouring values, relative
+constexpr double relative_accuracy = 1e-5;  // of the ends of intervals, of the larger end of the range
+constexpr double last_share = 1.0 / 16.0;   // of that accuracy, which intervals are bisected to
+constexpr double below_buckling = 1.0 - 1e-6;
+
+void require_shaking(const data::Case& problem) {
+  if (problem.excitation.amplitude() > 0.0) return;
+  throw data::FieldError(field_of(Parameter::amplitude), "0", "above 0 (m): at rest nothing slips");
+}
+
+double friction_limit(const data::Case& problem) {
+  return problem.friction.static_coefficient() * problem.beam.axial_force();
+}
+
+analytic::BandMaximum search_of(const data::Case& problem, const analytic::FrequencyBand& band) {
+  return {problem.beam, band, problem.numerics.duration(), problem.numerics.modes()};
+}
+
+// One value of the parameter, with what is known of the force there.
+class Candidate {
+ public:
+  Candidate(const data::Case& problem, Parameter parameter, double value, const analytic::FrequencyBand& band)
+      : Candidate(with_value(problem, parameter, value), value, band) {}
+
+  [[nodiscard]] double value() const { return value_; }
+  [[nodiscard]] double limit() const { return limit_; }  // mu_s P/A0, N/m
+  [[nodiscard]] const std::vector<analytic::ModalForce>& modes() const { return modes_; }
+
+  // Whether |f_max| stays `reserve` (N/m) below the limit throughout the band.
+  [[nodiscard]] bool sticks(double reserve = 0.0) {
+    const double target = limit_ - reserve;
+    return target > 0.0 && search_.refined_against(target, undecided).upper <= target;
+  }
+
+ private:
+  Candidate(const data::Case& problem, double value, const analytic::FrequencyBand& band)
+      : value_(value),
+        limit_(friction_limit(problem) / problem.excitation.amplitude()),
+        modes_(analytic::modal_forces(problem.beam, problem.numerics.modes())),
+        search_(search_of(problem, band)) {}
+
+  double value_;
+  double limit_;
+  std::vector<analytic::ModalForce> modes_;
+  analytic::BandMaximum search_;
+};
+
+// The scan of one range for one band.
+class Scan {
+ public:
+  Scan(const data::Case& problem, Parameter parameter, const analytic::FrequencyBand& band, double resolution)
+      : problem_(problem), parameter_(parameter), band_(band), resolution_(resolution) {}
+
+  [[nodiscard]] Candidate at(double value) const { return {problem_, parameter_, value, band_}; }
+
+  // Intervals from `left` to `right`, appended in order.
+  void divide(Candidate left, Candidate right, std::vector<DesignInterval>& intervals) const {
+    const bool left_sticks = left.sticks(), right_sticks = right.sticks();
+    if (!left_sticks && !right_sticks) return append(left, right, false, intervals);
+    if (left_sticks && right_sticks) {
+      const double reserve = rise_between(left, right);
+      if (left.sticks(reserve) && right.sticks(reserve)) return append(left, right, true, intervals);
+    }
+    if (right.value() - left.value() <= resolution_) return append(left, right, false, intervals);
+    const Candidate middle = at(0.5 * (left.value() + right.value()));
+    divide(std::move(left), middle, intervals);
+    divide(middle, std::move(right), intervals);
+  }
+
+  // Where natural frequencies are at an end of the band, and values 1 % apart.
+  [[nodiscard]] std::vector<double> grid(const ParameterRange& range) const {
+    std::vector<double> values{range.from};
+    const int steps = static_cast<int>(std::ceil(std::log(range.to / range.from) / spacing));
+    for (int i = 1; i < steps; ++i)
+      values.push_back(range.from * std::pow(range.to / range.from, static_cast<double>(i) / steps));
+    values.push_back(range.to);
+    for (int mode = 1; mode <= problem_.numerics.modes(); ++mode)
+      for (const double hz : {band_.from_hz, band_.to_hz})
+        if (const auto value = value_at_resonance(range, mode, hz)) values.push_back(*value);
+    std::ranges::sort(values);
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+    return values;
+  }
+
+ private:
+  [[nodiscard]] double natural_hz(double value, int mode) const {
+    return analytic::stick_modes(with_value(problem_, parameter_, value).beam, mode).back().frequency_hz();
+  }
+
+  // Natural frequencies fall with the length and with the axial force.
+  [[nodiscard]] std::optional<double> value_at_resonance(const ParameterRange& range, int mode,
+                                                         double hz) const {
+    double low = range.from, high = range.to;
+    if (natural_hz(low, mode) < hz || natural_hz(high, mode) > hz) return std::nullopt;
+    while (high - low > 1e-14 * high) {
+      const double middle = 0.5 * (low + high);
+      if (middle <= low || middle >= high) break;
+      (natural_hz(middle, mode) > hz ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+  }
+
+  // The estimate of design_scan() of what |f_max| exceeds its larger end by, N/m.
+  [[nodiscard]] double rise_between(const Candidate& left, const Candidate& right) const {
+    const double t = problem_.numerics.duration();
+    const double a = two_pi * band_.from_hz, b = two_pi * band_.to_hz;
+    double rise = 0.0;
+    for (std::size_t n = 0; n < left.modes().size(); ++n) {
+      const auto &upper = left.modes()[n], &lower = right.modes()[n];
+      const double w = lower.angular_frequency, change = upper.angular_frequency - w;
+      const double c = std::max(std::abs(upper.coefficient), std::abs(lower.coefficient));
+      const double apart = std::max({0.0, a - upper.angular_frequency, w - b}) * (a + w);
+      const double q = b * b * b / (apart * w);  // infinite in resonance
+      const double bend = std::min(t * t * q, b * b * t * t * t / (3.0 * w));
+      rise += c * std::min(change * change * bend / 8.0, 2.0 * q);
+    }
+    return rise;
+  }
+
+  void append(const Candidate& left, const Candidate& right, bool sticks,
+              std::vector<DesignInterval>& intervals) const {
+    intervals.push_back({.from = left.value(), .to = right.value(), .sticks = sticks});
+    for (std::size_t n = 0; n < left.modes().size(); ++n)
+      if (left.modes()[n].angular_frequency >= two_pi * band_.from_hz &&
+          right.modes()[n].angular_frequency <= two_pi * band_.to_hz)
+        intervals.back().resonances.push_back(static_cast<int>(n) + 1);
+  }
+
+  const data::Case& problem_;
+  Parameter parameter_;
+  analytic::FrequencyBand band_;
+  double resolution_;
+};
+
+// Joins what is alike.
+std::vector<DesignInterval> joined(const std::vector<std::vector<DesignInterval>>& parts) {
+  std::vector<DesignInterval> intervals;
+  for (const auto& part : parts)
+    for (const DesignInterval& next : part) {
+      if (intervals.empty() || intervals.back().sticks != next.sticks) {
+        intervals.push_back(next);
+        continue;
+      }
+      DesignInterval& last = intervals.back();
+      last.to = next.to;
+      std::vector<int> both;
+      std::ranges::set_union(last.resonances, next.resonances, std::back_inserter(both));
+      last.resonances = std::move(both);
+    }
+  return intervals;
+}
+
+}  // namespace
+
+BandMargin band_margin(const data::Case& problem, const analytic::FrequencyBand& band,
+                       double relative_width) {
+  analytic::require_contact(problem.beam);
+  require_friction(problem);
+  require_shaking(problem);
+  analytic::BandMaximum search = search_of(problem, band);
+  const analytic::Bounds unit = search.refined_to(relative_width);
+  const double amplitude = problem.excitation.amplitude(), limit = friction_limit(problem);
+  BandMargin margin{.force_max = {amplitude * unit.lower, amplitude * unit.upper},
+                    .friction_limit = limit,
+                    .margin = {limit / (amplitude * unit.upper), limit / (amplitude * unit.lower)},
+                    .frequency_hz = search.frequency_hz(),
+                    .evaluations = static_cast<int>(search.evaluations()),
+                    .resonances = {}};
+  for (const auto& mode : analytic::stick_modes(problem.beam, problem.numerics.modes()))
+    if (band.from_hz <= mode.frequency_hz() && mode.frequency_hz() <= band.to_hz)
+      margin.resonances.push_back({mode.number(), mode.frequency_hz()});
+  return margin;
+}
+
+DesignScan design_scan(const data::Case& problem, Parameter parameter, const ParameterRange& range,
+                       const analytic::FrequencyBand& band, const std::function<void(double)>& progress) {
+  if (!(range.from > 0.0 && range.from < range.to))
+    throw std::invalid_argument("the range of " + std::string(field_of(parameter)) + " is " +
+                                data::shortest_text(range.from) + " to " + data::shortest_text(range.to) +
+                                ", but must ascend from above 0");
+  require_friction(problem);
+  require_shaking(problem);
+  const double buckling = buckling_value(problem, parameter);
+  const double last = std::min(range.to, below_buckling * buckling);
+  DesignScan result{.parameter = parameter, .accuracy = relative_accuracy * range.to, .intervals = {}};
+  if (range.from < last) {
+    const Scan scan(problem, parameter, band, last_share * result.accuracy);
+    const std::vector<double> values = scan.grid({range.from, last});
+    std::vector<std::vector<DesignInterval>> parts(values.size() - 1);
+    in_parallel(
+        parts.size(),
+        [&](std::size_t i) { scan.divide(scan.at(values[i]), scan.at(values[i + 1]), parts[i]); }, progress);
+    result.intervals = joined(parts);
+  }
+  if (range.to > last)
+    result.intervals.push_back({.from = std::max(range.from, last), .to = range.to, .buckled = true});
+  return result;
+}
+
+ParameterRange range_below_buckling(const data::Case& problem, Parameter parameter, double from, double to) {
+  return {from, std::min(to, 0.999 * buckling_value(problem, parameter))};
+}
+
+double buckling_value(const data::Case& problem, Parameter parameter) {
+  if (parameter == Parameter::axial_force) return analytic::stick_buckling_load(problem.beam);
+  if (parameter != Parameter::length)
+    throw std::invalid_argument("a design varies beam.length or beam.axial_force, but not " +
+                                std::string(field_of(parameter)));
+  if (problem.beam.axial_force() <= 0.0) analytic::require_contact(problem.beam);  // says why not
+  return buckling_length(problem.beam);
+}
+
+}  // namespace stickslip::studies

@@ -1,0 +1,274 @@
+#include "studies/criterion/problem_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "stickslip/analytic/beam_contact_model.hpp"
+#include "stickslip/analytic/slip_modes.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
+#include "studies/common/problem_parameter.hpp"
+#include "studies/common/simpson.hpp"
+#include "studies/convergence/discretisation.hpp"
+#include "studies/stick_slip/contact_growth.hpp"
+#include "studies/stick_slip/history_convergence.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+using std::numbers::pi;
+
+double model_error(const data::Beam& beam, double slopes, double third_derivatives) {
+  const double radius_squared = beam.second_moment_of_area() / beam.area();
+  return std::sqrt(1.0 + radius_squared * (slopes + shear_flexibility * third_derivatives)) - 1.0;
+}
+
+bool is_about_frequencies(Inquiry inquiry) {
+  return inquiry == Inquiry::stick_frequencies || inquiry == Inquiry::slip_frequencies;
+}
+
+bool may_slip(Inquiry inquiry) {
+  return inquiry == Inquiry::event_driven_history || inquiry == Inquiry::boundary_integral_history ||
+         inquiry == Inquiry::stepped_history;
+}
+
+std::string percent(double share) { return fmt::format("{:.2g} %", 100.0 * share); }
+
+// Rounded down to two digits.
+double two_digits(double value) {
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+  return std::floor(value / unit * (1.0 + 1e-12)) * unit;
+}
+
+// The time step at which step_error() is what is allowed.
+double allowed_step(double spectral_radius, double omega) {
+  double lower = 0.0, upper = 2.0 * pi;  // omega h
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (lower + upper);
+    (step_error(spectral_radius, 1.0, middle) > allowed_step_error ? upper : lower) = middle;
+  }
+  return two_digits(lower / omega);
+}
+
+void warn_of_flutter(const data::Beam& beam, std::vector<Warning>& warnings) {
+  const double load = analytic::flutter_load(beam);
+  if (beam.axial_force() < load) return;
+  warnings.push_back(
+      {Concern::flutter, beam.axial_force(), load,
+       fmt::format("beam.axial_force is {} N, at the flutter load of the sliding beam, {:.6g} N, or over "
+                   "it: once the tip slips, the motion grows of itself",
+                   data::shortest_text(beam.axial_force()), load)});
+}
+
+void warn_of_resonance(const data::Case& problem, std::vector<Warning>& warnings) {
+  const double omega = angular_frequency(problem.excitation), duration = problem.numerics.duration();
+  if (is_damped(problem) || problem.excitation.amplitude() == 0.0 || 0.5 * omega * duration < grown_response)
+    return;
+  const auto modes = analytic::stick_modes(problem.beam, problem.numerics.modes());
+  const auto nearest = std::ranges::min_element(
+      modes, {}, [&](const auto& mode) { return std::abs(mode.angular_frequency() - omega); });
+  const double difference = std::abs(nearest->angular_frequency() - omega);
+  if (difference * duration > pi) return;
+  const std::string end =
+      difference * duration < 1e-6 ? "without end" : fmt::format("until {:.3g} s", pi / difference);
+  warnings.push_back(
+      {Concern::resonance, problem.excitation.frequency_hz(), nearest->frequency_hz(),
+       fmt::format(
+           "excitation.frequency_hz is {}, next to natural frequency {} of the stick state, {:.7g} Hz: the "
+           "reaction of the undamped beam grows with t, {}, so that its maximum is that of "
+           "numerics.duration, {} s",
+           data::shortest_text(problem.excitation.frequency_hz()), nearest->number(), nearest->frequency_hz(),
+           end, data::shortest_text(duration))});
+}
+
+void warn_of_thickness(const data::Beam& beam, bool slip, int mode, std::vector<Warning>& warnings) {
+  const double error = slip ? slip_model_error(beam, mode) : stick_model_error(beam, mode);
+  if (error <= allowed_model_error) return;
+  const double radius = std::sqrt(beam.second_moment_of_area() / beam.area());
+  warnings.push_back({Concern::thick_beam, error, allowed_model_error,
+                      fmt::format("the beam is thick for Euler-Bernoulli, sqrt(I/A)/L = {:.3g}: without "
+                                  "shear and rotary inertia its "
+                                  "natural frequency {} comes out about {} too high",
+                                  radius / beam.length(), mode, percent(error))});
+}
+
+void warn_of_step(const data::Case& problem, int mode, std::vector<Warning>& warnings) {
+  const double natural = analytic::stick_modes(problem.beam, mode).back().angular_frequency();
+  const double excitation = angular_frequency(problem.excitation);
+  const double omega = std::max(natural, excitation), step = problem.numerics.time_step();
+  const double error = step_error(problem.numerics.spectral_radius(), omega, step);
+  if (error <= allowed_step_error) return;
+  const double suggested = allowed_step(problem.numerics.spectral_radius(), omega);
+  const std::string what =
+      natural > excitation ? fmt::format("natural frequency {}", mode) : "the excitation";
+  warnings.push_back(
+      {Concern::long_step, step, suggested,
+       fmt::format("numerics.time_step is {} s, too long for {} at {:.4g} Hz, which it falsifies by {} in "
+                   "frequency or in amplitude per period; {:.2g} s falsify it by {}",
+                   data::shortest_text(step), what, omega / (2.0 * pi), percent(error), suggested,
+                   percent(allowed_step_error))});
+}
+
+}  // namespace
+
+double stick_model_error(const data::Beam& beam, int mode) {
+  const auto modes = analytic::stick_modes(beam, mode);
+  const auto& u = modes.back();
+  const auto integral = [&](auto derivative) {
+    return simpson_integral([&](double x) { return std::pow((u.*derivative)(x), 2); }, beam.length(), u);
+  };
+  return model_error(
+      beam, integral(&analytic::StickMode::slope) / u.norm_squared(),
+      integral(&analytic::StickMode::third_derivative) / integral(&analytic::StickMode::curvature));
+}
+
+// Slope and third derivative by parts, with U'''' = k U - p U'' and U''(L) = U'''(L) = 0:
+//   U'(L) = int U'',  int U'^2 = U(L) U'(L) - int U U'',
+//   U'''(0) = -int U'''',  int U'''^2 = -U''(0) U'''(0) - int U'' U''''.
+double slip_model_error(const data::Beam& beam, int mode) {
+  const auto modes = analytic::slip_modes(beam, mode);
+  const auto& u = modes.back();
+  const double p = beam.axial_force() / (beam.youngs_modulus() * beam.second_moment_of_area());
+  const double k = std::pow(u.hyperbolic_wave_number() * u.trigonometric_wave_number(), 2);
+  const auto fourth = [&](double x) { return k * u.shape(x) - p * u.curvature(x); };
+  const auto integral = [&](auto&& function) { return simpson_integral(function, beam.length(), u); };
+  const double tip_slope = integral([&](double x) { return u.curvature(x); });
+  const double slopes =
+      u.shape(beam.length()) * tip_slope - integral([&](double x) { return u.shape(x) * u.curvature(x); });
+  const double third_derivatives =
+      u.curvature(0.0) * integral(fourth) - integral([&](double x) { return u.curvature(x) * fourth(x); });
+  return model_error(beam, slopes / integral([&](double x) { return std::pow(u.shape(x), 2); }),
+                     third_derivatives / integral([&](double x) { return std::pow(u.curvature(x), 2); }));
+}
+
+double step_error(double spectral_radius, double omega, double time_step) {
+  const auto numerical = generalized_alpha_oscillation(spectral_radius, omega, time_step);
+  return std::max(std::abs(numerical.angular_frequency / omega - 1.0),
+                  -std::expm1(-2.0 * pi * numerical.decay_rate / omega));
+}
+
+int highest_mode_that_matters(const data::Case& problem) {
+  constexpr int instants = 2048;
+  const data::HarmonicExcitation unit({.frequency_hz = problem.excitation.frequency_hz(), .amplitude = 1.0});
+  const analytic::StickResponse response(problem.beam, unit, problem.numerics.modes());
+  const double span = std::max({problem.numerics.duration(), 1.0 / problem.excitation.frequency_hz(),
+                                1.0 / response.modes().front().frequency_hz()});
+  double largest = 0.0;
+  for (int i = 1; i <= instants; ++i) {
+    const double part = std::fmod(i * std::numbers::phi, 1.0);
+    largest = std::max(largest, std::abs(response.friction_force(part * span)));
+  }
+  const auto vibrations = response.transient_force();
+  for (std::size_t n = vibrations.size(); n > 1; --n)
+    if (std::abs(vibrations[n - 1].amplitude) > share_that_matters * largest) return static_cast<int>(n);
+  return 1;
+}
+
+std::vector<Warning> problem_warnings(const data::Case& problem, Inquiry inquiry, int frequencies) {
+  std::vector<Warning> warnings;
+  if (may_slip(inquiry)) warn_of_flutter(problem.beam, warnings);
+  if (inquiry == Inquiry::criterion || inquiry == Inquiry::closed_form_history)
+    warn_of_resonance(problem, warnings);
+  const int mode = is_about_frequencies(inquiry) ? frequencies : highest_mode_that_matters(problem);
+  warn_of_thickness(problem.beam, inquiry == Inquiry::slip_frequencies, mode, warnings);
+  if (inquiry == Inquiry::stepped_history) warn_of_step(problem, mode, warnings);
+  return warnings;
+}
+
+std::optional<Warning> growth_warning(const data::Case& problem, Inquiry inquiry) {
+  const data::NumericalSettings& numerics = problem.numerics;
+  const bool stepped = inquiry == Inquiry::stepped_history;
+  if (!stepped && inquiry != Inquiry::event_driven_history) return std::nullopt;
+  if ((stepped ? numerics.elements() : numerics.modes()) >
+      (is_damped(problem) ? most_damped_for_growth : most_undamped_for_growth))
+    return std::nullopt;
+  const auto contact = [&] {
+    if (!stepped)
+      return continuous_contact(analytic::BeamContactModel(problem.beam, problem.friction, problem.excitation,
+                                                           problem.damping, numerics.modes())
+                                    .model());
+    const auto system =
+        solver::beam_contact_system(solver::BeamModel(problem.beam, numerics.elements()), problem.friction,
+                                    solver::harmonic_motion(problem.excitation), problem.damping);
+    return stepped_contact(solver::ContactMobility(system), numerics.time_step(), numerics.spectral_radius());
+  }();
+  const double kappa = weakening(problem.friction, problem.beam.axial_force());
+  const double allowed = allowed_growth / numerics.duration();
+  if (grows_at_most(contact, kappa, allowed)) return std::nullopt;
+  const double own = growth_bound(contact, kappa);
+  const double beam = beam_growth_bound(problem.beam, problem.friction,
+                                        data::Damping({.kelvin_voigt = problem.damping.kelvin_voigt()}));
+  const auto rate = [](double value) {
+    return value < 100.0 ? fmt::format("{:.3g} 1/s", value) : fmt::format("{:.0f} 1/s", value);
+  };
+  const bool is_beam_known = problem.damping.ratio() == 0.0;
+  std::string sentence = fmt::format(
+      "the contact changes, and sigma* is {}: by the bound exp(sigma* t) a rounding error may grow to the "
+      "size "
+      "of the motion within {:.2g} s; for the {} sigma* is {}",
+      rate(own), allowed_growth / own, is_beam_known ? "beam" : "undamped beam", rate(beam));
+  if (own > 1.1 * beam)
+    sentence +=
+        fmt::format(", about as with numerics.spectral_radius = 0, time_step = {:.2g} s, elements = {}",
+                    two_digits(time_step_of({.angle = filtering_angle}, problem.beam, numerics.elements())),
+                    numerics.elements());
+  if (beam > allowed && is_beam_known)
+    sentence +=
+        fmt::format("; beyond {:.2g} s the bound is of no use for any discretisation", allowed_growth / beam);
+  return Warning{Concern::growth, own, allowed, sentence};
+}
+
+std::vector<Warning> warnings_common_to(const data::Case& problem, const std::vector<Parameter>& varied) {
+  if (problem.beam.axial_force() >= analytic::stick_buckling_load(problem.beam)) return {};
+  const auto moves_a_frequency = [](Parameter parameter) {
+    return parameter != Parameter::amplitude && parameter != Parameter::static_coefficient;
+  };
+  auto warnings = problem_warnings(problem, Inquiry::criterion);
+  std::erase_if(warnings, [&](const Warning& warning) {
+    return warning.concern == Concern::resonance
+               ? std::ranges::any_of(varied, moves_a_frequency)
+               : std::ranges::find(varied, Parameter::length) != varied.end();
+  });
+  return warnings;
+}
+
+double boundary_integral_step(const data::Case& problem) {
+  constexpr double steps_per_period = 20000.0;
+  const double highest = std::max(problem.excitation.frequency_hz(),
+                                  analytic::stick_modes(problem.beam, 1).front().frequency_hz());
+  double step = problem.numerics.time_step();
+  while (step * highest * steps_per_period > 1.0) step *= 0.5;
+  return step;
+}
+
+void require_feasible(const data::Case& problem, Inquiry inquiry) {
+  if (is_about_frequencies(inquiry) || inquiry == Inquiry::stepped_history) return;
+  if (inquiry == Inquiry::boundary_integral_history) {
+    if (problem.damping.ratio() != 0.0)
+      throw data::FieldError("damping.ratio", data::shortest_text(problem.damping.ratio()),
+                             "0 with the boundary integral, whose mobility has Kelvin-Voigt damping alone");
+    const double most_steps = std::ldexp(1.0, 24), step = boundary_integral_step(problem);
+    if (problem.numerics.duration() <= most_steps * step) return;
+    throw data::FieldError("numerics.duration", data::shortest_text(problem.numerics.duration()),
+                           fmt::format("at most {:.3g} s, 2^24 steps of {:.3g} s", most_steps * step, step));
+  }
+  const bool is_event_driven = inquiry == Inquiry::event_driven_history;
+  const double most_periods = is_event_driven ? 1e6 : 1e8;  // minutes of work
+  const double natural = analytic::stick_modes(problem.beam, problem.numerics.modes()).back().frequency_hz();
+  const double highest = std::max(natural, problem.excitation.frequency_hz());
+  if (problem.numerics.duration() * highest <= most_periods) return;
+  throw data::FieldError("numerics.duration", data::shortest_text(problem.numerics.duration()),
+                         fmt::format("at most {:.3g} s, {} periods of {}, {:.3g} Hz", most_periods / highest,
+                                     is_event_driven ? "a million" : "a hundred million",
+                                     natural > problem.excitation.frequency_hz()
+                                         ? fmt::format("natural frequency {}", problem.numerics.modes())
+                                         : "the excitation",
+                                     highest));
+}
+
+}  // namespace stickslip::studies

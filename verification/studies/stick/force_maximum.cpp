@@ -1,0 +1,48 @@
+#include "studies/stick/force_maximum.hpp"
+
+#include "stickslip/analytic/criterion.hpp"
+#include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
+#include "studies/convergence/discretisation.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+// Modes whose discrete frequency theory still knows on the meshes used here.
+constexpr int predicted_modes = 20;
+
+}  // namespace
+
+ForceMaximum force_maximum_study(const data::Beam& beam, const data::HarmonicExcitation& excitation,
+                                 const data::NumericalSettings& numerics, int reference_modes) {
+  const analytic::StickResponse truncated(beam, excitation, numerics.modes());
+  const analytic::StickResponse converged(beam, excitation, reference_modes, analytic::SteadyPart::exact);
+  const PredictedForce predicted(beam, excitation, numerics, predicted_modes);
+  const double duration = numerics.duration();
+  return {.frequency_hz = excitation.frequency_hz(),
+          .amplitude = excitation.amplitude(),
+          .sampled = truncated.sampled_max_abs_friction_force(duration, numerics.time_step()).lower,
+          .truncated = truncated.max_abs_friction_force(duration),
+          .converged = converged.max_abs_friction_force(duration, 1e-9),
+          .omitted_transient = converged.omitted_transient_bound(),
+          .finite_element = solver::max_abs_friction_force(beam, excitation, numerics),
+          .predicted_finite_element = predicted.max_abs(),
+          .prediction_uncertainty = predicted.uncertainty()};
+}
+
+std::vector<CriticalAmplitudePoint> critical_amplitude_curve(const data::Beam& beam,
+                                                             const data::FrictionLaw& friction,
+                                                             const data::NumericalSettings& numerics,
+                                                             const std::vector<double>& frequencies_hz) {
+  std::vector<CriticalAmplitudePoint> curve;
+  for (const double hz : frequencies_hz) {
+    const data::HarmonicExcitation unit({.frequency_hz = hz, .amplitude = 1e-3});
+    const analytic::Criterion criterion = analytic::evaluate_criterion(
+        beam, friction, unit, numerics.duration(), numerics.modes(), analytic::SteadyPart::modal_sum, 1e-6);
+    curve.push_back({hz, criterion.critical_amplitude.midpoint()});
+  }
+  return curve;
+}
+
+}  // namespace stickslip::studies

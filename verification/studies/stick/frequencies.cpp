@@ -1,0 +1,148 @@
+#include "studies/stick/frequencies.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+
+#include "stickslip/analytic/slip_modes.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/solver/modal_analysis.hpp"
+#include "studies/common/hertz.hpp"
+#include "studies/convergence/discretisation.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+using FiniteElementModes = std::vector<solver::FiniteElementMode>;
+
+// Fills in all but the closed form and the prediction, which differ between the two states.
+FrequencyStudy frequency_study(
+    const data::Beam& beam, const std::vector<int>& elements, std::vector<FrequencyConvergence> modes,
+    const std::function<FiniteElementModes(const solver::BeamModel&, int)>& finite_element_modes,
+    const std::function<double(std::size_t, double)>& predicted_error) {
+  const int count = static_cast<int>(modes.size());
+  std::vector<double> element_lengths;
+  for (const int n : elements) {
+    const double element_length = beam.length() / n;
+    element_lengths.push_back(element_length);
+    const FiniteElementModes computed = finite_element_modes(solver::BeamModel(beam, n), count);
+    for (std::size_t i = 0; i < modes.size(); ++i) {
+      const double hz = computed[i].angular_frequency / two_pi;
+      const double ratio = hz / modes[i].closed_form_hz;
+      modes[i].finite_element_hz.push_back(hz);
+      modes[i].relative_error.push_back((ratio - 1.0) * (ratio + 1.0));
+      modes[i].predicted_error.push_back(predicted_error(i, element_length));
+    }
+  }
+  for (FrequencyConvergence& mode : modes) {
+    std::vector<double> magnitudes;
+    for (const double error : mode.relative_error) magnitudes.push_back(std::abs(error));
+    mode.observed_order = order_estimate(element_lengths, magnitudes);
+    mode.leading_constant_ratio = mode.relative_error.back() / mode.predicted_error.back();
+  }
+  return {elements, std::move(modes)};
+}
+
+// The largest force factor, in units of EI/L^2, at which the two lowest slip eigenvalues of a mesh are real.
+double finite_element_flutter(const data::Beam& beam, int elements) {
+  const double unit = beam.youngs_modulus() * beam.second_moment_of_area() / (beam.length() * beam.length());
+  const auto flutters = [&](double factor) {
+    data::BeamProperties properties = beam.properties();
+    properties.axial_force = factor * unit;
+    return solver::slip_eigenvalues(solver::BeamModel(data::Beam(properties), elements), 1).front().imag() !=
+           0.0;
+  };
+  double low = 15.0, high = 25.0;
+  while (high - low > 1e-9) {
+    const double middle = 0.5 * (low + high);
+    (flutters(middle) ? high : low) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+// Scales to a largest magnitude of 1, positive next to the clamp.
+void normalise(std::vector<double>& shape) {
+  const double largest = std::abs(*std::max_element(
+      shape.begin(), shape.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
+  const double scale = (shape[1] < 0.0 ? -1.0 : 1.0) / largest;
+  for (double& value : shape) value *= scale;
+}
+
+template <typename AnalyticMode>
+ModeShapeStudy::Curve shape_curve(const AnalyticMode& exact, const solver::FiniteElementMode& computed,
+                                  const solver::BeamModel& model, bool slip,
+                                  const std::vector<double>& position) {
+  ModeShapeStudy::Curve curve;
+  curve.mode = exact.number();
+  curve.slip = slip;
+  curve.closed_form_hz = exact.frequency_hz();
+  curve.finite_element_hz = computed.angular_frequency / two_pi;
+  for (const double s : position) {
+    const double x = std::min(s * model.beam().length(), model.beam().length());
+    curve.closed_form.push_back(exact.shape(x));
+    curve.finite_element.push_back(model.interpolation(x).dot(computed.shape));
+  }
+  normalise(curve.closed_form);
+  normalise(curve.finite_element);
+  for (std::size_t i = 0; i < position.size(); ++i)
+    curve.largest_difference =
+        std::max(curve.largest_difference, std::abs(curve.closed_form[i] - curve.finite_element[i]));
+  return curve;
+}
+
+}  // namespace
+
+FrequencyStudy stick_frequency_study(const data::Beam& beam, int modes, const std::vector<int>& elements) {
+  const std::vector<analytic::StickMode> exact = analytic::stick_modes(beam, modes);
+  std::vector<FrequencyConvergence> rows;
+  for (const analytic::StickMode& mode : exact)
+    rows.push_back({mode.number(), mode.frequency_hz(), {}, {}, {}, {}, 0.0});
+  return frequency_study(
+      beam, elements, std::move(rows), solver::stick_modes,
+      [&](std::size_t i, double length) { return hermite_eigenvalue_error(beam, exact[i], length); });
+}
+
+FrequencyStudy slip_frequency_study(const data::Beam& beam, int modes, const std::vector<int>& elements) {
+  const std::vector<analytic::SlipMode> exact = analytic::slip_modes(beam, modes);
+  std::vector<FrequencyConvergence> rows;
+  for (const analytic::SlipMode& mode : exact)
+    rows.push_back({mode.number(), mode.frequency_hz(), {}, {}, {}, {}, 0.0});
+  return frequency_study(beam, elements, std::move(rows), solver::slip_modes,
+                         [&](std::size_t i, double length) {
+                           const double wave_number_squared =
+                               exact[i].hyperbolic_wave_number() * exact[i].trigonometric_wave_number();
+                           return std::pow(length, 4) / 720.0 * wave_number_squared * wave_number_squared;
+                         });
+}
+
+FlutterStudy flutter_study(const data::Beam& beam, const std::vector<int>& elements) {
+  const double unit = beam.youngs_modulus() * beam.second_moment_of_area() / (beam.length() * beam.length());
+  FlutterStudy study{analytic::flutter_load(beam) / unit, elements, {}, {}};
+  std::vector<double> steps, errors;
+  for (const int n : elements) {
+    study.finite_element.push_back(finite_element_flutter(beam, n));
+    steps.push_back(1.0 / n);
+    errors.push_back(std::abs(study.finite_element.back() - study.closed_form));
+  }
+  study.observed_order = order_estimate(steps, errors);
+  return study;
+}
+
+ModeShapeStudy mode_shape_study(const data::Beam& beam, int modes, int elements, int points) {
+  ModeShapeStudy study;
+  for (int i = 0; i < points; ++i) study.position.push_back(static_cast<double>(i) / (points - 1));
+  const solver::BeamModel model(beam, elements);
+  const auto stick = analytic::stick_modes(beam, modes);
+  const auto slip = analytic::slip_modes(beam, modes);
+  const FiniteElementModes stick_computed = solver::stick_modes(model, modes);
+  const FiniteElementModes slip_computed = solver::slip_modes(model, modes);
+  for (std::size_t i = 0; i < stick.size(); ++i) {
+    study.curves.push_back(shape_curve(stick[i], stick_computed[i], model, false, study.position));
+    study.curves.push_back(shape_curve(slip[i], slip_computed[i], model, true, study.position));
+  }
+  return study;
+}
+
+}  // namespace stickslip::studies

@@ -1,0 +1,99 @@
+#include "studies/stick/stick_history.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
+#include "studies/convergence/convergence.hpp"
+#include "studies/convergence/discretisation.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+struct SampledHistory {
+  std::vector<double> displacement, force;
+};
+
+// A glued run, every `stride`-th step kept.
+SampledHistory finite_element_history(const data::Beam& beam, const data::HarmonicExcitation& excitation,
+                                      const data::NumericalSettings& numerics, long stride) {
+  const data::FrictionLaw unused({});
+  solver::BeamSimulation simulation(beam, unused, excitation, numerics,
+                                    {.contact = solver::TipContact::glued});
+  const long steps = solver::step_count(numerics.duration(), numerics.time_step());
+  SampledHistory history;
+  for (long n = 0; n <= steps; ++n) {
+    if (n > 0) simulation.step();
+    if (n % stride != 0) continue;
+    history.displacement.push_back(simulation.midspan_displacement());
+    history.force.push_back(simulation.friction_force());
+  }
+  return history;
+}
+
+double largest_magnitude(const std::vector<double>& values) {
+  double largest = 0.0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+data::NumericalSettings refined(const data::NumericalSettings& numerics, int level) {
+  data::NumericalChoices choices = numerics.choices();
+  choices.elements <<= level;
+  choices.time_step /= std::pow(4.0, level);
+  return data::NumericalSettings(choices);
+}
+
+}  // namespace
+
+StickHistoryStudy stick_history_study(const data::Beam& beam, const data::HarmonicExcitation& excitation,
+                                      const data::NumericalSettings& numerics, int levels,
+                                      int reference_modes) {
+  StickHistoryStudy study;
+  const double midspan = 0.5 * beam.length();
+  const analytic::StickResponse exact(beam, excitation, reference_modes, analytic::SteadyPart::exact);
+  const long samples = solver::step_count(numerics.duration(), numerics.time_step());
+  for (long n = 0; n <= samples; ++n) {
+    const double t = static_cast<double>(n) * numerics.time_step();
+    study.time.push_back(t);
+    study.displacement.push_back(exact.absolute_displacement(midspan, t));
+    study.force.push_back(exact.friction_force(t));
+  }
+  study.displacement_peak = largest_magnitude(study.displacement);
+  study.force_peak = largest_magnitude(study.force);
+
+  const auto free_displacement = exact.transient_displacement(midspan);
+  const auto free_force = exact.transient_force();
+  std::vector<double> steps, displacement_errors, force_errors, predicted_displacement, predicted_force;
+  for (int k = 0; k < levels; ++k) {
+    const data::NumericalSettings level = refined(numerics, k);
+    SampledHistory computed = finite_element_history(beam, excitation, level, 1L << (2 * k));
+    study.levels.push_back({level.elements(), level.time_step(),
+                            largest_difference(computed.displacement, study.displacement),
+                            largest_difference(computed.force, study.force),
+                            drift_bound(beam, exact.modes(), free_displacement, level, numerics.duration()),
+                            drift_bound(beam, exact.modes(), free_force, level, numerics.duration())});
+    const StickHistoryLevel& row = study.levels.back();
+    steps.push_back(row.time_step);
+    displacement_errors.push_back(row.displacement_error);
+    force_errors.push_back(row.force_error);
+    predicted_displacement.push_back(row.predicted_displacement_error);
+    predicted_force.push_back(row.predicted_force_error);
+    if (k == 0) {
+      study.first_displacement = std::move(computed.displacement);
+      study.first_force = std::move(computed.force);
+    }
+  }
+  if (levels > 1) {
+    study.displacement_order = order_estimate(steps, displacement_errors);
+    study.force_order = order_estimate(steps, force_errors);
+    study.predicted_displacement_order = observed_order(steps, predicted_displacement);
+    study.predicted_force_order = observed_order(steps, predicted_force);
+  }
+  return study;
+}
+
+}  // namespace stickslip::studies

@@ -1,0 +1,115 @@
+#include "studies/stick_slip/contact_histories.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+
+#include "stickslip/analytic/criterion.hpp"
+#include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
+#include "studies/common/parallel.hpp"
+#include "studies/convergence/convergence.hpp"
+#include "studies/stick_slip/event_history.hpp"
+#include "studies/stick_slip/finite_element_contact_model.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+constexpr double sample = 2e-4;
+
+}  // namespace
+
+std::optional<double> closed_form_first_slip(const data::Beam& beam, const data::FrictionLaw& friction,
+                                             const data::HarmonicExcitation& excitation, double duration) {
+  const analytic::StickResponse response(beam, excitation, 60, analytic::SteadyPart::exact);
+  const double limit = friction.static_coefficient() * beam.axial_force();
+  const auto exceeded = [&](double t) { return std::abs(response.friction_force(t)) > limit; };
+  const double scan =
+      std::min(1.0 / excitation.frequency_hz(), 1.0 / response.modes().front().frequency_hz()) / 2000.0;
+  const long samples = std::lround(duration / scan);
+  for (long n = 1; n <= samples; ++n) {
+    double high = static_cast<double>(n) * scan;
+    if (!exceeded(high)) continue;
+    double low = high - scan;
+    while (high - low > 5e-5 * scan) {
+      const double middle = 0.5 * (low + high);
+      (exceeded(middle) ? high : low) = middle;
+    }
+    return high;
+  }
+  return std::nullopt;
+}
+
+ContactHistory contact_history(const data::Beam& beam, const data::FrictionLaw& friction,
+                               const data::HarmonicExcitation& excitation,
+                               const data::NumericalSettings& numerics, double shown) {
+  ContactHistory history;
+  history.frequency_hz = excitation.frequency_hz();
+  history.amplitude = excitation.amplitude();
+  history.finite_element_slip = solver::first_slip(beam, friction, excitation, numerics);
+  history.criterion_slips =
+      analytic::evaluate_criterion(beam, friction, excitation, numerics.duration(), numerics.modes())
+          .verdict == analytic::Verdict::stick_slip;
+  if (history.criterion_slips) {
+    history.closed_form_slip = closed_form_first_slip(beam, friction, excitation, numerics.duration());
+    history.converged = converged_history({.name = "history",
+                                           .beam = beam,
+                                           .friction = friction,
+                                           .excitation = excitation,
+                                           .numerics = numerics},
+                                          {.duration = shown,
+                                           .samples = static_cast<int>(std::lround(shown / sample)),
+                                           .steps_per_sample = 512,
+                                           .with_midspan = false});
+  }
+  return history;
+}
+
+std::vector<PracticeRun> usual_practice(const data::Beam& beam, const data::FrictionLaw& friction,
+                                        const data::NumericalSettings& numerics,
+                                        const ConvergedHistory& converged) {
+  const data::HarmonicExcitation excitation({converged.frequency_hz, converged.amplitude});
+  const double duration = converged.time.back(), spacing = converged.time[1];
+  const int elements = numerics.elements();
+  const double h = numerics.time_step();
+  struct Stepped {
+    const char* method;
+    double radius;
+    solver::ContactScheme scheme;
+    double threshold;
+  };
+  const Stepped stepped[] = {{"letter of the paper", numerics.spectral_radius(), solver::ContactScheme::paper,
+                              numerics.velocity_threshold()},
+                             {"located in the step", 0.5, solver::ContactScheme::located, 0.0},
+                             {"located in the step", 0.9, solver::ContactScheme::located, 0.0},
+                             {"located in the step", 1.0, solver::ContactScheme::located, 0.0}};
+  const int meshes[] = {elements, 2 * elements};  // of the event-driven runs
+  std::vector<PracticeRun> runs(std::size(stepped) + std::size(meshes));
+  in_parallel(runs.size(), [&](std::size_t i) {
+    PracticeRun& run = runs[i];
+    TipHistory history;
+    if (i < std::size(stepped)) {
+      const auto& [method, radius, scheme, threshold] = stepped[i];
+      data::NumericalChoices choices = numerics.choices();
+      choices.spectral_radius = radius;
+      choices.velocity_threshold = threshold;
+      history =
+          time_stepper_history(beam, friction, excitation, data::NumericalSettings(choices),
+                               {.scheme = scheme}, duration, static_cast<int>(std::lround(spacing / h)));
+      run = {.method = method, .elements = elements, .time_step = h, .spectral_radius = radius};
+    } else {
+      run = {.method = "event-driven", .elements = meshes[i - std::size(stepped)]};
+      history = event_driven_history(finite_element_contact_model(solver::BeamModel(beam, run.elements),
+                                                                  friction, excitation, data::Damping()),
+                                     duration, spacing);
+    }
+    run.changes = history.changes;
+    run.largest_error = largest_difference(converged.tip, history.tip_displacement) / converged.tip_range;
+    run.tip_displacement = history.tip_displacement;
+  });
+  return runs;
+}
+
+}  // namespace stickslip::studies

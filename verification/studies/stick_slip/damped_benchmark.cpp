@@ -1,0 +1,113 @@
+#include "studies/stick_slip/damped_benchmark.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include "stickslip/analytic/beam_contact_model.hpp"
+#include "studies/stick_slip/finite_element_contact_model.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+constexpr double history_step = 1e-4;
+
+class Benchmark {
+ public:
+  Benchmark(const data::Case& problem, const BenchmarkEffort& effort) : problem_(problem), effort_(effort) {}
+
+  [[nodiscard]] DampedBenchmark run() {
+    result_.frequency_hz = problem_.excitation.frequency_hz();
+    result_.amplitude = problem_.excitation.amplitude();
+    result_.kelvin_voigt = problem_.damping.kelvin_voigt();
+    result_.duration = effort_.duration;
+    result_.shortest_stick = effort_.shortest_stick;
+    result_.modes = effort_.modes;
+    set_reference();
+    for (const int modes : effort_.other_modes) compare("event-driven on held modes", modes, held(modes));
+    for (const int modes : effort_.free_modes)
+      compare("event-driven on free modes", modes, continuous(modes, analytic::SlipBasis::free_modes));
+    for (const int elements : effort_.event_driven_elements)
+      compare("event-driven on finite elements", elements,
+              event_driven_history(finite_elements(elements), effort_.duration, history_step));
+    for (const int elements : effort_.elements) step(elements, effort_.time_steps.back());
+    for (const double time_step : effort_.time_steps)
+      if (time_step != effort_.time_steps.back()) step(effort_.elements.back(), time_step);
+    return result_;
+  }
+
+ private:
+  [[nodiscard]] TipHistory continuous(int modes, analytic::SlipBasis basis, double tolerance = 1e-12) const {
+    const analytic::BeamContactModel beam(problem_.beam, problem_.friction, problem_.excitation,
+                                          problem_.damping, modes, basis);
+    return event_driven_history(beam.model(), effort_.duration, history_step, tolerance);
+  }
+
+  [[nodiscard]] TipHistory held(int modes, double tolerance = 1e-12) const {
+    return continuous(modes, analytic::SlipBasis::held_modes, tolerance);
+  }
+
+  [[nodiscard]] analytic::ContactModel finite_elements(int elements) const {
+    return finite_element_contact_model(solver::BeamModel(problem_.beam, elements), problem_.friction,
+                                        problem_.excitation, problem_.damping);
+  }
+
+  void set_reference() {
+    result_.history = held(effort_.modes);
+    reference_ = events_of(result_.history);
+    const int fewer_modes = static_cast<int>(std::lround(effort_.modes / std::numbers::sqrt2));
+    const auto fewer = events_of(held(fewer_modes));
+    const auto rougher = events_of(held(fewer_modes, 1e-10));
+    if (std::isinf(largest_difference(fewer, reference_, reference_.size()).time))
+      throw std::runtime_error("the reference history has not converged: its events depend on the modes.");
+    for (std::size_t i = 0; i < reference_.size(); ++i)
+      result_.events.push_back({reference_[i], std::abs(reference_[i].time - fewer[i].time),
+                                std::abs(reference_[i].position - fewer[i].position)});
+    result_.tolerance_effect = largest_difference(fewer, rougher, fewer.size()).time;
+  }
+
+  [[nodiscard]] std::vector<HistoryEvent> events_of(const TipHistory& history) const {
+    return without_micro_sticks(history.events, effort_.shortest_stick);
+  }
+
+  void compare(const char* method, int size, const TipHistory& history, double time_step = 0.0) {
+    const auto events = events_of(history);
+    const std::size_t first = std::min<std::size_t>(10, reference_.size());
+    EventDifference all = largest_difference(events, reference_, reference_.size());
+    if (events.size() != reference_.size())
+      all = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    std::vector<EventDifference> each;
+    for (std::size_t i = 0; i < std::min(events.size(), reference_.size()); ++i) {
+      if (events[i].onset != reference_[i].onset) break;
+      each.push_back({std::abs(events[i].time - reference_[i].time),
+                      std::abs(events[i].position - reference_[i].position)});
+    }
+    result_.runs.push_back(
+        {method, size, time_step, largest_difference(events, reference_, first), all, std::move(each)});
+  }
+
+  void step(int elements, double time_step) {
+    compare("generalised-alpha", elements,
+            time_stepper_history(problem_.beam, problem_.friction, problem_.excitation,
+                                 refined(problem_.numerics, elements, time_step),
+                                 {.damping = problem_.damping}, effort_.duration, 100),
+            time_step);
+  }
+
+  const data::Case& problem_;
+  const BenchmarkEffort& effort_;
+  std::vector<HistoryEvent> reference_;
+  DampedBenchmark result_;
+};
+
+}  // namespace
+
+DampedBenchmark damped_benchmark(const data::Case& problem, const BenchmarkEffort& effort) {
+  return Benchmark(problem, effort).run();
+}
+
+}  // namespace stickslip::studies

@@ -1,0 +1,55 @@
+#include "studies/stick_slip/energy_audit.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "stickslip/analytic/beam_contact_model.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
+#include "studies/stick_slip/event_history.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+solver::EnergyBalance stepped_balance(const data::Case& problem, double duration, int elements,
+                                      double time_step) {
+  data::NumericalChoices choices = refined(problem.numerics, elements, time_step).choices();
+  choices.spectral_radius = 1.0;
+  solver::BeamSimulation simulation(problem.beam, problem.friction, problem.excitation,
+                                    data::NumericalSettings(choices), {.damping = problem.damping});
+  solver::EnergyBooks books(simulation.integrator());
+  simulation.observe([&books](const solver::StickSlipIntegrator& now) { books.enter(now); });
+  for (long n = solver::step_count(duration, time_step); n > 0; --n) simulation.step();
+  return books.balance();
+}
+
+}  // namespace
+
+EnergyAudit energy_audit(const data::Case& problem, double duration, const std::vector<int>& elements,
+                         int modes, const std::vector<double>& time_steps) {
+  const analytic::BeamContactModel beam(problem.beam, problem.friction, problem.excitation, problem.damping,
+                                        modes);
+  analytic::EventDriven run(beam.model(), {.keep_books = true});
+  const double initial = run.books().kinetic + run.books().potential;
+  run.advance_to(duration);
+  EnergyAudit audit{.kelvin_voigt = problem.damping.kelvin_voigt(),
+                    .duration = duration,
+                    .modes = modes,
+                    .event_driven = run.books(),
+                    .event_driven_initial = initial,
+                    .time_step = time_steps,
+                    .meshes = {}};
+  for (const int count : elements) {
+    EnergyAudit::Mesh mesh{.elements = count, .stepped = {}, .observed_order = {}};
+    std::vector<double> residuals;
+    for (const double time_step : time_steps) {
+      mesh.stepped.push_back(stepped_balance(problem, duration, count, time_step));
+      residuals.push_back(std::abs(mesh.stepped.back().residual()));
+    }
+    mesh.observed_order = order_estimate(time_steps, residuals);
+    audit.meshes.push_back(std::move(mesh));
+  }
+  return audit;
+}
+
+}  // namespace stickslip::studies

@@ -1,0 +1,53 @@
+#include "studies/stick_slip/event_order.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "studies/stick_slip/event_history.hpp"
+#include "studies/stick_slip/finite_element_contact_model.hpp"
+
+namespace stickslip::studies {
+
+EventOrderStudy event_order_study(const data::Case& problem, double duration, int elements,
+                                  double spectral_radius, const std::vector<int>& divisors) {
+  constexpr double longest_step = 1e-4;
+  const TipHistory exact = event_driven_history(
+      finite_element_contact_model(solver::BeamModel(problem.beam, elements), problem.friction,
+                                   problem.excitation, problem.damping),
+      duration, longest_step);
+  EventOrderStudy study{.spectral_radius = spectral_radius,
+                        .elements = elements,
+                        .events = static_cast<int>(exact.events.size()),
+                        .duration = duration,
+                        .time_step = {},
+                        .located = {},
+                        .at_end_of_step = {}};
+  const auto add = [&](EventOrder& order, solver::ContactScheme scheme, int divisor) {
+    data::NumericalChoices choices = refined(problem.numerics, elements, longest_step / divisor).choices();
+    choices.spectral_radius = spectral_radius;
+    const TipHistory history = time_stepper_history(
+        problem.beam, problem.friction, problem.excitation, data::NumericalSettings(choices),
+        {.damping = problem.damping, .scheme = scheme}, duration, divisor);
+    const EventDifference difference = largest_difference(history.events, exact.events, exact.events.size());
+    order.event_time_error.push_back(difference.time);
+    order.event_position_error.push_back(difference.position);
+    double largest = 0.0;
+    for (std::size_t i = 0; i < exact.time.size(); ++i)
+      largest = std::max(largest, std::abs(history.tip_displacement[i] - exact.tip_displacement[i]));
+    order.tip_error.push_back(largest);
+  };
+  for (const int divisor : divisors) {
+    study.time_step.push_back(longest_step / divisor);
+    add(study.located, solver::ContactScheme::located, divisor);
+    add(study.at_end_of_step, solver::ContactScheme::end_of_step, divisor);
+  }
+  for (EventOrder* order : {&study.located, &study.at_end_of_step}) {
+    order->event_time_order = order_estimate(study.time_step, order->event_time_error);
+    order->event_position_order = order_estimate(study.time_step, order->event_position_error);
+    order->tip_order = order_estimate(study.time_step, order->tip_error);
+  }
+  return study;
+}
+
+}  // namespace stickslip::studies

@@ -1,0 +1,132 @@
+#include "studies/stick_slip/history_convergence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "studies/stick_slip/contact_growth.hpp"
+#include "studies/stick_slip/event_history.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+// Slope of the logarithm of the largest difference within each period, from the first slip to `limit`.
+double growth_rate(const TipHistory& a, const TipHistory& b, double period, double limit) {
+  if (a.events.empty()) return 0.0;
+  std::vector<double> times, logarithms;
+  const double start = a.events.front().time;
+  for (std::size_t i = 0; i < a.time.size();) {
+    const double from = start + static_cast<double>(times.size()) * period;
+    double largest = 0.0;
+    for (; i < a.time.size() && a.time[i] < from + period; ++i)
+      if (a.time[i] >= from)
+        largest = std::max(largest, std::abs(a.tip_displacement[i] - b.tip_displacement[i]));
+    if (largest > limit || largest == 0.0) break;
+    times.push_back(from);
+    logarithms.push_back(std::log(largest));
+  }
+  return times.size() < 3 ? 0.0 : linear_slope(times, logarithms);
+}
+
+solver::ContactSystem system_of(const data::Case& problem, const solver::BeamModel& mesh, double change,
+                                double radiating_share) {
+  const data::HarmonicExcitation excitation(
+      {problem.excitation.frequency_hz(), problem.excitation.amplitude() * (1.0 + change)});
+  const auto system =
+      solver::beam_contact_system(mesh, problem.friction, solver::harmonic_motion(excitation));
+  if (radiating_share == 0.0) return system;
+  const data::Beam& beam = problem.beam;
+  return with_radiating_contact(
+      system, radiating_share * beam.density() * beam.area() * beam.length() / mesh.elements(),
+      weakening(problem.friction, beam.axial_force()));
+}
+
+// As time_stepper_history(), of a system with a radiating contact. In the frame of the base the wall moves by
+// -h.
+TipHistory radiating_history(const solver::BeamModel& mesh, const solver::ContactSystem& system,
+                             const solver::IntegratorSettings& settings, double duration, int every) {
+  solver::StickSlipIntegrator integrator(system, settings);
+  const Eigen::Index size = system.mass.rows();
+  Eigen::VectorXd velocity(size);
+  velocity << mesh.unit_tip_deflection(), 1.0;
+  integrator.start_stuck(Eigen::VectorXd::Zero(size), system.wall.velocity(0.0) * velocity);
+  TipHistory history;
+  const long steps = solver::step_count(duration, settings.time_step);
+  for (long n = 0; n <= steps; ++n) {
+    if (n > 0) integrator.step();
+    if (n % every != 0) continue;
+    history.time.push_back(integrator.time());
+    history.tip_displacement.push_back(integrator.displacement()[system.contact] -
+                                       system.wall.displacement(integrator.time()));
+  }
+  for (const auto& event : integrator.events())
+    history.events.push_back(
+        {event.kind == solver::ContactEvent::Kind::onset, event.time, event.displacement});
+  history.changes = static_cast<int>(history.events.size());
+  return history;
+}
+
+}  // namespace
+
+double time_step_of(const StepRule& rule, const data::Beam& beam, int elements) {
+  if (rule.angle == 0.0) return rule.time_step;
+  const double length = beam.length() / elements;
+  return rule.angle / highest_frequency_factor * length * length *
+         std::sqrt(beam.density() * beam.area() / (beam.youngs_modulus() * beam.second_moment_of_area()));
+}
+
+HistoryRun history_run(const data::Case& problem, const ConvergedHistory& reference, int elements,
+                       double time_step, double spectral_radius, bool observe_growth,
+                       double radiating_share) {
+  const double sample = reference.time[1] - reference.time[0];
+  const int every = static_cast<int>(std::ceil(sample / time_step * (1.0 - 1e-9)));
+  data::NumericalChoices choices = refined(problem.numerics, elements, sample / every).choices();
+  choices.spectral_radius = spectral_radius;
+  const solver::BeamModel mesh(problem.beam, elements);
+  const auto history = [&](double change) {
+    if (radiating_share > 0.0)
+      return radiating_history(mesh, system_of(problem, mesh, change, radiating_share),
+                               {.time_step = choices.time_step, .spectral_radius = spectral_radius},
+                               reference.time.back(), every);
+    const data::HarmonicExcitation excitation(
+        {problem.excitation.frequency_hz(), problem.excitation.amplitude() * (1.0 + change)});
+    return time_stepper_history(problem.beam, problem.friction, excitation, data::NumericalSettings(choices),
+                                {.coordinates = solver::Coordinates::modal}, reference.time.back(), every);
+  };
+  const TipHistory run = history(0.0);
+  const solver::ContactMobility mobility(system_of(problem, mesh, 0.0, radiating_share));
+  HistoryRun result{
+      .elements = elements,
+      .time_step = choices.time_step,
+      .spectral_radius = spectral_radius,
+      .highest_angle = mobility.angular_frequencies().maxCoeff() * choices.time_step,
+      .growth_bound = growth_bound(stepped_contact(mobility, choices.time_step, spectral_radius),
+                                   weakening(problem.friction, problem.beam.axial_force())),
+      .changes = run.changes};
+  result.error = largest_difference(run.tip_displacement, reference.tip) / reference.tip_range;
+  if (observe_growth)
+    result.observed_growth = growth_rate(run, history(perturbation), 1.0 / problem.excitation.frequency_hz(),
+                                         observed_until * reference.tip_range);
+  return result;
+}
+
+HistoryRefinement history_refinement(const data::Case& problem, const ConvergedHistory& reference,
+                                     const StepRule& rule, const std::vector<int>& elements,
+                                     int observed_elements) {
+  HistoryRefinement refinement;
+  refinement.rule = rule;
+  refinement.frequency_hz = problem.excitation.frequency_hz();
+  std::vector<double> lengths, errors;
+  for (const int count : elements) {
+    refinement.runs.push_back(history_run(problem, reference, count, time_step_of(rule, problem.beam, count),
+                                          rule.spectral_radius, count <= observed_elements,
+                                          rule.radiating_share));
+    lengths.push_back(problem.beam.length() / count);
+    errors.push_back(refinement.runs.back().error);
+  }
+  refinement.order = order_estimate(lengths, errors);
+  return refinement;
+}
+
+}  // namespace stickslip::studies

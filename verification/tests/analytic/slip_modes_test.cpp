@@ -1,0 +1,292 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "analytic/gsl.hpp"
+#include "stickslip/analytic/beam_contact_model.hpp"
+#include "stickslip/analytic/slip_modes.hpp"
+#include "support/beams.hpp"
+#include "support/order.hpp"
+#include "support/parameter_name.hpp"
+#include "support/tolerance.hpp"
+#include "support/vibration.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+using analytic::flutter_load;
+using analytic::slip_characteristic;
+using analytic::slip_modes;
+using analytic::SlipMode;
+
+// d(characteristic)/d(bb) = 0 and characteristic = 0 solved by Newton's method with 30 digits. Beck: 20.05.
+constexpr double kFlutterFactor = 20.0509536189737612;
+
+double stiffness(const data::Beam& beam) { return beam.youngs_modulus() * beam.second_moment_of_area(); }
+
+data::Beam beam_with_load_factor(double factor) {
+  const data::Beam beam = paper_beam();
+  return paper_beam_with_axial_force(factor * stiffness(beam) / (beam.length() * beam.length()));
+}
+
+TEST(SlipModes, AreClampedFreeWithoutAxialForce) {
+  const std::array classical{1.875104068711961, 4.694091132974175, 7.854757438237613};
+  const auto modes = slip_modes(beam_with_load_factor(0.0), 3);
+  for (std::size_t i = 0; i < classical.size(); ++i) {
+    const Tolerance tolerance = round_off(5, 1, classical[i]);
+    ASSERT_LT(tolerance.value, 1e-12);
+    EXPECT_TRUE(within(modes[i].trigonometric_wave_number() * 2.0, classical[i], tolerance));
+    EXPECT_TRUE(within(modes[i].hyperbolic_wave_number() * 2.0, classical[i], tolerance));
+  }
+}
+
+TEST(SlipModes, HaveTheDefaultBeamsFrequencies) {
+  const std::array expected{5.73517, 35.73325, 100.14646};
+  const auto modes = slip_modes(paper_beam(), 3);
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    EXPECT_TRUE(within(modes[i].frequency_hz(), expected[i], reference(0.5e-5, "five printed decimals")));
+}
+
+TEST(SlipModes, AgreeWithSixtyDigitArithmetic) {
+  struct Roots {
+    double factor;
+    std::array<double, 3> bb;
+    double condition;  // of a root: 1/(distance to coalescence)
+  };
+  const std::array<Roots, 3> table{
+      {{-1e4, {2.75535692566273969e-21, 3.2056508398915587136, 6.4109678212931227987}, 100.0},
+       {-100.0, {0.033690683160000433741, 3.8281919020542428638, 7.3527964309201263195}, 10.0},
+       {20.0, {4.9518654919190505451, 5.0247152764759543603, 8.0406290949218106659}, 100.0}}};
+  for (const auto& [factor, bb, condition] : table) {
+    const auto modes = slip_modes(beam_with_load_factor(factor), 3);
+    for (std::size_t i = 0; i < bb.size(); ++i)
+      EXPECT_TRUE(within(modes[i].trigonometric_wave_number() * 2.0, bb[i], round_off(4, condition, bb[i])));
+  }
+}
+
+TEST(SlipModes, AreAllSignChangesOfTheCharacteristicFunction) {
+  for (const double factor : {-100.0, 0.0, 0.12, 10.0, 19.0}) {
+    const data::Beam beam = beam_with_load_factor(factor);
+    const auto modes = slip_modes(beam, 9);
+    const double highest = modes.back().angular_frequency() * 1.01;
+    constexpr int kSteps = 20000;
+    int changes = 0;
+    for (int i = 1; i < kSteps; ++i)
+      changes += slip_characteristic(beam, highest * i / kSteps) *
+                     slip_characteristic(beam, highest * (i + 1) / kSteps) <
+                 0.0;
+    EXPECT_EQ(changes, 9) << "P L^2/EI = " << factor;
+    for (const SlipMode& mode : modes) {
+      const double omega = mode.angular_frequency();
+      EXPECT_LT(slip_characteristic(beam, omega * (1 - 1e-9)) * slip_characteristic(beam, omega * (1 + 1e-9)),
+                0.0);
+    }
+  }
+}
+
+TEST(SlipModes, ComeInAscendingOrderAndAskedNumber) {
+  for (const int count : {1, 2, 7, 1000}) {
+    const auto modes = slip_modes(paper_beam(), count);
+    ASSERT_EQ(modes.size(), static_cast<std::size_t>(count));
+    for (std::size_t i = 0; i < modes.size(); ++i) {
+      EXPECT_EQ(modes[i].number(), static_cast<int>(i) + 1);
+      EXPECT_TRUE(std::isfinite(modes[i].shape(1.0)));
+      const double below = i > 0 ? modes[i - 1].angular_frequency() : 0.0;
+      EXPECT_GT(modes[i].angular_frequency(), below);
+    }
+  }
+}
+
+/// Central differences of W at x: first to fourth derivative, each with an error of second order.
+struct Derivatives {
+  double first, second, third, fourth;
+};
+
+template <class Shape>
+Derivatives derivatives(const Shape& shape, double x, double h) {
+  const auto w = [&](int i) { return shape(x + i * h); };
+  return {(w(1) - w(-1)) / (2 * h), (w(1) - 2 * w(0) + w(-1)) / (h * h),
+          (w(2) - 2 * w(1) + 2 * w(-1) - w(-2)) / (2 * h * h * h),
+          (w(2) - 4 * w(1) + 6 * w(0) - 4 * w(-1) + w(-2)) / (h * h * h * h)};
+}
+
+TEST(SlipModes, ShapesMeetTheBoundaryConditionsAndTheEquation) {
+  for (const double factor : {-10.0, 0.0, 10.0, 19.0}) {
+    const data::Beam beam = beam_with_load_factor(factor);
+    const double p = beam.axial_force() / stiffness(beam);
+    for (const SlipMode& mode : slip_modes(beam, 4)) {
+      const double steepest = std::max(mode.hyperbolic_wave_number(), mode.trigonometric_wave_number());
+      double size = 0.0;
+      for (int i = 0; i <= 100; ++i) size = std::max(size, std::abs(mode.shape(0.02 * i)));
+      const double h = 0.01 / steepest;
+      const auto shape = [&](double x) { return mode.shape(x); };
+      // The leading errors h^2 W^(m+2)/12 ... h^2 W^(m+2)/4 of the m-th derivative; W^(m) <= 2 steepest^m
+      // size.
+      const auto tolerance = [&](int order) {
+        return discretisation(0.5 * size * std::pow(steepest, order) * 1e-4, 2.0, "h^2 W^(m+2)/4");
+      };
+      EXPECT_TRUE(within(mode.shape(0.0), 0.0, round_off(6, 1, size)));
+      EXPECT_TRUE(within(mode.shape(2.0), 1.0, round_off(6, 1, size)));
+      EXPECT_TRUE(within(derivatives(shape, 0.0, h).first, 0.0, tolerance(1)));
+      EXPECT_TRUE(within(derivatives(shape, 2.0, h).second, 0.0, tolerance(2)));
+      EXPECT_TRUE(within(derivatives(shape, 2.0, h).third, 0.0, tolerance(3)));
+      const double k = beam.density() * beam.area() * std::pow(mode.angular_frequency(), 2) / stiffness(beam);
+      const Derivatives inside = derivatives(shape, 0.83, h);
+      EXPECT_TRUE(within(inside.fourth + p * inside.second, k * mode.shape(0.83), tolerance(4)));
+    }
+  }
+}
+
+class AdjointSlipModes : public ::testing::TestWithParam<double> {};
+
+TEST_P(AdjointSlipModes, AreBiorthogonalToTheModes) {
+  // Shapes of magnitude 1 on 2 m; the quadrature is good to 1e-11 of its scale.
+  const data::Beam beam = beam_with_load_factor(GetParam());
+  const auto modes = slip_modes(beam, 6);
+  for (const SlipMode& adjoint : modes) {
+    for (const SlipMode& mode : modes) {
+      const auto product = [&](double x) { return adjoint.adjoint_shape(x) * mode.shape(x); };
+      const double scale = beam.length();
+      const Estimate overlap = integral(product, 0.0, beam.length(), scale);
+      if (adjoint.number() == mode.number()) {
+        EXPECT_GT(std::abs(overlap.value), 1e-3) << mode.number();
+      } else {
+        EXPECT_TRUE(within(overlap.value, 0.0, reference(1e-10 * scale, "the quadrature")))
+            << adjoint.number() << ", " << mode.number();
+      }
+    }
+  }
+}
+
+TEST_P(AdjointSlipModes, MeetTheBoundaryConditionsOfTheAdjointProblemAndHaveTheirCurvature) {
+  const data::Beam beam = beam_with_load_factor(GetParam());
+  const double p = beam.axial_force() / stiffness(beam);
+  for (const SlipMode& mode : slip_modes(beam, 4)) {
+    const double steepest = std::max(mode.hyperbolic_wave_number(), mode.trigonometric_wave_number());
+    double size = 0.0;
+    for (int i = 0; i <= 100; ++i)
+      size = std::max({size, std::abs(mode.shape(0.02 * i)), std::abs(mode.adjoint_shape(0.02 * i))});
+    const double h = 0.01 / steepest;
+    // As for the modes; their p-terms add p/steepest^2 of the same.
+    const auto tolerance = [&](int order) {
+      const double derivative = std::pow(steepest, order) + p * std::pow(steepest, order - 2);
+      return discretisation(0.5 * size * derivative * 1e-4, 2.0, "h^2 W^(m+2)/4");
+    };
+    const auto adjoint = [&](double x) { return mode.adjoint_shape(x); };
+    const Derivatives root = derivatives(adjoint, 0.0, h), tip = derivatives(adjoint, 2.0, h);
+    EXPECT_TRUE(within(adjoint(0.0), 0.0, round_off(6, 1, size)));
+    EXPECT_TRUE(within(root.first, 0.0, tolerance(1)));
+    EXPECT_TRUE(within(adjoint(2.0), 1.0, round_off(6, 1, size)));
+    EXPECT_TRUE(within(tip.second + p, 0.0, tolerance(2)));
+    EXPECT_TRUE(within(tip.third + p * tip.first, 0.0, tolerance(3)));
+    const auto shape = [&](double x) { return mode.shape(x); };
+    for (const double x : {0.3, 0.9, 1.7})
+      EXPECT_TRUE(within(mode.curvature(x), derivatives(shape, x, h).second, tolerance(2)));
+  }
+}
+
+TEST_P(AdjointSlipModes, CarryAHeldStateOverAndBack) {
+  // The first held mode and the static shape, projected onto 31 free modes and back. Both have a shear force
+  // at the tip, so that their coefficients fall as n^-4 and the tail of their sum as N^-3: 3e-5.
+  const analytic::BeamContactModel model(beam_with_load_factor(GetParam()), paper_friction(),
+                                         data::HarmonicExcitation({25.0, 1e-3}), data::Damping(), 30,
+                                         analytic::SlipBasis::free_modes);
+  const auto& free = *model.model().free_modes;
+  const std::size_t held = model.model().modes();
+  for (const std::size_t column : {std::size_t{0}, held}) {
+    double contact = 0.0, amplitude = 0.0;
+    for (std::size_t k = 0; k <= held; ++k) {
+      contact += free.from_held(k, column);
+      amplitude += free.to_held(0, k) * free.from_held(k, column);
+    }
+    const Tolerance truncation = discretisation(1e-4, 1.0, "the modes left out, N^-3 of 22");
+    EXPECT_TRUE(within(contact, column == held ? 1.0 : 0.0, truncation));
+    EXPECT_TRUE(within(amplitude, column == held ? 0.0 : 1.0, truncation));
+  }
+}
+
+TEST_P(AdjointSlipModes, ShareTheDampingOfTheirCurvatures) {
+  // eta int EI psi*_k'' psi_l'' dx/int rho A psi*_k psi_k dx by Simpson's rule, psi*_k'' by central
+  // differences of 1e-3 L, off by h^2/12 psi*_k'''' and, at the ends, by that of a point h away.
+  const data::Beam beam = beam_with_load_factor(GetParam());
+  const double eta = 1e-3, length = beam.length(), h = 1e-3 * length;
+  const analytic::BeamContactModel model(beam, paper_friction(), data::HarmonicExcitation({25.0, 1e-3}),
+                                         data::Damping({.kelvin_voigt = eta}), 3,
+                                         analytic::SlipBasis::free_modes);
+  const auto& free = *model.model().free_modes;
+  const auto modes = slip_modes(beam, 4);
+  constexpr int n = 400;
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t l = 0; l < 3; ++l) {
+      double sum = 0.0, size = 0.0;
+      for (int i = 0; i <= n; ++i) {
+        const double x = std::clamp(length * i / n, h, length - h);
+        const auto adjoint = [&](double at) { return modes[k].adjoint_shape(at); };
+        const double bend = (adjoint(x + h) - 2.0 * adjoint(x) + adjoint(x - h)) / (h * h);
+        const double term = simpson_weight(i, n) * length / (3.0 * n) * bend * modes[l].curvature(x);
+        sum += term;
+        size += std::abs(term);
+      }
+      const double factor = eta * stiffness(beam) * free.contact_input[k];
+      EXPECT_TRUE(within(free.damping(k, l), factor * sum,
+                         discretisation(1e-3 * factor * size, 2.0, "differences of 1e-3 L")))
+          << k << ", " << l;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(LoadFactor, AdjointSlipModes, ::testing::Values(0.12, 5.0, 18.0), NameOfDouble());
+
+TEST(SlipModes, FollowerForceRaisesTheFirstFrequencyWhereADeadLoadWouldBuckle) {
+  const double dead_load_buckling = 2.467;
+  EXPECT_GT(slip_modes(beam_with_load_factor(dead_load_buckling), 1).front().angular_frequency(),
+            slip_modes(beam_with_load_factor(0.0), 1).front().angular_frequency());
+}
+
+TEST(FlutterLoad, IsBecks) {
+  const data::Beam beam = paper_beam();
+  EXPECT_TRUE(within(flutter_load(beam) * 4.0 / stiffness(beam), kFlutterFactor,
+                     reference(1e-12 * kFlutterFactor, "flutter_load as documented")));
+}
+
+TEST(FlutterLoad, DoesNotDependOnTheBeamsOwnAxialForce) {
+  EXPECT_EQ(flutter_load(paper_beam_with_axial_force(-1e4)), flutter_load(paper_beam()));
+}
+
+TEST(FlutterLoad, IsWhereTheTwoLowestFrequenciesCoalesceAsASquareRoot) {
+  // The next term: without a load, at the distance 1, the gap is 5 % less than the square root leads to. The
+  // flutter load is known to 1e-12.
+  std::vector<OrderLevel> levels;
+  for (double distance = 1e-3; distance > 1e-9; distance *= 0.1) {
+    const auto modes = slip_modes(beam_with_load_factor(kFlutterFactor * (1.0 - distance)), 2);
+    const double gap = modes[1].angular_frequency() - modes[0].angular_frequency();
+    levels.push_back(
+        {.step = distance, .error = gap, .next_term = 0.1 * distance, .floor = gap * 0.5e-12 / distance});
+  }
+  EXPECT_TRUE(order_is(levels, 0.5));
+}
+
+TEST(FlutterLoad, IsRefusedBySlipModesWhichSayWhy) {
+  for (const double factor : {1.000001 * kFlutterFactor, 30.0, 100.0, 1e6, -1.1e5}) {
+    try {
+      (void)slip_modes(beam_with_load_factor(factor), 1);
+      FAIL() << "accepted P L^2/EI = " << factor;
+    } catch (const std::domain_error& error) {
+      const std::string message = error.what();
+      EXPECT_NE(message.find("beam.axial_force is "), std::string::npos) << message;
+      EXPECT_NE(message.find("flutter load of the slip state, 83545.6"), std::string::npos) << message;
+    }
+  }
+}
+
+TEST(SlipModes, RefuseACountOutOfRange) {
+  EXPECT_THROW((void)slip_modes(paper_beam(), 0), std::invalid_argument);
+  EXPECT_THROW((void)slip_modes(paper_beam(), 1001), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace stickslip::testing

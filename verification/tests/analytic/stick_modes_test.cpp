@@ -1,0 +1,449 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analytic/gsl.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
+#include "support/beams.hpp"
+#include "support/order.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+using analytic::QuasiStaticShape;
+using analytic::stick_buckling_load;
+using analytic::stick_modes;
+using analytic::StickMode;
+using std::numbers::pi;
+
+constexpr double kBucklingFactor = 20.190728556426629;  // y^2 with y = tan y = 4.4934...
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+
+double stiffness(const data::Beam& beam) { return beam.youngs_modulus() * beam.second_moment_of_area(); }
+
+/// The paper's beam with P = factor * EI/L^2.
+data::Beam beam_with_load_factor(double factor) {
+  const data::Beam beam = paper_beam();
+  return paper_beam_with_axial_force(factor * stiffness(beam) / (beam.length() * beam.length()));
+}
+
+/// From strong tension to just under buckling.
+const std::vector<double> kLoadFactors{-1e4, -0.9 * kBucklingFactor, -0.1 * kBucklingFactor,
+                                       0.0,  1e-9 * kBucklingFactor, 0.5 * kBucklingFactor,
+                                       15.0, 0.99 * kBucklingFactor};
+
+/// k = rho A omega^2/EI.
+double stiffness_ratio(const data::Beam& beam, const StickMode& mode) {
+  return beam.density() * beam.area() * std::pow(mode.angular_frequency(), 2) / stiffness(beam);
+}
+
+template <class Exception, class Call>
+std::string message_of(Call call) {
+  try {
+    call();
+  } catch (const Exception& error) {
+    return error.what();
+  }
+  return "nothing of the expected type was thrown";
+}
+
+TEST(StickModes, AreClampedPinnedWithoutAxialForce) {
+  const std::array classical{3.926602312047919, 7.068582745628732, 10.210176122813031};
+  const auto modes = stick_modes(paper_beam_with_axial_force(0.0), 3);
+  for (std::size_t i = 0; i < classical.size(); ++i) {
+    const Tolerance tolerance = round_off(5, 1, classical[i]);
+    ASSERT_LT(tolerance.value, 1e-12);
+    EXPECT_TRUE(within(modes[i].trigonometric_wave_number() * 2.0, classical[i], tolerance));
+    EXPECT_TRUE(within(modes[i].hyperbolic_wave_number() * 2.0, classical[i], tolerance));
+  }
+}
+
+TEST(StickModes, HaveThePapersFrequencies) {
+  const std::array expected{24.9720, 81.0776, 169.2487};
+  const auto modes = stick_modes(paper_beam(), 3);
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    EXPECT_TRUE(within(modes[i].frequency_hz(), expected[i], reference(0.5e-4, "four printed decimals")));
+}
+
+TEST(StickModes, HaveThePapersFrequenciesAtHalfTheStiffness) {
+  const std::array expected{17.6061, 57.2713, 119.6147};
+  auto properties = paper_beam_properties();
+  properties.youngs_modulus *= 0.5;
+  const auto modes = stick_modes(data::Beam(properties), 3);
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    EXPECT_TRUE(within(modes[i].frequency_hz(), expected[i], reference(0.5e-4, "four printed decimals")));
+}
+
+TEST(StickModes, PrintedSecondMomentOfAreaMissesThePapersFrequencies) {
+  auto properties = paper_beam_properties();
+  properties.second_moment_of_area = 1e-6 / 12.0;
+  const std::array expected{1.607, 7.231, 16.03};
+  const std::array accuracy{0.5e-3, 0.5e-3, 0.5e-2};
+  const auto modes = stick_modes(data::Beam(properties), 3);
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    EXPECT_TRUE(within(modes[i].frequency_hz(), expected[i], reference(accuracy[i], "printed decimals")));
+  properties.youngs_modulus *= 0.5;
+  EXPECT_THROW((void)stick_modes(data::Beam(properties), 1), std::domain_error);
+}
+
+TEST(StickModes, AgreeWithThirtyDigitArithmetic) {
+  // Roots of the characteristic equation by Newton's method with 30 digits, paper's beam.
+  const std::array<std::pair<std::size_t, double>, 5> expected{{{1, 24.971958092670671711},
+                                                                {2, 81.07762173379387142},
+                                                                {3, 169.24871773414571784},
+                                                                {10, 1684.2542060420505723},
+                                                                {200, 642879.00705350378616}}};
+  const auto modes = stick_modes(paper_beam(), 200);
+  for (const auto& [number, frequency] : expected) {
+    const StickMode& mode = modes[number - 1];
+    EXPECT_TRUE(within(mode.frequency_hz(), frequency, round_off(4, mode.condition_number(), frequency)));
+  }
+}
+
+/// The characteristic equation without poles, as it stands in Eq. (23): beta tan(bb) = betabar tanh(b).
+double printed_characteristic(double bb, double load_factor) {
+  const double b = std::sqrt(bb * bb - load_factor);
+  return b * std::sin(bb) - bb * std::cos(bb) * std::tanh(b);
+}
+
+int sign_changes(double lower, double upper, double load_factor) {
+  constexpr int kSteps = 400;
+  int changes = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    // Off the ends, where a root would be neither inside nor outside.
+    const double left = lower + (upper - lower) * (i + 1e-3) / (kSteps + 2e-3);
+    const double right = lower + (upper - lower) * (i + 1.0 + 1e-3) / (kSteps + 2e-3);
+    changes += printed_characteristic(left, load_factor) * printed_characteristic(right, load_factor) < 0.0;
+  }
+  return changes;
+}
+
+TEST(StickModes, EachRootLiesAloneInItsBracket) {
+  for (const double factor : kLoadFactors) {
+    SCOPED_TRACE(factor);
+    const auto modes = stick_modes(beam_with_load_factor(factor), 20);
+    for (int n = 1; n <= 20; ++n) {
+      const double lower = std::sqrt(std::max(std::pow(n * pi, 2), factor));
+      EXPECT_EQ(sign_changes(lower, (n + 0.5) * pi, factor), 1) << n;
+      EXPECT_EQ(sign_changes((n + 0.5) * pi, (n + 1.0) * pi, factor), 0) << n;
+      const StickMode& mode = modes[static_cast<std::size_t>(n) - 1];
+      EXPECT_EQ(mode.number(), n);
+      EXPECT_GT(mode.trigonometric_wave_number() * 2.0, n * pi);
+      EXPECT_LT(mode.trigonometric_wave_number() * 2.0, (n + 0.5) * pi);
+    }
+  }
+}
+
+TEST(StickModes, WaveNumbersSatisfyTheDispersionRelation) {
+  for (const double factor : kLoadFactors) {
+    SCOPED_TRACE(factor);
+    const data::Beam beam = beam_with_load_factor(factor);
+    const double p = beam.axial_force() / stiffness(beam);
+    for (const StickMode& mode : stick_modes(beam, 5)) {
+      const double b2 = std::pow(mode.hyperbolic_wave_number(), 2);
+      const double bb2 = std::pow(mode.trigonometric_wave_number(), 2);
+      const double k = stiffness_ratio(beam, mode);
+      EXPECT_TRUE(within(b2 * (b2 + p), k, round_off(10, 1, b2 * (b2 + std::abs(p)))));
+      EXPECT_TRUE(within(bb2 * (bb2 - p), k, round_off(10, 1, bb2 * (bb2 + std::abs(p)))));
+    }
+  }
+}
+
+TEST(StickModes, PrintedSignsOfTheWaveNumbersViolateTheEquation) {
+  // Eq. (23) prints beta^2, betabar^2 = -p/2 +- r with r = sqrt(p^2/4 + k). The trigonometric part needs
+  // betabar^4 - p betabar^2 = k; the printed betabar^2 = -p/2 - r leaves p^2 + 2 p r instead of 0.
+  const data::Beam beam = beam_with_load_factor(0.5 * kBucklingFactor);
+  const double p = beam.axial_force() / stiffness(beam);
+  const double k = stiffness_ratio(beam, stick_modes(beam, 1).front());
+  const double r = std::sqrt(0.25 * p * p + k);
+  const double printed = -0.5 * p - r, corrected = 0.5 * p + r;
+  const Tolerance tolerance = round_off(6, 1, corrected * corrected);
+  EXPECT_TRUE(within(corrected * corrected - p * corrected, k, tolerance));
+  EXPECT_TRUE(within(printed * printed - p * printed - k, p * p + 2.0 * p * r, tolerance));
+  EXPECT_GT(p * p + 2.0 * p * r, 1e6 * tolerance.value);
+}
+
+TEST(StickModes, RayleighQuotientReturnsTheRoot) {
+  for (const double factor : kLoadFactors)
+    for (const StickMode& mode : stick_modes(beam_with_load_factor(factor), 50))
+      EXPECT_TRUE(within(mode.rayleigh_angular_frequency(), mode.angular_frequency(),
+                         round_off(10, mode.condition_number(), mode.angular_frequency())))
+          << "P L^2/EI = " << factor << ", mode " << mode.number();
+}
+
+TEST(StickModes, ConditionNumberIsTheSensitivityToTheAxialForce) {
+  for (const double share : {-0.9, 0.1, 0.5, 0.9}) {
+    SCOPED_TRACE(share);
+    const double force = share * stick_buckling_load(paper_beam());
+    const auto frequency = [](double axial_force) {
+      return stick_modes(paper_beam_with_axial_force(axial_force), 1).front().angular_frequency();
+    };
+    const StickMode mode = stick_modes(paper_beam_with_axial_force(force), 1).front();
+    const Estimate slope = derivative(frequency, force, 0.01 * std::abs(force));
+    const double scale = force / mode.angular_frequency();
+    EXPECT_TRUE(within(1.0 + std::abs(scale * slope.value), mode.condition_number(),
+                       discretisation(scale * slope.error, 1.0, "GSL's estimate of the derivative")));
+  }
+}
+
+TEST(StickModes, FirstFrequencySquaredFallsLinearlyToZeroAtTheBucklingLoad) {
+  // First-order perturbation with the buckling shape: omega^2 = 0.6 z_cr (P_cr - P)/(rho A L^2), since
+  // int U'^2 = y^2/(2 L) and int U^2 = 5 L/6 there. The relative remainder is of first order in 1 - P/P_cr.
+  const double buckling_load = stick_buckling_load(paper_beam());
+  std::vector<double> distances, errors;
+  for (double distance = 1e-1; distance > 1e-6; distance *= 0.1) {
+    const data::Beam beam = paper_beam_with_axial_force(buckling_load * (1.0 - distance));
+    const double gap = buckling_load - beam.axial_force();
+    const double predicted = 0.6 * kBucklingFactor * gap / (beam.density() * beam.area() * 4.0);
+    const double omega = stick_modes(beam, 1).front().angular_frequency();
+    distances.push_back(distance);
+    errors.push_back(std::abs(omega * omega / predicted - 1.0));
+  }
+  EXPECT_LT(errors.back(), 1e-5);
+  const double order = observed_order(distances, errors);
+  EXPECT_GT(order, 0.9);
+  EXPECT_LT(order, 1.1);
+}
+
+TEST(StickModes, BucklingLoadIsThatOfTheClampedPinnedColumn) {
+  const data::Beam beam = paper_beam();
+  EXPECT_TRUE(within(stick_buckling_load(beam) * 4.0 / stiffness(beam), kBucklingFactor,
+                     round_off(4, 1, kBucklingFactor)));
+}
+
+TEST(StickModes, RefuseTheBucklingLoadAndSayWhy) {
+  const double load = stick_buckling_load(paper_beam());
+  for (const double force : {load, 1.5 * load, 100.0 * load}) {
+    const data::Beam beam = paper_beam_with_axial_force(force);
+    const auto message = message_of<std::domain_error>([&] { (void)stick_modes(beam, 1); });
+    EXPECT_NE(message.find("beam.axial_force is "), std::string::npos) << message;
+    EXPECT_NE(message.find("buckling load"), std::string::npos) << message;
+    EXPECT_NE(message.find("84128.0"), std::string::npos) << message;
+    EXPECT_THROW(QuasiStaticShape{beam}, std::domain_error);
+  }
+}
+
+TEST(StickModes, LiveOrAreRefusedWithinRoundOffOfTheBucklingLoad) {
+  const double load = stick_buckling_load(paper_beam());
+  for (int ulps = 1; ulps <= 64; ulps *= 2) {
+    const data::Beam beam = paper_beam_with_axial_force(load * (1.0 - ulps * 0.5 * kEpsilon));
+    try {
+      EXPECT_GT(stick_modes(beam, 1).front().angular_frequency(), 0.0);
+    } catch (const std::domain_error& error) {
+      EXPECT_NE(std::string(error.what()).find("beam.axial_force"), std::string::npos);
+    }
+  }
+}
+
+TEST(StickModes, RefuseACountOutOfRangeAndSayWhy) {
+  for (const int count : {-1, 0, 1001}) {
+    const auto message = message_of<std::invalid_argument>([&] { (void)stick_modes(paper_beam(), count); });
+    EXPECT_EQ(message, "numerics.modes is " + std::to_string(count) + "; it must be 1 ... 1000.");
+  }
+}
+
+TEST(StickModes, AThousandMeetTheirBoundaryConditions) {
+  for (const double factor : {-1e4, 0.0, 15.0}) {
+    for (const StickMode& mode : stick_modes(beam_with_load_factor(factor), 1000)) {
+      const double bb = mode.trigonometric_wave_number() * 2.0, b = mode.hyperbolic_wave_number() * 2.0;
+      // The argument bb carries an error of bb eps, which the amplitude 1/sin(bb) of the trigonometric part
+      // magnifies; sin(bb) >= tan/sqrt(1 + tan^2) with tan(bb) = bb tanh(b)/b.
+      const double tangent = bb * std::tanh(b) / b;
+      const double amplitude = std::hypot(1.0, 1.0 / tangent);
+      EXPECT_TRUE(within(mode.shape(0.0), 0.0, round_off(2, bb, amplitude)));
+      EXPECT_TRUE(within(mode.slope(0.0) * 2.0, 0.0, round_off(2, b + bb, (b + bb) * amplitude)));
+      EXPECT_EQ(mode.shape(2.0), 0.0);
+      EXPECT_EQ(mode.curvature(2.0), 0.0);
+      EXPECT_TRUE(within(mode.curvature(0.0) * 4.0, b * b + bb * bb,
+                         round_off(2, bb, (b * b + bb * bb) * amplitude)));
+      ASSERT_TRUE(std::isfinite(mode.third_derivative(2.0)) && std::isfinite(mode.participation()));
+    }
+  }
+}
+
+TEST(StickModes, DerivativesFollowFromTheShapeAndSatisfyTheEquation) {
+  for (const double factor : kLoadFactors) {
+    SCOPED_TRACE(factor);
+    const data::Beam beam = beam_with_load_factor(factor);
+    const double p = beam.axial_force() / stiffness(beam);
+    for (const StickMode& mode : stick_modes(beam, 4)) {
+      const double k = stiffness_ratio(beam, mode);
+      const double h = 0.02 / (mode.hyperbolic_wave_number() + mode.trigonometric_wave_number());
+      for (const double x : {0.1, 0.777, 1.3, 1.9}) {
+        const auto agrees = [&](const RealFunction& function, double expected) {
+          const Estimate slope = derivative(function, x, h);
+          return within(slope.value, expected, discretisation(slope.error, 2.0, "GSL's estimate"));
+        };
+        EXPECT_TRUE(agrees([&](double s) { return mode.shape(s); }, mode.slope(x)));
+        EXPECT_TRUE(agrees([&](double s) { return mode.slope(s); }, mode.curvature(x)));
+        EXPECT_TRUE(agrees([&](double s) { return mode.curvature(s); }, mode.third_derivative(x)));
+        EXPECT_TRUE(agrees([&](double s) { return mode.third_derivative(s); },
+                           k * mode.shape(x) - p * mode.curvature(x)));
+      }
+    }
+  }
+}
+
+TEST(StickModes, AreOrthogonal) {
+  const std::array<std::pair<std::size_t, std::size_t>, 6> pairs{
+      {{1, 2}, {1, 3}, {1, 10}, {9, 10}, {49, 50}, {199, 200}}};
+  for (const double factor : {-1e4, 0.0, 15.0}) {
+    const auto modes = stick_modes(beam_with_load_factor(factor), 200);
+    for (const auto& [m, n] : pairs) {
+      const StickMode &first = modes[m - 1], &second = modes[n - 1];
+      const double scale = std::sqrt(first.norm_squared() * second.norm_squared());
+      const Estimate product =
+          integral([&](double x) { return first.shape(x) * second.shape(x); }, 0.0, 2.0, scale);
+      // What bb carries in round-off shifts the argument of the sine by bb eps.
+      const double bb = second.trigonometric_wave_number() * 2.0;
+      EXPECT_TRUE(within(
+          product.value / scale, 0.0,
+          discretisation(product.error / scale + round_off(1, bb, 1).value, 1.0, "quadrature and round-off")))
+          << m << ", " << n << " at P L^2/EI = " << factor;
+    }
+  }
+}
+
+TEST(StickModes, ClosedFormIntegralsAgreeWithQuadrature) {
+  for (const double factor : kLoadFactors) {
+    const data::Beam beam = beam_with_load_factor(factor);
+    const QuasiStaticShape quasi_static(beam);
+    const double load_square =
+        integral([&](double x) { return std::pow(1.0 + quasi_static.value(x), 2); }, 0.0, 2.0, 1.0).value;
+    for (const StickMode& mode : stick_modes(beam, 12)) {
+      const auto square = [&](double x) { return std::pow(mode.shape(x), 2); };
+      const auto load = [&](double x) { return mode.shape(x) * (1.0 + quasi_static.value(x)); };
+      // Cauchy-Schwarz bounds what cancels inside the integral.
+      const double load_scale = std::sqrt(mode.norm_squared() * load_square);
+      const Estimate norm = integral(square, 0.0, 2.0, mode.norm_squared());
+      const Estimate load_integral = integral(load, 0.0, 2.0, load_scale);
+      const double condition = mode.condition_number() * mode.trigonometric_wave_number() * 2.0;
+      EXPECT_TRUE(within(mode.norm_squared(), norm.value,
+                         discretisation(norm.error + round_off(2, condition, norm.value).value, 1.0,
+                                        "quadrature, round-off")));
+      EXPECT_TRUE(within(mode.load_integral(), load_integral.value,
+                         discretisation(load_integral.error + round_off(2, condition, load_scale).value, 1.0,
+                                        "quadrature, round-off")))
+          << "P L^2/EI = " << factor << ", mode " << mode.number();
+      EXPECT_DOUBLE_EQ(mode.participation(), -mode.load_integral() / mode.norm_squared());
+    }
+  }
+}
+
+/// Eq. (22) as printed.
+double printed_shape(const StickMode& mode, double length, double x) {
+  const double b = mode.hyperbolic_wave_number(), bb = mode.trigonometric_wave_number();
+  const double weight = (std::cosh(b * length) - std::cos(bb * length)) /
+                        (bb * std::sinh(b * length) - b * std::sin(bb * length));
+  return std::cosh(b * x) - std::cos(bb * x) - weight * (bb * std::sinh(b * x) - b * std::sin(bb * x));
+}
+
+double deviation_of_the_printed_shape(const StickMode& mode) {
+  double largest = 0.0;
+  for (int i = 0; i <= 1000; ++i)
+    largest = std::max(largest, std::abs(printed_shape(mode, 2.0, 2e-3 * i) - mode.shape(2e-3 * i)));
+  return largest;
+}
+
+TEST(StickModes, PrintedEigenfunctionAgreesUntilItCancels) {
+  // Eq. (22) is the difference of two numbers of size exp(b)/2, whose arguments carry b eps.
+  const auto modes = stick_modes(paper_beam(), 14);
+  for (std::size_t n = 1; n <= 5; ++n) {
+    const double b = modes[n - 1].hyperbolic_wave_number() * 2.0;
+    EXPECT_TRUE(
+        within(deviation_of_the_printed_shape(modes[n - 1]), 0.0, round_off(b, 1, 0.5 * std::exp(b))));
+  }
+  EXPECT_LT(deviation_of_the_printed_shape(modes[4]), 1e-6);
+  for (std::size_t n = 12; n <= 14; ++n) EXPECT_GT(deviation_of_the_printed_shape(modes[n - 1]), 0.1);
+}
+
+TEST(QuasiStaticShape, MeetsItsBoundaryConditions) {
+  for (const double factor : kLoadFactors) {
+    const QuasiStaticShape shape(beam_with_load_factor(factor));
+    const double condition = std::abs(kBucklingFactor / (kBucklingFactor - std::max(0.0, factor)));
+    EXPECT_TRUE(within(shape.value(0.0), 0.0, round_off(4, condition, 1.0)));
+    EXPECT_TRUE(within(shape.slope(0.0), 0.0, round_off(4, condition, 1.0)));
+    EXPECT_TRUE(within(shape.value(2.0), -1.0, round_off(4, condition, 1.0)));
+    EXPECT_EQ(shape.curvature(2.0), 0.0);
+  }
+}
+
+TEST(QuasiStaticShape, DerivativesFollowFromTheShapeAndSatisfyTheEquation) {
+  for (const double factor : kLoadFactors) {
+    SCOPED_TRACE(factor);
+    const data::Beam beam = beam_with_load_factor(factor);
+    const double p = beam.axial_force() / stiffness(beam);
+    const QuasiStaticShape shape(beam);
+    const double h = 0.05 / (1.0 + std::sqrt(std::abs(p)));
+    for (const double x : {0.1, 0.777, 1.3, 1.9}) {
+      const auto agrees = [&](const RealFunction& function, double expected) {
+        const Estimate slope = derivative(function, x, h);
+        return within(slope.value, expected, discretisation(slope.error, 2.0, "GSL's estimate"));
+      };
+      EXPECT_TRUE(agrees([&](double s) { return shape.value(s); }, shape.slope(x)));
+      EXPECT_TRUE(agrees([&](double s) { return shape.slope(s); }, shape.curvature(x)));
+      EXPECT_TRUE(agrees([&](double s) { return shape.curvature(s); }, shape.third_derivative(x)));
+      EXPECT_TRUE(agrees([&](double s) { return shape.third_derivative(s); }, -p * shape.curvature(x)));
+    }
+  }
+}
+
+TEST(QuasiStaticShape, IsThePapersFormulaInCompression) {
+  const data::Beam beam = beam_with_load_factor(7.0);
+  const QuasiStaticShape shape(beam);
+  const double length = beam.length(), sigma = std::sqrt(7.0) / length;
+  const double denominator = sigma * length * std::cos(sigma * length) - std::sin(sigma * length);
+  for (int i = 0; i <= 20; ++i) {
+    const double x = 0.1 * i;
+    const double printed =
+        (-sigma * x * std::cos(sigma * length) + std::sin(sigma * length) - std::sin(sigma * (length - x))) /
+        denominator;
+    EXPECT_TRUE(within(shape.value(x), printed, round_off(10, 1, 1.0)));
+  }
+}
+
+TEST(QuasiStaticShape, PassesSmoothlyThroughZeroAxialForce) {
+  // S = S_0 + z S_1 + ..., S_1'''' = -S_0'' (derivatives to xi): S_1 = xi^2/10 - xi^3/5 + xi^4/8 - xi^5/40.
+  // Each power of z brings the factor 1/20.19 of the buckling load to the first buckling shape, and less to
+  // the others.
+  const double x = 0.9, xi = 0.45;
+  const double cubic = -(3.0 * xi * xi - xi * xi * xi) / 2.0;
+  EXPECT_TRUE(within(QuasiStaticShape(beam_with_load_factor(0.0)).value(x), cubic, round_off(4, 1, 1.0)));
+  for (const double sign : {-1.0, 1.0}) {
+    std::vector<double> factors, differences;
+    for (double factor = 1e-1; factor > 1e-8; factor *= 0.1) {
+      factors.push_back(factor);
+      differences.push_back(
+          std::abs(QuasiStaticShape(beam_with_load_factor(sign * factor)).value(x) - cubic));
+    }
+    const double first =
+        std::pow(xi, 2) / 10.0 - std::pow(xi, 3) / 5.0 + std::pow(xi, 4) / 8.0 - std::pow(xi, 5) / 40.0;
+    EXPECT_TRUE(order_is(
+        order_levels(
+            factors, differences, [](double z) { return z / (20.19 - z); }, round_off(1, 1, cubic).value),
+        1.0, first))
+        << "a smooth function leaves linearly";
+  }
+}
+
+TEST(QuasiStaticShape, BecomesATautStringUnderStrongTension) {
+  // With s = sqrt(-z) and exp(-s) below round-off: S = -[xi - (1 - exp(-s xi))/s]/(1 - 1/s).
+  for (const double factor : {-1e4, -1e6, -1e10}) {
+    const QuasiStaticShape shape(beam_with_load_factor(factor));
+    const double s = std::sqrt(-factor);
+    for (const double xi : {0.0, 0.001, 0.1, 0.5, 0.9})
+      EXPECT_TRUE(within(shape.value(2.0 * xi), -(xi + std::expm1(-s * xi) / s) / (1.0 - 1.0 / s),
+                         round_off(4, 1, 1.0)));
+  }
+}
+
+}  // namespace
+}  // namespace stickslip::testing

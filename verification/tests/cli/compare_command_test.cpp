@@ -1,0 +1,279 @@
+/// The commands that hand out the reference data and compare with them: exit status, streams, JSON, JUnit,
+/// figure.
+
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <pugixml.hpp>
+#include <string>
+#include <vector>
+
+#include "support/command_line.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+const std::string fixture = STICKSLIP_SOURCE_DIRECTORY "/verification/tests/golden/reference";
+
+std::string in_fixture(const std::string& command) { return command + " --package '" + fixture + "' "; }
+
+class ReferenceCommand : public CommandLine {};
+
+TEST_F(ReferenceCommand, ListsEveryDataSet) {
+  const Outcome outcome = run(in_fixture("reference list"));
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  const auto package = nlohmann::json::parse(contents(fixture + "/datapackage.json"));
+  for (const auto& resource : package["resources"]) {
+    const auto at = outcome.output.find(fmt::format("\n{} ", resource["name"].get<std::string>()));
+    ASSERT_NE(at, std::string::npos) << resource["name"];
+    const std::string line = outcome.output.substr(at + 1, outcome.output.find('\n', at + 1) - at - 1);
+    const auto lines = csv(contents(fixture + "/" + resource["path"].get<std::string>())).size();
+    EXPECT_TRUE(
+        line.ends_with("  " + std::to_string(lines - 1) + "  " + resource["title"].get<std::string>()))
+        << line;
+    EXPECT_NE(line.find(resource["provenance"]["class"].get<std::string>()), std::string::npos) << line;
+  }
+}
+
+TEST_F(ReferenceCommand, ShowsColumnsUncertaintyAndProvenance) {
+  const Outcome outcome = run(in_fixture("reference show damped-history"));
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  for (const char* part :
+       {"damped-history: Motion of the tip", "Case damped: 25 Hz, 1 mm.", "301 rows", "tip_displacement ",
+        "  m  ", "converged", "key: t", "comparison: phases",
+        "uncertainty 4.2e-08 to 4.2e-08 m, tolerance 0.01 (scale)", "interpolated by polynomials of order 3",
+        "up to 0.11 s", "events: damped-events", "provenance: converged", "method: event-driven",
+        "settings: {\"modes\":40}", "software: ", "check: 20 modes against 40"})
+    EXPECT_NE(outcome.output.find(part), std::string::npos) << part << " in\n" << outcome.output;
+}
+
+TEST_F(ReferenceCommand, ExportsTheFileByteForByteOrNotAtAll) {
+  const std::string original = contents(fixture + "/damped/history.csv");
+  EXPECT_EQ(run(in_fixture("reference export damped-history")).output, original);
+  EXPECT_EQ(run(in_fixture("reference export damped-history") + "--output '" + path("mine.csv") + "'").status,
+            0);
+  EXPECT_EQ(contents(path("mine.csv")), original);
+  std::filesystem::create_directory(path("folder"));
+  EXPECT_EQ(run(in_fixture("reference export damped-history") + "--output '" + path("folder") + "'").output,
+            "");
+  EXPECT_EQ(contents(path("folder/history.csv")), original);
+  expect_refused(in_fixture("reference export damped-history") + "--output '" + path("none/mine.csv") + "'",
+                 "none/mine.csv");
+  expect_refused(in_fixture("reference export damped-histori") + "--output '" + path("other.csv") + "'",
+                 "did you mean damped-history?");
+  EXPECT_FALSE(std::filesystem::exists(path("other.csv")));
+}
+
+TEST_F(ReferenceCommand, RefusesAPackageThatHasBeenAltered) {
+  std::filesystem::copy(fixture, path("package"), std::filesystem::copy_options::recursive);
+  std::ofstream(path("package/beams.csv"), std::ios::app) << "strip,1,20\n";
+  expect_refused("reference export beams --package '" + path("package") + "'", "beams.csv: its size is");
+  expect_refused("reference list --package '" + path("none") + "'", "datapackage.json: cannot be opened");
+  expect_refused("reference show --package '" + fixture + "'", "NAME is required");
+  expect_refused("reference", "a subcommand of reference, one of list, show, export, is required");
+}
+
+class CompareCommand : public Drawing {
+ protected:
+  // `stickslip compare <set> <a file with this text> <options>`
+  [[nodiscard]] std::string command(const std::string& set, const std::string& text,
+                                    const std::string& options = "") const {
+    std::ofstream(path("mine.csv"), std::ios::binary) << text;
+    return in_fixture("compare " + set + " '" + path("mine.csv") + "'") + options;
+  }
+
+  [[nodiscard]] nlohmann::json comparison(const std::string& command, int status) const {
+    const Outcome outcome = run(command + " --json -");
+    EXPECT_EQ(outcome.status, status) << outcome.errors;
+    return nlohmann::json::parse(outcome.output);
+  }
+
+  static constexpr const char* right =
+      "beam;Mode;Frequency [kHz]\r\npaper;1;0.02497196\r\npaper;2;0.0810776\r\n";
+  static constexpr const char* printed = "beam,mode,frequency\npaper,1,1.607\npaper,2,7.231\npaper,3,16.03\n";
+};
+
+TEST_F(CompareCommand, AgreesWithACopyOfEveryDataSet) {
+  for (const std::string set : {"stick-frequencies", "quasi-static-shape", "stick-force", "damped-events",
+                                "damped-history", "cubic-events", "cubic-history"}) {
+    const std::string text = run(in_fixture("reference export " + set)).output;
+    const Outcome outcome = run(command(set, text));
+    EXPECT_EQ(outcome.status, 0) << outcome.output << outcome.errors;
+    EXPECT_TRUE(outcome.output.ends_with("\nagrees\n")) << outcome.output;
+  }
+}
+
+TEST_F(CompareCommand, ReadsTheFilesThatRespondWrites) {
+  const std::string history = path("history.csv"), events = path("events.csv");
+  ASSERT_EQ(run("respond damped --method event-driven --set numerics.modes=20 --duration 0.12 --output '" +
+                history + "' --events '" + events + "'")
+                .status,
+            0);
+  // Twenty modes against forty: events differ by 8e-9 s and 1.2e-8 m, the force by 0.1 N.
+  const Outcome outcome = run(in_fixture("compare damped-history '" + history + "'") + "--events '" + events +
+                              "' --column t=time_s --column phase=state");
+  EXPECT_EQ(outcome.status, 0) << outcome.output << outcome.errors;
+  EXPECT_NE(outcome.output.find("100 beyond the horizon"), std::string::npos) << outcome.output;
+  EXPECT_EQ(
+      run(in_fixture("compare damped-events '" + events + "'") + "--column position=tip_displacement").status,
+      0);
+}
+
+TEST_F(CompareCommand, SaysTheLargestErrorOfAnUndampedHistoryInPerCentOfTheRange) {
+  // The contact by the letter of the paper, on the mesh and the step that it takes.
+  const std::string history = path("history.csv");
+  ASSERT_EQ(run("respond paper --hz 25 --amplitude 1e-3 --duration 0.5 --scheme paper --every 5 --output '" +
+                history + "'")
+                .status,
+            0);
+  const Outcome outcome = run("compare undamped-history-25 '" + history + "' --json -");
+  EXPECT_EQ(outcome.status, 1) << outcome.errors;
+  const auto tip = nlohmann::json::parse(outcome.output)["quantities"][0];
+  EXPECT_EQ(tip["quantity"], "tip_displacement");
+  EXPECT_EQ(tip["compared"], 1001);
+  const double error = tip["error"];
+  EXPECT_GT(error, 0.1);  // 40 %
+  const std::string text = run("compare undamped-history-25 '" + history + "'").output;
+  for (const std::string& part :
+       {std::string("tip_displacement      range  1001      "),
+        fmt::format("  {:.3g} %  time = ", 100.0 * error), std::string("  0.5 %  ")})
+    EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
+}
+
+TEST_F(CompareCommand, SaysWhatDiffersAndWhatItLooksLike) {
+  EXPECT_EQ(run(command("stick-frequencies", right)).status, 0);
+  EXPECT_EQ(run(command("stick-frequencies", right, "--tolerance 1e-9")).status, 1);
+  EXPECT_EQ(run(command("stick-frequencies", right, "--tolerance 1e-9 --tolerance frequency=1e-6")).status,
+            0);
+  const Outcome outcome = run(command("stick-frequencies", printed));
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.errors, "");
+  EXPECT_NE(outcome.output.find("like 'second-moment-as-printed'"), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.output.find("9 of 12 rows of the data set are not in the file"), std::string::npos);
+  EXPECT_TRUE(outcome.output.ends_with("\ndiffers\n")) << outcome.output;
+  const Outcome quiet = run(command("stick-frequencies", printed, "--quiet"));
+  EXPECT_EQ(quiet.status, 1);
+  EXPECT_EQ(quiet.output + quiet.errors, "");
+}
+
+TEST_F(CompareCommand, CountsWhatIsUndecidedAsNoDifferenceAndSaysSo) {
+  const std::string text = contents(fixture + "/damped/events.csv");
+  const Outcome outcome = run(command("damped-events", text, "--tolerance 1e-9"));
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.output.find("undecided (5 of 6)"), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.output.find("\nundecided: "), std::string::npos) << outcome.output;
+}
+
+TEST_F(CompareCommand, WritesAllOfItAsJson) {
+  const auto answer = comparison(command("stick-frequencies", printed), 1);
+  EXPECT_EQ(answer["data_set"], "stick-frequencies");
+  EXPECT_EQ(answer["kind"], "table");
+  EXPECT_EQ(answer["verdict"], "differs");
+  EXPECT_EQ(answer["abscissa"], "mode");
+  ASSERT_EQ(answer["quantities"].size(), 1u);
+  const auto& frequency = answer["quantities"][0];
+  EXPECT_EQ(frequency["quantity"], "frequency");
+  EXPECT_EQ(frequency["norm"], "relative");
+  EXPECT_NEAR(frequency["error"].get<double>(), 1.0 - 1.607 / 24.97195809, 1e-9);
+  EXPECT_EQ(frequency["where"], "beam = paper, mode = 1");
+  EXPECT_EQ(frequency["verdict"], "differs");
+  EXPECT_EQ(frequency["compared"], 3);
+  EXPECT_EQ(frequency["tolerance"], 1e-6);
+  EXPECT_EQ(frequency["series"][0]["theirs"], nlohmann::json({1.607, 7.231, 16.03}));
+  const auto& diagnosis = answer["diagnoses"][0];
+  EXPECT_EQ(diagnosis["finding"], "mistaken");
+  EXPECT_EQ(diagnosis["named"][0], "second-moment-as-printed");
+  EXPECT_EQ(diagnosis["ranking"][0]["name"], "second-moment-as-printed");
+  EXPECT_LT(diagnosis["ranking"][0]["distance"], 1e-4);
+  EXPECT_GT(diagnosis["ranking"].size(), 10u);
+  const auto agreeing = comparison(command("stick-frequencies", right), 0);
+  EXPECT_EQ(agreeing["verdict"], "agrees");
+  EXPECT_EQ(agreeing["diagnoses"].size(), 0u);
+}
+
+TEST_F(CompareCommand, WritesATestCaseForEachQuantityAsJUnit) {
+  const auto suite = [&](const std::string& text, const std::string& options) {
+    (void)run(command("damped-events", text, options + " --junit '" + path("results.xml") + "'"));
+    pugi::xml_document document;
+    EXPECT_TRUE(document.load_file(path("results.xml").c_str()));
+    pugi::xml_document copy;
+    copy.append_copy(document.child("testsuites").child("testsuite"));
+    return copy;
+  };
+  const std::string text = contents(fixture + "/damped/events.csv");
+  const auto agreeing = suite(text, "");
+  EXPECT_STREQ(agreeing.first_child().attribute("name").value(), "damped-events");
+  EXPECT_EQ(agreeing.first_child().attribute("tests").as_int(), 3);
+  EXPECT_EQ(agreeing.first_child().attribute("failures").as_int(), 0);
+  EXPECT_TRUE(agreeing.select_nodes("//failure").empty());
+  EXPECT_EQ(agreeing.select_nodes("//testcase").size(), 3u);
+
+  const auto undecided = suite(text, "--tolerance time=1e-9");
+  EXPECT_EQ(undecided.first_child().attribute("skipped").as_int(), 1);
+  EXPECT_EQ(undecided.select_nodes("//testcase[@name='time']/skipped").size(), 1u);
+
+  std::string late = text;
+  late.replace(late.find("0.0728"), 6, "0.0738");
+  const auto differing = suite(late, "");
+  EXPECT_EQ(differing.first_child().attribute("failures").as_int(), 1);
+  const auto failure = differing.select_node("//testcase[@name='time']/failure").node();
+  EXPECT_TRUE(
+      std::string(failure.attribute("message").value()).starts_with("error 0.001 s at event 3 (onset at"))
+      << failure.attribute("message").value();
+}
+
+TEST_F(CompareCommand, DrawsWhatItCompared) {
+  install_gnuplot("cat \"${folder}comparison-1.csv\" \"${folder}comparison-labels.csv\" > $output\n");
+  for (const std::string format : {"png", "pdf", "svg"}) {
+    const Outcome outcome =
+        run(command("stick-frequencies", printed, "--figure '" + path("figure." + format) + "'"));
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(outcome.errors, "");
+    const auto rows = csv(contents(path("figure." + format)));
+    ASSERT_GE(rows.size(), 10u);
+    EXPECT_EQ(rows[2],
+              (std::vector<std::string>{"abscissa", "theirs", "reference", "half_width", "allowed"}));
+    EXPECT_EQ(rows[3][1], "1.607");
+    EXPECT_EQ(rows[rows.size() - 2], std::vector<std::string>{"mode"});
+    EXPECT_EQ(rows.back(), std::vector<std::string>{"frequency / Hz"});
+  }
+}
+
+TEST_F(CompareCommand, RefusesWhatItCannotUseAndWritesNothing) {
+  const std::string outputs = "--json '" + path("a.json") + "' --junit '" + path("a.xml") + "' ";
+  expect_refused(command("stick-frequencies", "beam,mode\npaper,1\n", outputs),
+                 "the column frequency is missing");
+  expect_refused(command("stick-frequencies", "beam,mode,frequency\npaper,1,nan\n", outputs),
+                 "frequency is 'nan', but must be a finite number");
+  expect_refused(command("stick-frequencies", "beam,mode,frequency\npaper,9,1\n", outputs),
+                 "beam = paper, mode = 9 is not in the data set");
+  expect_refused(command("stick-frequenzies", right, outputs), "did you mean stick-frequencies?");
+  expect_refused(command("stick-frequencies", right, outputs + "--tolerance fast"),
+                 "--tolerance is 'fast', but must be a number or QUANTITY=NUMBER");
+  expect_refused(command("stick-frequencies", right, outputs + "--tolerance =1"), "--tolerance is '=1'");
+  expect_refused(command("stick-frequencies", right, outputs + "--tolerance time=1"), "tolerance of time: ");
+  expect_refused(command("stick-frequencies", right, outputs + "--column f=g"), "column f is unknown");
+  expect_refused(command("stick-frequencies", right, outputs + "--column frequency"),
+                 "must read REFERENCE=THEIRS");
+  expect_refused(command("stick-frequencies", right, outputs + "--events mine.csv"),
+                 "--events is given, but");
+  expect_refused(command("stick-frequencies", right, outputs + "--until 1"), "a latest time is given");
+  expect_refused(command("stick-frequencies", right, outputs + "--figure a.jpg"),
+                 "must end in .pdf, .png or .svg");
+  expect_refused(command("stick-frequencies", right, "--json - --junit -"), "both want standard output");
+  expect_refused(command("stick-frequencies", right, "--json '" + path("none/a.json") + "'"), "none/a.json");
+  expect_refused(in_fixture("compare stick-frequencies '" + path("none.csv") + "'"),
+                 "cannot be opened for reading");
+  expect_refused("compare stick-frequencies", "FILE is required");
+  EXPECT_FALSE(std::filesystem::exists(path("a.json")));
+  EXPECT_FALSE(std::filesystem::exists(path("a.xml")));
+}
+
+}  // namespace
+}  // namespace stickslip::testing

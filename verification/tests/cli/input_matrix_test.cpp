@@ -1,0 +1,942 @@
+/// Bad input of every kind at every place: each row of verification/tests/golden/input-matrix.csv is tried,
+/// and there is a row for everything that can be tried. What is refused is refused in one sentence, and
+/// nothing is written; what is accepted gives finite numbers.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "comparison/comparison.hpp"
+#include "sha256.hpp"
+#include "stickslip/data/case_file.hpp"
+#include "stickslip/data/reference.hpp"
+#include "stickslip/data/user_table.hpp"
+#include "studies/common/input_matrix.hpp"
+#include "support/command_line.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+using studies::BadInput;
+
+const std::vector<BadInput>& matrix() {
+  static const auto rows = studies::input_matrix();
+  return rows;
+}
+
+std::vector<BadInput> rows_at(const std::string& where, const std::string& item_prefix = "") {
+  std::vector<BadInput> rows;
+  for (const BadInput& row : matrix())
+    if (row.where == where && row.item.starts_with(item_prefix)) rows.push_back(row);
+  return rows;
+}
+
+constexpr std::uintmax_t hundred_megabytes = 100'000'000;
+
+// What stands instead of a good value; those that are not here are no values.
+const std::map<std::string, std::string> bad_values{{"wrong type", "two"},
+                                                    {"not a number", "nan"},
+                                                    {"infinity", "inf"},
+                                                    {"negative", "-1"},
+                                                    {"zero", "0"},
+                                                    {"huge", "1e300"},
+                                                    {"denormal", "5e-324"},
+                                                    {"not UTF-8", "\xFF\x1B[31m"},
+                                                    {"deep nesting", std::string(50'000, '[')}};
+
+std::vector<std::string> all_defects() {
+  std::vector<std::string> defects{"missing", "unknown", "duplicate", "100 MB"};
+  for (const auto& [defect, value] : bad_values) defects.push_back(defect);
+  return defects;
+}
+
+// One letter more.
+std::string misspelt(const std::string& name) { return name + name.back(); }
+
+void expect_one_sentence(const std::string& sentence) {
+  EXPECT_FALSE(sentence.empty());
+  EXPECT_LT(sentence.size(), 2100u) << sentence.substr(0, 300);
+  EXPECT_TRUE(std::ranges::none_of(sentence, [](char c) {
+    return static_cast<unsigned char>(c) < 0x20U || static_cast<unsigned char>(c) >= 0x7FU;
+  })) << sentence;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+// "nan" and "inf" as words.
+bool holds_no_number(const std::string& text) {
+  std::string word;
+  for (const char c : text + " ") {
+    if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
+      word += c;
+      continue;
+    }
+    if (word == "nan" || word == "inf") return true;
+    word.clear();
+  }
+  return false;
+}
+
+std::string in_quotes(const std::string& text) { return fmt::format("'{}'", text); }
+
+// --- The matrix itself
+
+TEST(InputMatrix, HasEveryDefectAtEveryPlaceOnce) {
+  std::map<std::pair<std::string, std::string>, std::multiset<std::string>> found;
+  for (const BadInput& row : matrix()) found[{row.where, row.item}].insert(row.defect);
+  const auto defects = all_defects();
+  for (const auto& [place, its_defects] : found)
+    EXPECT_EQ(its_defects, std::multiset<std::string>(defects.begin(), defects.end()))
+        << place.first << " " << place.second;
+}
+
+TEST(InputMatrix, CountsItsRows) {
+  const auto counts = studies::count_by_defect(matrix());
+  EXPECT_EQ(counts.size(), 4 * all_defects().size());
+  int refused = 0, accepted = 0, reasons = 0;
+  for (const auto& count : counts) {
+    refused += count.refused;
+    accepted += count.accepted;
+  }
+  EXPECT_EQ(static_cast<std::size_t>(refused + accepted), matrix().size());
+  EXPECT_EQ(refused, std::ranges::count(matrix(), true, &BadInput::is_refused));
+  for (const auto& reason : studies::count_by_reason(matrix())) reasons += reason.rows;
+  EXPECT_EQ(reasons, accepted);
+}
+
+TEST(InputMatrix, RefusesALineThatIsNone) {
+  EXPECT_THROW((void)studies::parse_input_matrix("head\na,b,c\n"), std::invalid_argument);
+  EXPECT_THROW((void)studies::parse_input_matrix("head\na,b,c,refuse\n"), std::invalid_argument);
+  EXPECT_THROW((void)studies::parse_input_matrix("head\na,b,c,accepted: \n"), std::invalid_argument);
+  EXPECT_EQ(studies::parse_input_matrix("head\na,b,c,accepted: d, e\n").front().reason, "d, e");
+}
+
+// --- Case files
+
+struct CaseLine {
+  std::string table, key, value;
+  [[nodiscard]] std::string path() const { return table + "." + key; }
+};
+
+// Those of the damped case.
+const std::vector<CaseLine>& case_lines() {
+  static const auto lines = [] {
+    std::vector<CaseLine> result;
+    std::string table;
+    std::istringstream text(contents(data::find_case("damped")));
+    for (std::string line; std::getline(text, line);) {
+      line = line.substr(0, line.find('#'));
+      const auto equals = line.find('=');
+      if (line.starts_with('[')) table = line.substr(1, line.find(']') - 1);
+      if (equals != std::string::npos)
+        result.push_back({table, line.substr(0, line.find(' ')), line.substr(equals + 2)});
+    }
+    if (result.size() == 18) result.push_back({"damping", "ratio", "0.01"});
+    return result;
+  }();
+  return lines;
+}
+
+bool is_integer(const CaseLine& line) { return line.key == "elements" || line.key == "modes"; }
+
+std::string defective(const CaseLine& line, const std::string& defect) {
+  const auto with = [&](const std::string& key, const std::string& value) {
+    return key + " = " + value + "\n";
+  };
+  if (defect == "missing") return "";
+  if (defect == "unknown") return with(misspelt(line.key), line.value);
+  if (defect == "duplicate") return with(line.key, line.value) + with(line.key, line.value);
+  if (defect == "100 MB") return with(line.key, line.value);
+  if (defect == "wrong type") return with(line.key, "'two'");
+  if (defect == "huge" && is_integer(line)) return with(line.key, "9223372036854775807");
+  return with(line.key, bad_values.at(defect));
+}
+
+class CaseFileInput : public CommandLine {
+ protected:
+  // The number of the defective line.
+  [[nodiscard]] int write_case(const BadInput& row) const {
+    std::ofstream file(path("case.toml"), std::ios::binary);
+    int number = 0, found = 0;
+    std::string table;
+    for (const CaseLine& line : case_lines()) {
+      if (line.table != table) {
+        table = line.table;
+        file << "[" << table << "]\n";
+        ++number;
+      }
+      ++number;
+      if (line.path() == row.item) found = number;
+      file << (line.path() == row.item ? defective(line, row.defect) : line.key + " = " + line.value + "\n");
+    }
+    file.close();
+    if (row.defect == "100 MB") fs::resize_file(path("case.toml"), hundred_megabytes);
+    const bool is_seen_below =
+        row.defect == "duplicate" || (row.defect == "zero" && row.item == "friction.static_coefficient");
+    return is_seen_below ? found + 1 : found;
+  }
+
+  void expect_finite(const std::string& arguments) const {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    EXPECT_FALSE(holds_no_number(outcome.output)) << outcome.output;
+  }
+};
+
+TEST_F(CaseFileInput, CoversEveryKey) {
+  std::set<std::string> keys, tried;
+  for (const CaseLine& line : case_lines()) keys.insert(line.path());
+  for (const BadInput& row : rows_at("case file")) tried.insert(row.item);
+  EXPECT_EQ(keys.size(), 19u);
+  EXPECT_EQ(tried, keys);
+}
+
+TEST_F(CaseFileInput, IsRefusedInOneSentenceOrRead) {
+  for (const BadInput& row : rows_at("case file")) {
+    SCOPED_TRACE(row.item + ", " + row.defect);
+    const int line = write_case(row);
+    try {
+      (void)data::read_case(path("case.toml"));
+      EXPECT_FALSE(row.is_refused);
+    } catch (const data::InputError& error) {
+      const std::string sentence = error.what();
+      EXPECT_TRUE(row.is_refused) << sentence;
+      expect_one_sentence(sentence);
+      const bool has_line = row.defect != "missing" && row.defect != "100 MB";
+      EXPECT_TRUE(sentence.starts_with(path("case.toml") + (has_line ? fmt::format(":{}: ", line) : ": ")))
+          << sentence;
+      const bool is_no_toml =
+          row.defect == "not UTF-8" || row.defect == "deep nesting" || row.defect == "100 MB";
+      EXPECT_TRUE(is_no_toml || contains(sentence, row.defect == "duplicate"
+                                                       ? in_quotes(row.item.substr(row.item.find('.') + 1))
+                                                       : row.item))
+          << sentence;
+      if (row.defect == "unknown") {
+        EXPECT_TRUE(contains(sentence, "did you mean " + row.item + "?")) << sentence;
+      }
+    }
+  }
+}
+
+// A run without P has no contact and is another matter: its frequencies are finite.
+TEST_F(CaseFileInput, ThatIsReadGivesFiniteNumbers) {
+  for (const BadInput& row : rows_at("case file")) {
+    if (row.is_refused) continue;
+    SCOPED_TRACE(row.item + ", " + row.defect);
+    (void)write_case(row);
+    const std::string name = in_quotes(path("case.toml")) + " ";
+    expect_finite("modes " + name + "--count 2");
+    if (row.item == "beam.axial_force") continue;
+    expect_finite("respond " + name + "--duration 0.002");
+    expect_finite("criterion " + name +
+                  "--set damping.ratio=0 --set damping.kelvin_voigt=0 --set numerics.duration=0.1");
+  }
+}
+
+TEST_F(CaseFileInput, IsRefusedByTheProgramAsByTheReader) {
+  for (const std::string& defect : all_defects()) {
+    (void)write_case({"case file", "beam.length", defect, true, ""});
+    expect_refused("modes '" + path("case.toml") + "'", "case.toml");
+    EXPECT_EQ(files().size(), 3u);  // the case, stdout, stderr
+  }
+}
+
+// --- Columns of compared tables
+
+const std::string fixture = STICKSLIP_SOURCE_DIRECTORY "/verification/tests/golden/reference";
+
+const data::ReferencePackage& package() {
+  static const auto read = data::load_reference(fixture);
+  return read;
+}
+
+const data::ReferenceTable& table_of(const std::string& set) {
+  static std::map<std::string, data::ReferenceTable> tables;
+  if (!tables.contains(set)) tables.emplace(set, data::read_table(package(), set));
+  return tables.at(set);
+}
+
+using Rows = std::vector<std::vector<std::string>>;
+
+// The header and some rows.
+Rows first_rows(const std::string& text) {
+  Rows rows = csv(text);
+  rows.resize(std::min<std::size_t>(rows.size(), 8));
+  return rows;
+}
+
+// A column with a defect, a bad value in the third row.
+Rows spoilt_rows(Rows rows, const std::string& column, const std::string& defect) {
+  const auto& names = rows.front();
+  const auto position = static_cast<std::size_t>(std::ranges::find(names, column) - names.begin());
+  for (auto& cells : rows) {
+    if (defect == "missing") cells.erase(cells.begin() + static_cast<std::ptrdiff_t>(position));
+    if (defect == "duplicate") cells.push_back(cells[position]);
+  }
+  if (defect == "unknown") rows[0][position] = misspelt(column);
+  if (bad_values.contains(defect)) rows[3][position] = bad_values.at(defect);
+  return rows;
+}
+
+std::string text_of(const Rows& rows) {
+  std::string text;
+  for (const auto& cells : rows) text += fmt::format("{}\n", fmt::join(cells, ","));
+  return text;
+}
+
+class ColumnInput : public CommandLine {
+ protected:
+  // The first rows of the data set, the third one defective; returns its line.
+  void write_table(const BadInput& row, const std::string& set, const std::string& column) const {
+    std::ofstream(path("mine.csv"), std::ios::binary)
+        << text_of(spoilt_rows(first_rows(table_of(set).csv), column, row.defect));
+    if (row.defect == "100 MB") fs::resize_file(path("mine.csv"), hundred_megabytes);
+  }
+
+  void compare(const std::string& set) const {
+    const auto comparison =
+        studies::compare(package(), set, data::read_user_table(path("mine.csv"), table_of(set), {}), {});
+    for (const auto& quantity : comparison.quantities)
+      EXPECT_TRUE(!quantity.error || std::isfinite(*quantity.error)) << quantity.name;
+  }
+};
+
+TEST_F(ColumnInput, CoversEveryColumnThatIsCompared) {
+  std::set<std::string> columns, tried;
+  for (const auto& resource : package().resources)
+    if (resource.comparison)
+      for (const auto& field : resource.fields) columns.insert(resource.name + " " + field.name);
+  for (const BadInput& row : rows_at("column")) tried.insert(row.item);
+  EXPECT_EQ(tried, columns);
+}
+
+class ColumnsOf : public ColumnInput, public ::testing::WithParamInterface<std::string> {};
+
+TEST_P(ColumnsOf, AreRefusedInOneSentenceOrCompared) {
+  const std::string set = GetParam();
+  for (const BadInput& row : rows_at("column", set + " ")) {
+    SCOPED_TRACE(row.item + ", " + row.defect);
+    const std::string column = row.item.substr(set.size() + 1);
+    write_table(row, set, column);
+    try {
+      compare(set);
+      EXPECT_FALSE(row.is_refused);
+    } catch (const data::InputError& error) {
+      const std::string sentence = error.what();
+      EXPECT_TRUE(row.is_refused) << sentence;
+      expect_one_sentence(sentence);
+      EXPECT_TRUE(sentence.starts_with(path("mine.csv"))) << sentence;
+      EXPECT_TRUE(row.defect == "100 MB" || contains(sentence, column)) << sentence;
+      if (bad_values.contains(row.defect)) {
+        EXPECT_TRUE(contains(sentence, "mine.csv:4") || contains(sentence, " line 4")) << sentence;
+      }
+    }
+  }
+}
+
+std::vector<std::string> compared_sets() {
+  std::vector<std::string> names;
+  for (const auto& resource : package().resources)
+    if (resource.comparison) names.push_back(resource.name);
+  return names;
+}
+
+std::string test_name(const ::testing::TestParamInfo<std::string>& instance) {
+  std::string name = instance.param;
+  std::ranges::replace_if(
+      name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(DataSets, ColumnsOf, ::testing::ValuesIn(compared_sets()), test_name);
+
+TEST_F(ColumnInput, IsRefusedByTheProgramAsByTheReader) {
+  for (const std::string& defect : all_defects()) {
+    const BadInput row{"column", "stick-frequencies frequency", defect, true, ""};
+    if (defect == "negative" || defect == "zero" || defect == "huge" || defect == "denormal") continue;
+    write_table(row, "stick-frequencies", "frequency");
+    expect_refused("compare stick-frequencies '" + path("mine.csv") + "' --package '" + fixture +
+                       "' --json '" + path("answer.json") + "'",
+                   "mine.csv");
+    EXPECT_EQ(files().size(), 3u);  // the table, stdout, stderr
+  }
+}
+
+// --- The published package: every column of its tables, every key of its description. Somebody's copy of it
+// is spoilt, and signed again, so that the digests say nothing.
+
+using Description = nlohmann::ordered_json;
+
+Description description_of(const fs::path& folder) {
+  return Description::parse(contents(folder / "datapackage.json"));
+}
+
+class PackageInput : public CommandLine {
+ protected:
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(path(name), std::ios::binary) << text;
+  }
+
+  void enlarge(const std::string& name) const { fs::resize_file(path(name), hundred_megabytes); }
+
+  // The sentence that refuses a package or one of its tables, empty if both are accepted.
+  [[nodiscard]] std::string refusal(const std::string& folder, std::size_t resource = 0) const {
+    try {
+      const auto package = data::load_reference(path(folder));
+      (void)data::read_table(package, package.resources.at(resource).name);
+      return "";
+    } catch (const data::InputError& error) {
+      expect_one_sentence(error.what());
+      return error.what();
+    }
+  }
+};
+
+// The published data sets, cut after some rows.
+class PublishedColumns : public PackageInput, public ::testing::WithParamInterface<std::string> {
+ protected:
+  void write_signed(const std::string& csv) {
+    resource_["bytes"] = csv.size();
+    resource_["hash"] = "sha256:" + data::sha256(csv);
+    description_["resources"] = {resource_};
+    write("datapackage.json", description_.dump());
+    write("table.csv", csv);
+  }
+
+  void SetUp() override {
+    PackageInput::SetUp();
+    description_ = description_of(data::reference_directory());
+    for (const Description& resource : description_["resources"])
+      if (resource["name"] == GetParam()) resource_ = resource;
+    rows_ = first_rows(contents(data::reference_directory() / resource_["path"].get<std::string>()));
+    resource_["path"] = "table.csv";
+    for (const char* key : {"comparison", "diagnosis"}) resource_.erase(key);
+  }
+
+  Description description_, resource_;
+  Rows rows_;
+};
+
+TEST_P(PublishedColumns, AreRefusedInOneSentenceOrRead) {
+  const std::string original = text_of(rows_);
+  write_signed(original);
+  ASSERT_EQ(refusal(""), "");
+  for (const BadInput& row : rows_at("package", GetParam() + " ")) {
+    SCOPED_TRACE(row.item + ", " + row.defect);
+    const std::string column = row.item.substr(GetParam().size() + 1);
+    const std::string spoilt = text_of(spoilt_rows(rows_, column, row.defect));
+    write_signed(spoilt);
+    if (row.defect == "100 MB") enlarge("table.csv");
+    const std::string sentence = refusal("");
+    EXPECT_EQ(!sentence.empty(), row.is_refused) << sentence;
+    if (row.is_refused) {
+      EXPECT_TRUE(sentence.starts_with(path("table.csv") + ":")) << sentence;
+      EXPECT_TRUE(row.defect == "100 MB" || contains(sentence, column)) << sentence;
+      EXPECT_TRUE(!bad_values.contains(row.defect) || contains(sentence, "table.csv:4")) << sentence;
+    }
+    if (spoilt == original) continue;
+    write_signed(original);
+    write("table.csv", spoilt);
+    EXPECT_TRUE(contains(refusal(""), "the file has been altered")) << refusal("");
+  }
+}
+
+TEST_P(PublishedColumns, AreMissedInATruncatedRow) {
+  for (std::size_t cells = 0; cells < rows_.front().size(); ++cells) {
+    Rows truncated = rows_;
+    truncated[3].resize(cells);
+    write_signed(text_of(truncated));
+    EXPECT_EQ(refusal(""), fmt::format("{}:4: the line has {} cells, but must have {}", path("table.csv"),
+                                       std::max<std::size_t>(cells, 1), rows_.front().size()));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(DataSets, PublishedColumns, ::testing::ValuesIn([] {
+                           std::vector<std::string> names;
+                           for (const auto& resource : data::load_reference().resources)
+                             names.push_back(resource.name);
+                           return names;
+                         }()),
+                         test_name);
+
+// A key of a description by its path, in which * stands for the index of an array, and where it stands first.
+using Keys = std::vector<std::pair<std::string, Description::json_pointer>>;
+
+void collect_keys(const Description& value, const std::string& path, const Description::json_pointer& at,
+                  Keys& keys) {
+  if (!value.is_structured() || path.ends_with("/settings") || path.ends_with("/error"))
+    return;  // the keys of settings are free, those of error are columns
+  for (const auto& [name, member] : value.items()) {
+    const std::string below = (path.empty() ? "" : path + "/") + (value.is_array() ? "*" : name);
+    const auto there = value.is_array() ? at / std::stoul(name) : at / name;
+    if (value.is_object() && std::ranges::find(keys, below, &Keys::value_type::first) == keys.end())
+      keys.emplace_back(below, there);
+    collect_keys(member, below, there, keys);
+  }
+}
+
+const Keys& description_keys() {
+  static const auto keys = [] {
+    Keys found;
+    collect_keys(description_of(fixture), "", Description::json_pointer(), found);
+    return found;
+  }();
+  return keys;
+}
+
+class PackageKeys : public PackageInput, public ::testing::WithParamInterface<std::string> {
+ protected:
+  [[nodiscard]] static std::string in_double_quotes(const std::string& text) { return "\"" + text + "\""; }
+
+  [[nodiscard]] static std::string bad_member_value(const Description& good, const std::string& defect) {
+    const std::string& bad = bad_values.at(defect);
+    if (defect == "wrong type") return good.is_string() ? "[2]" : in_double_quotes(bad);
+    return defect == "not UTF-8" ? in_double_quotes(bad) : bad;
+  }
+
+  // The text of the fixture's description with that defect.
+  [[nodiscard]] static std::string spoilt_text(const Description::json_pointer& key,
+                                               const std::string& defect) {
+    const std::string mark = "spoilt here";
+    Description description = description_of(fixture);
+    const Description value = description[key];
+    const std::string name = key.back();
+    if (defect == "missing") {
+      description[key.parent_pointer()].erase(name);
+      return description.dump();
+    }
+    description[key] = mark;
+    std::string text = description.dump();
+    const auto member = [&](const std::string& its_name, const std::string& its_value) {
+      return fmt::format("\"{}\":{}", its_name, its_value);
+    };
+    const std::string good = member(name, value.dump());
+    const std::string marked = member(name, in_double_quotes(mark));
+    return text.replace(text.find(marked), marked.size(),
+                        defect == "unknown"     ? member(misspelt(name), value.dump())
+                        : defect == "duplicate" ? good + "," + good
+                        : defect == "100 MB"    ? good
+                                                : member(name, bad_member_value(value, defect)));
+  }
+};
+
+TEST_P(PackageKeys, AreRefusedInOneSentenceOrRead) {
+  fs::copy(fixture, path("package"), fs::copy_options::recursive);
+  const auto key = std::ranges::find(description_keys(), GetParam(), &Keys::value_type::first)->second;
+  const std::string name = key.back();
+  const std::string pointer = key.to_string();
+  const std::size_t resource = pointer.starts_with("/resources/") ? std::stoul(pointer.substr(11)) : 0;
+  for (const BadInput& row : rows_at("package")) {
+    if (row.item != GetParam()) continue;
+    SCOPED_TRACE(row.item + ", " + row.defect);
+    write("package/datapackage.json", spoilt_text(key, row.defect));
+    if (row.defect == "100 MB") enlarge("package/datapackage.json");
+    const std::string sentence = refusal("package", resource);
+    EXPECT_EQ(!sentence.empty(), row.is_refused) << sentence;
+    if (!row.is_refused) continue;
+    EXPECT_TRUE(sentence.starts_with(path("package/datapackage.json:"))) << sentence;
+    const bool is_no_json = row.defect == "not UTF-8" || row.defect == "deep nesting" ||
+                            row.defect == "100 MB" || row.defect == "not a number" ||
+                            row.defect == "infinity";
+    EXPECT_TRUE(is_no_json || contains(sentence, name)) << sentence;
+    EXPECT_TRUE(row.defect != "unknown" || contains(sentence, "did you mean " + name + "?")) << sentence;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Description, PackageKeys, ::testing::ValuesIn([] {
+                           std::vector<std::string> items;
+                           for (const auto& [item, pointer] : description_keys()) items.push_back(item);
+                           return items;
+                         }()),
+                         test_name);
+
+TEST_F(PackageInput, CoversEveryKeyAndColumn) {
+  std::set<std::string> items, tried;
+  for (const auto& [item, pointer] : description_keys()) items.insert(item);
+  for (const auto& resource : data::load_reference().resources)
+    for (const auto& field : resource.fields) items.insert(resource.name + " " + field.name);
+  for (const BadInput& row : rows_at("package")) tried.insert(row.item);
+  EXPECT_EQ(tried, items);
+}
+
+TEST_F(PackageInput, IsRefusedByTheProgramAsByTheReader) {
+  fs::copy(fixture, path("package"), fs::copy_options::recursive);
+  const std::string package = " --package " + in_quotes(path("package"));
+  const auto refused_by_all = [&](const std::string& part) {
+    const std::string set = "stick-frequencies";
+    for (const std::string& command :
+         {"reference list" + package, "reference show " + set + package,
+          "reference export " + set + " --output " + in_quotes(path("out.csv")) + package,
+          "compare " + set + " " + in_quotes(fixture + "/frequencies/stick.csv") + package})
+      expect_refused(command, part);
+    EXPECT_FALSE(fs::exists(path("out.csv")));
+  };
+  write("package/frequencies/stick.csv", "beam,mode\n");
+  refused_by_all("stick.csv: its size is 10 bytes, but must be");
+  enlarge("package/frequencies/stick.csv");
+  refused_by_all("stick.csv: is larger than the 50000000 bytes that are allowed");
+  write("package/datapackage.json", bad_values.at("deep nesting"));
+  refused_by_all("datapackage.json:1:101: is nested deeper than the 100 levels that are allowed");
+  enlarge("package/datapackage.json");
+  refused_by_all("datapackage.json: is larger than the 10000000 bytes that are allowed");
+}
+
+// --- Options
+
+// What makes a subcommand run fast; an option that is tried replaces its own. "stickslip" is the program
+// alone.
+struct Command {
+  std::string name;
+  std::vector<std::pair<std::string, std::string>> arguments;  // a positional one has no '-'
+
+  [[nodiscard]] std::string words() const { return name == "stickslip" ? "" : name; }
+};
+
+std::vector<Command> commands() {
+  const std::string set = "stick-frequencies";
+  return {{"stickslip", {{"SUBCOMMAND", "cases"}}},
+          {"reference", {{"SUBCOMMAND", "list"}}},
+          {"modes", {{"CASE", "paper"}}},
+          {"respond", {{"CASE", "paper"}, {"--duration", "0.001"}, {"--output", "FOLDER/out.csv"}}},
+          {"animate",
+           {{"CASE", "paper"}, {"--duration", "0.001"}, {"--frames", "2"}, {"--output", "FOLDER/film"}}},
+          {"criterion", {{"CASE", "paper"}, {"--set", "numerics.duration=0.1"}}},
+          {"map",
+           {{"CASE", "paper"},
+            {"--x", "frequency=20:30:2"},
+            {"--y", "amplitude=1e-4:1e-3:2"},
+            {"--duration", "0.1"},
+            {"--output", "FOLDER/out.csv"}}},
+          {"design",
+           {{"CASE", "paper"},
+            {"--band", "20:20"},
+            {"--length", "1.99:2"},
+            {"--force", "499:500"},
+            {"--duration", "0.1"}}},
+          {"reference list", {{"--package", fixture}}},
+          {"reference show", {{"NAME", set}, {"--package", fixture}}},
+          {"reference export", {{"NAME", set}, {"--package", fixture}, {"--output", "FOLDER/out.csv"}}},
+          {"compare",
+           {{"NAME", "damped-history"}, {"FILE", fixture + "/damped/history.csv"}, {"--package", fixture}}},
+          {"report", {{"--only", "fig2"}, {"--output", "FOLDER/report"}}},
+          {"cases", {}},
+          {"documentation", {{"FORMAT", "man"}, {"--output", "FOLDER/stickslip.1"}}}};
+}
+
+class OptionInput : public Drawing {
+ protected:
+  void SetUp() override {
+    Drawing::SetUp();
+    fs::current_path(path(""));  // where a file with a bad name would appear
+    fs::create_directory(path("large"));
+    for (const std::string file : {"large/datapackage.json", "large/results.xml"}) {
+      std::ofstream{path(file)};
+      fs::resize_file(path(file), hundred_megabytes);
+    }
+    install_gnuplot(
+        "[ -n \"$output\" ] && echo drawn > \"$output\"; for i in 0001 0002; do echo drawn > frame-$i.png; "
+        "done\n");
+  }
+
+  void TearDown() override {
+    fs::current_path(old_folder_);
+    Drawing::TearDown();
+  }
+
+  struct Listed {
+    std::string name;
+    bool takes_value{};
+  };
+
+  // The help up to its examples.
+  [[nodiscard]] std::istringstream help(const std::string& command) const {
+    const std::string text = run(command + " --help").output;
+    return std::istringstream(text.substr(0, text.find("\nExamples:")));
+  }
+
+  // What --help lists; itself only where subcommands follow, since it is the same everywhere.
+  [[nodiscard]] std::vector<Listed> listed(const Command& command) const {
+    std::vector<Listed> options;
+    auto lines = help(command.words());
+    for (std::string line; std::getline(lines, line);) {
+      if (line.ends_with("[SUBCOMMAND]")) options = {{"--help", false}, {"SUBCOMMAND", true}};
+      if (!line.starts_with("  ") || line.starts_with("   ") || line.starts_with("  -h")) continue;
+      std::istringstream words(line);
+      std::string name, type;
+      words >> name >> type;
+      const bool is_positional =
+          std::ranges::all_of(name, [](char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; });
+      if (!is_positional && !name.starts_with("--")) continue;
+      const bool names_a_type =
+          line.size() > name.size() + 3 && line[name.size() + 3] != ' ' && type != "Excludes:";
+      options.push_back({name, is_positional || names_a_type});
+    }
+    return options;
+  }
+
+  // What an option is given. Linux passes no argument beyond 128 KiB to a program, so that 100 kB stand for
+  // 100 MB; but what is read can be a file of 100 MB.
+  [[nodiscard]] std::vector<std::string> values(const std::string& item, const std::string& defect) const {
+    if (bad_values.contains(defect)) return {bad_values.at(defect)};
+    if (defect != "100 MB") return {""};
+    std::vector<std::string> large{std::string(100'000, 'a')};
+    const bool is_read = item.ends_with(" CASE") || item == "compare FILE" || item == "compare --events" ||
+                         item == "map --merge";
+    if (is_read) large.push_back(path("large/datapackage.json"));
+    if (item.ends_with(" --package") || item == "report --tests") large.push_back(path("large"));
+    return large;
+  }
+
+  // The command with that defect at that option.
+  [[nodiscard]] std::string arguments(const Command& command, const Listed& option, const std::string& defect,
+                                      const std::string& value) const {
+    std::vector<std::string> words;
+    std::string good = "1";
+    for (const auto& [name, usual] : command.arguments) {
+      if (name == option.name) good = usual;
+      if (name == option.name && name != "--set") continue;
+      if (option.name == "--merge" && name != "--output") continue;  // what it excludes
+      if (name.starts_with('-')) words.push_back(name);
+      words.push_back(usual);
+    }
+    const bool is_positional = !option.name.starts_with('-');
+    const bool is_before_subcommand =
+        !command.arguments.empty() && command.arguments.front().first == "SUBCOMMAND";
+    const auto append = [&](const std::vector<std::string>& more) {
+      words.insert(is_before_subcommand ? words.begin() : words.end(), more.begin(), more.end());
+    };
+    const auto give = [&](const std::string& name, const std::string& text) {
+      if (is_positional)
+        words.insert(option.name == "FILE" ? words.begin() + 1 : words.begin(), text);
+      else if (option.takes_value)
+        append({name, text});
+      else
+        append({name});
+    };
+    if (defect == "missing") {
+      if (!is_positional) append({option.name});
+    } else if (defect == "unknown") {
+      give(misspelt(option.name), is_positional ? misspelt(good) : good);
+    } else if (defect == "duplicate") {
+      give(option.name, good);
+      give(option.name, good);
+    } else if (is_positional) {
+      give(option.name, value);
+    } else {
+      append({option.name + "=" + value});
+    }
+    std::string text = command.words();
+    for (std::string word : words) {
+      if (const auto at = word.find("FOLDER"); at != std::string::npos) word.replace(at, 6, path(""));
+      text += " " + in_quotes(word);
+    }
+    return text;
+  }
+
+  // An option of a subcommand, "reference show NAME".
+  void try_all(const std::string& item) const {
+    const auto last = item.rfind(' ');
+    const auto known = commands();
+    const Command& command = *std::ranges::find(known, item.substr(0, last), &Command::name);
+    const auto options = listed(command);
+    const auto option = std::ranges::find(options, item.substr(last + 1), &Listed::name);
+    ASSERT_NE(option, options.end());
+    const auto folder = files();
+    for (const BadInput& row : rows_at("option")) {
+      if (row.item != item) continue;
+      SCOPED_TRACE(row.item + ", " + row.defect);
+      for (const std::string& value : values(item, row.defect))
+        try_one(row, arguments(command, *option, row.defect, value), folder);
+    }
+  }
+
+ private:
+  const fs::path old_folder_ = fs::current_path();
+
+  void try_one(const BadInput& row, const std::string& arguments, std::vector<std::string> before) const {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, row.is_refused ? 2 : 0) << arguments.substr(0, 300) << "\n"
+                                                      << outcome.errors.substr(0, 300);
+    if (!row.is_refused) {
+      const bool repeats_a_name = row.reason == "a file may have that name";
+      EXPECT_TRUE(repeats_a_name || !holds_no_number(outcome.output)) << outcome.output;
+      for (const std::string& name : files())
+        if (name != "tools" && name != "large" && name != "stdout" && name != "stderr")
+          fs::remove_all(path(name));
+      return;
+    }
+    EXPECT_EQ(outcome.output, "");
+    EXPECT_TRUE(outcome.errors.starts_with("stickslip: ") && outcome.errors.ends_with("\n"))
+        << outcome.errors;
+    if (!outcome.errors.empty()) expect_one_sentence(outcome.errors.substr(0, outcome.errors.size() - 1));
+    auto after = files();
+    std::erase(after, "stdout");
+    std::erase(after, "stderr");
+    std::erase(before, "stdout");
+    std::erase(before, "stderr");
+    EXPECT_EQ(after, before);
+    if (arguments.find(path("large")) != std::string::npos) {
+      EXPECT_TRUE(contains(outcome.errors, path("large/"))) << outcome.errors;
+    }
+    if (row.defect == "unknown" && row.item.ends_with("SUBCOMMAND")) {
+      EXPECT_TRUE(contains(outcome.errors, "did you mean ")) << outcome.errors;
+    }
+    if (row.defect == "unknown" && row.item.find("--") != std::string::npos) {
+      EXPECT_TRUE(contains(outcome.errors, "did you mean " + row.item.substr(row.item.find("--")) + "?"))
+          << outcome.errors;
+    }
+  }
+};
+
+class OptionsOf : public OptionInput, public ::testing::WithParamInterface<std::string> {};
+
+TEST_P(OptionsOf, AreRefusedInOneSentenceOrTaken) { try_all(GetParam()); }
+
+std::vector<std::string> tried_options() {
+  std::set<std::string> items;
+  for (const BadInput& row : rows_at("option")) items.insert(row.item);
+  return {items.begin(), items.end()};
+}
+
+INSTANTIATE_TEST_SUITE_P(Subcommands, OptionsOf, ::testing::ValuesIn(tried_options()), test_name);
+
+TEST_F(OptionInput, CoversEveryOption) {
+  std::vector<std::string> options;
+  for (const Command& command : commands())
+    for (const Listed& option : listed(command)) options.push_back(command.name + " " + option.name);
+  std::ranges::sort(options);
+  EXPECT_EQ(tried_options(), options);
+}
+
+TEST_F(OptionInput, BelongToTheSubcommandsThatAreTried) {
+  std::set<std::string> names;
+  for (const Command& command : commands())
+    if (!command.words().empty()) names.insert(command.name.substr(0, command.name.find(' ')));
+  auto lines = help("");
+  std::set<std::string> listed_names{"documentation"};  // hidden
+  bool below = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (below && line.starts_with("  ") && !line.starts_with("   ")) {
+      std::istringstream words(line);
+      std::string name;
+      words >> name;
+      listed_names.insert(name);
+    }
+    below = below || line.starts_with("Subcommands");
+  }
+  EXPECT_EQ(listed_names, names);
+}
+
+TEST_F(OptionInput, ThatIsMisspeltGetsASuggestion) {
+  expect_refused("resond", "the subcommand resond is unknown (did you mean respond?)");
+  expect_refused("reference lst", "the subcommand lst is unknown (did you mean list?)");
+  expect_refused("modes --stat slip", "the option --stat is unknown (did you mean --state?)");
+  expect_refused("modes --stat=slip", "the option --stat=slip is unknown (did you mean --state?)");
+  expect_refused("modes --state slipp",
+                 "--state: slipp is unknown (did you mean slip?), but must be one of stick, slip");
+  expect_refused("map --x frequncy=1:2:3", "(did you mean frequency?)");
+  expect_refused("modes paper damped", "the argument damped is one more than modes takes");
+}
+
+TEST_F(OptionInput, ThatHasNoValueOrTwoIsNamed) {
+  expect_refused("modes --count", "--count is given without a value");
+  expect_refused("modes --count 3 --count 4", "--count is given 2 times");
+  expect_refused("modes --json=nan", "--json is given a value, but must stand alone");
+  expect_refused("respond --hz nan", "--hz: excitation.frequency_hz is nan");
+  expect_refused("respond --duration 1e9",
+                 "--duration: numerics.duration is 1e+09, but must be at most a billion times");
+  expect_refused("criterion --set numerics.duration=1e5",
+                 "a hundred million periods of natural frequency 10");
+  expect_refused("map --threads 1e9", "--threads: 1e9 is not an integer from 1 to 1024");
+  expect_refused("map --threads 0", "--threads: 0 is not an integer from 1 to 1024");
+  expect_refused("map --x length=1e-300:1:2",
+                 "--x: beam.length is 1e-300, but must be from 1e-09 to 1e+06 (m)");
+  expect_refused("map --shard 0/3 --output a", "--shard is '0/3', but must be K/M with integers 1 <= K <= M");
+  expect_refused("map --shard '' --output a", "--shard is '', but must be K/M");
+  expect_refused("map --merge ''", "--merge: '' is not the name of a file");
+  expect_refused("documentation fsh", "FORMAT: fsh is unknown (did you mean fish?)");
+  expect_refused("respond --output a --events a",
+                 "--output and --events are both 'a', but must be two files");
+}
+
+TEST_F(OptionInput, ThatNamesNoShardIsRefused) {
+  std::ofstream(path("empty"));
+  std::ofstream(path("binary"), std::ios::binary) << std::string("\0\xFF\x1B\n\n", 5);
+  std::ofstream(path("text")) << "frequency,amplitude\n1,2\n";
+  std::ofstream(path("oversized"));
+  fs::resize_file(path("oversized"), 10 * hundred_megabytes);
+  const std::vector<std::pair<std::string, std::string>> files{
+      {"missing", ": cannot be opened for reading"},
+      {"", ": is a folder"},
+      {"empty", ": is empty"},
+      {"binary", " is no shard of a map"},
+      {"text", " is no shard of a map"},
+      {"oversized", ": is larger than the 500000000 bytes"}};
+  for (const auto& [name, why] : files)
+    expect_refused("map --merge " + in_quotes(path(name)) + " --output " + in_quotes(path("out.csv")),
+                   "--merge: " + path(name) + why);
+  EXPECT_FALSE(fs::exists(path("out.csv")));
+}
+
+// --- Warnings of the program: one line each on standard error, the sentences in JSON, the exit status
+// unchanged.
+
+class WarningsOf : public CommandLine {
+ protected:
+  void expect_warning(const std::string& arguments, const std::string& part) const {
+    const Outcome outcome = run(arguments + " --json");
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    const auto answer = nlohmann::json::parse(outcome.output);
+    std::string lines;
+    for (const auto& warning : answer["warnings"])
+      lines += "stickslip: warning: " + warning.get<std::string>() + "\n";
+    EXPECT_EQ(outcome.errors, lines);
+    EXPECT_TRUE(contains(lines, part)) << arguments << "\n" << lines;
+  }
+};
+
+TEST_F(WarningsOf, TheSubcommandsAreOneLineEachAndInJson) {
+  const std::string output = " --output '" + path("out.csv") + "'";
+  expect_warning("modes --count 10", "natural frequency 10 comes out about 38 % too high");
+  expect_warning("modes --count 10 --state slip --method fe",
+                 "natural frequency 10 comes out about 34 % too high");
+  expect_warning("criterion", "grows with t, until 17.8 s");
+  expect_warning("respond --method closed-form --duration 1" + output, "next to natural frequency 1");
+  expect_warning("respond --hz 15 --duration 0.1 --set numerics.time_step=5e-3" + output,
+                 "too long for natural frequency");
+  expect_warning("respond --set beam.axial_force=84000 --duration 0.002" + output,
+                 "at the flutter load of the sliding beam");
+  expect_warning("respond --method event-driven --set beam.axial_force=84000 --duration 0.002" + output,
+                 "flutter load");
+  const std::string amplitudes = "map --y amplitude=1e-4:2e-4:2 --x ";
+  expect_warning(amplitudes + "friction=0.4:0.6:2" + output, "next to natural frequency 1");
+  expect_warning(amplitudes + "friction=0.4:0.6:2 --hz 300 --duration 0.1" + output,
+                 "thick for Euler-Bernoulli");
+  expect_warning("design --band 300:300 --duration 0.1 --length 1.99:2 --force 499:500",
+                 "thick for Euler-Bernoulli");
+}
+
+TEST_F(WarningsOf, ARunThatDeservesNoneAreNone) {
+  for (const std::string arguments :
+       {"modes --count 2", "criterion --hz 15 --set numerics.duration=0.5", "respond --hz 15 --duration 0.1",
+        "map --x frequency=20:30:2 --y amplitude=1e-4:2e-4:2 --duration 0.1"})
+    EXPECT_EQ(run(arguments).errors, "") << arguments;
+  EXPECT_EQ(json("modes --count 2")["warnings"], nlohmann::json::array());
+}
+
+}  // namespace
+}  // namespace stickslip::testing

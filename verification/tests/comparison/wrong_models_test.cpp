@@ -1,0 +1,712 @@
+/// Wrong models that are to be recognised: each differs where it says so, and its own results name it.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "comparison/wrong_models.hpp"
+#include "stickslip/analytic/criterion.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
+#include "studies/common/problem_parameter.hpp"
+#include "studies/convergence/discretisation.hpp"
+#include "support/beams.hpp"
+#include "support/flat_beam.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+using studies::Diagnosis;
+using studies::Finding;
+using studies::ModelResults;
+using studies::Observation;
+using studies::Quantity;
+using Values = std::vector<double>;
+
+// What an observer states, in the measure of the distances. Without P the shape S is nearly the same: to tell
+// takes a further digit.
+double stated_for(Quantity quantity) { return quantity == Quantity::quasi_static_shape ? 1e-6 : 1e-5; }
+
+bool is_of_stick_slip(Quantity quantity) {
+  return quantity == Quantity::contact_event || quantity == Quantity::tip_displacement ||
+         quantity == Quantity::friction_force;
+}
+
+bool counts_each_alike(Quantity quantity) {
+  return quantity == Quantity::stick_frequency || quantity == Quantity::slip_frequency ||
+         quantity == Quantity::force_maximum || quantity == Quantity::critical_amplitude ||
+         quantity == Quantity::contact_event;
+}
+
+data::Case paper_case(double duration) {
+  return {.name = "paper",
+          .beam = paper_beam(),
+          .friction = paper_friction(),
+          .excitation = data::HarmonicExcitation({.frequency_hz = 25.0, .amplitude = 1e-3}),
+          .numerics = data::NumericalSettings(paper_choices(duration))};
+}
+
+// A slender strip, 0.8 m by 20 mm by 30 mm, P at 6 % of its buckling load.
+data::Case strip_case(double duration) {
+  data::Case problem = paper_case(duration);
+  problem.name = "strip";
+  problem.beam = data::Beam({.length = 0.8,
+                             .area = 6e-4,
+                             .second_moment_of_area = 4.5e-9,
+                             .density = 1050.0,
+                             .youngs_modulus = 2.3e9,
+                             .axial_force = 20.0});
+  problem.excitation = data::HarmonicExcitation({.frequency_hz = 30.0, .amplitude = 5e-3});
+  return problem;
+}
+
+data::Case with_numerics(data::Case problem, int elements, double time_step, int modes = 10) {
+  data::NumericalChoices choices = problem.numerics.choices();
+  choices.elements = elements;
+  choices.time_step = time_step;
+  choices.modes = modes;
+  problem.numerics = data::NumericalSettings(choices);
+  return problem;
+}
+
+// Stick-slip with a little Kelvin-Voigt damping, without which changes of contact do not converge.
+data::Case case_for(const std::string& name, Quantity quantity) {
+  const double duration = is_of_stick_slip(quantity) ? 0.12 : 0.3;
+  data::Case problem = name == "paper" ? paper_case(duration) : strip_case(duration);
+  if (is_of_stick_slip(quantity)) problem.damping = data::Damping({.kelvin_voigt = 6e-5});
+  // The force jumps at an event and feels its error most.
+  if (quantity == Quantity::friction_force) return with_numerics(problem, 20, 5e-5);
+  return problem;
+}
+
+Values steps_to(double end, int count) {
+  Values times;
+  for (int i = 1; i <= count; ++i) times.push_back(end * i / count);
+  return times;
+}
+
+Values abscissa_for(const data::Case& problem, Quantity quantity) {
+  switch (quantity) {
+    case Quantity::stick_frequency:
+    case Quantity::slip_frequency:
+      return {1.0, 2.0, 3.0};
+    case Quantity::participation:
+      return steps_to(10.0, 10);
+    case Quantity::contact_event:
+      return steps_to(5.0, 5);
+    case Quantity::quasi_static_shape:
+      return steps_to(0.97 * problem.beam.length(), 8);
+    case Quantity::force_maximum:
+    case Quantity::critical_amplitude:
+      return {15.0, 35.0, 70.0};
+    default:
+      return steps_to(problem.numerics.duration() < 0.2 ? 0.1 : 0.3, 100);
+  }
+}
+
+ModelResults model_results_of(const data::Case& problem, Quantity quantity) {
+  return studies::model_results(problem, quantity, abscissa_for(problem, quantity));
+}
+
+// Bounds of the errors that make a distance of stated_for(): of each value where each counts alike, else of
+// their root mean square.
+Values stated_uncertainty(const ModelResults& model_results) {
+  const bool is_of_common_scale = !counts_each_alike(model_results.quantity);
+  double square = 0.0;
+  for (const double value : model_results.reference) square += value * value;
+  const double common = std::sqrt(square / static_cast<double>(model_results.reference.size()));
+  Values uncertainty;
+  for (const double value : model_results.reference)
+    uncertainty.push_back(stated_for(model_results.quantity) *
+                          (is_of_common_scale ? common : std::abs(value)));
+  return uncertainty;
+}
+
+// The values with errors of up to the stated uncertainty, the same in every run.
+Observation observed(const ModelResults& model_results, const Values& values) {
+  std::mt19937 generator(20180219);
+  std::uniform_real_distribution<double> error(-1.0, 1.0);
+  Observation observation{model_results.quantity, model_results.abscissa, values,
+                          stated_uncertainty(model_results)};
+  for (std::size_t i = 0; i < values.size(); ++i)
+    observation.values[i] += error(generator) * observation.uncertainty[i];
+  return observation;
+}
+
+bool claims(const std::string& name, Quantity quantity) {
+  const auto& all = studies::wrong_models();
+  const auto wrong_model = std::ranges::find(all, name, &studies::WrongModel::name);
+  return std::ranges::count(wrong_model->changes, quantity) > 0;
+}
+
+bool names(const Diagnosis& diagnosis, const std::string& name) {
+  return std::ranges::count(diagnosis.named, name) > 0;
+}
+
+Values wrong_values(const data::Case& problem, const char* name, Quantity quantity, const Values& abscissa) {
+  return studies::wrong_result(problem, name, quantity, abscissa).value();
+}
+
+double distance_from_truth(const data::Case& problem, const char* name, Quantity quantity) {
+  ModelResults alone;
+  alone.quantity = quantity;
+  alone.abscissa = abscissa_for(problem, quantity);
+  alone.reference = studies::reference_result(problem, quantity, alone.abscissa);
+  return studies::distance(alone, wrong_values(problem, name, quantity, alone.abscissa), alone.reference);
+}
+
+// What the modes beyond N add to y(L/2) at most, relative to its root mean square: A sum that leaves them out
+// claims to be right up to that.
+double omitted_displacement(const data::Case& problem, const ModelResults& model_results, std::size_t modes) {
+  const analytic::StickResponse response(problem.beam, problem.excitation, 120);
+  const double omega = 2.0 * std::numbers::pi * problem.excitation.frequency_hz();
+  const auto free = response.transient_displacement(0.5 * problem.beam.length());
+  double largest = 0.0;
+  for (std::size_t n = modes; n < free.size(); ++n)
+    largest += std::abs(free[n].amplitude) * (1.0 + free[n].angular_frequency / omega);
+  const Values zero(model_results.reference.size(), 0.0);
+  const Values uniform(model_results.reference.size(), largest);
+  return studies::distance(model_results, uniform, zero);
+}
+
+// --- the list
+
+TEST(WrongModels, HaveANameOfTheirOwnAMistakeAndAPlace) {
+  const auto& all = studies::wrong_models();
+  EXPECT_GE(all.size(), 40U);
+  std::set<std::string> names;
+  for (const auto& wrong_model : all) {
+    EXPECT_TRUE(names.insert(wrong_model.name).second) << wrong_model.name;
+    EXPECT_TRUE(std::ranges::all_of(wrong_model.name, [](char c) {
+      return std::islower(c) != 0 || c == '-';
+    })) << wrong_model.name;
+    EXPECT_FALSE(wrong_model.mistake.empty());
+    EXPECT_FALSE(wrong_model.mistake.ends_with('.')) << wrong_model.mistake;
+    EXPECT_FALSE(wrong_model.place.empty());
+    EXPECT_FALSE(wrong_model.changes.empty());
+    const std::set<Quantity> changes(wrong_model.changes.begin(), wrong_model.changes.end());
+    EXPECT_EQ(changes.size(), wrong_model.changes.size()) << wrong_model.name << " claims something twice";
+  }
+}
+
+TEST(WrongModels, AreRefusedUnderAnUnknownName) {
+  EXPECT_THROW(wrong_values(paper_case(0.1), "no-such-mistake", Quantity::stick_frequency, {1.0}),
+               std::invalid_argument);
+}
+
+class WrongModelsIn : public ::testing::TestWithParam<std::tuple<const char*, Quantity>> {
+ protected:
+  const Quantity quantity = std::get<Quantity>(GetParam());
+  const data::Case problem = case_for(std::get<const char*>(GetParam()), quantity);
+  const ModelResults model_results = model_results_of(problem, quantity);
+
+  // What a wrong model may differ by from the reference in a quantity that it does not claim to change.
+  [[nodiscard]] Tolerance allowed(const std::string& name) const {
+    if (quantity != Quantity::stick_displacement) return round_off(1.0, 1.0, 1.0);
+    const std::size_t modes = name == "three-modes" ? 3 : name == "five-modes" ? 5 : 60;
+    return discretisation(omitted_displacement(problem, model_results, modes), 1.0, "the modes left out");
+  }
+};
+
+TEST_P(WrongModelsIn, DifferWhereTheyClaimToAndAreRecognisedByIt) {
+  const double stated = stated_for(quantity);
+  ASSERT_LT(model_results.reference_uncertainty, 0.02);
+  const Diagnosis right = studies::diagnose(model_results, observed(model_results, model_results.reference));
+  EXPECT_EQ(right.finding, Finding::correct) << studies::sentence(right);
+  EXPECT_LE(right.from_reference, stated);
+
+  int claiming = 0, recognised = 0;
+  for (const ModelResults::Member& wrong_model : model_results.wrong_models) {
+    if (!claims(wrong_model.name, quantity)) {
+      EXPECT_TRUE(within(wrong_model.from_reference, 0.0, allowed(wrong_model.name))) << wrong_model.name;
+      continue;
+    }
+    EXPECT_GT(wrong_model.from_reference, model_results.reference_uncertainty + stated) << wrong_model.name;
+    if (!std::isfinite(wrong_model.from_reference)) continue;  // nobody can observe that
+    ++claiming;
+    const Diagnosis diagnosis = studies::diagnose(model_results, observed(model_results, wrong_model.values));
+    // The observation is at least from_truth - stated from the reference and at most stated from the wrong
+    // model.
+    if (wrong_model.from_reference - stated <=
+        std::max(diagnosis.required_ratio * stated, diagnosis.uncertainty))
+      continue;  // too close to the reference to be told
+    ++recognised;
+    EXPECT_EQ(diagnosis.finding, Finding::mistaken)
+        << wrong_model.name << ": " << studies::sentence(diagnosis);
+    EXPECT_TRUE(names(diagnosis, wrong_model.name))
+        << wrong_model.name << ": " << studies::sentence(diagnosis);
+  }
+  EXPECT_GE(recognised, 3);
+  EXPECT_GE(recognised, claiming - claiming / 10);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, WrongModelsIn,
+                         ::testing::Combine(::testing::Values("paper", "strip"),
+                                            ::testing::ValuesIn(studies::all_quantities)),
+                         [](const auto& instance) {
+                           std::string name(studies::name_of(std::get<Quantity>(instance.param)));
+                           std::ranges::replace_if(
+                               name, [](char c) { return c == ' ' || c == '-'; }, '_');
+                           return std::string(std::get<const char*>(instance.param)) + "_" + name;
+                         });
+
+// --- each mistake is the one that its name says
+
+data::Case with_excitation(data::Case problem, double hz, double amplitude) {
+  problem.excitation = data::HarmonicExcitation({.frequency_hz = hz, .amplitude = amplitude});
+  return problem;
+}
+
+double base_motion(const data::Case& problem, double t) {
+  return problem.excitation.amplitude() *
+         std::sin(2.0 * std::numbers::pi * problem.excitation.frequency_hz() * t);
+}
+
+// What 60 terms leave out of the steady force, and the free vibrations behind them, relative to the
+// reference.
+double truncation(const data::Case& problem, const ModelResults& model_results) {
+  const analytic::StickResponse exact(problem.beam, problem.excitation, 60, analytic::SteadyPart::exact);
+  const analytic::StickResponse sum(problem.beam, problem.excitation, 60);
+  const Values left_out(model_results.reference.size(),
+                        std::abs(exact.steady_force_amplitude() - sum.steady_force_amplitude()) +
+                            exact.omitted_transient_bound());
+  return studies::distance(model_results, left_out, Values(left_out.size(), 0.0));
+}
+
+TEST(WrongModel, SecondMomentAsPrintedHasTheFrequenciesOfTheErratum) {
+  const Values hz =
+      wrong_values(paper_case(0.1), "second-moment-as-printed", Quantity::stick_frequency, {1.0, 2.0, 3.0});
+  EXPECT_TRUE(within(hz[0], 1.607, reference(5e-4, "E1")));
+  EXPECT_TRUE(within(hz[1], 7.231, reference(5e-4, "E1")));
+  EXPECT_TRUE(within(hz[2], 16.03, reference(5e-3, "E1")));
+}
+
+TEST(WrongModel, SecondMomentOfTheOtherAxisIsAHundredfoldForTheFlatSectionAndNoneForASquare) {
+  data::BeamProperties properties = flat_properties(2.0, 500.0);
+  properties.second_moment_of_area *= 100.0;
+  data::Case upright = flat_case();
+  upright.beam = data::Beam(properties);
+  const Values modes{1.0, 2.0, 3.0};
+  const Values expected = studies::reference_result(upright, Quantity::stick_frequency, modes);
+  const Values computed =
+      wrong_values(flat_case(), "second-moment-of-other-axis", Quantity::stick_frequency, modes);
+  for (std::size_t i = 0; i < modes.size(); ++i)
+    EXPECT_TRUE(within(computed[i], expected[i], round_off(20, 2.0, expected[i])));
+  EXPECT_FALSE(studies::wrong_result(paper_case(0.1), "second-moment-of-other-axis",
+                                     Quantity::stick_frequency, modes));
+}
+
+TEST(WrongModel, ZeroInitialVelocityGrowsWithTheModesAsInTheErratum) {
+  const data::Case problem = with_excitation(paper_case(10.0), 15.0, 0.5e-3);
+  const auto largest = [&](int modes) {
+    return wrong_values(with_numerics(problem, 20, 1e-4, modes), "zero-initial-velocity",
+                        Quantity::force_maximum, {15.0})[0];
+  };
+  EXPECT_TRUE(within(largest(10), 201.0, reference(0.5, "E4")));
+  EXPECT_TRUE(within(largest(20), 393.0, reference(0.5, "E4")));
+}
+
+TEST(WrongModel, WithFiveModesIsTheResponseOfFiveModes) {
+  const data::Case problem = paper_case(0.3);
+  const Values times = abscissa_for(problem, Quantity::stick_force);
+  const analytic::StickResponse response(problem.beam, problem.excitation, 5);
+  const Values computed = wrong_values(problem, "five-modes", Quantity::stick_force, times);
+  const double largest = std::ranges::max(computed);
+  // 25 Hz lies 0.0011 from resonance, where two terms of opposite signs cancel to that share.
+  for (std::size_t i = 0; i < times.size(); ++i)
+    EXPECT_TRUE(within(computed[i], response.friction_force(times[i]), round_off(30, 1e3, largest)));
+}
+
+TEST(WrongModel, SteadyStateOnlyIsTheSteadyAmplitude) {
+  const data::Case problem = with_numerics(with_excitation(paper_case(0.025), 35.0, 0.5e-3), 20, 1e-3);
+  const analytic::StickResponse response(problem.beam, problem.excitation, 60);
+  const double amplitude = std::abs(response.steady_force_amplitude());
+  const double computed = wrong_values(problem, "steady-state-only", Quantity::force_maximum, {35.0})[0];
+  // The parabola through three samples around a peak of a sine, (Omega h)^2/8 below it at most, leaves the
+  // fourth-order term.
+  const double angle = 2.0 * std::numbers::pi * 35.0 * 1e-3;
+  EXPECT_TRUE(within(computed, amplitude,
+                     discretisation(amplitude * std::pow(angle, 4) / 24.0, 1.0, "(Omega h)^4/24")));
+}
+
+TEST(WrongModel, BaseLoadAndMovingWallAddUpToTheTruth) {
+  const data::Case problem = strip_case(0.3);
+  const ModelResults model_results = model_results_of(problem, Quantity::stick_force);
+  const auto values = [&](const char* name) {
+    return wrong_values(problem, name, Quantity::stick_force, model_results.abscissa);
+  };
+  const Values support = values("base-load-left-out"), load = values("wall-moves-with-base"),
+               reversed = values("base-load-sign");
+  Values sum, difference;
+  for (std::size_t i = 0; i < support.size(); ++i) {
+    sum.push_back(support[i] + load[i]);
+    difference.push_back(support[i] - load[i]);
+  }
+  EXPECT_TRUE(within(studies::distance(model_results, sum, model_results.reference), 0.0,
+                     discretisation(truncation(problem, model_results), 2.0, "sixty modes")));
+  EXPECT_TRUE(within(studies::distance(model_results, reversed, difference), 0.0, round_off(1e3, 10.0, 1.0)));
+}
+
+TEST(WrongModel, WithoutTheQuasiStaticPartLacksTheStaticForce) {
+  const data::Case problem = strip_case(0.3);
+  const ModelResults model_results = model_results_of(problem, Quantity::stick_force);
+  const analytic::QuasiStaticShape shape(problem.beam);
+  Values completed =
+      wrong_values(problem, "quasi-static-part-left-out", Quantity::stick_force, model_results.abscissa);
+  const double rigidity = problem.beam.youngs_modulus() * problem.beam.second_moment_of_area();
+  for (std::size_t i = 0; i < completed.size(); ++i)
+    completed[i] += rigidity * shape.third_derivative(problem.beam.length()) *
+                    base_motion(problem, model_results.abscissa[i]);
+  EXPECT_TRUE(within(studies::distance(model_results, completed, model_results.reference), 0.0,
+                     discretisation(truncation(problem, model_results), 2.0, "sixty modes")));
+}
+
+TEST(WrongModel, ParticipationWithoutShapeIsTheQuotientOfIntegrals) {
+  const data::Case problem = strip_case(0.3);
+  const Values computed =
+      wrong_values(problem, "participation-without-shape", Quantity::participation, {1.0, 2.0, 3.0});
+  const auto modes = analytic::stick_modes(problem.beam, 3);
+  constexpr int intervals = 2000;
+  const double step = problem.beam.length() / intervals;
+  for (std::size_t n = 0; n < modes.size(); ++n) {
+    double integral = 0.0;
+    for (int i = 0; i < intervals; ++i) integral += step * modes[n].shape((i + 0.5) * step);
+    const double expected = -integral / modes[n].norm_squared();
+    // Midpoint rule: h^2/24 (U'(L) - U'(0)).
+    const double error =
+        step * step / 24.0 * std::abs(modes[n].slope(problem.beam.length())) / modes[n].norm_squared();
+    EXPECT_TRUE(within(computed[n], expected, discretisation(error, 2.5, "h^2/24 U'(L)")));
+  }
+}
+
+TEST(WrongModel, OneWaveNumberIsNoneWithoutAxialForce) {
+  const data::Case problem = studies::with_value(strip_case(0.3), studies::Parameter::axial_force, 0.0);
+  const Values modes{1.0, 2.0, 3.0};
+  const Values right = studies::reference_result(problem, Quantity::stick_frequency, modes);
+  const Values computed = wrong_values(problem, "one-wave-number", Quantity::stick_frequency, modes);
+  for (std::size_t i = 0; i < modes.size(); ++i)
+    EXPECT_TRUE(within(computed[i], right[i], round_off(20, 1.0, right[i])));
+}
+
+TEST(WrongModel, DeadLoadHasTheReactionWithoutFollowerTerm) {
+  // By a mesh and by the closed form.
+  const data::Case problem = strip_case(0.3);
+  const ModelResults model_results = model_results_of(problem, Quantity::stick_force);
+  const auto values = [&](const char* name) {
+    return wrong_values(problem, name, Quantity::stick_force, model_results.abscissa);
+  };
+  const analytic::StickResponse response(problem.beam, problem.excitation, 60);
+  double drift = 0.0;
+  for (std::size_t n = 0; n < 60; ++n) {
+    const double error =
+        studies::hermite_eigenvalue_error(problem.beam, response.modes()[n], problem.beam.length() / 60);
+    const auto term = response.transient_force()[n];
+    drift += std::abs(term.amplitude) * std::min(2.0, 0.5 * error * term.angular_frequency * 0.3);
+  }
+  const double scale = studies::distance(model_results, Values(model_results.reference.size(), drift),
+                                         Values(model_results.reference.size(), 0.0));
+  EXPECT_TRUE(within(
+      studies::distance(model_results, values("dead-load"), values("reaction-without-follower-term")), 0.0,
+      discretisation(scale + truncation(problem, model_results), 1.0,
+                     "drift on 60 elements and sixty modes")));
+}
+
+TEST(WrongModel, LawsOfFrictionAgreeWithTheTruthForOneCoefficient) {
+  data::Case problem = case_for("paper", Quantity::tip_displacement);
+  problem.friction = data::FrictionLaw({.static_coefficient = 0.6, .kinetic_coefficient = 0.6, .decay = 1.0});
+  const ModelResults model_results = model_results_of(problem, Quantity::tip_displacement);
+  // A change of contact is late by up to a substep, and what follows with it.
+  const double late = 2.0 * std::numbers::pi * 25.0 * 1e-5;
+  for (const char* name : {"kinetic-friction-at-once", "velocity-in-millimetres", "decay-without-magnitude"})
+    EXPECT_TRUE(within(
+        std::ranges::find(model_results.wrong_models, name, &ModelResults::Member::name)->from_reference, 0.0,
+        discretisation(late + model_results.reference_uncertainty, 1.0, "Omega h")));
+  for (const char* name : {"one-friction-coefficient", "kinetic-coefficient-as-limit"})
+    EXPECT_TRUE(std::ranges::count(model_results.missing, name)) << name;
+}
+
+// The order in which what a wrong model gets wrong falls where step or element length is halved; `next_term`
+// is that of the coarse level relative to the leading one, and the fine one has at most half of it.
+::testing::AssertionResult order_is(double predicted, const char* name, Quantity quantity,
+                                    const data::Case& coarse, const data::Case& fine, double next_term) {
+  const double order =
+      std::log2(distance_from_truth(coarse, name, quantity) / distance_from_truth(fine, name, quantity));
+  return within(order, predicted,
+                discretisation(1.5 * next_term / std::numbers::ln2, 1.0, "next terms of two levels"));
+}
+
+TEST(WrongModel, OfTheTimeSteppingHaveTheOrdersOfTheirMistakes) {
+  const data::Case coarse = with_numerics(strip_case(0.3), 20, 8e-6, 3),
+                   fine = with_numerics(strip_case(0.3), 20, 4e-6, 3);
+  // The next power of h comes with the third frequency; dissipation at a spectral radius of 0 doubles it, and
+  // that wrong model takes ten times the step.
+  const double phase = analytic::stick_modes(coarse.beam, 3).back().angular_frequency() * 8e-6;
+  const auto quantity = Quantity::stick_displacement;
+  EXPECT_TRUE(order_is(1.0, "load-at-end-of-step", quantity, coarse, fine, phase));
+  EXPECT_TRUE(order_is(1.0, "alphas-interchanged", quantity, coarse, fine, phase));
+  EXPECT_TRUE(order_is(2.0, "strong-algorithmic-damping", quantity, coarse, fine, 20.0 * phase));
+}
+
+TEST(WrongModel, OfTheMeshHaveTheOrdersOfTheirMistakes) {
+  const data::Case coarse = with_numerics(strip_case(0.3), 16, 1e-4),
+                   fine = with_numerics(strip_case(0.3), 32, 1e-4);
+  // beta l of the third mode on 16 elements; the next power is the square of it, over ten or more.
+  const double beta_length = 3.25 * std::numbers::pi / 16.0;
+  const double next_term = beta_length * beta_length / 10.0;
+  EXPECT_TRUE(order_is(2.0, "lumped-mass", Quantity::stick_frequency, coarse, fine, next_term));
+  // The cubic has the force of the element's middle. At the held tip u'''' = -(rho A y_tt + P u'')/EI is
+  // zero, and with it the term of first order.
+  EXPECT_TRUE(order_is(2.0, "force-from-shape-functions", Quantity::stick_force, coarse, fine, next_term));
+  EXPECT_TRUE(order_is(2.0, "load-without-moments", Quantity::stick_displacement, coarse, fine, next_term));
+}
+
+// f at 0.5, 1, ... 10 ms of a run of the time stepper with its tip held.
+Values held_force(const data::Case& problem) {
+  solver::BeamSimulation run(problem.beam, problem.friction, problem.excitation, problem.numerics,
+                             {.contact = solver::TipContact::glued});
+  const long every = std::lround(0.5e-3 / problem.numerics.time_step());
+  Values force;
+  for (long n = 1; n <= 20 * every; ++n) {
+    run.step();
+    if (n % every == 0) force.push_back(run.friction_force());
+  }
+  return force;
+}
+
+double largest_difference(const Values& a, const Values& b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+TEST(WrongModel, OfFourElementsIsTheTimeStepperOnThatMesh) {
+  const data::Case problem = strip_case(0.3);
+  const Values coarse = held_force(with_numerics(problem, 4, 4e-6)),
+               fine = held_force(with_numerics(problem, 4, 2e-6));
+  const Values exact = wrong_values(problem, "four-elements", Quantity::stick_force, steps_to(10e-3, 20));
+  EXPECT_TRUE(within(largest_difference(fine, exact), 0.0,
+                     discretisation(largest_difference(coarse, fine) / 3.0, 2.0, "order 2 in the step")));
+}
+
+TEST(WrongModel, WithAMovingWallCarriesTheTipAlongUntilItSlips) {
+  const data::Case problem = case_for("paper", Quantity::tip_displacement);
+  const Values first = wrong_values(problem, "wall-moves-with-base", Quantity::contact_event, {1.0});
+  const Values times = steps_to(0.9 * first[0], 5);
+  const Values tip = wrong_values(problem, "wall-moves-with-base", Quantity::tip_displacement, times);
+  for (std::size_t i = 0; i < times.size(); ++i)
+    // Between two steps the tip is interpolated.
+    EXPECT_TRUE(within(tip[i], base_motion(problem, times[i]),
+                       discretisation(1e-3 * std::pow(2.0 * std::numbers::pi * 25.0 * 1e-4, 2) / 8.0, 2.0,
+                                      "A0 (Omega h)^2/8")));
+}
+
+// --- the diagnosis
+
+data::Case with_length(data::Case problem, double factor) {
+  return studies::with_value(problem, studies::Parameter::length, factor * problem.beam.length());
+}
+
+TEST(Diagnosis, BlamesNobodyForAMistakeThatIsNotOnTheList) {
+  for (const char* name : {"paper", "strip"})
+    for (const Quantity quantity :
+         {Quantity::stick_frequency, Quantity::slip_frequency, Quantity::participation,
+          Quantity::force_maximum, Quantity::stick_force, Quantity::stick_displacement}) {
+      const data::Case problem = case_for(name, quantity);
+      const ModelResults model_results = model_results_of(problem, quantity);
+      const data::Case too_long = with_length(problem, 1.04);
+      const data::Case too_soft = studies::with_value(problem, studies::Parameter::youngs_modulus,
+                                                      0.93 * problem.beam.youngs_modulus());
+      for (const data::Case& wrong : {too_long, too_soft}) {
+        const Diagnosis diagnosis = studies::diagnose(
+            model_results,
+            observed(model_results, studies::reference_result(wrong, quantity, model_results.abscissa)));
+        EXPECT_EQ(diagnosis.finding, Finding::unexplained)
+            << name << ", " << studies::name_of(quantity) << ": " << studies::sentence(diagnosis);
+        EXPECT_TRUE(diagnosis.named.empty());
+      }
+    }
+}
+
+TEST(Diagnosis, RanksTheNearestFirst) {
+  const ModelResults model_results = model_results_of(strip_case(0.5), Quantity::participation);
+  const Diagnosis diagnosis =
+      studies::diagnose(model_results, observed(model_results, model_results.wrong_models[1].values));
+  EXPECT_EQ(diagnosis.ranked.size(), model_results.wrong_models.size());
+  EXPECT_EQ(diagnosis.ranked.front().name, model_results.wrong_models[1].name);
+  EXPECT_TRUE(std::ranges::is_sorted(diagnosis.ranked, {}, &studies::Candidate::distance));
+}
+
+TEST(Diagnosis, NamesAMistakeByOneNumberOnlyIfFourDigitsAgree) {
+  const data::Case problem = case_for("paper", Quantity::force_maximum);
+  const ModelResults model_results = studies::model_results(problem, Quantity::force_maximum, {35.0});
+  const Values wrong = wrong_values(problem, "peak-to-peak-amplitude", Quantity::force_maximum, {35.0});
+  const auto diagnosis_of = [&](double value) {
+    return studies::diagnose(model_results, {Quantity::force_maximum, {35.0}, {value}, {1e-6}});
+  };
+  const Diagnosis exact = diagnosis_of(wrong[0]);
+  EXPECT_EQ(exact.finding, Finding::mistaken);
+  EXPECT_TRUE(names(exact, "peak-to-peak-amplitude"));
+  const auto count =
+      static_cast<double>(std::ranges::count_if(model_results.wrong_models, [&](const auto& wrong_model) {
+        return std::isfinite(wrong_model.from_reference) && wrong_model.from_reference > exact.uncertainty;
+      }));
+  EXPECT_TRUE(within(exact.dimension, 1.0, round_off(1e3, 1.0, 1.0)));
+  EXPECT_TRUE(within(exact.required_ratio, count / (0.01 * std::log(10.0)),
+                     round_off(1e4, 10.0, exact.required_ratio)));
+  EXPECT_EQ(diagnosis_of(1.002 * wrong[0]).finding, Finding::unexplained);
+}
+
+TEST(Diagnosis, NamesHardlyAnyUnrelatedErrorByAccident) {
+  // Deviations of random direction, of sizes over a decade: at most one in a hundred may be named.
+  const ModelResults model_results = model_results_of(strip_case(0.5), Quantity::force_maximum);
+  std::mt19937 generator(7);
+  std::normal_distribution<double> component;
+  std::uniform_real_distribution<double> exponent(-1.5, -0.5);
+  constexpr int draws = 5000;
+  int named = 0;
+  for (int draw = 0; draw < draws; ++draw) {
+    Values values = model_results.reference, direction;
+    double square = 0.0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      direction.push_back(component(generator));
+      square += direction.back() * direction.back();
+    }
+    const double size = std::pow(10.0, exponent(generator)) * std::sqrt(static_cast<double>(values.size()));
+    for (std::size_t i = 0; i < values.size(); ++i)
+      values[i] *= 1.0 + size * direction[i] / std::sqrt(square);
+    const Diagnosis diagnosis = studies::diagnose(
+        model_results,
+        {model_results.quantity, model_results.abscissa, values, stated_uncertainty(model_results)});
+    named += diagnosis.finding == Finding::mistaken ? 1 : 0;
+  }
+  EXPECT_LE(named, draws / 100);
+}
+
+TEST(Diagnosis, AddsTheUncertaintiesAndMeasuresTheDimensionByAngles) {
+  // Two deviations of length 0.5 at 60 degrees: n = 2^2/(1 + 1 + 2 cos^2 60).
+  ModelResults model_results;
+  model_results.quantity = Quantity::participation;
+  model_results.abscissa = {1.0, 2.0, 3.0};
+  model_results.reference = {1.0, 1.0, 1.0};
+  model_results.reference_uncertainty = 0.02;
+  model_results.wrong_models = {{"one", {1.5, 1.0, 1.0}, 0.5 / std::sqrt(3.0)},
+                                {"other", {1.25, 1.0 + std::sqrt(0.1875), 1.0}, 0.5 / std::sqrt(3.0)}};
+  const Diagnosis diagnosis = studies::diagnose(
+      model_results,
+      {model_results.quantity, model_results.abscissa, model_results.reference, {0.01, 0.01, 0.01}});
+  EXPECT_TRUE(within(diagnosis.uncertainty, 0.03, round_off(10, 1.0, 0.03)));
+  EXPECT_TRUE(within(diagnosis.dimension, 1.6, round_off(30, 1.0, 1.6)));
+  const double ratio = std::pow(2.0 / (0.01 * std::log(10.0)), 1.0 / 1.6);
+  EXPECT_TRUE(within(diagnosis.required_ratio, ratio, round_off(30, 5.0, ratio)));
+}
+
+TEST(Diagnosis, NamesThoseTogetherThatTheObservationCannotTellApart) {
+  const data::Case problem = strip_case(0.5);
+  ModelResults model_results = model_results_of(problem, Quantity::stick_force);
+  Observation observation{model_results.quantity, model_results.abscissa,
+                          wrong_values(problem, "dead-load", Quantity::stick_force, model_results.abscissa),
+                          stated_uncertainty(model_results)};
+  for (double& uncertainty : observation.uncertainty) uncertainty *= 50.0;
+  const Diagnosis diagnosis = studies::diagnose(model_results, observation);
+  ASSERT_EQ(diagnosis.finding, Finding::mistaken) << studies::sentence(diagnosis);
+  EXPECT_EQ(diagnosis.named.front(), "dead-load");
+  EXPECT_TRUE(names(diagnosis, "reaction-without-follower-term"));
+  EXPECT_FALSE(names(diagnosis, "follower-term-sign"));
+  const std::string text = studies::sentence(diagnosis);
+  EXPECT_NE(text.find("like 'dead-load' (P keeps its direction"), std::string::npos) << text;
+  EXPECT_NE(text.find("it could as well be 'reaction-without-follower-term'"), std::string::npos) << text;
+}
+
+TEST(Diagnosis, SaysWhichMistakesACorrectResultIsTooUncertainToExclude) {
+  const data::Case problem = paper_case(0.5);
+  const ModelResults model_results = studies::model_results(problem, Quantity::stick_frequency, {1.0, 2.0});
+  Observation observation{model_results.quantity, model_results.abscissa, model_results.reference, {}};
+  for (const double hz : model_results.reference) observation.uncertainty.push_back(0.005 * hz);
+  const Diagnosis diagnosis = studies::diagnose(model_results, observation);
+  EXPECT_EQ(diagnosis.finding, Finding::correct);
+  EXPECT_TRUE(names(diagnosis, "axial-force-left-out"));
+  EXPECT_FALSE(names(diagnosis, "tip-clamped-in-stick"));
+  EXPECT_TRUE(studies::sentence(diagnosis).starts_with("correct: 0 % from the reference"))
+      << studies::sentence(diagnosis);
+}
+
+TEST(Diagnosis, NamesNobodyWhereTheTruthIsNotKnown) {
+  ModelResults model_results = model_results_of(strip_case(0.5), Quantity::participation);
+  model_results.reference_uncertainty = std::numeric_limits<double>::infinity();
+  const Diagnosis diagnosis =
+      studies::diagnose(model_results, observed(model_results, model_results.reference));
+  EXPECT_EQ(diagnosis.finding, Finding::undecided);
+  EXPECT_TRUE(diagnosis.named.empty());
+}
+
+TEST(Diagnosis, RefusesWhatItCannotCompare) {
+  const ModelResults model_results =
+      studies::model_results(paper_case(0.5), Quantity::stick_frequency, {1.0, 2.0});
+  const auto refuses = [&](const Observation& observation) {
+    EXPECT_THROW((void)studies::diagnose(model_results, observation), std::invalid_argument);
+  };
+  const Quantity quantity = Quantity::stick_frequency;
+  refuses({Quantity::slip_frequency, {1.0, 2.0}, {25.0, 81.0}, {0.1, 0.1}});
+  refuses({quantity, {1.0, 3.0}, {25.0, 81.0}, {0.1, 0.1}});
+  refuses({quantity, {1.0, 2.0}, {25.0}, {0.1, 0.1}});
+  refuses({quantity, {1.0, 2.0}, {25.0, 81.0}, {0.1}});
+  refuses({quantity, {1.0, 2.0}, {25.0, std::nan("")}, {0.1, 0.1}});
+  refuses({quantity, {1.0, 2.0}, {25.0, 81.0}, {0.1, -0.1}});
+}
+
+TEST(ReferenceResultsOf, RefusesAnAbscissaThatTheQuantityDoesNotHave) {
+  const data::Case problem = paper_case(0.05);
+  const auto refuses = [&](Quantity quantity, const Values& abscissa) {
+    EXPECT_THROW((void)studies::model_results(problem, quantity, abscissa), std::invalid_argument)
+        << studies::name_of(quantity);
+  };
+  refuses(Quantity::stick_frequency, {});
+  refuses(Quantity::stick_frequency, {0.0});
+  refuses(Quantity::slip_frequency, {1.5});
+  refuses(Quantity::participation, {1001.0});
+  refuses(Quantity::quasi_static_shape, {2.1});
+  refuses(Quantity::force_maximum, {0.0});
+  refuses(Quantity::stick_force, {-1e-3});
+  refuses(Quantity::contact_event, {1.0});            // sticks for that long
+  refuses(Quantity::tip_displacement, {0.01, 0.02});  // and does not move
+}
+
+TEST(ReferenceResultsOf, HasTheTruthOfBothImplementations) {
+  const data::Case held = case_for("strip", Quantity::critical_amplitude);
+  const data::HarmonicExcitation at_35({.frequency_hz = 35.0, .amplitude = 1.0});
+  const auto criterion = analytic::evaluate_criterion(
+      held.beam, held.friction, at_35, held.numerics.duration(), 60, analytic::SteadyPart::exact);
+  const double critical = criterion.critical_amplitude.midpoint();
+  // The bounds of |f|_max are asked for to 1e-6.
+  EXPECT_TRUE(within(studies::reference_result(held, Quantity::critical_amplitude, {35.0})[0], critical,
+                     discretisation(1e-6 * critical, 1.0, "width of the bounds")));
+
+  const data::Case sliding = case_for("strip", Quantity::contact_event);
+  const double first = solver::first_slip(sliding.beam, sliding.friction, sliding.excitation,
+                                          sliding.numerics, sliding.damping)
+                           .value();
+  EXPECT_TRUE(within(studies::reference_result(sliding, Quantity::contact_event, {1.0})[0], first,
+                     round_off(1e4, 10.0, first)));
+}
+
+TEST(ReferenceResultsOf, RefusesTheHeldMotionOfADampedBeam) {
+  data::Case problem = paper_case(0.05);
+  problem.damping = data::Damping({.ratio = 0.01});
+  EXPECT_THROW((void)studies::model_results(problem, Quantity::stick_force, {0.01}), std::invalid_argument);
+  EXPECT_NO_THROW((void)studies::model_results(problem, Quantity::stick_frequency, {1.0}));
+}
+
+}  // namespace
+}  // namespace stickslip::testing

@@ -1,0 +1,538 @@
+/// The reader of the published reference data: what it returns, and that a package with any defect is refused
+/// in one sentence that names file, line and column.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "stickslip/data/case_file.hpp"
+#include "stickslip/data/reference.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+using nlohmann::json;
+
+const std::filesystem::path fixture(std::filesystem::path(STICKSLIP_SOURCE_DIRECTORY) /
+                                    "verification/tests/golden/reference");
+
+// A package of two resources, a history and its events, that a test spoils.
+json valid_package() {
+  return json::parse(R"({
+ "name": "small", "title": "Small", "description": "For a test", "version": "1.0.0", "licenses": [{"name": "MIT"}],
+ "resources": [
+  {"name": "history", "path": "history.csv", "format": "csv", "encoding": "utf-8", "profile": "tabular-data-resource",
+   "title": "A history", "description": "Of a tip",
+   "schema": {"fields": [{"name": "t", "type": "number", "unit": "s"},
+                         {"name": "phase", "type": "string", "constraints": {"required": true}},
+                         {"name": "y", "type": "number", "unit": "m", "class": "converged"},
+                         {"name": "y_radius", "type": "number", "unit": "m"}],
+              "primaryKey": ["t"]},
+   "comparison": {"kind": "phases", "values": [{"field": "y", "norm": "scale", "tolerance": 1e-3}], "abscissa": "t",
+                  "interpolation": {"order": 3, "error": {"y": 1e-9}}, "events": "events", "horizon": 0.4},
+   "diagnosis": {"quantity": "tip displacement", "case": "damped", "abscissa": "t", "value": "y"},
+   "provenance": {"class": "converged", "method": "by hand", "settings": {"modes": 3}, "software": "none",
+                  "checks": ["looked at"]}},
+  {"name": "events", "path": "events.csv", "title": "Events", "description": "Of the history",
+   "schema": {"fields": [{"name": "index", "type": "integer"}, {"name": "change", "type": "string"},
+                         {"name": "time", "type": "number", "unit": "s", "class": "exact"}],
+              "primaryKey": "index"},
+   "comparison": {"kind": "events", "values": [{"field": "time", "norm": "absolute", "tolerance": 1e-6}]},
+   "provenance": {"class": "exact", "method": "by hand", "settings": {}, "software": "none", "checks": ["looked at"]}}
+ ]})");
+}
+
+const std::string valid_history = "t,phase,y,y_radius\n0,stick,0,1e-9\n0.1,stick,1e-3,1e-9\n0.2,slip,,\n";
+const std::string valid_events = "index,change,time\n1,onset,0.15\n2,capture,0.25\n";
+
+// FIPS 180-4, by another program.
+constexpr const char* history_digest = "de909ee5ca04e29fcb804619937393d0b8c460b858250d1d59d68f38a9175d0e";
+constexpr const char* events_digest = "7c166cea6316dda398d3414823a7a0aec171f215f74593818eea2c2a61a697ab";
+
+class ReferenceReader : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::filesystem::create_directory(folder_);
+    write("history.csv", valid_history);
+    write("events.csv", valid_events);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+  }
+
+  // Writes the package with the sizes and the digests of the valid tables.
+  void write_package(json package) const {
+    const auto sign = [&](std::size_t i, std::size_t bytes, const std::string& digest) {
+      if (!package.contains("resources") || package["resources"].size() <= i) return;
+      package["resources"][i]["bytes"] = bytes;
+      package["resources"][i]["hash"] = "sha256:" + digest;
+    };
+    sign(0, valid_history.size(), history_digest);
+    sign(1, valid_events.size(), events_digest);
+    write("datapackage.json", package.dump(1));
+  }
+
+  // The sentence that refuses the package or one of its tables, without the folder, or "accepted".
+  [[nodiscard]] std::string refusal(const std::string& table = "") const {
+    try {
+      const auto package = data::load_reference(folder_);
+      if (!table.empty()) static_cast<void>(data::read_table(package, table));
+    } catch (const data::InputError& error) {
+      std::string sentence = error.what();
+      const std::string prefix = folder_.string() + "/";
+      if (const auto at = sentence.find(prefix); at != std::string::npos) sentence.erase(at, prefix.size());
+      EXPECT_EQ(std::ranges::count(sentence, '\n'), 0) << sentence;
+      return sentence;
+    }
+    return "accepted";
+  }
+
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+
+ private:
+  std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() / ("stickslip-reference-" + std::to_string(::getpid()));
+};
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST_F(ReferenceReader, ReturnsWhatAPackageSays) {
+  write_package(valid_package());
+  const auto package = data::load_reference(folder());
+  EXPECT_EQ(package.name, "small");
+  EXPECT_EQ(package.title, "Small");
+  EXPECT_EQ(package.description, "For a test");
+  EXPECT_EQ(package.version, "1.0.0");
+  ASSERT_EQ(package.resources.size(), 2u);
+  const data::Resource& history = package.resource("history");
+  EXPECT_EQ(history.title, "A history");
+  EXPECT_EQ(history.description, "Of a tip");
+  ASSERT_EQ(history.fields.size(), 4u);
+  EXPECT_EQ(history.field("y")->unit, "m");
+  EXPECT_EQ(history.field("y")->value_class, data::ValueClass::converged);
+  EXPECT_FALSE(history.field("y_radius")->value_class.has_value());
+  EXPECT_EQ(history.field("phase")->type, data::FieldType::string);
+  EXPECT_TRUE(history.field("phase")->required);
+  EXPECT_FALSE(history.field("y")->required);
+  EXPECT_EQ(history.field("z"), nullptr);
+  EXPECT_EQ(history.primary_key, std::vector<std::string>{"t"});
+  const auto& rule = history.comparison.value();
+  EXPECT_EQ(rule.kind, data::ComparisonKind::phases);
+  ASSERT_EQ(rule.values.size(), 1u);
+  EXPECT_EQ(rule.values[0].field, "y");
+  EXPECT_EQ(rule.values[0].norm, data::Norm::scale);
+  EXPECT_EQ(rule.values[0].tolerance, 1e-3);
+  EXPECT_EQ(rule.abscissa, "t");
+  EXPECT_EQ(rule.interpolation.value().order, 3);
+  EXPECT_EQ(rule.interpolation.value().error.at("y"), 1e-9);
+  EXPECT_EQ(rule.events, "events");
+  EXPECT_EQ(rule.horizon, 0.4);
+  EXPECT_EQ(history.diagnosis.value().quantity, "tip displacement");
+  EXPECT_EQ(history.diagnosis.value().case_name, "damped");
+  EXPECT_EQ(history.diagnosis.value().case_column, "");
+  EXPECT_EQ(history.provenance.value_class, data::ValueClass::converged);
+  EXPECT_EQ(history.provenance.method, "by hand");
+  EXPECT_EQ(history.provenance.settings, R"({"modes":3})");
+  EXPECT_EQ(history.provenance.software, "none");
+  EXPECT_EQ(history.provenance.checks, std::vector<std::string>{"looked at"});
+  EXPECT_EQ(package.resource("events").primary_key, std::vector<std::string>{"index"});
+  EXPECT_FALSE(package.resource("events").diagnosis.has_value());
+}
+
+TEST_F(ReferenceReader, KeepsEveryDigitAndTheNearestDouble) {
+  const auto table = data::read_table(data::load_reference(fixture), "stick-frequencies");
+  ASSERT_EQ(table.rows(), 12u);
+  const auto& frequency = table.column("frequency");
+  EXPECT_EQ(frequency.text[0], "24.9719580926706706070503365542");
+  EXPECT_EQ(frequency.values[0], 24.9719580926706706070503365542);
+  EXPECT_EQ(table.column("beam").text[11], "paper-half-stiffness");
+  EXPECT_TRUE(std::isnan(table.column("beam").values[0]));
+  EXPECT_EQ(table.radius_of("frequency")[2], 1e-26);
+  EXPECT_EQ(table.radius_of("mode"), std::vector<double>(12, 0.0));
+  EXPECT_THROW(static_cast<void>(table.column("none")), std::out_of_range);
+}
+
+TEST_F(ReferenceReader, TakesAnEmptyCellForNoValue) {
+  write_package(valid_package());
+  const auto table = data::read_table(data::load_reference(folder()), "history");
+  ASSERT_EQ(table.rows(), 3u);
+  EXPECT_EQ(table.csv, valid_history);
+  EXPECT_EQ(table.column("y").values[1], 1e-3);
+  EXPECT_TRUE(std::isnan(table.column("y").values[2]));
+  EXPECT_TRUE(std::isnan(table.radius_of("y")[2]));
+  EXPECT_EQ(table.radius_of("t")[2], 0.0);
+}
+
+TEST_F(ReferenceReader, NamesTheNearestDataSet) {
+  write_package(valid_package());
+  EXPECT_EQ(refusal("histroy"),
+            "the data set histroy is unknown (did you mean history?), but must be one of history, events");
+}
+
+TEST_F(ReferenceReader, NamesLineAndColumnOfADefect) {
+  write("datapackage.json", "{\n \"name\": \"small\",\n   \"title\": 3\n}\n");
+  EXPECT_EQ(refusal(), "datapackage.json:3:4: title is 3, but must be a string that is not empty");
+  write("datapackage.json", "{\n \"name\": \"small\",\n   \"name\": \"twice\"\n}\n");
+  EXPECT_EQ(refusal(), "datapackage.json:3:4: the key name stands twice");
+  write("datapackage.json", "{\n \"name\": \"small\",\n  oops\n}\n");
+  EXPECT_TRUE(refusal().starts_with("datapackage.json:3:3: is not valid JSON here")) << refusal();
+  write("datapackage.json", "{\n \"name\": \"small\"");
+  EXPECT_TRUE(refusal().starts_with("datapackage.json:2:17: is not valid JSON here")) << refusal();
+  write("datapackage.json", "[]");
+  EXPECT_EQ(refusal(), "datapackage.json:1:1: the package is an array, but must be an object");
+  std::filesystem::remove(folder() / "datapackage.json");
+  EXPECT_EQ(refusal(), "datapackage.json: cannot be opened for reading");
+}
+
+// What is done to the package, and a part of the sentence that refuses it.
+struct Defect {
+  std::string name;
+  std::function<void(json&)> spoil;
+  std::string part;
+};
+
+// The first resource is the history.
+json& history_of(json& package) { return package["resources"][0]; }
+json& fields_of(json& package) { return history_of(package)["schema"]["fields"]; }
+json& rule_of(json& package) { return history_of(package)["comparison"]; }
+
+std::vector<Defect> defects() {
+  std::vector<Defect> list;
+  const auto add = [&](const std::string& name, const std::function<void(json&)>& spoil,
+                       const std::string& part) {
+    list.push_back({name, spoil, part});
+  };
+  for (const char* key : {"name", "title", "description", "version", "licenses", "resources"})
+    add(
+        std::string("without_") + key, [key](json& p) { p.erase(key); },
+        std::string("the package lacks ") + key);
+  for (const char* key : {"name", "path", "title", "description", "schema", "provenance"})
+    add(
+        std::string("resource_without_") + key, [key](json& p) { history_of(p).erase(key); },
+        std::string("resources/0 lacks ") + key);
+  for (const char* key : {"class", "method", "settings", "software", "checks"})
+    add(
+        std::string("provenance_without_") + key, [key](json& p) { history_of(p)["provenance"].erase(key); },
+        std::string("resources/0/provenance lacks ") + key);
+  for (const char* key : {"kind", "values", "abscissa", "events"})
+    add(
+        std::string("comparison_without_") + key, [key](json& p) { rule_of(p).erase(key); },
+        std::string("resources/0/comparison lacks ") + key);
+  for (const char* key : {"field", "norm", "tolerance"})
+    add(
+        std::string("value_without_") + key, [key](json& p) { rule_of(p)["values"][0].erase(key); },
+        std::string("resources/0/comparison/values/0 lacks ") + key);
+  for (const char* key : {"quantity", "case", "abscissa", "value"})
+    add(
+        std::string("diagnosis_without_") + key, [key](json& p) { history_of(p)["diagnosis"].erase(key); },
+        std::string("resources/0/diagnosis lacks ") + key);
+  add(
+      "no_licence", [](json& p) { p["licenses"] = json::array(); },
+      "licenses is an array, but must be an array that");
+  add(
+      "no_resource", [](json& p) { p["resources"] = json::array(); },
+      "resources is an array, but must be an array");
+  add(
+      "name_twice", [](json& p) { p["resources"][1]["name"] = "history"; },
+      "resources/1/name stands twice: history");
+  add(
+      "path_outside", [](json& p) { history_of(p)["path"] = "../history.csv"; },
+      "path is \"../history.csv\", but must be a path inside");
+  add(
+      "path_absolute", [](json& p) { history_of(p)["path"] = "/etc/passwd"; }, "but must be a path inside");
+  add(
+      "other_format", [](json& p) { history_of(p)["format"] = "xlsx"; }, "\"xlsx\", but must be one of csv");
+  add(
+      "other_encoding", [](json& p) { history_of(p)["encoding"] = "latin1"; }, "but must be one of utf-8");
+  add(
+      "other_profile", [](json& p) { history_of(p)["profile"] = "data-resource"; }, "tabular-data-resource");
+  add(
+      "no_fields", [](json& p) { fields_of(p) = json::array(); }, "an array of fields that is not empty");
+  add(
+      "field_twice", [](json& p) { fields_of(p)[2]["name"] = "t"; }, "schema/fields/2/name stands twice: t");
+  add(
+      "unknown_type", [](json& p) { fields_of(p)[0]["type"] = "float"; },
+      "\"float\", but must be one of string, integer, number");
+  add(
+      "type_is_no_word", [](json& p) { fields_of(p)[0]["type"] = 7; }, "type is 7, but must be one of");
+  add(
+      "unknown_class", [](json& p) { fields_of(p)[2]["class"] = "good"; },
+      "\"good\", but must be one of enclosed, exact, converged, external");
+  add(
+      "class_of_words", [](json& p) { fields_of(p)[1]["class"] = "exact"; }, "has a class, but holds words");
+  add(
+      "required_is_no_flag", [](json& p) { fields_of(p)[1]["constraints"]["required"] = 1; },
+      "required is 1, but must be true or false");
+  for (const char* known : {"converged", "enclosed"})
+    add(
+        std::string(known) + "_without_radius",
+        [known](json& p) {
+          fields_of(p)[2]["class"] = known;
+          fields_of(p)[3]["name"] = "radius";
+        },
+        std::string("resources/0/schema/fields/2 is ") + known + ", but the schema lacks y_radius");
+  add(
+      "radius_of_nothing",
+      [](json& p) {
+        fields_of(p)[2].erase("class");
+        fields_of(p)[3]["name"] = "z_radius";
+      },
+      "is the radius of no field: z_radius");
+  add(
+      "radius_in_another_unit", [](json& p) { fields_of(p)[3]["unit"] = "mm"; },
+      "has the unit 'mm', but must have that of y, 'm'");
+  add(
+      "unknown_key", [](json& p) { history_of(p)["schema"]["primaryKey"] = {"tt"}; },
+      "primaryKey/0 is \"tt\", but must be a field of the schema: t, phase, y, y_radius");
+  add(
+      "unknown_kind", [](json& p) { rule_of(p)["kind"] = "list"; }, "one of table, curve, events, phases");
+  add(
+      "no_values", [](json& p) { rule_of(p)["values"] = json::array(); },
+      "values is an array, but must be an array");
+  add(
+      "unknown_value", [](json& p) { rule_of(p)["values"][0]["field"] = "y_radiu"; },
+      "a field of the schema (did you mean y_radius?)");
+  add(
+      "value_of_words", [](json& p) { rule_of(p)["values"][0]["field"] = "phase"; },
+      "but must be a field of numbers");
+  add(
+      "unknown_norm", [](json& p) { rule_of(p)["values"][0]["norm"] = "l2"; },
+      "one of relative, scale, absolute, range");
+  add(
+      "negative_tolerance", [](json& p) { rule_of(p)["values"][0]["tolerance"] = -1; },
+      "tolerance is -1, but must be a number that is not negative");
+  add(
+      "tolerance_is_no_number", [](json& p) { rule_of(p)["values"][0]["tolerance"] = "1e-3"; },
+      "must be a number");
+  add(
+      "unknown_abscissa", [](json& p) { rule_of(p)["abscissa"] = "time"; }, "a field of the schema");
+  add(
+      "order_of_0", [](json& p) { rule_of(p)["interpolation"]["order"] = 0; },
+      "order is 0, but must be an integer from 1");
+  add(
+      "order_of_10", [](json& p) { rule_of(p)["interpolation"]["order"] = 10; }, "an integer from 1 to 9");
+  add(
+      "order_is_no_integer", [](json& p) { rule_of(p)["interpolation"]["order"] = 2.5; },
+      "2.5, but must be an integer");
+  add(
+      "error_of_unknown_field", [](json& p) { rule_of(p)["interpolation"]["error"]["y_radiu"] = 1.0; },
+      "is of no field of the schema (did you mean y_radius?)");
+  add(
+      "error_missing", [](json& p) { rule_of(p)["interpolation"]["error"].erase("y"); },
+      "lacks y, which is compared");
+  add(
+      "negative_error", [](json& p) { rule_of(p)["interpolation"]["error"]["y"] = -1e-9; },
+      "that is not negative");
+  add(
+      "horizon_of_0", [](json& p) { rule_of(p)["horizon"] = 0; },
+      "horizon is 0, but must be a number above 0");
+  add(
+      "events_of_no_resource", [](json& p) { rule_of(p)["events"] = "changes"; },
+      "a resource of the kind events");
+  add(
+      "events_of_another_kind", [](json& p) { rule_of(p)["events"] = "history"; },
+      "a resource of the kind events");
+  add(
+      "phases_without_phase", [](json& p) { fields_of(p)[1]["name"] = "state"; },
+      "the schema lacks the field phase");
+  add(
+      "events_without_change", [](json& p) { p["resources"][1]["schema"]["fields"][1]["name"] = "kind"; },
+      "is of the kind events, but the schema lacks the field change");
+  add(
+      "table_without_key",
+      [](json& p) {
+        rule_of(p)["kind"] = "table";
+        history_of(p)["schema"].erase("primaryKey");
+      },
+      "is of the kind table, but the schema lacks a primaryKey");
+  add(
+      "case_in_unknown_column",
+      [](json& p) {
+        history_of(p)["diagnosis"]["case"] = {{"column", "beam"}};
+      },
+      "case/column is \"beam\", but must be a field of the schema");
+  add(
+      "settings_are_no_object", [](json& p) { history_of(p)["provenance"]["settings"] = "none"; },
+      "settings is \"none\", but must be an object");
+  add(
+      "no_checks", [](json& p) { history_of(p)["provenance"]["checks"] = json::array(); },
+      "checks is an array, but");
+  add(
+      "empty_method", [](json& p) { history_of(p)["provenance"]["method"] = ""; },
+      "method is \"\", but must be a string");
+  return list;
+}
+
+TEST_F(ReferenceReader, RefusesEveryDefectOfAPackageAtItsPlace) {
+  write_package(valid_package());
+  ASSERT_EQ(refusal("history"), "accepted");
+  ASSERT_EQ(refusal("events"), "accepted");
+  for (const Defect& defect : defects()) {
+    json package = valid_package();
+    defect.spoil(package);
+    write_package(package);
+    const std::string sentence = refusal();
+    EXPECT_TRUE(contains(sentence, defect.part)) << defect.name << ": " << sentence;
+    // File, line and column.
+    EXPECT_TRUE(sentence.starts_with("datapackage.json:")) << sentence;
+    int line = 0, column = 0;
+    EXPECT_EQ(std::sscanf(sentence.c_str(), "datapackage.json:%d:%d: ", &line, &column), 2) << sentence;
+  }
+}
+
+TEST_F(ReferenceReader, RefusesDigestsAndSizesThatAreNone) {
+  const auto with = [&](const std::string& key, const json& value) {
+    write_package(valid_package());
+    json package = json::parse(std::ifstream(folder() / "datapackage.json"));
+    package["resources"][0][key] = value;
+    write("datapackage.json", package.dump(1));
+    return refusal("history");
+  };
+  for (const char* hash : {"sha256:12", "md5:0", "", "sha256:"})
+    EXPECT_TRUE(contains(with("hash", hash), "hash is \"")) << with("hash", hash);
+  EXPECT_TRUE(contains(with("hash", std::string("sha256:") + std::string(64, 'g')), "64 hexadecimal digits"));
+  EXPECT_TRUE(contains(with("bytes", 0), "bytes is 0, but must be an integer above 0"));
+  EXPECT_TRUE(contains(with("bytes", "12"), "bytes is \"12\", but must be an integer"));
+  EXPECT_TRUE(contains(with("bytes", 7), "history.csv: its size is")) << with("bytes", 7);
+  EXPECT_TRUE(contains(with("hash", std::string("sha256:") + std::string(64, '0')), "its SHA-256 digest is"));
+}
+
+TEST_F(ReferenceReader, NoticesASingleAlteredByte) {
+  std::string altered = valid_history;
+  altered[altered.size() - 12] = '2';
+  write_package(valid_package());
+  write("history.csv", altered);
+  const std::string sentence = refusal("history");
+  EXPECT_TRUE(sentence.starts_with("history.csv: its SHA-256 digest is ")) << sentence;
+  EXPECT_TRUE(contains(sentence, history_digest)) << sentence;
+  std::filesystem::remove(folder() / "history.csv");
+  EXPECT_EQ(refusal("history"), "history.csv: cannot be opened for reading");
+}
+
+// A package of one table of numbers, with the digest that another program says.
+json package_of(const std::string& csv, const std::string& digest, const std::vector<std::string>& columns) {
+  json package = valid_package();
+  package["resources"].erase(1);
+  json& resource = history_of(package);
+  resource["bytes"] = csv.size();
+  resource["hash"] = "sha256:" + digest;
+  resource["schema"] = {{"fields", json::array()}};
+  for (const std::string& name : columns)
+    resource["schema"]["fields"].push_back({{"name", name}, {"type", "number"}});
+  resource.erase("comparison");
+  resource.erase("diagnosis");
+  return package;
+}
+
+TEST_F(ReferenceReader, DigestsTablesOfEveryLengthAroundABlock) {
+  // FIPS 180-4 pads to blocks of 64 bytes, with 9 bytes at least; digests by sha256sum.
+  const std::vector<std::pair<std::size_t, std::string>> digests{
+      {55, "72a9cffcf46298112e9b2e1e021fe167177f58a97de9d49576152218fa420684"},
+      {56, "802ad96f4563699c6a0375f6b7a2606a92d49b5e87792a9bf92cf37000c36d36"},
+      {63, "04632980fa93e8ff26fe911a4737a772b4787907c2133ee57d974a3c4e15bdd8"},
+      {64, "fde5409d4ec059465bc9762eb344c7bca551cd68246826edbdb9d8aeb690d80b"},
+      {65, "5774ada0b4e783eff724d508e41683249e0005291060027d8566df2c6c6cfba8"},
+      {119, "aeb40016eab1019f9c605b19b6add48e6dfc996a0b4385b2f2a0bcb7ad7fb780"},
+      {120, "19ea94cd6167a49365c436f706e196576b0cee886c3838320ab9e924af282b02"},
+      {128, "96cd2c0aa98c04c8ae3084278ff65211f424938af337b4ddf9ddde3e8f6f536c"},
+  };
+  for (const auto& [size, digest] : digests) {
+    std::string csv = "x\n0.";
+    csv += std::string(size - csv.size() - 1, '1') + "\n";
+    write("history.csv", csv);
+    write("datapackage.json", package_of(csv, digest, {"x"}).dump());
+    EXPECT_EQ(refusal("history"), "accepted") << size;
+  }
+}
+
+TEST_F(ReferenceReader, RefusesEveryDefectOfATableAtItsPlace) {
+  struct Table {
+    std::string csv, digest, sentence;
+  };
+  const std::vector<Table> tables{
+      {"t,phase,y\n0,stick,0\n", "8f3de1d5a674da074c9a1cf219afef659f1081b6ad42f4a26622e0de9c60a162",
+       "1: the column y_radius of the schema is missing"},
+      {"t,phase,yy,y_radius\n0,stick,0,0\n",
+       "3ed3e0519462675b07a55a53425dc0388e5a61d3e3f889b6017f6de839983193",
+       "1, column 3 (y): 'yy' is the name of the column, but must be y as in the schema"},
+      {"t,phase,y,y_radius\n", "6e88325a028eb9352b668ddea29195cce9d92560975c880673ea080ffa86fe2d",
+       "1: the table has no rows"},
+      {"t,phase,y,y_radius\n0,stick,0,1e-9\n0.1,stick,0\n",
+       "de26ae500c8e5f6884c29b4c90766ab32087ddb4db7c5ee1f22e5f29e15753ae",
+       "3: the line has 3 cells, but must have 4"},
+      {"t,phase,y,y_radius\n0,stick,0,1e-9,\n",
+       "225ebd41b29bf165cf1f792e9a6aee7411613e5a73ab0169a568f24c0cdd9e46",
+       "2: the line has 5 cells, but must have 4"},
+      {"t,phase,y,y_radius\n0,stick,0,1e-9\n\n",
+       "b795a19e66642caa7570297141ea44d47b105413b791976a6519311331b07722",
+       "3: the line has 1 cells, but must have 4"},
+      {"t,phase,y,y_radius\n0,stick,1.0x,1e-9\n",
+       "5622ed0d6978f08f17adf68922a565e610453933f8ed980c1e078485bd89e692",
+       "2, column 3 (y): '1.0x' must be a finite number"},
+      {"t,phase,y,y_radius\n0,stick,nan,1e-9\n",
+       "2e0b3b49524bedc43ddb72c559f1bb151473c378b4e880fdbb20afd1440ca591",
+       "2, column 3 (y): 'nan' must be a finite number"},
+      {"t,phase,y,y_radius\n0,stick,inf,1e-9\n",
+       "e4bfacd810fff2c9241dbdf46d95e9f7179eb39c6ab6bf53e5036d372d6f3655",
+       "2, column 3 (y): 'inf' must be a finite number"},
+      {"t,phase,y,y_radius\n0,stick,1e999,1e-9\n",
+       "d6a9cf9fbe19a02db6082658a4d8f5eb3f36703319f43badbe4ce9a2abe73c7d",
+       "2, column 3 (y): '1e999' must be a finite number"},
+      {"t,phase,y,y_radius\n0,stick,0,-1e-9\n",
+       "22e43ef3b6050347f63cc0a27d7ddedb0c0910de3a4eef1deb4d2caf437c8211",
+       "2, column 4 (y_radius): '-1e-9' must not be negative"},
+      {"t,phase,y,y_radius\n0,stick,0,nan\n",
+       "48b5361b00a36cd0414140181ed0f5c907c280e18f530add13505faaf79978e9",
+       "2, column 4 (y_radius): 'nan' must be a finite number"},
+      {"t,phase,y,y_radius\n0,stick,0,\n", "dd347b080895c0f319980f6da16d82b538af1f5b6b538e6e698dc5ce607ff77f",
+       "2, column 4 (y_radius): '' must be empty exactly where y is"},
+      {"t,phase,y,y_radius\n0,stick,,1e-9\n",
+       "e15ac334df24253744aa79be1deadc4a10230c8f050201759563675fad90cd41",
+       "2, column 4 (y_radius): '1e-9' must be empty exactly where y is"},
+      {"t,phase,y,y_radius\n0,,0,1e-9\n", "26e6e9b058e170db15ef2a8ef3daf1707575d4bae668ab6c0d5e112702a5bc0d",
+       "2, column 2 (phase): '' must not be empty"},
+      {"t,phase,y,y_radius\n,stick,0,1e-9\n",
+       "609d4b4052f28eefc959dcf680bedc5057283705608e7bbe1bb31d727a1bd072",
+       "2, column 1 (t): '' must not be empty"},
+      {"t,phase,y,y_radius\n0,stick,0,1e-9\n0.1,stick,0,1e-9\n0,slip,0,1e-9\n",
+       "4a021096c1eacff765979318da054269461ca7d52b38cfde9b18c6cdbf8035d1",
+       "4:1: the primary key t stands in line 2 already"},
+      {"t,phase,y,y_radius\n0.1,stick,0,1e-9\n0.10000000000001,stick,0,1e-9\n",
+       "6b601f7cad52053e8677314ca2c701c958cd3db829e52bd33b33882fb330d238",
+       "3:1: the primary key t stands in line 2 already"},
+  };
+  for (const auto& [csv, digest, sentence] : tables) {
+    json package = valid_package();
+    write_package(package);
+    package = json::parse(std::ifstream(folder() / "datapackage.json"));
+    package["resources"][0]["bytes"] = csv.size();
+    package["resources"][0]["hash"] = "sha256:" + digest;
+    write("datapackage.json", package.dump());
+    write("history.csv", csv);
+    EXPECT_EQ(refusal("history"), "history.csv:" + sentence);
+  }
+}
+
+TEST(ReferenceKeys, AreTheSameTo1e9) {
+  EXPECT_TRUE(data::is_same_key(25.0, 25.0 * (1.0 + 0.9e-9)));
+  EXPECT_FALSE(data::is_same_key(25.0, 25.0 * (1.0 + 1.1e-9)));
+  EXPECT_TRUE(data::is_same_key(0.0, 0.0));
+  EXPECT_FALSE(data::is_same_key(0.0, 1e-300));
+  EXPECT_FALSE(data::is_same_key(1.0, -1.0));
+}
+
+}  // namespace
+}  // namespace stickslip::testing

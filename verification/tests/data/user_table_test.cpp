@@ -1,0 +1,300 @@
+/// Somebody else's CSV files: every spelling that is understood gives the same numbers, and what cannot be
+/// used is refused in one sentence that names file, line, column and value.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "stickslip/data/case_file.hpp"
+#include "stickslip/data/user_table.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+const data::ReferencePackage& package() {
+  static const auto fixture = data::load_reference(std::filesystem::path(STICKSLIP_SOURCE_DIRECTORY) /
+                                                   "verification/tests/golden/reference");
+  return fixture;
+}
+
+class UserTable : public ::testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::create_directory(folder_); }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  [[nodiscard]] data::UserTable read(const std::string& set, const std::string& text,
+                                     const std::vector<std::string>& mappings = {}) const {
+    std::ofstream(file(), std::ios::binary) << text;
+    std::vector<data::ColumnMapping> parsed;
+    for (const std::string& mapping : mappings) parsed.push_back(data::ColumnMapping::parse(mapping));
+    return data::read_user_table(file(), data::read_table(package(), set), parsed);
+  }
+
+  // The sentence that refuses the text, without the folder, or "accepted".
+  [[nodiscard]] std::string refusal(const std::string& set, const std::string& text,
+                                    const std::vector<std::string>& mappings = {}) const {
+    try {
+      static_cast<void>(read(set, text, mappings));
+    } catch (const data::InputError& error) {
+      std::string sentence = error.what();
+      const std::string prefix = folder_.string() + "/";
+      if (const auto at = sentence.find(prefix); at != std::string::npos) sentence.erase(at, prefix.size());
+      EXPECT_EQ(std::ranges::count(sentence, '\n'), 0) << sentence;
+      return sentence;
+    }
+    return "accepted";
+  }
+
+  [[nodiscard]] std::filesystem::path file() const { return folder_ / "mine.csv"; }
+
+ private:
+  std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() / ("stickslip-user-table-" + std::to_string(::getpid()));
+};
+
+TEST_F(UserTable, IsTheSameHoweverItIsSpelled) {
+  const std::vector<std::string> spellings{
+      "beam,mode,frequency\npaper,1,25\npaper,2,81.5\n",
+      "mode,frequency,beam\n1,25,paper\n2,81.5,paper\n",
+      "Beam,MODE,Frequency\npaper,1,25\npaper,2,81.5",
+      "beam;mode;frequency\npaper;1;25\npaper;2;81.5\n",
+      "beam\tmode\tfrequency\npaper\t1\t25\npaper\t2\t81.5\n",
+      "beam,mode,frequency\r\npaper,1,25\r\npaper,2,81.5\r\n",
+      "\xEF\xBB\xBF"
+      "beam,mode,frequency\npaper,1,25\npaper,2,81.5\n",
+      "# by hand\n\nbeam,mode,frequency\n# the first\npaper,1,25\n\n  # and the second\npaper,2,81.5\n",
+      " beam , mode,  frequency\n paper ,1 , 25\npaper,2,81.5  \n",
+      "\"beam\",\"mode\",\"frequency\"\n\"paper\",\"1\",\"25\"\n\"paper\" , 2,81.5\n",
+      "beam,mode,frequency\npaper,1.0,+2.5e+1\npaper,2,8.15E1\n",
+      "beam,mode,frequency,remark\npaper,1,25,\"a, \"\"b\"\"\"\npaper,2,81.5,\n",
+      "beam;mode;frequency;remark\npaper;1;25;a,b\npaper;2;81.5;c\n",
+      "beam,mode,frequency,\"a; b\"\npaper,1,25,a\npaper,2,81.5,b\n"};
+  for (const std::string& text : spellings) {
+    const auto table = read("stick-frequencies", text);
+    ASSERT_EQ(table.rows(), 2u) << text;
+    EXPECT_EQ(table.column("frequency")->values, (std::vector<double>{25.0, 81.5})) << text;
+    EXPECT_EQ(table.column("mode")->values, (std::vector<double>{1.0, 2.0})) << text;
+    EXPECT_EQ(table.column("beam")->text, (std::vector<std::string>{"paper", "paper"})) << text;
+    EXPECT_EQ(table.column("remark"), nullptr);
+    EXPECT_EQ(table.columns.size(), 3u);
+  }
+}
+
+TEST_F(UserTable, KnowsTheLineOfEachRow) {
+  const auto table = read("stick-frequencies", "# a\nbeam,mode,frequency\n\npaper,1,25\n#b\npaper,2,81\n");
+  EXPECT_EQ(table.lines, (std::vector<std::size_t>{4, 6}));
+  EXPECT_EQ(table.place(1), file().string() + ":6");
+}
+
+TEST_F(UserTable, ConvertsAUnitWhereverItStands) {
+  const std::string rows = "\npaper,1,0.025\n";
+  for (const std::string header :
+       {"frequency [kHz]", "frequency (kHz)", "frequency_kHz", "Frequency / kHz", "FREQUENCY_kHz",
+        "frequency[kHz]", "\"frequency [kHz]\"", "frequency [ kHz ]"})
+    EXPECT_EQ(read("stick-frequencies", "beam,mode," + header + rows).column("frequency")->values[0], 25.0)
+        << header;
+  for (const std::string mapping : {"frequency=f1:kHz", "frequency = f1 : kHz", "Frequency=F1:kHz"})
+    EXPECT_EQ(read("stick-frequencies", "beam,mode,f1" + rows, {mapping}).column("frequency")->values[0],
+              25.0);
+  // The unit of the mapping wins over that of the header, and the mapping over the name.
+  EXPECT_EQ(read("stick-frequencies", "beam,mode,f1_mHz" + rows, {"frequency=f1_mHz:kHz"})
+                .column("frequency")
+                ->values[0],
+            25.0);
+  EXPECT_EQ(
+      read("stick-frequencies", "beam,mode,f1 [kHz]" + rows, {"frequency=f1"}).column("frequency")->values[0],
+      25.0);
+  EXPECT_EQ(read("stick-frequencies", "beam,mode,f1_kHz,frequency\npaper,1,0.025,7\n", {"frequency=f1"})
+                .column("frequency")
+                ->values[0],
+            25.0);
+}
+
+TEST_F(UserTable, ConvertsEveryUnitToThatOfTheDataSet) {
+  struct Spelling {
+    std::string unit;
+    double per_unit;  // of the data set
+  };
+  const auto expect = [&](const std::string& set, const std::string& before, const std::string& column,
+                          const std::string& after, const std::vector<Spelling>& spellings) {
+    for (const auto& [unit, per_unit] : spellings) {
+      const std::string text = fmt::format("{}{} [{}]\n{}0.375\n", before, column, unit, after);
+      const double value = read(set, text).column(column)->values[0];
+      EXPECT_TRUE(within(value, 0.375 * per_unit, round_off(1.0, 1.0, value))) << unit;
+      const auto underscored = read(set, fmt::format("{}{}_{}\n{}0.375\n", before, column, unit, after));
+      EXPECT_EQ(underscored.column(column)->values[0], value) << unit;
+    }
+  };
+  expect("stick-frequencies", "beam,mode,", "frequency", "paper,1,",
+         {{"Hz", 1.0},
+          {"mHz", 1e-3},
+          {"kHz", 1e3},
+          {"MHz", 1e6},
+          {"rad/s", 0.5 / std::numbers::pi},
+          {"rad_per_s", 0.5 / std::numbers::pi}});
+  expect("stick-force", "friction_force,", "t", "1,",
+         {{"s", 1.0}, {"ms", 1e-3}, {"us", 1e-6}, {"\u00b5s", 1e-6}, {"ns", 1e-9}});
+  expect("stick-force", "t,", "friction_force", "1,", {{"N", 1.0}, {"mN", 1e-3}, {"kN", 1e3}, {"MN", 1e6}});
+  expect("quasi-static-shape", "shape,", "x", "1,",
+         {{"m", 1.0},
+          {"cm", 1e-2},
+          {"mm", 1e-3},
+          {"um", 1e-6},
+          {"\u00b5m", 1e-6},
+          {"\u03bcm", 1e-6},
+          {"nm", 1e-9}});
+  expect("quasi-static-shape", "x,", "shape", "1,", {{"1", 1.0}, {"-", 1.0}, {"%", 1e-2}});
+}
+
+TEST_F(UserTable, DividesByPowersOfTenSoThatDecimalsStayTheNearestDouble) {
+  const auto table = read("stick-force", "t_ms,friction_force_mN\n9,300\n18,7\n");
+  EXPECT_EQ(table.column("t")->values, (std::vector<double>{0.009, 0.018}));
+  EXPECT_EQ(table.column("friction_force")->values, (std::vector<double>{0.3, 0.007}));
+}
+
+TEST_F(UserTable, NeedsNoKeyThatHasOneValueAndNoNumberOfEvents) {
+  const auto events = read("damped-events", "time [ms],change\n55,onset\n68,capture\n");
+  EXPECT_EQ(events.column("index"), nullptr);
+  EXPECT_EQ(events.column("time")->values, (std::vector<double>{0.055, 0.068}));
+  EXPECT_EQ(events.column("change")->text, (std::vector<std::string>{"onset", "capture"}));
+  EXPECT_EQ(read("damped-events", "time,change\n0.1,onset\n0.1,capture\n").rows(), 2u);  // may coincide
+}
+
+TEST_F(UserTable, RefusesWhatCannotBeUsedInOneSentence) {
+  const std::string header = "beam,mode,frequency\n";
+  struct Defect {
+    std::string set, text, sentence;
+  };
+  const std::string frequencies = "stick-frequencies", force = "stick-force", events = "damped-events";
+  const std::vector<Defect> defects{
+      {frequencies, "", "mine.csv: is empty"},
+      {frequencies, "# nothing\n\n", "mine.csv:2: there is no line with the names of the columns"},
+      {frequencies, header, "mine.csv:1: the table has no rows, but must have at least one"},
+      {frequencies, header + "# none\n", "mine.csv:2: the table has no rows, but must have at least one"},
+      {frequencies, "beam,mode\npaper,1\n",
+       "mine.csv:1: the column frequency is missing; the file has beam, mode (--column REFERENCE=THEIRS says "
+       "which is which)"},
+      {frequencies, "beam,mode,frequenzy\npaper,1,25\n",
+       "mine.csv:1: the column frequency is missing (did you mean frequenzy?); the file has beam, mode, "
+       "frequenzy "
+       "(--column REFERENCE=THEIRS says which is which)"},
+      {frequencies, "mode,frequency\n1,25\n",
+       "mine.csv:1: the column beam is missing; the file has mode, frequency (--column REFERENCE=THEIRS says "
+       "which is which)"},
+      {force, "friction_force\n1\n",
+       "mine.csv:1: the column t is missing; the file has friction_force (--column REFERENCE=THEIRS says "
+       "which is which)"},
+      {events, "time\n1\n",
+       "mine.csv:1: the column change is missing; the file has time (--column REFERENCE=THEIRS says which is "
+       "which)"},
+      {frequencies, "beam,mode,frequency,frequency_kHz\npaper,1,25,0.025\n",
+       "mine.csv:1, column 4 (frequency_kHz): the column frequency stands twice, in column 3 as 'frequency'"},
+      {frequencies, "beam,mode,frequency [mm]\npaper,1,25\n",
+       "mine.csv:1, column 3 (frequency [mm]): the unit of frequency is 'mm', but must be one of Hz, mHz, "
+       "kHz, MHz, rad/s"},
+      {frequencies, "beam,mode,frequency [THz]\npaper,1,25\n",
+       "mine.csv:1, column 3 (frequency [THz]): the unit of frequency is 'THz', but must be one of Hz, mHz, "
+       "kHz, MHz, rad/s"},
+      {frequencies, header + "paper,1,25\npaper,2,fast\n",
+       "mine.csv:3, column 3 (frequency): frequency is 'fast', but must be a finite number, as 0.025 or "
+       "2.5e-2"},
+      {frequencies, header + "paper,1,\n",
+       "mine.csv:2, column 3 (frequency): frequency is '', but must be a finite number, as 0.025 or 2.5e-2"},
+      {frequencies, header + "paper,1,25 Hz\n",
+       "mine.csv:2, column 3 (frequency): frequency is '25 Hz', but must be a finite number, as 0.025 or "
+       "2.5e-2"},
+      {frequencies, "beam;mode;frequency\npaper;1;25,0\n",
+       "mine.csv:2, column 3 (frequency): frequency is '25,0', but must be a finite number, as 0.025 or "
+       "2.5e-2"},
+      {frequencies, header + "paper,1,NaN\n",
+       "mine.csv:2, column 3 (frequency): frequency is 'NaN', but must be a finite number, as 0.025 or "
+       "2.5e-2"},
+      {frequencies, header + "paper,1,-inf\n",
+       "mine.csv:2, column 3 (frequency): frequency is '-inf', but must be a finite number, as 0.025 or "
+       "2.5e-2"},
+      {frequencies, header + "paper,1,1e999\n",
+       "mine.csv:2, column 3 (frequency): frequency is '1e999', but must be a finite number, as 0.025 or "
+       "2.5e-2"},
+      {frequencies, header + "paper,1.5,25\n",
+       "mine.csv:2, column 2 (mode): mode is '1.5', but must be an integer"},
+      {frequencies, header + ",1,25\n", "mine.csv:2, column 1 (beam): beam is '', but must be a word"},
+      {frequencies, header + "paper,1,25\npaper,2\n",
+       "mine.csv:3: the line has 2 cells, but must have 3 as the line of names has"},
+      {frequencies, header + "paper,1,25,7\n",
+       "mine.csv:2: the line has 4 cells, but must have 3 as the line of names has"},
+      {frequencies, header + "paper,1,\"25\n",
+       "mine.csv:2: a quote is not closed, or something follows it: paper,1,\"25"},
+      {frequencies, header + "\"paper\"x,1,25\n",
+       "mine.csv:2: a quote is not closed, or something follows it: \"paper\"x,1,25"},
+      {frequencies, header + "paper,1,25\npaper,2,81\npaper,1,26\n",
+       "mine.csv:4: beam = paper, mode = 1 stands in line 2 already, but must stand once"},
+      {force, "t,friction_force\n0,1\n0.001,2\n0.001,3\n",
+       "mine.csv:4, column 1 (t): t is 0.001, but must be above 0.001 of line 3"},
+      {force, "t,friction_force\n0.002,1\n0.001,2\n",
+       "mine.csv:3, column 1 (t): t is 0.001, but must be above 0.002 of line 2"},
+      {events, "time,change\n0.2,onset\n0.1,capture\n",
+       "mine.csv:3, column 1 (time): time is 0.1, but must not be below 0.2 of line 2"},
+      {events, "index,time,change\n1,0.1,onset\n1,0.2,capture\n",
+       "mine.csv:3: index = 1 stands in line 2 already, but must stand once"},
+      {frequencies, std::string("\xFF\xFE") + "b", "mine.csv: is no text in UTF-8"},
+      {frequencies, std::string("beam\0\n", 6), "mine.csv: is no text in UTF-8"},
+      {"beams", "beam\npaper\n", "the data set beams says nothing of how to compare with it"}};
+  for (const auto& [set, text, sentence] : defects) EXPECT_EQ(refusal(set, text), sentence);
+}
+
+TEST_F(UserTable, RefusesAFileThatIsNone) {
+  EXPECT_THROW(static_cast<void>(data::read_user_table(file(), data::read_table(package(), "stick-force"))),
+               data::InputError);
+  EXPECT_THROW(static_cast<void>(
+                   data::read_user_table(file().parent_path(), data::read_table(package(), "stick-force"))),
+               data::InputError);
+}
+
+TEST_F(UserTable, RefusesAMappingToNothing) {
+  EXPECT_EQ(refusal("stick-frequencies", "beam,mode,f\npaper,1,25\n", {"frequency=g:kHz"}),
+            "mine.csv:1: the column g (for frequency) is missing; the file has beam, mode, f (--column "
+            "REFERENCE=THEIRS says which is which)");
+  EXPECT_EQ(refusal("stick-frequencies", "beam,mode,f\npaper,1,25\n", {"frequency=f:furlong"}),
+            "mine.csv:1, column 3 (f): the unit of frequency is 'furlong', but must be one of Hz, mHz, kHz, "
+            "MHz, rad/s");
+}
+
+TEST(ColumnMapping, NamesTheirsAndTheUnit) {
+  const auto mapping = data::ColumnMapping::parse(" frequency = f 1 : rad/s ");
+  EXPECT_EQ(mapping.reference, "frequency");
+  EXPECT_EQ(mapping.theirs, "f 1");
+  EXPECT_EQ(mapping.unit, "rad/s");
+  EXPECT_EQ(data::ColumnMapping::parse("a=b").unit, "");
+  for (const char* text : {"", "=", "a", "a=", "=b", "a=:kHz", " = "})
+    EXPECT_THROW(static_cast<void>(data::ColumnMapping::parse(text)), data::InputError) << text;
+}
+
+TEST(ColumnMapping, MustBeOfAColumnThatThereIs) {
+  const auto history = data::read_table(package(), "damped-history"),
+             events = data::read_table(package(), "damped-events");
+  const auto known = [&](const std::string& text) {
+    data::require_known_columns({data::ColumnMapping::parse(text)}, {&history, &events});
+  };
+  EXPECT_NO_THROW(known("T=time"));
+  EXPECT_NO_THROW(known("position=y"));
+  try {
+    known("positon=y");
+    ADD_FAILURE() << "accepted";
+  } catch (const data::InputError& error) {
+    EXPECT_TRUE(
+        std::string(error.what())
+            .starts_with("column positon is unknown (did you mean position?), but must be one of t, "))
+        << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace stickslip::testing

@@ -1,0 +1,154 @@
+/// The damping matrix of the beam, and what it does to a free vibration.
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "stickslip/solver/beam_simulation.hpp"
+#include "stickslip/solver/modal_analysis.hpp"
+#include "studies/convergence/convergence.hpp"
+#include "support/beams.hpp"
+#include "support/free_tip.hpp"
+#include "support/order.hpp"
+#include "support/parameter_name.hpp"
+#include "support/single_mass.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+data::Damping kelvin_voigt(double eta) { return data::Damping({.kelvin_voigt = eta}); }
+data::Damping of_critical(double ratio) { return data::Damping({.ratio = ratio}); }
+
+TEST(DampingMatrix, IsEmptyWithoutDamping) {
+  EXPECT_EQ(solver::damping_matrix(solver::BeamModel(paper_beam(), 5), {}).nonZeros(), 0);
+}
+
+TEST(DampingMatrix, OfKelvinVoigtIsTheElasticStiffnessWithoutTheAxialForce) {
+  const Eigen::MatrixXd strained =
+      solver::damping_matrix(solver::BeamModel(paper_beam_with_axial_force(4e4), 5), kelvin_voigt(6.4e-5));
+  const Eigen::MatrixXd unloaded = solver::BeamModel(paper_beam_with_axial_force(0.0), 5).stick_stiffness();
+  EXPECT_EQ((strained - 6.4e-5 * unloaded).cwiseAbs().maxCoeff(), 0.0);
+}
+
+TEST(DampingMatrix, OfARatioIsTheSameForEveryAxialForceAndSymmetric) {
+  const Eigen::MatrixXd loaded =
+      solver::damping_matrix(solver::BeamModel(paper_beam_with_axial_force(4e4), 5), of_critical(0.02));
+  const Eigen::MatrixXd unloaded =
+      solver::damping_matrix(solver::BeamModel(paper_beam_with_axial_force(0.0), 5), of_critical(0.02));
+  EXPECT_EQ((loaded - unloaded).cwiseAbs().maxCoeff(), 0.0);
+  EXPECT_LE((loaded - loaded.transpose()).cwiseAbs().maxCoeff(),
+            round_off(20, 1, loaded.cwiseAbs().maxCoeff()).value);
+}
+
+// Round-off: the matrix is known to eps omega_max, whatever the mode that looks at it; the modes, which come
+// from another route (an unsymmetric eigenproblem for 1/omega^2), to eps omega_n^2/omega_1^2.
+TEST(DampingMatrix, OfARatioDampsEveryModeOfTheFreeTipByThatFractionOfCritical) {
+  constexpr double zeta = 0.02;
+  const solver::BeamModel model(paper_beam_with_axial_force(0.0), 10);
+  const Eigen::MatrixXd damping = solver::damping_matrix(model, of_critical(zeta));
+  const auto modes = solver::slip_modes(model, 20);
+  const double lowest = modes.front().angular_frequency, highest = modes.back().angular_frequency;
+  for (std::size_t i = 0; i < 12; ++i)
+    for (std::size_t j = 0; j <= i; ++j) {
+      const double omega = modes[i].angular_frequency;
+      EXPECT_TRUE(within(modes[i].shape.dot(damping * modes[j].shape), i == j ? 2.0 * zeta * omega : 0.0,
+                         round_off(20, 1, 2.0 * zeta * (highest + omega * std::pow(omega / lowest, 2)))))
+          << "modes " << i + 1 << ", " << j + 1;
+    }
+}
+
+TEST(DampingMatrix, OfARatioKeepsTheLowestModeOnAFineMesh) {
+  // Round-off of singular values is relative to omega_max/omega_1 = 26 n^2, here 2.7e5; an eigenproblem of
+  // squares would lose its square, 7e10. The frequency of the model itself is known to eps/l^4.
+  constexpr double zeta = 0.05;
+  const solver::BeamModel model(paper_beam_with_axial_force(0.0), 100);
+  const auto mode = solver::slip_modes(model, 1).front();
+  const Eigen::VectorXd force = solver::damping_matrix(model, of_critical(zeta)) * mode.shape;
+  EXPECT_TRUE(within(mode.shape.dot(force), 2.0 * zeta * mode.angular_frequency,
+                     round_off(1, std::pow(100.0, 4), 2.0 * zeta * mode.angular_frequency)));
+}
+
+TEST(DampingMatrix, IsTheSumOfBothKinds) {
+  const solver::BeamModel model(paper_beam(), 5);
+  const Eigen::MatrixXd sum =
+      solver::damping_matrix(model, data::Damping({.kelvin_voigt = 6.4e-5, .ratio = 0.02}));
+  const Eigen::MatrixXd parts = Eigen::MatrixXd(solver::damping_matrix(model, kelvin_voigt(6.4e-5))) +
+                                Eigen::MatrixXd(solver::damping_matrix(model, of_critical(0.02)));
+  EXPECT_EQ((sum - parts).cwiseAbs().maxCoeff(), 0.0);
+}
+
+TEST(DampingMatrix, OfARatioDampsStickModesLess) {
+  // Jensen's inequality at P = 0.
+  const solver::BeamModel model(paper_beam_with_axial_force(0.0), 20);
+  const Eigen::MatrixXd damping = solver::damping_matrix(model, of_critical(0.02));
+  for (const auto& mode : solver::stick_modes(model, 10))
+    EXPECT_LT(mode.shape.dot(damping * mode.shape) / (2.0 * mode.angular_frequency), 0.02);
+}
+
+TEST(DampingMatrix, OfARatioRefusesMoreThan500Elements) {
+  EXPECT_NO_THROW((void)solver::damping_matrix(solver::BeamModel(paper_beam(), 501), kelvin_voigt(1e-5)));
+  try {
+    (void)solver::damping_matrix(solver::BeamModel(paper_beam(), 501), of_critical(0.01));
+    FAIL() << "no exception";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "numerics.elements = 501: must be at most 500 with a damping.ratio above 0, whose matrix is full");
+  }
+}
+
+// A damped free mode that starts from its full deflection at rest: q = Re[c exp(lambda t)], lambda = -zeta
+// omega + i omega sqrt(1 - zeta^2), c = 1 - i zeta/sqrt(1 - zeta^2). At spectral radius 1 the method is the
+// trapezoidal rule, for which lambda becomes lambda_h = (2/h) artanh(lambda h/2) = lambda [1 + (lambda
+// h)^2/12 + ...] and c stays.
+class FreeDecay : public ::testing::TestWithParam<double> {};
+
+TEST_P(FreeDecay, OfAModeIsThatOfADampedOscillatorToSecondOrder) {
+  using Complex = std::complex<double>;
+  const double zeta = GetParam();
+  const solver::BeamModel model(paper_beam_with_axial_force(0.0), 8);
+  for (const std::size_t n : {0, 1, 2}) {
+    const auto mode = solver::slip_modes(model, 3)[n];
+    const double omega = mode.angular_frequency;
+    const double end = 3.2 * 2.0 * std::numbers::pi / omega;  // at an extremum a phase error would not show
+    const Complex lambda = omega * Complex(-zeta, std::sqrt(1.0 - zeta * zeta));
+    const Complex weight(1.0, -zeta / std::sqrt(1.0 - zeta * zeta));
+    const double expected = (weight * std::exp(lambda * end)).real();
+    const double leading =
+        std::abs((weight * std::exp(lambda * end) * std::pow(lambda, 3) * end / 12.0).real());
+    std::vector<OrderLevel> levels;
+    for (const int count : {150, 300, 600, 1200}) {
+      const double h = end / count;
+      solver::StickSlipIntegrator integrator(free_tip_system(model, at_rest(), of_critical(zeta)),
+                                             {.time_step = h, .spectral_radius = 1.0});
+      integrator.start_slipping(1e-3 * mode.shape, Eigen::VectorXd::Zero(model.degrees_of_freedom()));
+      for (int i = 0; i < count; ++i) integrator.step();
+      ASSERT_TRUE(integrator.events().empty());
+      const Eigen::VectorXd momentum = model.mass() * mode.shape;
+      const double computed = 1e3 * momentum.dot(integrator.displacement());
+      const double predicted = (weight * std::exp(2.0 * std::atanh(0.5 * lambda * h) / h * end)).real();
+      // A step solves for accelerations, of which a displacement is the double sum: eps/(omega h)^2. The
+      // stiffness of 8 elements, and with it omega, is known to 8^4 eps, of omega t.
+      const Tolerance rounding =
+          round_off(1, 10.0 / std::pow(omega * h, 2) + std::pow(8.0, 4) * omega * end, 1.0);
+      EXPECT_TRUE(within(computed, predicted, rounding)) << count << " steps";
+      levels.push_back({.step = h,
+                        .error = std::abs(computed - expected),
+                        .next_term = 1.5 * std::abs(std::abs(predicted - expected) / (leading * h * h) - 1.0),
+                        .floor = rounding.value});
+    }
+    EXPECT_TRUE(order_is(levels, 2.0, leading)) << "mode " << n + 1;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Ratio, FreeDecay, ::testing::Values(0.005, 0.05, 0.3), NameOfDouble());
+
+}  // namespace
+}  // namespace stickslip::testing

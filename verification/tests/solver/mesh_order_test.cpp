@@ -1,0 +1,345 @@
+/// Observed orders in the mesh, with their constants.
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "stickslip/analytic/slip_modes.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/solver/beam_model.hpp"
+#include "stickslip/solver/modal_analysis.hpp"
+#include "studies/convergence/convergence.hpp"
+#include "studies/stick/frequencies.hpp"
+#include "support/beams.hpp"
+#include "support/order.hpp"
+#include "support/parameter_name.hpp"
+#include "support/tolerance.hpp"
+#include "support/vibration.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+const std::vector<int> meshes{8, 12, 16, 24, 32, 48};
+
+// A quantity that the mesh raises by about (beta l)^4/720 of itself has (beta l)^2/40 of that as its next
+// term between supports; where the tip is free, u'''' does not vanish and raises it by about 10/(beta L) of
+// itself: by 3.3 in the second mode, which is the largest that matters (in the first all of it is small).
+double next_term(double wave_number, double length, double margin) {
+  return margin * std::pow(wave_number * length, 2) / 40.0;
+}
+
+// The order is four with a leading term that is `constant` l^4 but for the share of the axial force in it
+// that the constant lacks, the same on all meshes.
+::testing::AssertionResult is_of_order_four(const std::vector<OrderLevel>& levels, double constant,
+                                            double share) {
+  for (const OrderLevel& level : levels) {
+    const double leading = constant * std::pow(level.step, 4);
+    const auto holds = within(level.error, leading,
+                              discretisation(leading * (level.next_term + share) + level.floor, 1.0,
+                                             "next terms and the share of the axial force"));
+    if (!holds) return holds;
+  }
+  return order_is(levels, 4.0);
+}
+
+// The frequencies of a study whose constants lack z/(beta L)^2 of themselves, z = P L^2/EI.
+void expect_order_four(const studies::FrequencyStudy& study, double first_wave_number, double margin,
+                       double load_factor = 0.0) {
+  for (const auto& mode : study.modes) {
+    const double beta_length = first_wave_number + (mode.mode - 1) * std::numbers::pi;
+    std::vector<OrderLevel> levels;
+    for (std::size_t i = 0; i < study.elements.size(); ++i) {
+      const double length = 1.0 / study.elements[i];
+      // The eigenvalue solver's round-off is 1e-11 of omega^2 at worst.
+      levels.push_back({.step = length,
+                        .error = std::abs(mode.relative_error[i]),
+                        .next_term = next_term(beta_length, length, margin),
+                        .floor = 1e-11});
+    }
+    // Simpson's rule gives the constant to 1e-8.
+    EXPECT_TRUE(is_of_order_four(levels, mode.predicted_error.front() / std::pow(levels.front().step, 4),
+                                 load_factor / (beta_length * beta_length) + 1e-8))
+        << "mode " << mode.mode;
+    // What the report prints is the slope of just these levels.
+    EXPECT_TRUE(
+        within(mode.observed_order.order, 4.0,
+               discretisation(order_bound(levels).slope, 1.0, "what the next terms do to the slope")));
+  }
+}
+
+class StickFrequencyOrder : public ::testing::TestWithParam<double> {};
+
+TEST_P(StickFrequencyOrder, IsFourWithThePredictedConstant) {
+  const double unit = 16666.666666666668 / 4.0;  // EI/L^2
+  const auto study =
+      studies::stick_frequency_study(paper_beam_with_axial_force(GetParam() * unit), 5, meshes);
+  // An axial force of half the buckling load shortens the waves of mode 1, trigonometric ones, by a fifth.
+  expect_order_four(study, 1.25 * std::numbers::pi, GetParam() > 1.0 ? 3.0 : 1.1);
+  for (const auto& mode : study.modes)
+    for (const double error : mode.relative_error)
+      EXPECT_GT(error, 0.0) << "a Rayleigh quotient is an upper bound";
+}
+
+INSTANTIATE_TEST_SUITE_P(AxialForce, StickFrequencyOrder, ::testing::Values(-5.0, 0.0, 0.12, 10.0),
+                         NameOfDouble());
+
+TEST(StickFrequencyOrder, ConstantWithoutAxialForceIsBetaLToTheFourthOver720) {
+  const data::Beam beam = paper_beam_with_axial_force(0.0);
+  const auto study = studies::stick_frequency_study(beam, 3, {12, 24});
+  const double roots[] = {3.926602312047919, 7.068582745628732, 10.210176122813031};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double expected = std::pow(roots[i] / 24.0, 4) / 720.0;
+    EXPECT_TRUE(within(study.modes[i].predicted_error.back(), expected,
+                       reference(1e-8 * expected, "Simpson's rule")));
+    // Next term about (beta l)^2/40 relative.
+    EXPECT_TRUE(within(study.modes[i].relative_error.back(), expected,
+                       discretisation(expected * std::pow(roots[i] / 24.0, 2) / 40.0, 2.0, "(beta l)^2/40")));
+  }
+}
+
+TEST(SlipFrequencyOrder, IsFourUnderTheFollowerLoad) {
+  // The constant is that of P = 0: at P L^2/EI = 0.12 it is off by 3.4 % in the first mode.
+  expect_order_four(studies::slip_frequency_study(paper_beam(), 5, meshes), 0.6 * std::numbers::pi, 4.0,
+                    0.12);
+}
+
+TEST(FlutterLoadOrder, IsFourAndTendsToBecksLoad) {
+  const auto study = studies::flutter_study(paper_beam(), {4, 6, 8, 12, 16});
+  // Where the modes meet, omega = 11.0 sqrt(EI/rho A)/L^2 and beta_bar L = 5.0 (Eq. 23); margin of a free
+  // tip. The bisection ends at 1e-9.
+  std::vector<double> lengths, errors;
+  for (std::size_t i = 0; i < study.elements.size(); ++i) {
+    lengths.push_back(1.0 / study.elements[i]);
+    errors.push_back(std::abs(study.finite_element[i] - study.closed_form));
+  }
+  EXPECT_TRUE(order_is(order_levels(
+                           lengths, errors, [](double length) { return next_term(5.0, length, 4.0); }, 1e-9),
+                       4.0));
+  EXPECT_EQ(study.observed_order.order, studies::observed_order(lengths, errors));
+  EXPECT_TRUE(within(study.closed_form, 20.05, reference(5e-3, "Beck's load as usually printed")));
+  const double extrapolated =
+      study.finite_element[4] + (study.finite_element[4] - study.finite_element[2]) / 15.0;
+  EXPECT_TRUE(within(
+      extrapolated, study.closed_form,
+      discretisation((study.finite_element[2] - study.closed_form) / 15.0, 0.2, "extrapolation of order 4")));
+}
+
+// A mode on the mesh is, for P = 0, the interpolant of the exact one but for terms of order l^6. For with e =
+// U - I U = l^4/24 s^2 (1 - s)^2 U'''' in an element, stiffness and mass of the interpolants are
+//
+//     K_nm = omega^2 delta - l^4/720 omega^4 delta,   M_nm = delta - 2 l^4/720 omega^2 delta
+//
+// (units of EI = rho A = 1; the mean of s^2 (1 - s)^2 is 1/30), diagonal, since U_n'''' = omega_n^2 U_n.
+// Hence omega_h^2 = omega^2 (1 + l^4 omega^2/720), and the mode of unit norm is I U (1 + l^4 omega^2/720):
+// its nodes are too high by (beta l)^4/720 of themselves, and since s^2 (1 - s)^2 has the variance 1/2100,
+// int (U_h - U)^2 dx is
+// [(beta l)^4/24]^2/2100.
+struct ShapeErrors {
+  double norm{}, nodes{};
+};
+
+// U_h - U, both of int U^2 dx = 1: its norm, and the largest at a node over the largest |U| at one.
+template <typename Mode>
+ShapeErrors shape_errors(const solver::BeamModel& model, const solver::FiniteElementMode& computed,
+                         const Mode& mode) {
+  const double length = model.beam().length(), h = length / model.elements();
+  const double density = model.beam().density() * model.beam().area();
+  // Gauss's rule of five points in every element, exact to degree 9: the square of the error has 8.
+  const double inner = std::sqrt(5.0 - 2.0 * std::sqrt(10.0 / 7.0)) / 3.0;
+  const double outer = std::sqrt(5.0 + 2.0 * std::sqrt(10.0 / 7.0)) / 3.0;
+  const double inner_weight = (322.0 + 13.0 * std::sqrt(70.0)) / 900.0;
+  const double outer_weight = (322.0 - 13.0 * std::sqrt(70.0)) / 900.0;
+  const std::array<std::pair<double, double>, 5> rule{{{0.0, 128.0 / 225.0},
+                                                       {inner, inner_weight},
+                                                       {-inner, inner_weight},
+                                                       {outer, outer_weight},
+                                                       {-outer, outer_weight}}};
+  double norm_squared = 0.0;
+  std::vector<std::array<double, 3>> points;  // weight, exact, computed
+  for (int element = 0; element < model.elements(); ++element)
+    for (const auto& [position, weight] : rule) {
+      const double x = h * (element + 0.5 + 0.5 * position);
+      points.push_back(
+          {0.5 * h * weight, mode.shape(x), std::sqrt(density) * model.interpolation(x).dot(computed.shape)});
+      norm_squared += points.back()[0] * std::pow(points.back()[1], 2);
+    }
+  // The computed mode bends upwards at the clamp, the exact one either way.
+  const double sign = mode.curvature(0.0) > 0.0 ? 1.0 : -1.0, scale = sign / std::sqrt(norm_squared);
+  ShapeErrors errors;
+  for (const auto& [weight, exact, approximate] : points)
+    errors.norm += weight * std::pow(approximate - scale * exact, 2);
+  errors.norm = std::sqrt(errors.norm);
+  double largest = 0.0;
+  for (int node = 1; node <= model.elements(); ++node) {
+    const double x = std::min(h * node, length), exact = scale * mode.shape(x);
+    const double approximate = std::sqrt(density) * model.interpolation(x).dot(computed.shape);
+    errors.nodes = std::max(errors.nodes, std::abs(approximate - exact));
+    largest = std::max(largest, std::abs(exact));
+  }
+  errors.nodes /= largest;
+  return errors;
+}
+
+// Checks the shapes of the first three modes. Under an axial force U'''' = k U - p U'': the constants are off
+// by z/beta^2, z = P L^2/EI, and so are the shapes by what the other modes then contribute.
+template <typename ExactModes, typename ComputedModes>
+void expect_shapes_of_order_four(double load_factor, double first_wave_number, double margin,
+                                 ExactModes&& exact_modes, ComputedModes&& computed_modes) {
+  const data::Beam beam = paper_beam_with_axial_force(load_factor * 16666.666666666668 / 4.0);
+  const auto exact = exact_modes(beam, 3);
+  for (std::size_t n = 0; n < exact.size(); ++n) {
+    const double beta_length = first_wave_number + static_cast<double>(n) * std::numbers::pi;
+    const double of_load = 2.0 * load_factor / (beta_length * beta_length);
+    std::vector<OrderLevel> norms, nodes;
+    // On more than 24 elements round-off is in the error's way: their stiffness is known to n^4 eps.
+    for (const int elements : {8, 12, 16, 24}) {
+      const solver::BeamModel model(beam, elements);
+      const ShapeErrors errors = shape_errors(model, computed_modes(model, 3)[n], exact[n]);
+      const double length = 1.0 / elements;
+      const double next = next_term(beta_length, length, margin);
+      const double floor = round_off(1, std::pow(elements, 4), 1.0).value;
+      norms.push_back({length, errors.norm, next, floor});
+      nodes.push_back({length, errors.nodes, next, floor});
+    }
+    const double fourth = std::pow(
+        exact[n].hyperbolic_wave_number() * exact[n].trigonometric_wave_number() * std::pow(beam.length(), 2),
+        2);
+    EXPECT_TRUE(is_of_order_four(norms, fourth / 24.0 / std::sqrt(2100.0), of_load))
+        << "norm, mode " << n + 1;
+    EXPECT_TRUE(is_of_order_four(nodes, fourth / 720.0, of_load)) << "nodes, mode " << n + 1;
+  }
+}
+
+TEST(StickShapeOrder, IsFourInTheMeanAndAtTheNodesWithThePredictedConstants) {
+  for (const double load_factor : {0.0, 0.12})
+    expect_shapes_of_order_four(load_factor, 1.25 * std::numbers::pi, 1.1, analytic::stick_modes,
+                                solver::stick_modes);
+}
+
+TEST(SlipShapeOrder, IsFourInTheMeanAndAtTheNodesWithThePredictedConstants) {
+  // The next term of the norm of I U is int U^(6) U dx = -beta^4 (int U'^2 dx - U U'(L)), the last of which,
+  // zero between supports, is the largest of a free tip: 5 times (beta l)^2/40.
+  for (const double load_factor : {0.0, 0.12})
+    expect_shapes_of_order_four(load_factor, 0.6 * std::numbers::pi, 5.0, analytic::slip_modes,
+                                solver::slip_modes);
+}
+
+// Steady vibration of the semi-discrete stick state at the excitation frequency, tip prescribed, amplitude 1
+// of the base.
+Eigen::VectorXd steady_state(const solver::BeamModel& model, double omega) {
+  const Eigen::Index tip = model.tip_deflection();
+  Eigen::MatrixXd dynamic =
+      Eigen::MatrixXd(model.stick_stiffness()) - omega * omega * Eigen::MatrixXd(model.mass());
+  Eigen::VectorXd right_side = omega * omega * model.base_load() + dynamic.col(tip);
+  dynamic.row(tip).setZero();
+  dynamic.col(tip).setZero();
+  dynamic(tip, tip) = 1.0;
+  right_side[tip] = -1.0;
+  return dynamic.partialPivLu().solve(right_side);
+}
+
+// f = -f_d by the balance of the tip's row, including the follower term.
+double reaction_by_residual(const solver::BeamModel& model, const Eigen::VectorXd& q, double omega) {
+  const Eigen::VectorXd balance =
+      model.slip_stiffness() * q - omega * omega * (model.mass() * q + model.base_load());
+  return -balance[model.tip_deflection()];
+}
+
+// f = EI u''' from the shape functions of the last element, in which it is constant.
+double reaction_by_shape_functions(const solver::BeamModel& model, const Eigen::VectorXd& q) {
+  const double l = model.beam().length() / model.elements();
+  const double rigidity = model.beam().youngs_modulus() * model.beam().second_moment_of_area();
+  const Eigen::Vector4d third(12.0, 6.0 * l, -12.0, 6.0 * l);
+  return rigidity / (l * l * l) * third.dot(q.tail<4>());
+}
+
+// f by the shape functions is EI int w u''' ds with w = 6 s (1 - s) over the last element, s from the tip: by
+// Taylor's series EI [u''' - l/2 u'''' + 3/20 l^2 u^(5) - l^3/42 ... u^(6) + l^4/168 u^(7)] at x = L. It
+// would be of order one, were u'''' not zero there: EI u'''' = -rho A y_tt - P u'', and a stuck tip neither
+// accelerates nor bends; u^(6) vanishes for the same reason.
+TEST(ReactionOrder, IsFourByTheResidualAndTwoByTheShapeFunctionsWithThePredictedConstants) {
+  for (const double hz : {15.0, 35.0, 70.0}) {
+    const Vibration vibration{hz, data::Damping(), analytic::TipSupport::held};
+    const double omega = vibration.omega();
+    const double exact = analytic::StickResponse(paper_beam(), data::HarmonicExcitation({hz, 1.0}), 10,
+                                                 analytic::SteadyPart::exact)
+                             .steady_force_amplitude();
+    const MeshError mesh_error(vibration);
+    const auto solution = vibration.solution();
+    const double rigidity = 16666.666666666668;
+    const double fifth = rigidity * std::abs(solution.derivative(5, 2.0)) / Vibration::amplitude;
+    const double seventh = rigidity * std::abs(solution.derivative(7, 2.0)) / Vibration::amplitude;
+    std::vector<OrderLevel> by_residual, by_shape_functions;
+    double constant = 0.0;
+    for (const int elements : {8, 12, 16, 24, 32, 48}) {
+      const solver::BeamModel model(paper_beam(), elements);
+      const Eigen::VectorXd q = steady_state(model, omega);
+      const double l = 2.0 / elements;
+      const auto [leading, next] = mesh_error.predicted(elements);
+      const double of_residual = std::abs(leading.force) / Vibration::amplitude;
+      constant = of_residual / std::pow(l, 4);
+      // The stiffness of n elements is known to n^4 eps, unit amplitudes; a force is EI n^3/L^3 of that.
+      const double floor = round_off(1, std::pow(elements, 4), std::abs(exact)).value;
+      by_residual.push_back({.step = l,
+                             .error = std::abs(reaction_by_residual(model, q, omega) - exact),
+                             .next_term = std::abs(next.force) / std::abs(leading.force),
+                             .floor = floor});
+      // The next term: u^(7), and the nodes, which are off by l^4 and so that the residual is off as
+      // predicted.
+      const double of_shape_functions = 0.15 * l * l * fifth;
+      by_shape_functions.push_back(
+          {.step = l,
+           .error = std::abs(reaction_by_shape_functions(model, q) - exact),
+           .next_term = (std::pow(l, 4) / 168.0 * seventh + 2.0 * of_residual) / of_shape_functions,
+           .floor = floor});
+    }
+    EXPECT_LT(by_residual.back().error, 1e-5 * std::abs(exact));
+    by_residual.resize(4);  // on more than 24 elements round-off, n^4, is in the way
+    EXPECT_TRUE(order_is(by_residual, 4.0, constant)) << hz << " Hz";
+    EXPECT_TRUE(order_is(by_shape_functions, 2.0, 0.15 * fifth)) << hz << " Hz";
+  }
+}
+
+// Between the nodes the interpolation error, l^4/24 s^2 (1 - s)^2 u'''', and at them l^4/720 times an
+// integral over u'''' and the influence function: both of order four, the latter because of the axial force
+// alone.
+TEST(StaticShapeOrder, IsFourAgainstTheClosedFormInTheElementsAndAtTheNodes) {
+  // At half the buckling load the shape is no cubic: the mesh must converge to S(x), waves of sqrt(P/EI)
+  // long.
+  const data::Beam beam = paper_beam_with_axial_force(42e3);
+  const double wave_number = std::sqrt(42e3 / 16666.666666666668);
+  const analytic::QuasiStaticShape shape(beam);
+  std::vector<double> lengths, middles, nodes;
+  for (const int elements : {4, 8, 16, 32}) {
+    const solver::BeamModel model(beam, elements);
+    const Eigen::VectorXd q = model.unit_tip_deflection();
+    const double l = 2.0 / elements;
+    double in_the_middle = 0.0, at_nodes = 0.0;
+    for (int i = 0; i < elements; ++i) {
+      const double x = l * i, middle = l * (i + 0.5);
+      in_the_middle += l * std::pow(model.interpolation(middle).dot(q) + shape.value(middle), 2);
+      at_nodes += l * std::pow(model.interpolation(x).dot(q) + shape.value(x), 2);
+    }
+    lengths.push_back(l);
+    middles.push_back(std::sqrt(in_the_middle));
+    nodes.push_back(std::sqrt(at_nodes));
+  }
+  // At the nodes l^2 (2/42 + 8/105 + 1/42) P/EI (MeshError), or a third more with derivatives that do not
+  // peak together; in the middle half of that.
+  const auto of_nodes = [wave_number](double length) { return 0.2 * std::pow(wave_number * length, 2); };
+  const auto of_middles = [&](double length) { return 0.5 * of_nodes(length); };
+  const double floor = round_off(32, 10.0, 1.0).value;
+  EXPECT_TRUE(order_is(order_levels(lengths, middles, of_middles, floor), 4.0));
+  EXPECT_TRUE(order_is(order_levels(lengths, nodes, of_nodes, floor), 4.0));
+}
+
+}  // namespace
+}  // namespace stickslip::testing

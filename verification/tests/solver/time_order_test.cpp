@@ -1,0 +1,247 @@
+/// Observed orders in time.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+#include "stickslip/solver/stick_slip_integrator.hpp"
+#include "studies/convergence/convergence.hpp"
+#include "studies/convergence/discretisation.hpp"
+#include "studies/convergence/time_order.hpp"
+#include "support/exact_pair.hpp"
+#include "support/order.hpp"
+#include "support/parameter_name.hpp"
+#include "support/single_mass.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+class GeneralizedAlphaOrder : public ::testing::TestWithParam<double> {};
+
+// The errors of one quantity of the study against what the method's equations at one frequency predict.
+void expect_second_order(const std::vector<double>& steps, const std::vector<double>& errors,
+                         const std::vector<double>& predicted, double constant) {
+  std::vector<OrderLevel> levels;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    // Samples in steps of omega h = 3 h miss (omega h)^2/8 of the largest error, here and there with half as
+    // much again for what is behind; exp(-16) of it has not decayed.
+    const double missed = 1.5 * std::pow(3.0 * steps[i], 2) / 8.0 + 2e-7;
+    EXPECT_TRUE(
+        within(errors[i], predicted[i],
+               discretisation(predicted[i] * missed, 1.0, "between two samples the error is larger")));
+    const double leading = constant * steps[i] * steps[i];
+    // Unit amplitudes; a step solves for accelerations, of which a displacement is the double sum.
+    levels.push_back({.step = steps[i],
+                      .error = errors[i],
+                      .next_term = 1.5 * std::abs(predicted[i] / leading - 1.0) + missed,
+                      .floor = round_off(1, 1.0 / std::pow(3.0 * steps[i], 2), 1.0).value});
+  }
+  EXPECT_TRUE(order_is(levels, 2.0, constant));
+}
+
+TEST_P(GeneralizedAlphaOrder, IsSecondOrderUnderTimeDependentLoad) {
+  const studies::TimeOrderStudy study = studies::time_order_study(GetParam(), {50, 100, 200, 400, 800});
+  expect_second_order(study.time_step, study.displacement_error, study.predicted_displacement_error,
+                      study.displacement_constant);
+  expect_second_order(study.time_step, study.velocity_error, study.predicted_velocity_error,
+                      study.velocity_constant);
+  expect_second_order(study.time_step, study.reaction_error, study.predicted_reaction_error,
+                      study.reaction_constant);
+  // What the report prints is the slope of just these levels.
+  EXPECT_EQ(study.displacement_order.order, observed_order(study.time_step, study.displacement_error));
+  EXPECT_EQ(study.velocity_order.order, observed_order(study.time_step, study.velocity_error));
+  EXPECT_EQ(study.reaction_order.order, observed_order(study.time_step, study.reaction_error));
+}
+
+INSTANTIATE_TEST_SUITE_P(SpectralRadius, GeneralizedAlphaOrder, ::testing::Values(0.0, 0.5, 0.9, 1.0),
+                         NameOfDouble());
+
+// m v_t = -N [mu_m + (mu_s - mu_m) exp(-alpha v)] from v0 stops at
+// t = m/(N alpha mu_m) ln[(mu_m exp(alpha v0) + mu_s - mu_m)/mu_s].
+TEST(ContactLocation, StopUnderExponentialFrictionIsOfSecondOrder) {
+  const data::FrictionCoefficients law{.static_coefficient = 0.6, .kinetic_coefficient = 0.3, .decay = 1.5};
+  const double normal_force = 10.0, v0 = 2.0;
+  const double exact = std::log((0.3 * std::exp(1.5 * v0) + 0.3) / 0.6) / (normal_force * 1.5 * 0.3);
+  for (const double radius : {0.5, 1.0}) {
+    std::vector<double> steps, errors;
+    for (const double h : {0.04, 0.02, 0.01, 0.005, 0.0025}) {
+      solver::StickSlipIntegrator slider(contact_system({.normal_force = normal_force, .friction = law}),
+                                         {.time_step = h, .spectral_radius = radius});
+      slider.start_slipping(scalar(0.0), scalar(v0));
+      while (slider.events().empty() && slider.time() < 2.0 * exact) slider.step();
+      ASSERT_FALSE(slider.events().empty()) << "still sliding at " << slider.time() << " s";
+      steps.push_back(h);
+      errors.push_back(std::abs(slider.events().front().time - exact));
+    }
+    // The next term: the friction force changes at the rate N alpha (mu_s - mu_m)/m = 4.5/s, and the stop
+    // splits its step anywhere. The event is found to round-off.
+    EXPECT_TRUE(order_is(order_levels(
+                             steps, errors, [](double h) { return 4.5 * h; }, round_off(100, 1, exact).value),
+                         2.0))
+        << radius;
+    EXPECT_LT(errors.back(), 1e-5);
+  }
+}
+
+constexpr double sliding_time = 0.4;
+
+// Velocity of a unit mass after that time, v_t = -N mu(v - w_t), by the classical Runge-Kutta method: 4000
+// steps of (4 pi h)^4 < 1e-11 relative error.
+double velocity_by_runge_kutta(const data::FrictionLaw& law, double normal_force,
+                               const solver::PrescribedMotion& wall, double v0) {
+  const auto rate = [&](double t, double v) {
+    return -normal_force * solver::friction_coefficient(law, v - wall.velocity(t));
+  };
+  const int steps = 4000;
+  const double h = sliding_time / steps;
+  double v = v0;
+  for (int n = 0; n < steps; ++n) {
+    const double t = n * h;
+    const double k1 = rate(t, v), k2 = rate(t + 0.5 * h, v + 0.5 * h * k1);
+    const double k3 = rate(t + 0.5 * h, v + 0.5 * h * k2), k4 = rate(t + h, v + h * k3);
+    v += h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
+  }
+  return v;
+}
+
+TEST(SlipOrder, IsTwoUnderWeakeningFrictionOnAMovingWall) {
+  // The wall's velocity of amplitude 0.24 m/s moves mu - mu_m by a third; the mass always runs ahead of it.
+  // 0.4 s are 0.8 of the wall's period: over whole ones the leading errors nearly cancel.
+  const data::FrictionCoefficients law{.static_coefficient = 0.6, .kinetic_coefficient = 0.3, .decay = 1.5};
+  const double normal_force = 2.0, v0 = 2.0;
+  const solver::PrescribedMotion wall = shaken(3.0, 2.0);
+  const double exact = velocity_by_runge_kutta(data::FrictionLaw(law), normal_force, wall, v0);
+  for (const double radius : {0.0, 0.5, 0.9, 1.0}) {
+    std::vector<double> lengths, errors;
+    for (const int steps : {100, 200, 400, 800}) {
+      solver::StickSlipIntegrator slider(
+          contact_system({.normal_force = normal_force, .friction = law}, wall),
+          {.time_step = sliding_time / steps, .spectral_radius = radius});
+      slider.start_slipping(scalar(0.0), scalar(v0));
+      while (slider.steps() < steps) slider.step();
+      ASSERT_TRUE(slider.events().empty());
+      lengths.push_back(sliding_time / steps);
+      errors.push_back(std::abs(slider.velocity()[0] - exact));
+    }
+    // The next term: omega h with the wall's omega = 4 pi/s. The reference is good to 1e-11 of its change.
+    EXPECT_TRUE(order_is(order_levels(
+                             lengths, errors, [](double h) { return 12.6 * h; }, 1e-11 * (v0 - exact)),
+                         2.0))
+        << radius;
+  }
+}
+
+// A mass on a spring, let go at 1.04 m: every half swing of pi/2 s ends 2 mu N/k = 0.2 m nearer, so that the
+// fourth reversal is at 2 pi s and 0.24 m.
+solver::ContactEvent fourth_reversal(double time_step, double spectral_radius) {
+  solver::StickSlipIntegrator oscillator(
+      contact_system({.stiffness = 4.0, .normal_force = 4.0, .friction = coulomb}),
+      {.time_step = time_step, .spectral_radius = spectral_radius});
+  oscillator.start_slipping(scalar(1.04), scalar(0.0));
+  while (oscillator.time() < 7.0) oscillator.step();
+  EXPECT_GE(oscillator.events().size(), 4u);
+  const solver::ContactEvent event = oscillator.events().at(3);
+  EXPECT_EQ(event.kind, solver::ContactEvent::Kind::reversal);
+  return event;
+}
+
+// The next terms: omega h, omega = 2/s, since a reversal splits its step anywhere.
+double next_term_of_the_oscillator(double h) { return 2.0 * h; }
+
+TEST(ContactLocation, TimeOfReversalsIsOfSecondOrder) {
+  for (const double radius : {0.0, 0.5, 0.9, 1.0}) {
+    std::vector<double> steps{0.02, 0.01, 0.005, 0.0025, 0.00125}, errors;
+    for (const double h : steps)
+      errors.push_back(std::abs(fourth_reversal(h, radius).time - 2.0 * std::numbers::pi));
+    EXPECT_TRUE(order_is(
+        order_levels(steps, errors, next_term_of_the_oscillator, round_off(5000, 1, 1.0).value), 2.0))
+        << radius;
+  }
+}
+
+// Where it turns, a mass does not feel a small error in time; what it lacks is what the method has
+// dissipated. The half swings of 0.94, 0.74, 0.54 and 0.34 m about 0.1 and -0.1 m in turn decay as the
+// method's own vibration does, exp(-rate t) with rate = O(h^3).
+TEST(ContactLocation, PositionOfReversalsIsOfThirdOrderByTheMethodsDissipation) {
+  const double swings = (0.94 + 0.74 + 0.54 + 0.34) * std::numbers::pi / 2.0;
+  for (const double radius : {0.0, 0.5, 0.9}) {
+    const auto rate = [radius](double h) {
+      return studies::generalized_alpha_oscillation(radius, 2.0, h).decay_rate;
+    };
+    // Each reversal also restarts the method, whose acceleration settles as its third root to the power of
+    // the number of steps does, |alpha_m/(1 - alpha_m)|: so many steps of the 2 pi s dissipate otherwise.
+    const double alpha_m = solver::GeneralizedAlpha(radius).alpha_m();
+    const double settling = 4.0 / (1.0 - std::abs(alpha_m / (1.0 - alpha_m))) / (2.0 * std::numbers::pi);
+    const auto next_term = [settling](double h) { return next_term_of_the_oscillator(h) + settling * h; };
+    std::vector<double> steps{0.04, 0.02, 0.01, 0.005}, errors;
+    for (const double h : steps) errors.push_back(std::abs(fourth_reversal(h, radius).displacement - 0.24));
+    EXPECT_TRUE(order_is(order_levels(steps, errors, next_term, round_off(2000, 1, 1.0).value), 3.0,
+                         swings * rate(steps.back()) / std::pow(steps.back(), 3)))
+        << radius;
+  }
+  EXPECT_TRUE(within(fourth_reversal(0.02, 1.0).displacement, 0.24, round_off(4, 1, 1.0)));
+}
+
+struct HistoryErrors {
+  double time{}, position{}, displacement{}, velocity{};
+};
+
+// Largest errors over all events, and those of the state at the end; every event must be there, in its order.
+HistoryErrors history_errors(const ForcedPair& pair, const ExactPair& exact, double duration, int steps,
+                             double spectral_radius) {
+  solver::StickSlipIntegrator integrator(contact_system(pair),
+                                         {.time_step = duration / steps, .spectral_radius = spectral_radius});
+  integrator.start_stuck(Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
+  while (integrator.steps() < steps) integrator.step();
+  const auto& events = integrator.events();
+  HistoryErrors errors;
+  EXPECT_EQ(events.size(), exact.events().size());
+  for (std::size_t i = 0; i < std::min(events.size(), exact.events().size()); ++i) {
+    const solver::ContactEvent& expected = exact.events()[i];
+    EXPECT_EQ(events[i].kind, expected.kind) << "event " << i << " at " << expected.time << " s";
+    errors.time = std::max(errors.time, std::abs(events[i].time - expected.time));
+    errors.position = std::max(errors.position, std::abs(events[i].displacement - expected.displacement));
+  }
+  errors.displacement = (integrator.displacement() - exact.displacement()).norm();
+  errors.velocity = (integrator.velocity() - exact.velocity()).norm();
+  return errors;
+}
+
+class ContactHistoryOrder : public ::testing::TestWithParam<double> {};
+
+TEST_P(ContactHistoryOrder, IsTwoThroughOnsetsCapturesAndReversals) {
+  // Two coupled, damped masses under a load on a moving wall, with an unsymmetric slip state: 23 events in 12
+  // s. The errors are differences to the exact solution, so that an order of 2 leaves no limit but zero.
+  const ForcedPair pair;
+  const double duration = 12.0;
+  ExactPair exact(pair);
+  exact.run(duration);
+  for (const auto kind : {solver::ContactEvent::Kind::onset, solver::ContactEvent::Kind::capture,
+                          solver::ContactEvent::Kind::reversal})
+    ASSERT_GE(std::count_if(exact.events().begin(), exact.events().end(),
+                            [kind](const auto& event) { return event.kind == kind; }),
+              2);
+  std::vector<double> lengths, times, positions, displacements, velocities;
+  for (const int steps : {1000, 2000, 4000, 8000}) {
+    const HistoryErrors errors = history_errors(pair, exact, duration, steps, GetParam());
+    lengths.push_back(duration / steps);
+    times.push_back(errors.time);
+    positions.push_back(errors.position);
+    displacements.push_back(errors.displacement);
+    velocities.push_back(errors.velocity);
+  }
+  // The ends of the exact phases are known to 1e-12 s and less.
+  for (const std::vector<double>& errors : {times, positions, displacements, velocities})
+    EXPECT_TRUE(order_is(order_levels(lengths, errors, next_term_of_the_pair, 1e-11), 2.0));
+}
+
+INSTANTIATE_TEST_SUITE_P(SpectralRadius, ContactHistoryOrder, ::testing::Values(0.0, 0.5, 0.9, 1.0),
+                         NameOfDouble());
+
+}  // namespace
+}  // namespace stickslip::testing

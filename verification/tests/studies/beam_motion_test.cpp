@@ -1,0 +1,131 @@
+/// The motion of the whole beam by finite elements against the continuous beam (Fig. 3).
+
+#include "studies/stick_slip/beam_motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+#include "stickslip/analytic/beam_contact_model.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
+#include "studies/stick_slip/event_history.hpp"
+#include "support/beams.hpp"
+#include "support/parameter_name.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+data::Case problem(double frequency_hz, double amplitude = 0.5e-3) {
+  return {"paper", paper_beam(), paper_friction(),
+          data::HarmonicExcitation({.frequency_hz = frequency_hz, .amplitude = amplitude}),
+          data::NumericalSettings(paper_choices(1.0))};
+}
+
+class BeamMotionAt : public ::testing::TestWithParam<double> {};
+
+TEST_P(BeamMotionAt, AgreesWithinThePredictionWhileTheTipSticks) {
+  const auto study = studies::beam_motion_study(problem(GetParam()), 17, 41);
+  EXPECT_EQ(study.first_slip.has_value(), GetParam() == 25.0 || GetParam() == 70.0);
+  EXPECT_TRUE(
+      within(study.stick_difference, 0.0,
+             discretisation(study.predicted_stick_difference, 1.1, "response of every discrete mode")));
+  // Magnitudes are added that do not peak together, but the bound is not an idle one.
+  EXPECT_GT(study.stick_difference, 0.1 * study.predicted_stick_difference);
+}
+
+INSTANTIATE_TEST_SUITE_P(Hertz, BeamMotionAt, ::testing::Values(15.0, 25.0, 35.0, 70.0), NameOfDouble());
+
+TEST(BeamMotion, PredictionHoldsWhereAModeIsInResonance) {
+  const data::Case at = problem(24.972);
+  const studies::MotionGrid grid{0.0, 0.09, 31, 21};
+  const auto finite_element = studies::finite_element_motion(at, grid);
+  const auto closed_form = studies::closed_form_motion(at, grid, 60);
+  const double predicted = studies::predicted_stick_difference(at, grid, 0.09, 60);
+  EXPECT_TRUE(within(studies::largest_difference(finite_element, closed_form, 0.09), 0.0,
+                     discretisation(predicted, 1.1, "response of every discrete mode")));
+}
+
+TEST(BeamMotion, EventDrivenIsTheClosedFormUntilTheFirstSlip) {
+  const data::Case at = problem(25.0);
+  const studies::MotionGrid grid{0.0, 0.0969, 31, 21};  // the first slip is at 0.09692 s
+  const auto events = studies::event_driven_motion(at, grid);
+  const auto closed_form = studies::closed_form_motion(at, grid, at.numerics.modes());
+  // They differ in the steady part of the modes n > 10: A0 (Omega/omega_n)^2 |U_n C_n|, which falls as n^-5,
+  // so that its tail is n/4 times its first term. |U_n| <= 1.6.
+  const auto next = analytic::stick_modes(at.beam, at.numerics.modes() + 1).back();
+  const double ratio = 2.0 * std::numbers::pi * 25.0 / next.angular_frequency();
+  const double first_term = 0.5e-3 * ratio * ratio * 1.6 * std::abs(next.participation());
+  EXPECT_TRUE(within(studies::largest_difference(events, closed_form, 0.0969), 0.0,
+                     discretisation(first_term * next.number() / 4.0, 1.0, "tail of the steady part")));
+}
+
+// Stick, the first slip at 0.0552 s, and the plateau after it; three points in each of 20 elements.
+constexpr studies::MotionGrid slip_grid{0.0, 0.08, 9, 61};
+
+TEST(BeamMotion, EndsInTheTipThatTheSimulationsReport) {
+  const data::Case at = problem(25.0, 1e-3);
+  const auto by_elements = studies::finite_element_motion(at, slip_grid);
+  const auto by_events = studies::event_driven_motion(at, slip_grid);
+  const analytic::BeamContactModel beam(at.beam, at.friction, at.excitation, at.damping, at.numerics.modes());
+  const auto history = studies::event_driven_history(beam.model(), 0.08, 0.01);
+  solver::BeamSimulation simulation(at.beam, at.friction, at.excitation, at.numerics);
+  int slips = 0;
+  for (std::size_t i = 0; i < by_elements.snapshots.size(); ++i) {
+    for (int n = 0; i > 0 && n < 100; ++n) simulation.step();
+    const auto& snapshot = by_elements.snapshots[i];
+    EXPECT_EQ(snapshot.time, simulation.time());
+    EXPECT_EQ(snapshot.friction_force, simulation.friction_force());
+    EXPECT_EQ(snapshot.sticks, simulation.state() == solver::ContactState::stick);
+    EXPECT_TRUE(within(snapshot.displacement.back(), simulation.tip_displacement(), round_off(4, 1, 1e-3)));
+    // U_n(L) is zero but for round-off, in each of ten modes.
+    EXPECT_TRUE(within(by_events.snapshots[i].displacement.back(), history.tip_displacement[i],
+                       round_off(40, 1, studies::peak(by_events))));
+    if (!snapshot.sticks) ++slips;
+  }
+  EXPECT_GT(slips, 0);
+}
+
+TEST(BeamMotion, BeginsInTheBaseWithoutSlope) {
+  const data::Case at = problem(25.0, 1e-3);
+  const auto by_elements = studies::finite_element_motion(at, slip_grid);
+  const auto by_events = studies::event_driven_motion(at, slip_grid);
+  const double h = by_elements.position[1];
+  const auto slope = [h](const std::vector<double>& y) {
+    return (-11.0 * y[0] + 18.0 * y[1] - 9.0 * y[2] + 2.0 * y[3]) / (6.0 * h);
+  };
+  for (std::size_t i = 0; i < by_elements.snapshots.size(); ++i) {
+    const double base = 1e-3 * std::sin(2.0 * std::numbers::pi * 25.0 * by_elements.snapshots[i].time);
+    const auto& mesh = by_elements.snapshots[i].displacement;
+    const auto& exact = by_events.snapshots[i].displacement;
+    EXPECT_TRUE(within(mesh[0], base, round_off(20, 1, 1e-3)));
+    EXPECT_TRUE(within(exact[0], base, round_off(20, 1, 1e-3)));
+    // Exact for the cubic of an element but for the rounding of four values.
+    EXPECT_TRUE(within(slope(mesh), 0.0, round_off(10, 40.0 / 6.0, 1e-3 / h)));
+    // Off by h^3/4 of the fourth derivative somewhere in 0 ... 3 h: of the largest fourth difference there.
+    double fourth = 0.0;
+    for (std::size_t k = 0; k < 4; ++k)
+      fourth = std::max(fourth, std::abs(exact[k] - 4.0 * exact[k + 1] + 6.0 * exact[k + 2] -
+                                         4.0 * exact[k + 3] + exact[k + 4]));
+    const double rounding = round_off(10, 40.0 / 6.0, 1e-3 / h).value;
+    EXPECT_TRUE(
+        within(slope(exact), 0.0, discretisation(fourth / (4.0 * h) + rounding, 1.0, "one-sided slope")));
+  }
+}
+
+TEST(BeamMotion, RefusesAGridThatCannotBeSampled) {
+  const data::Case at = problem(25.0);
+  EXPECT_THROW((void)studies::finite_element_motion(at, {-1.0, 0.1, 9, 9}), data::FieldError);
+  EXPECT_THROW((void)studies::finite_element_motion(at, {0.0, 0.1, 1, 9}), data::FieldError);
+  EXPECT_THROW((void)studies::event_driven_motion(at, {0.0, 0.1, 9, 1}), data::FieldError);
+  EXPECT_THROW((void)studies::closed_form_motion(at, {0.0, 1e-3, 12, 9}, 10), data::FieldError);
+  EXPECT_EQ(studies::closed_form_motion(at, {0.0, 1e-3, 11, 9}, 10).snapshots.size(), 11U);
+}
+
+}  // namespace
+}  // namespace stickslip::testing

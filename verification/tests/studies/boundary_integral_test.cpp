@@ -1,0 +1,181 @@
+/// Histories of the beam by its boundary integral and by its free modes, against each other, against the
+/// event-driven engine where that converges, and against closed forms.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <vector>
+
+#include "stickslip/analytic/beam_boundary_integral.hpp"
+#include "stickslip/analytic/beam_contact_model.hpp"
+#include "stickslip/analytic/free_mode_run.hpp"
+#include "stickslip/analytic/slip_modes.hpp"
+#include "stickslip/analytic/stick_response.hpp"
+#include "studies/convergence/convergence.hpp"
+#include "studies/stick_slip/converged_history.hpp"
+#include "studies/stick_slip/event_history.hpp"
+#include "support/beams.hpp"
+#include "support/paper_case.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+using analytic::BeamBoundaryIntegral;
+using analytic::TimeGrid;
+
+double largest(const std::vector<double>& values) {
+  return std::abs(*std::ranges::max_element(values, {}, [](double value) { return std::abs(value); }));
+}
+
+TEST(BeamBoundaryIntegral, HoldsTheTipWithEquation28EvenInResonance) {
+  // Means over steps are f at their middles times 1 - (Omega h)^2/24, and (omega_n h)^2/24 for the n-th mode.
+  const double first = analytic::stick_modes(paper_beam(), 1).front().frequency_hz();
+  const TimeGrid grid{1e-5, 5000};
+  for (const double hz : {first, first * (1.0 + 1e-10), 25.0, 35.0}) {
+    const analytic::StickResponse response(paper_beam(), excitation(hz, 1e-3), 200,
+                                           analytic::SteadyPart::exact);
+    const auto held = analytic::holding_force(paper_beam(), excitation(hz, 1e-3), {}, grid);
+    double step = 0.0;  // sum of |a_n| (omega_n h)^2/24
+    for (const auto& [amplitude, omega] : response.transient_force())
+      if (omega > 1.001 * 2.0 * 3.14159 * hz || omega < 0.999 * 2.0 * 3.14159 * hz)
+        step += std::abs(amplitude) * std::pow(omega * grid.time_step, 2) / 24.0;
+    const double scale = largest(held);
+    step += scale * std::pow(2.0 * 3.14159 * hz * grid.time_step, 2) / 24.0;
+    for (std::size_t n = 0; n < held.size(); n += 37)
+      ASSERT_TRUE(within(held[n], -response.friction_force((static_cast<double>(n) + 0.5) * grid.time_step),
+                         discretisation(step + 1e-12 * scale, 1.0, "mean over a step, and round-off")))
+          << hz << ", " << n;
+  }
+}
+
+TEST(BeamBoundaryIntegral, HasAllEventsOfTheDampedBenchmark) {
+  // Times fall on steps, and the velocity behind an event is off by the force of one step, 2 mu_s P h/m with
+  // the mass rho A L/4 of a mode, 120 h m/s; stops decelerate at 40 m/s^2 or more. The event-driven history
+  // of twenty modes is known to 1e-6 s and 2e-8 m.
+  const double h = 2e-5;
+  const data::Damping damping({.kelvin_voigt = 6.4e-5});
+  const analytic::BeamContactModel modes(paper_beam(), paper_friction(), excitation(25.0, 1e-3), damping, 20);
+  const auto events =
+      studies::without_micro_sticks(studies::event_driven_history(modes.model(), 0.5, 1e-2).events, 2e-5);
+  const BeamBoundaryIntegral beam(paper_beam(), paper_friction(), excitation(25.0, 1e-3), damping,
+                                  {h, 25000});
+  std::vector<studies::HistoryEvent> found;
+  double position = 0.0;
+  bool stuck = true;
+  for (std::size_t n = 0; n < beam.steps().size(); ++n) {
+    const bool now = beam.steps()[n].sliding_velocity == 0.0;
+    if (now != stuck) found.push_back({stuck, static_cast<double>(n) * h, position});
+    stuck = now;
+    position += h * beam.steps()[n].sliding_velocity;
+  }
+  found = studies::without_micro_sticks(found, 2e-5);
+  ASSERT_EQ(events.size(), 47u);
+  ASSERT_EQ(found.size(), 47u);
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    EXPECT_EQ(found[i].onset, events[i].onset);
+    EXPECT_TRUE(within(found[i].time, events[i].time,
+                       discretisation(4.1 * h, 1.0, "a step, 120 h over 40 m/s^2, 1e-6 s")));
+    EXPECT_TRUE(within(found[i].position, events[i].position,
+                       discretisation(120.0 * h * 0.02, 1.0, "120 h over a slip of 20 ms")));
+  }
+}
+
+TEST(BeamBoundaryIntegral, RecoversTheTipAndTheMotionOfTheFreeModes) {
+  // The motion of the beam at x by the transfer mobility; at the tip it is the integral of the sliding
+  // velocities, to the accuracy of the weights times the number of steps. Free modes share neither kernel nor
+  // shape with it: both are off by what the step does, here within 1e-3 of the motion (empirical; 0.15 s are
+  // the first ten phases).
+  const TimeGrid grid{2.5e-6, 40000};
+  const BeamBoundaryIntegral beam(paper_beam(), paper_friction(), excitation(25.0, 1e-3), {}, grid);
+  const auto tip = beam.tip_displacement(400), again = beam.displacement(2.0, 400),
+             middle = beam.displacement(1.0, 400);
+  EXPECT_TRUE(within(studies::largest_difference(tip, again), 0.0,
+                     reference(1e-7 * largest(tip), "weights, summed")));
+  const int modes = studies::free_modes_for(paper_beam(), grid.time_step);
+  const auto shapes = analytic::slip_modes(paper_beam(), modes);
+  const auto held = analytic::holding_force(paper_beam(), excitation(25.0, 1e-3), {}, grid);
+  auto other = analytic::held_displacement(paper_beam(), excitation(25.0, 1e-3), {}, grid, 1.0, 400);
+  analytic::FreeModeRun run(analytic::free_modes(paper_beam(), modes), {500.0, paper_friction()},
+                            grid.time_step);
+  double position = 0.0, difference = 0.0;
+  for (std::size_t n = 1; n <= held.size(); ++n) {
+    position += grid.time_step * run.step(held[n - 1]).sliding_velocity;
+    if (n % 400 != 0) continue;
+    double sum = 0.0;
+    for (std::size_t k = 0; k < shapes.size(); ++k) {
+      other[n / 400] += shapes[k].shape(1.0) * run.amplitudes()[k];
+      sum += run.amplitudes()[k];
+    }
+    ASSERT_TRUE(within(sum, position, round_off(40000, 1.0, largest(tip)))) << n;
+    difference = std::max(difference, std::abs(position - tip[n / 400]));
+  }
+  EXPECT_TRUE(within(difference, 0.0, discretisation(1e-3 * largest(tip), 1.0, "empirical")));
+  EXPECT_TRUE(within(studies::largest_difference(middle, other), 0.0,
+                     discretisation(1e-3 * largest(middle), 1.0, "empirical")));
+}
+
+TEST(BeamBoundaryIntegral, RefusesTensionModalDampingAndNoSteps) {
+  const auto run = [](const data::Beam& beam, const data::Damping& damping, const TimeGrid& grid) {
+    return BeamBoundaryIntegral(beam, paper_friction(), excitation(25.0, 1e-3), damping, grid);
+  };
+  EXPECT_THROW(run(paper_beam_with_axial_force(-500.0), {}, {1e-5, 10}), std::domain_error);
+  EXPECT_THROW(run(paper_beam(), data::Damping({.ratio = 0.01}), {1e-5, 10}), std::invalid_argument);
+  EXPECT_THROW(run(paper_beam(), {}, {1e-5, 0}), std::invalid_argument);
+  EXPECT_THROW(run(paper_beam(), {}, {0.0, 10}), std::invalid_argument);
+}
+
+TEST(ConvergedHistory, FallsWithTheStepAndCoversWhatFinerStepsFind) {
+  // 0.1 s at 25 Hz, 1 mm. A run on a quarter of the step must lie within the half-widths, tip and midspan,
+  // and so must the sticks that both find; each level halves the step.
+  data::Case problem = paper();
+  problem.excitation = excitation(25.0, 1e-3);
+  const studies::ConvergedEffort effort{
+      .duration = 0.1, .samples = 100, .steps_per_sample = 128, .levels = 4};
+  const auto history = studies::converged_history(problem, effort);
+  auto finer_effort = effort;
+  finer_effort.steps_per_sample = 512;
+  finer_effort.levels = 2;
+  const auto finer = studies::converged_history(problem, finer_effort);
+  ASSERT_EQ(history.tip.size(), 101u);
+  for (std::size_t i = 0; i < history.tip.size(); ++i) {
+    ASSERT_TRUE(within(history.tip[i], finer.tip[i], reference(history.tip_half_width[i], "half-width")))
+        << i;
+    ASSERT_TRUE(
+        within(history.midspan[i], finer.midspan[i], reference(history.midspan_half_width[i], "half-width")))
+        << i;
+  }
+  ASSERT_EQ(history.levels.size(), 8u);
+  for (std::size_t level = 0; level < 8; ++level) {
+    EXPECT_EQ(history.levels[level].modes > 0, level >= 4);
+    if (level % 4 == 0) continue;
+    EXPECT_EQ(history.levels[level].time_step, 2.0 * history.levels[level - 1].time_step);
+  }
+  EXPECT_LT(history.levels[1].difference, history.levels[3].difference);
+  EXPECT_LT(history.levels[4].difference, history.levels[7].difference);
+  EXPECT_LT(finer.largest_half_width(), 0.5 * history.largest_half_width());
+  EXPECT_TRUE(within(history.first_stick.end, finer.first_stick.end,
+                     reference(history.first_stick.end_half_width, "half-width")));
+  ASSERT_GE(history.sticks.size(), 2u);
+  for (const auto& stick : history.sticks) {
+    const auto same = std::ranges::find_if(finer.sticks, [&](const auto& other) {
+      return other.begin < 0.5 * (stick.begin + stick.end) && other.end > 0.5 * (stick.begin + stick.end);
+    });
+    ASSERT_NE(same, finer.sticks.end()) << stick.begin;
+    EXPECT_TRUE(within(stick.begin, same->begin, reference(stick.begin_half_width, "half-width")));
+    EXPECT_TRUE(within(stick.end, same->end, reference(stick.end_half_width, "half-width")));
+    EXPECT_TRUE(within(stick.position, same->position, reference(stick.position_half_width, "half-width")));
+  }
+}
+
+TEST(ConvergedHistory, RefusesADampedBeam) {
+  data::Case problem = paper();
+  problem.damping = data::Damping({.kelvin_voigt = 6.4e-5});
+  EXPECT_THROW((void)studies::converged_history(problem), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace stickslip::testing

@@ -1,0 +1,384 @@
+/// The bound of the growth of a disturbance: closed forms, meshes, modes, steps, and runs that obey it.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "stickslip/analytic/beam_contact_model.hpp"
+#include "stickslip/analytic/boundary_integral.hpp"
+#include "stickslip/analytic/tip_mobility.hpp"
+#include "stickslip/data/case_file.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
+#include "studies/criterion/problem_warnings.hpp"
+#include "studies/stick_slip/contact_growth.hpp"
+#include "studies/stick_slip/converged_history.hpp"
+#include "studies/stick_slip/event_history.hpp"
+#include "studies/stick_slip/history_convergence.hpp"
+#include "support/beams.hpp"
+#include "support/contact_models.hpp"
+#include "support/parameter_name.hpp"
+#include "support/single_mass.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+using Complex = std::complex<double>;
+using studies::growth_bound;
+
+constexpr double kappa = 150.0;                            // N s/m, of the paper: (0.6 - 0.3) 1 s/m 500 N
+constexpr double beam_bound = 4.0 * kappa / (10.0 * 2.0);  // 4 kappa/(rho A L) = 30/s
+
+// growth_bound() is from above, and to 1e-4.
+Tolerance searched(double expected) { return discretisation(1e-4 * expected, 1.01, "the search"); }
+
+solver::ContactMobility mesh(int elements) {
+  return solver::ContactMobility(
+      solver::beam_contact_system(solver::BeamModel(paper_beam(), elements), paper_friction(),
+                                  solver::harmonic_motion(data::HarmonicExcitation({25.0, 1e-3}))));
+}
+
+double stepped_bound(const solver::ContactMobility& mobility, double angle, double radius) {
+  const double h = angle / mobility.angular_frequencies().maxCoeff();
+  return growth_bound(studies::stepped_contact(mobility, h, radius), kappa);
+}
+
+studies::ContactDynamics without_limit(studies::ContactDynamics contact) {
+  contact.limiting_mass = std::numeric_limits<double>::infinity();
+  return contact;
+}
+
+TEST(Weakening, IsTheSteepestFallOfTheFrictionForce) {
+  EXPECT_DOUBLE_EQ(studies::weakening(paper_friction(), 500.0), kappa);
+  const data::FrictionLaw law({.static_coefficient = 0.5, .kinetic_coefficient = 0.25, .decay = 3.0});
+  EXPECT_DOUBLE_EQ(studies::weakening(law, 8.0), 6.0);
+}
+
+TEST(ContactGrowth, OfAMassIsKappaOverItWithAndWithoutASpring) {
+  for (const double stiffness : {50.0, 5e4}) {
+    const SingleMass mass{.mass = 2.0, .stiffness = stiffness, .normal_force = 1.0};
+    const auto contact = studies::continuous_contact(solver::ContactMobility(contact_system(mass)));
+    EXPECT_TRUE(within(growth_bound(contact, 3.0), 1.5, searched(1.5)));
+    // Re Z = sigma (m + k/|s|^2) falls up to the last frequency searched, where |s|^2 = 9 k/m + sigma^2.
+    const double at_the_end = 3.0 / (2.0 + 2.0 / 9.0);
+    EXPECT_TRUE(within(growth_bound(without_limit(contact), 3.0), at_the_end,
+                       discretisation(2e-3 * at_the_end, 1.0, "sigma^2 against 9 k/m, and the search")));
+  }
+}
+
+TEST(ContactGrowth, OfADampedMassIsWhatTheDashpotLeaves) {
+  const auto bound = [](double damping) {
+    const SingleMass mass{.mass = 2.0, .stiffness = 50.0, .damping = damping, .normal_force = 1.0};
+    return growth_bound(studies::continuous_contact(solver::ContactMobility(contact_system(mass))), 3.0);
+  };
+  EXPECT_TRUE(within(bound(1.0), 1.0, searched(1.0)));
+  EXPECT_EQ(bound(3.5), 0.0);
+}
+
+// Spectral radius 1 is the trapezoidal rule: Re Z = m (2/h) Re tanh((sigma + i omega) h/2), least at omega =
+// 0. The spring is too soft to matter, (omega_0/sigma)^2 = 1e-8.
+TEST(ContactGrowth, OfAMassInStepsIsThatOfItsTransferFunction) {
+  const solver::ContactMobility mobility(
+      contact_system({.mass = 2.0, .stiffness = 4.5e-8, .normal_force = 1.0}));
+  for (const double h : {0.1, 0.5, 1.0}) {
+    const double expected = 2.0 / h * std::atanh(3.0 * h / 4.0);
+    EXPECT_TRUE(
+        within(growth_bound(studies::stepped_contact(mobility, h, 1.0), 3.0), expected, searched(expected)));
+  }
+  // kappa W_0 = 3 h/4 >= 1: no step has one solution.
+  EXPECT_TRUE(std::isinf(growth_bound(studies::stepped_contact(mobility, 1.4, 1.0), 3.0)));
+}
+
+TEST(ContactGrowth, OfTheBeamIsFourKappaOverItsMass) {
+  EXPECT_TRUE(
+      within(studies::beam_growth_bound(paper_beam(), paper_friction()), beam_bound, searched(beam_bound)));
+  const auto contact = studies::continuous_contact(paper_beam());
+  // No mode asks for more than the limit of the high ones, and those searched come near to it.
+  const double low_modes = growth_bound(without_limit(contact), kappa);
+  EXPECT_LE(low_modes, beam_bound * (1.0 + 1e-4));
+  EXPECT_GT(low_modes, 0.98 * beam_bound);
+  EXPECT_TRUE(studies::grows_at_most(contact, kappa, 1.001 * beam_bound));
+  EXPECT_FALSE(studies::grows_at_most(contact, kappa, 0.999 * beam_bound));
+}
+
+TEST(ContactGrowth, OfADampedBeamIsBelowThatOfTheUndamped) {
+  double before = beam_bound;
+  for (const double eta : {1e-7, 1e-6, 1e-5, 1e-4}) {
+    const double bound =
+        studies::beam_growth_bound(paper_beam(), paper_friction(), data::Damping({.kelvin_voigt = eta}));
+    EXPECT_LT(bound, before);
+    before = bound;
+  }
+}
+
+TEST(ContactGrowth, DoublesWithEachRefinementOfAMeshInContinuousTime) {
+  double before = 0.0;
+  for (const int elements : {5, 10, 20, 40}) {
+    const auto mobility = mesh(elements);
+    const auto contact = studies::continuous_contact(mobility);
+    const double bound = growth_bound(contact, kappa), closed_form = kappa / mobility.contact_mass();
+    EXPECT_TRUE(within(bound, closed_form, searched(closed_form)));
+    EXPECT_LE(growth_bound(without_limit(contact), kappa), closed_form * (1.0 + 1e-4));
+    // What the mesh far from the tip adds to the contact mass falls tenfold and more from element to element.
+    if (before > 0.0) {
+      EXPECT_TRUE(within(bound, 2.0 * before, searched(2.0 * before)));
+    }
+    before = bound;
+  }
+  EXPECT_GT(before, 100.0 * beam_bound);
+}
+
+TEST(ContactGrowth, OfAMeshWithARadiatingTipIsThatOfTheBeamOrLessOnEveryMeshInContinuousTime) {
+  // 0.03 rho A l of the 0.0722 rho A l that the tip opposes to an impulse, behind a dashpot of kappa. Without
+  // the dashpot it is kappa/(0.0422 rho A l), which doubles with the mesh.
+  for (const int elements : {5, 10, 20, 40}) {
+    const solver::BeamModel model(paper_beam(), elements);
+    const auto system = solver::beam_contact_system(
+        model, paper_friction(), solver::harmonic_motion(data::HarmonicExcitation({25.0, 1e-3})));
+    const double mass = 0.03 * 10.0 * 2.0 / elements;
+    const auto bound = [&](double dashpot) {
+      return growth_bound(studies::continuous_contact(solver::ContactMobility(
+                              studies::with_radiating_contact(system, mass, dashpot))),
+                          kappa);
+    };
+    EXPECT_LE(bound(kappa), beam_bound * (1.0 + 1e-4)) << elements;
+    EXPECT_GT(bound(0.0), 20.0 * beam_bound) << elements;
+  }
+}
+
+TEST(HistoryConvergence, OfAMeshWithARadiatingTipComesFromResolvedSteps) {
+  // Without damping by the steps (spectral radius 1, omega_max h = 1.2), 0.2 s at 25 Hz: 5.4 and 1.6 % of the
+  // range on 10 and 20 elements as measured over 0.5 s; half the error on half the length is asked for
+  // (empirical).
+  data::Case problem = data::load_case("paper");
+  problem.excitation = data::HarmonicExcitation({25.0, 1e-3});
+  const auto reference = studies::converged_history(
+      problem,
+      {.duration = 0.2, .samples = 400, .steps_per_sample = 128, .levels = 2, .with_midspan = false});
+  const auto run = [&](int elements, double share) {
+    const studies::StepRule rule{"radiating tip", 1.2, 0.0, 1.0, share};
+    return studies::history_run(problem, reference, elements,
+                                studies::time_step_of(rule, problem.beam, elements), 1.0, false, share);
+  };
+  const auto coarse = run(10, 0.01), fine = run(20, 0.01);
+  EXPECT_LT(fine.error, 0.5 * coarse.error);
+  EXPECT_LE(fine.growth_bound, 1.02 * beam_bound);
+  EXPECT_GT(run(20, 0.0).growth_bound, 10.0 * beam_bound);
+}
+
+TEST(ContactGrowth, OfModesInContinuousTimeGrowsWithTheirNumber) {
+  const data::HarmonicExcitation excitation({25.0, 1e-3});
+  for (const int modes : {5, 10, 20, 40}) {
+    const auto bound = [&](analytic::SlipBasis basis) {
+      return growth_bound(
+          studies::continuous_contact(
+              analytic::BeamContactModel(paper_beam(), paper_friction(), excitation, {}, modes, basis)
+                  .model()),
+          kappa);
+    };
+    // kappa g for each of modes + 1; the axial force moves g of the lowest mode, by P L^2/EI = 0.12 or less.
+    const double free = bound(analytic::SlipBasis::free_modes), expected = beam_bound * (modes + 1);
+    EXPECT_TRUE(within(free, expected, discretisation(beam_bound * 0.12, 1.0, "the axial force")));
+    EXPECT_GT(bound(analytic::SlipBasis::held_modes), free);
+  }
+}
+
+TEST(ContactGrowth, OfAModelIsThatOfItsMass) {
+  const auto model = contact_model(MassModel{.mass = 2.0, .stiffness = 50.0, .normal_force = 1.0});
+  EXPECT_TRUE(within(growth_bound(studies::continuous_contact(model), 3.0), 1.5, searched(1.5)));
+}
+
+class FilteringStep : public ::testing::TestWithParam<int> {};
+
+TEST_P(FilteringStep, KeepsTheGrowthOfAMeshAtThatOfTheBeam) {
+  const auto mobility = mesh(GetParam());
+  const double bound = stepped_bound(mobility, studies::filtering_angle, 0.0);
+  EXPECT_LT(bound, 31.0);
+  EXPECT_GT(bound, 26.0);
+  const double resolved = stepped_bound(mobility, 0.3, 0.9), continuous = kappa / mobility.contact_mass();
+  EXPECT_GT(resolved, 0.7 * continuous);
+  EXPECT_LT(resolved, continuous);
+}
+
+INSTANTIATE_TEST_SUITE_P(Elements, FilteringStep, ::testing::Values(5, 10, 20, 40, 80, 160));
+
+TEST(FilteringStep, FollowsFromTheElementLengthAlone) {
+  for (const int elements : {5, 10, 40}) {
+    const double h = studies::time_step_of({.angle = studies::filtering_angle}, paper_beam(), elements);
+    const double angle = mesh(elements).angular_frequencies().maxCoeff() * h;
+    EXPECT_TRUE(within(angle, studies::filtering_angle,
+                       discretisation(2e-3 * angle, 1.0, "the constant of 5 elements against 20")));
+  }
+}
+
+class BoundaryIntegralGrowth : public ::testing::TestWithParam<int> {};
+
+TEST_P(BoundaryIntegralGrowth, IsThatOfTheBeamOrLess) {
+  for (const double h : {1e-4, 1e-5}) {
+    const double bound = growth_bound(studies::stepped_contact(paper_beam(), h, GetParam()), kappa);
+    EXPECT_LE(bound, beam_bound * (1.0 + 1e-4));
+    EXPECT_GT(bound, 0.9 * beam_bound);
+  }
+}
+
+// With kappa' the least Re Z on |zeta| = exp(-sigma h), Parseval gives ||dv|| <= ||df_h||/(kappa' - kappa) in
+// the norm with the weight exp(-2 sigma t).
+TEST_P(BoundaryIntegralGrowth, BoundsTheSeparationOfTwoHistories) {
+  constexpr double h = 1e-4, sigma = 60.0, larger = 1.5 * kappa;
+  ASSERT_TRUE(studies::grows_at_most(studies::stepped_contact(paper_beam(), h, GetParam()), larger, sigma));
+  constexpr std::size_t steps = 2000;
+  const auto weights = analytic::mobility_weights(analytic::TipMobility(paper_beam()), h, steps, GetParam());
+  const auto velocities = [&](double disturbance) {
+    std::vector<double> held(steps);
+    for (std::size_t n = 0; n < steps; ++n) held[n] = 600.0 * std::sin(157.0 * static_cast<double>(n) * h);
+    held[100] += disturbance;
+    return analytic::contact_steps(weights, {500.0, paper_friction()}, held);
+  };
+  const auto a = velocities(0.0), b = velocities(1.0);
+  double separation = 0.0;
+  for (std::size_t n = 0; n < steps; ++n)
+    separation += std::pow(a[n].sliding_velocity - b[n].sliding_velocity, 2) *
+                  std::exp(-2.0 * sigma * h * static_cast<double>(n));
+  EXPECT_GT(separation, 0.0);
+  EXPECT_LE(std::sqrt(separation), std::exp(-sigma * h * 100.0) / (larger - kappa));
+}
+
+INSTANTIATE_TEST_SUITE_P(Stages, BoundaryIntegralGrowth, ::testing::Values(1, 2, 3, 4));
+
+// A mass that begins to slide under a pull just above the friction limit: d(dv)/dt = (kappa/m) exp(-v) dv,
+// v < 0.01 m/s, in steps of the trapezoidal rule.
+TEST(ContactGrowth, IsReachedByAMassThatBeginsToSlide) {
+  constexpr double h = 0.01, mass = 1.0;
+  const std::vector<double> weights =
+      analytic::mobility_weights([=](Complex s) { return 1.0 / (mass * s); }, h, 1001, 1);
+  const data::FrictionLaw law = paper_friction();
+  const double weakening = studies::weakening(law, 1.0);
+  const auto velocity = [&](double disturbance) {
+    std::vector<double> held(1001, -0.6001);
+    held[0] += disturbance;
+    return analytic::contact_steps(weights, {1.0, law}, held);
+  };
+  const auto a = velocity(0.0), b = velocity(-1e-4);
+  const auto separation = [&](std::size_t n) { return b[n].sliding_velocity - a[n].sliding_velocity; };
+  ASSERT_LT(b.back().sliding_velocity, 0.01);
+  const double observed = std::log(separation(1000) / separation(10)) / (990.0 * h);
+  EXPECT_LE(observed, weakening / mass * (1.0 + 1e-5));  // the rule's own (kappa h/m)^2/12
+  EXPECT_GE(observed, weakening / mass * std::exp(-0.01));
+}
+
+// A stand-in for the converged history, which takes minutes: only its times and its range matter here.
+studies::ConvergedHistory grid(double duration) {
+  studies::ConvergedHistory history;
+  for (int n = 0; n <= std::lround(duration / 5e-4); ++n) history.time.push_back(5e-4 * n);
+  history.tip.assign(history.time.size(), 0.0);
+  history.tip_range = 6e-3;
+  return history;
+}
+
+data::Case paper_case() {
+  data::Case problem = data::load_case("paper");
+  problem.excitation = data::HarmonicExcitation({25.0, 1e-3});
+  return problem;
+}
+
+TEST(HistoryConvergence, ObservesNoMoreGrowthThanItsBound) {
+  for (const int elements : {5, 10}) {
+    for (const auto& [angle, radius] : {std::pair{0.3, 0.9}, {studies::filtering_angle, 0.0}}) {
+      const auto run =
+          studies::history_run(paper_case(), grid(0.3), elements,
+                               studies::time_step_of({.angle = angle}, paper_beam(), elements), radius, true);
+      EXPECT_LE(run.highest_angle, angle * 1.001);
+      EXPECT_NE(run.observed_growth, 0.0);
+      EXPECT_LT(run.observed_growth, run.growth_bound);
+    }
+  }
+}
+
+TEST(HistoryConvergence, MeasuresTheErrorAgainstTheHistoryGiven) {
+  auto reference = grid(0.1);
+  const auto problem = paper_case();
+  const auto history = studies::time_stepper_history(problem.beam, problem.friction, problem.excitation,
+                                                     studies::refined(problem.numerics, 10, 1e-4),
+                                                     {.coordinates = solver::Coordinates::modal}, 0.1, 5);
+  reference.tip = history.tip_displacement;
+  reference.tip[60] += 6e-4;
+  const auto run = studies::history_run(problem, reference, 10, 1e-4, 0.9, false);
+  EXPECT_TRUE(within(run.error, 0.1, round_off(10, 10.0, 0.1)));
+  EXPECT_EQ(run.changes, history.changes);
+  EXPECT_EQ(run.observed_growth, 0.0);
+}
+
+// --- The warning
+
+std::optional<studies::Warning> warning(const std::vector<data::Override>& overrides,
+                                        studies::Inquiry inquiry = studies::Inquiry::stepped_history) {
+  return studies::growth_warning(data::load_case("paper", overrides), inquiry);
+}
+
+TEST(GrowthWarning, BeginsWhereRoundingMayGrowToTheSizeOfTheMotion) {
+  const auto bound = growth_bound(studies::stepped_contact(mesh(20), 1e-5, 1.0), kappa);
+  for (const double share : {0.99, 1.01}) {
+    const auto found = warning({{"numerics.time_step", "1e-5"},
+                                {"numerics.spectral_radius", "1"},
+                                {"numerics.duration", data::shortest_text(share * 36.0 / bound)}});
+    EXPECT_EQ(found.has_value(), share > 1.0);
+    if (!found) continue;
+    EXPECT_EQ(found->value, bound);
+    EXPECT_NE(found->sentence.find("for the beam sigma* is 30 1/s"), std::string::npos) << found->sentence;
+    EXPECT_EQ(found->sentence.find("any discretisation"), std::string::npos) << found->sentence;
+  }
+}
+
+TEST(GrowthWarning, SuggestsSettingsThatKeepTheGrowthAtThatOfTheBeam) {
+  const auto found = warning({{"numerics.time_step", "1e-6"}, {"numerics.duration", "0.5"}});
+  ASSERT_TRUE(found);
+  const std::string before = "time_step = ";
+  const auto place = found->sentence.find(before);
+  ASSERT_NE(place, std::string::npos) << found->sentence;
+  const double step = std::stod(found->sentence.substr(place + before.size()));
+  EXPECT_FALSE(warning({{"numerics.time_step", data::shortest_text(step)},
+                        {"numerics.spectral_radius", "0"},
+                        {"numerics.duration", "1.1"}}));  // 31/s for 1.16 s
+  EXPECT_LT(found->sentence.size(), 300u);
+}
+
+TEST(GrowthWarning, SaysWhenNoDiscretisationHelps) {
+  const auto found = warning({{"numerics.duration", "10"}});
+  ASSERT_TRUE(found);
+  EXPECT_NE(found->sentence.find("beyond 1.2 s the bound is of no use for any discretisation"),
+            std::string::npos)
+      << found->sentence;
+}
+
+TEST(GrowthWarning, SaysLessOfABeamWhoseDampingItsClosedFormDoesNotKnow) {
+  const auto found = warning({{"numerics.duration", "3"}, {"damping.ratio", "1e-4"}});
+  ASSERT_TRUE(found);
+  EXPECT_NE(found->sentence.find("for the undamped beam"), std::string::npos) << found->sentence;
+  EXPECT_EQ(found->sentence.find("any discretisation"), std::string::npos) << found->sentence;
+}
+
+TEST(GrowthWarning, CountsTheModesOfAnEventDrivenRun) {
+  const auto inquiry = studies::Inquiry::event_driven_history;
+  EXPECT_FALSE(warning({{"numerics.modes", "5"}, {"numerics.duration", "0.15"}}, inquiry));  // 213/s
+  EXPECT_TRUE(warning({{"numerics.modes", "5"}, {"numerics.duration", "0.2"}}, inquiry));
+  EXPECT_TRUE(warning({{"numerics.modes", "10"}, {"numerics.duration", "0.1"}}, inquiry));  // 398/s
+}
+
+TEST(GrowthWarning, IsSilentOnWhatItDoesNotCompute) {
+  EXPECT_FALSE(warning({{"numerics.elements", "201"}}));
+  EXPECT_FALSE(warning({{"numerics.elements", "51"}, {"damping.kelvin_voigt", "6.4e-5"}}));
+  for (const auto inquiry : {studies::Inquiry::closed_form_history, studies::Inquiry::criterion,
+                             studies::Inquiry::boundary_integral_history})
+    EXPECT_FALSE(warning({}, inquiry));
+}
+
+}  // namespace
+}  // namespace stickslip::testing

@@ -1,0 +1,278 @@
+/// The criterion over any two parameters of a case.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <stdexcept>
+#include <vector>
+
+#include "stickslip/analytic/criterion.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
+#include "studies/convergence/discretisation.hpp"
+#include "studies/criterion/criterion_map.hpp"
+#include "support/flat_beam.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+using studies::CellState;
+using studies::map_axis;
+using studies::MapMethod;
+using studies::Parameter;
+
+data::Case flat_case_of(double duration) {
+  data::Case problem = flat_case();
+  problem.numerics = data::NumericalSettings(paper_choices(duration));
+  return problem;
+}
+
+TEST(MapAxis, HasItsEndsAndEqualStepsOrRatiosBetween) {
+  const auto steps = map_axis(Parameter::length, 0.4, 2.0, 5, false).values;
+  ASSERT_EQ(steps.size(), 5u);
+  EXPECT_EQ(steps.front(), 0.4);
+  EXPECT_EQ(steps.back(), 2.0);
+  EXPECT_DOUBLE_EQ(steps[2], 1.2);
+  const auto ratios = map_axis(Parameter::axial_force, 7.0, 700.0, 3, true).values;
+  EXPECT_EQ(ratios.front(), 7.0);
+  EXPECT_EQ(ratios.back(), 700.0);
+  EXPECT_DOUBLE_EQ(ratios[1], 70.0);
+}
+
+TEST(CriterionMap, HoldsTheCriterionOfEachCell) {
+  const data::Case problem = flat_case_of(2.0);
+  const std::vector<studies::MapAxis> axes{map_axis(Parameter::frequency, 20.0, 90.0, 4, false),
+                                           map_axis(Parameter::amplitude, 0.0, 2e-3, 3, false),
+                                           map_axis(Parameter::length, 0.5, 2.0, 4, false),
+                                           map_axis(Parameter::axial_force, 50.0, 1200.0, 3, true),
+                                           map_axis(Parameter::youngs_modulus, 1e9, 8e9, 3, true),
+                                           map_axis(Parameter::static_coefficient, 0.1, 0.9, 3, false)};
+  for (const auto& x : axes)
+    for (const auto& y : axes) {
+      if (x.parameter == y.parameter) continue;
+      const auto map = studies::criterion_map(problem, x, y, MapMethod::closed_form);
+      ASSERT_EQ(map.cells.size(), x.values.size() * y.values.size());
+      for (std::size_t n = 0; n < map.cells.size(); ++n) {
+        const auto& cell = map.cells[n];
+        EXPECT_EQ(cell.x, x.values[n % x.values.size()]);
+        EXPECT_EQ(cell.y, y.values[n / x.values.size()]);
+        const data::Case point = with_value(with_value(problem, x.parameter, cell.x), y.parameter, cell.y);
+        EXPECT_EQ(value_of(point, x.parameter), cell.x);
+        EXPECT_EQ(value_of(point, y.parameter), cell.y);
+        const bool buckled = point.beam.axial_force() >= analytic::stick_buckling_load(point.beam);
+        EXPECT_EQ(cell.state == CellState::no_stick_state, buckled);
+        EXPECT_EQ(cell.force_ratio.has_value(), !buckled);
+        if (buckled) continue;
+        const auto criterion =
+            analytic::evaluate_criterion(point.beam, point.friction, point.excitation, 2.0);
+        const double ratio = criterion.force_max.midpoint() / criterion.friction_limit;
+        EXPECT_TRUE(
+            within(*cell.force_ratio, ratio, reference(1e-10 * ratio, "the relative width of the bounds")));
+        EXPECT_EQ(cell.state == CellState::stick_slip, criterion.verdict == analytic::Verdict::stick_slip);
+      }
+    }
+}
+
+TEST(CriterionMap, ByFiniteElementsIsThatOfThePlainRun) {
+  // An undamped map steps in modal coordinates, which give the plain run's force to 1e-10; over 5000 steps in
+  // more than one batch of their blocks.
+  struct Run {
+    double kelvin_voigt, duration;
+    int elements;
+  };
+  for (const auto& [kelvin_voigt, duration, elements] :
+       {Run{0.0, 0.05, 20}, {1e-5, 0.05, 20}, {0.0, 0.5, 4}}) {
+    data::Case problem = flat_case();
+    auto choices = paper_choices(duration);
+    choices.elements = elements;
+    problem.numerics = data::NumericalSettings(choices);
+    problem.damping = data::Damping({.kelvin_voigt = kelvin_voigt});
+    const auto x = map_axis(Parameter::frequency, 20.0, 60.0, 3, false);
+    const auto y = map_axis(Parameter::length, 0.8, 1.4, 2, false);
+    const auto map = studies::criterion_map(problem, x, y, MapMethod::finite_elements);
+    for (const auto& cell : map.cells) {
+      const data::Case point = with_value(with_value(problem, x.parameter, cell.x), y.parameter, cell.y);
+      const double force =
+          solver::max_abs_friction_force(point.beam, point.excitation, point.numerics, point.damping);
+      const double ratio = force / (point.friction.static_coefficient() * point.beam.axial_force());
+      EXPECT_TRUE(within(*cell.force_ratio, ratio, reference(1e-10 * ratio, "runs in modal coordinates")));
+    }
+  }
+}
+
+TEST(CriterionMap, IsProportionalToTheAmplitudeAndToTheInverseOfTheFriction) {
+  const auto map = studies::criterion_map(
+      flat_case_of(1.0), map_axis(Parameter::amplitude, 1e-4, 4e-4, 4, false),
+      map_axis(Parameter::static_coefficient, 0.1, 0.4, 4, false), MapMethod::finite_elements);
+  const double unit = *map.cells.front().force_ratio;
+  for (std::size_t n = 0; n < map.cells.size(); ++n) {
+    const double expected = unit * static_cast<double>(n % 4 + 1) / static_cast<double>(n / 4 + 1);
+    EXPECT_TRUE(within(*map.cells[n].force_ratio, expected, round_off(10, 1, expected)));
+  }
+}
+
+TEST(CriterionMap, MarksWhatIsAtOrOverTheBucklingLoad) {
+  const double load = analytic::stick_buckling_load(flat_beam(2.0, 0.0));
+  for (const MapMethod method : {MapMethod::closed_form, MapMethod::finite_elements}) {
+    const auto map = studies::criterion_map(
+        flat_case_of(0.1),
+        {.parameter = Parameter::axial_force, .values = {0.5 * load, 0.99 * load, load, 2.0 * load}},
+        map_axis(Parameter::amplitude, 0.0, 1e-3, 2, false), method);
+    for (std::size_t n = 0; n < map.cells.size(); ++n)
+      EXPECT_EQ(map.cells[n].state == CellState::no_stick_state, n % 4 >= 2) << n;
+  }
+}
+
+TEST(CriterionMap, OfFiniteElementsIsThatOfTheClosedFormToThePredictedError) {
+  const data::Case problem = flat_case_of(2.0);
+  const auto x = map_axis(Parameter::frequency, 15.0, 75.0, 4, false);
+  const auto y = map_axis(Parameter::length, 1.2, 2.0, 3, false);
+  const auto closed_form = studies::criterion_map(problem, x, y, MapMethod::closed_form);
+  const auto finite_element = studies::criterion_map(problem, x, y, MapMethod::finite_elements);
+  for (std::size_t n = 0; n < closed_form.cells.size(); ++n) {
+    const auto& cell = closed_form.cells[n];
+    const data::Case point = with_value(with_value(problem, x.parameter, cell.x), y.parameter, cell.y);
+    const double limit = point.friction.static_coefficient() * point.beam.axial_force();
+    const double converged =
+        analytic::StickResponse(point.beam, point.excitation, 60, analytic::SteadyPart::exact)
+            .max_abs_friction_force(2.0, 1e-8)
+            .midpoint();
+    const studies::PredictedForce predicted(point.beam, point.excitation, point.numerics, 20);
+    const double truncation = std::abs(*cell.force_ratio * limit - converged);
+    const double mesh_and_step = std::abs(predicted.max_abs() - converged) + predicted.uncertainty();
+    EXPECT_TRUE(within(*finite_element.cells[n].force_ratio * limit, *cell.force_ratio * limit,
+                       discretisation(truncation + mesh_and_step, 1.0,
+                                      "ten modes against all, and PredictedForce against all")))
+        << cell.x << " Hz, " << cell.y << " m";
+  }
+}
+
+TEST(CriterionMap, TellsTheShareDone) {
+  double last = 0.0;
+  (void)studies::criterion_map(flat_case_of(0.1), map_axis(Parameter::frequency, 5.0, 50.0, 10, false),
+                               map_axis(Parameter::amplitude, 0.0, 1e-3, 10, false), MapMethod::closed_form,
+                               [&](double share) {
+                                 EXPECT_GT(share, last);
+                                 last = share;
+                               });
+  EXPECT_EQ(last, 1.0);
+}
+
+TEST(CriterionMap, OfStatesOnlyHasTheStatesOfTheWholeMap) {
+  const data::Case problem = flat_case_of(0.5);
+  const auto x = map_axis(Parameter::length, 0.8, 3.0, 7, false);
+  for (const auto& y : {map_axis(Parameter::axial_force, 200.0, 900.0, 5, true),
+                        map_axis(Parameter::amplitude, 0.0, 4e-3, 5, false),
+                        map_axis(Parameter::static_coefficient, 0.05, 0.9, 5, false)}) {
+    const studies::MapTask task{
+        .problem = problem, .x = x, .y = y, .method = MapMethod::closed_form, .states_only = true};
+    studies::MapEvaluations evaluations(studies::evaluation_count(task));
+    studies::evaluate(task, studies::share_of(evaluations.size(), 1, 1), evaluations);
+    const auto states = studies::criterion_map(task, evaluations).cells;
+    const auto whole = studies::criterion_map(problem, x, y, MapMethod::closed_form).cells;
+    ASSERT_EQ(states.size(), whole.size());
+    std::set<CellState> seen;
+    for (std::size_t n = 0; n < whole.size(); ++n) {
+      EXPECT_EQ(states[n].state, whole[n].state) << n;
+      EXPECT_FALSE(states[n].force_ratio.has_value());
+      seen.insert(states[n].state);
+    }
+    EXPECT_GE(seen.size(), 2u);
+  }
+}
+
+TEST(CriterionMap, OfStatesOnlySeesWhatResonanceAloneBringsOverTheLimit) {
+  // One beam that just slips in its first resonance, where its vibration grows for ten seconds; ten widths of
+  // the resonance beside it, 1/(10 s) each, it sticks.
+  data::Case problem = flat_case_of(10.0);
+  const double natural = analytic::stick_modes(problem.beam, 1).front().frequency_hz();
+  const data::HarmonicExcitation unit({.frequency_hz = natural, .amplitude = 1.0});
+  problem.excitation = data::HarmonicExcitation(
+      {.frequency_hz = natural,
+       .amplitude = 1.01 * analytic::evaluate_criterion(problem.beam, problem.friction, unit, 10.0)
+                               .critical_amplitude.upper});
+  const studies::MapTask task{
+      .problem = problem,
+      .x = {.parameter = Parameter::frequency, .values = {natural - 1.0, natural, natural + 1.0}},
+      .y = {.parameter = Parameter::length, .values = {problem.beam.length()}},
+      .method = MapMethod::closed_form,
+      .states_only = true};
+  studies::MapEvaluations evaluations(studies::evaluation_count(task));
+  studies::evaluate(task, studies::share_of(evaluations.size(), 1, 1), evaluations);
+  const auto cells = studies::criterion_map(task, evaluations).cells;
+  ASSERT_EQ(cells.size(), 3u);
+  EXPECT_EQ(cells[0].state, CellState::stick);
+  EXPECT_EQ(cells[1].state, CellState::stick_slip);
+  EXPECT_EQ(cells[2].state, CellState::stick);
+}
+
+TEST(CriterionMap, IsNotPutTogetherBeforeItIsComplete) {
+  const studies::MapTask task{.problem = flat_case_of(0.1),
+                              .x = map_axis(Parameter::frequency, 5.0, 50.0, 4, false),
+                              .y = map_axis(Parameter::amplitude, 0.0, 1e-3, 3, false),
+                              .method = MapMethod::closed_form};
+  studies::MapEvaluations evaluations(studies::evaluation_count(task));
+  ASSERT_EQ(evaluations.size(), 4u);  // the amplitude costs nothing
+  studies::evaluate(task, studies::share_of(4, 1, 2), evaluations);
+  EXPECT_THROW((void)studies::criterion_map(task, evaluations), std::invalid_argument);
+  evaluations.pop_back();
+  EXPECT_THROW(studies::evaluate(task, studies::share_of(4, 1, 2), evaluations), std::invalid_argument);
+}
+
+TEST(MapShare, DealsEachEvaluationOnceAndAsManyToEachPart) {
+  for (const std::size_t evaluations : {0u, 1u, 7u, 100u, 2500u})
+    for (const std::size_t parts : {1u, 2u, 3u, 7u, 100u}) {
+      std::vector<int> dealt(evaluations);
+      for (std::size_t part = 1; part <= parts; ++part) {
+        const auto share = studies::share_of(evaluations, part, parts);
+        EXPECT_TRUE(std::ranges::is_sorted(share));
+        EXPECT_LE(share.size(), (evaluations + parts - 1) / parts);
+        EXPECT_GE(share.size(), evaluations / parts);
+        for (const std::size_t number : share) ++dealt.at(number);
+      }
+      EXPECT_EQ(dealt, std::vector<int>(evaluations, 1)) << evaluations << " in " << parts;
+    }
+  EXPECT_THROW((void)studies::share_of(10, 0, 3), std::invalid_argument);
+  EXPECT_THROW((void)studies::share_of(10, 4, 3), std::invalid_argument);
+}
+
+// The cost of an evaluation grows with its frequency, along x. With as many shards as columns each row holds
+// one evaluation of each shard, at places golden turns apart: of n of these the mean is off the centre of the
+// circle by their discrepancy, below (log2(n) + 1)/n.
+TEST(MapShare, CostsEachPartTheSameWhereTheCostGrowsAlongARow) {
+  constexpr std::size_t columns = 100, rows = 50;
+  for (std::size_t part = 1; part <= columns; ++part) {
+    double mean = 0.0;
+    for (const std::size_t number : studies::share_of(columns * rows, part, columns))
+      mean += static_cast<double>(number % columns) + 0.5;
+    mean /= columns * rows;
+    EXPECT_TRUE(within(mean, 0.5, discretisation((std::log2(rows) + 1.0) / rows, 1.0, "discrepancy")))
+        << part;
+  }
+}
+
+TEST(CriterionMap, RefusesWhatHasNoCriterion) {
+  const data::Case problem = flat_case_of(0.1);
+  const auto hz = map_axis(Parameter::frequency, 5.0, 50.0, 2, false);
+  const auto map = [&](const data::Case& of, const studies::MapAxis& y) {
+    return studies::criterion_map(of, hz, y, MapMethod::closed_form);
+  };
+  EXPECT_THROW((void)map(problem, hz), std::invalid_argument);
+  EXPECT_THROW((void)map(problem, map_axis(Parameter::length, -1.0, 2.0, 2, false)), data::FieldError);
+  EXPECT_THROW((void)map(problem, map_axis(Parameter::static_coefficient, 0.0, 1.0, 2, false)),
+               data::FieldError);
+  EXPECT_THROW((void)map(problem, {.parameter = Parameter::amplitude, .values = {1e-3, -1e-3}}),
+               data::FieldError);
+  EXPECT_THROW((void)map(problem, map_axis(Parameter::axial_force, 0.0, 1.0, 2, false)), std::domain_error);
+  const auto amplitude = map_axis(Parameter::amplitude, 0.0, 1e-3, 2, false);
+  EXPECT_THROW((void)map(with_value(problem, Parameter::axial_force, 2000.0), amplitude), std::domain_error);
+  EXPECT_THROW((void)map(with_value(problem, Parameter::axial_force, -5.0), amplitude), std::domain_error);
+}
+
+}  // namespace
+}  // namespace stickslip::testing

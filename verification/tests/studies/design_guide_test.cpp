@@ -1,0 +1,231 @@
+/// The margin to slipping over a band of frequencies, and the lengths and axial forces that keep it.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "stickslip/analytic/criterion.hpp"
+#include "studies/criterion/design_guide.hpp"
+#include "studies/criterion/length_force_map.hpp"
+#include "support/flat_beam.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+using analytic::FrequencyBand;
+using studies::DesignInterval;
+using studies::DesignScan;
+using studies::Parameter;
+
+// Whether the criterion says stick at every one of `count` frequencies of the band.
+bool sticks_on_a_grid(const data::Case& problem, const FrequencyBand& band, int count) {
+  for (int i = 0; i < count; ++i) {
+    const double share = count > 1 ? static_cast<double>(i) / (count - 1) : 0.0;
+    const auto excitation =
+        with_value(problem, Parameter::frequency, std::lerp(band.from_hz, band.to_hz, share)).excitation;
+    const auto criterion =
+        analytic::evaluate_criterion(problem.beam, problem.friction, excitation, problem.numerics.duration());
+    if (criterion.verdict == analytic::Verdict::stick_slip) return false;
+  }
+  return true;
+}
+
+void expect_to_tile(const DesignScan& scan, double from, double to) {
+  ASSERT_FALSE(scan.intervals.empty());
+  EXPECT_EQ(scan.intervals.front().from, from);
+  EXPECT_EQ(scan.intervals.back().to, to);
+  for (std::size_t i = 1; i < scan.intervals.size(); ++i)
+    EXPECT_EQ(scan.intervals[i].from, scan.intervals[i - 1].to);
+}
+
+// Between stick and slip, the criterion sticks at the end itself and slips within the accuracy behind it.
+void expect_ends_of_the_criterion(const data::Case& problem, const DesignScan& scan, double hz) {
+  const FrequencyBand band{hz, hz};
+  for (std::size_t i = 1; i < scan.intervals.size(); ++i) {
+    const DesignInterval &left = scan.intervals[i - 1], &right = scan.intervals[i];
+    if (right.buckled) continue;
+    const double end = right.from, inwards = left.sticks ? -1.0 : 1.0;
+    EXPECT_TRUE(sticks_on_a_grid(with_value(problem, scan.parameter, end), band, 1)) << end;
+    EXPECT_FALSE(
+        sticks_on_a_grid(with_value(problem, scan.parameter, end - inwards * scan.accuracy), band, 1))
+        << end;
+  }
+}
+
+const DesignInterval& interval_at(const DesignScan& scan, double value) {
+  return *std::ranges::find_if(scan.intervals,
+                               [&](const auto& i) { return i.from <= value && value <= i.to; });
+}
+
+TEST(BandMargin, OfOneFrequencyIsThatOfTheCriterion) {
+  const data::Case problem = flat_case();
+  const auto margin = studies::band_margin(problem, {25.0, 25.0});
+  const auto criterion =
+      analytic::evaluate_criterion(problem.beam, problem.friction, problem.excitation, 10.0);
+  const double expected = criterion.critical_amplitude.midpoint() / 1e-3;
+  EXPECT_TRUE(within(margin.margin.midpoint(), expected, reference(2e-9 * expected, "bounds of |f_max|")));
+  EXPECT_EQ(margin.evaluations, 1);
+  EXPECT_EQ(margin.frequency_hz, 25.0);
+  EXPECT_TRUE(margin.resonances.empty());
+}
+
+TEST(BandMargin, HasTheNaturalFrequenciesOfTheBandAndItsWorstThere) {
+  const data::Case problem = flat_case();
+  const auto modes = analytic::stick_modes(problem.beam, 3);
+  const auto margin = studies::band_margin(problem, {1.0, 40.0});
+  ASSERT_EQ(margin.resonances.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(margin.resonances[i].mode, static_cast<int>(i) + 1);
+    EXPECT_EQ(margin.resonances[i].frequency_hz, modes[i].frequency_hz());
+    const auto here = studies::band_margin(problem, {modes[i].frequency_hz(), modes[i].frequency_hz()});
+    EXPECT_LE(margin.margin.lower, here.margin.upper);
+  }
+  const auto nearest = std::ranges::min(margin.resonances, {}, [&](const auto& resonance) {
+    return std::abs(resonance.frequency_hz - margin.frequency_hz);
+  });
+  EXPECT_TRUE(within(margin.frequency_hz, nearest.frequency_hz,
+                     discretisation(1.0 / 10.0, 1.0, "width of a resonance, one over the duration")));
+}
+
+TEST(BandMargin, IsNoLargerThanThatOfAnyFrequencyInTheBand) {
+  // Off resonance, where the force ripples over 1/(10 s) and is largest between the ends of these bands.
+  const data::Case problem = flat_case();
+  for (const FrequencyBand band : {FrequencyBand{20.0, 20.3}, {50.0, 50.3}}) {
+    const auto margin_at = [&](double hz) { return studies::band_margin(problem, {hz, hz}).margin; };
+    const analytic::Bounds margin = studies::band_margin(problem, band).margin;
+    for (int i = 0; i <= 30; ++i)
+      EXPECT_LE(margin.lower, margin_at(std::lerp(band.from_hz, band.to_hz, i / 30.0)).upper) << i;
+    EXPECT_LT(margin.upper, std::min(margin_at(band.from_hz).lower, margin_at(band.to_hz).lower));
+  }
+}
+
+TEST(BandMargin, RefusesWhatHasNone) {
+  const data::Case problem = flat_case();
+  const FrequencyBand band{20.0, 30.0};
+  EXPECT_THROW((void)studies::band_margin(with_value(problem, Parameter::amplitude, 0.0), band),
+               data::FieldError);
+  EXPECT_THROW((void)studies::band_margin(with_value(problem, Parameter::static_coefficient, 0.0), band),
+               data::FieldError);
+  EXPECT_THROW((void)studies::band_margin(with_value(problem, Parameter::axial_force, 0.0), band),
+               std::domain_error);
+  EXPECT_THROW((void)studies::band_margin(problem, {30.0, 20.0}), std::invalid_argument);
+}
+
+TEST(DesignScan, AvoidsTheTwoLengthsOfFigure14) {
+  const data::Case problem = flat_case();
+  const auto scan = studies::design_scan(problem, Parameter::length, {0.4, 2.0}, {25.0, 25.0});
+  expect_to_tile(scan, 0.4, 2.0);
+  ASSERT_EQ(scan.intervals.size(), 5u);
+  for (const int mode : {1, 2}) {
+    const double resonance = *studies::resonance_length(problem.beam, mode, 25.0);
+    EXPECT_TRUE(within(resonance, mode == 1 ? 0.879 : 1.578, reference(5e-4, "three digits as printed")));
+    const DesignInterval& avoided = interval_at(scan, resonance);
+    EXPECT_FALSE(avoided.sticks);
+    EXPECT_EQ(avoided.resonances, std::vector<int>{mode});
+    EXPECT_LT(avoided.to - avoided.from, 0.06);
+  }
+  expect_ends_of_the_criterion(problem, scan, 25.0);
+  for (int i = 0; i <= 400; ++i) {
+    const double length = 0.4 + 0.004 * i;
+    EXPECT_EQ(sticks_on_a_grid(with_value(problem, Parameter::length, length), {25.0, 25.0}, 1),
+              interval_at(scan, length).sticks)
+        << length;
+  }
+}
+
+TEST(DesignScan, FindsTheEndsOfAxialForcesAndTheBucklingLoad) {
+  const data::Case problem = flat_case();
+  const auto scan = studies::design_scan(problem, Parameter::axial_force, {20.0, 3000.0}, {25.0, 25.0});
+  expect_to_tile(scan, 20.0, 3000.0);
+  EXPECT_FALSE(scan.intervals.front().sticks);
+  EXPECT_TRUE(scan.intervals.back().buckled);
+  const double load = studies::buckling_value(problem, Parameter::axial_force);
+  EXPECT_EQ(load, analytic::stick_buckling_load(problem.beam));
+  EXPECT_TRUE(within(scan.intervals.back().from, load, reference(2e-6 * load, "resolution of the scan")));
+  expect_ends_of_the_criterion(problem, scan, 25.0);
+}
+
+TEST(DesignScan, FindsAResonanceFarNarrowerThanItsSpacing) {
+  // At 30 um the tip slips only next to resonance, over less than 1 % of the length.
+  const data::Case problem = with_value(flat_case(), Parameter::amplitude, 3e-5);
+  const auto scan = studies::design_scan(problem, Parameter::length, {0.4, 1.3}, {25.0, 25.0});
+  ASSERT_EQ(scan.intervals.size(), 3u);
+  const DesignInterval& avoided = scan.intervals[1];
+  const double resonance = *studies::resonance_length(problem.beam, 1, 25.0);
+  EXPECT_LT(avoided.from, resonance);
+  EXPECT_GT(avoided.to, resonance);
+  EXPECT_LT(avoided.to - avoided.from, 0.005 * resonance);
+  expect_ends_of_the_criterion(problem, scan, 25.0);
+}
+
+TEST(DesignScan, FindsAPeakBetweenTheValuesOfItsGrid) {
+  // Over a few periods the peak is wide and stands beside the resonance; an amplitude of 0.05 % over what it
+  // takes leaves a part of that width only.
+  for (const double duration : {0.15, 0.2, 0.25, 0.3, 0.4}) {
+    data::Case problem = flat_case();
+    problem.numerics = data::NumericalSettings(paper_choices(duration));
+    const auto critical_amplitude = [&](double length) {
+      const data::Case there = with_value(problem, Parameter::length, length);
+      return 1e-3 * studies::band_margin(there, {25.0, 25.0}).margin.upper;
+    };
+    double least = critical_amplitude(0.8), worst = 0.8;
+    for (double length = 0.8; length < 1.0; length += 1e-4)
+      if (const double critical = critical_amplitude(length); critical < least)
+        std::tie(least, worst) = std::pair(critical, length);
+    const auto scan = studies::design_scan(with_value(problem, Parameter::amplitude, 1.0005 * least),
+                                           Parameter::length, {0.8, 1.0}, {25.0, 25.0});
+    EXPECT_FALSE(interval_at(scan, worst).sticks) << duration;
+  }
+}
+
+TEST(DesignScan, HoldsThroughoutABand) {
+  data::Case problem = flat_case();
+  problem.numerics = data::NumericalSettings(paper_choices(3.0));
+  const FrequencyBand band{22.0, 27.0};
+  const auto scan = studies::design_scan(problem, Parameter::length, {0.7, 1.7}, band);
+  expect_to_tile(scan, 0.7, 1.7);
+  for (const int mode : {1, 2})
+    for (const double hz : {22.0, 24.0, 27.0}) {
+      const DesignInterval& avoided = interval_at(scan, *studies::resonance_length(problem.beam, mode, hz));
+      EXPECT_FALSE(avoided.sticks);
+      EXPECT_EQ(avoided.resonances, std::vector<int>{mode});
+    }
+  for (const DesignInterval& interval : scan.intervals)
+    for (int i = 0; i <= 10; ++i) {
+      const double length = std::lerp(interval.from, interval.to, i / 10.0);
+      const data::Case there = with_value(problem, Parameter::length, length);
+      if (interval.sticks) {
+        EXPECT_TRUE(sticks_on_a_grid(there, band, 51)) << length;
+      } else if (0 < i && i < 10) {
+        EXPECT_LT(studies::band_margin(there, band, 1e-3).margin.lower, 1.0) << length;
+      }
+    }
+}
+
+TEST(DesignScan, OfALengthOverBucklingSaysSo) {
+  const data::Case problem = flat_case();
+  const double longest = studies::buckling_value(problem, Parameter::length);
+  EXPECT_TRUE(within(analytic::stick_buckling_load(flat_beam(longest, 0.0)), 500.0, round_off(10, 2, 500.0)));
+  const auto scan = studies::design_scan(problem, Parameter::length, {longest, 2.0 * longest}, {25.0, 25.0});
+  ASSERT_EQ(scan.intervals.size(), 1u);
+  EXPECT_TRUE(scan.intervals.front().buckled);
+  EXPECT_FALSE(scan.intervals.front().sticks);
+}
+
+TEST(DesignScan, RefusesAnotherParameterAndARangeThatFalls) {
+  const data::Case problem = flat_case();
+  EXPECT_THROW((void)studies::design_scan(problem, Parameter::frequency, {1.0, 2.0}, {25.0, 25.0}),
+               std::invalid_argument);
+  EXPECT_THROW((void)studies::design_scan(problem, Parameter::length, {2.0, 1.0}, {25.0, 25.0}),
+               std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace stickslip::testing

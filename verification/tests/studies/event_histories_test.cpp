@@ -1,0 +1,174 @@
+/// Stick-slip histories by methods that share nothing: finite elements in time steps, the continuous beam
+/// from event to event.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "stickslip/analytic/beam_contact_model.hpp"
+#include "studies/stick_slip/damped_benchmark.hpp"
+#include "studies/stick_slip/event_history.hpp"
+#include "studies/stick_slip/event_order.hpp"
+#include "support/beams.hpp"
+#include "support/order.hpp"
+#include "support/parameter_name.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+using studies::HistoryEvent;
+
+constexpr double light_damping = 6.4e-5;  // s: 0.5 % of critical in the first stick mode
+
+data::Case damped_case(double frequency_hz) {
+  return {.name = "damped",
+          .beam = paper_beam(),
+          .friction = paper_friction(),
+          .excitation = data::HarmonicExcitation({.frequency_hz = frequency_hz, .amplitude = 1e-3}),
+          .numerics = data::NumericalSettings(paper_choices(0.5)),
+          .damping = data::Damping({.kelvin_voigt = light_damping, .ratio = 0.0})};
+}
+
+std::vector<double> times_of(const std::vector<HistoryEvent>& events) {
+  std::vector<double> times;
+  for (const HistoryEvent& event : events) times.push_back(event.time);
+  return times;
+}
+
+TEST(MicroSticks, ShorterThanTheSpanAreMergedIntoTheSlipAroundThem) {
+  const std::vector<HistoryEvent> events{{true, 1.0, 0.0},  {false, 2.0, 0.1}, {true, 2.01, 0.1},
+                                         {false, 3.0, 0.2}, {true, 4.0, 0.2},  {false, 4.001, 0.2}};
+  EXPECT_EQ(times_of(studies::without_micro_sticks(events, 0.1)),
+            (std::vector<double>{1.0, 3.0, 4.0, 4.001}));
+  // A span of zero merges nothing, and neither a micro-slip nor an unfinished stick is ever merged.
+  EXPECT_EQ(studies::without_micro_sticks(events, 0.0).size(), events.size());
+  EXPECT_TRUE(studies::without_micro_sticks({}, 1.0).empty());
+}
+
+TEST(MicroSticks, OfAChatterAreMergedOneAfterTheOther) {
+  const std::vector<HistoryEvent> chatter{{true, 1.0, 0.0},   {false, 2.0, 0.1}, {true, 2.01, 0.1},
+                                          {false, 2.02, 0.1}, {true, 2.03, 0.1}, {false, 3.0, 0.2}};
+  EXPECT_EQ(times_of(studies::without_micro_sticks(chatter, 0.1)), (std::vector<double>{1.0, 3.0}));
+}
+
+TEST(EventDifferences, AreInfiniteBetweenDifferentSequences) {
+  const std::vector<HistoryEvent> a{{true, 1.0, 0.0}, {false, 2.0, 0.1}}, b{{true, 1.5, 0.25}};
+  EXPECT_EQ(studies::largest_difference(a, b, 1).time, 0.5);
+  EXPECT_EQ(studies::largest_difference(a, b, 1).position, 0.25);
+  EXPECT_TRUE(std::isinf(studies::largest_difference(a, b, 2).time));
+  const std::vector<HistoryEvent> capture{{false, 1.0, 0.0}};
+  EXPECT_TRUE(std::isinf(studies::largest_difference(a, capture, 1).position));
+}
+
+struct RecordedEvent {
+  bool onset;
+  double time, position;
+};
+
+// Recorded from an independent event-driven computation on finite elements, with the digits given.
+TEST(DampedBenchmark, MeetsRecordedEvents) {
+  const auto history = studies::event_driven_history(
+      analytic::BeamContactModel(paper_beam(), paper_friction(), damped_case(25.0).excitation,
+                                 damped_case(25.0).damping, 20)
+          .model(),
+      0.09, 1e-3);
+  const RecordedEvent recorded[] = {{true, 0.055321, 0.0},
+                                    {false, 0.068022, 1.6961e-3},
+                                    {true, 0.07289, 1.6961e-3},
+                                    {false, 0.089036, -2.5093e-3}};
+  ASSERT_EQ(history.events.size(), std::size(recorded));
+  for (std::size_t i = 0; i < history.events.size(); ++i) {
+    EXPECT_EQ(history.events[i].onset, recorded[i].onset);
+    // Half a unit of the last digit, and 2e-6 s, by which that computation's mesh moves the third event.
+    EXPECT_TRUE(within(history.events[i].time, recorded[i].time, reference(2.5e-6, "the record")));
+    EXPECT_TRUE(within(history.events[i].position, recorded[i].position, reference(1e-7, "the record")));
+  }
+}
+
+class DampedBenchmark : public ::testing::TestWithParam<double> {};
+
+TEST_P(DampedBenchmark, IsTheSameByFiniteElementsInTimeStepsAndByContinuousModesFromEventToEvent) {
+  // The mesh error of event times and plateaus is of order 4: from 20 to 40 elements it falls by 16, and the
+  // difference of the two bounds that of 40. The step's is of order 2 and its difference from 1e-5 s to 5e-6
+  // s bounds that of 5e-6 s by a third; margin 3 for both together.
+  const auto benchmark = studies::damped_benchmark(damped_case(GetParam()), {.duration = 0.12,
+                                                                             .shortest_stick = 2e-5,
+                                                                             .modes = 28,
+                                                                             .other_modes = {10},
+                                                                             .free_modes = {14, 28},
+                                                                             .event_driven_elements = {10},
+                                                                             .elements = {10, 20, 40},
+                                                                             .time_steps = {1e-5, 5e-6}});
+  ASSERT_GE(benchmark.events.size(), 7u);
+  for (std::size_t i = 0; i < std::min<std::size_t>(10, benchmark.events.size()); ++i) {
+    EXPECT_LT(benchmark.events[i].time_uncertainty, 1e-6);
+    EXPECT_LT(benchmark.events[i].position_uncertainty, 1e-7);
+  }
+  EXPECT_LT(benchmark.tolerance_effect, 1e-9);
+
+  const auto run = [&](const std::string& method, int size, double step) {
+    return *std::ranges::find_if(benchmark.runs, [&](const studies::BenchmarkRun& candidate) {
+      return candidate.method == method && candidate.size == size && candidate.time_step == step;
+    });
+  };
+  const auto coarse = run("generalised-alpha", 20, 5e-6), fine = run("generalised-alpha", 40, 5e-6);
+  const auto longer = run("generalised-alpha", 40, 1e-5);
+  const double mesh_time = coarse.all.time / 15.0, mesh_position = coarse.all.position / 15.0;
+  const double step_time = std::abs(longer.all.time - fine.all.time) / 3.0;
+  const double step_position = std::abs(longer.all.position - fine.all.position) / 3.0;
+  EXPECT_TRUE(within(fine.all.time, 0.0, discretisation(mesh_time + step_time, 3.0, "Richardson")));
+  EXPECT_TRUE(
+      within(fine.all.position, 0.0, discretisation(mesh_position + step_position, 3.0, "Richardson")));
+  EXPECT_LT(fine.first_ten.time, 1e-6);
+  EXPECT_LT(fine.first_ten.position, 1e-7);
+
+  // On one and the same mesh the two methods differ by the step alone, far below what the mesh costs.
+  const auto stepped = run("generalised-alpha", 10, 5e-6);
+  const auto event_driven = run("event-driven on finite elements", 10, 0.0);
+  ASSERT_EQ(stepped.each.size(), event_driven.each.size());
+  EXPECT_TRUE(within(stepped.all.time, event_driven.all.time, discretisation(step_time, 3.0, "Richardson")));
+
+  // The free modes are of order 3: twice as many should leave an eighth, and leave less than a quarter while
+  // signs alternate.
+  const auto few = run("event-driven on free modes", 14, 0.0),
+             many = run("event-driven on free modes", 28, 0.0);
+  EXPECT_LT(many.all.position, few.all.position / 4.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Hz, DampedBenchmark, ::testing::Values(25.0, 70.0), NameOfDouble());
+
+class OrderThroughEvents : public ::testing::TestWithParam<double> {};
+
+TEST_P(OrderThroughEvents, IsTwoWithLocationAndOneForTimesWithoutIt) {
+  const auto study =
+      studies::event_order_study(damped_case(25.0), 0.12, 10, GetParam(), {1, 2, 4, 8, 16, 32, 64});
+  ASSERT_GE(study.events, 7);
+  // The event-driven reference keeps its tolerance, 1e-12 of the state a step.
+  const auto order_two = [&](const std::vector<double>& errors) {
+    return order_is(order_levels(study.time_step, errors, next_term_of_the_damped_beam, 1e-12), 2.0);
+  };
+  EXPECT_TRUE(order_two(study.located.event_time_error));
+  EXPECT_TRUE(order_two(study.located.event_position_error));
+  EXPECT_TRUE(order_two(study.located.tip_error));
+  // A change is taken at the end of its step: late by a share of h that scatters between 0 and 1. Of the
+  // seven, a capture follows its onset and inherits from it; ln of the largest of three shares that are
+  // independent scatters by 1/3.
+  EXPECT_TRUE(order_is(order_levels(study.time_step, study.at_end_of_step.event_time_error,
+                                    next_term_of_the_damped_beam, 1e-12, 1.0 / 3.0),
+                       1.0));
+  for (std::size_t i = 0; i < study.time_step.size(); ++i) {
+    EXPECT_LT(study.at_end_of_step.event_time_error[i],
+              study.time_step[i] + study.located.event_time_error[i]);
+    EXPECT_GT(study.at_end_of_step.event_time_error[i], 5.0 * study.located.event_time_error[i]);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(SpectralRadius, OrderThroughEvents, ::testing::Values(0.9, 1.0), NameOfDouble());
+
+}  // namespace
+}  // namespace stickslip::testing

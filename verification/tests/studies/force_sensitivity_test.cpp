@@ -1,0 +1,174 @@
+/// What moves the printed |f_max|, against what theory says of each factor.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/data/case_file.hpp"
+#include "studies/common/common_digits.hpp"
+#include "studies/paper/force_sensitivity.hpp"
+#include "support/beams.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+using analytic::StickResponse;
+
+const studies::ForceSensitivity& study() {
+  static const studies::ForceSensitivity result = studies::force_sensitivity(data::load_case("paper"));
+  return result;
+}
+
+const studies::ForceRow& row(const std::string& factor, const std::string& setting) {
+  const auto& rows = study().rows;
+  const auto found = std::ranges::find_if(
+      rows, [&](const auto& r) { return r.factor == factor && r.setting.starts_with(setting); });
+  if (found == rows.end()) throw std::runtime_error("no row " + factor + ", " + setting);
+  return *found;
+}
+
+const studies::ForceRow& closed_form() { return row("closed form", "N = 10"); }
+
+data::HarmonicExcitation excitation(std::size_t i) {
+  return data::HarmonicExcitation({study().frequency_hz[i], 0.5e-3});
+}
+
+constexpr double ten_seconds = 10.0;
+
+void truncation_moves_the_maximum_by_no_more_than_what_it_leaves_out() {
+  // | max|f_N| - max|f| | <= max|f_N - f|: the difference of the steady amplitudes and the omitted free
+  // vibrations.
+  for (std::size_t i = 0; i < study().frequency_hz.size(); ++i) {
+    const StickResponse all(paper_beam(), excitation(i), 100, analytic::SteadyPart::exact);
+    const auto transient = all.transient_force();
+    for (const int modes : {5, 8, 12, 20, 50}) {
+      double omitted = all.omitted_transient_bound();
+      for (std::size_t n = static_cast<std::size_t>(modes); n < transient.size(); ++n)
+        omitted += std::abs(transient[n].amplitude);
+      const double steady =
+          std::abs(StickResponse(paper_beam(), excitation(i), modes).steady_force_amplitude() -
+                   all.steady_force_amplitude());
+      EXPECT_TRUE(within(row("modes", std::to_string(modes)).force[i], row("modes", "all").force[i],
+                         discretisation(steady + omitted, 1.0, "what N terms leave out")));
+    }
+  }
+}
+
+void sampling_loses_no_more_than_the_curvature_allows() {
+  for (std::size_t i = 0; i < study().frequency_hz.size(); ++i) {
+    const StickResponse response(paper_beam(), excitation(i), 10);
+    for (const double step : {1e-5, 1e-4, 1e-3, 5e-3}) {
+      const analytic::Bounds bounds = response.sampled_max_abs_friction_force(ten_seconds, step);
+      EXPECT_EQ(row("sampling step", fmt::format("{:g} s", step)).force[i], bounds.lower);
+      EXPECT_LE(bounds.lower, closed_form().force[i]);
+      EXPECT_GE(bounds.upper, closed_form().force[i]);
+    }
+  }
+}
+
+void longer_histories_have_larger_maxima() {
+  for (std::size_t i = 0; i < study().frequency_hz.size(); ++i) {
+    const double bounded_to = 1e-13 * closed_form().force[i];
+    EXPECT_LE(row("duration", "5 s").force[i], closed_form().force[i] + bounded_to);
+    EXPECT_GE(row("duration", "20 s").force[i], closed_form().force[i] - bounded_to);
+  }
+}
+
+void derivatives_obey_the_dimensions() {
+  // f = A0 EI/L^3 times a function of P L^2/EI and rho A L^4 Omega^2/EI at fixed Omega and duration. Scaling
+  // E, rho and P alike scales f alike; and L enters through the two groups and the factor.
+  const auto& inputs = study().inputs;
+  ASSERT_EQ(inputs.size(), 5u);
+  const auto &stiffness = inputs[0].relative, &density = inputs[1].relative, &axial = inputs[2].relative,
+             &length = inputs[3].relative;
+  for (std::size_t i = 0; i < study().frequency_hz.size(); ++i) {
+    // Central differences over 1e-8: maxima known to 1e-13, and as much from the frequencies' round-off
+    // (which resonance at 25 Hz magnifies by the slope itself); the third derivative by the phase of mode 10,
+    // 1e-3 for E, rho and P and 2e-3 for L, of which a sixth squared is left.
+    const double largest = std::max({std::abs(stiffness[i]), std::abs(density[i]), std::abs(length[i]), 1.0});
+    const Tolerance differences =
+        discretisation((1e-13 / 1e-8 + 4e-6 / 6.0) * largest, 4.0, "central differences of four inputs");
+    EXPECT_TRUE(within(stiffness[i] + density[i] + axial[i], 1.0, differences));
+    EXPECT_TRUE(within(length[i], -3.0 + 2.0 * axial[i] + 4.0 * density[i], differences));
+    // At 25 Hz mode 1 alone makes the maximum, and the derivative holds over a newton, 0.2 % of P: the secant
+    // is off by less than the curvature.
+    if (study().frequency_hz[i] != 25.0) continue;
+    const double below = row("axial force", "499 N").force[i], above = row("axial force", "501 N").force[i];
+    const double force = closed_form().force[i];
+    EXPECT_TRUE(within(
+        axial[i], 250.0 * (above - below) / force,
+        discretisation(250.0 * (above + below - 2.0 * force) / force, 1.0, "curvature over a newton")));
+  }
+}
+
+void ranges_are_those_of_the_rows_left_open() {
+  for (std::size_t i = 0; i < study().frequency_hz.size(); ++i) {
+    const studies::ForceDigits& digits = study().digits[i];
+    // No sample exceeds the true maximum.
+    EXPECT_EQ(digits.formula.force.upper, closed_form().force[i]);
+    double formula_lower = closed_form().force[i];
+    for (const char* step : {"1e-05 s", "0.0001 s", "0.001 s", "0.005 s"})
+      formula_lower = std::min(formula_lower, row("sampling step", step).force[i]);
+    EXPECT_EQ(digits.formula.force.lower, formula_lower);
+    std::vector<double> runs{row("finite elements", "20").force[i]};
+    for (const char* elements : {"10", "40", "80"}) runs.push_back(row("elements", elements).force[i]);
+    for (const char* radius : {"0.5", "1"}) runs.push_back(row("spectral radius", radius).force[i]);
+    const auto [least, most] = std::ranges::minmax(runs);
+    EXPECT_EQ(digits.method.force.lower, std::min(formula_lower, least));
+    EXPECT_EQ(digits.method.force.upper, std::max(closed_form().force[i], most));
+  }
+}
+
+void printed_digits_are_the_methods_and_not_the_problems() {
+  for (const studies::ForceDigits& digits : study().digits) {
+    EXPECT_TRUE(digits.method.holds_printed) << digits.frequency_hz;
+    EXPECT_FALSE(digits.problem.holds_printed) << digits.frequency_hz;
+    EXPECT_LE(digits.method.digits, 2) << digits.frequency_hz;
+    EXPECT_GE(digits.problem.digits, 5) << digits.frequency_hz;
+  }
+}
+
+void no_trial_returns_all_printed_digits() {
+  const studies::SamplingSearch& search = study().search;
+  EXPECT_EQ(search.returning_all, 0);
+  EXPECT_LT(search.most_returned.returned, 4);
+  EXPECT_LE(search.closest.largest_difference, search.most_returned.largest_difference);
+  for (const auto* trial : {&search.closest, &search.most_returned}) {
+    for (std::size_t i = 0; i < study().frequency_hz.size(); ++i) {
+      const double again = StickResponse(paper_beam(), excitation(i), trial->modes)
+                               .sampled_max_abs_friction_force(ten_seconds, trial->sampling_step)
+                               .lower;
+      // A million complex multiplications; the steady part and mode 1 cancel by 1000 at 25 Hz.
+      EXPECT_TRUE(within(trial->force[i], again, round_off(1e6, 1.0, again)));
+    }
+  }
+}
+
+// One test, for every test is a process of its own and the study takes seconds.
+TEST(ForceSensitivity, IsWhatTheoryAllowsEachFactorAndThePrintedDigitsAreTheMethods) {
+  truncation_moves_the_maximum_by_no_more_than_what_it_leaves_out();
+  sampling_loses_no_more_than_the_curvature_allows();
+  longer_histories_have_larger_maxima();
+  derivatives_obey_the_dimensions();
+  ranges_are_those_of_the_rows_left_open();
+  printed_digits_are_the_methods_and_not_the_problems();
+  no_trial_returns_all_printed_digits();
+}
+
+TEST(CommonDigits, AreThoseBothEndsRoundTo) {
+  EXPECT_EQ(studies::common_digits({40.204, 40.532}), 1);
+  EXPECT_EQ(studies::common_digits({40.51, 40.53}), 3);
+  EXPECT_EQ(studies::common_digits({40.5, 40.5}), 15);
+  EXPECT_EQ(studies::common_digits({1.0, 9.0}), 0);
+  EXPECT_EQ(studies::common_digits({99.96, 100.04}), 3);
+}
+
+}  // namespace
+}  // namespace stickslip::testing

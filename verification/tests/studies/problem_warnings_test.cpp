@@ -1,0 +1,312 @@
+/// Where a case leaves the ground of its model or of its numerics: each warning begins where theory says.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "stickslip/analytic/slip_modes.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/data/case_file.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
+#include "studies/convergence/discretisation.hpp"
+#include "studies/criterion/problem_warnings.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+using studies::Concern;
+using studies::Inquiry;
+
+data::Case paper_with(const std::vector<data::Override>& overrides = {}) {
+  return data::load_case("paper", overrides);
+}
+
+const studies::Warning* find(const std::vector<studies::Warning>& warnings, Concern concern) {
+  for (const auto& warning : warnings)
+    if (warning.concern == concern) return &warning;
+  return nullptr;
+}
+
+bool warns(const data::Case& problem, Inquiry inquiry, Concern concern) {
+  return find(studies::problem_warnings(problem, inquiry, 1), concern) != nullptr;
+}
+
+std::string digits(double value) { return data::shortest_text(value); }
+
+// --- Thick beams, against the characteristic equations of Timoshenko's beam without axial force. With b =
+// omega L^2 sqrt(rho A/EI), r^2 = I/(A L^2) and s^2 = r^2 E/(kappa G), w is built from cosh(a x), sinh(a x),
+// cos(c x) and sin(c x), and the rotation from their ta- and tc-fold derivatives.
+
+struct Timoshenko {
+  double a, c, ta, tc;
+
+  Timoshenko(double b, double r_squared) {
+    const double s_squared = studies::shear_flexibility * r_squared;
+    const double sum = b * b * (r_squared + s_squared), shear = b * b * s_squared;
+    const double root = std::hypot(b * b * (r_squared - s_squared), 2.0 * b);
+    a = std::sqrt(0.5 * (root - sum));
+    c = std::sqrt(0.5 * (root + sum));
+    ta = (a * a + shear) / a;
+    tc = (c * c - shear) / c;
+  }
+
+  // Clamped and pinned: no rotation at the clamp of sinh(a y)/sinh(a) - sin(c y)/sin(c), y from the pin.
+  [[nodiscard]] double stick() const { return ta / std::tanh(a) - tc / std::tan(c); }
+
+  // Clamped and free: no moment, no shear force at the tip.
+  [[nodiscard]] double slip() const {
+    const double ch = std::cosh(a), sh = std::sinh(a), co = std::cos(c), si = std::sin(c);
+    return (ta * a * ch + tc * c * co) * ((a - ta) * ch - ta / tc * (c - tc) * co) -
+           (ta * a * sh + ta * c * si) * ((a - ta) * sh - (tc - c) * si);
+  }
+};
+
+// By how much Euler-Bernoulli's b is above the root next below it.
+double exact_model_error(double b, double r_squared, double estimate,
+                         double (Timoshenko::*condition)() const) {
+  double lower = b / (1.0 + 1.2 * estimate), upper = b / (1.0 + 0.8 * estimate);
+  const double at_lower = (Timoshenko(lower, r_squared).*condition)();
+  EXPECT_LT(at_lower * (Timoshenko(upper, r_squared).*condition)(), 0.0);
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (lower + upper);
+    ((Timoshenko(middle, r_squared).*condition)() * at_lower > 0.0 ? lower : upper) = middle;
+  }
+  return b / lower - 1.0;
+}
+
+// For half waves on pinned supports the next term is (3/8) error^2, from (k r)^4 E/(kappa G); the ends change
+// its factor, not its order.
+TEST(ThickBeam, IsOffByWhatTimoshenkosEquationsSay) {
+  const data::Case problem = paper_with({{"beam.axial_force", "0"}});
+  const data::Beam& beam = problem.beam;
+  const double length = beam.length();
+  const double r_squared = beam.second_moment_of_area() / (beam.area() * length * length);
+  const double scale =
+      length * length *
+      std::sqrt(beam.density() * beam.area() / (beam.youngs_modulus() * beam.second_moment_of_area()));
+  const auto stick = analytic::stick_modes(beam, 5);
+  const auto slip = analytic::slip_modes(beam, 5);
+  for (std::size_t n = 0; n < 5; ++n) {
+    const int mode = static_cast<int>(n) + 1;
+    const double in_stick = studies::stick_model_error(beam, mode),
+                 in_slip = studies::slip_model_error(beam, mode);
+    const double stick_exact =
+        exact_model_error(scale * stick[n].angular_frequency(), r_squared, in_stick, &Timoshenko::stick);
+    const double slip_exact =
+        exact_model_error(scale * slip[n].angular_frequency(), r_squared, in_slip, &Timoshenko::slip);
+    EXPECT_TRUE(within(in_stick, stick_exact,
+                       discretisation(0.375 * stick_exact * stick_exact, 3.0, "the next order")))
+        << mode;
+    EXPECT_TRUE(
+        within(in_slip, slip_exact, discretisation(0.375 * slip_exact * slip_exact, 3.0, "the next order")))
+        << mode;
+  }
+}
+
+TEST(ThickBeam, IsWarnedOfAboveTheErrorThatPasses) {
+  const auto with_radius = [](double ratio) {  // sqrt(I/A)/L at one I/L^3
+    return paper_with({{"beam.area", digits(8.333333333333333e-6 / (4.0 * ratio * ratio))}});
+  };
+  for (const double ratio : {0.005, 0.01, 0.02, 0.03, 0.04, 0.06}) {
+    const data::Case problem = with_radius(ratio);
+    const double error = studies::stick_model_error(problem.beam, 1);
+    const auto warnings = studies::problem_warnings(problem, Inquiry::stick_frequencies, 1);
+    const auto* warning = find(warnings, Concern::thick_beam);
+    EXPECT_EQ(warning != nullptr, error > studies::allowed_model_error) << ratio;
+    if (warning == nullptr) continue;
+    EXPECT_EQ(warning->value, error);
+    EXPECT_NE(warning->sentence.find("Euler-Bernoulli"), std::string::npos);
+  }
+  EXPECT_TRUE(warns(with_radius(0.04), Inquiry::stick_frequencies, Concern::thick_beam));
+  EXPECT_FALSE(warns(with_radius(0.03), Inquiry::stick_frequencies, Concern::thick_beam));
+}
+
+// --- Steps
+
+// (omega h)^2 (k_1 + k_2)/2 with k_1 = 1/12 + d^2/4, k_2 = 1/12 + d^2/2, d = alpha_f - alpha_m.
+TEST(LongStep, FalsifiesByTheLeadingTermWhereItIsShort) {
+  for (const double radius : {0.5, 0.9, 1.0}) {
+    const double d = (1.0 - radius) / (1.0 + radius);
+    for (const double angle : {0.02, 0.05, 0.1}) {
+      const double predicted = angle * angle * (1.0 / 12.0 + 0.375 * d * d);
+      const double decay = studies::generalized_alpha_oscillation(radius, 1.0, angle).decay_rate;
+      const double error = studies::step_error(radius, 1.0, angle);
+      EXPECT_GE(error, -std::expm1(-2.0 * std::numbers::pi * decay));
+      if (error > -std::expm1(-2.0 * std::numbers::pi * decay)) {
+        EXPECT_TRUE(
+            within(error, predicted, discretisation(angle * angle * predicted, 1.0, "the next order")));
+      }
+    }
+  }
+}
+
+TEST(LongStep, IsWarnedOfWithAStepThatPasses) {
+  for (const double step : {5e-5, 1e-4, 5e-4, 2e-3, 1e-2}) {
+    const data::Case problem =
+        paper_with({{"excitation.frequency_hz", "15"}, {"numerics.time_step", digits(step)}});
+    const auto warnings = studies::problem_warnings(problem, Inquiry::stepped_history);
+    const auto* warning = find(warnings, Concern::long_step);
+    EXPECT_EQ(warning != nullptr, step > 1e-3) << step;
+    if (warning == nullptr) continue;
+    EXPECT_EQ(warning->value, step);
+    const data::Case shorter =
+        paper_with({{"excitation.frequency_hz", "15"}, {"numerics.time_step", digits(warning->limit)}});
+    const data::Case longer =
+        paper_with({{"excitation.frequency_hz", "15"}, {"numerics.time_step", digits(1.1 * warning->limit)}});
+    EXPECT_FALSE(warns(shorter, Inquiry::stepped_history, Concern::long_step));
+    EXPECT_TRUE(warns(longer, Inquiry::stepped_history, Concern::long_step));
+    EXPECT_FALSE(warns(problem, Inquiry::event_driven_history, Concern::long_step));
+  }
+}
+
+TEST(LongStep, MindsAnExcitationThatIsFasterThanTheModes) {
+  EXPECT_TRUE(warns(paper_with({{"excitation.frequency_hz", "2000"}, {"numerics.duration", "0.1"}}),
+                    Inquiry::stepped_history, Concern::long_step));
+}
+
+TEST(ModesThatMatter, HaveAnAmplitudeAboveTheirShare) {
+  for (const char* hz : {"15", "25", "35", "70", "300"}) {
+    const data::Case problem = paper_with({{"excitation.frequency_hz", hz}, {"numerics.duration", "1"}});
+    const analytic::StickResponse response(problem.beam, problem.excitation, problem.numerics.modes());
+    const double largest = response.max_abs_friction_force(1.0, 1e-3).upper;
+    const auto vibrations = response.transient_force();
+    const auto mode = static_cast<std::size_t>(studies::highest_mode_that_matters(problem));
+    for (std::size_t n = mode; n < vibrations.size(); ++n)
+      EXPECT_LE(std::abs(vibrations[n].amplitude), studies::share_that_matters * largest) << hz;
+    if (mode > 1) {  // the sampled maximum is low by a few per cent
+      EXPECT_GT(std::abs(vibrations[mode - 1].amplitude), 0.8 * studies::share_that_matters * largest) << hz;
+    }
+  }
+}
+
+// --- Resonance
+
+TEST(Resonance, IsWarnedOfWhileTheReactionGrowsToTheEnd) {
+  const double natural = analytic::stick_modes(paper_with().beam, 1).front().frequency_hz();
+  for (const double half_beats : {0.0, 0.5, 0.99, 1.01, 3.0}) {
+    const double duration = 10.0;
+    const data::Case problem =
+        paper_with({{"excitation.frequency_hz", digits(natural + half_beats / (2.0 * duration))}});
+    const auto warnings = studies::problem_warnings(problem, Inquiry::criterion);
+    const auto* warning = find(warnings, Concern::resonance);
+    EXPECT_EQ(warning != nullptr, half_beats < 1.0) << half_beats;
+    // Does |f| of the last tenth exceed all that was before?
+    const analytic::StickResponse response(problem.beam, problem.excitation, 10);
+    const bool grows = response.max_abs_friction_force(duration, 1e-3).lower >
+                       1.001 * response.max_abs_friction_force(0.9 * duration, 1e-3).upper;
+    if (half_beats < 0.6 || half_beats > 2.0) {
+      EXPECT_EQ(grows, half_beats < 1.0) << half_beats;
+    }
+    if (warning != nullptr) {
+      EXPECT_EQ(warning->limit, natural);
+    }
+  }
+}
+
+TEST(Resonance, IsNoConcernOfAShortADampedOrAnUnmovedBeam) {
+  const double natural = analytic::stick_modes(paper_with().beam, 1).front().frequency_hz();
+  const data::Override at{"excitation.frequency_hz", digits(natural)};
+  EXPECT_TRUE(warns(paper_with({at}), Inquiry::criterion, Concern::resonance));
+  EXPECT_TRUE(warns(paper_with({at}), Inquiry::closed_form_history, Concern::resonance));
+  EXPECT_FALSE(warns(paper_with({at}), Inquiry::stepped_history, Concern::resonance));
+  EXPECT_FALSE(warns(paper_with({at, {"numerics.duration", "0.1"}}), Inquiry::criterion, Concern::resonance));
+  EXPECT_FALSE(warns(paper_with({at, {"damping.ratio", "0.01"}}), Inquiry::criterion, Concern::resonance));
+  EXPECT_FALSE(
+      warns(paper_with({at, {"excitation.amplitude", "0"}}), Inquiry::criterion, Concern::resonance));
+}
+
+// --- Flutter
+
+TEST(Flutter, IsWarnedOfFromItsLoadOnAndTheRunGoesOn) {
+  const data::Beam beam = paper_with().beam;
+  const double flutter = analytic::flutter_load(beam), buckling = analytic::stick_buckling_load(beam);
+  ASSERT_LT(flutter, buckling);
+  for (const double load : {0.9 * flutter, 0.999 * flutter, 0.5 * (flutter + buckling)}) {
+    const data::Case problem =
+        paper_with({{"beam.axial_force", digits(load)}, {"numerics.duration", "0.002"}});
+    for (const Inquiry inquiry : {Inquiry::stepped_history, Inquiry::event_driven_history}) {
+      const auto warnings = studies::problem_warnings(problem, inquiry);
+      const auto* warning = find(warnings, Concern::flutter);
+      EXPECT_EQ(warning != nullptr, load >= flutter) << load;
+      if (warning != nullptr) {
+        EXPECT_EQ(warning->limit, flutter);
+      }
+    }
+    EXPECT_FALSE(warns(problem, Inquiry::criterion, Concern::flutter));
+    solver::BeamSimulation run(problem.beam, problem.friction, problem.excitation, problem.numerics);
+    for (int n = 0; n < 20; ++n) run.step();
+    EXPECT_TRUE(std::isfinite(run.friction_force()));
+  }
+}
+
+// --- The published cases
+
+// 25 Hz is 0.028 Hz above the first natural frequency: |f| grows for 17.8 s, longer than the run.
+TEST(ProblemWarnings, OfThePapersCaseAreItsResonanceAlone) {
+  const auto concerns = [](Inquiry inquiry, int frequencies) {
+    std::vector<Concern> found;
+    for (const auto& warning : studies::problem_warnings(paper_with(), inquiry, frequencies))
+      found.push_back(warning.concern);
+    return found;
+  };
+  EXPECT_EQ(concerns(Inquiry::criterion, 0), std::vector{Concern::resonance});
+  EXPECT_EQ(concerns(Inquiry::stepped_history, 0), std::vector<Concern>{});
+  EXPECT_EQ(concerns(Inquiry::event_driven_history, 0), std::vector<Concern>{});
+  EXPECT_EQ(concerns(Inquiry::stick_frequencies, 2), std::vector<Concern>{});
+  EXPECT_EQ(concerns(Inquiry::slip_frequencies, 3), std::vector<Concern>{});
+  EXPECT_EQ(concerns(Inquiry::stick_frequencies, 3), std::vector{Concern::thick_beam});  // by 5.1 %
+}
+
+TEST(ProblemWarnings, OfAMapAreThoseThatItsAxesLeaveAsTheyAre) {
+  using studies::Parameter;
+  const auto concerns = [](const std::vector<data::Override>& overrides, const std::vector<Parameter>& axes) {
+    std::vector<Concern> found;
+    for (const auto& warning : studies::warnings_common_to(paper_with(overrides), axes))
+      found.push_back(warning.concern);
+    return found;
+  };
+  const std::vector<data::Override> resonant, fast{{"excitation.frequency_hz", "300"}};
+  EXPECT_EQ(concerns(resonant, {Parameter::amplitude, Parameter::static_coefficient}),
+            std::vector{Concern::resonance});
+  EXPECT_EQ(concerns(fast, {Parameter::amplitude, Parameter::static_coefficient}),
+            std::vector{Concern::thick_beam});
+  for (const Parameter axis :
+       {Parameter::frequency, Parameter::length, Parameter::axial_force, Parameter::youngs_modulus}) {
+    EXPECT_EQ(concerns(resonant, {axis, Parameter::amplitude}), std::vector<Concern>{});
+    EXPECT_EQ(concerns(fast, {Parameter::amplitude, axis}),
+              axis == Parameter::length ? std::vector<Concern>{} : std::vector{Concern::thick_beam});
+  }
+  EXPECT_EQ(concerns({{"beam.axial_force", "1e5"}}, {Parameter::amplitude, Parameter::axial_force}),
+            std::vector<Concern>{});
+}
+
+TEST(ProblemWarnings, AreOneSentenceEach) {
+  for (const auto& listing : data::list_cases())
+    for (const Inquiry inquiry : {Inquiry::stick_frequencies, Inquiry::slip_frequencies, Inquiry::criterion,
+                                  Inquiry::closed_form_history, Inquiry::event_driven_history,
+                                  Inquiry::stepped_history, Inquiry::design})
+      for (const auto& warning : studies::problem_warnings(data::load_case(listing.name), inquiry, 10)) {
+        EXPECT_EQ(warning.sentence.find_first_of("\r\n"), std::string::npos);
+        EXPECT_LT(warning.sentence.size(), 300u) << warning.sentence;
+      }
+}
+
+TEST(ProblemWarnings, AreNoneWhereThePeriodsToFollowAreTooMany) {
+  EXPECT_NO_THROW(studies::require_feasible(paper_with(), Inquiry::criterion));
+  for (const Inquiry inquiry :
+       {Inquiry::criterion, Inquiry::closed_form_history, Inquiry::event_driven_history, Inquiry::design})
+    EXPECT_THROW(studies::require_feasible(paper_with({{"numerics.duration", "1e5"}}), inquiry),
+                 data::FieldError);
+  EXPECT_NO_THROW(
+      studies::require_feasible(paper_with({{"numerics.duration", "1e5"}}), Inquiry::stepped_history));
+}
+
+}  // namespace
+}  // namespace stickslip::testing

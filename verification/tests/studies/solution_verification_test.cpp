@@ -1,0 +1,138 @@
+/// The discretisation uncertainties of the paper's results, against errors that the closed form knows.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "stickslip/data/case_file.hpp"
+#include "studies/paper/solution_verification.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+using studies::grid_convergence;
+using studies::GridConvergence;
+
+TEST(GridConvergenceIndex, OfAPowerLawIsItsClosedForm) {
+  for (const double ratio : {1.5, 2.0, 3.0}) {
+    for (const double order : {1.0, 2.0, 4.0}) {
+      for (const double error : {0.3, -0.02}) {
+        std::vector<double> values;
+        for (int k = 0; k < 3; ++k) values.push_back(7.0 + error * std::pow(ratio, -order * k));
+        const GridConvergence result = grid_convergence(values, ratio, order);
+        // The finer difference is no less than 1/(3^4) of error, and cancels from 7.
+        const double condition = 7.0 / std::abs(error) * std::pow(ratio, order);
+        ASSERT_TRUE(result.asymptotic && result.observed_order);
+        EXPECT_TRUE(within(*result.observed_order, order, round_off(10, condition, order)));
+        EXPECT_TRUE(within(result.extrapolated, 7.0, round_off(20, condition, std::abs(error))));
+        EXPECT_EQ(result.safety_factor, 1.25);
+        EXPECT_TRUE(within(result.index, 1.25 * std::abs(error), round_off(20, condition, error)));
+      }
+    }
+  }
+}
+
+TEST(GridConvergenceIndex, TreblesWhereTheLevelsDoNotModelResults) {
+  // Formal order 2 at ratio 2: r^p/(r^p - 1) = 4/3. Differences that change sign, and an order of 4.
+  const GridConvergence oscillating = grid_convergence({1.0, 1.3, 0.9}, 2.0, 2.0);
+  EXPECT_FALSE(oscillating.asymptotic || oscillating.observed_order);
+  EXPECT_TRUE(within(oscillating.index, 3.0 * 0.3 * 4.0 / 3.0, round_off(10, 10, 1)));
+  const GridConvergence drifting = grid_convergence({1.0, 1.1, 0.6}, 2.0, 2.0);
+  EXPECT_TRUE(within(drifting.index, 3.0 * 0.4 * 4.0 / 3.0, round_off(10, 10, 1)));
+  const GridConvergence too_fast = grid_convergence({16.0, 1.0, 0.0625}, 2.0, 2.0);
+  EXPECT_FALSE(too_fast.asymptotic);
+  EXPECT_TRUE(within(too_fast.observed_order.value(), 4.0, round_off(10, 1, 4)));
+  EXPECT_TRUE(within(too_fast.index, 3.0 * 15.9375 * 4.0 / 3.0, round_off(10, 1, 60)));
+  EXPECT_FALSE(grid_convergence({2.0, 2.0, 2.0}, 2.0, 2.0).observed_order);
+  EXPECT_EQ(grid_convergence({2.0, 2.0, 2.0}, 2.0, 2.0).index, 0.0);
+}
+
+TEST(GridConvergenceIndex, RefusesWhatItCannotUse) {
+  EXPECT_THROW((void)grid_convergence({1.0, 2.0}, 2.0, 2.0), std::invalid_argument);
+  EXPECT_THROW((void)grid_convergence({1.0, 2.0, 3.0}, 1.0, 2.0), std::invalid_argument);
+  EXPECT_THROW((void)grid_convergence({1.0, 2.0, 3.0}, 2.0, 0.0), std::invalid_argument);
+}
+
+const studies::SolutionVerification& study() {
+  static const studies::SolutionVerification result =
+      studies::solution_verification(data::load_case("paper"));
+  return result;
+}
+
+const studies::VerifiedResult& result(const std::string& id) {
+  const auto& results = study().results;
+  const auto found = std::ranges::find(results, id, &studies::VerifiedResult::id);
+  if (found == results.end()) throw std::runtime_error("no result " + id);
+  return *found;
+}
+
+void uncertainties_cover_the_true_errors() {
+  ASSERT_EQ(study().results.size(), 20u);
+  for (const auto& r : study().results) {
+    ASSERT_EQ(r.levels.size(), 3u);
+    EXPECT_EQ(r.true_error, r.levels.front().value - r.reference);
+    EXPECT_LE(std::abs(r.true_error), r.uncertainty) << r.quantity << ", " << r.obtained;
+    if (r.convergence.asymptotic) {
+      EXPECT_TRUE(r.covered) << r.quantity;
+      EXPECT_EQ(r.uncertainty, r.convergence.index);
+      EXPECT_LE(std::abs(r.levels.back().value - r.reference), 0.1 * std::abs(r.true_error))
+          << r.quantity << ": (1/1.5)^8 = 0.04 of the error should be left";
+    }
+  }
+}
+
+void frequencies_and_their_lengths_are_asymptotic_of_order_four() {
+  // The next term, c = (beta l)^2/40 of the first on the coarsest mesh, moves the order of three levels by
+  // -c (1 - r^-2)(1 - r^-6)/((1 - r^-4) ln r) = -1.56 c. Of the error l^4 leaves 1/(1 + c) after 1.25.
+  const auto check = [](const std::string& id, int mode) {
+    const auto& r = result(id);
+    const double next_term = std::pow((mode + 0.25) * 3.14159 / r.levels.front().elements, 2) / 40.0;
+    ASSERT_TRUE(r.convergence.asymptotic) << id;
+    EXPECT_TRUE(within(*r.convergence.observed_order, 4.0 - 1.56 * next_term,
+                       discretisation(1.56 * next_term, 0.5, "the terms behind (beta l)^2/40")))
+        << id;
+    EXPECT_TRUE(within(r.convergence.index, 1.25 * std::abs(r.true_error),
+                       discretisation(1.25 * r.true_error * next_term, 1.0, "the next term")))
+        << id;
+    EXPECT_TRUE(within(r.convergence.extrapolated, r.reference,
+                       discretisation(r.true_error * next_term, 1.0, "the next term")))
+        << id;
+  };
+  for (int mode = 1; mode <= 3; ++mode) {
+    check("frequency.stick." + std::to_string(mode), mode);
+    check("frequency.stick." + std::to_string(mode) + ".half_stiffness", mode);
+    if (mode < 3) check("figure14.length." + std::to_string(mode), mode);
+  }
+}
+
+void force_maxima_are_asymptotic_only_where_one_mode_makes_them() {
+  EXPECT_TRUE(result("force_max.25").convergence.asymptotic);
+  EXPECT_TRUE(result("figure6.minimum.amplitude").convergence.asymptotic);
+  for (const char* id : {"force_max.15", "force_max.35", "force_max.70"})
+    EXPECT_FALSE(result(id).convergence.asymptotic) << id;
+}
+
+void printed_results_are_those_of_the_paper() {
+  EXPECT_EQ(result("force_max.70").printed.value(), 977.54);
+  EXPECT_EQ(result("frequency.stick.3.half_stiffness").printed.value(), 119.6);
+  EXPECT_EQ(result("figure14.length.2").printed.value(), 1.58);
+  EXPECT_FALSE(result("figure9.force_peak").printed);
+  EXPECT_EQ(result("frequency.stick.1").levels.front().time_step, 0.0);
+  EXPECT_EQ(result("force_max.15").levels.front().time_step, 1e-4);
+}
+
+// One test, for every test is a process of its own and the study takes seconds.
+TEST(SolutionVerification, CoversTheTrueErrorsAndClaimsTheAsymptoticRangeWhereItIs) {
+  uncertainties_cover_the_true_errors();
+  frequencies_and_their_lengths_are_asymptotic_of_order_four();
+  force_maxima_are_asymptotic_only_where_one_mode_makes_them();
+  printed_results_are_those_of_the_paper();
+}
+
+}  // namespace
+}  // namespace stickslip::testing
