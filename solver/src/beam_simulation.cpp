@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "stickslip/solver/held_tip_basis.hpp"
 #include "stickslip/solver/modal_stick_run.hpp"
@@ -68,7 +69,7 @@ ContactSystem beam_contact_system(const BeamModel& model, const data::FrictionLa
 namespace {
 
 void require_contact(const data::Beam& beam, TipContact contact) {
-  if (contact == TipContact::glued || beam.axial_force() > 0.0) return;
+  if (contact == TipContact::bonded || beam.axial_force() > 0.0) return;
   std::ostringstream text;
   text << "beam.axial_force = " << beam.axial_force()
        << " N: must be positive (compression), or there is no contact";
@@ -82,8 +83,8 @@ IntegratorSettings integrator_settings(const data::NumericalSettings& numerics, 
   return {.time_step = numerics.time_step(),
           .spectral_radius = numerics.spectral_radius(),
           .velocity_threshold = numerics.velocity_threshold(),
-          .glued = run.contact == TipContact::glued,
-          .scheme = run.scheme};
+          .scheme = run.scheme,
+          .algebra = run.coordinates == Coordinates::modal ? StepAlgebra::modal : StepAlgebra::sparse};
 }
 
 void require_undamped(const data::Damping& damping) {
@@ -113,18 +114,17 @@ BeamSimulation::BeamSimulation(const data::Beam& beam, const data::FrictionLaw& 
   Eigen::VectorXd velocity = -base_.velocity(0.0) * model_.unit_tip_deflection();
   if (run.initial_velocity == InitialVelocity::zero)
     velocity.head(model_.tip_deflection()).setZero(), velocity[model_.tip_rotation()] = 0.0;
+  if (run.coordinates == Coordinates::modal) require_undamped(run.damping);
+  ContactSystem system = beam_contact_system(model_, friction, base_, run.damping);
   if (run.coordinates == Coordinates::modal) {
-    require_undamped(run.damping);
     const HeldTipBasis basis = held_tip_basis(model_);
-    integrator_ = std::make_unique<ModalStickSlipIntegrator>(
-        modal_contact_system(model_, basis, friction, base_), settings);
+    system = modal_contact_system(model_, basis, friction, base_);
     basis_.resize(model_.degrees_of_freedom(), model_.degrees_of_freedom());
     basis_ << basis.modes, basis.static_shape;
     velocity = modal_coordinates(model_, basis, velocity);
-  } else {
-    integrator_ = std::make_unique<StickSlipIntegrator>(
-        beam_contact_system(model_, friction, base_, run.damping), settings);
   }
+  if (run.contact == TipContact::bonded) system.normal_force = bonding_force;
+  integrator_ = std::make_unique<StickSlipIntegrator>(std::move(system), settings);
   midspan_ = weights_at(0.5 * beam.length());
   integrator_->start_stuck(at_rest, velocity);
 }
@@ -160,7 +160,7 @@ double max_abs_friction_force(const data::Beam& beam, const data::HarmonicExcita
   }
   const data::FrictionLaw unused({});
   BeamSimulation simulation(beam, unused, excitation, numerics,
-                            {.contact = TipContact::glued, .damping = damping});
+                            {.contact = TipContact::bonded, .damping = damping});
   double largest = std::abs(simulation.friction_force());
   for (long n = step_count(numerics.duration(), numerics.time_step()); n > 0; --n) {
     simulation.step();

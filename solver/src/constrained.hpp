@@ -1,8 +1,17 @@
 #pragma once
 
+#include <Eigen/SparseCholesky>
+
 #include "stickslip/solver/beam_model.hpp"
 
 namespace stickslip::solver {
+
+using SparseCholesky = Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<int>>;
+
+[[nodiscard]] inline bool is_positive_definite(const SparseCholesky& factorization) {
+  return factorization.info() == Eigen::Success && factorization.vectorD().allFinite() &&
+         factorization.vectorD().minCoeff() > 0.0;
+}
 
 /// The symmetric matrix with one row and column replaced by those of the identity.
 [[nodiscard]] inline SparseMatrix constrained(const SparseMatrix& matrix, Eigen::Index fixed) {

@@ -1,10 +1,6 @@
 #include "stickslip/solver/held_tip_basis.hpp"
 
 #include <Eigen/Dense>
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
-#include <utility>
 #include <vector>
 
 #include "stickslip/solver/beam_simulation.hpp"
@@ -21,20 +17,6 @@ long double quadratic_form(const SparseMatrix& matrix, const Eigen::VectorXd& x)
     for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry)
       sum += static_cast<long double>(x[entry.row()]) * entry.value() * x[column];
   return sum;
-}
-
-void require_modal_form(const ContactSystem& system) {
-  const Eigen::Index last = system.mass.rows() - 1;
-  const auto couples_modes = [last](const SparseMatrix& matrix) {
-    for (Eigen::Index column = 0; column < last; ++column)
-      for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry)
-        if (entry.row() != column && entry.row() != last && entry.value() != 0.0) return true;
-    return false;
-  };
-  if (system.contact != last || system.damping.nonZeros() > 0 || couples_modes(system.mass) ||
-      couples_modes(system.slip_stiffness))
-    throw std::invalid_argument(
-        "the system must be undamped, with modes that meet in its last coordinate alone, the contact");
 }
 
 }  // namespace
@@ -94,98 +76,6 @@ ContactSystem modal_contact_system(const BeamModel& model, const HeldTipBasis& b
   system.load_shape << basis.modes.transpose() * full.load_shape, sigma.dot(full.load_shape);
   system.contact = tip;
   return system;
-}
-
-ModalStickSlipIntegrator::ModalStickSlipIntegrator(ContactSystem system, const IntegratorSettings& settings)
-    : StickSlipIntegrator(std::move(system), settings), modes_(this->system().mass.rows() - 1) {
-  const ContactSystem& s = this->system();
-  require_modal_form(s);
-  const Eigen::Index c = s.contact;
-  stiffness_ = Eigen::VectorXd(s.stick_stiffness.diagonal()).head(modes_).array();
-  coupling_ = Eigen::VectorXd(s.mass.col(c)).head(modes_).array();
-  follower_row_ = Eigen::VectorXd(SparseMatrix(s.slip_stiffness.transpose()).col(c)).head(modes_).array();
-  load_ = s.load_shape.head(modes_).array();
-  contact_mass_entry_ = s.mass.coeff(c, c);
-  contact_stiffness_ = s.slip_stiffness.coeff(c, c);
-  contact_load_ = s.load_shape[c];
-  prepare(full_step_, settings.time_step);
-}
-
-void ModalStickSlipIntegrator::prepare(Step& step, double length) const {
-  const double mass = method().mass_factor(), stiffness = method().stiffness_factor(length);
-  step.length = length;
-  step.inverse_diagonal = 1.0 / (mass + stiffness * stiffness_);
-  step.contact_row = (mass * coupling_ + stiffness * follower_row_) * step.inverse_diagonal;
-  step.contact_acceleration = 1.0 / (mass * contact_mass_entry_ + stiffness * contact_stiffness_ -
-                                     mass * (step.contact_row * coupling_).sum());
-}
-
-const ModalStickSlipIntegrator::Step& ModalStickSlipIntegrator::step_of(double length) {
-  // The end of a step is n h and not a sum, so that a whole step's length is h only up to round-off.
-  if (std::abs(length - full_step_.length) <= 1e-9 * full_step_.length) return full_step_;
-  if (partial_step_.length != length) prepare(partial_step_, length);
-  return partial_step_;
-}
-
-const Kinematics& ModalStickSlipIntegrator::trial(double end_time) {
-  const Step& step = step_of(end_time - time());
-  if (state() == ContactState::stick)
-    stick_step(step, end_time);
-  else
-    slip_step(step);
-  return trial_;
-}
-
-// The contact moves with the wall; each mode follows under the load and the inertia of that motion.
-void ModalStickSlipIntegrator::stick_step(const Step& step, double end_time) {
-  const double h = step.length, share = 1.0 - method().alpha_f(), beta = method().beta(),
-               gamma = method().gamma();
-  const double load_time = method().load_time(time(), h);
-  const double load = system().load_history(load_time), wall = system().wall.acceleration(load_time);
-  const auto q = now_.displacement.head(modes_).array(), v = now_.velocity.head(modes_).array(),
-             a = now_.acceleration.head(modes_).array();
-  auto new_a = trial_.acceleration.head(modes_).array();
-  new_a = (load * load_ - wall * coupling_ - method().alpha_m() * a -
-           stiffness_ * (q + (share * h) * v + (share * h * h * (0.5 - beta)) * a)) *
-          step.inverse_diagonal;
-  trial_.displacement.head(modes_).array() = q + h * v + (h * h * (0.5 - beta)) * a + (h * h * beta) * new_a;
-  trial_.velocity.head(modes_).array() = v + (h * (1.0 - gamma)) * a + (h * gamma) * new_a;
-  trial_.displacement[modes_] = wall_offset() + system().wall.displacement(end_time);
-  trial_.velocity[modes_] = system().wall.velocity(end_time);
-  trial_.acceleration[modes_] = system().wall.acceleration(end_time);
-}
-
-// The modes with the contact's acceleration eliminated, then that from its own row, friction included.
-void ModalStickSlipIntegrator::slip_step(const Step& step) {
-  const double h = step.length, share = 1.0 - method().alpha_f(), beta = method().beta(),
-               gamma = method().gamma();
-  const double load_time = method().load_time(time(), h), load = system().load_history(load_time);
-  const auto q = now_.displacement.head(modes_).array(), v = now_.velocity.head(modes_).array(),
-             a = now_.acceleration.head(modes_).array();
-  const double qc = now_.displacement[modes_], vc = now_.velocity[modes_], ac = now_.acceleration[modes_];
-  const double alpha_ac = method().alpha_m() * ac;
-  const double alpha_qc = qc + (share * h) * vc + (share * h * h * (0.5 - beta)) * ac;
-
-  alpha_displacement_ = q + (share * h) * v + (share * h * h * (0.5 - beta)) * a;
-  residual_ = load * load_ - method().alpha_m() * a - alpha_ac * coupling_ - stiffness_ * alpha_displacement_;
-  const double contact_residual = load * contact_load_ - method().alpha_m() * (coupling_ * a).sum() -
-                                  alpha_ac * contact_mass_entry_ - contact_stiffness_ * alpha_qc -
-                                  (follower_row_ * alpha_displacement_).sum() -
-                                  (step.contact_row * residual_).sum();
-  const double free_acceleration = contact_residual * step.contact_acceleration;
-  const double velocity_factor = method().damping_factor(h);
-  const double free_velocity = vc + (share * h * (1.0 - gamma)) * ac + velocity_factor * free_acceleration -
-                               system().wall.velocity(load_time);
-  const double friction = alpha_level_friction(free_velocity, velocity_factor * step.contact_acceleration);
-  const double new_ac = free_acceleration + friction * step.contact_acceleration;
-
-  auto new_a = trial_.acceleration.head(modes_).array();
-  new_a = (residual_ - (method().mass_factor() * new_ac) * coupling_) * step.inverse_diagonal;
-  trial_.acceleration[modes_] = new_ac;
-  trial_.displacement = now_.displacement + h * now_.velocity + (h * h * (0.5 - beta)) * now_.acceleration +
-                        (h * h * beta) * trial_.acceleration;
-  trial_.velocity =
-      now_.velocity + (h * (1.0 - gamma)) * now_.acceleration + (h * gamma) * trial_.acceleration;
 }
 
 }  // namespace stickslip::solver

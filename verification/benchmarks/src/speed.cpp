@@ -131,7 +131,7 @@ BENCHMARK_CAPTURE(stick_slip_run, modal, Coordinates::modal)->Unit(benchmark::kM
 void elements(benchmark::State& state) {
   const auto numerics = settings(static_cast<int>(state.range(0)), 0.01);
   BeamSimulation run(paper_beam, paper_friction, shaking(35.0, 0.5e-3), numerics,
-                     {.contact = TipContact::glued});
+                     {.contact = TipContact::bonded});
   for (auto _ : state) {
     for (int n = 0; n < 100; ++n) run.step();
     benchmark::DoNotOptimize(run.friction_force());

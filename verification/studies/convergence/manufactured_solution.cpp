@@ -256,10 +256,10 @@ struct EndOfRun {
 
 EndOfRun run(const Problem& problem, const solver::BeamModel& model, const Eigen::VectorXd& load,
              const Eigen::VectorXd& shape, double spectral_radius, int steps) {
-  solver::StickSlipIntegrator integrator(contact_system(problem, model, load),
-                                         {.time_step = problem.duration() / steps,
-                                          .spectral_radius = spectral_radius,
-                                          .glued = problem.tip == ManufacturedTip::stick});
+  solver::ContactSystem system = contact_system(problem, model, load);
+  if (problem.tip == ManufacturedTip::stick) system.normal_force = solver::bonding_force;
+  solver::StickSlipIntegrator integrator(
+      system, {.time_step = problem.duration() / steps, .spectral_radius = spectral_radius});
   const Eigen::VectorXd displacement = problem.history(0, 0.0) * shape,
                         velocity = problem.history(1, 0.0) * shape;
   if (problem.tip == ManufacturedTip::stick) {

@@ -165,8 +165,9 @@ constexpr int periods_of_decay = 80;
 // decayed, by e^16.
 Errors errors_over_a_period(const Chain& chain, bool held, double spectral_radius, int steps_per_period) {
   const double h = 2.0 * std::numbers::pi / omega / steps_per_period;
-  solver::StickSlipIntegrator integrator(contact_system(chain, held),
-                                         {.time_step = h, .spectral_radius = spectral_radius, .glued = held});
+  solver::ContactSystem system = contact_system(chain, held);
+  if (held) system.normal_force = solver::bonding_force;
+  solver::StickSlipIntegrator integrator(system, {.time_step = h, .spectral_radius = spectral_radius});
   const ExactSteadyState exact = held ? held_steady_state(chain) : free_steady_state(chain);
   const Eigen::VectorXd displacement = exact.displacement.imag();
   const Eigen::VectorXd velocity = (Complex(0.0, omega) * exact.displacement).imag();

@@ -14,7 +14,7 @@ namespace stickslip::studies {
 
 enum class MapMethod {
   closed_form,     ///< Eq. (28) with numerics.modes() modes, |f_max| to 1e-10; of the undamped beam
-  finite_elements  ///< one linear run with the tip glued, |f_max| over its time steps; with the damping
+  finite_elements  ///< one linear run with the tip bonded, |f_max| over its time steps; with the damping
 };
 
 enum class CellState {

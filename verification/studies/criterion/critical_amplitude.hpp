@@ -15,7 +15,7 @@ struct CriticalAmplitudeSearch {
   /// to the cap.
   std::optional<double> searched;
   int runs{};  ///< that the procedure took
-  /// One linear run with the tip glued: mu_s P over |f_max| per unit amplitude, m.
+  /// One linear run with the tip bonded: mu_s P over |f_max| per unit amplitude, m.
   double linear{};
   /// The first multiple of the increment above `linear`, m; nothing if it is above the cap.
   std::optional<double> stepped_linear;

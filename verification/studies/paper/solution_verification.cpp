@@ -193,7 +193,7 @@ void add_figure9(const data::Case& paper, std::vector<Plan>& plans) {
   const analytic::StickResponse exact(paper.beam, excitation, reference_modes, analytic::SteadyPart::exact);
   const auto peak = [=](const Settings& at, double (solver::BeamSimulation::*quantity)() const) {
     solver::BeamSimulation run(paper.beam, paper.friction, excitation, at,
-                               {.contact = solver::TipContact::glued});
+                               {.contact = solver::TipContact::bonded});
     double largest = std::abs((run.*quantity)());
     for (long n = solver::step_count(figure9_duration, at.time_step()); n > 0; --n) {
       run.step();

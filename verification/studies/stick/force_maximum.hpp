@@ -16,7 +16,7 @@ struct ForceMaximum {
   analytic::Bounds
       converged;  ///< exact steady part and `reference_modes` free vibrations, rigorous for those
   double omitted_transient{};         ///< bound of what the free vibrations beyond those can add, N
-  double finite_element{};            ///< grid maximum of a glued run
+  double finite_element{};            ///< grid maximum of a bonded run
   double predicted_finite_element{};  ///< PredictedForce::max_abs
   double prediction_uncertainty{};    ///< PredictedForce::uncertainty
 };

@@ -437,9 +437,9 @@ TEST_P(RippledForce, LetsGoAtTheFirstOfSeveralCrossings) {
     const double ripple = 0.07 * (1.0 + 0.03 * phase), angle = 2.0 * pi * phase / 60.0;
     const std::vector<double> amplitudes{ripple * std::cos(angle)}, rates{40.0 * ripple * std::sin(angle)};
 
-    ContactModel glued = model;
-    glued.normal_force = 1e6;
-    EventDriven held(glued), sticking(model);
+    ContactModel bonded = model;
+    bonded.normal_force = 1e6;
+    EventDriven held(bonded), sticking(model);
     held.start_stuck(amplitudes, rates);
     // A quiet run before lets the search begin with steps of many cycles.
     sticking.start_stuck({0.0}, {0.0});
@@ -461,7 +461,7 @@ TEST_P(RippledForce, LetsGoAtTheFirstOfSeveralCrossings) {
       above = now;
     }
     several += crossings > 1 ? 1 : 0;
-    EventDriven until(glued);
+    EventDriven until(bonded);
     until.start_stuck(amplitudes, rates);
     until.advance_to(onset);
     EXPECT_TRUE(within(std::abs(until.friction_force()), limit, round_off(100, 60.0, limit)));

@@ -73,7 +73,7 @@ TEST(Enclosures, NextToResonanceHoldTheForceOfFiniteElements) {
   const double natural = analytic::stick_modes(paper_beam(), 1).front().frequency_hz() * (1.0 + 4e-15);
   solver::BeamSimulation beam(paper_beam(), paper_friction(), shaken_at(natural),
                               data::NumericalSettings(paper_choices(0.3)),
-                              {.contact = solver::TipContact::glued});
+                              {.contact = solver::TipContact::bonded});
   const analytic::StickResponse response(paper_beam(), shaken_at(natural), 20, analytic::SteadyPart::exact);
   double difference = 0.0, peak = 0.0;
   for (int n = 0; n < 3000; ++n) {
@@ -92,7 +92,7 @@ TEST(Enclosures, OfAGrowingForceHoldItsMaximumWheneverItIsAskedFor) {
   const double natural = analytic::stick_modes(paper_beam(), 1).front().frequency_hz();
   solver::BeamSimulation beam(paper_beam(), paper_friction(), shaken_at(natural),
                               data::NumericalSettings(paper_choices(1.0)),
-                              {.contact = solver::TipContact::glued});
+                              {.contact = solver::TipContact::bonded});
   const analytic::StickResponse response(paper_beam(), shaken_at(natural), 2);
   double maximum = 0.0;
   for (int k = 0; k < 20; ++k) {
@@ -111,7 +111,7 @@ TEST(Enclosures, OfAGrowingForceHoldItsMaximumWheneverItIsAskedFor) {
 TEST(Enclosures, ListTheFreeVibrationsOfFiniteElements) {
   solver::BeamSimulation beam(paper_beam(), paper_friction(), shaken_at(15.0),
                               data::NumericalSettings(paper_choices(0.3)),
-                              {.contact = solver::TipContact::glued});
+                              {.contact = solver::TipContact::bonded});
   const analytic::StickResponse response(paper_beam(), shaken_at(15.0), 20, analytic::SteadyPart::exact);
   const auto free_vibrations = response.transient_force();
   const double omega = 2.0 * std::numbers::pi * 15.0;

@@ -475,7 +475,7 @@ TEST(WrongModel, OfTheMeshHaveTheOrdersOfTheirMistakes) {
 // f at 0.5, 1, ... 10 ms of a run of the time stepper with its tip held.
 Values held_force(const data::Case& problem) {
   solver::BeamSimulation run(problem.beam, problem.friction, problem.excitation, problem.numerics,
-                             {.contact = solver::TipContact::glued});
+                             {.contact = solver::TipContact::bonded});
   const long every = std::lround(0.5e-3 / problem.numerics.time_step());
   Values force;
   for (long n = 1; n <= 20 * every; ++n) {

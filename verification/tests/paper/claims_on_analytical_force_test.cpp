@@ -105,14 +105,14 @@ double finite_element_hz(int mode) {
 
 TEST(ClaimOnSection4, TheStuckTipFollowsTheBaseFromTheStart) {
   const analytic::StickResponse response(paper().beam, excitation(hz, amplitude));
-  solver::BeamSimulation glued(paper().beam, paper().friction, excitation(hz, amplitude), paper().numerics,
-                               {.contact = solver::TipContact::glued});
+  solver::BeamSimulation bonded(paper().beam, paper().friction, excitation(hz, amplitude), paper().numerics,
+                                {.contact = solver::TipContact::bonded});
   double closed_form = 0.0, finite_element = 0.0;
   for (int n = 0; n < 2000; ++n) {
-    closed_form = std::max(closed_form, std::abs(response.relative_displacement(length(), glued.time()) +
-                                                 response.base_displacement(glued.time())));
-    finite_element = std::max(finite_element, std::abs(glued.tip_displacement()));
-    glued.step();
+    closed_form = std::max(closed_form, std::abs(response.relative_displacement(length(), bonded.time()) +
+                                                 response.base_displacement(bonded.time())));
+    finite_element = std::max(finite_element, std::abs(bonded.tip_displacement()));
+    bonded.step();
   }
   const double allowed = round_off(100, 1, amplitude).value;
   judge({.as_printed = closed_form <= allowed && finite_element <= allowed},
@@ -123,16 +123,16 @@ TEST(ClaimOnSection4, TheStuckTipFollowsTheBaseFromTheStart) {
 
 TEST(ClaimOnEquation12, TheDeflectionIsTheStaticShapeAndAPerturbation) {
   // What finite elements leave over S h must be the sum of Eq. (21).
-  solver::BeamSimulation glued(paper().beam, paper().friction, excitation(hz, amplitude), paper().numerics,
-                               {.contact = solver::TipContact::glued});
+  solver::BeamSimulation bonded(paper().beam, paper().friction, excitation(hz, amplitude), paper().numerics,
+                                {.contact = solver::TipContact::bonded});
   const auto modes = analytic::stick_modes(paper().beam, 10);
   const double x = 0.5 * length();
   double difference = 0.0, largest = 0.0;
   for (int n = 0; n < 2000; ++n) {
-    glued.step();
+    bonded.step();
     double perturbation = 0.0;
-    for (const auto& mode : modes) perturbation += mode.shape(x) * printed_coordinate(mode, glued.time());
-    const double left = glued.displacement(x) - glued.base_displacement() * (1.0 + printed_static_shape(x));
+    for (const auto& mode : modes) perturbation += mode.shape(x) * printed_coordinate(mode, bonded.time());
+    const double left = bonded.displacement(x) - bonded.base_displacement() * (1.0 + printed_static_shape(x));
     difference = std::max(difference, std::abs(left - perturbation));
     largest = std::max(largest, std::abs(perturbation));
   }
@@ -521,15 +521,15 @@ double printed_force(const std::vector<analytic::StickMode>& modes, double t) {
 
 TEST(ClaimOnEquation27, IsTheDeflectionOfFiniteElements) {
   const auto modes = analytic::stick_modes(paper().beam, 10);
-  solver::BeamSimulation glued(paper().beam, paper().friction, excitation(hz, amplitude), paper().numerics,
-                               {.contact = solver::TipContact::glued});
+  solver::BeamSimulation bonded(paper().beam, paper().friction, excitation(hz, amplitude), paper().numerics,
+                                {.contact = solver::TipContact::bonded});
   double difference = 0.0, largest = 0.0;
   for (int n = 0; n < 2000; ++n) {
-    glued.step();
+    bonded.step();
     if (n % 10 != 0) continue;
     for (const double x : points()) {
-      const double u = glued.displacement(x) - glued.base_displacement();
-      difference = std::max(difference, std::abs(u - printed_deflection(modes, x, glued.time())));
+      const double u = bonded.displacement(x) - bonded.base_displacement();
+      difference = std::max(difference, std::abs(u - printed_deflection(modes, x, bonded.time())));
       largest = std::max(largest, std::abs(u));
     }
   }
@@ -541,12 +541,12 @@ TEST(ClaimOnEquation27, IsTheDeflectionOfFiniteElements) {
 
 TEST(ClaimOnEquation28, IsTheReactionOfFiniteElements) {
   const auto modes = analytic::stick_modes(paper().beam, 10);
-  solver::BeamSimulation glued(paper().beam, paper().friction, excitation(hz, amplitude), paper().numerics,
-                               {.contact = solver::TipContact::glued});
+  solver::BeamSimulation bonded(paper().beam, paper().friction, excitation(hz, amplitude), paper().numerics,
+                                {.contact = solver::TipContact::bonded});
   double difference = 0.0, opposite = 0.0, largest = 0.0;
   for (int n = 0; n < 2000; ++n) {
-    glued.step();
-    const double f = glued.friction_force(), printed = printed_force(modes, glued.time());
+    bonded.step();
+    const double f = bonded.friction_force(), printed = printed_force(modes, bonded.time());
     difference = std::max(difference, std::abs(f - printed));
     opposite = std::max(opposite, std::abs(f + printed));
     largest = std::max(largest, std::abs(f));

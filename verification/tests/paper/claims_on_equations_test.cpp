@@ -243,10 +243,10 @@ TEST(ClaimOnEquation4, StickLastsUntilTheForceReachesTheLimit) {
     run.step();
   }
   const double onset = run.integrator().events().front().time;
-  solver::BeamSimulation glued(paper().beam, paper().friction, excitation(25.0, 1e-3), paper().numerics,
-                               {.contact = solver::TipContact::glued});
-  while (glued.time() < onset) glued.step();
-  const double after = std::abs(glued.friction_force());
+  solver::BeamSimulation bonded(paper().beam, paper().friction, excitation(25.0, 1e-3), paper().numerics,
+                                {.contact = solver::TipContact::bonded});
+  while (bonded.time() < onset) bonded.step();
+  const double after = std::abs(bonded.friction_force());
   judge({.as_printed = at_start >= friction_limit(), .corrected = stayed_below && after > friction_limit()},
         fmt::format("at 25 Hz and 1 mm the force begins at {:.0f} N, below the limit, and the tip sticks all "
                     "the same, until "

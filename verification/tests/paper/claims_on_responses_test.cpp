@@ -111,7 +111,7 @@ TEST(ClaimOnSection3, TheBeamStartsWithoutVelocity) {
     choices.time_step = 1e-6;
     solver::BeamSimulation run(paper().beam, paper().friction, excitation(15.0, small),
                                data::NumericalSettings(choices),
-                               {.contact = solver::TipContact::glued, .initial_velocity = start});
+                               {.contact = solver::TipContact::bonded, .initial_velocity = start});
     double force = 0.0;
     for (int n = 0; n < 1000; ++n) {
       run.step();

@@ -92,7 +92,7 @@ TEST(Errata, E4RestInTheFrameOfTheBaseGivesAnImpulsiveReaction) {
     choices.time_step = 1e-6;
     solver::BeamSimulation s(paper().beam, paper().friction, data::HarmonicExcitation({15.0, 0.5e-3}),
                              data::NumericalSettings(choices),
-                             {.contact = solver::TipContact::glued, .initial_velocity = start});
+                             {.contact = solver::TipContact::bonded, .initial_velocity = start});
     double force = 0.0;
     for (int n = 0; n < 1000; ++n) {
       s.step();

@@ -98,10 +98,12 @@ PrescribedMotion sum(const PrescribedMotion& a, const PrescribedMotion& b) {
 
 /// The time stepper on a base with any motion, started as a BeamSimulation is.
 std::unique_ptr<StickSlipIntegrator> started(const StickSlipProblem& problem, const PrescribedMotion& base,
-                                             const solver::IntegratorSettings& settings) {
+                                             const solver::IntegratorSettings& settings,
+                                             solver::TipContact contact = solver::TipContact::friction) {
   const BeamModel model(problem.beam, kElements);
-  auto integrator = std::make_unique<StickSlipIntegrator>(
-      solver::beam_contact_system(model, problem.friction, base, problem.damping), settings);
+  solver::ContactSystem system = solver::beam_contact_system(model, problem.friction, base, problem.damping);
+  if (contact == solver::TipContact::bonded) system.normal_force = solver::bonding_force;
+  auto integrator = std::make_unique<StickSlipIntegrator>(system, settings);
   integrator->start_stuck(Eigen::VectorXd::Zero(model.degrees_of_freedom()),
                           -base.velocity(0.0) * model.unit_tip_deflection());
   return integrator;
@@ -274,9 +276,9 @@ TEST(Linearity, TwiceTheAmplitudeIsTwiceTheSteppedResponseBitForBit) {
         data::HarmonicExcitation({.frequency_hz = hz, .amplitude = numbers.log_uniform(1e-9, 1e-3)}),
         {}};
     const auto numerics = settings(problem, 0.7);
-    const auto glued = solver::TipContact::glued;
-    const auto once = run(problem, numerics, glued),
-               twice = run(with_amplitude(problem, 2.0), numerics, glued);
+    const auto bonded = solver::TipContact::bonded;
+    const auto once = run(problem, numerics, bonded),
+               twice = run(with_amplitude(problem, 2.0), numerics, bonded);
     EXPECT_EQ(twice->friction_force(), 2.0 * once->friction_force());
     EXPECT_EQ(twice->integrator().displacement(), Eigen::VectorXd(2.0 * once->integrator().displacement()));
     const double force = solver::max_abs_friction_force(beam, problem.excitation, numerics);
@@ -308,7 +310,8 @@ TEST(Linearity, SteppedResponsesToTwoBaseMotionsAddUp) {
       const auto response = [&](const PrescribedMotion& base) {
         std::unique_ptr<StickSlipIntegrator> integrator;
         if (stuck) {
-          integrator = started(problem, base, {.time_step = h, .spectral_radius = 0.9, .glued = true});
+          integrator =
+              started(problem, base, {.time_step = h, .spectral_radius = 0.9}, solver::TipContact::bonded);
         } else {
           integrator = std::make_unique<StickSlipIntegrator>(
               free_tip_system(model, base, problem.damping),
@@ -393,10 +396,11 @@ TEST(TimeShift, OfTheBaseByWholeStepsShiftsTheStickResponseBitForBit) {
     const StickSlipProblem problem = slipping(beam, numbers);
     const double h = binary_step(problem);
     const PrescribedMotion base = smooth_start(problem.excitation);
-    const solver::IntegratorSettings glued{.time_step = h, .spectral_radius = 1.0, .glued = true};
+    const solver::IntegratorSettings stepping{.time_step = h, .spectral_radius = 1.0};
+    const auto bonded = solver::TipContact::bonded;
     const int delay = numbers.whole(1, 50);
-    const auto now = started(problem, base, glued),
-               later = started(problem, transformed(base, 1.0, delay * h), glued);
+    const auto now = started(problem, base, stepping, bonded),
+               later = started(problem, transformed(base, 1.0, delay * h), stepping, bonded);
     step(*later, delay);
     EXPECT_EQ(later->displacement().cwiseAbs().maxCoeff(), 0.0);
     for (int n = 0; n < 150; ++n) {
@@ -449,13 +453,13 @@ TEST(TimeShift, RestartFromAnyStepContinuesTheRunToSecondOrder) {
     for (const int halvings : {2, 3, 4, 5}) {
       const double h = std::ldexp(coarse, -halvings);
       const long before = static_cast<long>(start) << halvings, after = 100L << halvings;
-      const solver::IntegratorSettings glued{.time_step = h, .spectral_radius = 0.5, .glued = true};
-      const auto whole = started(problem, base, glued);
+      const solver::IntegratorSettings stepping{.time_step = h, .spectral_radius = 0.5};
+      const auto whole = started(problem, base, stepping, solver::TipContact::bonded);
       step(*whole, before);
-      StickSlipIntegrator rest(solver::beam_contact_system(
-                                   model, problem.friction,
-                                   transformed(base, 1.0, -static_cast<double>(before) * h), problem.damping),
-                               glued);
+      solver::ContactSystem system = solver::beam_contact_system(
+          model, problem.friction, transformed(base, 1.0, -static_cast<double>(before) * h), problem.damping);
+      system.normal_force = solver::bonding_force;
+      StickSlipIntegrator rest(system, stepping);
       rest.start_stuck(whole->displacement(), whole->velocity());
       double largest = 0.0;
       for (long n = 0; n < after; ++n) {

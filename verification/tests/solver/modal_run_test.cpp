@@ -63,7 +63,7 @@ History plain_history(const data::Beam& beam, const data::HarmonicExcitation& ex
                       const data::NumericalSettings& numerics, InitialVelocity initial_velocity, double x,
                       long steps) {
   BeamSimulation run(beam, paper_friction(), excitation, numerics,
-                     {.contact = TipContact::glued, .initial_velocity = initial_velocity});
+                     {.contact = TipContact::bonded, .initial_velocity = initial_velocity});
   History history;
   const auto note = [&] {
     history.force.push_back(run.friction_force());
@@ -232,16 +232,17 @@ TEST(HeldTipBasis, CoordinatesGiveTheVectorBack) {
   EXPECT_LE((back - q).cwiseAbs().maxCoeff(), 1e-11);
 }
 
-TEST(ModalStickSlipIntegrator, TakesTheStepsOfTheGeneralIntegratorInTheSameCoordinates) {
+TEST(ModalSteps, TakesTheStepsOfTheGeneralIntegratorInTheSameCoordinates) {
   // From the same start through stick, onset, slip, reversals and captures, until rounding has grown visibly.
   const BeamModel model(paper_beam(), 8);
   const auto base = solver::harmonic_motion(shaking(25.0, 1e-3));
   const auto system = modal_contact_system(model, held_tip_basis(model), paper_friction(), base);
   for (const double radius : {0.0, 0.9, 1.0}) {
-    const solver::IntegratorSettings choice{
+    solver::IntegratorSettings choice{
         .time_step = 1e-4, .spectral_radius = radius, .velocity_threshold = 1e-4};
     solver::StickSlipIntegrator general(system, choice);
-    solver::ModalStickSlipIntegrator fast(system, choice);
+    choice.algebra = solver::StepAlgebra::modal;
+    solver::StickSlipIntegrator fast(system, choice);
     const Eigen::VectorXd rest = Eigen::VectorXd::Zero(16);
     const Eigen::VectorXd velocity = -base.velocity(0.0) * Eigen::VectorXd::Unit(16, 15);
     general.start_stuck(rest, velocity);
@@ -260,7 +261,7 @@ TEST(ModalStickSlipIntegrator, TakesTheStepsOfTheGeneralIntegratorInTheSameCoord
   }
 }
 
-TEST(ModalStickSlipIntegrator, SeesTheContactChangesOfTheNodalRun) {
+TEST(ModalSteps, SeesTheContactChangesOfTheNodalRun) {
   // Rounding, 1e-16 m at first, grows with every change; a quarter of a second has more than fifty.
   const data::NumericalSettings numerics(paper_choices(0.25));
   BeamSimulation nodal(paper_beam(), paper_friction(), shaking(25.0, 1e-3), numerics);
@@ -289,7 +290,7 @@ TEST(ModalStickSlipIntegrator, SeesTheContactChangesOfTheNodalRun) {
   EXPECT_LE(midspan_difference, 1e-13);
 }
 
-TEST(ModalStickSlipIntegrator, SlipsFirstWhenTheNodalRunDoes) {
+TEST(ModalSteps, SlipsFirstWhenTheNodalRunDoes) {
   const data::NumericalSettings numerics(paper_choices(1.0));
   for (const auto& [hz, amplitude] : {std::pair{25.0, 1e-3}, {70.0, 0.5e-3}, {35.0, 0.4e-3}}) {
     const auto nodal = solver::first_slip(paper_beam(), paper_friction(), shaking(hz, amplitude), numerics);
@@ -302,10 +303,10 @@ TEST(ModalStickSlipIntegrator, SlipsFirstWhenTheNodalRunDoes) {
   }
 }
 
-TEST(ModalStickSlipIntegrator, StopsWithTheTimeWhereTheStateIsNoLongerFiniteAsTheNodalRunDoes) {
+TEST(ModalSteps, StopsWithTheTimeWhereTheStateIsNoLongerFiniteAsTheNodalRunDoes) {
   for (const Coordinates coordinates : {Coordinates::nodal, Coordinates::modal}) try {
       BeamSimulation run(paper_beam(), paper_friction(), shaking(1000.0, 1e303), settings(20, 0.9),
-                         {.contact = TipContact::glued, .coordinates = coordinates});
+                         {.contact = TipContact::bonded, .coordinates = coordinates});
       while (run.integrator().steps() < 100) run.step();
       FAIL();
     } catch (const std::runtime_error& error) {
@@ -314,7 +315,7 @@ TEST(ModalStickSlipIntegrator, StopsWithTheTimeWhereTheStateIsNoLongerFiniteAsTh
     }
 }
 
-TEST(ModalStickSlipIntegrator, RefusesDampingAndSystemsOfAnotherForm) {
+TEST(ModalSteps, RefusesDampingAndSystemsOfAnotherForm) {
   for (const data::Damping& damping :
        {data::Damping({.kelvin_voigt = 1e-5}), data::Damping({.ratio = 0.01})}) {
     try {
@@ -328,16 +329,16 @@ TEST(ModalStickSlipIntegrator, RefusesDampingAndSystemsOfAnotherForm) {
   const BeamModel model(paper_beam(), 4);
   const auto nodal =
       beam_contact_system(model, paper_friction(), solver::harmonic_motion(shaking(25.0, 1e-3)));
-  EXPECT_THROW(solver::ModalStickSlipIntegrator(nodal, {.time_step = 1e-4, .spectral_radius = 0.9}),
-               std::invalid_argument);
+  const solver::IntegratorSettings modal_steps{
+      .time_step = 1e-4, .spectral_radius = 0.9, .algebra = solver::StepAlgebra::modal};
+  EXPECT_THROW(solver::StickSlipIntegrator(nodal, modal_steps), std::invalid_argument);
 
   const solver::ContactSystem modal = solver::modal_contact_system(
       model, solver::held_tip_basis(model), paper_friction(), solver::harmonic_motion(shaking(25.0, 1e-3)));
   for (const auto matrix : {&solver::ContactSystem::mass, &solver::ContactSystem::slip_stiffness}) {
     solver::ContactSystem coupled = modal;
     (coupled.*matrix).coeffRef(0, 1) = 1e-3;
-    EXPECT_THROW(solver::ModalStickSlipIntegrator(coupled, {.time_step = 1e-4, .spectral_radius = 0.9}),
-                 std::invalid_argument);
+    EXPECT_THROW(solver::StickSlipIntegrator(coupled, modal_steps), std::invalid_argument);
   }
 }
 

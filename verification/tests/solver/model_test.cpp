@@ -251,14 +251,14 @@ TEST(BeamSimulation, StepCountIsTheNearestWholeNumber) {
 TEST(BeamSimulation, LargestForceIsOneOfEitherSign) {
   // At 70 Hz the peak of the first 10 ms is positive, that of the first 20 ms negative.
   const data::HarmonicExcitation excitation({70.0, 0.5e-3});
-  solver::BeamSimulation glued(paper_beam(), paper_friction(), excitation, data::NumericalSettings(coarse),
-                               {.contact = solver::TipContact::glued});
+  solver::BeamSimulation bonded(paper_beam(), paper_friction(), excitation, data::NumericalSettings(coarse),
+                                {.contact = solver::TipContact::bonded});
   double highest = 0.0, lowest = 0.0;
   const auto run_until = [&](double end) {
-    while (glued.time() < end - 0.5e-4) {
-      glued.step();
-      highest = std::max(highest, glued.friction_force());
-      lowest = std::min(lowest, glued.friction_force());
+    while (bonded.time() < end - 0.5e-4) {
+      bonded.step();
+      highest = std::max(highest, bonded.friction_force());
+      lowest = std::min(lowest, bonded.friction_force());
     }
   };
   const auto largest = [&](double duration) {
@@ -280,15 +280,15 @@ TEST(BeamSimulation, EveryRunTakesItsDamping) {
   const data::Damping damping({.kelvin_voigt = 6.4e-5, .ratio = 0.01});
   solver::BeamSimulation simulation(paper_beam(), paper_friction(), excitation, numerics,
                                     {.damping = damping});
-  solver::BeamSimulation glued(paper_beam(), paper_friction(), excitation, numerics,
-                               {.contact = solver::TipContact::glued, .damping = damping});
+  solver::BeamSimulation bonded(paper_beam(), paper_friction(), excitation, numerics,
+                                {.contact = solver::TipContact::bonded, .damping = damping});
   const Eigen::MatrixXd expected = solver::damping_matrix(simulation.model(), damping);
   EXPECT_EQ(Eigen::MatrixXd(simulation.integrator().system().damping), expected);
   double largest = 0.0;
   for (int n = 0; n < 2000; ++n) {
     simulation.step();
-    glued.step();
-    largest = std::max(largest, std::abs(glued.friction_force()));
+    bonded.step();
+    largest = std::max(largest, std::abs(bonded.friction_force()));
   }
   EXPECT_EQ(solver::max_abs_friction_force(paper_beam(), excitation, numerics, damping), largest);
   EXPECT_EQ(solver::first_slip(paper_beam(), paper_friction(), excitation, numerics, damping),

@@ -215,15 +215,16 @@ long settling_periods(const Vibration& v) {
   return std::lround(std::ceil(std::log(1e14) / rate * v.hz));
 }
 
-// The glued or the free tip, stepped from the start until it is steady, with the last period observed.
+// The bonded or the free tip, stepped from the start until it is steady, with the last period observed.
 Amplitudes stepped_amplitudes(const Vibration& v, const Stepping& stepping) {
   const bool held = v.tip == TipSupport::held;
   const solver::BeamModel model(v.beam(), stepping.elements);
   const auto base = solver::harmonic_motion(v.excitation());
+  solver::ContactSystem system = held ? solver::beam_contact_system(model, paper_friction(), base, v.damping)
+                                      : free_tip_system(model, base, v.damping);
+  if (held) system.normal_force = solver::bonding_force;
   solver::StickSlipIntegrator integrator(
-      held ? solver::beam_contact_system(model, paper_friction(), base, v.damping)
-           : free_tip_system(model, base, v.damping),
-      {.time_step = stepping.time_step(v), .spectral_radius = stepping.spectral_radius, .glued = held});
+      system, {.time_step = stepping.time_step(v), .spectral_radius = stepping.spectral_radius});
   const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(model.degrees_of_freedom());
   if (held)
     integrator.start_stuck(at_rest, -base.velocity(0.0) * model.unit_tip_deflection());
@@ -407,7 +408,7 @@ TEST(DampedSteppedResponse, DissipatesInEachPeriodWhatTheClosedFormSays) {
     choices.elements = 40;
     choices.time_step = 1.0 / (v.hz * steps_per_period);
     solver::BeamSimulation beam(v.beam(), paper_friction(), v.excitation(), data::NumericalSettings(choices),
-                                {.contact = solver::TipContact::glued, .damping = v.damping});
+                                {.contact = solver::TipContact::bonded, .damping = v.damping});
     for (int n = 0; n < 10 * steps_per_period; ++n) beam.step();
     solver::EnergyBooks books(beam.integrator());
     for (int n = 0; n < steps_per_period; ++n) {

@@ -229,8 +229,9 @@ Events stepped(const MeshedBeam& beam, double time_step, double spectral_radius)
 
 Events stepped_in_modes(const MeshedBeam& beam, double time_step, double spectral_radius) {
   const solver::HeldTipBasis basis = held_tip_basis(beam.mesh);
-  solver::ModalStickSlipIntegrator run(modal_contact_system(beam.mesh, basis, paper_friction(), beam.base),
-                                       {.time_step = time_step, .spectral_radius = spectral_radius});
+  solver::StickSlipIntegrator run(
+      modal_contact_system(beam.mesh, basis, paper_friction(), beam.base),
+      {.time_step = time_step, .spectral_radius = spectral_radius, .algebra = solver::StepAlgebra::modal});
   return stepped(run, modal_coordinates(beam.mesh, basis, beam.initial_velocity()), time_step);
 }
 
@@ -299,7 +300,7 @@ INSTANTIATE_TEST_SUITE_P(Beam, TimeStepper,
                                   parameter_name(std::get<1>(instance.param));
                          });
 
-TEST(ModalStickSlipIntegrator, ConvergesToTheEventDrivenHistoryOfItsMeshWithOrderTwo) {
+TEST(ModalSteps, ConvergesToTheEventDrivenHistoryOfItsMeshWithOrderTwo) {
   // Undamped, and on three elements, so that the steps resolve every mode. The next terms: omega h of mode 2,
   // as each change splits a step anywhere, and (omega h)^2 of the highest.
   const MeshedBeam beam(3, 25.0, 0.0);

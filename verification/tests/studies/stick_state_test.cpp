@@ -222,7 +222,7 @@ double energy_residual(double time_step, double spectral_radius) {
   const data::HarmonicExcitation excitation({.frequency_hz = 35.0, .amplitude = 0.5e-3});
   const solver::PrescribedMotion base = solver::harmonic_motion(excitation);
   solver::BeamSimulation s(paper_beam(), paper_friction(), excitation, data::NumericalSettings(choices),
-                           {.contact = solver::TipContact::glued});
+                           {.contact = solver::TipContact::bonded});
   const double initial = energy(s);
   double work = 0.0, before = power(s, base), largest = 0.0, scale = 0.0;
   for (long n = solver::step_count(choices.duration, time_step); n > 0; --n) {

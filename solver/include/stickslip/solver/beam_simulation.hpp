@@ -19,7 +19,7 @@ enum class InitialVelocity {
 /// What happens at the tip.
 enum class TipContact {
   friction,  ///< the contact of the paper
-  glued      ///< the tip never slips: the linear stick state for all time
+  bonded     ///< the tip never slips: the linear stick state for all time
 };
 
 /// In which coordinates a run steps: the results differ by rounding, the cost tenfold and more.
@@ -108,7 +108,7 @@ class BeamSimulation {
 /// The number of whole steps in a duration: round(duration / time_step).
 [[nodiscard]] long step_count(double duration, double time_step);
 
-/// max |f| over the grid times 0 ... duration of a glued run, N: finite-element |f_max| of Eqs. (29), (30).
+/// max |f| over the grid times 0 ... duration with the tip bonded, N: finite-element |f_max| of Eqs. (29), (30).
 /// In modal coordinates by ModalStickRun.
 [[nodiscard]] double max_abs_friction_force(const data::Beam& beam,
                                             const data::HarmonicExcitation& excitation,

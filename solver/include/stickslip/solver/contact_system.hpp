@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <limits>
 
 #include "stickslip/data/problem.hpp"
 #include "stickslip/solver/beam_model.hpp"
@@ -14,6 +15,9 @@ struct PrescribedMotion {
   std::function<double(double)> velocity;      ///< m/s
   std::function<double(double)> acceleration;  ///< m/s^2
 };
+
+/// The normal force of a bonded contact, which never slips: the system is then linear.
+constexpr double bonding_force = std::numeric_limits<double>::infinity();
 
 /// A linear system with one frictional contact on one degree of freedom c:
 ///
@@ -32,7 +36,7 @@ struct ContactSystem {
   std::function<double(double)> load_history;  ///< s, of t in s
   Eigen::Index contact{};                      ///< c
   PrescribedMotion wall;                       ///< w
-  double normal_force{};                       ///< N, newton, >= 0
+  double normal_force{};                       ///< N, newton, >= 0; or bonding_force
   data::FrictionLaw friction;
 };
 

@@ -11,16 +11,16 @@
 
 namespace stickslip::solver {
 
-/// The undamped linear stick run of BeamSimulation with TipContact::glued, fast: the same grid, the same
+/// The undamped linear stick run of BeamSimulation with TipContact::bonded, fast: the same grid, the same
 /// method, the same numbers to rounding.
 ///
-/// In the modes of the mesh with its tip held (HeldTipBasis) the
-/// generalised-alpha method is one recurrence per mode. With x = (eta, h eta_t, h^2 eta_tt) and k = (omega
+/// In the modes of the mesh with its tip held (HeldTipBasis) the generalised-alpha method is one recurrence per
+/// mode. With x = (eta, h eta_t, h^2 eta_tt) and k = (omega
 /// h)^2,
 ///
-///     x_3' = [h^2 r h_tt(t_star) - alpha_m x_3 - k (x_1 + s x_2 + s (1/2 - beta) x_3)] / [1 - alpha_m + s
-///     beta k], x_2' = x_2 + (1 - gamma) x_3 + gamma x_3',     x_1' = x_1 + x_2 + (1/2 - beta) x_3 + beta
-///     x_3',
+///     x_3' = [h^2 r h_tt(t_star) - alpha_m x_3 - k (x_1 + s x_2 + s (1/2 - beta) x_3)]/[1 - alpha_m + s beta k],
+///     x_2' = x_2 + (1 - gamma) x_3 + gamma x_3',
+///     x_1' = x_1 + x_2 + (1/2 - beta) x_3 + beta x_3',
 ///
 /// s = 1 - alpha_f, r = phi^T (-b + M sigma) with the static shape sigma of the tip's motion. The state at
 /// t_n with sin(Omega t_n) and cos(Omega t_n) is a vector y_n, a step y_(n+1) = T y_n and an output o y_n, so

@@ -1,11 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseLU>
 #include <functional>
 #include <memory>
-#include <utility>
 #include <vector>
 
 #include "stickslip/solver/contact_system.hpp"
@@ -48,13 +45,22 @@ enum class ContactScheme {
   paper
 };
 
+/// What solves the equations of a step. Both give the same numbers up to rounding.
+enum class StepAlgebra {
+  sparse,  ///< factorised sparse matrices, for any system
+  modal    ///< passes over the modes, for systems of the form of modal_contact_system()
+};
+
 struct IntegratorSettings {
   double time_step{};           ///< h, s, > 0
   double spectral_radius{};     ///< 0 ... 1
   double velocity_threshold{};  ///< epsilon, m/s, >= 0: below it a slip that can stick is captured
-  bool glued{};                 ///< the contact never slips, whatever the friction force (linear stick run)
   ContactScheme scheme{ContactScheme::located};
+  StepAlgebra algebra{StepAlgebra::sparse};
 };
+
+class ContactMotion;
+class ContactDriver;
 
 /// Time integration of a ContactSystem by the generalised-alpha method, on the grid t_n = n h, with contact
 /// changes located inside the step.
@@ -92,7 +98,7 @@ class StickSlipIntegrator {
  public:
   /// Throws std::invalid_argument naming the setting or the part of the system that is unusable.
   StickSlipIntegrator(ContactSystem system, const IntegratorSettings& settings);
-  virtual ~StickSlipIntegrator();
+  ~StickSlipIntegrator();
   StickSlipIntegrator(const StickSlipIntegrator&) = delete;
   StickSlipIntegrator& operator=(const StickSlipIntegrator&) = delete;
 
@@ -101,7 +107,7 @@ class StickSlipIntegrator {
   void start_stuck(const Eigen::VectorXd& displacement, const Eigen::VectorXd& velocity);
 
   /// Starts at t = 0 in slip, in the direction of the sliding velocity given (or, where that is zero, against
-  /// the force that holding the contact would take).
+  /// the force that holding the contact would take). Throws std::logic_error if the contact is bonded.
   void start_slipping(const Eigen::VectorXd& displacement, const Eigen::VectorXd& velocity);
 
   /// From t_n to t_(n+1).
@@ -112,99 +118,27 @@ class StickSlipIntegrator {
   using Observer = std::function<void(const StickSlipIntegrator&)>;
 
   /// From now on calls the observer, or none if it is empty.
-  void observe(Observer observer) { observer_ = std::move(observer); }
+  void observe(Observer observer);
 
-  [[nodiscard]] double time() const noexcept { return time_; }
-  [[nodiscard]] long steps() const noexcept { return steps_; }
-  [[nodiscard]] ContactState state() const noexcept { return state_; }
-  [[nodiscard]] const Eigen::VectorXd& displacement() const noexcept { return now_.displacement; }
-  [[nodiscard]] const Eigen::VectorXd& velocity() const noexcept { return now_.velocity; }
+  [[nodiscard]] double time() const noexcept;
+  [[nodiscard]] long steps() const noexcept;
+  [[nodiscard]] ContactState state() const noexcept;
+  [[nodiscard]] const Eigen::VectorXd& displacement() const noexcept;
+  [[nodiscard]] const Eigen::VectorXd& velocity() const noexcept;
   /// v_s, m/s; zero in stick.
   [[nodiscard]] double sliding_velocity() const;
   /// f_d on the system, N, at time().
   [[nodiscard]] double friction_force() const;
   /// The friction force that holding the contact to the wall would take now, N.
   [[nodiscard]] double holding_force() const;
-  /// q_tt from the semi-discrete balance at time(), of second order in h.
-  [[nodiscard]] Eigen::VectorXd consistent_acceleration() const;
   /// m_c = 1/(e_c . M^-1 e_c), kg.
-  [[nodiscard]] double contact_mass() const noexcept { return contact_mass_; }
-  [[nodiscard]] const std::vector<ContactEvent>& events() const noexcept { return events_; }
-  [[nodiscard]] const ContactSystem& system() const noexcept { return system_; }
-
- protected:
-  /// The state at end_time <= t_(n+1), if the contact stays as it is, in trial_; everything else of a step
-  /// goes by this. The place for a faster way to the same numbers.
-  virtual const Kinematics& trial(double end_time);
-
-  [[nodiscard]] const GeneralizedAlpha& method() const noexcept { return method_; }
-  /// f_d at the alpha level of a slip step in which the sliding velocity there is free_velocity + mobility
-  /// f_d.
-  [[nodiscard]] double alpha_level_friction(double free_velocity, double mobility) const;
-  /// What q[c] - w keeps in the present stick phase, m.
-  [[nodiscard]] double wall_offset() const noexcept { return wall_offset_; }
-
-  Kinematics now_, trial_;
+  [[nodiscard]] double contact_mass() const noexcept;
+  [[nodiscard]] const std::vector<ContactEvent>& events() const noexcept;
+  [[nodiscard]] const ContactSystem& system() const noexcept;
 
  private:
-  using Cholesky = Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<int>>;
-  using Lu = Eigen::SparseLU<SparseMatrix, Eigen::NaturalOrdering<int>>;
-  struct StepOperator;
-
-  void advance_stick(double end_time);
-  void advance_slip(double end_time);
-  void advance_by_the_paper(double end_time);
-  StepOperator& step_operator(double length);
-  const Cholesky& stick_matrix(StepOperator& op) const;
-  const Lu& slip_matrix(StepOperator& op) const;
-  [[nodiscard]] SparseMatrix step_matrix(const StepOperator& op, const SparseMatrix& stiffness) const;
-  void take_stick_step(StepOperator& op, double end_time, Kinematics& state);
-  void take_slip_step(StepOperator& op, Kinematics& state);
-  void accept_trial(double new_time);
-  void add_static_shape(Kinematics& state, double t, double factor) const;
-  void subtract_static_shape_inertia(double t);
-  void subtract_internal_forces(const SparseMatrix& stiffness);
-
-  [[nodiscard]] double location_tolerance() const;
-  [[nodiscard]] double sliding_velocity(const Kinematics& state, double t) const;
-  [[nodiscard]] double holding_force(const Kinematics& state, double t) const;
-  [[nodiscard]] double excess_force(const Kinematics& state, double t) const;
-
-  void start(const Eigen::VectorXd& displacement, const Eigen::VectorXd& velocity);
-  void leave_stick();
-  void settle_at_rest();
-  void stick_here();
-  void decide_by_the_paper();
-  void notify() const;
-  void restart_acceleration();
-  void record(ContactEvent::Kind kind);
-  void require_finite() const;
-
-  ContactSystem system_;
-  IntegratorSettings settings_;
-  GeneralizedAlpha method_;
-
-  Cholesky mass_;                     // M
-  Cholesky constrained_mass_;         // M with the row and column of c replaced by those of the identity
-  Eigen::VectorXd impulse_response_;  // m_c M^-1 e_c
-  Eigen::VectorXd static_shape_;      // sigma
-  Eigen::VectorXd static_inertia_, static_damping_;  // M sigma, C sigma
-  Eigen::VectorXd holding_q_, holding_v_;            // r_q, r_v
-  double holding_load_{}, contact_mass_{};           // r_s, m_c
-  double static_limit_{};                            // mu_s N
-
-  std::unique_ptr<StepOperator> full_step_, partial_step_;
-  Kinematics alpha_level_;
-  Eigen::VectorXd residual_, new_acceleration_;
-
-  double time_{};
-  long steps_{};
-  ContactState state_{ContactState::stick};
-  double direction_{};    // d of the slip phase
-  double wall_offset_{};  // q_s - w(t_s) of the stick phase
-  int events_in_step_{};
-  std::vector<ContactEvent> events_;
-  Observer observer_;
+  std::unique_ptr<ContactMotion> motion_;
+  std::unique_ptr<const ContactDriver> driver_;
 };
 
 }  // namespace stickslip::solver

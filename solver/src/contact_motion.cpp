@@ -1,0 +1,188 @@
+#include "contact_motion.hpp"
+
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "sign.hpp"
+
+namespace stickslip::solver {
+
+namespace {
+
+constexpr int max_events_per_step = 1000;
+
+void require(bool condition, const std::string& message) {
+  if (!condition) throw std::invalid_argument(message);
+}
+
+void require_size(Eigen::Index size, Eigen::Index expected, const char* name) {
+  require(size == expected, std::string(name) + " has size " + std::to_string(size) +
+                                ": must equal the degrees of freedom, " + std::to_string(expected));
+}
+
+ContactSystem consistent(ContactSystem system) {
+  const Eigen::Index n = system.mass.rows();
+  for (const auto& [matrix, name] : {std::pair{&system.mass, "mass"},
+                                     {&system.damping, "damping"},
+                                     {&system.stick_stiffness, "stick_stiffness"},
+                                     {&system.slip_stiffness, "slip_stiffness"}}) {
+    require_size(matrix->rows(), n, name);
+    require_size(matrix->cols(), n, name);
+  }
+  require_size(system.load_shape.size(), n, "load_shape");
+  require(system.contact >= 0 && system.contact < n, "contact = " + std::to_string(system.contact) +
+                                                         ": must be a degree of freedom, 0 ... " +
+                                                         std::to_string(n - 1));
+  require(system.normal_force >= 0.0,
+          "normal_force = " + std::to_string(system.normal_force) + " N: must not be negative");
+  return system;
+}
+
+IntegratorSettings usable(const IntegratorSettings& settings) {
+  require(std::isfinite(settings.time_step) && settings.time_step > 0.0,
+          "time_step = " + std::to_string(settings.time_step) + " s: must be positive");
+  require(
+      std::isfinite(settings.velocity_threshold) && settings.velocity_threshold >= 0.0,
+      "velocity_threshold = " + std::to_string(settings.velocity_threshold) + " m/s: must not be negative");
+  require(settings.scheme != ContactScheme::paper || settings.velocity_threshold > 0.0,
+          "velocity_threshold = 0 m/s: must be positive with the scheme of the paper, or no slip ever ends");
+  return settings;
+}
+
+}  // namespace
+
+ContactMotion::ContactMotion(ContactSystem system, const IntegratorSettings& settings)
+    : system_(consistent(std::move(system))),
+      settings_(usable(settings)),
+      method_(settings.spectral_radius),
+      contact_(system_),
+      held_contact_(system_),
+      kernel_((settings.algebra == StepAlgebra::modal ? make_modal_kernel : make_sparse_kernel)(
+          system_, contact_, method_, settings.time_step)) {}
+
+void ContactMotion::start(const Eigen::VectorXd& displacement, const Eigen::VectorXd& velocity) {
+  const Eigen::Index n = system_.mass.rows();
+  require_size(displacement.size(), n, "displacement");
+  require_size(velocity.size(), n, "velocity");
+  now_ = {displacement, velocity, Eigen::VectorXd::Zero(n)};
+  trial_ = now_;
+  time_ = 0.0;
+  steps_ = 0;
+  events_.clear();
+  events_in_step_ = 0;
+}
+
+void ContactMotion::start_stuck(const Eigen::VectorXd& displacement, const Eigen::VectorXd& velocity) {
+  start(displacement, velocity);
+  now_.velocity[system_.contact] = system_.wall.velocity(0.0);
+  begin_stick();
+  if (excess_force() > 0.0) leave_stick();
+}
+
+void ContactMotion::start_slipping(const Eigen::VectorXd& displacement, const Eigen::VectorXd& velocity) {
+  if (contact_.is_bonded()) throw std::logic_error("a bonded contact cannot start in slip");
+  start(displacement, velocity);
+  const double sliding = sliding_velocity();
+  begin_slip(sliding != 0.0 ? sign(sliding) : -sign(holding_force()));
+}
+
+double ContactMotion::begin_step() {
+  events_in_step_ = 0;
+  return static_cast<double>(steps_ + 1) * settings_.time_step;
+}
+
+void ContactMotion::end_step() {
+  ++steps_;
+  if (now_.displacement.allFinite() && now_.velocity.allFinite()) return;
+  std::ostringstream text;
+  text << "the state is no longer finite at t = " << time_ << " s: the run has diverged";
+  throw std::runtime_error(text.str());
+}
+
+double ContactMotion::friction_force() const {
+  return is_stuck() ? holding_force() : contact_.force(phase_.direction, sliding_velocity());
+}
+
+const Kinematics& ContactMotion::compute_trial_step(double end_time) {
+  kernel_->take_step(phase_, now_, time_, end_time, trial_);
+  return trial_;
+}
+
+double ContactMotion::trial_excess_force(double end_time) {
+  return contact_.excess(held_contact_.holding_force(compute_trial_step(end_time), end_time));
+}
+
+double ContactMotion::trial_forward_velocity(double end_time) {
+  return phase_.direction * held_contact_.sliding_velocity(compute_trial_step(end_time), end_time);
+}
+
+void ContactMotion::accept_trial_step(double new_time) {
+  std::swap(now_, trial_);
+  time_ = new_time;
+  notify();
+}
+
+void ContactMotion::begin_stick() {
+  held_contact_.remove_sliding_velocity(now_, time_);
+  const double offset = now_.displacement[system_.contact] - system_.wall.displacement(time_);
+  phase_ = {.state = ContactState::stick, .wall_offset = offset};
+  kernel_->restart(phase_, time_, now_);
+}
+
+void ContactMotion::begin_slip(double direction) {
+  phase_ = {.state = ContactState::slip, .direction = direction};
+  kernel_->restart(phase_, time_, now_);
+}
+
+void ContactMotion::leave_stick() {
+  record(ContactEvent::Kind::onset);
+  begin_slip(-sign(holding_force()));
+  notify();
+}
+
+void ContactMotion::settle_at_rest() {
+  const double force = holding_force();
+  if (contact_.excess(force) <= 0.0) {
+    record(ContactEvent::Kind::capture);
+    begin_stick();
+    return notify();
+  }
+  const double direction = -sign(force);
+  record(direction == phase_.direction ? ContactEvent::Kind::graze : ContactEvent::Kind::reversal);
+  begin_slip(direction);
+  notify();
+}
+
+void ContactMotion::overwrite_sliding_velocity() {
+  record(ContactEvent::Kind::capture);
+  const Eigen::Index c = system_.contact;
+  now_.velocity[c] = system_.wall.velocity(time_);
+  phase_ = {.state = ContactState::stick,
+            .wall_offset = now_.displacement[c] - system_.wall.displacement(time_)};
+  notify();
+}
+
+void ContactMotion::turn_to(double direction) {
+  record(is_stuck() ? ContactEvent::Kind::onset : ContactEvent::Kind::reversal);
+  phase_ = {.state = ContactState::slip, .direction = direction};
+  notify();
+}
+
+void ContactMotion::record(ContactEvent::Kind kind) {
+  const double position = now_.displacement[system_.contact] - system_.wall.displacement(time_);
+  events_.push_back({kind, time_, position, sliding_velocity()});
+  if (++events_in_step_ <= max_events_per_step) return;
+  std::ostringstream text;
+  text << "more than " << max_events_per_step << " contact events in the step that ends at t = "
+       << static_cast<double>(steps_ + 1) * settings_.time_step
+       << " s: the contact chatters; a shorter time_step may help";
+  throw std::runtime_error(text.str());
+}
+
+void ContactMotion::notify() const {
+  if (observer_) observer_();
+}
+
+}  // namespace stickslip::solver

@@ -1,0 +1,41 @@
+#include "held_contact.hpp"
+
+#include "constrained.hpp"
+
+namespace stickslip::solver {
+
+HeldContact::HeldContact(const ContactSystem& system) : system_(system) {
+  const Eigen::Index c = system.contact;
+  const SparseCholesky constrained_mass(constrained(system.mass, c));
+  if (!is_positive_definite(SparseCholesky(system.mass)) || !is_positive_definite(constrained_mass))
+    throw std::invalid_argument("mass: must be positive definite");
+
+  // lambda = M_ff^-1 M_fc, zero at c: what the contact's acceleration does to the others.
+  Eigen::VectorXd lambda = Eigen::VectorXd(system.mass.col(c));
+  lambda[c] = 0.0;
+  lambda = constrained_mass.solve(lambda).eval();
+  const auto contact_row = [c](const SparseMatrix& matrix) {
+    return Eigen::VectorXd(matrix.transpose().col(c));
+  };
+  displacement_factors_ = contact_row(system.slip_stiffness) - system.stick_stiffness.transpose() * lambda;
+  velocity_factors_ = contact_row(system.damping) - system.damping.transpose() * lambda;
+  load_factor_ = lambda.dot(system.load_shape) - system.load_shape[c];
+  mass_ = system.mass.coeff(c, c) - lambda.dot(Eigen::VectorXd(system.mass.col(c)));
+  impulse_response_ = -lambda;
+  impulse_response_[c] = 1.0;
+}
+
+double HeldContact::sliding_velocity(const Kinematics& state, double t) const {
+  return state.velocity[system_.contact] - system_.wall.velocity(t);
+}
+
+double HeldContact::holding_force(const Kinematics& state, double t) const {
+  return displacement_factors_.dot(state.displacement) + velocity_factors_.dot(state.velocity) +
+         load_factor_ * system_.load_history(t) + mass_ * system_.wall.acceleration(t);
+}
+
+void HeldContact::remove_sliding_velocity(Kinematics& state, double t) const {
+  state.velocity += (system_.wall.velocity(t) - state.velocity[system_.contact]) * impulse_response_;
+}
+
+}  // namespace stickslip::solver
