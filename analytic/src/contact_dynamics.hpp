@@ -35,7 +35,7 @@ struct Harmonic {
   double cosine{};
 };
 
-/// Rates at which the works of EnergyBooks grow, W.
+/// Rates at which the works of EventDrivenEnergy grow, W.
 struct Powers {
   double base{}, follower{}, damping{}, friction{};
 };

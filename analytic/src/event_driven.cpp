@@ -61,7 +61,7 @@ class EventDriven::Engine {
     now_ = {filled(amplitudes, m, "amplitudes"), filled(rates, m, "rates"),
             checked_finite(position, "position") + dynamics_.wall_displacement(0.0),
             dynamics_.wall_velocity(0.0)};
-    time_ = booked_until_ = 0.0;
+    time_ = works_until_ = 0.0;
     events_.clear();
     works_ = works_before_phase_ = {};
   }
@@ -119,8 +119,9 @@ class EventDriven::Engine {
     return state_ == ContactState::stick ? 0.0 : now_.velocity - dynamics_.wall_velocity(time_);
   }
 
-  [[nodiscard]] EnergyBooks books() const {
-    if (!settings_.keep_books) throw std::logic_error("the energy books were not kept: set keep_books.");
+  [[nodiscard]] EventDrivenEnergy energy_balance() const {
+    if (!settings_.keep_energy_balance)
+      throw std::logic_error("the energy balance was not kept: set keep_energy_balance");
     return {.kinetic = dynamics_.kinetic_energy(view(now_)),
             .potential = dynamics_.potential_energy(view(now_)),
             .base_work = works_.base,
@@ -150,7 +151,8 @@ class EventDriven::Engine {
     }
     if (!(speed > 0.0)) speed = speed_of_the_energy();
     if (!(speed > 0.0)) speed = 1.0;  // nothing ever moves
-    slip_ = std::make_unique<SlipIntegrator>(dynamics_, settings_.tolerance, speed, settings_.keep_books);
+    slip_ = std::make_unique<SlipIntegrator>(dynamics_, settings_.tolerance, speed,
+                                             settings_.keep_energy_balance);
   }
 
   // What all the energy of the start would give the contact's mass.
@@ -164,7 +166,7 @@ class EventDriven::Engine {
     state_ = ContactState::stick;
     now_.velocity = dynamics_.wall_velocity(time_);
     stick_.begin(time_, now_);
-    certain_until_ = booked_until_ = time_;
+    certain_until_ = works_until_ = time_;
     works_before_phase_ = works_;
   }
 
@@ -192,7 +194,7 @@ class EventDriven::Engine {
   void move_to(double t) {
     if (state_ == ContactState::stick) {
       now_ = stick_.state(t);
-      if (settings_.keep_books) book_stick_until(t);
+      if (settings_.keep_energy_balance) add_works_of_stick_until(t);
     } else {
       const auto [state, works] = slip_->at(t);
       now_ = state;
@@ -205,14 +207,14 @@ class EventDriven::Engine {
 
   // The powers of a stick phase hold frequencies up to twice the highest: panels of 2 rad of it, on which ten
   // Gauss points leave nothing.
-  void book_stick_until(double t) {
+  void add_works_of_stick_until(double t) {
     constexpr std::size_t points = 10;
     static const auto table = owned(gsl_integration_glfixed_table_alloc(points));
-    const double span = t - booked_until_;
+    const double span = t - works_until_;
     const auto panels = static_cast<long>(std::ceil(span * dynamics_.fastest() / 2.0));
     for (long panel = 0; panel < panels; ++panel) {
-      const double from = booked_until_ + span * static_cast<double>(panel) / static_cast<double>(panels);
-      const double to = booked_until_ + span * static_cast<double>(panel + 1) / static_cast<double>(panels);
+      const double from = works_until_ + span * static_cast<double>(panel) / static_cast<double>(panels);
+      const double to = works_until_ + span * static_cast<double>(panel + 1) / static_cast<double>(panels);
       for (std::size_t i = 0; i < points; ++i) {
         double at = 0.0, weight = 0.0;
         gsl_integration_glfixed_point(from, to, i, &at, &weight, table.get());
@@ -221,7 +223,7 @@ class EventDriven::Engine {
         works_ = works_ + weight * dynamics_.powers(view(state), at, force);
       }
     }
-    booked_until_ = t;
+    works_until_ = t;
   }
 
   void record(ContactChange change) {
@@ -247,7 +249,7 @@ class EventDriven::Engine {
   bool ends_{};             // slip: v_s = 0 at the end of the last step
   std::vector<ContactEvent> events_;
   Powers works_, works_before_phase_;
-  double booked_until_{};
+  double works_until_{};
 };
 
 EventDriven::EventDriven(const ContactModel& model, const EventDrivenSettings& settings)
@@ -284,6 +286,6 @@ double EventDriven::sliding_velocity() const { return engine_->sliding_velocity(
 double EventDriven::friction_force() const { return engine_->friction_force(); }
 double EventDriven::holding_force() const { return engine_->holding_force(); }
 const std::vector<ContactEvent>& EventDriven::events() const { return engine_->events(); }
-EnergyBooks EventDriven::books() const { return engine_->books(); }
+EventDrivenEnergy EventDriven::energy_balance() const { return engine_->energy_balance(); }
 
 }  // namespace stickslip::analytic

@@ -48,11 +48,11 @@ class Quintic {
 }  // namespace
 
 SlipIntegrator::SlipIntegrator(const ContactDynamics& dynamics, double tolerance, double reference_velocity,
-                               bool keep_books)
+                               bool keep_energy_balance)
     : dynamics_(dynamics),
       coordinates_(make_slip_coordinates(dynamics)),
       dimension_(2 * coordinates_->size()),
-      equations_(dimension_ + (keep_books ? kWorks : 0)),
+      equations_(dimension_ + (keep_energy_balance ? kWorks : 0)),
       velocity_floor_(64.0 * kEpsilon * reference_velocity),
       system_{&SlipIntegrator::right_side, nullptr, equations_, this},
       error_(equations_),

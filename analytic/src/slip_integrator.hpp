@@ -14,12 +14,12 @@ namespace stickslip::analytic {
 
 /// A slip phase by GSL's rk8pd, step by step, ended at the first zero of the sliding velocity.
 ///
-/// The unknowns are q, q_t of SlipCoordinates and, if asked for, the four works of EnergyBooks.
+/// The unknowns are q, q_t of SlipCoordinates and, if asked for, the four works of EventDrivenEnergy.
 class SlipIntegrator {
  public:
   /// `dynamics` must outlive this. `reference_velocity` in m/s.
   SlipIntegrator(const ContactDynamics& dynamics, double tolerance, double reference_velocity,
-                 bool keep_books);
+                 bool keep_energy_balance);
 
   /// Begins a phase at time t that moves in `direction` = +1 or -1.
   void begin(double t, const ContactKinematics& state, double direction);

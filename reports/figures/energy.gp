@@ -1,4 +1,4 @@
-# Energy that the books do not explain, over the base work, against the step.
+# Energy that the balance does not explain, over the base work, against the step.
 width = 15
 height = 7.5
 load 'style.gp'

@@ -261,7 +261,7 @@ const std::vector<studies::HistoryRefinement>& StudyResults::history_refinements
 }
 
 const std::vector<studies::EnergyAudit>& StudyResults::energy_audits() {
-  return once(energy_audits_, "energy-audits", "energy books", [&] {
+  return once(energy_audits_, "energy-audits", "energy balance", [&] {
     data::Case undamped = damped_;
     undamped.damping = data::Damping();
     const auto audit = [](const data::Case& problem, const std::vector<int>& elements) {

@@ -36,8 +36,8 @@ std::vector<SchemeRun> compare_schemes(const data::Beam& beam, const data::Frict
   for (const auto scheme : {ContactScheme::located, ContactScheme::end_of_step, ContactScheme::paper}) {
     solver::BeamSimulation simulation(beam, friction, excitation, numerics,
                                       {.damping = damping, .scheme = scheme});
-    solver::EnergyBooks books(simulation.integrator());
-    simulation.observe([&books](const solver::StickSlipIntegrator& now) { books.enter(now); });
+    solver::EnergyRecorder recorder(simulation.integrator());
+    simulation.observe([&recorder](const solver::StickSlipIntegrator& now) { recorder.record(now); });
     SchemeRun run;
     run.scheme = scheme;
     for (long n = solver::step_count(numerics.duration(), numerics.time_step()); n > 0; --n) {
@@ -49,7 +49,7 @@ std::vector<SchemeRun> compare_schemes(const data::Beam& beam, const data::Frict
     if (!events.empty()) run.first_slip = events.front().time;
     run.events = events.size();
     run.plateaus = plateaus_of(events, simulation.time());
-    run.energy = books.balance();
+    run.energy = recorder.balance();
     runs.push_back(run);
   }
   return runs;

@@ -6,7 +6,7 @@
 
 #include "stickslip/data/problem.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
-#include "stickslip/solver/energy_books.hpp"
+#include "stickslip/solver/energy_balance.hpp"
 
 namespace stickslip::studies {
 
@@ -32,7 +32,7 @@ struct SchemeRun {
 
 /// The same beam over numerics.duration() by the scheme with located changes, by that without location and by
 /// the letter of the paper's Sects. 2 and 3 (its reference [18], Won & Chung, J. Sound Vib. 419, 42-62, 2018,
-/// which explains the rule of switching, is not at hand), in this order, each with its energy books. Throws
+/// which explains the rule of switching, is not at hand), in this order, each with its energy balance. Throws
 /// what BeamSimulation throws.
 [[nodiscard]] std::vector<SchemeRun> compare_schemes(const data::Beam& beam,
                                                      const data::FrictionLaw& friction,

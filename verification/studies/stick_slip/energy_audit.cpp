@@ -17,10 +17,10 @@ solver::EnergyBalance stepped_balance(const data::Case& problem, double duration
   choices.spectral_radius = 1.0;
   solver::BeamSimulation simulation(problem.beam, problem.friction, problem.excitation,
                                     data::NumericalSettings(choices), {.damping = problem.damping});
-  solver::EnergyBooks books(simulation.integrator());
-  simulation.observe([&books](const solver::StickSlipIntegrator& now) { books.enter(now); });
+  solver::EnergyRecorder recorder(simulation.integrator());
+  simulation.observe([&recorder](const solver::StickSlipIntegrator& now) { recorder.record(now); });
   for (long n = solver::step_count(duration, time_step); n > 0; --n) simulation.step();
-  return books.balance();
+  return recorder.balance();
 }
 
 }  // namespace
@@ -29,13 +29,13 @@ EnergyAudit energy_audit(const data::Case& problem, double duration, const std::
                          int modes, const std::vector<double>& time_steps) {
   const analytic::BeamContactModel beam(problem.beam, problem.friction, problem.excitation, problem.damping,
                                         modes);
-  analytic::EventDriven run(beam.model(), {.keep_books = true});
-  const double initial = run.books().kinetic + run.books().potential;
+  analytic::EventDriven run(beam.model(), {.keep_energy_balance = true});
+  const double initial = run.energy_balance().kinetic + run.energy_balance().potential;
   run.advance_to(duration);
   EnergyAudit audit{.kelvin_voigt = problem.damping.kelvin_voigt(),
                     .duration = duration,
                     .modes = modes,
-                    .event_driven = run.books(),
+                    .event_driven = run.energy_balance(),
                     .event_driven_initial = initial,
                     .time_step = time_steps,
                     .meshes = {}};

@@ -4,19 +4,19 @@
 
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/data/problem.hpp"
-#include "stickslip/solver/energy_books.hpp"
+#include "stickslip/solver/energy_balance.hpp"
 #include "studies/convergence/convergence.hpp"
 
 namespace stickslip::studies {
 
-/// The energy books of one stick-slip history by both methods: event by event without a mesh, and in time
+/// The energy balance of one stick-slip history by both methods: event by event without a mesh, and in time
 /// steps on each of several meshes.
 struct EnergyAudit {
-  double kelvin_voigt{}, duration{};   ///< s
-  int modes{};                         ///< of the event-driven run
-  analytic::EnergyBooks event_driven;  ///< at the end
-  double event_driven_initial{};       ///< kinetic + potential at t = 0, J
-  std::vector<double> time_step;       ///< s
+  double kelvin_voigt{}, duration{};         ///< s
+  int modes{};                               ///< of the event-driven run
+  analytic::EventDrivenEnergy event_driven;  ///< at the end
+  double event_driven_initial{};             ///< kinetic + potential at t = 0, J
+  std::vector<double> time_step;             ///< s
   struct Mesh {
     int elements{};
     std::vector<solver::EnergyBalance> stepped;  ///< at the end, one per step; spectral radius 1
@@ -24,7 +24,7 @@ struct EnergyAudit {
   };
   std::vector<Mesh> meshes;
 
-  /// What no entry of the event-driven books explains, J.
+  /// What no entry of the event-driven balance explains, J.
   [[nodiscard]] double event_driven_residual() const {
     return event_driven.kinetic + event_driven.potential - event_driven_initial - event_driven.base_work -
            event_driven.follower_work + event_driven.damping_loss + event_driven.friction_loss;

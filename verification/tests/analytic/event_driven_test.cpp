@@ -27,8 +27,8 @@ using analytic::ContactChange;
 using analytic::ContactEvent;
 using analytic::ContactModel;
 using analytic::ContactState;
-using analytic::EnergyBooks;
 using analytic::EventDriven;
+using analytic::EventDrivenEnergy;
 using analytic::EventDrivenSettings;
 using std::numbers::pi;
 
@@ -175,11 +175,11 @@ class ShakenPlaneFrictionPower : public ::testing::TestWithParam<FrictionPower> 
 
 TEST_P(ShakenPlaneFrictionPower, IsThePublishedOneToTenDigits) {
   // Case SDND104: mean of 10 N |v_s| over 4 <= t <= 12 s, with mu N = 1 N.
-  EventDriven mass(shaken_plane(GetParam().amplitude), {.keep_books = true});
+  EventDriven mass(shaken_plane(GetParam().amplitude), {.keep_energy_balance = true});
   mass.advance_to(4.0);
-  const double before = mass.books().friction_loss;
+  const double before = mass.energy_balance().friction_loss;
   mass.advance_to(12.0);
-  const double mean = 10.0 * (mass.books().friction_loss - before) / 8.0;
+  const double mean = 10.0 * (mass.energy_balance().friction_loss - before) / 8.0;
   EXPECT_TRUE(within(mean, GetParam().mean,
                      reference(1e-10 * GetParam().mean, "ten digits of a 40-digit computation")));
 }
@@ -265,11 +265,11 @@ TEST(EventDriven, ASpringPastTheFrictionLimitLetsGoAtOnce) {
 }
 
 TEST(EventDriven, StartingAgainForgetsTheRunBefore) {
-  EventDriven mass(shaken_plane(1.5), {.keep_books = true});
+  EventDriven mass(shaken_plane(1.5), {.keep_energy_balance = true});
   const auto run = [&mass] {
     mass.start_stuck({}, {});
     mass.advance_to(3.3);
-    return mass.books().friction_loss;
+    return mass.energy_balance().friction_loss;
   };
   const double first = run();
   const auto events = mass.events().size();
@@ -607,13 +607,13 @@ TEST(EventDrivenBeam, StartsToSlipInFreeModesWithTheAccelerationOfItsForces) {
 
 class EventDrivenBeamEnergy : public ::testing::TestWithParam<double> {};
 
-TEST_P(EventDrivenBeamEnergy, BooksBalanceAndLossesOnlyGrow) {
-  EventDriven beam(beam_model(GetParam()), {.keep_books = true});
-  const EnergyBooks start = beam.books();
-  EnergyBooks before = start;
+TEST_P(EventDrivenBeamEnergy, IsBalancedAndLossesOnlyGrow) {
+  EventDriven beam(beam_model(GetParam()), {.keep_energy_balance = true});
+  const EventDrivenEnergy start = beam.energy_balance();
+  EventDrivenEnergy before = start;
   for (int k = 1; k <= 60; ++k) {
     beam.advance_to(0.005 * k);
-    const EnergyBooks now = beam.books();
+    const EventDrivenEnergy now = beam.energy_balance();
     const double residual = now.kinetic + now.potential - start.kinetic - start.potential - now.base_work -
                             now.follower_work + now.damping_loss + now.friction_loss;
     // 10 steps per radian of the highest mode at 15 krad/s, 1e-12 per step of the works and the state.
@@ -639,7 +639,8 @@ TEST_P(EventDrivenBeamEnergy, BooksBalanceAndLossesOnlyGrow) {
 INSTANTIATE_TEST_SUITE_P(KelvinVoigt, EventDrivenBeamEnergy, ::testing::Values(0.0, 6.4e-5), NameOfDouble());
 
 TEST(EventDrivenBeam, HistoryDoesNotDependOnTheTimesAskedFor) {
-  EventDriven once(beam_model(6.4e-5), {.keep_books = true}), often(beam_model(6.4e-5), {.keep_books = true});
+  EventDriven once(beam_model(6.4e-5), {.keep_energy_balance = true}),
+      often(beam_model(6.4e-5), {.keep_energy_balance = true});
   once.advance_to(0.2);
   for (int k = 1; k <= 1000; ++k) often.advance_to(0.2e-3 * k);
   ASSERT_EQ(once.events().size(), often.events().size());
@@ -651,7 +652,8 @@ TEST(EventDrivenBeam, HistoryDoesNotDependOnTheTimesAskedFor) {
     EXPECT_TRUE(within(often.events()[i].position, once.events()[i].position, round_off(100, 100, 2e-3)));
   }
   EXPECT_TRUE(within(often.contact_displacement(), once.contact_displacement(), round_off(100, 100, 2e-3)));
-  EXPECT_TRUE(within(often.books().base_work, once.books().base_work, round_off(1000, 10, 10.0)));
+  EXPECT_TRUE(
+      within(often.energy_balance().base_work, once.energy_balance().base_work, round_off(1000, 10, 10.0)));
 }
 
 // Bad input.
@@ -712,7 +714,7 @@ TEST(EventDriven, RefusesUnusableSettingsStartsAndTimes) {
   run.advance_to(0.5);
   for (const double t : {0.4, std::nan(""), std::numeric_limits<double>::infinity()})
     EXPECT_THROW(run.advance_to(t), std::invalid_argument);
-  EXPECT_THROW((void)run.books(), std::logic_error);
+  EXPECT_THROW((void)run.energy_balance(), std::logic_error);
 }
 
 }  // namespace

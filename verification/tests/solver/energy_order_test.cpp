@@ -1,4 +1,4 @@
-/// The residual of the energy books: of second order, with the coefficient that method and rule predict.
+/// The residual of the energy balance: of second order, with the coefficient that method and rule predict.
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "stickslip/solver/beam_simulation.hpp"
-#include "stickslip/solver/energy_books.hpp"
+#include "stickslip/solver/energy_balance.hpp"
 #include "studies/convergence/convergence.hpp"
 #include "studies/stick_slip/energy_audit.hpp"
 #include "support/beams.hpp"
@@ -19,7 +19,7 @@
 namespace stickslip::testing {
 namespace {
 
-using solver::EnergyBooks;
+using solver::EnergyRecorder;
 using solver::StickSlipIntegrator;
 
 // The residual over h^2 as h goes to zero, along the exact motion of a ForcedPair.
@@ -124,10 +124,10 @@ double residual(const ForcedPair& pair, double duration, int steps, double spect
   StickSlipIntegrator integrator(contact_system(pair),
                                  {.time_step = duration / steps, .spectral_radius = spectral_radius});
   integrator.start_stuck(Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
-  EnergyBooks books(integrator);
-  integrator.observe([&books](const StickSlipIntegrator& now) { books.enter(now); });
+  EnergyRecorder recorder(integrator);
+  integrator.observe([&recorder](const StickSlipIntegrator& now) { recorder.record(now); });
   while (integrator.steps() < steps) integrator.step();
-  return books.balance().residual();
+  return recorder.balance().residual();
 }
 
 class EnergyResidual : public ::testing::TestWithParam<double> {};
@@ -166,16 +166,16 @@ TEST(EnergyResidualOfTheBeam, IsOfSecondOrderThroughItsSlips) {
     StickSlipIntegrator integrator(system, {.time_step = h, .spectral_radius = 1.0});
     integrator.start_stuck(Eigen::VectorXd::Zero(model.degrees_of_freedom()),
                            -base.velocity(0.0) * model.unit_tip_deflection());
-    EnergyBooks books(integrator);
-    integrator.observe([&books](const StickSlipIntegrator& now) { books.enter(now); });
+    EnergyRecorder recorder(integrator);
+    integrator.observe([&recorder](const StickSlipIntegrator& now) { recorder.record(now); });
     for (long n = solver::step_count(0.12, h); n > 0; --n) integrator.step();
     EXPECT_EQ(integrator.events().size(), 7u);
     lengths.push_back(h);
-    residuals.push_back(std::abs(books.balance().residual()));
+    residuals.push_back(std::abs(recorder.balance().residual()));
     // A third of a millionth of the base work, at a hundredth of a period of the highest mode that matters.
-    EXPECT_LT(residuals.back(), 4e-7 * std::pow(h / 1e-5, 2) * books.balance().base_work);
+    EXPECT_LT(residuals.back(), 4e-7 * std::pow(h / 1e-5, 2) * recorder.balance().base_work);
   }
-  // The next term: omega h of mode 4, 1770 rad/s, the highest that matters. Books of 1 J in 1e5 steps.
+  // The next term: omega h of mode 4, 1770 rad/s, the highest that matters. A balance of 1 J in 1e5 steps.
   EXPECT_TRUE(
       order_is(order_levels(
                    lengths, residuals, [](double h) { return 1770.0 * h; }, round_off(1e5, 1, 1.0).value),
@@ -194,15 +194,15 @@ TEST(EnergyAudit, KeepsOneEventDrivenRunBesideEveryMesh) {
   EXPECT_EQ(audit.time_step, steps);
   ASSERT_EQ(audit.meshes.size(), 2u);
 
-  // Each mesh has the books that it has alone, and the event-driven run does not know of the meshes.
+  // Each mesh has the balance that it has alone, and the event-driven run does not know of the meshes.
   const auto alone = studies::energy_audit(damped, 0.12, {10}, 14, steps);
   EXPECT_EQ(alone.meshes.front().elements, audit.meshes.back().elements);
   EXPECT_EQ(alone.event_driven.base_work, audit.event_driven.base_work);
   for (std::size_t i = 0; i < steps.size(); ++i)
     EXPECT_EQ(alone.meshes.front().stepped[i].residual(), audit.meshes.back().stepped[i].residual());
 
-  // 1e-12 a step of the state, in each of a few thousand, of the turnover of the books.
-  const analytic::EnergyBooks& exact = audit.event_driven;
+  // 1e-12 a step of the state, in each of a few thousand, of the turnover of the balance.
+  const analytic::EventDrivenEnergy& exact = audit.event_driven;
   EXPECT_TRUE(within(audit.event_driven_residual(), 0.0,
                      discretisation(1e-12 * 1e4 * exact.base_work, 1.0, "tolerance of the integrator")));
   for (const auto& mesh : audit.meshes) {

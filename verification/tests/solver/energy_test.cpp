@@ -1,4 +1,4 @@
-/// The energy books against exact works, and what changes of the contact do to the energy.
+/// The energy balance against exact works, and what changes of the contact do to the energy.
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "stickslip/solver/beam_simulation.hpp"
-#include "stickslip/solver/energy_books.hpp"
+#include "stickslip/solver/energy_balance.hpp"
 #include "support/beams.hpp"
 #include "support/exact_pair.hpp"
 #include "support/single_mass.hpp"
@@ -20,30 +20,30 @@ namespace {
 using solver::ContactEvent;
 using solver::ContactScheme;
 using solver::ContactState;
-using solver::EnergyBooks;
+using solver::EnergyRecorder;
 using solver::IntegratorSettings;
 using solver::StickSlipIntegrator;
 
-void keep(EnergyBooks& books, StickSlipIntegrator& integrator) {
-  integrator.observe([&books](const StickSlipIntegrator& now) { books.enter(now); });
+void keep(EnergyRecorder& recorder, StickSlipIntegrator& integrator) {
+  integrator.observe([&recorder](const StickSlipIntegrator& now) { recorder.record(now); });
 }
 
-TEST(EnergyBooks, FrictionTakesAllThatASliderHad) {
+TEST(EnergyRecorder, FrictionTakesAllThatASliderHad) {
   // m v0^2/2 = 1.69 J; the velocity is linear in time, so that the trapezoidal rule is exact.
   for (const double radius : {0.0, 0.9, 1.0}) {
     StickSlipIntegrator slider(contact_system({.mass = 2.0, .normal_force = 30.0, .friction = coulomb}),
                                {.time_step = 0.07, .spectral_radius = radius});
     slider.start_slipping(scalar(0.0), scalar(1.3));
-    EnergyBooks books(slider);
-    keep(books, slider);
+    EnergyRecorder recorder(slider);
+    keep(recorder, slider);
     while (slider.time() < 1.5) slider.step();
-    EXPECT_TRUE(within(books.balance().friction_loss, 0.5 * 2.0 * 1.3 * 1.3, round_off(100, 1, 1.69)));
-    EXPECT_TRUE(within(books.balance().energy(), 0.0, round_off(100, 1, 1.69)));
-    EXPECT_TRUE(within(books.balance().residual(), 0.0, round_off(100, 1, 1.69)));
+    EXPECT_TRUE(within(recorder.balance().friction_loss, 0.5 * 2.0 * 1.3 * 1.3, round_off(100, 1, 1.69)));
+    EXPECT_TRUE(within(recorder.balance().energy(), 0.0, round_off(100, 1, 1.69)));
+    EXPECT_TRUE(within(recorder.balance().residual(), 0.0, round_off(100, 1, 1.69)));
   }
 }
 
-TEST(EnergyBooks, FrictionTakesItsForceTimesThePathOfAnOscillator) {
+TEST(EnergyRecorder, FrictionTakesItsForceTimesThePathOfAnOscillator) {
   // k/2 (1.04^2 - 0.04^2) = 2.16 J over the turning points 1.04, -0.84, 0.64, -0.44, 0.24, -0.04. The path of
   // each half cycle, of amplitude R = 0.94, 0.74, ... about its centre, is off by the end points alone,
   // (omega h)^2 R; the rule by h^2/12 of the jump of the power, mu N omega^2 R at both ends.
@@ -51,33 +51,33 @@ TEST(EnergyBooks, FrictionTakesItsForceTimesThePathOfAnOscillator) {
   StickSlipIntegrator oscillator(contact_system({.stiffness = 4.0, .normal_force = 4.0, .friction = coulomb}),
                                  {.time_step = h, .spectral_radius = 1.0});
   oscillator.start_slipping(scalar(1.04), scalar(0.0));
-  EnergyBooks books(oscillator);
-  keep(books, oscillator);
+  EnergyRecorder recorder(oscillator);
+  keep(recorder, oscillator);
   while (oscillator.time() < 12.0) oscillator.step();
   const double amplitudes = 0.94 + 0.74 + 0.54 + 0.34 + 0.14;
   const double predicted = 0.4 * 4.0 * h * h * amplitudes * (1.0 + 2.0 / 12.0);
-  EXPECT_TRUE(within(books.balance().friction_loss, 2.16,
+  EXPECT_TRUE(within(recorder.balance().friction_loss, 2.16,
                      discretisation(predicted, 1.0, "turning points (omega h)^2 R and rule h^2/12 [P_t]")));
-  EXPECT_EQ(books.balance().base_work, 0.0);
-  EXPECT_EQ(books.balance().follower_work, 0.0);
-  EXPECT_EQ(books.balance().damping_loss, 0.0);
+  EXPECT_EQ(recorder.balance().base_work, 0.0);
+  EXPECT_EQ(recorder.balance().follower_work, 0.0);
+  EXPECT_EQ(recorder.balance().damping_loss, 0.0);
   // A stuck contact loses nothing more.
-  const double loss = books.balance().friction_loss;
+  const double loss = recorder.balance().friction_loss;
   while (oscillator.time() < 13.0) oscillator.step();
-  EXPECT_EQ(books.balance().friction_loss, loss);
+  EXPECT_EQ(recorder.balance().friction_loss, loss);
 }
 
-TEST(EnergyBooks, ResidualOfASlipAtSpectralRadiusOneIsTheDifferenceOfTwoRules) {
+TEST(EnergyRecorder, ResidualOfASlipAtSpectralRadiusOneIsTheDifferenceOfTwoRules) {
   // At spectral radius 1 a step changes the energy by h times the products of mean values and the load at
-  // mid-step, exactly; the books take means of products. On a wall that runs ahead the friction is constant.
+  // mid-step, exactly; the balance takes means of products. On a wall that runs ahead the friction is constant.
   const ForcedPair pair;
   solver::ContactSystem system = contact_system(pair);
   system.wall = {[](double t) { return 50.0 * t; }, [](double) { return 50.0; }, [](double) { return 0.0; }};
   const double h = 0.02;
   StickSlipIntegrator integrator(system, {.time_step = h, .spectral_radius = 1.0});
   integrator.start_slipping(Eigen::Vector2d(0.2, 0.1), Eigen::Vector2d(0.5, 1.0));
-  EnergyBooks books(integrator);
-  keep(books, integrator);
+  EnergyRecorder recorder(integrator);
+  keep(recorder, integrator);
   const Eigen::RowVector2d follower = (pair.slip_stiffness - pair.stick_stiffness).row(1);
   const auto s = system.load_history;
   double expected = 0.0;
@@ -93,8 +93,8 @@ TEST(EnergyBooks, ResidualOfASlipAtSpectralRadiusOneIsTheDifferenceOfTwoRules) {
   }
   ASSERT_TRUE(integrator.events().empty());
   EXPECT_GT(std::abs(expected), 1e-4);
-  // The wall drags the pair with 2 N over 500 m: the books hold 1000 J, in 500 steps of about 30 operations.
-  EXPECT_TRUE(within(books.balance().residual(), expected, round_off(500 * 30, 1, 1000.0)));
+  // The wall drags the pair with 2 N over 500 m: the balance holds 1000 J, in 500 steps of about 30 operations.
+  EXPECT_TRUE(within(recorder.balance().residual(), expected, round_off(500 * 30, 1, 1000.0)));
 }
 
 struct Change {
@@ -162,10 +162,10 @@ TEST(ContactChanges, AreBookedAsCaptureLoss) {
     if (change.capture) expected += 0.5 * change.contact_mass * std::pow(change.sliding_velocity, 2);
   StickSlipIntegrator integrator(contact_system(ForcedPair{}), settings);
   integrator.start_stuck(Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
-  EnergyBooks books(integrator);
-  keep(books, integrator);
+  EnergyRecorder recorder(integrator);
+  keep(recorder, integrator);
   while (integrator.time() < 12.0) integrator.step();
-  EXPECT_TRUE(within(books.balance().capture_loss, expected, round_off(30, 1, expected)));
+  EXPECT_TRUE(within(recorder.balance().capture_loss, expected, round_off(30, 1, expected)));
 }
 
 TEST(ContactChanges, LeaveNoCreepInStick) {
@@ -197,27 +197,27 @@ TEST(ContactChanges, LeaveNoCreepInStick) {
   }
 }
 
-TEST(EnergyBooks, OverwritingOneVelocityAtACaptureLeavesAResidual) {
+TEST(EnergyRecorder, OverwritingOneVelocityAtACaptureLeavesAResidual) {
   // What the letter of the paper does, caught: (1/2) v.M v falls by more or less than the impulse takes.
   const auto residual = [](ContactScheme scheme) {
     StickSlipIntegrator integrator(
         contact_system(ForcedPair{}),
         {.time_step = 0.003, .spectral_radius = 1.0, .velocity_threshold = 0.05, .scheme = scheme});
     integrator.start_stuck(Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
-    EnergyBooks books(integrator);
-    keep(books, integrator);
+    EnergyRecorder recorder(integrator);
+    keep(recorder, integrator);
     while (integrator.time() < 12.0) integrator.step();
-    return std::abs(books.balance().residual());
+    return std::abs(recorder.balance().residual());
   };
   EXPECT_GT(residual(ContactScheme::paper), 100.0 * residual(ContactScheme::located));
 }
 
-TEST(EnergyBooks, OfTheBeamSplitIntoElasticAndGeometricEnergy) {
+TEST(EnergyRecorder, OfTheBeamSplitIntoElasticAndGeometricEnergy) {
   const data::NumericalSettings numerics(paper_choices(0.06));
   solver::BeamSimulation simulation(paper_beam(), paper_friction(), data::HarmonicExcitation({25.0, 1e-3}),
                                     numerics);
-  EnergyBooks books(simulation.integrator());
-  simulation.observe([&books](const StickSlipIntegrator& now) { books.enter(now); });
+  EnergyRecorder recorder(simulation.integrator());
+  simulation.observe([&recorder](const StickSlipIntegrator& now) { recorder.record(now); });
   while (simulation.time() < 0.06) simulation.step();
   const auto& q = simulation.integrator().displacement();
   const double elastic = simulation.model().elastic_energy(q);
@@ -225,10 +225,10 @@ TEST(EnergyBooks, OfTheBeamSplitIntoElasticAndGeometricEnergy) {
   EXPECT_GT(elastic, 0.1);
   EXPECT_LT(geometric, 0.0);
   // The sums cancel from 12 EI/l^3 u^2 = 2e8 N/m (3 mm)^2 for an element to about 1 J for the beam.
-  EXPECT_TRUE(within(elastic + geometric, books.balance().elastic, round_off(10, 2e3, 1.0)));
+  EXPECT_TRUE(within(elastic + geometric, recorder.balance().elastic, round_off(10, 2e3, 1.0)));
 }
 
-TEST(EnergyBooks, OfAStraightCompressedBeamFollowFromItsEndShortening) {
+TEST(EnergyRecorder, OfAStraightCompressedBeamFollowFromItsEndShortening) {
   // q of u = x^2, exact in Hermite elements: 1/2 EI int u_xx^2 = 2 EI L, -P/2 int u_x^2 = -2/3 P L^3.
   const solver::BeamModel model(paper_beam(), 4);
   Eigen::VectorXd q(model.degrees_of_freedom());
@@ -242,12 +242,12 @@ TEST(EnergyBooks, OfAStraightCompressedBeamFollowFromItsEndShortening) {
   EXPECT_TRUE(within(model.geometric_energy(q), axial, round_off(30, 10, axial)));
 }
 
-TEST(EnergyBooks, RefuseASystemThatHasNoEnergyToBalance) {
+TEST(EnergyRecorder, RefuseASystemThatHasNoEnergyToBalance) {
   const auto message_of = [](const solver::ContactSystem& system) -> std::string {
     StickSlipIntegrator integrator(system, {.time_step = 0.01, .spectral_radius = 1.0});
     integrator.start_stuck(Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
     try {
-      const EnergyBooks books(integrator);
+      const EnergyRecorder recorder(integrator);
     } catch (const std::invalid_argument& error) {
       return error.what();
     }

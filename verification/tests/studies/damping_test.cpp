@@ -17,7 +17,7 @@
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
-#include "stickslip/solver/energy_books.hpp"
+#include "stickslip/solver/energy_balance.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
 #include "studies/convergence/convergence.hpp"
 #include "support/beams.hpp"
@@ -410,12 +410,12 @@ TEST(DampedSteppedResponse, DissipatesInEachPeriodWhatTheClosedFormSays) {
     solver::BeamSimulation beam(v.beam(), paper_friction(), v.excitation(), data::NumericalSettings(choices),
                                 {.contact = solver::TipContact::bonded, .damping = v.damping});
     for (int n = 0; n < 10 * steps_per_period; ++n) beam.step();
-    solver::EnergyBooks books(beam.integrator());
+    solver::EnergyRecorder recorder(beam.integrator());
     for (int n = 0; n < steps_per_period; ++n) {
       beam.step();
-      books.enter(beam.integrator());
+      recorder.record(beam.integrator());
     }
-    return books.balance().damping_loss;
+    return recorder.balance().damping_loss;
   };
   const double coarse = loss(200), fine = loss(400), exact = v.solution().dissipated_energy();
   // Of second order in the step, that of the rule for the power included; the mesh is off by

@@ -16,7 +16,7 @@
 
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
-#include "stickslip/solver/energy_books.hpp"
+#include "stickslip/solver/energy_balance.hpp"
 #include "stickslip/solver/held_tip_basis.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
 #include "studies/stick_slip/finite_element_contact_model.hpp"
@@ -371,24 +371,24 @@ TEST(EventDrivenAndStepped, LetGoAtOnceOfAStartThatTakesMoreThanTheLimit) {
   }
 }
 
-TEST(EventDrivenAndStepped, KeepTheSameBooksThroughOnsetsAndCaptures) {
+TEST(EventDrivenAndStepped, KeepTheSameEnergyBalanceThroughOnsetsAndCaptures) {
   // The same mesh, so that the step alone is between them: of second order.
   const MeshedBeam beam(6, 25.0);
   const double end = 0.08;
   const auto stepped = [&](double time_step) {
     solver::StickSlipIntegrator run(beam.system, {.time_step = time_step, .spectral_radius = 0.9});
     run.start_stuck(Eigen::VectorXd::Zero(beam.mesh.degrees_of_freedom()), beam.initial_velocity());
-    solver::EnergyBooks books(run);
-    run.observe([&books](const solver::StickSlipIntegrator& now) { books.enter(now); });
+    solver::EnergyRecorder recorder(run);
+    run.observe([&recorder](const solver::StickSlipIntegrator& now) { recorder.record(now); });
     while (run.steps() < std::lround(end / time_step)) run.step();
     EXPECT_GE(run.events().size(), 3u);
-    return books.balance();
+    return recorder.balance();
   };
   const FiniteElementContactModel reduced = beam.reduced();
-  EventDriven run(reduced.model(), {.keep_books = true});
+  EventDriven run(reduced.model(), {.keep_energy_balance = true});
   run.start_stuck({}, reduced.amplitudes(beam.initial_velocity()));
   run.advance_to(end);
-  const analytic::EnergyBooks exact = run.books();
+  const analytic::EventDrivenEnergy exact = run.energy_balance();
   const auto coarse = stepped(4e-5), fine = stepped(2e-5);
   // The mean of where in a step the changes fall scatters the leading term by as much again.
   const auto same = [](double fine_entry, double coarse_entry, double entry) {

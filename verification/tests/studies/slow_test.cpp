@@ -14,7 +14,7 @@
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
-#include "stickslip/solver/energy_books.hpp"
+#include "stickslip/solver/energy_balance.hpp"
 #include "studies/criterion/classification.hpp"
 #include "studies/stick/stick_history.hpp"
 #include "studies/stick_slip/damped_benchmark.hpp"
@@ -125,15 +125,15 @@ void expect_bounded(const GridRun& grid) {
   solver::BeamSimulation s(paper_beam(), paper_friction(), data::HarmonicExcitation({25.0, 1e-3}),
                            data::NumericalSettings(c),
                            {.damping = data::Damping({.kelvin_voigt = grid.kelvin_voigt})});
-  solver::EnergyBooks books(s.integrator());
-  s.observe([&books](const solver::StickSlipIntegrator& now) { books.enter(now); });
+  solver::EnergyRecorder recorder(s.integrator());
+  s.observe([&recorder](const solver::StickSlipIntegrator& now) { recorder.record(now); });
   // The resonance of the stick state builds up energy until the tip lets go; slips then live on that much. A
   // step of 1 ms, a third of the second mode's period over 2 pi, may be off by its (omega h)^2/12 = 2 %, and
   // passes over the onset by a fortieth of a period.
   double energy_at_first_slip = 0.0;
   for (long n = solver::step_count(grid.duration, grid.time_step); n > 0; --n) {
     s.step();
-    const solver::EnergyBalance& balance = books.balance();
+    const solver::EnergyBalance& balance = recorder.balance();
     if (energy_at_first_slip == 0.0 && !s.integrator().events().empty())
       energy_at_first_slip = balance.energy();
     ASSERT_LT(std::abs(s.tip_displacement()), 7e-3) << s.time();
@@ -142,8 +142,8 @@ void expect_bounded(const GridRun& grid) {
     }
   }
   EXPECT_GT(energy_at_first_slip, 0.0);
-  EXPECT_LT(std::abs(books.balance().residual()),
-            (grid.time_step > 5e-4 ? 0.03 : 0.003) * books.balance().base_work);
+  EXPECT_LT(std::abs(recorder.balance().residual()),
+            (grid.time_step > 5e-4 ? 0.03 : 0.003) * recorder.balance().base_work);
 }
 
 TEST(StickSlipBeamLong, StaysBoundedWithoutNumericalDissipationOrSaysWhyItStops) {

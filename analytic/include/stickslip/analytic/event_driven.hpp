@@ -41,7 +41,7 @@ struct ContactEvent {
 
 /// Where the energy went since the start, J. kinetic + potential - (their values at the start) =
 /// base_work + follower_work - damping_loss - friction_loss.
-struct EnergyBooks {
+struct EventDrivenEnergy {
   double kinetic{};    ///< 1/2 x_t . M x_t in the frame of the base
   double potential{};  ///< strain and geometric energy, 1/2 sum omega_n^2 T_n^2 + 1/2 k_c u_c^2
   double base_work{};  ///< of the inertial load and of the moving wall, int s b . x_t + f_d w_t dt
@@ -57,7 +57,7 @@ struct EventDrivenSettings {
   /// of the held structure under the load alone, the sliding velocity of the start) or, where none of these
   /// moves, what the energy of the start would give the contact's mass.
   double reference_velocity{};
-  bool keep_books{};  ///< integrate the works of EnergyBooks as well
+  bool keep_energy_balance{};  ///< integrate the works of EventDrivenEnergy as well
 };
 
 /// One run of a ContactModel. f_d is the friction force on the structure.
@@ -96,8 +96,8 @@ class EventDriven {
   [[nodiscard]] double friction_force() const;                  ///< f_d, N
   [[nodiscard]] double holding_force() const;  ///< f_d that holding the contact would take, N
   [[nodiscard]] const std::vector<ContactEvent>& events() const;
-  /// Throws std::logic_error unless settings.keep_books.
-  [[nodiscard]] EnergyBooks books() const;
+  /// Throws std::logic_error unless settings.keep_energy_balance.
+  [[nodiscard]] EventDrivenEnergy energy_balance() const;
 
  private:
   class Engine;

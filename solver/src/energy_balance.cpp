@@ -1,4 +1,4 @@
-#include "stickslip/solver/energy_books.hpp"
+#include "stickslip/solver/energy_balance.hpp"
 
 #include <stdexcept>
 
@@ -20,12 +20,13 @@ Eigen::VectorXd follower_row(const ContactSystem& system) {
 
 }  // namespace
 
-EnergyBooks::EnergyBooks(const StickSlipIntegrator& opening) : follower_row_(follower_row(opening.system())) {
-  take_stock(opening);
+EnergyRecorder::EnergyRecorder(const StickSlipIntegrator& start)
+    : follower_row_(follower_row(start.system())) {
+  set_state(start);
   balance_.initial_energy = balance_.energy();
 }
 
-void EnergyBooks::enter(const StickSlipIntegrator& now) {
+void EnergyRecorder::record(const StickSlipIntegrator& now) {
   const double h = now.time() - time_;
   const Powers before = powers_;
   const Eigen::VectorXd velocity_before = velocity_;
@@ -34,7 +35,7 @@ void EnergyBooks::enter(const StickSlipIntegrator& now) {
     balance_.base_work += impulse * now.system().wall.velocity(time_);
     balance_.capture_loss -= 0.5 * impulse * sliding_velocity_;
   }
-  take_stock(now);
+  set_state(now);
   balance_.base_work += 0.5 * h * (before.base + powers_.base);
   balance_.follower_work += 0.5 * h * (before.follower + powers_.follower);
   const Eigen::VectorXd mean_velocity = 0.5 * (velocity_before + velocity_);
@@ -42,12 +43,12 @@ void EnergyBooks::enter(const StickSlipIntegrator& now) {
   balance_.friction_loss += 0.5 * h * (before.friction + powers_.friction);
 }
 
-double EnergyBooks::sliding_velocity(const StickSlipIntegrator& now) const {
+double EnergyRecorder::sliding_velocity(const StickSlipIntegrator& now) const {
   const ContactSystem& system = now.system();
   return now.velocity()[system.contact] - system.wall.velocity(now.time());
 }
 
-EnergyBooks::Powers EnergyBooks::powers(const StickSlipIntegrator& now) const {
+EnergyRecorder::Powers EnergyRecorder::powers(const StickSlipIntegrator& now) const {
   const ContactSystem& system = now.system();
   const Eigen::VectorXd& v = now.velocity();
   const double friction_force = now.friction_force();
@@ -57,7 +58,7 @@ EnergyBooks::Powers EnergyBooks::powers(const StickSlipIntegrator& now) const {
           .friction = -friction_force * sliding_velocity(now)};
 }
 
-void EnergyBooks::take_stock(const StickSlipIntegrator& now) {
+void EnergyRecorder::set_state(const StickSlipIntegrator& now) {
   const ContactSystem& system = now.system();
   balance_.kinetic = 0.5 * now.velocity().dot(system.mass * now.velocity());
   balance_.elastic = 0.5 * now.displacement().dot(system.stick_stiffness * now.displacement());

@@ -6,7 +6,7 @@
 
 namespace stickslip::solver {
 
-/// Where the energy of a run came from and went, J, since the books were opened. Works are done on the
+/// Where the energy of a run came from and went, J, since the record began. Works are done on the
 /// system; losses are positive where energy leaves it.
 struct EnergyBalance {
   double kinetic{};         ///< 1/2 v^T M v
@@ -16,7 +16,7 @@ struct EnergyBalance {
   double damping_loss{};    ///< of C
   double friction_loss{};   ///< of f_d on the sliding velocity
   double capture_loss{};    ///< of the impulses at captures, m_c v_s^2/2 each
-  double initial_energy{};  ///< kinetic + elastic at the opening
+  double initial_energy{};  ///< kinetic + elastic at the beginning of the record
 
   [[nodiscard]] double energy() const noexcept { return kinetic + elastic; }
   /// What no entry explains: the change of the energy less all works, plus all losses.
@@ -38,23 +38,23 @@ struct EnergyBalance {
 /// -m_c v_s w_t of the wall and takes away m_c v_s^2/2.
 ///
 /// The powers are integrated by the trapezoidal rule between the accepted states, with f_d evaluated on both
-/// sides of a change, and not from what the method holds at its alpha level: the books know only q, v, the
+/// sides of a change, and not from what the method holds at its alpha level: the record knows only q, v, the
 /// state and the friction law. The one quadratic power is v.C v of the mean of both velocities: a mode that h
 /// does not resolve turns its sign from state to state, which cancels in all other works and must not count
 /// as a loss. The residual is of order h^2 - method and rule together - for whatever h resolves, and much
 /// more if a step put energy in that no force explains. Use:
 ///
-///     EnergyBooks books(integrator);   // after start_...
-///     integrator.observe([&books](const StickSlipIntegrator& now) { books.enter(now); });
-class EnergyBooks {
+///     EnergyRecorder recorder(integrator);   // after start_...
+///     integrator.observe([&recorder](const StickSlipIntegrator& now) { recorder.record(now); });
+class EnergyRecorder {
  public:
-  /// Opens the books at the present state, of a run that has been started. Throws std::invalid_argument if
+  /// Begins at the present state, of a run that has been started. Throws std::invalid_argument if
   /// K_stick is not symmetric or K_slip differs from it outside the row of the contact: the balance above
   /// would not hold.
-  explicit EnergyBooks(const StickSlipIntegrator& opening);
+  explicit EnergyRecorder(const StickSlipIntegrator& start);
 
-  /// Enters an accepted state: the piece of a phase since the last entry or, at the same time, a change.
-  void enter(const StickSlipIntegrator& now);
+  /// Records an accepted state: the piece of a phase since the last one or, at the same time, a change.
+  void record(const StickSlipIntegrator& now);
 
   [[nodiscard]] const EnergyBalance& balance() const noexcept { return balance_; }
 
@@ -66,11 +66,11 @@ class EnergyBooks {
 
   [[nodiscard]] double sliding_velocity(const StickSlipIntegrator& now) const;
   [[nodiscard]] Powers powers(const StickSlipIntegrator& now) const;
-  void take_stock(const StickSlipIntegrator& now);
+  void set_state(const StickSlipIntegrator& now);
 
   Eigen::VectorXd follower_row_;  // r
   EnergyBalance balance_;
-  // Of the last entry.
+  // Of the last state recorded.
   double time_{};
   ContactState state_{};
   Eigen::VectorXd velocity_;
