@@ -41,4 +41,7 @@ install(
   DESTINATION ${shared_files}/reports
   PATTERN readme.png EXCLUDE)
 install(DIRECTORY ${CMAKE_BINARY_DIR}/share/ DESTINATION ${CMAKE_INSTALL_DATADIR})
-install(FILES LICENSE README.md CHANGELOG.md reports/tutorial.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES LICENSE README.md CHANGELOG.md CITATION.cff CONTRIBUTING.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# At the places to which the links of the README lead.
+install(DIRECTORY reports/manual DESTINATION ${CMAKE_INSTALL_DOCDIR}/reports)
+install(FILES reports/figures/readme.png DESTINATION ${CMAKE_INSTALL_DOCDIR}/reports/figures)

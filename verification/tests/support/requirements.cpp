@@ -307,9 +307,9 @@ const std::vector<Requirement> table{
      "Benchmarks",
      {"SpeedRecord", "SpeedRecordFile", "SpeedTables"}},
     {"U9",
-     "Help, manual page, completion and tutorial say what the program does.",
+     "Help, manual page, completion and manual say what the program does.",
      "Documentation",
-     {"HelpExamples", "ManualPage", "BashCompletion", "Tutorial"}},
+     {"HelpExamples", "ManualPage", "BashCompletion", "Manual"}},
     {"U10",
      "Maps made by any number of threads, shards and interrupted runs are the same bytes; long work shows "
      "how "
