@@ -44,4 +44,18 @@ install(DIRECTORY ${CMAKE_BINARY_DIR}/share/ DESTINATION ${CMAKE_INSTALL_DATADIR
 install(FILES LICENSE README.md CHANGELOG.md CITATION.cff CONTRIBUTING.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 # At the places to which the links of the README lead.
 install(DIRECTORY reports/manual DESTINATION ${CMAKE_INSTALL_DOCDIR}/reports)
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright) # where Debian looks for it
 install(FILES reports/figures/readme.png DESTINATION ${CMAKE_INSTALL_DOCDIR}/reports/figures)
+
+# cpack --preset release: a Debian package. Figures need gnuplot; users of the libraries need what their headers include.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_CONTACT "The stickslip authors <stickslip@localhost>")
+set(CPACK_PACKAGE_DIRECTORY ${CMAKE_BINARY_DIR})
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox, fonts-dejavu-core")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS
+    "cmake, g++, pkgconf, libeigen3-dev, libfftw3-dev, libgsl-dev, libtomlplusplus-dev, nlohmann-json3-dev, ffmpeg")
+include(CPack)
