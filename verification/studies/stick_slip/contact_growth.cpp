@@ -38,8 +38,8 @@ class Search {
     for (std::size_t i = 1; i < contact_.frequencies.size(); ++i) {
       const double from = contact_.frequencies[i - 1], width = contact_.frequencies[i] - from;
       for (int j = 1; j <= values_between; ++j) {
-        std::ranges::rotate(omega, omega.begin() + 1);
-        std::ranges::rotate(value, value.begin() + 1);
+        std::rotate(omega.begin(), omega.begin() + 1, omega.end());
+        std::rotate(value.begin(), value.begin() + 1, value.end());
         omega[2] = from + width * 0.5 * (1.0 - std::cos(pi * j / values_between));
         value[2] = resistance(omega[2]);
         if (value[2] < kappa_) return !is_below(omega[2]);
