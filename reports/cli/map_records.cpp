@@ -246,7 +246,7 @@ MergedMap merged(const std::vector<std::string>& files) {
       refuse(fmt::format("was made by {}, but must be by {}", header->value("program", "another program"),
                          program()));
     if (!map) {
-      map.emplace(task_of(*header), studies::MapEvaluations());
+      map = MergedMap{task_of(*header), studies::MapEvaluations()};
       map->evaluations.resize(studies::evaluation_count(map->task));
       first = *header;
       file_of_part.resize(header->at("parts").get<std::size_t>());
