@@ -8,7 +8,8 @@ namespace stickslip::studies {
 
 inline constexpr double two_pi = 2.0 * std::numbers::pi;
 
-/// The natural frequency of a mode of the stick state, Hz, in closed form.
+/// The natural frequency (Hz) of stick mode `mode` by the closed form, Eqs. (23) and (24). Throws what
+/// stick_modes() throws.
 [[nodiscard]] inline double stick_hz(const data::Beam& beam, int mode) {
   return analytic::stick_modes(beam, mode).back().frequency_hz();
 }

@@ -1,8 +1,8 @@
 #pragma once
 
-/// What becomes of bad input: every key of a case file, every option of the command line, every column of a
-/// compared table, every column and key of the published package, each with every defect, as
-/// verification/tests/golden/input-matrix.csv has it. The tests try each row.
+/// The expected outcome of bad input. verification/tests/golden/input-matrix.csv lists each key of a case
+/// file, each option of the command line, each column of a compared table, and each column and key of the
+/// published package, with the defects that are tested. The tests try each row.
 
 #include <string>
 #include <string_view>
@@ -12,26 +12,27 @@ namespace stickslip::studies {
 
 struct BadInput {
   std::string where;   ///< "case file", "option", "column" or "package"
-  std::string item;    ///< "beam.length", "respond --hz", "damped-history time", "resources/*/title"
-  std::string defect;  ///< "not a number"
+  std::string item;    ///< such as "beam.length", "respond --hz", "resources/*/title"
+  std::string defect;  ///< example: "not a number"
   bool is_refused{};
-  std::string reason;  ///< why it is accepted, empty if it is refused
+  std::string reason;  ///< why the input is accepted; empty if it is refused
 };
 
-/// The rows of a table whose lines read where,item,defect,outcome, an outcome being "refused" or "accepted:
-/// why". Throws std::invalid_argument, naming the line, for one that does not.
+/// Reads a table with the columns where,item,defect,outcome. The outcome is "refused" or "accepted: why".
+/// Throws std::invalid_argument with the line number for any other line.
 [[nodiscard]] std::vector<BadInput> parse_input_matrix(std::string_view text);
 
-/// The rows of the file. Throws data::InputError if it cannot be read, and what parse_input_matrix() throws.
+/// Reads the rows of input-matrix.csv. Throws data::InputError if the file cannot be read, and what
+/// parse_input_matrix() throws.
 [[nodiscard]] std::vector<BadInput> input_matrix();
 
-/// Rows of one place and one defect.
+/// The number of rows with the same place and the same defect.
 struct BadInputCount {
   std::string where, defect;
   int refused{}, accepted{};
 };
 
-/// In the order of first appearance, place by place.
+/// Counts the rows for each place and defect, in the order of their first appearance, place by place.
 [[nodiscard]] std::vector<BadInputCount> count_by_defect(const std::vector<BadInput>& matrix);
 
 struct AcceptedCount {
@@ -39,7 +40,7 @@ struct AcceptedCount {
   int rows{};
 };
 
-/// Most frequent first.
+/// Counts the accepted rows for each reason, the most frequent reason first.
 [[nodiscard]] std::vector<AcceptedCount> count_by_reason(const std::vector<BadInput>& matrix);
 
 }  // namespace stickslip::studies

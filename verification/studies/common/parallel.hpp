@@ -15,12 +15,13 @@
 
 namespace stickslip::studies {
 
-/// Calls work(0) ... work(count - 1) on so many threads, each index once, and `settled` with the indices that
-/// are done: each index once, one call at a time, and none held back for longer than an item and a twentieth
-/// of a second. The first exception of either ends it and is thrown on. `work` must not depend on the order.
+/// Calls work(0) ... work(count - 1) on `threads` threads, each index once. Calls `settled` with the indices
+/// that are done: each index once, and one call at a time. An index waits for this call for at most 50 ms and
+/// the duration of one item. The first exception of `work` or `settled` ends the work and is thrown again.
+/// `work` must not depend on the order of the calls.
 ///
-/// A thread takes up to 16 indices at a time, but at most a 64th of its share, so that items of very unequal
-/// cost even out and cheap ones cost neither a lock nor a shared counter each.
+/// A thread takes up to 16 indices at a time, but at most 1/64 of its share. Items of unequal cost are thus
+/// distributed evenly, and cheap items do not need one access to the shared counter each.
 inline void in_parallel_settling(std::size_t count, const std::function<void(std::size_t)>& work,
                                  const std::function<void(std::span<const std::size_t>)>& settled,
                                  unsigned threads = thread_count()) {
@@ -63,7 +64,7 @@ inline void in_parallel_settling(std::size_t count, const std::function<void(std
   if (failure) std::rethrow_exception(failure);
 }
 
-/// The same for work of which nobody wants more than the share done.
+/// The same, but only reports the completed fraction of the work (0 to 1) to `progress`.
 inline void in_parallel(std::size_t count, const std::function<void(std::size_t)>& work,
                         const std::function<void(double)>& progress = {}, unsigned threads = thread_count()) {
   std::size_t done = 0;

@@ -7,29 +7,31 @@
 
 namespace stickslip::studies {
 
-/// A number of a case that a map or a design may vary.
+/// A quantity of a case that a map or a design may vary.
 enum class Parameter { frequency, amplitude, length, axial_force, youngs_modulus, static_coefficient };
 
 inline constexpr std::array all_parameters{Parameter::frequency,      Parameter::amplitude,
                                            Parameter::length,         Parameter::axial_force,
                                            Parameter::youngs_modulus, Parameter::static_coefficient};
 
-/// The field of a case file that the parameter is, as "beam.length".
+/// The name of the parameter's field in a case file, such as "beam.length".
 [[nodiscard]] std::string_view field_of(Parameter parameter);
 
+/// The value of the parameter in SI units.
 [[nodiscard]] double value_of(const data::Case& problem, Parameter parameter);
 
-/// The case with another value there, and the section of the beam as it is. A static coefficient below the
-/// kinetic one takes that down with it. Throws data::FieldError for a value that the field refuses.
+/// A copy of the case with the parameter set to `value` (SI units); the cross section of the beam does not
+/// change. If the static coefficient falls below the kinetic one, the kinetic one is set to the same value.
+/// Throws data::FieldError if the field does not allow the value.
 [[nodiscard]] data::Case with_value(const data::Case& problem, Parameter parameter, double value);
 
-/// Omega, rad/s.
+/// Angular frequency Omega = 2 pi f of the excitation, rad/s.
 [[nodiscard]] double angular_frequency(const data::HarmonicExcitation& excitation);
 
-/// Whether the case has damping of either kind.
+/// Whether the case has Kelvin-Voigt damping or a damping ratio above 0.
 [[nodiscard]] bool is_damped(const data::Case& problem);
 
-/// Throws data::FieldError if the static coefficient is 0: a force ratio or a margin needs one.
+/// Throws data::FieldError if the static coefficient is 0, because a force ratio or a margin divides by it.
 void require_friction(const data::Case& problem);
 
 }  // namespace stickslip::studies

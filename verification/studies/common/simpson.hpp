@@ -4,8 +4,8 @@
 
 namespace stickslip::studies {
 
-/// int_0^L g(x) dx by the composite Simpson rule, 400 intervals per half wave of the mode: relative error
-/// below 1e-9 for its shape, derivatives and their squares.
+/// int_0^L g(x) dx by the composite Simpson rule with 400 intervals per half wave of the mode. The relative
+/// error is below 1e-9 for the mode shape, its derivatives and their squares.
 template <typename Function, typename Mode>
 double simpson_integral(Function&& g, double length, const Mode& mode) {
   const int intervals = 400 * mode.number();

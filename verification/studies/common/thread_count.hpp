@@ -2,11 +2,11 @@
 
 namespace stickslip::studies {
 
-/// How many threads a study works on: as many as the machine runs at once, until set_thread_count(). No
-/// result depends on it.
+/// The number of threads that a study uses: the number that the machine runs concurrently, unless
+/// set_thread_count() has changed it. The results do not depend on it.
 [[nodiscard]] unsigned thread_count() noexcept;
 
-/// Throws std::invalid_argument unless `count` is 1 or more.
+/// Sets the number of threads. Throws std::invalid_argument if `count` is 0.
 void set_thread_count(unsigned count);
 
 }  // namespace stickslip::studies

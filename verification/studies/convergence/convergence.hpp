@@ -5,7 +5,7 @@
 
 namespace stickslip::studies {
 
-/// Least-squares slope of y over x. Precondition: two or more points that do not share one x.
+/// Slope of the least-squares line of y over x. Precondition: at least two points with different x.
 inline double linear_slope(const std::vector<double>& x, const std::vector<double>& y) {
   double sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -15,29 +15,29 @@ inline double linear_slope(const std::vector<double>& x, const std::vector<doubl
   return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
-/// Least-squares slope of log(error) over log(step): the observed order. Throws std::invalid_argument unless
-/// there are at least two levels, all positive.
+/// The observed order: the least-squares slope of log(error) over log(step). Throws std::invalid_argument
+/// unless there are at least two levels and all values are positive.
 [[nodiscard]] double observed_order(const std::vector<double>& steps, const std::vector<double>& errors);
 
-/// An observed order with the 95 % confidence interval order -+ half_width of the regression slope, after
-/// Student's t with levels - 2 degrees of freedom; infinite with two levels, through which any line passes.
+/// An observed order with the 95 % confidence interval order -+ half_width of the regression slope (Student's
+/// t with levels - 2 degrees of freedom). half_width is infinite for two levels.
 ///
-/// The interval holds the true slope in 95 of 100 cases if the logarithms of the errors scatter about a
-/// straight line independently and normally. Those of a convergent sequence do not: they leave the line
-/// through the next term of an asymptotic series, smoothly. Read half_width as the departure from a straight
-/// line, in units of the slope: small says that one power of the step describes all levels, not that the
-/// power is the theoretical one.
+/// The interval contains the true slope in 95 of 100 cases if the logarithms of the errors scatter
+/// independently and normally about a straight line. The errors of a convergent sequence do not scatter in
+/// this way: they deviate smoothly from the line by the next term of an asymptotic series. half_width
+/// therefore measures the deviation from a straight line, in units of the slope. A small value means that one
+/// power of the step describes all levels. It does not mean that this power is the theoretical one.
 struct OrderEstimate {
   double order{};
   double half_width{};
   int levels{};
 };
 
-/// The observed order with its interval. Throws as observed_order() does.
+/// The observed order with its confidence interval. Throws what observed_order() throws.
 [[nodiscard]] OrderEstimate order_estimate(const std::vector<double>& steps,
                                            const std::vector<double>& errors);
 
-/// The largest difference of two series of one length.
+/// The largest absolute difference of two series of the same length.
 [[nodiscard]] double largest_difference(const std::vector<double>& a, const std::vector<double>& b);
 
 }  // namespace stickslip::studies

@@ -15,8 +15,9 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// One step (q, h v, h^2 a)_(n+1) = map (q, h v, h^2 a)_n + load h^2 F(t_n + load_time h) of an oscillator,
-// written from the equations of Chung & Hulbert (1993).
+// One time step of an oscillator by the equations of Chung & Hulbert (1993):
+//
+//     (q, h v, h^2 a)_(n+1) = map (q, h v, h^2 a)_n + load h^2 F(t_n + load_time h).
 struct StepMap {
   Eigen::Matrix3d map;
   Eigen::Vector3d load;
@@ -45,7 +46,7 @@ Eigen::Vector3cd amplification_eigenvalues(double spectral_radius, double omega_
 
 double hermite_eigenvalue_error(const data::Beam& beam, const analytic::StickMode& mode,
                                 double element_length) {
-  // U'''' = k U - p U'' from the eigenvalue problem.
+  // The eigenvalue problem gives U'''' = k U - p U''.
   const double p = beam.axial_force() / (beam.youngs_modulus() * beam.second_moment_of_area());
   const double k = std::pow(mode.hyperbolic_wave_number() * mode.trigonometric_wave_number(), 2);
   const auto bending_square = [&](double x) {
@@ -147,7 +148,7 @@ PredictedForce::PredictedForce(const data::Beam& beam, const data::HarmonicExcit
     terms_.push_back({weight, stepped_from_rest(numerics.spectral_radius(),
                                                 frequency_on_mesh(beam, mode, numerics.elements()), omega_,
                                                 numerics.time_step())});
-    // The exact steady amplitude holds this mode's undamped, exact share already.
+    // The exact steady amplitude includes the undamped share of this mode. The term above replaces it.
     rest_amplitude_ -= weight / (omega_ * omega_ - natural * natural);
 
     const double error = hermite_eigenvalue_error(beam, mode, element_length);
@@ -164,7 +165,7 @@ double PredictedForce::uncertainty() const {
 }
 
 double PredictedForce::max_abs() const {
-  // Every sinusoid is advanced by one complex multiplication a step.
+  // Each sinusoid is advanced by one complex multiplication per step.
   Complex steady = rest_amplitude_;
   std::vector<SteppedResponse::Term> free;
   for (const Term& term : terms_) {

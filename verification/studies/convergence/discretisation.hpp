@@ -1,7 +1,7 @@
 #pragma once
 
-/// What theory says of the discretisation error, from the modes of the continuous beam alone. None of this
-/// calls solver/: a prediction that shared its code would share its mistakes.
+/// Predictions of the discretisation error from theory and from the modes of the continuous beam alone. This
+/// code does not call solver/, so that an error in the solver cannot enter the predictions.
 
 #include <complex>
 #include <vector>
@@ -12,98 +12,105 @@
 
 namespace stickslip::studies {
 
-/// Leading relative error of an eigenvalue omega^2 on Hermite elements of length l,
+/// Leading relative error of an eigenvalue omega^2 on Hermite elements of length l (m), which is the bending
+/// energy of the interpolation error:
 ///
-///     (omega_h^2 - omega^2)/omega^2 = l^4/720 EI int U''''^2 dx / (omega^2 rho A int U^2 dx) + O(l^6),
+///     (omega_h^2 - omega^2)/omega^2 = l^4/720 EI int U''''^2 dx / (omega^2 rho A int U^2 dx) + O(l^6).
 ///
-/// the bending energy of the interpolation error: (beta l)^4/720 at P = 0. Always from above.
+/// At P = 0 it is (beta l)^4/720. The leading error is positive.
 [[nodiscard]] double hermite_eigenvalue_error(const data::Beam& beam, const analytic::StickMode& mode,
                                               double element_length);
 
-/// What generalised-alpha makes of a free vibration exp(i omega t): exp((-decay_rate + i angular_frequency)
-/// t), exactly, from the principal eigenvalues of its amplification matrix.
+/// Frequency and decay rate of a free vibration exp(i omega t) after time integration by generalised-alpha.
+/// The method replaces it by exp((-decay_rate + i angular_frequency) t), computed from the principal
+/// eigenvalues of the amplification matrix.
 struct NumericalOscillation {
   double angular_frequency{};  ///< rad/s
   double decay_rate{};         ///< 1/s
 };
+/// Both quantities for the angular frequency omega (rad/s) and the time step (s).
 [[nodiscard]] NumericalOscillation generalized_alpha_oscillation(double spectral_radius,
                                                                  double angular_frequency, double time_step);
 
-/// Moduli of the eigenvalues of the amplification matrix, largest first: the first is the spectral radius.
+/// Moduli of the eigenvalues of the amplification matrix, in descending order. The first is the spectral
+/// radius.
 [[nodiscard]] std::vector<double> amplification_moduli(double spectral_radius, double omega_times_step);
 
-/// The response from rest of g_tt + w^2 g = -sin(Omega t) in steps of generalised-alpha, exactly: with x =
-/// (g, h g_t, h^2 g_tt) a step is x_(n+1) = A x_n + b sin(Omega (t_n + (1 - alpha_f) h)), so that
+/// The response of generalised-alpha to g_tt + w^2 g = -sin(Omega t) from rest, exact but for rounding. With
+/// x = (g, h g_t, h^2 g_tt) one step is x_(n+1) = A x_n + b sin(Omega (t_n + (1 - alpha_f) h)). Hence
 ///
 ///     x_n = Im[X exp(i Omega t_n)] + Re[sum c_j v_j lambda_j^n],   A v_j = lambda_j v_j,
-///     X = (exp(i Omega h) - A)^-1 b exp(i Omega (1 - alpha_f) h),   Re[sum c_j v_j] = -Im X,
+///     X = (exp(i Omega h) - A)^-1 b exp(i Omega (1 - alpha_f) h),   Re[sum c_j v_j] = -Im X.
 ///
-/// b with the sign of the load, since the method starts with x_0 = 0: the load is zero at t = 0, and with it
-/// the acceleration.
+/// b includes the minus sign of the load. The method starts with x_0 = 0, because the load and the
+/// acceleration are zero at t = 0.
 ///
-/// What that does to the free vibration, whose exact amplitude is B = Omega/(w (w^2 - Omega^2)). Up to h^4
-/// the method solves g_t = v + h^2 k_1 v_tt, v_t = -w^2 g + F + h^2 (k_2 v_ttt - k_3 F_tt), with F =
-/// -sin(Omega t),
+/// The effect on the free vibration, whose exact amplitude is B = Omega/(w (w^2 - Omega^2)), is as follows.
+/// Up to terms of order h^4 the method solves
 ///
-///     d = alpha_f - alpha_m,   k_1 = 1/12 + d^2/4,   k_2 = 1/12 + d^2/2,   k_3 = alpha_f (1 - alpha_f)/2,
+///     g_t = v + h^2 k_1 v_tt,   v_t = -w^2 g + F + h^2 (k_2 v_ttt - k_3 F_tt),   F = -sin(Omega t),
+///     d = alpha_f - alpha_m,   k_1 = 1/12 + d^2/4,   k_2 = 1/12 + d^2/2,   k_3 = alpha_f (1 - alpha_f)/2
 ///
-/// from v(0) = (d^2/2) h^2 v_tt(0), because its acceleration belongs to d h before its time. Hence
+/// with the initial value v(0) = (d^2/2) h^2 v_tt(0), because the acceleration of step n belongs to the time
+/// t_n - d h. Hence, for Omega << w,
 ///
-///     w_h = w (1 - (w h)^2 (k_1 + k_2)/2),   B_h = B [1 - (w h)^2 (3/8) d^2 + O((Omega h)^2)],   Omega << w.
+///     w_h = w (1 - (w h)^2 (k_1 + k_2)/2),   B_h = B [1 - (w h)^2 (3/8) d^2 + O((Omega h)^2)].
 ///
-/// A continuous oscillator of frequency w_h from rest would have B (w/w_h)^3 instead, (3/2)(k_1 + k_2)(w h)^2
-/// or a quarter of (w h)^2 too much: the method's frequency does not fix its amplitude.
+/// A continuous oscillator of frequency w_h would have the amplitude B (w/w_h)^3 from rest. This exceeds B by
+/// the relative amount (3/2)(k_1 + k_2)(w h)^2, at least (w h)^2/4. The frequency w_h alone therefore does
+/// not predict the amplitude.
 struct SteppedResponse {
   struct Term {
     std::complex<double> amplitude, factor;
   };
   std::complex<double> steady;  ///< X of g
-  std::vector<Term> free;       ///< c_j v_j of g, and lambda_j: those with Im lambda_j >= 0, pairs joined
+  std::vector<Term> free;       ///< c_j v_j of g and lambda_j, Im lambda_j >= 0; conjugate pairs combined
 
-  /// g after n steps of `step_angle` = Omega h each.
+  /// g after n steps with the angle `step_angle` = Omega h each.
   [[nodiscard]] double at(long n, double step_angle) const;
 };
+/// The stepped response of an oscillator with `natural_frequency` w and load frequency `omega` (both rad/s).
 [[nodiscard]] SteppedResponse stepped_from_rest(double spectral_radius, double natural_frequency,
                                                 double omega, double time_step);
 
 /// Angular frequency of a mode on the mesh, rad/s: omega_n sqrt(1 + hermite_eigenvalue_error).
 [[nodiscard]] double frequency_on_mesh(const data::Beam& beam, const analytic::StickMode& mode, int elements);
 
-/// The free vibration of a mode after both discretisations.
+/// Frequency and decay rate of the free vibration of a mode after discretisation in space and time.
 [[nodiscard]] NumericalOscillation discrete_oscillation(const data::Beam& beam,
                                                         const analytic::StickMode& mode,
                                                         const data::NumericalSettings& numerics);
 
-/// Predicted bound of the sup-norm difference of two sums of free vibrations over 0 ... duration, term by
-/// term: a mode whose phase has drifted by d and whose amplitude has decayed by the factor 1 - e differs by
-/// at most |a| min(2, d + e).
+/// Predicted bound of the largest difference between two sums of free vibrations over 0 ... duration. It is
+/// summed term by term: if the phase of a mode has drifted by d and its amplitude a has decayed by the factor
+/// 1 - e, the difference is at most |a| min(2, d + e).
 [[nodiscard]] double drift_bound(const data::Beam& beam, const std::vector<analytic::StickMode>& modes,
                                  const std::vector<analytic::Sinusoid>& transient,
                                  const data::NumericalSettings& numerics, double duration);
 
-/// The static friction force that theory expects of the finite-element run: Eq. (28) with every omega_n
-/// replaced by frequency_on_mesh() and every g_n by its stepped_from_rest(). Its |f_max| predicts the
-/// finite-element one, beating and resonance included.
+/// The static friction force that theory predicts for the finite-element run: Eq. (28) with omega_n replaced
+/// by frequency_on_mesh() and g_n by stepped_from_rest(). Its |f_max| is the prediction of the finite-element
+/// value, including beating and resonance.
 class PredictedForce {
  public:
-  /// `modes` free vibrations are predicted; those beyond count as unknown in phase.
+  /// Predicts the free vibrations of the first `modes` modes. The phase of higher modes counts as unknown.
   PredictedForce(const data::Beam& beam, const data::HarmonicExcitation& excitation,
                  const data::NumericalSettings& numerics, int modes);
 
-  /// max |f| over the grid of `numerics`, 0 ... numerics.duration(), N.
+  /// Largest |f| over the time steps of `numerics` from 0 to numerics.duration(), N.
   [[nodiscard]] double max_abs() const;
 
-  /// What the prediction of max_abs() itself may be off by, N. With l the element length, e_n the leading
-  /// eigenvalue error and T the duration, the sum of
+  /// Estimated uncertainty of max_abs(), N. With the element length l, the leading eigenvalue error e_n and
+  /// the duration T it is the sum of
   ///
-  ///     |a_n| min(2, omega_n T e_n (beta_n l)^2 / 80 + e_n)    the next term of e_n is about (beta l)^2/40
-  ///                                                            of it; it moves the phase, and e_n the
-  ///                                                            amplitude
-  ///     2 |a_n| for n > modes, and the omitted tail            phase unknown
-  ///     (Omega h)^2/8 times the steady rest                    what modes n > modes add at Omega; stiff ones
-  ///                                                            are off by (Omega h)^2 k_3, k_3 <= 1/8
+  ///     |a_n| min(2, omega_n T e_n (beta_n l)^2/80 + e_n)    for n <= modes
+  ///     2 |a_n|                                              for n > modes, and the omitted tail
+  ///     (Omega h)^2/8 |steady remainder|
   ///
-  /// The steps themselves cost nothing for n <= modes: stepped_from_rest() is exact.
+  /// First row: the next term of e_n is about e_n (beta_n l)^2/40 and changes the phase; e_n changes the
+  /// amplitude. Second row: the phase is unknown. Third row: the remainder is the contribution of the modes n
+  /// > modes at Omega; its relative error for stiff modes is (Omega h)^2 k_3 with k_3 <= 1/8. Time steps add
+  /// no error for n <= modes, because stepped_from_rest() is exact.
   [[nodiscard]] double uncertainty() const;
 
  private:
@@ -112,10 +119,10 @@ class PredictedForce {
     SteppedResponse response;
   };
   double omega_{};
-  double rest_amplitude_{};  // of the part at Omega that no term holds
+  double rest_amplitude_{};  // of the part at Omega that is not in terms_
   double time_step_{};
   long steps_{};
-  double phase_uncertainty_{};  // the first two of the three sums
+  double phase_uncertainty_{};  // the first two of the three rows of uncertainty()
   std::vector<Term> terms_;
 };
 

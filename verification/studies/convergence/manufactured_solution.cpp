@@ -25,15 +25,15 @@ using solver::ElementVector;
 
 constexpr double wave_amplitude = 1e-4;  // A, m
 constexpr double shape_a = 1.3, shape_b = 0.7;
-constexpr double frequency_factor = 7.5;    // omega and lambda in units of sqrt(EI/rho A)/L^2, between modes
+constexpr double frequency_factor = 7.5;    // of omega and lambda, in sqrt(EI/rho A)/L^2
 constexpr double kelvin_voigt = 6.4e-5;     // eta with friction, s
 constexpr double friction_decay = 1.0;      // alpha, s/m
 constexpr double static_coefficient = 0.6;  // mu_s; mu_m = 0
 constexpr double slowest_sliding = 0.5;     // v_s at t = 0, m/s
-constexpr double far_wall_speed = 1e3;      // m/s, faster than any tip
+constexpr double far_wall_speed = 1e3;      // m/s, faster than the tip
 constexpr double space_spectral_radius = 0.9;
 
-// Re sum weight exp(exponent x), with all its derivatives.
+// Re(sum weight exp(exponent x)) and its derivatives.
 struct ExponentialSum {
   struct Term {
     Complex weight, exponent;
@@ -49,7 +49,7 @@ struct ExponentialSum {
   [[nodiscard]] double operator()(int order, double x) const { return complex_derivative(order, x).real(); }
 };
 
-// One manufactured problem: the beam, the motion and what it implies.
+// One manufactured problem: the beam, the prescribed motion, and the load and tip forces that it requires.
 struct Problem {
   ManufacturedTip tip;
   data::Beam beam;
@@ -59,13 +59,14 @@ struct Problem {
   ExponentialSum phi;
 
   [[nodiscard]] bool decays() const { return tip == ManufacturedTip::friction; }
-  // g(t) and its derivatives.
+  // The derivative of g(t) of the given order.
   [[nodiscard]] double history(int order, double t) const {
     if (decays()) return std::pow(-rate, order) * std::exp(-rate * t);
     return std::pow(rate, order) * std::cos(rate * t + order * std::numbers::pi / 2.0);
   }
-  [[nodiscard]] double history_ratio() const { return decays() ? rate * rate : -rate * rate; }  // s
-  // D (1 + eta d/dt) for this history.
+  // s = g_tt/g, 1/s^2.
+  [[nodiscard]] double history_ratio() const { return decays() ? rate * rate : -rate * rate; }
+  // D (1 + eta d/dt) for this time function, N m^2.
   [[nodiscard]] double effective_rigidity() const { return rigidity * (1.0 - (decays() ? eta * rate : 0.0)); }
   [[nodiscard]] double duration() const { return (decays() ? 1.0 : std::numbers::pi) / rate; }
 
@@ -73,7 +74,7 @@ struct Problem {
     return effective_rigidity() * phi(4, x) + axial_force * phi(2, x) +
            mass_per_length * history_ratio() * phi(0, x);
   }
-  // On the beam, at g = 1.
+  // Force (N) and moment (N m) on the tip of the beam at g = 1.
   [[nodiscard]] double tip_force() const { return -effective_rigidity() * phi(3, length); }
   [[nodiscard]] double tip_moment() const { return effective_rigidity() * phi(2, length); }
 };
@@ -96,8 +97,8 @@ Problem manufactured_problem(const data::Beam& beam, ManufacturedTip tip, double
           .phi = {{{0.5 * wave_amplitude, slow}, {-0.5 * wave_amplitude, fast}}}};
 }
 
-// E of the header: a particular solution term by term of phi, and four free ones that bring it to its
-// boundary conditions.
+// E of the header: a particular solution for each term of phi, plus four homogeneous solutions whose weights
+// satisfy the boundary conditions.
 ExponentialSum leading_nodal_error(const Problem& problem) {
   const double rigidity = problem.effective_rigidity(), force = problem.axial_force, length = problem.length;
   const double inertia = problem.mass_per_length * problem.history_ratio();
@@ -141,7 +142,8 @@ ExponentialSum leading_nodal_error(const Problem& problem) {
   return shape;
 }
 
-// Eight-point Gauss rule on each of `intervals` equal parts of [0, length]: exact to degree 15.
+// Eight-point Gauss rule on each of `intervals` equal parts of [0, length], exact for polynomials up to
+// degree 15.
 template <class Function>
 double integral(double length, int intervals, const Function& function) {
   const std::unique_ptr<gsl_integration_glfixed_table, decltype(&gsl_integration_glfixed_table_free)> table(
@@ -158,7 +160,7 @@ double integral(double length, int intervals, const Function& function) {
 
 constexpr int smooth_intervals = 16;  // for integrals of phi and E
 
-// N, N' or N'' at s; the derivatives on their own, by hand.
+// N, N' or N'' at s. The derivatives are written here and not taken from the solver.
 ElementVector shape_functions(int order, double s, double l) {
   if (order == 0) return solver::shape_functions(s, l);
   if (order == 1)
@@ -168,7 +170,7 @@ ElementVector shape_functions(int order, double s, double l) {
   return ElementVector(12.0 * s - 6.0, l * (6.0 * s - 4.0), 6.0 - 12.0 * s, l * (6.0 * s - 2.0)) / (l * l);
 }
 
-// The degrees of freedom of an element, those of the clamp included.
+// The four degrees of freedom of an element; those at the clamp are zero.
 ElementVector element_values(const Eigen::VectorXd& q, int element) {
   ElementVector values = ElementVector::Zero();
   if (element == 0) {
@@ -189,7 +191,7 @@ Eigen::VectorXd nodal_values(const ExponentialSum& shape, const solver::BeamMode
   return values;
 }
 
-// int N q dx, and at the tip the moment and, in slip, the force that the motion implies.
+// int N q dx, plus the moment at the tip and, in slip, the force at the tip.
 Eigen::VectorXd implied_load(const Problem& problem, const solver::BeamModel& model) {
   const int elements = model.elements();
   const double l = problem.length / elements;
@@ -205,7 +207,7 @@ Eigen::VectorXd implied_load(const Problem& problem, const solver::BeamModel& mo
   return load;
 }
 
-// The L2 norm of a derivative of u_h - phi g.
+// The L2 norm of u_h - phi g or of one of its derivatives.
 double difference(const Problem& problem, const solver::BeamModel& model, const Eigen::VectorXd& q, double g,
                   int order) {
   const double l = problem.length / model.elements();
@@ -215,9 +217,10 @@ double difference(const Problem& problem, const solver::BeamModel& model, const 
   }));
 }
 
-// The finite-element system under a load p g(t), with the wall that the problem asks for. With friction the
-// law mu = mu_s exp(-alpha v_s) has to return tip_force() exp(-lambda t): N makes it fit at v_s = v_0, and
-// the wall runs ahead of the tip such that v_s = -(v_0 + lambda t/alpha) or its opposite.
+// The finite-element system under the load p g(t) with the wall of the problem. With friction, the law mu =
+// mu_s exp(-alpha v_s) must give the force tip_force() exp(-lambda t). The normal force N is chosen so that
+// this holds at v_s = v_0, and the wall moves relative to the tip such that v_s = -(v_0 + lambda t/alpha) or
+// the opposite sign.
 solver::ContactSystem contact_system(const Problem& problem, const solver::BeamModel& model,
                                      const Eigen::VectorXd& load) {
   const solver::PrescribedMotion none = solver::harmonic_motion(data::HarmonicExcitation({1.0, 0.0}));
@@ -231,7 +234,7 @@ solver::ContactSystem contact_system(const Problem& problem, const solver::BeamM
   system.load_history = [problem](double t) { return problem.history(0, t); };
   system.normal_force = 0.0;
   const double direction = problem.tip == ManufacturedTip::friction && force > 0.0 ? 1.0 : -1.0;
-  double speed = 0.0, acceleration = 0.0;  // of the wall past the tip
+  double speed = 0.0, acceleration = 0.0;  // of the wall relative to the tip
   if (problem.tip == ManufacturedTip::slip) speed = far_wall_speed;
   if (problem.tip == ManufacturedTip::friction) {
     speed = slowest_sliding;
@@ -271,7 +274,7 @@ EndOfRun run(const Problem& problem, const solver::BeamModel& model, const Eigen
   return {integrator.displacement(), integrator.velocity(), integrator.friction_force()};
 }
 
-// K + s M (and the damping, whose d/dt is -lambda) of the state.
+// K + s M of the state. The damping is included, because d/dt is -lambda for the decaying motion.
 Eigen::MatrixXd dynamic_stiffness(const Problem& problem, const solver::BeamModel& model) {
   const double damped = problem.effective_rigidity() / problem.rigidity - 1.0;
   return Eigen::MatrixXd(model.slip_stiffness()) + damped * Eigen::MatrixXd(model.elastic_stiffness()) +
@@ -293,7 +296,7 @@ Eigen::VectorXd semi_discrete_shape(const Problem& problem, const solver::BeamMo
   return matrix.partialPivLu().solve(right_side);
 }
 
-// The matrix with the row and the column of the tip's deflection replaced by those of the identity.
+// The matrix with the row and the column of the tip deflection replaced by those of the identity matrix.
 Eigen::MatrixXd tip_held(const solver::BeamModel& model, const solver::SparseMatrix& sparse) {
   const Eigen::Index tip = model.tip_deflection();
   Eigen::MatrixXd matrix = sparse;
@@ -303,7 +306,8 @@ Eigen::MatrixXd tip_held(const solver::BeamModel& model, const solver::SparseMat
   return matrix;
 }
 
-// Natural frequencies squared and shapes of the mesh; in stick there is one more, of the held tip alone.
+// Squared natural frequencies and mode shapes of the mesh. In stick there is one additional pair for the held
+// tip.
 Eigen::EigenSolver<Eigen::MatrixXd> free_vibrations(const Problem& problem, const solver::BeamModel& model) {
   if (problem.tip == ManufacturedTip::stick)
     return Eigen::EigenSolver<Eigen::MatrixXd>(
@@ -312,16 +316,17 @@ Eigen::EigenSolver<Eigen::MatrixXd> free_vibrations(const Problem& problem, cons
       Eigen::MatrixXd(model.mass()).llt().solve(Eigen::MatrixXd(model.slip_stiffness())));
 }
 
-// The leading error in time of a motion cos(omega t) Q from rest.
+// The leading time-integration error of a motion Q cos(omega t) that starts at rest.
 Eigen::VectorXd leading_time_error(const Problem& problem, const solver::BeamModel& model,
                                    const Eigen::VectorXd& shape, double spectral_radius, double h) {
-  // Chung & Hulbert's weights once more: a prediction that took the solver's would share its mistakes.
+  // The parameters of Chung & Hulbert are computed here and not taken from the solver, to keep the prediction
+  // independent.
   const double r = spectral_radius, square = problem.rate * problem.rate;
   const double m = (2.0 - r) / (1.0 + r), f = 1.0 / (1.0 + r);  // 1 - alpha_m, 1 - alpha_f
   const double gamma = 0.5 + m - f, beta = 0.25 * (1.0 + m - f) * (1.0 + m - f);
   const double k_a = 0.5 * m - m * f + 0.5 * f * f - 1.0 / 6.0 + 0.5 * gamma - beta;
   const double k_b = 0.5 * f * (1.0 - f);
-  // In stick only the deviation from the static shape is integrated, and the tip has none.
+  // In stick only the deviation from the static shape is integrated. This deviation is zero at the tip.
   Eigen::VectorXd moving = shape;
   if (problem.tip == ManufacturedTip::stick)
     moving -= shape[model.tip_deflection()] * model.unit_tip_deflection();
@@ -337,8 +342,8 @@ Eigen::VectorXd leading_time_error(const Problem& problem, const solver::BeamMod
   return (vectors * shares).real();
 }
 
-// r with f_d = r . q + what does not depend on q, in stick: the tip's row of K_slip, and what the inertia of
-// the free degrees of freedom hands on.
+// The row r of f_d = r . q + (terms without q) in stick: the tip's row of K_slip, and the contribution of the
+// inertia of the free degrees of freedom.
 Eigen::VectorXd holding_row(const solver::BeamModel& model) {
   const Eigen::Index tip = model.tip_deflection();
   Eigen::VectorXd coupling = model.mass().col(tip);
@@ -347,7 +352,7 @@ Eigen::VectorXd holding_row(const solver::BeamModel& model) {
          model.stick_stiffness().transpose() * tip_held(model, model.mass()).llt().solve(coupling);
 }
 
-// PredictedErrors::floor.
+// The estimate described at PredictedErrors::floor.
 double round_off_floor(int steps, int elements, int order, double exact) {
   return std::numeric_limits<double>::epsilon() * (std::sqrt(steps) + 12.0 * std::pow(elements, order)) *
          std::abs(exact);
@@ -372,7 +377,8 @@ ManufacturedSpaceErrors manufactured_space_errors(const data::Beam& beam, Manufa
     });
   };
   const auto square = [&](int order) { return product(phi, order, phi, order); };
-  // Squares of what the nodal error has of each norm, mixed terms with u - Iu included, over (l^4/720)^2.
+  // Squares of the contribution of the nodal error to each norm, in units of (l^4/720)^2. The mixed terms
+  // with u - Iu are included.
   const double nodal_deflection =
       product(nodal_error, 0, nodal_error, 0) - 2.0 * product(nodal_error, 0, phi, 4);
   const double nodal_slope = product(nodal_error, 1, nodal_error, 1) + 2.0 * product(nodal_error, 2, phi, 4);
@@ -391,7 +397,8 @@ ManufacturedSpaceErrors manufactured_space_errors(const data::Beam& beam, Manufa
     const solver::BeamModel model(problem.beam, n);
     const Eigen::VectorXd load = implied_load(problem, model);
     const Eigen::VectorXd shape = semi_discrete_shape(problem, model, load);
-    // Short enough for shares of the order of 1e-3; the force has more of the high modes.
+    // The steps are short enough for a temporal share of about 1e-3. The force contains more of the high
+    // modes.
     const int steps = (tip == ManufacturedTip::stick ? 320 : 160) * n * n;
     const EndOfRun end = run(problem, model, load, shape, space_spectral_radius, steps);
     study.element_length.push_back(l);

@@ -1,17 +1,17 @@
 #pragma once
 
 /// Manufactured solutions: a motion u(x,t) = phi(x) g(t) is chosen, the load and the tip force that it
-/// implies are applied, and the finite elements have to return it. With D = EI and g_tt = s g the load is
+/// requires are applied, and the finite elements must reproduce it. With D = EI and g_tt = s g the load is
 ///
-///     q = rho A u_tt + (1 + eta d/dt) D u'''' + P u'',
+///     q = rho A u_tt + (1 + eta d/dt) D u'''' + P u''.
 ///
-/// integrated with the shape functions by Gauss quadrature; at the tip the bending moment D u''(L) and, in
-/// slip, the force -D u'''(L) are applied (the follower force takes P u' along). In stick the wall moves the
-/// tip by u(L,t), and the force -D u'''(L) has to come back as the friction force.
+/// It is integrated with the shape functions by Gauss quadrature. The bending moment D u''(L) and, in slip,
+/// the force -D u'''(L) are applied at the tip; the follower force already contributes P u'. In stick the
+/// wall moves the tip by u(L,t), and the friction force must be -D u'''(L).
 ///
 ///     phi = A sin^2(a x/L) exp(b x/L),   phi(0) = phi'(0) = 0,
 ///
-/// is no polynomial, and no derivative of it vanishes at the tip.
+/// is not a polynomial, and none of its derivatives that are used here vanishes at the tip.
 
 #include <optional>
 #include <vector>
@@ -23,86 +23,96 @@ namespace stickslip::studies {
 
 enum class ManufacturedTip {
   stick,    ///< held by a moving wall; g = cos(omega t)
-  slip,     ///< free, with the implied force as a load; g = cos(omega t)
-  friction  ///< free, the implied force is that of the friction law; g = exp(-lambda t), with damping
+  slip,     ///< free, with the required tip force as a load; g = cos(omega t)
+  friction  ///< free, the required tip force is that of the friction law; g = exp(-lambda t), with damping
 };
 
-/// Errors over a sequence of levels, with what theory predicts for each of them where it does.
+/// Errors over a sequence of levels, with the predicted error of each level where theory gives one.
 struct PredictedErrors {
   std::vector<double> error;
-  std::vector<double> predicted;  ///< leading term; empty where there is none
-  /// Of round-off, about eps (sqrt(n) + 12 N^k) times the exact quantity: the roundings of n steps add up as
-  /// random ones do, and on N elements the k-th derivative of the deflection multiplies by 12 N^k what the
-  /// last one leaves at the nodes.
+  std::vector<double> predicted;  ///< leading term; empty if there is no prediction
+  /// Estimated round-off error, about eps (sqrt(n) + 12 N^k) times the exact quantity. The rounding errors of
+  /// n steps add up like random ones, and on N elements the k-th derivative of the deflection multiplies the
+  /// nodal rounding error by 12 N^k.
   std::vector<double> floor;
   OrderEstimate order;
 };
 
-/// Errors in space at one instant, against the exact motion, in steps of time whose error is far smaller. The
-/// run starts on the semi-discrete solution, so that no free vibration of the size of the error comes on top.
+/// Spatial errors at one instant against the exact motion. The time steps are so short that their error is
+/// far smaller. The run starts on the semi-discrete solution, so that it excites no additional free
+/// vibration.
 ///
-/// Interpolation by cubic Hermite elements of length l leaves ||u - Iu|| = l^4/sqrt(9!) ||u''''||, its first
-/// derivative l^3/sqrt(30240) and its second l^2/sqrt(720) of the same. The elements return Iu but for
-/// l^4/720 E, where E is the weak solution of
+/// Interpolation by cubic Hermite elements of length l has the L2 errors
+///
+///     ||u - Iu|| = l^4/sqrt(9!) ||u''''||,   ||(u - Iu)'|| = l^3/sqrt(30240) ||u''''||,
+///     ||(u - Iu)''|| = l^2/sqrt(720) ||u''''||.
+///
+/// The finite-element solution differs from Iu by l^4/720 E, where E is the weak solution of
 ///
 ///     B(E, v) = int u'''' (P v'' + rho A s v) dx,
 ///     B(u, v) = int (D u'' v'' - P u' v' + rho A s u v) dx + P u'(L) v(L),
 ///
-/// since l^4/720 u'''' is the mean of u - Iu over an element. That enters the deflection, moves the tip by
-/// l^4/720 E(L) in slip and the friction force in stick by l^4/720 (P u^(5) - D E''')(L).
+/// since l^4/720 u'''' is the mean of u - Iu over an element. This term changes the deflection, moves the tip
+/// by l^4/720 E(L) in slip, and changes the friction force in stick by l^4/720 (P u^(5) - D E''')(L).
 struct ManufacturedSpaceErrors {
   ManufacturedTip tip{};
   double load_factor{};  ///< P L^2/EI
   std::vector<int> elements;
   std::vector<double> element_length;  ///< m
-  /// Relative, behind the leading term: l^2/24 (||phi_6||/||phi_4|| + (||phi_5||/||phi_4||)^2).
+  /// Size of the next term relative to the leading term: l^2/24 (||phi_6||/||phi_4|| +
+  /// (||phi_5||/||phi_4||)^2).
   std::vector<double> next_term;
-  std::vector<double> nodal_share_of_slope;  ///< of the predicted slope error: what E adds, falls as l^2
+  std::vector<double> nodal_share_of_slope;  ///< share of E in the predicted slope error; proportional to l^2
   PredictedErrors deflection;                ///< L2 norm of u_h - u, m^(3/2)
   PredictedErrors slope;                     ///< of its first derivative
-  PredictedErrors curvature;  ///< of its second derivative; predicted with the term behind the leading one
+  PredictedErrors curvature;       ///< of its second derivative; the prediction includes the next term
   PredictedErrors tip_deflection;  ///< slip and friction, m; empty in stick
-  PredictedErrors force;           ///< f_d, stick and friction, N; empty in slip, no prediction with friction
-  std::vector<double> temporal_share;  ///< predicted, of the predicted deflection error; empty with friction
-  std::vector<double> temporal_share_of_force;  ///< the same of the force; stick
-  /// With friction: by how much a deviation of the tip changes f_d, alpha lambda |f_d|, over 3 EI/L^3.
+  PredictedErrors force;           ///< f_d, N; empty in slip, no prediction with friction
+  std::vector<double>
+      temporal_share;  ///< predicted, over the predicted deflection error; empty with friction
+  std::vector<double> temporal_share_of_force;  ///< the same for the force; in stick only
+  /// With friction: the change of f_d with a deviation of the tip, alpha lambda |f_d|, over 3 EI/L^3.
   std::optional<double> friction_coupling;
 };
 
-/// Errors in time against the semi-discrete manufactured problem on one mesh: the nodal values of phi times g
-/// are its exact solution, so that nothing of the mesh enters.
+/// Temporal errors against the semi-discrete manufactured problem on one mesh. Its exact solution is the
+/// vector of the nodal values of phi times g, so that the spatial error does not enter.
 ///
-/// Up to h^4 generalised-alpha solves M (1 + k_A h^2 d^2/dt^2) q_tt + K (1 + k_B h^2 d^2/dt^2) q = F, with
-/// m = 1 - alpha_m, f = 1 - alpha_f
+/// Up to terms of order h^4, generalised-alpha with m = 1 - alpha_m and f = 1 - alpha_f solves
 ///
-///     k_A = m/2 - m f + f^2/2 - 1/6 + gamma/2 - beta,   k_B = f (1 - f)/2,
+///     M (1 + k_A h^2 d^2/dt^2) q_tt + K (1 + k_B h^2 d^2/dt^2) q = F,
+///     k_A = m/2 - m f + f^2/2 - 1/6 + gamma/2 - beta,   k_B = f (1 - f)/2
 ///
-/// (f_d comes from the balance at t_n). A motion cos(omega t) Q that starts at rest is off by
-/// (k_A omega^2 - k_B omega_n^2) omega^2 h^2/(omega_n^2 - omega^2) (cos(omega_n t) - cos(omega t)) of its
-/// share of every mode.
+/// (f_d comes from the balance at t_n). The error of a motion Q cos(omega t) that starts at rest is, for its
+/// share of each mode,
+///
+///     (k_A omega^2 - k_B omega_n^2) omega^2 h^2/(omega_n^2 - omega^2) (cos(omega_n t) - cos(omega t)).
 struct ManufacturedTimeErrors {
   ManufacturedTip tip{};
   double load_factor{};
   double spectral_radius{};
   std::vector<double> time_step;  ///< s
-  /// Relative, behind the leading one, 2 d w h + w T (w h)^2/24 over the time T: d = (1 - r)/(1 + r)
-  /// dissipates by the next power of h, and the phase error drifts. With the second natural frequency for w.
+  /// Size of the next term relative to the leading term, 2 d w h + w T (w h)^2/24 over the duration T. d = (1
+  /// - r)/(1 + r) is the numerical dissipation, which enters with the next power of h, and the second summand
+  /// is the drift of the phase error. w is the second natural frequency.
   std::vector<double> next_term;
-  std::vector<double> next_term_of_all_modes;  ///< with the highest one
+  std::vector<double> next_term_of_all_modes;  ///< the same with the highest natural frequency for w
   PredictedErrors displacement;  ///< L2 norm of the deflection, m^(3/2); no prediction with friction
   PredictedErrors velocity;      ///< L2 norm, m^(3/2)/s; no prediction
   PredictedErrors force;         ///< f_d, N; empty in slip, no prediction with friction
 };
 
+/// Spatial errors of one problem with P = load_factor EI/L^2 on meshes with the given numbers of elements.
 [[nodiscard]] ManufacturedSpaceErrors manufactured_space_errors(const data::Beam& beam, ManufacturedTip tip,
                                                                 double load_factor,
                                                                 const std::vector<int>& elements);
 
+/// Temporal errors of one problem with P = load_factor EI/L^2 for the given numbers of steps.
 [[nodiscard]] ManufacturedTimeErrors manufactured_time_errors(const data::Beam& beam, ManufacturedTip tip,
                                                               double load_factor, double spectral_radius,
                                                               const std::vector<int>& steps);
 
-/// Both, for the report.
+/// Spatial and temporal errors of the problems that the report shows.
 struct ManufacturedSolutionStudy {
   std::vector<ManufacturedSpaceErrors> space;
   std::vector<ManufacturedTimeErrors> time;

@@ -10,9 +10,10 @@ namespace {
 using solver::ContactEvent;
 using solver::ContactScheme;
 
-constexpr double last_plateau = 0.2;  // s, its beginning
+constexpr double last_plateau = 0.2;  // s, latest begin of a plateau
 
-// In the coordinates of the solver the wall moves by -h: a contact's position on it is y(L).
+// In the frame of the base, which the solver uses, the wall moves by -h. The position of the contact on the
+// wall is therefore y(L).
 std::vector<Plateau> plateaus_of(const std::vector<ContactEvent>& events, double end_time) {
   std::vector<Plateau> plateaus;
   for (std::size_t i = 0; i < events.size() && events[i].time <= last_plateau; ++i) {

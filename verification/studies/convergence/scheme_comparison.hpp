@@ -6,34 +6,34 @@
 
 #include "stickslip/data/problem.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
-#include "stickslip/solver/energy_balance.hpp"
+#include "stickslip/solver/energy_books.hpp"
 
 namespace stickslip::studies {
 
-/// The shortest stick phase that counts as a plateau, s.
+/// The shortest stick phase (s) that counts as a plateau.
 inline constexpr double shortest_plateau = 2e-3;
 
-/// A stick phase after a slip.
+/// A stick phase after a slip phase.
 struct Plateau {
   double begin{}, end{};      ///< s
   double tip_displacement{};  ///< y(L), m
 };
 
-/// What one contact scheme makes of a beam.
+/// The result of one contact scheme.
 struct SchemeRun {
   solver::ContactScheme scheme{};
   std::optional<double> first_slip;                ///< s
-  std::size_t events{};                            ///< changes of the contact
-  std::vector<Plateau> plateaus;                   ///< of at least shortest_plateau that begin within 0.2 s
+  std::size_t events{};                            ///< number of changes of the contact state
+  std::vector<Plateau> plateaus;                   ///< at least shortest_plateau long, begin within 0.2 s
   double largest_tip_displacement{};               ///< max |y(L)| over the steps, m
   solver::EnergyBalance energy;                    ///< at the end
-  [[nodiscard]] double relative_residual() const;  ///< energy.residual() over the base work
+  [[nodiscard]] double relative_residual() const;  ///< energy.residual() over the work of the base
 };
 
-/// The same beam over numerics.duration() by the scheme with located changes, by that without location and by
-/// the letter of the paper's Sects. 2 and 3 (its reference [18], Won & Chung, J. Sound Vib. 419, 42-62, 2018,
-/// which explains the rule of switching, is not at hand), in this order, each with its energy balance. Throws
-/// what BeamSimulation throws.
+/// Runs the same beam over numerics.duration() by three schemes in this order: with located changes, with
+/// changes at the end of the step, and exactly as Sects. 2 and 3 of the paper describe. The rule of switching
+/// in the paper's reference [18] (Won & Chung, J. Sound Vib. 419, 42-62, 2018) is not available. Each run has
+/// its energy balance. Throws what BeamSimulation throws.
 [[nodiscard]] std::vector<SchemeRun> compare_schemes(const data::Beam& beam,
                                                      const data::FrictionLaw& friction,
                                                      const data::HarmonicExcitation& excitation,

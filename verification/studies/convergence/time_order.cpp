@@ -15,8 +15,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// Two masses in a chain from a fixed point, damped, m = diag(2, 1) kg; load on both; excitation at 3 rad/s.
-// The wall of the held contact moves by 0.1 sin(3 t) m.
+// A damped chain of two masses attached to a fixed point, with a harmonic load on both at 3 rad/s. The wall
+// of the held contact moves by 0.1 sin(3 t) m.
 constexpr double omega = 3.0;
 constexpr double wall_amplitude = 0.1;
 
@@ -34,8 +34,8 @@ struct Chain {
 
 solver::SparseMatrix sparse(const Eigen::Matrix2d& matrix) { return Eigen::MatrixXd(matrix).sparseView(); }
 
-// A free contact stays on one side of the friction law: the wall runs ahead of it, so that its velocity never
-// changes sign, at which the integrator would stop.
+// For a free contact the wall moves ahead of it, so that the sliding velocity never changes sign. The
+// integrator would stop at a change of sign.
 solver::PrescribedMotion wall_motion(bool held) {
   if (!held)
     return {.displacement = [](double t) { return 100.0 * t; },
@@ -59,7 +59,7 @@ solver::ContactSystem contact_system(const Chain& chain, bool held) {
           .friction = data::FrictionLaw({})};
 }
 
-// Complex amplitudes: a quantity is the imaginary part of amplitude * exp(i omega t).
+// Complex amplitudes: a quantity is the imaginary part of amplitude exp(i omega t).
 struct ExactSteadyState {
   Eigen::Vector2cd displacement;
   Complex reaction;
@@ -76,12 +76,13 @@ ExactSteadyState held_steady_state(const Chain& chain) {
           z(1, 0) * first + z(1, 1) * wall_amplitude - chain.load[1]};
 }
 
-// What generalised-alpha makes of M a + C v + K q = Im[F exp(i omega t)] in the steady state: V and Q.
+// The steady state that generalised-alpha computes for M a + C v + K q = Im[F exp(i omega t)]: amplitudes Q
+// and V.
 struct Vibration {
   Eigen::VectorXcd displacement, velocity;
 };
 
-// The published weights of the old state, not those that the solver computes.
+// The weights of the old state as published (Chung & Hulbert 1993), not those that the solver computes.
 struct Weights {
   explicit Weights(double spectral_radius)
       : alpha_m((2.0 * spectral_radius - 1.0) / (spectral_radius + 1.0)),
@@ -94,9 +95,13 @@ struct Oscillators {
   Eigen::VectorXcd load;
 };
 
-// At a finite step (Chung & Hulbert 1993): with E = exp(i omega h), q_n = Q E^n and so on, V (E - 1) = h A (1
-// - gamma + gamma E), Q (E - 1) = h V + h^2 A (1/2 - beta + beta E), the balance at the alpha levels, the
-// load at t_n + (1 - alpha_f) h.
+// The steady state of the method at a finite step (Chung & Hulbert 1993). With E = exp(i omega h), q_n = Q
+// E^n, and the same for v and a:
+//
+//     V (E - 1) = h A (1 - gamma + gamma E),
+//     Q (E - 1) = h V + h^2 A (1/2 - beta + beta E).
+//
+// The balance holds at the alpha levels, with the load at t_n + (1 - alpha_f) h.
 Vibration stepped(const Oscillators& system, double spectral_radius, double h) {
   const auto [am, af] = Weights(spectral_radius);
   const double gamma = 0.5 - am + af, beta = 0.25 * std::pow(1.0 - am + af, 2);
@@ -111,9 +116,11 @@ Vibration stepped(const Oscillators& system, double spectral_radius, double h) {
   return {displacement * acceleration, velocity * acceleration};
 }
 
-// The error over h^2 as h goes to zero, from the equations that the method solves up to h^4
-// (discretisation.hpp): V = i omega Q (1 + k_1 (omega h)^2), i omega M V (1 + k_2 (omega h)^2) + C V + K Q =
-// F (1 + k_3 (omega h)^2).
+// The limit of error/h^2 for h -> 0, from the equations that the method solves up to h^4
+// (discretisation.hpp):
+//
+//     V = i omega Q (1 + k_1 (omega h)^2),
+//     i omega M V (1 + k_2 (omega h)^2) + C V + K Q = F (1 + k_3 (omega h)^2).
 Vibration leading_error(const Oscillators& system, double spectral_radius) {
   const auto [am, af] = Weights(spectral_radius);
   const double d = af - am;
@@ -130,8 +137,9 @@ Vibration leading_error(const Oscillators& system, double spectral_radius) {
   return {displacement, rate * (displacement + k_1 * omega * omega * exact)};
 }
 
-// Both masses, free; and the first one's deviation from the static shape sigma of the wall's motion, whose
-// inertia and damping belong to the load.
+// The free chain has both masses as unknowns. The held chain has one unknown: the deviation of the first mass
+// from its static shape under the motion of the wall. The inertia and damping of that shape are part of the
+// load.
 Oscillators free_oscillators(const Chain& chain) {
   return {chain.mass, chain.damping, chain.stiffness, chain.load};
 }
@@ -145,7 +153,7 @@ Oscillators held_oscillator(const Chain& chain) {
           chain.stiffness.topLeftCorner(1, 1), load.head(1)};
 }
 
-// Of the reaction, formed with the acceleration that the balance of the first mass has at its q and v.
+// Error of the reaction. The acceleration follows from the balance of the first mass with its q and v.
 double reaction_error(const Chain& chain, Complex displacement, Complex velocity) {
   const Complex force = chain.damping(0, 0) * velocity + chain.stiffness(0, 0) * displacement;
   return std::abs(chain.damping(1, 0) * velocity + chain.stiffness(1, 0) * displacement -
@@ -158,11 +166,11 @@ struct Errors {
   double displacement{}, velocity{}, reaction{};
 };
 
-// Free vibrations decay by exp(-0.0955 t) at least, half the least eigenvalue of M^-1 C.
+// Free vibrations decay at least as fast as exp(-0.0955 t); 0.0955 is half the smallest eigenvalue of M^-1 C.
 constexpr int periods_of_decay = 80;
 
-// Starts on the exact steady state and compares over a period when the difference to the method's own has
-// decayed, by e^16.
+// The run starts on the exact steady state. The errors are taken over one period, after the initial
+// difference from the steady state of the method has decayed by the factor e^16.
 Errors errors_over_a_period(const Chain& chain, bool held, double spectral_radius, int steps_per_period) {
   const double h = 2.0 * std::numbers::pi / omega / steps_per_period;
   solver::ContactSystem system = contact_system(chain, held);

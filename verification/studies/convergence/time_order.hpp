@@ -6,12 +6,14 @@
 
 namespace stickslip::studies {
 
-/// Order of generalised-alpha on a damped two-mass chain under a harmonic load, whose second mass is the
-/// contact: free (slip without friction) for displacement and velocity, held by a moving wall (stick) for the
-/// reaction. Errors are sup-norm differences from the exact steady state over a period, when free vibrations
-/// have decayed by e^16; steps_per_period samples miss at most (pi/steps_per_period)^2/2 of the largest.
-/// Predicted are those of the method's own steady state, exactly (its equations solved at one frequency), and
-/// their leading terms constant * h^2.
+/// Observed order of generalised-alpha for a damped chain of two masses under a harmonic load. The second
+/// mass is the contact: it is free (slip without friction) for displacement and velocity, and held by a
+/// moving wall (stick) for the reaction.
+///
+/// Errors are the largest differences from the exact steady state over one period, after free vibrations have
+/// decayed by the factor e^16. With n samples per period, sampling underestimates the maximum by at most the
+/// fraction (pi/n)^2/2. The predicted errors follow from the equations of the method solved at the load
+/// frequency. Their leading terms are constant * h^2.
 struct TimeOrderStudy {
   double spectral_radius{};
   std::vector<double> time_step;  ///< s
@@ -21,6 +23,7 @@ struct TimeOrderStudy {
   OrderEstimate displacement_order, velocity_order, reaction_order;
 };
 
+/// Runs the study for each number of steps per period.
 [[nodiscard]] TimeOrderStudy time_order_study(double spectral_radius,
                                               const std::vector<int>& steps_per_period);
 
