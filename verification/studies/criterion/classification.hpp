@@ -7,21 +7,22 @@
 
 namespace stickslip::studies {
 
-/// One excitation of Fig. 12.
+/// One excitation (frequency and amplitude) of Fig. 12.
 struct ClassifiedPoint {
   double frequency_hz{};
   double amplitude{};           ///< m
   bool closed_form_slips{};     ///< |f_max| > mu_s P by Eq. (28), N modes
   bool finite_element_slips{};  ///< the tip slipped in a run with contact
-  bool in_guard_band{};         ///< amplitude within the predicted error of the critical one
+  bool in_guard_band{};         ///< the amplitude is within the predicted error of the critical one
 };
 
-/// One frequency of Fig. 12, with the errors that make the guard band.
+/// One frequency of Fig. 12 with the predicted errors that define the guard band.
 struct ClassifiedFrequency {
   double frequency_hz{};
   double critical_amplitude{};         ///< closed form, N modes, m
-  double relative_truncation_error{};  ///< |f_max| of N modes against the converged one
-  /// Predicted: |f_max| of PredictedForce against the converged one, plus the uncertainty of that prediction.
+  double relative_truncation_error{};  ///< of |f_max| with N modes, against the converged one
+  /// Predicted error of |f_max| by finite elements against the converged value, plus the uncertainty of that
+  /// prediction.
   double relative_discretisation_error{};
   [[nodiscard]] double relative_guard() const {
     return relative_truncation_error + relative_discretisation_error;
@@ -31,14 +32,14 @@ struct ClassifiedFrequency {
 struct ClassificationStudy {
   std::vector<ClassifiedFrequency> frequencies;
   std::vector<ClassifiedPoint> points;
-  int agreeing{};  ///< points on which both say the same
+  int agreeing{};  ///< number of points on which both implementations agree
   int in_guard_band{};
-  int disagreeing_outside{};  ///< must be zero
+  int disagreeing_outside{};  ///< disagreeing points outside the guard band; must be 0
 };
 
-/// Runs both implementations on the grid; each finite-element point is a run of its own with the contact,
-/// ended at its first slip. Uses thread_count() threads; the result does not depend on that. `progress`, if
-/// given, is told the share done.
+/// Classifies each point of the grid by both implementations. For finite elements each point is a separate
+/// run with contact, which ends at its first slip. Uses thread_count() threads; the result does not depend on
+/// their number. `progress`, if given, receives the completed fraction.
 [[nodiscard]] ClassificationStudy classification_study(const data::Beam& beam,
                                                        const data::FrictionLaw& friction,
                                                        const data::NumericalSettings& numerics,
@@ -46,7 +47,8 @@ struct ClassificationStudy {
                                                        const std::vector<double>& amplitudes,
                                                        const std::function<void(double)>& progress = {});
 
-/// The grid of Fig. 12: 5 to 120 Hz by 5 Hz, 0.05 to 1 mm by 0.05 mm.
+/// The frequencies (Hz) and amplitudes (m) of Fig. 12: 5 to 120 Hz in steps of 5 Hz, 0.05 to 1 mm in steps of
+/// 0.05 mm.
 [[nodiscard]] std::vector<double> figure12_frequencies();
 [[nodiscard]] std::vector<double> figure12_amplitudes();
 

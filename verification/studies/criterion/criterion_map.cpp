@@ -20,7 +20,7 @@ namespace stickslip::studies {
 
 namespace {
 
-// |f_max| is proportional to the amplitude, mu_s P to the static coefficient.
+// |f_max| is proportional to the amplitude, and the friction limit mu_s P to the static coefficient.
 bool is_a_factor(Parameter parameter) {
   return parameter == Parameter::amplitude || parameter == Parameter::static_coefficient;
 }
@@ -30,17 +30,17 @@ bool moves_the_buckling_load_ratio(Parameter parameter) {
          parameter == Parameter::youngs_modulus;
 }
 
-// Whether some cells of the map may have no stick state, and others one.
+// Whether the beam may be buckled in some cells of the map and not in others.
 bool may_buckle(const MapTask& task) {
   return moves_the_buckling_load_ratio(task.x.parameter) || moves_the_buckling_load_ratio(task.y.parameter);
 }
 
-// How many values of an axis need an evaluation of their own.
+// How many values of an axis need separate evaluations of the force.
 std::size_t evaluations_along(const MapAxis& axis) {
   return is_a_factor(axis.parameter) ? 1 : axis.values.size();
 }
 
-// P L^2/EI, which the buckling load and the modes of the stick state depend on.
+// The load factor P L^2/EI, which determines the buckling state and the modes of the stick state.
 double load_factor(const data::Beam& beam, double axial_force) {
   return axial_force * beam.length() * beam.length() / (beam.youngs_modulus() * beam.second_moment_of_area());
 }
@@ -48,7 +48,7 @@ double load_factor(const data::Beam& beam) { return load_factor(beam, beam.axial
 
 bool is_buckled(const data::Beam& beam) { return beam.axial_force() >= analytic::stick_buckling_load(beam); }
 
-// Up to here finding the modes of a mesh once is cheaper than ten thousand steps in nodal coordinates.
+// Up to this size, one modal analysis of the mesh is cheaper than ten thousand steps in nodal coordinates.
 constexpr int most_modal_elements = 200;
 
 solver::Coordinates coordinates_for(const data::Case& problem) {
@@ -61,8 +61,8 @@ data::Case case_at(const MapTask& task, std::size_t i, std::size_t j) {
                     task.y.values[j]);
 }
 
-// |f_max| at the points of one map. All its modes are read from a table, or found once where the beam is the
-// same everywhere: which does not depend on the points that are asked for.
+// |f_max| at the points of one map. The modes are interpolated in a table, or computed once if all points
+// have the same beam. The modes therefore do not depend on which points are evaluated.
 class Forces {
  public:
   explicit Forces(const MapTask& task) : method_(task.method), modes_(task.problem.numerics.modes()) {
@@ -81,7 +81,7 @@ class Forces {
       common_ = analytic::modal_reaction(case_at(task, 0, 0).beam, modes_);
   }
 
-  // Per metre of amplitude, N/m.
+  // |f_max| per metre of amplitude, N/m.
   [[nodiscard]] analytic::Bounds unit_force(const data::Case& problem) const {
     if (method_ == MapMethod::closed_form) return search(problem).refined_to();
     const data::HarmonicExcitation unit(
@@ -91,7 +91,7 @@ class Forces {
     return {force, force};
   }
 
-  // Whether the tip slips, which takes less than the force where that is far from the limit.
+  // Whether the tip slips. Far from the friction limit this needs less work than the force itself.
   [[nodiscard]] bool slips(const data::Case& problem) const {
     const double limit = problem.friction.static_coefficient() * problem.beam.axial_force();
     const double amplitude = problem.excitation.amplitude();
@@ -103,7 +103,7 @@ class Forces {
  private:
   static std::array<std::size_t, 2> ends_of(const MapAxis& axis) { return {0, axis.values.size() - 1}; }
 
-  // The same for all beams; the first mode still has a digit or two there.
+  // The same load factor for all beams. The first mode still has one or two correct digits there.
   static double just_below_buckling(const data::Beam& beam) {
     return load_factor(beam, analytic::stick_buckling_load(beam)) * (1.0 - 1e-12);
   }
@@ -122,7 +122,7 @@ class Forces {
   std::optional<analytic::ModalReactionTable> table_;
 };
 
-// What |f_max| per metre is compared by.
+// The quantities of a cell that |f_max| per metre of amplitude is compared with.
 struct Factors {
   double amplitude{}, static_coefficient{}, axial_force{};
 
@@ -139,7 +139,7 @@ void complete(CriterionMap::Cell& cell, const MapEvaluation& evaluation, const F
   if (!evaluation.unit_force) return;
   const double limit = factors.static_coefficient * factors.axial_force;
   const double ratio = factors.amplitude * evaluation.unit_force->midpoint() / limit;
-  if (!std::isfinite(ratio)) throw std::runtime_error("a force ratio of the map is too large to be told");
+  if (!std::isfinite(ratio)) throw std::runtime_error("a force ratio of the map is too large for a double");
   if (!states_only) cell.force_ratio = ratio;
   if (factors.amplitude * evaluation.unit_force->lower > limit) cell.state = CellState::stick_slip;
 }
@@ -170,10 +170,10 @@ std::size_t evaluation_count(const MapTask& task) {
 std::vector<std::size_t> share_of(std::size_t evaluations, std::size_t part, std::size_t parts) {
   if (part < 1 || part > parts)
     throw std::invalid_argument("the part is " + std::to_string(part) + " of " + std::to_string(parts) +
-                                ", but must be from 1 to as many as there are");
+                                ", but must be from 1 to the number of parts");
   std::vector<std::size_t> share;
   for (std::size_t round = 0; round * parts < evaluations; ++round) {
-    // Multiples of the golden ratio fill a circle evenly, however many are taken.
+    // Multiples of the golden ratio, modulo 1, are evenly distributed for any number of rounds.
     const double turn = std::fmod(static_cast<double>(round) * std::numbers::phi, 1.0);
     const auto shift = static_cast<std::size_t>(turn * static_cast<double>(parts));
     const std::size_t number = round * parts + (part - 1 + shift) % parts;
@@ -186,8 +186,8 @@ void evaluate(const MapTask& task, std::span<const std::size_t> numbers, MapEval
               const std::function<void(std::span<const std::size_t>)>& settled) {
   const std::size_t columns = evaluations_along(task.x);
   if (evaluations.size() != evaluation_count(task))
-    throw std::invalid_argument("there is room for " + std::to_string(evaluations.size()) +
-                                " evaluations of the map, but must be for " +
+    throw std::invalid_argument("the vector of evaluations has the size " +
+                                std::to_string(evaluations.size()) + ", but must have the size " +
                                 std::to_string(evaluation_count(task)));
   const bool may_be_buckled = may_buckle(task);
   const bool decide_only =

@@ -19,15 +19,18 @@ namespace stickslip::studies {
 
 namespace {
 
-constexpr double undecided = 1e-4;  // relative width at which a force still at the limit counts as above
-constexpr double spacing = 0.01;    // of neighbouring values, relative
-constexpr double relative_accuracy = 1e-5;  // of the ends of intervals, of the larger end of the range
-constexpr double last_share = 1.0 / 16.0;   // of that accuracy, which intervals are bisected to
+// Relative width of the bounds below which an undecided force counts as above the limit.
+constexpr double undecided = 1e-4;
+constexpr double spacing = 0.01;  // relative distance of neighbouring values
+// Of the ends of intervals, relative to the upper end of the range.
+constexpr double relative_accuracy = 1e-5;
+constexpr double last_share = 1.0 / 16.0;  // of that accuracy, at which the bisection of intervals ends
 constexpr double below_buckling = 1.0 - 1e-6;
 
-void require_shaking(const data::Case& problem) {
+void require_excitation(const data::Case& problem) {
   if (problem.excitation.amplitude() > 0.0) return;
-  throw data::FieldError(field_of(Parameter::amplitude), "0", "above 0 (m): at rest nothing slips");
+  throw data::FieldError(field_of(Parameter::amplitude), "0",
+                         "above 0 (m): without excitation nothing slips");
 }
 
 double friction_limit(const data::Case& problem) {
@@ -38,7 +41,7 @@ analytic::BandMaximum search_of(const data::Case& problem, const analytic::Frequ
   return {problem.beam, band, problem.numerics.duration(), problem.numerics.modes()};
 }
 
-// One value of the parameter, with what is known of the force there.
+// One value of the parameter with the bounds of the force that are known there.
 class Candidate {
  public:
   Candidate(const data::Case& problem, Parameter parameter, double value, const analytic::FrequencyBand& band)
@@ -48,7 +51,7 @@ class Candidate {
   [[nodiscard]] double limit() const { return limit_; }  // mu_s P/A0, N/m
   [[nodiscard]] const std::vector<analytic::ModalForce>& modes() const { return modes_; }
 
-  // Whether |f_max| stays `reserve` (N/m) below the limit throughout the band.
+  // Whether |f_max| per metre of amplitude is at least `reserve` (N/m) below the limit over the whole band.
   [[nodiscard]] bool sticks(double reserve = 0.0) {
     const double target = limit_ - reserve;
     return target > 0.0 && search_.refined_against(target, undecided).upper <= target;
@@ -67,7 +70,7 @@ class Candidate {
   analytic::BandMaximum search_;
 };
 
-// The scan of one range for one band.
+// The scan of one range of the parameter for one band of frequencies.
 class Scan {
  public:
   Scan(const data::Case& problem, Parameter parameter, const analytic::FrequencyBand& band, double resolution)
@@ -75,7 +78,7 @@ class Scan {
 
   [[nodiscard]] Candidate at(double value) const { return {problem_, parameter_, value, band_}; }
 
-  // Intervals from `left` to `right`, appended in order.
+  // Appends the intervals from `left` to `right` in ascending order.
   void divide(Candidate left, Candidate right, std::vector<DesignInterval>& intervals) const {
     const bool left_sticks = left.sticks(), right_sticks = right.sticks();
     if (!left_sticks && !right_sticks) return append(left, right, false, intervals);
@@ -89,7 +92,7 @@ class Scan {
     divide(middle, std::move(right), intervals);
   }
 
-  // Where natural frequencies are at an end of the band, and values 1 % apart.
+  // Values at which a natural frequency is at an end of the band, and values at most 1 % apart.
   [[nodiscard]] std::vector<double> grid(const ParameterRange& range) const {
     std::vector<double> values{range.from};
     const int steps = static_cast<int>(std::ceil(std::log(range.to / range.from) / spacing));
@@ -109,7 +112,7 @@ class Scan {
     return analytic::stick_modes(with_value(problem_, parameter_, value).beam, mode).back().frequency_hz();
   }
 
-  // Natural frequencies fall with the length and with the axial force.
+  // Natural frequencies decrease with increasing length and with increasing axial force.
   [[nodiscard]] std::optional<double> value_at_resonance(const ParameterRange& range, int mode,
                                                          double hz) const {
     double low = range.from, high = range.to;
@@ -122,7 +125,8 @@ class Scan {
     return 0.5 * (low + high);
   }
 
-  // The estimate of design_scan() of what |f_max| exceeds its larger end by, N/m.
+  // The estimate R of design_scan(): how far |f_max| per metre of amplitude rises above its larger end value,
+  // N/m.
   [[nodiscard]] double rise_between(const Candidate& left, const Candidate& right) const {
     const double t = problem_.numerics.duration();
     const double a = two_pi * band_.from_hz, b = two_pi * band_.to_hz;
@@ -154,7 +158,7 @@ class Scan {
   double resolution_;
 };
 
-// Joins what is alike.
+// Joins neighbouring intervals with the same result.
 std::vector<DesignInterval> joined(const std::vector<std::vector<DesignInterval>>& parts) {
   std::vector<DesignInterval> intervals;
   for (const auto& part : parts)
@@ -178,7 +182,7 @@ BandMargin band_margin(const data::Case& problem, const analytic::FrequencyBand&
                        double relative_width) {
   analytic::require_contact(problem.beam);
   require_friction(problem);
-  require_shaking(problem);
+  require_excitation(problem);
   analytic::BandMaximum search = search_of(problem, band);
   const analytic::Bounds unit = search.refined_to(relative_width);
   const double amplitude = problem.excitation.amplitude(), limit = friction_limit(problem);
@@ -199,9 +203,9 @@ DesignScan design_scan(const data::Case& problem, Parameter parameter, const Par
   if (!(range.from > 0.0 && range.from < range.to))
     throw std::invalid_argument("the range of " + std::string(field_of(parameter)) + " is " +
                                 data::shortest_text(range.from) + " to " + data::shortest_text(range.to) +
-                                ", but must ascend from above 0");
+                                ", but both ends must be above 0 and ascending");
   require_friction(problem);
-  require_shaking(problem);
+  require_excitation(problem);
   const double buckling = buckling_value(problem, parameter);
   const double last = std::min(range.to, below_buckling * buckling);
   DesignScan result{.parameter = parameter, .accuracy = relative_accuracy * range.to, .intervals = {}};
@@ -226,9 +230,10 @@ ParameterRange range_below_buckling(const data::Case& problem, Parameter paramet
 double buckling_value(const data::Case& problem, Parameter parameter) {
   if (parameter == Parameter::axial_force) return analytic::stick_buckling_load(problem.beam);
   if (parameter != Parameter::length)
-    throw std::invalid_argument("a design varies beam.length or beam.axial_force, but not " +
+    throw std::invalid_argument("a design varies beam.length or beam.axial_force, not " +
                                 std::string(field_of(parameter)));
-  if (problem.beam.axial_force() <= 0.0) analytic::require_contact(problem.beam);  // says why not
+  // Throws with a message about the axial force.
+  if (problem.beam.axial_force() <= 0.0) analytic::require_contact(problem.beam);
   return buckling_length(problem.beam);
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
-/// The design guideline of Sect. 5: how far a beam is from slipping over a band of excitation frequencies,
-/// and which lengths and axial forces keep it from slipping. In closed form, with the amplitude, the modes
-/// and the duration of a case; its excitation frequency plays no part.
+/// The design guideline of Sect. 5 in closed form: the margin against slipping over a band of excitation
+/// frequencies, and the lengths and axial forces at which the beam does not slip. Amplitude, modes and
+/// duration are those of a case. The excitation frequency of the case is not used.
 
 #include <functional>
 #include <vector>
@@ -20,19 +20,22 @@ struct Resonance {
   double frequency_hz{};
 };
 
-/// How far the beam is from slipping in the worst place of the band.
+/// The margin against slipping at the worst frequency of the band.
 struct BandMargin {
-  analytic::Bounds force_max;         ///< largest |f_max| over the band, N; rigorous for the modes kept
-  double friction_limit{};            ///< mu_s P, N
-  analytic::Bounds margin;            ///< mu_s P / |f_max| = critical amplitude / amplitude; it slips below 1
-  double frequency_hz{};              ///< where force_max.lower is attained
-  int evaluations{};                  ///< frequencies at which |f_max| was computed
+  /// Largest |f_max| over the band, N; bounds for the modes that are kept.
+  analytic::Bounds force_max;
+  double friction_limit{};  ///< mu_s P, N
+  /// mu_s P / |f_max| = critical amplitude / amplitude; the beam slips below 1.
+  analytic::Bounds margin;
+  double frequency_hz{};              ///< frequency at which force_max.lower occurs
+  int evaluations{};                  ///< number of frequencies at which |f_max| was computed
   std::vector<Resonance> resonances;  ///< ascending
 };
 
-/// Searches the whole band, resonances included (analytic::BandMaximum), until the bounds of the force are
-/// `relative_width` apart. Throws std::domain_error, naming beam.axial_force, unless 0 < P < P_cr,
-/// data::FieldError for a case without amplitude or friction, and what BandMaximum throws.
+/// The margin over the whole band, resonances included (analytic::BandMaximum). The search ends when the
+/// bounds of the force are `relative_width` apart. Throws std::domain_error, naming beam.axial_force, unless
+/// 0 < P < P_cr, data::FieldError if the amplitude or the static coefficient is 0, and what BandMaximum
+/// throws.
 [[nodiscard]] BandMargin band_margin(const data::Case& problem, const analytic::FrequencyBand& band,
                                      double relative_width = 1e-6);
 
@@ -40,54 +43,57 @@ struct ParameterRange {
   double from{}, to{};
 };
 
-/// Values of a parameter over which the beam sticks throughout the band, or does not.
+/// An interval of a parameter in which the beam sticks over the whole band, or does not.
 struct DesignInterval {
   double from{}, to{};
   bool sticks{};
-  bool buckled{};                 ///< no stick state
-  std::vector<int> resonances{};  ///< modes whose natural frequency is inside the band somewhere here
+  bool buckled{};  ///< no stick state
+  /// Modes with a natural frequency inside the band somewhere in the interval.
+  std::vector<int> resonances{};
 };
 
-/// The intervals of a range one after the other, first to last without a gap.
+/// Consecutive intervals that cover the whole range.
 struct DesignScan {
   Parameter parameter{};  ///< length or axial_force
   double accuracy{};      ///< of the ends of intervals
   std::vector<DesignInterval> intervals;
 };
 
-/// Divides a range of lengths or axial forces into what avoids slipping over the whole band and what does
-/// not. At each value looked at the verdict holds for the whole band, as that of band_margin(). Values looked
-/// at are 1 % apart, and are those at which a natural frequency is at an end of the band. Where both
-/// neighbours stick they are halved until each has |f_max|/A0 <= mu_s P/A0 - R in reserve, with
+/// Divides a range of lengths (m) or axial forces (N) into intervals that avoid slipping over the whole band
+/// and intervals that do not. At each tested value the result holds for the whole band, as in band_margin().
+/// The tested values are at most 1 % apart and include those at which a natural frequency is at an end of the
+/// band. If the beam sticks at both neighbouring values, the interval between them is halved until |f_max|/A0
+/// <= mu_s P/A0 - R holds at both, with the reserve
 ///
-///     R = sum_n |c_n| min((change of omega_n)^2/8 min(T^2 q_n, b^2 T^3/(3 omega_n)), 2 q_n),
+///     R = sum_n |c_n| min((change of omega_n)^2/8 min(T^2 q_n, b^2 T^3/(3 omega_n)), 2 q_n).
 ///
-/// symbols as in BandMaximum: the leading estimate of how far |f_max| rises in between, by the phases that
-/// the natural frequencies turn in the duration T. What is undecided at a sixteenth of `accuracy`, or by 1e-4
-/// of the force, counts as slipping, and so does what lies between two neighbours that slip: intervals that
-/// stick err on the safe side.
+/// The symbols are those of BandMaximum. R is the leading estimate of the rise of |f_max| between the two
+/// values, caused by the change of the phases omega_n T over the duration T. An interval that is still
+/// undecided at 1/16 of `accuracy`, or within 1e-4 of the force, counts as slipping. So does an interval
+/// between two neighbours that slip. The errors of the intervals that stick are therefore on the safe side.
 ///
-/// Uses thread_count() threads; the result does not depend on that. `progress`, if given, is told the share
-/// done. Throws as band_margin(), and std::invalid_argument for another parameter or unless 0 < from < to.
+/// Uses thread_count() threads; the result does not depend on their number. `progress`, if given, receives
+/// the completed fraction. Throws what band_margin() throws, and std::invalid_argument for another parameter
+/// or unless 0 < from < to.
 [[nodiscard]] DesignScan design_scan(const data::Case& problem, Parameter parameter,
                                      const ParameterRange& range, const analytic::FrequencyBand& band,
                                      const std::function<void(double)>& progress = {});
 
-/// What the guideline says of a beam: the margin over a band, and which lengths and forces keep it.
+/// The result of the guideline for a beam: the margin over a band, and the scans of lengths and forces.
 struct Design {
   analytic::FrequencyBand band;
   BandMargin margin;
   DesignScan lengths, forces;
 };
 
-/// `from` to `to`, or to just under the buckling value of the case if that is less. Throws as
-/// buckling_value().
+/// The range from `from` to `to`, or to just below the buckling value of the case if that is smaller. Throws
+/// what buckling_value() throws.
 [[nodiscard]] ParameterRange range_below_buckling(const data::Case& problem, Parameter parameter, double from,
                                                   double to);
 
-/// The length or the axial force at which the beam of the case, the other being as it is, has no stick state
-/// any more. Throws std::invalid_argument for another parameter, std::domain_error, naming beam.axial_force,
-/// for a length without compression.
+/// The length (m) or the axial force (N) from which on the beam of the case has no stick state, with the
+/// other parameter unchanged. Throws std::invalid_argument for another parameter, and std::domain_error,
+/// naming beam.axial_force, for a length if P <= 0.
 [[nodiscard]] double buckling_value(const data::Case& problem, Parameter parameter);
 
 }  // namespace stickslip::studies

@@ -30,8 +30,8 @@ double force_ratio(const data::Case& problem, const data::Beam& beam) {
   return criterion.force_max.midpoint() / criterion.friction_limit;
 }
 
-// Appends `count` lengths behind `first` up to `last`. `share` maps 0 ... 1 on itself and is flat where they
-// are to lie close together.
+// Appends `count` lengths after `first` up to `last`. `share` maps 0 ... 1 onto itself; the lengths are close
+// together where its slope is small.
 void append_graded(double first, double last, int count, double (*share)(double),
                    std::vector<double>& lengths) {
   for (int i = 1; i <= count; ++i)
@@ -44,8 +44,8 @@ double dense_at_both(double t) {
   return t < 0.5 ? 0.5 * dense_at_first(2.0 * t) : 1.0 - 0.5 * dense_at_first(2.0 - 2.0 * t);
 }
 
-// A resonance that there is not, or not between the two, counts as standing at the end, so that lines of
-// neighbouring forces stay alike.
+// A resonance that does not exist, or that is outside the interval, is placed at the end of the interval, so
+// that the lines of neighbouring forces stay similar.
 std::vector<double> graded_lengths(const LengthForceMap::Line& line, double shortest, double longest) {
   const double last = std::min(longest, 0.999 * line.buckling_length);
   const double first_resonance = std::clamp(line.resonance_1.value_or(last), shortest, last);

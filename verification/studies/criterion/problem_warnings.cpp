@@ -39,13 +39,13 @@ bool may_slip(Inquiry inquiry) {
 
 std::string percent(double share) { return fmt::format("{:.2g} %", 100.0 * share); }
 
-// Rounded down to two digits.
+// The value rounded down to two significant digits.
 double two_digits(double value) {
   const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
   return std::floor(value / unit * (1.0 + 1e-12)) * unit;
 }
 
-// The time step at which step_error() is what is allowed.
+// The largest time step at which step_error() is not above allowed_step_error.
 double allowed_step(double spectral_radius, double omega) {
   double lower = 0.0, upper = 2.0 * pi;  // omega h
   for (int i = 0; i < 60; ++i) {
@@ -61,7 +61,7 @@ void warn_of_flutter(const data::Beam& beam, std::vector<Warning>& warnings) {
   warnings.push_back(
       {Concern::flutter, beam.axial_force(), load,
        fmt::format("beam.axial_force is {} N, at the flutter load of the sliding beam, {:.6g} N, or over "
-                   "it: once the tip slips, the motion grows of itself",
+                   "it: once the tip slips, the motion is unstable",
                    data::shortest_text(beam.axial_force()), load)});
 }
 
@@ -80,7 +80,7 @@ void warn_of_resonance(const data::Case& problem, std::vector<Warning>& warnings
       {Concern::resonance, problem.excitation.frequency_hz(), nearest->frequency_hz(),
        fmt::format(
            "excitation.frequency_hz is {}, next to natural frequency {} of the stick state, {:.7g} Hz: the "
-           "reaction of the undamped beam grows with t, {}, so that its maximum is that of "
+           "reaction of the undamped beam grows with t, {}, so that its maximum depends on "
            "numerics.duration, {} s",
            data::shortest_text(problem.excitation.frequency_hz()), nearest->number(), nearest->frequency_hz(),
            end, data::shortest_text(duration))});
@@ -90,11 +90,11 @@ void warn_of_thickness(const data::Beam& beam, bool slip, int mode, std::vector<
   const double error = slip ? slip_model_error(beam, mode) : stick_model_error(beam, mode);
   if (error <= allowed_model_error) return;
   const double radius = std::sqrt(beam.second_moment_of_area() / beam.area());
-  warnings.push_back({Concern::thick_beam, error, allowed_model_error,
-                      fmt::format("the beam is thick for Euler-Bernoulli, sqrt(I/A)/L = {:.3g}: without "
-                                  "shear and rotary inertia its "
-                                  "natural frequency {} comes out about {} too high",
-                                  radius / beam.length(), mode, percent(error))});
+  warnings.push_back(
+      {Concern::thick_beam, error, allowed_model_error,
+       fmt::format("the beam is thick for Euler-Bernoulli, sqrt(I/A)/L = {:.3g}: without "
+                   "shear and rotary inertia its natural frequency {} comes out about {} too high",
+                   radius / beam.length(), mode, percent(error))});
 }
 
 void warn_of_step(const data::Case& problem, int mode, std::vector<Warning>& warnings) {
@@ -108,8 +108,8 @@ void warn_of_step(const data::Case& problem, int mode, std::vector<Warning>& war
       natural > excitation ? fmt::format("natural frequency {}", mode) : "the excitation";
   warnings.push_back(
       {Concern::long_step, step, suggested,
-       fmt::format("numerics.time_step is {} s, too long for {} at {:.4g} Hz, which it falsifies by {} in "
-                   "frequency or in amplitude per period; {:.2g} s falsify it by {}",
+       fmt::format("numerics.time_step is {} s, too long for {} at {:.4g} Hz: it changes the frequency or "
+                   "the amplitude per period by {}; a step of {:.2g} s changes them by {}",
                    data::shortest_text(step), what, omega / (2.0 * pi), percent(error), suggested,
                    percent(allowed_step_error))});
 }
@@ -127,9 +127,10 @@ double stick_model_error(const data::Beam& beam, int mode) {
       integral(&analytic::StickMode::third_derivative) / integral(&analytic::StickMode::curvature));
 }
 
-// Slope and third derivative by parts, with U'''' = k U - p U'' and U''(L) = U'''(L) = 0:
-//   U'(L) = int U'',  int U'^2 = U(L) U'(L) - int U U'',
-//   U'''(0) = -int U'''',  int U'''^2 = -U''(0) U'''(0) - int U'' U''''.
+// Slope and third derivative by partial integration, with U'''' = k U - p U'' and U''(L) = U'''(L) = 0:
+//
+//     U'(L) = int U'',       int U'^2 = U(L) U'(L) - int U U'',
+//     U'''(0) = -int U'''',  int U'''^2 = -U''(0) U'''(0) - int U'' U''''.
 double slip_model_error(const data::Beam& beam, int mode) {
   const auto modes = analytic::slip_modes(beam, mode);
   const auto& u = modes.back();
@@ -209,8 +210,7 @@ std::optional<Warning> growth_warning(const data::Case& problem, Inquiry inquiry
   const bool is_beam_known = problem.damping.ratio() == 0.0;
   std::string sentence = fmt::format(
       "the contact changes, and sigma* is {}: by the bound exp(sigma* t) a rounding error may grow to the "
-      "size "
-      "of the motion within {:.2g} s; for the {} sigma* is {}",
+      "size of the motion within {:.2g} s; for the {} sigma* is {}",
       rate(own), allowed_growth / own, is_beam_known ? "beam" : "undamped beam", rate(beam));
   if (own > 1.1 * beam)
     sentence +=
@@ -251,7 +251,7 @@ void require_feasible(const data::Case& problem, Inquiry inquiry) {
   if (inquiry == Inquiry::boundary_integral_history) {
     if (problem.damping.ratio() != 0.0)
       throw data::FieldError("damping.ratio", data::shortest_text(problem.damping.ratio()),
-                             "0 with the boundary integral, whose mobility has Kelvin-Voigt damping alone");
+                             "0 with the boundary integral, which allows Kelvin-Voigt damping only");
     const double most_steps = std::ldexp(1.0, 24), step = boundary_integral_step(problem);
     if (problem.numerics.duration() <= most_steps * step) return;
     throw data::FieldError("numerics.duration", data::shortest_text(problem.numerics.duration()),

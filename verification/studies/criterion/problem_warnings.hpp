@@ -1,8 +1,8 @@
 #pragma once
 
-/// Where a case leaves the ground of its model or of its numerics without being wrong: what is computed then
-/// is what was asked for, but it means less than it seems to. And where a case asks for more than can be
-/// done.
+/// Warnings for cases that leave the range of validity of the model or of the numerical method, and errors
+/// for cases whose computation is not feasible. A case with a warning is computed as asked for, but its
+/// result is less accurate than it seems.
 
 #include <optional>
 #include <string>
@@ -13,7 +13,7 @@
 
 namespace stickslip::studies {
 
-/// What is asked of a case.
+/// The kind of result that is asked for.
 enum class Inquiry {
   stick_frequencies,
   slip_frequencies,
@@ -25,93 +25,104 @@ enum class Inquiry {
   design            ///< |f_max| over a band up to the excitation frequency of the case
 };
 
+/// The subject of a warning.
 enum class Concern { flutter, resonance, thick_beam, long_step, growth };
 
+/// A warning about a case.
 struct Warning {
   Concern concern{};
-  double value{};  ///< what was found: P (N), Omega/2pi (Hz), a relative error of a frequency, h (s), sigma*
-  double limit{};  ///< where the concern begins: flutter load, omega_n/2pi, allowed error, suggested step
+  double value{};  ///< what was found: P (N), Omega/2pi (Hz), a relative frequency error, h (s), sigma* (1/s)
+  double limit{};  ///< the limit: flutter load, omega_n/2pi, allowed error, suggested step, allowed sigma*
   std::string sentence;
 };
 
-/// The largest relative error of a frequency, by rotary inertia and shear, for which Euler-Bernoulli passes.
+/// The largest relative frequency error, from rotary inertia and shear, at which Euler-Bernoulli theory is
+/// accepted.
 constexpr double allowed_model_error = 0.05;
-/// The largest relative error of frequency, and of amplitude in one period, that a time step may make.
+/// The largest relative error of the frequency, and of the amplitude per period, that a time step may cause.
 constexpr double allowed_step_error = 0.01;
-/// A mode matters if its free vibration has more than this share of max |f|.
+/// A mode is relevant if its free vibration has more than this fraction of max |f|.
 constexpr double share_that_matters = 0.01;
-/// The response to a resonance counts as grown when it is this many times the quasi-static one.
+/// A resonant response gives a warning from this multiple of the quasi-static response on.
 constexpr double grown_response = 10.0;
 
-/// E/(kappa G) of a rectangular section, kappa = 5/6 and a Poisson ratio of 1/4. A case has neither.
+/// E/(kappa G) of a rectangular section with kappa = 5/6 and a Poisson ratio of 1/4. A case contains neither
+/// value.
 constexpr double shear_flexibility = 3.0;
 
-/// By how much Euler-Bernoulli overestimates a natural frequency of the stick or the slip state, relative to
-/// the true one, at P small against kappa G A: rotary inertia adds rho I int U'^2 to the mass rho A int U^2,
-/// and shear adds (EI)^2 int U'''^2/(kappa G A) to the flexibility, so that with r^2 = I/A
+/// The relative amount by which Euler-Bernoulli theory overestimates a natural frequency of the stick or the
+/// slip state, for P much smaller than kappa G A. Rotary inertia adds rho I int U'^2 to the mass rho A int
+/// U^2, and shear adds (EI)^2 int U'''^2/(kappa G A) to the flexibility. With r^2 = I/A
 ///
-///     omega_EB/omega - 1 = sqrt(1 + r^2 [int U'^2/int U^2 + E/(kappa G) int U'''^2/int U''^2]) - 1,
+///     omega_EB/omega - 1 = sqrt(1 + r^2 [int U'^2/int U^2 + E/(kappa G) int U'''^2/int U''^2]) - 1.
 ///
-/// which is sqrt(1 + (k r)^2 (1 + E/(kappa G))) - 1 for half waves of wave number k. Throws what
-/// stick_modes() and slip_modes() throw.
+/// For half waves of wave number k this is sqrt(1 + (k r)^2 (1 + E/(kappa G))) - 1. Throws what stick_modes()
+/// and slip_modes() throw.
 [[nodiscard]] double stick_model_error(const data::Beam& beam, int mode);
 [[nodiscard]] double slip_model_error(const data::Beam& beam, int mode);
 
-/// What a step of generalised-alpha does to a free vibration of angular frequency omega (rad/s): the larger
-/// of the relative error of its frequency and of the loss of amplitude in one period. About (omega h)^2 (k_1
-/// + k_2)/2 of discretisation.hpp where omega h is small.
+/// The error of a free vibration of angular frequency omega (rad/s) by generalised-alpha with time_step (s):
+/// the larger of the relative frequency error and the relative loss of amplitude per period. For small omega
+/// h it is about (omega h)^2 (k_1 + k_2)/2, with k_1 and k_2 of discretisation.hpp.
 [[nodiscard]] double step_error(double spectral_radius, double omega, double time_step);
 
-/// The number of the highest mode, of at most numerics.modes(), whose free vibration has more than
-/// share_that_matters of max |f| over the duration, at least a period of the excitation and of the first mode
-/// (estimated from 2048 instants that no period is commensurate with); 1 if none has. Both are proportional
-/// to the amplitude, which does not enter.
+/// The number of the highest mode, up to numerics.modes(), whose free vibration has more than
+/// share_that_matters of max |f|; 1 if there is none. max |f| is estimated from 2048 instants, which
+/// are not commensurate with the periods. They cover the duration, or one period of the excitation and of the
+/// first mode if that is longer. The result does not depend on the amplitude.
 [[nodiscard]] int highest_mode_that_matters(const data::Case& problem);
 
-/// The warnings that a case deserves, each once, in the order of Concern:
-/// - flutter, for histories that can slip: P at the flutter load of the slip state or over it;
-/// - resonance, for an undamped |f| in closed form: a natural frequency of stick so near to Omega that |f|
-/// grows
-///   all the time, |Omega - omega_n| T <= pi (half a beat), to grown_response times the quasi-static response
-///   or more, Omega T/2 >= grown_response;
-/// - thick beam: stick_model_error of the highest mode that matters (of the highest one asked for) above
-///   allowed_model_error;
-/// - long step, for time stepping: step_error of the highest mode that matters, or of a vibration at Omega,
-///   above allowed_step_error. The limit is the step, rounded down to two digits, at which it is that.
-/// `frequencies` is how many were asked for. Throws what stick_modes() throws.
+/// The warnings for a case, each at most once, in the order of Concern:
+/// - flutter, for histories that can slip: P is not below the flutter load of the slip state.
+/// - resonance, for an undamped |f| in closed form: a natural frequency of the stick state is so close to
+///   Omega that |f| grows over the whole duration T, |Omega - omega_n| T <= pi (half a beat), and reaches at
+///   least grown_response times the quasi-static response, Omega T/2 >= grown_response.
+/// - thick beam: stick_model_error() of the highest relevant mode, or of the highest one asked for, is above
+///   allowed_model_error.
+/// - long step, for time integration: step_error() of the highest relevant mode, or of a vibration at Omega,
+///   is above allowed_step_error. The limit is the largest allowed step, rounded down to two digits.
+///
+/// `frequencies` is the number of natural frequencies asked for. Throws what stick_modes() throws.
 [[nodiscard]] std::vector<Warning> problem_warnings(const data::Case& problem, Inquiry inquiry,
                                                     int frequencies = 0);
 
-/// exp(sigma* T) above 1/eps of double precision: sigma* T above this number.
+/// The limit of sigma* T, at which exp(sigma* T) is about 1/eps of double precision.
 constexpr double allowed_growth = 36.0;
-/// growth_warning() is silent about larger systems, whose sigma* would take seconds: elements of a mesh or
-/// modes, without and with damping.
+/// The largest number of elements or modes for which growth_warning() computes sigma*, without and with
+/// damping. Larger systems would take seconds and get no warning.
 constexpr int most_undamped_for_growth = 200, most_damped_for_growth = 50;
 
-/// The warning of a stepped or event-driven history in which the contact changed: sigma* T > allowed_growth,
-/// with sigma* of its own discretisation (contact_growth.hpp) and T = numerics.duration(). By the bound
-/// exp(sigma* T) a rounding error may then grow to the size of the motion; observed growth is slower. value
-/// is sigma*, limit allowed_growth/T. The sentence also gives sigma* of the beam, with Kelvin-Voigt damping
-/// but without damping.ratio; the settings that have about that of the beam, if the run's is more than 1.1
-/// times it (spectral radius 0 and omega_max h = filtering_angle, history_convergence.hpp); and, if sigma* T
-/// of the beam is above allowed_growth too and damping.ratio is 0, the time up to which the bound is of use
-/// for any discretisation. Throws what the run itself throws.
+/// The warning for a history, by time steps or event-driven, in which the contact changed: sigma* T >
+/// allowed_growth with sigma* of the discretisation (contact_growth.hpp) and T = numerics.duration(). By the
+/// bound exp(sigma* t) a rounding error may then grow to the size of the motion; the observed growth is
+/// slower. `value` is sigma*, and `limit` is allowed_growth/T.
+///
+/// The sentence also gives
+/// - sigma* of the beam, with Kelvin-Voigt damping but without damping.ratio;
+/// - if sigma* of the run is above 1.1 times that of the beam: settings with about the sigma* of the beam,
+///   which are the spectral radius 0 and omega_max h = filtering_angle (history_convergence.hpp);
+/// - if sigma* T of the beam is also above allowed_growth and damping.ratio is 0: the time up to which the
+///   bound is useful for any discretisation.
+///
+/// Throws what the run itself throws.
 [[nodiscard]] std::optional<Warning> growth_warning(const data::Case& problem, Inquiry inquiry);
 
-/// Those of the criterion that hold wherever these parameters of the case are varied: no resonance if one of
-/// them moves a frequency, no thick beam if the length is among them, and none at all of a case whose P is at
-/// the buckling load or over it.
+/// The warnings for the criterion that hold for all values of the varied parameters: no resonance warning if
+/// one of them changes a frequency, no thick-beam warning if the length is varied, and no warning if P is not
+/// below the buckling load.
 [[nodiscard]] std::vector<Warning> warnings_common_to(const data::Case& problem,
                                                       const std::vector<Parameter>& varied);
 
-/// The step of the boundary integral, s: numerics.time_step() divided by a power of two, at most 1/20000 of
-/// the period of the first stick mode and of the excitation. Throws what stick_modes() throws.
+/// The step of the boundary integral (s): numerics.time_step() divided by a power of two, so that it is at
+/// most 1/20000 of the period of the first stick mode and of the excitation. Throws what stick_modes()
+/// throws.
 [[nodiscard]] double boundary_integral_step(const data::Case& problem);
 
-/// Throws data::FieldError, naming numerics.duration, if a closed form would have to follow more than 1e8
-/// periods of the highest natural frequency kept, or of the excitation, an event-driven history more than
-/// 1e6, or a boundary integral more than 2^24 steps: minutes of work. Naming damping.ratio for a boundary
-/// integral: the mobility is known in closed form with Kelvin-Voigt damping alone.
+/// Throws data::FieldError for a computation that would take more than minutes. It names numerics.duration if
+/// a closed form needs more than 1e8 periods of the highest natural frequency or of the excitation, an
+/// event-driven history more than 1e6 periods, or a boundary integral more than 2^24 steps. It names
+/// damping.ratio for a boundary integral, because its mobility is known in closed form with Kelvin-Voigt
+/// damping only.
 void require_feasible(const data::Case& problem, Inquiry inquiry);
 
 }  // namespace stickslip::studies

@@ -9,7 +9,7 @@ namespace stickslip::studies {
 
 namespace {
 
-// Modes whose discrete frequency theory still knows on the meshes used here.
+// Number of modes whose discrete frequency is predicted well enough on the meshes used here.
 constexpr int predicted_modes = 20;
 
 }  // namespace

@@ -7,30 +7,32 @@
 
 namespace stickslip::studies {
 
-/// |f_max| of Eqs. (29), (30) at one excitation, by every route there is.
+/// |f_max| of Eqs. (29), (30) at one excitation, computed by several methods.
 struct ForceMaximum {
   double frequency_hz{};
   double amplitude{};          ///< m
   double sampled{};            ///< N modes, sampled at numerics.time_step(), N
-  analytic::Bounds truncated;  ///< N modes, rigorous
+  analytic::Bounds truncated;  ///< N modes, bounds of the search over time
   analytic::Bounds
-      converged;  ///< exact steady part and `reference_modes` free vibrations, rigorous for those
-  double omitted_transient{};         ///< bound of what the free vibrations beyond those can add, N
-  double finite_element{};            ///< grid maximum of a bonded run
+      converged;  ///< exact steady part and `reference_modes` free vibrations, bounds for these modes
+  double omitted_transient{};         ///< bound of the contribution of the other free vibrations, N
+  double finite_element{};            ///< largest |f| over the time steps of a run with a bonded tip
   double predicted_finite_element{};  ///< PredictedForce::max_abs
   double prediction_uncertainty{};    ///< PredictedForce::uncertainty
 };
 
+/// |f_max| over 0 ... numerics.duration() for one excitation (N) by the methods above.
 [[nodiscard]] ForceMaximum force_maximum_study(const data::Beam& beam,
                                                const data::HarmonicExcitation& excitation,
                                                const data::NumericalSettings& numerics,
                                                int reference_modes = 100);
 
-/// Critical amplitude against frequency, Figs. 11 and 13: closed form, N modes.
+/// One point of the critical amplitude over frequency, Figs. 11 and 13: closed form with N modes.
 struct CriticalAmplitudePoint {
   double frequency_hz{};
   double critical_amplitude{};  ///< m
 };
+/// The critical amplitude at each frequency (Hz).
 [[nodiscard]] std::vector<CriticalAmplitudePoint> critical_amplitude_curve(
     const data::Beam& beam, const data::FrictionLaw& friction, const data::NumericalSettings& numerics,
     const std::vector<double>& frequencies_hz);

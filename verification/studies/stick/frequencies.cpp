@@ -17,7 +17,8 @@ namespace {
 
 using FiniteElementModes = std::vector<solver::FiniteElementMode>;
 
-// Fills in all but the closed form and the prediction, which differ between the two states.
+// Computes the errors and orders. The closed form and the prediction, which differ between the two states,
+// are inputs.
 FrequencyStudy frequency_study(
     const data::Beam& beam, const std::vector<int>& elements, std::vector<FrequencyConvergence> modes,
     const std::function<FiniteElementModes(const solver::BeamModel&, int)>& finite_element_modes,
@@ -45,7 +46,7 @@ FrequencyStudy frequency_study(
   return {elements, std::move(modes)};
 }
 
-// The largest force factor, in units of EI/L^2, at which the two lowest slip eigenvalues of a mesh are real.
+// The largest load factor P L^2/EI at which the two lowest slip eigenvalues of a mesh are real.
 double finite_element_flutter(const data::Beam& beam, int elements) {
   const double unit = beam.youngs_modulus() * beam.second_moment_of_area() / (beam.length() * beam.length());
   const auto flutters = [&](double factor) {
@@ -62,7 +63,7 @@ double finite_element_flutter(const data::Beam& beam, int elements) {
   return 0.5 * (low + high);
 }
 
-// Scales to a largest magnitude of 1, positive next to the clamp.
+// Scales the shape to a largest magnitude of 1 and a positive sign next to the clamp.
 void normalise(std::vector<double>& shape) {
   const double largest = std::abs(*std::max_element(
       shape.begin(), shape.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));

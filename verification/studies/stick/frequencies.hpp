@@ -7,15 +7,15 @@
 
 namespace stickslip::studies {
 
-/// One natural frequency on a sequence of meshes against the closed form.
+/// One natural frequency on a sequence of meshes, compared with the closed form.
 struct FrequencyConvergence {
   int mode{};
   double closed_form_hz{};
   std::vector<double> finite_element_hz;  ///< one per mesh
   std::vector<double> relative_error;     ///< of the eigenvalue omega^2: (omega_h^2 - omega^2)/omega^2
-  std::vector<double> predicted_error;    ///< of the same: leading term l^4/720 ...
+  std::vector<double> predicted_error;    ///< of the eigenvalue, leading term of order l^4
   OrderEstimate observed_order;           ///< in the element length
-  double leading_constant_ratio{};        ///< error over prediction on the finest mesh: tends to 1
+  double leading_constant_ratio{};        ///< error over predicted error on the finest mesh; tends to 1
 };
 
 struct FrequencyStudy {
@@ -23,24 +23,26 @@ struct FrequencyStudy {
   std::vector<FrequencyConvergence> modes;
 };
 
-/// Clamped-pinned frequencies; predicted by hermite_eigenvalue_error.
+/// Clamped-pinned frequencies (stick state). The error is predicted by hermite_eigenvalue_error().
 [[nodiscard]] FrequencyStudy stick_frequency_study(const data::Beam& beam, int modes,
                                                    const std::vector<int>& elements);
 
-/// Clamped-free frequencies under the follower load; predicted by (beta l)^4/720, the constant of P = 0.
+/// Clamped-free frequencies under the follower load (slip state). The error is predicted by (beta l)^4/720,
+/// which is the leading term at P = 0.
 [[nodiscard]] FrequencyStudy slip_frequency_study(const data::Beam& beam, int modes,
                                                   const std::vector<int>& elements);
 
-/// Beck's flutter load, in units of EI/L^2, by coalescence of the two lowest slip frequencies.
+/// Beck's flutter load in units of EI/L^2, at which the two lowest slip frequencies coalesce.
 struct FlutterStudy {
   double closed_form{};
   std::vector<int> elements;
-  std::vector<double> finite_element;  ///< by bisection for the onset of a complex pair, to 1e-9
+  std::vector<double> finite_element;  ///< onset of a complex pair by bisection, to 1e-9
   OrderEstimate observed_order;
 };
+/// The flutter load in closed form and on each mesh.
 [[nodiscard]] FlutterStudy flutter_study(const data::Beam& beam, const std::vector<int>& elements);
 
-/// Mode shapes of both states for Fig. 7, both implementations, scaled to a largest deflection of 1.
+/// Mode shapes of both states for Fig. 7 by both implementations, scaled to a largest deflection of 1.
 struct ModeShapeStudy {
   struct Curve {
     int mode{};
@@ -52,6 +54,7 @@ struct ModeShapeStudy {
   std::vector<double> position;  ///< x/L
   std::vector<Curve> curves;
 };
+/// The first `modes` shapes of both states at `points` positions.
 [[nodiscard]] ModeShapeStudy mode_shape_study(const data::Beam& beam, int modes, int elements, int points);
 
 }  // namespace stickslip::studies

@@ -17,12 +17,12 @@ struct SampledHistory {
   std::vector<double> displacement, force;
 };
 
-// A bonded run, every `stride`-th step kept.
+// A run with a bonded tip, of which every `stride`-th step is kept.
 SampledHistory finite_element_history(const data::Beam& beam, const data::HarmonicExcitation& excitation,
                                       const data::NumericalSettings& numerics, long stride) {
   const data::FrictionLaw unused({});
   solver::BeamSimulation simulation(beam, unused, excitation, numerics,
-                                    {.contact = solver::TipContact::bonded});
+                                    {.contact = solver::TipContact::glued});
   const long steps = solver::step_count(numerics.duration(), numerics.time_step());
   SampledHistory history;
   for (long n = 0; n <= steps; ++n) {

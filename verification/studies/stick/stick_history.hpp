@@ -7,13 +7,13 @@
 
 namespace stickslip::studies {
 
-/// Fig. 9: y(L/2, t) and f(t) in the stick state by both implementations. The reference is the closed form
-/// without truncation: exact steady part, `reference_modes` free vibrations.
+/// One level of Fig. 9: y(L/2, t) and f(t) in the stick state by both implementations. The reference is the
+/// closed form with the exact steady part and `reference_modes` free vibrations.
 struct StickHistoryLevel {
   int elements{};
-  double time_step{};
-  double displacement_error{};            ///< sup |y_h - y|, m, on the common grid
-  double force_error{};                   ///< sup |f_h - f|, N
+  double time_step{};                     ///< s
+  double displacement_error{};            ///< max |y_h - y| over the common times, m
+  double force_error{};                   ///< max |f_h - f| over the common times, N
   double predicted_displacement_error{};  ///< drift_bound of the free vibrations, m
   double predicted_force_error{};         ///< N
 };
@@ -22,17 +22,19 @@ struct StickHistoryStudy {
   double displacement_peak{};  ///< max |y|, m
   double force_peak{};         ///< max |f|, N
   std::vector<StickHistoryLevel> levels;
-  OrderEstimate displacement_order;  ///< in the time step, elements refined as its square root
+  /// In the time step; the number of elements is inversely proportional to its square root.
+  OrderEstimate displacement_order;
   OrderEstimate force_order;
-  double predicted_displacement_order{};  ///< the same slope through the predicted errors
+  double predicted_displacement_order{};  ///< slope of the predicted errors
   double predicted_force_order{};
-  std::vector<double> time;                             ///< s, the common grid (that of the first level)
-  std::vector<double> displacement, force;              ///< closed form
-  std::vector<double> first_displacement, first_force;  ///< finite elements, first level
+  std::vector<double> time;                             ///< the common times, s: those of the first level
+  std::vector<double> displacement, force;              ///< closed form, m and N
+  std::vector<double> first_displacement, first_force;  ///< finite elements, first level, m and N
 };
 
-/// Level k has time step h/4^k and 2^k times the elements of numerics, so that the errors of time (h^2) and
-/// mesh (l^4) fall alike. Compared on the grid of the first level over 0 ... numerics.duration().
+/// Compares the histories on the times of the first level over 0 ... numerics.duration(). Level k has the
+/// time step h/4^k and 2^k times the elements of `numerics`, so that the errors of time (h^2) and mesh (l^4)
+/// decrease at the same rate.
 [[nodiscard]] StickHistoryStudy stick_history_study(const data::Beam& beam,
                                                     const data::HarmonicExcitation& excitation,
                                                     const data::NumericalSettings& numerics, int levels,

@@ -15,7 +15,7 @@ namespace {
 
 double square(double x) { return x * x; }
 
-// f_S h + f_a h_tt, or y_S h, per unit h.
+// f_S h + f_a h_tt, or y_S h, for h of unit amplitude.
 double driven_part(const StickSum& sum, StickReading reading, double omega) {
   return reading == StickReading::force ? sum.force - square(omega) * sum.force_per_acceleration
                                         : sum.displacement;
@@ -25,7 +25,7 @@ double weight_of(const StickSum::Mode& mode, StickReading reading) {
   return reading == StickReading::force ? mode.force : mode.displacement;
 }
 
-// int_0^L U dx: U'''' + p U'' = k U integrated once, U'(0) = 0, k = beta^2 betabar^2.
+// int_0^L U dx from U'''' + p U'' = k U integrated once, with U'(0) = 0 and k = beta^2 betabar^2.
 double shape_integral(const analytic::StickMode& mode, double length, double p) {
   const double k = square(mode.hyperbolic_wave_number() * mode.trigonometric_wave_number());
   return (mode.third_derivative(length) - mode.third_derivative(0.0) + p * mode.slope(length)) / k;
@@ -53,8 +53,9 @@ StickSum stick_sum(const data::Beam& beam, int modes) {
   return sum;
 }
 
-// In the coordinates of the mesh the tip moves by -h under the load p h_tt: q = S h + sum phi_n T_n with
-// S_c = -1, K_ff S_f + K_fc S_c = 0. The row of c of the slip-state balance is f_d = -f.
+// In the coordinates of the mesh (frame of the base) the tip moves by -h under the load p h_tt: q = S h + sum
+// phi_n T_n with S_c = -1 and K_ff S_f + K_fc S_c = 0. The contact row of the slip-state balance gives f_d =
+// -f.
 StickSum stick_sum(const solver::BeamModel& mesh, const solver::ContactSystem& system,
                    const Eigen::RowVectorXd& force_row) {
   const Eigen::Index size = system.mass.rows(), c = system.contact;
@@ -121,7 +122,7 @@ double value_at(const std::vector<analytic::Sinusoid>& terms, double t) {
 }
 
 double max_abs(const std::vector<analytic::Sinusoid>& terms, double duration, double sampling_step) {
-  // a exp(i w t), turned on by one sample at a time.
+  // Each term a exp(i w t) is advanced to the next sample by one complex multiplication.
   const auto size = static_cast<Eigen::Index>(terms.size());
   Eigen::ArrayXd sine = Eigen::ArrayXd::Zero(size), cosine(size), turn_sine(size), turn_cosine(size);
   for (Eigen::Index i = 0; i < size; ++i) {

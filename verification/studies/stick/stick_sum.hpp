@@ -1,7 +1,7 @@
 #pragma once
 
-/// The stick state as a modal sum with every factor open to change, from the continuous beam or from the
-/// matrices of a mesh.
+/// The stick state as a modal sum. Each factor may be changed, in order to compute the result of a wrong
+/// model. The factors come from the continuous beam or from the matrices of a mesh.
 
 #include <Eigen/Core>
 #include <vector>
@@ -13,14 +13,14 @@
 
 namespace stickslip::studies {
 
-/// With h = A0 sin(Omega t),
+/// The modal sum of the stick state. With h = A0 sin(Omega t),
 ///
 ///     f = f_S h + f_a h_tt + sum f_n T_n,     y(L/2) = y_S h + sum y_n T_n,
 ///     T_n_tt + w_n^2 T_n = C_n h_tt,          T_n(0) = 0,  T_n_t(0) = V_n h_t(0).
 struct StickSum {
   struct Mode {
     double natural_frequency{};     ///< omega_n, rad/s
-    double oscillator_frequency{};  ///< w_n of the equation of T_n, rad/s
+    double oscillator_frequency{};  ///< w_n in the equation of T_n, rad/s
     double participation{};         ///< C_n = -int U (1 + S) / int U^2
     double rigid_participation{};   ///< -int U / int U^2
     double initial_rate{};          ///< V_n
@@ -32,44 +32,49 @@ struct StickSum {
   double force_per_acceleration{};  ///< f_a, kg
   double follower_force{};          ///< P S'(L), N/m
   double displacement{};            ///< y_S
-  bool free_vibrations{true};       ///< the parts at w_n; without them only the steady vibration is left
+  /// Whether the parts at w_n are included; otherwise only the steady vibration.
+  bool free_vibrations{true};
   std::vector<Mode> modes;
 };
 
-/// Eqs. (18) to (28) in closed form. Throws what stick_modes() throws.
+/// The sum of Eqs. (18) to (28) in closed form. Throws what stick_modes() throws.
 [[nodiscard]] StickSum stick_sum(const data::Beam& beam, int modes);
 
-/// All modes of a mesh whose matrices are those of `system`, driven as beam_contact_system does; f is the row
-/// of the contact in the slip-state balance or, if `force_row` is not empty, its product with the
-/// displacements. Exact in time. follower_force and rigid_participation are not filled in.
+/// The sum over all modes of a mesh with the matrices of `system`, driven as in beam_contact_system(). The
+/// force f is the contact row of the slip-state balance or, if `force_row` is not empty, the product of
+/// `force_row` with the displacements. There is no error of time integration. follower_force and
+/// rigid_participation are not set. Throws std::domain_error if the stick stiffness or the mass is not
+/// positive definite.
 [[nodiscard]] StickSum stick_sum(const solver::BeamModel& mesh, const solver::ContactSystem& system,
                                  const Eigen::RowVectorXd& force_row = {});
 
+/// The quantity that is read from a StickSum: f (N) or y(L/2) (m).
 enum class StickReading { force, displacement };
 
-/// A history of the sum as sinusoids. A mode within 1e-8 of resonance is moved off it by as much, which
-/// changes the history by 1e-8 Omega t of it.
+/// The history of a quantity as a sum of sinusoids. A mode within the relative distance 1e-8 of resonance is
+/// moved away from it by the same amount. This changes the history by the fraction 1e-8 Omega t.
 [[nodiscard]] std::vector<analytic::Sinusoid> sinusoids(const StickSum& sum,
                                                         const data::HarmonicExcitation& excitation,
                                                         StickReading reading);
 
+/// The value of the sum at time t (s).
 [[nodiscard]] double value_at(const std::vector<analytic::Sinusoid>& terms, double t);
 
-/// max |.| over 0 ... duration from samples, each local maximum by the parabola through three of them.
+/// The largest magnitude of the sum over 0 ... duration, from samples. Each local maximum is interpolated by
+/// the parabola through three samples.
 [[nodiscard]] double max_abs(const std::vector<analytic::Sinusoid>& terms, double duration,
                              double sampling_step);
 
-/// A step of a one-step method for T_n, in the weights of generalised-alpha, which need not be the right
-/// ones.
+/// A one-step method for T_n with the parameters of generalised-alpha. The parameters may be wrong ones.
 struct ModalScheme {
   double step{};                ///< s
-  double alpha_m{}, alpha_f{};  ///< weights of the old state in inertia and in the other forces
-  double beta{}, gamma{};       ///< Newmark's
+  double alpha_m{}, alpha_f{};  ///< weights of the old state in the inertia and in the other forces
+  double beta{}, gamma{};       ///< parameters of Newmark
   double load_delay{};          ///< the load is taken at t_n + load_delay
-  double damping_ratio{};       ///< of critical, in every mode
+  double damping_ratio{};       ///< relative to critical, in all modes
 };
 
-/// A history of the sum with T_n by the scheme, at t = 0, step, ..., count * step.
+/// The history of a quantity at t = 0, step, ..., count * step, where T_n is computed by the scheme.
 [[nodiscard]] std::vector<double> stepped(const StickSum& sum, const ModalScheme& scheme,
                                           const data::HarmonicExcitation& excitation, StickReading reading,
                                           long count);
