@@ -10,7 +10,7 @@ namespace {
 using solver::ContactEvent;
 using solver::ContactScheme;
 
-constexpr double last_plateau = 0.2;  // s, latest begin of a plateau
+constexpr double last_plateau = 0.2;  // s, latest start of a plateau
 
 // In the frame of the base, which the solver uses, the wall moves by -h. The position of the contact on the
 // wall is therefore y(L).

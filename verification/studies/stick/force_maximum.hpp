@@ -21,7 +21,7 @@ struct ForceMaximum {
   double prediction_uncertainty{};    ///< PredictedForce::uncertainty
 };
 
-/// |f_max| over 0 ... numerics.duration() for one excitation (N) by the methods above.
+/// Computes |f_max| over 0 ... numerics.duration() for one excitation by all of these methods.
 [[nodiscard]] ForceMaximum force_maximum_study(const data::Beam& beam,
                                                const data::HarmonicExcitation& excitation,
                                                const data::NumericalSettings& numerics,

@@ -21,7 +21,7 @@ namespace stickslip::studies {
 
 namespace {
 
-constexpr int closed_form_modes = 60;  // of the closed form
+constexpr int closed_form_modes = 60;  // number of modes
 
 void require(bool holds, const char* field, const std::string& value, const char* allowed) {
   if (!holds) throw data::FieldError(field, value, allowed);
@@ -35,7 +35,7 @@ void require_usable(const MotionGrid& grid, double time_step) {
           std::to_string(grid.snapshots), "at most one per time step of the window");
 }
 
-// Whole time steps from 0 to each snapshot.
+// The number of whole time steps from 0 to each snapshot.
 std::vector<long> snapshot_steps(const MotionGrid& grid, double time_step) {
   require_usable(grid, time_step);
   std::vector<long> steps;
@@ -53,7 +53,7 @@ std::vector<double> positions(const data::Case& problem, const MotionGrid& grid)
 
 double sinc(double angle) { return angle == 0.0 ? 1.0 : std::sin(angle) / angle; }
 
-// g_n of Eq. (26): g'' + w^2 g = -sin(Omega t) from rest, in the form that has no 0/0 at resonance.
+// g_n of Eq. (26): the solution of g'' + w^2 g = -sin(Omega t) from rest, in a form without 0/0 at resonance.
 double modal_coordinate(double omega, double w, double t) {
   const double sum = omega + w;
   return (w * t * std::cos(0.5 * sum * t) * sinc(0.5 * (omega - w) * t) - std::sin(w * t)) / (sum * w);
@@ -199,7 +199,7 @@ BeamMotionStudy beam_motion_study(const data::Case& problem, int snapshots, int 
   if (study.first_slip) study.window = std::max(0.0, *study.first_slip - 0.25 * period);
   const MotionGrid grid{study.window, period, snapshots, positions};
   study.finite_element = finite_element_motion(problem, grid);
-  constexpr int fine = 128, coarse = 64;  // steps in a time step of the finite elements
+  constexpr int fine = 128, coarse = 64;  // steps per time step of the finite elements
   study.reference = study.first_slip ? free_mode_motion(problem, grid, fine)
                                      : closed_form_motion(problem, grid, closed_form_modes);
   constexpr double always = std::numeric_limits<double>::infinity();

@@ -16,10 +16,10 @@ namespace {
 using Complex = std::complex<double>;
 using std::numbers::pi;
 
-constexpr int values_between = 16;  // neighbouring frequencies
-constexpr double near = 2.0;        // times kappa: local minima below are refined
+constexpr int values_between = 16;  // number of values between neighbouring frequencies
+constexpr double near = 2.0;        // times kappa: local minima below this value are refined
 
-/// Looks for a frequency at which Re Z(sigma + i omega) < kappa.
+/// Searches for a frequency at which Re Z(sigma + i omega) < kappa.
 class Search {
  public:
   Search(const ContactDynamics& contact, double kappa) : contact_(contact), kappa_(kappa) {}
@@ -32,7 +32,7 @@ class Search {
       worst_ = omega;
       return true;
     };
-    if (is_below(worst_)) return false;  // where the last search failed
+    if (is_below(worst_)) return false;  // the frequency at which the previous search failed
     std::array<double, 3> omega{}, value{};
     value.fill(resistance(0.0));
     for (std::size_t i = 1; i < contact_.frequencies.size(); ++i) {
@@ -51,7 +51,7 @@ class Search {
   }
 
  private:
-  // By the golden section.
+  // Minimises by golden-section search.
   template <class Function>
   static double minimum(const Function& function, double low, double high) {
     constexpr double share = std::numbers::phi - 1.0;
@@ -78,7 +78,8 @@ void add_frequencies_of_the_beam(const data::Beam& beam, double highest, std::ve
   const double scale =
       std::sqrt(beam.youngs_modulus() * beam.second_moment_of_area() / (beam.density() * beam.area()));
   for (int mode = 1;; ++mode) {
-    const double omega = scale * std::pow((mode - 0.5) * pi / beam.length(), 2);  // from mode 2 on, and P = 0
+    // Accurate from mode 2 on at P = 0.
+    const double omega = scale * std::pow((mode - 0.5) * pi / beam.length(), 2);
     if (omega >= highest) return;
     frequencies.push_back(omega);
   }
@@ -151,7 +152,7 @@ ContactDynamics stepped_contact(const solver::ContactMobility& mobility, double 
                                Complex zeta) { return mobility.discrete(zeta, time_step, spectral_radius); },
                            time_step),
       .frequencies = {0.0}};
-  for (const double omega : mobility.angular_frequencies())  // as the trapezoidal rule has it
+  for (const double omega : mobility.angular_frequencies())  // as the trapezoidal rule changes them
     if (omega > 0.0) contact.frequencies.push_back(2.0 * std::atan(0.5 * omega * time_step) / time_step);
   contact.frequencies.push_back(pi / time_step);
   return contact;
@@ -213,7 +214,8 @@ solver::ContactSystem with_radiating_contact(const solver::ContactSystem& system
   masses(size, size) = mass;
   for (const Eigen::Index i : {c, size})
     for (const Eigen::Index j : {c, size}) damping(i, j) += i == j ? dashpot : -dashpot;
-  // Nothing but the dashpot holds the mass; a stiffness that is not singular, though, is asked of a system.
+  // Only the dashpot is connected to the additional mass. A system must have a non-singular stiffness, so a
+  // very small one is added.
   const auto stiffness = [&](const solver::SparseMatrix& matrix) {
     Eigen::MatrixXd result = extended(matrix);
     result(size, size) = 1e-12 * result.diagonal().maxCoeff();

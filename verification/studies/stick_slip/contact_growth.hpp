@@ -1,28 +1,29 @@
 #pragma once
 
-/// How fast two solutions of one contact problem may separate: a number of the discretisation that is known
-/// before any run.
+/// A bound of the rate at which two solutions of one contact problem may separate. It follows
+/// from the discretised system and is known before any run.
 ///
 /// Let Y be the mobility of the contact (tip_mobility.hpp, contact_mobility.hpp), Z = 1/Y, and v_s = Y (f_d -
-/// f_h) (boundary_integral.hpp). The friction law is monotone but for a part with the Lipschitz constant
-/// kappa = (mu_s - mu_m) alpha N. Two solutions that differ by dv and df then satisfy, by Parseval's identity
-/// with the weight exp(-2 sigma t),
+/// f_h) (boundary_integral.hpp). The friction law is the sum of a monotone part and a part with the Lipschitz
+/// constant kappa = (mu_s - mu_m) alpha N. By Parseval's identity with the weight exp(-2 sigma t), two
+/// solutions that differ by dv and df satisfy
 ///
 ///     min over omega of Re Z(sigma + i omega) ||dv||^2  <=  <df, dv>  <=  kappa ||dv||^2.
 ///
 /// Let sigma* be the smallest sigma >= 0 with Re Z(sigma + i omega) >= kappa for all omega. A difference then
-/// grows at most like exp(sigma* t). A discretisation with a constant friction force per step has the
-/// mobility W(zeta) of its steps; with zeta = exp(-s h) it is a function of s, and omega ends at pi/h.
+/// grows at most like exp(sigma* t). For a discretisation with a constant friction force per step, Y is
+/// replaced by the mobility W(zeta) of the steps. With zeta = exp(-s h) it is a function of s, and the range
+/// of omega ends at pi/h.
 ///
-/// What is known of sigma* in closed form:
-/// - A finite undamped system with symmetric stiffness, in continuous time: Z - m_c s is passive, and
-/// vanishes
-///   for |s| -> infinity, so that sigma* = kappa/m_c, m_c the mass that an impulse at the contact meets. For
-///   a mass m, with or without a spring, kappa/m; for N free modes with the participation g each,
-///   kappa N g; for a mesh it is proportional to 1/l. It grows without bound with the number of modes.
+/// Known values of sigma* in closed form:
+/// - A finite undamped system with symmetric stiffness, in continuous time: Z - m_c s is passive and vanishes
+///   for |s| -> infinity, so that sigma* = kappa/m_c, where m_c is the effective mass for an impulse at the
+///   contact. For a mass m, with or without a spring, sigma* = kappa/m. For N free modes with the
+///   participation g each, sigma* = kappa N g, which grows without bound with N. For a mesh, sigma* is
+///   proportional to 1/l.
 /// - The undamped beam: at high frequencies Y(i omega) = i c (tan x - 1) with the phase x = beta L, so that
-///   Re Z/sigma -> (dx/domega)/(c (sin x - cos x)^2). It is 2/g at the poles of Y and 1/g at least, g =
-///   4/(rho A L). So sigma* >= 4 kappa/(rho A L), whatever P is.
+///   Re Z/sigma -> (dx/domega)/(c (sin x - cos x)^2). This is 2/g at the poles of Y and at least 1/g, with g
+///   = 4/(rho A L). Hence sigma* >= 4 kappa/(rho A L) for any P.
 
 #include <limits>
 #include <vector>
@@ -34,30 +35,32 @@
 
 namespace stickslip::studies {
 
-/// kappa = (mu_s - mu_m) alpha N, N s/m.
+/// The Lipschitz constant kappa = (mu_s - mu_m) alpha N of the falling part of the friction law, N s/m.
 [[nodiscard]] double weakening(const data::FrictionLaw& friction, double normal_force);
 
-/// A contact as the search for sigma* sees it.
+/// The mobility of a contact, with the data that the search for sigma* needs.
 struct ContactDynamics {
   analytic::Mobility mobility;      ///< Y(s), or W(exp(-s h))
-  std::vector<double> frequencies;  ///< rad/s, ascending from 0: Re Z is searched from the first to the last
+  std::vector<double> frequencies;  ///< rad/s, ascending from 0; Re Z is searched from the first to the last
   /// Re Z -> limiting_mass sigma + limiting_damping for omega -> infinity; kg, N s/m.
   double limiting_mass{std::numeric_limits<double>::infinity()};
   double limiting_damping{};
 };
 
-/// sigma*, 1/s, to 1e-4 of itself; 0 if it is below 1e-6 of the lowest frequency, infinity if it is above
-/// 1000 times the highest. The minimum over omega is searched and not proven: 16 values between neighbouring
-/// frequencies, refined about each local minimum that is near to kappa. The limit is taken into account.
+/// The growth bound sigma*, 1/s, with a relative accuracy of 1e-4. The result is 0 if sigma* is below 1e-6 of
+/// the lowest frequency, and infinity if it is above 1000 times the highest. The minimum over omega is found
+/// by a search and is not proven: 16 values between neighbouring frequencies, refined near each local minimum
+/// that is below 2 kappa. The limit for omega -> infinity is taken into account.
 [[nodiscard]] double growth_bound(const ContactDynamics& contact, double kappa);
 
-/// Whether sigma* <= sigma: one search, with sigma > 0.
+/// Whether sigma* <= sigma, by one search. Precondition: sigma > 0.
 [[nodiscard]] bool grows_at_most(const ContactDynamics& contact, double kappa, double sigma);
 
-/// The beam itself, with the frequencies up to mode 40 and the limit above. Throws what TipMobility throws.
+/// The continuous beam, with the frequencies up to mode 40 and the limit above. Throws what TipMobility
+/// throws.
 [[nodiscard]] ContactDynamics continuous_contact(const data::Beam& beam, const data::Damping& damping = {});
 
-/// sigma* of the beam itself, 1/s. Throws what TipMobility throws.
+/// sigma* of the continuous beam, 1/s. Throws what TipMobility throws.
 [[nodiscard]] double beam_growth_bound(const data::Beam& beam, const data::FrictionLaw& friction,
                                        const data::Damping& damping = {});
 
@@ -68,21 +71,23 @@ struct ContactDynamics {
 [[nodiscard]] ContactDynamics stepped_contact(const solver::ContactMobility& mobility, double time_step,
                                               double spectral_radius);
 
-/// The beam in the steps of boundary_integral.hpp.
+/// The continuous beam in the time steps of boundary_integral.hpp.
 [[nodiscard]] ContactDynamics stepped_contact(const data::Beam& beam, double time_step, int stages);
 
-/// The matrices of a ContactModel: held modes and, last, the contact. It has no load and a wall at rest.
+/// The matrices of a ContactModel: the held modes and, as the last degree of freedom, the contact. The result
+/// has no load, and its wall is at rest.
 [[nodiscard]] solver::ContactSystem contact_system(const analytic::ContactModel& model);
 
-/// A ContactModel in continuous time, which is what the event-driven engine computes: in its held modes, or
-/// in its free ones if it has them (without damping).
+/// A ContactModel in continuous time, as the event-driven method solves it: in its free modes if it has them
+/// (without damping), otherwise in its held modes.
 [[nodiscard]] ContactDynamics continuous_contact(const analytic::ContactModel& model);
 
-/// The system with a radiating termination: `mass`, kg, is taken from the contact's degree of freedom and
-/// hung on it by a dashpot, N s/m, as one degree of freedom more. Slow motions find the mass in its place;
-/// fast ones, which a mesh cannot resolve, work against the dashpot, as they would against the waves that
-/// they send into the beam. With a dashpot of kappa, Re Z >= kappa at high frequencies. The base accelerates
-/// the mass as it does the contact's own. Precondition: 0 < mass < m_c, or M is no longer positive definite.
+/// The system with a radiating termination: `mass` (kg) is taken from the degree of freedom of the contact
+/// and attached to it by a dashpot (N s/m) as an additional degree of freedom. In slow motions this mass
+/// moves with the contact. In fast motions, which a mesh cannot resolve, the dashpot dissipates energy, as
+/// the beam does by the waves that travel away from the contact. With a dashpot of kappa, Re Z >= kappa at
+/// high frequencies. The base acceleration loads the additional mass like the mass of the contact.
+/// Precondition: 0 < mass < m_c, so that M remains positive definite.
 [[nodiscard]] solver::ContactSystem with_radiating_contact(const solver::ContactSystem& system, double mass,
                                                            double dashpot);
 

@@ -9,24 +9,23 @@
 
 namespace stickslip::studies {
 
-/// One panel of Figs. 4 and 5: the motion as far as it has converged, and the verdicts of both
+/// One panel of Figs. 4 and 5: the converged motion, and whether the tip slips according to both
 /// implementations.
 struct ContactHistory {
   double frequency_hz{};
-  double amplitude{};  ///< m
-  std::optional<ConvergedHistory>
-      converged;  ///< sampled every 2e-4 s; nothing where the criterion says stick
+  double amplitude{};                         ///< m
+  std::optional<ConvergedHistory> converged;  ///< sampled every 2e-4 s; empty if the criterion predicts stick
   std::optional<double> finite_element_slip;  ///< time of the first slip, s
-  std::optional<double> closed_form_slip;     ///< first time |f| > mu_s P in the closed form, s
+  std::optional<double> closed_form_slip;     ///< first time at which |f| > mu_s P in the closed form, s
   bool criterion_slips{};                     ///< Eqs. (29), (30) over numerics.duration()
 };
 
-/// Runs to `shown` seconds for the history (the verdicts use numerics.duration()).
+/// Computes the history over `shown` seconds. The decisions on slip use numerics.duration().
 [[nodiscard]] ContactHistory contact_history(const data::Beam& beam, const data::FrictionLaw& friction,
                                              const data::HarmonicExcitation& excitation,
                                              const data::NumericalSettings& numerics, double shown);
 
-/// An undamped history as it is usually computed, against the converged one.
+/// An undamped history with usual settings, compared with the converged one.
 struct PracticeRun {
   std::string method{};
   int elements{};
@@ -37,16 +36,17 @@ struct PracticeRun {
   std::vector<double> tip_displacement{};  ///< y(L) at the times of the history, m
 };
 
-/// The scheme by the letter of the paper; changes located inside the step with spectral radii of 0.5, 0.9 and
-/// 1; all with mesh and step of numerics; and event-driven runs on as many elements and on twice as many.
+/// Runs with usual settings, all with the time step of `numerics` where there is one: the scheme of the
+/// paper; located changes with the spectral radii 0.5, 0.9 and 1; and event-driven runs on
+/// numerics.elements() and on twice as many elements.
 [[nodiscard]] std::vector<PracticeRun> usual_practice(const data::Beam& beam,
                                                       const data::FrictionLaw& friction,
                                                       const data::NumericalSettings& numerics,
                                                       const ConvergedHistory& converged);
 
-/// The first time at which |f| of the closed form (exact steady part) exceeds the limit, or nothing within
-/// the duration: looked for on a grid of 1/2000 of the shorter period, of the excitation and of the first
-/// mode, and located to 1/20000 of that.
+/// The first time (s) at which |f| of the closed form with the exact steady part exceeds the limit; empty if
+/// there is none within the duration. The search uses steps of 1/2000 of the shorter of the periods of the
+/// excitation and of the first mode, and locates the time to 1/20000 of a step.
 [[nodiscard]] std::optional<double> closed_form_first_slip(const data::Beam& beam,
                                                            const data::FrictionLaw& friction,
                                                            const data::HarmonicExcitation& excitation,

@@ -22,14 +22,15 @@ namespace {
 
 struct Run {
   std::vector<double> tip, midspan;
-  std::vector<ConvergedStick> sticks;  // of every length, the first one included
+  std::vector<ConvergedStick> sticks;  // of any length, including the first one
   HistoryLevel level;
 };
 
-/// Sticks and values at the samples, gathered from the steps of a run.
-class Gatherer {
+/// Records the stick phases and the values at the samples from the steps of a run.
+class RunRecorder {
  public:
-  Gatherer(Run& run, double time_step, std::size_t every) : run_(run), time_step_(time_step), every_(every) {
+  RunRecorder(Run& run, double time_step, std::size_t every)
+      : run_(run), time_step_(time_step), every_(every) {
     run_.tip = {0.0};
   }
 
@@ -65,8 +66,8 @@ class Study {
     const analytic::BeamBoundaryIntegral beam(problem_.beam, problem_.friction, problem_.excitation, {},
                                               grid);
     Run run;
-    Gatherer gatherer(run, grid.time_step, every);
-    for (const analytic::ContactStep& step : beam.steps()) gatherer.add(step);
+    RunRecorder recorder(run, grid.time_step, every);
+    for (const analytic::ContactStep& step : beam.steps()) recorder.add(step);
     if (effort_.with_midspan) run.midspan = beam.displacement(0.5 * problem_.beam.length(), every);
     run.level.method = "boundary integral";
     run.level.time_step = grid.time_step;
@@ -86,10 +87,10 @@ class Study {
     analytic::FreeModeRun beam(analytic::free_modes(problem_.beam, modes),
                                {problem_.beam.axial_force(), problem_.friction}, grid.time_step);
     Run run;
-    Gatherer gatherer(run, grid.time_step, every);
+    RunRecorder recorder(run, grid.time_step, every);
     run.midspan = analytic::held_displacement(problem_.beam, problem_.excitation, {}, grid, middle, every);
     for (std::size_t n = 0; n < held.size(); ++n) {
-      gatherer.add(beam.step(held[n]));
+      recorder.add(beam.step(held[n]));
       if ((n + 1) % every != 0) continue;
       for (std::size_t k = 0; k < shapes.size(); ++k)
         run.midspan[(n + 1) / every] += shapes[k] * beam.amplitudes()[k];
@@ -126,7 +127,8 @@ std::vector<double> half_widths(const std::vector<double>& finest, const std::ve
   return widths;
 }
 
-/// The stick of a run that overlaps with the given one for most of its length, or none.
+/// The stick phase of another run that overlaps with the given one for most of its length; null if there is
+/// none.
 const ConvergedStick* counterpart(const ConvergedStick& stick, const Run& run) {
   for (const ConvergedStick& other : run.sticks) {
     const double overlap = std::min(stick.end, other.end) - std::max(stick.begin, other.begin);
@@ -135,7 +137,7 @@ const ConvergedStick* counterpart(const ConvergedStick& stick, const Run& run) {
   return nullptr;
 }
 
-/// The stick with its half-widths: twice the largest difference to its counterparts, and a step.
+/// The stick phase with its half-widths: twice the largest difference from its counterparts, plus one step.
 std::optional<ConvergedStick> with_half_widths(ConvergedStick stick, double step, const Run& coarser,
                                                const Run& other) {
   for (const Run* run : {&coarser, &other}) {
@@ -165,7 +167,7 @@ double ConvergedHistory::largest_half_width() const { return tip_half_width.back
 
 ConvergedHistory converged_history(const data::Case& problem, const ConvergedEffort& effort) {
   const Study study(problem, effort);
-  // Both methods side by side, each from fine to coarse.
+  // Both methods run concurrently, each from the finest to the coarsest step.
   const auto runs_of = [&](int first, const auto& run) {
     std::vector<Run> runs;
     for (int level = 0, steps = first; level < effort.levels && steps >= 1; ++level, steps /= 2)

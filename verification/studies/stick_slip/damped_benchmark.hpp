@@ -15,25 +15,26 @@ struct BenchmarkEvent {
   double position_uncertainty{};  ///< m
 };
 
-/// Another route to the same history.
+/// The same history by another method or discretisation.
 struct BenchmarkRun {
   std::string method;
-  int size{};                         ///< finite elements, or modes of the continuous beam
-  double time_step{};                 ///< s; 0 for event-driven runs
-  EventDifference first_ten;          ///< against the reference
-  EventDifference all;                ///< the same over all events; infinite if the sequences differ
-  std::vector<EventDifference> each;  ///< of each event of the reference that the run has in its place
+  int size{};                 ///< number of finite elements, or of modes of the continuous beam
+  double time_step{};         ///< s; 0 for event-driven runs
+  EventDifference first_ten;  ///< largest differences of the first ten events from the reference
+  EventDifference all;        ///< the same for all events; infinite if the sequences differ
+  /// For each event of the reference: the difference of the event with the same number in the run.
+  std::vector<EventDifference> each;
 };
 
-/// A damped stick-slip history of which each change of contact converges: by the event-driven method on the
-/// modes of the continuous beam.
+/// A damped stick-slip history whose events all converge, by the event-driven method on the modes of the
+/// continuous beam.
 ///
-/// Uncertainty: the difference to a run with 1/sqrt(2) of the modes. The error falls faster than N^-3, so
-/// that it is at most 1/(2^(3/2) - 1) = 0.55 of that difference; what is left covers the tolerance of the
-/// integrator, which a run at a hundred times that tolerance shows.
+/// Uncertainty of an event: its difference from a run with 1/sqrt(2) of the modes. The error decreases faster
+/// than N^-3, so that it is at most 1/(2^(3/2) - 1) = 0.55 of this difference. The rest covers the effect of
+/// the integrator's tolerance, which is measured by a run with a hundred times that tolerance.
 struct DampedBenchmark {
   double frequency_hz{}, amplitude{}, kelvin_voigt{}, duration{};
-  double shortest_stick{};  ///< s: micro-sticks below it are merged (without_micro_sticks)
+  double shortest_stick{};  ///< s; shorter stick phases are merged (without_micro_sticks())
   int modes{};              ///< of the reference
   std::vector<BenchmarkEvent> events;
   double tolerance_effect{};  ///< largest time difference at a hundred times the tolerance, s
@@ -41,7 +42,7 @@ struct DampedBenchmark {
   std::vector<BenchmarkRun> runs;
 };
 
-/// What a benchmark is run with.
+/// The settings of the benchmark.
 struct BenchmarkEffort {
   double duration{0.5};
   double shortest_stick{2e-5};
@@ -49,10 +50,12 @@ struct BenchmarkEffort {
   std::vector<int> other_modes{10, 20};
   std::vector<int> free_modes{10, 20};
   std::vector<int> event_driven_elements{10, 20};
-  std::vector<int> elements{10, 20, 40};  ///< of the time stepper, at the last of time_steps
-  std::vector<double> time_steps{2e-5, 1e-5, 5e-6, 2.5e-6};  ///< on the last of elements
+  std::vector<int> elements{10, 20, 40};  ///< of the time integration, with the last of time_steps
+  std::vector<double> time_steps{2e-5, 1e-5, 5e-6, 2.5e-6};  ///< s, with the last of elements
 };
 
+/// Computes the reference history and the other runs. Throws std::runtime_error if the events of the
+/// reference depend on the number of modes.
 [[nodiscard]] DampedBenchmark damped_benchmark(const data::Case& problem, const BenchmarkEffort& effort = {});
 
 }  // namespace stickslip::studies

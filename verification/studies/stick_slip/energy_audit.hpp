@@ -4,35 +4,36 @@
 
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/data/problem.hpp"
-#include "stickslip/solver/energy_balance.hpp"
+#include "stickslip/solver/energy_books.hpp"
 #include "studies/convergence/convergence.hpp"
 
 namespace stickslip::studies {
 
-/// The energy balance of one stick-slip history by both methods: event by event without a mesh, and in time
-/// steps on each of several meshes.
+/// The energy balance of one stick-slip history by two methods: event-driven without a mesh, and by time
+/// integration on several meshes.
 struct EnergyAudit {
-  double kelvin_voigt{}, duration{};         ///< s
-  int modes{};                               ///< of the event-driven run
-  analytic::EventDrivenEnergy event_driven;  ///< at the end
-  double event_driven_initial{};             ///< kinetic + potential at t = 0, J
-  std::vector<double> time_step;             ///< s
+  double kelvin_voigt{}, duration{};   ///< s
+  int modes{};                         ///< of the event-driven run
+  analytic::EnergyBooks event_driven;  ///< at the end
+  double event_driven_initial{};       ///< kinetic + potential at t = 0, J
+  std::vector<double> time_step;       ///< s
   struct Mesh {
     int elements{};
-    std::vector<solver::EnergyBalance> stepped;  ///< at the end, one per step; spectral radius 1
-    OrderEstimate observed_order;                ///< of |residual| in the step
+    std::vector<solver::EnergyBalance> stepped;  ///< at the end, one per time step; spectral radius 1
+    OrderEstimate observed_order;                ///< of |residual| in the time step
   };
   std::vector<Mesh> meshes;
 
-  /// What no entry of the event-driven balance explains, J.
+  /// The residual of the event-driven energy balance, J.
   [[nodiscard]] double event_driven_residual() const {
     return event_driven.kinetic + event_driven.potential - event_driven_initial - event_driven.base_work -
            event_driven.follower_work + event_driven.damping_loss + event_driven.friction_loss;
   }
 };
 
-/// One event-driven run, and one run per mesh and step. Predicted: event-driven, the tolerance of the
-/// integrator; stepped, order 2 in h for what h resolves.
+/// One event-driven run, and one run per mesh and time step. Predicted residual of the event-driven run: the
+/// tolerance of the integrator. Predicted order of the time integration: 2 in h, for the modes that h
+/// resolves.
 [[nodiscard]] EnergyAudit energy_audit(const data::Case& problem, double duration,
                                        const std::vector<int>& elements, int modes,
                                        const std::vector<double>& time_steps);

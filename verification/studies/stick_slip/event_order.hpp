@@ -7,8 +7,8 @@
 
 namespace stickslip::studies {
 
-/// Errors of a stick-slip history by the time stepper, per step, against the event-driven history of the very
-/// same finite-element system.
+/// Errors of a stick-slip history by time integration, for each time step, against the event-driven history
+/// of the same finite-element system.
 struct EventOrder {
   std::vector<double> event_time_error;      ///< largest over all onsets and captures, s
   std::vector<double> event_position_error;  ///< largest over all onsets and captures, m
@@ -16,8 +16,8 @@ struct EventOrder {
   OrderEstimate event_time_order, event_position_order, tip_order;
 };
 
-/// Predicted: with location 2. Without it a change is noticed at the end of a step, late by up to h and by
-/// h/2 on average, so that event times are of order 1 and their error stays below h.
+/// Predicted order with located events: 2. Without location, a change is detected at the end of a step, with
+/// a delay of up to h and of h/2 on average. Event times then have order 1, and their error is below h.
 struct EventOrderStudy {
   double spectral_radius{};
   int elements{};
@@ -27,7 +27,7 @@ struct EventOrderStudy {
   EventOrder located, at_end_of_step;
 };
 
-/// Steps of 0.1 ms divided by `divisors`, without a velocity threshold.
+/// Runs the study with time steps of 0.1 ms divided by `divisors` and with the velocity threshold 0.
 [[nodiscard]] EventOrderStudy event_order_study(const data::Case& problem, double duration, int elements,
                                                 double spectral_radius, const std::vector<int>& divisors);
 

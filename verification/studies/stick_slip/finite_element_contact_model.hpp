@@ -10,36 +10,37 @@
 
 namespace stickslip::studies {
 
-/// What a ContactSystem holds as functions of time, in closed form: load_history = load_amplitude
-/// sin(Omega t), wall displacement = wall_amplitude sin(Omega t).
+/// The time functions of a ContactSystem in closed form: load_history = load_amplitude sin(Omega t), wall
+/// displacement = wall_amplitude sin(Omega t).
 struct HarmonicDrive {
   double load_amplitude{};     ///< in the units of load_history
   double angular_frequency{};  ///< Omega, rad/s, > 0
   double wall_amplitude{};     ///< W, m
 };
 
-/// The drive of beam_contact_system under h(t) = A0 sin(Omega t): load_history = h_tt, w = -h.
+/// The drive of beam_contact_system() for h(t) = A0 sin(Omega t): load_history = h_tt, w = -h.
 [[nodiscard]] HarmonicDrive harmonic_drive(const data::HarmonicExcitation& excitation);
 
-/// A ContactSystem, all of it, as the ContactModel of the event-driven engine: the same semi-discrete system
-/// without a time step. c is the contact, f the other degrees of freedom, n of them:
+/// Converts a ContactSystem to the ContactModel of the event-driven method: the same semi-discrete system,
+/// without a time step. c is the contact degree of freedom, and f are the other n ones:
 ///
 ///     sigma_f = -K_ff^-1 K_fc,     M_ff phi_k omega_k^2 = K_ff phi_k,     phi_k . M_ff phi_k = 1,
 ///     q_f = sigma_f u_c + Phi T,     q_c = u_c,     T = Phi^T M_ff (q_f - sigma_f q_c),
 ///
-/// K the stick stiffness. With B = [Phi sigma_f; 0 1] all matrices of the model are B^T (.) B; the follower
-/// row is that of c in (K_slip - K_stick) B. Rounding: eps times omega_n^2/omega_1^2 at most.
+/// K is the stick stiffness. With B = [Phi sigma_f; 0 1] the matrices of the model are B^T (.) B. The
+/// follower row is the row c of (K_slip - K_stick) B. Relative rounding error: at most about eps
+/// omega_n^2/omega_1^2.
 class FiniteElementContactModel {
  public:
-  /// Dense, n^3 operations. Throws std::invalid_argument unless M_ff and K_ff are positive definite and
-  /// K_slip differs from K_stick in the row of c alone, and what require_consistent() throws.
+  /// Needs n^3 operations on dense matrices. Throws std::invalid_argument unless M_ff and K_ff are positive
+  /// definite and K_slip differs from K_stick only in the row c, and what require_consistent() throws.
   FiniteElementContactModel(const solver::ContactSystem& system, const HarmonicDrive& drive);
 
   [[nodiscard]] const analytic::ContactModel& model() const noexcept { return model_; }
 
-  /// T of displacements q, or T_t of velocities.
+  /// T of the displacements q, or T_t of the velocities.
   [[nodiscard]] std::vector<double> amplitudes(const Eigen::VectorXd& q) const;
-  /// q of (T, u_c), or velocities of their rates.
+  /// q of (T, u_c), or the velocities of the rates.
   [[nodiscard]] Eigen::VectorXd full(const std::vector<double>& amplitudes, double contact) const;
 
  private:
@@ -50,7 +51,7 @@ class FiniteElementContactModel {
   analytic::ContactModel model_;
 };
 
-/// The beam on a mesh, ready for an event-driven run.
+/// The contact model of the beam on a mesh for an event-driven run.
 [[nodiscard]] analytic::ContactModel finite_element_contact_model(const solver::BeamModel& mesh,
                                                                   const data::FrictionLaw& friction,
                                                                   const data::HarmonicExcitation& excitation,

@@ -11,7 +11,8 @@ namespace stickslip::studies {
 
 namespace {
 
-// Slope of the logarithm of the largest difference within each period, from the first slip to `limit`.
+// Growth rate: slope of the logarithm of the largest difference in each period, from the first slip until it
+// reaches `limit`.
 double growth_rate(const TipHistory& a, const TipHistory& b, double period, double limit) {
   if (a.events.empty()) return 0.0;
   std::vector<double> times, logarithms;
@@ -42,8 +43,8 @@ solver::ContactSystem system_of(const data::Case& problem, const solver::BeamMod
       weakening(problem.friction, beam.axial_force()));
 }
 
-// As time_stepper_history(), of a system with a radiating contact. In the frame of the base the wall moves by
-// -h.
+// Like time_stepper_history(), for a system with a radiating contact. In the frame of the base the wall moves
+// by -h.
 TipHistory radiating_history(const solver::BeamModel& mesh, const solver::ContactSystem& system,
                              const solver::IntegratorSettings& settings, double duration, int every) {
   solver::StickSlipIntegrator integrator(system, settings);

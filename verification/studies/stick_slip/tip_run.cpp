@@ -18,7 +18,7 @@ std::vector<double> event_times(const std::vector<solver::ContactEvent>& events)
   return times;
 }
 
-// The quasi-static shape of the matrices that the run is made with, moving as the base begins to move.
+// The quasi-static shape of the system's own matrices, with the initial velocity of the base.
 Eigen::VectorXd initial_velocity(const solver::ContactSystem& system) {
   const Eigen::Index c = system.contact;
   Eigen::MatrixXd held(system.stick_stiffness);
@@ -29,7 +29,7 @@ Eigen::VectorXd initial_velocity(const solver::ContactSystem& system) {
   return system.wall.velocity(0.0) * held.ldlt().solve(right_side);
 }
 
-// The v in [v_free - reach, v_free + reach] at which v + strength c(v) changes its sign about v_free.
+// The root v of v + strength c(v) = v_free in [v_free - reach, v_free + reach], by bisection.
 double sliding_velocity(const ContactLaw& law, const data::FrictionLaw& friction, double strength,
                         double free_velocity) {
   const double reach = 2.0 * strength * friction.static_coefficient();

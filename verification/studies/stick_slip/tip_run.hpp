@@ -1,6 +1,6 @@
 #pragma once
 
-/// Stick-slip runs of the tip of a beam whose matrices, load or contact law need not be the right ones.
+/// Stick-slip runs of the tip for arbitrary matrices, loads and contact laws. They also compute wrong models.
 
 #include <cstddef>
 #include <functional>
@@ -14,34 +14,34 @@
 
 namespace stickslip::studies {
 
-/// A run ends at `time` or with the change of contact number `events`, whichever comes first.
+/// The end of a run: at `time`, or at the change of contact number `events`, whichever is first.
 struct RunEnd {
   double time{};  ///< s
   std::size_t events{std::numeric_limits<std::size_t>::max()};
 };
 
 struct TipRun {
-  double step{};                           ///< s, of the samples
+  double step{};                           ///< time between samples, s
   std::vector<double> tip_displacement{};  ///< y(L), m
   std::vector<double> friction_force{};    ///< f, N, sign of Eq. (28)
   std::vector<double> events{};            ///< times of onsets and captures, s
 };
 
-/// By the solver's integrator, changes located.
+/// A run by the integrator of the solver with located changes.
 [[nodiscard]] TipRun tip_run(const solver::BeamModel& mesh, const solver::ContactSystem& system,
                              const data::Case& problem, solver::InitialVelocity start, const RunEnd& end);
 
-/// A contact law of one's own: the coefficient of friction against a sliding velocity v, f_d = -c(v) N, odd
-/// or not, and whether a tip at rest is held by up to mu_s N.
+/// An arbitrary contact law: the coefficient of friction c(v) over the sliding velocity v, with f_d = -c(v)
+/// N, and whether friction of up to mu_s N holds a tip at rest. c need not be odd.
 struct ContactLaw {
   std::function<double(const data::FrictionLaw&, double)> coefficient;
   bool holds{true};
 };
 
-/// By the implicit midpoint rule for the beam with the friction force f over the step from the velocity at
-/// its end (Moreau's scheme): v_s = v_free + m f with the mobility m of the contact; f holds the tip if |f|
-/// <= mu_s N allows v_s = 0, else v_s is the root of v + m N c(v) = v_free by bisection. First order in the
-/// step, a tenth of the case's.
+/// A run by the implicit midpoint rule. The friction force f of a step is determined by the velocity at its
+/// end (Moreau's scheme): v_s = v_free + m f with the mobility m of the contact. The tip is held if v_s = 0
+/// is possible with |f| <= mu_s N. Otherwise v_s is the root of v + m N c(v) = v_free, by bisection. The
+/// method has first order in the step, which is a tenth of the time step of the case.
 [[nodiscard]] TipRun tip_run(const solver::BeamModel& mesh, const solver::ContactSystem& system,
                              const data::Case& problem, const ContactLaw& law, const RunEnd& end);
 
