@@ -21,7 +21,7 @@ namespace stickslip::studies {
 
 namespace {
 
-constexpr int all_modes = 100;  // with the exact steady part; what they omit is bounded
+constexpr int all_modes = 100;  // with the exact steady part; the omitted modes are bounded
 constexpr double relative_width = 1e-13;
 constexpr std::size_t frequency_count = std::size(printed_frequencies);
 
@@ -32,7 +32,7 @@ double true_maximum(const data::Beam& beam, const data::HarmonicExcitation& exci
   return analytic::StickResponse(beam, excitation, modes).max_abs_friction_force(duration, width).midpoint();
 }
 
-// All modes, continuous time, with what the tail of the free vibrations can do either way.
+// All modes in continuous time. The bounds include the possible contribution of the omitted free vibrations.
 analytic::Bounds problem_bounds(const data::Case& paper, double hz) {
   const analytic::StickResponse response(paper.beam, printed_excitation(hz), all_modes,
                                          analytic::SteadyPart::exact);
@@ -41,10 +41,10 @@ analytic::Bounds problem_bounds(const data::Case& paper, double hz) {
   return {kept.lower - omitted, kept.upper + omitted};
 }
 
-// One row to be, evaluated frequency by frequency.
+// A row of the study and the function that computes its force at one excitation.
 struct RowPlan {
   ForceRow row;
-  std::size_t baseline;  // index of the row with nothing changed
+  std::size_t baseline;  // index of the row without a change
   std::function<double(const data::HarmonicExcitation&)> force;
 };
 
@@ -144,7 +144,7 @@ class RowPlans {
   std::vector<RowPlan> plans_;
 };
 
-// A given quantity: what the paper prints of it at one frequency, and |f_max| with it set to another value.
+// A given quantity: its printed value at a frequency, and |f_max| for another value of it.
 struct Input {
   std::string name;
   std::function<data::PrintedNumber(double hz)> printed;
@@ -178,8 +178,9 @@ std::vector<Input> inputs(const data::Case& paper) {
 }
 
 std::vector<InputSensitivity> input_sensitivities(const data::Case& paper, const ForceRow& baseline) {
-  // Central differences. Maxima known to relative_width leave 1e-5 of the slope, the third derivative, by
-  // the phase omega_N T change = 1e-3 of the highest mode, less.
+  // Central differences. The accuracy relative_width of the maxima causes an error of about 1e-5 in the
+  // slope. The error from the third derivative is smaller: the phase change omega_N T change of the highest
+  // mode is 1e-3.
   constexpr double change = 1e-8;
   constexpr double range = 1e-3;
   constexpr int values_each_side = 20;
@@ -214,7 +215,7 @@ ForceRange force_range(const analytic::Bounds& force, const data::PrintedNumber&
       force.lower <= printed.value + printed.half_digit && force.upper >= printed.value - printed.half_digit};
 }
 
-// Of the rows with left_open, those of Eq. (28) alone or all.
+// The range over the rows with left_open: those of Eq. (28) only, or all.
 analytic::Bounds range_left_open(const std::vector<ForceRow>& rows, std::size_t frequency,
                                  bool formula_only) {
   analytic::Bounds range{std::numeric_limits<double>::infinity(), 0.0};
@@ -239,8 +240,8 @@ std::vector<ForceDigits> force_digits(const data::Case& paper, const std::vector
   return digits;
 }
 
-// Maxima of |f| on a grid of times for N = 1 ... modes at once: the steady amplitude of N modes and their
-// free vibrations, each advanced by one complex multiplication a step.
+// Largest |f| on a grid of times for N = 1 ... modes at once. The steady part with N modes and their free
+// vibrations are each advanced by one complex multiplication per step.
 std::vector<double> sampled_maxima(const data::Case& paper, double hz, int modes, double step) {
   using Complex = std::complex<double>;
   const data::HarmonicExcitation excitation = printed_excitation(hz);
@@ -277,7 +278,7 @@ SamplingSearch sampling_search(const data::Case& paper) {
   search.most_modes = 30;
   search.sampling_steps = {1e-5, 2e-5,    2.5e-5, 5e-5,   1e-4, 2e-4, 2.5e-4, 5e-4,
                            1e-3, 1.25e-3, 2e-3,   2.5e-3, 4e-3, 5e-3, 1e-2};
-  // As many points as a power of ten, both ends included, is another habit.
+  // Another usual choice is a number of points that is a power of ten, with both ends included.
   for (const double points : {1e3, 1e4, 1e5})
     search.sampling_steps.push_back(paper.numerics.duration() / (points - 1.0));
   search.returning.assign(frequency_count, 0);

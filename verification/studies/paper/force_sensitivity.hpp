@@ -1,7 +1,8 @@
 #pragma once
 
-/// Why the |f_max| of Sect. 5 come back to three digits and not to five: what each choice of a method does to
-/// them, what each given quantity does, and how many of their digits are the problem's own.
+/// Why the computed |f_max| of Sect. 5 agree with the printed values to three digits and not to five: the
+/// effect of each choice of the method, the effect of each given quantity, and the number of digits that the
+/// problem determines.
 
 #include <string>
 #include <vector>
@@ -11,70 +12,73 @@
 
 namespace stickslip::studies {
 
-/// |f_max| at the printed frequencies with one thing changed and all else as the paper states it: Eq. (28)
-/// with N = 10, its true maximum over 0 ... 10 s; or finite elements on 20 elements with 1e-4 s and spectral
-/// radius 0.9.
+/// |f_max| at the printed frequencies with one change from the paper's statement. The unchanged methods are
+/// Eq. (28) with N = 10, maximum over continuous time from 0 to 10 s; and finite elements with 20 elements,
+/// 1e-4 s and spectral radius 0.9.
 struct ForceRow {
-  std::string factor;   ///< what is changed: "modes", "sampling step", "elements", ...
-  std::string setting;  ///< what it is set to: "12", "5e-3 s"
-  bool closed_form{};   ///< Eq. (28); else finite elements
-  /// The paper leaves this open: how the maximum is sampled, by which method it was found, the mesh and the
-  /// spectral radius. It states N = 10, the step of 1e-4 s and the duration.
+  std::string factor;   ///< what is changed, such as "modes", "sampling step", "elements"
+  std::string setting;  ///< its value, such as "12", "5e-3 s"
+  bool closed_form{};   ///< Eq. (28); otherwise finite elements
+  /// Whether the paper leaves this choice open: how the maximum is sampled, by which method it was computed,
+  /// the mesh, and the spectral radius. The paper states N = 10, the step of 1e-4 s and the duration.
   bool left_open{};
   std::vector<double> force;   ///< N, one per frequency
-  std::vector<double> change;  ///< of `force` against the row of the same method with nothing changed, %
+  std::vector<double> change;  ///< of `force` from the unchanged row of the same method, %
 };
 
-/// What one given quantity does to |f_max|. Young's modulus stands for I as well, the density for A: only E I
-/// and rho A enter.
+/// The effect of one given quantity on |f_max|. Young's modulus also represents I, and the density also
+/// represents A, because only E I and rho A enter.
 ///
-/// The derivative is a local one: a relative change of 1/(omega_N T) = 1e-5 turns the free vibrations of the
-/// highest mode by a radian after T = 10 s, and another peak of |f| becomes the highest. What a larger change
-/// does is in `lowest_change` and `highest_change`. Predicted, from dimensions alone, for the derivatives s
-/// of E, rho, P and L: s_E + s_rho + s_P = 1 and s_L = -3 + 2 s_P + 4 s_rho.
+/// The derivative is a local one: a relative change of 1/(omega_N T) = 1e-5 changes the phase of the highest
+/// mode by one radian after T = 10 s, and another peak of |f| may become the highest. `lowest_change` and
+/// `highest_change` show the effect of larger changes. Dimensional analysis predicts for the derivatives s of
+/// E, rho, P and L: s_E + s_rho + s_P = 1 and s_L = -3 + 2 s_P + 4 s_rho.
 struct InputSensitivity {
   std::string input;             ///< "E", "rho", "P", "L", "Omega"
   std::vector<double> relative;  ///< d ln |f_max| / d ln input, one per frequency
-  /// Change of |f_max| with the input anywhere within 0.1 %, lowest and highest of 41 values, %.
+  /// Change of |f_max| for changes of the input within 0.1 %: lowest and highest of 41 values, %.
   std::vector<double> lowest_change, highest_change;
-  /// What would follow from reading the input as rounded to its printed digits, not as exact: change of
-  /// |f_max| at half a unit of the last digit below and above, %.
+  /// Change of |f_max| if the input is half a unit of its last printed digit lower or higher, %. This is the
+  /// uncertainty if the printed inputs are rounded values and not exact ones.
   std::vector<double> at_half_digit_below, at_half_digit_above;
 };
 
-/// A range of |f_max| and what it leaves of the printed value.
+/// A range of |f_max|, compared with the printed value.
 struct ForceRange {
   analytic::Bounds force;  ///< N
   int digits{};            ///< common_digits of both ends
-  bool holds_printed{};    ///< to half a unit of the last printed digit
+  bool holds_printed{};    ///< contains the printed value to half a unit of its last digit
 };
 
-/// Digits of one |f_max|: those on which all that the paper leaves open agrees, and those of the problem.
+/// The digits of one |f_max| that do not depend on what the paper leaves open, and those of the problem
+/// itself.
 struct ForceDigits {
   double frequency_hz{};
   double printed{}, half_digit{};  ///< N
-  ForceRange formula;              ///< Eq. (28) with N = 10, over the ways of sampling
-  ForceRange method;               ///< over all rows with left_open, finite elements included
-  ForceRange problem;  ///< all modes, continuous time: rigorous but for the tail, which is extrapolated
+  ForceRange formula;              ///< Eq. (28) with N = 10, over the sampling steps
+  ForceRange method;               ///< over all rows with left_open, including finite elements
+  ForceRange problem;              ///< all modes, continuous time; bounds, with an extrapolated tail
 };
 
 /// One way of sampling Eq. (28).
 struct SamplingTrial {
-  int modes{};                  ///< N
-  double sampling_step{};       ///< s
-  std::vector<double> force;    ///< N, one per frequency
-  double largest_difference{};  ///< from the printed values, in half units of the last printed digit
-  int returned{};               ///< printed values that come back to the digit
+  int modes{};                ///< N
+  double sampling_step{};     ///< s
+  std::vector<double> force;  ///< N, one per frequency
+  /// Largest difference from the printed values, in half units of their last digit.
+  double largest_difference{};
+  int returned{};  ///< number of printed values that it reproduces to the last digit
 };
 
-/// The search for a number of modes and a sampling step that return all four printed values to the digit.
+/// A search for a number of modes and a sampling step that reproduce all four printed values to the last
+/// digit.
 struct SamplingSearch {
   int most_modes{};
   std::vector<double> sampling_steps;  ///< s
-  int returning_all{};                 ///< trials with all printed values
-  std::vector<int> returning;          ///< trials that return each of them
-  SamplingTrial closest;               ///< the smallest largest_difference
-  SamplingTrial most_returned;         ///< the most values returned; of those, the closest
+  int returning_all{};                 ///< number of trials that reproduce all printed values
+  std::vector<int> returning;          ///< number of trials that reproduce each of them
+  SamplingTrial closest;               ///< the trial with the smallest largest_difference
+  SamplingTrial most_returned;         ///< the trial that reproduces most values; of several, the closest
 };
 
 struct ForceSensitivity {
@@ -85,8 +89,8 @@ struct ForceSensitivity {
   SamplingSearch search;
 };
 
-/// `paper` is the case of data/cases/paper.toml. Uses thread_count() threads; the result does not depend on
-/// that.
+/// Runs the study for the case of data/cases/paper.toml. Uses thread_count() threads; the result does not
+/// depend on their number.
 [[nodiscard]] ForceSensitivity force_sensitivity(const data::Case& paper);
 
 }  // namespace stickslip::studies

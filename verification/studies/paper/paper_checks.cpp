@@ -26,14 +26,14 @@ namespace stickslip::studies {
 
 namespace {
 
-// The frequencies of Fig. 6 from `first` on.
+// The frequencies of Fig. 6 that are not below `first`.
 std::vector<double> figure6_frequencies_from(double first) {
   std::vector<double> frequencies = figure6_frequencies();
   std::erase_if(frequencies, [first](double hz) { return hz < first; });
   return frequencies;
 }
 
-// The frequency with the smallest critical amplitude, which is the one with the largest |f_max|.
+// The frequency with the smallest critical amplitude, which has the largest |f_max|.
 template <typename ForceMaximum>
 double frequency_of_smallest_critical_amplitude(const std::vector<double>& frequencies,
                                                 ForceMaximum&& force_maximum) {
@@ -60,8 +60,8 @@ double sampled_force(const data::Case& paper, double hz) {
       .lower;
 }
 
-// |f_max| of N modes from u_t(x,0) = 0: Eq. (28) and the free vibration that takes the velocity -S h_t(0)
-// away, sampled.
+// Sampled |f_max| of N modes for the initial condition u_t(x,0) = 0: Eq. (28) plus the free vibration with
+// the initial velocity -S h_t(0), which cancels that of the quasi-static shape.
 double force_from_rest(const data::Case& paper, double hz, int modes) {
   const data::HarmonicExcitation excitation = printed_excitation(hz);
   const analytic::StickResponse response(paper.beam, excitation, modes);
@@ -87,7 +87,7 @@ double force_from_rest(const data::Case& paper, double hz, int modes) {
   return largest;
 }
 
-// The lowest dead load, in units of EI/L^2, at which K - P K_G with a free tip becomes singular.
+// The lowest dead load, in units of EI/L^2, at which K - P K_G with a free tip is singular.
 double dead_load_buckling(const data::Beam& beam, int elements) {
   const solver::BeamModel model(beam, elements);
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigenvalues(
@@ -97,7 +97,8 @@ double dead_load_buckling(const data::Beam& beam, int elements) {
   return load * beam.length() * beam.length() / (beam.youngs_modulus() * beam.second_moment_of_area());
 }
 
-// Richardson extrapolation of a fourth-order frequency from two meshes, the second twice as fine.
+// Richardson extrapolation of a frequency with errors of fourth order, from a mesh and one with half its
+// element length.
 double extrapolated_stick_hz(const data::Beam& beam, int mode, int elements) {
   const auto hz = [&](int n) {
     return solver::stick_modes(solver::BeamModel(beam, n), mode).back().angular_frequency / two_pi;
@@ -135,7 +136,7 @@ void add_force_checks(const data::Case& paper, std::vector<PrintedCheck>& checks
     const data::PrintedNumber printed = printed_force(hz);
     checks.push_back(
         {printed, sampled_force(paper, hz), "closed form, N = 10, sampled", 0.01 * printed.value,
-         "1 %: the paper's sampling and number of terms are not known well enough for more (E6)"});
+         "1 %: the paper does not state its sampling and its number of terms precisely enough (E6)"});
   }
 }
 
@@ -192,7 +193,8 @@ void add_force_errata(const data::Case& paper, std::vector<ErratumEvidence>& evi
   evidence.push_back({"E5", "stick frequency 3 (corrected: extrapolated from 16 and 32 elements)", "Hz",
                       data::printed_number("frequency.stick.3").value,
                       extrapolated_stick_hz(paper.beam, 3, 16), stick_hz(paper.beam, 3), 1e-3});
-  // At 70 Hz the printed value lies within what sampling every time step can lose: no evidence against it.
+  // At 70 Hz the difference is smaller than the possible error of sampling at each time step. It is no
+  // evidence.
   for (const double hz : {15.0, 25.0, 35.0}) {
     const data::HarmonicExcitation excitation = printed_excitation(hz);
     const analytic::StickResponse response(paper.beam, excitation, paper.numerics.modes());
@@ -232,13 +234,14 @@ void add_figure_errata(const data::Case& paper, std::vector<ErratumEvidence>& ev
 void add_sign_and_scaling_errata(const data::Case& paper, std::vector<ErratumEvidence>& evidence) {
   data::Case half = paper;
   half.beam = with(paper.beam, &data::BeamProperties::youngs_modulus, 0.5 * paper.beam.youngs_modulus());
-  // 1 %: the modes beyond ten hold 0.3 % of f in either beam (E6), and the mesh shifts it by as much.
+  // Tolerance 1 %: the modes above the tenth contribute 0.3 % of f for either beam (E6), and the error of the
+  // mesh is about as large.
   const double closed_form = closed_form_force(half, 15.0) / closed_form_force(paper, 15.0);
   const double finite_element = finite_element_force(half, 15.0) / finite_element_force(paper, 15.0);
   evidence.push_back({"E11",
                       "|f_max| at 15 Hz with half of E I over that with E I (reference: finite elements)",
                       "1", 0.5, closed_form, finite_element, 0.01 * finite_element});
-  // Per metre of base displacement, the tip held: u = S h.
+  // Per metre of base displacement with the tip held: u = S h.
   const double shear = paper.beam.youngs_modulus() * paper.beam.second_moment_of_area() *
                        analytic::QuasiStaticShape(paper.beam).third_derivative(paper.beam.length());
   const solver::BeamModel model(paper.beam, paper.numerics.elements());

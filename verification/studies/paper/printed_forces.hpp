@@ -9,20 +9,20 @@
 
 namespace stickslip::studies {
 
-/// The frequencies of the four |f_max| in Sect. 5, Hz.
+/// The frequencies (Hz) of the four |f_max| printed in Sect. 5.
 inline constexpr double printed_frequencies[] = {15.0, 25.0, 35.0, 70.0};
 
-/// Their excitations, all of 0.5 mm.
+/// The excitation of a printed |f_max|, with an amplitude of 0.5 mm.
 inline data::HarmonicExcitation printed_excitation(double hz) {
   return data::HarmonicExcitation({.frequency_hz = hz, .amplitude = 0.5e-3});
 }
 
-/// The |f_max| printed for one of them, N.
+/// The printed |f_max| at one of these frequencies, N.
 inline data::PrintedNumber printed_force(double hz) {
   return data::printed_number(fmt::format("force_max.{}", std::lround(hz)));
 }
 
-/// `beam` with one property replaced.
+/// A copy of `beam` with one property changed.
 inline data::Beam with(const data::Beam& beam, double data::BeamProperties::*field, double value) {
   data::BeamProperties properties = beam.properties();
   properties.*field = value;

@@ -43,13 +43,14 @@ Settings level_settings(const Settings& published, int level) {
   return Settings(choices);
 }
 
-// What the uncertainty is where the levels are not asymptotic.
+// The uncertainty for a result whose levels are not asymptotic.
 struct Prediction {
   double uncertainty;
   const char* obtained;
 };
 
-// A result to be: its value at given settings, its closed form and its prediction at the published settings.
+// A result to be computed: its value at given settings, its closed form, and its predicted error at the
+// published settings.
 struct Plan {
   std::string id, quantity, unit;
   bool stepped;
@@ -83,7 +84,8 @@ void add_frequencies(const data::Case& paper, std::vector<Plan>& plans) {
   for (int mode = 1; mode <= 3; ++mode) add(half, mode, ".half_stiffness", ", half stiffness");
 }
 
-// The length at which a mesh has its frequency `mode` at `hz`, between bounds that enclose it, to 1e-12 m.
+// The length at which the frequency number `mode` of a mesh is `hz`, between bounds that enclose it; to 1e-12
+// m.
 double finite_element_resonance_length(const data::Beam& section, int mode, double hz, int elements,
                                        double low, double high) {
   while (high - low > 1e-12) {
@@ -106,7 +108,8 @@ void add_resonance_lengths(std::vector<Plan>& plans) {
                      },
                      exact,
                      [=] {
-                       // The frequency falls faster than 1/L^2, and its error is half that of omega^2.
+                       // The frequency decreases faster than 1/L^2, and its relative error is half that of
+                       // omega^2.
                        const data::Beam beam = with(figure.beam, &data::BeamProperties::length, exact);
                        const double relative =
                            hermite_eigenvalue_error(beam, analytic::stick_modes(beam, mode).back(),
@@ -135,7 +138,7 @@ void add_force_maxima(const data::Case& paper, std::vector<Plan>& plans) {
   }
 }
 
-// What the free vibrations of a response can be off by, in the sup-norm up to `duration`.
+// Bound of the error of the free vibrations of a response, as the largest difference up to `duration`.
 double history_error(const data::Case& paper, const analytic::StickResponse& exact,
                      const std::vector<analytic::Sinusoid>& free, double duration) {
   return drift_bound(paper.beam, exact.modes(), free, paper.numerics, duration);
@@ -171,8 +174,8 @@ void add_first_slips(const data::Case& paper, std::vector<Plan>& plans) {
   }
 }
 
-// max |history| over 0 ... duration: the largest sample of step `step`, and its neighbourhood a hundred times
-// finer.
+// max |history| over 0 ... duration: the largest sample with the step `step`, refined near it with a step a
+// hundred times smaller.
 double largest_magnitude(double duration, double step, const std::function<double(double)>& history) {
   double largest = 0.0, at = 0.0;
   for (long n = solver::step_count(duration, step); n >= 0; --n) {
@@ -251,7 +254,7 @@ VerifiedResult verified(const Plan& plan, std::vector<VerificationLevel> compute
   return result;
 }
 
-// mu_s P over |f_max| per unit amplitude, where Fig. 6 has its minimum: from the levels of |f_max|.
+// mu_s P over |f_max| per unit amplitude at the minimum of Fig. 6, from the levels of |f_max|.
 VerifiedResult critical_amplitude(const data::Case& paper, const Plan& force,
                                   std::vector<VerificationLevel> levels_of_force) {
   const double scale =
