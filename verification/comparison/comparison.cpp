@@ -34,15 +34,15 @@ const std::string past_last_sample = "between an event and the samples of the ph
 const std::string other_phase = "in another phase";
 const std::string after_difference = "after the first event that differs";
 
-// --- judging points
+// --- comparison of points
 
-// One point of one quantity, in its unit.
+// One point of one quantity, in the unit of the quantity.
 struct Point {
   double abscissa{}, theirs{}, reference{}, half_width{};
   std::string where;
 };
 
-// What an error is divided by.
+// The divisor that converts an error to the norm of the quantity.
 double unit_of(Norm norm, double reference, double scale) {
   switch (norm) {
     case Norm::relative:
@@ -56,12 +56,12 @@ double unit_of(Norm norm, double reference, double scale) {
   return 1.0;
 }
 
-// |x| in a norm. Relative to nothing, only nothing is small.
+// |x| in a norm. For x = 0 the result is 0 even if the divisor is 0; for other x it is then infinite.
 double measured(double x, Norm norm, double reference, double scale) {
   return x == 0.0 ? 0.0 : std::abs(x) / unit_of(norm, reference, scale);
 }
 
-// By how much an error exceeds the uncertainty.
+// The difference between an error and the uncertainty.
 double excess(double error, double uncertainty) {
   return std::isfinite(uncertainty) ? error - uncertainty : -infinity;
 }
@@ -74,7 +74,8 @@ void skip(Comparison::Quantity& quantity, const std::string& reason) {
     ++known->points;
 }
 
-// Takes the point into the last series and, if it decides, into the verdict. Returns whether it differs.
+// Adds the point to the last series and updates the result of the quantity. Returns whether the point
+// differs.
 bool judge(Comparison::Quantity& quantity, const Point& point, double scale) {
   Comparison::Series& series = quantity.series.back();
   series.abscissa.push_back(point.abscissa);
@@ -102,7 +103,7 @@ bool judge(Comparison::Quantity& quantity, const Point& point, double scale) {
   return differs;
 }
 
-// A quantity that counts what should not be there.
+// A quantity that counts deviations, such as additional or missing events.
 Comparison::Quantity count_of(const std::string& name, const std::string& unit) {
   return {.name = name,
           .unit = unit,
@@ -124,13 +125,13 @@ void count(Comparison::Quantity& quantity, const std::string& where) {
   quantity.agreement = Agreement::differs;
 }
 
-// --- rows that belong together
+// --- groups of rows
 
-// The rows of one curve or one sequence on both sides.
+// The rows of one curve or one sequence, in the reference and in the user's table.
 struct Group {
   std::string label;
   Rows reference, theirs;
-  bool differs{};  // in its events, phases or the quantity that a diagnosis is made of
+  bool differs{};  // whether its events, its phases or the quantity of the diagnosis differ
 };
 
 bool is_same_cell(const data::Column& a, std::size_t i, const data::Column& b, std::size_t j) {
@@ -150,7 +151,7 @@ class Matcher {
     });
   }
 
-  // "beam = paper, mode = 3"
+  // For example "beam = paper, mode = 3".
   [[nodiscard]] std::string label(const std::vector<std::string>& columns, std::size_t row) const {
     return label_of(columns, [&](const std::string& name) { return reference_.column(name).text[row]; });
   }
@@ -198,7 +199,7 @@ class Matcher {
   const data::UserTable& theirs_;
 };
 
-// --- the reference between its samples
+// --- interpolation of the reference
 
 struct Samples {
   std::vector<double> abscissa, values, half_width;
@@ -208,7 +209,8 @@ struct Interpolated {
   double value{}, half_width{};
 };
 
-// The sample at x, or the polynomial through the nearest order + 1 of them; nothing where there are too few.
+// The sample at x, or else the interpolation polynomial through the nearest order + 1 samples; empty if there
+// are too few samples.
 std::optional<Interpolated> value_at(const Samples& samples, double x, double coincidence,
                                      const data::Interpolation* interpolation, double error_bound) {
   const auto& xs = samples.abscissa;
@@ -241,7 +243,7 @@ std::vector<TabulatedEvent> events_of(const data::ReferenceTable& table, const R
   return events;
 }
 
-// Without grazes, which change nothing.
+// The events without grazing contacts, because these do not change the phase.
 std::vector<TabulatedEvent> events_of(const data::UserTable& table, const Rows& rows) {
   constexpr std::array<std::string_view, 4> changes{"onset", "capture", "reversal", "graze"};
   const data::Column& change = *table.column("change");
@@ -256,7 +258,7 @@ std::vector<TabulatedEvent> events_of(const data::UserTable& table, const Rows& 
   return events;
 }
 
-// Time during which the reference and they are in different phases, or may be.
+// A time interval in which the reference and the user's result are, or may be, in different phases.
 struct Window {
   double from{}, to{};
 };
@@ -309,11 +311,12 @@ class Comparer {
     return *resource.comparison;
   }
 
-  // --- what is compared
+  // --- compared quantities and tolerances
 
   [[nodiscard]] double tolerance_of(const data::ComparedValue& value) const {
     double tolerance = value.tolerance;
-    for (const std::string& name : {std::string(), value.field})  // its own wins over that of all
+    // The tolerance of one quantity replaces that for all.
+    for (const std::string& name : {std::string(), value.field})
       for (const auto& [quantity, replacement] : settings_.tolerances)
         if (quantity == name) tolerance = replacement;
     return tolerance;
@@ -354,7 +357,8 @@ class Comparer {
     }
   }
 
-  // A table has no abscissa of its own: that of its diagnosis, or the last number of its key.
+  // A data set of the kind table has no abscissa. The abscissa of its diagnosis is used, or else the last
+  // numerical key.
   void choose_abscissa() {
     result_.abscissa = rule_.abscissa;
     group_columns_ = data::group_columns(reference_.resource);
@@ -380,8 +384,8 @@ class Comparer {
     }
   }
 
-  // The largest |value| of a group, or the range of its values, up to the horizon of the data set, however
-  // soon the comparison ends.
+  // The largest |value| of a group, or the range of its values. All values up to the horizon of the data set
+  // count, also if the comparison ends earlier.
   [[nodiscard]] double scale_of(const std::string& field, Norm norm, const Group& group) const {
     const auto& values = reference_.column(field).values;
     const double end = rule_.kind == ComparisonKind::table ? infinity : rule_.horizon.value_or(infinity);
@@ -401,7 +405,7 @@ class Comparer {
     return diagnosis && diagnosis->value == field;
   }
 
-  // Judges their row, unless the reference has no value there.
+  // Compares one row of the user with the reference, unless the reference has no value there.
   void judge_at(Comparison::Quantity& quantity, Group& group, std::size_t their_row, double abscissa,
                 const std::optional<Interpolated>& reference, double scale, const std::string& where) {
     if (!reference || !std::isfinite(reference->value)) {
@@ -420,14 +424,14 @@ class Comparer {
     for (Comparison::Quantity& quantity : result_.quantities) skip(quantity, reason);
   }
 
-  // --- table
+  // --- kind table
 
-  // A row of the reference with one of theirs.
+  // A row of the reference and the corresponding row of the user.
   struct Pair {
     std::size_t row{}, their_row{};
   };
 
-  // Compares the cells of pairs of rows at the abscissas of the reference.
+  // Compares the values of pairs of rows at the abscissas of the reference.
   void compare_pairs(Group& group, const std::vector<Pair>& pairs,
                      const std::function<std::string(const Pair&)>& where) {
     for (Comparison::Quantity& quantity : result_.quantities) {
@@ -474,7 +478,7 @@ class Comparer {
                                           rows > shown ? fmt::format(" and {} more", rows - shown) : ""));
   }
 
-  // --- curve
+  // --- kind curve
 
   [[nodiscard]] Samples samples_of(const std::string& field, const Rows& rows) const {
     const auto& abscissa = reference_.column(rule_.abscissa).values;
@@ -499,7 +503,7 @@ class Comparer {
     return rule_.interpolation ? rule_.interpolation->error.at(field) : 0.0;
   }
 
-  // Abscissas that are nearer than this are the same.
+  // Abscissas with a smaller distance than this are considered equal.
   [[nodiscard]] double coincidence(const Group& group) const {
     constexpr double relative = 1e-9;
     const auto& abscissa = reference_.column(rule_.abscissa).values;
@@ -514,7 +518,8 @@ class Comparer {
                        group.label.empty() ? "" : ", " + group.label);
   }
 
-  // Interpolated, or refused where the data set has neither a sample nor an interpolation.
+  // Compares with the sample or with the interpolated value. Throws data::InputError if the data set has no
+  // sample at x and defines no interpolation.
   void compare_at(Comparison::Quantity& quantity, Group& group, const Samples& samples, std::size_t their_row,
                   double x, double scale) {
     const auto value =
@@ -527,7 +532,7 @@ class Comparer {
     judge_at(quantity, group, their_row, x, value, scale, where_of(group, x));
   }
 
-  // Whether x is before the horizon and in the range of the samples; else it is skipped.
+  // Whether x is before the horizon and in the range of the samples. If not, the point is counted as skipped.
   bool is_comparable(Comparison::Quantity& quantity, const Samples& samples, double x, double margin) {
     if (x > horizon_) {
       skip(quantity, beyond_horizon);
@@ -556,9 +561,9 @@ class Comparer {
     }
   }
 
-  // --- events
+  // --- kind events
 
-  // Of the times, in s; the rule may compare them relative to something.
+  // The tolerance of event times, s. The rule may define it relative to the horizon.
   [[nodiscard]] double time_tolerance(const data::ComparisonRule& rule) const {
     for (const data::ComparedValue& value : rule.values) {
       if (value.field != "time") continue;
@@ -598,9 +603,9 @@ class Comparer {
     result_.quantities.insert(result_.quantities.begin(), std::move(sequence));
   }
 
-  // --- phases
+  // --- kind phases
 
-  // The events of a group of a history, from a table of events with the same columns.
+  // The events that belong to a group of a history, from a table of events with the same columns.
   template <class Table>
   [[nodiscard]] std::vector<TabulatedEvent> events_in(const Table& table, const Group& group) const {
     Rows rows;
@@ -621,13 +626,13 @@ class Comparer {
     return table.resource.field(name) == nullptr ? nullptr : &table.column(name);
   }
 
-  // Number of events up to a time: samples with the same number are in the same phase.
+  // The number of events up to the time t. Samples with the same number are in the same phase.
   static std::size_t phase_number(const std::vector<TabulatedEvent>& events, double t) {
     return static_cast<std::size_t>(
         std::ranges::count_if(events, [t](const TabulatedEvent& event) { return event.time <= t; }));
   }
 
-  // The larger of the distances to the neighbours.
+  // The larger of the distances to the two neighbouring samples.
   [[nodiscard]] double sampling_distance(const Group& group, std::size_t index) const {
     const auto& t = theirs_.column(rule_.abscissa)->values;
     double distance = 0.0;
@@ -637,7 +642,8 @@ class Comparer {
     return distance;
   }
 
-  // Where the phases may differ; the times of their events, if they are known, end at those of the reference.
+  // The intervals around the events of the reference in which the phases may differ. If the user's event
+  // times are known, an interval extends to them.
   static std::vector<Window> windows_between(const std::vector<TabulatedEvent>& events,
                                              const std::vector<TabulatedEvent>& theirs, std::size_t common) {
     std::vector<Window> windows;
@@ -649,7 +655,7 @@ class Comparer {
     return windows;
   }
 
-  // Samples of the phase with this number, but none that may lie on the other side of an event.
+  // The samples in the phase with this number, without samples that may be on the other side of an event.
   [[nodiscard]] Rows rows_in_phase(const Group& group, const std::vector<TabulatedEvent>& events,
                                    std::size_t phase) const {
     const auto& abscissa = reference_.column(rule_.abscissa).values;
@@ -744,7 +750,7 @@ class Comparer {
     }
   }
 
-  // --- verdict
+  // --- result
 
   void conclude() {
     bool compared = false;
@@ -775,7 +781,7 @@ class Comparer {
     throw InputError(fmt::format("the quantity '{}' of a diagnosis is unknown", name));
   }
 
-  // Their values up to the horizon, each taken for as uncertain as the tolerance allows.
+  // The user's values up to the horizon. The tolerance is taken as their uncertainty.
   [[nodiscard]] Observation observation_of(const Group& group, Quantity quantity) const {
     const data::DiagnosisRule& rule = *reference_.resource.diagnosis;
     const auto compared = std::ranges::find(rule_.values, rule.value, &data::ComparedValue::field);
@@ -811,11 +817,11 @@ class Comparer {
     try {
       const Diagnosis found = studies::diagnose(data::load_case(name), observation_of(group, quantity));
       likeness.sentence = found.finding == Finding::correct
-                              ? "no diagnosis: the difference is too small to be likened to a mistake (" +
+                              ? "no diagnosis: the difference is too small to be assigned to a mistake (" +
                                     sentence(found) + ")"
                               : sentence(found);
       likeness.diagnosis = found;
-    } catch (const std::logic_error& error) {  // the case is unknown, or has no such state
+    } catch (const std::logic_error& error) {  // the case is unknown or has no such state
       likeness.sentence = fmt::format("no diagnosis: {}", error.what());
     }
     return likeness;

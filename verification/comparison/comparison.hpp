@@ -1,6 +1,6 @@
 #pragma once
 
-/// Somebody else's results against the published reference data.
+/// The comparison of a user's results with the published reference data.
 
 #include <cstddef>
 #include <optional>
@@ -14,48 +14,55 @@
 
 namespace stickslip::studies {
 
-/// With e the error of a point, u the uncertainty of the reference there and tol the tolerance, all in the
-/// norm of the quantity: a point differs if e > tol + u; it is undecided if it does not differ, but u > tol;
-/// else it agrees. A quantity differs if one of its points does, and is undecided if none differs but one is
-/// undecided.
+/// The result of a comparison. With the error e of a point, the uncertainty u of the reference there and the
+/// tolerance tol, all in the norm of the quantity, the point
+/// - differs if e > tol + u;
+/// - is undecided if it does not differ but u > tol;
+/// - agrees otherwise.
+///
+/// A quantity differs if at least one of its points differs. It is undecided if no point differs but at least
+/// one is undecided.
 enum class Agreement { agrees, differs, undecided };
 
-/// "agrees", "differs", "undecided".
+/// The result in one word: "agrees", "differs" or "undecided".
 [[nodiscard]] std::string_view to_string(Agreement agreement) noexcept;
 
+/// The settings of a comparison.
 struct ComparisonSettings {
-  /// A tolerance in place of that of the data set.
+  /// A tolerance that replaces that of the data set.
   struct Tolerance {
-    std::string quantity;  ///< empty: of all
+    std::string quantity;  ///< the quantity; empty for all quantities
     double value{};
   };
   std::vector<Tolerance> tolerances;
-  std::optional<double> until;  ///< s: compare nothing later, even if the horizon of the data set is
-  std::optional<data::UserTable> events;  ///< of the same run, for a data set of the kind phases
-  bool diagnose = true;                   ///< liken what differs to the wrong models
+  std::optional<double> until;  ///< latest time to compare, s; it cannot extend the horizon of the data set
+  std::optional<data::UserTable> events;  ///< events of the same run, for a data set of the kind phases
+  /// Whether quantities that differ are compared with the wrong models.
+  bool diagnose = true;
 };
 
-/// What was compared, with the verdict.
+/// The result of a comparison and the compared values.
 struct Comparison {
   struct Skipped {
-    std::string reason;  ///< "beyond the horizon"
+    std::string reason;  ///< such as "beyond the horizon"
     std::size_t points{};
   };
 
-  /// The points that were compared of one curve, or of one sequence.
+  /// The compared points of one curve or of one sequence.
   struct Series {
-    std::string group;             ///< "beam = paper"; empty if there is only one
-    std::vector<double> abscissa;  ///< the row number where there is none
+    std::string group;             ///< such as "beam = paper"; empty if there is only one
+    std::vector<double> abscissa;  ///< the row number if there is no abscissa
     std::vector<double> theirs, reference;
     std::vector<double> half_width;  ///< of the reference, interpolation included
-    std::vector<double> allowed;     ///< the largest difference that agrees, in the unit of the quantity
+    /// The largest difference that still agrees, in the unit of the quantity.
+    std::vector<double> allowed;
   };
 
   struct Quantity {
     std::string name, unit;
     data::Norm norm{};
     double tolerance{};
-    /// Of the point that decides: the one with the largest e - u. Nothing if no point was compared.
+    /// Error and uncertainty of the point with the largest e - u; empty if no point was compared.
     std::optional<double> error;
     std::optional<double> uncertainty;
     std::string where;
@@ -65,35 +72,37 @@ struct Comparison {
     std::vector<Series> series;
   };
 
-  /// Which wrong model it looks like.
+  /// The diagnosis of one group: the wrong model that is nearest to the result.
   struct Likeness {
     std::string group;
     std::string sentence;
-    std::optional<Diagnosis> diagnosis;  ///< nothing if there can be none; the sentence says why
+    std::optional<Diagnosis> diagnosis;  ///< empty if no diagnosis is possible; the sentence gives the reason
   };
 
   std::string name, title;
   data::ComparisonKind kind{};
-  std::string abscissa, abscissa_unit;  ///< of the series; empty for row numbers
+  std::string abscissa, abscissa_unit;  ///< of the series; empty if it is the row number
   Agreement agreement{};
   std::vector<Quantity> quantities;
-  std::vector<std::string> remarks;  ///< what is missing on either side, in sentences
+  std::vector<std::string> remarks;  ///< rows and columns that are missing on either side, as sentences
   std::vector<Likeness> likenesses;
 };
 
-/// Compares the values of a table with a data set, point by point.
+/// Compares the values of a user's table with a data set, point by point, according to the kind of the data
+/// set:
+/// - table: rows with the same primary key are compared.
+/// - curve: the reference is evaluated at the user's abscissas by the interpolation polynomial through its
+///   samples. The error bound of the interpolation and the amplified half-widths of the samples count as
+///   uncertainty. If the data set defines no interpolation, the abscissas must coincide (to 1e-9).
+/// - events: first the sequence of changes up to the horizon is compared, then the times and positions of the
+///   common first part. An event within tolerance of the horizon may be on either side of it.
+/// - phases: like curve, but with samples of the same phase only. Points between the event times of the
+///   reference and of the user are skipped. If the user's event times are unknown, points within one of the
+///   user's sampling intervals of an event of the reference are skipped. A sample in a different phase
+///   outside these intervals is an error of the quantity "phase".
 ///
-/// table: rows by primary key. curve: at their abscissas, by Lagrange's polynomial through the reference's
-/// samples, whose error bound and amplified half-widths count as uncertainty; where the data set knows no
-/// interpolation the abscissas must coincide (to 1e-9). events: first the sequence of changes up to the
-/// horizon, then times and positions of the common beginning; an event of a run that is within tolerance of
-/// the horizon may lie on either side of it. phases: as curve, but from samples of the same phase only.
-/// Between the reference's time of an event and theirs nothing is compared; if theirs is not known, nothing
-/// within one of their sampling distances of the reference's. A sample in another phase outside these is an
-/// error of the quantity "phase".
-///
-/// A difference is likened to the wrong models if the data set says which quantity it is. Their result counts
-/// as being as uncertain as the tolerance allows.
+/// Quantities that differ are compared with the wrong models if the data set names the quantity of its
+/// diagnosis. The tolerance is then taken as the uncertainty of the user's values.
 ///
 /// Throws data::InputError for an unknown data set, quantity of a tolerance, row, abscissa or word, and if
 /// nothing can be compared.

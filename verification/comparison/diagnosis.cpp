@@ -12,10 +12,11 @@ namespace stickslip::studies {
 
 namespace {
 
-constexpr double accidental = 0.01;  // of all unrelated errors may be named
+// Allowed probability that an unrelated error is assigned to a wrong model.
+constexpr double accidental_share = 0.01;
 constexpr double least_ratio = 3.0;
 
-bool each_counts_alike(Quantity quantity) {
+bool is_scaled_by_entry(Quantity quantity) {
   switch (quantity) {
     case Quantity::stick_frequency:
     case Quantity::slip_frequency:
@@ -34,10 +35,10 @@ double root_mean_square(const std::vector<double>& values) {
   return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
-// (a - b)/s, entry by entry.
+// (a - b)/s for each entry, s of ModelResults.
 std::vector<double> scaled_difference(const ModelResults& model_results, const std::vector<double>& a,
                                       const std::vector<double>& b) {
-  const bool alike = each_counts_alike(model_results.quantity);
+  const bool alike = is_scaled_by_entry(model_results.quantity);
   const double common = root_mean_square(model_results.reference);
   std::vector<double> difference;
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -45,7 +46,7 @@ std::vector<double> scaled_difference(const ModelResults& model_results, const s
   return difference;
 }
 
-// K and n of Diagnosis.
+// The number K and the dimension n of Diagnosis.
 struct Field {
   double count{}, dimension{1.0};
 };
@@ -117,8 +118,8 @@ Diagnosis diagnose(const ModelResults& model_results, const Observation& observa
                           distance(model_results, uncertainty, std::vector<double>(uncertainty.size(), 0.0));
   const Field field = field_of(model_results, diagnosis.uncertainty);
   diagnosis.dimension = field.dimension;
-  diagnosis.required_ratio =
-      std::max(least_ratio, std::pow(field.count / (accidental * std::log(10.0)), 1.0 / field.dimension));
+  diagnosis.required_ratio = std::max(
+      least_ratio, std::pow(field.count / (accidental_share * std::log(10.0)), 1.0 / field.dimension));
 
   for (const auto& wrong_model : model_results.wrong_models)
     diagnosis.ranked.push_back({wrong_model.name,
@@ -126,12 +127,12 @@ Diagnosis diagnose(const ModelResults& model_results, const Observation& observa
                                 wrong_model.from_reference});
   std::ranges::stable_sort(diagnosis.ranked, {}, &Candidate::distance);
 
-  const auto name_those_like = [&](const std::vector<double>& model) {
-    for (const Candidate& suspect : diagnosis.ranked) {
+  const auto name_indistinguishable_from = [&](const std::vector<double>& model) {
+    for (const Candidate& candidate : diagnosis.ranked) {
       const auto member =
-          std::ranges::find(model_results.wrong_models, suspect.name, &ModelResults::Member::name);
+          std::ranges::find(model_results.wrong_models, candidate.name, &ModelResults::Member::name);
       if (distance(model_results, member->values, model) <= 2.0 * diagnosis.uncertainty)
-        diagnosis.named.push_back(suspect.name);
+        diagnosis.named.push_back(candidate.name);
     }
   };
   if (!std::isfinite(diagnosis.uncertainty)) {
@@ -140,7 +141,7 @@ Diagnosis diagnose(const ModelResults& model_results, const Observation& observa
   }
   if (diagnosis.from_reference <= diagnosis.uncertainty) {
     diagnosis.finding = Finding::correct;
-    name_those_like(model_results.reference);
+    name_indistinguishable_from(model_results.reference);
     return diagnosis;
   }
   diagnosis.finding = Finding::unexplained;
@@ -148,7 +149,7 @@ Diagnosis diagnose(const ModelResults& model_results, const Observation& observa
   const Candidate& nearest = diagnosis.ranked.front();
   if (nearest.distance * diagnosis.required_ratio > diagnosis.from_reference) return diagnosis;
   diagnosis.finding = Finding::mistaken;
-  name_those_like(
+  name_indistinguishable_from(
       std::ranges::find(model_results.wrong_models, nearest.name, &ModelResults::Member::name)->values);
   return diagnosis;
 }
@@ -164,7 +165,7 @@ std::string sentence(const Diagnosis& diagnosis) {
       std::string text = fmt::format("correct: {} from the reference, within the uncertainty of {}",
                                      from_reference, percent(diagnosis.uncertainty));
       if (!diagnosis.named.empty())
-        text += fmt::format("; it could not tell {} from the reference", quoted(diagnosis.named));
+        text += fmt::format("; {} cannot be distinguished from the reference", quoted(diagnosis.named));
       return text;
     }
     case Finding::mistaken: {
@@ -177,12 +178,12 @@ std::string sentence(const Diagnosis& diagnosis) {
       return text;
     }
     case Finding::undecided:
-      return fmt::format("undecided: {} from a reference that another mesh and step do not confirm",
+      return fmt::format("undecided: {} from the reference, which another mesh and step do not confirm",
                          from_reference);
     case Finding::unexplained:
       break;
   }
-  std::string text = fmt::format("wrong by {}, like none of the known mistakes", from_reference);
+  std::string text = fmt::format("wrong by {}, not near any known mistake", from_reference);
   if (!diagnosis.ranked.empty())
     text += fmt::format("; the nearest, '{}', is {} away and would have to be within {}",
                         diagnosis.ranked.front().name, percent(diagnosis.ranked.front().distance),

@@ -22,8 +22,8 @@ SequenceMatch match(const std::vector<TabulatedEvent>& reference, const std::vec
   std::size_t& i = result.common;
   while (i < std::min(within, theirs.size()) && reference[i].change == theirs[i].change) ++i;
 
-  // The last event within the horizon may be behind the end of theirs, the first one behind it before the
-  // horizon.
+  // The last reference event within the horizon may be missing because the user's run ends before it. The
+  // first reference event after the horizon may be before the horizon in the user's run.
   const bool last_is_late = i == theirs.size() && i + 1 == within && is_at_horizon(reference[i]);
   result.missing = last_is_late ? 0 : within - i;
   result.extra = static_cast<std::size_t>(

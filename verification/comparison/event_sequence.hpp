@@ -1,6 +1,6 @@
 #pragma once
 
-/// Changes of contact of two runs, one after the other.
+/// The comparison of two sequences of contact changes.
 
 #include <cstddef>
 #include <limits>
@@ -16,20 +16,22 @@ struct TabulatedEvent {
   std::size_t row{};
 };
 
-/// "event 3 (onset at 0.0729 s)", of the event with this index, counted from 0.
+/// A description such as "event 3 (onset at 0.0729 s)" of the event with this index, which counts from 0.
 [[nodiscard]] std::string description(std::size_t index, const TabulatedEvent& event);
 
-/// How far two sequences are alike up to the horizon.
+/// How far the user's sequence agrees with that of the reference up to the horizon.
 struct SequenceMatch {
-  std::size_t common{};                                   ///< pairs of the same kind, from the beginning
-  std::size_t missing{}, extra{};                         ///< of theirs, behind these and within the horizon
-  std::size_t beyond{};                                   ///< of theirs, behind the horizon
+  /// Number of pairs of the same kind, from the beginning.
+  std::size_t common{};
+  /// Reference events missing, and additional user events, within the horizon.
+  std::size_t missing{}, extra{};
+  std::size_t beyond{};                                   ///< number of user events after the horizon
   double until{std::numeric_limits<double>::infinity()};  ///< the earlier time of the first pair that differs
-  std::string difference;                                 ///< in words, empty if there is none
+  std::string difference;                                 ///< a description, empty if there is no difference
 };
 
-/// An event of the reference that is within `time_tolerance` of the horizon may lie on either side of it in
-/// theirs.
+/// Compares two sequences up to the horizon (s). An event of the reference within `time_tolerance` (s) of the
+/// horizon may be on either side of it in the user's sequence.
 [[nodiscard]] SequenceMatch match(const std::vector<TabulatedEvent>& reference,
                                   const std::vector<TabulatedEvent>& theirs, double horizon,
                                   double time_tolerance);

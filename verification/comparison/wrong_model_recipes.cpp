@@ -50,7 +50,8 @@ data::Case with_friction(data::Case problem, double static_coefficient, double k
   return problem;
 }
 
-// A rectangle b by d has A = b d and I = b d^3/12; about the other axis d b^3/12 = A^4/(144 I).
+// A rectangle of width b and depth d has A = b d and I = b d^3/12. About the other axis d b^3/12 = A^4/(144
+// I).
 std::optional<data::Case> about_the_other_axis(const data::Case& problem) {
   const double area = problem.beam.area(), own = problem.beam.second_moment_of_area();
   const double other = std::pow(area, 4) / (144.0 * own);
@@ -63,7 +64,8 @@ std::optional<data::Case> unless_coulomb(const data::Case& problem, double coeff
   return with_friction(problem, coefficient, coefficient);
 }
 
-// Both wave numbers with -P/(2EI): tan(beta L) = tanh(beta L), the modes of P = 0, and k = beta^4 + p beta^2.
+// With the printed sign -P/(2EI) in both wave numbers: tan(beta L) = tanh(beta L), which gives the modes of P
+// = 0, and k = beta^4 + p beta^2.
 void use_one_wave_number(StickSum& sum, const data::Case& problem) {
   const data::Beam& beam = problem.beam;
   const double p = beam.axial_force() / rigidity(beam);
@@ -88,7 +90,8 @@ solver::PrescribedMotion at_rest() {
   return {zero, zero, zero};
 }
 
-// Lumped after Hinton, Rock and Zienkiewicz: m l (1/2, l^2/78) at each end; the load is that of the masses.
+// Lumped masses after Hinton, Rock and Zienkiewicz: m l (1/2, l^2/78) at each end. The load is that of these
+// masses.
 void lump_the_mass(solver::ContactSystem& system, const solver::BeamModel& mesh) {
   const double length = mesh.beam().length() / mesh.elements();
   const double mass = mass_per_length(mesh.beam()) * length;
@@ -103,7 +106,7 @@ void lump_the_mass(solver::ContactSystem& system, const solver::BeamModel& mesh)
   system.mass = solver::SparseMatrix(Eigen::MatrixXd(lumped.asDiagonal()).sparseView());
 }
 
-// EI u''' of the cubic in the last element.
+// EI u''' of the cubic interpolation in the last element.
 Eigen::RowVectorXd shear_of_the_last_element(const solver::BeamModel& mesh) {
   const double l = mesh.beam().length() / mesh.elements();
   const Eigen::RowVector4d third_derivative(12.0, 6.0 * l, -12.0, 6.0 * l);
@@ -127,8 +130,8 @@ ModalScheme scheme_of(const data::Case& problem) {
                    problem.numerics.time_step());
 }
 
-// The other weight, alpha_m of the new state, grows by alpha_m/(1 - alpha_m) > 1 in every step, however
-// short.
+// Only alpha_f is changed. With alpha_m as the weight of the new state, too, the motion would grow by the
+// factor alpha_m/(1 - alpha_m) > 1 in each step, for any step size.
 ModalScheme with_alpha_f_of_the_new_state(const data::Case& problem) {
   ModalScheme scheme = scheme_of(problem);
   scheme.alpha_f = 1.0 - scheme.alpha_f;
@@ -149,7 +152,7 @@ ModalScheme with_the_load_at_the_end(const data::Case& problem) {
   return scheme;
 }
 
-constexpr double added_damping = 0.01;  // of critical
+constexpr double added_damping = 0.01;  // fraction of critical damping
 
 ModalScheme with_damping_added(const data::Case& problem) {
   ModalScheme scheme = scheme_of(solver::GeneralizedAlpha(1.0), problem.numerics.time_step());
@@ -177,7 +180,7 @@ void change_the_sign_of_forces(const data::Case&, Quantity quantity, const std::
   for (double& value : values) value = -value;
 }
 
-// What the sum misses of the displacement falls as n^-5 or faster, of the force as n^-2.
+// The truncation error of the displacement decreases as n^-5 or faster, that of the force as n^-2.
 WrongModelRecipe with_modes(const std::string& name, const std::string& count, std::size_t modes) {
   Quantities changes{force_maximum, critical_amplitude, stick_force};
   if (modes < 3) changes.push_back(stick_displacement);
@@ -194,20 +197,17 @@ WrongModelRecipe with_mesh_of(const std::string& name, const std::string& count,
           .depends_on_mesh = true};
 }
 
-using Recipes = std::vector<WrongModelRecipe>;
-
-// The section and the axial force.
-Recipes of_the_beam() {
+std::vector<WrongModelRecipe> make_models() {
   return {
-      {.wrong_model = {"second-moment-as-printed", "I is the printed one, a hundredth of what holds (E1)",
+      {.wrong_model = {"second-moment-as-printed", "I is the printed value, 1/100 of the correct one (E1)",
                        "Sect. 3, parameters", everything},
        .inputs = [](const data::Case& problem) -> std::optional<data::Case> {
          return with_second_moment(problem, 0.01 * problem.beam.second_moment_of_area());
        }},
-      {.wrong_model = {"second-moment-of-other-axis", "I is that about the other axis of the rectangle",
+      {.wrong_model = {"second-moment-of-other-axis", "I is taken about the other axis of the rectangle",
                        "Sect. 3, parameters", everything},
        .inputs = about_the_other_axis},
-      {.wrong_model = {"tension", "P pulls where it should press", "Eq. (1)", everything},
+      {.wrong_model = {"tension", "P is tensile instead of compressive", "Eq. (1)", everything},
        .inputs = [](const data::Case& problem) -> std::optional<data::Case> {
          return with_value(problem, Parameter::axial_force, -problem.beam.axial_force());
        }},
@@ -220,7 +220,7 @@ Recipes of_the_beam() {
                        "Eq. (23)", Quantities{stick_frequency, participation} + held_motion},
        .equations = use_one_wave_number,
        .knows_stick_slip = false},
-      {.wrong_model = {"dead-load", "P keeps its direction where it should follow the tip", "Eq. (9)",
+      {.wrong_model = {"dead-load", "P keeps its direction instead of following the tip", "Eq. (9)",
                        Quantities{slip_frequency, force_maximum, critical_amplitude, stick_force} +
                            stick_slip},
        .mesh = [](solver::ContactSystem& system,
@@ -232,14 +232,8 @@ Recipes of_the_beam() {
            [](solver::ContactSystem& system, const solver::BeamModel& mesh) {
              system.slip_stiffness = 2.0 * mesh.stick_stiffness() - mesh.slip_stiffness();
            }},
-  };
-}
-
-// The friction force and the place where the tip is held.
-Recipes of_the_contact_force() {
-  return {
       {.wrong_model = {"reaction-without-follower-term",
-                       "f is the support's reaction, EI u''' + P u', where it should be EI u'''",
+                       "f is the reaction of the support, EI u''' + P u', instead of EI u'''",
                        "Eq. (4)",
                        {force_maximum, critical_amplitude, stick_force}},
        .equations =
@@ -249,27 +243,26 @@ Recipes of_the_contact_force() {
            },
        .knows_stick_slip = false},
       {.wrong_model = {"force-from-shape-functions",
-                       "f is EI u''' of the last element's cubic, where it should come from the balance",
+                       "f is EI u''' of the cubic in the last element, not taken from the balance",
                        "Eq. (4)",
                        {force_maximum, critical_amplitude, stick_force}},
        .force_row = shear_of_the_last_element,
        .knows_stick_slip = false},
       {.wrong_model = {"force-sign",
-                       "f is the force on the beam, of the opposite sign",
+                       "f is the force on the beam and has the opposite sign",
                        "Eq. (28)",
                        {stick_force, friction_force}},
        .reading = change_the_sign_of_forces},
       {.wrong_model = {"relative-displacement",
-                       "u is reported where y = h + u should be",
+                       "u is reported instead of y = h + u",
                        "Fig. 1",
                        {stick_displacement, tip_displacement}},
        .reading = take_the_relative_displacement},
-      {.wrong_model = {"wall-moves-with-base",
-                       "the tip sticks to the base: v_s is u_t where it should be y_t", "Eq. (3)",
-                       Quantities{participation} + held_motion + stick_slip},
+      {.wrong_model = {"wall-moves-with-base", "the tip sticks to the base: v_s is u_t instead of y_t",
+                       "Eq. (3)", Quantities{participation} + held_motion + stick_slip},
        .equations = [](StickSum& sum, const data::Case&) { let_the_wall_move_with_the_base(sum); },
        .mesh = [](solver::ContactSystem& system, const solver::BeamModel&) { system.wall = at_rest(); }},
-      {.wrong_model = {"tip-clamped-in-stick", "the wall holds the rotation of the tip, too", "Eq. (3)",
+      {.wrong_model = {"tip-clamped-in-stick", "the wall also prevents the rotation of the tip", "Eq. (3)",
                        Quantities{stick_frequency} + held_motion},
        .mesh =
            [](solver::ContactSystem& system, const solver::BeamModel& mesh) {
@@ -277,12 +270,6 @@ Recipes of_the_contact_force() {
              system.stick_stiffness.coeffRef(mesh.tip_rotation(), mesh.tip_rotation()) += clamp;
            },
        .knows_stick_slip = false},
-  };
-}
-
-// The load by the moving base and its modal equations.
-Recipes of_the_excitation() {
-  return {
       {.wrong_model = {"base-load-sign", "the load is +rho A h_tt", "Eq. (1)",
                        Quantities{participation} + held_motion + stick_slip},
        .equations =
@@ -291,20 +278,20 @@ Recipes of_the_excitation() {
            },
        .mesh = [](solver::ContactSystem& system,
                   const solver::BeamModel&) { system.load_shape = -system.load_shape; }},
-      {.wrong_model = {"base-load-left-out", "the base moves the beam's end but its inertia does not load it",
+      {.wrong_model = {"base-load-left-out", "the base moves the end of the beam without an inertia load",
                        "Eq. (1)", Quantities{participation} + held_motion + stick_slip},
        .equations =
            [](StickSum& sum, const data::Case&) {
              for (StickSum::Mode& mode : sum.modes) mode.participation -= mode.rigid_participation;
            },
        .mesh = [](solver::ContactSystem& system, const solver::BeamModel&) { system.load_shape.setZero(); }},
-      {.wrong_model = {"hertz-as-radians", "the excitation frequency in Hz is taken for rad/s",
+      {.wrong_model = {"hertz-as-radians", "the excitation frequency in Hz is used as if in rad/s",
                        "Sect. 3, excitation", held_motion + stick_slip},
        .inputs = [](const data::Case& problem) -> std::optional<data::Case> {
          return with_value(problem, Parameter::frequency,
                            problem.excitation.frequency_hz() / (2.0 * std::numbers::pi));
        }},
-      {.wrong_model = {"peak-to-peak-amplitude", "the amplitude is taken for the whole travel of the base",
+      {.wrong_model = {"peak-to-peak-amplitude", "the amplitude is used as the peak-to-peak travel",
                        "Sect. 3, excitation", held_motion + stick_slip},
        .inputs = [](const data::Case& problem) -> std::optional<data::Case> {
          return with_value(problem, Parameter::amplitude, 0.5 * problem.excitation.amplitude());
@@ -317,7 +304,7 @@ Recipes of_the_excitation() {
                mode.oscillator_frequency = std::sqrt(mode.natural_frequency);
            },
        .knows_stick_slip = false},
-      {.wrong_model = {"participation-without-shape", "C_n has 1 where it should have 1 + S", "Eq. (25)",
+      {.wrong_model = {"participation-without-shape", "C_n is computed with 1 instead of 1 + S", "Eq. (25)",
                        Quantities{participation} + held_motion},
        .equations =
            [](StickSum& sum, const data::Case&) {
@@ -332,13 +319,7 @@ Recipes of_the_excitation() {
              sum.displacement = 1.0;
            },
        .knows_stick_slip = false},
-  };
-}
-
-// The start, the steady part and the time over which the largest force is sought.
-Recipes of_the_response() {
-  return {
-      {.wrong_model = {"zero-initial-velocity", "u_t(x,0) = 0 where it should be S(x) h_t(0) (E4)",
+      {.wrong_model = {"zero-initial-velocity", "u_t(x,0) = 0 instead of S(x) h_t(0) (E4)",
                        "Sect. 3, initial conditions", held_motion + stick_slip},
        .equations =
            [](StickSum& sum, const data::Case& problem) {
@@ -351,23 +332,17 @@ Recipes of_the_response() {
       with_modes("two-modes", "two modes", 2),
       with_modes("three-modes", "three modes", 3),
       with_modes("five-modes", "five modes", 5),
-      {.wrong_model = {"steady-state-only", "the free vibrations of the start are left out", "Eq. (26)",
+      {.wrong_model = {"steady-state-only", "the free vibrations from the start are left out", "Eq. (26)",
                        held_motion},
        .equations = [](StickSum& sum, const data::Case&) { sum.free_vibrations = false; },
        .knows_stick_slip = false},
       {.wrong_model = {"one-period-maximum",
-                       "|f_max| is looked for in the first period of the excitation only",
+                       "|f_max| is searched in the first period of the excitation only",
                        "Sect. 5",
                        {force_maximum, critical_amplitude}},
        .observed_for = [](const data::Case& problem) { return 1.0 / problem.excitation.frequency_hz(); }},
       with_mesh_of("two-elements", "two", 2),
       with_mesh_of("four-elements", "four", 4),
-  };
-}
-
-// The mesh and the time steps.
-Recipes of_the_discretisation() {
-  return {
       {.wrong_model = {"lumped-mass", "masses are lumped at the nodes", "Eq. (8)",
                        natural_frequencies + held_motion + stick_slip},
        .mesh = lump_the_mass,
@@ -378,7 +353,7 @@ Recipes of_the_discretisation() {
                   const solver::BeamModel& mesh) { system.load_shape[mesh.tip_rotation()] = 0.0; },
        .depends_on_mesh = true},
       {.wrong_model = {"alpha-convention-swapped",
-                       "alpha_f weights the new state where it should weight the old one: the motion grows",
+                       "alpha_f is the weight of the new state instead of the old one, so the motion grows",
                        "Sect. 3, [24]", held_motion},
        .equations =
            [](StickSum& sum, const data::Case& problem) {
@@ -386,8 +361,8 @@ Recipes of_the_discretisation() {
            },
        .scheme = with_alpha_f_of_the_new_state,
        .knows_stick_slip = false},
-      {.wrong_model = {"alphas-interchanged", "alpha_m stands where alpha_f should, and the other way round",
-                       "Sect. 3, [24]", held_motion},
+      {.wrong_model = {"alphas-interchanged", "alpha_m and alpha_f are interchanged", "Sect. 3, [24]",
+                       held_motion},
        .scheme = with_alphas_interchanged,
        .knows_stick_slip = false},
       {.wrong_model = {"load-at-end-of-step", "the load is taken at the end of the step", "Sect. 3, [24]",
@@ -401,12 +376,6 @@ Recipes of_the_discretisation() {
              return scheme_of(solver::GeneralizedAlpha(0.0), 10.0 * problem.numerics.time_step());
            },
        .knows_stick_slip = false},
-  };
-}
-
-// Damping and the friction law.
-Recipes of_damping_and_friction() {
-  return {
       {.wrong_model = {"damping-added", "1 % of critical damping that the problem does not have", "Eq. (1)",
                        held_motion + stick_slip},
        .inputs = [](const data::Case& problem) -> std::optional<data::Case> {
@@ -449,13 +418,13 @@ Recipes of_damping_and_friction() {
          return sign(v) * weakened(law, 1e3 * std::abs(v));
        }}},
       {.wrong_model = {"decay-without-magnitude",
-                       "exp(-alpha v) where it should be exp(-alpha |v|)",
+                       "exp(-alpha v) instead of exp(-alpha |v|)",
                        "Eq. (7)",
                        {tip_displacement, friction_force, contact_event}},
        .law = ContactLaw{[](const data::FrictionLaw& law, double v) { return sign(v) * weakened(law, v); }}},
       {.wrong_model =
            {"regularised-friction",
-            "the jump at v_s = 0 is smeared over 10 mm/s, so that the tip creeps where it should stick",
+            "the jump at v_s = 0 is smoothed over 10 mm/s, so that the tip creeps instead of sticking",
             "Eq. (6)",
             {tip_displacement, friction_force, contact_event}},
        .law = ContactLaw{[](const data::FrictionLaw& law, double v) {
@@ -463,14 +432,6 @@ Recipes of_damping_and_friction() {
                          },
                          false}},
   };
-}
-
-Recipes all_recipes() {
-  Recipes all;
-  for (const Recipes& group : {of_the_beam(), of_the_contact_force(), of_the_excitation(), of_the_response(),
-                               of_the_discretisation(), of_damping_and_friction()})
-    all.insert(all.end(), group.begin(), group.end());
-  return all;
 }
 
 }  // namespace
@@ -484,7 +445,7 @@ data::Case with_elements(const data::Case& problem, int elements) {
 }
 
 const std::vector<WrongModelRecipe>& wrong_model_recipes() {
-  static const std::vector<WrongModelRecipe> models = all_recipes();
+  static const std::vector<WrongModelRecipe> models = make_models();
   return models;
 }
 

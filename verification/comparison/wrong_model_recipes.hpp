@@ -12,35 +12,38 @@
 
 namespace stickslip::studies {
 
-/// How a wrong model is made: whatever is given replaces the right thing, nothing else does.
+/// How a wrong model is made. Each member that is given replaces a part of the right model; the rest is
+/// unchanged.
 struct WrongModelRecipe {
   WrongModel wrong_model;
-  /// The case that it takes for the one given, or nothing if that is the same. The friction force is limited
-  /// by the axial force of the one given.
+  /// The case that the wrong model computes instead of the given one; empty if it is the same. The friction
+  /// force is limited by the axial force of the given case.
   std::function<std::optional<data::Case>(const data::Case&)> inputs{};
-  /// The closed form of the stick state.
+  /// Changes the closed form of the stick state.
   std::function<void(StickSum&, const data::Case&)> equations{};
-  /// The matrices and loads of the mesh, from which it then takes whatever it changes of natural frequencies
-  /// and stick state, unless it has equations for that: on 60 elements, or on the mesh of the case if the
-  /// mistake depends on it.
+  /// Changes the matrices and loads of the mesh. Natural frequencies and stick state are then computed on the
+  /// mesh, unless `equations` is given. The mesh has 60 elements, or is that of the case if the mistake
+  /// depends on the mesh.
   std::function<void(solver::ContactSystem&, const solver::BeamModel&)> mesh{};
   bool depends_on_mesh{};
-  /// f = row . q of the case's mesh in the stick state.
+  /// The row of f = row . q on the mesh of the case in the stick state.
   std::function<Eigen::RowVectorXd(const solver::BeamModel&)> force_row{};
-  /// The time integration of the modal equations.
+  /// The scheme of the time integration of the modal equations.
   std::function<ModalScheme(const data::Case&)> scheme{};
-  /// For how long it looks for |f|_max, s.
+  /// The duration (s) over which |f_max| is searched.
   std::function<double(const data::Case&)> observed_for{};
   solver::InitialVelocity start{solver::InitialVelocity::quasi_static};
   std::optional<ContactLaw> law{};
-  /// What it makes of a right result.
+  /// Changes a right result into the wrong one.
   std::function<void(const data::Case&, Quantity, const std::vector<double>&, std::vector<double>&)>
       reading{};
-  bool knows_stick_slip{true};  ///< false for mistakes that only a model of the stick state can make
+  bool knows_stick_slip{true};  ///< false if the mistake is possible in a model of the stick state only
 };
 
+/// The recipes of all wrong models.
 [[nodiscard]] const std::vector<WrongModelRecipe>& wrong_model_recipes();
 
+/// A copy of the case with another number of elements.
 [[nodiscard]] data::Case with_elements(const data::Case& problem, int elements);
 
 }  // namespace stickslip::studies

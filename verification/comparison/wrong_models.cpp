@@ -27,9 +27,10 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int kept_free_vibrations = 60;
 constexpr int fine_elements = 60;
 constexpr double closed_form_uncertainty = 1e-9;
-constexpr double unit_amplitude = 1e-3;  // m: the critical amplitude does not depend on that of the case
+// m; the critical amplitude does not depend on the amplitude of the case.
+constexpr double unit_amplitude = 1e-3;
 
-// The right model has neither inputs nor equations of its own.
+// The right model has a recipe without changes.
 const WrongModelRecipe& right_model() {
   static const WrongModelRecipe model;
   return model;
@@ -67,7 +68,7 @@ int whole(double number) { return static_cast<int>(std::lround(number)); }
 
 int highest(const std::vector<double>& abscissa) { return whole(std::ranges::max(abscissa)); }
 
-// The mesh of a model with its matrices; the friction force is limited by `normal_force`.
+// The mesh of a model with its matrices. The friction force is limited by `normal_force`.
 struct MeshedBeam {
   solver::BeamModel mesh;
   solver::ContactSystem system;
@@ -82,7 +83,7 @@ MeshedBeam meshed_beam(const WrongModelRecipe& model, const data::Case& problem,
   return {std::move(mesh), std::move(system)};
 }
 
-// Whether natural frequencies and stick state come from the mesh.
+// Whether natural frequencies and the stick state are computed on the mesh.
 bool takes_the_mesh(const WrongModelRecipe& model, Quantity quantity) {
   return (model.mesh || model.force_row) && !model.equations &&
          std::ranges::count(model.wrong_model.changes, quantity) > 0;
@@ -93,7 +94,7 @@ MeshedBeam linear_beam(const WrongModelRecipe& model, const data::Case& problem)
   return meshed_beam(model, as_given ? problem : with_elements(problem, fine_elements), 0.0);
 }
 
-// The stick state of a model that has a modal sum of its own.
+// The modal sum of the stick state of a model.
 StickSum sum_of(const WrongModelRecipe& model, const data::Case& problem, Quantity quantity) {
   if (takes_the_mesh(model, quantity)) {
     const MeshedBeam beam = linear_beam(model, problem);
@@ -105,7 +106,7 @@ StickSum sum_of(const WrongModelRecipe& model, const data::Case& problem, Quanti
   return sum;
 }
 
-// f(t) or y(L/2, t) while the tip is held, up to some time, and its largest magnitude.
+// f(t) or y(L/2, t) with the tip held, and its largest magnitude up to some time.
 struct HeldHistory {
   std::function<double(double)> at;
   std::function<double()> max_abs;
@@ -170,13 +171,13 @@ std::vector<double> at_each(const std::vector<double>& abscissa, const Function&
   return values;
 }
 
-// Entries of a list that begins with number 1; nothing if it is too short.
+// The entries of a list whose numbers, counted from 1, are the abscissas; empty if the list is too short.
 Values numbered(const std::vector<double>& list, const std::vector<double>& abscissa) {
   if (highest(abscissa) > static_cast<int>(list.size())) return std::nullopt;
   return at_each(abscissa, [&](double x) { return list[static_cast<std::size_t>(whole(x) - 1)]; });
 }
 
-// Real natural frequencies of K_slip and M, Hz, ascending; none if one is complex.
+// Natural frequencies of K_slip and M, Hz, ascending; empty if one is complex.
 std::vector<double> slip_frequencies(const solver::ContactSystem& system) {
   const Eigen::MatrixXd flexibility_times_mass =
       Eigen::MatrixXd(system.slip_stiffness).partialPivLu().solve(Eigen::MatrixXd(system.mass));
@@ -238,7 +239,7 @@ Values stick_slip_values(const WrongModelRecipe& model, const data::Case& proble
   });
 }
 
-// What a model says of the case that it takes for the one given.
+// The result of a model for the case that it computes instead of the given one.
 Values raw_values(const WrongModelRecipe& model, const data::Case& given, Quantity quantity,
                   const std::vector<double>& abscissa) {
   const Values nothing;
@@ -259,7 +260,7 @@ Values raw_values(const WrongModelRecipe& model, const data::Case& given, Quanti
     case force_maximum:
       return held_values(model, *problem, normal_force, quantity, abscissa);
     case critical_amplitude: {
-      // Of the amplitude that is given, which the model may take for another.
+      // Converts to the given amplitude, which the model may have changed.
       auto values = held_values(model, *problem, normal_force, quantity, abscissa);
       if (values) values->front() *= given.excitation.amplitude();
       return values;
@@ -291,7 +292,7 @@ Values values_of(const WrongModelRecipe& model, const data::Case& problem, Quant
   return values;
 }
 
-// Nothing where the model has no such state.
+// Empty if the model has no such state.
 Values wrong_values(const WrongModelRecipe& model, const data::Case& problem, Quantity quantity,
                     const std::vector<double>& abscissa) {
   try {
@@ -412,7 +413,7 @@ const ModelResults::Member* member_of(const ModelResults& model_results, const s
   return member == model_results.wrong_models.end() ? nullptr : &*member;
 }
 
-// Of the first entry.
+// The relative change of the first entry.
 std::optional<double> relative_change(const ModelResults& model_results, const std::string& name) {
   const auto* member = member_of(model_results, name);
   return member ? std::optional(member->values.front() / model_results.reference.front() - 1.0)

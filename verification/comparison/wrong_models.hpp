@@ -1,11 +1,11 @@
 #pragma once
 
-/// Wrong models of the problem, each with a name and one mistake that people make, and the diagnosis of
-/// somebody else's result by them: which mistake does it look like?
+/// Wrong models of the problem, each with a name and one typical mistake, and the diagnosis of a user's
+/// result: the search for the wrong model that is nearest to it.
 ///
-/// A wrong model is made of public parts put together wrongly: changed inputs, changed factors of the modal
-/// sum (28), changed matrices of a ContactSystem, a time stepper or a contact law of its own. Nothing in
-/// solver/ or analytic/ is wrong.
+/// A wrong model combines public parts in a wrong way: changed inputs, changed factors of the modal sum (28),
+/// changed matrices of a ContactSystem, or its own time integration or contact law. The code in solver/ and
+/// analytic/ is not changed.
 
 #include <array>
 #include <cstddef>
@@ -18,20 +18,20 @@
 
 namespace stickslip::studies {
 
-/// What can be compared, with its abscissa. In the first eight the tip is held; the last three are of the
-/// stick-slip run.
+/// The quantities that can be compared, with their abscissas. In the first eight the tip is held or free
+/// without friction; the last three belong to the stick-slip run.
 enum class Quantity {
-  stick_frequency,     ///< Hz, of the mode number 1, 2, ...
-  slip_frequency,      ///< Hz, of the mode number
-  participation,       ///< C_n of Eq. (25), of the mode number
-  quasi_static_shape,  ///< S(x) of Eq. (18), of x in m
-  force_maximum,       ///< |f|_max over numerics.duration(), N, of the excitation frequency in Hz
-  critical_amplitude,  ///< m, of the excitation frequency in Hz
-  stick_force,         ///< f(t) of Eq. (28), N, of t in s
-  stick_displacement,  ///< y(L/2, t), m, of t in s
-  contact_event,       ///< time in s of the onset or capture number 1, 2, ...; infinite where there is none
-  tip_displacement,    ///< y(L, t), m, of t in s
-  friction_force       ///< f(t), N, of t in s
+  stick_frequency,     ///< Hz, over the mode number 1, 2, ...
+  slip_frequency,      ///< Hz, over the mode number
+  participation,       ///< C_n of Eq. (25), over the mode number
+  quasi_static_shape,  ///< S(x) of Eq. (18), over x in m
+  force_maximum,       ///< |f_max| over numerics.duration(), N, over the excitation frequency in Hz
+  critical_amplitude,  ///< m, over the excitation frequency in Hz
+  stick_force,         ///< f(t) of Eq. (28), N, over t in s
+  stick_displacement,  ///< y(L/2, t), m, over t in s
+  contact_event,       ///< time in s of the onset or capture number 1, 2, ...; infinite if it does not occur
+  tip_displacement,    ///< y(L, t), m, over t in s
+  friction_force       ///< f(t), N, over t in s
 };
 
 inline constexpr std::array all_quantities{
@@ -40,147 +40,156 @@ inline constexpr std::array all_quantities{
     Quantity::stick_force,        Quantity::stick_displacement, Quantity::contact_event,
     Quantity::tip_displacement,   Quantity::friction_force};
 
-/// "stick frequency", "force maximum", ...
+/// The name of a quantity, such as "stick frequency" or "force maximum".
 [[nodiscard]] std::string_view name_of(Quantity quantity);
 
 /// A wrong model.
 struct WrongModel {
-  std::string name;     ///< "zero-initial-velocity"
-  std::string mistake;  ///< in one clause
-  std::string place;    ///< equation or section of the paper that it gets wrong
+  std::string name;     ///< such as "zero-initial-velocity"
+  std::string mistake;  ///< the mistake, in one clause
+  std::string place;    ///< the equation or section of the paper that it concerns
   std::vector<Quantity> changes;
 };
 
-/// All of them: of inputs, equations, start, mesh and time steps, friction.
+/// All wrong models: mistakes in inputs, equations, initial conditions, mesh and time steps, and friction.
 [[nodiscard]] const std::vector<WrongModel>& wrong_models();
 
-/// What a wrong model returns for a quantity, or nothing if it says nothing about it, or if there is no such
-/// mistake in this problem (the other axis of a square section) or no such state (it buckles or flutters).
-/// Throws std::invalid_argument for an unknown name, and what reference_result() throws.
+/// The result of a wrong model for a quantity. It is empty if the model does not define the quantity, if the
+/// mistake is not possible in this problem (the other axis of a square section), or if there is no such state
+/// (the beam buckles or flutters). Throws std::invalid_argument for an unknown name, and what
+/// reference_result() throws.
 [[nodiscard]] std::optional<std::vector<double>> wrong_result(const data::Case& problem,
                                                               std::string_view wrong_model, Quantity quantity,
                                                               const std::vector<double>& abscissa);
 
-/// The right result: closed form with the exact steady part and 60 free vibrations while the tip is held,
-/// finite elements with the settings of the case in stick-slip. Throws std::invalid_argument for an abscissa
-/// that the quantity does not have (an event that does not happen within numerics.duration() among them), and
-/// for forces and motions of a held, damped beam, whose closed form is
-/// that of the undamped one; std::domain_error if the beam buckles or flutters.
+/// The right result: for the held tip the closed form with the exact steady part and 60 free vibrations, for
+/// stick-slip finite elements with the settings of the case. Throws std::invalid_argument for an abscissa at
+/// which the quantity is not defined (such as an event that does not occur within numerics.duration()), and
+/// for forces and motions of a held, damped beam, because the closed form is that of the undamped beam.
+/// Throws std::domain_error if the beam buckles or flutters.
 [[nodiscard]] std::vector<double> reference_result(const data::Case& problem, Quantity quantity,
                                                    const std::vector<double>& abscissa);
 
-/// Somebody's result.
+/// A user's result.
 struct Observation {
   Quantity quantity{};
   std::vector<double> abscissa, values;
-  std::vector<double> uncertainty;  ///< bounds of the errors of `values`, in their unit
+  std::vector<double> uncertainty;  ///< bounds of the errors of `values`, in the same unit
 };
 
-/// What everybody says of one quantity at given abscissas.
+/// The results of the right model and of all wrong models for one quantity at given abscissas.
 ///
-/// Distances are relative, the root of the mean over the entries of ((a_i - b_i)/s_i)^2: for frequencies,
-/// maxima, amplitudes and event times s_i is the true value, so that each entry counts alike; for C_n, S and
-/// histories it is the root of the mean square of all true values.
+/// The distance of two results a and b is the root mean square of (a_i - b_i)/s_i over the entries. For
+/// frequencies, maxima, amplitudes and event times, s_i is the reference value, so that all entries have the
+/// same weight. For C_n, S and histories, s is the root mean square of all reference values.
 struct ModelResults {
   struct Member {
     std::string name;
     std::vector<double> values;
-    double from_reference{};  ///< distance
+    double from_reference{};  ///< distance from the reference
   };
   Quantity quantity{};
   std::vector<double> abscissa;
   std::vector<double> reference;
-  /// As a distance. Closed form: 1e-9. Stick-slip: the distance to a run with twice the step and half the
-  /// elements, at least three times the error of step (order 2) and mesh (order 4).
+  /// The uncertainty of the reference, as a distance. Closed form: 1e-9. Stick-slip: the distance from a run
+  /// with twice the time step and half the elements, which is at least three times the error of time step
+  /// (order 2) and mesh (order 4).
   double reference_uncertainty{};
-  std::vector<Member> wrong_models;  ///< those that say something
-  std::vector<std::string> missing;  ///< the others
+  std::vector<Member> wrong_models;  ///< those that have a result for the quantity
+  std::vector<std::string> missing;  ///< the names of the others
 };
 
-/// Throws what reference_result() throws, and std::invalid_argument if the reference is 0 everywhere.
+/// Computes these results. Throws what reference_result() throws, and std::invalid_argument if the reference
+/// is 0 everywhere.
 [[nodiscard]] ModelResults model_results(const data::Case& problem, Quantity quantity,
                                          const std::vector<double>& abscissa);
 
-/// The distance of two results in the measure of a comparison; infinite if one of them is not finite.
+/// The distance of two results as defined at ModelResults; infinite if a result is not finite.
 [[nodiscard]] double distance(const ModelResults& model_results, const std::vector<double>& a,
                               const std::vector<double>& b);
 
+/// The outcome of a diagnosis.
 enum class Finding {
   correct,      ///< within the uncertainty of the reference
-  mistaken,     ///< like one of the wrong models
-  unexplained,  ///< neither
-  undecided     ///< the reference itself is not known: another mesh has other events
+  mistaken,     ///< near one of the wrong models
+  unexplained,  ///< neither correct nor near a wrong model
+  undecided     ///< the reference is uncertain: another mesh has different events
 };
 
-/// A wrong model against an observation.
+/// A wrong model and its distances.
 struct Candidate {
   std::string name;
   double distance{};        ///< from the observation
-  double from_reference{};  ///< of the wrong model
+  double from_reference{};  ///< distance of the wrong model from the reference
 };
 
-/// Whom an observation looks like.
+/// The wrong model that is nearest to an observation.
 ///
-/// With u the uncertainty, the sum of the observation's, in the measure of the distances, and the
-/// reference's: an observation is `correct` if its distance d from the reference is at most u. Else the
-/// nearest wrong model, at distance m, is named if m <= d/R. Two models are indistinguishable if they are no
-/// further than 2u apart: only then may one observation be within u of both. Whoever made the observation is
-/// therefore among the `named` ones: within u of it, as the nearest one is, so within 2u of that.
+/// The uncertainty u is the sum of the uncertainties of the observation, in the measure of the distances, and
+/// of the reference. An observation is `correct` if its distance d from the reference is at most u. Otherwise
+/// the nearest wrong model, at the distance m, is named if m <= d/R. Two models are indistinguishable if
+/// their distance is at most 2u, because only then one observation can be within u of both. The actual model
+/// of the observation is therefore in `named` if it is one of the wrong models: it is within u of the
+/// observation, and so is the nearest one, so that their distance is at most 2u.
 ///
-/// R. An error like none of the known mistakes is a deviation in an unrelated direction, and of a size of
-/// which nothing is known but, say, its decade. It comes within 1/R of its length of a given wrong model's
-/// deviation if it points into a cone of half-angle asin(1/R), at most the share R^(1-n)/2 of all directions
-/// in n dimensions, and its length agrees to 1 +- 1/R, which is 2/(R ln 10) of the decade: together
-/// R^(-n)/ln 10. Of K wrong models further than u from the reference one is named by accident in at most one
-/// out of a hundred cases if
+/// Choice of R: an unknown error is a deviation in an unrelated direction, with a size of which only the
+/// decade is known. It comes within 1/R of the length of a given wrong model's deviation if two conditions
+/// hold. Its direction lies in a cone of half-angle asin(1/R), which contains at most the fraction R^(1-n)/2
+/// of all directions in n dimensions. Its length agrees to 1 +- 1/R, which is the fraction 2/(R ln 10) of the
+/// decade. Together this is R^(-n)/ln 10. Among K wrong models with a distance above u from the reference,
+/// one is then named by accident in at most one of a hundred cases if
 ///
-///     R = (K/(0.01 ln 10))^(1/n),
+///     R = (K/(0.01 ln 10))^(1/n).
 ///
-/// but at least 3, so that the nearest wrong model stays clearly nearer than the reference. n is not the
-/// number of entries, since neighbours in a history say the same, but the dimension that the wrong models'
-/// deviations fill: K^2 / sum over all pairs of cos^2 of the angle between them (their own included). One
-/// number, n = 1, names a mistake only if it agrees with it to four digits or so; ten frequencies do better.
+/// R is at least 3, so that the nearest wrong model is clearly nearer than the reference. n is not the number
+/// of entries, because neighbouring entries of a history are correlated. It is the effective dimension of the
+/// deviations of the wrong models: K^2 over the sum of cos^2 of the angle between all pairs of deviations,
+/// each paired with itself as well. A single number, n = 1, identifies a mistake only if the two agree to
+/// about four digits. Ten frequencies need less agreement.
 struct Diagnosis {
   Finding finding{};
-  double from_reference{};        ///< d
-  double uncertainty{};           ///< u
+  double from_reference{};        ///< d, relative
+  double uncertainty{};           ///< u, relative
   double dimension{};             ///< n
   double required_ratio{};        ///< R
-  std::vector<Candidate> ranked;  ///< all wrong models, nearest first
-  /// If mistaken, the nearest wrong model and those that cannot be told from it; if correct, those that
-  /// cannot be told from the reference.
+  std::vector<Candidate> ranked;  ///< all wrong models, the nearest first
+  /// If mistaken, the nearest wrong model and those that are indistinguishable from it. If correct, those
+  /// that are indistinguishable from the reference.
   std::vector<std::string> named;
 };
 
-/// Throws std::invalid_argument if values or uncertainty have another size than the abscissa, none at all, or
-/// one that is not finite (an uncertainty must not be negative), or if the comparison is another one's.
+/// Diagnoses an observation. Throws std::invalid_argument if the values or uncertainties are empty, differ in
+/// number from the abscissas, are not finite, or are negative uncertainties, and if quantity or abscissas
+/// differ from those of `model_results`.
 [[nodiscard]] Diagnosis diagnose(const ModelResults& model_results, const Observation& observation);
 [[nodiscard]] Diagnosis diagnose(const data::Case& problem, const Observation& observation);
 
-/// The diagnosis in a sentence: "like 'zero-initial-velocity' (...) to 0.3 %, while the reference is 41 %
-/// away".
+/// The diagnosis in one sentence, such as "like 'zero-initial-velocity' (...) to 0.3 %, while the reference
+/// is 41 % away".
 [[nodiscard]] std::string sentence(const Diagnosis& diagnosis);
 
-/// What a wrong model changes in one case, relative to the reference; nothing where it says nothing.
+/// The relative changes that a wrong model causes in one case; empty where it does not define the quantity.
 struct WrongModelEffect {
   WrongModel wrong_model;
-  std::optional<double> stick_frequency, slip_frequency;  ///< first of each state
+  std::optional<double> stick_frequency, slip_frequency;  ///< first frequency of each state
   std::optional<double> force_maximum;                    ///< at the frequency of the case
-  std::optional<double> stick_force, stick_displacement;  ///< distances over the history
-  std::optional<double> first_slip;                       ///< time; infinite if it never slips
-  std::optional<double> tip_displacement;                 ///< distance over the history
+  std::optional<double> stick_force, stick_displacement;  ///< distances of the histories
+  std::optional<double> first_slip;                       ///< of its time; infinite if it never slips
+  std::optional<double> tip_displacement;                 ///< distance of the history
 };
 
+/// The effects of all wrong models on one case.
 struct WrongModelStudy {
   double frequency_hz{}, amplitude{};  ///< of the case
   double stick_duration{};             ///< of the histories of the held beam, s
   double contact_duration{};           ///< of the stick-slip history, s
-  double contact_uncertainty{};        ///< reference_uncertainty of tip_displacement
+  double contact_uncertainty{};        ///< reference_uncertainty of tip_displacement, as a distance
   std::vector<WrongModelEffect> effects;
 };
 
-/// Every wrong model on one case: over `stick_duration` the held beam, |f|_max included and without the
-/// damping of the case, over `contact_duration` stick-slip. Throws what line_up() throws.
+/// Computes the effects of all wrong models on one case: over `stick_duration` (s) with the tip held,
+/// including |f_max| and without the damping of the case, and over `contact_duration` (s) with stick-slip.
+/// Throws what model_results() throws.
 [[nodiscard]] WrongModelStudy wrong_model_study(const data::Case& problem, double stick_duration,
                                                 double contact_duration);
 
