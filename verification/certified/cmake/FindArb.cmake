@@ -1,4 +1,5 @@
-# Arb (ball arithmetic) with FLINT and GMP, on which it stands: the target Arb::arb. Debian calls it flint-arb.
+# Finds Arb (ball arithmetic) and its dependencies FLINT and GMP, and defines the target Arb::arb. The name of the
+# library is flint-arb in Debian.
 find_path(Arb_INCLUDE_DIR arb.h)
 find_library(Arb_LIBRARY NAMES flint-arb arb)
 find_library(Arb_FLINT_LIBRARY flint)

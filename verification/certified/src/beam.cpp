@@ -27,8 +27,8 @@ Real Beam::load_factor() const { return axial_force() * pow(length(), 2) / bendi
 Real Beam::frequency_unit() const { return sqrt(bending_stiffness() / mass_per_length()) / pow(length(), 2); }
 
 Real buckling_factor() {
-  // sin y - y cos y is y^3/3 at 0, without a root until its derivative y sin y changes sign at pi; at 3 it is
-  // positive, at 5 negative.
+  // sin y - y cos y is y^3/3 near 0. Its derivative y sin y first changes sign at pi, so there is no root up
+  // to pi. The function is positive at 3 and negative at 5.
   const auto function = [](const Real& y) {
     const Dual<Real> x{y, 1};
     return sin(x) - x * cos(x);

@@ -13,12 +13,13 @@
 namespace stickslip::certified {
 namespace {
 
-/// f in doubles, with what its evaluation may be off.
+/// f in doubles, with a bound of the evaluation error.
 ///
-/// With u = 2^-53: the argument w t of a sinusoid is off by w t 2u (rounding of w and of the product), its
-/// sine by 2u more; amplitude, product and the sum of n terms add (n + 2) u. So the error of f is below u sum
-/// |a_i| (2 w_i t + n + 4), and that of f' the same with |a_i| w_i and one rounding more. Both are taken
-/// twice, which covers the rounding of the bounds themselves and the radii of the balls, below u/64.
+/// With u = 2^-53, the argument w t of a sinusoid has the error w t 2u (rounding of w and of the product),
+/// and its sine has an additional error of 2u. The amplitude, the product and the sum of n terms add (n + 2)
+/// u. The error of f is therefore below u sum |a_i| (2 w_i t + n + 4), and that of f' is the same with |a_i|
+/// w_i and one more rounding. Both bounds are doubled. This covers the rounding of the bounds themselves and
+/// the radii of the balls, which are below u/64.
 class DoubleForce {
  public:
   DoubleForce(const std::vector<Sinusoid>& sinusoids, double duration) {
@@ -51,7 +52,7 @@ class DoubleForce {
   [[nodiscard]] double value_error() const { return value_error_; }
   [[nodiscard]] double curvature() const { return curvature_; }
 
-  /// Upper bound of |f| within r of t, given the values there.
+  /// Upper bound of |f| within the distance r of the time of `values`.
   [[nodiscard]] double bound(const Values& values, double r) const {
     return (values.force + values.slope * r + 0.5 * curvature_ * r * r) * (1.0 + 1e-14) + value_error_ +
            slope_error_ * r;
@@ -65,17 +66,18 @@ class DoubleForce {
   double value_error_{}, slope_error_{}, curvature_{};
 };
 
-/// Intervals index * width ... (index + 1) * width, the width a power of two, so that their ends are exact.
+/// Time intervals index * width ... (index + 1) * width. The width is a power of two, so that their ends are
+/// exact.
 struct Cells {
   double width{};
   std::vector<std::int64_t> indices;
 };
 
-/// The cells that may hold the maximum over a span which ends between `sampled` and `duration`, or nothing if
-/// doubles are too coarse to tell.
+/// The cells that may contain the maximum. The end of the time interval is between `sampled` and `duration`.
+/// Empty if the accuracy of doubles is not sufficient.
 std::optional<Cells> promising_cells(const DoubleForce& force, double sampled, double duration) {
-  constexpr double kFinest = 1e-10;   // of the maximum: what a cell's bound may exceed |f| by, at the end
-  constexpr double kCoarsest = 1e-8;  // of the maximum: what the evaluation may be off
+  constexpr double kFinest = 1e-10;   // relative to the maximum: final excess of the bound of a cell over |f|
+  constexpr double kCoarsest = 1e-8;  // relative to the maximum: largest accepted evaluation error
   constexpr std::size_t kMostCells = 1000000;
   double largest = 0.0;
   for (int i = 1; i <= 1024; ++i) largest = std::max(largest, force.at(sampled * i / 1025.0).force);
@@ -102,7 +104,7 @@ std::optional<Cells> promising_cells(const DoubleForce& force, double sampled, d
   return kept;
 }
 
-/// f, and its derivatives, in balls.
+/// f and its derivatives in ball arithmetic.
 class BallForce {
  public:
   explicit BallForce(const std::vector<Sinusoid>& sinusoids) : sinusoids_(sinusoids) {}
@@ -113,7 +115,7 @@ class BallForce {
     return sum;
   }
 
-  /// f' with f''.
+  /// f' and f''.
   [[nodiscard]] Dual<Real> slope(const Real& t) const {
     Dual<Real> sum(0);
     for (const auto& [a, w] : sinusoids_) sum = sum + Dual<Real>(a * w) * cos(Dual<Real>(w * t, w));
@@ -128,8 +130,9 @@ struct Candidate {
   Real time, magnitude;
 };
 
-/// The stationary points of f in runs of neighbouring cells, and the end of the span if a run reaches it. (At
-/// t = 0 the force is 0.) The maximum is not on the border of a run: all cells around it are promising.
+/// The stationary points of f in groups of neighbouring cells, and the end of the time interval if a group
+/// reaches it. (At t = 0 the force is 0.) The maximum is not at the border of a group, because the cells on
+/// both sides of it are kept.
 std::vector<Candidate> candidates(const BallForce& force, const Cells& cells, const Real& duration) {
   const Real width(cells.width), end = duration.lower();
   const auto time = [&](std::int64_t index) { return Real(static_cast<double>(index)) * width; };
@@ -156,7 +159,8 @@ ForceMaximum max_abs_of_sinusoids(const std::vector<Sinusoid>& sinusoids, const 
   if (std::ranges::any_of(sinusoids, [](const Sinusoid& s) {
         return s.amplitude.accurate_bits() < 60 || s.angular_frequency.accurate_bits() < 60;
       }))
-    throw std::invalid_argument("The sinusoids of a force are not known to 60 bits; raise the precision.");
+    throw std::invalid_argument(
+        "The sinusoids of a force are accurate to less than 60 bits; raise the precision.");
   if (std::ranges::all_of(sinusoids, [](const Sinusoid& s) { return abs(s.amplitude) <= 0; }))
     return {0, {0}};
   const double nearest = duration.approximately();
@@ -168,7 +172,7 @@ ForceMaximum max_abs_of_sinusoids(const std::vector<Sinusoid>& sinusoids, const 
                                     "so short, and the excitation so far from a natural frequency, that "
                                     "doubles give the friction force to 1e-8 of its maximum"));
   const std::vector<Candidate> all = candidates(BallForce(sinusoids), *cells, duration);
-  if (all.empty()) throw std::logic_error("The largest friction force was lost.");
+  if (all.empty()) throw std::logic_error("No cell contains the largest friction force.");
 
   ForceMaximum maximum{all.front().magnitude, {}};
   for (const Candidate& candidate : all) maximum.value = max(maximum.value, candidate.magnitude);

@@ -11,7 +11,7 @@ namespace {
 
 thread_local long bits_of_thread = 256;
 
-/// Unary and binary functions of Arb that round to the current precision.
+/// Applies a function of Arb with rounding to the current precision.
 template <class Function>
 Real rounded(Function function, const Real& x) {
   Real result;
@@ -35,7 +35,7 @@ void require_finite(double value) {
   if (!std::isfinite(value)) throw std::invalid_argument("A number is not finite; it must be.");
 }
 
-/// The leading digits of `text`, which loses them.
+/// Removes the leading digits of `text` and returns them.
 std::string take_digits(std::string_view& text) {
   std::size_t count = 0;
   while (count < text.size() && text[count] >= '0' && text[count] <= '9') ++count;
@@ -50,7 +50,7 @@ bool take(std::string_view& text, std::string_view characters) {
   return true;
 }
 
-/// Reads [-+]digits[.digits][e[-+]digits] into `value`; false if that is not what stands there.
+/// Reads [-+]digits[.digits][e[-+]digits] into `value`. Returns false if the text has another form.
 bool read_decimal(std::string_view text, fmpq_t value) {
   constexpr long kLargestExponent = 10000;
   const bool negative = !text.empty() && text.front() == '-';
@@ -288,7 +288,7 @@ Real hull(const Real& x, const Real& y) { return rounded(arb_union, x, y); }
 Real intersection(const Real& x, const Real& y) {
   Real result;
   if (arb_intersection(result.data(), x.data(), y.data(), precision()) == 0)
-    throw std::logic_error("Two enclosures of one number have nothing in common.");
+    throw std::logic_error("Two enclosures of the same number do not overlap.");
   return result;
 }
 
@@ -315,7 +315,7 @@ double distance_in_ulps(double computed, const Real& exact) {
 }
 
 void throw_digits_out_of_reach(int digits) {
-  throw std::runtime_error("16384 bits do not give " + std::to_string(digits) +
+  throw std::runtime_error("16384 bits are not sufficient for " + std::to_string(digits) +
                            " digits of a number; it may be zero.");
 }
 

@@ -16,12 +16,12 @@ std::string text(const Real& lower, const Real& upper) {
   return enclosure(lower, 17).value + " and " + enclosure(upper, 17).value;
 }
 
-/// A point inside with the value of F, whose sign is certain there.
+/// A point inside the interval and the value of F there, whose sign is certain.
 struct Cut {
   Real point, value;
 };
 
-/// The middle or, if a root lies there, a point beside it.
+/// The midpoint or, if F has no certain sign there, a point near it.
 Cut cut(const DifferentiableFunction& function, const Piece& piece) {
   for (const int share : {32, 27, 37, 22, 42}) {
     const Real point = (piece.lower + (piece.upper - piece.lower) * share / 64).midpoint();
@@ -32,8 +32,8 @@ Cut cut(const DifferentiableFunction& function, const Piece& piece) {
                            "; the precision is too low, or a root is not simple.");
 }
 
-/// Contracts a ball that holds exactly one root, and on which F' excludes 0. Each interval Newton step leaves
-/// one side of the midpoint only, until F has no certain sign there.
+/// Reduces a ball that contains exactly one root and on which F' does not contain 0. Each interval Newton
+/// step removes at least one side of the midpoint. The iteration ends when F has no certain sign there.
 Real contracted(const DifferentiableFunction& function, Real root) {
   for (;;) {
     const Real middle = root.midpoint();
@@ -69,11 +69,11 @@ std::vector<Real> isolate_roots(const DifferentiableFunction& function, const Re
       continue;
     }
     const Cut middle = cut(function, piece);
-    // The mean value form, which is narrower than the range on a short piece.
+    // The mean value form is narrower than the range on a short interval.
     if ((middle.value + range.slope * (whole - middle.point)).certain_sign() != 0) continue;
     if (piece.depth == deepest)
       throw std::runtime_error("Roots between " + text(piece.lower, piece.upper) +
-                               " cannot be told apart at this precision.");
+                               " cannot be separated at this precision.");
     const int sign = middle.value.certain_sign();
     open.push_back({middle.point, piece.upper, sign, piece.sign_at_upper, piece.depth + 1});
     open.push_back({piece.lower, middle.point, piece.sign_at_lower, sign, piece.depth + 1});

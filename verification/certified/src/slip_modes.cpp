@@ -15,7 +15,8 @@ T characteristic(const T& kappa, const T& load_factor, const WaveNumbers<T>& wav
          load_factor * kappa * sinh(b) * sin(bb);
 }
 
-/// As wave_numbers(), with the smaller one as kappa over the larger, so that kappa = 0 may be in the ball.
+/// Like wave_numbers(), but the smaller one is computed as kappa over the larger one, so that the ball may
+/// contain kappa = 0.
 WaveNumbers<Dual<Real>> wave_numbers_down_to_zero(const Dual<Real>& kappa, const Dual<Real>& load_factor,
                                                   int sign) {
   const Dual<Real> half = load_factor / 2, s = sqrt(half * half + kappa * kappa);
@@ -23,14 +24,14 @@ WaveNumbers<Dual<Real>> wave_numbers_down_to_zero(const Dual<Real>& kappa, const
   return sign > 0 ? WaveNumbers<Dual<Real>>{smaller, larger} : WaveNumbers<Dual<Real>>{larger, smaller};
 }
 
-/// The two unknowns of the flutter load, or a step in them.
+/// The two unknowns of the flutter load, or a Newton step of both.
 struct FlutterPoint {
   Real kappa, load_factor;
 };
 
-/// What the interval Newton method takes off `middle`: J(box)^-1 G(middle) for G = (F, dF/dkappa).
+/// The interval Newton step J(box)^-1 G(middle) for G = (F, dF/dkappa), which is subtracted from `middle`.
 FlutterPoint newton_step(const FlutterPoint& box, const FlutterPoint& middle) {
-  using Second = Dual<Dual<Real>>;  // inner slope: to kappa; outer: to kappa or to the load
+  using Second = Dual<Dual<Real>>;  // inner slope: by kappa; outer slope: by kappa or by the load
   const auto derivatives = [](const FlutterPoint& at, int outer_kappa, int outer_load) {
     const Second kappa({at.kappa, 1}, Dual<Real>(outer_kappa)),
         z(Dual<Real>(at.load_factor), Dual<Real>(outer_load));
@@ -58,9 +59,9 @@ Real flutter_factor() {
     const FlutterPoint middle{box.kappa.midpoint(), box.load_factor.midpoint()};
     const FlutterPoint step = newton_step(box, middle);
     const FlutterPoint next{middle.kappa - step.kappa, middle.load_factor - step.load_factor};
-    // A box that is mapped into itself holds exactly one solution.
+    // A box that is mapped into itself contains exactly one solution.
     is_proven = is_proven || (box.kappa.contains(next.kappa) && box.load_factor.contains(next.load_factor));
-    if (!is_proven) throw std::logic_error("The flutter load is not where it was known to be.");
+    if (!is_proven) throw std::logic_error("The initial box of the flutter load is not confirmed.");
     const Real load_factor = intersection(next.load_factor, box.load_factor);
     if (!(load_factor.radius() * 2 < box.load_factor.radius())) return load_factor;
     box = {intersection(next.kappa, box.kappa), load_factor};
@@ -80,7 +81,8 @@ std::vector<SlipFrequency> slip_frequencies(const Beam& beam, int count) {
   }
 
   const int sign = beam.data().axial_force.sign(), pairs = (count + 1) / 2;
-  // Without axial force the left side has a root at 0, but no other up to b = bb = 1, where cos(bb) > 0.
+  // Without axial force the left side has a root at 0. There is no other root up to b = bb = 1, where cos(bb)
+  // > 0.
   const auto function = [&](const Real& kappa) {
     const Dual<Real> x{kappa, 1}, load(z);
     return characteristic(x, load,

@@ -16,31 +16,33 @@ void require_below_buckling(const Beam& beam) {
                                       " N, by more than the radius of the precision"));
 }
 
-/// Eq. (23) without its poles, over kappa = omega L^2 sqrt(rho A/EI).
+/// Eq. (23) multiplied by its denominators, over kappa = omega L^2 sqrt(rho A/EI).
 Dual<Real> characteristic(const Real& kappa, const Real& load_factor) {
   const auto [b, bb] = wave_numbers(Dual<Real>(kappa, 1), Dual<Real>(load_factor));
   return b * sin(bb) * cosh(b) - bb * cos(bb) * sinh(b);
 }
 
-/// A root below which there is none, as exact number below the bound of the header.
+/// An exact number below the lower bound of the first frequency that stick_modes.hpp gives.
 Real below_first_frequency(const Beam& beam) {
   const Real share = beam.data().axial_force.sign() > 0 ? beam.axial_force() / buckling_load(beam) : Real(0);
   return (pow(pi(), 2) * sqrt(1 - share) * 15 / 16).lower();
 }
 
-/// The function phi = c C(x) + s D(x) that solves phi'' = mu phi, with its first three derivatives.
+/// The function phi = c C(x) + s D(x) that satisfies phi'' = mu phi, with its first three derivatives.
 Derivatives part(const Real& value, const Real& slope, const Real& mu) {
   return {value, slope, mu * value, mu * slope};
 }
 
 /// An antiderivative of phi w at one x, for phi'' = mu phi and w'''' = -p w'':
-/// int phi w = [phi' w - phi w' + int phi w'']/mu and int phi w'' = [phi' w'' - phi w''']/(mu + p).
+///
+///     int phi w = [phi' w - phi w' + int phi w'']/mu,   int phi w'' = [phi' w'' - phi w''']/(mu + p).
 Real antiderivative(const Derivatives& phi, const Derivatives& w, const Real& mu, const Real& p) {
   return (phi[1] * w[0] - phi[0] * w[1] + (phi[1] * w[2] - phi[0] * w[3]) / (mu + p)) / mu;
 }
 
-/// An antiderivative of phi^2 at one x, for phi'' = mu phi: since phi'^2 - mu phi^2 is constant,
-/// int phi^2 = [phi phi' - x (phi'^2 - mu phi^2)]/(2 mu).
+/// An antiderivative of phi^2 at one x, for phi'' = mu phi. Since phi'^2 - mu phi^2 is constant,
+///
+///     int phi^2 = [phi phi' - x (phi'^2 - mu phi^2)]/(2 mu).
 Real antiderivative_of_square(const Derivatives& phi, const Real& mu, const Real& x) {
   return (phi[0] * phi[1] - x * (pow(phi[1], 2) - mu * pow(phi[0], 2))) / (2 * mu);
 }
@@ -131,8 +133,9 @@ std::vector<StickMode> stick_modes(const Beam& beam, int count) {
   const std::vector<Real> roots = isolate_roots([&](const Real& kappa) { return characteristic(kappa, z); },
                                                 below_first_frequency(beam), above);
   if (roots.size() < static_cast<std::size_t>(count))
-    throw std::logic_error("Only " + std::to_string(roots.size()) + " of " + std::to_string(count) +
-                           " stick modes lie where theory has them.");
+    throw std::logic_error(std::to_string(roots.size()) +
+                           " stick modes were found in the expected range instead of " +
+                           std::to_string(count) + ".");
   std::vector<StickMode> modes;
   for (int n = 1; n <= count; ++n)
     modes.push_back(mode_at(beam, quasi_static, n, roots[static_cast<std::size_t>(n) - 1]));

@@ -26,9 +26,10 @@ StickResponse::History StickResponse::history(const Real& x, std::size_t derivat
   return result;
 }
 
-/// g_n(t). Where the two frequencies cannot be told apart, from
-/// sin(Omega t) - sin(omega t) = 2 cos((Omega + omega) t/2) sin((Omega - omega) t/2), divided by Omega -
-/// omega.
+/// g_n(t). If the balls of the two frequencies overlap, the difference of the sines is divided by Omega -
+/// omega in the form
+///
+///     sin(Omega t) - sin(omega t) = 2 cos((Omega + omega) t/2) sin((Omega - omega) t/2).
 Real StickResponse::modal_coordinate(const StickMode& mode, const Real& t) const {
   const Real& natural = mode.angular_frequency;
   const Real sum = omega_ + natural, difference = omega_ - natural;

@@ -7,7 +7,7 @@
 namespace stickslip::certified {
 namespace {
 
-/// A box in the complex plane, with the operations that the formula needs.
+/// A rectangle in the complex plane, with the operations that the formula needs.
 class Complex {
  public:
   Complex(const Real& real, const Real& imaginary = 0) : Complex() {
@@ -61,7 +61,7 @@ Mobility tip_mobility(const Beam& beam, const Real& sigma, const Real& omega, co
   const Complex root = sqrt(force * force - 4 * rigidity * beam.mass_per_length() * s * s);
   const Complex l1_squared = (root - force) / (2 * rigidity);
   const Complex l2_squared = (0 - root - force) / (2 * rigidity);
-  // The result is even in either exponent.
+  // The result is an even function of l_1 and of l_2.
   const Complex l1 = sqrt(l1_squared), l2 = sqrt(l2_squared);
   const Complex c1 = cosh(l1 * length), c2 = cosh(l2 * length);
   const Complex s1 = sinh(l1 * length), s2 = sinh(l2 * length);

@@ -17,7 +17,7 @@ struct BeamData {
   Rational axial_force;            ///< P, N, compression positive
 };
 
-/// A beam whose derived quantities are evaluated at the precision at which they are asked for.
+/// A uniform beam. Its derived quantities are evaluated at the current precision.
 class Beam {
  public:
   /// Throws std::invalid_argument, naming the field, unless all but axial_force are positive.
@@ -36,13 +36,15 @@ class Beam {
   BeamData data_;
 };
 
-/// z_cr = P_cr L^2/EI of the clamped-pinned beam: the square of the first positive root of tan y = y.
+/// The buckling factor z_cr = P_cr L^2/EI of the clamped-pinned beam: the square of the first positive root
+/// of tan y = y.
 [[nodiscard]] Real buckling_factor();
 
-/// P_cr, N.
+/// The buckling load P_cr = z_cr EI/L^2, N.
 [[nodiscard]] Real buckling_load(const Beam& beam);
 
-/// "<field> is <value>; it must be <allowed>.", the value as the shortest decimal of its double.
+/// The message "<field> is <value>; it must be <allowed>.", with the value as the shortest decimal of its
+/// double.
 [[nodiscard]] std::string refusal(std::string_view field, const Rational& value, std::string_view allowed);
 
 }  // namespace stickslip::certified

@@ -9,15 +9,17 @@
 
 namespace stickslip::certified {
 
+/// The result of the criterion.
 enum class Verdict {
-  stick,       ///< max |f| is certainly at most mu_s P
-  stick_slip,  ///< max |f| is certainly above mu_s P
+  stick,       ///< max |f| is at most mu_s P for all values in the balls
+  stick_slip,  ///< max |f| is above mu_s P for all values in the balls
   undecided    ///< the balls overlap
 };
 
-/// "stick", "stick-slip" or "undecided".
+/// The result as text: "stick", "stick-slip" or "undecided".
 [[nodiscard]] std::string_view to_string(Verdict verdict) noexcept;
 
+/// The quantities of the criterion.
 struct Criterion {
   ForceMaximum force_max;
   Real friction_limit;      ///< mu_s P, N
@@ -25,8 +27,9 @@ struct Criterion {
   Verdict verdict{};
 };
 
-/// Throws as max_abs_friction_force(), and std::invalid_argument, naming the field, unless
-/// beam.axial_force > 0, friction.static_coefficient >= 0 and excitation.amplitude > 0.
+/// Evaluates the criterion with `modes` modes. Throws what max_abs_friction_force() throws, and
+/// std::invalid_argument, naming the field, unless beam.axial_force > 0, friction.static_coefficient >= 0 and
+/// excitation.amplitude > 0.
 [[nodiscard]] Criterion evaluate_criterion(const Beam& beam, const Rational& static_coefficient,
                                            const Excitation& excitation, const Rational& duration,
                                            int modes = 10);

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Derivatives without formulas of our own: a number a + a' e with e^2 = 0. A function evaluated at x + e
-/// returns its value and its derivative; over duals of duals, the second derivatives as well.
+/// Automatic differentiation by dual numbers a + a' e with e^2 = 0. A function evaluated at x + e returns its
+/// value and its derivative. Duals of duals also return second derivatives.
 
 namespace stickslip::certified {
 

@@ -7,28 +7,30 @@
 
 namespace stickslip::certified {
 
-/// The maximum of |f| over a span of time.
+/// The maximum of |f| over a time interval.
 struct ForceMaximum {
   Real value;               ///< N
-  std::vector<Real> times;  ///< s: one ball if it is known where the maximum is, else those it is in one of
+  std::vector<Real> times;  ///< s: balls of which one contains the time of the maximum
 };
 
-/// max |a_1 sin(w_1 t) + a_2 sin(w_2 t) + ...| over 0 <= t <= duration: a proof that no time was overlooked.
+/// Encloses max |a_1 sin(w_1 t) + a_2 sin(w_2 t) + ...| over 0 <= t <= duration.
 ///
-/// First in doubles: an interval of half width r round m is dropped if |f(m)| + |f'(m)| r + M r^2/2 + E, with
-/// M = sum |a_i| w_i^2 >= |f''| and E the error bound of the evaluation, is below the largest |f| - E found
-/// so far; else it is halved. In what is left all roots of f' are isolated in ball arithmetic, and f is
-/// evaluated there. sin and cos of the C library are trusted to 2^-52, twice what glibc states, when
-/// intervals are dropped.
+/// The first part works in doubles. Let m be the midpoint of a time interval and r its half-width. With M =
+/// sum |a_i| w_i^2 >= |f''| and the error bound E of the evaluation, the interval is removed if |f(m)| +
+/// |f'(m)| r + M r^2/2 + E is below the largest |f| - E found so far; otherwise it is halved. The second part
+/// isolates all roots of f' in the remaining intervals by ball arithmetic and evaluates f there.
+///
+/// The enclosure is proven under one assumption: the error of sin and cos of the C library is at most 2^-52,
+/// twice the value that glibc states. It is used when intervals are removed.
 ///
 /// Throws std::invalid_argument, naming numerics.duration, unless it is positive, or if a sinusoid is known
-/// to less than 60 bits, and std::domain_error if the evaluation in doubles is too coarse: next to a
-/// resonance (relative distance below about 1e-7), where large amplitudes cancel.
+/// to less than 60 bits. Throws std::domain_error if the evaluation in doubles is too inaccurate, which
+/// happens near a resonance (relative distance below about 1e-7), where large amplitudes cancel.
 [[nodiscard]] ForceMaximum max_abs_of_sinusoids(const std::vector<Sinusoid>& sinusoids,
                                                 const Rational& duration);
 
-/// The same for the friction force of the stick state, Eq. (28), N modes. Throws also as
-/// StickResponse::force_sinusoids().
+/// Encloses the maximum of |f|, N, of the friction force of the stick state, Eq. (28), with N = `modes`
+/// modes. Also throws what StickResponse::force_sinusoids() throws.
 [[nodiscard]] ForceMaximum max_abs_friction_force(const Beam& beam, const Excitation& excitation,
                                                   const Rational& duration, int modes = 10);
 

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Ball arithmetic: a Real is a midpoint with a radius, and every operation returns a ball that holds the
-/// exact result for all values in its operands' balls, rounding included (Johansson, Arb, IEEE Trans.
-/// Comput. 66, 2017).
+/// Ball arithmetic: a Real is a midpoint with a radius. The result of each operation is a ball that contains
+/// the exact results for all values in the balls of the operands, including the effect of rounding
+/// (Johansson, Arb, IEEE Trans. Comput. 66, 2017).
 
 #include <arb.h>
 #include <flint/fmpq.h>
@@ -12,10 +12,10 @@
 
 namespace stickslip::certified {
 
-/// Bits in which midpoints are rounded, of the calling thread; 256 unless a PrecisionScope says otherwise.
+/// The precision of the midpoints in the calling thread, in bits; 256 unless a PrecisionScope has changed it.
 [[nodiscard]] long precision() noexcept;
 
-/// Sets the precision while it lives. Throws std::invalid_argument unless 32 <= bits <= 1e6.
+/// Sets the precision during its lifetime. Throws std::invalid_argument unless 32 <= bits <= 1e6.
 class PrecisionScope {
  public:
   explicit PrecisionScope(long bits);
@@ -27,14 +27,16 @@ class PrecisionScope {
   long previous_;
 };
 
-/// An exact input.
+/// An exact rational number, used for inputs.
 class Rational {
  public:
-  /// A decimal or a ratio of two: "0.5e-3", "2e9", "1/120000". Throws std::invalid_argument, quoting the
-  /// text, for anything else, a zero denominator and exponents beyond 10000 included.
+  /// Reads a decimal or a ratio of two decimals, such as "0.5e-3", "2e9" or "1/120000". Throws
+  /// std::invalid_argument, quoting the text, for any other text, for a zero denominator, and for exponents
+  /// above 10000 in magnitude.
   Rational(const char* text) : Rational(std::string_view(text)) {}
   Rational(std::string_view text);
-  /// The double itself, not the decimal that was typed. Throws std::invalid_argument if it is not finite.
+  /// The exact value of the double, which may differ from the decimal in the source. Throws
+  /// std::invalid_argument if it is not finite.
   explicit Rational(double value);
   Rational(const Rational& other);
   Rational& operator=(const Rational& other);
@@ -48,12 +50,13 @@ class Rational {
   fmpq_t value_;
 };
 
+/// A real number that is enclosed by a ball.
 class Real {
  public:
   Real(int value = 0);
-  /// Exactly the double. Throws std::invalid_argument if it is not finite.
+  /// The exact value of the double. Throws std::invalid_argument if it is not finite.
   explicit Real(double value);
-  /// Within one rounding at the current precision.
+  /// The ball of one rounding at the current precision.
   Real(const Rational& value);
   Real(const Real& other);
   Real(Real&& other) noexcept;
@@ -72,13 +75,14 @@ class Real {
   [[nodiscard]] Real upper() const;     ///< exact, not below any value in the ball
   [[nodiscard]] bool is_finite() const noexcept;
   [[nodiscard]] bool contains_zero() const noexcept;
-  /// +1 or -1 if every value in the ball has that sign, else 0.
+  /// +1 or -1 if all values in the ball have that sign, otherwise 0.
   [[nodiscard]] int certain_sign() const noexcept;
   [[nodiscard]] bool contains(const Real& other) const noexcept;
   [[nodiscard]] bool overlaps(const Real& other) const noexcept;
-  /// Bits of the midpoint that the radius leaves standing; very negative if the ball is not finite.
+  /// The number of bits of the midpoint that are accurate in view of the radius; very negative if the ball is
+  /// not finite.
   [[nodiscard]] long accurate_bits() const noexcept;
-  [[nodiscard]] double nearest_double() const;  ///< to the midpoint
+  [[nodiscard]] double nearest_double() const;  ///< the double nearest to the midpoint
 
   [[nodiscard]] const arb_struct* data() const noexcept { return value_; }
   [[nodiscard]] arb_struct* data() noexcept { return value_; }
@@ -93,7 +97,7 @@ class Real {
 [[nodiscard]] Real operator*(Real x, const Real& y);
 [[nodiscard]] Real operator/(Real x, const Real& y);
 
-/// True only if certain: for overlapping balls both x < y and y < x are false.
+/// True only if certain: for overlapping balls x < y and y < x are both false.
 [[nodiscard]] bool operator<(const Real& x, const Real& y) noexcept;
 [[nodiscard]] bool operator>(const Real& x, const Real& y) noexcept;
 [[nodiscard]] bool operator<=(const Real& x, const Real& y) noexcept;
@@ -111,30 +115,30 @@ class Real {
 [[nodiscard]] Real abs(const Real& x);
 [[nodiscard]] Real pow(const Real& x, unsigned exponent);
 [[nodiscard]] Real pi();
-/// Holds the larger of any value of x and any value of y.
+/// A ball that contains the larger of any value of x and any value of y.
 [[nodiscard]] Real max(const Real& x, const Real& y);
-/// The smallest ball around both.
+/// A ball that contains both balls.
 [[nodiscard]] Real hull(const Real& x, const Real& y);
-/// What both balls have in common. Throws std::logic_error if that is nothing.
+/// A ball that contains the common values of both balls. Throws std::logic_error if there are none.
 [[nodiscard]] Real intersection(const Real& x, const Real& y);
 
-/// A ball in decimals: |true - value| <= radius, with the rounding of the printed digits in the radius.
+/// A ball in decimals: |true - value| <= radius. The radius includes the rounding of the printed digits.
 struct Enclosure {
   std::string value;
   std::string radius;
-  double midpoint{};  ///< the double nearest to the ball's midpoint
+  double midpoint{};  ///< the double nearest to the midpoint of the ball
 };
 
-/// Throws std::invalid_argument if the ball is not finite.
+/// Converts a ball to decimals. Throws std::invalid_argument if the ball is not finite.
 [[nodiscard]] Enclosure enclosure(const Real& x, int digits = 30);
 
-/// A number that is not smaller than |computed - exact| in units in the last place of `computed` (the gap to
-/// the next double away from zero); infinite if either is not finite.
+/// An upper bound of |computed - exact| in units in the last place of `computed`, which are the distance to
+/// the next double away from zero; infinite if either value is not finite.
 [[nodiscard]] double distance_in_ulps(double computed, const Real& exact);
 
-/// Evaluates `quantity` (a function without arguments) at rising precision until its ball, relative to its
-/// midpoint, is below 10^-digits. Throws std::runtime_error if 16384 bits do not do: a quantity that is zero
-/// never gets there.
+/// Evaluates `quantity`, a function without arguments, with increasing precision until the radius of its ball
+/// is below 10^-digits of the midpoint. Throws std::runtime_error if 16384 bits are not sufficient. This is
+/// always the case for a quantity that is zero.
 template <class Quantity>
 [[nodiscard]] Real to_digits(int digits, const Quantity& quantity);
 

@@ -1,15 +1,15 @@
 #pragma once
 
-/// The stick state (clamped at x = 0, pinned at x = L, axial force P) as textbooks write it: where these
-/// forms cancel, the precision pays for it, and the radius says how much. With p = P/EI, k = rho A
-/// omega^2/EI,
+/// The stick state (clamped at x = 0, pinned at x = L, axial force P) in the usual formulas. Cancellation in
+/// these formulas costs precision, which the radius includes. With p = P/EI and k = rho A omega^2/EI,
 ///
 ///     beta^2 = -p/2 + sqrt(p^2/4 + k),     betabar^2 = p/2 + sqrt(p^2/4 + k),
 ///     U(x) = cosh(beta x) - cos(betabar x) - r [betabar sinh(beta x) - beta sin(betabar x)],       (22)
 ///     r = [cosh(beta L) - cos(betabar L)]/[betabar sinh(beta L) - beta sin(betabar L)],
 ///     beta tan(betabar L) = betabar tanh(beta L).                                                  (23)
 ///
-/// U and C_n lose 1.44 beta L bits: 256 bits leave 30 digits up to about mode 30, mode 200 takes 2048.
+/// U and C_n lose 1.44 beta L bits: 256 bits give 30 digits up to about mode 30, and mode 200 needs 2048
+/// bits.
 
 #include <array>
 #include <vector>
@@ -18,10 +18,10 @@
 
 namespace stickslip::certified {
 
-/// A shape and its first three derivatives at one x.
+/// A function value and its first three derivatives at one x.
 using Derivatives = std::array<Real, 4>;
 
-/// S(x) of Eq. (18), with hyperbolic functions in tension and the cubic polynomial at P = 0.
+/// S(x) of Eq. (18): hyperbolic functions in tension, and the cubic polynomial at P = 0.
 class QuasiStaticShape {
  public:
   /// Throws std::domain_error, naming beam.axial_force, unless P is certainly below the buckling load.
@@ -45,15 +45,16 @@ struct StickMode {
   Real shape_ratio;                ///< r, m
   Real participation;              ///< C_n = -int U (1 + S) dx/int U^2 dx of Eq. (25)
 
-  /// U(x) and its derivatives, in the paper's scale: U''(0) = beta^2 + betabar^2.
+  /// U(x) and its derivatives in the scale of the paper: U''(0) = beta^2 + betabar^2.
   [[nodiscard]] Derivatives shape(const Real& x) const;
 };
 
-/// The first `count` modes: all roots of Eq. (23) from the first on, isolated with proof. The search starts
-/// below pi^2 sqrt(1 - max(P, 0)/P_cr), in units of Beam::frequency_unit(): by Rayleigh's principle the first
-/// frequency is above it, since -P int u'^2 >= -(P/P_cr) EI int u''^2, and since a clamped end stiffens the
-/// pinned-pinned beam. Throws std::invalid_argument unless 1 <= count <= 1000, and as
-/// QuasiStaticShape. The time it takes grows as (1 - P/P_cr)^-1/2 (10 ms at 1e-5).
+/// The first `count` modes: the roots of Eq. (23) in ascending order, as enclosures. The search starts below
+/// pi^2 sqrt(1 - max(P, 0)/P_cr), in units of Beam::frequency_unit(). The first frequency is above this value
+/// by Rayleigh's principle, since -P int u'^2 >= -(P/P_cr) EI int u''^2, and since the clamped end increases
+/// the frequencies of the pinned-pinned beam. Throws std::invalid_argument unless 1 <= count <= 1000, and
+/// what QuasiStaticShape throws. The computing time is proportional to (1 - P/P_cr)^-1/2 (10 ms at 1 - P/P_cr
+/// = 1e-5).
 [[nodiscard]] std::vector<StickMode> stick_modes(const Beam& beam, int count);
 
 }  // namespace stickslip::certified

@@ -1,7 +1,7 @@
 #pragma once
 
-/// The stick-state response to h(t) = A0 sin(Omega t) as the paper's sums have it, N modes, from rest
-/// relative to the wall (Eqs. 26 to 28; omega_n^2 in Eq. 24):
+/// The response of the stick state to h(t) = A0 sin(Omega t) by the sums of the paper with N modes. The beam
+/// starts at rest relative to the wall (Eqs. 26 to 28; with omega_n^2 in Eq. 24):
 ///
 ///     u(x,t) = A0 { S(x) sin(Omega t) + sum_n U_n(x) Omega^2 C_n g_n(t) },     y = A0 sin(Omega t) + u,
 ///     g_n(t) = [omega_n sin(Omega t) - Omega sin(omega_n t)]/[(Omega^2 - omega_n^2) omega_n],
@@ -14,22 +14,24 @@
 
 namespace stickslip::certified {
 
-/// h(t) = A0 sin(2 pi hz t).
+/// The base motion h(t) = A0 sin(2 pi hz t).
 struct Excitation {
   Rational frequency_hz;  ///< Hz, > 0
   Rational amplitude;     ///< A0, m, >= 0
 };
 
-/// a sin(w t).
+/// The function a sin(w t).
 struct Sinusoid {
   Real amplitude;          ///< a
   Real angular_frequency;  ///< w, rad/s
 };
 
+/// Evaluates the response of the stick state.
 class StickResponse {
  public:
-  /// At the precision of the moment. Throws as stick_modes(), and std::invalid_argument, naming the field,
-  /// unless the frequency is positive and the amplitude is not negative.
+  /// Computes the modes at the current precision. Throws what stick_modes() throws, and
+  /// std::invalid_argument, naming the field, unless the frequency is positive and the amplitude is not
+  /// negative.
   StickResponse(const Beam& beam, const Excitation& excitation, int modes = 10);
 
   [[nodiscard]] Real relative_displacement(const Real& x, const Real& t) const;  ///< u, m
@@ -37,19 +39,19 @@ class StickResponse {
   [[nodiscard]] Real friction_force(const Real& t) const;                        ///< f, N
 
   /// f as a sum of sinusoids: first the one at Omega, then the free vibrations. Throws std::domain_error,
-  /// naming excitation.frequency_hz, if it cannot be told from a natural frequency at this precision.
+  /// naming excitation.frequency_hz, if the ball of Omega overlaps with that of a natural frequency.
   [[nodiscard]] std::vector<Sinusoid> force_sinusoids() const;
 
   [[nodiscard]] const std::vector<StickMode>& modes() const noexcept { return modes_; }
 
  private:
-  /// A history per unit A0: base sin(Omega t) + sum_n weights[n] g_n(t).
+  /// A time function per unit A0: base sin(Omega t) + sum_n weights[n] g_n(t).
   struct History {
     Real base;
     std::vector<Real> weights;
   };
 
-  /// Of the i-th derivative of u at x.
+  /// The time function of the derivative of u of this order at x.
   [[nodiscard]] History history(const Real& x, std::size_t derivative) const;
   [[nodiscard]] Real evaluate(const History& history, const Real& t) const;
   [[nodiscard]] Real modal_coordinate(const StickMode& mode, const Real& t) const;
