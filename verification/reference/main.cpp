@@ -1,4 +1,4 @@
-/// Writes the published reference data. Usage: stickslip_reference_data [--output FOLDER]
+/// Generates the published reference data. Usage: stickslip_reference_data [--output FOLDER]
 
 #include <fmt/format.h>
 
@@ -19,7 +19,7 @@
 int main(int argc, char** argv) {
   using namespace stickslip;
   namespace fs = std::filesystem;
-  CLI::App app("Makes the published reference data.", "stickslip_reference_data");
+  CLI::App app("Generates the published reference data.", "stickslip_reference_data");
   std::string output = data::reference_directory().string();
   app.add_option("--output", output, "Folder for the package")->capture_default_str();
   bool quiet = false;

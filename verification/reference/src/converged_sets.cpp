@@ -1,4 +1,5 @@
-/// What converges: all modes of the held beam, the map of Fig. 14, the damped stick-slip history.
+/// The data sets with converged values: the held beam with all modes, the map of Fig. 14, and the damped
+/// stick-slip history.
 
 #include <fmt/format.h>
 
@@ -58,7 +59,7 @@ DataSet stick_history() {
   };
   const auto fine = response(modes), coarse = response(modes / 2);
   constexpr int samples = 1000;
-  // At least the rounding of sums of the size of A0, whose phases turn by omega t eps.
+  // At least the rounding error of sums of the size of A0 with phases omega t of relative error eps.
   double displacement_error = 1e-16, force_error = fine.omitted_transient_bound();
   for (int k = 1; k <= samples; ++k) {
     const double t = k / 1000.0;
@@ -223,7 +224,7 @@ DataSet stick_slip_history() {
     largest_displacement = std::max(largest_displacement, std::abs(fine[k].displacement));
     largest_force = std::max(largest_force, std::abs(fine[k].force));
   }
-  // Of a phase: the largest difference in it.
+  // The largest difference within the phase.
   std::size_t begin = 0;
   const auto close_phase = [&](std::size_t end) {
     double displacement_error = 1e-13, force_error = 1e-9;

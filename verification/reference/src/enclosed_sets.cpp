@@ -1,4 +1,5 @@
-/// What ball arithmetic encloses: the stick state, the frequencies of the slip state, the criterion.
+/// The data sets with values enclosed by ball arithmetic: the stick state, the frequencies of the slip state,
+/// and the criterion.
 
 #include <fmt/format.h>
 
@@ -26,7 +27,7 @@ const std::string digits_and_bits = fmt::format(R"({{"bits": {}, "digits": 30}})
 const data::Field beam_column = word("beam", "name of the beam, in beams.csv");
 const data::Field mode_column = integer("mode", "number n, from the lowest");
 
-// k/20 of a length that stands in a case file as a decimal.
+// k/20 of the length, which is exactly the decimal of the case file.
 Rational point_of(const NamedBeam& named, int k, double& as_double) {
   as_double = named.problem.beam.length() * k / 20.0;
   return exact(as_double);
@@ -254,14 +255,15 @@ namespace {
 
 const Rational ten_seconds("10");
 
-// 5 to 120 Hz by 5 Hz.
+// 5 to 120 Hz in steps of 5 Hz.
 std::vector<int> frequencies() {
   std::vector<int> list;
   for (int hz = 5; hz <= 120; hz += 5) list.push_back(hz);
   return list;
 }
 
-// Of a case at a frequency, per metre of amplitude: as dear as it is needed often.
+// The force maximum per metre of amplitude for a case and a frequency. It is stored, because it is expensive
+// and used several times.
 const certified::ForceMaximum& force_maximum(const NamedBeam& named, int hz) {
   static std::map<std::pair<std::string, int>, certified::ForceMaximum> known;
   const auto key = std::pair(named.name, hz);
@@ -342,7 +344,8 @@ DataSet classification() {
       const double amplitude = k * 5 / 1e5;
       const Real ratio = Real(exact(amplitude)) * force_maximum(beams().front(), hz).value / limit;
       const int side = (ratio - Real(1)).certain_sign();
-      if (side == 0) throw std::runtime_error(fmt::format("no verdict at {} Hz, {} m", hz, amplitude));
+      if (side == 0)
+        throw std::runtime_error(fmt::format("the verdict at {} Hz, {} m is undecided", hz, amplitude));
       set.rows.push_back(
           Row().number(hz).number(amplitude).text(side > 0 ? "stick-slip" : "stick").enclosed(ratio));
     }

@@ -1,4 +1,4 @@
-/// Closed forms that anyone can write down: one mass with friction, a manufactured motion.
+/// The data sets from short closed forms: one mass with friction, and a manufactured motion.
 
 #include <array>
 #include <utility>
@@ -117,8 +117,8 @@ DataSet manufactured_motion() {
     for (int k = 1; k <= 20; ++k) {
       const double x = paper.problem.beam.length() * k / 20.0;
       const Real xi = Real(exact(x)) / length;
-      // phi = a/2 (exp(b xi) - Re exp((b + 4 i) xi)), b = 1/2; each derivative multiplies by b/L or (b + 4
-      // i)/L.
+      // phi = a/2 (exp(b xi) - Re exp((b + 4 i) xi)) with b = 1/2. Each derivative multiplies by b/L or (b +
+      // 4 i)/L.
       const Real b = Real(1) / 2, growth = exp(b * xi), four(4);
       Real plain = growth, real = growth * cos(four * xi), imaginary = growth * sin(four * xi), scale = a / 2;
       std::array<Real, 5> phi;

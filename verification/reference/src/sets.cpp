@@ -47,13 +47,13 @@ Row& Row::number(int value) { return text(std::to_string(value)); }
 Row& Row::enclosed(const Real& value, double scale) {
   const certified::Enclosure enclosure = certified::enclosure(value);
   if (!(std::stod(enclosure.radius) <= 1e-28 * std::max(std::abs(enclosure.midpoint), scale)))
-    throw std::runtime_error(
-        fmt::format("{} +- {} is not as sharp as it is to be published", enclosure.value, enclosure.radius));
+    throw std::runtime_error(fmt::format("{} +- {} is less accurate than the published accuracy",
+                                         enclosure.value, enclosure.radius));
   return text(enclosure.value).text(enclosure.radius);
 }
 
 Row& Row::converged(double value, double radius) {
-  // Upwards, by more than the rounding of the value takes.
+  // Rounded up by more than the rounding error of the printed value.
   const double printed_radius = 1.02 * radius;
   const int decimals = static_cast<int>(std::ceil(-std::log10(printed_radius))) + 2;
   if (!(radius > 0.0 && decimals < 60)) throw std::runtime_error("a radius must be positive");

@@ -12,32 +12,33 @@
 
 namespace stickslip::reference {
 
-/// A case as it is published: its decimals are exact.
+/// A case with its exact decimals, as published.
 struct NamedBeam {
-  std::string name;  ///< of the case file
+  std::string name;  ///< of the case file, without extension
   data::Case problem;
   certified::Beam beam;
 };
 
+/// Loads the case with this name.
 [[nodiscard]] NamedBeam named_beam(const std::string& name);
 
-/// The beams of the data package: the paper's, a steel strip, a soft short one, one near buckling, one in
-/// tension.
+/// The beams of the package: that of the paper, a steel strip, a soft and short beam, a beam near buckling,
+/// and a beam in tension.
 [[nodiscard]] const std::vector<NamedBeam>& beams();
 
-/// The decimal that stands in a case file.
+/// The decimal in a case file, as an exact number.
 [[nodiscard]] certified::Rational exact(double value);
 
-/// The cells of a row.
+/// A row of a data set, built cell by cell.
 class Row {
  public:
   Row& text(std::string cell);
   Row& number(double value);
   Row& number(int value);
-  /// Value and radius, two cells. Throws std::runtime_error unless the radius is below 1e-28 of the value, or
-  /// of `scale` if that is larger.
+  /// Adds value and radius as two cells. Throws std::runtime_error if the radius is above 1e-28 of the larger
+  /// of |value| and `scale`.
   Row& enclosed(const certified::Real& value, double scale = 0.0);
-  /// Value and radius, two cells: the value to the digits that the radius leaves, and one more.
+  /// Adds value and radius as two cells. The value has one digit more than the radius justifies.
   Row& converged(double value, double radius);
 
   operator std::vector<std::string>() const { return cells_; }
@@ -46,35 +47,36 @@ class Row {
   std::vector<std::string> cells_;
 };
 
-/// Columns: a key, a value with its radius, an exact value.
+/// Descriptions of columns without a radius: text, integer, exact number.
 [[nodiscard]] data::Field word(std::string name, std::string description);
 [[nodiscard]] data::Field integer(std::string name, std::string description);
 [[nodiscard]] data::Field exact_number(std::string name, std::string unit, std::string description);
-/// Adds the column and that of its radius.
+/// Adds the description of a value and of its radius.
 void add_value(std::vector<data::Field>& fields, const std::string& name, const std::string& unit,
                const std::string& description, data::ValueClass value_class);
 
-/// "stickslip 1.0.0".
+/// Name and version of the software, such as "stickslip 1.0.0".
 [[nodiscard]] std::string software();
 
-/// Without fields and rows.
+/// A data set without fields and rows.
 [[nodiscard]] DataSet data_set(std::string name, std::string path, std::string title,
                                std::string description);
 
-/// Compared row by row, or along an abscissa without interpolation.
+/// The comparison row by row, or along an abscissa without interpolation.
 [[nodiscard]] data::ComparisonRule by_rows(std::vector<data::ComparedValue> values);
 [[nodiscard]] data::ComparisonRule along(std::string abscissa, std::vector<data::ComparedValue> values);
 
-/// Diagnosed in a case, or for each beam in the case of its name.
+/// The diagnosis for one case, or for each beam with the case of the same name.
 [[nodiscard]] data::DiagnosisRule in_case(std::string quantity, std::string name, std::string abscissa,
                                           std::string value);
 [[nodiscard]] data::DiagnosisRule for_each_beam(std::string quantity, std::string abscissa,
                                                 std::string value);
 
+/// The provenance of values enclosed by ball arithmetic.
 [[nodiscard]] data::Provenance enclosed_by(std::string method, std::string settings,
                                            std::vector<std::string> checks);
 
-// The recipes.
+// The data sets.
 [[nodiscard]] DataSet beam_table();
 [[nodiscard]] DataSet stick_frequencies();
 [[nodiscard]] DataSet slip_frequencies();

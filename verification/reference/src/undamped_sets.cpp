@@ -1,4 +1,4 @@
-/// The undamped stick-slip histories, as far as they have converged, and the sticks in them that have.
+/// The undamped stick-slip histories as far as they have converged, and their converged stick phases.
 
 #include <fmt/format.h>
 
@@ -21,7 +21,7 @@ struct Run {
   int steps_per_sample{4096};
 };
 
-// The paper's beam for half a second, the others for twelve periods of the excitation.
+// Half a second for the beam of the paper, twelve periods of the excitation for the others.
 constexpr std::array<Run, 5> runs{{
     {"undamped-history-25", "stick-slip/undamped-25.csv", "Undamped stick-slip of the paper's beam, 25 Hz",
      "The paper's beam", "paper", 25.0, 1e-3, 0.5},
@@ -36,10 +36,11 @@ constexpr std::array<Run, 5> runs{{
      0.03},
 }};
 
-constexpr double tolerance = 5e-3;             // of the range
-constexpr double least_half_width = 1e-8;      // of the range: far above rounding, far below the tolerance
-constexpr double shortest_stick = 0.05;        // of a period of the excitation
-constexpr double largest_stick_radius = 0.05;  // of a stick, at either end
+constexpr double tolerance = 5e-3;  // relative to the range
+// Relative to the range: far above rounding errors and far below the tolerance.
+constexpr double least_half_width = 1e-8;
+constexpr double shortest_stick = 0.05;        // in periods of the excitation
+constexpr double largest_stick_radius = 0.05;  // relative to the duration of the stick phase, at either end
 
 studies::ConvergedEffort effort_of(const Run& run) {
   return {.duration = run.duration,

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Makes the published reference data, data/reference/: each number with the half-width of its uncertainty,
-/// each data set with its provenance. What is enclosed comes from ball arithmetic, what is converged from
-/// the studies.
+/// Generates the published reference data in data/reference/. Each number has the half-width of its
+/// uncertainty, and each data set has its provenance. Enclosed values come from ball arithmetic, converged
+/// values from the studies.
 
 #include <functional>
 #include <map>
@@ -14,27 +14,27 @@
 
 namespace stickslip::reference {
 
-/// A data set: what the package says of it, and its rows, a text for each field.
+/// A data set: its description in the package and its rows, with one text per field.
 struct DataSet {
   data::Resource resource;
   std::vector<std::vector<std::string>> rows;
 };
 
-/// One data set and how to make it.
+/// The name of a data set and the function that computes it.
 struct Recipe {
   std::string_view name;
   std::function<DataSet()> make;
-  bool is_quick{};  ///< takes less than a second or so
+  bool is_quick{};  ///< computed within about a second
 };
 
-/// All of them, in the order of the package. Making one throws what its computation throws, and
-/// std::runtime_error if a number does not come out as sharp as it is to be published.
+/// The recipes of all data sets, in the order of the package. A recipe throws what its computation throws,
+/// and std::runtime_error if a number is less accurate than the published accuracy requires.
 [[nodiscard]] const std::vector<Recipe>& recipes();
 
-/// The CSV file of a data set.
+/// The text of the CSV file of a data set.
 [[nodiscard]] std::string csv_of(const DataSet& set);
 
-/// The files of a package by their names in its folder, datapackage.json among them.
+/// The texts of all files of a package by their names in its folder, including datapackage.json.
 [[nodiscard]] std::map<std::string, std::string> package_files(const std::vector<DataSet>& sets);
 
 }  // namespace stickslip::reference
