@@ -1,4 +1,5 @@
-/// Times of the work that everything else is made of. Quote ratios between lines of one run, not the times.
+/// Times of the basic operations. Only ratios between lines of one run are meaningful, not the times
+/// themselves.
 
 #include <benchmark/benchmark.h>
 
@@ -28,15 +29,15 @@ void run(benchmark::State& state, double amplitude, solver::TipContact contact) 
   state.SetComplexityN(state.range(0));
 }
 
-// One second of the linear stick state: the cost of a step must grow as the number of elements.
-void stick_run(benchmark::State& state) { run(state, 0.5e-3, solver::TipContact::bonded); }
+// One second of the linear stick state. The time per step should be proportional to the number of elements.
+void stick_run(benchmark::State& state) { run(state, 0.5e-3, solver::TipContact::glued); }
 BENCHMARK(stick_run)
     ->RangeMultiplier(4)
     ->Range(20, 1280)
     ->Complexity(benchmark::oN)
     ->Unit(benchmark::kMillisecond);
 
-// One second of stick-slip at 25 Hz and 1 mm, contact changes located.
+// One second of stick-slip at 25 Hz and 1 mm with located contact changes.
 void stick_slip_run(benchmark::State& state) { run(state, 1e-3, solver::TipContact::friction); }
 BENCHMARK(stick_slip_run)->Arg(20)->Arg(80)->Unit(benchmark::kMillisecond);
 
@@ -44,7 +45,7 @@ const data::HarmonicExcitation loud({.frequency_hz = 25.0, .amplitude = 1e-3});
 const data::Damping light({.kelvin_voigt = 6.4e-5});
 constexpr double half_a_second = 0.5;
 
-// Half a second of damped stick-slip at 25 Hz and 1 mm, from event to event in so many modes.
+// Half a second of damped stick-slip at 25 Hz and 1 mm by the event-driven method, over the number of modes.
 void event_driven_run(benchmark::State& state) {
   const analytic::BeamContactModel model(paper_beam, paper_friction, loud, light,
                                          static_cast<int>(state.range(0)));
@@ -59,7 +60,7 @@ void event_driven_run(benchmark::State& state) {
 }
 BENCHMARK(event_driven_run)->Arg(10)->Arg(20)->Unit(benchmark::kMillisecond);
 
-// The same by the time stepper on ten elements, in so many steps.
+// The same by time integration with ten elements, over the number of steps.
 void time_stepper_run(benchmark::State& state) {
   const solver::BeamModel mesh(paper_beam, 10);
   const solver::PrescribedMotion base = solver::harmonic_motion(loud);
@@ -80,7 +81,7 @@ void time_stepper_run(benchmark::State& state) {
 }
 BENCHMARK(time_stepper_run)->Arg(5000)->Arg(50000)->Unit(benchmark::kMillisecond);
 
-// max |f| over 10 s with its rigorous bound, at one frequency.
+// max |f| over 10 s with its bounds, at one frequency.
 void force_maximum(benchmark::State& state) {
   const data::HarmonicExcitation excitation({.frequency_hz = 35.0, .amplitude = 0.5e-3});
   const analytic::StickResponse response(paper_beam, excitation, static_cast<int>(state.range(0)));
@@ -88,7 +89,7 @@ void force_maximum(benchmark::State& state) {
 }
 BENCHMARK(force_maximum)->Arg(10)->Arg(40)->Unit(benchmark::kMillisecond);
 
-// Roots, shapes and integrals of the stick state.
+// Frequencies, shapes and integrals of the stick state.
 void stick_modes(benchmark::State& state) {
   for (auto _ : state)
     benchmark::DoNotOptimize(analytic::stick_modes(paper_beam, static_cast<int>(state.range(0))));

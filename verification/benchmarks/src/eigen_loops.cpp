@@ -15,7 +15,7 @@ namespace {
 
 using solver::SparseMatrix;
 
-// Without the row and column of the tip's deflection, which is the last but one.
+// Removes the row and column of the tip deflection, which is the last but one degree of freedom.
 SparseMatrix without_tip(const SparseMatrix& matrix) {
   const Eigen::Index tip = matrix.rows() - 2;
   SparseMatrix selection(tip + 2, tip + 1);
@@ -68,8 +68,8 @@ EigenLoop loop(const solver::BeamModel& model, const data::HarmonicExcitation& e
                          stiffness_corner * base.displacement(end);
     result.largest_force = std::max(result.largest_force, std::abs(force));
   }
-  // 5 n for alpha_q, n for alpha_a, 4 n for the load and its residual, 6 n and 4 n for q and v, 4 n for the
-  // force.
+  // Operations: 5 n for alpha_q, n for alpha_a, 4 n for the load and its residual, 6 n and 4 n for q and v, 4
+  // n for the force.
   const auto size = static_cast<double>(n);
   result.flops_per_step = 24.0 * size;
   result.bytes_per_step = 8.0 * 26.0 * size;

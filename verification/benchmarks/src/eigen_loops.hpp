@@ -6,17 +6,18 @@
 
 namespace stickslip::benchmarks {
 
-/// The stick state as anybody would program it with Eigen, to compare with: the rows of the tip's deflection
-/// left out, its prescribed motion on the right-hand side, one factorisation, one loop of the
-/// generalised-alpha method.
+/// A usual implementation of the stick state with Eigen, for comparison. The rows of the tip deflection are
+/// removed, its prescribed motion is on the right-hand side, the matrix is factorised once, and one loop
+/// performs the steps of generalised-alpha.
 enum class Factorisation { dense_lu, sparse_ldlt };
 
 struct EigenLoop {
   double largest_force{};   ///< max |f|, N
-  double flops_per_step{};  ///< counted from the matrices
-  double bytes_per_step{};  ///< read and written once each, matrices with their indices
+  double flops_per_step{};  ///< per step, counted from the matrices
+  double bytes_per_step{};  ///< per step, each number read and written once; matrices with their indices
 };
 
+/// Runs the loop over numerics.duration().
 [[nodiscard]] EigenLoop eigen_stick_loop(const data::Beam& beam, const data::HarmonicExcitation& excitation,
                                          const data::NumericalSettings& numerics,
                                          Factorisation factorisation);

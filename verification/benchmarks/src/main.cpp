@@ -8,7 +8,7 @@
 #include "record.hpp"
 #include "stickslip/report/text_file.hpp"
 
-/// Google Benchmark's options, and --record FILE: write what the report shows of a run.
+/// Accepts the options of Google Benchmark and --record FILE, which writes the record for the report.
 int main(int argc, char** argv) {
   std::vector<char*> arguments;
   std::string record;

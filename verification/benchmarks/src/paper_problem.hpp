@@ -1,6 +1,6 @@
 #pragma once
 
-/// The beam of the paper, its friction and settings, shaken as the benchmarks need it.
+/// The beam of the paper with its friction, settings and excitations for the benchmarks.
 
 #include "stickslip/data/problem.hpp"
 

@@ -8,12 +8,12 @@ namespace stickslip::benchmarks {
 
 namespace {
 
-// A line of the record.
+// One comparison of the record.
 struct Comparison {
   std::string work;
-  std::string plain_name, plain;  // of the benchmark, and in words
+  std::string plain_name, plain;  // name of the benchmark, and description
   std::string fast_name, fast;
-  double repetitions{1.0};  // of the plain work that the fast one does once
+  double repetitions{1.0};  // number of times the plain work is contained in the fast work
 };
 
 const std::vector<Comparison>& comparisons() {

@@ -10,13 +10,12 @@
 
 namespace stickslip::benchmarks {
 
-/// Prints as usual and keeps the shortest time of each benchmark, with its counters.
+/// Prints the usual output, and stores the shortest time of each benchmark with its counters.
 class Recorder final : public benchmark::ConsoleReporter {
  public:
   void ReportRuns(const std::vector<Run>& runs) override;
 
-  /// What has been measured. Throws std::runtime_error if a benchmark that it needs has not been run or
-  /// failed.
+  /// The record of the run. Throws std::runtime_error if a required benchmark has not been run or has failed.
   [[nodiscard]] SpeedRecord record() const;
 
  private:

@@ -1,5 +1,5 @@
-/// The fast ways against the plain ones, and both against what the machine can do. Quote ratios between lines
-/// of one run, not the times.
+/// Times of the fast and of the plain methods, and of the peak performance of the machine. Only ratios
+/// between lines of one run are meaningful, not the times themselves.
 
 #include <benchmark/benchmark.h>
 
@@ -39,18 +39,16 @@ data::Case paper_case() {
           .damping = {}};
 }
 
-// What a step does, for the shares of what the machine can do.
+// Sets the counters of operations and bytes per step, for the fractions of the peak performance.
 void count(benchmark::State& state, double flops_per_step, double bytes_per_step) {
   state.counters["steps"] = steps;
   state.counters["flops_per_step"] = flops_per_step;
   state.counters["bytes_per_step"] = bytes_per_step;
 }
 
-// ---- the machine
-// -----------------------------------------------------------------------------------------------------
+// ---- peak performance of the machine
 
-// Multiplications and additions in the registers, as wide as the build makes them; independent, so that
-// neither waits.
+// Independent multiplications and additions in registers, with the vector width of the build.
 void peak_flops(benchmark::State& state) {
   constexpr int lanes = 64, rounds = 10000;
   Eigen::Array<double, lanes, 1> x = Eigen::Array<double, lanes, 1>::LinSpaced(0.0, 1.0);
@@ -67,7 +65,7 @@ void peak_flops(benchmark::State& state) {
 }
 BENCHMARK(peak_flops)->Name("peak/flops")->Unit(benchmark::kMicrosecond);
 
-// a = b + s c over arrays that stay in the second-level cache.
+// a = b + s c over arrays that fit in the second-level cache.
 void peak_cache(benchmark::State& state) {
   constexpr Eigen::Index size = 8192;
   Eigen::VectorXd a = Eigen::VectorXd::Zero(size);
@@ -82,7 +80,6 @@ void peak_cache(benchmark::State& state) {
 BENCHMARK(peak_cache)->Name("peak/cache")->Unit(benchmark::kMicrosecond);
 
 // ---- histories
-// -------------------------------------------------------------------------------------------------------
 
 void eigen_loop(benchmark::State& state, Factorisation factorisation) {
   EigenLoop result;
@@ -100,9 +97,10 @@ void stick_run(benchmark::State& state, Coordinates coordinates) {
     benchmark::DoNotOptimize(
         solver::max_abs_friction_force(paper_beam, shaking(35.0, 0.5e-3), settings(20), {}, coordinates));
   if (coordinates == Coordinates::nodal) return;
-  // An output is the product of a row with the state of a block, three numbers of 39 modes and two of the
-  // load; a block of 64 steps moves its state on by nine and four multiplications with additions a mode. The
-  // state is written and read once a block, the outputs once; the rows stay in the cache.
+  // One output value is the product of a row with the state of a block, which has three numbers for each of
+  // 39 modes and two for the load. A block of 64 steps advances its state with 15 multiplications and
+  // additions per mode. The state is written and read once per block, the outputs once. The rows stay in the
+  // cache.
   constexpr double modes = 39.0, block = 64.0;
   count(state, 2.0 * (3.0 * modes + 2.0) + 2.0 * 15.0 * modes / block,
         8.0 * (2.0 + 2.0 * (3.0 * modes + 2.0) / block));
@@ -120,14 +118,14 @@ void stick_slip_run(benchmark::State& state, Coordinates coordinates) {
     benchmark::DoNotOptimize(run.friction_force());
   }
   state.counters["events"] = static_cast<double>(events);
-  // About 35 operations a mode in slip, on ten arrays; steps that are tried in search of an event come on
-  // top.
+  // About 35 operations per mode in slip, on ten arrays, without the additional steps of the search for an
+  // event.
   if (coordinates == Coordinates::modal) count(state, 35.0 * 39.0, 8.0 * 14.0 * 39.0);
 }
 BENCHMARK_CAPTURE(stick_slip_run, nodal, Coordinates::nodal)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(stick_slip_run, modal, Coordinates::modal)->Unit(benchmark::kMillisecond);
 
-// A hundredth of a second of the plain stick run: cost and memory grow as the number of elements.
+// A hundredth of a second of the plain stick run. Time and memory are proportional to the number of elements.
 void elements(benchmark::State& state) {
   const auto numerics = settings(static_cast<int>(state.range(0)), 0.01);
   BeamSimulation run(paper_beam, paper_friction, shaking(35.0, 0.5e-3), numerics,
@@ -148,7 +146,6 @@ BENCHMARK(elements)
     ->Unit(benchmark::kMillisecond);
 
 // ---- closed form
-// -----------------------------------------------------------------------------------------------------
 
 void force_maximum(benchmark::State& state, bool plain) {
   const analytic::StickResponse response(paper_beam, shaking(35.0, 0.5e-3), static_cast<int>(state.range(0)));
@@ -160,7 +157,6 @@ BENCHMARK_CAPTURE(force_maximum, halving, true)->Arg(10)->Arg(40)->Unit(benchmar
 BENCHMARK_CAPTURE(force_maximum, search, false)->Arg(10)->Arg(40)->Unit(benchmark::kMillisecond);
 
 // ---- maps
-// ------------------------------------------------------------------------------------------------------------
 
 void map_of(benchmark::State& state, const studies::MapTask& task) {
   const auto numbers = studies::share_of(studies::evaluation_count(task), 1, 1);
@@ -172,7 +168,7 @@ void map_of(benchmark::State& state, const studies::MapTask& task) {
   }
 }
 
-// Figs. 10 to 12, as a table of a million cells.
+// Figs. 10 to 12 as a map of a million cells.
 void frequency_amplitude(benchmark::State& state) {
   map_of(state, {.problem = paper_case(),
                  .x = studies::map_axis(studies::Parameter::frequency, 0.1, 120.0, 1200, false),
@@ -184,7 +180,7 @@ BENCHMARK(frequency_amplitude)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
-// The section of Fig. 14: 0.2 m by 0.02 m.
+// The cross section of Fig. 14: 0.2 m by 0.02 m.
 data::Case flat_case() {
   data::Case flat = paper_case();
   auto properties = paper_beam.properties();
@@ -205,7 +201,7 @@ void length_force(benchmark::State& state) {
 }
 BENCHMARK(length_force)->Name("criterion_map/length_force")->Unit(benchmark::kMillisecond)->UseRealTime();
 
-// One point of that map by the plain way: lengths and forces in turn.
+// One point of that map by the plain method. Lengths and forces change from call to call.
 void length_force_point(benchmark::State& state) {
   const data::Case flat = flat_case();
   int point = 0;
@@ -223,7 +219,6 @@ void length_force_point(benchmark::State& state) {
 BENCHMARK(length_force_point)->Unit(benchmark::kMicrosecond);
 
 // ---- Fig. 6
-// ----------------------------------------------------------------------------------------------------------
 
 enum class Procedure { raised, linear, modal };
 

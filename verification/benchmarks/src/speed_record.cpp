@@ -53,8 +53,8 @@ SpeedRecord read_speed_record(const std::filesystem::path& file) {
 
 std::string text_of(const SpeedRecord& record) {
   std::string text =
-      "# Work done by the plain way and by the fast one in one run; made by the benchmarks, for their "
-      "ratios.\n";
+      "# Times of the same work by a plain and by a fast method in one run. Written by the benchmarks. Use "
+      "the ratios.\n";
   text += fmt::format("\n[[machine]]\nprocessor = \"{}\"\n", record.processor);
   for (const SpeedComparison& line : record.comparisons) {
     text += fmt::format(
