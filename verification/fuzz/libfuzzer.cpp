@@ -1,4 +1,4 @@
-/// One target as libFuzzer calls it. FUZZ_TARGET is its function.
+/// The entry point of libFuzzer for one target. FUZZ_TARGET is the function of the target.
 
 #include <cstddef>
 #include <cstdint>

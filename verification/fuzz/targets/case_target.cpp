@@ -8,11 +8,12 @@ namespace stickslip::fuzz {
 
 namespace {
 
-// The whole case as overrides: what is left to be read again.
+// The values of a case as overrides. Reading the case with them must return the same values.
 std::vector<data::Override> overrides_of(const data::Case& problem) {
   const auto number = [](const char* key, double value) {
     std::string text = data::shortest_text(value);
-    if (text.find_first_of(".e") == std::string::npos) text += ".0";  // as TOML tells floats from integers
+    // TOML distinguishes floats from integers by these.
+    if (text.find_first_of(".e") == std::string::npos) text += ".0";
     return data::Override{key, text};
   };
   const auto integer = [](const char* key, int value) { return data::Override{key, std::to_string(value)}; };

@@ -5,7 +5,7 @@
 
 namespace stickslip::fuzz {
 
-/// A file in memory that has a path, for what reads files.
+/// A file in memory that has a path, so that functions which read files can use it.
 class MemoryFile {
  public:
   MemoryFile();
@@ -13,7 +13,7 @@ class MemoryFile {
   MemoryFile(const MemoryFile&) = delete;
   MemoryFile& operator=(const MemoryFile&) = delete;
 
-  /// The path of the file, which now holds this text alone.
+  /// Replaces the content of the file by `text` and returns the path.
   [[nodiscard]] std::filesystem::path with(std::string_view text);
 
  private:

@@ -14,7 +14,7 @@ void require_ascending(std::span<const double> values, std::string_view text) {
   const bool holds =
       std::ranges::all_of(values, [](double value) { return std::isfinite(value) && value >= 0.0; }) &&
       std::ranges::is_sorted(values);
-  if (!holds) throw Violation("no ascending finite numbers of 0 or more: " + std::string(text));
+  if (!holds) throw Violation("the numbers are not ascending, finite and at least 0: " + std::string(text));
 }
 
 void refused_or(const std::function<void()>& parse) {
@@ -33,7 +33,7 @@ void parse_ranges(Bytes bytes) {
     const auto axis = cli::parse_axis("--x", text);
     if (axis.values.size() < 2) throw Violation("an axis of fewer than two values: " + text);
     require_ascending(axis.values, text);
-    if (axis.values.front() == axis.values.back()) throw Violation("an axis that goes nowhere: " + text);
+    if (axis.values.front() == axis.values.back()) throw Violation("an axis with equal ends: " + text);
   });
   for (const auto parse : {cli::parse_range, cli::parse_band})
     refused_or([&] {

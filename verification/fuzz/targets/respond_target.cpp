@@ -12,7 +12,7 @@ namespace stickslip::fuzz {
 
 namespace {
 
-// Numbers out of bytes, zeros when they run out.
+// Converts bytes to numbers; zeros after the last byte.
 class Choices {
  public:
   explicit Choices(Bytes bytes) : bytes_(bytes) {}
@@ -24,7 +24,8 @@ class Choices {
     return first;
   }
 
-  // `usual` itself, up to five decades beside it in 25 steps each, or what no length is.
+  // `usual` itself, a value up to five decades above or below it in 25 steps per decade, or a value that is
+  // not allowed (0, -1).
   double near(double usual) {
     constexpr std::array odd{0.0, -1.0};
     const int choice = byte();
@@ -84,7 +85,8 @@ void follow_by_finite_elements(const data::Case& problem, solver::ContactScheme 
   }
 }
 
-// What a run costs event by event: radians of its fastest motion and time constants of its friction's slope.
+// The cost of an event-driven run: the angle (rad) of its fastest motion plus the number of time constants of
+// the friction law.
 double cost_of(const analytic::ContactModel& model, const data::Case& problem) {
   double fastest = std::max(model.load_angular_frequency, std::ranges::max(model.angular_frequency));
   if (model.free_modes) fastest = std::max(fastest, std::ranges::max(model.free_modes->angular_frequency));
@@ -97,7 +99,7 @@ double cost_of(const analytic::ContactModel& model, const data::Case& problem) {
 void follow_event_by_event(const data::Case& problem) {
   const analytic::BeamContactModel beam(problem.beam, problem.friction, problem.excitation, problem.damping,
                                         problem.numerics.modes());
-  constexpr double most = 300.0;  // more is work, not a finding
+  constexpr double most = 300.0;  // runs above this cost would only take time
   if (cost_of(beam.model(), problem) > most) return;
   analytic::EventDriven run(beam.model());
   const std::vector<double> midspan = beam.shapes(problem.beam.length() / 2.0);
@@ -110,7 +112,7 @@ void follow_event_by_event(const data::Case& problem) {
   }
 }
 
-// As the command line tells refusals and failures from mistakes of its own.
+// Distinguishes invalid input and failed runs from internal errors, as the command line does.
 template <class Run>
 void refused_or(const Run& run) {
   try {

@@ -19,13 +19,13 @@ std::vector<data::ReferenceTable> comparable_tables() {
 }
 
 void require_whole(const data::UserTable& table) {
-  if (table.rows() == 0) throw Violation("a table without rows is taken");
+  if (table.rows() == 0) throw Violation("a table without rows is accepted");
   for (const data::Column& column : table.columns) {
     if (column.values.size() != table.rows() || column.text.size() != table.rows())
-      throw Violation("the column " + column.field.name + " has not one cell for each row");
+      throw Violation("the column " + column.field.name + " does not have one cell for each row");
     const bool is_number = column.field.type != data::FieldType::string;
     if (is_number && !std::ranges::all_of(column.values, [](double value) { return std::isfinite(value); }))
-      throw Violation("the column " + column.field.name + " holds a number that is not finite");
+      throw Violation("the column " + column.field.name + " has a number that is not finite");
   }
 }
 

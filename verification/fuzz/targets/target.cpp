@@ -18,9 +18,9 @@ std::vector<std::string> split(Bytes bytes) {
 
 void require_sentence(const std::exception& refusal) {
   const std::string_view text(refusal.what());
-  if (text.empty()) throw Violation("a refusal says nothing");
+  if (text.empty()) throw Violation("an error message is empty");
   if (std::ranges::any_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x20U; }))
-    throw Violation("a refusal is not one line of text: " + std::string(text));
+    throw Violation("an error message is not one line of text: " + std::string(text));
 }
 
 }  // namespace stickslip::fuzz
