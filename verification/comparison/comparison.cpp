@@ -156,7 +156,7 @@ class Matcher {
     return label_of(columns, [&](const std::string& name) { return reference_.column(name).text[row]; });
   }
 
-  [[noreturn]] void refuse_row(const std::vector<std::string>& columns, std::size_t their_row) const {
+  [[noreturn]] void throw_unknown_row(const std::vector<std::string>& columns, std::size_t their_row) const {
     const auto cell = [&](const std::string& name) { return theirs_.column(name)->text[their_row]; };
     throw InputError(fmt::format("{}: {} is not in the data set {}", theirs_.place(their_row),
                                  label_of(columns, cell), reference_.resource.name));
@@ -180,7 +180,7 @@ class Matcher {
     for (std::size_t row = 0; row < theirs_.rows(); ++row) {
       const auto group = std::ranges::find_if(
           list, [&](const Group& one) { return matches(columns, one.reference.front(), row); });
-      if (group == list.end()) refuse_row(columns, row);
+      if (group == list.end()) throw_unknown_row(columns, row);
       group->theirs.push_back(row);
     }
     return list;
@@ -458,7 +458,7 @@ class Comparer {
       for (const std::size_t their_row : group.theirs) {
         const auto found = std::ranges::find_if(
             absent, [&](std::size_t row) { return matcher_.matches(key, row, their_row); });
-        if (found == absent.end()) matcher_.refuse_row(key, their_row);
+        if (found == absent.end()) matcher_.throw_unknown_row(key, their_row);
         pairs.push_back({*found, their_row});
         absent.erase(found);
       }

@@ -11,6 +11,7 @@ namespace stickslip::benchmarks {
 /// performs the steps of generalised-alpha.
 enum class Factorisation { dense_lu, sparse_ldlt };
 
+/// The result of the loop and its load per step.
 struct EigenLoop {
   double largest_force{};   ///< max |f|, N
   double flops_per_step{};  ///< per step, counted from the matrices

@@ -17,10 +17,12 @@ inline const data::FrictionLaw paper_friction({.static_coefficient = 0.6,
                                                .decay = 1.0});
 inline constexpr double ten_seconds = 10.0;
 
+/// The excitation with the frequency `hz` (Hz) and the amplitude `amplitude` (m).
 inline data::HarmonicExcitation shaking(double hz, double amplitude) {
   return data::HarmonicExcitation({.frequency_hz = hz, .amplitude = amplitude});
 }
 
+/// The settings of the paper with another number of elements and another duration (s).
 inline data::NumericalSettings settings(int elements, double duration = ten_seconds) {
   return data::NumericalSettings({.elements = elements,
                                   .time_step = 1e-4,

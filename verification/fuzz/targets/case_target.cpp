@@ -56,8 +56,8 @@ void read_case_file(Bytes bytes) {
     std::vector<data::Override> overrides;
     for (std::size_t i = 1; i < parts.size(); ++i) overrides.push_back(data::Override::parse(parts[i]));
     require_the_same_again(data::read_case(file.with(parts.front()), overrides), file);
-  } catch (const data::InputError& refusal) {
-    require_sentence(refusal);
+  } catch (const data::InputError& error) {
+    require_sentence(error);
   }
 }
 

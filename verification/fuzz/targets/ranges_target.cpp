@@ -17,11 +17,11 @@ void require_ascending(std::span<const double> values, std::string_view text) {
   if (!holds) throw Violation("the numbers are not ascending, finite and at least 0: " + std::string(text));
 }
 
-void refused_or(const std::function<void()>& parse) {
+void parse_allowing_input_errors(const std::function<void()>& parse) {
   try {
     parse();
-  } catch (const data::InputError& refusal) {
-    require_sentence(refusal);
+  } catch (const data::InputError& error) {
+    require_sentence(error);
   }
 }
 
@@ -29,14 +29,14 @@ void refused_or(const std::function<void()>& parse) {
 
 void parse_ranges(Bytes bytes) {
   const std::string text(bytes.begin(), bytes.end());
-  refused_or([&] {
+  parse_allowing_input_errors([&] {
     const auto axis = cli::parse_axis("--x", text);
     if (axis.values.size() < 2) throw Violation("an axis of fewer than two values: " + text);
     require_ascending(axis.values, text);
     if (axis.values.front() == axis.values.back()) throw Violation("an axis with equal ends: " + text);
   });
   for (const auto parse : {cli::parse_range, cli::parse_band})
-    refused_or([&] {
+    parse_allowing_input_errors([&] {
       const auto [from, to] = parse("--band", text);
       require_ascending(std::array{from, to}, text);
     });

@@ -114,15 +114,15 @@ void follow_event_by_event(const data::Case& problem) {
 
 // Distinguishes invalid input and failed runs from internal errors, as the command line does.
 template <class Run>
-void refused_or(const Run& run) {
+void run_allowing_input_errors(const Run& run) {
   try {
     run();
   } catch (const Violation&) {
     throw;
-  } catch (const std::invalid_argument& refusal) {
-    require_sentence(refusal);
-  } catch (const std::domain_error& refusal) {
-    require_sentence(refusal);
+  } catch (const std::invalid_argument& error) {
+    require_sentence(error);
+  } catch (const std::domain_error& error) {
+    require_sentence(error);
   } catch (const std::runtime_error& failure) {
     require_sentence(failure);
   }
@@ -134,7 +134,7 @@ void respond(Bytes bytes) {
   Choices choices(bytes);
   const bool by_finite_elements = choices.byte() % 2 == 0;
   const auto scheme = static_cast<solver::ContactScheme>(choices.between(0, 2));
-  refused_or([&] {
+  run_allowing_input_errors([&] {
     const data::Case problem = case_of(choices);
     if (by_finite_elements)
       follow_by_finite_elements(problem, scheme);

@@ -42,8 +42,8 @@ void read_results(Bytes bytes) {
     for (std::size_t i = 1; i < parts.size(); ++i) mappings.push_back(data::ColumnMapping::parse(parts[i]));
     data::require_known_columns(mappings, {&reference});
     require_whole(data::read_user_table(file.with(parts.front()), reference, mappings));
-  } catch (const data::InputError& refusal) {
-    require_sentence(refusal);
+  } catch (const data::InputError& error) {
+    require_sentence(error);
   }
 }
 

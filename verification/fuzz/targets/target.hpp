@@ -43,6 +43,7 @@ struct Target {
   void (*function)(Bytes);
 };
 
+/// All targets.
 inline constexpr std::array targets{Target{"case", read_case_file}, Target{"results", read_results},
                                     Target{"ranges", parse_ranges}, Target{"respond", respond}};
 
@@ -50,6 +51,6 @@ inline constexpr std::array targets{Target{"case", read_case_file}, Target{"resu
 [[nodiscard]] std::vector<std::string> split(Bytes bytes);
 
 /// Throws Violation unless the message of the error is one line of text.
-void require_sentence(const std::exception& refusal);
+void require_sentence(const std::exception& error);
 
 }  // namespace stickslip::fuzz

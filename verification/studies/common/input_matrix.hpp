@@ -10,6 +10,7 @@
 
 namespace stickslip::studies {
 
+/// One row of the table: an input with a defect, and whether it is refused.
 struct BadInput {
   std::string where;   ///< "case file", "option", "column" or "package"
   std::string item;    ///< such as "beam.length", "respond --hz", "resources/*/title"
@@ -35,6 +36,7 @@ struct BadInputCount {
 /// Counts the rows for each place and defect, in the order of their first appearance, place by place.
 [[nodiscard]] std::vector<BadInputCount> count_by_defect(const std::vector<BadInput>& matrix);
 
+/// The number of rows that are accepted for the same reason.
 struct AcceptedCount {
   std::string reason;
   int rows{};

@@ -21,6 +21,7 @@
 
 namespace stickslip::studies {
 
+/// The boundary condition at the tip and the time function g(t) of a manufactured solution.
 enum class ManufacturedTip {
   stick,    ///< held by a moving wall; g = cos(omega t)
   slip,     ///< free, with the required tip force as a load; g = cos(omega t)
@@ -118,6 +119,7 @@ struct ManufacturedSolutionStudy {
   std::vector<ManufacturedTimeErrors> time;
 };
 
+/// Computes the study for the cross section, the length and the material of `beam`.
 [[nodiscard]] ManufacturedSolutionStudy manufactured_solution_study(const data::Beam& beam);
 
 }  // namespace stickslip::studies

@@ -29,6 +29,7 @@ struct ClassifiedFrequency {
   }
 };
 
+/// The classification of a grid of excitations by both implementations.
 struct ClassificationStudy {
   std::vector<ClassifiedFrequency> frequencies;
   std::vector<ClassifiedPoint> points;

@@ -39,6 +39,7 @@ struct BandMargin {
 [[nodiscard]] BandMargin band_margin(const data::Case& problem, const analytic::FrequencyBand& band,
                                      double relative_width = 1e-6);
 
+/// A range of a parameter in SI units.
 struct ParameterRange {
   double from{}, to{};
 };

@@ -81,6 +81,7 @@ struct SamplingSearch {
   SamplingTrial most_returned;         ///< the trial that reproduces most values; of several, the closest
 };
 
+/// The complete study. The vectors of forces have one entry per frequency.
 struct ForceSensitivity {
   std::vector<double> frequency_hz;
   std::vector<ForceRow> rows;

@@ -60,6 +60,7 @@ struct VerifiedResult {
   std::string obtained;  ///< how `uncertainty` was determined
 };
 
+/// The results with their discretisation uncertainties.
 struct SolutionVerification {
   double ratio{};         ///< of the element lengths of consecutive levels
   double formal_order{};  ///< in the element length; the time step is proportional to its square

@@ -18,6 +18,7 @@ struct FrequencyConvergence {
   double leading_constant_ratio{};        ///< error over predicted error on the finest mesh; tends to 1
 };
 
+/// The convergence of several natural frequencies on the same meshes.
 struct FrequencyStudy {
   std::vector<int> elements;
   std::vector<FrequencyConvergence> modes;

@@ -18,6 +18,7 @@ struct StickHistoryLevel {
   double predicted_force_error{};         ///< N
 };
 
+/// The histories of Fig. 9 and their errors on all levels.
 struct StickHistoryStudy {
   double displacement_peak{};  ///< max |y|, m
   double force_peak{};         ///< max |f|, N

@@ -50,6 +50,7 @@ struct EventDifference {
   double time{};      ///< s
   double position{};  ///< m
 };
+/// Computes these differences for the events of two histories.
 [[nodiscard]] EventDifference largest_difference(const std::vector<HistoryEvent>& a,
                                                  const std::vector<HistoryEvent>& b, std::size_t count);
 

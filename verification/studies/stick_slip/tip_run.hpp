@@ -20,6 +20,7 @@ struct RunEnd {
   std::size_t events{std::numeric_limits<std::size_t>::max()};
 };
 
+/// The history of the tip, sampled at the time step, and its events.
 struct TipRun {
   double step{};                           ///< time between samples, s
   std::vector<double> tip_displacement{};  ///< y(L), m

@@ -5,6 +5,7 @@
 
 namespace stickslip::certified {
 
+/// A dual number: a value and its derivative.
 template <class T>
 struct Dual {
   T value;
