@@ -197,7 +197,10 @@ WrongModelRecipe with_mesh_of(const std::string& name, const std::string& count,
           .depends_on_mesh = true};
 }
 
-std::vector<WrongModelRecipe> make_models() {
+using Recipes = std::vector<WrongModelRecipe>;
+
+// The section and the axial force.
+Recipes of_the_beam() {
   return {
       {.wrong_model = {"second-moment-as-printed", "I is the printed value, 1/100 of the correct one (E1)",
                        "Sect. 3, parameters", everything},
@@ -232,6 +235,12 @@ std::vector<WrongModelRecipe> make_models() {
            [](solver::ContactSystem& system, const solver::BeamModel& mesh) {
              system.slip_stiffness = 2.0 * mesh.stick_stiffness() - mesh.slip_stiffness();
            }},
+  };
+}
+
+// The friction force and the place where the tip is held.
+Recipes of_the_contact_force() {
+  return {
       {.wrong_model = {"reaction-without-follower-term",
                        "f is the reaction of the support, EI u''' + P u', instead of EI u'''",
                        "Eq. (4)",
@@ -270,6 +279,12 @@ std::vector<WrongModelRecipe> make_models() {
              system.stick_stiffness.coeffRef(mesh.tip_rotation(), mesh.tip_rotation()) += clamp;
            },
        .knows_stick_slip = false},
+  };
+}
+
+// The load by the moving base and its modal equations.
+Recipes of_the_excitation() {
+  return {
       {.wrong_model = {"base-load-sign", "the load is +rho A h_tt", "Eq. (1)",
                        Quantities{participation} + held_motion + stick_slip},
        .equations =
@@ -343,6 +358,12 @@ std::vector<WrongModelRecipe> make_models() {
        .observed_for = [](const data::Case& problem) { return 1.0 / problem.excitation.frequency_hz(); }},
       with_mesh_of("two-elements", "two", 2),
       with_mesh_of("four-elements", "four", 4),
+  };
+}
+
+// The mesh and the time steps.
+Recipes of_the_discretisation() {
+  return {
       {.wrong_model = {"lumped-mass", "masses are lumped at the nodes", "Eq. (8)",
                        natural_frequencies + held_motion + stick_slip},
        .mesh = lump_the_mass,
@@ -376,6 +397,12 @@ std::vector<WrongModelRecipe> make_models() {
              return scheme_of(solver::GeneralizedAlpha(0.0), 10.0 * problem.numerics.time_step());
            },
        .knows_stick_slip = false},
+  };
+}
+
+// Damping and the friction law.
+Recipes of_damping_and_friction() {
+  return {
       {.wrong_model = {"damping-added", "1 % of critical damping that the problem does not have", "Eq. (1)",
                        held_motion + stick_slip},
        .inputs = [](const data::Case& problem) -> std::optional<data::Case> {
@@ -434,6 +461,14 @@ std::vector<WrongModelRecipe> make_models() {
   };
 }
 
+Recipes all_recipes() {
+  Recipes all;
+  for (const Recipes& group : {of_the_beam(), of_the_contact_force(), of_the_excitation(), of_the_response(),
+                               of_the_discretisation(), of_damping_and_friction()})
+    all.insert(all.end(), group.begin(), group.end());
+  return all;
+}
+
 }  // namespace
 
 data::Case with_elements(const data::Case& problem, int elements) {
@@ -445,7 +480,7 @@ data::Case with_elements(const data::Case& problem, int elements) {
 }
 
 const std::vector<WrongModelRecipe>& wrong_model_recipes() {
-  static const std::vector<WrongModelRecipe> models = make_models();
+  static const std::vector<WrongModelRecipe> models = all_recipes();
   return models;
 }
 

@@ -30,7 +30,7 @@ void run(benchmark::State& state, double amplitude, solver::TipContact contact) 
 }
 
 // One second of the linear stick state. The time per step should be proportional to the number of elements.
-void stick_run(benchmark::State& state) { run(state, 0.5e-3, solver::TipContact::glued); }
+void stick_run(benchmark::State& state) { run(state, 0.5e-3, solver::TipContact::bonded); }
 BENCHMARK(stick_run)
     ->RangeMultiplier(4)
     ->Range(20, 1280)

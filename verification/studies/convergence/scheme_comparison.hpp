@@ -6,7 +6,7 @@
 
 #include "stickslip/data/problem.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
-#include "stickslip/solver/energy_books.hpp"
+#include "stickslip/solver/energy_balance.hpp"
 
 namespace stickslip::studies {
 

@@ -22,7 +22,7 @@ SampledHistory finite_element_history(const data::Beam& beam, const data::Harmon
                                       const data::NumericalSettings& numerics, long stride) {
   const data::FrictionLaw unused({});
   solver::BeamSimulation simulation(beam, unused, excitation, numerics,
-                                    {.contact = solver::TipContact::glued});
+                                    {.contact = solver::TipContact::bonded});
   const long steps = solver::step_count(numerics.duration(), numerics.time_step());
   SampledHistory history;
   for (long n = 0; n <= steps; ++n) {

@@ -4,7 +4,7 @@
 
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/data/problem.hpp"
-#include "stickslip/solver/energy_books.hpp"
+#include "stickslip/solver/energy_balance.hpp"
 #include "studies/convergence/convergence.hpp"
 
 namespace stickslip::studies {
@@ -12,11 +12,11 @@ namespace stickslip::studies {
 /// The energy balance of one stick-slip history by two methods: event-driven without a mesh, and by time
 /// integration on several meshes.
 struct EnergyAudit {
-  double kelvin_voigt{}, duration{};   ///< s
-  int modes{};                         ///< of the event-driven run
-  analytic::EnergyBooks event_driven;  ///< at the end
-  double event_driven_initial{};       ///< kinetic + potential at t = 0, J
-  std::vector<double> time_step;       ///< s
+  double kelvin_voigt{}, duration{};         ///< s
+  int modes{};                               ///< of the event-driven run
+  analytic::EventDrivenEnergy event_driven;  ///< at the end
+  double event_driven_initial{};             ///< kinetic + potential at t = 0, J
+  std::vector<double> time_step;             ///< s
   struct Mesh {
     int elements{};
     std::vector<solver::EnergyBalance> stepped;  ///< at the end, one per time step; spectral radius 1
