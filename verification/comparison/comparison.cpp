@@ -730,9 +730,9 @@ class Comparer {
           continue;
         }
         const std::size_t number = phase_number(events, t);
-        const Samples& mine = samples[number];
-        if (mine.abscissa.empty() || t < mine.abscissa.front() - margin ||
-            t > mine.abscissa.back() + margin) {
+        const Samples& of_phase = samples[number];
+        if (of_phase.abscissa.empty() || t < of_phase.abscissa.front() - margin ||
+            t > of_phase.abscissa.back() + margin) {
           skip(quantity, past_last_sample);
           continue;
         }
@@ -745,7 +745,7 @@ class Comparer {
           if (is_first) count(phase, fmt::format("{} ({} in the data set)", where_of(group, t), word));
           continue;
         }
-        compare_at(quantity, group, mine, their_row, t, scale);
+        compare_at(quantity, group, of_phase, their_row, t, scale);
       }
     }
   }

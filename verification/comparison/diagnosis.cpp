@@ -38,11 +38,11 @@ double root_mean_square(const std::vector<double>& values) {
 // (a - b)/s for each entry, s of ModelResults.
 std::vector<double> scaled_difference(const ModelResults& model_results, const std::vector<double>& a,
                                       const std::vector<double>& b) {
-  const bool alike = is_scaled_by_entry(model_results.quantity);
+  const bool by_entry = is_scaled_by_entry(model_results.quantity);
   const double common = root_mean_square(model_results.reference);
   std::vector<double> difference;
   for (std::size_t i = 0; i < a.size(); ++i)
-    difference.push_back((a[i] - b[i]) / (alike ? std::abs(model_results.reference[i]) : common));
+    difference.push_back((a[i] - b[i]) / (by_entry ? std::abs(model_results.reference[i]) : common));
   return difference;
 }
 

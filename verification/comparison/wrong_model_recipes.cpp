@@ -111,8 +111,8 @@ Eigen::RowVectorXd shear_of_the_last_element(const solver::BeamModel& mesh) {
   const double l = mesh.beam().length() / mesh.elements();
   const Eigen::RowVector4d third_derivative(12.0, 6.0 * l, -12.0, 6.0 * l);
   Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(mesh.degrees_of_freedom());
-  const Eigen::Index there = std::min<Eigen::Index>(4, row.size());
-  row.tail(there) = rigidity(mesh.beam()) / (l * l * l) * third_derivative.tail(there);
+  const Eigen::Index size = std::min<Eigen::Index>(4, row.size());
+  row.tail(size) = rigidity(mesh.beam()) / (l * l * l) * third_derivative.tail(size);
   return row;
 }
 

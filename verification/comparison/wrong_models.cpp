@@ -64,9 +64,9 @@ void require_abscissa(const data::Case& problem, Quantity quantity, const std::v
   }
 }
 
-int whole(double number) { return static_cast<int>(std::lround(number)); }
+int rounded(double number) { return static_cast<int>(std::lround(number)); }
 
-int highest(const std::vector<double>& abscissa) { return whole(std::ranges::max(abscissa)); }
+int highest(const std::vector<double>& abscissa) { return rounded(std::ranges::max(abscissa)); }
 
 // The mesh of a model with its matrices. The friction force is limited by `normal_force`.
 struct MeshedBeam {
@@ -84,7 +84,7 @@ MeshedBeam meshed_beam(const WrongModelRecipe& model, const data::Case& problem,
 }
 
 // Whether natural frequencies and the stick state are computed on the mesh.
-bool takes_the_mesh(const WrongModelRecipe& model, Quantity quantity) {
+bool uses_mesh(const WrongModelRecipe& model, Quantity quantity) {
   return (model.mesh || model.force_row) && !model.equations &&
          std::ranges::count(model.wrong_model.changes, quantity) > 0;
 }
@@ -96,7 +96,7 @@ MeshedBeam linear_beam(const WrongModelRecipe& model, const data::Case& problem)
 
 // The modal sum of the stick state of a model.
 StickSum sum_of(const WrongModelRecipe& model, const data::Case& problem, Quantity quantity) {
-  if (takes_the_mesh(model, quantity)) {
+  if (uses_mesh(model, quantity)) {
     const MeshedBeam beam = linear_beam(model, problem);
     return stick_sum(beam.mesh, beam.system,
                      model.force_row ? model.force_row(beam.mesh) : Eigen::RowVectorXd());
@@ -157,7 +157,7 @@ HeldHistory held_history(const WrongModelRecipe& model, const data::Case& proble
   const auto reading = quantity == stick_displacement ? StickReading::displacement : StickReading::force;
   if (model.scheme)
     return held_in_steps(sum_of(model, problem, quantity), model.scheme(problem), problem, reading, end);
-  if (model.equations || takes_the_mesh(model, quantity))
+  if (model.equations || uses_mesh(model, quantity))
     return held_by_a_sum(sum_of(model, problem, quantity), problem, reading, end);
   return held_in_closed_form(problem, reading, end);
 }
@@ -174,7 +174,7 @@ std::vector<double> at_each(const std::vector<double>& abscissa, const Function&
 // The entries of a list whose numbers, counted from 1, are the abscissas; empty if the list is too short.
 Values numbered(const std::vector<double>& list, const std::vector<double>& abscissa) {
   if (highest(abscissa) > static_cast<int>(list.size())) return std::nullopt;
-  return at_each(abscissa, [&](double x) { return list[static_cast<std::size_t>(whole(x) - 1)]; });
+  return at_each(abscissa, [&](double x) { return list[static_cast<std::size_t>(rounded(x) - 1)]; });
 }
 
 // Natural frequencies of K_slip and M, Hz, ascending; empty if one is complex.
@@ -194,7 +194,7 @@ std::vector<double> slip_frequencies(const solver::ContactSystem& system) {
 Values modal_values(const WrongModelRecipe& model, const data::Case& problem, Quantity quantity,
                     const std::vector<double>& abscissa) {
   const int count = highest(abscissa);
-  const bool by_mesh = takes_the_mesh(model, quantity);
+  const bool by_mesh = uses_mesh(model, quantity);
   std::vector<double> list;
   if (quantity == slip_frequency && by_mesh) {
     list = slip_frequencies(linear_beam(model, problem).system);
@@ -231,7 +231,7 @@ Values stick_slip_values(const WrongModelRecipe& model, const data::Case& proble
                                : tip_run(beam.mesh, beam.system, problem, model.start, end);
   return at_each(abscissa, [&](double x) {
     if (quantity == contact_event) {
-      const auto index = static_cast<std::size_t>(whole(x) - 1);
+      const auto index = static_cast<std::size_t>(rounded(x) - 1);
       return index < run.events.size() ? run.events[index] : infinity;
     }
     return interpolated(quantity == tip_displacement ? run.tip_displacement : run.friction_force, run.step,

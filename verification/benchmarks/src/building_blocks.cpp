@@ -41,13 +41,13 @@ BENCHMARK(stick_run)
 void stick_slip_run(benchmark::State& state) { run(state, 1e-3, solver::TipContact::friction); }
 BENCHMARK(stick_slip_run)->Arg(20)->Arg(80)->Unit(benchmark::kMillisecond);
 
-const data::HarmonicExcitation loud({.frequency_hz = 25.0, .amplitude = 1e-3});
-const data::Damping light({.kelvin_voigt = 6.4e-5});
+const data::HarmonicExcitation excitation_with_slip({.frequency_hz = 25.0, .amplitude = 1e-3});
+const data::Damping light_damping({.kelvin_voigt = 6.4e-5});
 constexpr double half_a_second = 0.5;
 
 // Half a second of damped stick-slip at 25 Hz and 1 mm by the event-driven method, over the number of modes.
 void event_driven_run(benchmark::State& state) {
-  const analytic::BeamContactModel model(paper_beam, paper_friction, loud, light,
+  const analytic::BeamContactModel model(paper_beam, paper_friction, excitation_with_slip, light_damping,
                                          static_cast<int>(state.range(0)));
   std::size_t events = 0;
   for (auto _ : state) {
@@ -63,9 +63,9 @@ BENCHMARK(event_driven_run)->Arg(10)->Arg(20)->Unit(benchmark::kMillisecond);
 // The same by time integration with ten elements, over the number of steps.
 void time_stepper_run(benchmark::State& state) {
   const solver::BeamModel mesh(paper_beam, 10);
-  const solver::PrescribedMotion base = solver::harmonic_motion(loud);
+  const solver::PrescribedMotion base = solver::harmonic_motion(excitation_with_slip);
   solver::ContactSystem system = solver::beam_contact_system(mesh, paper_friction, base);
-  system.damping = light.kelvin_voigt() * mesh.elastic_stiffness();
+  system.damping = light_damping.kelvin_voigt() * mesh.elastic_stiffness();
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(mesh.degrees_of_freedom());
   const Eigen::VectorXd velocity = -base.velocity(0.0) * mesh.unit_tip_deflection();
   std::size_t events = 0;

@@ -26,14 +26,14 @@ inline void in_parallel_settling(std::size_t count, const std::function<void(std
                                  const std::function<void(std::span<const std::size_t>)>& settled,
                                  unsigned threads = thread_count()) {
   using Clock = std::chrono::steady_clock;
-  constexpr auto held_back = std::chrono::milliseconds(50);
+  constexpr auto longest_delay = std::chrono::milliseconds(50);
   const std::size_t taken_at_once = std::clamp<std::size_t>(count / (std::size_t{64} * threads), 1, 16);
   std::atomic<std::size_t> next{0};
   std::atomic<bool> failed{false};
   std::mutex guard;
   std::exception_ptr failure;
 
-  const auto take_turns = [&] {
+  const auto work_on_indices = [&] {
     std::vector<std::size_t> done;
     auto last = Clock::now();
     const auto settle = [&] {
@@ -48,7 +48,7 @@ inline void in_parallel_settling(std::size_t count, const std::function<void(std
         for (std::size_t index = first; index < std::min(first + taken_at_once, count) && !failed; ++index) {
           work(index);
           done.push_back(index);
-          if (Clock::now() - last >= held_back) settle();
+          if (Clock::now() - last >= longest_delay) settle();
         }
       settle();
     } catch (...) {
@@ -58,8 +58,8 @@ inline void in_parallel_settling(std::size_t count, const std::function<void(std
   };
   {
     std::vector<std::jthread> others;
-    while (others.size() + 1 < std::min<std::size_t>(threads, count)) others.emplace_back(take_turns);
-    take_turns();
+    while (others.size() + 1 < std::min<std::size_t>(threads, count)) others.emplace_back(work_on_indices);
+    work_on_indices();
   }
   if (failure) std::rethrow_exception(failure);
 }

@@ -76,10 +76,11 @@ std::vector<double> amplification_moduli(double spectral_radius, double omega_ti
 SteppedResponse stepped_from_rest(double spectral_radius, double natural_frequency, double omega,
                                   double time_step) {
   const StepMap step = step_map(spectral_radius, natural_frequency * time_step);
-  const Complex turn = std::polar(1.0, omega * time_step);
+  const Complex rotation = std::polar(1.0, omega * time_step);
   const Complex load = -time_step * time_step * std::polar(1.0, omega * time_step * step.load_time);
-  const Eigen::Vector3cd steady =
-      (turn * Eigen::Matrix3cd::Identity() - step.map.cast<Complex>()).partialPivLu().solve(load * step.load);
+  const Eigen::Vector3cd steady = (rotation * Eigen::Matrix3cd::Identity() - step.map.cast<Complex>())
+                                      .partialPivLu()
+                                      .solve(load * step.load);
   const Eigen::EigenSolver<Eigen::Matrix3d> eigen(step.map);
   const Eigen::Vector3cd start = -steady.imag().cast<Complex>();
   const Eigen::Vector3cd shares = eigen.eigenvectors().partialPivLu().solve(start);
@@ -173,13 +174,13 @@ double PredictedForce::max_abs() const {
     for (const SteppedResponse::Term& vibration : term.response.free)
       free.push_back({term.weight * vibration.amplitude, vibration.factor});
   }
-  const Complex turn = std::polar(1.0, omega_ * time_step_);
+  const Complex rotation = std::polar(1.0, omega_ * time_step_);
   double largest = 0.0;
   for (long n = 0; n <= steps_; ++n) {
     double force = steady.imag();
     for (const SteppedResponse::Term& vibration : free) force += vibration.amplitude.real();
     largest = std::max(largest, std::abs(force));
-    steady *= turn;
+    steady *= rotation;
     for (SteppedResponse::Term& vibration : free) vibration.amplitude *= vibration.factor;
   }
   return largest;

@@ -105,12 +105,12 @@ struct Oscillators {
 Vibration stepped(const Oscillators& system, double spectral_radius, double h) {
   const auto [am, af] = Weights(spectral_radius);
   const double gamma = 0.5 - am + af, beta = 0.25 * std::pow(1.0 - am + af, 2);
-  const Complex turn = std::polar(1.0, omega * h);
-  const Complex velocity = h * (1.0 - gamma + gamma * turn) / (turn - 1.0);
-  const Complex displacement = (h * velocity + h * h * (0.5 - beta + beta * turn)) / (turn - 1.0);
+  const Complex rotation = std::polar(1.0, omega * h);
+  const Complex velocity = h * (1.0 - gamma + gamma * rotation) / (rotation - 1.0);
+  const Complex displacement = (h * velocity + h * h * (0.5 - beta + beta * rotation)) / (rotation - 1.0);
   const Eigen::MatrixXcd balance =
-      (am + (1.0 - am) * turn) * system.mass +
-      (af + (1.0 - af) * turn) * (velocity * system.damping + displacement * system.stiffness);
+      (am + (1.0 - am) * rotation) * system.mass +
+      (af + (1.0 - af) * rotation) * (velocity * system.damping + displacement * system.stiffness);
   const Eigen::VectorXcd acceleration =
       balance.partialPivLu().solve(std::polar(1.0, omega * h * (1.0 - af)) * system.load);
   return {displacement * acceleration, velocity * acceleration};

@@ -201,9 +201,9 @@ std::optional<Warning> growth_warning(const data::Case& problem, Inquiry inquiry
   const double kappa = weakening(problem.friction, problem.beam.axial_force());
   const double allowed = allowed_growth / numerics.duration();
   if (grows_at_most(contact, kappa, allowed)) return std::nullopt;
-  const double own = growth_bound(contact, kappa);
-  const double beam = beam_growth_bound(problem.beam, problem.friction,
-                                        data::Damping({.kelvin_voigt = problem.damping.kelvin_voigt()}));
+  const double run_bound = growth_bound(contact, kappa);
+  const double beam_bound = beam_growth_bound(
+      problem.beam, problem.friction, data::Damping({.kelvin_voigt = problem.damping.kelvin_voigt()}));
   const auto rate = [](double value) {
     return value < 100.0 ? fmt::format("{:.3g} 1/s", value) : fmt::format("{:.0f} 1/s", value);
   };
@@ -211,16 +211,17 @@ std::optional<Warning> growth_warning(const data::Case& problem, Inquiry inquiry
   std::string sentence = fmt::format(
       "the contact changes, and sigma* is {}: by the bound exp(sigma* t) a rounding error may grow to the "
       "size of the motion within {:.2g} s; for the {} sigma* is {}",
-      rate(own), allowed_growth / own, is_beam_known ? "beam" : "undamped beam", rate(beam));
-  if (own > 1.1 * beam)
+      rate(run_bound), allowed_growth / run_bound, is_beam_known ? "beam" : "undamped beam",
+      rate(beam_bound));
+  if (run_bound > 1.1 * beam_bound)
     sentence +=
         fmt::format(", about as with numerics.spectral_radius = 0, time_step = {:.2g} s, elements = {}",
                     two_digits(time_step_of({.angle = filtering_angle}, problem.beam, numerics.elements())),
                     numerics.elements());
-  if (beam > allowed && is_beam_known)
-    sentence +=
-        fmt::format("; beyond {:.2g} s the bound is of no use for any discretisation", allowed_growth / beam);
-  return Warning{Concern::growth, own, allowed, sentence};
+  if (beam_bound > allowed && is_beam_known)
+    sentence += fmt::format("; beyond {:.2g} s the bound is of no use for any discretisation",
+                            allowed_growth / beam_bound);
+  return Warning{Concern::growth, run_bound, allowed, sentence};
 }
 
 std::vector<Warning> warnings_common_to(const data::Case& problem, const std::vector<Parameter>& varied) {

@@ -68,20 +68,21 @@ double force_from_rest(const data::Case& paper, double hz, int modes) {
   const double length = paper.beam.length();
   const double stiffness = paper.beam.youngs_modulus() * paper.beam.second_moment_of_area();
   const double base_velocity = two_pi * hz * excitation.amplitude();
-  std::vector<analytic::Sinusoid> kick;
+  std::vector<analytic::Sinusoid> initial_vibrations;
   for (const analytic::StickMode& mode : response.modes()) {
     const double plain_integral = simpson_integral([&mode](double x) { return mode.shape(x); }, length, mode);
     const double shape_integral = mode.load_integral() - plain_integral;  // int U S dx
     const double rate = -base_velocity * shape_integral / mode.norm_squared();
-    kick.push_back({stiffness * mode.third_derivative(length) * rate / mode.angular_frequency(),
-                    mode.angular_frequency()});
+    initial_vibrations.push_back({stiffness * mode.third_derivative(length) * rate / mode.angular_frequency(),
+                                  mode.angular_frequency()});
   }
   double largest = 0.0;
   const long steps = solver::step_count(paper.numerics.duration(), paper.numerics.time_step());
   for (long n = 0; n <= steps; ++n) {
     const double t = static_cast<double>(n) * paper.numerics.time_step();
     double force = response.friction_force(t);
-    for (const analytic::Sinusoid& s : kick) force += s.amplitude * std::sin(s.angular_frequency * t);
+    for (const analytic::Sinusoid& s : initial_vibrations)
+      force += s.amplitude * std::sin(s.angular_frequency * t);
     largest = std::max(largest, std::abs(force));
   }
   return largest;

@@ -163,10 +163,10 @@ void add_first_slips(const data::Case& paper, std::vector<Plan>& plans) {
                      [=] {
                        const analytic::StickResponse exact(paper.beam, excitation, reference_modes,
                                                            analytic::SteadyPart::exact);
-                       constexpr double aside = 1e-6;
-                       const double slope = (exact.friction_force(reference + aside) -
-                                             exact.friction_force(reference - aside)) /
-                                            (2.0 * aside);
+                       constexpr double offset = 1e-6;
+                       const double slope = (exact.friction_force(reference + offset) -
+                                             exact.friction_force(reference - offset)) /
+                                            (2.0 * offset);
                        return Prediction{
                            history_error(paper, exact, exact.transient_force(), reference) / std::abs(slope),
                            "predicted force error over the slope of the force"};
