@@ -334,6 +334,12 @@ Recipes of_the_excitation() {
              sum.displacement = 1.0;
            },
        .knows_stick_slip = false},
+  };
+}
+
+// The initial conditions, the steady part and the time over which the largest force is searched.
+Recipes of_the_response() {
+  return {
       {.wrong_model = {"zero-initial-velocity", "u_t(x,0) = 0 instead of S(x) h_t(0) (E4)",
                        "Sect. 3, initial conditions", held_motion + stick_slip},
        .equations =
