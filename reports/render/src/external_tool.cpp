@@ -2,16 +2,12 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <fstream>
-#include <functional>
-#include <mutex>
-#include <set>
 #include <string_view>
 #include <system_error>
 
@@ -39,71 +35,6 @@ class FileActions {
  private:
   posix_spawn_file_actions_t actions_{};
 };
-
-// What is started leads a process group of its own, so that it can be ended with all that it starts, and gets
-// all signals, whichever this thread leaves to another.
-class OwnGroup {
- public:
-  OwnGroup() {
-    sigset_t none;
-    ::sigemptyset(&none);
-    ::posix_spawnattr_init(&attributes_);
-    ::posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
-    ::posix_spawnattr_setpgroup(&attributes_, 0);
-    ::posix_spawnattr_setsigmask(&attributes_, &none);
-  }
-  ~OwnGroup() { ::posix_spawnattr_destroy(&attributes_); }
-  OwnGroup(const OwnGroup&) = delete;
-  OwnGroup& operator=(const OwnGroup&) = delete;
-
-  [[nodiscard]] const posix_spawnattr_t* get() const { return &attributes_; }
-
- private:
-  posix_spawnattr_t attributes_{};
-};
-
-// The programs at work, each the leader of its process group.
-class RunningTools {
- public:
-  pid_t start(const std::function<pid_t()>& spawn) {
-    const std::lock_guard lock(guard_);
-    require_not_ended();
-    return *running_.insert(spawn()).first;
-  }
-
-  // Waits for the end of a program. It stays a zombie, and its number its own, until nobody would kill it.
-  int exit_status(pid_t process) {
-    siginfo_t ignored{};
-    while (::waitid(P_PID, static_cast<id_t>(process), &ignored, WEXITED | WNOWAIT) < 0)
-      if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "waitid");
-    const std::lock_guard lock(guard_);
-    running_.erase(process);
-    int status = 0;
-    ::waitpid(process, &status, 0);
-    require_not_ended();
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  }
-
-  void end() {
-    const std::lock_guard lock(guard_);
-    ended_ = true;
-    for (const pid_t process : running_) ::kill(-process, SIGKILL);
-  }
-
- private:
-  void require_not_ended() const {
-    if (ended_) throw std::runtime_error("other programs have been ended");
-  }
-
-  std::mutex guard_;
-  std::set<pid_t> running_;
-  bool ended_{};
-};
-
-RunningTools& running_tools() {
-  static RunningTools tools;
-  return tools;
-}
 
 // This process's environment with the one locale that every tool gets: gnuplot needs UTF-8, and neither
 // decimal commas nor translated messages may reach a document.
@@ -133,22 +64,19 @@ int run_tool(const std::string& program, const std::vector<std::string>& argumen
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<std::string> variables = tool_environment();
   const FileActions actions(folder, log);
-  const OwnGroup group;
-  const pid_t process = running_tools().start([&] {
-    pid_t started{};
-    const int error = ::posix_spawnp(&started, program.c_str(), actions.get(), group.get(),
-                                     pointers_to(words).data(), pointers_to(variables).data());
-    if (error == ENOENT)
-      throw ToolMissing(fmt::format("{} is not installed or not on the search path", program));
-    if (error != 0)
-      throw std::runtime_error(
-          fmt::format("{} cannot be started: {}", program, std::generic_category().message(error)));
-    return started;
-  });
-  return running_tools().exit_status(process);
+  pid_t process{};
+  const int error = ::posix_spawnp(&process, program.c_str(), actions.get(), nullptr,
+                                   pointers_to(words).data(), pointers_to(variables).data());
+  if (error == ENOENT)
+    throw ToolMissing(fmt::format("{} is not installed or not on the search path", program));
+  if (error != 0)
+    throw std::runtime_error(
+        fmt::format("{} cannot be started: {}", program, std::generic_category().message(error)));
+  int status = 0;
+  while (::waitpid(process, &status, 0) < 0)
+    if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "waitpid");
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
-
-void end_tools() noexcept { running_tools().end(); }
 
 std::string tool_version(const std::string& program, const fs::path& scratch) {
   const fs::path log = scratch / (program + "-version.log");

@@ -1,58 +1,58 @@
 #include "stickslip/report/interruption.hpp"
 
 #include <fmt/format.h>
-#include <pthread.h>
+#include <semaphore.h>
 
+#include <atomic>
 #include <cerrno>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <utility>
-
-#include "external_tool.hpp"
 
 namespace stickslip::report {
 
 namespace {
 
-constexpr int end_of_watch = SIGURG;  // which nobody minds who has it from elsewhere
+constexpr std::array signals{SIGINT, SIGTERM};
 
-bool is_ignored(int signal) {
-  struct sigaction present {};
-  ::sigaction(signal, nullptr, &present);
-  return present.sa_handler == SIG_IGN;
+// What a signal handler may change: the signal that has come, 0 for none, and what the watcher waits for.
+std::atomic<int> arrived{0};
+static_assert(std::atomic<int>::is_always_lock_free);
+sem_t arrival;
+
+void note(int signal) {
+  arrived = signal;
+  ::sem_post(&arrival);
 }
 
 }  // namespace
 
 Interruption::Interruption(std::function<std::string()> last_words) : last_words_(std::move(last_words)) {
-  ::sigemptyset(&watched_);
-  ::sigaddset(&watched_, end_of_watch);
-  for (const int signal : {SIGINT, SIGTERM})
-    if (!is_ignored(signal)) ::sigaddset(&watched_, signal);
-  ::pthread_sigmask(SIG_BLOCK, &watched_, &previous_mask_);
-  try {
-    watcher_ = std::thread([this] { wait_for_signal(); });
-  } catch (...) {
-    ::pthread_sigmask(SIG_SETMASK, &previous_mask_, nullptr);
-    throw;
+  arrived = 0;
+  ::sem_init(&arrival, 0, 0);
+  watcher_ = std::thread([this] { wait_for_signal(); });
+  for (std::size_t i = 0; i < signals.size(); ++i) {
+    ::sigaction(signals[i], nullptr, &previous_[i]);
+    if (previous_[i].sa_handler == SIG_IGN) continue;
+    struct sigaction action {};
+    action.sa_handler = note;
+    action.sa_flags = SA_RESTART | static_cast<int>(SA_RESETHAND);  // the next one ends the program
+    ::sigaction(signals[i], &action, nullptr);
   }
 }
 
 Interruption::~Interruption() {
-  is_over_ = true;
-  ::pthread_kill(watcher_.native_handle(), end_of_watch);
+  for (std::size_t i = 0; i < signals.size(); ++i) ::sigaction(signals[i], &previous_[i], nullptr);
+  ::sem_post(&arrival);
   watcher_.join();
-  ::pthread_sigmask(SIG_SETMASK, &previous_mask_, nullptr);
+  ::sem_destroy(&arrival);
 }
 
 void Interruption::wait_for_signal() {
-  int signal{};
-  do {
-    ::sigwait(&watched_, &signal);
-  } while (signal == end_of_watch && !is_over_);
-  if (signal == end_of_watch) return;
-  ::pthread_sigmask(SIG_UNBLOCK, &watched_, nullptr);  // the next one ends the program
-  end_tools();                                         // who holds waits for none of them
+  while (::sem_wait(&arrival) != 0 && errno == EINTR) continue;
+  const int signal = arrived;
+  if (signal == 0) return;  // the work is done
   const std::lock_guard lock(guard_);
   fmt::print(stderr, "{}: {}\n", ::program_invocation_short_name, last_words_());
   std::fflush(stderr);

@@ -39,20 +39,22 @@ class SignalledRun : public Drawing {
     std::string errors;
   };
 
-  /// Runs the program, waits and sends it a signal.
+  /// Runs the program, waits and sends a signal to it and to all that it has started, as a terminal does.
   [[nodiscard]] Ending signalled(const std::string& arguments, int signal,
                                  const std::function<void()>& wait) const {
     const std::string command = std::string("exec '") + STICKSLIP_PROGRAM + "' " + arguments + " >'" +
                                 path("stdout") + "' 2>'" + path("stderr") + "'";
     const pid_t process = ::fork();
     if (process == 0) {
+      ::setpgid(0, 0);
       ::signal(signal, SIG_DFL);  // a shell that starts the tests in the background has them ignore Ctrl-C
       ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
       ::_exit(127);
     }
+    ::setpgid(process, process);  // whoever comes first
     wait();
     const auto begin = std::chrono::steady_clock::now();
-    ::kill(process, signal);
+    ::kill(-process, signal);
     int status = 0;
     ::waitpid(process, &status, 0);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;

@@ -27,8 +27,9 @@ class SleepingTool : public SignalledRun {
 
   /// A program that would take two minutes, most of it in a program that it starts.
   void install_sleeper(const std::string& name) const {
-    install_tool(name, "[ \"$1\" = --version ] && exit\nsleep 120 &\necho $$ $! >'" + path("unfinished") +
-                           "'\nmv '" + path("unfinished") + "' '" + path("processes") + "'\nwait\n");
+    install_tool(name, "[ \"$1\" = --version ] && exit\nparent=$$ sh -c 'echo $parent $$ >" +
+                           path("unfinished") + "; mv " + path("unfinished") + " " + path("processes") +
+                           "; exec sleep 120'\n");
   }
 
   [[nodiscard]] static bool is_running(const std::string& process) {

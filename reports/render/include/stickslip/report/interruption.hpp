@@ -1,7 +1,8 @@
 #pragma once
 
-#include <atomic>
-#include <csignal>
+#include <signal.h>
+
+#include <array>
 #include <functional>
 #include <mutex>
 #include <string>
@@ -9,29 +10,31 @@
 
 namespace stickslip::report {
 
-/// While it lives, Ctrl-C (SIGINT) and SIGTERM end the program in good order: other programs that it runs are
-/// killed (end_tools()); `last_words` puts away what is not finished and says what was completed, in one
-/// sentence, which is printed on standard error after the program's name; then the program ends with the exit
-/// status 128 + n for signal n, whatever its threads are doing. A second signal ends it at once. A signal
-/// that is ignored stays so. One at a time may live, on one thread: the signals are blocked there and on the
-/// threads that it starts, and taken by one that does nothing else.
+/// While it lives, Ctrl-C (SIGINT) and SIGTERM end the program in good order: `last_words` removes what is not
+/// finished and returns one sentence on what is, which is printed on standard error after the program's name.
+/// Then the program ends with the exit status 128 + n for signal n. A second signal ends it at once. A signal
+/// that is ignored stays ignored. Only one may live at a time. A terminal sends Ctrl-C to the programs that
+/// this one runs (run_tool()), too. SIGTERM does not reach them unless it is sent to the process group.
+///
+/// A thread of its own waits for the signal: a signal handler may neither print nor remove files, and the
+/// computations, some of which take minutes in one call, need not ask whether a signal has come.
 class Interruption {
  public:
-  /// `last_words` is called on a thread of its own. Throws std::system_error if there is none to be had.
+  /// `last_words` is called on the thread that waits. Throws std::system_error if there is no thread to be
+  /// had.
   explicit Interruption(std::function<std::string()> last_words);
   ~Interruption();
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
 
-  /// A signal that comes while the result lives waits until it is gone.
+  /// `last_words` is not called while the result lives.
   [[nodiscard]] std::unique_lock<std::mutex> hold() { return std::unique_lock(guard_); }
 
  private:
   void wait_for_signal();
 
   std::function<std::string()> last_words_;
-  sigset_t watched_{}, previous_mask_{};
-  std::atomic<bool> is_over_{false};
+  std::array<struct sigaction, 2> previous_{};  // of SIGINT and SIGTERM
   std::mutex guard_;
   std::thread watcher_;
 };
