@@ -202,14 +202,10 @@ void evaluate(const MapTask& task, std::span<const std::size_t> numbers, MapEval
       return {.unit_force = {}, .state = forces.slips(point) ? CellState::stick_slip : CellState::stick};
     return {.unit_force = forces.unit_force(point), .state = CellState::stick};
   };
-  std::vector<std::size_t> done;
   in_parallel_settling(
       numbers.size(), [&](std::size_t i) { evaluations[numbers[i]] = evaluation_at(numbers[i]); },
-      [&](std::span<const std::size_t> indices) {
-        if (!settled) return;
-        done.clear();
-        for (const std::size_t i : indices) done.push_back(numbers[i]);
-        settled(done);
+      [&](std::size_t first, std::size_t last) {
+        if (settled) settled(numbers.subspan(first, last - first));
       });
 }
 
