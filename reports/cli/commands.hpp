@@ -38,8 +38,8 @@ void add_compare_command(CLI::App& app);
 /// `cases`: what data/cases holds.
 void add_cases_command(CLI::App& app);
 
-/// `documentation`, which --help does not list: the manual page and the completions of the shells, made from
-/// `app` itself.
-void add_documentation_command(CLI::App& app);
+/// `complete`, which --help does not list: what may stand for the last of the words of a command line, one
+/// candidate a line with its description behind a tab. The completion scripts of the shells ask for it.
+void add_complete_command(CLI::App& app);
 
 }  // namespace stickslip::cli

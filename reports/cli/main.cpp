@@ -47,7 +47,7 @@ void add_commands(CLI::App& app) {
   add_report_command(app);
   add_cases_command(app);
   add_quiet_option(app);
-  add_documentation_command(app);
+  add_complete_command(app);
   add_examples(app, {"stickslip criterion steel-strip", "stickslip criterion --help"});
 }
 

@@ -40,7 +40,10 @@ install(
   DIRECTORY reports/figures reports/latex
   DESTINATION ${shared_files}/reports
   PATTERN readme.png EXCLUDE)
-install(DIRECTORY ${CMAKE_BINARY_DIR}/share/ DESTINATION ${CMAKE_INSTALL_DATADIR})
+install(DIRECTORY ${CMAKE_BINARY_DIR}/share/man/ DESTINATION ${CMAKE_INSTALL_MANDIR})
+install(FILES reports/cli/completion/stickslip DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(FILES reports/cli/completion/_stickslip DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+install(FILES reports/cli/completion/stickslip.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 install(FILES LICENSE README.md CHANGELOG.md CITATION.cff CONTRIBUTING.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 # At the places to which the links of the README lead.
 install(DIRECTORY reports/manual DESTINATION ${CMAKE_INSTALL_DOCDIR}/reports)
@@ -57,5 +60,5 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox, fonts-dejavu-core")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS
-    "cmake, g++, pkgconf, libeigen3-dev, libfftw3-dev, libgsl-dev, libtomlplusplus-dev, nlohmann-json3-dev, ffmpeg")
+    "cmake, g++, pkgconf, libeigen3-dev, libfftw3-dev, libgsl-dev, libssl-dev, libtomlplusplus-dev, nlohmann-json3-dev, ffmpeg")
 include(CPack)

@@ -1,4 +1,4 @@
-/// What the program says of itself: examples of the help, manual page and completion, against the help.
+/// What the program says of itself: examples of the help, manual pages and completion, against the help.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -37,10 +37,8 @@ std::vector<std::string> entries(const std::string& help, const std::string& hea
 
 std::string first_word(const std::string& text) { return text.substr(0, text.find(' ')); }
 
-// The files of a build tree whose program this is.
-std::string built(const std::string& file) {
-  return contents(fs::path(STICKSLIP_PROGRAM).parent_path().parent_path() / "share" / file);
-}
+// The pages of the build tree whose program this is.
+fs::path manual_pages() { return fs::path(STICKSLIP_PROGRAM).parent_path().parent_path() / "share/man/man1"; }
 
 // Whether a word stands in a text, and not as a part of a longer one.
 bool holds_word(const std::string& text, const std::string& word) {
@@ -84,7 +82,7 @@ class Documented : public Drawing {
 
 using HelpExamples = Documented;
 using ManualPage = Documented;
-using BashCompletion = Documented;
+using Completion = Documented;
 
 TEST_F(HelpExamples, AreThereForEveryCommandAndRun) {
   install_gnuplot("case $3 in\nanimation.gp)\n" + std::string(draw_all) +
@@ -106,73 +104,82 @@ TEST_F(HelpExamples, AreThereForEveryCommandAndRun) {
   }
 }
 
-TEST_F(ManualPage, HoldsEveryCommandOptionAndExampleOfTheHelp) {
-  std::string page = run("documentation man").output;
-  for (const auto& [escape, character] :
-       {std::pair{"\\\\-", "-"}, {"\\\\\\(aq", "'"}, {"\\\\\\(dq", "\""}, {"\\\\f[BIR]", ""}})
-    page = std::regex_replace(page, std::regex(escape), character);
+// "stickslip", "stickslip-map", "stickslip-reference-show"
+std::string page_of(const std::string& command) {
+  std::string name = command.empty() ? "stickslip" : "stickslip " + command;
+  std::ranges::replace(name, ' ', '-');
+  return name;
+}
+
+// What stands in a page, without what formats it.
+std::string words_of_page(const std::string& name) {
+  return std::regex_replace(contents(manual_pages() / (name + ".1")), std::regex(R"(\\f.|\\[/,&]|\\(?=-))"),
+                            "");
+}
+
+TEST_F(ManualPage, OfEachCommandHoldsItsOptionsAndExamples) {
+  std::size_t pages = 0;
   for (const std::string& command : commands()) {
-    const std::string heading = command.empty() ? ".SH OPTIONS" : ".SS stickslip " + command + " [OPTIONS]";
-    const std::size_t begin = page.find(heading);
-    ASSERT_NE(begin, std::string::npos) << heading;
-    const std::size_t end = page.find("\n.S", begin);
-    const std::string section = page.substr(begin, end - begin);
-    for (const std::string& name : arguments(command))
-      EXPECT_TRUE(holds_word(section, name)) << command << " " << name;
+    const std::string name = page_of(command), page = words_of_page(name);
+    EXPECT_NE(page.find("\n.SH NAME\n" + name + " - "), std::string::npos) << name;
+    for (const std::string& argument : arguments(command))
+      EXPECT_TRUE(holds_word(page, argument)) << command << " " << argument;
     for (const std::string& example : entries(help(command), "Examples:"))
-      EXPECT_NE(section.find("\n" + example + "\n"), std::string::npos) << example;
+      EXPECT_NE(page.find("\n" + example + "\n"), std::string::npos) << example;
+    EXPECT_NE(page.find("STICKSLIP_DATA"), std::string::npos) << name;
+    ++pages;
   }
+  const auto files = fs::directory_iterator(manual_pages());
+  EXPECT_EQ(static_cast<std::size_t>(std::distance(begin(files), end(files))), pages);
 }
 
 TEST_F(ManualPage, IsTypesetWithoutAWarning) {
-  ASSERT_EQ(run("documentation man --output '" + path("page.1") + "'").status, 0);
-  const Outcome groff = shell("groff -man -Tutf8 -ww -z '" + path("page.1") + "'");
-  EXPECT_EQ(groff.status, 0);
-  EXPECT_EQ(groff.errors, "");
-}
-
-TEST_F(ManualPage, AndCompletionsOfTheBuildAreThoseOfTheProgram) {
-  for (const auto& [format, file] : {std::pair{"man", "man/man1/stickslip.1"},
-                                     {"bash", "bash-completion/completions/stickslip"},
-                                     {"zsh", "zsh/site-functions/_stickslip"},
-                                     {"fish", "fish/vendor_completions.d/stickslip.fish"}}) {
-    const Outcome outcome = run(std::string("documentation ") + format);
-    EXPECT_EQ(outcome.status, 0) << outcome.errors;
-    EXPECT_TRUE(built(file) == outcome.output) << file << " in share of the build is another";
+  for (const auto& page : fs::directory_iterator(manual_pages())) {
+    const Outcome groff = shell("groff -man -Tutf8 -ww -z '" + page.path().string() + "'");
+    EXPECT_EQ(groff.status, 0) << page.path();
+    EXPECT_EQ(groff.errors, "") << page.path();
   }
 }
 
-TEST_F(BashCompletion, KnowsCommandsOptionsChoicesNamesAndFiles) {
-  ASSERT_EQ(run("documentation bash --output '" + path("completion") + "'").status, 0);
-  std::filesystem::create_directory(path("my beams"));
-  std::ofstream(path("my-beam.toml")) << "\n";
+TEST_F(Completion, OfBashKnowsCommandsOptionsChoicesAndNames) {
+  const std::string script = STICKSLIP_SOURCE_DIRECTORY "/reports/cli/completion/stickslip";
   // What bash offers for the last of the words, into which it has split a line.
   const auto offered = [&](const std::string& words) {
     const Outcome outcome = shell(
-        fmt::format("cd '{}' && bash --norc -c 'source completion; complete -p stickslip >/dev/null || exit "
-                    "1; COMP_WORDS=(\"$@\"); "
-                    "COMP_CWORD=$(($# - 1)); _stickslip; printf \"%s|\" \"${{COMPREPLY[@]}}\"' bash '{}' {}",
-                    path(""), STICKSLIP_PROGRAM, words));
+        fmt::format("bash --norc -c 'source {}; COMP_WORDS=(\"$@\"); COMP_CWORD=$(($# - 1)); _stickslip; "
+                    "printf \"%s|\" \"${{COMPREPLY[@]}}\"' bash '{}' {}",
+                    script, STICKSLIP_PROGRAM, words));
     EXPECT_EQ(outcome.status, 0) << words;
     EXPECT_EQ(outcome.errors, "") << words;
     return outcome.output;
   };
+  const std::string nothing = "|";  // so that bash offers files
   EXPECT_EQ(offered("cri"), "criterion|");
   EXPECT_EQ(offered("respond --m"), "--method|");
   EXPECT_EQ(offered("respond --method ''"), "boundary-integral|closed-form|event-driven|fe|");
   EXPECT_EQ(offered("respond --method = cl"), "closed-form|");
   EXPECT_EQ(offered("respond --method ="), "boundary-integral|closed-form|event-driven|fe|");
   EXPECT_EQ(offered("modes steel"), "steel-strip|");
-  EXPECT_EQ(offered("criterion 'my b'"), "my beams|");
-  EXPECT_EQ(offered("criterion --set beam.length = 1 my-"), "my-beam.toml|");
+  EXPECT_EQ(offered("criterion --set beam.length = 1 steel"), "steel-strip|");
   EXPECT_EQ(offered("design --band 20 : 30 --json steel"), "steel-strip|");
-  EXPECT_EQ(offered("respond paper --output my-"), "my-beam.toml|");
   EXPECT_EQ(offered("reference e"), "export|");
   EXPECT_EQ(offered("reference show stick-f"), "stick-frequencies|");
   EXPECT_EQ(offered("compare stick-f"), "stick-frequencies|");
-  EXPECT_EQ(offered("compare stick-frequencies my-"), "my-beam.toml|");
-  EXPECT_EQ(offered("criterion --hz 2"), "|");
-  EXPECT_EQ(offered("documentation"), "|");
+  EXPECT_EQ(offered("compare stick-frequencies my-"), nothing);
+  EXPECT_EQ(offered("criterion 'my b'"), nothing);
+  EXPECT_EQ(offered("respond paper --output my-"), nothing);
+  EXPECT_EQ(offered("criterion --hz 2"), nothing);
+  EXPECT_EQ(offered("complet"), nothing);
+  EXPECT_NE(shell("bash --norc -c 'source " + script + "; complete -p stickslip'").output.find("-o default"),
+            std::string::npos);
+}
+
+// zsh and fish hand over words as they are typed, and show the descriptions.
+TEST_F(Completion, AnswersWordsWithAnEqualsSignAndDescribes) {
+  EXPECT_EQ(run("complete -- respond --method=cl").output, "--method=closed-form\t\n");
+  EXPECT_EQ(run("complete -- cri").output,
+            "criterion\tWhether stick-slip occurs, and from which amplitude on (closed form)\n");
+  EXPECT_EQ(run("complete -- modes --co").output, "--count\tHow many, from the lowest\n");
 }
 
 }  // namespace
