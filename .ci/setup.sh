@@ -6,7 +6,7 @@
 build_packages=(
   g++ cmake ninja-build
   libboost1.81-dev libeigen3-dev libgsl-dev libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev
-  libfftw3-dev pkgconf libpugixml-dev libflint-arb-dev libflint-dev help2man
+  libfftw3-dev libssl-dev pkgconf libpugixml-dev libflint-arb-dev libflint-dev help2man
 )
 
 # What draws a figure; the tests draw some.

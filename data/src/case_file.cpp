@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <system_error>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -119,13 +120,13 @@ std::vector<std::string> key_names(std::string_view table) {
   return names;
 }
 
-[[noreturn]] void refuse_unknown_table(const std::string& place, std::string_view name) {
+[[noreturn]] void throw_unknown_table(const std::string& place, std::string_view name) {
   throw InputError(place + ": unknown table [" + printable(name) + "]" + suggestion(name, table_names()) +
                    ", but a case has the tables " + joined(table_names()));
 }
 
-[[noreturn]] void refuse_unknown_key(const std::string& place, const std::string& path,
-                                     const toml::node& value) {
+[[noreturn]] void throw_unknown_key(const std::string& place, const std::string& path,
+                                    const toml::node& value) {
   const std::string table = path.substr(0, path.find('.'));
   const auto names = key_names(table);
   const std::string allowed = names.empty() ? "a case has the tables " + joined(table_names())
@@ -135,7 +136,7 @@ std::vector<std::string> key_names(std::string_view table) {
 }
 
 void require_known_key(const std::string& place, const std::string& path, const toml::node& value) {
-  if (std::ranges::find(keys, path, &Key::path) == keys.end()) refuse_unknown_key(place, path, value);
+  if (std::ranges::find(keys, path, &Key::path) == keys.end()) throw_unknown_key(place, path, value);
 }
 
 Entry entry_of(const toml::node& node, std::string place) {
@@ -163,12 +164,12 @@ Entries entries_of_file(const std::filesystem::path& file) {
     const std::string place = place_of(file, value);
     const bool is_known = std::ranges::find(tables, name) != tables.end();
     if (const auto* table = value.as_table()) {
-      if (!is_known) refuse_unknown_table(place, name);
+      if (!is_known) throw_unknown_table(place, name);
       collect_table(file, name, *table, entries);
     } else if (is_known) {
       throw InputError(place + ": " + name + " is " + describe(value) + ", but must be a table");
     } else {
-      refuse_unknown_key(place, name, value);
+      throw_unknown_key(place, name, value);
     }
   }
   return entries;
@@ -179,7 +180,7 @@ void apply(const Override& replacement, Entries& entries) {
                                 ? "override " + printable(replacement.key + "=" + replacement.value)
                                 : replacement.place;
   if (replacement.value.find_first_of("\r\n") != std::string::npos)
-    throw InputError(place + ": must be one TOML value on one line");
+    throw InputError(place + ": the value has several lines, but must be one TOML value on one line");
   try {
     const toml::table parsed = toml::parse("value = " + replacement.value);
     const toml::node& value = *parsed.get("value");
@@ -228,8 +229,8 @@ void assign(const Key& key, const Entry& entry, int& field) {
   field = static_cast<int>(*integer);
 }
 
-[[noreturn]] void refuse_missing_key(const std::filesystem::path& file, const Key& key,
-                                     const Entries& entries) {
+[[noreturn]] void throw_missing_key(const std::filesystem::path& file, const Key& key,
+                                    const Entries& entries) {
   const std::string table(key.table);
   const bool has_table =
       std::ranges::any_of(entries, [&](const auto& entry) { return entry.first.starts_with(table + "."); });
@@ -244,20 +245,23 @@ Draft draft_of(const std::filesystem::path& file, const Entries& entries) {
     if (found != entries.end())
       std::visit([&](auto* field) { assign(key, found->second, *field); }, key.target(draft));
     else if (key.presence == Presence::required)
-      refuse_missing_key(file, key, entries);
+      throw_missing_key(file, key, entries);
   }
   return draft;
 }
 
+Case case_of(const std::string& name, const Draft& draft) {
+  return {.name = name,
+          .beam = Beam(draft.beam),
+          .friction = FrictionLaw(draft.friction),
+          .excitation = HarmonicExcitation(draft.excitation),
+          .numerics = NumericalSettings(draft.numerics),
+          .damping = Damping(draft.damping)};
+}
+
 Case case_of(const std::filesystem::path& file, const Entries& entries) {
   try {
-    const Draft draft = draft_of(file, entries);
-    return {.name = file.stem().string(),
-            .beam = Beam(draft.beam),
-            .friction = FrictionLaw(draft.friction),
-            .excitation = HarmonicExcitation(draft.excitation),
-            .numerics = NumericalSettings(draft.numerics),
-            .damping = Damping(draft.damping)};
+    return case_of(file.stem().string(), draft_of(file, entries));
   } catch (const FieldError& error) {
     throw InputError(entries.at(error.field()).place + ": " + error.what());
   }
@@ -285,7 +289,7 @@ bool is_file(const std::filesystem::path& path) {
 
 }  // namespace
 
-void refuse_overflow(std::string_view result) {
+void throw_overflow(std::string_view result) {
   throw InputError(std::string(result) +
                    ": quantities of this case are too large or too small for each other");
 }
@@ -296,7 +300,7 @@ Override Override::parse(std::string_view text) {
   const std::string_view value =
       equals == std::string_view::npos ? std::string_view{} : trimmed(text.substr(equals + 1));
   if (key.empty() || value.empty())
-    throw InputError("override " + printable(text) + ": must read table.key=value, as in beam.length=1.8");
+    throw FieldError("override", printable(text), "table.key=value, as in beam.length=1.8");
   return {std::string(key), std::string(value), ""};
 }
 
@@ -330,6 +334,30 @@ Case read_case(const std::filesystem::path& file, const std::vector<Override>& o
 
 Case load_case(const std::string& name_or_path, const std::vector<Override>& overrides) {
   return read_case(find_case(name_or_path), overrides);
+}
+
+std::map<std::string, double> numbers_of(const Case& problem) {
+  const auto& [name, beam, friction, excitation, numerics, damping] = problem;
+  Draft draft{.beam = beam.properties(),
+              .friction = {friction.static_coefficient(), friction.kinetic_coefficient(), friction.decay()},
+              .excitation = {excitation.frequency_hz(), excitation.amplitude()},
+              .numerics = numerics.choices(),
+              .damping = {damping.kelvin_voigt(), damping.ratio()}};
+  std::map<std::string, double> numbers;
+  for (const auto& key : keys)
+    std::visit([&](const auto* field) { numbers[key.path()] = *field; }, key.target(draft));
+  return numbers;
+}
+
+Case case_with(const std::string& name, const std::map<std::string, double>& numbers) {
+  Draft draft;
+  for (const auto& key : keys)
+    std::visit(
+        [&](auto* field) {
+          *field = static_cast<std::remove_pointer_t<decltype(field)>>(numbers.at(key.path()));
+        },
+        key.target(draft));
+  return case_of(name, draft);
 }
 
 std::vector<CaseListing> list_cases() {

@@ -1,4 +1,4 @@
-#include "input_text.hpp"
+#include "stickslip/data/input_text.hpp"
 
 #include <algorithm>
 #include <fstream>
@@ -56,19 +56,20 @@ bool is_control(std::string_view character) {
 
 }  // namespace
 
-// Reads one byte more than is allowed at most, so that an endless file is refused like a large one.
+// Reads one byte more than is allowed at most, so that an endless file ends with the same error as a large
+// one.
 std::string read_bounded(const std::filesystem::path& file, std::size_t most) {
   std::error_code error;
   if (std::filesystem::is_directory(file, error))
     throw InputError(file.string() + ": is a folder, not a file");
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw InputError(file.string() + ": cannot be opened for reading");
-  const auto refuse_size = [&] {
+  const auto fail_for_size = [&] {
     throw InputError(file.string() + ": is larger than the " + std::to_string(most) +
                      " bytes that are allowed");
   };
   if (std::filesystem::is_regular_file(file, error) && std::filesystem::file_size(file, error) > most)
-    refuse_size();
+    fail_for_size();
   constexpr std::size_t chunk = 1 << 16;
   std::string text;
   while (stream && text.size() <= most) {
@@ -79,7 +80,7 @@ std::string read_bounded(const std::filesystem::path& file, std::size_t most) {
   }
   if (stream.bad()) throw InputError(file.string() + ": cannot be read");
   if (text.empty()) throw InputError(file.string() + ": is empty");
-  if (text.size() > most) refuse_size();
+  if (text.size() > most) fail_for_size();
   return text;
 }
 

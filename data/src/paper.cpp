@@ -35,7 +35,7 @@ double to_number(const Record& record, std::string_view digits) {
   double value{};
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc{} || end != digits.data() + digits.size())
-    record.refuse("printed has '" + std::string(digits) + "' where a number is expected");
+    record.fail("a part of printed is '" + std::string(digits) + "', but must be a number");
   return value;
 }
 
@@ -43,7 +43,8 @@ double to_number(const Record& record, std::string_view digits) {
 Decimal parse_mantissa(const Record& record, std::string_view text) {
   if (text.starts_with('(') && text.ends_with(')')) {
     const auto slash = text.find('/');
-    if (slash == std::string_view::npos) record.refuse("printed has brackets without a fraction");
+    if (slash == std::string_view::npos)
+      record.fail_unless("printed", "a number, or a fraction in brackets, as in (1/12)");
     return {to_number(record, text.substr(1, slash - 1)) /
                 to_number(record, text.substr(slash + 1, text.size() - slash - 2)),
             0.0};
@@ -60,7 +61,7 @@ Decimal parse_printed(const Record& record, std::string_view text) {
   if (power == std::string_view::npos) return parse_mantissa(record, text);
   const double scale = std::pow(10.0, to_number(record, text.substr(power + ten.size())));
   if (power == 0) return {scale, 0.5 * scale};
-  if (!text.substr(0, power).ends_with(times)) record.refuse("printed must read like 3.03 x 10^4");
+  if (!text.substr(0, power).ends_with(times)) record.fail_unless("printed", "a number as in 3.03 x 10^4");
   const Decimal mantissa = parse_mantissa(record, text.substr(0, power - times.size()));
   return {mantissa.value * scale, mantissa.half_digit * scale};
 }
@@ -81,8 +82,8 @@ PrintedNumber read_printed_number(const Record& record) {
   // Three roundings at most separate the two: the power of ten, its product with the mantissa, and the scale.
   if (std::abs(row.value - decimal.value * scale) >
       4.0 * std::numeric_limits<double>::epsilon() * std::abs(row.value))
-    record.refuse(row.id + " has the value " + shortest_text(row.value) + ", but its printed digits give " +
-                  shortest_text(decimal.value * scale));
+    record.fail(row.id + " has the value " + shortest_text(row.value) + ", but its printed digits give " +
+                shortest_text(decimal.value * scale));
   return row;
 }
 
@@ -92,7 +93,7 @@ PrintedVerdict read_verdict(const Record& record) {
                      .verdict = record.text("verdict"),
                      .figure = record.text("figure")};
   if (row.verdict != "stick" && row.verdict != "stick-slip")
-    record.refuse("verdict is " + printable(row.verdict) + ", but must be stick or stick-slip");
+    record.fail_unless("verdict", "stick or stick-slip");
   return row;
 }
 
@@ -101,8 +102,7 @@ ClaimVerdict read_claim_verdict(const Record& record) {
   for (const auto verdict :
        {ClaimVerdict::holds, ClaimVerdict::holds_with_correction, ClaimVerdict::does_not_hold})
     if (text == to_string(verdict)) return verdict;
-  record.refuse("verdict is " + printable(text) +
-                ", but must be holds, holds with correction or does not hold");
+  record.fail_unless("verdict", "holds, holds with correction or does not hold");
 }
 
 Claim read_claim(const Record& record) {
@@ -116,9 +116,9 @@ Claim read_claim(const Record& record) {
             .figure = record.optional_text("figure"),
             .erratum = record.optional_text("erratum")};
   if (row.verdict == ClaimVerdict::holds && !row.correction.empty())
-    record.refuse(row.id + " holds, but has a correction");
+    record.fail(row.id + " holds, but has a correction");
   if (row.verdict != ClaimVerdict::holds && row.correction.empty())
-    record.refuse(row.id + " " + std::string(to_string(row.verdict)) + ", but has no correction");
+    record.fail(row.id + " " + std::string(to_string(row.verdict)) + ", but has no correction");
   return row;
 }
 

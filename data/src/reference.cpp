@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "csv_text.hpp"
-#include "input_text.hpp"
 #include "json_file.hpp"
-#include "sha256.hpp"
 #include "stickslip/data/case_file.hpp"
+#include "stickslip/data/input_text.hpp"
+#include "stickslip/data/sha256.hpp"
 
 namespace stickslip::data {
 
@@ -43,14 +43,14 @@ std::vector<std::string> names_of(const std::vector<Field>& fields) {
 std::string column_in(const Resource& resource, const JsonNode& node) {
   std::string name = node.text();
   if (resource.field(name) == nullptr)
-    node.refuse("a field of the schema" + suggestion(name, names_of(resource.fields)) + ": " +
-                joined(names_of(resource.fields)));
+    node.fail_unless("a field of the schema" + suggestion(name, names_of(resource.fields)) + ": " +
+                     joined(names_of(resource.fields)));
   return name;
 }
 
 std::string number_column_in(const Resource& resource, const JsonNode& node) {
   std::string name = column_in(resource, node);
-  if (resource.field(name)->type == FieldType::string) node.refuse("a field of numbers");
+  if (resource.field(name)->type == FieldType::string) node.fail_unless("a field of numbers");
   return name;
 }
 
@@ -78,28 +78,27 @@ void require_radii(const Resource& resource, const std::vector<JsonNode>& nodes)
     if (is_radius) {
       const Field* value =
           resource.field(std::string_view(field.name).substr(0, field.name.size() - radius_suffix.size()));
-      if (value == nullptr) nodes[i].complain("is the radius of no field: " + field.name);
+      if (value == nullptr) nodes[i].fail("is the radius of no field: " + field.name);
       if (value->unit != field.unit)
-        nodes[i].complain("has the unit '" + field.unit + "', but must have that of " + value->name + ", '" +
-                          value->unit + "'");
+        nodes[i].fail("has the unit '" + field.unit + "', but must have that of " + value->name + ", '" +
+                      value->unit + "'");
     }
     const bool needs_one =
         field.value_class == ValueClass::enclosed || field.value_class == ValueClass::converged;
     if (needs_one && resource.field(field.name + std::string(radius_suffix)) == nullptr)
-      nodes[i].complain("is " + std::string(to_string(*field.value_class)) + ", but the schema lacks " +
-                        field.name + std::string(radius_suffix));
-    if (field.value_class && field.type == FieldType::string)
-      nodes[i].complain("has a class, but holds words");
+      nodes[i].fail("is " + std::string(to_string(*field.value_class)) + ", but the schema lacks " +
+                    field.name + std::string(radius_suffix));
+    if (field.value_class && field.type == FieldType::string) nodes[i].fail("has a class, but holds words");
   }
 }
 
 void read_schema(const JsonNode& schema, Resource& resource) {
   schema.require_spelling({"fields", "primaryKey", "foreignKeys", "missingValues"});
   const auto nodes = schema.at("fields").elements();
-  if (nodes.empty()) schema.at("fields").refuse("an array of fields that is not empty");
+  if (nodes.empty()) schema.at("fields").fail_unless("an array of fields that is not empty");
   for (const JsonNode& node : nodes) {
     Field field = field_of(node);
-    if (resource.field(field.name) != nullptr) node.at("name").complain("stands twice: " + field.name);
+    if (resource.field(field.name) != nullptr) node.at("name").fail("stands twice: " + field.name);
     resource.fields.push_back(std::move(field));
   }
   require_radii(resource, nodes);
@@ -114,13 +113,13 @@ void read_schema(const JsonNode& schema, Resource& resource) {
 
 double positive(const JsonNode& node) {
   const double value = node.number();
-  if (!(value > 0.0)) node.refuse("a number above 0");
+  if (!(value > 0.0)) node.fail_unless("a number above 0");
   return value;
 }
 
 double not_negative(const JsonNode& node) {
   const double value = node.number();
-  if (!(value >= 0.0)) node.refuse("a number that is not negative");
+  if (!(value >= 0.0)) node.fail_unless("a number that is not negative");
   return value;
 }
 
@@ -128,11 +127,11 @@ Interpolation interpolation_of(const JsonNode& node, const Resource& resource) {
   node.require_spelling({"order", "error"});
   Interpolation interpolation;
   const JsonNode order = node.at("order");
-  if (order.integer() < 1 || order.integer() > 9) order.refuse("an integer from 1 to 9");
+  if (order.integer() < 1 || order.integer() > 9) order.fail_unless("an integer from 1 to 9");
   interpolation.order = static_cast<int>(order.integer());
   for (const auto& [field, bound] : node.at("error").members()) {
     if (resource.field(field) == nullptr)
-      bound.complain("is of no field of the schema" + suggestion(field, names_of(resource.fields)));
+      bound.fail("is of no field of the schema" + suggestion(field, names_of(resource.fields)));
     interpolation.error[field] = not_negative(bound);
   }
   return interpolation;
@@ -143,7 +142,7 @@ ComparisonRule comparison_of(const JsonNode& node, const Resource& resource) {
   ComparisonRule rule;
   rule.kind = static_cast<ComparisonKind>(node.at("kind").one_of(words(comparison_kind_names)));
   const auto values = node.at("values").elements();
-  if (values.empty()) node.at("values").refuse("an array that is not empty");
+  if (values.empty()) node.at("values").fail_unless("an array that is not empty");
   for (const JsonNode& value : values) {
     value.require_spelling({"field", "norm", "tolerance"});
     rule.values.push_back({.field = number_column_in(resource, value.at("field")),
@@ -156,16 +155,16 @@ ComparisonRule comparison_of(const JsonNode& node, const Resource& resource) {
     rule.interpolation = interpolation_of(*interpolation, resource);
     for (const ComparedValue& value : rule.values)
       if (!rule.interpolation->error.contains(value.field))
-        interpolation->at("error").complain("lacks " + value.field + ", which is compared");
+        interpolation->at("error").fail("lacks " + value.field + ", which is compared");
   }
   if (rule.kind == ComparisonKind::phases) rule.events = node.at("events").text();
   if (const auto horizon = node.find("horizon")) rule.horizon = positive(*horizon);
   if (rule.kind == ComparisonKind::table && resource.primary_key.empty())
-    node.complain("is of the kind table, but the schema lacks a primaryKey");
+    node.fail("is of the kind table, but the schema lacks a primaryKey");
   const auto require = [&](const char* column) {
     if (resource.field(column) == nullptr)
-      node.complain("is of the kind " + std::string(to_string(rule.kind)) +
-                    ", but the schema lacks the field " + column);
+      node.fail("is of the kind " + std::string(to_string(rule.kind)) + ", but the schema lacks the field " +
+                column);
   };
   if (rule.kind == ComparisonKind::events)
     for (const char* column : {"change", "time"}) require(column);
@@ -196,10 +195,10 @@ Provenance provenance_of(const JsonNode& node) {
   if (const JsonNode settings = node.at("settings"); settings.value().is_object())
     provenance.settings = settings.value().dump();
   else
-    settings.refuse("an object");
+    settings.fail_unless("an object");
   provenance.software = node.at("software").text();
   provenance.checks = node.at("checks").texts();
-  if (provenance.checks.empty()) node.at("checks").refuse("an array that is not empty");
+  if (provenance.checks.empty()) node.at("checks").fail_unless("an array that is not empty");
   return provenance;
 }
 
@@ -207,7 +206,7 @@ Provenance provenance_of(const JsonNode& node) {
 std::filesystem::path safe_path(const JsonNode& node) {
   std::filesystem::path path = node.text();
   if (path.is_absolute() || std::ranges::count(path, std::filesystem::path("..")) > 0)
-    node.refuse("a path inside the folder of the package");
+    node.fail_unless("a path inside the folder of the package");
   return path;
 }
 
@@ -217,7 +216,7 @@ std::string digest_of(const JsonNode& node) {
   const std::string digest = text.substr(std::min(text.size(), method.size()));
   const bool is_digest =
       digest.size() == 64 && digest.find_first_not_of("0123456789abcdef") == std::string::npos;
-  if (!text.starts_with(method) || !is_digest) node.refuse("sha256: and 64 hexadecimal digits");
+  if (!text.starts_with(method) || !is_digest) node.fail_unless("sha256: and 64 hexadecimal digits");
   return digest;
 }
 
@@ -237,7 +236,7 @@ Resource resource_of(const JsonNode& node) {
   require_word(node, "mediatype", "text/csv");
   require_word(node, "encoding", "utf-8");
   const long bytes = node.at("bytes").integer();
-  if (bytes < 1) node.at("bytes").refuse("an integer above 0");
+  if (bytes < 1) node.at("bytes").fail_unless("an integer above 0");
   resource.bytes = static_cast<std::size_t>(bytes);
   resource.sha256 = digest_of(node.at("hash"));
   resource.title = node.at("title").text();
@@ -252,7 +251,7 @@ Resource resource_of(const JsonNode& node) {
 
 void require_licenses(const JsonNode& licenses) {
   const std::vector<std::string> keys{"name", "path", "title"};
-  if (licenses.elements().empty()) licenses.refuse("an array that is not empty");
+  if (licenses.elements().empty()) licenses.fail_unless("an array that is not empty");
   for (const JsonNode& license : licenses.elements()) {
     license.require_spelling(keys);
     for (const std::string& key : keys) static_cast<void>(optional_text(license, key));
@@ -270,65 +269,45 @@ void require_consistent(const ReferencePackage& package, const std::vector<JsonN
   std::set<std::string> names;
   for (const JsonNode& node : nodes)
     if (const JsonNode name = node.at("name"); !names.insert(name.text()).second)
-      name.complain("stands twice: " + name.text());
+      name.fail("stands twice: " + name.text());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const Resource& resource = package.resources[i];
     if (!resource.comparison || resource.comparison->events.empty()) continue;
     const auto events = std::ranges::find(package.resources, resource.comparison->events, &Resource::name);
     if (events == package.resources.end() || !events->comparison ||
         events->comparison->kind != ComparisonKind::events)
-      nodes[i].at("comparison").at("events").refuse("a resource of the kind events");
-  }
-}
-
-std::vector<std::string> split(std::string_view line) {
-  std::vector<std::string> cells;
-  for (std::size_t begin = 0;;) {
-    const auto end = line.find(',', begin);
-    cells.emplace_back(line.substr(begin, end - begin));
-    if (end == std::string_view::npos) return cells;
-    begin = end + 1;
+      nodes[i].at("comparison").at("events").fail_unless("a resource of the kind events");
   }
 }
 
 class TableReader {
  public:
-  TableReader(std::filesystem::path file, const Resource& resource, const std::string& csv)
-      : file_(std::move(file)), resource_(resource), rest_(csv) {}
+  TableReader(const std::filesystem::path& file, const Resource& resource, const std::string& csv)
+      : resource_(resource), csv_(file, csv) {}
 
   [[nodiscard]] std::vector<Column> columns() {
-    require_header();
+    require_names();
     for (const Field& field : resource_.fields) columns_.push_back({field, {}, {}});
-    while (!rest_.empty()) read_row();
-    if (columns_.front().text.empty()) refuse_line("the table has no rows");
+    while (const auto cells = csv_.next_row()) add_row(*cells);
+    if (lines_.empty()) throw InputError(csv_.place(csv_.line()) + ": the table has no rows, but must have at least one");
     require_unique_keys();
     return std::move(columns_);
   }
 
  private:
-  std::vector<std::string> next_line() {
-    const auto end = rest_.find('\n');
-    const std::string_view line = rest_.substr(0, end);
-    rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
-    ++line_;
-    return split(line);
-  }
-
-  void require_header() {
-    const auto names = next_line(), expected = names_of(resource_.fields);
+  void require_names() const {
+    const auto &names = csv_.names(), expected = names_of(resource_.fields);
     for (std::size_t i = 0; i < std::min(names.size(), expected.size()); ++i)
       if (names[i] != expected[i])
-        refuse_cell(i, "is the name of the column, but must be " + expected[i] + " as in the schema",
-                    names[i]);
-    if (names.size() < expected.size())
-      refuse_line("the column " + expected[names.size()] + " of the schema is missing");
-    if (names.size() > expected.size())
-      refuse_line("the column " + printable(names[expected.size()]) + " is one more than the schema has");
+        throw InputError(csv_.place(csv_.line_of_names(), i) + ": the name of the column is '" +
+                         printable(names[i]) + "', but must be " + expected[i] + " as in the schema");
+    if (names.size() != expected.size())
+      throw InputError(csv_.place(csv_.line_of_names()) + ": the line has " + std::to_string(names.size()) +
+                       " names, but must have " + std::to_string(expected.size()) + " as the schema has");
   }
 
-  void read_row() {
-    const auto cells = next_line();
-    require_count(cells.size());
+  void add_row(const std::vector<std::string>& cells) {
+    lines_.push_back(csv_.line());
     for (std::size_t i = 0; i < cells.size(); ++i) {
       columns_[i].values.push_back(value_of(i, cells[i]));
       columns_[i].text.push_back(cells[i]);
@@ -340,17 +319,16 @@ class TableReader {
     const Field& field = resource_.fields[i];
     const bool is_key = std::ranges::count(resource_.primary_key, field.name) > 0;
     if (cell.empty()) {
-      if (field.required || is_key) refuse_cell(i, "must not be empty", cell);
+      if (field.required || is_key) fail_unless("a value", i, cell);
       return std::numeric_limits<double>::quiet_NaN();
     }
     if (field.type == FieldType::string) {
-      if (cell != printable(cell)) refuse_cell(i, "must be a word, in UTF-8 and of 60 bytes at most", cell);
+      if (cell != printable(cell)) fail_unless("a word, in UTF-8 and of 60 bytes at most", i, cell);
       return std::numeric_limits<double>::quiet_NaN();
     }
     const auto value = finite_number(cell);
-    if (!value) refuse_cell(i, "must be a finite number", cell);
-    if (field.type == FieldType::integer && *value != std::floor(*value))
-      refuse_cell(i, "must be an integer", cell);
+    if (!value) fail_unless("a finite number", i, cell);
+    if (field.type == FieldType::integer && *value != std::floor(*value)) fail_unless("an integer", i, cell);
     return *value;
   }
 
@@ -360,9 +338,9 @@ class TableReader {
     if (!name.ends_with(radius_suffix)) return;
     const auto value =
         std::ranges::find(resource_.fields, name.substr(0, name.size() - radius_suffix.size()), &Field::name);
-    if (columns_[i].values.back() < 0.0) refuse_cell(i, "must not be negative", cells[i]);
+    if (columns_[i].values.back() < 0.0) fail_unless("a number that is not negative", i, cells[i]);
     if (cells[i].empty() != cells[static_cast<std::size_t>(value - resource_.fields.begin())].empty())
-      refuse_cell(i, "must be empty exactly where " + value->name + " is", cells[i]);
+      fail_unless("empty exactly where " + value->name + " is", i, cells[i]);
   }
 
   void require_unique_keys() const {
@@ -372,32 +350,21 @@ class TableReader {
       key.push_back({&column->text, column->field.type == FieldType::string ? nullptr : &column->values});
     }
     if (key.empty()) return;
-    if (const auto twice = repeated_key(key, columns_.front().text.size()))
-      throw InputError(file_.string() + ":" + std::to_string(twice->second + 2) + ":1: the primary key " +
-                       joined(resource_.primary_key) + " stands in line " + std::to_string(twice->first + 2) +
-                       " already");
+    if (const auto twice = repeated_key(key, lines_.size()))
+      throw InputError(csv_.place(lines_[twice->second]) + ": the primary key " +
+                       joined(resource_.primary_key) + " stands in line " +
+                       std::to_string(lines_[twice->first]) + " already, but must stand once");
   }
 
-  void require_count(std::size_t count) const {
-    if (count != resource_.fields.size())
-      refuse_line("the line has " + std::to_string(count) + " cells, but must have " +
-                  std::to_string(resource_.fields.size()));
+  [[noreturn]] void fail_unless(const std::string& allowed, std::size_t i, const std::string& cell) const {
+    throw InputError(csv_.place(csv_.line(), i) + ": " + resource_.fields[i].name + " is '" +
+                     printable(cell) + "', but must be " + allowed);
   }
 
-  [[noreturn]] void refuse_line(const std::string& sentence) const {
-    throw InputError(file_.string() + ":" + std::to_string(line_) + ": " + sentence);
-  }
-
-  [[noreturn]] void refuse_cell(std::size_t i, const std::string& allowed, const std::string& cell) const {
-    throw InputError(cell_place(file_, line_, i + 1, resource_.fields[i].name) + ": '" + printable(cell) +
-                     "' " + allowed);
-  }
-
-  std::filesystem::path file_;
   const Resource& resource_;
-  std::string_view rest_;
-  std::size_t line_{};
+  CsvReader csv_;
   std::vector<Column> columns_;
+  std::vector<std::size_t> lines_;  // of each row
 };
 
 }  // namespace
@@ -433,8 +400,9 @@ std::vector<double> ReferenceTable::radius_of(const std::string& column_name) co
 std::filesystem::path reference_directory() { return data_directory() / "reference"; }
 
 ReferencePackage load_reference(const std::filesystem::path& folder) {
-  const JsonFile file(folder / "datapackage.json");
-  const JsonNode root = file.root();
+  const std::filesystem::path file = folder / "datapackage.json";
+  const nlohmann::json json = read_json(file);
+  const JsonNode root(file, json);
   root.require_spelling({"profile", "name", "id", "title", "description", "version", "licenses", "resources",
                          "homepage", "created", "keywords", "contributors", "sources", "image"});
   ReferencePackage package{.folder = folder,
@@ -446,7 +414,7 @@ ReferencePackage load_reference(const std::filesystem::path& folder) {
   require_word(root, "profile", "tabular-data-package");
   require_licenses(root.at("licenses"));
   const auto nodes = root.at("resources").elements();
-  if (nodes.empty()) root.at("resources").refuse("an array that is not empty");
+  if (nodes.empty()) root.at("resources").fail_unless("an array that is not empty");
   for (const JsonNode& node : nodes) package.resources.push_back(resource_of(node));
   require_consistent(package, nodes);
   return package;

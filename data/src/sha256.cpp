@@ -1,80 +1,22 @@
-#include "sha256.hpp"
+#include "stickslip/data/sha256.hpp"
+
+#include <openssl/evp.h>
 
 #include <array>
-#include <bit>
-#include <cstddef>
-#include <cstdint>
+#include <stdexcept>
 
 namespace stickslip::data {
 
-namespace {
-
-using Word = std::uint32_t;
-
-constexpr std::size_t block_bytes = 64;
-
-// FIPS 180-4, Sect. 4.2.2: the fractional parts of the cube roots of the first 64 primes.
-constexpr std::array<Word, 64> round_constants{
-    0x428a2f98, 0x71374491, 0xb5c0fbcf, 0xe9b5dba5, 0x3956c25b, 0x59f111f1, 0x923f82a4, 0xab1c5ed5,
-    0xd807aa98, 0x12835b01, 0x243185be, 0x550c7dc3, 0x72be5d74, 0x80deb1fe, 0x9bdc06a7, 0xc19bf174,
-    0xe49b69c1, 0xefbe4786, 0x0fc19dc6, 0x240ca1cc, 0x2de92c6f, 0x4a7484aa, 0x5cb0a9dc, 0x76f988da,
-    0x983e5152, 0xa831c66d, 0xb00327c8, 0xbf597fc7, 0xc6e00bf3, 0xd5a79147, 0x06ca6351, 0x14292967,
-    0x27b70a85, 0x2e1b2138, 0x4d2c6dfc, 0x53380d13, 0x650a7354, 0x766a0abb, 0x81c2c92e, 0x92722c85,
-    0xa2bfe8a1, 0xa81a664b, 0xc24b8b70, 0xc76c51a3, 0xd192e819, 0xd6990624, 0xf40e3585, 0x106aa070,
-    0x19a4c116, 0x1e376c08, 0x2748774c, 0x34b0bcb5, 0x391c0cb3, 0x4ed8aa4a, 0x5b9cca4f, 0x682e6ff3,
-    0x748f82ee, 0x78a5636f, 0x84c87814, 0x8cc70208, 0x90befffa, 0xa4506ceb, 0xbef9a3f7, 0xc67178f2};
-
-// Sect. 5.3.3: the fractional parts of the square roots of the first 8 primes.
-constexpr std::array<Word, 8> initial_state{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
-                                            0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
-
-// Sect. 6.2.2.
-void add_block(std::string_view block, std::array<Word, 8>& state) {
-  std::array<Word, 64> w{};
-  for (std::size_t i = 0; i < 4 * 16; ++i) w[i / 4] = w[i / 4] << 8 | static_cast<unsigned char>(block[i]);
-  for (std::size_t t = 16; t < 64; ++t) {
-    const Word low = std::rotr(w[t - 15], 7) ^ std::rotr(w[t - 15], 18) ^ w[t - 15] >> 3;
-    const Word high = std::rotr(w[t - 2], 17) ^ std::rotr(w[t - 2], 19) ^ w[t - 2] >> 10;
-    w[t] = w[t - 16] + low + w[t - 7] + high;
-  }
-  auto [a, b, c, d, e, f, g, h] = state;
-  for (std::size_t t = 0; t < 64; ++t) {
-    const Word choice = (e & f) ^ (~e & g), majority = (a & b) ^ (a & c) ^ (b & c);
-    const Word first =
-        h + (std::rotr(e, 6) ^ std::rotr(e, 11) ^ std::rotr(e, 25)) + choice + round_constants[t] + w[t];
-    const Word second = (std::rotr(a, 2) ^ std::rotr(a, 13) ^ std::rotr(a, 22)) + majority;
-    h = g;
-    g = f;
-    f = e;
-    e = d + first;
-    d = c;
-    c = b;
-    b = a;
-    a = first + second;
-  }
-  const std::array<Word, 8> result{a, b, c, d, e, f, g, h};
-  for (std::size_t i = 0; i < state.size(); ++i) state[i] += result[i];
-}
-
-}  // namespace
-
 std::string sha256(std::string_view bytes) {
-  std::array<Word, 8> state = initial_state;
-  const std::size_t whole = bytes.size() - bytes.size() % block_bytes;
-  for (std::size_t at = 0; at < whole; at += block_bytes) add_block(bytes.substr(at, block_bytes), state);
-
-  std::string rest(bytes.substr(whole));
-  rest += '\x80';
-  while (rest.size() % block_bytes != block_bytes - 8) rest += '\0';
-  const std::uint64_t bits = std::uint64_t{8} * bytes.size();
-  for (int shift = 56; shift >= 0; shift -= 8) rest += static_cast<char>(bits >> shift & 0xff);
-  for (std::size_t at = 0; at < rest.size(); at += block_bytes)
-    add_block(std::string_view(rest).substr(at, block_bytes), state);
-
+  std::array<unsigned char, 32> digest{};
+  if (::EVP_Digest(bytes.data(), bytes.size(), digest.data(), nullptr, ::EVP_sha256(), nullptr) != 1)
+    throw std::runtime_error("libcrypto cannot compute a SHA-256 digest");
   constexpr std::string_view digits = "0123456789abcdef";
   std::string text;
-  for (const Word word : state)
-    for (int shift = 28; shift >= 0; shift -= 4) text += digits[word >> shift & 0xf];
+  for (const unsigned char byte : digest) {
+    text += digits[byte >> 4U];
+    text += digits[byte & 0xFU];
+  }
   return text;
 }
 

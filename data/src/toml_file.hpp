@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <string>
 
-#include "input_text.hpp"
+#include "stickslip/data/input_text.hpp"
 
 namespace stickslip::data {
 

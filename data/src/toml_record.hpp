@@ -30,14 +30,14 @@ class Record {
 
   [[nodiscard]] std::string text(std::string_view key) const {
     const auto value = table_[key].value_exact<std::string>();
-    if (!value || value->empty()) refuse(std::string(key) + " must be a string that is not empty");
+    if (!value || value->empty()) fail_unless(key, "a string that is not empty");
     return *value;
   }
 
   /// A string that may be empty.
   [[nodiscard]] std::string any_text(std::string_view key) const {
     const auto value = table_[key].value_exact<std::string>();
-    if (!value) refuse(std::string(key) + " must be a string");
+    if (!value) fail_unless(key, "a string");
     return *value;
   }
 
@@ -46,13 +46,13 @@ class Record {
 
   [[nodiscard]] double number(std::string_view key) const {
     const auto value = table_[key].value<double>();
-    if (!value || !std::isfinite(*value)) refuse(std::string(key) + " must be a finite number");
+    if (!value || !std::isfinite(*value)) fail_unless(key, "a finite number");
     return *value;
   }
 
   [[nodiscard]] bool flag(std::string_view key) const {
     const auto value = table_[key].value_exact<bool>();
-    if (!value) refuse(std::string(key) + " must be true or false");
+    if (!value) fail_unless(key, "true or false");
     return *value;
   }
 
@@ -62,7 +62,15 @@ class Record {
   template <class Read>
   auto tables(std::string_view key, std::initializer_list<std::string_view> known, Read read) const;
 
-  [[noreturn]] void refuse(const std::string& sentence) const {
+  /// Throws "<place>: <key> is <value>, but must be <allowed>".
+  [[noreturn]] void fail_unless(std::string_view key, std::string_view allowed) const {
+    const toml::node* value = table_.get(key);
+    fail(std::string(key) + " is " + (value == nullptr ? "missing" : describe(*value)) + ", but must be " +
+         std::string(allowed));
+  }
+
+  /// Throws "<place>: <sentence>".
+  [[noreturn]] void fail(const std::string& sentence) const {
     throw InputError(place_of(file_, table_) + ": " + sentence);
   }
 

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "csv_text.hpp"
-#include "input_text.hpp"
 #include "stickslip/data/case_file.hpp"
+#include "stickslip/data/input_text.hpp"
 #include "units.hpp"
 
 namespace stickslip::data {
@@ -23,48 +23,6 @@ std::string folded(std::string_view name) {
   for (char& c : text)
     c = c == ' ' || c == '-' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return text;
-}
-
-// The cells of a line. Nothing if a quote is not closed or is followed by anything but a separator.
-std::optional<std::vector<std::string>> split(std::string_view line, char separator) {
-  std::vector<std::string> cells;
-  for (std::size_t at = 0;;) {
-    while (at < line.size() && line[at] == ' ') ++at;
-    std::string cell;
-    if (at < line.size() && line[at] == '"') {
-      for (++at; at < line.size(); ++at) {
-        if (line[at] != '"')
-          cell += line[at];
-        else if (line.substr(at, 2) == "\"\"")
-          cell += line[at++];
-        else
-          break;
-      }
-      if (at == line.size()) return std::nullopt;
-      const auto end = std::min(line.find(separator, at), line.size());
-      if (!trimmed(line.substr(at + 1, end - at - 1)).empty()) return std::nullopt;
-      at = end;
-    } else {
-      const auto end = std::min(line.find(separator, at), line.size());
-      cell = trimmed(line.substr(at, end - at));
-      at = end;
-    }
-    cells.push_back(std::move(cell));
-    if (at == line.size()) return cells;
-    ++at;
-  }
-}
-
-// The first of tab, semicolon and comma that stands outside quotes.
-char separator_of(std::string_view header) {
-  for (const char separator : {'\t', ';', ','}) {
-    bool quoted = false;
-    for (const char c : header) {
-      if (c == '"') quoted = !quoted;
-      if (c == separator && !quoted) return separator;
-    }
-  }
-  return ',';
 }
 
 // A header's name and unit; the unit is nothing if there is none.
@@ -98,16 +56,18 @@ class UserTableReader {
  public:
   UserTableReader(const std::filesystem::path& file, const ReferenceTable& reference,
                   const std::vector<ColumnMapping>& mappings)
-      : reference_(reference), mappings_(mappings), text_(read_bounded(file, largest_table)), rest_(text_) {
+      : reference_(reference),
+        mappings_(mappings),
+        text_(read_bounded(file, largest_table)),
+        csv_(file, text_) {
     table_.file = file;
   }
 
   [[nodiscard]] UserTable read() {
-    skip_byte_order_mark();
-    read_header();
     find_columns();
-    while (const auto line = next_line()) read_row(*line);
-    if (table_.rows() == 0) refuse("the table has no rows, but must have at least one");
+    while (const auto cells = csv_.next_row()) add_row(*cells);
+    if (table_.rows() == 0)
+      throw InputError(csv_.place(csv_.line()) + ": the table has no rows, but must have at least one");
     add_constant_keys();
     require_order();
     require_unique_keys();
@@ -123,42 +83,6 @@ class UserTableReader {
   };
 
   [[nodiscard]] const Resource& resource() const { return reference_.resource; }
-
-  void skip_byte_order_mark() {
-    constexpr std::string_view utf8 = "\xEF\xBB\xBF";
-    if (rest_.starts_with(utf8)) rest_.remove_prefix(utf8.size());
-    if (rest_.starts_with("\xFF\xFE") || rest_.starts_with("\xFE\xFF") ||
-        rest_.find('\0') != std::string_view::npos)
-      throw InputError(table_.file.string() + ": is no text in UTF-8");
-  }
-
-  // The next line that holds something.
-  std::optional<std::string_view> next_line() {
-    while (!rest_.empty()) {
-      const auto end = rest_.find('\n');
-      std::string_view line = rest_.substr(0, end);
-      rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
-      ++line_;
-      if (line.ends_with('\r')) line.remove_suffix(1);
-      const std::string_view content = trimmed(line);
-      if (!content.empty() && !content.starts_with('#')) return line;
-    }
-    return std::nullopt;
-  }
-
-  [[nodiscard]] std::vector<std::string> cells_of(std::string_view line) const {
-    auto cells = split(line, separator_);
-    if (!cells) refuse("a quote is not closed, or something follows it: " + printable(line));
-    return *std::move(cells);
-  }
-
-  void read_header() {
-    const auto line = next_line();
-    if (!line) refuse("there is no line with the names of the columns");
-    separator_ = separator_of(*line);
-    headers_ = cells_of(*line);
-    header_line_ = line_;
-  }
 
   // --- columns
 
@@ -180,19 +104,19 @@ class UserTableReader {
     const ColumnMapping* mapping = mapping_of(field.name);
     const std::string& name = mapping != nullptr ? mapping->theirs : field.name;
     std::optional<Source> source;
-    for (std::size_t i = 0; i < headers_.size(); ++i) {
-      const auto header = match(headers_[i], name);
+    for (std::size_t i = 0; i < csv_.names().size(); ++i) {
+      const auto header = match(csv_.names()[i], name);
       if (!header) continue;
       if (source)
-        throw InputError(place(header_line_, i) + ": the column " + printable(name) +
+        throw InputError(csv_.place(csv_.line_of_names(), i) + ": the column " + printable(name) +
                          " stands twice, in column " + std::to_string(source->position + 1) + " as '" +
-                         printable(headers_[source->position]) + "'");
+                         printable(csv_.names()[source->position]) + "'");
       source = Source{i, &field, std::nullopt};
       const std::string unit =
           mapping != nullptr && !mapping->unit.empty() ? mapping->unit : header->unit.value_or(field.unit);
       if (field.type != FieldType::string) source->unit = unit_for(field, unit, i);
     }
-    if (!source && mapping != nullptr) refuse_missing(name, " (for " + field.name + ")");
+    if (!source && mapping != nullptr) throw_missing(name, " (for " + field.name + ")");
     return source;
   }
 
@@ -200,17 +124,17 @@ class UserTableReader {
     if (name == field.unit) return {.si = field.unit};
     const auto unit = unit_named(name);
     if (!unit || unit->si != field.unit)
-      throw InputError(place(header_line_, position) + ": the unit of " + field.name + " is '" +
+      throw InputError(csv_.place(csv_.line_of_names(), position) + ": the unit of " + field.name + " is '" +
                        printable(name) + "', but must be one of " + units_convertible_to(field.unit));
     return *unit;
   }
 
-  [[noreturn]] void refuse_missing(const std::string& name, const std::string& purpose) const {
+  [[noreturn]] void throw_missing(const std::string& name, const std::string& purpose) const {
     std::vector<std::string> names;
-    for (const std::string& header : headers_) names.push_back(printable(header));
-    throw InputError(table_.file.string() + ":" + std::to_string(header_line_) + ": the column " +
-                     printable(name) + purpose + " is missing" + suggestion(name, names) + "; the file has " +
-                     joined(names) + " (--column REFERENCE=THEIRS says which is which)");
+    for (const std::string& header : csv_.names()) names.push_back(printable(header));
+    throw InputError(csv_.place(csv_.line_of_names()) + ": the column " + printable(name) + purpose +
+                     " is missing" + suggestion(name, names) + "; the file has " + joined(names) +
+                     " (--column REFERENCE=THEIRS says which is which)");
   }
 
   [[nodiscard]] bool must_have(const std::string& name) const {
@@ -240,23 +164,19 @@ class UserTableReader {
     bool has_value = false;
     for (const Field& field : resource().fields) {
       const auto source = find(field);
-      if (!source && must_have(field.name)) refuse_missing(field.name, "");
+      if (!source && must_have(field.name)) throw_missing(field.name, "");
       if (!source) continue;
       has_value = has_value || is_compared(field.name);
       sources_.push_back(*source);
       table_.columns.push_back({field, {}, {}});
     }
-    if (!has_value) refuse_missing(resource().comparison->values.front().field, "");
+    if (!has_value) throw_missing(resource().comparison->values.front().field, "");
   }
 
   // --- rows
 
-  void read_row(std::string_view line) {
-    const auto cells = cells_of(line);
-    if (cells.size() != headers_.size())
-      refuse("the line has " + std::to_string(cells.size()) + " cells, but must have " +
-             std::to_string(headers_.size()) + " as the line of names has");
-    table_.lines.push_back(line_);
+  void add_row(const std::vector<std::string>& cells) {
+    table_.lines.push_back(csv_.line());
     for (std::size_t i = 0; i < sources_.size(); ++i) {
       table_.columns[i].values.push_back(value_of(sources_[i], cells[sources_[i].position]));
       table_.columns[i].text.push_back(cells[sources_[i].position]);
@@ -264,19 +184,19 @@ class UserTableReader {
   }
 
   [[nodiscard]] double value_of(const Source& source, const std::string& cell) const {
-    const auto refuse_cell = [&](const std::string& allowed) {
-      throw InputError(place(line_, source.position) + ": " + source.field->name + " is '" + printable(cell) +
-                       "', but must be " + allowed);
+    const auto fail_unless = [&](const std::string& allowed) {
+      throw InputError(csv_.place(csv_.line(), source.position) + ": " + source.field->name + " is '" +
+                       printable(cell) + "', but must be " + allowed);
     };
     if (source.field->type == FieldType::string) {
-      if (cell.empty() || cell != printable(cell)) refuse_cell("a word");
+      if (cell.empty() || cell != printable(cell)) fail_unless("a word");
       return std::numeric_limits<double>::quiet_NaN();
     }
     const auto number = finite_number(cell);
-    if (!number) refuse_cell("a finite number, as 0.025 or 2.5e-2");
-    if (source.field->type == FieldType::integer && *number != std::floor(*number)) refuse_cell("an integer");
+    if (!number) fail_unless("a finite number, as 0.025 or 2.5e-2");
+    if (source.field->type == FieldType::integer && *number != std::floor(*number)) fail_unless("an integer");
     const double value = source.unit->to_si(*number);
-    if (!std::isfinite(value)) refuse_cell("a number that is finite in " + source.field->unit);
+    if (!std::isfinite(value)) fail_unless("a number that is finite in " + source.field->unit);
     return value;
   }
 
@@ -328,29 +248,16 @@ class UserTableReader {
                      std::to_string(table_.lines[twice->first]) + " already, but must stand once");
   }
 
-  // --- refusals
-
-  [[nodiscard]] std::string place(std::size_t line, std::size_t position) const {
-    return cell_place(table_.file, line, position + 1, headers_[position]);
-  }
-
   [[nodiscard]] std::string place_of(const Column& column, std::size_t row) const {
     const auto source =
         std::ranges::find(sources_, column.field.name, [](const Source& s) { return s.field->name; });
-    return place(table_.lines[row], source->position);
-  }
-
-  [[noreturn]] void refuse(const std::string& sentence) const {
-    throw InputError(table_.file.string() + ":" + std::to_string(line_) + ": " + sentence);
+    return csv_.place(table_.lines[row], source->position);
   }
 
   const ReferenceTable& reference_;
   const std::vector<ColumnMapping>& mappings_;
   std::string text_;
-  std::string_view rest_;
-  std::size_t line_{}, header_line_{};
-  char separator_{','};
-  std::vector<std::string> headers_;
+  CsvReader csv_;
   std::vector<Source> sources_;
   UserTable table_;
 };
@@ -368,8 +275,8 @@ ColumnMapping ColumnMapping::parse(std::string_view text) {
     theirs = trimmed(theirs.substr(0, colon));
   }
   if (reference.empty() || theirs.empty())
-    throw InputError("column " + printable(text) +
-                     ": must read REFERENCE=THEIRS or REFERENCE=THEIRS:unit, as in frequency=f1:kHz");
+    throw FieldError("column", printable(text),
+                     "REFERENCE=THEIRS or REFERENCE=THEIRS:unit, as in frequency=f1:kHz");
   return {std::string(reference), std::string(theirs), std::string(unit)};
 }
 

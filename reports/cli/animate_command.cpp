@@ -35,10 +35,11 @@ void run(const AnimateOptions& options) {
   const data::Case problem = case_of(options);
   const double duration = problem.numerics.duration();
   if (options.frames - 1 > duration / problem.numerics.time_step() * (1.0 + 1e-12))
-    throw data::InputError(fmt::format(
-        "--frames is {}, but must be at most one per time step of {} s, of which {} s have {}",
-        options.frames, data::shortest_text(problem.numerics.time_step()), data::shortest_text(duration),
-        static_cast<long>(duration / problem.numerics.time_step() * (1.0 + 1e-12)) + 1));
+    throw data::FieldError(
+        "--frames", options.frames,
+        fmt::format("at most one per time step of {} s, of which {} s have {}",
+                    data::shortest_text(problem.numerics.time_step()), data::shortest_text(duration),
+                    static_cast<long>(duration / problem.numerics.time_step() * (1.0 + 1e-12)) + 1));
   const auto inquiry =
       options.method == "fe" ? studies::Inquiry::stepped_history : studies::Inquiry::event_driven_history;
   studies::require_feasible(problem, inquiry);

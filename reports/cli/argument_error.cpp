@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "input_text.hpp"
+#include "stickslip/data/input_text.hpp"
 
 namespace stickslip::cli {
 
@@ -69,6 +69,8 @@ std::string sentence_for(const CLI::App& app, const CLI::ParseError& error) {
     sentence = unexpected(app, arguments.front());
   } else if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
     sentence = mismatch(app, sentence);
+  } else if (dynamic_cast<const CLI::ValidationError*>(&error) != nullptr) {
+    sentence.erase(sentence.find(':'), 1);  // "--count: is 0, but must be ..."
   }
   return sentence + " (--help says what is allowed)";
 }

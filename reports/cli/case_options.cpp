@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "input_text.hpp"
+#include "stickslip/data/input_text.hpp"
 
 namespace stickslip::cli {
 
@@ -35,8 +35,10 @@ void add_examples(CLI::App& command, const std::vector<std::string>& lines) {
 
 namespace {
 
-// As a message shows it: something, even if nothing was given.
-std::string shown(const std::string& text) { return text.empty() ? "''" : data::printable(text); }
+// What follows the name of an option in an error message.
+std::string is_not(const std::string& text, std::string_view allowed) {
+  return fmt::format("is {}, but must be {}", text.empty() ? "''" : data::printable(text), allowed);
+}
 
 }  // namespace
 
@@ -44,21 +46,20 @@ CLI::Validator integer_between(long lowest, long highest) {
   const auto check = [lowest, highest](const std::string& text) -> std::string {
     const auto value = parse<long>(text);
     if (value && lowest <= *value && *value <= highest) return "";
-    return fmt::format("{} is not an integer from {} to {}", shown(text), lowest, highest);
+    return is_not(text, fmt::format("an integer from {} to {}", lowest, highest));
   };
   return {check, fmt::format("{} ... {}", lowest, highest)};
 }
 
 CLI::Validator number() {
-  return {[](const std::string& text) { return parse<double>(text) ? "" : shown(text) + " is not a number"; },
-          ""};
+  return {[](const std::string& text) { return parse<double>(text) ? "" : is_not(text, "a number"); }, ""};
 }
 
 CLI::Validator time() {
   const auto check = [](const std::string& text) -> std::string {
     const auto value = parse<double>(text);
     if (value && std::isfinite(*value) && *value >= 0.0) return "";
-    return shown(text) + " is not a finite number of 0 or more";
+    return is_not(text, "a finite number of 0 or more (s)");
   };
   return {check, ""};
 }
@@ -66,14 +67,13 @@ CLI::Validator time() {
 CLI::Validator one_of(const std::vector<std::string>& names) {
   const auto check = [names](const std::string& text) -> std::string {
     if (std::ranges::find(names, text) != names.end()) return "";
-    return fmt::format("{} is unknown{}, but must be one of {}", shown(text), data::suggestion(text, names),
-                       data::joined(names));
+    return is_not(text + data::suggestion(text, names), "one of " + data::joined(names));
   };
   return {check, fmt::format("{{{}}}", fmt::join(names, ","))};
 }
 
 CLI::Validator file_name() {
-  return {[](const std::string& text) { return text.empty() ? "'' is not the name of a file" : ""; }, ""};
+  return {[](const std::string& text) { return text.empty() ? is_not(text, "the name of a file") : ""; }, ""};
 }
 
 void add_excitation_options(CLI::App& command, ExcitationOptions& options) {
@@ -107,11 +107,11 @@ data::Override override_with(const std::string& key, double value, const std::st
 void require_undamped(const data::Case& problem, std::string_view what) {
   if (!studies::is_damped(problem)) return;
   const bool viscous = problem.damping.kelvin_voigt() > 0.0;
-  throw data::InputError(fmt::format(
-      "{} is {}, but must be 0 for {}: Eq. (26) is that of the undamped beam; respond --method fe "
-      "follows the damped one",
-      viscous ? "damping.kelvin_voigt" : "damping.ratio",
-      data::shortest_text(viscous ? problem.damping.kelvin_voigt() : problem.damping.ratio()), what));
+  throw data::FieldError(viscous ? "damping.kelvin_voigt" : "damping.ratio",
+                         viscous ? problem.damping.kelvin_voigt() : problem.damping.ratio(),
+                         fmt::format("0 for {}: Eq. (26) is that of the undamped beam; respond --method fe "
+                                     "follows the damped one",
+                                     what));
 }
 
 std::vector<std::string> sentences_of(const std::vector<studies::Warning>& warnings) {
@@ -136,8 +136,8 @@ void require_finite(const Json& answer, const std::string& name) {
   if (answer.is_structured()) {
     for (const auto& [key, value] : answer.items()) require_finite(value, answer.is_object() ? key : name);
   } else if (answer.is_number_float() && !std::isfinite(answer.get<double>())) {
-    data::refuse_overflow(fmt::format("{} comes out as {}, but must be finite", name,
-                                      data::shortest_text(answer.get<double>())));
+    data::throw_overflow(fmt::format("{} comes out as {}, but must be finite", name,
+                                     data::shortest_text(answer.get<double>())));
   }
 }
 

@@ -51,7 +51,7 @@ template <class Number>
 }
 
 /// Accept integers from lowest to highest, numbers, finite times of 0 or more, one of some names, or the name
-/// of a file: so that a refusal says what is allowed.
+/// of a file: so that an error message says what is allowed.
 [[nodiscard]] CLI::Validator integer_between(long lowest, long highest);
 [[nodiscard]] CLI::Validator number();
 [[nodiscard]] CLI::Validator time();
@@ -86,7 +86,7 @@ void print_warnings(const std::vector<std::string>& warnings);
 [[nodiscard]] Json bounds_json(const analytic::Bounds& bounds);
 
 /// Throws data::InputError, naming the key, if a number of the answer is not finite: see
-/// data::refuse_overflow().
+/// data::throw_overflow().
 void require_finite(const Json& answer, const std::string& name = "the answer");
 
 /// One JSON object on standard output.

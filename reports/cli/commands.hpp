@@ -1,8 +1,8 @@
 #pragma once
 
 /// The subcommands of `stickslip`. Each adds itself to the application and runs from its callback, which
-/// throws std::invalid_argument or std::domain_error (and their kin) for unusable input, and
-/// CLI::RuntimeError when a check has failed or a signal has come and has said so.
+/// throws data::InputError for an input that cannot be used, OutputError for an output, and CLI::RuntimeError
+/// when a check has failed or a signal has come and has said so.
 
 #include <CLI/CLI.hpp>
 

@@ -12,6 +12,7 @@
 #include "comparison_output.hpp"
 #include "figure_format.hpp"
 #include "output_file.hpp"
+#include "stickslip/data/input_text.hpp"
 #include "stickslip/report/comparison_figure.hpp"
 #include "stickslip/report/interruption.hpp"
 #include "stickslip/report/report.hpp"
@@ -35,8 +36,8 @@ studies::ComparisonSettings::Tolerance parse_tolerance(const std::string& text) 
   const std::string number = equals == std::string::npos ? text : text.substr(equals + 1);
   const auto value = parse<double>(number);
   if (!value || equals == 0)
-    throw data::InputError(fmt::format(
-        "--tolerance is '{}', but must be a number or QUANTITY=NUMBER, as in frequency=1e-3", text));
+    throw data::FieldError("--tolerance", fmt::format("'{}'", data::printable(text)),
+                           "a number or QUANTITY=NUMBER, as in frequency=1e-3");
   return {.quantity = equals == std::string::npos ? "" : text.substr(0, equals), .value = *value};
 }
 

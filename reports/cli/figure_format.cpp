@@ -4,16 +4,15 @@
 
 #include <filesystem>
 
-#include "input_text.hpp"
 #include "stickslip/data/case_file.hpp"
+#include "stickslip/data/input_text.hpp"
 
 namespace stickslip::cli {
 
 std::string figure_format(const std::string& figure) {
   const std::string extension = std::filesystem::path(figure).extension().string();
   if (extension == ".pdf" || extension == ".png" || extension == ".svg") return extension.substr(1);
-  throw data::InputError(
-      fmt::format("--figure is '{}', but must end in .pdf, .png or .svg", data::printable(figure)));
+  throw data::FieldError("--figure", fmt::format("'{}'", data::printable(figure)), "a file whose name ends in .pdf, .png or .svg");
 }
 
 }  // namespace stickslip::cli

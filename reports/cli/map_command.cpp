@@ -130,7 +130,7 @@ class Run {
   explicit Run(const MapOptions& options) : options_(options), output_(options.output) {
     if (options.figure.empty()) return;
     (void)figure_format(options.figure);
-    (void)report::templates_directory();  // refused now rather than after the map
+    (void)report::templates_directory();  // throws now rather than after the map
     figure_.emplace(options.figure);
   }
 
@@ -208,16 +208,13 @@ class Run {
       progress.start_at(static_cast<double>(done) / count);
       std::erase_if(numbers, [&](std::size_t number) { return evaluations_[number].has_value(); });
     }
-    try {
+    unfinished_->remove_if_impossible([&] {
       studies::evaluate(task, numbers, evaluations_, [&](std::span<const std::size_t> settled) {
         unfinished_->keep(settled);
         done += settled.size();
         progress(static_cast<double>(done) / count);
       });
-    } catch (const std::logic_error&) {  // this map cannot be finished
-      unfinished_->remove();
-      throw;
-    }
+    });
   }
 
   void print_shard(const studies::MapTask& task, const MapPart& part, bool found) const {

@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <boost/pfr/core.hpp>
 #include <cerrno>
 #include <optional>
 #include <system_error>
@@ -15,9 +14,9 @@
 
 #include "case_options.hpp"
 #include "fingerprint.hpp"
-#include "input_text.hpp"
 #include "output_file.hpp"
 #include "range_text.hpp"
+#include "stickslip/data/input_text.hpp"
 #include "stickslip/report/criterion_map.hpp"
 #include "stickslip/report/text_file.hpp"
 #include "stickslip/version.hpp"
@@ -30,37 +29,13 @@ namespace {
 
 constexpr std::size_t check_digits = 16;
 
-template <typename Properties>
-Json numbers_of(const Properties& properties) {
-  Json numbers = Json::array();
-  boost::pfr::for_each_field(properties, [&](const auto& number) { numbers.push_back(number); });
-  return numbers;
-}
-
-template <typename Properties>
-Properties properties_of(const Json& numbers) {
-  Properties properties{};
-  boost::pfr::for_each_field(properties, [&](auto& number, std::size_t i) { numbers.at(i).get_to(number); });
-  return properties;
-}
-
 std::string program() { return fmt::format("stickslip {} (commit {})", version, commit); }
 
 Json to_json(const studies::MapTask& task, const MapPart& part) {
-  const data::Case& problem = task.problem;
   return {
       {"program", program()},
-      {"case", problem.name},
-      {"beam", numbers_of(problem.beam.properties())},
-      {"friction",
-       numbers_of(data::FrictionCoefficients{.static_coefficient = problem.friction.static_coefficient(),
-                                             .kinetic_coefficient = problem.friction.kinetic_coefficient(),
-                                             .decay = problem.friction.decay()})},
-      {"excitation", numbers_of(data::HarmonicMotion{.frequency_hz = problem.excitation.frequency_hz(),
-                                                     .amplitude = problem.excitation.amplitude()})},
-      {"numerics", numbers_of(problem.numerics.choices())},
-      {"damping", numbers_of(data::DampingProperties{.kelvin_voigt = problem.damping.kelvin_voigt(),
-                                                     .ratio = problem.damping.ratio()})},
+      {"case", task.problem.name},
+      {"numbers", data::numbers_of(task.problem)},
       {"x", axis_text(task.x)},
       {"y", axis_text(task.y)},
       {"method", task.method == studies::MapMethod::closed_form ? closed_form_method : finite_element_method},
@@ -70,15 +45,7 @@ Json to_json(const studies::MapTask& task, const MapPart& part) {
 }
 
 studies::MapTask task_of(const Json& json) {
-  return {.problem = {.name = json.at("case"),
-                      .beam = data::Beam(properties_of<data::BeamProperties>(json.at("beam"))),
-                      .friction =
-                          data::FrictionLaw(properties_of<data::FrictionCoefficients>(json.at("friction"))),
-                      .excitation = data::HarmonicExcitation(
-                          properties_of<data::HarmonicMotion>(json.at("excitation"))),
-                      .numerics =
-                          data::NumericalSettings(properties_of<data::NumericalChoices>(json.at("numerics"))),
-                      .damping = data::Damping(properties_of<data::DampingProperties>(json.at("damping")))},
+  return {.problem = data::case_with(json.at("case"), json.at("numbers")),
           .x = parse_axis("x", json.at("x").get<std::string>()),
           .y = parse_axis("y", json.at("y").get<std::string>()),
           .method = json.at("method") == closed_form_method ? studies::MapMethod::closed_form
@@ -161,7 +128,9 @@ Taken take_records(std::string_view text, std::size_t header_length, const std::
 // Which entry of two first lines differs, but the last one, the part.
 std::optional<std::string> difference(const Json& found, const Json& wanted) {
   for (const auto& [key, value] : wanted.items())
-    if (key != "part" && found.value(key, Json()) != value)
+    if (value.is_object() && found.contains(key) && found.at(key).is_object()) {
+      if (auto inside = difference(found.at(key), value)) return inside;
+    } else if (key != "part" && found.value(key, Json()) != value)
       return fmt::format("its {} is {}, but must be {}", key, found.value(key, Json()).dump(), value.dump());
   return std::nullopt;
 }
@@ -205,8 +174,8 @@ MapPart parse_part(std::string_view text) {
   const auto parts =
       slash == std::string_view::npos ? std::nullopt : parse<std::size_t>(text.substr(slash + 1));
   if (!part || !parts || *part < 1 || *part > *parts || *parts > most_parts)
-    throw data::InputError(
-        fmt::format("--shard is '{}', but must be K/M with integers 1 <= K <= M <= {}", text, most_parts));
+    throw data::FieldError("--shard", fmt::format("'{}'", data::printable(text)),
+                           fmt::format("K/M with integers 1 <= K <= M <= {}", most_parts));
   return {*part, *parts};
 }
 
@@ -236,32 +205,32 @@ MergedMap merged(const std::vector<std::string>& files) {
   Json first;
   std::vector<std::string> file_of_part;
   for (const std::string& file : files) {
-    const auto refuse = [&](const std::string& why) {
+    const auto fail = [&](const std::string& why) {
       throw data::InputError(fmt::format("--merge: {} {}", file, why));
     };
     const std::string text = shard_in(file);
     const auto header = header_of(text);
-    if (!header) refuse("is no shard of a map");
+    if (!header) fail("is no shard of a map");
     if (header->value("program", "") != program())
-      refuse(fmt::format("was made by {}, but must be by {}", header->value("program", "another program"),
-                         program()));
+      fail(fmt::format("was made by {}, but must be by {}", header->value("program", "another program"),
+                       program()));
     if (!map) {
       map = MergedMap{task_of(*header), studies::MapEvaluations()};
       map->evaluations.resize(studies::evaluation_count(map->task));
       first = *header;
       file_of_part.resize(header->at("parts").get<std::size_t>());
     }
-    if (const auto why = difference(*header, first)) refuse("is a shard of another map: " + *why);
+    if (const auto why = difference(*header, first)) fail("is a shard of another map: " + *why);
     const MapPart part{.part = header->at("part"), .parts = file_of_part.size()};
     if (!file_of_part[part.part - 1].empty())
-      refuse(
+      fail(
           fmt::format("is shard {} of {}, but so is {}", part.part, part.parts, file_of_part[part.part - 1]));
     file_of_part[part.part - 1] = file;
     const auto numbers = studies::share_of(map->evaluations.size(), part.part, part.parts);
     const Taken taken = take_records(text, text.find('\n') + 1, numbers, map->evaluations);
-    if (taken.length != text.size()) refuse(fmt::format("is damaged in line {}", taken.records + 2));
+    if (taken.length != text.size()) fail(fmt::format("is damaged in line {}", taken.records + 2));
     if (taken.records != numbers.size())
-      refuse(fmt::format("is not finished: it holds {} of {} evaluations", taken.records, numbers.size()));
+      fail(fmt::format("is not finished: it holds {} of {} evaluations", taken.records, numbers.size()));
   }
   require_all(file_of_part, files.front());
   return *std::move(map);
@@ -310,6 +279,15 @@ void UnfinishedMap::keep(std::span<const std::size_t> numbers) {
   const std::lock_guard lock(guard_);
   append(text);
   kept_ += numbers.size();
+}
+
+void UnfinishedMap::remove_if_impossible(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const data::InputError&) {
+    remove();
+    throw;
+  }
 }
 
 void UnfinishedMap::remove() {

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <mutex>
 #include <span>
 #include <string>
@@ -66,7 +67,11 @@ class UnfinishedMap {
   /// Throws OutputError.
   void keep(std::span<const std::size_t> numbers);
 
-  /// Removes the file: the work is done, or cannot be.
+  /// Does the work that keeps evaluations here. Removes the file if that throws data::InputError, since this
+  /// map cannot be finished then; any other exception leaves it for the next run.
+  void remove_if_impossible(const std::function<void()>& work);
+
+  /// Removes the file.
   void remove();
 
  private:

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "case_options.hpp"
-#include "input_text.hpp"
+#include "stickslip/data/input_text.hpp"
 
 namespace stickslip::cli {
 
@@ -28,10 +28,10 @@ constexpr std::array<std::pair<std::string_view, studies::Parameter>, 6> paramet
      {"stiffness", studies::Parameter::youngs_modulus},
      {"friction", studies::Parameter::static_coefficient}}};
 
-[[noreturn]] void refuse(std::string_view option, std::string_view part, std::string_view value,
-                         std::string_view allowed) {
-  throw data::InputError(
-      fmt::format("{}: {} is '{}', but must be {}", option, part, data::printable(value), allowed));
+[[noreturn]] void fail_unless(std::string_view allowed, std::string_view option, std::string_view part,
+                              std::string_view value) {
+  throw data::FieldError(fmt::format("{}: {}", option, part), fmt::format("'{}'", data::printable(value)),
+                         allowed);
 }
 
 std::vector<std::string_view> split_at_colons(std::string_view text) {
@@ -48,15 +48,16 @@ ParameterRange range_of(std::string_view option, std::string_view from, std::str
                         bool equal) {
   const auto lower = parse<double>(from), upper = parse<double>(to);
   if (!lower || !std::isfinite(*lower) || *lower < 0.0 || (*lower == 0.0 && !zero))
-    refuse(option, "FROM", from, zero ? "a finite number of 0 or more" : "a finite number above 0");
+    fail_unless(zero ? "a finite number of 0 or more" : "a finite number above 0", option, "FROM", from);
   if (!upper || !std::isfinite(*upper) || *upper < *lower || (*upper == *lower && !equal))
-    refuse(option, "TO", to, fmt::format("a finite number {} FROM, {}", equal ? "not below" : "above", from));
+    fail_unless(fmt::format("a finite number {} FROM, {}", equal ? "not below" : "above", from), option, "TO",
+                to);
   return {*lower, *upper};
 }
 
 ParameterRange from_to(std::string_view option, std::string_view text, bool equal) {
   const auto parts = split_at_colons(text);
-  if (parts.size() != 2) refuse(option, "the range", text, "FROM:TO");
+  if (parts.size() != 2) fail_unless("FROM:TO", option, "the range", text);
   return range_of(option, parts[0], parts[1], false, equal);
 }
 
@@ -66,8 +67,8 @@ studies::Parameter parameter_of(std::string_view option, std::string_view name) 
     if (known == name) return parameter;
     names.emplace_back(known);
   }
-  refuse(option, "PARAMETER", name,
-         fmt::format("one of {}{}", data::joined(names), data::suggestion(name, names)));
+  fail_unless(fmt::format("one of {}{}", data::joined(names), data::suggestion(name, names)), option,
+              "PARAMETER", name);
 }
 
 }  // namespace
@@ -93,15 +94,15 @@ studies::MapAxis parse_axis(std::string_view option, std::string_view text) {
   const auto parts = split_at_colons(equals == std::string_view::npos ? text : text.substr(equals + 1));
   const bool logarithmic = parts.size() == 4 && parts[3] == "log";
   if (equals == std::string_view::npos || (parts.size() != 3 && !logarithmic))
-    refuse(option, "the axis", text, "PARAMETER=FROM:TO:COUNT or PARAMETER=FROM:TO:COUNT:log");
+    fail_unless("PARAMETER=FROM:TO:COUNT or PARAMETER=FROM:TO:COUNT:log", option, "the axis", text);
   const studies::Parameter parameter = parameter_of(option, text.substr(0, equals));
   const bool zero = parameter == studies::Parameter::amplitude && !logarithmic;
   const ParameterRange range = range_of(option, parts[0], parts[1], zero, false);
   if (logarithmic && !std::isfinite(range.to / range.from))
-    refuse(option, "TO", parts[1], fmt::format("at most 1e308 times FROM, {}", parts[0]));
+    fail_unless(fmt::format("at most 1e308 times FROM, {}", parts[0]), option, "TO", parts[1]);
   const auto count = parse<int>(parts[2]);
   if (!count || *count < 2 || *count > most_values)
-    refuse(option, "COUNT", parts[2], fmt::format("an integer from 2 to {}", most_values));
+    fail_unless(fmt::format("an integer from 2 to {}", most_values), option, "COUNT", parts[2]);
   return studies::map_axis(parameter, range.from, range.to, *count, logarithmic);
 }
 

@@ -106,7 +106,7 @@ void show(const ReferenceOptions& options) {
 
 void export_table(const ReferenceOptions& options) {
   const data::ReferenceTable table = data::read_table(data::load_reference(options.package), options.name);
-  std::error_code error;  // what is no folder is a file, or refused as one
+  std::error_code error;  // what is no folder is taken for a file
   const bool is_folder = options.output != "-" && std::filesystem::is_directory(options.output, error);
   OutputFile file(is_folder
                       ? (std::filesystem::path(options.output) / table.resource.path.filename()).string()
@@ -119,7 +119,7 @@ void export_table(const ReferenceOptions& options) {
 
 void add_reference_command(CLI::App& app) {
   auto* command = app.add_subcommand("reference", "The published reference data");
-  command->require_subcommand(0, 1);  // none at all is refused once the arguments are read
+  command->require_subcommand(0, 1);  // require_subcommand() asks for one once the arguments are read
   add_examples(*command, {"stickslip reference list", "stickslip reference export stick-history --output ."});
   auto options = std::make_shared<ReferenceOptions>();
   const auto add = [&](const char* name, const char* help, void (*action)(const ReferenceOptions&)) {

@@ -17,6 +17,7 @@
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/data/input_text.hpp"
 #include "stickslip/report/interruption.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 
@@ -54,7 +55,7 @@ void require_finite_row(const Row& row) {
   for (const double value : {row.base_displacement, row.tip_displacement, row.midspan_displacement,
                              row.sliding_velocity, row.friction_force})
     if (!std::isfinite(value))
-      data::refuse_overflow(fmt::format("the history is not finite at {} s", data::shortest_text(row.time)));
+      data::throw_overflow(fmt::format("the history is not finite at {} s", data::shortest_text(row.time)));
 }
 
 std::string csv_line(const Row& row) {
@@ -89,7 +90,7 @@ class Writer {
  public:
   explicit Writer(const std::string& path) : file_(path) {}
 
-  // The header goes before the first row, so that a problem that is refused writes nothing.
+  // The header goes before the first row, so that an error in the problem writes nothing.
   void write(const Row& row) {
     require_finite_row(row);
     if (summary_.rows == 0) file_.write(header);
@@ -152,23 +153,10 @@ void write_closed_form(const data::Case& problem, const RespondOptions& options,
   }
 }
 
-const std::map<std::string, studies::Inquiry> inquiries{
-    {"boundary-integral", studies::Inquiry::boundary_integral_history},
-    {"closed-form", studies::Inquiry::closed_form_history},
-    {"event-driven", studies::Inquiry::event_driven_history},
-    {"fe", studies::Inquiry::stepped_history}};
-
 const std::map<std::string, solver::ContactScheme> schemes{
     {"located", solver::ContactScheme::located},
     {"end-of-step", solver::ContactScheme::end_of_step},
     {"paper", solver::ContactScheme::paper}};
-
-template <class Value>
-std::vector<std::string> names_of(const std::map<std::string, Value>& table) {
-  std::vector<std::string> names;
-  for (const auto& [name, value] : table) names.push_back(name);
-  return names;
-}
 
 void write_finite_element(const data::Case& problem, const RespondOptions& options, Writer& writer) {
   const auto initial_velocity = options.initial_velocity == "zero" ? solver::InitialVelocity::zero
@@ -220,58 +208,92 @@ void write_event_driven(const data::Case& problem, const RespondOptions& options
   if (!run.events().empty()) writer.summary().first_slip = run.events().front().time;
 }
 
-// Rows are numerics.time_step apart; the method steps by studies::boundary_integral_step().
-void write_boundary_integral(const data::Case& problem, const RespondOptions& options, Writer& writer) {
-  const double step = studies::boundary_integral_step(problem), row_step = problem.numerics.time_step();
-  const auto every = static_cast<std::size_t>(std::lround(row_step / step));
+// A run of the boundary integral with so many steps for each row of the output.
+analytic::BeamBoundaryIntegral boundary_integral_of(const data::Case& problem, std::size_t steps_per_row) {
   const auto rows = static_cast<std::size_t>(steps_of(problem));
-  const auto run_with = [&](std::size_t per_row) {
-    return analytic::BeamBoundaryIntegral(problem.beam, problem.friction, problem.excitation, problem.damping,
-                                          {row_step / static_cast<double>(per_row), rows * per_row});
-  };
-  const analytic::BeamBoundaryIntegral run = run_with(every);
-  const std::vector<double> tip = run.tip_displacement(every),
-                            midspan = run.displacement(problem.beam.length() / 2.0, every);
-  const double omega = 2.0 * std::numbers::pi * problem.excitation.frequency_hz();
-  const auto& steps = run.steps();
-  for (std::size_t n = 0; n < tip.size(); n += static_cast<std::size_t>(options.every)) {
-    // Velocity and force are means over steps; at a row, the mean of the steps before and after it. The force
-    // of the start is extrapolated: the tip sticks there.
-    const auto& before = steps[n == 0 ? 0 : n * every - 1];
-    const auto& after = steps[n * every == steps.size() ? steps.size() - 1 : n * every];
-    const double force = n == 0 && steps.size() > 1
-                             ? 1.5 * steps[0].friction_force - 0.5 * steps[1].friction_force
-                             : 0.5 * (before.friction_force + after.friction_force);
-    const double time = static_cast<double>(n) * row_step;
-    const bool sticks = before.sliding_velocity == 0.0;
-    writer.write({.time = time,
-                  .base_displacement = problem.excitation.amplitude() * std::sin(omega * time),
-                  .tip_displacement = tip[n],
-                  .midspan_displacement = midspan[n],
-                  .sliding_velocity = sticks ? 0.0 : 0.5 * (before.sliding_velocity + after.sliding_velocity),
-                  .friction_force = -force,
-                  .state = sticks ? "stick" : "slip"});
-  }
+  return {problem.beam,
+          problem.friction,
+          problem.excitation,
+          problem.damping,
+          {problem.numerics.time_step() / static_cast<double>(steps_per_row), rows * steps_per_row}};
+}
+
+// Velocity and force are means over steps; at a row, the mean of the steps before and after it. The force of
+// the start is extrapolated: the tip sticks there.
+Row contact_at(const std::vector<analytic::ContactStep>& steps, std::size_t step) {
+  const auto& before = steps[step == 0 ? 0 : step - 1];
+  const auto& after = steps[step == steps.size() ? steps.size() - 1 : step];
+  const bool sticks = before.sliding_velocity == 0.0;
+  const double force = step == 0 && steps.size() > 1
+                           ? 1.5 * steps[0].friction_force - 0.5 * steps[1].friction_force
+                           : 0.5 * (before.friction_force + after.friction_force);
+  return {.sliding_velocity = sticks ? 0.0 : 0.5 * (before.sliding_velocity + after.sliding_velocity),
+          .friction_force = -force,
+          .state = sticks ? "stick" : "slip"};
+}
+
+// Where the direction of sliding changes from one step to the next; 0 is none.
+std::vector<EventRow> events_of(const analytic::BeamBoundaryIntegral& run) {
+  std::vector<EventRow> events;
   double position = 0.0, direction = 0.0;
-  for (std::size_t n = 0; n < steps.size(); ++n) {
-    const double velocity = steps[n].sliding_velocity;
+  for (std::size_t n = 0; n < run.steps().size(); ++n) {
+    const double velocity = run.steps()[n].sliding_velocity;
     const double next = velocity == 0.0 ? 0.0 : std::copysign(1.0, velocity);
     if (next != direction)
-      writer.summary().events.push_back({static_cast<double>(n) * run.grid().time_step,
-                                         direction == 0.0 ? "onset"
-                                         : next == 0.0    ? "capture"
-                                                          : "reversal",
-                                         position});
+      events.push_back({static_cast<double>(n) * run.grid().time_step,
+                        direction == 0.0 ? "onset"
+                        : next == 0.0    ? "capture"
+                                         : "reversal",
+                        position});
     direction = next;
     position += run.grid().time_step * velocity;
   }
-  if (!writer.summary().events.empty()) writer.summary().first_slip = writer.summary().events.front().time;
-  if (every > 1) {
-    const std::vector<double> coarser = run_with(every / 2).tip_displacement(every / 2);
-    double largest = 0.0;
-    for (std::size_t n = 0; n < tip.size(); ++n) largest = std::max(largest, std::abs(tip[n] - coarser[n]));
-    writer.summary().step_effect = largest;
+  return events;
+}
+
+// Rows are numerics.time_step apart; the method steps by studies::boundary_integral_step().
+void write_boundary_integral(const data::Case& problem, const RespondOptions& options, Writer& writer) {
+  const double row_step = problem.numerics.time_step();
+  const auto every =
+      static_cast<std::size_t>(std::lround(row_step / studies::boundary_integral_step(problem)));
+  const analytic::BeamBoundaryIntegral run = boundary_integral_of(problem, every);
+  const std::vector<double> tip = run.tip_displacement(every),
+                            midspan = run.displacement(problem.beam.length() / 2.0, every);
+  const double omega = 2.0 * std::numbers::pi * problem.excitation.frequency_hz();
+  for (std::size_t n = 0; n < tip.size(); n += static_cast<std::size_t>(options.every)) {
+    Row row = contact_at(run.steps(), n * every);
+    row.time = static_cast<double>(n) * row_step;
+    row.base_displacement = problem.excitation.amplitude() * std::sin(omega * row.time);
+    row.tip_displacement = tip[n];
+    row.midspan_displacement = midspan[n];
+    writer.write(row);
   }
+  Summary& summary = writer.summary();
+  summary.events = events_of(run);
+  if (!summary.events.empty()) summary.first_slip = summary.events.front().time;
+  if (every == 1) return;
+  const std::vector<double> coarser = boundary_integral_of(problem, every / 2).tip_displacement(every / 2);
+  summary.step_effect = 0.0;
+  for (std::size_t n = 0; n < tip.size(); ++n)
+    summary.step_effect = std::max(*summary.step_effect, std::abs(tip[n] - coarser[n]));
+}
+
+struct Method {
+  studies::Inquiry inquiry{};
+  void (*write)(const data::Case&, const RespondOptions&, Writer&){};
+};
+
+const std::map<std::string, Method> methods{
+    {"boundary-integral", {studies::Inquiry::boundary_integral_history, write_boundary_integral}},
+    {"closed-form", {studies::Inquiry::closed_form_history, write_closed_form}},
+    {"event-driven", {studies::Inquiry::event_driven_history, write_event_driven}},
+    {"fe", {studies::Inquiry::stepped_history, write_finite_element}}};
+
+template <class Value>
+std::vector<std::string> names_of(const std::map<std::string, Value>& table) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : table) names.push_back(name);
+  return names;
 }
 
 void write_events(OutputFile& file, const std::vector<EventRow>& events) {
@@ -314,34 +336,48 @@ Json to_json(const data::Case& problem, const RespondOptions& options, const Sum
   return object;
 }
 
-void run(const RespondOptions& options) {
+// What one option rules out of another.
+void require_consistent(const RespondOptions& options) {
   const bool to_standard_output = options.output == "-";
   if (options.problem.json && to_standard_output)
-    throw data::InputError("--json and --output - both want standard output, but --json needs --output FILE");
-  const data::Case problem = load_case(options.problem, options.excitation, options.duration);
-  const bool closed_form = options.method == "closed-form";
-  if (closed_form && options.initial_velocity != "quasi-static")
     throw data::InputError(
-        "--initial-velocity is zero, but the closed form starts quasi-static: Eq. (26) assumes it");
-  const bool boundary_integral = options.method == "boundary-integral";
-  if (boundary_integral && options.initial_velocity != "quasi-static")
-    throw data::InputError(
-        "--initial-velocity is zero, but the boundary integral starts quasi-static, as Eq. (28) does");
-  if (options.scheme && options.method != "fe")
-    throw data::InputError(fmt::format("--scheme is {}, but --method is {}: schemes belong to --method fe",
-                                       *options.scheme, options.method));
-  if (closed_form) require_undamped(problem, "the closed form");
-  if (closed_form && !options.events.empty())
-    throw data::InputError(
-        "--events is given, but the closed form follows no slip: it needs --method fe or event-driven");
+        "--json and --output - both want standard output, but --json needs --output FILE");
   if (!to_standard_output && options.output == options.events)
-    throw data::InputError(
-        fmt::format("--output and --events are both '{}', but must be two files", options.output));
-  const auto inquiry = inquiries.at(options.method);
-  studies::require_feasible(problem, inquiry);
+    throw data::FieldError("--events", data::printable(options.events), "another file than --output");
+  if (options.initial_velocity == "zero" && options.method != "fe" && options.method != "event-driven")
+    throw data::FieldError(
+        "--initial-velocity", "zero",
+        fmt::format("quasi-static for --method {}, whose equation assumes it", options.method));
+  if (options.scheme && options.method != "fe")
+    throw data::FieldError("--method", options.method, "fe where --scheme is given");
+  if (!options.events.empty() && options.method == "closed-form")
+    throw data::FieldError("--method", "closed-form",
+                           "one that follows the slip (fe, event-driven or boundary-integral) where --events "
+                           "is given");
+}
+
+// Of the history that has been written.
+std::vector<std::string> warnings_after(const data::Case& problem, const RespondOptions& options,
+                                        const Summary& summary) {
+  const auto inquiry = methods.at(options.method).inquiry;
+  auto warnings = warnings_of(problem, inquiry);
+  if (options.method == "closed-form" && summary.first_slip)
+    warnings.push_back(warning_of_slip(problem, *summary.first_slip));
+  if (!summary.events.empty())
+    if (const auto growth = studies::growth_warning(problem, inquiry)) warnings.push_back(growth->sentence);
+  return warnings;
+}
+
+void run(const RespondOptions& options) {
+  const data::Case problem = load_case(options.problem, options.excitation, options.duration);
+  require_consistent(options);
+  const Method& method = methods.at(options.method);
+  if (options.method == "closed-form") require_undamped(problem, "the closed form");
+  studies::require_feasible(problem, method.inquiry);
+  const bool to_standard_output = options.output == "-";
   Writer writer(options.output);
   std::optional<OutputFile> events;
-  if (!options.events.empty()) events.emplace(options.events);  // refused now rather than after the run
+  if (!options.events.empty()) events.emplace(options.events);  // throws now rather than after the run
   const report::Interruption interruption([&] {
     writer.discard();
     if (events) events->discard();
@@ -350,17 +386,10 @@ void run(const RespondOptions& options) {
         data::shortest_text(problem.numerics.duration()),
         to_standard_output ? "standard output holds the history up to there at most" : "nothing is kept");
   });
-  const auto write = closed_form                        ? write_closed_form
-                     : boundary_integral                ? write_boundary_integral
-                     : options.method == "event-driven" ? write_event_driven
-                                                        : write_finite_element;
-  write(problem, options, writer);
+  method.write(problem, options, writer);
   const Summary summary = writer.finish();
   if (events) write_events(*events, summary.events);
-  auto warnings = warnings_of(problem, inquiry);
-  if (closed_form && summary.first_slip) warnings.push_back(warning_of_slip(problem, *summary.first_slip));
-  if (!summary.events.empty())
-    if (const auto growth = studies::growth_warning(problem, inquiry)) warnings.push_back(growth->sentence);
+  const auto warnings = warnings_after(problem, options, summary);
   print_warnings(warnings);
   if (options.problem.json)
     print_json(to_json(problem, options, summary, warnings));
@@ -381,7 +410,7 @@ void add_respond_command(CLI::App& app) {
           "Finite elements with contact, event by event in the modes of the continuous beam, the boundary "
           "integral of the tip (all modes, no mesh; the one that converges without damping), or the closed "
           "form of the stick state")
-      ->check(one_of(names_of(inquiries)))
+      ->check(one_of(names_of(methods)))
       ->capture_default_str();
   command
       ->add_option("--initial-velocity", options->initial_velocity,

@@ -327,11 +327,11 @@ class Comparer {
     for (const data::ComparedValue& value : rule_.values) names.push_back(value.field);
     for (const auto& [quantity, tolerance] : settings_.tolerances) {
       if (!quantity.empty() && std::ranges::find(names, quantity) == names.end())
-        throw InputError(fmt::format("tolerance of {}: the quantity is unknown, but must be one of {}",
-                                     quantity, fmt::join(names, ", ")));
+        throw data::FieldError("the quantity of a tolerance", quantity,
+                               fmt::format("one of {}", fmt::join(names, ", ")));
       if (!(tolerance >= 0.0 && std::isfinite(tolerance)))
-        throw InputError(fmt::format("tolerance {}{}: must be a finite number that is not negative",
-                                     quantity.empty() ? "" : quantity + " = ", shortest_text(tolerance)));
+        throw data::FieldError(quantity.empty() ? "the tolerance" : "the tolerance of " + quantity, tolerance,
+                               "a finite number that is not negative");
     }
   }
 

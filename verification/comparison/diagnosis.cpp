@@ -73,22 +73,21 @@ Field field_of(const ModelResults& model_results, double uncertainty) {
 
 void require_same_size(const char* what, std::size_t size, std::size_t expected) {
   if (size != expected)
-    throw std::invalid_argument(
-        fmt::format("observation: {} {}, must be as many as the abscissa has, {}", size, what, expected));
+    throw std::invalid_argument(fmt::format(
+        "the observation has {} {}, but must have as many as the abscissa, {}", size, what, expected));
 }
 
 void require_usable(const ModelResults& model_results, const Observation& observation) {
   if (observation.quantity != model_results.quantity || observation.abscissa != model_results.abscissa)
-    throw std::invalid_argument("observation: must have the quantity and the abscissa of the comparison");
+    throw std::invalid_argument(
+        "the observation has another quantity or abscissa, but must have those of the comparison");
   require_same_size("values", observation.values.size(), observation.abscissa.size());
   require_same_size("uncertainties", observation.uncertainty.size(), observation.abscissa.size());
   for (const double value : observation.values)
-    if (!std::isfinite(value))
-      throw std::invalid_argument(fmt::format("observation: value = {}, must be finite", value));
+    if (!std::isfinite(value)) throw data::FieldError("a value of the observation", value, "finite");
   for (const double uncertainty : observation.uncertainty)
     if (!(uncertainty >= 0.0 && std::isfinite(uncertainty)))
-      throw std::invalid_argument(
-          fmt::format("observation: uncertainty = {}, must be finite and not negative", uncertainty));
+      throw data::FieldError("an uncertainty of the observation", uncertainty, "finite and not negative");
 }
 
 std::string percent(double share) { return fmt::format("{:.2g} %", 100.0 * share); }

@@ -47,10 +47,10 @@ bool counts(Quantity quantity) {
 
 void require_abscissa(const data::Case& problem, Quantity quantity, const std::vector<double>& abscissa) {
   const auto require = [&](bool allowed, double x, const std::string& what) {
-    if (!allowed)
-      throw std::invalid_argument(fmt::format("{}, abscissa = {}: must be {}", name_of(quantity), x, what));
+    if (!allowed) throw data::FieldError(fmt::format("an abscissa of {}", name_of(quantity)), x, what);
   };
-  if (abscissa.empty()) throw std::invalid_argument(fmt::format("{}: no abscissa", name_of(quantity)));
+  if (abscissa.empty())
+    throw std::invalid_argument(fmt::format("the abscissa of {} is empty", name_of(quantity)));
   for (const double x : abscissa) {
     if (counts(quantity))
       require(x >= 1.0 && x <= 1000.0 && x == std::floor(x), x, "a whole number from 1 to 1000");
@@ -114,8 +114,8 @@ struct HeldHistory {
 
 HeldHistory held_in_closed_form(const data::Case& problem, StickReading reading, double end) {
   if (is_damped(problem))
-    throw std::invalid_argument(
-        "damping must be 0 for forces and motions of the held beam: their closed form is undamped");
+    throw data::InputError(
+        "the case is damped, but must be undamped for forces and motions of the held beam");
   const auto response = std::make_shared<analytic::StickResponse>(
       problem.beam, problem.excitation, kept_free_vibrations, analytic::SteadyPart::exact);
   if (reading == StickReading::displacement)
@@ -355,11 +355,9 @@ std::vector<double> reference_result(const data::Case& problem, Quantity quantit
   require_abscissa(problem, quantity, abscissa);
   std::vector<double> values = values_of(right_model(), problem, quantity, abscissa).value();
   if (const auto none = std::ranges::find(values, infinity); none != values.end())
-    throw std::invalid_argument(
-        fmt::format("contact event, abscissa = {}: must be at most {}, the changes of "
-                    "contact within numerics.duration",
-                    *std::ranges::max_element(abscissa),
-                    std::ranges::count_if(values, [](double t) { return t < infinity; })));
+    throw data::FieldError("an abscissa of contact event", *std::ranges::max_element(abscissa),
+                           fmt::format("at most {}, the changes of contact within numerics.duration",
+                                       std::ranges::count_if(values, [](double t) { return t < infinity; })));
   return values;
 }
 
@@ -380,8 +378,9 @@ ModelResults model_results(const data::Case& problem, Quantity quantity,
                       .wrong_models = {},
                       .missing = {}};
   if (std::ranges::all_of(result.reference, [](double value) { return value == 0.0; }))
-    throw std::invalid_argument(
-        fmt::format("{}: the reference is 0 at every abscissa, with nothing to compare", name_of(quantity)));
+    throw data::InputError(
+        fmt::format("the reference of {} is 0 at every abscissa, but must have a value to compare with",
+                    name_of(quantity)));
   if (is_of_stick_slip(quantity))
     result.reference_uncertainty = distance(
         result, result.reference, values_of(right_model(), coarser(problem), quantity, abscissa).value());

@@ -63,10 +63,10 @@ struct WrongModel {
                                                               const std::vector<double>& abscissa);
 
 /// The right result: for the held tip the closed form with the exact steady part and 60 free vibrations, for
-/// stick-slip finite elements with the settings of the case. Throws std::invalid_argument for an abscissa at
-/// which the quantity is not defined (such as an event that does not occur within numerics.duration()), and
-/// for forces and motions of a held, damped beam, because the closed form is that of the undamped beam.
-/// Throws std::domain_error if the beam buckles or flutters.
+/// stick-slip finite elements with the settings of the case. Throws data::InputError for an abscissa at
+/// which the quantity is not defined (such as an event that does not occur within numerics.duration()), for
+/// forces and motions of a held, damped beam, because the closed form is that of the undamped beam, and if the
+/// beam buckles or flutters.
 [[nodiscard]] std::vector<double> reference_result(const data::Case& problem, Quantity quantity,
                                                    const std::vector<double>& abscissa);
 
@@ -99,7 +99,7 @@ struct ModelResults {
   std::vector<std::string> missing;  ///< the names of the others
 };
 
-/// Computes these results. Throws what reference_result() throws, and std::invalid_argument if the reference
+/// Computes these results. Throws what reference_result() throws, and data::InputError if the reference
 /// is 0 everywhere.
 [[nodiscard]] ModelResults model_results(const data::Case& problem, Quantity quantity,
                                          const std::vector<double>& abscissa);
@@ -158,9 +158,9 @@ struct Diagnosis {
   std::vector<std::string> named;
 };
 
-/// Diagnoses an observation. Throws std::invalid_argument if the values or uncertainties are empty, differ in
-/// number from the abscissas, are not finite, or are negative uncertainties, and if quantity or abscissas
-/// differ from those of `model_results`.
+/// Diagnoses an observation. Throws data::InputError for a value or an uncertainty that is not finite and for a
+/// negative uncertainty, and std::invalid_argument if values or uncertainties differ in number from the
+/// abscissas, or quantity or abscissas from those of `model_results`.
 [[nodiscard]] Diagnosis diagnose(const ModelResults& model_results, const Observation& observation);
 [[nodiscard]] Diagnosis diagnose(const data::Case& problem, const Observation& observation);
 

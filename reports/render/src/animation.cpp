@@ -47,7 +47,7 @@ studies::BeamMotion motion_of(const data::Case& problem, const AnimationOptions&
   const auto is_finite = [](double value) { return std::isfinite(value); };
   for (const auto& snapshot : motion.snapshots)
     if (!is_finite(snapshot.friction_force) || !std::ranges::all_of(snapshot.displacement, is_finite))
-      data::refuse_overflow(
+      data::throw_overflow(
           fmt::format("the motion is not finite at {} s", data::shortest_text(snapshot.time)));
   return motion;
 }

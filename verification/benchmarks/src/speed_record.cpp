@@ -17,7 +17,7 @@ SpeedComparison comparison_of(const data::Record& record) {
                              .fast_seconds = record.number("fast_seconds"),
                              .load = {}};
   if (!(comparison.plain_seconds > 0.0 && comparison.fast_seconds > 0.0))
-    record.refuse("plain_seconds and fast_seconds must be positive");
+    record.fail("plain_seconds and fast_seconds must be positive");
   if (record.has("flops_per_step"))
     comparison.load = {.flops_per_step = record.number("flops_per_step"),
                        .bytes_per_step = record.number("bytes_per_step"),

@@ -21,7 +21,7 @@ Edit read_edit(const data::Record& record) {
   Edit edit{.file = record.text("file"), .from = record.text("from"), .to = record.any_text("to")};
   constexpr std::array components{"solver/", "analytic/"};
   if (std::ranges::none_of(components, [&](auto folder) { return edit.file.starts_with(folder); }))
-    record.refuse("file is " + edit.file + ", but must lie in solver/ or analytic/");
+    record.fail("file is " + edit.file + ", but must lie in solver/ or analytic/");
   return edit;
 }
 
@@ -33,7 +33,7 @@ CuratedMutant read_mutant(const data::Record& record) {
     return component_of(edit.file) != component_of(mutant.edits.front().file);
   };
   if (std::ranges::any_of(mutant.edits, elsewhere))
-    record.refuse("edits must all lie in one component, solver/ or analytic/");
+    record.fail("edits must all lie in one component, solver/ or analytic/");
   return mutant;
 }
 

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "sets.hpp"
-#include "sha256.hpp"
+#include "stickslip/data/sha256.hpp"
 
 namespace stickslip::reference {
 

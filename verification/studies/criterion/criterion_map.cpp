@@ -1,5 +1,7 @@
 #include "studies/criterion/criterion_map.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +15,7 @@
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/analytic/modal_reaction_table.hpp"
+#include "stickslip/data/case_file.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/common/parallel.hpp"
 
@@ -139,7 +142,7 @@ void complete(CriterionMap::Cell& cell, const MapEvaluation& evaluation, const F
   if (!evaluation.unit_force) return;
   const double limit = factors.static_coefficient * factors.axial_force;
   const double ratio = factors.amplitude * evaluation.unit_force->midpoint() / limit;
-  if (!std::isfinite(ratio)) throw std::runtime_error("a force ratio of the map is too large for a double");
+  if (!std::isfinite(ratio)) data::throw_overflow("a force ratio of the map is not finite");
   if (!states_only) cell.force_ratio = ratio;
   if (factors.amplitude * evaluation.unit_force->lower > limit) cell.state = CellState::stick_slip;
 }
@@ -159,8 +162,8 @@ MapAxis map_axis(Parameter parameter, double from, double to, int count, bool lo
 std::size_t evaluation_count(const MapTask& task) {
   const auto& [problem, x, y, method, states_only] = task;
   if (x.parameter == y.parameter)
-    throw std::invalid_argument("both axes of the map are " + std::string(field_of(x.parameter)) +
-                                ", but must be two parameters");
+    throw data::InputError("both axes of the map are " + std::string(field_of(x.parameter)) +
+                           ", but must be two parameters");
   for (const double value : x.values) (void)with_value(problem, x.parameter, value);
   for (const double value : y.values) (void)with_value(problem, y.parameter, value);
   require_friction(case_at(task, 0, 0));
@@ -169,8 +172,8 @@ std::size_t evaluation_count(const MapTask& task) {
 
 std::vector<std::size_t> share_of(std::size_t evaluations, std::size_t part, std::size_t parts) {
   if (part < 1 || part > parts)
-    throw std::invalid_argument("the part is " + std::to_string(part) + " of " + std::to_string(parts) +
-                                ", but must be from 1 to the number of parts");
+    throw std::invalid_argument(
+        fmt::format("the part is {} of {}, but must be from 1 to the number of parts", part, parts));
   std::vector<std::size_t> share;
   for (std::size_t round = 0; round * parts < evaluations; ++round) {
     // Multiples of the golden ratio, modulo 1, are evenly distributed for any number of rounds.
@@ -186,9 +189,9 @@ void evaluate(const MapTask& task, std::span<const std::size_t> numbers, MapEval
               const std::function<void(std::span<const std::size_t>)>& settled) {
   const std::size_t columns = evaluations_along(task.x);
   if (evaluations.size() != evaluation_count(task))
-    throw std::invalid_argument("the vector of evaluations has the size " +
-                                std::to_string(evaluations.size()) + ", but must have the size " +
-                                std::to_string(evaluation_count(task)));
+    throw std::invalid_argument(
+        fmt::format("the vector of evaluations has the size {}, but must have the size {}", evaluations.size(),
+                    evaluation_count(task)));
   const bool may_be_buckled = may_buckle(task);
   const bool decide_only =
       task.states_only && !is_a_factor(task.x.parameter) && !is_a_factor(task.y.parameter);

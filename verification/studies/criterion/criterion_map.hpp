@@ -89,7 +89,7 @@ void evaluate(const MapTask& task, std::span<const std::size_t> numbers, MapEval
 
 /// Computes a map. `progress`, if given, receives the completed fraction.
 ///
-/// Throws std::invalid_argument if both axes have the same parameter or if mu_s is 0 somewhere,
+/// Throws data::InputError if both axes have the same parameter or if mu_s is 0 somewhere,
 /// data::FieldError for a value that its field does not allow, and std::domain_error, naming
 /// beam.axial_force, if P <= 0 somewhere, or if the beam is buckled and neither axis changes the load factor.
 [[nodiscard]] CriterionMap criterion_map(const data::Case& problem, const MapAxis& x, const MapAxis& y,

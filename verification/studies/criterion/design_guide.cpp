@@ -201,9 +201,9 @@ BandMargin band_margin(const data::Case& problem, const analytic::FrequencyBand&
 DesignScan design_scan(const data::Case& problem, Parameter parameter, const ParameterRange& range,
                        const analytic::FrequencyBand& band, const std::function<void(double)>& progress) {
   if (!(range.from > 0.0 && range.from < range.to))
-    throw std::invalid_argument("the range of " + std::string(field_of(parameter)) + " is " +
-                                data::shortest_text(range.from) + " to " + data::shortest_text(range.to) +
-                                ", but both ends must be above 0 and ascending");
+    throw data::FieldError("the range of " + std::string(field_of(parameter)),
+                           data::shortest_text(range.from) + " to " + data::shortest_text(range.to),
+                           "from a number above 0 to a larger one");
   require_friction(problem);
   require_excitation(problem);
   const double buckling = buckling_value(problem, parameter);
@@ -230,8 +230,8 @@ ParameterRange range_below_buckling(const data::Case& problem, Parameter paramet
 double buckling_value(const data::Case& problem, Parameter parameter) {
   if (parameter == Parameter::axial_force) return analytic::stick_buckling_load(problem.beam);
   if (parameter != Parameter::length)
-    throw std::invalid_argument("a design varies beam.length or beam.axial_force, not " +
-                                std::string(field_of(parameter)));
+    throw std::invalid_argument(std::string(field_of(parameter)) +
+                                " is varied in a design, but must be beam.length or beam.axial_force");
   // Throws with a message about the axial force.
   if (problem.beam.axial_force() <= 0.0) analytic::require_contact(problem.beam);
   return buckling_length(problem.beam);

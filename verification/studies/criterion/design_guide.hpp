@@ -74,8 +74,8 @@ struct DesignScan {
 /// between two neighbours that slip. The errors of the intervals that stick are therefore on the safe side.
 ///
 /// Uses thread_count() threads; the result does not depend on their number. `progress`, if given, receives
-/// the completed fraction. Throws what band_margin() throws, and std::invalid_argument for another parameter
-/// or unless 0 < from < to.
+/// the completed fraction. Throws what band_margin() throws, data::FieldError unless 0 < from < to, and
+/// std::invalid_argument for another parameter.
 [[nodiscard]] DesignScan design_scan(const data::Case& problem, Parameter parameter,
                                      const ParameterRange& range, const analytic::FrequencyBand& band,
                                      const std::function<void(double)>& progress = {});

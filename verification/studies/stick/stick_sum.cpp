@@ -66,7 +66,9 @@ StickSum stick_sum(const solver::BeamModel& mesh, const solver::ContactSystem& s
   const Eigen::MatrixXd held_mass = mass(others, others), held_stiffness = stiffness(others, others);
 
   const Eigen::LLT<Eigen::MatrixXd> factors(held_stiffness);
-  if (factors.info() != Eigen::Success) throw std::domain_error("the stick state of the mesh is not stable");
+  if (factors.info() != Eigen::Success)
+    throw data::FieldError("beam.axial_force", mesh.beam().axial_force(),
+                           "below the buckling load of the mesh (N)");
   Eigen::VectorXd shape(size);
   shape[c] = -1.0;
   shape(others) = Eigen::VectorXd(factors.solve(stiffness(others, c)));
@@ -81,7 +83,7 @@ StickSum stick_sum(const solver::BeamModel& mesh, const solver::ContactSystem& s
 
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(held_stiffness, held_mass);
   if (eigen.info() != Eigen::Success)
-    throw std::domain_error("the mass of the mesh is not positive definite");
+    throw std::runtime_error("the natural frequencies of the mesh cannot be found");
   for (Eigen::Index n = 0; n < eigen.eigenvalues().size(); ++n) {
     const Eigen::VectorXd phi = eigen.eigenvectors().col(n);
     const double square_frequency = eigen.eigenvalues()[n], frequency = std::sqrt(square_frequency);

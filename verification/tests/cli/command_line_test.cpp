@@ -9,8 +9,11 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/command_line.hpp"
@@ -23,22 +26,23 @@ TEST_F(CommandLine, RefusesUnusableArgumentsInOneSentence) {
   expect_refused("resond", "resond");
   expect_refused("modes papr", "did you mean paper?");
   expect_refused("modes --state sticky", "sticky");
-  expect_refused("modes --count 0", "0 is not an integer from 1 to 1000");
-  expect_refused("modes --count 2.5", "2.5 is not an integer");
+  expect_refused("modes --count 0", "--count is 0, but must be an integer from 1 to 1000");
+  expect_refused("modes --count 2.5", "--count is 2.5, but must be an integer");
   expect_refused("modes --set beam.lenght=2", "did you mean beam.length?");
   expect_refused("modes --set beam.axial_force=1e6", "beam.axial_force");
-  expect_refused("criterion --hz fast", "fast is not a number");
+  expect_refused("criterion --hz fast", "--hz is fast, but must be a number");
   expect_refused("criterion --hz -3", "excitation.frequency_hz is -3");
   expect_refused("respond --duration nan", "numerics.duration is nan");
   expect_refused("report --output '" + path("report") + "' --tests nowhere", "test results is nowhere");
   expect_refused("respond --json", "--output FILE");
-  expect_refused("respond --every 0", "0 is not an integer from 1");
-  expect_refused("respond --method event-driven --scheme located", "schemes belong to --method fe");
+  expect_refused("respond --every 0", "--every is 0, but must be an integer from 1");
+  expect_refused("respond --method event-driven --scheme located",
+                 "--method is event-driven, but must be fe where --scheme is given");
   expect_refused("respond --method event-driven --set beam.axial_force=-10", "beam.axial_force is -10");
-  expect_refused("respond --method closed-form --events events.csv", "--events is given");
+  expect_refused("respond --method closed-form --events events.csv", "where --events is given");
   expect_refused("respond --scheme exact",
-                 "--scheme: exact is unknown, but must be one of end-of-step, located, paper");
-  expect_refused("respond --method closed-form --scheme paper", "schemes belong to --method fe");
+                 "--scheme is exact, but must be one of end-of-step, located, paper");
+  expect_refused("respond --method closed-form --scheme paper", "--method is closed-form, but must be fe");
   expect_refused("respond --scheme paper --set numerics.velocity_threshold=0",
                  "numerics.velocity_threshold is 0, but must be above 0 (m/s)");
 }
@@ -156,6 +160,99 @@ TEST_F(CommandLine, AnImpulsiveStartIsThereForTheAsking) {
   EXPECT_LT(first_force("quasi-static"), 0.1);
   EXPECT_GT(first_force("zero"), 10.0);
   EXPECT_EQ(run("respond --method closed-form --initial-velocity zero").status, 2);
+}
+
+TEST_F(CommandLine, BothStickSlipMethodsStartAtRestWhereTheyAreAskedTo) {
+  // u_t = 0 at first, so that midspan moves with the base: y(L/2) = h but for the bending in 0.1 ms. The
+  // quasi-static start moves it by 1 + S(L/2) = 11/16 of h (P = 0; P changes S by less than 1 %).
+  const auto share_of_base = [&](const std::string& options) {
+    const auto rows = csv(run("respond --hz 15 --amplitude 0.5e-3 --duration 1e-4 --set numerics.modes=60 "
+                              "--set numerics.elements=60 --set numerics.time_step=1e-5 " +
+                              options)
+                              .output);
+    return std::stod(rows.back()[3]) / std::stod(rows.back()[1]);
+  };
+  for (const std::string method : {"fe", "event-driven"}) {
+    EXPECT_NEAR(share_of_base("--initial-velocity zero --method " + method), 1.0, 0.02) << method;
+    EXPECT_NEAR(share_of_base("--method " + method), 11.0 / 16.0, 0.02) << method;
+  }
+  expect_refused("respond --method boundary-integral --initial-velocity zero",
+                 "--initial-velocity is zero, but must be quasi-static for --method boundary-integral");
+}
+
+TEST_F(CommandLine, RespondSummarisesTheRowsThatItWrites) {
+  for (const std::string method : {"fe", "event-driven", "boundary-integral", "closed-form"}) {
+    const std::string events = path(method + "-events.csv");
+    const auto answer =
+        json("respond paper --hz 25 --amplitude 1e-3 --duration 0.08 --method " + method + " --output '" +
+             path("history.csv") + "'" + (method == "closed-form" ? "" : " --events '" + events + "'"));
+    const auto rows = csv(contents(path("history.csv")));
+    double largest = 0.0, first_beyond_limit = -1.0;
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+      const double force = std::abs(std::stod(rows[i][5]));
+      largest = std::max(largest, force);
+      if (force > 300.0 && first_beyond_limit < 0.0) first_beyond_limit = std::stod(rows[i][0]);
+    }
+    EXPECT_EQ(answer["method"], method);
+    EXPECT_EQ(answer["rows"], rows.size() - 1) << method;
+    EXPECT_EQ(answer["largest_friction_force_N"], largest) << method;
+    EXPECT_EQ(answer["duration_s"], 0.08);
+    EXPECT_EQ(answer["frequency_hz"], 25.0);
+    EXPECT_EQ(answer["amplitude_m"], 1e-3);
+    if (method == "closed-form") {
+      EXPECT_EQ(answer["first_slip_s"], first_beyond_limit);
+      EXPECT_EQ(answer["changes_of_contact"], 0);
+      continue;
+    }
+    const auto changes = csv(contents(events));
+    ASSERT_GT(changes.size(), 1u) << method;
+    EXPECT_EQ(answer["changes_of_contact"], changes.size() - 1) << method;
+    EXPECT_EQ(answer["first_slip_s"], std::stod(changes[1][0])) << method;
+    EXPECT_EQ(changes[1][1], "onset") << method;
+  }
+}
+
+TEST_F(CommandLine, RespondByTheBoundaryIntegralSaysWhatItsStepIsWorth) {
+  // At most 1/20000 of a period. What twice the step changes is small against the amplitude, but not 0.
+  const std::string command =
+      "respond paper --method boundary-integral --duration 0.08 --amplitude 1e-3 "
+      "--output '" +
+      path("history.csv") + "' ";
+  const auto answer = json(command + "--hz 25");
+  EXPECT_LE(answer["integration_step_s"], 1.0 / 25.0 / 20000.0);
+  const double effect = answer["largest_change_on_twice_the_step_m"];
+  EXPECT_GT(effect, 0.0);
+  EXPECT_LT(effect, 1e-5);  // a hundredth of the amplitude
+}
+
+TEST_F(CommandLine, ModesPrintTheDigitsThatAreTrue) {
+  // The data set has 30 digits. A printed number may be off by its error and its rounding, which together are
+  // less than one and a half of its last digit; more than 11 digits must be left.
+  std::map<std::pair<std::string, int>, long double> exact;
+  const auto table = csv(run("reference export stick-frequencies").output);
+  const auto column = [&](const std::string& name) {
+    return static_cast<std::size_t>(std::ranges::find(table[0], name) - table[0].begin());
+  };
+  for (std::size_t i = 1; i < table.size(); ++i)
+    exact[{table[i][column("beam")], std::stoi(table[i][column("mode")])}] =
+        std::strtold(table[i][column("frequency")].c_str(), nullptr);
+  for (const std::string beam : {"paper", "steel-strip", "near-buckling"}) {
+    std::istringstream printed(run("modes " + beam + " --count 3").output);
+    int found = 0;
+    for (std::string line; std::getline(printed, line);) {
+      std::istringstream words(line);
+      int mode = 0;
+      std::string digits;
+      if (!(words >> mode >> digits) || !exact.contains({beam, mode})) continue;
+      ++found;
+      const auto point = digits.find('.');
+      const long double last_digit = std::pow(10.0L, -static_cast<long double>(digits.size() - point - 1));
+      EXPECT_LT(std::abs(std::strtold(digits.c_str(), nullptr) - exact[{beam, mode}]), 1.5L * last_digit)
+          << beam << " " << line;
+      EXPECT_GT(digits.size() - 1, 11u) << beam << " " << line;
+    }
+    EXPECT_EQ(found, 3) << beam;
+  }
 }
 
 TEST_F(CommandLine, BothStickSlipMethodsFindTheSameChangesOfContact) {
@@ -291,6 +388,20 @@ TEST_F(Animation, HasTheFramesAskedForAndTheMotion) {
   EXPECT_EQ(names[61], "motion.csv");
 }
 
+TEST_F(Animation, LastsTenPeriodsUnlessADurationIsGiven) {
+  install_gnuplot(draw_all);
+  for (const auto& [options, duration] : {std::pair<std::string, double>{"--hz 25", 0.4},
+                                          {"--hz 25 --duration 0.04", 0.04},
+                                          {"--hz 50", 0.2}}) {
+    const auto answer =
+        json("animate --amplitude 1e-3 --frames 3 --output '" + path("film") + "' " + options);
+    EXPECT_DOUBLE_EQ(answer["duration_s"], duration) << options;
+    EXPECT_EQ(answer["frames"], 3);
+    const auto rows = csv(contents(path("film/motion.csv")));
+    EXPECT_NEAR(std::stod(rows.back()[1]), duration, 1e-12) << options;
+  }
+}
+
 TEST_F(Animation, DrawsTheMotionThatItsTableHolds) {
   for (const std::string method : {"fe", "event-driven"}) {
     install_gnuplot(draw_all);
@@ -330,7 +441,7 @@ TEST_F(Animation, KeepsTheMotionWhenGnuplotIsMissing) {
 
 TEST_F(Animation, RefusesWhatCannotBecomeAFilm) {
   install_gnuplot(draw_all);
-  expect_refused(command("--frames 1"), "1 is not an integer from 2 to 9999");
+  expect_refused(command("--frames 1"), "--frames is 1, but must be an integer from 2 to 9999");
   expect_refused(command("--method closed-form"), "closed-form");
   expect_refused(command("--duration 1e-3 --frames 12"), "--frames is 12, but must be at most one per time");
   expect_refused(command("--set beam.axial_force=-5"), "beam.axial_force");
@@ -430,7 +541,7 @@ TEST_F(MapCommand, RefusesAxesThatAreNoneInOneSentence) {
   expect_refused("map --x length=1:2:2 --y length=1:3:4",
                  "both axes of the map are beam.length, but must be two parameters");
   expect_refused(std::string("map ") + two_axes + "--figure map.jpg",
-                 "--figure is 'map.jpg', but must end in .pdf, .png or .svg");
+                 "--figure is 'map.jpg', but must be a file whose name ends in .pdf, .png or .svg");
   expect_refused(std::string("map --json ") + two_axes, "--json needs --output FILE");
   expect_refused(std::string("map --set beam.axial_force=0 ") + two_axes,
                  "beam.axial_force is 0; it must be positive");

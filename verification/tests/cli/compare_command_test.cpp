@@ -170,6 +170,23 @@ TEST_F(CompareCommand, CountsWhatIsUndecidedAsNoDifferenceAndSaysSo) {
   EXPECT_NE(outcome.output.find("\nundecided: "), std::string::npos) << outcome.output;
 }
 
+TEST_F(CompareCommand, ComparesUpToTheHorizonWhateverLaterTimeIsGiven) {
+  const std::string text = run(in_fixture("reference export damped-history")).output;
+  const auto quantities = [&](const std::string& options) {
+    return comparison(command("damped-history", text, options), 0)["quantities"];
+  };
+  const auto whole = quantities("");
+  EXPECT_EQ(quantities("--until 1e3"), whole);
+  const auto early = quantities("--until 0.05");
+  ASSERT_EQ(early.size(), whole.size());
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    EXPECT_GT(early[i]["compared"], 0);
+    EXPECT_LT(early[i]["compared"], whole[i]["compared"]);
+    for (const auto& series : early[i]["series"])
+      for (const double t : series["abscissa"]) EXPECT_LE(t, 0.05);
+  }
+}
+
 TEST_F(CompareCommand, WritesAllOfItAsJson) {
   const auto answer = comparison(command("stick-frequencies", printed), 1);
   EXPECT_EQ(answer["data_set"], "stick-frequencies");
@@ -257,10 +274,11 @@ TEST_F(CompareCommand, RefusesWhatItCannotUseAndWritesNothing) {
   expect_refused(command("stick-frequencies", right, outputs + "--tolerance fast"),
                  "--tolerance is 'fast', but must be a number or QUANTITY=NUMBER");
   expect_refused(command("stick-frequencies", right, outputs + "--tolerance =1"), "--tolerance is '=1'");
-  expect_refused(command("stick-frequencies", right, outputs + "--tolerance time=1"), "tolerance of time: ");
+  expect_refused(command("stick-frequencies", right, outputs + "--tolerance time=1"),
+                 "the quantity of a tolerance is time, but must be one of");
   expect_refused(command("stick-frequencies", right, outputs + "--column f=g"), "column f is unknown");
   expect_refused(command("stick-frequencies", right, outputs + "--column frequency"),
-                 "must read REFERENCE=THEIRS");
+                 "column is frequency, but must be REFERENCE=THEIRS");
   expect_refused(command("stick-frequencies", right, outputs + "--events mine.csv"),
                  "--events is given, but");
   expect_refused(command("stick-frequencies", right, outputs + "--until 1"), "a latest time is given");

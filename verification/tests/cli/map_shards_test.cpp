@@ -209,8 +209,9 @@ TEST_F(MapShards, DoNotGoOnFromOtherWork) {
   expect_refused(closed_form + shard(2, 2) + output("shard"),
                  "its part is 1, but must be 2; remove it or name another --output");
   expect_refused(closed_form + shard(1, 3) + output("shard"), "its parts is 2, but must be 3");
-  expect_refused(closed_form + part + "--set beam.density=900", "its beam is [2.0,");
-  expect_refused(of_the_case + "--x length=0.8:3:5", "its numerics is [");
+  expect_refused(closed_form + part + "--set beam.density=900",
+                 "its beam.density is 1000.0, but must be 900.0");
+  expect_refused(of_the_case + "--x length=0.8:3:5", "its numerics.duration is 0.5, but must be 10.0");
   expect_refused(of_the_case + "--duration 0.5 --x length=0.8:3:6",
                  "its x is \"length=0.8:3:5\", but must be \"length=0.8:3:6\"");
   expect_refused(closed_form + part + "--states-only", "its states_only is false, but must be true");
@@ -228,7 +229,9 @@ TEST_F(MapShards, ThatAreMissingDoubleForeignOrDamagedDoNotMerge) {
   expect_refused(merge(3) + name(2), path("shard-2") + " is shard 2 of 3, but so is " + path("shard-2"));
   const std::string good = contents(path("shard-2"));
   (void)made(std::string(closed_form) + "--hz 20 " + shard(2, 3), "shard-2");
-  expect_refused(merge(3), path("shard-2") + " is a shard of another map: its excitation is [20");
+  expect_refused(
+      merge(3),
+      path("shard-2") + " is a shard of another map: its excitation.frequency_hz is 20.0, but must be 25.0");
   std::ofstream(path("shard-2")) << good.substr(0, good.size() - 1);
   expect_refused(merge(3), path("shard-2") + " is damaged in line 6");
   std::ofstream(path("shard-2")) << good.substr(0, good.rfind('\n', good.size() - 2) + 1);
@@ -246,7 +249,7 @@ TEST_F(MapShards, RefuseWhatDoesNotGoTogether) {
   expect_refused(closed_form + shard(1, 2) + output("shard") + "--figure map.png", "--shard");
   expect_refused("map paper --merge shard", "--merge");
   expect_refused("map --merge shard --states-only", "--merge");
-  expect_refused("map --threads 0", "0 is not an integer from 1 to 1024");
+  expect_refused("map --threads 0", "--threads is 0, but must be an integer from 1 to 1024");
   EXPECT_EQ(all_files(path("")), (std::vector<std::string>{"stderr", "stdout"}));
 }
 

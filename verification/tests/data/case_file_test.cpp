@@ -385,7 +385,8 @@ TEST_F(CaseFile, RefusesAnOverrideThatIsNoSingleTomlValue) {
   EXPECT_TRUE(refusal(valid_case(), {{"beam.length", "long"}})
                   .starts_with("override beam.length=long: the value is not valid TOML: "));
   EXPECT_EQ(refusal(valid_case(), {{"beam.length", "1\nbeam.area = 2"}}),
-            "override beam.length=1?beam.area = 2: must be one TOML value on one line");
+            "override beam.length=1?beam.area = 2: the value has several lines, but must be one TOML value "
+            "on one line");
   EXPECT_EQ(refusal(valid_case(), {{"beam.length", "'2'"}}),
             "override beam.length='2': beam.length is '2' (a string), but must be a number");
 }

@@ -244,7 +244,7 @@ TEST_F(MalformedClaimsFile, IsDerivedFromAWellFormedOne) {
 
 TEST_F(MalformedClaimsFile, MayNotHaveAnotherVerdict) {
   expect_refused(claim("verdict = 'true'\n"),
-                 "verdict is true, but must be holds, holds with correction or does not hold");
+                 "verdict is 'true' (a string), but must be holds, holds with correction or does not hold");
 }
 
 TEST_F(MalformedClaimsFile, HasACorrectionExactlyWhereTheClaimDoesNotHoldAsPrinted) {
@@ -266,8 +266,8 @@ TEST_F(MalformedClaimsFile, MayNotNameAnIdOrATestTwice) {
 }
 
 TEST_F(MalformedClaimsFile, MayNotLackOrAddAKeyOrLeaveOneEmpty) {
-  expect_refused("[[claim]]\nid = 'a'\n", "place must be a string that is not empty");
-  expect_refused(claim("verdict = 'holds'\nfigure = ''\n"), "figure must be a string that is not empty");
+  expect_refused("[[claim]]\nid = 'a'\n", "place is missing, but must be a string that is not empty");
+  expect_refused(claim("verdict = 'holds'\nfigure = ''\n"), "but must be a string that is not empty");
   expect_refused(claim("verdict = 'holds'\nfigur = 'fig:search'\n"),
                  "unknown key figur (did you mean figure?)");
   expect_refused("[claim]\nid = 'a'\n", "must hold tables [[claim]]");

@@ -1,5 +1,5 @@
 /// The reader of the published reference data: what it returns, and that a package with any defect is refused
-/// in one sentence that names file, line and column.
+/// in one sentence that names the file and the place in it.
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -182,17 +182,20 @@ TEST_F(ReferenceReader, NamesTheNearestDataSet) {
             "the data set histroy is unknown (did you mean history?), but must be one of history, events");
 }
 
-TEST_F(ReferenceReader, NamesLineAndColumnOfADefect) {
+TEST_F(ReferenceReader, NamesTheValueThatIsWrong) {
   write("datapackage.json", "{\n \"name\": \"small\",\n   \"title\": 3\n}\n");
-  EXPECT_EQ(refusal(), "datapackage.json:3:4: title is 3, but must be a string that is not empty");
+  EXPECT_EQ(refusal(), "datapackage.json: title is 3, but must be a string that is not empty");
   write("datapackage.json", "{\n \"name\": \"small\",\n   \"name\": \"twice\"\n}\n");
-  EXPECT_EQ(refusal(), "datapackage.json:3:4: the key name stands twice");
+  EXPECT_EQ(refusal(), "datapackage.json: the key name stands twice in an object");
   write("datapackage.json", "{\n \"name\": \"small\",\n  oops\n}\n");
-  EXPECT_TRUE(refusal().starts_with("datapackage.json:3:3: is not valid JSON here")) << refusal();
+  EXPECT_TRUE(refusal().starts_with("datapackage.json: is not valid JSON: parse error at line 3, column 3: "))
+      << refusal();
   write("datapackage.json", "{\n \"name\": \"small\"");
-  EXPECT_TRUE(refusal().starts_with("datapackage.json:2:17: is not valid JSON here")) << refusal();
+  EXPECT_TRUE(
+      refusal().starts_with("datapackage.json: is not valid JSON: parse error at line 2, column 17: "))
+      << refusal();
   write("datapackage.json", "[]");
-  EXPECT_EQ(refusal(), "datapackage.json:1:1: the package is an array, but must be an object");
+  EXPECT_EQ(refusal(), "datapackage.json: the package is an array, but must be an object");
   std::filesystem::remove(folder() / "datapackage.json");
   EXPECT_EQ(refusal(), "datapackage.json: cannot be opened for reading");
 }
@@ -222,23 +225,23 @@ std::vector<Defect> defects() {
   for (const char* key : {"name", "path", "title", "description", "schema", "provenance"})
     add(
         std::string("resource_without_") + key, [key](json& p) { history_of(p).erase(key); },
-        std::string("resources/0 lacks ") + key);
+        (key == std::string("name") ? "resources/0 lacks " : "resources/history lacks ") + std::string(key));
   for (const char* key : {"class", "method", "settings", "software", "checks"})
     add(
         std::string("provenance_without_") + key, [key](json& p) { history_of(p)["provenance"].erase(key); },
-        std::string("resources/0/provenance lacks ") + key);
+        std::string("resources/history/provenance lacks ") + key);
   for (const char* key : {"kind", "values", "abscissa", "events"})
     add(
         std::string("comparison_without_") + key, [key](json& p) { rule_of(p).erase(key); },
-        std::string("resources/0/comparison lacks ") + key);
+        std::string("resources/history/comparison lacks ") + key);
   for (const char* key : {"field", "norm", "tolerance"})
     add(
         std::string("value_without_") + key, [key](json& p) { rule_of(p)["values"][0].erase(key); },
-        std::string("resources/0/comparison/values/0 lacks ") + key);
+        std::string("resources/history/comparison/values/0 lacks ") + key);
   for (const char* key : {"quantity", "case", "abscissa", "value"})
     add(
         std::string("diagnosis_without_") + key, [key](json& p) { history_of(p)["diagnosis"].erase(key); },
-        std::string("resources/0/diagnosis lacks ") + key);
+        std::string("resources/history/diagnosis lacks ") + key);
   add(
       "no_licence", [](json& p) { p["licenses"] = json::array(); },
       "licenses is an array, but must be an array that");
@@ -247,7 +250,7 @@ std::vector<Defect> defects() {
       "resources is an array, but must be an array");
   add(
       "name_twice", [](json& p) { p["resources"][1]["name"] = "history"; },
-      "resources/1/name stands twice: history");
+      "resources/history/name stands twice: history");
   add(
       "path_outside", [](json& p) { history_of(p)["path"] = "../history.csv"; },
       "path is \"../history.csv\", but must be a path inside");
@@ -262,7 +265,7 @@ std::vector<Defect> defects() {
   add(
       "no_fields", [](json& p) { fields_of(p) = json::array(); }, "an array of fields that is not empty");
   add(
-      "field_twice", [](json& p) { fields_of(p)[2]["name"] = "t"; }, "schema/fields/2/name stands twice: t");
+      "field_twice", [](json& p) { fields_of(p)[2]["name"] = "t"; }, "schema/fields/t/name stands twice: t");
   add(
       "unknown_type", [](json& p) { fields_of(p)[0]["type"] = "float"; },
       "\"float\", but must be one of string, integer, number");
@@ -283,7 +286,7 @@ std::vector<Defect> defects() {
           fields_of(p)[2]["class"] = known;
           fields_of(p)[3]["name"] = "radius";
         },
-        std::string("resources/0/schema/fields/2 is ") + known + ", but the schema lacks y_radius");
+        std::string("resources/history/schema/fields/y is ") + known + ", but the schema lacks y_radius");
   add(
       "radius_of_nothing",
       [](json& p) {
@@ -386,10 +389,7 @@ TEST_F(ReferenceReader, RefusesEveryDefectOfAPackageAtItsPlace) {
     write_package(package);
     const std::string sentence = refusal();
     EXPECT_TRUE(contains(sentence, defect.part)) << defect.name << ": " << sentence;
-    // File, line and column.
-    EXPECT_TRUE(sentence.starts_with("datapackage.json:")) << sentence;
-    int line = 0, column = 0;
-    EXPECT_EQ(std::sscanf(sentence.c_str(), "datapackage.json:%d:%d: ", &line, &column), 2) << sentence;
+    EXPECT_TRUE(sentence.starts_with("datapackage.json: ")) << sentence;
   }
 }
 
@@ -464,55 +464,52 @@ TEST_F(ReferenceReader, RefusesEveryDefectOfATableAtItsPlace) {
   };
   const std::vector<Table> tables{
       {"t,phase,y\n0,stick,0\n", "8f3de1d5a674da074c9a1cf219afef659f1081b6ad42f4a26622e0de9c60a162",
-       "1: the column y_radius of the schema is missing"},
+       "1: the line has 3 names, but must have 4 as the schema has"},
       {"t,phase,yy,y_radius\n0,stick,0,0\n",
        "3ed3e0519462675b07a55a53425dc0388e5a61d3e3f889b6017f6de839983193",
-       "1, column 3 (y): 'yy' is the name of the column, but must be y as in the schema"},
+       "1, column 3 (yy): the name of the column is 'yy', but must be y as in the schema"},
       {"t,phase,y,y_radius\n", "6e88325a028eb9352b668ddea29195cce9d92560975c880673ea080ffa86fe2d",
-       "1: the table has no rows"},
+       "1: the table has no rows, but must have at least one"},
       {"t,phase,y,y_radius\n0,stick,0,1e-9\n0.1,stick,0\n",
        "de26ae500c8e5f6884c29b4c90766ab32087ddb4db7c5ee1f22e5f29e15753ae",
-       "3: the line has 3 cells, but must have 4"},
+       "3: the line has 3 cells, but must have 4 as the line of names has"},
       {"t,phase,y,y_radius\n0,stick,0,1e-9,\n",
        "225ebd41b29bf165cf1f792e9a6aee7411613e5a73ab0169a568f24c0cdd9e46",
-       "2: the line has 5 cells, but must have 4"},
-      {"t,phase,y,y_radius\n0,stick,0,1e-9\n\n",
-       "b795a19e66642caa7570297141ea44d47b105413b791976a6519311331b07722",
-       "3: the line has 1 cells, but must have 4"},
+       "2: the line has 5 cells, but must have 4 as the line of names has"},
       {"t,phase,y,y_radius\n0,stick,1.0x,1e-9\n",
        "5622ed0d6978f08f17adf68922a565e610453933f8ed980c1e078485bd89e692",
-       "2, column 3 (y): '1.0x' must be a finite number"},
+       "2, column 3 (y): y is '1.0x', but must be a finite number"},
       {"t,phase,y,y_radius\n0,stick,nan,1e-9\n",
        "2e0b3b49524bedc43ddb72c559f1bb151473c378b4e880fdbb20afd1440ca591",
-       "2, column 3 (y): 'nan' must be a finite number"},
+       "2, column 3 (y): y is 'nan', but must be a finite number"},
       {"t,phase,y,y_radius\n0,stick,inf,1e-9\n",
        "e4bfacd810fff2c9241dbdf46d95e9f7179eb39c6ab6bf53e5036d372d6f3655",
-       "2, column 3 (y): 'inf' must be a finite number"},
+       "2, column 3 (y): y is 'inf', but must be a finite number"},
       {"t,phase,y,y_radius\n0,stick,1e999,1e-9\n",
        "d6a9cf9fbe19a02db6082658a4d8f5eb3f36703319f43badbe4ce9a2abe73c7d",
-       "2, column 3 (y): '1e999' must be a finite number"},
+       "2, column 3 (y): y is '1e999', but must be a finite number"},
       {"t,phase,y,y_radius\n0,stick,0,-1e-9\n",
        "22e43ef3b6050347f63cc0a27d7ddedb0c0910de3a4eef1deb4d2caf437c8211",
-       "2, column 4 (y_radius): '-1e-9' must not be negative"},
+       "2, column 4 (y_radius): y_radius is '-1e-9', but must be a number that is not negative"},
       {"t,phase,y,y_radius\n0,stick,0,nan\n",
        "48b5361b00a36cd0414140181ed0f5c907c280e18f530add13505faaf79978e9",
-       "2, column 4 (y_radius): 'nan' must be a finite number"},
+       "2, column 4 (y_radius): y_radius is 'nan', but must be a finite number"},
       {"t,phase,y,y_radius\n0,stick,0,\n", "dd347b080895c0f319980f6da16d82b538af1f5b6b538e6e698dc5ce607ff77f",
-       "2, column 4 (y_radius): '' must be empty exactly where y is"},
+       "2, column 4 (y_radius): y_radius is '', but must be empty exactly where y is"},
       {"t,phase,y,y_radius\n0,stick,,1e-9\n",
        "e15ac334df24253744aa79be1deadc4a10230c8f050201759563675fad90cd41",
-       "2, column 4 (y_radius): '1e-9' must be empty exactly where y is"},
+       "2, column 4 (y_radius): y_radius is '1e-9', but must be empty exactly where y is"},
       {"t,phase,y,y_radius\n0,,0,1e-9\n", "26e6e9b058e170db15ef2a8ef3daf1707575d4bae668ab6c0d5e112702a5bc0d",
-       "2, column 2 (phase): '' must not be empty"},
+       "2, column 2 (phase): phase is '', but must be a value"},
       {"t,phase,y,y_radius\n,stick,0,1e-9\n",
        "609d4b4052f28eefc959dcf680bedc5057283705608e7bbe1bb31d727a1bd072",
-       "2, column 1 (t): '' must not be empty"},
+       "2, column 1 (t): t is '', but must be a value"},
       {"t,phase,y,y_radius\n0,stick,0,1e-9\n0.1,stick,0,1e-9\n0,slip,0,1e-9\n",
        "4a021096c1eacff765979318da054269461ca7d52b38cfde9b18c6cdbf8035d1",
-       "4:1: the primary key t stands in line 2 already"},
+       "4: the primary key t stands in line 2 already, but must stand once"},
       {"t,phase,y,y_radius\n0.1,stick,0,1e-9\n0.10000000000001,stick,0,1e-9\n",
        "6b601f7cad52053e8677314ca2c701c958cd3db829e52bd33b33882fb330d238",
-       "3:1: the primary key t stands in line 2 already"},
+       "3: the primary key t stands in line 2 already, but must stand once"},
   };
   for (const auto& [csv, digest, sentence] : tables) {
     json package = valid_package();

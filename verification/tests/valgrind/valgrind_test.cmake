@@ -5,7 +5,7 @@ file(MAKE_DIRECTORY ${FOLDER})
 foreach(
   command IN
   ITEMS "cases"
-        "documentation man"
+        "complete -- modes st"
         "modes paper --count 2"
         "criterion paper --set numerics.duration=0.1"
         "respond paper --hz 25 --amplitude 1e-3 --duration 0.02 --output history.csv --events events.csv"

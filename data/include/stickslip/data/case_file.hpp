@@ -5,7 +5,7 @@
 /// be missing and are then 0.
 
 #include <filesystem>
-#include <stdexcept>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,7 +17,7 @@ namespace stickslip::data {
 
 /// Throws InputError for a result that is not finite, as "the answer comes out as inf, but must be finite":
 /// quantities that are allowed one by one can overflow together.
-[[noreturn]] void refuse_overflow(std::string_view result);
+[[noreturn]] void throw_overflow(std::string_view result);
 
 /// One `table.key=value` that replaces what the file says, or supplies what it lacks.
 struct Override {
@@ -43,12 +43,19 @@ void require_magnitude(std::string_view key, double value, const std::string& pl
 
 /// Reads and validates a case, of at most 1 MB; the last override of a key wins. An integer may stand where a
 /// float is expected, but not the other way round. Throws InputError for a file that cannot be read, a syntax
-/// error, an unknown, missing or mistyped key, a value that the problem types refuse, or one that no beam
-/// has: each quantity has a range of magnitudes, in SI units, that the problem types do not know.
+/// error, an unknown, missing or mistyped key, a value that the problem types do not allow, or one that no
+/// beam has: each quantity has a range of magnitudes, in SI units, that the problem types do not know.
 [[nodiscard]] Case read_case(const std::filesystem::path& file, const std::vector<Override>& overrides = {});
 
 /// find_case, then read_case.
 [[nodiscard]] Case load_case(const std::string& name_or_path, const std::vector<Override>& overrides = {});
+
+/// Every number of a case by its key, as "beam.length".
+[[nodiscard]] std::map<std::string, double> numbers_of(const Case& problem);
+
+/// The case that has these numbers, every key among them. Throws std::out_of_range for a key that is missing,
+/// and FieldError.
+[[nodiscard]] Case case_with(const std::string& name, const std::map<std::string, double>& numbers);
 
 /// The names of the published cases, sorted, each with the first comment line of its file.
 struct CaseListing {

@@ -4,8 +4,8 @@
 /// each data set), in SI units, each value with its uncertainty and its provenance. File:
 /// data/reference/datapackage.json.
 ///
-/// Everything that reads it throws InputError for what is missing, altered or inconsistent, naming file, line
-/// and column.
+/// Everything that reads it throws InputError for what is missing, altered or inconsistent, naming the file and
+/// the place in it.
 
 #include <array>
 #include <cstddef>

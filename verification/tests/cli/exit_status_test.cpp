@@ -1,0 +1,83 @@
+/// With what the program ends, by the kind of the exception: what the user can mend, and what not.
+
+#include "exit_status.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <new>
+#include <stdexcept>
+#include <string>
+
+#include "map_records.hpp"
+#include "output_file.hpp"
+#include "stickslip/data/case_file.hpp"
+
+namespace stickslip::cli {
+namespace {
+
+template <class Error>
+std::string told_after(const Error& error, int status) {
+  ::testing::internal::CaptureStderr();
+  EXPECT_EQ(exit_status_of([&]() -> int { throw error; }), status);
+  return ::testing::internal::GetCapturedStderr();
+}
+
+TEST(ExitStatus, IsThatOfTheWork) {
+  EXPECT_EQ(exit_status_of([] { return 0; }), 0);
+  EXPECT_EQ(exit_status_of([] { return 1; }), 1);
+}
+
+TEST(ExitStatus, IsTwoForWhatTheUserCanMend) {
+  EXPECT_EQ(told_after(data::FieldError("beam.length", -2.0, "above 0"), 2),
+            "stickslip: beam.length is -2, but must be above 0\n");
+  EXPECT_EQ(told_after(OutputError("a.csv cannot be written"), 2), "stickslip: a.csv cannot be written\n");
+}
+
+TEST(ExitStatus, IsOneForAMistakeOfTheProgramWhichTheMessageNames) {
+  const std::string sentence =
+      "stickslip: this is a mistake in stickslip itself, not in the input: index 7\n";
+  EXPECT_EQ(told_after(std::logic_error("index 7"), 1), sentence);
+  EXPECT_EQ(told_after(std::out_of_range("index 7"), 1), sentence);
+}
+
+TEST(ExitStatus, IsOneForWhatARunOrTheMachineFailedIn) {
+  EXPECT_EQ(told_after(std::runtime_error("no convergence"), 1), "stickslip: no convergence\n");
+  EXPECT_EQ(told_after(std::bad_alloc(), 1), "stickslip: the memory does not suffice for this problem\n");
+}
+
+// A map of which one evaluation is kept when the work throws.
+template <class Error>
+bool keeps_its_file(const Error& error) {
+  const std::filesystem::path file = ::testing::TempDir() + "map.csv.partial";
+  const studies::MapTask task{.problem = data::load_case("paper"),
+                              .x = studies::map_axis(studies::Parameter::frequency, 1.0, 2.0, 2, false),
+                              .y = studies::map_axis(studies::Parameter::length, 1.0, 2.0, 2, false)};
+  studies::MapEvaluations evaluations(studies::evaluation_count(task));
+  evaluations[0] = studies::MapEvaluation{.unit_force = {}, .state = studies::CellState::stick};
+  {
+    UnfinishedMap unfinished(file, task, MapPart(), evaluations);
+    EXPECT_THROW(unfinished.remove_if_impossible([&] {
+      unfinished.keep(std::array<std::size_t, 1>{0});
+      throw error;
+    }),
+                 Error);
+  }
+  const bool is_there = std::filesystem::exists(file);
+  if (is_there) {
+    studies::MapEvaluations found(evaluations.size());
+    EXPECT_EQ(UnfinishedMap(file, task, MapPart(), found).found(), 1u);
+    std::filesystem::remove(file);
+  }
+  return is_there;
+}
+
+TEST(UnfinishedMap, SurvivesAllButAnErrorInTheInput) {
+  EXPECT_TRUE(keeps_its_file(std::logic_error("a mistake of our own")));
+  EXPECT_TRUE(keeps_its_file(std::runtime_error("a run that fails")));
+  EXPECT_TRUE(keeps_its_file(OutputError("a full disk")));
+  EXPECT_FALSE(keeps_its_file(data::InputError("a map that cannot be")));
+}
+
+}  // namespace
+}  // namespace stickslip::cli
