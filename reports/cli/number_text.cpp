@@ -20,7 +20,9 @@ std::string significant(double value, int digits) {
   std::string text = fmt::format("{:#.{}g}", value, digits);
   if (const auto bare = text.find(".e"); bare != std::string::npos)
     text.erase(bare, 1);  // 3.e+01 becomes 3e+01
-  if (text.ends_with('.')) text.pop_back();
+  // fmt ends 25 to two digits with ".0", which would be a third one.
+  const auto shown = std::ranges::count_if(text, [](char c) { return c >= '0' && c <= '9'; });
+  if (text.ends_with(".0") && shown > digits) text.erase(text.size() - 2);
   return text;
 }
 
