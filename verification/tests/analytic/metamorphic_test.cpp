@@ -32,8 +32,6 @@ using analytic::StickMode;
 using analytic::StickResponse;
 using std::numbers::pi;
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-
 std::vector<double> stick_frequencies(const data::Beam& beam, int count) {
   std::vector<double> frequencies;
   for (const StickMode& mode : analytic::stick_modes(beam, count))

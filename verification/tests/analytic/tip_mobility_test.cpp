@@ -83,7 +83,7 @@ void expect_roots(Modes&& modes, Function&& function) {
     const auto here = modes(beam_with_load_factor(z), count);
     const auto there = modes(beam_with_load_factor(z * (1.0 - 1e-6)), count);
     const TipMobility mobility(beam_with_load_factor(z));
-    for (const std::size_t n : {0, 1, 2, 4, 9, 39}) {
+    for (const std::size_t n : {0U, 1U, 2U, 4U, 9U, 39U}) {
       const double omega = here[n].angular_frequency();
       const double sensitivity = std::abs(there[n].angular_frequency() / omega - 1.0) / 1e-6;
       EXPECT_TRUE(within(distance_of_root([&](Complex s) { return function(mobility(s)); }, omega), 0.0,

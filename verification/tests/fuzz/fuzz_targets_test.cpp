@@ -50,7 +50,8 @@ class Mutator {
     const std::size_t place = below(input.size() + 1);
     const auto at = input.begin() + static_cast<std::ptrdiff_t>(place);
     const auto rest = static_cast<std::ptrdiff_t>(below(std::min<std::size_t>(input.size() - place, 32) + 1));
-    const auto byte = static_cast<std::uint8_t>(below(2) == 0 ? telling[below(telling.size())] : below(256));
+    const auto byte = below(2) == 0 ? static_cast<std::uint8_t>(telling[below(telling.size())])
+                                    : static_cast<std::uint8_t>(below(256));
     switch (below(4)) {
       case 0:
         input.insert(at, byte);

@@ -114,7 +114,7 @@ TEST_P(FreeDecay, OfAModeIsThatOfADampedOscillatorToSecondOrder) {
   using Complex = std::complex<double>;
   const double zeta = GetParam();
   const solver::BeamModel model(paper_beam_with_axial_force(0.0), 8);
-  for (const std::size_t n : {0, 1, 2}) {
+  for (const std::size_t n : {0U, 1U, 2U}) {
     const auto mode = solver::slip_modes(model, 3)[n];
     const double omega = mode.angular_frequency;
     const double end = 3.2 * 2.0 * std::numbers::pi / omega;  // at an extremum a phase error would not show

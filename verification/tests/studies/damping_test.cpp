@@ -284,7 +284,7 @@ TEST_P(DampedSteppedResponse, TendsToTheClosedFormByTheErrorsOfMeshAndStep) {
       // The leading error of the step: the scheme in the frequency domain with a step of 1/16 of the finest.
       // The next term is what it has behind that, and half as much again.
       const FrequencyDomain discrete(v, 20);
-      const auto step_error = [&](double h) {
+      const auto step_error = [&, member = member](double h) {
         return std::abs(discrete.stepped(h, GetParam()).*member - discrete.semi_discrete().*member);
       };
       const double fine = 1.0 / (v.hz * 16 * 150), constant = step_error(fine) / (fine * fine);
