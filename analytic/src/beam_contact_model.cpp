@@ -19,7 +19,6 @@
 #include "gsl_handles.hpp"
 #include "gsl_status.hpp"
 #include "messages.hpp"
-#include "stickslip/analytic/slip_modes.hpp"
 
 namespace stickslip::analytic {
 namespace {
@@ -90,7 +89,7 @@ void require_contact(const data::Beam& beam) {
 
 BeamContactModel::BeamContactModel(const data::Beam& beam, const data::FrictionLaw& friction,
                                    const data::HarmonicExcitation& excitation, const data::Damping& damping,
-                                   int modes, SlipBasis slip_basis)
+                                   int modes)
     : modes_(stick_modes(beam, modes)), static_shape_(beam) {
   require_contact(beam);
   const double length = beam.length(), axial_force = beam.axial_force();
@@ -126,7 +125,6 @@ BeamContactModel::BeamContactModel(const data::Beam& beam, const data::FrictionL
   model_.normal_force = axial_force;
   model_.friction = friction;
   if (damping.kelvin_voigt() > 0.0 || damping.ratio() > 0.0) add_damping(beam, damping, mass);
-  if (slip_basis == SlipBasis::free_modes) add_free_modes(beam, excitation, damping);
 }
 
 void BeamContactModel::add_damping(const data::Beam& beam, const data::Damping& damping, const Matrix& mass) {
@@ -147,50 +145,6 @@ void BeamContactModel::add_damping(const data::Beam& beam, const data::Damping& 
   for (std::size_t row = 0; row <= m; ++row)
     for (std::size_t column = 0; column <= m; ++column)
       model_.damping(row, column) += damping.kelvin_voigt() * bending(row, column);
-}
-
-// The functions psi*_k, psi_k, psi_k'', U_n, sigma, 1, whose products hold all that is needed.
-void BeamContactModel::add_free_modes(const data::Beam& beam, const data::HarmonicExcitation& excitation,
-                                      const data::Damping& damping) {
-  if (damping.ratio() > 0.0)
-    throw std::invalid_argument(refusal("damping.ratio", damping.ratio(), "0 in the free modes"));
-  const std::size_t m = modes_.size(), n = m + 1;
-  const std::vector<SlipMode> free = slip_modes(beam, static_cast<int>(n));
-  const auto functions = [&](double x) {
-    std::vector<double> values;
-    for (const SlipMode& mode : free) values.push_back(mode.adjoint_shape(x));
-    for (const SlipMode& mode : free) values.push_back(mode.shape(x));
-    for (const SlipMode& mode : free) values.push_back(mode.curvature(x));
-    for (const double value : shapes(x)) values.push_back(value);
-    values.push_back(1.0);
-    return values;
-  };
-  const Matrix products = integral_of_products(functions, beam.length(), n);
-  const std::size_t direct = n, curvature = 2 * n, held = 3 * n, static_shape = held + m, one = held + n;
-  const double density = mass_per_length(beam), omega = model_.load_angular_frequency;
-
-  FreeContactModes modes;
-  modes.from_held = Matrix(n, n);
-  modes.to_held = Matrix(m, n);
-  for (std::size_t k = 0; k < n; ++k) {
-    const double norm = products(k, direct + k);
-    modes.angular_frequency.push_back(free[k].angular_frequency());
-    modes.contact_input.push_back(1.0 / (density * norm));
-    modes.load.push_back(excitation.amplitude() * omega * omega * products(k, one) / norm);
-    for (std::size_t j = 0; j < n; ++j) modes.from_held(k, j) = products(k, held + j) / norm;
-    for (std::size_t j = 0; j < m; ++j)
-      modes.to_held(j, k) = density * (products(held + j, direct + k) - products(held + j, static_shape));
-  }
-  // int EI psi*_k'' psi_l'' dx = omega_k^2 <psi*_k, psi_k> delta_kl - P int psi*_k psi_l'' dx, by parts.
-  if (damping.kelvin_voigt() > 0.0) {
-    modes.damping = Matrix(n, n);
-    for (std::size_t k = 0; k < n; ++k)
-      for (std::size_t l = 0; l < n; ++l)
-        modes.damping(k, l) = damping.kelvin_voigt() *
-                              ((k == l ? std::pow(modes.angular_frequency[k], 2) : 0.0) -
-                               beam.axial_force() * modes.contact_input[k] * products(k, curvature + l));
-  }
-  model_.free_modes = std::move(modes);
 }
 
 std::vector<double> BeamContactModel::shapes(double x) const {

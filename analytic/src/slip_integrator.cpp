@@ -50,39 +50,42 @@ class Quintic {
 SlipIntegrator::SlipIntegrator(const ContactDynamics& dynamics, double tolerance, double reference_velocity,
                                bool keep_energy_balance)
     : dynamics_(dynamics),
-      coordinates_(make_slip_coordinates(dynamics)),
-      dimension_(2 * coordinates_->size()),
+      size_(dynamics.modes() + 1),
+      dimension_(2 * size_),
       equations_(dimension_ + (keep_energy_balance ? kWorks : 0)),
       velocity_floor_(64.0 * kEpsilon * reference_velocity),
       system_{&SlipIntegrator::right_side, nullptr, equations_, this},
       error_(equations_),
-      jerk_(coordinates_->size()) {
-  const std::size_t size = coordinates_->size();
+      jerk_(size_) {
   const double omega = dynamics.model().load_angular_frequency;
-  longest_step_ = 1.0 / std::max(omega, coordinates_->fastest());
+  longest_step_ = 1.0 / dynamics.fastest();
   shortest_step_ = 1e-6 * longest_step_;
-  const std::vector<double> at_rest(size);
-  coordinates_->accelerate(at_rest, at_rest, 0.0, 1.0, jerk_);
-  mobility_ = coordinates_->contact(jerk_);
+  const std::vector<double> at_rest(dimension_);
+  accelerate(at_rest.data(), 0.0, 1.0, jerk_);
+  mobility_ = jerk_.back();
 
-  std::vector<double> scale(equations_,
-                            dynamics.model().contact_mass * reference_velocity * reference_velocity);
-  for (std::size_t i = 0; i < size; ++i) {
-    scale[size + i] = reference_velocity * std::sqrt(coordinates_->mass_of(i));
-    scale[i] = scale[size + i] / omega;
+  const double contact_mass = dynamics.model().contact_mass;
+  std::vector<double> scale(equations_, contact_mass * reference_velocity * reference_velocity);
+  for (std::size_t i = 0; i < size_; ++i) {
+    // A rate of T_n is a velocity times the root of a mass, that of u_c a velocity.
+    scale[size_ + i] = reference_velocity * (i < dynamics.modes() ? std::sqrt(contact_mass) : 1.0);
+    scale[i] = scale[size_ + i] / omega;
   }
   stepper_.reset(gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, equations_));
   control_.reset(gsl_odeiv2_control_scaled_new(tolerance, tolerance, 1.0, 0.0, scale.data(), equations_));
 }
 
 void SlipIntegrator::begin(double t, const ContactKinematics& state, double direction) {
-  direction_ = direction;
   end_.time = t;
-  end_.y.assign(equations_, 0.0);
-  const std::span y(end_.y);
-  const double force = friction_force(state.velocity - dynamics_.wall_velocity(t));
-  coordinates_->set(state, t, force, y.first(coordinates_->size()),
-                    y.subspan(coordinates_->size(), coordinates_->size()));
+  end_.y.clear();
+  end_.y.reserve(equations_);
+  const auto append = [this](const std::vector<double>& modal, double contact) {
+    end_.y.insert(end_.y.end(), modal.begin(), modal.end());
+    end_.y.push_back(contact);
+  };
+  append(state.amplitudes, state.displacement);
+  append(state.rates, state.velocity);
+  end_.y.resize(equations_);
   begin_at_end(direction);
 }
 
@@ -149,7 +152,12 @@ SlipIntegrator::Sample SlipIntegrator::at(double t) {
   if (!at_end && !take(begin_, t - begin_.time, trial_))
     throw std::runtime_error("the state at t = " + digits(t) + " s is not finite.");
   const std::vector<double>& y = at_end ? end_.y : trial_.y;
-  return {kinematics_of(y), works_of(y)};
+  const KinematicsView state = kinematics_of(y.data());
+  return {{{state.amplitudes.begin(), state.amplitudes.end()},
+           {state.rates.begin(), state.rates.end()},
+           state.displacement,
+           state.velocity},
+          works_of(y)};
 }
 
 Powers SlipIntegrator::works_of(const std::vector<double>& y) const {
@@ -171,24 +179,27 @@ int SlipIntegrator::right_side(double t, const double y[], double rate[], void* 
   return GSL_SUCCESS;
 }
 
-ContactKinematics SlipIntegrator::kinematics_of(const std::vector<double>& y) const {
-  return coordinates_->held(positions(y.data()), rates(y.data()));
+KinematicsView SlipIntegrator::kinematics_of(const double* y) const {
+  const std::size_t modes = size_ - 1;
+  return {{y, modes}, {y + size_, modes}, y[modes], y[dimension_ - 1]};
+}
+
+void SlipIntegrator::accelerate(const double* y, double s, double f, std::span<double> result) const {
+  result.back() = dynamics_.accelerate(kinematics_of(y), s, f, result.first(size_ - 1));
 }
 
 double SlipIntegrator::holding_force() const {
-  coordinates_->accelerate(positions(end_.y.data()), rates(end_.y.data()), dynamics_.load(end_.time), 0.0,
-                           jerk_);
-  return (dynamics_.wall_acceleration(end_.time) - coordinates_->contact(jerk_)) / mobility_;
+  accelerate(end_.y.data(), dynamics_.load(end_.time), 0.0, jerk_);
+  return (dynamics_.wall_acceleration(end_.time) - jerk_.back()) / mobility_;
 }
 
 void SlipIntegrator::evaluate(double t, const double* y, double* rate) const {
-  const std::size_t size = coordinates_->size();
-  const double force = friction_force(coordinates_->contact(rates(y)) - dynamics_.wall_velocity(t));
-  std::copy_n(y + size, size, rate);
-  coordinates_->accelerate(positions(y), rates(y), dynamics_.load(t), force, {rate + size, size});
+  const KinematicsView state = kinematics_of(y);
+  const double force = friction_force(state.velocity - dynamics_.wall_velocity(t));
+  std::copy_n(y + size_, size_, rate);
+  accelerate(y, dynamics_.load(t), force, {rate + size_, size_});
   if (equations_ == dimension_) return;
-  const ContactKinematics state = coordinates_->held(positions(y), rates(y));
-  const Powers powers = dynamics_.powers(view(state), t, force);
+  const Powers powers = dynamics_.powers(state, t, force);
   rate[dimension_] = powers.base;
   rate[dimension_ + 1] = powers.follower;
   rate[dimension_ + 2] = powers.damping;
@@ -199,16 +210,15 @@ void SlipIntegrator::evaluate(double t, const double* y, double* rate) const {
 // rates of their arguments.
 void SlipIntegrator::measure(Node& node) const {
   const data::FrictionLaw& law = dynamics_.model().friction;
-  const double sliding = coordinates_->contact(rates(node.y.data())) - dynamics_.wall_velocity(node.time);
+  const double sliding = kinematics_of(node.y.data()).velocity - dynamics_.wall_velocity(node.time);
   const double acceleration =
-      coordinates_->contact(rates(node.rate.data())) - dynamics_.wall_acceleration(node.time);
+      kinematics_of(node.rate.data()).velocity - dynamics_.wall_acceleration(node.time);
   const double weakening = law.static_coefficient() - law.kinetic_coefficient();
   const double force_rate = dynamics_.model().normal_force * weakening * law.decay() *
                             std::exp(-law.decay() * direction_ * sliding) * acceleration;
-  coordinates_->accelerate(positions(node.rate.data()), rates(node.rate.data()),
-                           dynamics_.load_rate(node.time), force_rate, jerk_);
+  accelerate(node.rate.data(), dynamics_.load_rate(node.time), force_rate, jerk_);
   node.velocity = {direction_ * sliding, direction_ * acceleration,
-                   direction_ * (coordinates_->contact(jerk_) - dynamics_.wall_jerk(node.time))};
+                   direction_ * (jerk_.back() - dynamics_.wall_jerk(node.time))};
 }
 
 bool SlipIntegrator::take(const Node& from, double length, Node& to) {

@@ -4,17 +4,17 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "contact_dynamics.hpp"
 #include "gsl_handles.hpp"
-#include "slip_coordinates.hpp"
 
 namespace stickslip::analytic {
 
 /// A slip phase by GSL's rk8pd, step by step, ended at the first zero of the sliding velocity.
 ///
-/// The unknowns are q, q_t of SlipCoordinates and, if asked for, the four works of EventDrivenEnergy.
+/// The unknowns are q = (T, u_c), q_t and, if asked for, the four works of EventDrivenEnergy.
 class SlipIntegrator {
  public:
   /// `dynamics` must outlive this. `reference_velocity` in m/s.
@@ -59,11 +59,9 @@ class SlipIntegrator {
   static int right_side(double t, const double y[], double rate[], void* self);
   void evaluate(double t, const double* y, double* rate) const;
   void begin_at_end(double direction);
-  [[nodiscard]] std::span<const double> positions(const double* y) const { return {y, coordinates_->size()}; }
-  [[nodiscard]] std::span<const double> rates(const double* y) const {
-    return {y + coordinates_->size(), coordinates_->size()};
-  }
-  [[nodiscard]] ContactKinematics kinematics_of(const std::vector<double>& y) const;
+  [[nodiscard]] KinematicsView kinematics_of(const double* y) const;
+  /// q_tt under the load factor s and the contact force f.
+  void accelerate(const double* y, double s, double f, std::span<double> result) const;
   [[nodiscard]] Powers works_of(const std::vector<double>& y) const;
   void measure(Node& node) const;
   /// One Runge-Kutta step from `begin_`; leaves the error estimate in error_. False if not finite.
@@ -73,8 +71,7 @@ class SlipIntegrator {
   [[nodiscard]] std::optional<double> polished_zero(double low, double high);
 
   const ContactDynamics& dynamics_;
-  std::unique_ptr<SlipCoordinates> coordinates_;
-  std::size_t dimension_, equations_;
+  std::size_t size_, dimension_, equations_;  // of q; of q and q_t; with the works
   double longest_step_, shortest_step_;
   double velocity_floor_;  // m/s: below it a sign of v_s is round-off
   double direction_{};

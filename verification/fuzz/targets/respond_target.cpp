@@ -88,8 +88,7 @@ void follow_by_finite_elements(const data::Case& problem, solver::ContactScheme 
 // The cost of an event-driven run: the angle (rad) of its fastest motion plus the number of time constants of
 // the friction law.
 double cost_of(const analytic::ContactModel& model, const data::Case& problem) {
-  double fastest = std::max(model.load_angular_frequency, std::ranges::max(model.angular_frequency));
-  if (model.free_modes) fastest = std::max(fastest, std::ranges::max(model.free_modes->angular_frequency));
+  const double fastest = std::max(model.load_angular_frequency, std::ranges::max(model.angular_frequency));
   const double slope = model.friction.decay() * model.normal_force * model.friction.static_coefficient();
   double free_mass = model.contact_mass;
   for (const double coupling : model.mass_coupling) free_mass -= coupling * coupling;

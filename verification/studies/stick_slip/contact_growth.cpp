@@ -233,24 +233,7 @@ solver::ContactSystem with_radiating_contact(const solver::ContactSystem& system
 }
 
 ContactDynamics continuous_contact(const analytic::ContactModel& model) {
-  if (!model.free_modes) return continuous_contact(solver::ContactMobility(contact_system(model)));
-  const auto& modes = *model.free_modes;
-  double participation = 0.0;
-  for (const double g : modes.contact_input) participation += g;
-  ContactDynamics contact{.mobility =
-                              [modes](Complex s) {
-                                Complex sum = 0.0;
-                                for (std::size_t k = 0; k < modes.angular_frequency.size(); ++k)
-                                  sum += modes.contact_input[k] * s /
-                                         (s * s + std::pow(modes.angular_frequency[k], 2));
-                                return sum;
-                              },
-                          .frequencies = {0.0},
-                          .limiting_mass = 1.0 / participation};
-  contact.frequencies.insert(contact.frequencies.end(), modes.angular_frequency.begin(),
-                             modes.angular_frequency.end());
-  contact.frequencies.push_back(3.0 * contact.frequencies.back());
-  return contact;
+  return continuous_contact(solver::ContactMobility(contact_system(model)));
 }
 
 }  // namespace stickslip::studies

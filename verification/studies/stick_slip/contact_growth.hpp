@@ -78,8 +78,7 @@ struct ContactDynamics {
 /// has no load, and its wall is at rest.
 [[nodiscard]] solver::ContactSystem contact_system(const analytic::ContactModel& model);
 
-/// A ContactModel in continuous time, as the event-driven method solves it: in its free modes if it has them
-/// (without damping), otherwise in its held modes.
+/// A ContactModel in continuous time, which is what the event-driven engine computes.
 [[nodiscard]] ContactDynamics continuous_contact(const analytic::ContactModel& model);
 
 /// The system with a radiating termination: `mass` (kg) is taken from the degree of freedom of the contact

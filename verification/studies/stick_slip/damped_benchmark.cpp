@@ -29,8 +29,6 @@ class Benchmark {
     result_.modes = effort_.modes;
     set_reference();
     for (const int modes : effort_.other_modes) compare("event-driven on held modes", modes, held(modes));
-    for (const int modes : effort_.free_modes)
-      compare("event-driven on free modes", modes, continuous(modes, analytic::SlipBasis::free_modes));
     for (const int elements : effort_.event_driven_elements)
       compare("event-driven on finite elements", elements,
               event_driven_history(finite_elements(elements), effort_.duration, history_step));
@@ -41,14 +39,10 @@ class Benchmark {
   }
 
  private:
-  [[nodiscard]] TipHistory continuous(int modes, analytic::SlipBasis basis, double tolerance = 1e-12) const {
-    const analytic::BeamContactModel beam(problem_.beam, problem_.friction, problem_.excitation,
-                                          problem_.damping, modes, basis);
-    return event_driven_history(beam.model(), effort_.duration, history_step, tolerance);
-  }
-
   [[nodiscard]] TipHistory held(int modes, double tolerance = 1e-12) const {
-    return continuous(modes, analytic::SlipBasis::held_modes, tolerance);
+    const analytic::BeamContactModel beam(problem_.beam, problem_.friction, problem_.excitation,
+                                          problem_.damping, modes);
+    return event_driven_history(beam.model(), effort_.duration, history_step, tolerance);
   }
 
   [[nodiscard]] analytic::ContactModel finite_elements(int elements) const {

@@ -48,7 +48,6 @@ struct BenchmarkEffort {
   double shortest_stick{2e-5};
   int modes{40};
   std::vector<int> other_modes{10, 20};
-  std::vector<int> free_modes{10, 20};
   std::vector<int> event_driven_elements{10, 20};
   std::vector<int> elements{10, 20, 40};  ///< of the time integration, with the last of time_steps
   std::vector<double> time_steps{2e-5, 1e-5, 5e-6, 2.5e-6};  ///< s, with the last of elements

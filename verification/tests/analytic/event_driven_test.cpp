@@ -569,42 +569,6 @@ TEST(EventDrivenBeam, DampedSlipsAndSticksAsRecorded) {
   }
 }
 
-TEST(EventDrivenBeam, TurnsToFreeModesAtAnOnsetWithoutMovingTheContact) {
-  // Few free modes hold the state of the onset badly, but the contact's position and velocity exactly: after
-  // 1e-9 s it has moved by less than 1e-9 s times 1e-9 s times its acceleration of some 1e4 m/s^2.
-  for (const int modes : {3, 6, 12}) {
-    const analytic::BeamContactModel beam(
-        paper_beam(), paper_friction(), data::HarmonicExcitation({.frequency_hz = 25.0, .amplitude = 1e-3}),
-        data::Damping({.kelvin_voigt = 6.4e-5}), modes, analytic::SlipBasis::free_modes);
-    EventDriven run(beam.model());
-    while (run.events().empty()) run.advance_to(run.time() + 1e-3);
-    const double onset = run.events().front().time;
-    run = EventDriven(beam.model());
-    run.advance_to(onset + 1e-9);
-    ASSERT_EQ(run.state(), ContactState::slip);
-    EXPECT_TRUE(within(run.contact_position(), 0.0, discretisation(1e-14, 1.0, "a t^2/2")));
-    EXPECT_TRUE(within(run.sliding_velocity(), 0.0, discretisation(1e-5, 1.0, "a t")));
-  }
-}
-
-TEST(EventDrivenBeam, StartsToSlipInFreeModesWithTheAccelerationOfItsForces) {
-  // In the held coordinates v_s_t = (f_d - holding force) times the contact's mobility, sum 1/(rho A norm) of
-  // the free modes in theirs; v_s bends by some 1e7 m/s^3.
-  const analytic::BeamContactModel beam(paper_beam(), paper_friction(),
-                                        data::HarmonicExcitation({.frequency_hz = 25.0, .amplitude = 1e-3}),
-                                        {}, 6, analytic::SlipBasis::free_modes);
-  double mobility = 0.0;
-  for (const double input : beam.model().free_modes->contact_input) mobility += input;
-  for (const double start : {-0.3, 0.2}) {
-    EventDriven run(beam.model());
-    run.start_slipping({1e-4, -1e-4, 0.0, 0.0, 0.0, 0.0}, {0.02, 0.01, 0.0, 0.0, 0.0, 0.0}, 2e-4, start);
-    const double expected = (run.friction_force() - run.holding_force()) * mobility, dt = 1e-8;
-    run.advance_to(dt);
-    EXPECT_TRUE(within((run.sliding_velocity() - start) / dt, expected,
-                       discretisation(1e7 * dt, 1.0, "half a step of the bend")));
-  }
-}
-
 class EventDrivenBeamEnergy : public ::testing::TestWithParam<double> {};
 
 TEST_P(EventDrivenBeamEnergy, IsBalancedAndLossesOnlyGrow) {

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "analytic/gsl.hpp"
-#include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "support/beams.hpp"
 #include "support/order.hpp"
@@ -188,55 +187,6 @@ TEST_P(AdjointSlipModes, MeetTheBoundaryConditionsOfTheAdjointProblemAndHaveThei
     for (const double x : {0.3, 0.9, 1.7})
       EXPECT_TRUE(within(mode.curvature(x), derivatives(shape, x, h).second, tolerance(2)));
   }
-}
-
-TEST_P(AdjointSlipModes, CarryAHeldStateOverAndBack) {
-  // The first held mode and the static shape, projected onto 31 free modes and back. Both have a shear force
-  // at the tip, so that their coefficients fall as n^-4 and the tail of their sum as N^-3: 3e-5.
-  const analytic::BeamContactModel model(beam_with_load_factor(GetParam()), paper_friction(),
-                                         data::HarmonicExcitation({25.0, 1e-3}), data::Damping(), 30,
-                                         analytic::SlipBasis::free_modes);
-  const auto& free = *model.model().free_modes;
-  const std::size_t held = model.model().modes();
-  for (const std::size_t column : {std::size_t{0}, held}) {
-    double contact = 0.0, amplitude = 0.0;
-    for (std::size_t k = 0; k <= held; ++k) {
-      contact += free.from_held(k, column);
-      amplitude += free.to_held(0, k) * free.from_held(k, column);
-    }
-    const Tolerance truncation = discretisation(1e-4, 1.0, "the modes left out, N^-3 of 22");
-    EXPECT_TRUE(within(contact, column == held ? 1.0 : 0.0, truncation));
-    EXPECT_TRUE(within(amplitude, column == held ? 0.0 : 1.0, truncation));
-  }
-}
-
-TEST_P(AdjointSlipModes, ShareTheDampingOfTheirCurvatures) {
-  // eta int EI psi*_k'' psi_l'' dx/int rho A psi*_k psi_k dx by Simpson's rule, psi*_k'' by central
-  // differences of 1e-3 L, off by h^2/12 psi*_k'''' and, at the ends, by that of a point h away.
-  const data::Beam beam = beam_with_load_factor(GetParam());
-  const double eta = 1e-3, length = beam.length(), h = 1e-3 * length;
-  const analytic::BeamContactModel model(beam, paper_friction(), data::HarmonicExcitation({25.0, 1e-3}),
-                                         data::Damping({.kelvin_voigt = eta}), 3,
-                                         analytic::SlipBasis::free_modes);
-  const auto& free = *model.model().free_modes;
-  const auto modes = slip_modes(beam, 4);
-  constexpr int n = 400;
-  for (std::size_t k = 0; k < 3; ++k)
-    for (std::size_t l = 0; l < 3; ++l) {
-      double sum = 0.0, size = 0.0;
-      for (int i = 0; i <= n; ++i) {
-        const double x = std::clamp(length * i / n, h, length - h);
-        const auto adjoint = [&](double at) { return modes[k].adjoint_shape(at); };
-        const double bend = (adjoint(x + h) - 2.0 * adjoint(x) + adjoint(x - h)) / (h * h);
-        const double term = simpson_weight(i, n) * length / (3.0 * n) * bend * modes[l].curvature(x);
-        sum += term;
-        size += std::abs(term);
-      }
-      const double factor = eta * stiffness(beam) * free.contact_input[k];
-      EXPECT_TRUE(within(free.damping(k, l), factor * sum,
-                         discretisation(1e-3 * factor * size, 2.0, "differences of 1e-3 L")))
-          << k << ", " << l;
-    }
 }
 
 INSTANTIATE_TEST_SUITE_P(LoadFactor, AdjointSlipModes, ::testing::Values(0.12, 5.0, 18.0), NameOfDouble());

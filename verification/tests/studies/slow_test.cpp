@@ -180,7 +180,6 @@ TEST_P(DampedBenchmarkLong, EveryEventOfHalfASecondIsTheSameByBothMethods) {
                                                              .shortest_stick = 2e-5,
                                                              .modes = 40,
                                                              .other_modes = {},
-                                                             .free_modes = {},
                                                              .event_driven_elements = {},
                                                              .elements = {20, 40},
                                                              .time_steps = {5e-6, 2.5e-6}});

@@ -9,18 +9,6 @@
 
 namespace stickslip::analytic {
 
-/// The coordinates of slip phases.
-enum class SlipBasis {
-  /// T and u_L, as in stick: transitions change nothing.
-  held_modes,
-  /// The clamped-free modes under the follower load, biorthogonal (slip_modes.hpp), one more than held modes.
-  /// In them the slip state is diagonal but for damping and friction. A state is projected at each
-  /// transition, and a force at the tip bends the beam in the modes that are left out: positions and energy
-  /// books converge as N^-3 (2e-6, 3e-7, 4e-8 m for N = 10, 20, 40, second plateau at 25 Hz, 1 mm, eta =
-  /// 6.4e-5 s; with held modes 5e-8, 2e-9 m for 10, 20). A second opinion, not the default.
-  free_modes
-};
-
 /// The beam of the paper as a ContactModel without a mesh: its clamped-pinned modes U_n, mass-normalised, and
 /// the static shape sigma(x) = -S(x) of a unit tip deflection, all in closed form. In the frame of the base
 ///
@@ -46,12 +34,10 @@ enum class SlipBasis {
 /// n^-4, N^-3 in sum.
 class BeamContactModel {
  public:
-  /// Throws std::domain_error, naming beam.axial_force, unless 0 < P < P_cr, and what stick_modes() throws;
-  /// with SlipBasis::free_modes also what slip_modes() throws (flutter), and std::invalid_argument for
-  /// damping.ratio, which is not diagonal there.
+  /// Throws std::domain_error, naming beam.axial_force, unless 0 < P < P_cr, and what stick_modes()
+  /// throws.
   BeamContactModel(const data::Beam& beam, const data::FrictionLaw& friction,
-                   const data::HarmonicExcitation& excitation, const data::Damping& damping, int modes,
-                   SlipBasis slip_basis = SlipBasis::held_modes);
+                   const data::HarmonicExcitation& excitation, const data::Damping& damping, int modes);
 
   [[nodiscard]] const ContactModel& model() const noexcept { return model_; }
 
@@ -60,8 +46,6 @@ class BeamContactModel {
 
  private:
   void add_damping(const data::Beam& beam, const data::Damping& damping, const Matrix& mass);
-  void add_free_modes(const data::Beam& beam, const data::HarmonicExcitation& excitation,
-                      const data::Damping& damping);
 
   std::vector<StickMode> modes_;
   QuasiStaticShape static_shape_;

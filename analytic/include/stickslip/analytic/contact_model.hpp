@@ -19,7 +19,6 @@
 /// row yields f_d. Slip: f_d = -sgn(v_s) mu(|v_s|) N, v_s = u_c_t - w_t.
 
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
@@ -48,20 +47,6 @@ class Matrix {
   std::vector<double> values_;
 };
 
-/// The modes psi_k of the structure with a free contact, biorthogonal to those of the adjoint problem,
-/// psi*_k, scaled to psi_k = psi*_k = 1 at the contact. With the products <.,.> weighted by the mass,
-///
-///     q_k_tt + (C q_t)_k + omega_k^2 q_k = b_k s(t) + g_k f_d,     u_c = sum_k q_k,     g_k = 1/<psi*_k,
-///     psi_k>.
-struct FreeContactModes {
-  std::vector<double> angular_frequency;  ///< omega_k > 0, rad/s
-  std::vector<double> contact_input;      ///< g_k, 1/kg
-  std::vector<double> load;               ///< b_k, m/s^2
-  Matrix damping;                         ///< C, 1/s; empty if there is none
-  Matrix from_held;                       ///< q = from_held (T, u_c): g_k <psi*_k, (U_n, sigma)>
-  Matrix to_held;                         ///< T = to_held q: <U_n, psi_k - sigma>
-};
-
 /// The model above; m modes, none at all for a single mass.
 struct ContactModel {
   std::vector<double> angular_frequency;  ///< omega_n > 0 of the held contact, rad/s; m
@@ -76,8 +61,6 @@ struct ContactModel {
   double wall_amplitude{};                ///< W, m
   double normal_force{};                  ///< N >= 0, newton
   data::FrictionLaw friction{{}};
-  /// If given, slip phases are integrated in these modes, and states are projected at each transition.
-  std::optional<FreeContactModes> free_modes{};
 
   [[nodiscard]] std::size_t modes() const noexcept { return angular_frequency.size(); }
 };
