@@ -4,9 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
 
-#include "messages.hpp"
+#include "arguments.hpp"
 #include "stickslip/analytic/force_maximum.hpp"
 
 namespace stickslip::analytic {
@@ -16,7 +15,7 @@ constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr double kWidthOfAValue = 1e-9;  // relative, of the bounds of |f_max| at one frequency
 
 void require(bool holds, std::string_view field, double value, std::string_view allowed) {
-  if (!holds) throw std::invalid_argument(refusal(field, value, std::string(allowed)));
+  if (!holds) throw data::FieldError(field, value, allowed);
 }
 
 }  // namespace
@@ -42,7 +41,8 @@ Bounds BandMaximum::refined_to(double relative_width) {
 }
 
 Bounds BandMaximum::refined_against(double limit, double relative_width) {
-  require(relative_width >= 1e-7 && relative_width < 1.0, "relative_width", relative_width, "1e-7 ... 1");
+  if (!(relative_width >= 1e-7 && relative_width < 1.0))
+    throw wrong_argument("relative_width", relative_width, "1e-7 ... 1");
   Bounds now = bounds();
   while (now.upper - now.lower > relative_width * now.lower && !(now.lower > limit) &&
          !(now.upper <= limit)) {

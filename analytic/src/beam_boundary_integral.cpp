@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 
+#include "arguments.hpp"
 #include "gsl_handles.hpp"
 #include "gsl_status.hpp"
-#include "messages.hpp"
 #include "sinc.hpp"
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/event_driven.hpp"
@@ -24,8 +23,7 @@ constexpr std::size_t most_steps = std::size_t{1} << 26;
 void require_grid(const TimeGrid& grid) {
   require_positive("time_step", grid.time_step);
   if (grid.steps < 1 || grid.steps > most_steps)
-    throw std::invalid_argument(
-        refusal("steps", static_cast<double>(grid.steps), "1 ... " + std::to_string(most_steps)));
+    throw data::FieldError("steps", static_cast<double>(grid.steps), "1 ... " + std::to_string(most_steps));
 }
 
 /// The beam with damping, its tip held by as much friction as it takes.
@@ -159,8 +157,8 @@ BeamBoundaryIntegral::BeamBoundaryIntegral(const data::Beam& beam, const data::F
                                            const data::Damping& damping, const TimeGrid& grid, int stages)
     : beam_(beam), excitation_(excitation), damping_(damping), grid_(grid), stages_(stages) {
   if (!(beam.axial_force() > 0.0))
-    throw std::domain_error(
-        refusal("beam.axial_force", beam.axial_force(), "positive (compression), or there is no contact"));
+    throw data::FieldError("beam.axial_force", beam.axial_force(),
+                           "positive (compression), or there is no contact");
   const TipMobility mobility(beam, damping);
   holding_force_ = holding_force(beam, excitation, damping, grid);
   steps_ = contact_steps(mobility_weights(mobility, grid.time_step, grid.steps, stages),

@@ -14,11 +14,11 @@
 #include <stdexcept>
 #include <utility>
 
+#include "arguments.hpp"
 #include "beam_constants.hpp"
 #include "contact_dynamics.hpp"
 #include "gsl_handles.hpp"
 #include "gsl_status.hpp"
-#include "messages.hpp"
 
 namespace stickslip::analytic {
 namespace {
@@ -81,8 +81,8 @@ Matrix modal_damping(const Matrix& mass, const Matrix& stiffness, double ratio) 
 
 void require_contact(const data::Beam& beam) {
   if (beam.axial_force() > 0.0) return;
-  throw std::domain_error(
-      refusal("beam.axial_force", beam.axial_force(), "positive (compression), or there is no contact"));
+  throw data::FieldError("beam.axial_force", beam.axial_force(),
+                         "positive (compression), or there is no contact");
 }
 
 }  // namespace
@@ -166,7 +166,7 @@ std::vector<double> free_contact_frequencies(const ContactModel& model, int coun
   const StatusInsteadOfAbort guard;
   const std::size_t m = model.modes(), size = m + 1;
   if (count < 1 || static_cast<std::size_t>(count) > size)
-    throw std::invalid_argument(refusal("count", count, "1 ... " + std::to_string(size)));
+    throw wrong_argument("count", count, "1 ... " + std::to_string(size));
   // M^-1 K, column by column: minus the accelerations that a unit of each coordinate causes.
   const auto matrix = owned(gsl_matrix_alloc(size, size));
   const std::vector<double> at_rest(m);
@@ -186,7 +186,7 @@ std::vector<double> free_contact_frequencies(const ContactModel& model, int coun
   for (std::size_t k = 0; k < size; ++k) {
     const gsl_complex value = gsl_vector_complex_get(values.get(), k);
     if (GSL_IMAG(value) != 0.0 || GSL_REAL(value) < 0.0)
-      throw std::domain_error("the free structure has a complex frequency (flutter).");
+      throw data::InputError("the free structure has a complex frequency: it flutters");
     squares.push_back(GSL_REAL(value));
   }
   std::ranges::sort(squares);

@@ -10,8 +10,8 @@
 #include <string>
 #include <utility>
 
+#include "arguments.hpp"
 #include "fourier_transform.hpp"
-#include "messages.hpp"
 
 namespace stickslip::analytic {
 namespace {
@@ -24,7 +24,7 @@ class GaussMethod {
  public:
   explicit GaussMethod(int stages) : stages_(stages) {
     if (stages < 1 || stages > most_stages)
-      throw std::invalid_argument(refusal("stages", stages, "1 ... " + std::to_string(most_stages)));
+      throw wrong_argument("stages", stages, "1 ... " + std::to_string(most_stages));
     coefficients_[0] = 1.0;
     for (int i = 1; i <= stages; ++i)
       coefficients_[at(i)] =
@@ -107,7 +107,7 @@ Complex discrete_mobility(const Mobility& mobility, double time_step, int stages
 std::vector<double> mobility_weights(const Mobility& mobility, double time_step, std::size_t count,
                                      int stages) {
   require_positive("time_step", time_step);
-  if (count < 1) throw std::invalid_argument("count is 0; it must be 1 or more.");
+  if (count < 1) throw wrong_argument("count", 0.0, "1 or more");
   const GaussMethod method(stages);
   // On a circle of radius r the weights beyond n come back with r^n, and rounding grows by r^-count: with n
   // at least twice the count both are eps^(2/3) at r^count = eps^(1/3).
@@ -130,11 +130,11 @@ void require_unique_step(const ContactLaw& law, double first_weight) {
   const double weakening = (law.friction.static_coefficient() - law.friction.kinetic_coefficient()) *
                            law.friction.decay() * law.normal_force;
   if (!(weakening * first_weight < 1.0))
-    throw std::invalid_argument(
+    throw data::InputError(
         "time_step is too long: the sliding velocity of a step has one solution only if (mu_s - mu_m) alpha "
-        "N W_0 "
-        "is below 1, but it is " +
-        digits(weakening * first_weight) + ".");
+        "N "
+        "W_0 is below 1, but it is " +
+        data::shortest_text(weakening * first_weight));
 }
 
 ContactStep solve_contact(const ContactLaw& law, double free_velocity, double weight) {
@@ -174,8 +174,8 @@ class OnlineConvolution::Engine {
 
   void append(double value) {
     if (values_.size() == weights_.size())
-      throw std::invalid_argument("there are more values than weights: " + std::to_string(weights_.size()) +
-                                  ".");
+      throw std::logic_error("there are more values than the " + std::to_string(weights_.size()) +
+                             " weights");
     values_.push_back(value);
     const std::size_t n = values_.size();
     if (n % block != 0 || n >= weights_.size()) return;

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
-#include "messages.hpp"
+#include "arguments.hpp"
 
 namespace stickslip::analytic {
 namespace {
@@ -16,17 +15,19 @@ double dot(std::span<const double> a, std::span<const double> b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-void require(bool condition, const std::string& message) {
-  if (!condition) throw std::invalid_argument(message);
+void require_size(std::size_t size, std::size_t expected, const char* name) {
+  if (size == expected) return;
+  throw wrong_argument(std::string("the size of ") + name, static_cast<double>(size),
+                       std::to_string(expected));
 }
 
-void require_size(std::size_t size, std::size_t expected, const char* name) {
-  require(size == expected,
-          refusal(std::string("the size of ") + name, static_cast<double>(size), std::to_string(expected)));
+// What a user asks for may overflow on its way here.
+void require(bool condition, const char* name, double value, const char* allowed) {
+  if (!condition) throw data::FieldError(name, value, allowed);
 }
 
 void require_finite(std::span<const double> values, const char* name) {
-  for (const double value : values) require(std::isfinite(value), refusal(name, value, "finite"));
+  for (const double value : values) require(std::isfinite(value), name, value, "finite");
 }
 
 }  // namespace
@@ -34,7 +35,7 @@ void require_finite(std::span<const double> values, const char* name) {
 void require_consistent(const ContactModel& model) {
   const std::size_t m = model.modes();
   for (const double omega : model.angular_frequency)
-    require(std::isfinite(omega) && omega > 0.0, refusal("angular_frequency", omega, "above 0 (rad/s)"));
+    require(std::isfinite(omega) && omega > 0.0, "angular_frequency", omega, "above 0 (rad/s)");
   require_size(model.mass_coupling.size(), m, "mass_coupling");
   require_size(model.follower.size(), m, "follower");
   require_size(model.load.size(), m + 1, "load");
@@ -50,12 +51,12 @@ void require_consistent(const ContactModel& model) {
                                      {std::span(&model.wall_amplitude, 1), "wall_amplitude"}})
     require_finite(values, name);
   const double free_mass = model.contact_mass - dot(model.mass_coupling, model.mass_coupling);
-  require(std::isfinite(free_mass) && free_mass > 0.0,
-          refusal("contact_mass - mass_coupling . mass_coupling", free_mass, "above 0 (kg)"));
+  require(std::isfinite(free_mass) && free_mass > 0.0, "contact_mass - mass_coupling . mass_coupling",
+          free_mass, "above 0 (kg)");
   const double omega = model.load_angular_frequency;
-  require(std::isfinite(omega) && omega > 0.0, refusal("load_angular_frequency", omega, "above 0 (rad/s)"));
-  require(std::isfinite(model.normal_force) && model.normal_force >= 0.0,
-          refusal("normal_force", model.normal_force, "0 or more (N)"));
+  require(std::isfinite(omega) && omega > 0.0, "load_angular_frequency", omega, "above 0 (rad/s)");
+  require(std::isfinite(model.normal_force) && model.normal_force >= 0.0, "normal_force", model.normal_force,
+          "0 or more (N)");
 }
 
 ContactDynamics::ContactDynamics(const ContactModel& model) : model_(model) {

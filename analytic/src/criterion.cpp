@@ -1,9 +1,8 @@
 #include "stickslip/analytic/criterion.hpp"
 
 #include <limits>
-#include <stdexcept>
 
-#include "messages.hpp"
+#include "arguments.hpp"
 
 namespace stickslip::analytic {
 namespace {
@@ -21,10 +20,10 @@ std::string_view to_string(Verdict verdict) noexcept {
 
 void require_contact(const data::Beam& beam) {
   if (beam.axial_force() > 0.0 && beam.axial_force() < stick_buckling_load(beam)) return;
-  throw std::domain_error(refusal("beam.axial_force", beam.axial_force(),
-                                  "positive, to press the tip against the wall, and below the buckling load "
-                                  "of the stick state, " +
-                                      digits(stick_buckling_load(beam)) + " N"));
+  throw data::FieldError("beam.axial_force", beam.axial_force(),
+                         "positive, to press the tip against the wall, and below the buckling load "
+                         "of the stick state, " +
+                             data::shortest_text(stick_buckling_load(beam)) + " N");
 }
 
 Criterion evaluate_criterion(const data::Beam& beam, const data::FrictionLaw& friction,

@@ -2,10 +2,9 @@
 
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
+#include "arguments.hpp"
 #include "beam_constants.hpp"
-#include "messages.hpp"
 
 namespace stickslip::analytic {
 namespace {
@@ -68,8 +67,8 @@ DampedSteadyState::DampedSteadyState(const data::Beam& beam, const data::Harmoni
                                      const data::Damping& damping, TipSupport tip)
     : length_(beam.length()) {
   if (damping.ratio() != 0.0)
-    throw std::invalid_argument(
-        refusal("damping.ratio", damping.ratio(), "0: the closed form knows Kelvin-Voigt damping alone"));
+    throw data::FieldError("damping.ratio", damping.ratio(),
+                           "0: the closed form knows Kelvin-Voigt damping alone");
   const double omega = 2.0 * pi * excitation.frequency_hz();
   const double loss_factor = omega * damping.kelvin_voigt();
   loss_ = pi * loss_factor * bending_stiffness(beam);

@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "arguments.hpp"
 #include "contact_dynamics.hpp"
 #include "gsl_handles.hpp"
-#include "messages.hpp"
 #include "slip_integrator.hpp"
 #include "stick_propagator.hpp"
 
@@ -17,20 +17,20 @@ namespace {
 
 double checked_tolerance(double tolerance) {
   if (std::isfinite(tolerance) && tolerance >= 1e-14 && tolerance <= 1e-3) return tolerance;
-  throw std::invalid_argument(refusal("tolerance", tolerance, "1e-14 ... 1e-3"));
+  throw wrong_argument("tolerance", tolerance, "1e-14 ... 1e-3");
 }
 
 double checked_finite(double value, const char* name) {
   if (std::isfinite(value)) return value;
-  throw std::invalid_argument(refusal(name, value, "finite"));
+  throw wrong_argument(name, value, "finite");
 }
 
 std::vector<double> filled(const std::vector<double>& values, std::size_t size, const char* name) {
   if (values.empty()) return std::vector<double>(size);
   for (const double value : values) checked_finite(value, name);
   if (values.size() == size) return values;
-  throw std::invalid_argument(refusal(std::string("the size of ") + name, static_cast<double>(values.size()),
-                                      std::to_string(size) + " or 0"));
+  throw wrong_argument(std::string("the size of ") + name, static_cast<double>(values.size()),
+                       std::to_string(size) + " or 0");
 }
 
 Powers operator+(const Powers& a, const Powers& b) {
@@ -85,7 +85,7 @@ class EventDriven::Engine {
 
   void advance_to(double t) {
     checked_finite(t, "t");
-    if (t < time_) throw std::invalid_argument(refusal("t", t, "at or after " + digits(time_) + " s"));
+    if (t < time_) throw wrong_argument("t", t, "at or after " + data::shortest_text(time_) + " s");
     for (;;) {
       if (state_ == ContactState::stick) {
         const auto onset = stick_.first_excess(certain_until_, t, limit_);
@@ -202,7 +202,7 @@ class EventDriven::Engine {
     }
     time_ = t;
     if (!std::isfinite(now_.displacement) || !std::isfinite(now_.velocity))
-      throw std::runtime_error("the state is no longer finite at t = " + digits(t) + " s.");
+      throw std::runtime_error("the state is no longer finite at t = " + data::shortest_text(t) + " s.");
   }
 
   // The powers of a stick phase hold frequencies up to twice the highest: panels of 2 rad of it, on which ten
@@ -232,8 +232,8 @@ class EventDriven::Engine {
     if (events_.size() <= crowd) return;
     const double span = time_ - events_[events_.size() - crowd - 1].time;
     if (span < 1e-9 / dynamics_.model().load_angular_frequency)
-      throw std::runtime_error("10000 changes of contact within " + digits(span) +
-                               " s, at t = " + digits(time_) + " s.");
+      throw std::runtime_error("10000 changes of contact within " + data::shortest_text(span) +
+                               " s, at t = " + data::shortest_text(time_) + " s.");
   }
 
   EventDrivenSettings settings_;

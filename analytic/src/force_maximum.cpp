@@ -4,9 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
-#include "messages.hpp"
+#include "arguments.hpp"
 #include "sinc.hpp"
 
 namespace stickslip::analytic {
@@ -188,9 +187,9 @@ class ForceMaximum::Search {
     const double step = std::sqrt(8.0 * (excess - truncation(terms).rest) / truncation(terms).curvature);
     const double count = std::ceil(force_.duration_ / step);
     if (!(count <= kMostGridPoints))
-      throw std::invalid_argument(
-          refusal("numerics.duration", force_.duration_,
-                  "at most " + digits(kMostGridPoints * step) + " s, a billion points"));
+      throw data::FieldError(
+          "numerics.duration", force_.duration_,
+          "at most " + data::shortest_text(kMostGridPoints * step) + " s, a billion points");
     const auto intervals = std::max<std::size_t>(1, static_cast<std::size_t>(count));
     const double h = force_.duration_ / static_cast<double>(intervals);
     radius_ = 0.5 * h;
@@ -297,7 +296,7 @@ class ForceMaximum::Search {
 
 Bounds ForceMaximum::refined_to(double relative_width) const {
   if (!(relative_width >= 1e-13 && relative_width < 1.0))
-    throw std::invalid_argument(refusal("relative_width", relative_width, "1e-13 ... 1"));
+    throw wrong_argument("relative_width", relative_width, "1e-13 ... 1");
   return Search(*this, relative_width, 0.0, std::numeric_limits<double>::infinity()).bounds();
 }
 

@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <numeric>
 
+#include "arguments.hpp"
 #include "beam_constants.hpp"
 #include "gsl_handles.hpp"
-#include "messages.hpp"
 #include "sinc.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "arguments.hpp"
 #include "beam_constants.hpp"
-#include "messages.hpp"
 
 namespace stickslip::analytic {
 namespace {
@@ -70,8 +70,8 @@ bool ends_in_rounding(const std::vector<Functions>& coefficients) {
 ModalReactionTable::ModalReactionTable(double lowest_load_factor, double highest_load_factor, int modes)
     : lowest_(lowest_load_factor), highest_(highest_load_factor) {
   if (!(lowest_ >= 0.0 && lowest_ <= highest_))
-    throw std::invalid_argument(refusal("the lowest load factor", lowest_,
-                                        "at least 0 and at most the highest, " + digits(highest_)));
+    throw wrong_argument("the lowest load factor", lowest_,
+                         "at least 0 and at most the highest, " + data::shortest_text(highest_));
   for (std::size_t count = 8; count <= 128; count *= 2) {
     coefficients_ = interpolant(lowest_, highest_, modes, count);
     if (ends_in_rounding(coefficients_)) return;
@@ -101,9 +101,9 @@ bool ModalReactionTable::holds(const data::Beam& beam) const {
 ModalReaction ModalReactionTable::at(const data::Beam& beam) const {
   const double z = axial_load_factor(beam);
   if (!holds(beam))
-    throw std::invalid_argument(
-        refusal("the load factor P L^2/EI", z,
-                "in the range of the table, " + digits(lowest_) + " ... " + digits(highest_)));
+    throw wrong_argument("the load factor P L^2/EI", z,
+                         "in the range of the table, " + data::shortest_text(lowest_) + " ... " +
+                             data::shortest_text(highest_));
   const Functions values = functions_at(z);
   const double length = beam.length();
   const double stiffness = bending_stiffness(beam) / (length * length * length);  // EI/L^3

@@ -10,8 +10,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "arguments.hpp"
 #include "gsl_status.hpp"
-#include "messages.hpp"
 
 namespace stickslip::analytic {
 namespace {
@@ -29,7 +29,8 @@ template <class Handle>
 using Owner = std::unique_ptr<Handle, Release>;
 
 std::string located(const std::string& method, Interval interval) {
-  return method + " between " + digits(interval.lower) + " and " + digits(interval.upper);
+  return method + " between " + data::shortest_text(interval.lower) + " and " +
+         data::shortest_text(interval.upper);
 }
 
 [[noreturn]] void throw_not_converged(const std::string& where) {
@@ -66,7 +67,7 @@ double newton_polished_root(gsl_function_fdf function, Interval bracket) {
     require_success(gsl_root_fdfsolver_iterate(solver.get()), where);
     const double next = gsl_root_fdfsolver_root(solver.get());
     if (!(next >= bracket.lower && next <= bracket.upper))
-      throw std::runtime_error(where + ": the iterate " + digits(next) + " left the bracket.");
+      throw std::runtime_error(where + ": the iterate " + data::shortest_text(next) + " left the bracket.");
     const double step = std::abs(next - root);
     // Steps shrink quadratically until round-off makes them wander.
     if (step >= last_step) return root;

@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "arguments.hpp"
 #include "gsl_status.hpp"
-#include "messages.hpp"
 #include "root_finding.hpp"
 
 namespace stickslip::analytic {
@@ -113,7 +113,8 @@ bool SlipIntegrator::step() {
     // A length that the clock can represent.
     length_ = (begin_.time + length_) - begin_.time;
     if (!(length_ > 0.0))
-      throw std::runtime_error("the slip phase cannot be continued at t = " + digits(begin_.time) + " s.");
+      throw std::runtime_error(
+          "the slip phase cannot be continued at t = " + data::shortest_text(begin_.time) + " s.");
     if (!take(begin_, length_, trial_)) {
       length_ *= 0.25;
       continue;
@@ -150,7 +151,7 @@ bool SlipIntegrator::step() {
 SlipIntegrator::Sample SlipIntegrator::at(double t) {
   const bool at_end = t == end_.time;
   if (!at_end && !take(begin_, t - begin_.time, trial_))
-    throw std::runtime_error("the state at t = " + digits(t) + " s is not finite.");
+    throw std::runtime_error("the state at t = " + data::shortest_text(t) + " s is not finite.");
   const std::vector<double>& y = at_end ? end_.y : trial_.y;
   const KinematicsView state = kinematics_of(y.data());
   return {{{state.amplitudes.begin(), state.amplitudes.end()},

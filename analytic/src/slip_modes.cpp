@@ -5,11 +5,10 @@
 #include <limits>
 #include <numbers>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
+#include "arguments.hpp"
 #include "beam_constants.hpp"
-#include "messages.hpp"
 #include "root_finding.hpp"
 #include "wave_numbers.hpp"
 
@@ -77,9 +76,10 @@ class PairCharacteristic {
 
 [[noreturn]] void throw_outside_range(const data::Beam& beam) {
   const double unit = bending_stiffness(beam) / (beam.length() * beam.length());
-  throw std::domain_error(refusal("beam.axial_force", beam.axial_force(),
-                                  "below the flutter load of the slip state, " + digits(flutter_load(beam)) +
-                                      " N, and not below " + digits(kStrongestTension * unit) + " N"));
+  throw data::FieldError("beam.axial_force", beam.axial_force(),
+                         "below the flutter load of the slip state, " +
+                             data::shortest_text(flutter_load(beam)) + " N, and not below " +
+                             data::shortest_text(kStrongestTension * unit) + " N");
 }
 
 }  // namespace
@@ -136,7 +136,7 @@ double SlipMode::curvature(double x) const {
 }
 
 std::vector<SlipMode> slip_modes(const data::Beam& beam, int count) {
-  if (count < 1 || count > 1000) throw std::invalid_argument(refusal("numerics.modes", count, "1 ... 1000"));
+  if (count < 1 || count > 1000) throw data::FieldError("numerics.modes", count, "1 ... 1000");
   const double z = axial_load_factor(beam);
   if (z < kStrongestTension || beam.axial_force() >= flutter_load(beam)) throw_outside_range(beam);
 

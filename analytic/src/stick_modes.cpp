@@ -3,11 +3,10 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 
+#include "arguments.hpp"
 #include "beam_constants.hpp"
-#include "messages.hpp"
 #include "root_finding.hpp"
 #include "stumpff.hpp"
 #include "wave_numbers.hpp"
@@ -26,9 +25,9 @@ double buckling_load_factor() {
 }
 
 [[noreturn]] void throw_buckled(const data::Beam& beam) {
-  throw std::domain_error(
-      refusal("beam.axial_force", beam.axial_force(),
-              "below the buckling load of the stick state, " + digits(stick_buckling_load(beam)) + " N"));
+  throw data::FieldError(
+      "beam.axial_force", beam.axial_force(),
+      "below the buckling load of the stick state, " + data::shortest_text(stick_buckling_load(beam)) + " N");
 }
 
 /// tanh(b)/b, even and entire near the real axis.
@@ -206,7 +205,7 @@ double StickMode::condition_number() const {
 }
 
 std::vector<StickMode> stick_modes(const data::Beam& beam, int count) {
-  if (count < 1 || count > 1000) throw std::invalid_argument(refusal("numerics.modes", count, "1 ... 1000"));
+  if (count < 1 || count > 1000) throw data::FieldError("numerics.modes", count, "1 ... 1000");
   if (beam.axial_force() >= stick_buckling_load(beam)) throw_buckled(beam);
   const double z = axial_load_factor(beam);
   const StickCharacteristic characteristic(z);

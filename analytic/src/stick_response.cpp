@@ -7,11 +7,10 @@
 #include <functional>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
 #include <utility>
 
+#include "arguments.hpp"
 #include "beam_constants.hpp"
-#include "messages.hpp"
 #include "sinc.hpp"
 #include "stickslip/analytic/force_maximum.hpp"
 
@@ -75,8 +74,8 @@ std::int64_t interval_count(double duration, double step) {
   constexpr double kMost = 1e9;
   const double count = std::ceil(duration / step);
   if (!(count <= kMost))
-    throw std::invalid_argument(
-        refusal("numerics.duration", duration, "at most " + digits(kMost * step) + " s, a billion samples"));
+    throw data::FieldError("numerics.duration", duration,
+                           "at most " + data::shortest_text(kMost * step) + " s, a billion samples");
   return std::max<std::int64_t>(1, static_cast<std::int64_t>(count));
 }
 
@@ -162,11 +161,11 @@ StickResponse::StickResponse(const data::Beam& beam, const data::HarmonicExcitat
       quasi_static_(beam),
       modes_(stick_modes(beam, modes)) {
   if (steady_part == SteadyPart::exact && modes_.back().angular_frequency() < 2.0 * omega_)
-    throw std::invalid_argument(
-        refusal("numerics.modes", modes,
-                "so large that the exact steady part at " + digits(excitation.frequency_hz()) +
-                    " Hz has a mode at twice that frequency or above; the highest kept is at " +
-                    digits(modes_.back().frequency_hz()) + " Hz"));
+    throw data::FieldError("numerics.modes", modes,
+                           "so large that the exact steady part at " +
+                               data::shortest_text(excitation.frequency_hz()) +
+                               " Hz has a mode at twice that frequency or above; the highest kept is at " +
+                               data::shortest_text(modes_.back().frequency_hz()) + " Hz");
   for (const StickMode& mode : modes_)
     force_.weights.push_back(bending_stiffness_ * mode.third_derivative(length_) * omega_ * omega_ *
                              mode.participation());
@@ -302,7 +301,7 @@ Bounds StickResponse::max_abs_friction_force(double duration, double relative_wi
 Bounds StickResponse::max_abs_friction_force_by_halving(double duration, double relative_width) const {
   require_positive("numerics.duration", duration);
   if (!(relative_width >= 1e-13 && relative_width < 1.0))
-    throw std::invalid_argument(refusal("relative_width", relative_width, "1e-13 ... 1"));
+    throw wrong_argument("relative_width", relative_width, "1e-13 ... 1");
   const double curvature = second_derivative_bound(force_, duration);
   // The first grid has a step of one over the mean frequency (root mean square, by amplitude).
   double magnitude = std::abs(force_.base);

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
+#include "arguments.hpp"
 #include "beam_constants.hpp"
-#include "messages.hpp"
 
 namespace stickslip::analytic {
 namespace {
@@ -116,8 +115,8 @@ TipMobility::TipMobility(const data::Beam& beam, const data::Damping& damping)
       axial_force_(beam.axial_force()),
       kelvin_voigt_(damping.kelvin_voigt()) {
   if (damping.ratio() != 0.0)
-    throw std::invalid_argument(
-        refusal("damping.ratio", damping.ratio(), "0: the closed form knows Kelvin-Voigt damping alone"));
+    throw data::FieldError("damping.ratio", damping.ratio(),
+                           "0: the closed form knows Kelvin-Voigt damping alone");
 }
 
 TipMobility::Scaled TipMobility::scaled(Complex s) const {

@@ -3,8 +3,6 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
-#include <sstream>
-#include <stdexcept>
 #include <vector>
 
 #include "constrained.hpp"
@@ -50,9 +48,7 @@ Eigen::VectorXd assemble(const ElementVector& element_vector, int elements) {
 }  // namespace
 
 BeamModel::BeamModel(const data::Beam& beam, int elements) : beam_(beam), elements_(elements) {
-  if (elements < 1) {
-    throw std::invalid_argument("numerics.elements = " + std::to_string(elements) + ": must be at least 1");
-  }
+  if (elements < 1) throw data::FieldError("numerics.elements", elements, "at least 1");
   const double element_length = beam.length() / elements;
   const double mass_per_length = beam.density() * beam.area();
   const double flexural_rigidity = beam.youngs_modulus() * beam.second_moment_of_area();
@@ -74,11 +70,8 @@ double BeamModel::geometric_energy(const Eigen::VectorXd& q) const {
 }
 
 Eigen::VectorXd BeamModel::interpolation(double x) const {
-  if (!(x >= 0.0 && x <= beam_.length())) {
-    std::ostringstream text;
-    text << "x = " << x << " m: must lie on the beam, 0 ... " << beam_.length() << " m";
-    throw std::invalid_argument(text.str());
-  }
+  if (!(x >= 0.0 && x <= beam_.length()))
+    throw data::FieldError("x", x, "on the beam, 0 ... " + data::shortest_text(beam_.length()) + " (m)");
   const double element_length = beam_.length() / elements_;
   const int element = std::min(static_cast<int>(x / element_length), elements_ - 1);
   const ElementVector weights = shape_functions(x / element_length - element, element_length);
@@ -100,19 +93,15 @@ Eigen::VectorXd BeamModel::unit_tip_deflection() const {
 
 void require_stable_stick_state(const BeamModel& model) {
   const SparseMatrix held = constrained(model.stick_stiffness(), model.tip_deflection());
-  std::ostringstream text;
-  text.precision(10);
+  const std::string mesh = " on " + std::to_string(model.elements()) + " elements";
   // The factorisation takes what is not finite for positive definite.
-  if (!held.coeffs().allFinite()) {
-    text << "beam.length = " << model.beam().length() << " m: the stiffness overflows on " << model.elements()
-         << " elements";
-    throw std::domain_error(text.str());
-  }
+  if (!held.coeffs().allFinite())
+    throw data::FieldError("beam.length", model.beam().length(),
+                           "so long (m) that the stiffness is finite" + mesh);
   if (Eigen::SimplicialLLT<SparseMatrix>(held).info() == Eigen::Success) return;
-  text << "beam.axial_force = " << model.beam().axial_force()
-       << " N: the stick state needs less than the buckling load, " << stick_buckling_load(model) << " N on "
-       << model.elements() << " elements";
-  throw std::domain_error(text.str());
+  throw data::FieldError("beam.axial_force", model.beam().axial_force(),
+                         "below the buckling load of the stick state, " +
+                             data::shortest_text(stick_buckling_load(model)) + " N" + mesh);
 }
 
 }  // namespace stickslip::solver

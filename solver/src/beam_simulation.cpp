@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -28,9 +26,9 @@ namespace {
 Eigen::MatrixXd modal_damping(const BeamModel& model, double ratio) {
   constexpr int most_elements = 500;
   if (model.elements() > most_elements)
-    throw std::invalid_argument("numerics.elements = " + std::to_string(model.elements()) +
-                                ": must be at most " + std::to_string(most_elements) +
-                                " with a damping.ratio above 0, whose matrix is full");
+    throw data::FieldError(
+        "numerics.elements", model.elements(),
+        "at most " + std::to_string(most_elements) + " with a damping.ratio above 0, whose matrix is full");
   // With M = L L^T, K = R R^T and L^-1 R = V Omega U^T, the modes are the columns of L^-T V. Singular values,
   // since round-off is then relative to omega_max/omega_1 and not to its square, and none comes out negative.
   const Eigen::MatrixXd mass_root = Eigen::MatrixXd(model.mass()).llt().matrixL();
@@ -70,10 +68,8 @@ namespace {
 
 void require_contact(const data::Beam& beam, TipContact contact) {
   if (contact == TipContact::bonded || beam.axial_force() > 0.0) return;
-  std::ostringstream text;
-  text << "beam.axial_force = " << beam.axial_force()
-       << " N: must be positive (compression), or there is no contact";
-  throw std::domain_error(text.str());
+  throw data::FieldError("beam.axial_force", beam.axial_force(),
+                         "positive (compression), or there is no contact");
 }
 
 IntegratorSettings integrator_settings(const data::NumericalSettings& numerics, const BeamRun& run) {
@@ -90,9 +86,8 @@ IntegratorSettings integrator_settings(const data::NumericalSettings& numerics, 
 void require_undamped(const data::Damping& damping) {
   const bool viscous = damping.kelvin_voigt() > 0.0;
   if (!viscous && damping.ratio() == 0.0) return;
-  std::ostringstream value;
-  value << (viscous ? damping.kelvin_voigt() : damping.ratio());
-  throw data::FieldError(viscous ? "damping.kelvin_voigt" : "damping.ratio", value.str(),
+  throw data::FieldError(viscous ? "damping.kelvin_voigt" : "damping.ratio",
+                         viscous ? damping.kelvin_voigt() : damping.ratio(),
                          "0 in modal coordinates, which damping would couple");
 }
 

@@ -15,7 +15,7 @@ ContactMobility::ContactMobility(const ContactSystem& system)
       contact_(system.contact) {
   const Eigen::MatrixXd mass = mass_;
   const Eigen::LLT<Eigen::MatrixXd> cholesky(mass);
-  if (cholesky.info() != Eigen::Success) throw std::invalid_argument("mass: must be positive definite");
+  if (cholesky.info() != Eigen::Success) throw data::InputError("the mass matrix is not positive definite");
   Eigen::MatrixXd difference = system.slip_stiffness - system.stick_stiffness;
   const Eigen::VectorXd follower = difference.row(contact_);
   difference.row(contact_).setZero();
@@ -42,7 +42,7 @@ ContactMobility::Complex ContactMobility::operator()(Complex s) const {
 }
 
 ContactMobility::Complex ContactMobility::discrete(Complex zeta, double h, double spectral_radius) const {
-  if (!(h > 0.0)) throw std::invalid_argument("time_step must be positive");
+  if (!(h > 0.0)) throw data::FieldError("time_step", h, "above 0 (s)");
   const GeneralizedAlpha method(spectral_radius);
   const double beta = method.beta(), gamma = method.gamma();
   const Complex acceleration = 1.0 - method.alpha_m() + method.alpha_m() * zeta;

@@ -13,13 +13,10 @@ namespace {
 
 constexpr int max_events_per_step = 1000;
 
-void require(bool condition, const std::string& message) {
-  if (!condition) throw std::invalid_argument(message);
-}
-
 void require_size(Eigen::Index size, Eigen::Index expected, const char* name) {
-  require(size == expected, std::string(name) + " has size " + std::to_string(size) +
-                                ": must equal the degrees of freedom, " + std::to_string(expected));
+  if (size == expected) return;
+  throw std::invalid_argument(std::string(name) + " has size " + std::to_string(size) + ", but must have " +
+                              std::to_string(expected) + ", the degrees of freedom");
 }
 
 ContactSystem consistent(ContactSystem system) {
@@ -32,22 +29,22 @@ ContactSystem consistent(ContactSystem system) {
     require_size(matrix->cols(), n, name);
   }
   require_size(system.load_shape.size(), n, "load_shape");
-  require(system.contact >= 0 && system.contact < n, "contact = " + std::to_string(system.contact) +
-                                                         ": must be a degree of freedom, 0 ... " +
-                                                         std::to_string(n - 1));
-  require(system.normal_force >= 0.0,
-          "normal_force = " + std::to_string(system.normal_force) + " N: must not be negative");
+  if (system.contact < 0 || system.contact >= n)
+    throw std::invalid_argument("contact is " + std::to_string(system.contact) +
+                                ", but must be a degree of freedom, 0 ... " + std::to_string(n - 1));
+  if (!(system.normal_force >= 0.0))
+    throw data::FieldError("normal_force", system.normal_force, "a number of 0 or more (N)");
   return system;
 }
 
 IntegratorSettings usable(const IntegratorSettings& settings) {
-  require(std::isfinite(settings.time_step) && settings.time_step > 0.0,
-          "time_step = " + std::to_string(settings.time_step) + " s: must be positive");
-  require(
-      std::isfinite(settings.velocity_threshold) && settings.velocity_threshold >= 0.0,
-      "velocity_threshold = " + std::to_string(settings.velocity_threshold) + " m/s: must not be negative");
-  require(settings.scheme != ContactScheme::paper || settings.velocity_threshold > 0.0,
-          "velocity_threshold = 0 m/s: must be positive with the scheme of the paper, or no slip ever ends");
+  const double h = settings.time_step, threshold = settings.velocity_threshold;
+  if (!(std::isfinite(h) && h > 0.0)) throw data::FieldError("time_step", h, "a finite number above 0 (s)");
+  if (!(std::isfinite(threshold) && threshold >= 0.0))
+    throw data::FieldError("velocity_threshold", threshold, "a finite number of 0 or more (m/s)");
+  if (settings.scheme == ContactScheme::paper && threshold == 0.0)
+    throw data::FieldError("velocity_threshold", threshold,
+                           "above 0 (m/s) with the scheme of the paper, or no slip ever ends");
   return settings;
 }
 

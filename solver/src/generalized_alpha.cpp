@@ -1,16 +1,12 @@
 #include "stickslip/solver/generalized_alpha.hpp"
 
-#include <sstream>
-#include <stdexcept>
+#include "stickslip/data/input_error.hpp"
 
 namespace stickslip::solver {
 
 GeneralizedAlpha::GeneralizedAlpha(double spectral_radius) {
-  if (!(spectral_radius >= 0.0 && spectral_radius <= 1.0)) {
-    std::ostringstream text;
-    text << "spectral_radius = " << spectral_radius << ": must lie in 0 ... 1";
-    throw std::invalid_argument(text.str());
-  }
+  if (!(spectral_radius >= 0.0 && spectral_radius <= 1.0))
+    throw data::FieldError("spectral_radius", spectral_radius, "a number from 0 to 1");
   alpha_m_ = (2.0 * spectral_radius - 1.0) / (spectral_radius + 1.0);
   alpha_f_ = spectral_radius / (spectral_radius + 1.0);
   gamma_ = 0.5 - alpha_m_ + alpha_f_;

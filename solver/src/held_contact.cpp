@@ -8,7 +8,7 @@ HeldContact::HeldContact(const ContactSystem& system) : system_(system) {
   const Eigen::Index c = system.contact;
   const SparseCholesky constrained_mass(constrained(system.mass, c));
   if (!is_positive_definite(SparseCholesky(system.mass)) || !is_positive_definite(constrained_mass))
-    throw std::invalid_argument("mass: must be positive definite");
+    throw data::InputError("the mass matrix is not positive definite");
 
   // lambda = M_ff^-1 M_fc, zero at c: what the contact's acceleration does to the others.
   Eigen::VectorXd lambda = Eigen::VectorXd(system.mass.col(c));

@@ -10,7 +10,7 @@ namespace stickslip::solver {
 /// What holding the contact of a system to its wall takes: a force while it is held, an impulse to begin with.
 class HeldContact {
  public:
-  /// `system` must outlive this. Throws std::invalid_argument if its mass is not positive definite.
+  /// `system` must outlive this. Throws data::InputError if its mass is not positive definite.
   explicit HeldContact(const ContactSystem& system);
 
   /// v_s = q_t[c] - w_t, m/s.

@@ -3,7 +3,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -35,8 +34,8 @@ Eigen::VectorXd normalised(Eigen::VectorXd shape, const SparseMatrix& mass) {
 
 void require_count(int count, Eigen::Index available) {
   if (count >= 1 && count <= available) return;
-  throw std::invalid_argument("count = " + std::to_string(count) + ": must lie in 1 ... " +
-                              std::to_string(available) + ", the degrees of freedom of the mesh");
+  throw data::FieldError("count", count,
+                         "1 ... " + std::to_string(available) + ", the degrees of freedom of the mesh");
 }
 
 // Eigenpairs mu, phi of K_slip^-1 M phi = mu phi, by falling |mu|.
@@ -101,13 +100,10 @@ std::vector<FiniteElementMode> slip_modes(const BeamModel& model, int count) {
   std::vector<FiniteElementMode> modes;
   for (Eigen::Index n = 0; n < count; ++n) {
     const std::complex<double> mu = pairs.mu[n];
-    if (mu.imag() != 0.0 || mu.real() <= 0.0) {
-      std::ostringstream text;
-      text.precision(10);
-      text << "beam.axial_force = " << model.beam().axial_force() << " N: slip mode " << n + 1
-           << " has no real frequency; the force must be below the flutter load";
-      throw std::domain_error(text.str());
-    }
+    if (mu.imag() != 0.0 || mu.real() <= 0.0)
+      throw data::FieldError(
+          "beam.axial_force", model.beam().axial_force(),
+          "below the flutter load: slip mode " + std::to_string(n + 1) + " has no real frequency");
     modes.push_back({1.0 / std::sqrt(mu.real()), normalised(pairs.shapes.col(n).real(), model.mass())});
   }
   return modes;

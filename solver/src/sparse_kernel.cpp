@@ -69,7 +69,7 @@ SparseKernel::SparseKernel(const ContactSystem& system, const FrictionContact& c
   const Eigen::Index c = system.contact;
   const SparseCholesky constrained_stiffness(constrained(system.stick_stiffness, c));
   if (!is_positive_definite(constrained_stiffness))
-    throw std::invalid_argument("stick_stiffness: must be positive definite with the contact held");
+    throw data::InputError("the stiffness with the contact held is not positive definite");
   static_shape_ = -Eigen::VectorXd(system.stick_stiffness.col(c));
   static_shape_[c] = 1.0;
   static_shape_ = constrained_stiffness.solve(static_shape_).eval();

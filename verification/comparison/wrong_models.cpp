@@ -297,7 +297,7 @@ Values wrong_values(const WrongModelRecipe& model, const data::Case& problem, Qu
                     const std::vector<double>& abscissa) {
   try {
     return values_of(model, problem, quantity, abscissa);
-  } catch (const std::domain_error&) {
+  } catch (const data::InputError&) {
     return std::nullopt;
   }
 }

@@ -62,11 +62,11 @@ struct WrongModel {
                                                               std::string_view wrong_model, Quantity quantity,
                                                               const std::vector<double>& abscissa);
 
-/// The right result: for the held tip the closed form with the exact steady part and 60 free vibrations, for
-/// stick-slip finite elements with the settings of the case. Throws data::InputError for an abscissa at
-/// which the quantity is not defined (such as an event that does not occur within numerics.duration()), for
-/// forces and motions of a held, damped beam, because the closed form is that of the undamped beam, and if the
-/// beam buckles or flutters.
+/// The right result: closed form with the exact steady part and 60 free vibrations while the tip is held,
+/// finite elements with the settings of the case in stick-slip. Throws std::invalid_argument for an abscissa
+/// that the quantity does not have (an event that does not happen within numerics.duration() among them), and
+/// for forces and motions of a held, damped beam, whose closed form is
+/// that of the undamped one; data::InputError if the beam buckles or flutters.
 [[nodiscard]] std::vector<double> reference_result(const data::Case& problem, Quantity quantity,
                                                    const std::vector<double>& abscissa);
 

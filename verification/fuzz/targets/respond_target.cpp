@@ -118,10 +118,8 @@ void run_allowing_input_errors(const Run& run) {
     run();
   } catch (const Violation&) {
     throw;
-  } catch (const std::invalid_argument& error) {
-    require_sentence(error);
-  } catch (const std::domain_error& error) {
-    require_sentence(error);
+  } catch (const std::invalid_argument& refusal) {
+    require_sentence(refusal);
   } catch (const std::runtime_error& failure) {
     require_sentence(failure);
   }

@@ -89,9 +89,9 @@ void evaluate(const MapTask& task, std::span<const std::size_t> numbers, MapEval
 
 /// Computes a map. `progress`, if given, receives the completed fraction.
 ///
-/// Throws data::InputError if both axes have the same parameter or if mu_s is 0 somewhere,
-/// data::FieldError for a value that its field does not allow, and std::domain_error, naming
-/// beam.axial_force, if P <= 0 somewhere, or if the beam is buckled and neither axis changes the load factor.
+/// Throws std::invalid_argument if both axes are the same parameter or mu_s is 0 somewhere, data::FieldError
+/// for a value that its field refuses, and data::InputError, naming beam.axial_force, if P <= 0 somewhere,
+/// or if the beam is buckled and neither axis changes that.
 [[nodiscard]] CriterionMap criterion_map(const data::Case& problem, const MapAxis& x, const MapAxis& y,
                                          MapMethod method, const std::function<void(double)>& progress = {});
 

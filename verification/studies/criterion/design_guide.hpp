@@ -32,10 +32,9 @@ struct BandMargin {
   std::vector<Resonance> resonances;  ///< ascending
 };
 
-/// The margin over the whole band, resonances included (analytic::BandMaximum). The search ends when the
-/// bounds of the force are `relative_width` apart. Throws std::domain_error, naming beam.axial_force, unless
-/// 0 < P < P_cr, data::FieldError if the amplitude or the static coefficient is 0, and what BandMaximum
-/// throws.
+/// Searches the whole band, resonances included (analytic::BandMaximum), until the bounds of the force are
+/// `relative_width` apart. Throws data::InputError, naming beam.axial_force, unless 0 < P < P_cr,
+/// data::FieldError for a case without amplitude or friction, and what BandMaximum throws.
 [[nodiscard]] BandMargin band_margin(const data::Case& problem, const analytic::FrequencyBand& band,
                                      double relative_width = 1e-6);
 
@@ -92,9 +91,9 @@ struct Design {
 [[nodiscard]] ParameterRange range_below_buckling(const data::Case& problem, Parameter parameter, double from,
                                                   double to);
 
-/// The length (m) or the axial force (N) from which on the beam of the case has no stick state, with the
-/// other parameter unchanged. Throws std::invalid_argument for another parameter, and std::domain_error,
-/// naming beam.axial_force, for a length if P <= 0.
+/// The length or the axial force at which the beam of the case, the other being as it is, has no stick state
+/// any more. Throws std::invalid_argument for another parameter, data::InputError, naming beam.axial_force,
+/// for a length without compression.
 [[nodiscard]] double buckling_value(const data::Case& problem, Parameter parameter);
 
 }  // namespace stickslip::studies

@@ -88,7 +88,7 @@ TEST(Criterion, RefusesABeamWithoutContactOrBuckledAndSaysWhy) {
       (void)evaluate_criterion(paper_beam_with_axial_force(force), paper_friction(), shaking(15.0, 1e-3),
                                10.0);
       FAIL() << "accepted P = " << force;
-    } catch (const std::domain_error& error) {
+    } catch (const data::InputError& error) {
       const std::string message = error.what();
       EXPECT_NE(message.find("beam.axial_force is "), std::string::npos) << message;
       EXPECT_NE(message.find("positive"), std::string::npos) << message;

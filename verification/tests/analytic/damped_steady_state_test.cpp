@@ -281,7 +281,7 @@ TEST(DampedSteadyState, RefusesModalDamping) {
                                      data::Damping({.ratio = 0.01}), TipSupport::held);
     FAIL() << "no exception";
   } catch (const std::invalid_argument& error) {
-    EXPECT_NE(std::string(error.what()).find("damping.ratio is 0.01; it must be 0"), std::string::npos)
+    EXPECT_NE(std::string(error.what()).find("damping.ratio is 0.01, but must be 0"), std::string::npos)
         << error.what();
   }
 }

@@ -225,7 +225,7 @@ TEST(FlutterLoad, IsRefusedBySlipModesWhichSayWhy) {
     try {
       (void)slip_modes(beam_with_load_factor(factor), 1);
       FAIL() << "accepted P L^2/EI = " << factor;
-    } catch (const std::domain_error& error) {
+    } catch (const data::InputError& error) {
       const std::string message = error.what();
       EXPECT_NE(message.find("beam.axial_force is "), std::string::npos) << message;
       EXPECT_NE(message.find("flutter load of the slip state, 83545.6"), std::string::npos) << message;

@@ -427,7 +427,7 @@ TEST(StickResponse, RefusesAnExactSteadyPartAboveItsModesAndSaysWhy) {
     const StickResponse response(paper_beam(), shaking(50.0), 2, SteadyPart::exact);
     FAIL() << "accepted";
   } catch (const std::invalid_argument& error) {
-    EXPECT_NE(std::string(error.what()).find("numerics.modes is 2; it must be so large"), std::string::npos)
+    EXPECT_NE(std::string(error.what()).find("numerics.modes is 2, but must be so large"), std::string::npos)
         << error.what();
   }
   EXPECT_NO_THROW(StickResponse(paper_beam(), shaking(50.0), 3, SteadyPart::exact));
@@ -546,7 +546,7 @@ TEST(MaximumForce, RefusesBadArgumentsAndSaysWhich) {
   try {
     (void)response.max_abs_friction_force(-1.0);
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "numerics.duration is -1; it must be positive and finite.");
+    EXPECT_STREQ(error.what(), "numerics.duration is -1, but must be positive and finite");
   }
 }
 

@@ -161,7 +161,7 @@ TEST(NormalForce, IsTheCompressionAndNothingInTension) {
   const data::Beam tensioned = paper_beam_with_axial_force(-400.0);
   EXPECT_EQ(of_finite_elements(tensioned), 0.0);
   EXPECT_THROW(analytic::BeamContactModel(tensioned, paper_friction(), shaken_at(10.0), {}, 2),
-               std::domain_error);
+               data::InputError);
 }
 
 }  // namespace

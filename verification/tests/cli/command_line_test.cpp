@@ -544,7 +544,7 @@ TEST_F(MapCommand, RefusesAxesThatAreNoneInOneSentence) {
                  "--figure is 'map.jpg', but must be a file whose name ends in .pdf, .png or .svg");
   expect_refused(std::string("map --json ") + two_axes, "--json needs --output FILE");
   expect_refused(std::string("map --set beam.axial_force=0 ") + two_axes,
-                 "beam.axial_force is 0; it must be positive");
+                 "beam.axial_force is 0, but must be positive");
   expect_refused(std::string("map --set beam.axial_force=1e6 ") + two_axes, "buckling load");
   expect_refused(command(std::string(two_axes) + "--figure '" + path("none/map.png") + "'"), "none/map.png");
   EXPECT_FALSE(std::filesystem::exists(path("map.csv")));
@@ -581,7 +581,7 @@ TEST_F(DesignCommand, RefusesWhatItCannotAnswer) {
   expect_refused("design --band 20:30 --force -5:2", "--force: FROM is '-5'");
   expect_refused("design --band 20:30 --amplitude 0", "excitation.amplitude is 0, but must be above 0");
   expect_refused("design --band 20:30 --set beam.axial_force=0",
-                 "beam.axial_force is 0; it must be positive");
+                 "beam.axial_force is 0, but must be positive");
   expect_refused("design damped --band 20:30",
                  "damping.kelvin_voigt is 6.4e-05, but must be 0 for the design");
 }

@@ -98,9 +98,9 @@ TEST(DampingMatrix, OfARatioRefusesMoreThan500Elements) {
     (void)solver::damping_matrix(solver::BeamModel(paper_beam(), 501), of_critical(0.01));
     FAIL() << "no exception";
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(
-        error.what(),
-        "numerics.elements = 501: must be at most 500 with a damping.ratio above 0, whose matrix is full");
+    EXPECT_STREQ(error.what(),
+                 "numerics.elements is 501, but must be at most 500 with a damping.ratio above 0, whose "
+                 "matrix is full");
   }
 }
 

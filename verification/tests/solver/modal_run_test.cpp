@@ -200,7 +200,7 @@ TEST(ModalStickRun, IsWhatTheMaximumInModalCoordinatesComesFrom) {
 
 TEST(ModalStickRun, RefusesABuckledBeam) {
   EXPECT_THROW(ModalStickRun(paper_beam_with_axial_force(90000.0), shaking(35.0, 1e-3), settings(4, 0.9)),
-               std::domain_error);
+               data::InputError);
 }
 
 TEST(HeldTipBasis, DiagonalisesTheStickStateAndLeavesTheTipToTheStaticShape) {

@@ -194,9 +194,9 @@ TEST(StickSlipBeam, RefusesTensionAndBuckling) {
                              data::HarmonicExcitation({25.0, 1e-3}),
                              data::NumericalSettings(paper_choices(1.0)));
   };
-  EXPECT_THROW(run(-100.0), std::domain_error);
-  EXPECT_THROW(run(0.0), std::domain_error);
-  EXPECT_THROW(run(85e3), std::domain_error);
+  EXPECT_THROW(run(-100.0), data::InputError);
+  EXPECT_THROW(run(0.0), data::InputError);
+  EXPECT_THROW(run(85e3), data::InputError);
 }
 
 TEST(CriticalAmplitude, BySearchIsTheFirstStepAboveTheOneOfALinearRun) {

@@ -268,10 +268,10 @@ TEST(CriterionMap, RefusesWhatHasNoCriterion) {
                data::FieldError);
   EXPECT_THROW((void)map(problem, {.parameter = Parameter::amplitude, .values = {1e-3, -1e-3}}),
                data::FieldError);
-  EXPECT_THROW((void)map(problem, map_axis(Parameter::axial_force, 0.0, 1.0, 2, false)), std::domain_error);
+  EXPECT_THROW((void)map(problem, map_axis(Parameter::axial_force, 0.0, 1.0, 2, false)), data::InputError);
   const auto amplitude = map_axis(Parameter::amplitude, 0.0, 1e-3, 2, false);
-  EXPECT_THROW((void)map(with_value(problem, Parameter::axial_force, 2000.0), amplitude), std::domain_error);
-  EXPECT_THROW((void)map(with_value(problem, Parameter::axial_force, -5.0), amplitude), std::domain_error);
+  EXPECT_THROW((void)map(with_value(problem, Parameter::axial_force, 2000.0), amplitude), data::InputError);
+  EXPECT_THROW((void)map(with_value(problem, Parameter::axial_force, -5.0), amplitude), data::InputError);
 }
 
 }  // namespace

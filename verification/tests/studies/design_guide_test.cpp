@@ -114,7 +114,7 @@ TEST(BandMargin, RefusesWhatHasNone) {
   EXPECT_THROW((void)studies::band_margin(with_value(problem, Parameter::static_coefficient, 0.0), band),
                data::FieldError);
   EXPECT_THROW((void)studies::band_margin(with_value(problem, Parameter::axial_force, 0.0), band),
-               std::domain_error);
+               data::InputError);
   EXPECT_THROW((void)studies::band_margin(problem, {30.0, 20.0}), std::invalid_argument);
 }
 

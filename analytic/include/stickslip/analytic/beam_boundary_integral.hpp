@@ -36,7 +36,7 @@ struct TimeGrid {
 /// (measured).
 class BeamBoundaryIntegral {
  public:
-  /// Throws std::domain_error, naming beam.axial_force, unless 0 < P < P_cr, and what holding_force(),
+  /// Throws data::FieldError, naming beam.axial_force, unless 0 < P < P_cr, and what holding_force(),
   /// TipMobility, mobility_weights() and contact_steps() throw.
   BeamBoundaryIntegral(const data::Beam& beam, const data::FrictionLaw& friction,
                        const data::HarmonicExcitation& excitation, const data::Damping& damping,

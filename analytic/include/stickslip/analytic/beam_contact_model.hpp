@@ -34,7 +34,7 @@ namespace stickslip::analytic {
 /// n^-4, N^-3 in sum.
 class BeamContactModel {
  public:
-  /// Throws std::domain_error, naming beam.axial_force, unless 0 < P < P_cr, and what stick_modes()
+  /// Throws data::FieldError, naming beam.axial_force, unless 0 < P < P_cr, and what stick_modes()
   /// throws.
   BeamContactModel(const data::Beam& beam, const data::FrictionLaw& friction,
                    const data::HarmonicExcitation& excitation, const data::Damping& damping, int modes);
@@ -59,7 +59,7 @@ class BeamContactModel {
 
 /// The `count` lowest angular frequencies, rad/s, of a ContactModel whose contact is free and whose damping
 /// and friction are left out: for the beam, approximations of the clamped-free modes under follower load.
-/// Throws std::domain_error if one of them is complex (flutter), std::invalid_argument if count is not in 1
+/// Throws data::InputError if one of them is complex (flutter), std::invalid_argument if count is not in 1
 /// ... modes + 1.
 [[nodiscard]] std::vector<double> free_contact_frequencies(const ContactModel& model, int count);
 

@@ -59,7 +59,7 @@ struct ContactLaw {
   data::FrictionLaw friction{{}};
 };
 
-/// Throws std::invalid_argument, naming time_step, unless kappa first_weight < 1: only then does every step
+/// Throws data::InputError, naming time_step, unless kappa first_weight < 1: only then does every step
 /// have one solution.
 void require_unique_step(const ContactLaw& law, double first_weight);
 

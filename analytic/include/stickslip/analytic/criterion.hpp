@@ -24,7 +24,7 @@ struct Criterion {
   Verdict verdict{};          ///< stick_slip if force_max.lower > friction_limit, else stick
 };
 
-/// Throws std::domain_error, naming beam.axial_force, unless 0 < P < P_cr: without compression there is no
+/// Throws data::FieldError, naming beam.axial_force, unless 0 < P < P_cr: without compression there is no
 /// contact, at the buckling load no stick state.
 void require_contact(const data::Beam& beam);
 

@@ -34,7 +34,7 @@ class DampedSteadyState {
  public:
   using Complex = std::complex<double>;
 
-  /// Throws std::invalid_argument, naming damping.ratio, unless that is 0: there is no such closed form with
+  /// Throws data::FieldError, naming damping.ratio, unless that is 0: there is no such closed form with
   /// an axial force.
   DampedSteadyState(const data::Beam& beam, const data::HarmonicExcitation& excitation,
                     const data::Damping& damping, TipSupport tip);

@@ -29,7 +29,7 @@ namespace stickslip::analytic {
 /// The reaction of one beam to one excitation frequency over 0 <= t <= duration, per unit amplitude.
 class ForceMaximum {
  public:
-  /// angular_frequency: Omega, rad/s; duration: T, s. Throws std::invalid_argument, naming
+  /// angular_frequency: Omega, rad/s; duration: T, s. Throws data::FieldError, naming
   /// excitation.frequency_hz or numerics.duration, unless both are positive and finite.
   ForceMaximum(const ModalReaction& reaction, double angular_frequency, double duration);
 

@@ -62,7 +62,7 @@ class SlipMode {
 
 /// The first `count` slip modes, ascending. Modes 2m-1 and 2m lie in (2m-2) pi < bb < 2m pi, at whose ends
 /// the characteristic function is positive; between them its minimum is located and each root is bracketed
-/// alone. Precondition 1 <= count <= 1000 (std::invalid_argument). Throws std::domain_error, naming
+/// alone. Precondition 1 <= count <= 1000 (data::FieldError). Throws data::FieldError, naming
 /// beam.axial_force, its value and what is allowed, unless -1e5 EI/L^2 <= P < flutter_load(): at the upper
 /// end the two lowest frequencies become complex; in tension the first one falls as exp(-sqrt(-P L^2/EI)/2),
 /// because a follower force does not straighten the beam, and below the lower end it cannot be represented.

@@ -41,7 +41,7 @@ namespace stickslip::analytic {
 /// below the buckling load, where c2 = c3. Relative accuracy: round-off times P_cr/(P_cr - P).
 class QuasiStaticShape {
  public:
-  /// Throws std::domain_error, naming beam.axial_force, its value and the buckling load, if P >= P_cr.
+  /// Throws data::FieldError, naming beam.axial_force, its value and the buckling load, if P >= P_cr.
   explicit QuasiStaticShape(const data::Beam& beam);
 
   [[nodiscard]] double value(double x) const;             ///< S(x), dimensionless; 0 <= x <= L in m
@@ -108,7 +108,7 @@ class StickMode {
 };
 
 /// The first `count` modes, ascending. Each root is bracketed alone and polished until the step is below
-/// round-off. Precondition 1 <= count <= 1000 (std::invalid_argument). Throws std::domain_error, naming
+/// round-off. Precondition 1 <= count <= 1000 (data::FieldError). Throws data::FieldError, naming
 /// beam.axial_force, its value and the buckling load, if P >= P_cr.
 [[nodiscard]] std::vector<StickMode> stick_modes(const data::Beam& beam, int count);
 

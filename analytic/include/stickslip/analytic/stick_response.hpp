@@ -47,7 +47,7 @@ struct Sinusoid {
 /// the sums leaves (SteadyPart, omitted_transient_bound).
 class StickResponse {
  public:
-  /// Throws what stick_modes() throws, and std::invalid_argument, naming numerics.modes, if
+  /// Throws what stick_modes() throws, and data::FieldError, naming numerics.modes, if
   /// SteadyPart::exact is asked for with omega_N < 2 Omega.
   StickResponse(const data::Beam& beam, const data::HarmonicExcitation& excitation, int modes = 10,
                 SteadyPart steady_part = SteadyPart::modal_sum);

@@ -40,7 +40,7 @@ class TipMobility {
  public:
   using Complex = std::complex<double>;
 
-  /// Throws std::invalid_argument, naming damping.ratio, unless that is 0: there is no such closed form with
+  /// Throws data::FieldError, naming damping.ratio, unless that is 0: there is no such closed form with
   /// an axial force.
   explicit TipMobility(const data::Beam& beam, const data::Damping& damping = {});
 

@@ -22,7 +22,7 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 /// the w_L row of the slip-state balance, f_d = [M q_tt + K_slip q + b h_tt]_w = -EI u'''(L).
 class BeamModel {
  public:
-  /// Throws std::invalid_argument, naming numerics.elements, if elements < 1.
+  /// Throws data::FieldError, naming numerics.elements, if elements < 1.
   BeamModel(const data::Beam& beam, int elements);
 
   [[nodiscard]] int elements() const noexcept { return elements_; }
@@ -60,7 +60,7 @@ class BeamModel {
   Eigen::VectorXd base_load_;
 };
 
-/// Throws std::domain_error, naming beam.axial_force, its value and the buckling load of the mesh, if the
+/// Throws data::FieldError, naming beam.axial_force, its value and the buckling load of the mesh, if the
 /// stick state of the model is not stable; naming beam.length, if the stiffness is not finite.
 void require_stable_stick_state(const BeamModel& model);
 

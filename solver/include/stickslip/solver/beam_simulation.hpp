@@ -54,7 +54,7 @@ struct BeamRun {
 /// frequency is the root of the mean of omega_n^2 and its ratio zeta times the mean of omega_n over that
 /// root: less than 1 by Jensen's inequality; 0.78, 0.86 and 0.90 in the first three.
 ///
-/// Throws std::invalid_argument, naming numerics.elements, for damping.ratio > 0 on more than 500 elements:
+/// Throws data::FieldError, naming numerics.elements, for damping.ratio > 0 on more than 500 elements:
 /// that matrix is full.
 [[nodiscard]] SparseMatrix damping_matrix(const BeamModel& model, const data::Damping& damping);
 
@@ -71,7 +71,7 @@ struct BeamRun {
 class BeamSimulation {
  public:
   /// Uses elements, time_step, spectral_radius and velocity_threshold of `numerics`. Throws
-  /// std::domain_error, naming beam.axial_force, if P is at or over the buckling load, or if P <= 0 with
+  /// data::FieldError, naming beam.axial_force, if P is at or over the buckling load, or if P <= 0 with
   /// TipContact::friction: without compression there is no contact; and what damping_matrix() throws. Throws
   /// data::FieldError if ContactScheme::paper has no velocity threshold, or if Coordinates::modal has
   /// damping.

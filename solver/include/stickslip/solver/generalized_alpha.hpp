@@ -30,7 +30,7 @@ struct Kinematics {
 /// are formed from q and v.
 class GeneralizedAlpha {
  public:
-  /// Throws std::invalid_argument, naming spectral_radius, unless 0 <= spectral_radius <= 1.
+  /// Throws data::FieldError, naming spectral_radius, unless 0 <= spectral_radius <= 1.
   explicit GeneralizedAlpha(double spectral_radius);
 
   [[nodiscard]] double alpha_m() const noexcept { return alpha_m_; }

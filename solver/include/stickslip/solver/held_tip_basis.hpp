@@ -28,7 +28,7 @@ struct HeldTipBasis {
 
 /// The omega_n^2 are Rayleigh quotients in extended precision: as accurate as double precision can hold for
 /// the matrices given, where those of an eigensolver lose the condition number of K_stick. Cost: the cube of
-/// the elements. Throws std::domain_error, naming beam.axial_force, if P is at or over the buckling load.
+/// the elements. Throws data::FieldError, naming beam.axial_force, if P is at or over the buckling load.
 [[nodiscard]] HeldTipBasis held_tip_basis(const BeamModel& model);
 
 /// The coordinates (eta, w_L) of a vector of nodal degrees of freedom: eta = Phi^T M (q - sigma w_L).

@@ -18,7 +18,7 @@ struct FiniteElementMode {
 /// The `count` lowest modes of the stick state, (K_stick - omega^2 M) phi = 0 with w_L = 0.
 ///
 /// Solved as M phi = mu K phi, mu = 1/omega^2, so that round-off is relative to the lowest mode and not to
-/// the highest. Throws std::invalid_argument if count is not in 1 ... 2 elements - 1, std::domain_error if P
+/// the highest. Throws std::invalid_argument if count is not in 1 ... 2 elements - 1, data::FieldError if P
 /// is at or over the buckling load of the mesh.
 [[nodiscard]] std::vector<FiniteElementMode> stick_modes(const BeamModel& model, int count);
 
@@ -26,7 +26,7 @@ struct FiniteElementMode {
 /// modulus; complex pairs beyond the flutter load.
 [[nodiscard]] std::vector<std::complex<double>> slip_eigenvalues(const BeamModel& model, int count);
 
-/// The `count` lowest modes of the slip state. Throws std::domain_error, naming beam.axial_force, if one of
+/// The `count` lowest modes of the slip state. Throws data::FieldError, naming beam.axial_force, if one of
 /// them has a complex frequency (flutter).
 [[nodiscard]] std::vector<FiniteElementMode> slip_modes(const BeamModel& model, int count);
 

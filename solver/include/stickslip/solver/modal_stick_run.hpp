@@ -29,7 +29,7 @@ namespace stickslip::solver {
 class ModalStickRun {
  public:
   /// Uses elements, time_step and spectral_radius of `numerics`. Needs all modes of the mesh, whose cost
-  /// grows as the cube of the elements. Throws std::domain_error, naming beam.axial_force, if P is at or over
+  /// grows as the cube of the elements. Throws data::FieldError, naming beam.axial_force, if P is at or over
   /// the buckling load.
   ModalStickRun(const data::Beam& beam, const data::HarmonicExcitation& excitation,
                 const data::NumericalSettings& numerics,

@@ -96,7 +96,8 @@ class ContactDriver;
 /// std::runtime_error that says when.
 class StickSlipIntegrator {
  public:
-  /// Throws std::invalid_argument naming the setting or the part of the system that is unusable.
+  /// Throws std::invalid_argument naming the setting or the part of the system that is unusable; data::InputError
+  /// where the values of a user lead to it.
   StickSlipIntegrator(ContactSystem system, const IntegratorSettings& settings);
   ~StickSlipIntegrator();
   StickSlipIntegrator(const StickSlipIntegrator&) = delete;
