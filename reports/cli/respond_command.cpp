@@ -164,7 +164,8 @@ void write_finite_element(const data::Case& problem, const RespondOptions& optio
   solver::BeamSimulation simulation(problem.beam, problem.friction, problem.excitation, problem.numerics,
                                     {.initial_velocity = initial_velocity,
                                      .damping = problem.damping,
-                                     .scheme = schemes.at(options.scheme.value_or("located"))});
+                                     .scheme = schemes.at(options.scheme.value_or("located")),
+                                     .coordinates = solver::Coordinates::fastest});
   const long steps = steps_of(problem);
   for (long n = 0; n <= steps; ++n) {
     if (n > 0) simulation.step();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -41,6 +42,13 @@ Eigen::MatrixXd modal_damping(const BeamModel& model, double ratio) {
 
 }  // namespace
 
+Coordinates fastest_coordinates(int elements, const data::Damping& damping, ContactScheme scheme) {
+  const bool damped = damping.kelvin_voigt() > 0.0 || damping.ratio() > 0.0;
+  constexpr int most_modal_elements = 200;
+  return damped || scheme == ContactScheme::paper || elements > most_modal_elements ? Coordinates::nodal
+                                                                                    : Coordinates::modal;
+}
+
 SparseMatrix damping_matrix(const BeamModel& model, const data::Damping& damping) {
   SparseMatrix matrix(model.degrees_of_freedom(), model.degrees_of_freedom());
   if (damping.kelvin_voigt() > 0.0) matrix = damping.kelvin_voigt() * model.elastic_stiffness();
@@ -72,7 +80,27 @@ void require_contact(const data::Beam& beam, TipContact contact) {
                          "positive (compression), or there is no contact");
 }
 
-IntegratorSettings integrator_settings(const data::NumericalSettings& numerics, const BeamRun& run) {
+void require_undamped(const data::Damping& damping) {
+  const bool viscous = damping.kelvin_voigt() > 0.0;
+  if (!viscous && damping.ratio() == 0.0) return;
+  throw data::FieldError(viscous ? "damping.kelvin_voigt" : "damping.ratio",
+                         viscous ? damping.kelvin_voigt() : damping.ratio(),
+                         "0 in modal coordinates, which damping would couple");
+}
+
+// Which of the two a run steps in.
+Coordinates coordinates_of(const BeamRun& run, int elements) {
+  if (run.coordinates == Coordinates::fastest) return fastest_coordinates(elements, run.damping, run.scheme);
+  if (run.coordinates == Coordinates::nodal) return Coordinates::nodal;
+  require_undamped(run.damping);
+  if (run.scheme == ContactScheme::paper)
+    throw std::logic_error(
+        "the scheme of the paper overwrites a nodal velocity: it has no modal coordinates");
+  return Coordinates::modal;
+}
+
+IntegratorSettings integrator_settings(const data::NumericalSettings& numerics, const BeamRun& run,
+                                       Coordinates coordinates) {
   if (run.scheme == ContactScheme::paper && numerics.velocity_threshold() == 0.0)
     throw data::FieldError("numerics.velocity_threshold", "0",
                            "above 0 (m/s) with the scheme of the paper, or no slip ever ends");
@@ -80,15 +108,7 @@ IntegratorSettings integrator_settings(const data::NumericalSettings& numerics, 
           .spectral_radius = numerics.spectral_radius(),
           .velocity_threshold = numerics.velocity_threshold(),
           .scheme = run.scheme,
-          .algebra = run.coordinates == Coordinates::modal ? StepAlgebra::modal : StepAlgebra::sparse};
-}
-
-void require_undamped(const data::Damping& damping) {
-  const bool viscous = damping.kelvin_voigt() > 0.0;
-  if (!viscous && damping.ratio() == 0.0) return;
-  throw data::FieldError(viscous ? "damping.kelvin_voigt" : "damping.ratio",
-                         viscous ? damping.kelvin_voigt() : damping.ratio(),
-                         "0 in modal coordinates, which damping would couple");
+          .algebra = coordinates == Coordinates::modal ? StepAlgebra::modal : StepAlgebra::sparse};
 }
 
 BeamModel checked_model(const data::Beam& beam, int elements, TipContact contact) {
@@ -104,14 +124,14 @@ BeamSimulation::BeamSimulation(const data::Beam& beam, const data::FrictionLaw& 
                                const data::HarmonicExcitation& excitation,
                                const data::NumericalSettings& numerics, const BeamRun& run)
     : model_(checked_model(beam, numerics.elements(), run.contact)), base_(harmonic_motion(excitation)) {
-  const IntegratorSettings settings = integrator_settings(numerics, run);
+  const Coordinates coordinates = coordinates_of(run, numerics.elements());
+  const IntegratorSettings settings = integrator_settings(numerics, run, coordinates);
   const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(model_.degrees_of_freedom());
   Eigen::VectorXd velocity = -base_.velocity(0.0) * model_.unit_tip_deflection();
   if (run.initial_velocity == InitialVelocity::zero)
     velocity.head(model_.tip_deflection()).setZero(), velocity[model_.tip_rotation()] = 0.0;
-  if (run.coordinates == Coordinates::modal) require_undamped(run.damping);
   ContactSystem system = beam_contact_system(model_, friction, base_, run.damping);
-  if (run.coordinates == Coordinates::modal) {
+  if (coordinates == Coordinates::modal) {
     const HeldTipBasis basis = held_tip_basis(model_);
     system = modal_contact_system(model_, basis, friction, base_);
     basis_.resize(model_.degrees_of_freedom(), model_.degrees_of_freedom());
@@ -148,14 +168,12 @@ long step_count(double duration, double time_step) { return std::lround(duration
 double max_abs_friction_force(const data::Beam& beam, const data::HarmonicExcitation& excitation,
                               const data::NumericalSettings& numerics, const data::Damping& damping,
                               Coordinates coordinates) {
-  if (coordinates == Coordinates::modal) {
-    require_undamped(damping);
+  const BeamRun run{.contact = TipContact::bonded, .damping = damping, .coordinates = coordinates};
+  if (coordinates_of(run, numerics.elements()) == Coordinates::modal)
     return ModalStickRun(beam, excitation, numerics)
         .max_abs_friction_force(step_count(numerics.duration(), numerics.time_step()));
-  }
   const data::FrictionLaw unused({});
-  BeamSimulation simulation(beam, unused, excitation, numerics,
-                            {.contact = TipContact::bonded, .damping = damping});
+  BeamSimulation simulation(beam, unused, excitation, numerics, run);
   double largest = std::abs(simulation.friction_force());
   for (long n = step_count(numerics.duration(), numerics.time_step()); n > 0; --n) {
     simulation.step();

@@ -51,14 +51,6 @@ double load_factor(const data::Beam& beam) { return load_factor(beam, beam.axial
 
 bool is_buckled(const data::Beam& beam) { return beam.axial_force() >= analytic::stick_buckling_load(beam); }
 
-// Up to this size, one modal analysis of the mesh is cheaper than ten thousand steps in nodal coordinates.
-constexpr int most_modal_elements = 200;
-
-solver::Coordinates coordinates_for(const data::Case& problem) {
-  return is_damped(problem) || problem.numerics.elements() > most_modal_elements ? solver::Coordinates::nodal
-                                                                                 : solver::Coordinates::modal;
-}
-
 data::Case case_at(const MapTask& task, std::size_t i, std::size_t j) {
   return with_value(with_value(task.problem, task.x.parameter, task.x.values[i]), task.y.parameter,
                     task.y.values[j]);
@@ -90,7 +82,7 @@ class Forces {
     const data::HarmonicExcitation unit(
         {.frequency_hz = problem.excitation.frequency_hz(), .amplitude = 1.0});
     const double force = solver::max_abs_friction_force(problem.beam, unit, problem.numerics, problem.damping,
-                                                        coordinates_for(problem));
+                                                        solver::Coordinates::fastest);
     return {force, force};
   }
 

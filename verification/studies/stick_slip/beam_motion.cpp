@@ -63,8 +63,9 @@ double modal_coordinate(double omega, double w, double t) {
 
 BeamMotion finite_element_motion(const data::Case& problem, const MotionGrid& grid) {
   BeamMotion motion{positions(problem, grid), {}};
-  solver::BeamSimulation simulation(problem.beam, problem.friction, problem.excitation, problem.numerics,
-                                    {.damping = problem.damping});
+  solver::BeamSimulation simulation(
+      problem.beam, problem.friction, problem.excitation, problem.numerics,
+      {.damping = problem.damping, .coordinates = solver::Coordinates::fastest});
   long done = 0;
   for (const long step : snapshot_steps(grid, problem.numerics.time_step())) {
     for (; done < step; ++done) simulation.step();

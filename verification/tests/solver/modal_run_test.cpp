@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -301,6 +302,56 @@ TEST(ModalSteps, SlipsFirstWhenTheNodalRunDoes) {
       EXPECT_NEAR(*modal, *nodal, 1e-12) << hz;
     }
   }
+}
+
+TEST(FastestCoordinates, AreModalWhereTheyGiveTheNumbersOfTheNodalOnes) {
+  using solver::ContactScheme;
+  using solver::fastest_coordinates;
+  EXPECT_EQ(fastest_coordinates(1, {}), Coordinates::modal);
+  EXPECT_EQ(fastest_coordinates(200, {}, ContactScheme::end_of_step), Coordinates::modal);
+  EXPECT_EQ(fastest_coordinates(201, {}), Coordinates::nodal);
+  EXPECT_EQ(fastest_coordinates(20, data::Damping({.kelvin_voigt = 1e-5})), Coordinates::nodal);
+  EXPECT_EQ(fastest_coordinates(20, data::Damping({.ratio = 0.01})), Coordinates::nodal);
+  EXPECT_EQ(fastest_coordinates(20, {}, ContactScheme::paper), Coordinates::nodal);
+}
+
+TEST(FastestCoordinates, AreThoseOfARunThatAsksForThem) {
+  // Bit for bit: a run by either name takes the same steps.
+  const data::NumericalSettings numerics(paper_choices(0.05));
+  const auto tip = [&](Coordinates coordinates, solver::ContactScheme scheme) {
+    BeamSimulation run(paper_beam(), paper_friction(), shaking(25.0, 1e-3), numerics,
+                       {.scheme = scheme, .coordinates = coordinates});
+    while (run.integrator().steps() < 500) run.step();
+    return run.friction_force();
+  };
+  using solver::ContactScheme;
+  EXPECT_EQ(tip(Coordinates::fastest, ContactScheme::located),
+            tip(Coordinates::modal, ContactScheme::located));
+  EXPECT_NE(tip(Coordinates::nodal, ContactScheme::located), tip(Coordinates::modal, ContactScheme::located));
+  EXPECT_EQ(tip(Coordinates::fastest, ContactScheme::paper), tip(Coordinates::nodal, ContactScheme::paper));
+  EXPECT_THROW(tip(Coordinates::modal, ContactScheme::paper), std::logic_error);
+}
+
+TEST(ModalSteps, SeeTheContactChangesOfTheNodalRunAtTheEndOfSteps) {
+  const data::NumericalSettings numerics(paper_choices(0.1));
+  const auto run = [&](Coordinates coordinates) {
+    auto simulation =
+        std::make_unique<BeamSimulation>(paper_beam(), paper_friction(), shaking(25.0, 1e-3), numerics,
+                                         solver::BeamRun{.initial_velocity = InitialVelocity::zero,
+                                                         .scheme = solver::ContactScheme::end_of_step,
+                                                         .coordinates = coordinates});
+    while (simulation->integrator().steps() < 200) simulation->step();
+    return simulation;
+  };
+  const auto nodal = run(Coordinates::nodal), modal = run(Coordinates::modal);
+  const auto &expected = nodal->integrator().events(), &events = modal->integrator().events();
+  ASSERT_GE(expected.size(), 5u);
+  ASSERT_EQ(events.size(), expected.size());
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    EXPECT_EQ(events[i].kind, expected[i].kind);
+    EXPECT_NEAR(events[i].time, expected[i].time, 1e-12);
+  }
+  EXPECT_NEAR(modal->tip_displacement(), nodal->tip_displacement(), 1e-13);
 }
 
 TEST(ModalSteps, StopsWithTheTimeWhereTheStateIsNoLongerFiniteAsTheNodalRunDoes) {

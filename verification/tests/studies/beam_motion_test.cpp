@@ -74,7 +74,8 @@ TEST(BeamMotion, EndsInTheTipThatTheSimulationsReport) {
   const auto by_events = studies::event_driven_motion(at, slip_grid);
   const analytic::BeamContactModel beam(at.beam, at.friction, at.excitation, at.damping, at.numerics.modes());
   const auto history = studies::event_driven_history(beam.model(), 0.08, 0.01);
-  solver::BeamSimulation simulation(at.beam, at.friction, at.excitation, at.numerics);
+  solver::BeamSimulation simulation(at.beam, at.friction, at.excitation, at.numerics,
+                                    {.coordinates = solver::Coordinates::fastest});
   int slips = 0;
   for (std::size_t i = 0; i < by_elements.snapshots.size(); ++i) {
     for (int n = 0; i > 0 && n < 100; ++n) simulation.step();

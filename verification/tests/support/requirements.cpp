@@ -108,7 +108,7 @@ const std::vector<Requirement> table{
     {"F11",
      "Fast runs in the modes of the mesh have the numbers of the plain ones, up to rounding.",
      "Sect. 3",
-     {"ModalStickRun", "HeldTipBasis", "ModalSteps"}},
+     {"ModalStickRun", "HeldTipBasis", "ModalSteps", "FastestCoordinates"}},
     {"F7",
      "The simulation of the beam hands its settings on and reports in the fixed frame.",
      "Sect. 3; Fig. 1",

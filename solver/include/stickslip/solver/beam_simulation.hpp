@@ -24,9 +24,9 @@ enum class TipContact {
 
 /// In which coordinates a run steps: the results differ by rounding, the cost tenfold and more.
 enum class Coordinates {
-  nodal,  ///< deflections and rotations of the nodes, sparse matrices: the plain way, linear in the elements
-  modal   ///< of a HeldTipBasis: fast; undamped, and for meshes whose modes are worth finding, up to some
-          ///< hundred elements
+  nodal,   ///< deflections and rotations of the nodes, sparse matrices: the plain way, linear in the elements
+  modal,   ///< of a HeldTipBasis: fast; undamped, and for meshes whose modes are worth finding
+  fastest  ///< what fastest_coordinates() chooses
 };
 
 /// What a run may do differently from the paper's.
@@ -37,6 +37,12 @@ struct BeamRun {
   ContactScheme scheme{ContactScheme::located};
   Coordinates coordinates{Coordinates::nodal};
 };
+
+/// Modal wherever the numbers are those of the nodal coordinates and come sooner: undamped, not by
+/// ContactScheme::paper, which overwrites the velocity of one node, and on at most 200 elements, whose modes
+/// cost less than some ten thousand steps. Nodal elsewhere.
+[[nodiscard]] Coordinates fastest_coordinates(int elements, const data::Damping& damping,
+                                              ContactScheme scheme = ContactScheme::located);
 
 /// h(t) = A0 sin(2 pi hz t) with its derivatives.
 [[nodiscard]] PrescribedMotion harmonic_motion(const data::HarmonicExcitation& excitation);
@@ -74,7 +80,7 @@ class BeamSimulation {
   /// data::FieldError, naming beam.axial_force, if P is at or over the buckling load, or if P <= 0 with
   /// TipContact::friction: without compression there is no contact; and what damping_matrix() throws. Throws
   /// data::FieldError if ContactScheme::paper has no velocity threshold, or if Coordinates::modal has
-  /// damping.
+  /// damping; std::logic_error for Coordinates::modal with ContactScheme::paper.
   BeamSimulation(const data::Beam& beam, const data::FrictionLaw& friction,
                  const data::HarmonicExcitation& excitation, const data::NumericalSettings& numerics,
                  const BeamRun& run = {});
