@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gsl/gsl_matrix.h>
+
 #include <complex>
 #include <optional>
 #include <span>
@@ -44,6 +46,7 @@ class StickPropagator {
 
   void set_undamped();
   void set_damped();
+  void require_separated(const gsl_matrix& matrix) const;
   void set_forcing();
   [[nodiscard]] Complex coordinate(std::size_t k, double t) const;
   [[nodiscard]] Complex forcing(std::size_t k, double t) const;
