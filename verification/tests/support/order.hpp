@@ -19,8 +19,8 @@ namespace stickslip::testing {
 
 /// One error of a convergent sequence, and what theory says of it besides the leading term:
 ///
-///     error = C h^p (1 + c) (1 + s) + r,   |c| <= next_term,   s of standard deviation scatter,   |r| <=
-///     floor
+///     error = C h^p (1 + c) (1 + s) + r,
+///     |c| <= next_term,   s of standard deviation scatter,   |r| <= floor
 struct OrderLevel {
   double step{};       ///< h
   double error{};      ///< above 0

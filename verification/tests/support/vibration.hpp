@@ -50,8 +50,8 @@ struct Amplitudes {
 /// the beam, and I interpolates. (I u)'' is the projection of u'' on straight lines in every element, so that
 /// by Legendre polynomials
 ///
-///     B = D l^4/720 [int G'''' u'''' - l^2 int ((G^(6) u'''' + G'''' u^(6))/42 + 8 G^(5) u^(5)/105 + P G''''
-///     u''''/(42 D))].
+///     B = D l^4/720 [int G'''' u''''
+///                    - l^2 int ((G^(6) u'''' + G'''' u^(6))/42 + 8 G^(5) u^(5)/105 + P G'''' u''''/(42 D))].
 class MeshError {
   using Complex = std::complex<double>;
 

@@ -9,8 +9,8 @@
 /// and Y(L) = 0 with the tip held to the wall, or D Y'''(L) = 0 with a tip that slides without friction under
 /// the follower force P. The exponents r of the solutions exp(r x/L) are +-b and +-c,
 ///
-///     b^2 = -z/2 + sqrt(z^2/4 + s^2),   c^2 = -z/2 - sqrt(z^2/4 + s^2),   z = P L^2/D,  s^2 = rho A Omega^2
-///     L^4/D,
+///     b^2 = -z/2 + sqrt(z^2/4 + s^2),   c^2 = -z/2 - sqrt(z^2/4 + s^2),
+///     z = P L^2/D,                      s^2 = rho A Omega^2 L^4/D,
 ///
 /// complex, with real parts that are not negative. (Undamped, c = i bb with the bb of stick_modes.hpp.)
 

@@ -6,15 +6,15 @@
 /// A motion u(x) exp(s t) of the beam that is clamped at x = 0 and loaded by the force F exp(s t) at its tip
 /// obeys
 ///
-///     D u'''' + P u'' + rho A s^2 u = 0,   u(0) = u'(0) = u''(L) = 0,   D u'''(L) = -F,   D = EI (1 + eta
-///     s),
+///     D u'''' + P u'' + rho A s^2 u = 0,   D = EI (1 + eta s),
+///     u(0) = u'(0) = u''(L) = 0,             D u'''(L) = -F,
 ///
 /// the slip state of Eqs. (1), (2) and (5) with the follower force P of either sign and Kelvin-Voigt damping
 /// eta. Four exponents +-l_1, +-l_2 give the textbook form, a quotient of products of hyperbolic functions in
 /// which almost everything cancels where the exponents meet or are small. In
 ///
-///     k = s L^2 sqrt(rho A/D),   z = P L^2/D,   a = -z + 2 k,   b = -z - 2 k     (a, b = (l_1 +- l_2)^2
-///     L^2),
+///     k = s L^2 sqrt(rho A/D),   z = P L^2/D,
+///     a = -z + 2 k,   b = -z - 2 k     (a, b = (l_1 +- l_2)^2 L^2),
 ///
 /// and with the entire functions Phi(q) = sinh(sqrt q)/sqrt q, c(q) = (cosh(sqrt q) - 1)/q = Phi(q/4)^2/2, it
 /// is

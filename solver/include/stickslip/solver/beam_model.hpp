@@ -13,8 +13,7 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 /// freedom of the tip kept: q = (w_1, theta_1, ..., w_n, theta_n), relative to the base, in m and rad.
 ///
 /// Slip state, Eq. (9):    M q_tt + K_slip q  = -b h_tt + e_w f_d,   K_slip = K - P K_G + P e_w e_theta^T
-/// Stick state, Eq. (8):   the same rows without that of w_L, whose motion is prescribed; K_stick = K - P
-/// K_G.
+/// Stick state, Eq. (8):   the same rows without that of w_L, whose motion is prescribed,  K_stick = K - P K_G.
 ///
 /// e_w and e_theta pick the tip's deflection and rotation, b = rho A int N dx. The last term of K_slip is the
 /// follower term: the weak form leaves -w(L) (EI u''' + P u') at the tip, and the boundary condition is EI
@@ -34,12 +33,10 @@ class BeamModel {
   [[nodiscard]] const SparseMatrix& mass() const noexcept { return mass_; }                      ///< M
   [[nodiscard]] const SparseMatrix& elastic_stiffness() const noexcept { return elastic_; }      ///< K
   [[nodiscard]] const SparseMatrix& geometric_stiffness() const noexcept { return geometric_; }  ///< K_G
-  [[nodiscard]] const SparseMatrix& stick_stiffness() const noexcept {
-    return stick_stiffness_;
-  }  ///< K - P K_G
-  [[nodiscard]] const SparseMatrix& slip_stiffness() const noexcept {
-    return slip_stiffness_;
-  }  ///< + follower term
+  /// K - P K_G.
+  [[nodiscard]] const SparseMatrix& stick_stiffness() const noexcept { return stick_stiffness_; }
+  /// The same with the follower term.
+  [[nodiscard]] const SparseMatrix& slip_stiffness() const noexcept { return slip_stiffness_; }
   /// The two parts of 1/2 q^T K_stick q: 1/2 q^T K q of bending and -P/2 q^T K_G q of the axial force, J.
   [[nodiscard]] double elastic_energy(const Eigen::VectorXd& q) const;
   [[nodiscard]] double geometric_energy(const Eigen::VectorXd& q) const;

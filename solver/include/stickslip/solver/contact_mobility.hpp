@@ -15,8 +15,9 @@ namespace stickslip::solver {
 /// K_slip = K_stick + e_c l^T with a symmetric K_stick. Without damping, with the mass-normalised modes
 /// K_stick phi_j = lambda_j M phi_j of the free contact, and by the formula of Sherman and Morrison,
 ///
-///     r = a/(1 + k b),   a = sum_j phi_j[c]^2/(m + k lambda_j),   b = sum_j (l . phi_j) phi_j[c]/(m + k
-///     lambda_j).
+///     r = a/(1 + k b),
+///     a = sum_j phi_j[c]^2/(m + k lambda_j),
+///     b = sum_j (l . phi_j) phi_j[c]/(m + k lambda_j).
 ///
 /// With damping r takes the factorisation of a sparse matrix each time.
 ///
