@@ -87,7 +87,7 @@ class EventDriven::Engine {
     checked_finite(t, "t");
     if (t < time_) throw wrong_argument("t", t, "at or after " + data::shortest_text(time_) + " s");
     for (;;) {
-      if (state_ == ContactState::stick) {
+      if (state_ == ContactPhase::stick) {
         const auto onset = stick_.first_excess(certain_until_, t, limit_);
         if (!onset) {
           certain_until_ = t;
@@ -112,11 +112,11 @@ class EventDriven::Engine {
   [[nodiscard]] double holding_force() const { return dynamics_.holding_force(view(now_), time_); }
 
   [[nodiscard]] double friction_force() const {
-    return state_ == ContactState::stick ? holding_force() : slip_->friction_force(sliding_velocity());
+    return state_ == ContactPhase::stick ? holding_force() : slip_->friction_force(sliding_velocity());
   }
 
   [[nodiscard]] double sliding_velocity() const {
-    return state_ == ContactState::stick ? 0.0 : now_.velocity - dynamics_.wall_velocity(time_);
+    return state_ == ContactPhase::stick ? 0.0 : now_.velocity - dynamics_.wall_velocity(time_);
   }
 
   [[nodiscard]] EventDrivenEnergy energy_balance() const {
@@ -132,9 +132,9 @@ class EventDriven::Engine {
 
   [[nodiscard]] double wall_displacement() const { return dynamics_.wall_displacement(time_); }
   [[nodiscard]] double time() const { return time_; }
-  [[nodiscard]] ContactState state() const { return state_; }
+  [[nodiscard]] ContactPhase state() const { return state_; }
   [[nodiscard]] const ContactKinematics& now() const { return now_; }
-  [[nodiscard]] const std::vector<ContactEvent>& events() const { return events_; }
+  [[nodiscard]] const std::vector<ChangeOfContact>& events() const { return events_; }
 
  private:
   void prepare() {
@@ -163,7 +163,7 @@ class EventDriven::Engine {
   }
 
   void begin_stick() {
-    state_ = ContactState::stick;
+    state_ = ContactPhase::stick;
     now_.velocity = dynamics_.wall_velocity(time_);
     stick_.begin(time_, now_);
     certain_until_ = works_until_ = time_;
@@ -171,7 +171,7 @@ class EventDriven::Engine {
   }
 
   void begin_slip(double direction) {
-    state_ = ContactState::slip;
+    state_ = ContactPhase::slip;
     slip_->begin(time_, now_, direction);
     ends_ = false;
     works_before_phase_ = works_;
@@ -192,7 +192,7 @@ class EventDriven::Engine {
   }
 
   void move_to(double t) {
-    if (state_ == ContactState::stick) {
+    if (state_ == ContactPhase::stick) {
       now_ = stick_.state(t);
       if (settings_.keep_energy_balance) add_works_of_stick_until(t);
     } else {
@@ -243,11 +243,11 @@ class EventDriven::Engine {
   double limit_{};  // mu_s N
 
   double time_{};
-  ContactState state_{ContactState::stick};
+  ContactPhase state_{ContactPhase::stick};
   ContactKinematics now_;
   double certain_until_{};  // stick: no onset before
   bool ends_{};             // slip: v_s = 0 at the end of the last step
-  std::vector<ContactEvent> events_;
+  std::vector<ChangeOfContact> events_;
   Powers works_, works_before_phase_;
   double works_until_{};
 };
@@ -273,7 +273,7 @@ void EventDriven::start_slipping(const std::vector<double>& amplitudes, const st
 
 void EventDriven::advance_to(double t) { engine_->advance_to(t); }
 double EventDriven::time() const { return engine_->time(); }
-ContactState EventDriven::state() const { return engine_->state(); }
+ContactPhase EventDriven::state() const { return engine_->state(); }
 const std::vector<double>& EventDriven::amplitudes() const { return engine_->now().amplitudes; }
 const std::vector<double>& EventDriven::rates() const { return engine_->now().rates; }
 double EventDriven::contact_displacement() const { return engine_->now().displacement; }
@@ -285,7 +285,7 @@ double EventDriven::contact_position() const {
 double EventDriven::sliding_velocity() const { return engine_->sliding_velocity(); }
 double EventDriven::friction_force() const { return engine_->friction_force(); }
 double EventDriven::holding_force() const { return engine_->holding_force(); }
-const std::vector<ContactEvent>& EventDriven::events() const { return engine_->events(); }
+const std::vector<ChangeOfContact>& EventDriven::events() const { return engine_->events(); }
 EventDrivenEnergy EventDriven::energy_balance() const { return engine_->energy_balance(); }
 
 }  // namespace stickslip::analytic

@@ -74,7 +74,7 @@ struct EventRow {
 
 constexpr std::string_view events_header = "time_s,change,tip_displacement_m\n";
 
-// Names of ContactEvent::Kind and of ContactChange, which have the same order.
+// Names of solver::ContactEvent::Kind and of ContactChange, which have the same order.
 constexpr std::array<std::string_view, 4> change_names{"onset", "capture", "reversal", "graze"};
 
 // What a history says in one glance.
@@ -201,7 +201,7 @@ void write_event_driven(const data::Case& problem, const RespondOptions& options
                   .midspan_displacement = analytic::absolute_displacement(midspan, run),
                   .sliding_velocity = run.sliding_velocity(),
                   .friction_force = -run.friction_force(),
-                  .state = run.state() == analytic::ContactState::stick ? "stick" : "slip"});
+                  .state = run.state() == analytic::ContactPhase::stick ? "stick" : "slip"});
   }
   for (const auto& event : run.events())
     writer.summary().events.push_back(

@@ -31,7 +31,7 @@ class ContactMotion {
   [[nodiscard]] double time() const noexcept { return time_; }
   [[nodiscard]] long steps() const noexcept { return steps_; }
   [[nodiscard]] const Kinematics& now() const noexcept { return now_; }
-  [[nodiscard]] const ContactPhase& phase() const noexcept { return phase_; }
+  [[nodiscard]] const StepPhase& phase() const noexcept { return phase_; }
   [[nodiscard]] bool is_stuck() const noexcept { return phase_.state == ContactState::stick; }
   [[nodiscard]] const ContactSystem& system() const noexcept { return system_; }
   [[nodiscard]] const HeldContact& held_contact() const noexcept { return held_contact_; }
@@ -81,7 +81,7 @@ class ContactMotion {
   Kinematics now_, trial_;
   double time_{};
   long steps_{};
-  ContactPhase phase_;
+  StepPhase phase_;
   int events_in_step_{};
   std::vector<ContactEvent> events_;
   std::function<void()> observer_;

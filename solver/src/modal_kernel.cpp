@@ -38,10 +38,10 @@ class ModalKernel final : public StepKernel {
   ModalKernel(const ContactSystem& system, const FrictionContact& contact, const GeneralizedAlpha& method,
               double time_step);
 
-  void take_step(const ContactPhase& phase, const Kinematics& now, double time, double end_time,
+  void take_step(const StepPhase& phase, const Kinematics& now, double time, double end_time,
                  Kinematics& next) override;
   // Seldom, so that it need not be fast.
-  void restart(const ContactPhase& phase, double time, Kinematics& now) override {
+  void restart(const StepPhase& phase, double time, Kinematics& now) override {
     sparse_->restart(phase, time, now);
   }
 
@@ -104,7 +104,7 @@ const StepFactors& ModalKernel::factors_of(double length) {
   return partial_step_;
 }
 
-void ModalKernel::take_step(const ContactPhase& phase, const Kinematics& now, double time, double end_time,
+void ModalKernel::take_step(const StepPhase& phase, const Kinematics& now, double time, double end_time,
                             Kinematics& next) {
   const StepFactors& step = factors_of(end_time - time);
   if (phase.state == ContactState::stick) {

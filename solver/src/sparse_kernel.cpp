@@ -36,9 +36,9 @@ class SparseKernel final : public StepKernel {
   SparseKernel(const ContactSystem& system, const FrictionContact& contact, const GeneralizedAlpha& method,
                double time_step);
 
-  void take_step(const ContactPhase& phase, const Kinematics& now, double time, double end_time,
+  void take_step(const StepPhase& phase, const Kinematics& now, double time, double end_time,
                  Kinematics& next) override;
-  void restart(const ContactPhase& phase, double time, Kinematics& now) override;
+  void restart(const StepPhase& phase, double time, Kinematics& now) override;
 
  private:
   void take_stick_step(StepMatrices& step, double wall_offset, double time, double end_time,
@@ -117,7 +117,7 @@ SparseMatrix SparseKernel::step_matrix(double length, const SparseMatrix& stiffn
          method_.stiffness_factor(length) * stiffness;
 }
 
-void SparseKernel::take_step(const ContactPhase& phase, const Kinematics& now, double time, double end_time,
+void SparseKernel::take_step(const StepPhase& phase, const Kinematics& now, double time, double end_time,
                              Kinematics& next) {
   next = now;
   StepMatrices& step = matrices_of(end_time - time);
@@ -165,7 +165,7 @@ void SparseKernel::take_slip_step(StepMatrices& step, double direction, double t
 }
 
 // a = (1 - alpha_m) A^-1 (p s - C v - K q + contact force), A the matrix of a whole step.
-void SparseKernel::restart(const ContactPhase& phase, double time, Kinematics& now) {
+void SparseKernel::restart(const StepPhase& phase, double time, Kinematics& now) {
   alpha_level_ = now;
   alpha_level_.acceleration.setZero();
   residual_.noalias() = system_.load_history(time) * system_.load_shape;

@@ -9,7 +9,7 @@
 namespace stickslip::solver {
 
 /// What a step must know of the contact.
-struct ContactPhase {
+struct StepPhase {
   ContactState state{ContactState::stick};
   double direction{};    ///< in slip: d = +1 or -1
   double wall_offset{};  ///< in stick: q[c] - w, m
@@ -21,11 +21,11 @@ class StepKernel {
   virtual ~StepKernel() = default;
 
   /// The state at end_time, if the phase lasts so long, from the state `now` at time. `next` has its size.
-  virtual void take_step(const ContactPhase& phase, const Kinematics& now, double time, double end_time,
+  virtual void take_step(const StepPhase& phase, const Kinematics& now, double time, double end_time,
                          Kinematics& next) = 0;
 
   /// Sets the acceleration of the method at the begin of a phase (StickSlipIntegrator, "Restart").
-  virtual void restart(const ContactPhase& phase, double time, Kinematics& now) = 0;
+  virtual void restart(const StepPhase& phase, double time, Kinematics& now) = 0;
 };
 
 /// The kernels refer to `system` and `contact`, which must outlive them; time_step is that of a whole step,

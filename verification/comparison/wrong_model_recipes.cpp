@@ -440,30 +440,31 @@ Recipes of_damping_and_friction() {
                        "friction falls to mu_m P with the first slip",
                        "Eq. (7)",
                        {tip_displacement, friction_force, contact_event}},
-       .law = ContactLaw{[](const data::FrictionLaw& law, double v) {
+       .law = FrictionRule{[](const data::FrictionLaw& law, double v) {
          return sign(v) * law.kinetic_coefficient();
        }}},
       {.wrong_model = {"velocity-in-millimetres",
                        "the sliding velocity enters the friction law in mm/s",
                        "Eq. (7)",
                        {tip_displacement, friction_force, contact_event}},
-       .law = ContactLaw{[](const data::FrictionLaw& law, double v) {
+       .law = FrictionRule{[](const data::FrictionLaw& law, double v) {
          return sign(v) * weakened(law, 1e3 * std::abs(v));
        }}},
       {.wrong_model = {"decay-without-magnitude",
                        "exp(-alpha v) instead of exp(-alpha |v|)",
                        "Eq. (7)",
                        {tip_displacement, friction_force, contact_event}},
-       .law = ContactLaw{[](const data::FrictionLaw& law, double v) { return sign(v) * weakened(law, v); }}},
+       .law =
+           FrictionRule{[](const data::FrictionLaw& law, double v) { return sign(v) * weakened(law, v); }}},
       {.wrong_model =
            {"regularised-friction",
             "the jump at v_s = 0 is smoothed over 10 mm/s, so that the tip creeps instead of sticking",
             "Eq. (6)",
             {tip_displacement, friction_force, contact_event}},
-       .law = ContactLaw{[](const data::FrictionLaw& law, double v) {
-                           return weakened(law, std::abs(v)) * std::tanh(v / 0.01);
-                         },
-                         false}},
+       .law = FrictionRule{[](const data::FrictionLaw& law, double v) {
+                             return weakened(law, std::abs(v)) * std::tanh(v / 0.01);
+                           },
+                           false}},
   };
 }
 

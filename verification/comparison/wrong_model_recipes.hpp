@@ -33,8 +33,8 @@ struct WrongModelRecipe {
   /// The duration (s) over which |f_max| is searched.
   std::function<double(const data::Case&)> observed_for{};
   solver::InitialVelocity start{solver::InitialVelocity::quasi_static};
-  std::optional<ContactLaw> law{};
-  /// Changes a right result into the wrong one.
+  std::optional<FrictionRule> law{};
+  /// What it makes of a right result.
   std::function<void(const data::Case&, Quantity, const std::vector<double>&, std::vector<double>&)>
       reading{};
   bool knows_stick_slip{true};  ///< false if the mistake is possible in a model of the stick state only

@@ -40,7 +40,7 @@ Range orders_of(const std::vector<studies::TimeOrderStudy>& studies) {
 
 double percent_difference(double a, double b) { return 100.0 * std::abs(a / b - 1.0); }
 
-ForceDifferences force_differences(const std::vector<studies::ForceMaximum>& maxima) {
+ForceDifferences force_differences(const std::vector<studies::ForceMaximumStudy>& maxima) {
   ForceDifferences largest;
   const auto raise = [](double& value, double a, double b) {
     value = std::max(value, percent_difference(a, b));

@@ -30,7 +30,7 @@ struct ForceDifferences {
   double discretisation{};  ///< finite elements against converged
   double prediction{};      ///< finite elements against predicted
 };
-[[nodiscard]] ForceDifferences force_differences(const std::vector<studies::ForceMaximum>& maxima);
+[[nodiscard]] ForceDifferences force_differences(const std::vector<studies::ForceMaximumStudy>& maxima);
 
 struct PointCounts {
   std::size_t all{};

@@ -110,7 +110,7 @@ void define_stick_history(StudyResults& results, Macros& macros) {
   macros.define("FinestForceRelative", scientific(finest.force_error / study.force_peak, 2));
 }
 
-double largest_printed_force_difference(const std::vector<studies::ForceMaximum>& maxima) {
+double largest_printed_force_difference(const std::vector<studies::ForceMaximumStudy>& maxima) {
   double largest = 0.0;
   for (const auto& row : maxima)
     largest = std::max(

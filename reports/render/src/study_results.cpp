@@ -119,9 +119,9 @@ const studies::StickHistoryStudy& StudyResults::stick_history() {
   });
 }
 
-const std::vector<studies::ForceMaximum>& StudyResults::force_maxima() {
+const std::vector<studies::ForceMaximumStudy>& StudyResults::force_maxima() {
   return once(force_maxima_, "force-maxima", "largest static friction forces", [&] {
-    std::vector<studies::ForceMaximum> maxima;
+    std::vector<studies::ForceMaximumStudy> maxima;
     for (const int hz : {15, 25, 35, 70})
       maxima.push_back(studies::force_maximum_study(
           paper_.beam,

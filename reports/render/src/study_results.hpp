@@ -55,7 +55,7 @@ class StudyResults {
   const std::vector<studies::TimeOrderStudy>& time_orders();  ///< one per spectral radius
   const studies::ManufacturedSolutionStudy& manufactured();
   const studies::StickHistoryStudy& stick_history();                ///< Fig. 9
-  const std::vector<studies::ForceMaximum>& force_maxima();         ///< at the four frequencies of Sect. 5
+  const std::vector<studies::ForceMaximumStudy>& force_maxima();    ///< at the four frequencies of Sect. 5
   const std::vector<studies::CriticalAmplitudePoint>& criterion();  ///< Fig. 11
   const std::vector<studies::CriticalAmplitudeSearch>& searches();  ///< Fig. 6
   const studies::FrequencyStudy& half_stiffness_frequencies();      ///< stick state
@@ -117,7 +117,7 @@ class StudyResults {
   std::optional<std::vector<studies::TimeOrderStudy>> time_orders_;
   std::optional<studies::ManufacturedSolutionStudy> manufactured_;
   std::optional<studies::StickHistoryStudy> stick_history_;
-  std::optional<std::vector<studies::ForceMaximum>> force_maxima_;
+  std::optional<std::vector<studies::ForceMaximumStudy>> force_maxima_;
   std::optional<std::vector<studies::CriticalAmplitudeSearch>> searches_;
   std::optional<std::vector<studies::CriticalAmplitudePoint>> criterion_, half_stiffness_criterion_;
   std::optional<studies::LengthForceMap> length_force_map_;

@@ -196,7 +196,7 @@ std::vector<Sample> samples(int modes) {
   for (int k = 1; k * sample_time <= horizon; ++k) {
     run.advance_to(k * sample_time);
     list.push_back(
-        {run.state() == analytic::ContactState::stick, run.contact_position(), -run.friction_force()});
+        {run.state() == analytic::ContactPhase::stick, run.contact_position(), -run.friction_force()});
   }
   return list;
 }

@@ -14,8 +14,8 @@ constexpr int predicted_modes = 20;
 
 }  // namespace
 
-ForceMaximum force_maximum_study(const data::Beam& beam, const data::HarmonicExcitation& excitation,
-                                 const data::NumericalSettings& numerics, int reference_modes) {
+ForceMaximumStudy force_maximum_study(const data::Beam& beam, const data::HarmonicExcitation& excitation,
+                                      const data::NumericalSettings& numerics, int reference_modes) {
   const analytic::StickResponse truncated(beam, excitation, numerics.modes());
   const analytic::StickResponse converged(beam, excitation, reference_modes, analytic::SteadyPart::exact);
   const PredictedForce predicted(beam, excitation, numerics, predicted_modes);

@@ -7,8 +7,8 @@
 
 namespace stickslip::studies {
 
-/// |f_max| of Eqs. (29), (30) at one excitation, computed by several methods.
-struct ForceMaximum {
+/// |f_max| of Eqs. (29), (30) at one excitation, by every route there is.
+struct ForceMaximumStudy {
   double frequency_hz{};
   double amplitude{};          ///< m
   double sampled{};            ///< N modes, sampled at numerics.time_step(), N
@@ -21,11 +21,10 @@ struct ForceMaximum {
   double prediction_uncertainty{};    ///< PredictedForce::uncertainty
 };
 
-/// Computes |f_max| over 0 ... numerics.duration() for one excitation by all of these methods.
-[[nodiscard]] ForceMaximum force_maximum_study(const data::Beam& beam,
-                                               const data::HarmonicExcitation& excitation,
-                                               const data::NumericalSettings& numerics,
-                                               int reference_modes = 100);
+[[nodiscard]] ForceMaximumStudy force_maximum_study(const data::Beam& beam,
+                                                    const data::HarmonicExcitation& excitation,
+                                                    const data::NumericalSettings& numerics,
+                                                    int reference_modes = 100);
 
 /// One point of the critical amplitude over frequency, Figs. 11 and 13: closed form with N modes.
 struct CriticalAmplitudePoint {

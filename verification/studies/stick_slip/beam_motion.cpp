@@ -90,7 +90,7 @@ BeamMotion event_driven_motion(const data::Case& problem, const MotionGrid& grid
     const double t = static_cast<double>(step) * problem.numerics.time_step();
     run.advance_to(t);
     motion.snapshots.push_back({.time = t,
-                                .sticks = run.state() == analytic::ContactState::stick,
+                                .sticks = run.state() == analytic::ContactPhase::stick,
                                 .friction_force = -run.friction_force(),
                                 .displacement = {}});
     for (const auto& shape : shapes)

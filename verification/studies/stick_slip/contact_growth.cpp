@@ -22,7 +22,7 @@ constexpr double near = 2.0;        // times kappa: local minima below this valu
 /// Searches for a frequency at which Re Z(sigma + i omega) < kappa.
 class Search {
  public:
-  Search(const ContactDynamics& contact, double kappa) : contact_(contact), kappa_(kappa) {}
+  Search(const LinearContact& contact, double kappa) : contact_(contact), kappa_(kappa) {}
 
   bool grows_at_most(double sigma) {
     if (contact_.limiting_mass * sigma + contact_.limiting_damping < kappa_ * (1.0 - 1e-12)) return false;
@@ -69,7 +69,7 @@ class Search {
     return 0.5 * (low + high);
   }
 
-  const ContactDynamics& contact_;
+  const LinearContact& contact_;
   double kappa_;
   double worst_{};
 };
@@ -96,11 +96,11 @@ double weakening(const data::FrictionLaw& friction, double normal_force) {
   return (friction.static_coefficient() - friction.kinetic_coefficient()) * friction.decay() * normal_force;
 }
 
-bool grows_at_most(const ContactDynamics& contact, double kappa, double sigma) {
+bool grows_at_most(const LinearContact& contact, double kappa, double sigma) {
   return Search(contact, kappa).grows_at_most(sigma);
 }
 
-double growth_bound(const ContactDynamics& contact, double kappa) {
+double growth_bound(const LinearContact& contact, double kappa) {
   Search search(contact, kappa);
   const double lowest = *std::ranges::find_if(contact.frequencies, [](double omega) { return omega > 0.0; });
   double low = 1e-6 * lowest, high = low;
@@ -117,8 +117,8 @@ double growth_bound(const ContactDynamics& contact, double kappa) {
   return high;
 }
 
-ContactDynamics continuous_contact(const data::Beam& beam, const data::Damping& damping) {
-  ContactDynamics contact{.mobility = analytic::TipMobility(beam, damping), .frequencies = {0.0}};
+LinearContact continuous_contact(const data::Beam& beam, const data::Damping& damping) {
+  LinearContact contact{.mobility = analytic::TipMobility(beam, damping), .frequencies = {0.0}};
   const double mass_per_length = beam.density() * beam.area();
   const double scale = std::sqrt(beam.youngs_modulus() * beam.second_moment_of_area() / mass_per_length);
   constexpr int highest_mode = 40;
@@ -133,11 +133,11 @@ double beam_growth_bound(const data::Beam& beam, const data::FrictionLaw& fricti
   return growth_bound(continuous_contact(beam, damping), weakening(friction, beam.axial_force()));
 }
 
-ContactDynamics continuous_contact(const solver::ContactMobility& mobility) {
-  ContactDynamics contact{.mobility = mobility,
-                          .frequencies = {0.0},
-                          .limiting_mass = mobility.contact_mass(),
-                          .limiting_damping = mobility.contact_damping()};
+LinearContact continuous_contact(const solver::ContactMobility& mobility) {
+  LinearContact contact{.mobility = mobility,
+                        .frequencies = {0.0},
+                        .limiting_mass = mobility.contact_mass(),
+                        .limiting_damping = mobility.contact_damping()};
   const auto& modes = mobility.angular_frequencies();
   std::ranges::copy_if(modes, std::back_inserter(contact.frequencies),
                        [](double omega) { return omega > 0.0; });
@@ -145,9 +145,9 @@ ContactDynamics continuous_contact(const solver::ContactMobility& mobility) {
   return contact;
 }
 
-ContactDynamics stepped_contact(const solver::ContactMobility& mobility, double time_step,
-                                double spectral_radius) {
-  ContactDynamics contact{
+LinearContact stepped_contact(const solver::ContactMobility& mobility, double time_step,
+                              double spectral_radius) {
+  LinearContact contact{
       .mobility = in_steps([mobility, time_step, spectral_radius](
                                Complex zeta) { return mobility.discrete(zeta, time_step, spectral_radius); },
                            time_step),
@@ -158,13 +158,13 @@ ContactDynamics stepped_contact(const solver::ContactMobility& mobility, double 
   return contact;
 }
 
-ContactDynamics stepped_contact(const data::Beam& beam, double time_step, int stages) {
-  ContactDynamics contact{.mobility = in_steps(
-                              [mobility = analytic::TipMobility(beam), time_step, stages](Complex zeta) {
-                                return analytic::discrete_mobility(mobility, time_step, stages, zeta);
-                              },
-                              time_step),
-                          .frequencies = {0.0}};
+LinearContact stepped_contact(const data::Beam& beam, double time_step, int stages) {
+  LinearContact contact{.mobility = in_steps(
+                            [mobility = analytic::TipMobility(beam), time_step, stages](Complex zeta) {
+                              return analytic::discrete_mobility(mobility, time_step, stages, zeta);
+                            },
+                            time_step),
+                        .frequencies = {0.0}};
   add_frequencies_of_the_beam(beam, pi / time_step, contact.frequencies);
   contact.frequencies.push_back(pi / time_step);
   return contact;
@@ -232,7 +232,7 @@ solver::ContactSystem with_radiating_contact(const solver::ContactSystem& system
   return result;
 }
 
-ContactDynamics continuous_contact(const analytic::ContactModel& model) {
+LinearContact continuous_contact(const analytic::ContactModel& model) {
   return continuous_contact(solver::ContactMobility(contact_system(model)));
 }
 

@@ -38,8 +38,8 @@ namespace stickslip::studies {
 /// The Lipschitz constant kappa = (mu_s - mu_m) alpha N of the falling part of the friction law, N s/m.
 [[nodiscard]] double weakening(const data::FrictionLaw& friction, double normal_force);
 
-/// The mobility of a contact, with the data that the search for sigma* needs.
-struct ContactDynamics {
+/// A contact as the search for sigma* sees it.
+struct LinearContact {
   analytic::Mobility mobility;      ///< Y(s), or W(exp(-s h))
   std::vector<double> frequencies;  ///< rad/s, ascending from 0; Re Z is searched from the first to the last
   /// Re Z -> limiting_mass sigma + limiting_damping for omega -> infinity; kg, N s/m.
@@ -47,39 +47,37 @@ struct ContactDynamics {
   double limiting_damping{};
 };
 
-/// The growth bound sigma*, 1/s, with a relative accuracy of 1e-4. The result is 0 if sigma* is below 1e-6 of
-/// the lowest frequency, and infinity if it is above 1000 times the highest. The minimum over omega is found
-/// by a search and is not proven: 16 values between neighbouring frequencies, refined near each local minimum
-/// that is below 2 kappa. The limit for omega -> infinity is taken into account.
-[[nodiscard]] double growth_bound(const ContactDynamics& contact, double kappa);
+/// sigma*, 1/s, to 1e-4 of itself; 0 if it is below 1e-6 of the lowest frequency, infinity if it is above
+/// 1000 times the highest. The minimum over omega is searched and not proven: 16 values between neighbouring
+/// frequencies, refined about each local minimum that is near to kappa. The limit is taken into account.
+[[nodiscard]] double growth_bound(const LinearContact& contact, double kappa);
 
-/// Whether sigma* <= sigma, by one search. Precondition: sigma > 0.
-[[nodiscard]] bool grows_at_most(const ContactDynamics& contact, double kappa, double sigma);
+/// Whether sigma* <= sigma: one search, with sigma > 0.
+[[nodiscard]] bool grows_at_most(const LinearContact& contact, double kappa, double sigma);
 
-/// The continuous beam, with the frequencies up to mode 40 and the limit above. Throws what TipMobility
-/// throws.
-[[nodiscard]] ContactDynamics continuous_contact(const data::Beam& beam, const data::Damping& damping = {});
+/// The beam itself, with the frequencies up to mode 40 and the limit above. Throws what TipMobility throws.
+[[nodiscard]] LinearContact continuous_contact(const data::Beam& beam, const data::Damping& damping = {});
 
 /// sigma* of the continuous beam, 1/s. Throws what TipMobility throws.
 [[nodiscard]] double beam_growth_bound(const data::Beam& beam, const data::FrictionLaw& friction,
                                        const data::Damping& damping = {});
 
 /// A ContactSystem in continuous time.
-[[nodiscard]] ContactDynamics continuous_contact(const solver::ContactMobility& mobility);
+[[nodiscard]] LinearContact continuous_contact(const solver::ContactMobility& mobility);
 
 /// A ContactSystem in steps of generalised-alpha.
-[[nodiscard]] ContactDynamics stepped_contact(const solver::ContactMobility& mobility, double time_step,
-                                              double spectral_radius);
+[[nodiscard]] LinearContact stepped_contact(const solver::ContactMobility& mobility, double time_step,
+                                            double spectral_radius);
 
-/// The continuous beam in the time steps of boundary_integral.hpp.
-[[nodiscard]] ContactDynamics stepped_contact(const data::Beam& beam, double time_step, int stages);
+/// The beam in the steps of boundary_integral.hpp.
+[[nodiscard]] LinearContact stepped_contact(const data::Beam& beam, double time_step, int stages);
 
 /// The matrices of a ContactModel: the held modes and, as the last degree of freedom, the contact. The result
 /// has no load, and its wall is at rest.
 [[nodiscard]] solver::ContactSystem contact_system(const analytic::ContactModel& model);
 
 /// A ContactModel in continuous time, which is what the event-driven engine computes.
-[[nodiscard]] ContactDynamics continuous_contact(const analytic::ContactModel& model);
+[[nodiscard]] LinearContact continuous_contact(const analytic::ContactModel& model);
 
 /// The system with a radiating termination: `mass` (kg) is taken from the degree of freedom of the contact
 /// and attached to it by a dashpot (N s/m) as an additional degree of freedom. In slow motions this mass

@@ -29,8 +29,8 @@ Eigen::VectorXd initial_velocity(const solver::ContactSystem& system) {
   return system.wall.velocity(0.0) * held.ldlt().solve(right_side);
 }
 
-// The root v of v + strength c(v) = v_free in [v_free - reach, v_free + reach], by bisection.
-double sliding_velocity(const ContactLaw& law, const data::FrictionLaw& friction, double strength,
+// The v in [v_free - reach, v_free + reach] at which v + strength c(v) changes its sign about v_free.
+double sliding_velocity(const FrictionRule& law, const data::FrictionLaw& friction, double strength,
                         double free_velocity) {
   const double reach = 2.0 * strength * friction.static_coefficient();
   double low = free_velocity - reach, high = free_velocity + reach;
@@ -65,7 +65,7 @@ TipRun tip_run(const solver::BeamModel& mesh, const solver::ContactSystem& syste
 }
 
 TipRun tip_run(const solver::BeamModel& mesh, const solver::ContactSystem& system, const data::Case& problem,
-               const ContactLaw& law, const RunEnd& end) {
+               const FrictionRule& law, const RunEnd& end) {
   constexpr int substeps = 10;
   const double h = problem.numerics.time_step() / substeps;
   const Eigen::Index c = system.contact;

@@ -32,9 +32,9 @@ struct TipRun {
 [[nodiscard]] TipRun tip_run(const solver::BeamModel& mesh, const solver::ContactSystem& system,
                              const data::Case& problem, solver::InitialVelocity start, const RunEnd& end);
 
-/// An arbitrary contact law: the coefficient of friction c(v) over the sliding velocity v, with f_d = -c(v)
-/// N, and whether friction of up to mu_s N holds a tip at rest. c need not be odd.
-struct ContactLaw {
+/// A contact law of one's own: the coefficient of friction against a sliding velocity v, f_d = -c(v) N, odd
+/// or not, and whether a tip at rest is held by up to mu_s N.
+struct FrictionRule {
   std::function<double(const data::FrictionLaw&, double)> coefficient;
   bool holds{true};
 };
@@ -44,6 +44,6 @@ struct ContactLaw {
 /// is possible with |f| <= mu_s N. Otherwise v_s is the root of v + m N c(v) = v_free, by bisection. The
 /// method has first order in the step, which is a tenth of the time step of the case.
 [[nodiscard]] TipRun tip_run(const solver::BeamModel& mesh, const solver::ContactSystem& system,
-                             const data::Case& problem, const ContactLaw& law, const RunEnd& end);
+                             const data::Case& problem, const FrictionRule& law, const RunEnd& end);
 
 }  // namespace stickslip::studies

@@ -23,10 +23,10 @@
 namespace stickslip::testing {
 namespace {
 
+using analytic::ChangeOfContact;
 using analytic::ContactChange;
-using analytic::ContactEvent;
 using analytic::ContactModel;
-using analytic::ContactState;
+using analytic::ContactPhase;
 using analytic::EventDriven;
 using analytic::EventDrivenEnergy;
 using analytic::EventDrivenSettings;
@@ -48,11 +48,11 @@ TEST(EventDriven, CoulombSliderStopsWhereItMust) {
     EXPECT_DOUBLE_EQ(slider.friction_force(), v0 > 0.0 ? -3.0 : 3.0);
     slider.advance_to(2.0);
     ASSERT_EQ(slider.events().size(), 1u);
-    const ContactEvent& stop = slider.events().front();
+    const ChangeOfContact& stop = slider.events().front();
     EXPECT_EQ(stop.change, ContactChange::capture);
     EXPECT_TRUE(within(stop.time, 1.3 / 1.5, round_off(20, 1, 1.0)));
     EXPECT_TRUE(within(stop.position, 0.25 + v0 * 1.3 / 3.0, round_off(20, 1, 1.0)));
-    EXPECT_EQ(slider.state(), ContactState::stick);
+    EXPECT_EQ(slider.state(), ContactPhase::stick);
     EXPECT_EQ(slider.sliding_velocity(), 0.0);
     EXPECT_EQ(slider.contact_displacement(), stop.position);
   }
@@ -119,7 +119,7 @@ TEST(EventDriven, MassOnAShakenPlaneStaysStuckForEverBelowTheFrictionLimit) {
     ASSERT_TRUE(within(mass.friction_force(), 0.99 * std::sin(2.0 * pi * 0.1 * i), round_off(20, 80, 1.0)));
   }
   EXPECT_TRUE(mass.events().empty());
-  EXPECT_EQ(mass.state(), ContactState::stick);
+  EXPECT_EQ(mass.state(), ContactPhase::stick);
 }
 
 class ShakenPlane : public ::testing::TestWithParam<double> {};
@@ -203,7 +203,7 @@ TEST(EventDriven, SeesADipOfTheSlidingVelocityHoweverShallow) {
         {.normal_force = 10.0, .friction = coulomb, .wall_acceleration = amplitude, .omega = 1.0}));
     mass.start_slipping({}, {}, 0.0, v0);
     mass.advance_to(bottom + 0.3);
-    EXPECT_EQ(mass.state(), ContactState::slip);
+    EXPECT_EQ(mass.state(), ContactPhase::slip);
     EXPECT_GT(mass.sliding_velocity(), 0.0);
     if (depth > 0.0) {
       EXPECT_TRUE(mass.events().empty()) << depth;
@@ -225,7 +225,7 @@ TEST(EventDriven, RestsWhereNothingEverMoves) {
     EventDriven mass(contact_model({.normal_force = 10.0, .friction = coulomb}));
     slips ? mass.start_slipping({}, {}, 0.25, 0.0) : mass.start_stuck({}, {}, 0.25);
     mass.advance_to(100.0);
-    EXPECT_EQ(mass.state(), ContactState::stick);
+    EXPECT_EQ(mass.state(), ContactPhase::stick);
     // A slip that cannot begin lasts the shortest step, 1e-6/omega, at mu N/m = 1 m/s^2.
     EXPECT_TRUE(within(mass.contact_displacement(), 0.25, discretisation(5e-13, 1.0, "a t^2/2")));
     EXPECT_EQ(mass.friction_force(), 0.0);
@@ -255,7 +255,7 @@ TEST(EventDriven, ASpringPastTheFrictionLimitLetsGoAtOnce) {
     EventDriven mass(contact_model({.stiffness = 2.0, .normal_force = 10.0, .friction = coulomb}));
     mass.start_stuck({}, {}, position);
     const bool holds = std::abs(position) < 0.5;
-    EXPECT_EQ(mass.state(), holds ? ContactState::stick : ContactState::slip);
+    EXPECT_EQ(mass.state(), holds ? ContactPhase::stick : ContactPhase::slip);
     EXPECT_EQ(mass.events().size(), holds ? 0u : 1u);
     EXPECT_DOUBLE_EQ(mass.holding_force(), 2.0 * position);
     EXPECT_DOUBLE_EQ(mass.friction_force(), holds ? 2.0 * position : std::copysign(1.0, position));
@@ -555,10 +555,10 @@ ContactModel beam_model(double kelvin_voigt, double hz = 25.0) {
 TEST(EventDrivenBeam, DampedSlipsAndSticksAsRecorded) {
   EventDriven beam(beam_model(6.4e-5));
   beam.advance_to(0.09);
-  const std::vector<ContactEvent> recorded{{ContactChange::onset, 0.055321, 0.0},
-                                           {ContactChange::capture, 0.068022, 1.6961e-3},
-                                           {ContactChange::onset, 0.07289, 1.6961e-3},
-                                           {ContactChange::capture, 0.089036, -2.5093e-3}};
+  const std::vector<ChangeOfContact> recorded{{ContactChange::onset, 0.055321, 0.0},
+                                              {ContactChange::capture, 0.068022, 1.6961e-3},
+                                              {ContactChange::onset, 0.07289, 1.6961e-3},
+                                              {ContactChange::capture, 0.089036, -2.5093e-3}};
   const auto time_accuracy = reference(1e-5, "event-driven integration on 10 and 20 elements");
   const auto position_accuracy = reference(2e-6, "event-driven integration on 10 and 20 elements");
   ASSERT_EQ(beam.events().size(), recorded.size());
@@ -589,7 +589,7 @@ TEST_P(EventDrivenBeamEnergy, IsBalancedAndLossesOnlyGrow) {
     } else {
       ASSERT_EQ(now.damping_loss, 0.0);
     }
-    if (beam.state() == ContactState::slip) {
+    if (beam.state() == ContactPhase::slip) {
       ASSERT_LE(beam.friction_force() * beam.sliding_velocity(), 0.0);
       ASSERT_GE(std::abs(beam.friction_force()), 150.0);
     }

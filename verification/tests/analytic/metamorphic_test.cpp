@@ -25,7 +25,7 @@ namespace stickslip::testing {
 namespace {
 
 using analytic::BeamContactModel;
-using analytic::ContactEvent;
+using analytic::ChangeOfContact;
 using analytic::ContactModel;
 using analytic::EventDriven;
 using analytic::StickMode;
@@ -366,7 +366,7 @@ TEST(Similarity, FixesTheDampedSteadyState) {
 
 std::vector<EventAt> events_of(const EventDriven& history) {
   std::vector<EventAt> events;
-  for (const ContactEvent& event : history.events()) events.push_back({event.time, event.position});
+  for (const ChangeOfContact& event : history.events()) events.push_back({event.time, event.position});
   return events;
 }
 
@@ -533,7 +533,7 @@ EventDriven continued(const ContactModel& model, const EventDriven& from, double
     return values;
   };
   EventDriven rest(model);
-  if (from.state() == analytic::ContactState::stick) {
+  if (from.state() == analytic::ContactPhase::stick) {
     rest.start_stuck(seen(from.amplitudes()), seen(from.rates()), sign * from.contact_position());
   } else {
     rest.start_slipping(seen(from.amplitudes()), seen(from.rates()), sign * from.contact_position(),

@@ -221,11 +221,11 @@ TEST(ClaimOnEquation4, StickContinuesOnlyWhileTheForceIsWithinTheLimit) {
   double largest = 0.0;
   for (int n = 1; n <= 6000; ++n) {
     run.advance_to(5e-5 * n);
-    if (run.state() == analytic::ContactState::stick)
+    if (run.state() == analytic::ContactPhase::stick)
       largest = std::max(largest, std::abs(run.friction_force()));
   }
   const auto onsets =
-      std::ranges::count(run.events(), analytic::ContactChange::onset, &analytic::ContactEvent::change);
+      std::ranges::count(run.events(), analytic::ContactChange::onset, &analytic::ChangeOfContact::change);
   judge({.as_printed =
              onsets > 3 && largest <= friction_limit() * (1.0 + 1e-9) && largest > 0.95 * friction_limit()},
         fmt::format("over 0.3 s at 25 Hz and 1 mm, {} onsets of slip, the force in stick reaches {:.2f} N "

@@ -52,7 +52,7 @@ double stepped_bound(const solver::ContactMobility& mobility, double angle, doub
   return growth_bound(studies::stepped_contact(mobility, h, radius), kappa);
 }
 
-studies::ContactDynamics without_limit(studies::ContactDynamics contact) {
+studies::LinearContact without_limit(studies::LinearContact contact) {
   contact.limiting_mass = std::numeric_limits<double>::infinity();
   return contact;
 }
@@ -176,15 +176,15 @@ TEST(HistoryConvergence, OfAMeshWithARadiatingTipComesFromResolvedSteps) {
 }
 
 // The sliding beam cut off after some of its modes: Y(s) = sum g_k s/(s^2 + omega_k^2).
-studies::ContactDynamics contact_of(const std::vector<analytic::FreeMode>& modes) {
-  studies::ContactDynamics contact{.mobility =
-                                       [modes](std::complex<double> s) {
-                                         std::complex<double> sum = 0.0;
-                                         for (const auto& [omega, input] : modes)
-                                           sum += input * s / (s * s + omega * omega);
-                                         return sum;
-                                       },
-                                   .frequencies = {0.0}};
+studies::LinearContact contact_of(const std::vector<analytic::FreeMode>& modes) {
+  studies::LinearContact contact{.mobility =
+                                     [modes](std::complex<double> s) {
+                                       std::complex<double> sum = 0.0;
+                                       for (const auto& [omega, input] : modes)
+                                         sum += input * s / (s * s + omega * omega);
+                                       return sum;
+                                     },
+                                 .frequencies = {0.0}};
   double participation = 0.0;
   for (const auto& [omega, input] : modes) {
     participation += input;

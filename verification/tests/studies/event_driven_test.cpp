@@ -138,7 +138,7 @@ TEST(FiniteElementContactModel, BalancesTheRowOfTheContactInEveryStickPhase) {
     acceleration = constrained.llt().solve(acceleration).eval();
     const double force = mass.row(c).dot(acceleration) - rest[c];
     ASSERT_TRUE(within(run.holding_force(), force, round_off(20, 100, 1e5))) << t;
-    stuck += run.state() == analytic::ContactState::stick ? 1 : 0;
+    stuck += run.state() == analytic::ContactPhase::stick ? 1 : 0;
   }
   EXPECT_GT(stuck, 50);
   EXPECT_LT(stuck, 85);
@@ -364,7 +364,7 @@ TEST(EventDrivenAndStepped, LetGoAtOnceOfAStartThatTakesMoreThanTheLimit) {
                     {-static_shape(pair) * wall_velocity / mode_shape(pair)}, contact);
     const bool holds = std::abs(contact) < 0.2;
     EXPECT_EQ(stepped.state() == solver::ContactState::stick, holds) << contact;
-    EXPECT_EQ(run.state() == analytic::ContactState::stick, holds) << contact;
+    EXPECT_EQ(run.state() == analytic::ContactPhase::stick, holds) << contact;
     EXPECT_TRUE(within(run.friction_force(), stepped.friction_force(), round_off(20, 10, 20.0))) << contact;
     EXPECT_EQ(stepped.events().size(), holds ? 0u : 1u);
     EXPECT_EQ(run.events().size(), holds ? 0u : 1u);

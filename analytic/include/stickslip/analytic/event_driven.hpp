@@ -24,7 +24,7 @@
 
 namespace stickslip::analytic {
 
-enum class ContactState { stick, slip };
+enum class ContactPhase { stick, slip };
 
 enum class ContactChange {
   onset,     ///< stick to slip: |f_d| reached mu_s N
@@ -33,7 +33,7 @@ enum class ContactChange {
   graze      ///< the sliding velocity touched zero and goes on in the same direction
 };
 
-struct ContactEvent {
+struct ChangeOfContact {
   ContactChange change{};
   double time{};      ///< s
   double position{};  ///< of the contact on the wall, u_c - w, m
@@ -85,7 +85,7 @@ class EventDriven {
   void advance_to(double t);
 
   [[nodiscard]] double time() const;
-  [[nodiscard]] ContactState state() const;
+  [[nodiscard]] ContactPhase state() const;
   [[nodiscard]] const std::vector<double>& amplitudes() const;  ///< T_n
   [[nodiscard]] const std::vector<double>& rates() const;       ///< T_n_t
   [[nodiscard]] double contact_displacement() const;            ///< u_c, m
@@ -95,7 +95,7 @@ class EventDriven {
   [[nodiscard]] double sliding_velocity() const;                ///< v_s, m/s; zero in stick
   [[nodiscard]] double friction_force() const;                  ///< f_d, N
   [[nodiscard]] double holding_force() const;  ///< f_d that holding the contact would take, N
-  [[nodiscard]] const std::vector<ContactEvent>& events() const;
+  [[nodiscard]] const std::vector<ChangeOfContact>& events() const;
   /// Throws std::logic_error unless settings.keep_energy_balance.
   [[nodiscard]] EventDrivenEnergy energy_balance() const;
 
