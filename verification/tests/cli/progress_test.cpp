@@ -8,9 +8,12 @@
 
 #include <array>
 #include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <cstddef>
 #include <cstdlib>
+#include <cstring>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -125,20 +128,24 @@ TEST_F(ProgressOf, LongWorkCountsHours) {
   EXPECT_TRUE(written_[0].ends_with("  2:03:04 left")) << written_[0];
 }
 
-TEST(ProgressStyle, IsABarOnATerminalLinesInAFileAndNothingInAPipe) {
+TEST(ProgressStyle, IsABarOnATerminal) {
   const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
-  if (terminal < 0) GTEST_SKIP() << "there is no pseudo-terminal here (/dev/pts)";
+  if (terminal < 0) GTEST_SKIP() << "the system gives no pseudo-terminal: " << std::strerror(errno);
+  EXPECT_EQ(report::progress_style_of(terminal), ProgressStyle::bar);
+  ::close(terminal);
+}
+
+TEST(ProgressStyle, IsLinesInAFileAndNothingInAPipe) {
   std::string name = ::testing::TempDir() + "progress-XXXXXX";
   const int file = ::mkstemp(name.data());
   std::array<int, 2> pipe{};
   ASSERT_EQ(::pipe(pipe.data()), 0);
   const int device = ::open("/dev/null", O_WRONLY);
-  EXPECT_EQ(report::progress_style_of(terminal), ProgressStyle::bar);
   EXPECT_EQ(report::progress_style_of(file), ProgressStyle::lines);
   EXPECT_EQ(report::progress_style_of(pipe[1]), ProgressStyle::silent);
   EXPECT_EQ(report::progress_style_of(device), ProgressStyle::silent);
   EXPECT_EQ(Progress::standard_error(true).style, ProgressStyle::silent);
-  for (const int descriptor : {terminal, file, pipe[0], pipe[1], device}) ::close(descriptor);
+  for (const int descriptor : {file, pipe[0], pipe[1], device}) ::close(descriptor);
   ::unlink(name.c_str());
 }
 
