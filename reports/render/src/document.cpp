@@ -58,7 +58,7 @@ void run_pdflatex(const fs::path& folder) {
 Document make_document(StudyResults& results, const Environment& environment,
                        const std::vector<TestResult>& tests) {
   const MutantRecord mutants = read_mutant_record();
-  Document document = make_tables(results, environment, tests, mutants, studies::input_matrix());
+  Document document = make_tables(results, environment, tests, mutants);
   document["numbers.tex"] = make_numbers(results, environment, tests, mutants);
   const benchmarks::SpeedRecord speed = benchmarks::read_speed_record();
   document["speed-processor.tex"] = escape(speed.processor);

@@ -579,30 +579,6 @@ std::string printed(StudyResults& results) {
   return rows.text();
 }
 
-// One row a defect: refused and accepted in case files, options and columns.
-std::string bad_input_rows(const std::vector<studies::BadInput>& inputs) {
-  const auto counts = studies::count_by_defect(inputs);
-  std::vector<std::string> defects;
-  for (const auto& count : counts)
-    if (std::ranges::find(defects, count.defect) == defects.end()) defects.push_back(count.defect);
-  Rows rows;
-  for (const std::string& defect : defects) {
-    std::vector<std::string> cells{escape(defect)};
-    for (const auto& count : counts)
-      if (count.defect == defect)
-        cells.insert(cells.end(), {std::to_string(count.refused), std::to_string(count.accepted)});
-    rows.add(cells);
-  }
-  return rows.text();
-}
-
-std::string accepted_input_rows(const std::vector<studies::BadInput>& inputs) {
-  Rows rows;
-  for (const auto& count : studies::count_by_reason(inputs))
-    rows.add({escape(count.reason), std::to_string(count.rows)});
-  return rows.text();
-}
-
 std::string environment_rows(const Environment& environment) {
   Rows rows;
   rows.add(
@@ -616,8 +592,7 @@ std::string environment_rows(const Environment& environment) {
 }  // namespace
 
 Document make_tables(StudyResults& results, const Environment& environment,
-                     const std::vector<TestResult>& tests, const MutantRecord& mutants,
-                     const std::vector<studies::BadInput>& inputs) {
+                     const std::vector<TestResult>& tests, const MutantRecord& mutants) {
   return {{"table-summary.tex", summary(results)},
           {"table-parameters.tex", parameters(results)},
           {"table-unstated.tex", unstated()},
@@ -665,8 +640,8 @@ Document make_tables(StudyResults& results, const Environment& environment,
           {"table-tight.tex", tight_rows(tests)},
           {"table-generous.tex", generous_rows(tests)},
           {"logical-tests.tex", logical_tests(tests)},
-          {"table-bad-input.tex", bad_input_rows(inputs)},
-          {"table-accepted-input.tex", accepted_input_rows(inputs)},
+          {"table-bad-input.tex", bad_input_rows(tests)},
+          {"table-accepted-input.tex", accepted_input_rows(tests)},
           {"table-environment.tex", environment_rows(environment)}};
 }
 

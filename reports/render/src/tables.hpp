@@ -3,7 +3,6 @@
 #include "document.hpp"
 #include "environment.hpp"
 #include "mutant_tables.hpp"
-#include "studies/common/input_matrix.hpp"
 #include "study_results.hpp"
 #include "test_results.hpp"
 
@@ -11,7 +10,6 @@ namespace stickslip::report {
 
 /// The rows of every table of the report, as table-*.tex; columns, heads and captions are the template's.
 [[nodiscard]] Document make_tables(StudyResults& results, const Environment& environment,
-                                   const std::vector<TestResult>& tests, const MutantRecord& mutants,
-                                   const std::vector<studies::BadInput>& inputs);
+                                   const std::vector<TestResult>& tests, const MutantRecord& mutants);
 
 }  // namespace stickslip::report

@@ -78,7 +78,14 @@ void read_comparisons(Properties& properties, const fs::path& file, TestResult& 
                     .margin = value("margin"),
                     .tolerance_class = properties["class"]};
   constexpr std::string_view compared = "compared.", tolerances = "tolerances.";
+  constexpr std::string_view bad = "bad_input.", accepted = "accepted_input.";
+  const auto count = [&](const std::string& text) { return static_cast<int>(number(text, file)); };
   for (const auto& [key, text] : properties) {
+    if (key.starts_with(bad)) {
+      const auto counts = fields_of(key, text, 2, file);
+      result.bad_input[key.substr(bad.size())] = {count(counts[0]), count(counts[1])};
+    }
+    if (key.starts_with(accepted)) result.accepted_input[key.substr(accepted.size())] = count(text);
     if (key.starts_with(compared))
       result.named.push_back(
           named_comparison(key.substr(compared.size()), fields_of(key, text, 7, file), file));
@@ -98,7 +105,9 @@ TestResult read_test(const pugi::xml_node& test, const std::string& kind, const 
   if (const std::size_t slash = result.suite.find('/'); slash != std::string::npos)
     result.suite.erase(0, slash + 1);
   result.name = test.attribute("name").value();
-  result.passed = !test.child("failure") && std::string_view(test.attribute("status").value()) == "run";
+  result.skipped = static_cast<bool>(test.child("skipped"));
+  result.passed = !test.child("failure") && !result.skipped &&
+                  std::string_view(test.attribute("status").value()) == "run";
   result.requirement = properties["requirement"];
   result.requirement_text = properties["requirement_text"];
   result.source = properties["source"];

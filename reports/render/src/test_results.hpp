@@ -1,8 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stickslip::report {
@@ -30,6 +32,7 @@ struct TestResult {
   std::string suite;  ///< without the prefix of an instantiation
   std::string name;   ///< "IsThePrintedOneByBothImplementations/Figure4a"
   bool passed{};
+  bool skipped{};
   std::string requirement, requirement_text, source;
   int requirement_position{};  ///< in the list of requirements
   int comparisons{};
@@ -37,6 +40,8 @@ struct TestResult {
   std::vector<TestComparison> named;       ///< those with a name
   std::vector<ToleranceEntry> tolerances;  ///< by class
   std::string claim, finding;              ///< of the ledger, where the test judges one
+  std::map<std::string, std::pair<int, int>> bad_input;  ///< refused and accepted, by "<place>.<defect>"
+  std::map<std::string, int> accepted_input;             ///< by the reason why it is accepted
 };
 
 /// The results in a folder of GoogleTest's XML files, by requirement, then suite, then name. Throws

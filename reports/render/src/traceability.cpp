@@ -4,8 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "latex_table.hpp"
 #include "stickslip/report/latex_text.hpp"
@@ -16,9 +19,13 @@ namespace {
 
 std::string full_name(const TestResult& test) { return test.suite + "." + test.name; }
 
-std::string name_cell(const TestResult& test) {
-  return breakable(full_name(test)) + (test.passed ? "" : " \\textbf{(failed)}");
+// Nothing where the test has passed.
+std::string outcome(const TestResult& test) {
+  if (test.skipped) return " \\textbf{(skipped)}";
+  return test.passed ? "" : " \\textbf{(failed)}";
 }
+
+std::string name_cell(const TestResult& test) { return breakable(full_name(test)) + outcome(test); }
 
 std::string margin_text(double margin) { return margin == 0.0 ? "0" : compact_number(margin, 2); }
 
@@ -72,7 +79,7 @@ TestCounts test_counts(const std::vector<TestResult>& tests) {
   std::set<std::string> requirements;
   for (const TestResult& test : tests) {
     requirements.insert(test.requirement);
-    counts.failed += test.passed ? 0 : 1;
+    counts.failed += test.passed || test.skipped ? 0 : 1;
     counts.comparisons += test.comparisons;
     if (!test.worst) continue;
     ++counts.comparing;
@@ -90,7 +97,8 @@ std::size_t claims_with(const std::vector<data::Claim>& claims, data::ClaimVerdi
 std::string requirement_rows(const std::vector<TestResult>& tests) {
   Rows rows;
   for_each_requirement(tests, [&](auto first, auto last) {
-    const auto failed = std::count_if(first, last, [](const TestResult& test) { return !test.passed; });
+    const auto failed =
+        std::count_if(first, last, [](const TestResult& test) { return !test.passed && !test.skipped; });
     double margin = -1.0;
     for (auto test = first; test != last; ++test)
       if (test->worst) margin = std::max(margin, test->worst->margin);
@@ -156,11 +164,41 @@ std::string logical_tests(const std::vector<TestResult>& tests) {
       if (!names.empty()) names += test->suite == suite ? ", " : "; ";
       if (test->suite != suite) names += fmt::format("\\emph{{{}:}} ", breakable(test->suite));
       suite = test->suite;
-      names += breakable(test->name) + (test->passed ? "" : " \\textbf{(failed)}");
+      names += breakable(test->name) + outcome(*test);
     }
     if (!names.empty()) text += fmt::format("\\par\\noindent\\textbf{{{}}} {}.\n", first->requirement, names);
   });
   return text;
+}
+
+std::string bad_input_rows(const std::vector<TestResult>& tests) {
+  std::map<std::string, std::map<std::string, std::pair<int, int>>> table;  // by defect, then place
+  for (const TestResult& test : tests)
+    for (const auto& [key, counts] : test.bad_input) {
+      const std::size_t dot = key.find('.');
+      auto& [refused, accepted] = table[key.substr(dot + 1)][key.substr(0, dot)];
+      refused += counts.first;
+      accepted += counts.second;
+    }
+  Rows rows;
+  for (auto& [defect, places] : table) {
+    std::vector<std::string> cells{escape(defect)};
+    for (const char* place : {"case file", "option", "column", "package"})
+      cells.insert(cells.end(), {std::to_string(places[place].first), std::to_string(places[place].second)});
+    rows.add(cells);
+  }
+  return rows.text();
+}
+
+std::string accepted_input_rows(const std::vector<TestResult>& tests) {
+  std::map<std::string, int> counts;
+  for (const TestResult& test : tests)
+    for (const auto& [reason, count] : test.accepted_input) counts[reason] += count;
+  std::vector<std::pair<std::string, int>> sorted(counts.begin(), counts.end());
+  std::ranges::stable_sort(sorted, std::ranges::greater{}, &std::pair<std::string, int>::second);
+  Rows rows;
+  for (const auto& [reason, count] : sorted) rows.add({escape(reason), std::to_string(count)});
+  return rows.text();
 }
 
 std::string claim_rows(const std::vector<data::Claim>& claims, const std::vector<TestResult>& tests) {

@@ -45,6 +45,13 @@ struct TestCounts {
 /// The other tests, a paragraph for each requirement.
 [[nodiscard]] std::string logical_tests(const std::vector<TestResult>& tests);
 
+/// Rows, one for each defect of bad input: how many case files, options, columns and packages refuse it, and
+/// how many accept it.
+[[nodiscard]] std::string bad_input_rows(const std::vector<TestResult>& tests);
+
+/// Rows, one for each reason to accept what looks like a defect: reason, how often; the most frequent first.
+[[nodiscard]] std::string accepted_input_rows(const std::vector<TestResult>& tests);
+
 /// Rows of the ledger: place and claim, how it was tested, what was found.
 [[nodiscard]] std::string claim_rows(const std::vector<data::Claim>& claims,
                                      const std::vector<TestResult>& tests);

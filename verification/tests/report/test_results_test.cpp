@@ -96,6 +96,28 @@ TEST_F(TestResults, TellWhatFailed) {
   EXPECT_NE(report::logical_tests(results).find("Fails \\textbf{(failed)}"), std::string::npos);
 }
 
+TEST_F(TestResults, TellWhatWasSkipped) {
+  write("unit.A.xml", "A", "Waits", "<skipped message=\"no pseudo-terminal\"/>");
+  const auto results = report::read_test_results(folder_);
+  ASSERT_EQ(results.size(), 1U);
+  EXPECT_FALSE(results[0].passed);
+  EXPECT_EQ(report::test_counts(results).failed, 0U);
+  EXPECT_NE(report::logical_tests(results).find("Waits \\textbf{(skipped)}"), std::string::npos);
+}
+
+TEST_F(TestResults, CountBadInputByDefectAndByReasonOverAllTests) {
+  write("unit.A.xml", "A", "Options",
+        "<properties>" + property("bad_input.option.zero", "3; 1") +
+            property("accepted_input.nothing moves", "1") + "</properties>");
+  write("unit.B.xml", "B", "More",
+        "<properties>" + property("bad_input.option.zero", "5; 1") +
+            property("bad_input.column.zero", "2; 0") + property("accepted_input.nothing moves", "1") +
+            "</properties>");
+  const auto results = report::read_test_results(folder_);
+  EXPECT_EQ(report::bad_input_rows(results), "zero & 0 & 0 & 8 & 2 & 2 & 0 & 0 & 0 \\\\\n");
+  EXPECT_EQ(report::accepted_input_rows(results), "nothing moves & 2 \\\\\n");
+}
+
 TEST_F(TestResults, ComeInTheOrderOfTheRequirements) {
   write("unit.B.xml", "B", "Second",
         "<properties>" + property("requirement_position", "10") + "</properties>");

@@ -277,8 +277,8 @@ const std::vector<Requirement> table{
      "Every key, option and column with every defect is refused in one sentence, or taken and gives finite "
      "numbers; every key and column of a published package likewise.",
      "Bad input",
-     {"InputMatrix", "CaseFileInput", "ColumnInput", "ColumnsOf", "PackageInput", "PublishedColumns",
-      "PackageKeys", "OptionInput", "OptionsOf"}},
+     {"CaseFileInput", "ColumnInput", "ColumnsOf", "PackageInput", "PublishedColumns", "PackageKeys",
+      "OptionInput", "OptionsOf"}},
     {"U3",
      "Figures and report appear whole or not at all, are drawn from their CSV files alone, and only when "
      "something has changed.",
