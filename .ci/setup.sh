@@ -17,13 +17,9 @@ figure_packages=(gnuplot-nox fonts-dejavu-core)
 # shellcheck disable=SC2034
 fuzz_packages=(clang libclang-rt-14-dev)
 
-# What the CI needs besides: checks, coverage, the reference of the libraries and the Debian package.
+# What the tests need besides: their framework, what typesets the manual page, and what checks the traceability.
 # shellcheck disable=SC2034
-check_packages=(clang clang-tidy clang-format gcovr python3 doxygen graphviz libjs-mathjax dpkg-dev)
-
-# What the tests need besides: their framework, and what typesets the manual page.
-# shellcheck disable=SC2034
-test_packages=(libgtest-dev groff-base)
+test_packages=(libgtest-dev groff-base python3)
 
 # Ninja would work on two sources more than there are processors, which takes longer.
 CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}

@@ -109,7 +109,6 @@ Claim read_claim(const Record& record) {
   Claim row{.id = record.text("id"),
             .place = record.text("place"),
             .claim = record.text("claim"),
-            .test = record.text("test"),
             .how = record.text("how"),
             .verdict = read_claim_verdict(record),
             .correction = record.optional_text("correction"),
@@ -171,11 +170,10 @@ std::string_view to_string(ClaimVerdict verdict) noexcept {
 }
 
 std::vector<Claim> claims() {
-  auto rows = read_all(claims_file(), "claim",
-                       {"id", "place", "claim", "test", "how", "verdict", "correction", "figure", "erratum"},
-                       read_claim);
+  auto rows =
+      read_all(claims_file(), "claim",
+               {"id", "place", "claim", "how", "verdict", "correction", "figure", "erratum"}, read_claim);
   require_unique_ids(claims_file(), rows);
-  require_unique(claims_file(), rows, &Claim::test, "test");
   const auto known = errata();
   for (const auto& row : rows)
     if (!row.erratum.empty() && std::ranges::find(known, row.erratum, &Erratum::id) == known.end())

@@ -11,6 +11,7 @@
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "support/beams.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -36,6 +37,7 @@ double curvature_bound(double hz, double duration) {
   return bound;
 }
 
+STICKSLIP_VERIFIES(BandMaximum, "X15");
 TEST(BandMaximum, EnclosesTheMaximumOfAFineGrid) {
   constexpr double duration = 0.5, grid_error = 0.02;
   for (const FrequencyBand band :

@@ -20,6 +20,7 @@
 #include "stickslip/analytic/tip_mobility.hpp"
 #include "support/beams.hpp"
 #include "support/contact_models.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -43,6 +44,7 @@ std::vector<double> noise(std::size_t count) {
 
 class GaussStages : public ::testing::TestWithParam<int> {};
 
+STICKSLIP_VERIFIES(GaussStages, "D4");
 TEST_P(GaussStages, FollowAFreeMassExactly) {
   // Under a constant force the velocity is linear in time: mean h/(2m) in the step of a unit force, then h/m.
   const double mass = 3.0, h = 0.01;
@@ -109,6 +111,7 @@ TEST_P(GaussStages, KeepTheBeamPassive) {
 
 INSTANTIATE_TEST_SUITE_P(Stages, GaussStages, ::testing::Values(1, 2, 3, 4));
 
+STICKSLIP_VERIFIES(BoundaryIntegral, "D4");
 TEST(BoundaryIntegral, ConvolvesAsItsSumsDo) {
   // Over more than eight blocks of 128 and a length that is no power of two; sums of 1500 terms up to 1.
   const auto weights = noise(1500);
@@ -178,6 +181,7 @@ struct FrictionPower {
 
 class BoundaryIntegralOfAShakenPlane : public ::testing::TestWithParam<FrictionPower> {};
 
+STICKSLIP_VERIFIES(BoundaryIntegralOfAShakenPlane, "D4");
 TEST_P(BoundaryIntegralOfAShakenPlane, HasThePublishedFrictionPower) {
   // Mean of 10 N |v_s| over 4 <= t <= 12 s. The friction force of a step in which the contact changes is off
   // by at most 2 mu N, the velocity behind it by 2 mu N h/m = 2 h, and friction never amplifies a difference

@@ -12,6 +12,7 @@
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "support/beams.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -33,6 +34,7 @@ double densely_sampled(const StickResponse& response, double duration) {
   return largest;
 }
 
+STICKSLIP_VERIFIES(SampledMaximum, "A5");
 TEST(SampledMaximum, HoldsTheSampleAtTheEnd) {
   // The force rises from zero through the whole of 3 ms; the last sample on the grid is at 2 ms.
   const StickResponse response = response_at(5.0);
@@ -68,6 +70,7 @@ TEST(SampledMaximum, ExcessIsAnEighthOfTheSecondDerivativeTimesTheSquareOfTheSte
   EXPECT_TRUE(within(bounds.upper - bounds.lower, excess, round_off(100, bounds.upper / excess, excess)));
 }
 
+STICKSLIP_VERIFIES(MaximumForce, "A5");
 TEST(MaximumForce, EnclosesADenselySampledMaximumAlsoWhereTheSearchStopsEarly) {
   for (const double hz : {3.0, 24.9, 40.0, 81.1, 300.0}) {
     const StickResponse response = response_at(hz);
@@ -81,6 +84,7 @@ TEST(MaximumForce, EnclosesADenselySampledMaximumAlsoWhereTheSearchStopsEarly) {
   }
 }
 
+STICKSLIP_VERIFIES(StickResponse, "A4");
 TEST(StickResponse, ClosestToResonanceLosesNoDigits) {
   // In the first mode g grows as t cos(omega t)/2, and a relative shift d of Omega turns its phase by d omega
   // t/2.
@@ -98,6 +102,7 @@ TEST(StickResponse, ClosestToResonanceLosesNoDigits) {
   }
 }
 
+STICKSLIP_VERIFIES(Criterion, "A6");
 TEST(Criterion, CriticalAmplitudesAreExchangedWithTheBoundsOfTheForce) {
   const data::HarmonicExcitation excitation({.frequency_hz = 35.0, .amplitude = 1e-3});
   const auto enclosed = [&](double width) {
@@ -131,6 +136,7 @@ double bend_over_frequency(double hz, double duration, double step_hz) {
   return largest;
 }
 
+STICKSLIP_VERIFIES(BandMaximum, "X15");
 TEST(BandMaximum, BoundsTheBendOfTheForceOverFrequencyFromAboveAndNotFarAbove) {
   // Next to a resonance, between two, and above; durations on both sides of one second. Triangle inequalities
   // cost a factor of two for each sinusoid that is taken for one (the mean of sin^2) and one for each mode.

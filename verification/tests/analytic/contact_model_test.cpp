@@ -16,6 +16,7 @@
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "support/beams.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -77,6 +78,7 @@ class Curvatures {
   std::vector<double> scale_;
 };
 
+STICKSLIP_VERIFIES(BeamContactModel, "D2");
 TEST(BeamContactModel, MassesAndLoadsAreTheIntegralsOfItsShapes) {
   const BeamContactModel beam = beam_model(8);
   const Eigen::MatrixXd mass = mass_matrix(beam.model());
@@ -307,6 +309,7 @@ TEST(BeamContactModel, RefusesABeamWithoutContactOrPastBuckling) {
   EXPECT_THROW(beam_model(0), std::invalid_argument);
 }
 
+STICKSLIP_VERIFIES(FreeContactFrequencies, "D2");
 TEST(FreeContactFrequencies, RefusesWhatItDoesNotHave) {
   const ContactModel model = beam_model(5).model();
   EXPECT_EQ(analytic::free_contact_frequencies(model, 6).size(), 6u);

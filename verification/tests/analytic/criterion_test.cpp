@@ -7,6 +7,7 @@
 
 #include "stickslip/analytic/criterion.hpp"
 #include "support/beams.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -27,6 +28,7 @@ Criterion criterion_of(double frequency_hz, double amplitude, SteadyPart steady 
                             steady);
 }
 
+STICKSLIP_VERIFIES(Criterion, "A6");
 TEST(Criterion, GivesThePapersEightVerdicts) {
   struct Published {
     double frequency_hz, amplitude;

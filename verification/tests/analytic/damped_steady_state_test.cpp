@@ -16,6 +16,7 @@
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "support/beams.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -75,6 +76,7 @@ Tolerance rounding(double scale) { return round_off(50, 45, scale); }
   return within(std::abs(computed - expected), 0.0, tolerance) << computed << " instead of " << expected;
 }
 
+STICKSLIP_VERIFIES(DampedSteadyState, "A7");
 TEST(DampedSteadyState, SolvesTheEquationOfMotion) {
   for (const Vibration& v : vibrations()) {
     const DampedSteadyState solution = v.solution();

@@ -17,6 +17,7 @@
 #include "support/beams.hpp"
 #include "support/contact_models.hpp"
 #include "support/parameter_name.hpp"
+#include "support/requirements.hpp"
 #include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
 
@@ -40,6 +41,7 @@ Tolerance accumulated(double per_step, double steps, double scale) {
 
 // One mass.
 
+STICKSLIP_VERIFIES(EventDriven, "D1");
 TEST(EventDriven, CoulombSliderStopsWhereItMust) {
   // v = v0 - a t, a = mu N/m: stops at t = v0/a after v0^2/(2 a); a quadratic is integrated exactly.
   for (const double v0 : {-1.3, 1.3}) {
@@ -124,6 +126,7 @@ TEST(EventDriven, MassOnAShakenPlaneStaysStuckForEverBelowTheFrictionLimit) {
 
 class ShakenPlane : public ::testing::TestWithParam<double> {};
 
+STICKSLIP_VERIFIES(ShakenPlane, "D1");
 TEST_P(ShakenPlane, MovesBetweenEventsAsItsAccelerationIntegratedTwiceSays) {
   // v_s_t = -d - A sin(omega t) from v_s = 0 at t1 in the direction d; the next event is the first zero of
   // v_s.
@@ -173,6 +176,7 @@ struct FrictionPower {
 
 class ShakenPlaneFrictionPower : public ::testing::TestWithParam<FrictionPower> {};
 
+STICKSLIP_VERIFIES(ShakenPlaneFrictionPower, "D1");
 TEST_P(ShakenPlaneFrictionPower, IsThePublishedOneToTenDigits) {
   // Case SDND104: mean of 10 N |v_s| over 4 <= t <= 12 s, with mu N = 1 N.
   EventDriven mass(shaken_plane(GetParam().amplitude), {.keep_energy_balance = true});
@@ -359,6 +363,7 @@ void expect_exact_stick(const HeldMode& mode, const std::function<HeldMotion(dou
 
 class HeldModeNearResonance : public ::testing::TestWithParam<double> {};
 
+STICKSLIP_VERIFIES(HeldModeNearResonance, "D1");
 TEST_P(HeldModeNearResonance, FollowsTheClosedForm) {
   // From far off to within 1e-6 of resonance.
   const HeldMode mode{.load_omega = 3.0 * (1.0 + GetParam()), .wall = 0.05};
@@ -368,6 +373,7 @@ TEST_P(HeldModeNearResonance, FollowsTheClosedForm) {
 INSTANTIATE_TEST_SUITE_P(Detuning, HeldModeNearResonance,
                          ::testing::Values(-0.5, -0.01, -1e-6, 1e-6, 1e-3, 0.1, 3.0), NameOfDouble());
 
+STICKSLIP_VERIFIES(HeldMode, "D1");
 TEST(HeldMode, GrowsWithTimeAtResonance) {
   // T = 0.3 cos(omega t) - 0.5 sin(omega t)/omega + b/(2 omega^2) (sin(omega t) - omega t cos(omega t)).
   const HeldMode mode{.wall = 0.05};
@@ -382,6 +388,7 @@ TEST(HeldMode, GrowsWithTimeAtResonance) {
 
 class DampedHeldMode : public ::testing::TestWithParam<double> {};
 
+STICKSLIP_VERIFIES(DampedHeldMode, "D1");
 TEST_P(DampedHeldMode, FollowsTheClosedForm) {
   // Fractions of critical damping, oscillating and creeping, at and off resonance.
   for (const double load_omega : {2.0, 3.0, 7.0}) {
@@ -421,6 +428,7 @@ TEST(HeldMode, ZeroDampingMatrixIsNoDamping) {
 // times within a cycle of it.
 class RippledForce : public ::testing::TestWithParam<double> {};
 
+STICKSLIP_VERIFIES(RippledForce, "D1");
 TEST_P(RippledForce, LetsGoAtTheFirstOfSeveralCrossings) {
   const double damping = GetParam(), limit = 1.0;
   int several = 0;
@@ -552,6 +560,7 @@ ContactModel beam_model(double kelvin_voigt, double hz = 25.0) {
       .model();
 }
 
+STICKSLIP_VERIFIES(EventDrivenBeam, "D3");
 TEST(EventDrivenBeam, DampedSlipsAndSticksAsRecorded) {
   EventDriven beam(beam_model(6.4e-5));
   beam.advance_to(0.09);
@@ -571,6 +580,7 @@ TEST(EventDrivenBeam, DampedSlipsAndSticksAsRecorded) {
 
 class EventDrivenBeamEnergy : public ::testing::TestWithParam<double> {};
 
+STICKSLIP_VERIFIES(EventDrivenBeamEnergy, "D3");
 TEST_P(EventDrivenBeamEnergy, IsBalancedAndLossesOnlyGrow) {
   EventDriven beam(beam_model(GetParam()), {.keep_energy_balance = true});
   const EventDrivenEnergy start = beam.energy_balance();

@@ -15,6 +15,7 @@
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "support/beams.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -46,6 +47,7 @@ std::vector<double> telling_frequencies(const data::Beam& beam) {
   return all;
 }
 
+STICKSLIP_VERIFIES(ForceMaximum, "A5");
 TEST(ForceMaximum, MeetsTheBoundsOfThePlainSearch) {
   for (const double axial_force : {500.0, -3000.0, 80000.0}) {
     const data::Beam beam = paper_beam_with_axial_force(axial_force);
@@ -147,6 +149,7 @@ TEST(ForceMaximum, RefusesWhatCannotBeSearched) {
   EXPECT_THROW((void)ForceMaximum(reaction, 1e6, 1e9).refined_to(), std::invalid_argument);
 }
 
+STICKSLIP_VERIFIES(ModalReaction, "A5");
 TEST(ModalReaction, IsTheForceOfTheResponseWithoutItsExcitation) {
   const StickResponse response = response_at(paper_beam(), 35.0, 6);
   const analytic::ModalReaction of_beam = analytic::modal_reaction(paper_beam(), 6);
@@ -165,6 +168,7 @@ double load_factor(const data::Beam& beam) {
          (beam.youngs_modulus() * beam.second_moment_of_area());
 }
 
+STICKSLIP_VERIFIES(ModalReactionTable, "A5");
 TEST(ModalReactionTable, HoldsTheModesOfEveryLoadFactorInItsRange) {
   for (const double highest : {0.5, 3.0, 20.15})
     for (int i = 0; i <= 60; ++i) {

@@ -14,6 +14,7 @@
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "support/beams.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -52,6 +53,7 @@ std::string name_of(const Search& search) {
   return fmt::format("{} Hz, {} s, N = {}", search.frequency_hz, search.duration, search.modes);
 }
 
+STICKSLIP_VERIFIES(MaximumForce, "A5");
 TEST(MaximumForce, ByHalvingIsEnclosedAtEveryWidthWithAGapThatFallsWithTheSquareOfTheInterval) {
   for (const Search& search : searches()) {
     SCOPED_TRACE(name_of(search));

@@ -18,6 +18,7 @@
 #include "stickslip/analytic/stick_response.hpp"
 #include "support/event_sensitivity.hpp"
 #include "support/random_beams.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 #include "support/units.hpp"
 
@@ -83,6 +84,7 @@ ContactModel mirrored(ContactModel model) {
   return model;
 }
 
+STICKSLIP_VERIFIES(Symmetry, "M1");
 TEST(Symmetry, MirroredBaseMirrorsTheEventDrivenHistoryBitForBit) {
   int events = 0;
   on_random_beams(40, compression, [&](const data::Beam& beam, RandomNumbers& numbers) {
@@ -115,6 +117,7 @@ TEST(Symmetry, MirroredBaseMirrorsTheEventDrivenHistoryBitForBit) {
 
 // Other units.
 
+STICKSLIP_VERIFIES(UnitChange, "M1");
 TEST(UnitChange, ByPowersOfTwoLeavesModesTheSameBitForBit) {
   on_random_beams(100, any_force, [](const data::Beam& beam, RandomNumbers& numbers) {
     const Units units = random_powers_of_two(numbers);
@@ -280,6 +283,7 @@ double sensitivity_to_force(const data::Beam& beam, Quantity&& quantity) {
   return std::abs(quantity(data::Beam(properties)) / quantity(beam) - 1.0) / share;
 }
 
+STICKSLIP_VERIFIES(Similarity, "M1");
 TEST(Similarity, FixesModesAndShapes) {
   on_random_beams(60, any_force, [](const data::Beam& beam, RandomNumbers& numbers) {
     const double x = beam.length() * numbers.uniform(0.05, 0.95);
@@ -391,6 +395,7 @@ TEST(Similarity, FixesTheEventDrivenHistory) {
 
 // Linearity in stick.
 
+STICKSLIP_VERIFIES(Linearity, "M1");
 TEST(Linearity, TwiceTheAmplitudeIsTwiceTheStickResponseBitForBitAndThriceToRoundOff) {
   on_random_beams(40, any_force, [](const data::Beam& beam, RandomNumbers& numbers) {
     const data::HarmonicExcitation excitation = random_excitation(beam, numbers);
@@ -476,6 +481,7 @@ TEST(Linearity, CriticalAmplitudeBringsTheReactionToTheFrictionLimit) {
 // Monotony: with more friction, less amplitude or less time there is no slip where there was none, and a
 // first slip does not come earlier.
 
+STICKSLIP_VERIFIES(Monotony, "M1");
 TEST(Monotony, OfTheCriterionInFrictionAmplitudeAndDuration) {
   on_random_beams(20, compression, [](const data::Beam& beam, RandomNumbers& numbers) {
     const StickSlipProblem problem = slipping(beam, numbers);
@@ -543,6 +549,7 @@ EventDriven continued(const ContactModel& model, const EventDriven& from, double
   return rest;
 }
 
+STICKSLIP_VERIFIES(TimeShift, "M1");
 TEST(TimeShift, ByAPeriodOrMirroredByHalfOfOneRestartsTheRestOfTheHistory) {
   int events = 0;
   on_random_beams(20, compression, [&](const data::Beam& beam, RandomNumbers& numbers) {
@@ -567,6 +574,7 @@ TEST(TimeShift, ByAPeriodOrMirroredByHalfOfOneRestartsTheRestOfTheHistory) {
   EXPECT_GT(events, 100);
 }
 
+STICKSLIP_VERIFIES(Reciprocity, "M2");
 // Reciprocity (Betti). The tip displaced by 1 and a mode: the inertia forces of the mode on sigma do the work
 // of the mode's tip reaction on the displacement 1,
 //
@@ -611,6 +619,7 @@ TEST(Reciprocity, OfTheSlipStateIsLostToTheFollowerForceAlone) {
   });
 }
 
+STICKSLIP_VERIFIES(Interlacing, "M2");
 // At P = 0 the stick state is the slip state with one constraint.
 TEST(Interlacing, PutsOneStickFrequencyBetweenTwoSlipFrequencies) {
   on_random_beams(50, no_force, [](const data::Beam& beam, RandomNumbers&) {

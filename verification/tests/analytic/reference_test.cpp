@@ -15,6 +15,7 @@
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "support/beams.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -44,6 +45,7 @@ data::Beam beam_with_load_factor(double factor) {
 
 data::HarmonicExcitation shaking(double hz) { return data::HarmonicExcitation({hz, amplitude}); }
 
+STICKSLIP_VERIFIES(StickModes, "A2");
 TEST(StickModes, AreOrthogonalInTheEnergy) {
   // int EI U_m'' U_n'' - P U_m' U_n' = omega^2 rho A int U^2 for m = n, else 0.
   for (const double factor : {-300.0, 0.0, 15.0}) {
@@ -125,6 +127,7 @@ TEST(StickModes, ParticipationsAddUpToTheWholeLoad) {
   }
 }
 
+STICKSLIP_VERIFIES(QuasiStaticShape, "A1");
 TEST(QuasiStaticShape, HasTheForcesOfAProppedCantilever) {
   // P = 0: 3 EI/L^3 at the tip, 3 EI/L^2 in the clamp.
   const data::Beam beam = beam_with_load_factor(0.0);
@@ -133,6 +136,7 @@ TEST(QuasiStaticShape, HasTheForcesOfAProppedCantilever) {
   EXPECT_TRUE(within(shape.curvature(0.0), -3.0 / (length * length), round_off(8, 1, 1.0)));
 }
 
+STICKSLIP_VERIFIES(StickResponse, "A4");
 TEST(StickResponse, HasNoBendingMomentAtTheTip) {
   // One-sided differences: u'' - 11/12 h^2 u + h^3 u^(5). At the tip u is zero too, since it does not
   // accelerate. Each part of u has the fifth power of its own wave number in u^(5).
@@ -171,6 +175,7 @@ TEST(StickResponse, SlowShakingAddsTheInertiaOfTheMasslessShape) {
   }
 }
 
+STICKSLIP_VERIFIES(DampedSteadyState, "A7");
 TEST(DampedSteadyState, SlowShakingBendsTheBeamIntoTheMasslessShape) {
   // Y = A0 (1 + S) up to (Omega/omega_1)^2, whatever the damping, with the tip held.
   for (const double factor : {-20.0, 0.12, 15.0}) {
@@ -188,6 +193,7 @@ TEST(DampedSteadyState, SlowShakingBendsTheBeamIntoTheMasslessShape) {
   }
 }
 
+STICKSLIP_VERIFIES(SlipModes, "A3");
 TEST(SlipModes, FrequencySquaredFollowsTheAxialForceByBothModes) {
   // d(omega^2)/dP = int psi* psi'' / (rho A int psi* psi), with the adjoint mode psi*: the boundary
   // conditions of psi do not hold P.

@@ -12,6 +12,7 @@
 #include "support/beams.hpp"
 #include "support/order.hpp"
 #include "support/parameter_name.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 #include "support/vibration.hpp"
 
@@ -33,6 +34,7 @@ data::Beam beam_with_load_factor(double factor) {
   return paper_beam_with_axial_force(factor * stiffness(beam) / (beam.length() * beam.length()));
 }
 
+STICKSLIP_VERIFIES(SlipModes, "A3");
 TEST(SlipModes, AreClampedFreeWithoutAxialForce) {
   const std::array classical{1.875104068711961, 4.694091132974175, 7.854757438237613};
   const auto modes = slip_modes(beam_with_load_factor(0.0), 3);
@@ -143,6 +145,7 @@ TEST(SlipModes, ShapesMeetTheBoundaryConditionsAndTheEquation) {
 
 class AdjointSlipModes : public ::testing::TestWithParam<double> {};
 
+STICKSLIP_VERIFIES(AdjointSlipModes, "A3");
 TEST_P(AdjointSlipModes, AreBiorthogonalToTheModes) {
   // Shapes of magnitude 1 on 2 m; the quadrature is good to 1e-11 of its scale.
   const data::Beam beam = beam_with_load_factor(GetParam());
@@ -197,6 +200,7 @@ TEST(SlipModes, FollowerForceRaisesTheFirstFrequencyWhereADeadLoadWouldBuckle) {
             slip_modes(beam_with_load_factor(0.0), 1).front().angular_frequency());
 }
 
+STICKSLIP_VERIFIES(FlutterLoad, "A3");
 TEST(FlutterLoad, IsBecks) {
   const data::Beam beam = paper_beam();
   EXPECT_TRUE(within(flutter_load(beam) * 4.0 / stiffness(beam), kFlutterFactor,

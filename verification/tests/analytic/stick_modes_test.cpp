@@ -13,6 +13,7 @@
 #include "stickslip/analytic/stick_modes.hpp"
 #include "support/beams.hpp"
 #include "support/order.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -55,6 +56,7 @@ std::string message_of(Call call) {
   return "nothing of the expected type was thrown";
 }
 
+STICKSLIP_VERIFIES(StickModes, "A2");
 TEST(StickModes, AreClampedPinnedWithoutAxialForce) {
   const std::array classical{3.926602312047919, 7.068582745628732, 10.210176122813031};
   const auto modes = stick_modes(paper_beam_with_axial_force(0.0), 3);
@@ -365,6 +367,7 @@ TEST(StickModes, PrintedEigenfunctionAgreesUntilItCancels) {
   for (std::size_t n = 12; n <= 14; ++n) EXPECT_GT(deviation_of_the_printed_shape(modes[n - 1]), 0.1);
 }
 
+STICKSLIP_VERIFIES(QuasiStaticShape, "A1");
 TEST(QuasiStaticShape, MeetsItsBoundaryConditions) {
   for (const double factor : kLoadFactors) {
     const QuasiStaticShape shape(beam_with_load_factor(factor));

@@ -8,6 +8,7 @@
 
 #include "contact_dynamics.hpp"
 #include "stick_propagator.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -52,6 +53,7 @@ class StickPropagatorOf : public ::testing::TestWithParam<bool> {
   StickPropagator phase_;
 };
 
+STICKSLIP_VERIFIES(StickPropagatorOf, "D1");
 TEST_P(StickPropagatorOf, ThreeModesHasTheRateOfItsForce) {
   // Central differences: h^2/6 of the third derivative, (11/s)^3 of a force of 30 N, and eps of it over h.
   const double h = 1e-4, scale = 30.0;

@@ -15,6 +15,7 @@
 #include "stickslip/analytic/stick_response.hpp"
 #include "support/beams.hpp"
 #include "support/order.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -65,6 +66,7 @@ double backward_third_difference(const RealFunction& f, double x, double h) {
          (2.0 * h * h * h);
 }
 
+STICKSLIP_VERIFIES(StickResponse, "A4");
 TEST(StickResponse, StartsFromRestRelativeToTheWall) {
   // u(x,0) = 0 and u_t(x,0) = S(x) h_t(0): the wall sees the base pass with the quasi-static shape (E4).
   const data::Beam beam = paper_beam();
@@ -434,6 +436,7 @@ TEST(StickResponse, RefusesAnExactSteadyPartAboveItsModesAndSaysWhy) {
   EXPECT_NO_THROW(StickResponse(paper_beam(), shaking(50.0), 2, SteadyPart::modal_sum));
 }
 
+STICKSLIP_VERIFIES(MaximumForce, "A5");
 TEST(MaximumForce, BoundsContainADenselySampledMaximum) {
   for (const SteadyPart steady : kBothSums)
     for (const double hz : {5.0, 15.0, 24.9, 35.0, 70.0, 81.0}) {

@@ -19,6 +19,7 @@
 #include "stickslip/analytic/stick_modes.hpp"
 #include "support/beams.hpp"
 #include "support/random_beams.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -43,6 +44,7 @@ data::Damping kelvin_voigt(double eta) { return data::Damping({.kelvin_voigt = e
   return within(std::abs(computed - expected), 0.0, tolerance) << computed << " instead of " << expected;
 }
 
+STICKSLIP_VERIFIES(TipMobility, "A9");
 TEST(TipMobility, TendsToTheStaticFlexibility) {
   // EI u'' = F (L - x) sinc(sigma (L - x)), sigma^2 = P/EI, integrated twice; the next term is of order k^2.
   const Complex s = 1e-10 * unit;

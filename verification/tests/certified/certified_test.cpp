@@ -18,6 +18,7 @@
 #include "stickslip/certified/roots.hpp"
 #include "stickslip/certified/slip_modes.hpp"
 #include "stickslip/certified/tip_mobility.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -67,6 +68,7 @@ std::vector<Beam> beams() {
 
 // Real.
 
+STICKSLIP_VERIFIES(CertifiedReal, "A8");
 TEST(CertifiedReal, ReadsDecimalsAndRatiosExactly) {
   EXPECT_TRUE((Real(Rational("1/120000")) * 120000 - 1).contains_zero());
   EXPECT_TRUE((Real(Rational("-0.5e-3")) * 2000 + 1).contains_zero());
@@ -175,6 +177,7 @@ TEST(CertifiedReal, PrecisionRisesUntilTheDigitsHold) {
 
 // Roots.
 
+STICKSLIP_VERIFIES(CertifiedRoots, "A8");
 TEST(CertifiedRoots, FindsEveryZeroOfTheSine) {
   const auto sine = [](const Real& x) { return sin(Dual<Real>(x, 1)); };
   const std::vector<Real> roots = isolate_roots(sine, 1, 100);
@@ -253,6 +256,7 @@ TEST(CertifiedRoots, AreThoseThatTenThousandSamplesBracket) {
 
 // Stick modes.
 
+STICKSLIP_VERIFIES(CertifiedStickModes, "A8");
 TEST(CertifiedStickModes, BucklingIsTheFirstRootOfTanYIsY) {
   const Real y = sqrt(buckling_factor());
   EXPECT_TRUE(has_digits(y, "4.49340945790906417530788092728"));
@@ -491,6 +495,7 @@ TEST(CertifiedStickModes, RefuseBuckledAndImpossibleBeams) {
 
 // Slip modes.
 
+STICKSLIP_VERIFIES(CertifiedSlipModes, "A8");
 TEST(CertifiedSlipModes, HaveTheTabulatedConstantsOfTheCantilever) {
   const auto modes = slip_frequencies(unit_beam("0"), 3);
   EXPECT_TRUE(has_digits(sqrt(modes[0].angular_frequency), "1.87510406871196116644530824107821"));
@@ -536,6 +541,7 @@ TEST(CertifiedSlipModes, AreContinuousWhereCompressionTurnsIntoTension) {
 
 // Response.
 
+STICKSLIP_VERIFIES(CertifiedResponse, "A8");
 TEST(CertifiedResponse, ObeysItsInitialAndBoundaryConditions) {
   for (const Beam& beam : beams()) {
     const StickResponse response(beam, {"31/3", "1/1000"}, 6);
@@ -624,6 +630,7 @@ TEST(CertifiedResponse, RefusesImpossibleExcitations) {
 
 // Mobility of the tip.
 
+STICKSLIP_VERIFIES(CertifiedTipMobility, "A8");
 TEST(CertifiedTipMobility, IsThePublishedReceptanceWithoutAxialForce) {
   // Y(i omega) = i omega (sin b cosh b - cos b sinh b)/[b^3 (1 + cos b cosh b)], b^2 = omega (Bishop and
   // Johnson 1960), of a beam of unit length, stiffness and mass.
@@ -689,6 +696,7 @@ TEST(CertifiedTipMobility, IsNotFiniteWhereTheFormIsZeroByZero) {
 
 // Maximum.
 
+STICKSLIP_VERIFIES(CertifiedMaximum, "A8");
 TEST(CertifiedMaximum, IsTheAmplitudeOfASingleSinusoid) {
   const auto maximum = max_abs_of_sinusoids({{Real(Rational("-1/3")), Real(3)}}, "1");
   EXPECT_TRUE(vanishes(maximum.value - Real(Rational("1/3")), 60));
@@ -784,6 +792,7 @@ TEST(CertifiedMaximum, RefusesSpansThatAreNone) {
 
 // Criterion.
 
+STICKSLIP_VERIFIES(CertifiedCriterion, "A8");
 TEST(CertifiedCriterion, TurnsAtTheCriticalAmplitude) {
   const Beam beam = paper_beam();
   const auto at = [&](const Rational& amplitude, const Rational& friction) {

@@ -22,6 +22,7 @@
 #include "stickslip/solver/modal_analysis.hpp"
 #include "support/beams.hpp"
 #include "support/random_beams.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -105,6 +106,7 @@ std::vector<double> force_sensitivities(const data::Beam& beam, const Quantities
   return result;
 }
 
+STICKSLIP_VERIFIES(EnclosedFrequencies, "X19");
 TEST(EnclosedFrequencies, OfTheStickStateAgreeToTheLastPlaces) {
   // Ten roundings: EI, rho A, their quotient, its root, L^2, z, b, bb, the product, 2 pi.
   for (const auto& [name, beam] : beams()) {
@@ -173,6 +175,7 @@ TEST(EnclosedFrequencies, OfTheStickStateAreBoundsBelowFiniteElements) {
   }
 }
 
+STICKSLIP_VERIFIES(EnclosedShapes, "X19");
 TEST(EnclosedShapes, OfTheModesAgreeToTheLastPlaces) {
   for (const auto& [name, beam] : beams()) {
     SCOPED_TRACE(name);
@@ -271,6 +274,7 @@ double force_scale(const analytic::StickResponse& response, const data::Harmonic
                        response.transient_force(), t);
 }
 
+STICKSLIP_VERIFIES(EnclosedResponse, "X19");
 TEST(EnclosedResponse, InDisplacementAndForceAgreesToTheLastPlaces) {
   for (const auto& [name, beam] : beams()) {
     SCOPED_TRACE(name);
@@ -299,6 +303,7 @@ TEST(EnclosedResponse, InDisplacementAndForceAgreesToTheLastPlaces) {
   }
 }
 
+STICKSLIP_VERIFIES(EnclosedMaximum, "X19");
 TEST(EnclosedMaximum, LiesInTheBoundsOfTheDoubles) {
   for (const auto& [name, beam] : beams()) {
     SCOPED_TRACE(name);
@@ -351,6 +356,7 @@ Complex enclosed_mobility(const data::Beam& beam, double eta, Complex s) {
   return {y.real.nearest_double(), y.imaginary.nearest_double()};
 }
 
+STICKSLIP_VERIFIES(EnclosedTipMobility, "X19");
 TEST(EnclosedTipMobility, AgreesToTheLastPlacesThatPolesAndPhasesLeave) {
   // a = -z + 2 k and b = -z - 2 k are rounded to eps (|z| + 2 |k|), which is as much in z and half of it in
   // k. The density moves k alone, k dY/dk = 2 rho dY/d rho, the axial force z. Ten roundings: EI, rho A, 1 +

@@ -13,6 +13,7 @@
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "support/beams.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 #include "support/vibration.hpp"
 
@@ -34,6 +35,7 @@ double finite_element_maximum(double hz, double duration) {
 // leaves out.
 constexpr double share_missed = 0.005;
 
+STICKSLIP_VERIFIES(Enclosures, "A5");
 TEST(Enclosures, OfCoarseSamplesHoldTheMaximumOfFiniteElements) {
   for (const double hz : {10.0, 200.0}) {
     const double duration = 3.0 / hz;
@@ -128,6 +130,7 @@ TEST(Enclosures, ListTheFreeVibrationsOfFiniteElements) {
       within(difference, 0.0, discretisation(share_missed * peak, 2.0, "20 elements in a short run")));
 }
 
+STICKSLIP_VERIFIES(GeometricEnergy, "F8");
 // -P/2 int S'^2 dx by the closed form, Simpson's rule of 400 intervals; the cubic elements' own shape, 30 of
 // them, is off by (y l/L)^4/720 of it, y^2 = P L^2/EI.
 TEST(GeometricEnergy, OfTheStaticShapeIsThatOfTheClosedForm) {
@@ -146,6 +149,7 @@ TEST(GeometricEnergy, OfTheStaticShapeIsThatOfTheClosedForm) {
   }
 }
 
+STICKSLIP_VERIFIES(NormalForce, "F7");
 TEST(NormalForce, IsTheCompressionAndNothingInTension) {
   const auto of_finite_elements = [](const data::Beam& beam) {
     return solver::beam_contact_system(solver::BeamModel(beam, 4), paper_friction(),

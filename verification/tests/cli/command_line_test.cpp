@@ -17,10 +17,12 @@
 #include <vector>
 
 #include "support/command_line.hpp"
+#include "support/requirements.hpp"
 
 namespace stickslip::testing {
 namespace {
 
+STICKSLIP_VERIFIES(CommandLine, "U1");
 TEST_F(CommandLine, RefusesUnusableArgumentsInOneSentence) {
   expect_refused("", "subcommand");
   expect_refused("resond", "resond");
@@ -376,6 +378,7 @@ class Animation : public Drawing {
   }
 };
 
+STICKSLIP_VERIFIES(Animation, "U1");
 TEST_F(Animation, HasTheFramesAskedForAndTheMotion) {
   install_gnuplot(draw_all);
   const Outcome outcome = run(command("--duration 0.12 --frames 61"));
@@ -458,6 +461,7 @@ class MapCommand : public Drawing {
   static constexpr const char* two_axes = "--x frequency=15:35:3 --y amplitude=1e-4:2e-3:2 ";
 };
 
+STICKSLIP_VERIFIES(MapCommand, "U1");
 TEST_F(MapCommand, HoldsWhatCriterionSaysOfEveryCell) {
   const auto answer = json(command("--x length=0.8:2.8:3 --y force=200:800:2:log --hz 20"));
   EXPECT_EQ(answer["cells"], 6);
@@ -552,6 +556,7 @@ TEST_F(MapCommand, RefusesAxesThatAreNoneInOneSentence) {
 
 class DesignCommand : public CommandLine {};
 
+STICKSLIP_VERIFIES(DesignCommand, "U1");
 TEST_F(DesignCommand, RecommendsTheLengthsOfFigure14) {
   const auto design = json("design paper-figure14 --band 25:25 --length 0.4:2 --force 100:1000");
   EXPECT_EQ(design["natural_frequencies_in_band"].size(), 0u);

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "support/command_line.hpp"
+#include "support/requirements.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -25,6 +26,7 @@ std::string in_fixture(const std::string& command) { return command + " --packag
 
 class ReferenceCommand : public CommandLine {};
 
+STICKSLIP_VERIFIES(ReferenceCommand, "U1");
 TEST_F(ReferenceCommand, ListsEveryDataSet) {
   const Outcome outcome = run(in_fixture("reference list"));
   ASSERT_EQ(outcome.status, 0) << outcome.errors;
@@ -99,6 +101,7 @@ class CompareCommand : public Drawing {
   static constexpr const char* printed = "beam,mode,frequency\npaper,1,1.607\npaper,2,7.231\npaper,3,16.03\n";
 };
 
+STICKSLIP_VERIFIES(CompareCommand, "U1");
 TEST_F(CompareCommand, AgreesWithACopyOfEveryDataSet) {
   for (const std::string set : {"stick-frequencies", "quasi-static-shape", "stick-force", "damped-events",
                                 "damped-history", "cubic-events", "cubic-history"}) {

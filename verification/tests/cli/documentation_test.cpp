@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "support/command_line.hpp"
+#include "support/requirements.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -84,6 +85,7 @@ using HelpExamples = Documented;
 using ManualPage = Documented;
 using Completion = Documented;
 
+STICKSLIP_VERIFIES(HelpExamples, "U9");
 TEST_F(HelpExamples, AreThereForEveryCommandAndRun) {
   install_gnuplot("case $3 in\nanimation.gp)\n" + std::string(draw_all) +
                   ";;\n*) echo drawn > $output ;;\nesac\n");
@@ -117,6 +119,7 @@ std::string words_of_page(const std::string& name) {
                             "");
 }
 
+STICKSLIP_VERIFIES(ManualPage, "U9");
 TEST_F(ManualPage, OfEachCommandHoldsItsOptionsAndExamples) {
   std::size_t pages = 0;
   for (const std::string& command : commands()) {
@@ -141,6 +144,7 @@ TEST_F(ManualPage, IsTypesetWithoutAWarning) {
   }
 }
 
+STICKSLIP_VERIFIES(Completion, "U9");
 TEST_F(Completion, OfBashKnowsCommandsOptionsChoicesAndNames) {
   const std::string script = STICKSLIP_SOURCE_DIRECTORY "/reports/cli/completion/stickslip";
   // What bash offers for the last of the words, into which it has split a line.

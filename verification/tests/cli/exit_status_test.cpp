@@ -12,6 +12,7 @@
 #include "map_records.hpp"
 #include "output_file.hpp"
 #include "stickslip/data/case_file.hpp"
+#include "support/requirements.hpp"
 
 namespace stickslip::cli {
 namespace {
@@ -23,6 +24,7 @@ std::string told_after(const Error& error, int status) {
   return ::testing::internal::GetCapturedStderr();
 }
 
+STICKSLIP_VERIFIES(ExitStatus, "U2");
 TEST(ExitStatus, IsThatOfTheWork) {
   EXPECT_EQ(exit_status_of([] { return 0; }), 0);
   EXPECT_EQ(exit_status_of([] { return 1; }), 1);
@@ -72,6 +74,7 @@ bool keeps_its_file(const Error& error) {
   return is_there;
 }
 
+STICKSLIP_VERIFIES(UnfinishedMap, "U10");
 TEST(UnfinishedMap, SurvivesAllButAnErrorInTheInput) {
   EXPECT_TRUE(keeps_its_file(std::logic_error("a mistake of our own")));
   EXPECT_TRUE(keeps_its_file(std::runtime_error("a run that fails")));

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "support/requirements.hpp"
 #include "support/signalled_run.hpp"
 
 namespace stickslip::testing {
@@ -32,6 +33,7 @@ class Fault : public SignalledRun {
   static constexpr const char* history = "respond paper --hz 25 --amplitude 1e-3 --duration 0.3";  // 400 kB
 };
 
+STICKSLIP_VERIFIES(Fault, "U12");
 // A limit of 4 kB for each file stands for the disk.
 TEST_F(Fault, DiskThatIsFullIsNamedAndLeavesTheOldFiles) {
   const auto limited = [&](const std::string& arguments) {
@@ -167,6 +169,7 @@ class KilledRun : public Fault {
   }
 };
 
+STICKSLIP_VERIFIES(KilledRun, "U12");
 TEST_F(KilledRun, OfRespondLeavesOnlyWhatIsWhole) {
   kill_at(8, 0.1, history + (" --output '" + path("history.csv") + "' --events '" + path("events.csv") + "'"),
           path(""), {"history.csv", "events.csv"});

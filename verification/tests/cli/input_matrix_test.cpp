@@ -24,6 +24,7 @@
 #include "stickslip/data/sha256.hpp"
 #include "stickslip/data/user_table.hpp"
 #include "support/command_line.hpp"
+#include "support/requirements.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -270,6 +271,7 @@ std::vector<BadInput> case_inputs() {
   return rows;
 }
 
+STICKSLIP_VERIFIES(CaseFileInput, "U2");
 TEST_F(CaseFileInput, IsTriedWithEveryKey) { EXPECT_EQ(case_lines().size(), 19u); }
 
 TEST_F(CaseFileInput, IsRefusedInOneSentenceOrRead) {
@@ -394,6 +396,7 @@ std::vector<BadInput> column_inputs(const data::Resource& resource) {
 
 class ColumnsOf : public ColumnInput, public ::testing::WithParamInterface<std::string> {};
 
+STICKSLIP_VERIFIES(ColumnsOf, "U2");
 TEST_P(ColumnsOf, AreRefusedInOneSentenceOrCompared) {
   const std::string set = GetParam();
   const auto inputs = column_inputs(package().resource(set));
@@ -437,6 +440,7 @@ std::string test_name(const ::testing::TestParamInfo<std::string>& instance) {
 
 INSTANTIATE_TEST_SUITE_P(DataSets, ColumnsOf, ::testing::ValuesIn(compared_sets()), test_name);
 
+STICKSLIP_VERIFIES(ColumnInput, "U2");
 TEST_F(ColumnInput, IsRefusedByTheProgramAsByTheReader) {
   for (const std::string& defect : all_defects()) {
     const BadInput row{"column", "stick-frequencies frequency", defect};
@@ -517,6 +521,7 @@ class PublishedColumns : public PackageInput, public ::testing::WithParamInterfa
   Rows rows_;
 };
 
+STICKSLIP_VERIFIES(PublishedColumns, "U2");
 TEST_P(PublishedColumns, AreRefusedInOneSentenceOrRead) {
   const std::string original = text_of(rows_);
   write_signed(original);
@@ -622,6 +627,7 @@ class PackageKeys : public PackageInput, public ::testing::WithParamInterface<st
   }
 };
 
+STICKSLIP_VERIFIES(PackageKeys, "U2");
 TEST_P(PackageKeys, AreRefusedInOneSentenceOrRead) {
   fs::copy(fixture, path("package"), fs::copy_options::recursive);
   const auto key = std::ranges::find(description_keys(), GetParam(), &Keys::value_type::first)->second;
@@ -653,6 +659,7 @@ INSTANTIATE_TEST_SUITE_P(Description, PackageKeys, ::testing::ValuesIn([] {
                          }()),
                          test_name);
 
+STICKSLIP_VERIFIES(PackageInput, "U2");
 TEST_F(PackageInput, IsRefusedByTheProgramAsByTheReader) {
   fs::copy(fixture, path("package"), fs::copy_options::recursive);
   const std::string package = " --package " + in_quotes(path("package"));
@@ -889,11 +896,13 @@ class OptionInput : public Drawing {
 
 class OptionsOf : public OptionInput, public ::testing::WithParamInterface<Command> {};
 
+STICKSLIP_VERIFIES(OptionsOf, "U2");
 TEST_P(OptionsOf, AreRefusedInOneSentenceOrTaken) { try_all(GetParam()); }
 
 INSTANTIATE_TEST_SUITE_P(Subcommands, OptionsOf, ::testing::ValuesIn(commands()),
                          [](const auto& instance) { return identifier(instance.param.name); });
 
+STICKSLIP_VERIFIES(OptionInput, "U2");
 TEST_F(OptionInput, AreListedByHelpWhereTheyAreUsed) {
   for (const Command& command : commands()) {
     const auto options = listed(command);
@@ -1004,6 +1013,7 @@ class WarningsOf : public CommandLine {
   }
 };
 
+STICKSLIP_VERIFIES(WarningsOf, "U1");
 TEST_F(WarningsOf, TheSubcommandsAreOneLineEachAndInJson) {
   const std::string output = " --output '" + path("out.csv") + "'";
   expect_warning("modes --count 10", "natural frequency 10 comes out about 38 % too high");

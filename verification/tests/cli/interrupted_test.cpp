@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "support/requirements.hpp"
 #include "support/sleeping_tool.hpp"
 
 namespace stickslip::testing {
@@ -20,6 +21,7 @@ using namespace std::chrono_literals;
 
 class Interrupted : public SleepingTool {};
 
+STICKSLIP_VERIFIES(Interrupted, "U12");
 TEST_F(Interrupted, ReportThatIsDrawnKeepsItsTables) {
   install_sleeper("gnuplot");
   EXPECT_EQ(said_after(SIGINT, "report --only fig2 --output '" + out() + "'"),

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "support/requirements.hpp"
 #include "support/signalled_run.hpp"
 
 namespace stickslip::testing {
@@ -95,6 +96,7 @@ class KilledRunLong : public SignalledRun {
   std::mt19937 generator_{1};
 };
 
+STICKSLIP_VERIFIES(KilledRunLong, "U12");
 TEST_F(KilledRunLong, OfReportLeavesOnlyWhatIsWholeAtFiftyMoments) {
   kill("report", 50, "report --quiet --only fig1,fig2,fig7 --output '" + out() + "'",
        {"fig1.pdf", "fig1.png", "fig2.csv", "fig2-values.csv", "fig2.pdf", "fig2.png", "fig7.csv",

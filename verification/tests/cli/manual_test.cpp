@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "support/command_line.hpp"
+#include "support/requirements.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -131,6 +132,7 @@ class Manual : public CommandLine {
   }
 };
 
+STICKSLIP_VERIFIES(Manual, "U9");
 TEST_F(Manual, CommandsRunAndPrintWhatIsShown) {
   for (const std::string page : {"README.md", "reports/manual/tutorial.md", "reports/manual/user-guide.md",
                                  "reports/manual/reference-data.md"}) {

@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "support/requirements.hpp"
 #include "support/signalled_run.hpp"
 
 namespace stickslip::testing {
@@ -92,6 +93,7 @@ class MapShards : public SignalledRun {
   }
 };
 
+STICKSLIP_VERIFIES(MapShards, "U10");
 TEST_F(MapShards, AreTheSameMapOnAnyNumberOfThreads) {
   for (const std::string map : {closed_form, finite_elements}) {
     const std::string one = made(map + "--threads 1 ", "map.csv");

@@ -3,10 +3,12 @@
 #include "number_text.hpp"
 
 #include <gtest/gtest.h>
+#include "support/requirements.hpp"
 
 namespace stickslip::cli {
 namespace {
 
+STICKSLIP_VERIFIES(NumberText, "U1");
 TEST(NumberText, HasAsManyDigitsAsTheErrorLeaves) {
   EXPECT_EQ(digits_that_hold(1.1e-3), 2);
   EXPECT_EQ(digits_that_hold(0.9e-3), 3);

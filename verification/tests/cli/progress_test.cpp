@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "studies/common/parallel.hpp"
+#include "support/requirements.hpp"
 
 namespace stickslip {
 namespace {
@@ -41,6 +42,7 @@ class ProgressOf : public ::testing::Test {
   std::vector<std::string> written_;
 };
 
+STICKSLIP_VERIFIES(ProgressOf, "U10");
 TEST_F(ProgressOf, ATerminalIsABarWithShareRateAndTimeLeft) {
   Progress progress("stickslip map", surroundings(ProgressStyle::bar), 1200);
   now_ += 2s;
@@ -128,6 +130,7 @@ TEST_F(ProgressOf, LongWorkCountsHours) {
   EXPECT_TRUE(written_[0].ends_with("  2:03:04 left")) << written_[0];
 }
 
+STICKSLIP_VERIFIES(ProgressStyle, "U10");
 TEST(ProgressStyle, IsABarOnATerminal) {
   const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
   if (terminal < 0) GTEST_SKIP() << "the system gives no pseudo-terminal: " << std::strerror(errno);
@@ -149,6 +152,7 @@ TEST(ProgressStyle, IsLinesInAFileAndNothingInAPipe) {
   ::unlink(name.c_str());
 }
 
+STICKSLIP_VERIFIES(InParallel, "U10");
 TEST(InParallel, DoesAndSettlesEachIndexOnce) {
   for (const unsigned threads : {1U, 2U, 3U, 7U})
     for (const std::size_t count : {0U, 1U, 2U, 100U, 5000U}) {
@@ -191,6 +195,7 @@ TEST(InParallel, EndsWithTheFirstExceptionAndThrowsItOn) {
                std::domain_error);
 }
 
+STICKSLIP_VERIFIES(ThreadCount, "U10");
 TEST(ThreadCount, IsThatOfTheMachineUntilItIsSet) {
   const unsigned before = studies::thread_count();
   EXPECT_GE(before, 1u);

@@ -14,6 +14,7 @@
 #include "stickslip/report/csv_table.hpp"
 #include "stickslip/report/latex_text.hpp"
 #include "support/command_line.hpp"
+#include "support/requirements.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -38,6 +39,7 @@ class Reproducible : public CommandLine {
       "reference export stick-frequencies"};
 };
 
+STICKSLIP_VERIFIES(Reproducible, "U13");
 TEST_F(Reproducible, CommandsSayTheSameTwice) {
   for (const std::string& command : commands) {
     const Outcome first = run(command), second = run(command);
@@ -82,6 +84,7 @@ class LocaleWithAComma : public CommandLine {
   std::locale previous_;
 };
 
+STICKSLIP_VERIFIES(LocaleWithAComma, "U13");
 TEST_F(LocaleWithAComma, ChangesNothingThatIsReadOrWritten) {
   const data::Case paper =
       data::load_case("paper", {{"beam.length", "1234.5"}, {"numerics.elements", "1234"}});

@@ -17,6 +17,7 @@
 #include "comparison/wrong_models.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/case_file.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -108,6 +109,7 @@ std::string refusal(const std::function<void()>& action) {
 
 // --- copies
 
+STICKSLIP_VERIFIES(ComparedCopy, "X20");
 TEST(ComparedCopy, OfEveryDataSetAgreesWithoutError) {
   for (const std::string set : {"stick-frequencies", "quasi-static-shape", "stick-force", "damped-events",
                                 "damped-history", "cubic-events", "cubic-history"}) {
@@ -146,6 +148,7 @@ TEST(ComparedCopy, HasAllPointsOfItsSeries) {
 
 // --- errors of known size
 
+STICKSLIP_VERIFIES(ComparedTable, "X20");
 TEST(ComparedTable, FindsAnErrorOfKnownSizeWhereItIs) {
   for (const double error : {3e-7, -3e-7, 3e-6, -3e-6, 0.5}) {
     auto mine = copy_of("stick-frequencies");
@@ -191,6 +194,7 @@ TEST(ComparedTable, RefusesRowsThatTheDataSetLacks) {
             "mine.csv:2: beam = strip is not in the data set stick-frequencies");
 }
 
+STICKSLIP_VERIFIES(ComparedCurve, "X20");
 TEST(ComparedCurve, MeasuresErrorsByTheLargestValue) {
   const auto table = published_table("stick-force");
   const auto& force = table.column("friction_force").values;
@@ -300,6 +304,7 @@ class ComparedUndamped : public ::testing::TestWithParam<std::string> {
   data::ReferencePackage published_ = data::load_reference();
 };
 
+STICKSLIP_VERIFIES(ComparedUndamped, "X20");
 TEST_P(ComparedUndamped, CopyAgreesAtEverySample) {
   const Comparison comparison = compare_with(copy());
   EXPECT_EQ(comparison.agreement, Agreement::agrees);
@@ -358,6 +363,7 @@ INSTANTIATE_TEST_SUITE_P(DataSets, ComparedUndamped,
 
 // --- verdicts
 
+STICKSLIP_VERIFIES(ComparedVerdict, "X20");
 // time_radius of the third event is 8.8e-9 s.
 TEST(ComparedVerdict, IsUndecidedWhereTheReferenceIsNotKnownWellEnough) {
   const double radius = published_table("damped-events").radius_of("time")[2], tolerance = 1e-9;
@@ -414,6 +420,7 @@ TEST(ComparedVerdict, NamesTheToleranceThatIsNone) {
 
 // --- events
 
+STICKSLIP_VERIFIES(ComparedEvents, "X20");
 TEST(ComparedEvents, FindAShiftOfKnownSize) {
   for (const double shift : {4e-6, -4e-6, 2e-5}) {
     auto mine = copy_of("damped-events");
@@ -544,6 +551,7 @@ data::UserTable between_samples() {
 
 data::UserTable events_of_cubic() { return copy_of("cubic-events"); }
 
+STICKSLIP_VERIFIES(ComparedHistory, "X20");
 TEST(ComparedHistory, IsInterpolatedWithinItsPhaseOnly) {
   for (const bool events : {false, true}) {
     ComparisonSettings settings;
@@ -672,6 +680,7 @@ struct Mistake {
 
 class LikenedTo : public ::testing::TestWithParam<Mistake> {};
 
+STICKSLIP_VERIFIES(LikenedTo, "X20");
 TEST_P(LikenedTo, TheMistakeThatWasMade) {
   const auto& [set, wrong_model, problem, what, abscissa, value] = GetParam();
   const std::string name = set;
@@ -726,6 +735,7 @@ INSTANTIATE_TEST_SUITE_P(
       return name;
     });
 
+STICKSLIP_VERIFIES(LikenedToNothing, "X20");
 TEST(LikenedToNothing, IsNoise) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     std::mt19937 generator(seed);

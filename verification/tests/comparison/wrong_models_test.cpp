@@ -23,6 +23,7 @@
 #include "studies/convergence/discretisation.hpp"
 #include "support/beams.hpp"
 #include "support/flat_beam.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -183,6 +184,7 @@ double omitted_displacement(const data::Case& problem, const ModelResults& model
 
 // --- the list
 
+STICKSLIP_VERIFIES(WrongModels, "X17");
 TEST(WrongModels, HaveANameOfTheirOwnAMistakeAndAPlace) {
   const auto& all = studies::wrong_models();
   EXPECT_GE(all.size(), 40U);
@@ -220,6 +222,7 @@ class WrongModelsIn : public ::testing::TestWithParam<std::tuple<const char*, Qu
   }
 };
 
+STICKSLIP_VERIFIES(WrongModelsIn, "X17");
 TEST_P(WrongModelsIn, DifferWhereTheyClaimToAndAreRecognisedByIt) {
   const double stated = stated_for(quantity);
   ASSERT_LT(model_results.reference_uncertainty, 0.02);
@@ -285,6 +288,7 @@ double truncation(const data::Case& problem, const ModelResults& model_results) 
   return studies::distance(model_results, left_out, Values(left_out.size(), 0.0));
 }
 
+STICKSLIP_VERIFIES(WrongModel, "X17");
 TEST(WrongModel, SecondMomentAsPrintedHasTheFrequenciesOfTheErratum) {
   const Values hz =
       wrong_values(paper_case(0.1), "second-moment-as-printed", Quantity::stick_frequency, {1.0, 2.0, 3.0});
@@ -518,6 +522,7 @@ data::Case with_length(data::Case problem, double factor) {
   return studies::with_value(problem, studies::Parameter::length, factor * problem.beam.length());
 }
 
+STICKSLIP_VERIFIES(Diagnosis, "X17");
 TEST(Diagnosis, BlamesNobodyForAMistakeThatIsNotOnTheList) {
   for (const char* name : {"paper", "strip"})
     for (const Quantity quantity :
@@ -666,6 +671,7 @@ TEST(Diagnosis, RefusesWhatItCannotCompare) {
   refuses({quantity, {1.0, 2.0}, {25.0, 81.0}, {0.1, -0.1}});
 }
 
+STICKSLIP_VERIFIES(ReferenceResultsOf, "X17");
 TEST(ReferenceResultsOf, RefusesAnAbscissaThatTheQuantityDoesNotHave) {
   const data::Case problem = paper_case(0.05);
   const auto refuses = [&](Quantity quantity, const Values& abscissa) {

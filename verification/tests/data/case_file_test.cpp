@@ -15,6 +15,7 @@
 
 #include "stickslip/data/case_file.hpp"
 #include "support/beams.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip {
@@ -137,6 +138,7 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
+STICKSLIP_VERIFIES(CaseFile, "P1");
 TEST_F(CaseFile, IsReadKeyByKey) {
   const auto problem = data::read_case(write(valid_case()));
   EXPECT_EQ(problem.name, "bar");
@@ -391,6 +393,7 @@ TEST_F(CaseFile, RefusesAnOverrideThatIsNoSingleTomlValue) {
             "override beam.length='2': beam.length is '2' (a string), but must be a number");
 }
 
+STICKSLIP_VERIFIES(Override, "P1");
 TEST(Override, IsSplitAtTheFirstEqualsSign) {
   const auto override = data::Override::parse(" beam.length = 1.8 ");
   EXPECT_EQ(override.key, "beam.length");
@@ -424,6 +427,7 @@ void expect_beam(const data::Beam& beam, const data::BeamProperties& expected) {
   EXPECT_EQ(beam.axial_force(), expected.axial_force);
 }
 
+STICKSLIP_VERIFIES(PublishedCases, "P1");
 TEST(PublishedCases, PaperIsTheBeamOfSection3) {
   const auto problem = data::load_case("paper");
   expect_beam(problem.beam, testing::paper_beam_properties());

@@ -12,6 +12,7 @@
 
 #include "stickslip/data/problem.hpp"
 #include "support/beams.hpp"
+#include "support/requirements.hpp"
 
 namespace stickslip {
 namespace {
@@ -100,6 +101,7 @@ void expect_refused(const Field& field, double value, const std::string& text, c
       << refusal(field, value);
 }
 
+STICKSLIP_VERIFIES(ProblemTypes, "P1");
 TEST(ProblemTypes, RefuseWhatIsNotPositiveWhereItMustBe) {
   for (const auto& field : positive_fields()) {
     expect_refused(field, -2.5, "-2.5", "a finite number above 0");
@@ -142,23 +144,27 @@ TEST(ProblemTypes, AcceptAnyMagnitudeSinceTheyKnowNoUnits) {
       }
 }
 
+STICKSLIP_VERIFIES(NumericalSettings, "P1");
 TEST(NumericalSettings, RefuseADurationOfMoreThanABillionSteps) {
   const auto duration = numerics_field("duration", &data::NumericalChoices::duration);
   EXPECT_EQ(refusal(duration, 1e5), "accepted");
   expect_refused(duration, 1.1e5, "110000", "at most a billion times numerics.time_step, which is 1e-04");
 }
 
+STICKSLIP_VERIFIES(Beam, "P1");
 TEST(Beam, AcceptsAnyFiniteAxialForce) {
   for (const double force : {-500.0, 0.0, 1e9})
     EXPECT_EQ(testing::paper_beam_with_axial_force(force).axial_force(), force);
 }
 
+STICKSLIP_VERIFIES(FrictionLaw, "P2");
 TEST(FrictionLaw, AcceptsCoulombAndRefusesFrictionThatGrowsWithSpeed) {
   EXPECT_NO_THROW(data::FrictionLaw({.static_coefficient = 0.3, .kinetic_coefficient = 0.3, .decay = 0.0}));
   expect_refused(friction_field("kinetic_coefficient", &data::FrictionCoefficients::kinetic_coefficient), 0.7,
                  "0.7", "at most friction.static_coefficient, which is 0.6");
 }
 
+STICKSLIP_VERIFIES(Damping, "P1");
 TEST(Damping, IsNoneByDefaultAndHasARatioBelowCritical) {
   EXPECT_EQ(data::Damping().kelvin_voigt(), 0.0);
   EXPECT_EQ(data::Damping().ratio(), 0.0);
@@ -213,6 +219,7 @@ TEST(NumericalSettings, BoundTheNumberOfModes) {
             "numerics.modes is 201, but must be an integer from 1 to 200");
 }
 
+STICKSLIP_VERIFIES(ShortestText, "P1");
 TEST(ShortestText, ReadsBackAsTheSameDouble) {
   EXPECT_EQ(data::shortest_text(0.1), "0.1");
   EXPECT_EQ(data::shortest_text(-2.0), "-2");

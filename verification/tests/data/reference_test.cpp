@@ -15,6 +15,7 @@
 
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/data/reference.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -109,6 +110,7 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
+STICKSLIP_VERIFIES(ReferenceReader, "P5");
 TEST_F(ReferenceReader, ReturnsWhatAPackageSays) {
   write_package(valid_package());
   const auto package = data::load_reference(folder());
@@ -523,6 +525,7 @@ TEST_F(ReferenceReader, RefusesEveryDefectOfATableAtItsPlace) {
   }
 }
 
+STICKSLIP_VERIFIES(ReferenceKeys, "P5");
 TEST(ReferenceKeys, AreTheSameTo1e9) {
   EXPECT_TRUE(data::is_same_key(25.0, 25.0 * (1.0 + 0.9e-9)));
   EXPECT_FALSE(data::is_same_key(25.0, 25.0 * (1.0 + 1.1e-9)));

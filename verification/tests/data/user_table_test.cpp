@@ -14,6 +14,7 @@
 
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/data/user_table.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -60,6 +61,7 @@ class UserTable : public ::testing::Test {
       std::filesystem::temp_directory_path() / ("stickslip-user-table-" + std::to_string(::getpid()));
 };
 
+STICKSLIP_VERIFIES(UserTable, "P5");
 TEST_F(UserTable, IsTheSameHoweverItIsSpelled) {
   const std::vector<std::string> spellings{
       "beam,mode,frequency\npaper,1,25\npaper,2,81.5\n",
@@ -267,6 +269,7 @@ TEST_F(UserTable, RefusesAMappingToNothing) {
             "MHz, rad/s");
 }
 
+STICKSLIP_VERIFIES(ColumnMapping, "P5");
 TEST(ColumnMapping, NamesTheirsAndTheUnit) {
   const auto mapping = data::ColumnMapping::parse(" frequency = f 1 : rad/s ");
   EXPECT_EQ(mapping.reference, "frequency");

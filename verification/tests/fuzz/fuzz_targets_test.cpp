@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "support/requirements.hpp"
 #include "target.hpp"
 
 namespace stickslip::testing {
@@ -75,6 +76,7 @@ class Mutator {
 
 class FuzzTarget : public ::testing::TestWithParam<fuzz::Target> {};
 
+STICKSLIP_VERIFIES(FuzzTarget, "U11");
 TEST_P(FuzzTarget, HoldsOnItsCorpus) {
   const auto files = corpus_of(GetParam().name);
   ASSERT_FALSE(files.empty());

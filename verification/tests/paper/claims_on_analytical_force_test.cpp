@@ -115,7 +115,7 @@ TEST(ClaimOnSection4, TheStuckTipFollowsTheBaseFromTheStart) {
     bonded.step();
   }
   const double allowed = round_off(100, 1, amplitude).value;
-  judge({.as_printed = closed_form <= allowed && finite_element <= allowed},
+  judge("sect4.tip-follows-base", {.as_printed = closed_form <= allowed && finite_element <= allowed},
         fmt::format("over 0.2 s at 15 Hz u(L,t) differs from -h(t) by {:.0e} m in the closed form and {:.0e} "
                     "m in finite elements",
                     closed_form, finite_element));
@@ -136,7 +136,7 @@ TEST(ClaimOnEquation12, TheDeflectionIsTheStaticShapeAndAPerturbation) {
     difference = std::max(difference, std::abs(left - perturbation));
     largest = std::max(largest, std::abs(perturbation));
   }
-  judge({.as_printed = difference < 0.02 * largest},
+  judge("eq12", {.as_printed = difference < 0.02 * largest},
         fmt::format("over 0.2 s at 15 Hz what finite elements leave over S h at midspan reaches {:.3f} mm "
                     "and is the sum over "
                     "modes to {:.2f} %",
@@ -153,7 +153,8 @@ TEST(ClaimOnEquation13, TheStaticShapeIsInEquilibriumWithoutInertia) {
   });
   const double scale = axial_force() * std::abs(printed_static_shape(0.0, 2));
   // Of fourth order in the mesh: (sigma l)^4/720 of the shape.
-  judge({.as_printed = residual <= round_off(20, static_shape_condition(), scale).value && difference < 1e-8},
+  judge("eq13",
+        {.as_printed = residual <= round_off(20, static_shape_condition(), scale).value && difference < 1e-8},
         fmt::format("E I u0'''' + P u0'' vanishes to {:.0e} of its terms, and the static solution of 20 "
                     "elements is u0 to {:.0e}",
                     residual / scale, difference));
@@ -198,7 +199,7 @@ double perturbation_tolerance() {
 
 TEST(ClaimOnEquation14, ThePerturbationTakesTheInertiaOfTheStaticShape) {
   const double residual = perturbation_residuals().equation_14;
-  judge({.as_printed = residual <= perturbation_tolerance()},
+  judge("eq14", {.as_printed = residual <= perturbation_tolerance()},
         fmt::format("the exact steady state at 15 Hz, less u0, solves it to {:.0e} of its right side; Eqs. "
                     "(13) and (14) add up "
                     "to Eq. (1), nothing is neglected",
@@ -207,7 +208,7 @@ TEST(ClaimOnEquation14, ThePerturbationTakesTheInertiaOfTheStaticShape) {
 
 TEST(ClaimOnEquation15, TheStaticShapeTimesTheBaseTakesTheTipAgainstTheBase) {
   const double tip = analytic::QuasiStaticShape(paper().beam).value(length());
-  judge({.as_printed = std::abs(tip + 1.0) <= round_off(10, static_shape_condition(), 1.0).value},
+  judge("eq15", {.as_printed = std::abs(tip + 1.0) <= round_off(10, static_shape_condition(), 1.0).value},
         fmt::format("S(L) = {:.12f}, so that u0(L,t) = -h(t)", tip));
 }
 
@@ -216,7 +217,7 @@ TEST(ClaimOnEquation16, TheStaticShapeSolvesIt) {
     return printed_static_shape(x, 4) + std::pow(sigma(), 2) * printed_static_shape(x, 2);
   });
   const double scale = std::pow(sigma(), 2) * std::abs(printed_static_shape(0.0, 2));
-  judge({.as_printed = residual <= round_off(20, static_shape_condition(), scale).value},
+  judge("eq16", {.as_printed = residual <= round_off(20, static_shape_condition(), scale).value},
         fmt::format("with sigma = {:.5f} 1/m S'''' + sigma^2 S'' is {:.0e} of its terms", sigma(),
                     residual / scale));
 }
@@ -238,7 +239,7 @@ double cubic(double x, int k) {
 
 TEST(ClaimOnEquation17, TheStaticShapeHasTheBoundaryValuesOfAUnitBaseDisplacement) {
   const double residual = boundary_residual([](double x, int k) { return printed_static_shape(x, k); });
-  judge({.as_printed = residual <= round_off(20, static_shape_condition(), 1.0).value},
+  judge("eq17", {.as_printed = residual <= round_off(20, static_shape_condition(), 1.0).value},
         fmt::format("S(0), L S'(0), S(L) + 1 and L^2 S''(L) of Eq. (18) are at most {:.0e}", residual));
 }
 
@@ -252,7 +253,8 @@ TEST(ClaimOnEquation18, ItIsTheSolutionOfWhichEquation) {
   const double left_by_18 = largest_over_points([](double x) {
     return printed_static_shape(x, 4) + std::pow(sigma(), 2) * printed_static_shape(x, 2);
   });
-  judge({.as_printed = !both_satisfy_17 || apart <= allowed,
+  judge("sect4.solution-of-15",
+        {.as_printed = !both_satisfy_17 || apart <= allowed,
          .corrected = left_by_18 <= round_off(20, static_shape_condition(), left_by_cubic).value &&
                       left_by_cubic > 0.01},
         fmt::format("a cubic fits Eqs. (15) and (17) as well and differs from Eq. (18) by {:.4f}; in Eq. "
@@ -265,14 +267,14 @@ TEST(ClaimOnEquation18, IsTheStaticShape) {
   const analytic::QuasiStaticShape shape(paper().beam);
   const double difference =
       largest_over_points([&](double x) { return shape.value(x) - printed_static_shape(x); });
-  judge({.as_printed = difference <= round_off(20, static_shape_condition(), 1.0).value},
+  judge("eq18", {.as_printed = difference <= round_off(20, static_shape_condition(), 1.0).value},
         fmt::format("Eq. (18) and the solution in Stumpff functions agree to {:.0e}; S(L/2) = {:.6f}",
                     difference, shape.value(0.5 * length())));
 }
 
 TEST(ClaimOnEquation19, TheLoadOfThePerturbationIsThatOfOnePlusS) {
   const double residual = perturbation_residuals().equation_19;
-  judge({.as_printed = residual <= perturbation_tolerance()},
+  judge("eq19", {.as_printed = residual <= perturbation_tolerance()},
         fmt::format("the exact steady state at 15 Hz, less S h, solves it to {:.0e} of its right side",
                     residual));
 }
@@ -290,7 +292,7 @@ TEST(ClaimOnEquation20, ThePerturbationHasHomogeneousBoundaryValues) {
                       mode.trigonometric_wave_number() * length() * length() / scale,
                   std::abs(mode.curvature(length())) * length() * length() / scale});
   }
-  judge({.as_printed = largest <= round_off(100, 1, 1.0).value},
+  judge("eq20", {.as_printed = largest <= round_off(100, 1, 1.0).value},
         fmt::format("U, U'/betabar at the clamp and U, U''/betabar^2 at the tip are at most {:.0e} for the "
                     "first ten modes",
                     largest));
@@ -312,7 +314,7 @@ double force_truncation(int modes) {
 
 TEST(ClaimOnEquation21, TheSumOverModesConverges) {
   const double ten = force_truncation(10), forty = force_truncation(40), many = force_truncation(160);
-  judge({.as_printed = many < 0.5 * forty && forty < 0.5 * ten},
+  judge("eq21", {.as_printed = many < 0.5 * forty && forty < 0.5 * ten},
         fmt::format("f at 15 Hz with 10, 40 and 160 modes differs from the limit by {:.2f}, {:.3f} and "
                     "{:.4f} % of its largest value",
                     100 * ten, 100 * forty, 100 * many));
@@ -330,7 +332,7 @@ TEST(ClaimOnEquation21, TenModesAreConverged) {
     largest_y = std::max(largest_y, std::abs(twenty.absolute_displacement(x, t)));
     largest_f = std::max(largest_f, std::abs(twenty.friction_force(t)));
   }
-  judge({.as_printed = y < 0.01 * largest_y && f < 0.01 * largest_f},
+  judge("eq21.ten-modes", {.as_printed = y < 0.01 * largest_y && f < 0.01 * largest_f},
         fmt::format(
             "doubling N = 10 changes y(L/2,t) at 15 Hz by {:.4f} % and f(t) by {:.2f} % of the largest value",
             100 * y / largest_y, 100 * f / largest_f));
@@ -348,10 +350,11 @@ TEST(ClaimOnEquation22, IsTheEigenfunction) {
     holds &= difference <= round_off(b * length(), std::exp(b * length()), 1.0).value;
     (mode.number() == 1 ? first : tenth) = difference;
   }
-  judge({.as_printed = holds}, fmt::format("with the wave numbers of erratum E2 Eq. (22) is the "
-                                           "eigenfunction: to {:.0e} in mode 1, to {:.0e} in mode 10, "
-                                           "where its growing exponentials cancel in double precision",
-                                           first, tenth));
+  judge("eq22", {.as_printed = holds},
+        fmt::format("with the wave numbers of erratum E2 Eq. (22) is the "
+                    "eigenfunction: to {:.0e} in mode 1, to {:.0e} in mode 10, "
+                    "where its growing exponentials cancel in double precision",
+                    first, tenth));
 }
 
 TEST(ClaimOnEquation23, TheCharacteristicEquationGivesTheFrequencies) {
@@ -365,7 +368,7 @@ TEST(ClaimOnEquation23, TheCharacteristicEquationGivesTheFrequencies) {
   }
   // tan'(bb L) = 2 and bb L up to 10.3: twenty times the relative error of the extrapolated frequency, 1e-7
   // in mode 3.
-  judge({.as_printed = largest < 1e-5},
+  judge("eq23.characteristic-equation", {.as_printed = largest < 1e-5},
         fmt::format("at the first three finite-element frequencies (extrapolated) tan(betabar L) - "
                     "betabar/beta tanh(beta L) is at "
                     "most {:.0e}",
@@ -380,7 +383,8 @@ TEST(ClaimOnEquation23, TheSquaredWaveNumbersDifferByTheSignOfTheRoot) {
   // cos(betabar x) in Eq. (1): betabar^4 - p betabar^2 - k = 0.
   const auto residual = [&](double squared) { return (squared * squared - p * squared - k) / k; };
   const double printed = -0.5 * p - root, corrected = 0.5 * p + root, allowed = round_off(20, 1, 1.0).value;
-  judge({.as_printed = std::abs(residual(printed)) <= allowed && printed > 0.0,
+  judge("eq23.wave-numbers",
+        {.as_printed = std::abs(residual(printed)) <= allowed && printed > 0.0,
          .corrected = std::abs(residual(corrected)) <= allowed && corrected > 0.0},
         fmt::format("for mode 1 the printed betabar^2 is {:.4f} 1/m^2, whose root is imaginary; with "
                     "+P/(2EI) it is {:.4f} 1/m^2 and "
@@ -405,6 +409,7 @@ TEST(ClaimOnEquation23, WithoutAxialForceItIsTheClampedPinnedBeam) {
                       }));
   }
   judge(
+      "eq23.no-axial-force",
       {.as_printed = largest <= 0.5e-6 * (1.0 + 1e-6) && shapes <= round_off(10, std::exp(10.3), 1.0).value},
       fmt::format("at P = 0 both wave numbers are {:.6f}, {:.6f} and {:.6f} over L, the tabulated ones of "
                   "the clamped-pinned beam",
@@ -421,7 +426,7 @@ TEST(ClaimOnEquation24, TheModesAreOrthogonal) {
         largest = std::max(largest, std::abs(integral([&](double x) { return a.shape(x) * b.shape(x); })) /
                                         std::sqrt(a.norm_squared() * b.norm_squared()));
   // Simpson: (pi n/4000)^4/180 with n = 10 half waves in a product.
-  judge({.as_printed = largest < 1e-10},
+  judge("sect4.orthogonality", {.as_printed = largest < 1e-10},
         fmt::format("the normalised products of the first five eigenfunctions integrate to at most {:.0e}",
                     largest));
 }
@@ -450,7 +455,7 @@ TEST(ClaimOnEquation24, TheModalEquationHasTheSquareOfTheFrequency) {
   // Two terms of the size omega_1^2/(omega_1^2 - Omega^2) cancel.
   const double allowed = round_off(50, 10, 1.0).value;
   judge(
-      {.as_printed = printed <= allowed, .corrected = corrected <= allowed},
+      "eq24", {.as_printed = printed <= allowed, .corrected = corrected <= allowed},
       fmt::format("Eq. (26) leaves {:.2f} of the load in Eq. (24) as printed and {:.0e} of it with omega_n^2",
                   printed, corrected));
 }
@@ -468,7 +473,7 @@ TEST(ClaimOnEquation25, TheRayleighQuotientIsTheFrequency) {
                               mode.frequency_hz());
   }
   // What Richardson leaves: (beta l)^6 with l = L/16, 1e-3 of the (beta l)^4/720 = 2e-4 of mode 3.
-  judge({.as_printed = largest < 1e-6},
+  judge("eq25.frequency", {.as_printed = largest < 1e-6},
         fmt::format(
             "the quotient of the first three eigenfunctions gives the finite-element frequencies to {:.0e}",
             largest));
@@ -482,7 +487,7 @@ TEST(ClaimOnEquation25, TheForceCoefficientIsTheProjectionOfTheLoad) {
     largest =
         std::max(largest, std::abs(-load / norm - mode.participation()) / std::abs(mode.participation()));
   }
-  judge({.as_printed = largest < 1e-9},
+  judge("eq25.force-coefficient", {.as_printed = largest < 1e-9},
         fmt::format("the integrals of Eq. (25) for ten modes are those of the closed form, C_n = "
                     "U_n'''(0)/(k int U_n^2), to {:.0e}",
                     largest));
@@ -497,7 +502,7 @@ TEST(ClaimOnEquation26, SolvesTheModalEquationFromRest) {
                       std::abs(printed_coordinate(mode, step)) / (step * amplitude * omega)});
   }
   // T ~ C_n h_ttt t^3/6 near t = 0.
-  judge({.as_printed = residual <= round_off(50, 10, 1.0).value && start < 1e-8},
+  judge("eq26", {.as_printed = residual <= round_off(50, 10, 1.0).value && start < 1e-8},
         fmt::format("T_n of Eq. (26) solves Eq. (24), with omega_n^2, to {:.0e} and starts with T_n = 0 and "
                     "a rate of {:.0e} of A0 "
                     "Omega",
@@ -533,7 +538,7 @@ TEST(ClaimOnEquation27, IsTheDeflectionOfFiniteElements) {
       largest = std::max(largest, std::abs(u));
     }
   }
-  judge({.as_printed = difference < 0.01 * largest},
+  judge("eq27", {.as_printed = difference < 0.01 * largest},
         fmt::format("over 0.2 s at 15 Hz and eleven points u of Eq. (27) and of 20 elements differ by {:.3f} "
                     "% of the largest, {:.3f} mm",
                     100 * difference / largest, 1e3 * largest));
@@ -551,7 +556,7 @@ TEST(ClaimOnEquation28, IsTheReactionOfFiniteElements) {
     opposite = std::max(opposite, std::abs(f + printed));
     largest = std::max(largest, std::abs(f));
   }
-  judge({.as_printed = difference < 0.02 * largest && opposite > largest},
+  judge("eq28", {.as_printed = difference < 0.02 * largest && opposite > largest},
         fmt::format("over 0.2 s at 15 Hz f of Eq. (28) and the reaction of 20 elements differ by {:.2f} % of "
                     "the largest, {:.2f} N",
                     100 * difference / largest, largest));
@@ -575,7 +580,7 @@ TEST(ClaimOnEquation28, TheForceIsProportionalToTheAmplitude) {
     return solver::max_abs_friction_force(paper().beam, excitation(35.0, a), paper().numerics);
   };
   const double ratio = finite_element(1e-3) / finite_element(0.5e-3);
-  judge({.as_printed = largest < 1e-7 && std::abs(ratio - 2.0) < 1e-7},
+  judge("eq28.proportional-to-amplitude", {.as_printed = largest < 1e-7 && std::abs(ratio - 2.0) < 1e-7},
         fmt::format("from 0.01 to 3 mm |f_max|/A0 is constant to {:.0e}; in finite elements 1 mm gives "
                     "{:.9f} times the force of 0.5 mm",
                     largest, ratio));
@@ -597,7 +602,8 @@ TEST(ClaimOnEquation28, TheForceIsProportionalToTheRigidity) {
   }
   // A number counts as one half if it rounds to it.
   const auto is_half = [](double ratio) { return std::abs(ratio - 0.5) < 0.05; };
-  judge({.as_printed = std::ranges::all_of(ratios, is_half),
+  judge("eq28.proportional-to-rigidity",
+        {.as_printed = std::ranges::all_of(ratios, is_half),
          .instead = with_all < 1e-6 && std::ranges::none_of(ratios, is_half)},
         fmt::format("half of E I multiplies |f_max| at 15, 25, 35 and 70 Hz by {:.3g}, {:.3g}, {:.3g} and "
                     "{:.3g}; half of E I, rho A "
@@ -620,7 +626,7 @@ TEST(ClaimOnEquation28, TheForceIsAmplifiedAtEveryNaturalFrequency) {
   const double between = 0.5 * (modes[0].frequency_hz() + modes[1].frequency_hz());
   const double amplification = force_max(paper().beam, modes[1].frequency_hz(), amplitude) /
                                force_max(paper().beam, between, amplitude);
-  judge({.as_printed = least > 9.0 && amplification > 10.0},
+  judge("eq28.resonance", {.as_printed = least > 9.0 && amplification > 10.0},
         fmt::format("ten times as near to each of the first five natural frequencies the steady force is at "
                     "least {:.2f} times as "
                     "large; over 10 s |f_max| at the second is {:.0f} times that halfway to the first",
@@ -636,7 +642,7 @@ const studies::StickHistoryStudy& figure9() {
 
 TEST(ClaimOnFigure9, TheDisplacementFitsVeryWell) {
   const double difference = figure9().levels.front().displacement_error, peak = figure9().displacement_peak;
-  judge({.as_printed = difference < 0.02 * peak},
+  judge("fig9.displacement", {.as_printed = difference < 0.02 * peak},
         fmt::format("over 1 s y(L/2,t) of 20 elements differs from the closed form by at most {:.2f} % of "
                     "its peak of {:.3f} mm",
                     100 * difference / peak, 1e3 * peak));
@@ -644,7 +650,7 @@ TEST(ClaimOnFigure9, TheDisplacementFitsVeryWell) {
 
 TEST(ClaimOnFigure9, TheForceFitsVeryWell) {
   const double difference = figure9().levels.front().force_error, peak = figure9().force_peak;
-  judge({.as_printed = difference < 0.02 * peak},
+  judge("fig9.force", {.as_printed = difference < 0.02 * peak},
         fmt::format("over 1 s f(t) of 20 elements differs from the closed form by at most {:.2f} % of its "
                     "peak of {:.2f} N",
                     100 * difference / peak, peak));

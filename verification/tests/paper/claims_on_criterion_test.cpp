@@ -52,7 +52,8 @@ const data::Beam& half_stiff_beam() {
 }
 
 TEST(ClaimInAbstract, OccurrenceDependsOnAmplitudeAndFrequency) {
-  judge({.as_printed = both_stick(35.0, 0.5e-3) && both_slip(35.0, 1e-3) && both_slip(25.0, 0.5e-3)},
+  judge("abstract.amplitude-and-frequency",
+        {.as_printed = both_stick(35.0, 0.5e-3) && both_slip(35.0, 1e-3) && both_slip(25.0, 0.5e-3)},
         fmt::format("critical amplitude {:.4f} mm at 25 Hz and {:.4f} mm at 35 Hz; between these both "
                     "implementations slip at the one "
                     "frequency and stick at the other",
@@ -69,7 +70,7 @@ TEST(ClaimInAbstract, OccurrenceIsAssociatedWithTheModes) {
   bool at_the_modes = minima.size() == 2;
   for (std::size_t n = 0; at_the_modes && n < 2; ++n)
     at_the_modes = std::abs(minima[n] - modes[n].frequency_hz()) <= 0.5;
-  judge({.as_printed = at_the_modes},
+  judge("abstract.modal-characteristic", {.as_printed = at_the_modes},
         fmt::format("on a grid of 1 Hz up to 120 Hz the critical amplitude drops to less than half of its "
                     "neighbours {} times, at {:.0f} and "
                     "{:.0f} Hz; the natural frequencies are {:.2f} and {:.2f} Hz",
@@ -83,9 +84,10 @@ constexpr std::array probes{10.0, 20.0, 28.0, 45.0, 78.0, 115.0};
 TEST(ClaimOnEquation29, BelowTheLimitTheTipNeverSlips) {
   int slips = 0;
   for (const double hz : probes) slips += finite_elements_slip(hz, 0.95 * critical_amplitude(hz)) ? 1 : 0;
-  judge({.as_printed = slips == 0}, fmt::format("at 95 % of the critical amplitude finite elements slip "
-                                                "within 10 s at {} of {} frequencies from 10 to 115 Hz",
-                                                slips, probes.size()));
+  judge("eq29", {.as_printed = slips == 0},
+        fmt::format("at 95 % of the critical amplitude finite elements slip "
+                    "within 10 s at {} of {} frequencies from 10 to 115 Hz",
+                    slips, probes.size()));
 }
 
 TEST(ClaimOnEquation30, AboveTheLimitTheTipSticksAndSlips) {
@@ -102,7 +104,7 @@ TEST(ClaimOnEquation30, AboveTheLimitTheTipSticksAndSlips) {
     for (int n = 0; n < 10000 && captures() == 0; ++n) run.step();
     slipping += captures() > 0 ? 1 : 0;
   }
-  judge({.as_printed = slipping == static_cast<int>(probes.size())},
+  judge("eq30", {.as_printed = slipping == static_cast<int>(probes.size())},
         fmt::format("at 105 % of the critical amplitude finite elements slip within 10 s, and stick again "
                     "after it, at {} of {} frequencies "
                     "from 10 to 115 Hz",
@@ -116,7 +118,8 @@ TEST(ClaimOnFigure10, TenSecondsHoldTheAbsoluteMaximum) {
   // Beating with the first mode, 24.972 Hz, at 0.028 Hz: the envelope turns after half a beat.
   const double beat = 1.0 / std::abs(25.0 - analytic::stick_modes(paper().beam, 1)[0].frequency_hz());
   const auto is_maximum = [](double ratio) { return ratio < 1.01; };
-  judge({.as_printed = std::ranges::all_of(growth, is_maximum),
+  judge("fig10.ten-seconds",
+        {.as_printed = std::ranges::all_of(growth, is_maximum),
          .corrected =
              is_maximum(growth[0]) && is_maximum(growth[2]) && is_maximum(growth[3]) && 0.5 * beat > 10.0},
         fmt::format("over 100 s |f_max| is {:.3f}, {:.3f}, {:.3f} and {:.3f} times that over 10 s at 15, 25, "
@@ -126,7 +129,7 @@ TEST(ClaimOnFigure10, TenSecondsHoldTheAbsoluteMaximum) {
 }
 
 TEST(ClaimOnFigure10, MuSPIs300N) {
-  judge({.as_printed = std::abs(friction_limit() - 300.0) < 1e-9},
+  judge("fig10.friction-limit", {.as_printed = std::abs(friction_limit() - 300.0) < 1e-9},
         fmt::format("mu_s P = {:.1f} N", friction_limit()));
 }
 
@@ -138,16 +141,17 @@ TEST(ClaimOnFigure10, TheMaximumGrowsWithTheAmplitude) {
     };
     departure = std::max(departure, std::abs(at(0.5e-3) / at(0.1e-3) - 5.0));
   }
-  judge({.as_printed = departure < 1e-6}, fmt::format("from 0.1 to 0.5 mm |f_max| of finite elements grows "
-                                                      "five times at each of {} frequencies, to {:.0e}",
-                                                      probes.size(), departure));
+  judge("fig10.grows-with-amplitude", {.as_printed = departure < 1e-6},
+        fmt::format("from 0.1 to 0.5 mm |f_max| of finite elements grows "
+                    "five times at each of {} frequencies, to {:.0e}",
+                    probes.size(), departure));
 }
 
 TEST(ClaimOnFigure10, TheMaximumGenerallyGrowsWithTheFrequency) {
   std::vector<double> force;
   for (const double hz : frequencies(5.0, 120.0, 5.0)) force.push_back(force_max(hz));
   const double correlation = rank_correlation(force);
-  judge({.as_printed = correlation > 0.5},
+  judge("fig10.grows-with-frequency", {.as_printed = correlation > 0.5},
         fmt::format("at 0.5 mm |f_max| grows from {:.1f} N at 5 Hz to {:.0f} N at 120 Hz; rank correlation "
                     "with frequency {:.2f} on 5 to 120 Hz "
                     "by 5 Hz",
@@ -162,12 +166,13 @@ TEST(ClaimOnFigure10, TheMaximumIsSharplyAmplifiedAtTheNaturalFrequencies) {
     ratio.push_back(force_max(hz) / std::max(force_max(hz - 5.0), force_max(hz + 5.0)));
     sharp &= ratio.back() > 10.0;
   }
-  judge({.as_printed = sharp}, fmt::format("at the first and second natural frequency |f_max| over 10 s is "
-                                           "{:.0f} and {:.0f} times that 5 Hz beside it",
-                                           ratio[0], ratio[1]));
+  judge("fig10.sharply-amplified", {.as_printed = sharp},
+        fmt::format("at the first and second natural frequency |f_max| over 10 s is "
+                    "{:.0f} and {:.0f} times that 5 Hz beside it",
+                    ratio[0], ratio[1]));
 }
 
-void judge_printed_force(double hz, double corrected) {
+void judge_printed_force(const std::string& claim, double hz, double corrected) {
   const auto printed = data::printed_number(fmt::format("force_max.{:.0f}", hz));
   const analytic::StickResponse response(paper().beam, excitation(hz, amplitude));
   const double sampled =
@@ -175,26 +180,29 @@ void judge_printed_force(double hz, double corrected) {
           .lower;
   const double finite_element =
       solver::max_abs_friction_force(paper().beam, excitation(hz, amplitude), paper().numerics);
-  judge({.as_printed = std::abs(sampled - printed.value) <= printed.half_digit,
+  judge(claim,
+        {.as_printed = std::abs(sampled - printed.value) <= printed.half_digit,
          .corrected = std::abs(sampled - corrected) <= 1e-5 * corrected},
         fmt::format(
             "{:.6g} N with ten modes sampled every 0.1 ms, printed {} N, {:+.2f} %; finite elements {:.6g} N",
             sampled, printed.printed, 100.0 * (printed.value / sampled - 1.0), finite_element));
 }
 
-TEST(ClaimOnFigure10, PointAHas40_38N) { judge_printed_force(15.0, 40.463); }
-TEST(ClaimOnFigure10, PointBHas254_87N) { judge_printed_force(35.0, 255.165); }
-TEST(ClaimOnFigure10, PointCHas30300N) { judge_printed_force(25.0, 30465.5); }
-TEST(ClaimOnFigure10, PointDHas977_54N) { judge_printed_force(70.0, 977.86); }
+TEST(ClaimOnFigure10, PointAHas40_38N) { judge_printed_force("fig10.point-a", 15.0, 40.463); }
+TEST(ClaimOnFigure10, PointBHas254_87N) { judge_printed_force("fig10.point-b", 35.0, 255.165); }
+TEST(ClaimOnFigure10, PointCHas30300N) { judge_printed_force("fig10.point-c", 25.0, 30465.5); }
+TEST(ClaimOnFigure10, PointDHas977_54N) { judge_printed_force("fig10.point-d", 70.0, 977.86); }
 
 TEST(ClaimOnFigure10, PointsAAndBStick) {
-  judge({.as_printed = force_max(15.0) <= friction_limit() && force_max(35.0) <= friction_limit()},
+  judge("fig10.points-a-b-stick",
+        {.as_printed = force_max(15.0) <= friction_limit() && force_max(35.0) <= friction_limit()},
         fmt::format("|f_max| of {:.1f} N at 15 Hz and {:.1f} N at 35 Hz, below {:.0f} N", force_max(15.0),
                     force_max(35.0), friction_limit()));
 }
 
 TEST(ClaimOnFigure10, PointsCAndDSlip) {
-  judge({.as_printed = force_max(25.0) > friction_limit() && force_max(70.0) > friction_limit()},
+  judge("fig10.points-c-d-slip",
+        {.as_printed = force_max(25.0) > friction_limit() && force_max(70.0) > friction_limit()},
         fmt::format("|f_max| of {:.0f} N at 25 Hz and {:.1f} N at 70 Hz, above {:.0f} N", force_max(25.0),
                     force_max(70.0), friction_limit()));
 }
@@ -204,7 +212,7 @@ TEST(ClaimOnFigure10, TheCriterionIsConsistentWithFigures3And4) {
   const std::array points{15.0, 25.0, 35.0, 70.0};
   for (const double hz : points)
     same += criterion_slips(hz, amplitude) == finite_elements_slip(hz, amplitude) ? 1 : 0;
-  judge({.as_printed = same == 4},
+  judge("fig10.consistent-with-figs3-4", {.as_printed = same == 4},
         fmt::format("criterion and finite elements with contact agree at {} of 4 frequencies", same));
 }
 
@@ -217,7 +225,7 @@ TEST(ClaimOnFigure11, BelowTheLineIsStickAndAboveItStickSlip) {
       ++all;
     }
   }
-  judge({.as_printed = right == all},
+  judge("fig11.regions", {.as_printed = right == all},
         fmt::format("{} of {} points from 0.2 to 5 times the critical amplitude are on the right side", right,
                     all));
 }
@@ -228,7 +236,7 @@ TEST(ClaimOnFigure11, ExtremelySmallAmplitudesSufficeAtTheNaturalFrequencies) {
                second = critical_amplitude(modes[1].frequency_hz());
   const bool slip = finite_elements_slip(modes[0].frequency_hz(), 0.01e-3) &&
                     finite_elements_slip(modes[1].frequency_hz(), 0.01e-3);
-  judge({.as_printed = first < 0.01e-3 && second < 0.01e-3 && slip},
+  judge("fig11.extremely-small", {.as_printed = first < 0.01e-3 && second < 0.01e-3 && slip},
         fmt::format("critical amplitude {:.2g} mm at {:.2f} Hz and {:.2g} mm at {:.2f} Hz; at 0.01 mm finite "
                     "elements slip at both",
                     mm(first), modes[0].frequency_hz(), mm(second), modes[1].frequency_hz()));
@@ -240,7 +248,8 @@ TEST(ClaimOnFigure12, TheAnalyticalAndNumericalSolutionsAgree) {
       studies::classification_study(paper().beam, paper().friction, paper().numerics,
                                     frequencies(10.0, 120.0, 15.0), {0.1e-3, 0.3e-3, 0.5e-3, 0.7e-3, 0.9e-3});
   const auto all = study.points.size();
-  judge({.as_printed = study.disagreeing_outside == 0 && study.agreeing >= 0.95 * static_cast<double>(all)},
+  judge("fig12.agree-well",
+        {.as_printed = study.disagreeing_outside == 0 && study.agreeing >= 0.95 * static_cast<double>(all)},
         fmt::format("{} of {} excitations have the same verdict; {} differ by more than the predicted error "
                     "of both methods",
                     study.agreeing, all, study.disagreeing_outside));
@@ -252,6 +261,7 @@ TEST(ClaimOnFigure12, TheClosedFormReplacesTimeConsumingSimulations) {
   int runs = 1;
   for (; !finite_elements_slip(70.0, amplitude_reached); ++runs) amplitude_reached += 0.01e-3;
   judge(
+      "fig12.instead-of-simulations",
       {.as_printed = runs > 10 && amplitude_reached > critical && amplitude_reached < critical + 0.02e-3},
       fmt::format("at 70 Hz the closed form gives {:.4f} mm, and the search by simulation {:.2f} mm after {} "
                   "runs of up to {:.0e} time steps",
@@ -269,7 +279,7 @@ TEST(ClaimOnFigure13, TheNaturalFrequenciesAre17_6And57_3And119_6Hz) {
       holds &= std::abs(hz - printed.value) <= printed.half_digit;
   }
   judge(
-      {.as_printed = holds},
+      "fig13.natural-frequencies", {.as_printed = holds},
       fmt::format("{:.4f}, {:.4f} and {:.4f} Hz in closed form; {:.4f}, {:.4f} and {:.4f} Hz on 20 elements",
                   modes[0].frequency_hz(), modes[1].frequency_hz(), modes[2].frequency_hz(),
                   study.modes[0].finite_element_hz.back(), study.modes[1].finite_element_hz.back(),
@@ -283,7 +293,8 @@ TEST(ClaimOnFigure13, TheThirdNaturalFrequencyBeforeWas169_3Hz) {
   const double extrapolated = mesh[2] + (mesh[2] - mesh[0]) / 15.0;
   const auto printed = data::printed_number("frequency.stick.3");
   const auto rounds_to = [&](double value, double hz) { return std::abs(hz - value) <= printed.half_digit; };
-  judge({.as_printed = rounds_to(printed.value, exact) && rounds_to(printed.value, extrapolated),
+  judge("fig13.third-natural-frequency",
+        {.as_printed = rounds_to(printed.value, exact) && rounds_to(printed.value, extrapolated),
          .corrected = rounds_to(169.2, exact) && rounds_to(169.2, extrapolated)},
         fmt::format("{:.4f} Hz in closed form, {:.4f} Hz by finite elements extrapolated from 16 and 32 "
                     "elements; 20 elements give {:.4f} Hz",
@@ -295,10 +306,11 @@ TEST(ClaimOnFigure13, ItsNaturalFrequenciesAreLower) {
              half = analytic::stick_modes(half_stiff_beam(), 3);
   bool lower = true;
   for (std::size_t n = 0; n < 3; ++n) lower &= half[n].frequency_hz() < whole[n].frequency_hz();
-  judge({.as_printed = lower}, fmt::format("half the rigidity multiplies them by {:.4f}, {:.4f} and {:.4f}",
-                                           half[0].frequency_hz() / whole[0].frequency_hz(),
-                                           half[1].frequency_hz() / whole[1].frequency_hz(),
-                                           half[2].frequency_hz() / whole[2].frequency_hz()));
+  judge("fig13.lower-frequencies", {.as_printed = lower},
+        fmt::format("half the rigidity multiplies them by {:.4f}, {:.4f} and {:.4f}",
+                    half[0].frequency_hz() / whole[0].frequency_hz(),
+                    half[1].frequency_hz() / whole[1].frequency_hz(),
+                    half[2].frequency_hz() / whole[2].frequency_hz()));
 }
 
 // Half against whole rigidity on an axis on which the first natural frequencies coincide, Hz of the whole
@@ -362,7 +374,8 @@ Larger larger_critical_amplitudes(const ScaledComparison& c) {
 
 TEST(ClaimOnFigure13, ScalingPutsTheResonancesInTheSamePlaces) {
   const ScaledAxis axis = scaled_axis();
-  judge({.as_printed = std::abs(axis.second_half_hz / axis.second_whole_hz - 1.0) < 0.01},
+  judge("fig13.scaled-axis",
+        {.as_printed = std::abs(axis.second_half_hz / axis.second_whole_hz - 1.0) < 0.01},
         fmt::format("with the first ones on top of each other, the second ones stand at {:.2f} and {:.2f} Hz",
                     axis.second_half_hz, axis.second_whole_hz));
 }
@@ -371,7 +384,8 @@ TEST(ClaimOnFigure13, TheCriticalAmplitudeIsLarger) {
   ScaledComparison c = scaled_comparison();
   const Larger found = larger_critical_amplitudes(c);
   std::ranges::sort(c.ratio);
-  judge({.as_printed = found.larger == found.all, .corrected = found.exceptions_are_near_second},
+  judge("fig13.larger-critical-amplitude",
+        {.as_printed = found.larger == found.all, .corrected = found.exceptions_are_near_second},
         fmt::format("on a scaled grid up to 120 Hz it is larger at {} of {} frequencies, {:.2f} times as "
                     "large in the median; smallest ratio "
                     "{:.2f}, at {:.2f} Hz, beside the second resonances of the two ({:.2f} and {:.2f} Hz)",
@@ -393,7 +407,8 @@ TEST(ClaimOnFigure13, ALowRigidityBeamBetterResistsStickSlip) {
     }
   }
   const Larger scaled = larger_critical_amplitudes(scaled_comparison());
-  judge({.as_printed = larger == static_cast<int>(hz.size()), .corrected = scaled.exceptions_are_near_second},
+  judge("fig13.low-rigidity-resists",
+        {.as_printed = larger == static_cast<int>(hz.size()), .corrected = scaled.exceptions_are_near_second},
         fmt::format("at the same frequency in Hz the softer beam has the larger critical amplitude at {} of "
                     "{} frequencies, and {:.2g} times that "
                     "of the other at {:.1f} Hz; at the same scaled frequency at {} of {}",
@@ -410,7 +425,7 @@ TEST(ClaimInConclusions, StickSlipOccursMoreReadilyTowardsANaturalFrequency) {
       falls += falling_steps(critical);
       all += static_cast<int>(critical.size()) - 1;
     }
-  judge({.as_printed = falls == all},
+  judge("sect6.towards-resonance", {.as_printed = falls == all},
         fmt::format("from 10 to 0.2 Hz on either side of the first two natural frequencies the critical "
                     "amplitude falls in {} of {} steps",
                     falls, all));
@@ -419,7 +434,8 @@ TEST(ClaimInConclusions, StickSlipOccursMoreReadilyTowardsANaturalFrequency) {
 TEST(ClaimInConclusions, LowerRigidityIsMoreStableAtTheNormalisedFrequency) {
   const ScaledComparison c = scaled_comparison();
   const Larger found = larger_critical_amplitudes(c);
-  judge({.as_printed = found.larger == found.all,
+  judge("sect6.lower-rigidity",
+        {.as_printed = found.larger == found.all,
          .corrected = found.exceptions_are_near_second && found.larger > 0.95 * found.all},
         fmt::format("the critical amplitude is larger at {} of {} normalised frequencies; the exceptions lie "
                     "within 1 Hz of the second resonances, "

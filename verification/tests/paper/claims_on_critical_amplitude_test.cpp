@@ -48,7 +48,7 @@ TEST(ClaimOnFigure6, TheSearchFindsTheCriticalAmplitudes) {
     within_an_increment &= search.agree() && search.searched.has_value();
     runs += search.runs;
   }
-  judge({.as_printed = within_an_increment},
+  judge("fig6.search", {.as_printed = within_an_increment},
         fmt::format("at 25, 70 and 85 Hz the search ends after {} runs at {:.2f}, {:.2f} and {:.2f} mm, the "
                     "first increments above "
                     "the {:.4f}, {:.4f} and {:.4f} mm of one linear run each",
@@ -62,7 +62,7 @@ TEST(ClaimOnFigure6, CriticalAmplitudeGenerallyDecreasesWithFrequency) {
   const double closed_form = rank_correlation(c.closed_form),
                finite_element = rank_correlation(c.finite_element);
   const auto falling = falling_steps(c.finite_element);
-  judge({.as_printed = closed_form < -0.5 && finite_element < -0.5},
+  judge("fig6.generally-decreases", {.as_printed = closed_form < -0.5 && finite_element < -0.5},
         fmt::format("critical amplitude falls from {:.1f} mm at 5 Hz to {:.3f} mm at 100 Hz; {} of {} steps "
                     "fall, rank correlation with "
                     "frequency {:.2f} by finite elements and {:.2f} in closed form",
@@ -74,7 +74,7 @@ TEST(ClaimOnFigure6, CriticalAmplitudeIsExtremelySmallAt25Hz) {
   const Curve c = curve_at({20.0, 25.0, 30.0});
   const auto is_tiny = [](const std::vector<double>& a) { return 10.0 * a[1] < std::min(a[0], a[2]); };
   judge(
-      {.as_printed = is_tiny(c.closed_form) && is_tiny(c.finite_element)},
+      "fig6.25-extremely-small", {.as_printed = is_tiny(c.closed_form) && is_tiny(c.finite_element)},
       fmt::format("critical amplitude {:.4f} mm at 25 Hz ({:.4f} mm by finite elements), {:.2f} mm at 20 Hz "
                   "and {:.3f} mm at 30 Hz",
                   mm(c.closed_form[1]), mm(c.finite_element[1]), mm(c.closed_form[0]), mm(c.closed_form[2])));
@@ -89,7 +89,8 @@ TEST(ClaimOnFigure6, CriticalAmplitudeHasASlightValleyAt85Hz) {
   const auto is_deep = [](const std::vector<double>& a, std::size_t i) {
     return a[i] < 0.5 * std::min(a[i - 1], a[i + 1]);
   };
-  judge({.as_printed =
+  judge("fig6.85-slight-valley",
+        {.as_printed =
              is_valley(c.closed_form, 2) && is_valley(c.finite_element, 2) && !is_deep(c.closed_form, 2),
          .instead = is_deep(c.closed_form, 1) && is_deep(c.finite_element, 1)},
         fmt::format("critical amplitude {:.4f}, {:.4f}, {:.4f} and {:.4f} mm at 75, 80, 85 and 90 Hz (finite "
@@ -107,7 +108,8 @@ TEST(ClaimOnFigure6, TheSmallAmplitudesAreNextToTheNaturalFrequencies) {
     return *std::ranges::min_element(grid, {}, [hz](double g) { return std::abs(g - hz); });
   };
   const double first = nearest(modes[0].frequency_hz()), second = nearest(modes[1].frequency_hz());
-  judge({.as_printed = first == 25.0 && second == 85.0, .corrected = first == 25.0 && second == 80.0},
+  judge("fig6.next-to-natural-frequencies",
+        {.as_printed = first == 25.0 && second == 85.0, .corrected = first == 25.0 && second == 80.0},
         fmt::format("of the frequencies of Fig. 6, {:.0f} Hz is closest to the first natural frequency, "
                     "{:.2f} Hz, and {:.0f} Hz to the "
                     "second, {:.2f} Hz",
@@ -126,7 +128,8 @@ TEST(ClaimOnFigure6, TheTipMovesLittleNearANaturalFrequency) {
   };
   const double near = largest(25.0), away = largest(70.0);
   const auto critical = curve_at({25.0, 70.0}).finite_element;
-  judge({.as_printed = near < 0.5e-3 && near < away,
+  judge("fig7.small-tip-motion",
+        {.as_printed = near < 0.5e-3 && near < away,
          .instead = critical[0] < 0.1 * critical[1] && near > 0.5e-3},
         fmt::format("excited by 0.5 mm for 1 s, the tip moves by up to {:.2f} mm at 25 Hz and {:.2f} mm at "
                     "70 Hz; it is the critical "
@@ -143,7 +146,7 @@ TEST(ClaimOnFigure7, TheNaturalFrequenciesAre25_0And81_1Hz) {
     for (const double hz : {modes[n].frequency_hz(), study.modes[n].finite_element_hz.back()})
       holds &= std::abs(hz - printed.value) <= printed.half_digit;
   }
-  judge({.as_printed = holds},
+  judge("fig7.frequencies", {.as_printed = holds},
         fmt::format("{:.4f} and {:.4f} Hz in closed form, {:.4f} and {:.4f} Hz on 20 elements",
                     modes[0].frequency_hz(), modes[1].frequency_hz(), study.modes[0].finite_element_hz.back(),
                     study.modes[1].finite_element_hz.back()));
@@ -157,7 +160,7 @@ TEST(ClaimOnFigure7, ModalAnalysisGivesTheModesOfBothStates) {
     frequencies = std::max(frequencies, std::abs(curve.finite_element_hz / curve.closed_form_hz - 1.0));
   }
   // (beta l)^4/1440 of a frequency and (beta l)^4/96 of a shape, beta l = 10.2/20 in the third mode.
-  judge({.as_printed = study.curves.size() == 6 && frequencies < 1e-4 && shapes < 1e-3},
+  judge("fig7.modes", {.as_printed = study.curves.size() == 6 && frequencies < 1e-4 && shapes < 1e-3},
         fmt::format("the first three frequencies of either state agree between 20 elements and the closed "
                     "form to {:.0e}, the shapes to "
                     "{:.0e} of their largest deflection",

@@ -55,7 +55,7 @@ double escape_force(double length) {
 TEST(ClaimOnFigure14, ItsBeamsAreSlender) {
   constexpr double depth = 0.02;
   judge(
-      {.as_printed = 0.4 / depth >= 10.0 && 2.0 / depth >= 10.0},
+      "fig14.slender", {.as_printed = 0.4 / depth >= 10.0 && 2.0 / depth >= 10.0},
       fmt::format("the beams are {:.0f} to {:.0f} times as long as they are deep", 0.4 / depth, 2.0 / depth));
 }
 
@@ -92,36 +92,37 @@ TEST(ClaimOnFigure14, BelowTheLineIsStickSlipAndAboveItStick) {
     }
     lengths_with_one_line += strips == before ? 1 : 0;
   }
-  judge({.as_printed = strips == 0, .corrected = explained == strips},
+  judge("fig14.regions", {.as_printed = strips == 0, .corrected = explained == strips},
         fmt::format("above the line {} further strips of stick-slip cross {} lengths from 0.5 to 1.8 m; in "
                     "{} of them a natural frequency, lowered "
                     "by the axial force, passes 25 Hz, or the buckling load is within 0.05 %",
                     strips, lengths.size() - static_cast<std::size_t>(lengths_with_one_line), explained));
 }
 
-void judge_printed_length(int mode) {
+void judge_printed_length(const std::string& claim, int mode) {
   const auto printed = data::printed_number(fmt::format("figure14.length.{}", mode));
   const auto is_printed = [&](double length) {
     return std::abs(length - printed.value) <= printed.half_digit;
   };
   const double none = resonance(mode, 0.0), at_500 = resonance(mode, printed_axial_force),
                at_1000 = resonance(mode, 1000.0);
-  judge({.as_printed = is_printed(none) && is_printed(at_500) && is_printed(at_1000),
+  judge(claim,
+        {.as_printed = is_printed(none) && is_printed(at_500) && is_printed(at_1000),
          .corrected = is_printed(at_500)},
         fmt::format("natural frequency {} is 25 Hz at {:.4f} m without axial force, at {:.4f} m with 500 N "
                     "and at {:.4f} m with 1000 N",
                     mode, none, at_500, at_1000));
 }
 
-TEST(ClaimOnFigure14, TheFirstNaturalFrequencyIs25HzAt0_88m) { judge_printed_length(1); }
-TEST(ClaimOnFigure14, TheSecondNaturalFrequencyIs25HzAt1_58m) { judge_printed_length(2); }
+TEST(ClaimOnFigure14, TheFirstNaturalFrequencyIs25HzAt0_88m) { judge_printed_length("fig14.l1", 1); }
+TEST(ClaimOnFigure14, TheSecondNaturalFrequencyIs25HzAt1_58m) { judge_printed_length("fig14.l2", 2); }
 
 TEST(ClaimOnFigure14, EscapeNearTheResonanceLengthsTakesAnExtremelyHighForce) {
   const double first = resonance(1, printed_axial_force), second = resonance(2, printed_axial_force);
   const double between = 0.5 * (first + second);
   const double at_first = escape_force(first), at_second = escape_force(second),
                reference = escape_force(between);
-  judge({.as_printed = at_first > 10.0 * reference && at_second > 10.0 * reference},
+  judge("fig14.extremely-high", {.as_printed = at_first > 10.0 * reference && at_second > 10.0 * reference},
         fmt::format("stick begins at {:.0f} N for {:.3f} m and at {:.0f} N for {:.3f} m ({:.0f} and {:.0f} % "
                     "of the buckling load), at {:.0f} N for "
                     "{:.3f} m between them",
@@ -143,7 +144,7 @@ TEST(ClaimOnFigure14, StickSlipIsInevitableNearTheResonanceLengths) {
                                                             flat().excitation, flat().numerics)
                                              .has_value();
   }
-  judge({.as_printed = always, .instead = escapes},
+  judge("fig14.inevitable", {.as_printed = always, .instead = escapes},
         fmt::format("at L1 and L2 of P = 500 N the tip sticks from {:.0f} and {:.0f} % of the buckling load "
                     "on; at half of that load both "
                     "implementations stick at both",
@@ -170,7 +171,7 @@ TEST(ClaimOnFigure14, LengthsAwayFromTheResonanceOnesAvoidStickSlip) {
       far_from_own += all_are_far(length, own) ? 1 : 0;
     }
   }
-  judge({.as_printed = far_from_printed == 0, .corrected = far_from_own == 0},
+  judge("fig14.recommended-lengths", {.as_printed = far_from_printed == 0, .corrected = far_from_own == 0},
         fmt::format("of {} beams from 0.4 to 2 m under 300 to 7000 N {} slip; {} of these are farther than "
                     "0.1 m from 0.88 and 1.58 m, {} from the "
                     "resonance and buckling lengths of their own axial force",

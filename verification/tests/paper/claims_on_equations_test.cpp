@@ -91,7 +91,7 @@ bool is_of_fourth_order(const MeshConvergence& c) { return std::abs(c.order - 4.
 
 TEST(ClaimOnSection2, TheBeamIsSlender) {
   const double depth = std::sqrt(12.0 * paper().beam.second_moment_of_area() / paper().beam.area());
-  judge({.as_printed = length() / depth >= 10.0},
+  judge("sect2.slender", {.as_printed = length() / depth >= 10.0},
         fmt::format("the beam is {:.3g} times as long as it is deep ({:.3g} m)", length() / depth, depth));
 }
 
@@ -112,7 +112,7 @@ TEST(ClaimOnSection2, AxialMotionIsSmallAgainstTheLateralOne) {
     }
     axial = std::max(axial, shortening);
   }
-  judge({.as_printed = axial < 0.01 * lateral},
+  judge("sect2.axial-motion-neglected", {.as_printed = axial < 0.01 * lateral},
         fmt::format("at 25 Hz and 1 mm the deflection reaches {:.2f} mm and shortens the beam by {:.1e} mm",
                     1e3 * lateral, 1e3 * axial));
 }
@@ -133,7 +133,8 @@ TEST(ClaimOnEquation1, GovernsTheBeamWithACompressiveAxialForce) {
       });
   const double with = analytic::stick_modes(paper().beam, 1)[0].frequency_hz();
   const double without = analytic::stick_modes(paper_beam_with_axial_force(0.0), 1)[0].frequency_hz();
-  judge({.as_printed =
+  judge("eq1",
+        {.as_printed =
              residual <= round_off(100, 1, scale).value && is_of_fourth_order(midspan) && with < without},
         fmt::format("the closed form solves it to {:.0e} of its terms and finite elements, which know the "
                     "virtual work only, "
@@ -152,7 +153,7 @@ TEST(ClaimOnEquation2, DeflectionAndSlopeVanishAtTheClamp) {
   }
   const solver::BeamModel model(paper().beam, 20);
   const bool mesh = model.interpolation(0.0).isZero(0.0);
-  judge({.as_printed = largest <= round_off(50, 1, 1.0).value && mesh},
+  judge("eq2", {.as_printed = largest <= round_off(50, 1, 1.0).value && mesh},
         fmt::format("u and L u' at the clamp are {:.0e} of A0 in the closed form and zero in finite elements",
                     largest));
 }
@@ -175,7 +176,8 @@ TEST(ClaimOnEquation3, TheStuckTipMovesAgainstTheBaseAndCarriesNoMoment) {
   }
   const double moment =
       std::abs(closed_form(TipSupport::held).derivative(2, length())) * length() * length() / amplitude;
-  judge({.as_printed = phases > 2 && departure <= round_off(10, 1, 5e-3).value &&
+  judge("eq3",
+        {.as_printed = phases > 2 && departure <= round_off(10, 1, 5e-3).value &&
                        moment <= round_off(50, 1, 10.0).value},
         fmt::format("in {} stick phases of a run at 25 Hz and 1 mm u(L) follows u_s - (h - h(t_s)) to {:.0e} "
                     "m; L^2 u''(L) is "
@@ -207,7 +209,8 @@ TEST(ClaimOnEquation4, TheStaticFrictionForceIsTheShearForce) {
   // Fourth order of the mesh: (beta_1 l)^4/720 = 1.3e-7 in the first mode, amplified by its nearness.
   const double allowed = 1e-5 * std::abs(force.shear);
   const double follower = std::abs(force.follower + force.shear), fixed = std::abs(force.fixed + force.shear);
-  judge({.as_printed = follower <= allowed && fixed <= allowed, .corrected = follower <= allowed},
+  judge("eq4.shear-force",
+        {.as_printed = follower <= allowed && fixed <= allowed, .corrected = follower <= allowed},
         fmt::format("at 15 Hz and 0.5 mm E I u''' is {:.4f} N; the tip's balance on 40 elements asks for "
                     "{:.4f} N with a "
                     "follower force and for {:.4f} N with an axial force of fixed direction",
@@ -265,7 +268,8 @@ TEST(ClaimOnEquation5, TheSlidingTipHasNoMomentAndAShearForceAgainstFriction) {
   const auto tip =
       convergence(sliding.displacement(length()).real() - amplitude, {10, 20, 40},
                   [](const solver::BeamModel& m) { return free_steady_state(m)[m.tip_deflection()]; });
-  judge({.as_printed = std::abs(row + shear) <= 1e-6 * std::abs(shear) &&
+  judge("eq5",
+        {.as_printed = std::abs(row + shear) <= 1e-6 * std::abs(shear) &&
                        moment <= round_off(100, 1, 10.0).value && is_of_fourth_order(tip)},
         fmt::format("to deflect the tip statically takes f_d = {:.3f} kN/m by finite elements, -E I u''' = "
                     "{:.3f} kN/m in closed "
@@ -286,7 +290,8 @@ TEST(ClaimOnEquation6, KineticFrictionOpposesTheSlidingVelocity) {
     const double coefficient = 0.3 + (0.6 - 0.3) * std::exp(-1.0 * std::abs(v));
     departure = std::max(departure, std::abs(std::abs(on_beam) - coefficient * axial_force()));
   }
-  judge({.as_printed = slipping > 1000 && opposing == slipping && departure <= round_off(10, 1, 300.0).value},
+  judge("eq6",
+        {.as_printed = slipping > 1000 && opposing == slipping && departure <= round_off(10, 1, 300.0).value},
         fmt::format("in {} slipping steps at 70 Hz and 1 mm f_d v_s is negative {} times, and |f_d| is "
                     "mu(v_s) P to {:.0e} N",
                     slipping, opposing, departure));
@@ -301,7 +306,8 @@ TEST(ClaimOnEquation7, TheCoefficientDecaysFromTheStaticOneToTheMinimum) {
     decays &= mu(v) < mu(v - 0.1) && mu(-v) == mu(v);
     departure = std::max(departure, std::abs(mu(v) - (0.3 + (0.6 - 0.3) * std::exp(-1.0 * v))));
   }
-  judge({.as_printed = mu(0.0) == 0.6 && decays && departure <= round_off(10, 1, 0.6).value &&
+  judge("eq7",
+        {.as_printed = mu(0.0) == 0.6 && decays && departure <= round_off(10, 1, 0.6).value &&
                        std::abs(mu(40.0) - 0.3) <= round_off(10, 1, 0.3).value},
         fmt::format("mu falls from {:.1f} at rest through {:.4f} at 1 m/s to {:.4f} at 10 m/s", mu(0.0),
                     mu(1.0), mu(10.0)));
@@ -321,7 +327,8 @@ TEST(ClaimOnSection2, MuSPIsTheRangeOfTheStaticForce) {
     }
   }
   const auto takes_all = [](double smallest) { return smallest < 0.05 * friction_limit(); };
-  judge({.as_printed = takes_all(smallest_kinetic),
+  judge("sect2.static-force-range",
+        {.as_printed = takes_all(smallest_kinetic),
          .corrected = takes_all(smallest_static) && largest_static > 0.95 * friction_limit() &&
                       largest_static <= friction_limit()},
         fmt::format("at 70 Hz and 1 mm |f_s| takes values from {:.1f} to {:.1f} N in stick, |f_d| none below "
@@ -335,7 +342,7 @@ TEST(ClaimOnFigure2, TheFrictionForceJumpsAtZeroVelocity) {
   };
   const double least = std::numeric_limits<double>::min();
   const double jump = force(-least) - force(least);
-  judge({.as_printed = std::abs(jump) > friction_limit()},
+  judge("fig2.discontinuity", {.as_printed = std::abs(jump) > friction_limit()},
         fmt::format("between the smallest velocities of either sign f_d jumps by {:.0f} N", jump));
 }
 
@@ -346,7 +353,8 @@ TEST(ClaimOnFigure2, TheDiscontinuityMakesNumericalDifficulties) {
       studies::compare_schemes(paper().beam, paper().friction, excitation(25.0, 1e-3),
                                data::NumericalSettings(choices), data::Damping({.kelvin_voigt = 6.4e-5}));
   const auto &located = runs.front(), &by_the_letter = runs.back();
-  judge({.as_printed = 2 * by_the_letter.plateaus.size() < located.plateaus.size()},
+  judge("fig2.numerical-difficulties",
+        {.as_printed = 2 * by_the_letter.plateaus.size() < located.plateaus.size()},
         fmt::format("of {} stick phases of 2 ms and more in the first 0.2 s of a damped run at 25 Hz and 1 "
                     "mm, the paper's "
                     "decision once per step of 0.1 ms finds {}",
@@ -359,7 +367,7 @@ TEST(ClaimOnEquation8, ItsFrequenciesConvergeToThoseOfTheClosedForm) {
   for (const auto& mode : study.modes)
     holds &= std::abs(mode.observed_order.order - 4.0) < 0.15 &&
              std::abs(mode.leading_constant_ratio - 1.0) < 0.05;
-  judge({.as_printed = holds},
+  judge("eq8", {.as_printed = holds},
         fmt::format("the first three eigenvalues of Eq. (8) on Hermite elements approach the closed form "
                     "with orders {:.2f}, "
                     "{:.2f} and {:.2f}; on 32 elements the first is {:.0e} too large",
@@ -370,7 +378,8 @@ TEST(ClaimOnEquation8, ItsFrequenciesConvergeToThoseOfTheClosedForm) {
 TEST(ClaimOnEquation9, ItsBoundaryTermMakesTheAxialForceAFollower) {
   const auto flutter = studies::flutter_study(paper().beam, {8, 16});
   const double beck = 20.05;  // Beck 1952, in E I/L^2
-  judge({.as_printed = std::abs(flutter.finite_element.back() - beck) < 0.005 * beck &&
+  judge("eq9.follower",
+        {.as_printed = std::abs(flutter.finite_element.back() - beck) < 0.005 * beck &&
                        std::abs(flutter.closed_form - beck) < 0.005 * beck},
         fmt::format("the slip state loses its stability by flutter at {:.3f} E I/L^2 on 16 elements and "
                     "{:.3f} in closed form, "
@@ -382,7 +391,8 @@ TEST(ClaimOnEquation9, TheForceInItIsTheKineticOne) {
   // Of the same row, f with the sign of Eq. (28) on the right, or f_d of Eqs. (5) and (6).
   const HoldingForce force = holding_force();
   const double f_of_28 = force.shear, f_d = -force.shear, allowed = 1e-5 * std::abs(force.shear);
-  judge({.as_printed = std::abs(force.follower - f_of_28) <= allowed,
+  judge("eq9.f",
+        {.as_printed = std::abs(force.follower - f_of_28) <= allowed,
          .corrected = std::abs(force.follower - f_d) <= allowed},
         fmt::format("the tip's row of Eq. (9) gives {:.4f} N where f of Eq. (28) is {:.4f} N and f_d of Eq. "
                     "(5) {:.4f} N",
@@ -399,7 +409,7 @@ TEST(ClaimOnEquation10, TheSolutionDoesNotDependOnTheSplitAndIsThatOfEquation1) 
     return m.interpolation(0.3 * length()).dot(held_steady_state(m, only_the_tip(m)));
   });
   // Condition of the dynamic stiffness: largest over smallest eigenvalue, about (pi elements/3.9)^4.
-  judge({.as_printed = split <= round_off(40, 1e5, 1.0).value && is_of_fourth_order(third)},
+  judge("eq10", {.as_printed = split <= round_off(40, 1e5, 1.0).value && is_of_fourth_order(third)},
         fmt::format("two choices of the specified part differ in u by {:.0e} of A0; u(0.3 L) at 15 Hz "
                     "approaches the closed form "
                     "with order {:.2f}",
@@ -411,7 +421,7 @@ TEST(ClaimOnEquation11, ItsSolutionIsThatOfEquations1And5) {
   const auto third = convergence(exact, {10, 20, 40}, [](const solver::BeamModel& m) {
     return m.interpolation(0.3 * length()).dot(free_steady_state(m));
   });
-  judge({.as_printed = is_of_fourth_order(third)},
+  judge("eq11", {.as_printed = is_of_fourth_order(third)},
         fmt::format("with a frictionless tip u(0.3 L) at 15 Hz approaches the closed form with order {:.2f}, "
                     "{:.0e} on 40 "
                     "elements",

@@ -63,7 +63,7 @@ TEST(ClaimOnSection3, TheTimeStepGivesReasonableResults) {
     verdicts_stay &= coarse.has_value() == refined.has_value();
     if (coarse && refined) largest = std::max(largest, std::abs(*coarse - *refined) * printed.frequency_hz);
   }
-  judge({.as_printed = verdicts_stay && largest < 0.01},
+  judge("sect3.time-step", {.as_printed = verdicts_stay && largest < 0.01},
         fmt::format("a tenth of the step leaves the eight verdicts of Figs. 4 and 5 as they are and moves "
                     "first slips by at most "
                     "{:.2f} % of a period",
@@ -97,6 +97,7 @@ TEST(ClaimOnSection3, TheThresholdNoticesEveryStop) {
   };
   const double with = first_capture(1e-4), without = first_capture(0.0);
   judge(
+      "sect3.threshold",
       {.as_printed = missed == 0, .corrected = std::abs(with - without) < paper().numerics.time_step()},
       fmt::format("by the letter, {} of {} stops in 0.3 s at 25 Hz and 1 mm are stepped over, for the tip "
                   "decelerates by more than "
@@ -122,7 +123,8 @@ TEST(ClaimOnSection3, TheBeamStartsWithoutVelocity) {
   const double coarse = largest(16, solver::InitialVelocity::zero),
                fine = largest(64, solver::InitialVelocity::zero);
   const double quasi_static = largest(64, solver::InitialVelocity::quasi_static);
-  judge({.as_printed = fine < 1.1 * coarse && fine <= friction_limit(),
+  judge("sect3.initial-velocity",
+        {.as_printed = fine < 1.1 * coarse && fine <= friction_limit(),
          .instead = quasi_static < 0.01 * friction_limit()},
         fmt::format("from rest relative to the base the reaction in the first millisecond at 15 Hz and 0.5 "
                     "mm is {:.0f} N on 16 and "
@@ -139,7 +141,8 @@ TEST(ClaimOnSection3, TheTipIsStuckAtTheStart) {
                  std::abs(analytic::StickResponse(paper().beam, excitation(hz, large)).friction_force(0.0)));
     finite_element = std::max(finite_element, std::abs(run.friction_force()));
   }
-  judge({.as_printed = closed_form < friction_limit() && finite_element < friction_limit()},
+  judge("sect3.stuck-at-start",
+        {.as_printed = closed_form < friction_limit() && finite_element < friction_limit()},
         fmt::format("at t = 0, from u_t = S h_t(0), the force is {:.0f} N in closed form and at most {:.0e} "
                     "N in finite elements, below "
                     "mu_s P",
@@ -152,7 +155,8 @@ TEST(ClaimOnSection3, TheSecondMomentOfAreaGivesTheNaturalFrequencies) {
   const auto first = [](const data::Beam& beam) { return analytic::stick_modes(beam, 1)[0].frequency_hz(); };
   const data::PrintedNumber printed = data::printed_number("frequency.stick.1");
   const double wrong = first(data::Beam(as_printed)), right = first(paper().beam);
-  judge({.as_printed = std::abs(wrong - printed.value) <= printed.half_digit,
+  judge("sect3.second-moment-of-area",
+        {.as_printed = std::abs(wrong - printed.value) <= printed.half_digit,
          .corrected = std::abs(right - printed.value) <= printed.half_digit},
         fmt::format("I = (1/12) 10^-6 m^4 gives a first natural frequency of {:.3f} Hz, (1/12) 10^-4 m^4 one "
                     "of {:.3f} Hz; the paper "
@@ -160,24 +164,26 @@ TEST(ClaimOnSection3, TheSecondMomentOfAreaGivesTheNaturalFrequencies) {
                     wrong, right, printed.printed));
 }
 
-void judge_that_the_tip_never_moves(double hz) {
+void judge_that_the_tip_never_moves(const std::string& claim, double hz) {
   solver::BeamSimulation run(paper().beam, paper().friction, excitation(hz, small), paper().numerics);
   double largest = 0.0;
   for (long n = solver::step_count(10.0, paper().numerics.time_step()); n > 0; --n) {
     run.step();
     largest = std::max(largest, std::abs(run.tip_displacement()));
   }
-  judge({.as_printed = run.integrator().events().empty() && largest <= round_off(1, 1, small).value &&
+  judge(claim,
+        {.as_printed = run.integrator().events().empty() && largest <= round_off(1, 1, small).value &&
                        !criterion_slips(hz, small)},
         fmt::format("{}; y(L) stays within {:.0e} m", verdicts_in_words(hz, small), largest));
 }
 
-TEST(ClaimOnFigure4, TheTipDoesNotMoveAt15Hz) { judge_that_the_tip_never_moves(15.0); }
-TEST(ClaimOnFigure4, TheTipDoesNotMoveAt35Hz) { judge_that_the_tip_never_moves(35.0); }
+TEST(ClaimOnFigure4, TheTipDoesNotMoveAt15Hz) { judge_that_the_tip_never_moves("fig4.15", 15.0); }
+TEST(ClaimOnFigure4, TheTipDoesNotMoveAt35Hz) { judge_that_the_tip_never_moves("fig4.35", 35.0); }
 
 TEST(ClaimOnFigure4, TheBeamSticksAtAllTimesAt15And35Hz) {
   const double slow = force_bound_for_all_times(15.0, small), fast = force_bound_for_all_times(35.0, small);
-  judge({.as_printed = slow <= friction_limit() && fast <= friction_limit() && both_stick(15.0, small) &&
+  judge("fig4.stick-at-all-times",
+        {.as_printed = slow <= friction_limit() && fast <= friction_limit() && both_stick(15.0, small) &&
                        both_stick(35.0, small)},
         fmt::format("the sinusoids of f add up to at most {:.1f} N at 15 Hz and {:.1f} N at 35 Hz, however "
                     "late, and mu_s P = {:.0f} N; "
@@ -218,25 +224,25 @@ TipMotion tip_motion(double hz, double amplitude) {
   return motion;
 }
 
-void judge_that_the_tip_sticks_and_slips(double hz) {
+void judge_that_the_tip_sticks_and_slips(const std::string& claim, double hz) {
   const TipMotion motion = tip_motion(hz, small);
-  judge({.as_printed = motion.sticks > 2 && motion.range > 0.1 * small && criterion_slips(hz, small)},
+  judge(claim, {.as_printed = motion.sticks > 2 && motion.range > 0.1 * small && criterion_slips(hz, small)},
         fmt::format("{}; in 0.5 s the tip sticks {} times again and covers {:.2f} mm",
                     verdicts_in_words(hz, small), motion.sticks, 1e3 * motion.range));
 }
 
-TEST(ClaimOnFigure4, TheTipSticksAndSlipsAt25Hz) { judge_that_the_tip_sticks_and_slips(25.0); }
-TEST(ClaimOnFigure4, TheTipSticksAndSlipsAt70Hz) { judge_that_the_tip_sticks_and_slips(70.0); }
+TEST(ClaimOnFigure4, TheTipSticksAndSlipsAt25Hz) { judge_that_the_tip_sticks_and_slips("fig4.25", 25.0); }
+TEST(ClaimOnFigure4, TheTipSticksAndSlipsAt70Hz) { judge_that_the_tip_sticks_and_slips("fig4.70", 70.0); }
 
 TEST(ClaimOnFigure4, TheFasterExcitationNeedNotSlip) {
-  judge({.as_printed = both_slip(25.0, small) && both_stick(35.0, small)},
+  judge("fig4.faster-need-not-slip", {.as_printed = both_slip(25.0, small) && both_stick(35.0, small)},
         verdicts_in_words(25.0, small) + "; " + verdicts_in_words(35.0, small));
 }
 
 TEST(ClaimOnFigure5, TheTipSticksAt15HzOnly) {
   bool others_slip = true;
   for (const double hz : {25.0, 35.0, 70.0}) others_slip &= both_slip(hz, large);
-  judge({.as_printed = both_stick(15.0, large) && others_slip},
+  judge("fig5.only-15-sticks", {.as_printed = both_stick(15.0, large) && others_slip},
         verdicts_in_words(15.0, large) + "; " + verdicts_in_words(25.0, large) + "; " +
             verdicts_in_words(35.0, large) + "; " + verdicts_in_words(70.0, large));
 }
@@ -248,7 +254,7 @@ TEST(ClaimOnFigure5, ThePatternsAreVarious) {
     return apart(x.range, y.range) || apart(x.stick_share, y.stick_share) ||
            apart(x.sticks_per_period, y.sticks_per_period);
   };
-  judge({.as_printed = differ(a, b) && differ(b, c) && differ(a, c)},
+  judge("fig5.various-patterns", {.as_printed = differ(a, b) && differ(b, c) && differ(a, c)},
         fmt::format("in 0.5 s at 25, 35 and 70 Hz the tip covers {:.2f}, {:.2f} and {:.2f} mm, sticks for "
                     "{:.0f}, {:.0f} and {:.0f} % of the "
                     "time and {:.1f}, {:.1f} and {:.1f} times a period for 1 ms and more",
@@ -261,7 +267,8 @@ TEST(ClaimOnFigure5, StickSlipAdditionallyOccursAt35Hz) {
   for (const double hz : {15.0, 25.0, 70.0})
     unchanged_elsewhere &=
         (both_stick(hz, small) && both_stick(hz, large)) || (both_slip(hz, small) && both_slip(hz, large));
-  judge({.as_printed = unchanged_elsewhere && both_stick(35.0, small) && both_slip(35.0, large)},
+  judge("fig5.35-additionally",
+        {.as_printed = unchanged_elsewhere && both_stick(35.0, small) && both_slip(35.0, large)},
         verdicts_in_words(35.0, small) + "; " + verdicts_in_words(35.0, large) +
             "; the other three frequencies keep their verdicts");
 }
@@ -278,7 +285,7 @@ TEST(ClaimOnFigure5, LargerAmplitudesSlipMoreReadily) {
       before = now;
     }
   }
-  judge({.as_printed = changes > 0 && returns == 0},
+  judge("fig5.larger-amplitude", {.as_printed = changes > 0 && returns == 0},
         fmt::format("from 0.2 to 2 mm at the four frequencies, finite elements change {} times from stick to "
                     "slip and {} times back "
                     "as the amplitude grows",

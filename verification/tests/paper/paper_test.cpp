@@ -13,11 +13,13 @@
 #include "studies/paper/paper_checks.hpp"
 #include "support/beams.hpp"
 #include "support/paper_case.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
 namespace {
 
+STICKSLIP_VERIFIES(PaperCase, "P1");
 TEST(PaperCase, IsTheBeamOfSection3WithTheCorrectedSection) {
   const data::BeamProperties expected = paper_beam_properties();
   const data::BeamProperties& read = paper().beam.properties();
@@ -35,6 +37,7 @@ bool is_known_not_to_hold(const studies::PrintedCheck& check) {
          check.printed.id == "figure6.valley.frequency";                                // E10
 }
 
+STICKSLIP_VERIFIES(PrintedNumbers, "P3");
 TEST(PrintedNumbers, AllComeBackButTheKnownErrata) {
   int refuted = 0;
   for (const auto& check : studies::printed_checks(paper())) {
@@ -57,6 +60,7 @@ TEST(PrintedNumbers, EveryPrintedResultIsChecked) {
     EXPECT_TRUE(printed.is_given || checked.contains(printed.id)) << printed.id << " has no check";
 }
 
+STICKSLIP_VERIFIES(Errata, "V2");
 TEST(Errata, CorrectedTextAgreesWhereThePrintedOneDoesNot) {
   for (const auto& row : studies::errata_evidence(paper())) {
     EXPECT_TRUE(within(row.corrected, row.reference, reference(row.tolerance, "the row of the ledger"),
@@ -135,6 +139,7 @@ TEST(Errata, E7MuSPBoundsTheStaticForceAndTheKineticOneLiesBetweenMuMAndMuS) {
 
 class Verdict : public ::testing::TestWithParam<data::PrintedVerdict> {};
 
+STICKSLIP_VERIFIES(Verdict, "V1");
 TEST_P(Verdict, IsThePrintedOneByBothImplementations) {
   const auto& printed = GetParam();
   const bool slips = printed.verdict == "stick-slip";

@@ -16,6 +16,7 @@
 #include "stickslip/reference/package.hpp"
 #include "stickslip/report/text_file.hpp"
 #include "support/published_data.hpp"
+#include "support/requirements.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -29,6 +30,7 @@ std::vector<reference::DataSet> quick_sets() {
   return sets;
 }
 
+STICKSLIP_VERIFIES(PublishedData, "P6");
 TEST(PublishedData, IsWhatTheCodeMakes) {
   const data::ReferencePackage package = data::load_reference();
   for (const reference::DataSet& set : quick_sets())

@@ -14,6 +14,7 @@
 #include "stickslip/report/output_folder.hpp"
 #include "stickslip/report/report.hpp"
 #include "stickslip/report/text_file.hpp"
+#include "support/requirements.hpp"
 
 namespace stickslip {
 namespace {
@@ -29,6 +30,7 @@ class ReportOutput : public ::testing::Test {
       fs::temp_directory_path() / ("stickslip-report-output-" + std::to_string(::getpid()));
 };
 
+STICKSLIP_VERIFIES(ReportOutput, "U3");
 TEST_F(ReportOutput, WritesAFileUnderItsNameAndLeavesNothingElse) {
   {
     report::OutputFolder output(folder_);
@@ -125,6 +127,7 @@ TEST_F(ReportOutput, KeepsTheDataOfAFigureWhenGnuplotIsMissing) {
   EXPECT_FALSE(fs::exists(folder_ / "fig7.pdf"));
 }
 
+STICKSLIP_VERIFIES(ReportFigures, "U3");
 TEST(ReportFigures, HaveAScriptEach) {
   for (const std::string& name : report::figure_names())
     EXPECT_TRUE(fs::exists(report::templates_directory() / "figures" / (name + ".gp"))) << name;

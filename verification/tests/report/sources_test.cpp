@@ -9,6 +9,7 @@
 
 #include "stickslip/report/report.hpp"
 #include "stickslip/report/text_file.hpp"
+#include "support/requirements.hpp"
 
 namespace stickslip {
 namespace {
@@ -69,6 +70,7 @@ std::string with_inline_formulas(const std::string& source) {
 
 class ReportSources : public ::testing::TestWithParam<fs::path> {};
 
+STICKSLIP_VERIFIES(ReportSources, "U5");
 TEST_P(ReportSources, HoldNoLiteralResult) {
   const std::string source = with_inline_formulas(report::read_text(GetParam()));
   ASSERT_FALSE(source.empty());
@@ -88,6 +90,7 @@ INSTANTIATE_TEST_SUITE_P(Latex, ReportSources, ::testing::ValuesIn(latex_sources
                            return std::regex_replace(instance.param.stem().string(), std::regex("-"), "_");
                          });
 
+STICKSLIP_VERIFIES(ReportFigureScripts, "U5");
 // Labels and titles of figures: a number with a unit, or of something counted, is a result.
 TEST(ReportFigureScripts, HoldNoLiteralResult) {
   const std::regex label(
@@ -104,6 +107,7 @@ TEST(ReportFigureScripts, HoldNoLiteralResult) {
   EXPECT_GT(scripts, 20);
 }
 
+STICKSLIP_VERIFIES(LiteralResults, "U5");
 TEST(LiteralResults, AreFoundWhereverTheyStand) {
   for (const std::string text : {"The first frequency is 25 Hz.", "at $A_0 = 1\\unit{mm}$",
                                  "within 2\\,\\% of", "about $20.19\\,EI/L^2$", "an error of $10^{-12}$",

@@ -10,6 +10,7 @@
 #include "stickslip/benchmarks/speed_record.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/report/text_file.hpp"
+#include "support/requirements.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -47,6 +48,7 @@ class SpeedRecordFile : public ::testing::Test {
                                 ("stickslip-speed-record-" + std::to_string(::getpid()) + ".toml");
 };
 
+STICKSLIP_VERIFIES(SpeedRecordFile, "U8");
 TEST_F(SpeedRecordFile, ReturnsWhatWasWritten) {
   const SpeedRecord written = sample_record(), found = read(text_of(written));
   EXPECT_EQ(found.processor, written.processor);
@@ -78,6 +80,7 @@ TEST_F(SpeedRecordFile, RefusesWhatCannotBeUsed) {
     EXPECT_THROW((void)read(bad), data::InputError) << bad;
 }
 
+STICKSLIP_VERIFIES(SpeedRecord, "U8");
 TEST(SpeedRecord, OfTheReportHoldsWhatWasMeasured) {
   const SpeedRecord record = benchmarks::read_speed_record();
   EXPECT_GE(record.comparisons.size(), 10u);
@@ -85,6 +88,7 @@ TEST(SpeedRecord, OfTheReportHoldsWhatWasMeasured) {
   EXPECT_EQ(record.elements.back(), 20000);
 }
 
+STICKSLIP_VERIFIES(SpeedTables, "U8");
 TEST(SpeedTables, GiveRatiosAndShares) {
   const SpeedRecord record = sample_record();
   EXPECT_EQ(report::speed_rows(record),

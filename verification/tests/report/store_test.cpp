@@ -15,6 +15,7 @@
 #include "stickslip/report/report.hpp"
 #include "stickslip/report/text_file.hpp"
 #include "study_store.hpp"
+#include "support/requirements.hpp"
 
 namespace stickslip {
 namespace {
@@ -60,6 +61,7 @@ class ReportStore : public ::testing::Test {
       fs::temp_directory_path() / ("stickslip-report-store-" + std::to_string(::getpid()));
 };
 
+STICKSLIP_VERIFIES(ReportStore, "U3");
 TEST_F(ReportStore, ReturnsEveryFieldOfAResultBitForBit) {
   const report::StudyStore store(folder_, "code");
   store.save("example", example());
@@ -136,6 +138,7 @@ class DrawnFigures : public ReportStore {
   const fs::path templates_ = folder_ / "templates", output_ = folder_ / "output";
 };
 
+STICKSLIP_VERIFIES(DrawnFigures, "U3");
 TEST_F(DrawnFigures, AreKeptWhenNothingHasChanged) {
   mark();
   draw();

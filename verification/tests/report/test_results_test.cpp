@@ -45,6 +45,7 @@ class TestResults : public ::testing::Test {
       fs::temp_directory_path() / ("stickslip-test-results-" + std::to_string(::getpid()));
 };
 
+STICKSLIP_VERIFIES(TestResults, "U6");
 TEST_F(TestResults, HoldRequirementComparisonsAndClaim) {
   write(
       "cross.Figures/Verdict.IsPrinted.xml", "Figures/Verdict", "IsPrinted/4a",
@@ -161,6 +162,7 @@ TEST_F(TestResults, ListTheTolerancesThatSayNothingAndThoseThatAreNearlyUsedUp) 
   EXPECT_EQ(report::tolerance_rows(results, "reference"), "");
 }
 
+STICKSLIP_VERIFIES(PaperIndex, "U6");
 TEST(PaperIndex, ReadsTheNumbersOfEquationsAndFigures) {
   using Numbers = std::set<int>;
   EXPECT_EQ(report::numbers_named("Eqs. (1) to (3), (24) to (28); E3", "Eq"),

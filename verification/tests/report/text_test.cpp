@@ -12,12 +12,14 @@
 #include "latex_table.hpp"
 #include "stickslip/report/csv_table.hpp"
 #include "stickslip/report/latex_text.hpp"
+#include "support/requirements.hpp"
 
 namespace stickslip {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+STICKSLIP_VERIFIES(FixedNumber, "U4");
 TEST(FixedNumber, HasItsDecimalsAndAMathematicalMinusSign) {
   EXPECT_EQ(report::fixed(0.5, 2), "0.50");
   EXPECT_EQ(report::fixed(-0.5, 2), "\\ensuremath{-0.50}");
@@ -26,6 +28,7 @@ TEST(FixedNumber, HasItsDecimalsAndAMathematicalMinusSign) {
 
 TEST(FixedNumber, HasNoSignWhenItRoundsToZero) { EXPECT_EQ(report::fixed(-0.004, 2), "0.00"); }
 
+STICKSLIP_VERIFIES(SignificantNumber, "U4");
 TEST(SignificantNumber, KeepsTrailingZerosAndAllDigitsBeforeThePoint) {
   EXPECT_EQ(report::significant(0.012345, 3), "0.0123");
   EXPECT_EQ(report::significant(2.0, 3), "2.00");
@@ -38,6 +41,7 @@ TEST(SignificantNumber, DoesNotGainADigitByRoundingUp) {
   EXPECT_EQ(report::significant(9.996, 3), "10.0");
 }
 
+STICKSLIP_VERIFIES(ScientificNumber, "U4");
 TEST(ScientificNumber, IsMantissaTimesPowerOfTen) {
   EXPECT_EQ(report::scientific(0.4276, 2), "\\ensuremath{4.3\\times10^{-1}}");
   EXPECT_EQ(report::scientific(-9.96e5, 2), "\\ensuremath{-1.0\\times10^{6}}");
@@ -45,6 +49,7 @@ TEST(ScientificNumber, IsMantissaTimesPowerOfTen) {
   EXPECT_EQ(report::scientific(0.0, 2), "0");
 }
 
+STICKSLIP_VERIFIES(ReportNumber, "U4");
 TEST(ReportNumber, IsRefusedUnlessFinite) {
   for (const double value : {infinity, -infinity, std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_THROW((void)report::fixed(value, 2), std::invalid_argument);
@@ -53,12 +58,14 @@ TEST(ReportNumber, IsRefusedUnlessFinite) {
   }
 }
 
+STICKSLIP_VERIFIES(LatexEscape, "U4");
 TEST(LatexEscape, CoversAllTenReservedCharacters) {
   EXPECT_EQ(report::escape("#$%&_{}"), "\\#\\$\\%\\&\\_\\{\\}");
   EXPECT_EQ(report::escape("a~b^c\\d"), "a\\textasciitilde{}b\\textasciicircum{}c\\textbackslash{}d");
   EXPECT_EQ(report::escape("plain text, 1.5"), "plain text, 1.5");
 }
 
+STICKSLIP_VERIFIES(LatexNotation, "U4");
 TEST(LatexNotation, JoinsSubscripts) {
   EXPECT_EQ(report::typeset("T_n_tt"), "\\ensuremath{T_{n,\\mathrm{tt}}}");
 }
@@ -97,6 +104,7 @@ TEST(LatexNotation, LeavesProseAndEscapesTheRest) {
   EXPECT_EQ(report::typeset("Half of 5 % & more: E4, stick-slip"), "Half of 5 \\% \\& more: E4, stick-slip");
 }
 
+STICKSLIP_VERIFIES(CsvTable, "U3");
 TEST(CsvTable, HasTitleUnitsNamesAndRows) {
   report::CsvTable table("Tip", {{"time_s", "s"}, {"tip_m", "m"}});
   table.add_numbers({0.1, -2e-7});

@@ -10,6 +10,7 @@
 #include "document.hpp"
 #include "stickslip/report/output_folder.hpp"
 #include "support/command_line.hpp"
+#include "support/requirements.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -39,6 +40,7 @@ class Typesetting : public Drawing {
   }
 };
 
+STICKSLIP_VERIFIES(Typesetting, "U12");
 TEST_F(Typesetting, SaysThatLatexIsMissingAndWhereTheFiguresAre) {
   ::setenv("PATH", path("tools").c_str(), 1);
   EXPECT_EQ(

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "stickslip/report/report.hpp"
+#include "support/requirements.hpp"
 #include "support/sleeping_tool.hpp"
 
 namespace stickslip::testing {
@@ -27,6 +28,7 @@ class WholeReport : public SleepingTool {
   }
 };
 
+STICKSLIP_VERIFIES(WholeReport, "U12");
 TEST_F(WholeReport, KeepsFiguresTablesAndTheOldPdfWithoutLatex) {
   link_gnuplot();
   fs::create_directory(out());

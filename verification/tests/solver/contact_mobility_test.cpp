@@ -15,6 +15,7 @@
 #include "stickslip/solver/generalized_alpha.hpp"
 #include "support/beams.hpp"
 #include "support/parameter_name.hpp"
+#include "support/requirements.hpp"
 #include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
 
@@ -35,6 +36,7 @@ void expect_near(Complex computed, Complex expected, const Tolerance& tolerance)
   EXPECT_TRUE(within(std::abs(computed - expected), 0.0, tolerance)) << computed << " for " << expected;
 }
 
+STICKSLIP_VERIFIES(ContactMobility, "X12");
 TEST(ContactMobility, OfAMassOnASpringAndADashpotIsThatOfTheTextbook) {
   for (const double damping : {0.0, 3.0}) {
     const SingleMass mass{.mass = 2.0, .stiffness = 50.0, .damping = damping, .normal_force = 1.0};
@@ -83,6 +85,7 @@ TEST(ContactMobility, HasTheContactMassAndDampingOfItsHighFrequencies) {
 
 class SteppedMobility : public ::testing::TestWithParam<double> {};
 
+STICKSLIP_VERIFIES(SteppedMobility, "X12");
 // The sliding velocities at the alpha level after a unit friction force in the first step alone. At |zeta| =
 // 1/2 what follows step 80 is below 2^-80.
 TEST_P(SteppedMobility, IsTheGeneratingFunctionOfTheResponseToOneStepOfForce) {

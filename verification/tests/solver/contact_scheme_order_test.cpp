@@ -13,6 +13,7 @@
 #include "support/exact_pair.hpp"
 #include "support/order.hpp"
 #include "support/parameter_name.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -112,6 +113,7 @@ History history_of(StickSlipIntegrator& integrator, int steps) {
 
 class ContactSchemeOrder : public ::testing::TestWithParam<double> {};
 
+STICKSLIP_VERIFIES(ContactSchemeOrder, "F6");
 TEST_P(ContactSchemeOrder, IsOneWithoutLocationAndTwoWithItForTwoMasses) {
   // 23 changes in 12 s, two of them reversals.
   const ForcedPair pair;
@@ -161,6 +163,7 @@ TEST_P(ContactSchemeOrder, IsOneWithoutLocationAndTwoWithItForTwoMasses) {
 INSTANTIATE_TEST_SUITE_P(SpectralRadius, ContactSchemeOrder, ::testing::Values(0.5, 0.9, 1.0),
                          NameOfDouble());
 
+STICKSLIP_VERIFIES(ContactSchemeOrderOfTheBeam, "X9");
 TEST(ContactSchemeOrderOfTheBeam, IsOneForTheTimesWithoutLocationAndTwoForAllElse) {
   // The damped beam of 10 elements through four slips without a reversal, against a run in steps of 0.4 us,
   // whose own error is (1/9.4)^2 of that of the finest level.

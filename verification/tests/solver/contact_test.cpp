@@ -12,6 +12,7 @@
 #include "stickslip/solver/stick_slip_integrator.hpp"
 #include "support/exact_pair.hpp"
 #include "support/parameter_name.hpp"
+#include "support/requirements.hpp"
 #include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
 
@@ -24,6 +25,7 @@ using solver::IntegratorSettings;
 using solver::StickSlipIntegrator;
 using std::numbers::pi;
 
+STICKSLIP_VERIFIES(StickSlipIntegrator, "F6");
 TEST(StickSlipIntegrator, CoulombSliderStopsWhereItMust) {
   // v = v0 - mu g' t: stops at t = v0/a after v0^2/(2 a), a = mu N/m. Constant acceleration is integrated
   // exactly.
@@ -148,6 +150,7 @@ struct ShakenPlane {
 
 class ShakenPlaneBenchmark : public ::testing::TestWithParam<ShakenPlane> {};
 
+STICKSLIP_VERIFIES(ShakenPlaneBenchmark, "F6");
 TEST_P(ShakenPlaneBenchmark, MeanFrictionPowerIsThePublishedOne) {
   // Second order in h: |v_s| is smooth between kinks that are located, and the trapezoidal rule loses at most
   // h^2/8 times the jump of the slope at each of the at most 4 kinks a second; method and rule together
@@ -512,6 +515,7 @@ TEST(StickSlipIntegrator, StopsWithAMessageWhenTheFrictionLawFallsTooFastForTheS
   }
 }
 
+STICKSLIP_VERIFIES(FrictionLaw, "P2");
 TEST(FrictionLaw, FallsFromStaticToKineticWithTheDecay) {
   const data::FrictionLaw law({.static_coefficient = 0.6, .kinetic_coefficient = 0.3, .decay = 2.0});
   EXPECT_DOUBLE_EQ(solver::friction_coefficient(law, 0.0), 0.6);

@@ -17,6 +17,7 @@
 #include "support/free_tip.hpp"
 #include "support/order.hpp"
 #include "support/parameter_name.hpp"
+#include "support/requirements.hpp"
 #include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
 
@@ -26,6 +27,7 @@ namespace {
 data::Damping kelvin_voigt(double eta) { return data::Damping({.kelvin_voigt = eta}); }
 data::Damping of_critical(double ratio) { return data::Damping({.ratio = ratio}); }
 
+STICKSLIP_VERIFIES(DampingMatrix, "F9");
 TEST(DampingMatrix, IsEmptyWithoutDamping) {
   EXPECT_EQ(solver::damping_matrix(solver::BeamModel(paper_beam(), 5), {}).nonZeros(), 0);
 }
@@ -110,6 +112,7 @@ TEST(DampingMatrix, OfARatioRefusesMoreThan500Elements) {
 // h)^2/12 + ...] and c stays.
 class FreeDecay : public ::testing::TestWithParam<double> {};
 
+STICKSLIP_VERIFIES(FreeDecay, "F9");
 TEST_P(FreeDecay, OfAModeIsThatOfADampedOscillatorToSecondOrder) {
   using Complex = std::complex<double>;
   const double zeta = GetParam();

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "stickslip/solver/beam_element.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -46,6 +47,7 @@ void expect_close(const ElementMatrix& computed, const ElementMatrix& expected) 
           << "entry " << i << ", " << j;
 }
 
+STICKSLIP_VERIFIES(BeamElement, "F1");
 TEST(BeamElement, ConsistentMassIsTheIntegralOfItsShapeFunctions) {
   expect_close(solver::consistent_mass(3.5, length), mass_by_quadrature(3.5));
 }

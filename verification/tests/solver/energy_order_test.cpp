@@ -14,6 +14,7 @@
 #include "support/exact_pair.hpp"
 #include "support/order.hpp"
 #include "support/parameter_name.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -132,6 +133,7 @@ double residual(const ForcedPair& pair, double duration, int steps, double spect
 
 class EnergyResidual : public ::testing::TestWithParam<double> {};
 
+STICKSLIP_VERIFIES(EnergyResidual, "F8");
 TEST_P(EnergyResidual, IsOfSecondOrderWithThePredictedCoefficientThroughAllChanges) {
   const ForcedPair pair;
   const double duration = 12.0;
@@ -154,6 +156,7 @@ TEST_P(EnergyResidual, IsOfSecondOrderWithThePredictedCoefficientThroughAllChang
 INSTANTIATE_TEST_SUITE_P(SpectralRadius, EnergyResidual, ::testing::Values(0.0, 0.5, 0.9, 1.0),
                          NameOfDouble());
 
+STICKSLIP_VERIFIES(EnergyResidualOfTheBeam, "F8");
 TEST(EnergyResidualOfTheBeam, IsOfSecondOrderThroughItsSlips) {
   // Kelvin-Voigt damping, 0.5 % of critical in mode 1, calms the highest mode of 10 elements (30900 rad/s)
   // within 3e-5 s of a change; steps of a third of that and less see it.
@@ -182,6 +185,7 @@ TEST(EnergyResidualOfTheBeam, IsOfSecondOrderThroughItsSlips) {
                2.0));
 }
 
+STICKSLIP_VERIFIES(EnergyAudit, "F8");
 TEST(EnergyAudit, KeepsOneEventDrivenRunBesideEveryMesh) {
   const data::Case damped{.name = "damped",
                           .beam = paper_beam(),

@@ -11,6 +11,7 @@
 #include "stickslip/solver/energy_balance.hpp"
 #include "support/beams.hpp"
 #include "support/exact_pair.hpp"
+#include "support/requirements.hpp"
 #include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
 
@@ -28,6 +29,7 @@ void keep(EnergyRecorder& recorder, StickSlipIntegrator& integrator) {
   integrator.observe([&recorder](const StickSlipIntegrator& now) { recorder.record(now); });
 }
 
+STICKSLIP_VERIFIES(EnergyRecorder, "F8");
 TEST(EnergyRecorder, FrictionTakesAllThatASliderHad) {
   // m v0^2/2 = 1.69 J; the velocity is linear in time, so that the trapezoidal rule is exact.
   for (const double radius : {0.0, 0.9, 1.0}) {
@@ -128,6 +130,7 @@ std::vector<Change> changes_of_the_pair(const IntegratorSettings& settings) {
   return changes;
 }
 
+STICKSLIP_VERIFIES(ContactChanges, "F8");
 TEST(ContactChanges, NeverAddEnergyInTheFrameOfTheWall) {
   // In coordinates that the wall moves through, the impulse -m_c v_s of a capture also does the work
   // -m_c v_s w_t of the wall.
@@ -262,6 +265,7 @@ TEST(EnergyRecorder, RefuseASystemThatHasNoEnergyToBalance) {
   EXPECT_NE(message_of(system).find("stick_stiffness"), std::string::npos);
 }
 
+STICKSLIP_VERIFIES(ContactScheme, "F6");
 TEST(ContactScheme, OfThePaperNeedsAThreshold) {
   EXPECT_THROW(
       StickSlipIntegrator(contact_system({.normal_force = 1.0, .friction = coulomb}),

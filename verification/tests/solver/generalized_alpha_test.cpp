@@ -10,6 +10,7 @@
 
 #include "stickslip/solver/generalized_alpha.hpp"
 #include "studies/convergence/discretisation.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -18,6 +19,7 @@ namespace {
 using solver::GeneralizedAlpha;
 using solver::Kinematics;
 
+STICKSLIP_VERIFIES(GeneralizedAlpha, "F5");
 TEST(GeneralizedAlpha, WeightsOfTheLimitsAreTheKnownMethods) {
   const GeneralizedAlpha trapezoidal(1.0);  // mid-point form of the average acceleration method
   EXPECT_DOUBLE_EQ(trapezoidal.alpha_m(), 0.5);

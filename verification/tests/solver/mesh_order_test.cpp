@@ -21,6 +21,7 @@
 #include "support/beams.hpp"
 #include "support/order.hpp"
 #include "support/parameter_name.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 #include "support/vibration.hpp"
 
@@ -77,6 +78,7 @@ void expect_order_four(const studies::FrequencyStudy& study, double first_wave_n
 
 class StickFrequencyOrder : public ::testing::TestWithParam<double> {};
 
+STICKSLIP_VERIFIES(StickFrequencyOrder, "F3");
 TEST_P(StickFrequencyOrder, IsFourWithThePredictedConstant) {
   const double unit = 16666.666666666668 / 4.0;  // EI/L^2
   const auto study =
@@ -105,12 +107,14 @@ TEST(StickFrequencyOrder, ConstantWithoutAxialForceIsBetaLToTheFourthOver720) {
   }
 }
 
+STICKSLIP_VERIFIES(SlipFrequencyOrder, "F3");
 TEST(SlipFrequencyOrder, IsFourUnderTheFollowerLoad) {
   // The constant is that of P = 0: at P L^2/EI = 0.12 it is off by 3.4 % in the first mode.
   expect_order_four(studies::slip_frequency_study(paper_beam(), 5, meshes), 0.6 * std::numbers::pi, 4.0,
                     0.12);
 }
 
+STICKSLIP_VERIFIES(FlutterLoadOrder, "F3");
 TEST(FlutterLoadOrder, IsFourAndTendsToBecksLoad) {
   const auto study = studies::flutter_study(paper_beam(), {4, 6, 8, 12, 16});
   // Where the modes meet, omega = 11.0 sqrt(EI/rho A)/L^2 and beta_bar L = 5.0 (Eq. 23); margin of a free
@@ -218,12 +222,14 @@ void expect_shapes_of_order_four(double load_factor, double first_wave_number, d
   }
 }
 
+STICKSLIP_VERIFIES(StickShapeOrder, "F3");
 TEST(StickShapeOrder, IsFourInTheMeanAndAtTheNodesWithThePredictedConstants) {
   for (const double load_factor : {0.0, 0.12})
     expect_shapes_of_order_four(load_factor, 1.25 * std::numbers::pi, 1.1, analytic::stick_modes,
                                 solver::stick_modes);
 }
 
+STICKSLIP_VERIFIES(SlipShapeOrder, "F3");
 TEST(SlipShapeOrder, IsFourInTheMeanAndAtTheNodesWithThePredictedConstants) {
   // The next term of the norm of I U is int U^(6) U dx = -beta^4 (int U'^2 dx - U U'(L)), the last of which,
   // zero between supports, is the largest of a free tip: 5 times (beta l)^2/40.
@@ -261,6 +267,7 @@ double reaction_by_shape_functions(const solver::BeamModel& model, const Eigen::
   return rigidity / (l * l * l) * third.dot(q.tail<4>());
 }
 
+STICKSLIP_VERIFIES(ReactionOrder, "F4");
 // f by the shape functions is EI int w u''' ds with w = 6 s (1 - s) over the last element, s from the tip: by
 // Taylor's series EI [u''' - l/2 u'''' + 3/20 l^2 u^(5) - l^3/42 ... u^(6) + l^4/168 u^(7)] at x = L. It
 // would be of order one, were u'''' not zero there: EI u'''' = -rho A y_tt - P u'', and a stuck tip neither
@@ -308,6 +315,7 @@ TEST(ReactionOrder, IsFourByTheResidualAndTwoByTheShapeFunctionsWithThePredicted
   }
 }
 
+STICKSLIP_VERIFIES(StaticShapeOrder, "F2");
 // Between the nodes the interpolation error, l^4/24 s^2 (1 - s)^2 u'''', and at them l^4/720 times an
 // integral over u'''' and the influence function: both of order four, the latter because of the axial force
 // alone.

@@ -17,6 +17,7 @@
 #include "support/free_tip.hpp"
 #include "support/order.hpp"
 #include "support/random_beams.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 #include "support/units.hpp"
 
@@ -115,6 +116,7 @@ void step(StickSlipIntegrator& integrator, long steps) {
 
 // Symmetry.
 
+STICKSLIP_VERIFIES(Symmetry, "M1");
 TEST(Symmetry, MirroredBaseMirrorsTheSteppedHistoryBitForBit) {
   int events = 0;
   on_random_beams(40, compression, [&](const data::Beam& beam, RandomNumbers& numbers) {
@@ -147,6 +149,7 @@ TEST(Symmetry, MirroredBaseMirrorsTheSteppedHistoryBitForBit) {
 
 // Other units.
 
+STICKSLIP_VERIFIES(UnitChange, "M1");
 TEST(UnitChange, ByPowersOfTwoLeavesTheModesOfTheMeshTheSameBitForBit) {
   on_random_beams(60, any_force, [](const data::Beam& beam, RandomNumbers& numbers) {
     const Units units = random_powers_of_two(numbers);
@@ -210,6 +213,7 @@ TEST(UnitChange, ByPowersOfTwoLeavesTheSteppedHistoryTheSameBitForBit) {
 // In other units or with another material, section and length. An eigenvalue of the mesh is known to the
 // round-off of its largest stiffness, n^4 times that of the lowest mode, and to that of P L^2/EI.
 
+STICKSLIP_VERIFIES(Similarity, "M1");
 TEST(Similarity, FixesTheModesOfTheMesh) {
   on_random_beams(60, any_force, [](const data::Beam& beam, RandomNumbers& numbers) {
     const int elements = numbers.whole(2, 12);
@@ -267,6 +271,7 @@ TEST(Similarity, FixesTheSteppedHistory) {
 
 // Linearity in stick, and in slip without friction.
 
+STICKSLIP_VERIFIES(Linearity, "M1");
 TEST(Linearity, TwiceTheAmplitudeIsTwiceTheSteppedResponseBitForBit) {
   on_random_beams(30, any_force, [](const data::Beam& beam, RandomNumbers& numbers) {
     const double hz = random_frequency_hz(numbers, stick_frequencies(beam, 4), 0.02);
@@ -344,6 +349,7 @@ TEST(Linearity, CriticalAmplitudeIsTheFrictionLimitOverTheForcePerAmplitude) {
   });
 }
 
+STICKSLIP_VERIFIES(Monotony, "M1");
 // Monotony: more friction or less amplitude turns no stick into slip, and no slip comes earlier.
 TEST(Monotony, OfTheFirstSlipOfTheTimeStepperInFrictionAndAmplitude) {
   on_random_beams(15, compression, [](const data::Beam& beam, RandomNumbers& numbers) {
@@ -390,6 +396,7 @@ double binary_step(const StickSlipProblem& problem) {
   return std::exp2(std::floor(std::log2(settings(problem, 1.0).time_step())));
 }
 
+STICKSLIP_VERIFIES(TimeShift, "M1");
 // With a spectral radius of 1 the load is taken in the middle of a step, which has a double of its own.
 TEST(TimeShift, OfTheBaseByWholeStepsShiftsTheStickResponseBitForBit) {
   on_random_beams(30, compression, [](const data::Beam& beam, RandomNumbers& numbers) {
@@ -503,6 +510,7 @@ Eigen::MatrixXd interpolant(const BeamModel& coarse, int factor) {
   return map;
 }
 
+STICKSLIP_VERIFIES(MeshNesting, "M2");
 TEST(MeshNesting, FineMatricesOnCoarseFunctionsAreTheCoarseMatrices) {
   on_random_beams(60, any_force, [](const data::Beam& beam, RandomNumbers& numbers) {
     const int elements = numbers.whole(1, 6);
@@ -599,6 +607,7 @@ double random_angular_frequency(RandomNumbers& numbers, const data::Beam& beam) 
   return 2.0 * pi * random_frequency_hz(numbers, stick_frequencies(beam, 4), 0.05);
 }
 
+STICKSLIP_VERIFIES(Reciprocity, "M2");
 // A force at a, with the tip held, moves b as far as the same force at b moves a.
 TEST(Reciprocity, HoldsInTheStickStateAtRestAndInVibration) {
   on_random_beams(60, any_force, [](const data::Beam& beam, RandomNumbers& numbers) {
@@ -657,6 +666,7 @@ TEST(Reciprocity, IsLostInSlipByWhatTheFollowerForceDoes) {
   });
 }
 
+STICKSLIP_VERIFIES(Interlacing, "M2");
 // At P = 0 the stick state is the slip state with one constraint (Cauchy): all modes of any mesh interlace.
 TEST(Interlacing, PutsOneStickFrequencyOfTheMeshBetweenTwoSlipFrequencies) {
   on_random_beams(40, no_force, [](const data::Beam& beam, RandomNumbers& numbers) {

@@ -15,6 +15,7 @@
 #include "stickslip/solver/held_tip_basis.hpp"
 #include "stickslip/solver/modal_stick_run.hpp"
 #include "support/beams.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -84,6 +85,7 @@ Tolerance rounding_of_the_plain_loop(const data::Beam& beam, int elements, const
   return round_off(3.0 * std::sqrt(static_cast<double>(steps)), condition, largest(history.force));
 }
 
+STICKSLIP_VERIFIES(ModalStickRun, "F11");
 TEST(ModalStickRun, GivesTheForceOfThePlainLoopForEverySpectralRadius) {
   for (const double radius : {0.0, 0.5, 0.9, 1.0})
     for (const auto velocity : {InitialVelocity::quasi_static, InitialVelocity::zero})
@@ -204,6 +206,7 @@ TEST(ModalStickRun, RefusesABuckledBeam) {
                data::InputError);
 }
 
+STICKSLIP_VERIFIES(HeldTipBasis, "F11");
 TEST(HeldTipBasis, DiagonalisesTheStickStateAndLeavesTheTipToTheStaticShape) {
   for (const int elements : {1, 2, 20}) {
     const BeamModel model(paper_beam(), elements);
@@ -233,6 +236,7 @@ TEST(HeldTipBasis, CoordinatesGiveTheVectorBack) {
   EXPECT_LE((back - q).cwiseAbs().maxCoeff(), 1e-11);
 }
 
+STICKSLIP_VERIFIES(ModalSteps, "F11");
 TEST(ModalSteps, TakesTheStepsOfTheGeneralIntegratorInTheSameCoordinates) {
   // From the same start through stick, onset, slip, reversals and captures, until rounding has grown visibly.
   const BeamModel model(paper_beam(), 8);
@@ -304,6 +308,7 @@ TEST(ModalSteps, SlipsFirstWhenTheNodalRunDoes) {
   }
 }
 
+STICKSLIP_VERIFIES(FastestCoordinates, "F11");
 TEST(FastestCoordinates, AreModalWhereTheyGiveTheNumbersOfTheNodalOnes) {
   using solver::ContactScheme;
   using solver::fastest_coordinates;

@@ -15,6 +15,7 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
 #include "support/beams.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -26,6 +27,7 @@ Eigen::VectorXd solve_slip_statics(const solver::BeamModel& model, const Eigen::
   return Eigen::PartialPivLU<Eigen::MatrixXd>(Eigen::MatrixXd(model.slip_stiffness())).solve(load);
 }
 
+STICKSLIP_VERIFIES(BeamModel, "F2");
 TEST(BeamModel, TipLoadBendsTheCantileverExactly) {
   const data::Beam beam = paper_beam_with_axial_force(0.0);
   for (const int elements : {1, 2, 7}) {
@@ -143,6 +145,7 @@ TEST(BeamModel, RefusesABeamWhoseStiffnessOverflows) {
   EXPECT_THROW((void)solver::stick_modes(model, 1), data::InputError);
 }
 
+STICKSLIP_VERIFIES(ModalAnalysis, "F2");
 TEST(ModalAnalysis, ModesAreOrthonormalAndSolveTheirPencil) {
   const solver::BeamModel model(paper_beam(), 10);
   const auto modes = solver::stick_modes(model, 6);
@@ -199,6 +202,7 @@ constexpr data::NumericalChoices coarse{.elements = 8,
                                         .modes = 10,
                                         .duration = 0.2};
 
+STICKSLIP_VERIFIES(BeamSimulation, "F7");
 TEST(BeamSimulation, HandsItsNumericsToTheIntegrator) {
   const data::HarmonicExcitation excitation({25.0, 1e-3});
   solver::BeamSimulation simulation(paper_beam(), paper_friction(), excitation,

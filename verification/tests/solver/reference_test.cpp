@@ -12,6 +12,7 @@
 #include "stickslip/solver/beam_element.hpp"
 #include "stickslip/solver/beam_model.hpp"
 #include "support/beams.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -54,6 +55,7 @@ void expect_equal(const Eigen::MatrixXd& computed, const Eigen::MatrixXd& expect
       EXPECT_TRUE(within(computed(i, j), expected(i, j), round_off(operations, 1, scale))) << i << ", " << j;
 }
 
+STICKSLIP_VERIFIES(BeamElement, "F1");
 TEST(BeamElement, MatricesAreSymmetric) {
   for (const ElementMatrix& matrix :
        {solver::consistent_mass(mass_per_length, length),
@@ -170,6 +172,7 @@ Eigen::VectorXd power_of_x(const solver::BeamModel& model, int power) {
   return values;
 }
 
+STICKSLIP_VERIFIES(BeamModel, "F2");
 TEST(BeamModel, FormsOfPolynomialsAreTheirIntegrals) {
   const data::Beam beam = paper_beam_with_axial_force(9e3);
   const double end = beam.length(), m = beam.density() * beam.area();

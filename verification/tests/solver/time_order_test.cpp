@@ -15,6 +15,7 @@
 #include "support/exact_pair.hpp"
 #include "support/order.hpp"
 #include "support/parameter_name.hpp"
+#include "support/requirements.hpp"
 #include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
 
@@ -44,6 +45,7 @@ void expect_second_order(const std::vector<double>& steps, const std::vector<dou
   EXPECT_TRUE(order_is(levels, 2.0, constant));
 }
 
+STICKSLIP_VERIFIES(GeneralizedAlphaOrder, "F5");
 TEST_P(GeneralizedAlphaOrder, IsSecondOrderUnderTimeDependentLoad) {
   const studies::TimeOrderStudy study = studies::time_order_study(GetParam(), {50, 100, 200, 400, 800});
   expect_second_order(study.time_step, study.displacement_error, study.predicted_displacement_error,
@@ -61,6 +63,7 @@ TEST_P(GeneralizedAlphaOrder, IsSecondOrderUnderTimeDependentLoad) {
 INSTANTIATE_TEST_SUITE_P(SpectralRadius, GeneralizedAlphaOrder, ::testing::Values(0.0, 0.5, 0.9, 1.0),
                          NameOfDouble());
 
+STICKSLIP_VERIFIES(ContactLocation, "F6");
 // m v_t = -N [mu_m + (mu_s - mu_m) exp(-alpha v)] from v0 stops at
 // t = m/(N alpha mu_m) ln[(mu_m exp(alpha v0) + mu_s - mu_m)/mu_s].
 TEST(ContactLocation, StopUnderExponentialFrictionIsOfSecondOrder) {
@@ -109,6 +112,7 @@ double velocity_by_runge_kutta(const data::FrictionLaw& law, double normal_force
   return v;
 }
 
+STICKSLIP_VERIFIES(SlipOrder, "F6");
 TEST(SlipOrder, IsTwoUnderWeakeningFrictionOnAMovingWall) {
   // The wall's velocity of amplitude 0.24 m/s moves mu - mu_m by a third; the mass always runs ahead of it.
   // 0.4 s are 0.8 of the wall's period: over whole ones the leading errors nearly cancel.
@@ -214,6 +218,7 @@ HistoryErrors history_errors(const ForcedPair& pair, const ExactPair& exact, dou
 
 class ContactHistoryOrder : public ::testing::TestWithParam<double> {};
 
+STICKSLIP_VERIFIES(ContactHistoryOrder, "F6");
 TEST_P(ContactHistoryOrder, IsTwoThroughOnsetsCapturesAndReversals) {
   // Two coupled, damped masses under a load on a moving wall, with an unsymmetric slip state: 23 events in 12
   // s. The errors are differences to the exact solution, so that an order of 2 leaves no limit but zero.

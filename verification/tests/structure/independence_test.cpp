@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "support/requirements.hpp"
+
 namespace stickslip::testing {
 namespace {
 
@@ -36,6 +38,7 @@ std::string forbidden_lines(const std::filesystem::path& folder,
 
 const std::filesystem::path root(STICKSLIP_SOURCE_DIRECTORY);
 
+STICKSLIP_VERIFIES(Independence, "P4");
 TEST(Independence, SolverKnowsNeitherAnalyticNorGsl) {
   EXPECT_EQ(
       forbidden_lines(root / "solver", {"analytic/", "studies/", "gsl/"}, {"analytic", "studies", "GSL"}),

@@ -16,6 +16,7 @@
 #include "studies/stick_slip/event_history.hpp"
 #include "support/beams.hpp"
 #include "support/parameter_name.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -29,6 +30,7 @@ data::Case problem(double frequency_hz, double amplitude = 0.5e-3) {
 
 class BeamMotionAt : public ::testing::TestWithParam<double> {};
 
+STICKSLIP_VERIFIES(BeamMotionAt, "X6");
 TEST_P(BeamMotionAt, AgreesWithinThePredictionWhileTheTipSticks) {
   const auto study = studies::beam_motion_study(problem(GetParam()), 17, 41);
   EXPECT_EQ(study.first_slip.has_value(), GetParam() == 25.0 || GetParam() == 70.0);
@@ -41,6 +43,7 @@ TEST_P(BeamMotionAt, AgreesWithinThePredictionWhileTheTipSticks) {
 
 INSTANTIATE_TEST_SUITE_P(Hertz, BeamMotionAt, ::testing::Values(15.0, 25.0, 35.0, 70.0), NameOfDouble());
 
+STICKSLIP_VERIFIES(BeamMotion, "X6");
 TEST(BeamMotion, PredictionHoldsWhereAModeIsInResonance) {
   const data::Case at = problem(24.972);
   const studies::MotionGrid grid{0.0, 0.09, 31, 21};

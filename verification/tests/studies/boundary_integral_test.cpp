@@ -19,6 +19,7 @@
 #include "studies/stick_slip/event_history.hpp"
 #include "support/beams.hpp"
 #include "support/paper_case.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -31,6 +32,7 @@ double largest(const std::vector<double>& values) {
   return std::abs(*std::ranges::max_element(values, {}, [](double value) { return std::abs(value); }));
 }
 
+STICKSLIP_VERIFIES(BeamBoundaryIntegral, "D4");
 TEST(BeamBoundaryIntegral, HoldsTheTipWithEquation28EvenInResonance) {
   // Means over steps are f at their middles times 1 - (Omega h)^2/24, and (omega_n h)^2/24 for the n-th mode.
   const double first = analytic::stick_modes(paper_beam(), 1).front().frequency_hz();
@@ -128,6 +130,7 @@ TEST(BeamBoundaryIntegral, RefusesTensionModalDampingAndNoSteps) {
   EXPECT_THROW(run(paper_beam(), {}, {0.0, 10}), std::invalid_argument);
 }
 
+STICKSLIP_VERIFIES(ConvergedHistory, "D4");
 TEST(ConvergedHistory, FallsWithTheStepAndCoversWhatFinerStepsFind) {
   // 0.1 s at 25 Hz, 1 mm. A run on a quarter of the step must lie within the half-widths, tip and midspan,
   // and so must the sticks that both find; each level halves the step.

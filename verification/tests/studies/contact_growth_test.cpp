@@ -26,6 +26,7 @@
 #include "support/beams.hpp"
 #include "support/contact_models.hpp"
 #include "support/parameter_name.hpp"
+#include "support/requirements.hpp"
 #include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
 
@@ -57,12 +58,14 @@ studies::LinearContact without_limit(studies::LinearContact contact) {
   return contact;
 }
 
+STICKSLIP_VERIFIES(Weakening, "X12");
 TEST(Weakening, IsTheSteepestFallOfTheFrictionForce) {
   EXPECT_DOUBLE_EQ(studies::weakening(paper_friction(), 500.0), kappa);
   const data::FrictionLaw law({.static_coefficient = 0.5, .kinetic_coefficient = 0.25, .decay = 3.0});
   EXPECT_DOUBLE_EQ(studies::weakening(law, 8.0), 6.0);
 }
 
+STICKSLIP_VERIFIES(ContactGrowth, "X12");
 TEST(ContactGrowth, OfAMassIsKappaOverItWithAndWithoutASpring) {
   for (const double stiffness : {50.0, 5e4}) {
     const SingleMass mass{.mass = 2.0, .stiffness = stiffness, .normal_force = 1.0};
@@ -155,6 +158,7 @@ TEST(ContactGrowth, OfAMeshWithARadiatingTipIsThatOfTheBeamOrLessOnEveryMeshInCo
   }
 }
 
+STICKSLIP_VERIFIES(HistoryConvergence, "X12");
 TEST(HistoryConvergence, OfAMeshWithARadiatingTipComesFromResolvedSteps) {
   // Without damping by the steps (spectral radius 1, omega_max h = 1.2), 0.2 s at 25 Hz: 5.4 and 1.6 % of the
   // range on 10 and 20 elements as measured over 0.5 s; half the error on half the length is asked for
@@ -214,6 +218,7 @@ TEST(ContactGrowth, OfAModelIsThatOfItsMass) {
 
 class FilteringStep : public ::testing::TestWithParam<int> {};
 
+STICKSLIP_VERIFIES(FilteringStep, "X12");
 TEST_P(FilteringStep, KeepsTheGrowthOfAMeshAtThatOfTheBeam) {
   const auto mobility = mesh(GetParam());
   const double bound = stepped_bound(mobility, studies::filtering_angle, 0.0);
@@ -237,6 +242,7 @@ TEST(FilteringStep, FollowsFromTheElementLengthAlone) {
 
 class BoundaryIntegralGrowth : public ::testing::TestWithParam<int> {};
 
+STICKSLIP_VERIFIES(BoundaryIntegralGrowth, "X12");
 TEST_P(BoundaryIntegralGrowth, IsThatOfTheBeamOrLess) {
   for (const double h : {1e-4, 1e-5}) {
     const double bound = growth_bound(studies::stepped_contact(paper_beam(), h, GetParam()), kappa);
@@ -339,6 +345,7 @@ std::optional<studies::Warning> warning(const std::vector<data::Override>& overr
   return studies::growth_warning(data::load_case("paper", overrides), inquiry);
 }
 
+STICKSLIP_VERIFIES(GrowthWarning, "X21");
 TEST(GrowthWarning, BeginsWhereRoundingMayGrowToTheSizeOfTheMotion) {
   const auto bound = growth_bound(studies::stepped_contact(mesh(20), 1e-5, 1.0), kappa);
   for (const double share : {0.99, 1.01}) {

@@ -16,12 +16,14 @@
 #include "studies/stick_slip/contact_histories.hpp"
 #include "support/beams.hpp"
 #include "support/parameter_name.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 #include "support/units.hpp"
 
 namespace stickslip::testing {
 namespace {
 
+STICKSLIP_VERIFIES(Figure12, "X3");
 TEST(Figure12, BothImplementationsClassifyAlikeOutsideTheGuardBand) {
   const auto study = studies::classification_study(
       paper_beam(), paper_friction(), data::NumericalSettings(paper_choices(10.0)),
@@ -47,6 +49,7 @@ struct SlippingCase {
 
 class FirstSlip : public ::testing::TestWithParam<SlippingCase> {};
 
+STICKSLIP_VERIFIES(FirstSlip, "X5");
 TEST_P(FirstSlip, HappensWhenTheClosedFormSaysSo) {
   // The instant moves by the force error over the force's slope there.
   const data::HarmonicExcitation excitation({GetParam().hz, GetParam().amplitude});
@@ -99,6 +102,7 @@ std::vector<double> tip_history(double factor) {
   return history;
 }
 
+STICKSLIP_VERIFIES(StickSlipBeam, "X10");
 TEST(StickSlipBeam, MirroredBaseMotionMirrorsTheHistoryBitForBit) {
   const std::vector<double> plus = tip_history(1.0), minus = tip_history(-1.0);
   for (std::size_t i = 0; i < plus.size(); ++i) ASSERT_EQ(plus[i], -minus[i]) << "step " << i;
@@ -199,6 +203,7 @@ TEST(StickSlipBeam, RefusesTensionAndBuckling) {
   EXPECT_THROW(run(85e3), data::InputError);
 }
 
+STICKSLIP_VERIFIES(CriticalAmplitude, "X4");
 TEST(CriticalAmplitude, BySearchIsTheFirstStepAboveTheOneOfALinearRun) {
   // Five steps each: found at 80 and 85 Hz within them, not at 40 Hz.
   const auto searches = studies::critical_amplitude_searches(paper_beam(), paper_friction(),

@@ -12,6 +12,7 @@
 
 #include "studies/convergence/convergence.hpp"
 #include "support/order.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -22,6 +23,7 @@ using studies::OrderEstimate;
 
 const std::vector<double> halved{1.0, 0.5, 0.25, 0.125, 0.0625, 0.03125};
 
+STICKSLIP_VERIFIES(OrderEstimate, "X13");
 TEST(OrderEstimate, OfAPowerLawHasNoWidth) {
   for (const double order : {0.5, 1.0, 2.0, 4.0}) {
     std::vector<double> errors;
@@ -100,6 +102,7 @@ std::vector<OrderLevel> cubic_levels(unsigned signs) {
   return ::testing::AssertionFailure() << (result ? "holds: " : "fails otherwise: ") << message;
 }
 
+STICKSLIP_VERIFIES(OrderBound, "X13");
 TEST(OrderBound, HoldsWhateverTheSignsOfTheNextTerms) {
   // One of all 64 choices of sign reaches the bound but for ln(1 + c) < -ln(1 - c).
   double largest = 0.0;
@@ -136,6 +139,7 @@ TEST(OrderBound, OfFourLevelsIsTheOneByHand) {
     EXPECT_TRUE(within(local, 0.3 * std::sqrt(2.0) / ln2, round_off(10, 1, 1)));
 }
 
+STICKSLIP_VERIFIES(OrderCriterion, "X13");
 TEST(OrderCriterion, RefusesAWrongOrderOnBothSides) {
   // Pure powers, 0.1 too steep and too flat, where next terms allow 0.07 to the slope.
   for (const double order : {2.9, 3.1}) {

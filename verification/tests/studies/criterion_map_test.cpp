@@ -16,6 +16,7 @@
 #include "studies/convergence/discretisation.hpp"
 #include "studies/criterion/criterion_map.hpp"
 #include "support/flat_beam.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -32,6 +33,7 @@ data::Case flat_case_of(double duration) {
   return problem;
 }
 
+STICKSLIP_VERIFIES(MapAxis, "X7");
 TEST(MapAxis, HasItsEndsAndEqualStepsOrRatiosBetween) {
   const auto steps = map_axis(Parameter::length, 0.4, 2.0, 5, false).values;
   ASSERT_EQ(steps.size(), 5u);
@@ -44,6 +46,7 @@ TEST(MapAxis, HasItsEndsAndEqualStepsOrRatiosBetween) {
   EXPECT_DOUBLE_EQ(ratios[1], 70.0);
 }
 
+STICKSLIP_VERIFIES(CriterionMap, "X7");
 TEST(CriterionMap, HoldsTheCriterionOfEachCell) {
   const data::Case problem = flat_case_of(2.0);
   const std::vector<studies::MapAxis> axes{map_axis(Parameter::frequency, 20.0, 90.0, 4, false),
@@ -224,6 +227,7 @@ TEST(CriterionMap, IsNotPutTogetherBeforeItIsComplete) {
   EXPECT_THROW(studies::evaluate(task, studies::share_of(4, 1, 2), evaluations), std::invalid_argument);
 }
 
+STICKSLIP_VERIFIES(MapShare, "X7");
 TEST(MapShare, DealsEachEvaluationOnceAndAsManyToEachPart) {
   for (const std::size_t evaluations : {0u, 1u, 7u, 100u, 2500u})
     for (const std::size_t parts : {1u, 2u, 3u, 7u, 100u}) {

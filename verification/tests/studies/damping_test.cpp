@@ -24,6 +24,7 @@
 #include "support/free_tip.hpp"
 #include "support/order.hpp"
 #include "support/parameter_name.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 #include "support/vibration.hpp"
 
@@ -154,6 +155,7 @@ Tolerance mesh_round_off(int elements, double response, double scale) {
   return round_off(1, std::pow(elements, 4) * (1.0 + response / amplitude), scale);
 }
 
+STICKSLIP_VERIFIES(DampedFrequencyResponse, "X8");
 TEST(DampedFrequencyResponse, IsOfFourthOrderInTheMeshWithThePredictedAmplitudeAndPhase) {
   std::vector<std::string> without_order;
   for (const Vibration& v : vibrations()) {
@@ -255,6 +257,7 @@ Tolerance step_round_off(const Vibration& v, const Stepping& stepping, double re
 
 class DampedSteppedResponse : public ::testing::TestWithParam<double> {};
 
+STICKSLIP_VERIFIES(DampedSteppedResponse, "X8");
 TEST_P(DampedSteppedResponse, IsThatOfTheSchemeInTheFrequencyDomain) {
   for (const Vibration& v :
        {Vibration{25.0, kelvin_voigt(2e-3), TipSupport::held},
@@ -312,6 +315,7 @@ TEST_P(DampedSteppedResponse, TendsToTheClosedFormByTheErrorsOfMeshAndStep) {
 
 INSTANTIATE_TEST_SUITE_P(SpectralRadius, DampedSteppedResponse, ::testing::Values(0.9, 1.0), NameOfDouble());
 
+STICKSLIP_VERIFIES(ModalDamping, "X8");
 // P = 0. Analytic free modes of unit tip deflection have int W^2 dx = L/4 and int W dx = (-1)^(n+1)
 // sigma/beta with sigma = (cosh b + cos b)/(sinh b + sin b), b = beta L.
 TEST(ModalDamping, OfTheFreeTipIsTheSumOverItsModesToFourthOrder) {

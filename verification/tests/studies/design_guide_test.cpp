@@ -14,6 +14,7 @@
 #include "studies/criterion/design_guide.hpp"
 #include "studies/criterion/length_force_map.hpp"
 #include "support/flat_beam.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -64,6 +65,7 @@ const DesignInterval& interval_at(const DesignScan& scan, double value) {
                                [&](const auto& i) { return i.from <= value && value <= i.to; });
 }
 
+STICKSLIP_VERIFIES(BandMargin, "X15");
 TEST(BandMargin, OfOneFrequencyIsThatOfTheCriterion) {
   const data::Case problem = flat_case();
   const auto margin = studies::band_margin(problem, {25.0, 25.0});
@@ -118,6 +120,7 @@ TEST(BandMargin, RefusesWhatHasNone) {
   EXPECT_THROW((void)studies::band_margin(problem, {30.0, 20.0}), std::invalid_argument);
 }
 
+STICKSLIP_VERIFIES(DesignScan, "X15");
 TEST(DesignScan, AvoidsTheTwoLengthsOfFigure14) {
   const data::Case problem = flat_case();
   const auto scan = studies::design_scan(problem, Parameter::length, {0.4, 2.0}, {25.0, 25.0});

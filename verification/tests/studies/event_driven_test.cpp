@@ -24,6 +24,7 @@
 #include "support/contact_models.hpp"
 #include "support/order.hpp"
 #include "support/parameter_name.hpp"
+#include "support/requirements.hpp"
 #include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
 
@@ -72,6 +73,7 @@ double spread(const ContactModel& model) {
 
 // The adapter.
 
+STICKSLIP_VERIFIES(FiniteElementContactModel, "X9");
 TEST(FiniteElementContactModel, HasTheFrequenciesOfTheMeshInStickAndInSlip) {
   const MeshedBeam beam(10, 25.0);
   const ContactModel model = beam.reduced().model();
@@ -258,6 +260,7 @@ Difference difference(const Events& a, const Events& b) {
 
 class TimeStepper : public ::testing::TestWithParam<std::tuple<double, double>> {};
 
+STICKSLIP_VERIFIES(TimeStepper, "X9");
 TEST_P(TimeStepper, ConvergesToTheEventDrivenHistoryOfItsMeshWithOrderTwo) {
   const auto [hz, spectral_radius] = GetParam();
   const MeshedBeam beam(10, hz);
@@ -300,6 +303,7 @@ INSTANTIATE_TEST_SUITE_P(Beam, TimeStepper,
                                   parameter_name(std::get<1>(instance.param));
                          });
 
+STICKSLIP_VERIFIES(ModalSteps, "F11");
 TEST(ModalSteps, ConvergesToTheEventDrivenHistoryOfItsMeshWithOrderTwo) {
   // Undamped, and on three elements, so that the steps resolve every mode. The next terms: omega h of mode 2,
   // as each change splits a step anywhere, and (omega h)^2 of the highest.
@@ -326,6 +330,7 @@ TEST(ModalSteps, ConvergesToTheEventDrivenHistoryOfItsMeshWithOrderTwo) {
 
 class MeshedHistory : public ::testing::TestWithParam<double> {};
 
+STICKSLIP_VERIFIES(MeshedHistory, "X9");
 TEST_P(MeshedHistory, DiffersFromTheHistoryWithoutAMeshByTheFourthPowerOfTheElement) {
   // Cubic elements: frequencies, the deflection of the tip and the friction force from the residual of its
   // row all err as l^4, and event times are smooth functions of them; the next term is (beta l)^2/10 or so
@@ -352,6 +357,7 @@ TEST_P(MeshedHistory, DiffersFromTheHistoryWithoutAMeshByTheFourthPowerOfTheElem
 INSTANTIATE_TEST_SUITE_P(Beam, MeshedHistory, ::testing::Values(25.0, 70.0),
                          [](const auto& instance) { return parameter_name(instance.param) + "Hz"; });
 
+STICKSLIP_VERIFIES(EventDrivenAndStepped, "X9");
 TEST(EventDrivenAndStepped, LetGoAtOnceOfAStartThatTakesMoreThanTheLimit) {
   const ForcedPair pair;
   for (const double contact : {-0.4, -0.1, 0.1, 0.4}) {
@@ -406,6 +412,7 @@ TEST(EventDrivenAndStepped, KeepTheSameEnergyBalanceThroughOnsetsAndCaptures) {
 
 class TruncatedHistory : public ::testing::TestWithParam<double> {};
 
+STICKSLIP_VERIFIES(TruncatedHistory, "D2");
 TEST_P(TruncatedHistory, ConvergesAtLeastWithTheThirdOrder) {
   const Events exact = without_mesh(GetParam(), 32);
   std::vector<double> inverse, errors;

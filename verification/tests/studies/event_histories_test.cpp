@@ -16,6 +16,7 @@
 #include "support/beams.hpp"
 #include "support/order.hpp"
 #include "support/parameter_name.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -40,6 +41,7 @@ std::vector<double> times_of(const std::vector<HistoryEvent>& events) {
   return times;
 }
 
+STICKSLIP_VERIFIES(MicroSticks, "X9");
 TEST(MicroSticks, ShorterThanTheSpanAreMergedIntoTheSlipAroundThem) {
   const std::vector<HistoryEvent> events{{true, 1.0, 0.0},  {false, 2.0, 0.1}, {true, 2.01, 0.1},
                                          {false, 3.0, 0.2}, {true, 4.0, 0.2},  {false, 4.001, 0.2}};
@@ -56,6 +58,7 @@ TEST(MicroSticks, OfAChatterAreMergedOneAfterTheOther) {
   EXPECT_EQ(times_of(studies::without_micro_sticks(chatter, 0.1)), (std::vector<double>{1.0, 3.0}));
 }
 
+STICKSLIP_VERIFIES(EventDifferences, "X9");
 TEST(EventDifferences, AreInfiniteBetweenDifferentSequences) {
   const std::vector<HistoryEvent> a{{true, 1.0, 0.0}, {false, 2.0, 0.1}}, b{{true, 1.5, 0.25}};
   EXPECT_EQ(studies::largest_difference(a, b, 1).time, 0.5);
@@ -70,6 +73,7 @@ struct RecordedEvent {
   double time, position;
 };
 
+STICKSLIP_VERIFIES(DampedBenchmark, "X9");
 // Recorded from an independent event-driven computation on finite elements, with the digits given.
 TEST(DampedBenchmark, MeetsRecordedEvents) {
   const auto history = studies::event_driven_history(
@@ -137,6 +141,7 @@ INSTANTIATE_TEST_SUITE_P(Hz, DampedBenchmark, ::testing::Values(25.0, 70.0), Nam
 
 class OrderThroughEvents : public ::testing::TestWithParam<double> {};
 
+STICKSLIP_VERIFIES(OrderThroughEvents, "X9");
 TEST_P(OrderThroughEvents, IsTwoWithLocationAndOneForTimesWithoutIt) {
   const auto study =
       studies::event_order_study(damped_case(25.0), 0.12, 10, GetParam(), {1, 2, 4, 8, 16, 32, 64});

@@ -14,6 +14,7 @@
 #include "studies/common/common_digits.hpp"
 #include "studies/paper/force_sensitivity.hpp"
 #include "support/beams.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -151,6 +152,7 @@ void no_trial_returns_all_printed_digits() {
   }
 }
 
+STICKSLIP_VERIFIES(ForceSensitivity, "X14");
 // One test, for every test is a process of its own and the study takes seconds.
 TEST(ForceSensitivity, IsWhatTheoryAllowsEachFactorAndThePrintedDigitsAreTheMethods) {
   truncation_moves_the_maximum_by_no_more_than_what_it_leaves_out();
@@ -162,6 +164,7 @@ TEST(ForceSensitivity, IsWhatTheoryAllowsEachFactorAndThePrintedDigitsAreTheMeth
   no_trial_returns_all_printed_digits();
 }
 
+STICKSLIP_VERIFIES(CommonDigits, "X14");
 TEST(CommonDigits, AreThoseBothEndsRoundTo) {
   EXPECT_EQ(studies::common_digits({40.204, 40.532}), 1);
   EXPECT_EQ(studies::common_digits({40.51, 40.53}), 3);

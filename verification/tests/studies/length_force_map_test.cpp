@@ -15,6 +15,7 @@
 #include "studies/convergence/discretisation.hpp"
 #include "studies/criterion/length_force_map.hpp"
 #include "support/flat_beam.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -32,6 +33,7 @@ double characteristic(double length, double axial_force) {
   return std::tanh(b) / b - std::tan(bb) / bb;
 }
 
+STICKSLIP_VERIFIES(ResonanceLength, "X7");
 TEST(ResonanceLength, SolvesTheCharacteristicEquation) {
   for (const int mode : {1, 2})
     for (const double force : {0.0, 5.0, 500.0, 1500.0}) {
@@ -57,6 +59,7 @@ TEST(ResonanceLength, IsNoneWhereTheBeamBucklesBefore) {
   EXPECT_TRUE(studies::resonance_length(flat_beam(1.0, 4000.0), 1, 25.0));
 }
 
+STICKSLIP_VERIFIES(LengthForceMap, "X7");
 TEST(LengthForceMap, HoldsTheCriterionOfEachPoint) {
   const data::Case problem = flat_case();
   const auto map = studies::length_force_map(problem, 0.4, 2.0, {50.0, 4000.0});

@@ -13,6 +13,7 @@
 #include "support/beams.hpp"
 #include "support/order.hpp"
 #include "support/parameter_name.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -65,6 +66,7 @@ void expect_predicted(const PredictedErrors& errors, const std::vector<double>& 
 
 class ManufacturedSpace : public ::testing::TestWithParam<std::tuple<ManufacturedTip, double>> {};
 
+STICKSLIP_VERIFIES(ManufacturedSpace, "F10");
 // What the elements add to the interpolant, E, is a difference of a particular and a free part, each a few
 // times as large: hence four times the share of the next terms wherever it enters.
 TEST_P(ManufacturedSpace, ConvergesWithThePredictedOrdersAndConstants) {
@@ -108,6 +110,7 @@ INSTANTIATE_TEST_SUITE_P(AllLoads, ManufacturedSpace,
 
 class ManufacturedTime : public ::testing::TestWithParam<std::tuple<ManufacturedTip, double, double>> {};
 
+STICKSLIP_VERIFIES(ManufacturedTime, "F10");
 TEST_P(ManufacturedTime, IsOfOrderTwoWithThePredictedConstant) {
   const auto [tip, load_factor, radius] = GetParam();
   const auto study =

@@ -20,6 +20,7 @@
 #include "studies/convergence/discretisation.hpp"
 #include "studies/stick_slip/contact_histories.hpp"
 #include "support/random_beams.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 #include "support/units.hpp"
 
@@ -47,6 +48,7 @@ double next_term(const analytic::StickMode& mode, double element_length) {
   return resolution(mode, element_length) * (1.0 / 12.0 - 1.0 / 140.0 + 1.0 / 42.0);
 }
 
+STICKSLIP_VERIFIES(RayleighBound, "M2");
 // The mesh's functions are admissible: no frequency can lie below that of the beam, whatever the mode. Of the
 // modes that the mesh resolves, beta l < 1, the excess of omega^2 is (beta l)^4/720 at P = 0.
 TEST(RayleighBound, IsKeptByEveryModeAndNotByMoreThanTheInterpolationErrorWhereResolved) {
@@ -85,6 +87,7 @@ double static_shape_error(const data::Beam& beam, int elements) {
   return p * p * std::pow(l, 4) / 720.0 * nearness_of_buckling(beam);
 }
 
+STICKSLIP_VERIFIES(Similarity, "M1");
 // One in mm, t, s or with another beam, the other in metres: nothing of a unit is left between them.
 TEST(Similarity, OfABeamAndAMeshOfAnotherLeavesTheDiscretisationErrorAlone) {
   constexpr int elements = 8;
@@ -190,6 +193,7 @@ Flexibility flexibility(const data::Beam& beam, int elements, double x, double o
   return {tip.dot(solve.solve(at)), at.dot(solve.solve(tip))};
 }
 
+STICKSLIP_VERIFIES(Reciprocity, "M2");
 // Betti's reciprocity, lost in slip by what the follower force does. By the biorthogonal modes the tip moves
 // by sum g_k psi*_k(x)/(omega_k^2 - omega^2) per unit of force at x, and x by the same with psi_k.
 TEST(Reciprocity, IsLostInSlipAlikeOnAMeshAndInClosedForm) {

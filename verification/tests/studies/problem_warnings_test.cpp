@@ -16,6 +16,7 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/convergence/discretisation.hpp"
 #include "studies/criterion/problem_warnings.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -81,6 +82,7 @@ double exact_model_error(double b, double r_squared, double estimate,
   return b / lower - 1.0;
 }
 
+STICKSLIP_VERIFIES(ThickBeam, "X21");
 // For half waves on pinned supports the next term is (3/8) error^2, from (k r)^4 E/(kappa G); the ends change
 // its factor, not its order.
 TEST(ThickBeam, IsOffByWhatTimoshenkosEquationsSay) {
@@ -130,6 +132,7 @@ TEST(ThickBeam, IsWarnedOfAboveTheErrorThatPasses) {
 
 // --- Steps
 
+STICKSLIP_VERIFIES(LongStep, "X21");
 // (omega h)^2 (k_1 + k_2)/2 with k_1 = 1/12 + d^2/4, k_2 = 1/12 + d^2/2, d = alpha_f - alpha_m.
 TEST(LongStep, FalsifiesByTheLeadingTermWhereItIsShort) {
   for (const double radius : {0.5, 0.9, 1.0}) {
@@ -171,6 +174,7 @@ TEST(LongStep, MindsAnExcitationThatIsFasterThanTheModes) {
                     Inquiry::stepped_history, Concern::long_step));
 }
 
+STICKSLIP_VERIFIES(ModesThatMatter, "X21");
 TEST(ModesThatMatter, HaveAnAmplitudeAboveTheirShare) {
   for (const char* hz : {"15", "25", "35", "70", "300"}) {
     const data::Case problem = paper_with({{"excitation.frequency_hz", hz}, {"numerics.duration", "1"}});
@@ -188,6 +192,7 @@ TEST(ModesThatMatter, HaveAnAmplitudeAboveTheirShare) {
 
 // --- Resonance
 
+STICKSLIP_VERIFIES(Resonance, "X21");
 TEST(Resonance, IsWarnedOfWhileTheReactionGrowsToTheEnd) {
   const double natural = analytic::stick_modes(paper_with().beam, 1).front().frequency_hz();
   for (const double half_beats : {0.0, 0.5, 0.99, 1.01, 3.0}) {
@@ -224,6 +229,7 @@ TEST(Resonance, IsNoConcernOfAShortADampedOrAnUnmovedBeam) {
 
 // --- Flutter
 
+STICKSLIP_VERIFIES(Flutter, "X21");
 TEST(Flutter, IsWarnedOfFromItsLoadOnAndTheRunGoesOn) {
   const data::Beam beam = paper_with().beam;
   const double flutter = analytic::flutter_load(beam), buckling = analytic::stick_buckling_load(beam);
@@ -248,6 +254,7 @@ TEST(Flutter, IsWarnedOfFromItsLoadOnAndTheRunGoesOn) {
 
 // --- The published cases
 
+STICKSLIP_VERIFIES(ProblemWarnings, "X21");
 // 25 Hz is 0.028 Hz above the first natural frequency: |f| grows for 17.8 s, longer than the run.
 TEST(ProblemWarnings, OfThePapersCaseAreItsResonanceAlone) {
   const auto concerns = [](Inquiry inquiry, int frequencies) {

@@ -11,6 +11,7 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
 #include "support/beams.hpp"
+#include "support/requirements.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -46,6 +47,7 @@ Refusals of_a_run(double axial_force) {
               [&] { (void)analytic::evaluate_criterion(beam, paper_friction(), shaking(), 1e-3); })};
 }
 
+STICKSLIP_VERIFIES(Refusals, "X18");
 // Ten elements buckle later than the beam by (y l/L)^4/720 of the load, y = 4.49: 6e-5.
 TEST(Refusals, OfARunBeginAtTheBucklingLoad) {
   const double buckling = analytic::stick_buckling_load(paper_beam());

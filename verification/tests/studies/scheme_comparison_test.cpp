@@ -8,6 +8,7 @@
 
 #include "studies/convergence/scheme_comparison.hpp"
 #include "support/beams.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -41,6 +42,7 @@ std::vector<SchemeRun> compare(const Setting& setting) {
                                   setting.damping);
 }
 
+STICKSLIP_VERIFIES(ContactSchemes, "X11");
 TEST(ContactSchemes, SlipFirstWithinAStepOfTheLocatedOnset) {
   // Until then all three are the same stick run; the others notice the excess at the end of its step.
   for (const data::Damping& damping : {data::Damping(), damped})

@@ -24,11 +24,13 @@
 #include "support/order.hpp"
 #include "support/parameter_name.hpp"
 #include "support/published_data.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
 namespace {
 
+STICKSLIP_VERIFIES(Figure9RefinedOnceMore, "X1");
 TEST(Figure9RefinedOnceMore, ForceErrorFallsOnAsPredicted) {
   const auto study = studies::stick_history_study(paper_beam(), data::HarmonicExcitation({15.0, 0.5e-3}),
                                                   data::NumericalSettings(paper_choices(0.25)), 5);
@@ -42,6 +44,7 @@ TEST(Figure9RefinedOnceMore, ForceErrorFallsOnAsPredicted) {
                discretisation(level.predicted_force_error, 1.35, "phase drift, 12/(omega T) left out")));
 }
 
+STICKSLIP_VERIFIES(Figure12Finer, "X3");
 TEST(Figure12Finer, BothImplementationsClassifyAlikeOutsideTheGuardBand) {
   std::vector<double> frequencies, amplitudes;
   for (int i = 2; i <= 48; ++i) frequencies.push_back(2.5 * i);
@@ -54,6 +57,7 @@ TEST(Figure12Finer, BothImplementationsClassifyAlikeOutsideTheGuardBand) {
 
 class EventDrivenBeamFiner : public ::testing::TestWithParam<double> {};
 
+STICKSLIP_VERIFIES(EventDrivenBeamFiner, "X9");
 TEST_P(EventDrivenBeamFiner, EventTimesConvergeWithTheFourthOrderOfTheMesh) {
   // 1 mm, 0.5 % of critical in mode 1. 40 modes stand for the beam, off by 4e-10 s at 25 Hz.
   const data::HarmonicExcitation excitation({.frequency_hz = GetParam(), .amplitude = 1e-3});
@@ -92,6 +96,7 @@ TEST_P(EventDrivenBeamFiner, EventTimesConvergeWithTheFourthOrderOfTheMesh) {
 
 INSTANTIATE_TEST_SUITE_P(Hz, EventDrivenBeamFiner, ::testing::Values(25.0, 70.0), NameOfDouble());
 
+STICKSLIP_VERIFIES(StickSlipBeamLong, "X10");
 TEST(StickSlipBeamLong, StaysBoundedOnAnyMeshAndStep) {
   for (const double radius : {0.0, 0.5, 0.9, 1.0})
     for (const int elements : {5, 20, 80})
@@ -166,6 +171,7 @@ TEST(StickSlipBeamLong, StaysBoundedWithoutNumericalDissipationOrSaysWhyItStops)
 
 class DampedBenchmarkLong : public ::testing::TestWithParam<double> {};
 
+STICKSLIP_VERIFIES(DampedBenchmarkLong, "X9");
 TEST_P(DampedBenchmarkLong, EveryEventOfHalfASecondIsTheSameByBothMethods) {
   // What finite elements in time steps may differ by: a fifteenth of the difference to half the elements
   // (order 4) and a third of that to twice the step (order 2); margin 3, for an event may feel more of it
@@ -204,6 +210,7 @@ INSTANTIATE_TEST_SUITE_P(Hz, DampedBenchmarkLong, ::testing::Values(25.0, 70.0),
 
 class HistoryConvergenceLong : public ::testing::TestWithParam<double> {};
 
+STICKSLIP_VERIFIES(HistoryConvergenceLong, "X12");
 // Empirical: the errors and their fall are measured, 0.96, 0.01 and 0.75 % of the range on 80 elements at 25,
 // 35 and 70 Hz, and 3.3, 0.30 and 4.8 % on 20.
 TEST_P(HistoryConvergenceLong, UndampedMeshesConvergeWhereTheStepKeepsTheirGrowthAtThatOfTheBeam) {
@@ -224,6 +231,7 @@ TEST_P(HistoryConvergenceLong, UndampedMeshesConvergeWhereTheStepKeepsTheirGrowt
 
 INSTANTIATE_TEST_SUITE_P(Hz, HistoryConvergenceLong, ::testing::Values(25.0, 35.0, 70.0), NameOfDouble());
 
+STICKSLIP_VERIFIES(PublishedDataLong, "P6");
 TEST(PublishedDataLong, IsWhatTheCodeMakes) {
   const data::ReferencePackage package = data::load_reference();
   for (const reference::Recipe& recipe : reference::recipes())
@@ -233,6 +241,7 @@ TEST(PublishedDataLong, IsWhatTheCodeMakes) {
 
 class ComparedUndampedLong : public ::testing::TestWithParam<int> {};
 
+STICKSLIP_VERIFIES(ComparedUndampedLong, "X20");
 TEST_P(ComparedUndampedLong, FineMeshWithSpectralRadiusZeroAgrees) {
   // 160 elements at omega_max h = 2.4: the error, of the mesh, is empirical: 0.38, 0.003 and 0.32 % of the
   // range of the tip at 25, 35 and 70 Hz.

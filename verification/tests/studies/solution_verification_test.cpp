@@ -10,6 +10,7 @@
 
 #include "stickslip/data/case_file.hpp"
 #include "studies/paper/solution_verification.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -18,6 +19,7 @@ namespace {
 using studies::grid_convergence;
 using studies::GridConvergence;
 
+STICKSLIP_VERIFIES(GridConvergenceIndex, "X16");
 TEST(GridConvergenceIndex, OfAPowerLawIsItsClosedForm) {
   for (const double ratio : {1.5, 2.0, 3.0}) {
     for (const double order : {1.0, 2.0, 4.0}) {
@@ -126,6 +128,7 @@ void printed_results_are_those_of_the_paper() {
   EXPECT_EQ(result("force_max.15").levels.front().time_step, 1e-4);
 }
 
+STICKSLIP_VERIFIES(SolutionVerification, "X16");
 // One test, for every test is a process of its own and the study takes seconds.
 TEST(SolutionVerification, CoversTheTrueErrorsAndClaimsTheAsymptoticRangeWhereItIs) {
   uncertainties_cover_the_true_errors();

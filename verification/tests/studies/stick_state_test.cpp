@@ -19,6 +19,7 @@
 #include "support/beams.hpp"
 #include "support/order.hpp"
 #include "support/parameter_name.hpp"
+#include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -34,6 +35,7 @@ const data::HarmonicExcitation figure9({.frequency_hz = 15.0, .amplitude = 0.5e-
 
 class Figure9 : public ::testing::TestWithParam<double> {};
 
+STICKSLIP_VERIFIES(Figure9, "X1");
 TEST_P(Figure9, ErrorsAreThePredictedOnesAtThePaperSettings) {
   const auto study = studies::stick_history_study(paper_beam(), figure9, settings(1.0, GetParam()), 3);
   for (const auto& level : study.levels) {
@@ -61,6 +63,7 @@ double slope_by_ratio(const studies::StickHistoryStudy& study, double width) {
   return order_bound(levels).slope;
 }
 
+STICKSLIP_VERIFIES(Figure9Refined, "X1");
 TEST(Figure9Refined, DisplacementIsWithin1em5AndForceWithin5em4OfThePeak) {
   const auto study = studies::stick_history_study(paper_beam(), figure9, settings(1.0), 4);
   EXPECT_LT(study.levels.back().displacement_error, 1e-5 * study.displacement_peak);
@@ -95,6 +98,7 @@ TEST(Figure9Refined, DisplacementIsWithin1em5AndForceWithin5em4OfThePeak) {
 
 class ForceMaximumAt : public ::testing::TestWithParam<double> {};
 
+STICKSLIP_VERIFIES(ForceMaximumAt, "X2");
 TEST_P(ForceMaximumAt, FiniteElementsReturnThePredictedMaximum) {
   for (const double radius : {0.5, 0.9, 1.0}) {
     const auto study = studies::force_maximum_study(
@@ -110,6 +114,7 @@ TEST_P(ForceMaximumAt, FiniteElementsReturnThePredictedMaximum) {
 
 INSTANTIATE_TEST_SUITE_P(Hertz, ForceMaximumAt, ::testing::Values(15.0, 25.0, 35.0, 70.0), NameOfDouble());
 
+STICKSLIP_VERIFIES(ForceMaximumOfTheFlatSection, "X2");
 TEST(ForceMaximumOfTheFlatSection, IsThePredictedOneWhateverTheStep) {
   // Fig. 14 at L = 0.767 m, P = 200 N, under the first resonance: a modest force in which the high free
   // vibrations count, whose amplitudes the steps change by a quarter of (omega_n h)^2.
@@ -153,6 +158,7 @@ std::vector<double> stepped_oscillator(double spectral_radius, double natural, d
 
 class SteppedFromRest : public ::testing::TestWithParam<double> {};
 
+STICKSLIP_VERIFIES(SteppedFromRest, "X2");
 TEST_P(SteppedFromRest, IsWhatTheMethodComputes) {
   // From well resolved to stiff, and next to resonance, where both parts are large and opposite.
   const double omega = 2.0 * std::numbers::pi * 25.0, h = 1e-4;
@@ -236,6 +242,7 @@ double energy_residual(double time_step, double spectral_radius) {
   return largest / scale;
 }
 
+STICKSLIP_VERIFIES(StickEnergy, "F8");
 TEST(StickEnergy, IsBalancedBySecondOrderWithoutDissipation) {
   // Every mode that carries energy must be resolved: omega_5 h < 0.3 on the coarsest level.
   std::vector<double> steps{1e-4, 5e-5, 2.5e-5, 1.25e-5}, residuals;
@@ -248,6 +255,7 @@ TEST(StickEnergy, IsBalancedBySecondOrderWithoutDissipation) {
   EXPECT_LT(residuals.back(), 1e-4);
 }
 
+STICKSLIP_VERIFIES(StickState, "X1");
 TEST(StickState, TipDoesNotCreep) {
   const data::HarmonicExcitation excitation({.frequency_hz = 35.0, .amplitude = 0.5e-3});
   solver::BeamSimulation s(paper_beam(), paper_friction(), excitation, settings(1.0));

@@ -11,6 +11,7 @@
 #include "stickslip/analytic/tip_mobility.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "support/order.hpp"
+#include "support/requirements.hpp"
 #include "support/vibration.hpp"
 
 namespace stickslip::testing {
@@ -31,6 +32,7 @@ Complex mesh_mobility(const data::Beam& beam, const data::Damping& damping, int 
   return s * dynamic.partialPivLu().solve(force)[model.tip_deflection()];
 }
 
+STICKSLIP_VERIFIES(TipMobilityOrder, "A9");
 TEST(TipMobilityOrder, OfTheMeshIsFourWithThePredictedConstantWithoutAxialForce) {
   // Of MeshError, with the motion under a unit force at the tip as the dual one, which it is at P = 0: D
   // u'''' = -rho A s^2 u, and with the velocity T(x) per unit force

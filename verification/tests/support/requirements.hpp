@@ -1,30 +1,40 @@
 #pragma once
 
-/// What the suite is for: each requirement with its source in the paper or elsewhere, and the test suites
-/// that serve it. Every suite serves exactly one.
+/// The requirements of verification/requirements.toml, and which of them a test serves. Each test serves one.
+/// The results of a test run say which (property `requirement`).
 
-#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace stickslip::testing {
 
 struct Requirement {
-  std::string_view id;      ///< "F2": a letter for the subject and a number
-  std::string_view text;    ///< what is to hold
-  std::string_view source;  ///< equations, figures, errata; plain text
-  std::vector<std::string_view>
-      suites;  ///< names of test suites; a name that ends with * stands for all that begin so
+  std::string id;      ///< "F2": a letter for the subject and a number
+  std::string text;    ///< what must hold
+  std::string source;  ///< equations, figures, errata
 };
 
-/// In the order of the report.
-[[nodiscard]] std::span<const Requirement> requirements();
+/// In the order of the file.
+[[nodiscard]] const std::vector<Requirement>& requirements();
 
-/// The requirement that a test suite serves, or null. `suite` may have the prefix of an instantiation
+/// States that the tests of a suite serve the requirement with this id. Returns true.
+bool add_suite(const std::string& suite, const std::string& id);
+
+/// The id that a suite states; empty if it states none. `suite` may have the prefix of an instantiation
 /// ("Figures4And5/Verdict").
-[[nodiscard]] const Requirement* requirement_of(std::string_view suite);
+[[nodiscard]] std::string requirement_of(std::string_view suite);
 
-/// Whether `pattern`, an entry of Requirement::suites, stands for this suite.
-[[nodiscard]] bool stands_for(std::string_view pattern, std::string_view suite);
+/// Records that the running test serves the requirement with this id, and fails it if there is none.
+void record_requirement(const std::string& id);
 
 }  // namespace stickslip::testing
+
+#define STICKSLIP_JOIN_NAMES(first, second) first##second
+#define STICKSLIP_JOIN(first, second) STICKSLIP_JOIN_NAMES(first, second)
+
+/// Stands before the first test of a suite: STICKSLIP_VERIFIES(StickModes, "A2"). A test whose suite states
+/// no requirement, or one that verification/requirements.toml does not have, fails.
+#define STICKSLIP_VERIFIES(suite, id)                                                    \
+  [[maybe_unused]] static const bool STICKSLIP_JOIN(suite##_is_added_as_, __COUNTER__) = \
+      ::stickslip::testing::add_suite(#suite, id)

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string_view>
 
 #include "support/requirements.hpp"
 
@@ -49,18 +50,19 @@ Trace& running_trace() {
   return trace;
 }
 
+bool has_requirement(const ::testing::TestResult& test) {
+  for (int i = 0; i < test.test_property_count(); ++i)
+    if (std::string_view(test.GetTestProperty(i).key()) == "requirement") return true;
+  return false;
+}
+
 class Recorder : public ::testing::EmptyTestEventListener {
   void OnTestStart(const ::testing::TestInfo& /*test*/) override { running_trace() = {}; }
 
   void OnTestEnd(const ::testing::TestInfo& test) override {
-    auto properties = running_trace().properties(test.result()->Passed());
-    if (const Requirement* requirement = requirement_of(test.test_suite_name())) {
-      properties["requirement"] = requirement->id;
-      properties["requirement_position"] = std::to_string(requirement - requirements().data());
-      properties["requirement_text"] = requirement->text;
-      properties["source"] = requirement->source;
-    }
-    for (const auto& [key, value] : properties) ::testing::Test::RecordProperty(key, value);
+    if (!has_requirement(*test.result())) record_requirement(requirement_of(test.test_suite_name()));
+    for (const auto& [key, value] : running_trace().properties(test.result()->Passed()))
+      ::testing::Test::RecordProperty(key, value);
   }
 };
 

@@ -3,9 +3,9 @@
 /// The traceability of a test run. While a test runs, every comparison of two numbers (tolerance.hpp) is
 /// noted here; when it ends, GoogleTest's XML receives as properties of the test
 ///
-///     requirement, requirement_position, requirement_text, source   what its suite serves (requirements.hpp)
+///     requirement, requirement_position, requirement_text, source   what it serves (requirements.hpp)
 ///
-/// and those of Trace::properties().
+/// and those of Trace::properties(). A test that serves no requirement fails.
 
 #include <map>
 #include <string>

@@ -63,7 +63,6 @@ struct Claim {
   std::string id;     ///< "fig6.generally-decreases"
   std::string place;  ///< "Sect. 3, text on Fig. 6"
   std::string claim;  ///< a short quotation or a close paraphrase
-  std::string test;   ///< full name of the GoogleTest test that judges it
   std::string how;    ///< one sentence: how it is tested, and what a qualitative word is taken to mean
   ClaimVerdict verdict{};
   std::string correction;  ///< what holds instead; empty if the claim holds
@@ -81,8 +80,8 @@ struct Claim {
 /// E1, E2, ... Throws InputError if the file is missing or malformed, or an id stands twice.
 [[nodiscard]] std::vector<Erratum> errata();
 
-/// In the order of the page. Throws InputError if the file is missing or malformed, an id or a test stands
-/// twice, a correction is missing or not called for, or an erratum does not exist.
+/// In the order of the page. Throws InputError if the file is missing or malformed, an id stands twice, a
+/// correction is missing or not called for, or an erratum does not exist.
 [[nodiscard]] std::vector<Claim> claims();
 
 /// Throws InputError if the file is missing or malformed.
