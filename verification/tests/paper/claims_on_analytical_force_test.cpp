@@ -243,7 +243,7 @@ TEST(ClaimOnEquation17, TheStaticShapeHasTheBoundaryValuesOfAUnitBaseDisplacemen
         fmt::format("S(0), L S'(0), S(L) + 1 and L^2 S''(L) of Eq. (18) are at most {:.0e}", residual));
 }
 
-TEST(ClaimOnEquation18, ItIsTheSolutionOfWhichEquation) {
+TEST(ClaimOnEquation18, SolvesEquation16AndEquation15LeavesTheShapeOpen) {
   // Eq. (15) with (17) is satisfied by a cubic just as well: it is Eq. (16) that picks Eq. (18).
   const auto printed = [](double x, int k) { return printed_static_shape(x, k); };
   const double allowed = round_off(20, static_shape_condition(), 1.0).value;
@@ -375,7 +375,7 @@ TEST(ClaimOnEquation23, TheCharacteristicEquationGivesTheFrequencies) {
                     largest));
 }
 
-TEST(ClaimOnEquation23, TheSquaredWaveNumbersDifferByTheSignOfTheRoot) {
+TEST(ClaimOnEquation23, TheSquaredWaveNumbersDifferByTheSignOfTheAxialForce) {
   const auto mode = analytic::stick_modes(paper().beam, 1)[0];
   const double p = axial_force() / bending_stiffness();
   const double k = mass_per_length() * std::pow(mode.angular_frequency(), 2) / bending_stiffness();
@@ -586,7 +586,7 @@ TEST(ClaimOnEquation28, TheForceIsProportionalToTheAmplitude) {
                     largest, ratio));
 }
 
-TEST(ClaimOnEquation28, TheForceIsProportionalToTheRigidity) {
+TEST(ClaimOnEquation28, TheForceIsNotProportionalToTheRigidityAlone) {
   data::BeamProperties half = paper().beam.properties();
   half.youngs_modulus *= 0.5;
   data::BeamProperties all_half = half;

@@ -80,7 +80,7 @@ TEST(ClaimOnFigure6, CriticalAmplitudeIsExtremelySmallAt25Hz) {
                   mm(c.closed_form[1]), mm(c.finite_element[1]), mm(c.closed_form[0]), mm(c.closed_form[2])));
 }
 
-TEST(ClaimOnFigure6, CriticalAmplitudeHasASlightValleyAt85Hz) {
+TEST(ClaimOnFigure6, CriticalAmplitudeHasADeepValleyAt80Hz) {
   const Curve c = curve_at({75.0, 80.0, 85.0, 90.0});
   const auto is_valley = [](const std::vector<double>& a, std::size_t i) {
     return a[i] < a[i - 1] && a[i] < a[i + 1];
@@ -101,7 +101,7 @@ TEST(ClaimOnFigure6, CriticalAmplitudeHasASlightValleyAt85Hz) {
                     mm(c.finite_element[3])));
 }
 
-TEST(ClaimOnFigure6, TheSmallAmplitudesAreNextToTheNaturalFrequencies) {
+TEST(ClaimOnFigure6, TheSmallAmplitudesAreAt25And80HzNextToTheNaturalFrequencies) {
   const auto modes = analytic::stick_modes(paper().beam, 2);
   const auto nearest = [](double hz) {
     const auto grid = studies::figure6_frequencies();
@@ -116,7 +116,7 @@ TEST(ClaimOnFigure6, TheSmallAmplitudesAreNextToTheNaturalFrequencies) {
                     first, modes[0].frequency_hz(), second, modes[1].frequency_hz()));
 }
 
-TEST(ClaimOnFigure6, TheTipMovesLittleNearANaturalFrequency) {
+TEST(ClaimOnFigure6, TheSlippingTipMovesFartherThanTheBaseNearANaturalFrequency) {
   const auto largest = [](double hz) {
     solver::BeamSimulation run(paper().beam, paper().friction, excitation(hz, 0.5e-3), paper().numerics);
     double tip = 0.0;

@@ -68,7 +68,7 @@ std::vector<double> axial_forces(double length) {
   return forces;
 }
 
-TEST(ClaimOnFigure14, BelowTheLineIsStickSlipAndAboveItStick) {
+TEST(ClaimOnFigure14, AboveTheLineThereAreStripsOfStickSlip) {
   const std::vector<double> lengths{0.5, 0.7, 0.84, 1.2, 1.53, 1.8};
   int strips = 0, explained = 0, lengths_with_one_line = 0;
   for (const double length : lengths) {
@@ -114,8 +114,8 @@ void judge_printed_length(const std::string& claim, int mode) {
                     mode, none, at_500, at_1000));
 }
 
-TEST(ClaimOnFigure14, TheFirstNaturalFrequencyIs25HzAt0_88m) { judge_printed_length("fig14.l1", 1); }
-TEST(ClaimOnFigure14, TheSecondNaturalFrequencyIs25HzAt1_58m) { judge_printed_length("fig14.l2", 2); }
+TEST(ClaimOnFigure14, TheFirstNaturalFrequencyIs25HzAt0_88mAnd500N) { judge_printed_length("fig14.l1", 1); }
+TEST(ClaimOnFigure14, TheSecondNaturalFrequencyIs25HzAt1_58mAnd500N) { judge_printed_length("fig14.l2", 2); }
 
 TEST(ClaimOnFigure14, EscapeNearTheResonanceLengthsTakesAnExtremelyHighForce) {
   const double first = resonance(1, printed_axial_force), second = resonance(2, printed_axial_force);
@@ -130,7 +130,7 @@ TEST(ClaimOnFigure14, EscapeNearTheResonanceLengthsTakesAnExtremelyHighForce) {
                     100.0 * at_second / buckling_load(second), reference, between));
 }
 
-TEST(ClaimOnFigure14, StickSlipIsInevitableNearTheResonanceLengths) {
+TEST(ClaimOnFigure14, ALargerAxialForceAvoidsStickSlipNearTheResonanceLengths) {
   // "Inevitable": at every axial force up to the buckling load.
   bool always = true, escapes = true;
   std::vector<double> shares;
@@ -151,7 +151,7 @@ TEST(ClaimOnFigure14, StickSlipIsInevitableNearTheResonanceLengths) {
                     shares[0], shares[1]));
 }
 
-TEST(ClaimOnFigure14, LengthsAwayFromTheResonanceOnesAvoidStickSlip) {
+TEST(ClaimOnFigure14, LengthsAwayFromTheResonanceOnesOfTheirAxialForceAvoidStickSlip) {
   const auto all_are_far = [](double length, const std::vector<double>& others) {
     return std::ranges::all_of(others, [length](double other) { return std::abs(length - other) > 0.1; });
   };

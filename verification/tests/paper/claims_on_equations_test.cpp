@@ -204,7 +204,7 @@ HoldingForce holding_force() {
           closed_form(TipSupport::held).friction_force().real()};
 }
 
-TEST(ClaimOnEquation4, TheStaticFrictionForceIsTheShearForce) {
+TEST(ClaimOnEquation4, TheStaticFrictionForceIsTheShearForceUnderAFollowerForceOnly) {
   const HoldingForce force = holding_force();
   // Fourth order of the mesh: (beta_1 l)^4/720 = 1.3e-7 in the first mode, amplified by its nearness.
   const double allowed = 1e-5 * std::abs(force.shear);

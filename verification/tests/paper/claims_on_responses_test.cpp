@@ -70,7 +70,7 @@ TEST(ClaimOnSection3, TheTimeStepGivesReasonableResults) {
                     100 * largest));
 }
 
-TEST(ClaimOnSection3, TheThresholdNoticesEveryStop) {
+TEST(ClaimOnSection3, TheThresholdMissesStopsOfAStrongDeceleration) {
   // By the letter: the tip stops where the sliding velocity has changed its sign.
   solver::BeamSimulation letter(paper().beam, paper().friction, excitation(25.0, large), paper().numerics,
                                 {.scheme = solver::ContactScheme::paper});
@@ -105,7 +105,7 @@ TEST(ClaimOnSection3, TheThresholdNoticesEveryStop) {
                   missed, stops, std::abs(with - without)));
 }
 
-TEST(ClaimOnSection3, TheBeamStartsWithoutVelocity) {
+TEST(ClaimOnSection3, TheBeamStartsWithTheVelocityOfTheQuasiStaticShape) {
   const auto largest = [](int elements, solver::InitialVelocity start) {
     data::NumericalChoices choices = paper().numerics.choices();
     choices.elements = elements;
@@ -149,7 +149,7 @@ TEST(ClaimOnSection3, TheTipIsStuckAtTheStart) {
                     closed_form, finite_element));
 }
 
-TEST(ClaimOnSection3, TheSecondMomentOfAreaGivesTheNaturalFrequencies) {
+TEST(ClaimOnSection3, AHundredTimesThePrintedSecondMomentOfAreaGivesTheNaturalFrequencies) {
   data::BeamProperties as_printed = paper_beam_properties();
   as_printed.second_moment_of_area = data::printed_number("parameter.second_moment_of_area").value;
   const auto first = [](const data::Beam& beam) { return analytic::stick_modes(beam, 1)[0].frequency_hz(); };
