@@ -68,20 +68,20 @@ TEST(StickModes, AreClampedPinnedWithoutAxialForce) {
   }
 }
 
-TEST(StickModes, HaveThePapersFrequencies) {
+TEST(StickModes, OfThePapersBeamHaveTheRecordedFrequencies) {
   const std::array expected{24.9720, 81.0776, 169.2487};
   const auto modes = stick_modes(paper_beam(), 3);
   for (std::size_t i = 0; i < expected.size(); ++i)
-    EXPECT_TRUE(within(modes[i].frequency_hz(), expected[i], reference(0.5e-4, "four printed decimals")));
+    EXPECT_TRUE(within(modes[i].frequency_hz(), expected[i], reference(0.5e-4, "four recorded decimals")));
 }
 
-TEST(StickModes, HaveThePapersFrequenciesAtHalfTheStiffness) {
+TEST(StickModes, OfThePapersBeamAtHalfTheStiffnessHaveTheRecordedFrequencies) {
   const std::array expected{17.6061, 57.2713, 119.6147};
   auto properties = paper_beam_properties();
   properties.youngs_modulus *= 0.5;
   const auto modes = stick_modes(data::Beam(properties), 3);
   for (std::size_t i = 0; i < expected.size(); ++i)
-    EXPECT_TRUE(within(modes[i].frequency_hz(), expected[i], reference(0.5e-4, "four printed decimals")));
+    EXPECT_TRUE(within(modes[i].frequency_hz(), expected[i], reference(0.5e-4, "four recorded decimals")));
 }
 
 TEST(StickModes, PrintedSecondMomentOfAreaMissesThePapersFrequencies) {
