@@ -28,10 +28,6 @@ int exit_status_of(const std::function<int()>& work) {
     return work();
   } catch (const data::InputError& error) {
     return told(error.what(), unusable);
-  } catch (const std::invalid_argument& error) {
-    return told(error.what(), unusable);
-  } catch (const std::domain_error& error) {
-    return told(error.what(), unusable);
   } catch (const OutputError& error) {
     return told(error.what(), unusable);
   } catch (const std::logic_error& error) {

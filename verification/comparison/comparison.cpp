@@ -821,7 +821,7 @@ class Comparer {
                                     sentence(found) + ")"
                               : sentence(found);
       likeness.diagnosis = found;
-    } catch (const std::logic_error& error) {  // the case is unknown or has no such state
+    } catch (const data::InputError& error) {  // the case is unknown or has no such state
       likeness.sentence = fmt::format("no diagnosis: {}", error.what());
     }
     return likeness;

@@ -41,6 +41,8 @@ TEST(ExitStatus, IsOneForAMistakeOfTheProgramWhichTheMessageNames) {
       "stickslip: this is a mistake in stickslip itself, not in the input: index 7\n";
   EXPECT_EQ(told_after(std::logic_error("index 7"), 1), sentence);
   EXPECT_EQ(told_after(std::out_of_range("index 7"), 1), sentence);
+  EXPECT_EQ(told_after(std::invalid_argument("index 7"), 1), sentence);
+  EXPECT_EQ(told_after(std::domain_error("index 7"), 1), sentence);
 }
 
 TEST(ExitStatus, IsOneForWhatARunOrTheMachineFailedIn) {

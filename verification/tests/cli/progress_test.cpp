@@ -13,7 +13,6 @@
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
