@@ -57,9 +57,8 @@ void run_pdflatex(const fs::path& folder) {
 
 Document make_document(StudyResults& results, const Environment& environment,
                        const std::vector<TestResult>& tests) {
-  const MutantRecord mutants = read_mutant_record();
-  Document document = make_tables(results, environment, tests, mutants);
-  document["numbers.tex"] = make_numbers(results, environment, tests, mutants);
+  Document document = make_tables(results, environment, tests, studies::input_matrix());
+  document["numbers.tex"] = make_numbers(results, environment, tests);
   const benchmarks::SpeedRecord speed = benchmarks::read_speed_record();
   document["speed-processor.tex"] = escape(speed.processor);
   document["table-speed.tex"] = speed_rows(speed);

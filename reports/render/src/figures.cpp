@@ -9,7 +9,6 @@
 #include "findings.hpp"
 #include "map_figure.hpp"
 #include "stickslip/data/paper.hpp"
-#include "stickslip/mutants/record.hpp"
 #include "stickslip/solver/contact_system.hpp"
 #include "studies/stick_slip/contact_growth.hpp"
 
@@ -509,27 +508,6 @@ FigureData map(StudyResults& results) {
   return figure_of(problem, results.stiffness_map());
 }
 
-// A row for each kill: the numbers of the mutant and of the test, from one.
-FigureData kill_matrix(StudyResults& /*results*/) {
-  const mutants::KillMatrix matrix = mutants::read_kill_matrix();
-  CsvTable table("Kill matrix: tests that fail on a curated mutant",
-                 {{"mutant_number", "1"}, {"test_number", "1"}, {"mutant", "-"}, {"test", "-"}});
-  FigureData data;
-  data.values = {{"mutants", static_cast<double>(matrix.mutants.size()), "1"},
-                 {"tests", static_cast<double>(matrix.tests.size()), "1"}};
-  for (std::size_t test = 0; test < matrix.tests.size(); ++test) {
-    const auto& [kind, name] = matrix.tests[test];
-    for (std::size_t mutant = 0; mutant < matrix.mutants.size(); ++mutant)
-      if (matrix.fates[test][mutant] == mutants::Fate::killed)
-        table.add_row({std::to_string(mutant + 1), std::to_string(test + 1), matrix.mutants[mutant],
-                       kind + "." + name});
-    if (test + 1 == matrix.tests.size() || matrix.tests[test + 1].kind != kind)
-      data.values.push_back({kind + "_end", static_cast<double>(test + 1), "1"});
-  }
-  data.tables.push_back({"mutants", std::move(table)});
-  return data;
-}
-
 }  // namespace
 
 CsvTable values_table(const std::vector<FigureData::Value>& values) {
@@ -548,7 +526,6 @@ const std::vector<Figure>& all_figures() {
                                            {"refinement", refinement},
                                            {"event-order", event_order},
                                            {"energy", energy},
-                                           {"mutants", kill_matrix},
                                            {"fig9", figure9},
                                            {"fig6", figure6},
                                            {"fig12", figure12},

@@ -13,7 +13,6 @@
 #include "latex_table.hpp"
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/data/paper.hpp"
-#include "stickslip/mutants/verdict.hpp"
 #include "stickslip/report/latex_text.hpp"
 #include "studies/stick_slip/contact_growth.hpp"
 #include "traceability.hpp"
@@ -366,23 +365,6 @@ void define_design(StudyResults& results, Macros& macros) {
   macros.define("DesignWorst", significant(design.margin.frequency_hz, 4));
 }
 
-void define_mutants(const MutantRecord& record, Macros& macros) {
-  macros.count("MutantsCurated", record.matrix.mutants.size());
-  macros.count("MutantTests", record.matrix.tests.size());
-  macros.count("MutantsEscaped", mutants::survivors(record.matrix).size());
-  macros.count("IdleTests", mutants::idle_tests(record.matrix).size());
-  const mutants::Score score = mutants::score(record.sample, record.equivalences);
-  macros.count("MutantsGenerated", record.sample.mutants.size());
-  macros.count("MutantCandidates", record.sample.candidates);
-  macros.count("MutantSeed", static_cast<int>(record.sample.seed));
-  macros.count("MutantsNotCompiling", record.sample.not_compiling);
-  macros.count("MutantsSameCode", record.sample.same_code);
-  macros.count("MutantsKilled", score.killed);
-  macros.count("MutantsEquivalent", score.equivalent);
-  macros.count("MutantsSurviving", score.survived);
-  macros.define("MutationScore", fixed(100.0 * score.value(), 1));
-}
-
 void define_traceability(const std::vector<TestResult>& tests, Macros& macros) {
   const auto claims = data::claims();
   macros.count("ClaimsTotal", claims.size());
@@ -405,7 +387,7 @@ void define_traceability(const std::vector<TestResult>& tests, Macros& macros) {
 }  // namespace
 
 std::string make_numbers(StudyResults& results, const Environment& environment,
-                         const std::vector<TestResult>& tests, const MutantRecord& mutants) {
+                         const std::vector<TestResult>& tests) {
   Macros macros;
   define_environment(environment, macros);
   define_case(results.paper(), macros);
@@ -424,7 +406,6 @@ std::string make_numbers(StudyResults& results, const Environment& environment,
   define_wrong_models(results, macros);
   define_agreement(results, macros);
   define_design(results, macros);
-  define_mutants(mutants, macros);
   define_traceability(tests, macros);
   return macros.text();
 }

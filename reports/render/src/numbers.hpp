@@ -3,7 +3,6 @@
 #include <string>
 
 #include "environment.hpp"
-#include "mutant_tables.hpp"
 #include "study_results.hpp"
 #include "test_results.hpp"
 
@@ -11,6 +10,6 @@ namespace stickslip::report {
 
 /// numbers.tex: one macro for each number in the running text and the captions.
 [[nodiscard]] std::string make_numbers(StudyResults& results, const Environment& environment,
-                                       const std::vector<TestResult>& tests, const MutantRecord& mutants);
+                                       const std::vector<TestResult>& tests);
 
 }  // namespace stickslip::report

@@ -11,6 +11,7 @@
 
 #include "findings.hpp"
 #include "latex_table.hpp"
+#include "mutant_tables.hpp"
 #include "paper_index.hpp"
 #include "stickslip/data/paper.hpp"
 #include "stickslip/report/latex_text.hpp"
@@ -592,7 +593,7 @@ std::string environment_rows(const Environment& environment) {
 }  // namespace
 
 Document make_tables(StudyResults& results, const Environment& environment,
-                     const std::vector<TestResult>& tests, const MutantRecord& mutants) {
+                     const std::vector<TestResult>& tests, const std::vector<studies::BadInput>& inputs) {
   return {{"table-summary.tex", summary(results)},
           {"table-parameters.tex", parameters(results)},
           {"table-unstated.tex", unstated()},
@@ -615,10 +616,8 @@ Document make_tables(StudyResults& results, const Environment& environment,
           {"table-schemes.tex", schemes(results)},
           {"table-event-orders.tex", event_orders(results)},
           {"table-energy.tex", energy(results)},
-          {"table-curated-mutants.tex", curated_mutant_rows(mutants)},
-          {"table-generated-mutants.tex", generated_mutant_rows(mutants)},
-          {"table-equivalent-mutants.tex", equivalence_rows(mutants)},
-          {"idle-tests.tex", idle_test_names(mutants)},
+          {"table-mutants.tex", mutant_rows()},
+          {"table-equivalent-mutants.tex", equivalent_mutant_rows()},
           {"table-benchmark-events.tex", benchmark_events(results)},
           {"table-benchmark-runs.tex", benchmark_runs(results)},
           {"table-usual-practice.tex", usual_practice(results)},
