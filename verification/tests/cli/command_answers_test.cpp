@@ -1,0 +1,513 @@
+/// What the commands answer: every field of their JSON, options with each method, and digits that are true.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <numbers>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "stickslip/analytic/beam_boundary_integral.hpp"
+#include "stickslip/data/case_file.hpp"
+#include "stickslip/data/reference.hpp"
+#include "support/command_line.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+double number(const std::string& text) { return std::strtod(text.c_str(), nullptr); }
+
+class CommandAnswers : public Drawing {
+ protected:
+  using Table = std::vector<std::vector<std::string>>;
+
+  // The JSON of a run whose rows are in history.csv and whose changes of contact are in events.csv.
+  [[nodiscard]] nlohmann::json respond(const std::string& options) const {
+    return json("respond " + options + " --output '" + path("history.csv") + "'");
+  }
+  [[nodiscard]] Table rows() const { return table("history.csv"); }
+  [[nodiscard]] Table events() const { return table("events.csv"); }
+  [[nodiscard]] std::string with_events() const { return " --events '" + path("events.csv") + "'"; }
+
+  // The numbers of the printed table.
+  [[nodiscard]] std::vector<std::string> printed(const std::string& options) const {
+    std::istringstream lines(run("modes " + options).output);
+    std::vector<std::string> texts;
+    std::string line;
+    for (int n = 1; std::getline(lines, line);)
+      if (line.starts_with(fmt::format("{:>4}  ", n))) {
+        texts.push_back(line.substr(6));
+        ++n;
+      }
+    return texts;
+  }
+
+  // Of the published package, with more digits than a double holds.
+  static std::vector<long double> published(const std::string& state, const std::string& beam) {
+    std::vector<long double> values;
+    for (const auto& row : csv(contents(data::reference_directory() / ("frequencies/" + state + ".csv"))))
+      if (row[0] == beam) values.push_back(std::strtold(row[2].c_str(), nullptr));
+    return values;
+  }
+
+ private:
+  [[nodiscard]] Table table(const std::string& name) const {
+    Table all = csv(contents(path(name)));
+    all.erase(all.begin());
+    return all;
+  }
+};
+
+// --- respond
+
+TEST_F(CommandAnswers, RespondSaysInJsonWhatItsRowsHold) {
+  for (const std::string method : {"fe", "event-driven", "boundary-integral", "closed-form"}) {
+    const auto answer = respond("paper --hz 25 --amplitude 1e-3 --duration 0.06 --method " + method);
+    const auto history = rows();
+    double largest = 0.0;
+    for (const auto& row : history) largest = std::max(largest, std::abs(number(row[5])));
+    EXPECT_EQ(answer["case"], "paper");
+    EXPECT_EQ(answer["method"], method);
+    EXPECT_EQ(answer["frequency_hz"], 25.0);
+    EXPECT_EQ(answer["amplitude_m"], 1e-3);
+    EXPECT_EQ(answer["duration_s"], 0.06);
+    EXPECT_EQ(answer["output"], path("history.csv"));
+    EXPECT_EQ(answer["rows"], history.size());
+    EXPECT_EQ(answer["largest_friction_force_N"], largest);
+    EXPECT_NEAR(answer["first_slip_s"].get<double>(), 0.05525, 1e-4);
+    EXPECT_EQ(answer["changes_of_contact"], method == "closed-form" ? 0 : 1);
+    EXPECT_EQ(answer.contains("scheme"), method == "fe");
+    EXPECT_EQ(answer.contains("integration_step_s"), method == "boundary-integral");
+    EXPECT_EQ(answer.contains("largest_change_on_twice_the_step_m"), method == "boundary-integral");
+  }
+  EXPECT_TRUE(respond("paper --hz 25 --amplitude 1e-4 --duration 0.02")["first_slip_s"].is_null());
+}
+
+TEST_F(CommandAnswers, RespondOfAHistoryThatEndsInSlipKeepsTheSlip) {
+  // The damped beam lets go at 0.0553 s and is still sliding at 0.0605 s.
+  for (const std::string method : {"fe", "event-driven", "boundary-integral"}) {
+    const auto answer = respond("damped --duration 0.0605 --method " + method + with_events());
+    const auto history = rows(), changes = events();
+    ASSERT_EQ(changes.size(), 1u) << method;
+    EXPECT_EQ(changes[0][1], "onset");
+    EXPECT_NEAR(number(changes[0][0]), 0.05532, 2e-5);
+    EXPECT_NEAR(number(changes[0][2]), 0.0, 1e-12);
+    EXPECT_EQ(answer["changes_of_contact"], 1);
+    EXPECT_EQ(history.back()[6], "slip") << method;
+    EXPECT_NEAR(number(history.back()[2]), 4.174e-4, 2e-6) << method;
+    EXPECT_NEAR(number(history.back()[4]), 0.1773, 1e-3) << method;
+    EXPECT_NEAR(number(history.back()[5]), 275.6, 0.2) << method;
+  }
+}
+
+TEST_F(CommandAnswers, RespondStartsFromRestByBothMethods) {
+  // At rest in space of the base, u_t(x, 0) = 0, the beam first moves with the base: y(L/2) = h. After 10 ms
+  // both methods still agree to less than 1 % of what the other start changes.
+  const auto midspan = [&](const std::string& method, const std::string& start, std::size_t row) {
+    (void)respond(
+        "paper --hz 15 --amplitude 0.5e-3 --duration 0.01 --set numerics.modes=40 "
+        "--set numerics.elements=40 --method " +
+        method + " --initial-velocity " + start);
+    return number(rows()[row][3]);
+  };
+  const double base = 0.5e-3 * std::sin(2.0 * std::numbers::pi * 15.0 * 1e-4);
+  for (const std::string method : {"fe", "event-driven"}) {
+    EXPECT_NEAR(midspan(method, "zero", 1), base, 1e-3 * base) << method;
+    EXPECT_NEAR(midspan(method, "quasi-static", 1), 11.0 / 16.0 * base, 1e-2 * base) << method;  // P = 0
+  }
+  const double stepped = midspan("fe", "zero", 100);
+  const double effect = stepped - midspan("fe", "quasi-static", 100);
+  EXPECT_GT(effect, 1.5e-4);
+  EXPECT_NEAR(midspan("event-driven", "zero", 100), stepped, 0.01 * effect);
+}
+
+TEST_F(CommandAnswers, RespondByTheBoundaryIntegralWritesTheRunAndItsStepEffect) {
+  const auto answer = respond(
+      "paper --hz 25 --amplitude 1e-3 --duration 0.08 --every 10 --method "
+      "boundary-integral" +
+      with_events());
+  const data::Case problem = data::load_case(
+      "paper", {{"excitation.frequency_hz", "25", "--hz"}, {"excitation.amplitude", "1e-3", "--amplitude"}});
+  const double step = answer["integration_step_s"], row_step = problem.numerics.time_step();
+  EXPECT_LE(step, 1.0 / (20000.0 * 25.0));
+  const auto per_row = static_cast<std::size_t>(std::lround(row_step / step));
+  EXPECT_NEAR(static_cast<double>(per_row) * step, row_step, 1e-15);
+  const auto run_with = [&](std::size_t steps) {
+    return analytic::BeamBoundaryIntegral(problem.beam, problem.friction, problem.excitation, problem.damping,
+                                          {row_step / static_cast<double>(steps), 800 * steps});
+  };
+  const auto run = run_with(per_row);
+  const auto tip = run.tip_displacement(per_row),
+             midspan = run.displacement(problem.beam.length() / 2.0, per_row);
+  const auto coarser = run_with(per_row / 2).tip_displacement(per_row / 2);
+  double change = 0.0;
+  for (std::size_t n = 0; n < tip.size(); ++n) change = std::max(change, std::abs(tip[n] - coarser[n]));
+  EXPECT_EQ(answer["largest_change_on_twice_the_step_m"], change);
+  EXPECT_GT(change, 0.0);
+
+  const auto history = rows();
+  ASSERT_EQ(history.size(), 81u);
+  for (std::size_t i = 0; i < history.size(); ++i) {
+    const std::size_t n = 10 * i;
+    EXPECT_EQ(number(history[i][0]), static_cast<double>(n) * row_step);
+    EXPECT_DOUBLE_EQ(number(history[i][1]),
+                     1e-3 * std::sin(2.0 * std::numbers::pi * 25.0 * number(history[i][0])));
+    EXPECT_EQ(number(history[i][2]), tip[n]);
+    EXPECT_EQ(number(history[i][3]), midspan[n]);
+    // At a row, the means of the steps before and after it.
+    const auto& before = run.steps()[n == 0 ? 0 : n * per_row - 1];
+    const auto& after = run.steps()[std::min(n * per_row, run.steps().size() - 1)];
+    EXPECT_EQ(history[i][6], before.sliding_velocity == 0.0 ? "stick" : "slip");
+    if (n > 0) {
+      EXPECT_DOUBLE_EQ(number(history[i][5]), -0.5 * (before.friction_force + after.friction_force));
+    }
+    if (before.sliding_velocity != 0.0) {
+      EXPECT_DOUBLE_EQ(number(history[i][4]), 0.5 * (before.sliding_velocity + after.sliding_velocity));
+    }
+  }
+  // It rests at the wall before the first slip and where it was captured after it.
+  const auto changes = events();
+  ASSERT_GE(changes.size(), 3u);
+  EXPECT_EQ(changes[0][1], "onset");
+  EXPECT_EQ(changes[1][1], "capture");
+  EXPECT_EQ(changes[2][1], "onset");
+  EXPECT_EQ(number(changes[0][2]), 0.0);
+  EXPECT_EQ(changes[1][2], changes[2][2]);
+  EXPECT_EQ(answer["first_slip_s"], number(changes[0][0]));
+  for (const auto& change_of_contact : {changes[1], changes[2]}) {
+    const auto row = static_cast<std::size_t>(std::ceil(number(change_of_contact[0]) / row_step));
+    EXPECT_NEAR(number(change_of_contact[2]), tip[row], 1e-5);
+  }
+}
+
+TEST_F(CommandAnswers, RespondByTheBoundaryIntegralStartsWithoutForce) {
+  // The force of the start is extrapolated from the first two steps: none, but for the error of second order.
+  (void)respond("paper --hz 25 --amplitude 1e-3 --duration 0.01 --method boundary-integral");
+  EXPECT_NEAR(number(rows()[0][5]), 0.0, 1e-9);
+  EXPECT_GT(number(rows()[1][5]), 0.05);
+}
+
+// --- animate
+
+TEST_F(CommandAnswers, AnimateLastsTenPeriodsUnlessADurationIsGiven) {
+  install_gnuplot(draw_all);
+  const std::string options =
+      "animate paper --hz 50 --amplitude 2e-4 --frames 5 --output '" + path("film") + "' ";
+  const auto answer = json(options);
+  EXPECT_EQ(answer["case"], "paper");
+  EXPECT_EQ(answer["method"], "fe");
+  EXPECT_EQ(answer["frequency_hz"], 50.0);
+  EXPECT_EQ(answer["amplitude_m"], 2e-4);
+  EXPECT_EQ(answer["duration_s"], 0.2);
+  EXPECT_EQ(answer["frames"], 5);
+  EXPECT_EQ(answer["output"], path("film"));
+  const auto motion = csv(contents(path("film/motion.csv")));
+  EXPECT_DOUBLE_EQ(number(motion.back()[1]), 0.2);
+  EXPECT_EQ(json(options + "--duration 0.1 --method event-driven")["duration_s"], 0.1);
+  EXPECT_DOUBLE_EQ(number(csv(contents(path("film/motion.csv"))).back()[1]), 0.1);
+}
+
+TEST_F(CommandAnswers, AnimateTakesAsManyFramesAsThereAreTimeSteps) {
+  install_gnuplot(draw_all);
+  const std::string options = "animate --duration 1e-3 --output '" + path("film") + "' --frames ";
+  expect_refused(options + "12", "at most one per time step of 1e-04 s, of which 0.001 s have 11");
+  const Outcome outcome = run(options + "11");
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_EQ(outcome.output, "11 frames written to " + path("film") + "\n");
+}
+
+// --- modes
+
+std::size_t digits_in(const std::string& text) {
+  return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return c >= '0' && c <= '9'; })) -
+         (text.starts_with("0.") ? 1 : 0);
+}
+
+TEST_F(CommandAnswers, ModesPrintsDigitsOfTheClosedFormThatAreTrue) {
+  for (const std::string state : {"stick", "slip"})
+    for (const std::string beam : {"paper", "steel-strip", "soft-short", "near-buckling"}) {
+      const auto reference = published(state, beam);
+      const auto texts = printed(beam + " --count 10 --state " + state);
+      const auto answer = json("modes " + beam + " --count 10 --state " + state);
+      ASSERT_EQ(texts.size(), 10u);
+      ASSERT_EQ(reference.size(), 10u);
+      for (std::size_t n = 0; n < 10; ++n) {
+        const std::size_t point = texts[n].find('.');
+        ASSERT_NE(point, std::string::npos) << texts[n];
+        const long double unit = std::pow(10.0L, -static_cast<long double>(texts[n].size() - point - 1));
+        const long double error = std::abs(std::strtold(texts[n].c_str(), nullptr) - reference[n]);
+        EXPECT_LE(error, 1.5L * unit) << beam << " " << state << " " << n + 1 << ": " << texts[n];
+        // As many as the estimate of the relative error leaves: 10^-digits is above it, a tenth of that
+        // below.
+        const double estimate = answer["relative_error_estimates"][n];
+        const auto digits = static_cast<double>(digits_in(texts[n]));
+        EXPECT_GE(std::pow(10.0, -digits), estimate);
+        EXPECT_LT(std::pow(10.0, -digits - 1.0), estimate);
+        EXPECT_LE(
+            std::abs(static_cast<long double>(answer["frequencies_hz"][n].get<double>()) / reference[n] -
+                     1.0L),
+            static_cast<long double>(estimate));
+        if (beam != "near-buckling") {
+          EXPECT_LT(estimate, 1e-14) << beam << " " << state << " " << n + 1;
+        }
+      }
+    }
+}
+
+TEST_F(CommandAnswers, ModesEstimatesTheErrorOfFiniteElementsToATenth) {
+  // The estimate is the leading error, (beta l)^4/1440; on 40 elements the next one is below 1 % for these
+  // modes, and so is the axial force that it leaves out.
+  for (const std::string state : {"stick", "slip"}) {
+    const auto exact = json("modes --count 5 --state " + state);
+    const auto mesh = json("modes --count 5 --method fe --set numerics.elements=40 --state " + state);
+    EXPECT_EQ(mesh["elements"], 40);
+    EXPECT_FALSE(exact.contains("elements"));
+    EXPECT_EQ(mesh["state"], state);
+    EXPECT_EQ(mesh["method"], "fe");
+    EXPECT_EQ(exact["method"], "closed-form");
+    EXPECT_EQ(exact["case"], "paper");
+    for (std::size_t n = 0; n < 5; ++n) {
+      const double error =
+          mesh["frequencies_hz"][n].get<double>() / exact["frequencies_hz"][n].get<double>() - 1.0;
+      EXPECT_NEAR(error / mesh["relative_error_estimates"][n].get<double>(), 1.0, 0.1)
+          << state << " " << n + 1;
+    }
+  }
+  EXPECT_TRUE(run("modes --method fe --set numerics.elements=40")
+                  .output.starts_with("paper: stick state, 40 finite elements\n"));
+  EXPECT_TRUE(run("modes --state slip").output.starts_with("paper: slip state, closed form\n"));
+}
+
+// --- criterion
+
+// The text of a number that lies between two bounds, with the digits on which they agree and no fewer.
+void expect_common_digits(const std::string& text, double lower, double upper) {
+  const std::size_t digits = digits_in(text.substr(0, text.find('e'))) -
+                             (text.starts_with("0.") ? text.find_first_not_of("0.") - 2 : 0);
+  const auto rounded = [](double value, std::size_t count) {
+    return fmt::format("{:.{}e}", value, count - 1);
+  };
+  EXPECT_EQ(rounded(number(text), digits), rounded(lower, digits)) << text;
+  EXPECT_EQ(rounded(lower, digits), rounded(upper, digits)) << text;
+  EXPECT_NE(rounded(lower, digits + 1), rounded(upper, digits + 1)) << text;
+}
+
+TEST_F(CommandAnswers, CriterionPrintsWhatItsJsonHolds) {
+  for (const std::string options : {"paper --hz 15", "steel-strip", "paper --hz 70 --amplitude 1e-5"}) {
+    const auto answer = json("criterion " + options);
+    const std::string table = run("criterion " + options).output;
+    const auto cells = [&](const std::string& row) {
+      const auto begin = table.find("\n" + row) + 1;
+      const std::string line = table.substr(begin, table.find('\n', begin) - begin);
+      const std::string right = line.substr(48);
+      std::string left = line.substr(28, 20);
+      left.erase(left.find_last_not_of(' ') + 1);
+      return std::pair{left, right};
+    };
+    const auto& all = answer["all_modes"];
+    const auto [force, force_of_all] = cells("largest |f|");
+    expect_common_digits(force, answer["force_max_N"]["lower"], answer["force_max_N"]["upper"]);
+    expect_common_digits(force_of_all, all["force_max_N"]["lower"], all["force_max_N"]["upper"]);
+    const auto [critical, critical_of_all] = cells("critical amplitude");
+    expect_common_digits(critical, answer["critical_amplitude_bounds_m"]["lower"],
+                         answer["critical_amplitude_bounds_m"]["upper"]);
+    expect_common_digits(critical_of_all, all["critical_amplitude_bounds_m"]["lower"],
+                         all["critical_amplitude_bounds_m"]["upper"]);
+    EXPECT_EQ(cells("verdict"),
+              (std::pair{answer["verdict"].get<std::string>(), all["verdict"].get<std::string>()}));
+    EXPECT_EQ(number(cells("friction limit").first), answer["friction_limit_N"]);
+    EXPECT_EQ(all["friction_limit_N"], answer["friction_limit_N"]);
+    for (const auto& one : {answer, all}) {
+      const double lower = one["force_max_N"]["lower"], upper = one["force_max_N"]["upper"];
+      const double amplitude = answer["amplitude_m"], limit = one["friction_limit_N"];
+      EXPECT_DOUBLE_EQ(one["critical_amplitude_bounds_m"]["lower"], amplitude * limit / upper);
+      EXPECT_DOUBLE_EQ(one["critical_amplitude_bounds_m"]["upper"], amplitude * limit / lower);
+      EXPECT_DOUBLE_EQ(one["critical_amplitude_m"], 0.5 * amplitude * limit * (1.0 / lower + 1.0 / upper));
+      EXPECT_EQ(one["verdict"], lower > limit ? "stick-slip" : "stick");
+    }
+  }
+}
+
+// --- map
+
+TEST_F(CommandAnswers, MapCountsTheCellsOfItsTable) {
+  const std::string command =
+      "map paper-figure14 --duration 0.5 --x length=0.8:2.8:3 --y force=200:800:2:log --hz 20 "
+      "--output '" +
+      path("map.csv") + "' ";
+  const auto answer = json(command);
+  std::map<std::string, int> counts{{"stick", 0}, {"stick-slip", 0}, {"no stick state", 0}};
+  for (const auto& row : csv(contents(path("map.csv"))))
+    if (row.size() == 4 && counts.contains(row[3])) ++counts[row[3]];
+  EXPECT_EQ(answer["case"], "paper-figure14");
+  EXPECT_EQ(answer["method"], "closed-form");
+  EXPECT_EQ(answer["x"], "length=0.8:2.8:3");
+  EXPECT_EQ(answer["y"], "force=200:800:2:log");
+  EXPECT_EQ(answer["output"], path("map.csv"));
+  EXPECT_TRUE(answer["figure"].is_null());
+  EXPECT_EQ(answer["cells"], 6);
+  EXPECT_EQ(answer["states"], nlohmann::json(counts));
+  EXPECT_EQ(run(command).output,
+            fmt::format("6 cells written to {}: {} stick, {} stick-slip, {} no stick state\n",
+                        path("map.csv"), counts["stick"], counts["stick-slip"], counts["no stick state"]));
+  const auto stepped = json(
+      "map paper-figure14 --duration 0.1 --method fe --x frequency=10:50:3 --y friction=0.3:0.6:4 "
+      "--output '" +
+      path("map.csv") + "'");
+  EXPECT_EQ(stepped["method"], "fe");
+  EXPECT_EQ(stepped["cells"], 12);
+}
+
+TEST_F(CommandAnswers, MapLeavesOutTheRatioWhereOnlyStatesAreAskedFor) {
+  const std::string command = "map paper-figure14 --duration 0.5 --x length=0.8:2.8:3 --y force=200:800:2 ";
+  const auto all = csv(run(command).output), states = csv(run(command + "--states-only").output);
+  ASSERT_EQ(states.size(), all.size());
+  for (std::size_t i = 3; i < all.size(); ++i) {
+    if (all[i].empty()) continue;
+    EXPECT_EQ(states[i], (std::vector<std::string>{all[i][0], all[i][1], all[i][3]}));
+  }
+}
+
+TEST_F(CommandAnswers, MapSaysWhatAShardHolds) {
+  const std::string command =
+      "map paper-figure14 --duration 0.5 --x length=0.8:2.8:3 --y force=200:800:3 --hz 20 --shard 2/4 "
+      "--output '" +
+      path("shard") + "' ";
+  for (const bool found : {false, true}) {
+    const auto answer = json(command);
+    EXPECT_EQ(answer["shard"], 2);
+    EXPECT_EQ(answer["shards"], 4);
+    EXPECT_EQ(answer["evaluations"], 2);  // of nine in four parts
+    EXPECT_EQ(answer["complete_already"], found);
+  }
+  EXPECT_EQ(run(command).output,
+            "Shard 2 of 4, 2 of 9 evaluations, is complete already in " + path("shard") + "\n");
+}
+
+// --- design
+
+TEST_F(CommandAnswers, DesignPrintsWhatItsJsonHolds) {
+  const std::string command =
+      "design paper-figure14 --band 24:26 --length 0.8:1.7 --force 50:1344 --duration 2 --amplitude 1e-3";
+  const auto answer = json(command);
+  const std::string text = run(command).output;
+  EXPECT_EQ(answer["case"], "paper-figure14");
+  EXPECT_EQ(answer["band_hz"], nlohmann::json({24.0, 26.0}));
+  EXPECT_EQ(answer["amplitude_m"], 1e-3);
+  EXPECT_EQ(answer["duration_s"], 2.0);
+  EXPECT_EQ(answer["modes"], 10);
+  EXPECT_EQ(answer["friction_limit_N"], 300.0);
+  EXPECT_GT(answer["evaluations"], 2);
+  const auto& margin = answer["margin"];
+  const auto& force = answer["force_max_N"];
+  EXPECT_DOUBLE_EQ(margin["lower"], 300.0 / force["upper"].get<double>());
+  EXPECT_DOUBLE_EQ(margin["upper"], 300.0 / force["lower"].get<double>());
+  // The margin at its frequency is that of the criterion.
+  const auto criterion = json(fmt::format("criterion paper-figure14 --hz {} --set numerics.duration=2",
+                                          answer["frequency_hz"].dump()));
+  EXPECT_NEAR(criterion["force_max_N"]["lower"].get<double>(), force["lower"].get<double>(),
+              1e-5 * force["lower"].get<double>());
+  EXPECT_TRUE(text.starts_with("paper-figure14: 24 to 26 Hz, 0.001 m, 0 to 2 s, N = 10\n")) << text;
+  EXPECT_NE(text.find(": sticks\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("\nnatural frequencies in the band   none\n"), std::string::npos) << text;
+
+  // Every end of an interval, with the decimals that its accuracy allows and no fewer.
+  for (const std::string kind : {"lengths_m", "axial_forces_N"}) {
+    const double accuracy = answer[kind]["accuracy"];
+    const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(accuracy))));
+    EXPECT_LE(0.1 * accuracy, std::pow(10.0, -decimals));
+    double before = answer[kind]["intervals"][0]["from"];
+    for (const auto& interval : answer[kind]["intervals"]) {
+      EXPECT_EQ(interval["from"], before);
+      before = interval["to"];
+      const bool sticks = interval["state"] == "stick";
+      const std::string ends = fmt::format("\n{:<28}{}",
+                                           fmt::format("{:.{}f} ... {:.{}f}", interval["from"].get<double>(),
+                                                       decimals, interval["to"].get<double>(), decimals),
+                                           sticks ? "sticks\n" : "slips");
+      EXPECT_NE(text.find(ends), std::string::npos) << ends << text;
+    }
+  }
+  EXPECT_EQ(answer["lengths_m"]["intervals"][0]["from"], 0.8);
+  EXPECT_EQ(answer["lengths_m"]["intervals"].back()["to"], 1.7);
+  EXPECT_EQ(answer["axial_forces_N"]["intervals"].back()["to"], 1344.0);
+}
+
+TEST_F(CommandAnswers, DesignOfABandWithAResonanceSlips) {
+  const auto answer = json("design paper --band 20:90 --length 1.9:2.1 --force 400:600 --duration 1");
+  ASSERT_EQ(answer["natural_frequencies_in_band"].size(), 2u);
+  EXPECT_EQ(answer["natural_frequencies_in_band"][0]["mode"], 1);
+  EXPECT_NEAR(answer["natural_frequencies_in_band"][0]["frequency_hz"], 24.971958, 1e-6);
+  EXPECT_EQ(answer["natural_frequencies_in_band"][1]["mode"], 2);
+  EXPECT_NEAR(answer["natural_frequencies_in_band"][1]["frequency_hz"], 81.077622, 1e-6);
+  EXPECT_LT(answer["margin"]["upper"], 1.0);
+  const std::string text =
+      run("design paper --band 20:90 --length 1.9:2.1 --force 400:600 --duration 1").output;
+  EXPECT_NE(text.find("\nnatural frequencies in the band   1 at 24.97196, 2 at 81.07762\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find(": slips\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("slips: natural frequency 1, 2 in the band\n"), std::string::npos) << text;
+}
+
+TEST_F(CommandAnswers, DesignTakesItsRangesFromTheCase) {
+  const auto answer = json("design paper --band 30:31 --duration 0.1");
+  EXPECT_EQ(answer["lengths_m"]["intervals"][0]["from"], 1.0);
+  EXPECT_EQ(answer["lengths_m"]["intervals"].back()["to"], 4.0);
+  EXPECT_EQ(answer["axial_forces_N"]["intervals"][0]["from"], 50.0);
+  EXPECT_EQ(answer["axial_forces_N"]["intervals"].back()["to"], 5000.0);
+}
+
+// --- lists and limits
+
+TEST_F(CommandAnswers, CasesAreAlignedAndComplete) {
+  const auto cases = json("cases")["cases"];
+  std::size_t width = 0;
+  for (const auto& listing : cases) width = std::max(width, listing["name"].get<std::string>().size());
+  std::string expected;
+  for (const auto& listing : cases)
+    expected += fmt::format("{:<{}}  {}\n", listing["name"].get<std::string>(), width,
+                            listing["title"].get<std::string>());
+  EXPECT_EQ(run("cases").output, expected);
+}
+
+TEST_F(CommandAnswers, LimitsThemselvesAreAllowed) {
+  EXPECT_EQ(json("modes --count 1000")["frequencies_hz"].size(), 1000u);
+  expect_refused("modes --count 1001", "1001 is not an integer from 1 to 1000");
+  EXPECT_EQ(json("modes --count 1")["frequencies_hz"].size(), 1u);
+  EXPECT_EQ(run("respond --duration 0.001 --every 1000000000").status, 0);
+  expect_refused("respond --every 1000000001", "1000000001 is not an integer from 1 to 1000000000");
+  const std::string map = "map paper-figure14 --states-only --duration 0.1 --y amplitude=1e-4:1e-3:2 ";
+  EXPECT_EQ(run(map + "--x length=0.5:1:2").status, 0);
+  EXPECT_EQ(csv(run(map + "--x length=0.5:1:2000").output).size(), 3u + 2u * 2001u);
+  expect_refused(map + "--x length=0.5:1:2001", "COUNT is '2001', but must be an integer from 2 to 2000");
+  EXPECT_EQ(run(map + "--threads 1024 --x length=0.5:1:2").status, 0);
+  expect_refused(map + "--threads 1025 --x length=0.5:1:2", "1025 is not an integer from 1 to 1024");
+  expect_refused("animate --frames 10000", "10000 is not an integer from 2 to 9999");
+}
+
+TEST_F(CommandAnswers, MapAxesHaveEqualStepsOrRatios) {
+  const auto axis = [&](const std::string& text) {
+    std::vector<double> values;
+    for (const auto& row :
+         csv(run("map paper-figure14 --states-only --duration 0.1 --y friction=0.5:0.6:2 --x " + text)
+                 .output))
+      if (row.size() == 3 && row[1] == "0.5") values.push_back(number(row[0]));
+    return values;
+  };
+  const auto equal = axis("frequency=10:20:5"), ratios = axis("frequency=10:160:5:log");
+  ASSERT_EQ(equal.size(), 5u);
+  ASSERT_EQ(ratios.size(), 5u);
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_DOUBLE_EQ(equal[static_cast<std::size_t>(i)], 10.0 + 2.5 * i);
+    EXPECT_DOUBLE_EQ(ratios[static_cast<std::size_t>(i)], 10.0 * std::pow(2.0, i));
+  }
+}
+
+}  // namespace
+}  // namespace stickslip::testing

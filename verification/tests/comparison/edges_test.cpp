@@ -1,0 +1,350 @@
+/// Verdicts of a comparison at the edges: an error equal to what is allowed, an uncertainty equal to the
+/// tolerance, a time equal to the horizon or to that of an event.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparison/comparison.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+using studies::Agreement;
+using studies::Comparison;
+using studies::ComparisonSettings;
+
+const data::ReferencePackage& small_package() {
+  static const auto fixture = data::load_reference(std::filesystem::path(STICKSLIP_SOURCE_DIRECTORY) /
+                                                   "verification/tests/golden/reference");
+  return fixture;
+}
+
+// A data set as its own result, in which a test changes single numbers.
+class OwnCopy {
+ public:
+  explicit OwnCopy(const std::string& set) : set_(set), reference_(data::read_table(small_package(), set)) {
+    table.file = "mine.csv";
+    table.columns = reference_.columns;
+    table.lines.resize(reference_.rows());
+    std::iota(table.lines.begin(), table.lines.end(), 2);
+  }
+
+  data::UserTable table;
+
+  [[nodiscard]] std::vector<double>& operator[](const std::string& name) {
+    return std::ranges::find(table.columns, name, [](const auto& column) { return column.field.name; })
+        ->values;
+  }
+  [[nodiscard]] const data::ReferenceTable& reference() const { return reference_; }
+
+  [[nodiscard]] Comparison compared(ComparisonSettings settings = {},
+                                    const data::ReferencePackage& package = small_package()) const {
+    settings.diagnose = false;
+    return studies::compare(package, set_, table, settings);
+  }
+  [[nodiscard]] Comparison::Quantity compared(const std::string& quantity,
+                                              const ComparisonSettings& settings = {},
+                                              const data::ReferencePackage& package = small_package()) const {
+    const auto comparison = compared(settings, package);
+    return *std::ranges::find(comparison.quantities, quantity, &Comparison::Quantity::name);
+  }
+
+ private:
+  std::string set_;
+  data::ReferenceTable reference_;
+};
+
+double below(double x) { return std::nextafter(x, 0.0); }
+double above(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()); }
+
+ComparisonSettings with_tolerance(const std::string& quantity, double tolerance,
+                                  std::optional<double> until = std::nullopt) {
+  return {.tolerances = {{quantity, tolerance}}, .until = until, .events = {}};
+}
+
+std::size_t skipped_for(const Comparison::Quantity& quantity, const std::string& reason) {
+  const auto found = std::ranges::find_if(
+      quantity.skipped, [&](const auto& skipped) { return skipped.reason.starts_with(reason); });
+  return found == quantity.skipped.end() ? 0 : found->points;
+}
+
+// --- error and tolerance
+
+TEST(ComparedVerdict, AnErrorEqualToTheToleranceAgrees) {
+  OwnCopy mine("cubic-history");  // its values are exact
+  const double reference = mine["y"][10];
+  mine["y"][10] += 0.25;
+  const double error = mine["y"][10] - reference;
+  EXPECT_EQ(mine.compared("y", with_tolerance("y", error)).agreement, Agreement::agrees);
+  const auto found = mine.compared("y", with_tolerance("y", below(error)));
+  EXPECT_EQ(found.agreement, Agreement::differs);
+  EXPECT_EQ(found.error, error);
+  EXPECT_EQ(found.undecided, 0u);
+}
+
+TEST(ComparedVerdict, AnErrorEqualToToleranceAndUncertaintyDoesNotDiffer) {
+  OwnCopy mine("damped-events");
+  const double radius = mine.reference().radius_of("time")[2], reference = mine["time"][2];
+  // An error that is the sum of the radius and a tolerance without rounding.
+  double error = 0.0, tolerance = 0.0;
+  for (double shift = 2e-7; tolerance == 0.0; shift += 1e-10) {
+    error = std::abs(reference + shift - reference);
+    if (error - radius + radius == error) {
+      tolerance = error - radius;
+      mine["time"][2] = reference + shift;
+    }
+  }
+  ASSERT_GT(tolerance, radius);
+  double smaller = below(tolerance);
+  while (smaller + radius == error) smaller = below(smaller);
+  EXPECT_EQ(mine.compared("time", with_tolerance("time", tolerance)).agreement, Agreement::agrees);
+  EXPECT_EQ(mine.compared("time", with_tolerance("time", smaller)).agreement, Agreement::differs);
+}
+
+TEST(ComparedVerdict, AnUncertaintyEqualToTheToleranceDecides) {
+  const OwnCopy mine("damped-events");
+  const auto radii = mine.reference().radius_of("time");
+  const double largest = *std::max_element(radii.begin(), radii.begin() + 6);  // within the horizon
+  const auto decided = mine.compared("time", with_tolerance("time", largest));
+  EXPECT_EQ(decided.agreement, Agreement::agrees);
+  EXPECT_EQ(decided.undecided, 0u);
+  const auto undecided = mine.compared("time", with_tolerance("time", below(largest)));
+  EXPECT_EQ(undecided.agreement, Agreement::undecided);
+  EXPECT_EQ(undecided.undecided, 1u);
+  EXPECT_EQ(undecided.compared, 6u);
+}
+
+TEST(ComparedVerdict, DiffersWinsOverUndecidedInAnyOrder) {
+  for (const std::size_t row : {0u, 4u}) {  // before and behind the events that are undecided
+    OwnCopy mine("damped-events");
+    mine["time"][row] += 1e-3;
+    const auto time = mine.compared("time", with_tolerance("time", 1e-9));
+    EXPECT_EQ(time.agreement, Agreement::differs) << row;
+    EXPECT_EQ(time.undecided, row == 0 ? 5u : 4u);
+    EXPECT_EQ(mine.compared(with_tolerance("time", 1e-9)).agreement, Agreement::differs);
+  }
+}
+
+TEST(ComparedVerdict, TheErrorThatIsToldExceedsItsUncertaintyMost) {
+  // Event 5 is known to 1.7e-8 s, event 1 to 3.4e-10 s: the smaller error of event 1 says more.
+  OwnCopy mine("damped-events");
+  mine["time"][0] += 1e-8;
+  mine["time"][4] += 2e-8;
+  const auto time = mine.compared("time");
+  EXPECT_EQ(time.where, "event 1 (onset at 0.0553214408 s)");
+  EXPECT_NEAR(*time.error, 1e-8, 1e-16);
+  EXPECT_EQ(time.uncertainty, mine.reference().radius_of("time")[0]);
+}
+
+TEST(ComparedVerdict, RelativeToZeroOnlyZeroAgrees) {
+  auto package = small_package();
+  auto& rule = *std::ranges::find(package.resources, "cubic-history", &data::Resource::name)->comparison;
+  rule.values.front().norm = data::Norm::relative;
+  rule.values.front().tolerance = 1e6;
+  OwnCopy mine("cubic-history");
+  const auto zero = static_cast<std::size_t>(
+      std::ranges::min_element(mine["y"], {}, [](double y) { return std::abs(y); }) - mine["y"].begin());
+  EXPECT_EQ(mine.compared("y", {}, package).agreement, Agreement::agrees);
+  EXPECT_EQ(mine.compared("y", {}, package).error, 0.0);
+  if (mine["y"][zero] == 0.0) {
+    mine["y"][zero] = 1e-300;
+    EXPECT_EQ(mine.compared("y", {}, package).agreement, Agreement::differs);
+  }
+}
+
+TEST(ComparedVerdict, AQuantityOfWhichNothingIsComparedIsUndecided) {
+  // Up to 10 ms there is no event to compare, which is no agreement of the sequences.
+  const OwnCopy mine("damped-history");
+  const ComparisonSettings settings{
+      .tolerances = {}, .until = 0.01, .events = OwnCopy("damped-events").table};
+  EXPECT_EQ(mine.compared("sequence", settings).agreement, Agreement::undecided);
+  EXPECT_EQ(mine.compared("tip_displacement", settings).agreement, Agreement::agrees);
+  EXPECT_EQ(mine.compared(settings).agreement, Agreement::undecided);
+}
+
+// --- horizons
+
+TEST(ComparedVerdict, ATimeEqualToTheHorizonIsCompared) {
+  OwnCopy mine("cubic-history");
+  const double horizon = mine["t"][40];
+  mine["y"][40] += 1.0;
+  const ComparisonSettings until{.tolerances = {}, .until = horizon, .events = {}};
+  EXPECT_EQ(mine.compared("y", until).agreement, Agreement::differs);
+  const ComparisonSettings sooner{.tolerances = {}, .until = below(horizon), .events = {}};
+  EXPECT_EQ(mine.compared("y", sooner).agreement, Agreement::agrees);
+}
+
+TEST(ComparedVerdict, ALatestTimeBeyondThatOfTheDataSetChangesNothing) {
+  OwnCopy mine("cubic-history");
+  mine["y"][97] += 1.0;  // at 0.97 s; the data set is known up to 0.95 s
+  for (const double until : {0.95, 0.98, 2.0}) {
+    const auto y = mine.compared("y", {.tolerances = {}, .until = until, .events = {}});
+    EXPECT_EQ(y.agreement, Agreement::agrees) << until;
+    EXPECT_EQ(skipped_for(y, "beyond the horizon"), 10u) << until;
+  }
+  OwnCopy events("damped-events");
+  events["time"][6] += 1e-3;  // at 0.111 s; the data set is known up to 0.11 s
+  for (const double until : {0.11, 0.5}) {
+    const auto time = events.compared("time", {.tolerances = {}, .until = until, .events = {}});
+    EXPECT_EQ(time.compared, 6u) << until;
+    EXPECT_EQ(time.agreement, Agreement::agrees) << until;
+  }
+}
+
+TEST(ComparedVerdict, AnEventAtTheLatestTimeIsWithinIt) {
+  OwnCopy mine("damped-events");
+  const double sixth = mine["time"][5];
+  EXPECT_EQ(mine.compared("time", {.tolerances = {}, .until = sixth, .events = {}}).compared, 6u);
+  EXPECT_EQ(mine.compared("time", {.tolerances = {}, .until = below(sixth), .events = {}}).compared, 5u);
+}
+
+TEST(ComparedVerdict, AnEventMissesTheLatestTimeByNoMoreThanToleranceAndUncertainty) {
+  // They have five events; the sixth lies before the latest time, by what it may be late or by a little more.
+  OwnCopy five("damped-events");
+  const double sixth = five["time"][5], radius = five.reference().radius_of("time")[5];
+  for (auto& column : five.table.columns) {
+    column.text.resize(5);
+    column.values.resize(5);
+  }
+  five.table.lines.resize(5);
+  const auto missing = [&](double margin) {
+    return *five.compared("sequence", with_tolerance("time", 1e-5, sixth + margin)).error;
+  };
+  EXPECT_EQ(missing(1e-5), 0.0);
+  EXPECT_EQ(missing(1e-5 + 0.9 * radius), 0.0);
+  EXPECT_EQ(missing(1e-5 + 1.1 * radius), 1.0);
+}
+
+// --- events and phases
+
+// The samples nearest to the onset at 0.305 s moved to that very time, or next to it.
+TEST(ComparedVerdict, ASampleAtTheTimeOfAnEventIsLeftOut) {
+  for (const double time : {below(0.305), 0.305, above(0.305)}) {
+    OwnCopy mine("cubic-history");
+    mine["t"][30] = time;
+    mine["y"][30] = 1e3;  // far from both phases
+    const auto y =
+        mine.compared("y", {.tolerances = {}, .until = {}, .events = OwnCopy("cubic-events").table});
+    EXPECT_EQ(skipped_for(y, "between the two times"), time == 0.305 ? 1u : 0u) << time;
+    // The two others lie in a phase, but next to no sample of it.
+    EXPECT_EQ(skipped_for(y, "between an event and the samples"), time == 0.305 ? 0u : 1u) << time;
+    EXPECT_EQ(y.agreement, Agreement::agrees);
+  }
+}
+
+TEST(ComparedVerdict, TheTimesOfBothEventsBelongToTheWindow) {
+  OwnCopy mine("cubic-history"), events("cubic-events");
+  events["time"][0] = mine["t"][34];  // their onset is at a sample, 35 ms late
+  for (std::size_t row = 31; row <= 34; ++row) mine["y"][row] = 1e3;
+  const ComparisonSettings settings{.tolerances = {}, .until = {}, .events = events.table};
+  EXPECT_EQ(mine.compared("y", settings).agreement, Agreement::agrees);
+  EXPECT_EQ(skipped_for(mine.compared("y", settings), "between the two times"), 4u);
+  mine["y"][35] = 1e3;
+  EXPECT_EQ(mine.compared("y", settings).agreement, Agreement::differs);
+  mine = OwnCopy("cubic-history");
+  events["time"][0] = mine["t"][27];  // and early
+  for (std::size_t row = 27; row <= 30; ++row) mine["y"][row] = 1e3;
+  const ComparisonSettings early{.tolerances = {}, .until = {}, .events = events.table};
+  EXPECT_EQ(mine.compared("y", early).agreement, Agreement::agrees);
+  EXPECT_EQ(skipped_for(mine.compared("y", early), "between the two times"), 4u);
+  mine["y"][26] = 1e3;
+  EXPECT_EQ(mine.compared("y", early).agreement, Agreement::differs);
+}
+
+TEST(ComparedVerdict, TheFirstEventThatDiffersEndsTheComparison) {
+  OwnCopy mine("cubic-history"), events("cubic-events");
+  mine["t"][51] = 0.515;  // the time of the reversal, which they do not have
+  mine["y"][51] = 1e3;
+  for (auto& column : events.table.columns) {
+    column.text.erase(column.text.begin() + 1);
+    column.values.erase(column.values.begin() + 1);
+  }
+  events.table.lines.pop_back();
+  const auto y = mine.compared("y", {.tolerances = {}, .until = {}, .events = events.table});
+  EXPECT_EQ(y.agreement, Agreement::agrees);
+  EXPECT_EQ(skipped_for(y, "after the first event that differs"), 45u);  // that one, and 0.52, ..., 0.95 s
+}
+
+TEST(ComparedVerdict, TheLargerDistanceToANeighbourGuardsAnEventOnBothSides) {
+  // Without events of theirs, samples 10 ms before and behind the onset at 0.305 s, whose farther neighbour
+  // is a little more or less than 10 ms away.
+  for (const bool before : {true, false})
+    for (const double distance : {0.0101, 0.0099}) {
+      OwnCopy mine("cubic-history");
+      auto& t = mine["t"];
+      const std::size_t row = before ? 29 : 31;
+      t[30] = before ? 0.3 : 0.31;
+      t[row] = before ? 0.295 : 0.315;
+      t[before ? 28 : 32] = t[row] + (before ? -distance : distance);
+      mine["y"][row] = 1e3;
+      const auto y = mine.compared("y", with_tolerance("y", 1.0));
+      EXPECT_EQ(y.agreement, distance > 0.01 ? Agreement::agrees : Agreement::differs) << before << distance;
+    }
+}
+
+TEST(ComparedVerdict, ALastEventThatIsMissingEndsTheComparison) {
+  OwnCopy mine("cubic-history"), events("cubic-events");
+  for (auto& column : events.table.columns) {  // they have no capture at 0.805 s
+    column.text.erase(column.text.begin() + 2);
+    column.values.erase(column.values.begin() + 2);
+  }
+  events.table.lines.pop_back();
+  const ComparisonSettings settings{.tolerances = {}, .until = {}, .events = events.table};
+  EXPECT_EQ(mine.compared("sequence", settings).error, 1.0);
+  EXPECT_EQ(mine.compared("sequence", settings).compared, 4u);
+  for (std::size_t row = 81; row <= 95; ++row) mine["y"][row] = 1e3;
+  EXPECT_EQ(mine.compared("y", settings).agreement, Agreement::agrees);
+  EXPECT_EQ(skipped_for(mine.compared("y", settings), "after the first event that differs"), 15u);
+  mine["y"][80] = 1e3;
+  EXPECT_EQ(mine.compared("y", settings).agreement, Agreement::differs);
+}
+
+TEST(ComparedVerdict, BetweenSamplesTheHalfWidthsAreThoseOfTheWeights) {
+  // The cubic through four samples has the weights -1/16, 9/16, 9/16, -1/16 half-way: 5/4 in all.
+  OwnCopy mine("damped-history");
+  const auto t = mine["t"];
+  mine["t"][20] = 0.5 * (t[20] + t[21]);
+  mine["t"].back() = t.back();
+  mine["tip_displacement"][20] = 0.5 * (mine["tip_displacement"][20] + mine["tip_displacement"][21]);
+  mine["t"][21] = 0.75 * t[21] + 0.25 * t[22];
+  const auto tip = mine.compared("tip_displacement");
+  const auto half_width = mine.reference().radius_of("tip_displacement")[20];
+  const double error = mine.reference().resource.comparison->interpolation->error.at("tip_displacement");
+  EXPECT_EQ(tip.series[0].half_width[19], half_width);
+  EXPECT_NEAR(tip.series[0].half_width[20], error + 1.25 * half_width, 1e-6 * half_width);
+  // A quarter of the way: 7/128, 105/128, 35/128, 5/128 with signs.
+  EXPECT_NEAR(tip.series[0].half_width[21], error + 152.0 / 128.0 * half_width, 1e-6 * half_width);
+}
+
+TEST(ComparedVerdict, PhasesAreCountedOnceHoweverManyQuantitiesThereAre) {
+  OwnCopy mine("damped-history");
+  ASSERT_EQ(mine.compared().quantities.size(), 3u);
+  EXPECT_EQ(mine.compared("phase").compared, mine.compared("tip_displacement").compared);
+  EXPECT_EQ(mine.compared("friction_force").compared, mine.compared("tip_displacement").compared);
+  mine.table.columns.erase(
+      std::ranges::find(mine.table.columns, "phase", [](const auto& column) { return column.field.name; }));
+  EXPECT_EQ(mine.compared().quantities.size(), 2u);
+}
+
+TEST(ComparedVerdict, TheRangeOfACurveIncludesItsEnds) {
+  OwnCopy mine("quasi-static-shape");
+  const double length = mine["x"].back();
+  mine["x"].front() = -1e-10 * length;
+  mine["x"].back() = (1.0 + 1e-10) * length;
+  EXPECT_EQ(mine.compared("shape").compared, 21u);  // the same places, but for rounding
+  mine["x"].front() = -1e-8 * length;
+  mine["x"].back() = (1.0 + 1e-8) * length;
+  EXPECT_EQ(mine.compared("shape").compared, 19u);
+  EXPECT_EQ(skipped_for(mine.compared("shape"), "outside the range"), 2u);
+}
+
+}  // namespace
+}  // namespace stickslip::testing
