@@ -48,7 +48,7 @@ def tokens_of(text):
 
 
 class Source:
-    """A file with the partners of its brackets and the name of the function around each token ("" outside of any)."""
+    """A file with the partners of its brackets and the name of the function or constant around each token."""
 
     def __init__(self, text):
         self.text = text
@@ -94,6 +94,9 @@ class Source:
                         head = close + 1
                     i = close
             elif word in (";", "}"):
+                if "=" in self.words[head:i]:  # a constant
+                    name = self._name_before(head, self.words.index("=", head))
+                    self.functions[head:i] = ["::".join([entry[0] for entry in classes] + [name])] * (i - head)
                 head = i + 1
             i += 1
 
@@ -179,7 +182,7 @@ def other_numbers(source, i):
     token = source.tokens[i]
     if token.kind != "number" or token.text.startswith("0x"):
         return
-    if source.words[i - 1] == "<" or source.words[i + 1] == ">" and not is_binary(source, i + 1):
+    if any(source.words[j] in ("<", ">") and not is_binary(source, j) for j in (i - 1, i + 1)):
         return  # the size of a type
     if any(c in token.text for c in ".eE"):
         yield i, i + 1, "1.0" if not token.text.strip("0.") else f"(2.0 * {token.text})"

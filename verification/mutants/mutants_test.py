@@ -34,9 +34,9 @@ def edits(function):
 
 
 class Mistakes(unittest.TestCase):
-    def test_lie_in_functions_and_tables(self):
+    def test_lie_in_functions_tables_and_constants(self):
         functions = {m.function for m in mistakes.mutants_of("part", "file.cpp", CODE)}
-        self.assertEqual(functions, {"table", "Beam::Beam", "Beam::operator<", "Beam::load"})
+        self.assertEqual(functions, {"limit", "table", "Beam::Beam", "Beam::operator<", "Beam::load"})
 
     def test_change_one_operator_number_index_condition_call_or_statement(self):
         self.assertLessEqual({
