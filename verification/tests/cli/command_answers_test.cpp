@@ -16,6 +16,7 @@
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/data/reference.hpp"
 #include "support/command_line.hpp"
+#include "support/requirements.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -65,6 +66,7 @@ class CommandAnswers : public Drawing {
 
 // --- respond
 
+STICKSLIP_VERIFIES(CommandAnswers, "U1");
 TEST_F(CommandAnswers, RespondSaysInJsonWhatItsRowsHold) {
   for (const std::string method : {"fe", "event-driven", "boundary-integral", "closed-form"}) {
     const auto answer = respond("paper --hz 25 --amplitude 1e-3 --duration 0.06 --method " + method);

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "comparison/comparison.hpp"
+#include "support/requirements.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -78,6 +79,7 @@ std::size_t skipped_for(const Comparison::Quantity& quantity, const std::string&
 
 // --- error and tolerance
 
+STICKSLIP_VERIFIES(ComparedVerdict, "X20");
 TEST(ComparedVerdict, AnErrorEqualToTheToleranceAgrees) {
   OwnCopy mine("cubic-history");  // its values are exact
   const double reference = mine["y"][10];

@@ -15,6 +15,7 @@
 #include "input_text.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "units.hpp"
+#include "support/requirements.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -28,6 +29,7 @@ bool is_refused(const std::string& key, double value) {
   return false;
 }
 
+STICKSLIP_VERIFIES(InputLimits, "P1");
 TEST(InputLimits, OfEachKeyAreAllowedThemselves) {
   struct Limits {
     std::string key;

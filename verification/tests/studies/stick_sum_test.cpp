@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "studies/stick/stick_sum.hpp"
+#include "support/requirements.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -57,6 +58,7 @@ double coordinate_at(double time, const StickSum::Mode& mode, double damping = 0
   return q;
 }
 
+STICKSLIP_VERIFIES(StickSums, "X17");
 TEST(StickSums, SolveTheEquationOfTheMode) {
   const StickSum sum = one_mode();
   for (const double t : {0.1, 0.37, 1.0, 2.6}) {
