@@ -17,9 +17,10 @@ figure_packages=(gnuplot-nox fonts-dejavu-core)
 # shellcheck disable=SC2034
 fuzz_packages=(clang libclang-rt-14-dev)
 
-# What the tests need besides: their framework, what typesets the manual page, and what checks the traceability.
+# What the tests need besides: their framework, what typesets the manual page, and what checks the traceability and fills in the
+# templates of the report.
 # shellcheck disable=SC2034
-test_packages=(libgtest-dev groff-base python3)
+test_packages=(libgtest-dev groff-base python3 python3-jinja2)
 
 # Ninja would work on two sources more than there are processors, which takes longer.
 CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}

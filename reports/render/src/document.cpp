@@ -6,15 +6,15 @@
 #include <fstream>
 #include <initializer_list>
 #include <stdexcept>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "external_tool.hpp"
-#include "numbers.hpp"
-#include "speed_tables.hpp"
-#include "stickslip/report/latex_text.hpp"
+#include "stickslip/data/case_file.hpp"
+#include "stickslip/data/installation.hpp"
 #include "stickslip/report/report.hpp"
 #include "stickslip/report/text_file.hpp"
-#include "tables.hpp"
 
 namespace stickslip::report {
 
@@ -23,6 +23,9 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int most_runs = 4;
+
+// Debian's, which has Jinja2, whatever other Python stands on the search path.
+constexpr const char* python = "/usr/bin/python3";
 
 bool mentions(const fs::path& log, std::initializer_list<std::string_view> phrases) {
   const std::string text = read_text(log);
@@ -53,39 +56,57 @@ void run_pdflatex(const fs::path& folder) {
                                        first_error(folder / "vv-report.log")));
 }
 
-}  // namespace
-
-Document make_document(StudyResults& results, const Environment& environment,
-                       const std::vector<TestResult>& tests) {
-  Document document = make_tables(results, environment, tests, studies::input_matrix());
-  document["numbers.tex"] = make_numbers(results, environment, tests);
-  const benchmarks::SpeedRecord speed = benchmarks::read_speed_record();
-  document["speed-processor.tex"] = escape(speed.processor);
-  document["table-speed.tex"] = speed_rows(speed);
-  document["table-load.tex"] = load_rows(speed);
-  document["table-scale.tex"] = scale_rows(speed);
-  return document;
+// The last line of what it says is its error message.
+void run_renderer(std::vector<std::string> arguments, const OutputFolder& output) {
+  const fs::path log = output.scratch() / "render.log";
+  arguments.insert(arguments.begin(), {"-I", (templates_directory() / "report" / "render.py").string()});
+  const int status = run_tool(python, arguments, output.scratch(), log);
+  if (status == 0) return;
+  std::string message = read_text(log);
+  while (message.ends_with('\n')) message.pop_back();
+  message.erase(0, message.rfind('\n') + 1);
+  if (status == 2) throw data::InputError(message);
+  throw std::runtime_error(fmt::format("the templates of the report cannot be filled in: {}", message));
 }
 
-void typeset_document(const Document& document, OutputFolder& output) {
-  const fs::path folder = output.scratch() / "latex";
-  fs::copy(templates_directory() / "latex", folder, fs::copy_options::recursive);
-  for (const auto& [name, text] : document) write_text(folder / name, text);
+std::runtime_error no_pdf(const ToolMissing& missing, const OutputFolder& output) {
+  return std::runtime_error(fmt::format("{}, so that there is no PDF report; the figures are in {}",
+                                        missing.what(), output.folder().string()));
+}
+
+}  // namespace
+
+void read_test_results(const fs::path& tests, const fs::path& file, const OutputFolder& output) {
+  run_renderer({"tests", fs::absolute(tests).string(), file.string()}, output);
+}
+
+fs::path fill_in_templates(const fs::path& values, const OutputFolder& output) {
+  const fs::path sources = output.scratch() / "latex";
+  fs::create_directory(sources);
   try {
-    run_pdflatex(folder);
+    run_renderer({"report", (templates_directory() / "report").string(), data::data_directory().string(),
+                  values.string(), sources.string()},
+                 output);
+  } catch (const ToolMissing& missing) {
+    throw no_pdf(missing, output);
+  }
+  return sources;
+}
+
+void typeset(const fs::path& sources, OutputFolder& output) {
+  try {
+    run_pdflatex(sources);
     for (int run = 2; run <= most_runs; ++run) {
-      run_pdflatex(folder);
-      if (!wants_another_run(folder / "vv-report.log")) break;
+      run_pdflatex(sources);
+      if (!wants_another_run(sources / "vv-report.log")) break;
     }
   } catch (const ToolMissing& missing) {
-    throw std::runtime_error(fmt::format("{}, so that there is no PDF report; the figures are in {}",
-                                         missing.what(), output.folder().string()));
+    throw no_pdf(missing, output);
   }
-  if (mentions(folder / "vv-report.log", {"undefined references", "multiply-defined labels"}))
+  if (mentions(sources / "vv-report.log", {"undefined references", "multiply-defined labels"}))
     throw std::runtime_error(
         "the report refers to a figure, a table or a section that it does not have, or that stands twice");
-  output.forget("vv-report");
-  output.publish(folder / "vv-report.pdf");
+  output.publish(sources / "vv-report.pdf");
 }
 
 }  // namespace stickslip::report

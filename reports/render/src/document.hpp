@@ -1,25 +1,23 @@
 #pragma once
 
-#include <map>
-#include <string>
+#include <filesystem>
 
-#include "environment.hpp"
 #include "stickslip/report/output_folder.hpp"
-#include "study_results.hpp"
-#include "test_results.hpp"
 
 namespace stickslip::report {
 
-/// What the LaTeX template gets from the studies: file name and contents.
-using Document = std::map<std::string, std::string>;
+/// Reads GoogleTest's XML files of a folder into one JSON file. Throws data::InputError if there are none, or
+/// one cannot be used.
+void read_test_results(const std::filesystem::path& tests, const std::filesystem::path& file,
+                       const OutputFolder& output);
 
-/// numbers.tex and the tables. Runs the studies that no figure has run; `tests` may be empty.
-[[nodiscard]] Document make_document(StudyResults& results, const Environment& environment,
-                                     const std::vector<TestResult>& tests);
+/// Fills in the templates of the report from the JSON files in the folder `values`; returns the folder with
+/// the LaTeX sources. Throws std::runtime_error, naming the template and the value, if one is missing.
+[[nodiscard]] std::filesystem::path fill_in_templates(const std::filesystem::path& values,
+                                                      const OutputFolder& output);
 
-/// Puts the generated files beside the template in the scratch folder, runs pdflatex until references settle
-/// and moves vv-report.pdf in place. Throws std::runtime_error, with LaTeX's first error, if that fails or
-/// pdflatex is missing.
-void typeset_document(const Document& document, OutputFolder& output);
+/// Runs pdflatex on vv-report.tex until references settle and moves vv-report.pdf in place. Throws
+/// std::runtime_error, with LaTeX's first error, if that fails or pdflatex is missing.
+void typeset(const std::filesystem::path& sources, OutputFolder& output);
 
 }  // namespace stickslip::report

@@ -7,12 +7,9 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstdlib>
-#include <sstream>
-#include <string_view>
 #include <system_error>
 
 #include "external_tool.hpp"
-#include "fingerprint.hpp"
 #include "stickslip/report/report.hpp"
 #include "stickslip/report/text_file.hpp"
 
@@ -43,17 +40,6 @@ void remove_date(const fs::path& pdf) {
   write_text(pdf, bytes);
 }
 
-// A script and those that it loads.
-void add_scripts(const fs::path& script, Fingerprint& fingerprint) {
-  fingerprint.add_file(script);
-  std::istringstream text(read_text(script));
-  constexpr std::string_view load = "load '";
-  for (std::string line; std::getline(text, line);)
-    if (line.starts_with(load))
-      add_scripts(script.parent_path() / line.substr(load.size(), line.find('\'', load.size()) - load.size()),
-                  fingerprint);
-}
-
 // A folder of its own that is gone in the end.
 class TemporaryFolder {
  public:
@@ -77,14 +63,6 @@ class TemporaryFolder {
 };
 
 }  // namespace
-
-std::string fingerprint_of(const std::string& name, const std::vector<std::string>& tables,
-                           const OutputFolder& output) {
-  Fingerprint fingerprint;
-  add_scripts(templates_directory() / "figures" / (name + ".gp"), fingerprint);
-  for (const std::string& table : tables) fingerprint.add(table).add_file(output.folder() / table);
-  return fingerprint.text();
-}
 
 std::vector<fs::path> draw_in_scratch(const std::string& script, const std::string& format,
                                       const std::string& tables, const std::vector<std::string>& drawings,
@@ -117,7 +95,6 @@ void draw(const std::string& name, OutputFolder& output) {
   for (const std::string format : {"pdf", "png"})
     drawn.push_back(
         draw_in_scratch(name, format, "../../", {fmt::format("{}.{}", name, format)}, output).front());
-  output.forget(name);
   for (const fs::path& file : drawn) output.publish(file);
 }
 

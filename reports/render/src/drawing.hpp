@@ -22,11 +22,6 @@ namespace stickslip::report {
 [[nodiscard]] std::string drawing_of(const std::string& script, const std::string& format,
                                      const std::map<std::string, std::string>& tables);
 
-/// What a figure is made from: its script, the scripts that this one loads, and its tables in the output
-/// folder.
-[[nodiscard]] std::string fingerprint_of(const std::string& name, const std::vector<std::string>& tables,
-                                         const OutputFolder& output);
-
 /// Runs figures/<name>.gp on the tables in the output folder, once for PDF and once for PNG. Throws
 /// ToolMissing if there is no gnuplot, std::runtime_error with gnuplot's own words if it fails.
 void draw(const std::string& name, OutputFolder& output);

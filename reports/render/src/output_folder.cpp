@@ -5,7 +5,6 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <stdexcept>
 #include <system_error>
@@ -71,22 +70,6 @@ void OutputFolder::write(const std::string& name, std::string_view text) {
   write_text(scratch_ / name, text);
   publish(scratch_ / name);
 }
-
-bool OutputFolder::is_current(const std::string& name, const std::vector<std::string>& files,
-                              const std::string& fingerprint) const {
-  std::error_code error;
-  return read_text(folder_ / ".made" / name) == fingerprint &&
-         std::ranges::all_of(files,
-                             [&](const std::string& file) { return fs::exists(folder_ / file, error); });
-}
-
-void OutputFolder::record(const std::string& name, const std::string& fingerprint) {
-  fs::create_directories(folder_ / ".made");
-  write_text(scratch_ / name, fingerprint);
-  move(scratch_ / name, folder_ / ".made" / name);
-}
-
-void OutputFolder::forget(const std::string& name) { fs::remove(folder_ / ".made" / name); }
 
 void OutputFolder::publish(const fs::path& file) { move(file, folder_ / file.filename()); }
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdlib>
 #include <filesystem>
 
 #include "document.hpp"
@@ -13,15 +12,14 @@
 #include "environment.hpp"
 #include "external_tool.hpp"
 #include "figures.hpp"
-#include "fingerprint.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/data/installation.hpp"
 #include "stickslip/report/interruption.hpp"
 #include "stickslip/report/output_folder.hpp"
 #include "stickslip/report/progress.hpp"
-#include "study_code.hpp"
+#include "stickslip/report/text_file.hpp"
 #include "study_results.hpp"
-#include "test_results.hpp"
+#include "values.hpp"
 
 namespace stickslip::report {
 
@@ -45,31 +43,17 @@ double share_done(std::size_t figures, std::size_t steps) {
   return static_cast<double>(steps) / static_cast<double>(2 * figures + 1);
 }
 
-// A figure whose tables are in the output folder.
-struct TabledFigure {
-  std::string name;
-  std::string fingerprint;
-};
-
-TabledFigure write_tables(const std::string& figure, FigureData data, OutputFolder& output) {
+void write_tables(const std::string& figure, FigureData data, OutputFolder& output) {
   if (!data.values.empty()) data.tables.push_back({figure + "-values", values_table(data.values)});
-  std::vector<std::string> files;
-  for (const auto& [name, table] : data.tables) {
-    files.push_back(name + ".csv");
-    output.write(files.back(), table.text());
-  }
-  return {figure, fingerprint_of(figure, files, output)};
+  for (const auto& [name, table] : data.tables) output.write(name + ".csv", table.text());
 }
 
-void draw_all(const std::vector<TabledFigure>& figures, Progress& progress, OutputFolder& output) {
+void draw_all(const std::vector<Figure>& figures, Progress& progress, OutputFolder& output) {
   try {
     for (std::size_t i = 0; i < figures.size(); ++i) {
       progress(share_done(figures.size(), figures.size() + i));
-      const auto& [name, fingerprint] = figures[i];
-      if (output.is_current(name, {name + ".pdf", name + ".png"}, fingerprint)) continue;
-      progress.stage(fmt::format("drawing {}", name));
-      draw(name, output);
-      output.record(name, fingerprint);
+      progress.stage(fmt::format("drawing {}", figures[i].name));
+      draw(figures[i].name, output);
     }
   } catch (const ToolMissing& missing) {
     throw std::runtime_error(fmt::format("{}, so that no figure is drawn; their data are in {}/*.csv",
@@ -77,61 +61,37 @@ void draw_all(const std::vector<TabledFigure>& figures, Progress& progress, Outp
   }
 }
 
-// The results of the last report serve again while the code of the studies and the data that they read stand.
-StudyStore study_store(const OutputFolder& output) {
-  Fingerprint fingerprint;
-  fingerprint.add(study_code)
-      .add_folder(data::data_directory() / "cases")
-      .add_file(data::data_directory() / "paper" / "printed-numbers.toml");
-  return {output.folder() / ".studies", fingerprint.text()};
-}
-
-// What the PDF is made from, its date apart: a report of which nothing has changed keeps the old one.
-std::string fingerprint_of(const Document& document, const Environment& environment,
-                           const std::vector<TabledFigure>& figures) {
-  Fingerprint fingerprint;
-  fingerprint.add_folder(templates_directory() / "latex");
-  for (const auto& [name, text] : document) {
-    const std::size_t date = text.find(environment.date);
-    fingerprint.add(name).add(
-        date == std::string::npos ? text : std::string(text).erase(date, environment.date.size()));
-  }
-  for (const TabledFigure& figure : figures) fingerprint.add(figure.name).add(figure.fingerprint);
-  return fingerprint.text();
-}
-
 }  // namespace
 
 void write_report(const ReportOptions& options) {
   const std::vector<Figure> chosen = chosen_figures(options.only);
   (void)templates_directory();  // refused now rather than after the studies
-  const std::vector<TestResult> tests =
-      options.tests.empty() ? std::vector<TestResult>{} : read_test_results(options.tests);
   OutputFolder output(options.output);
+  const std::filesystem::path values = output.folder() / "studies";
+  if (!options.tests.empty()) {
+    std::filesystem::create_directories(values);
+    read_test_results(options.tests, values / "tests.json", output);
+  }
   Progress progress("stickslip report", Progress::standard_error(options.quiet));
   const Interruption interruption([&] {
     progress.finish();
     output.clear_scratch();
-    return fmt::format("interrupted after {:.0f} % of the report; what the studies have found is kept in {}",
-                       100.0 * progress.share(), (output.folder() / ".studies").string());
+    return fmt::format("interrupted after {:.0f} % of the report; what is finished is in {}",
+                       100.0 * progress.share(), output.folder().string());
   });
-  StudyResults results([&](const std::string& what) { progress.stage(what); }, study_store(output));
+  StudyResults results([&](const std::string& what) { progress.stage(what); }, values);
 
-  std::vector<TabledFigure> figures;
-  for (const Figure& figure : chosen) {
-    progress(share_done(chosen.size(), figures.size()));
-    figures.push_back(write_tables(figure.name, figure.data(results), output));
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    progress(share_done(chosen.size(), i));
+    write_tables(chosen[i].name, chosen[i].data(results), output);
   }
-  draw_all(figures, progress, output);
+  draw_all(chosen, progress, output);
   if (!options.only.empty()) return;
 
-  const Environment environment = describe_environment(options, output.scratch());
-  const Document document = make_document(results, environment, tests);
-  const std::string fingerprint = fingerprint_of(document, environment, figures);
-  if (output.is_current("vv-report", {"vv-report.pdf"}, fingerprint)) return;
+  if (options.tests.empty()) replace_text(values / "tests.json", "[]\n");
+  write_values(results, describe_environment(options, output.scratch()), values);
   progress.stage("typesetting vv-report.pdf");
-  typeset_document(document, output);
-  output.record("vv-report", fingerprint);
+  typeset(fill_in_templates(values, output), output);
 }
 
 std::vector<std::string> figure_names() {
@@ -143,10 +103,10 @@ std::vector<std::string> figure_names() {
 std::filesystem::path templates_directory() {
   std::filesystem::path chosen =
       data::installed_folder("STICKSLIP_REPORTS", "reports", STICKSLIP_REPORTS_DIRECTORY);
-  if (!std::filesystem::is_directory(chosen / "figures") || !std::filesystem::is_directory(chosen / "latex"))
+  if (!std::filesystem::is_directory(chosen / "figures") || !std::filesystem::is_directory(chosen / "report"))
     throw data::InputError(fmt::format(
         "the folder of the report's templates (STICKSLIP_REPORTS) is {}, but must hold the folders "
-        "figures and latex",
+        "figures and report",
         chosen.string()));
   return chosen;
 }

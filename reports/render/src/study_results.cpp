@@ -3,8 +3,12 @@
 #include <algorithm>
 
 #include "stickslip/data/paper.hpp"
+#include "stickslip/report/text_file.hpp"
+#include "study_json.hpp"
 
 namespace stickslip::report {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -66,39 +70,64 @@ std::vector<double> criterion_frequencies(const studies::FrequencyStudy& natural
 
 }  // namespace
 
-StudyResults::StudyResults(std::function<void(const std::string&)> announce, StudyStore store)
+StudyResults::StudyResults(std::function<void(const std::string&)> announce, std::filesystem::path folder)
     : announce_(std::move(announce)),
-      store_(std::move(store)),
+      folder_(std::move(folder)),
       paper_(data::load_case("paper")),
       damped_(data::load_case("damped")),
       half_stiffness_(data::load_case("paper-half-stiffness")),
       flat_section_(data::load_case("paper-figure14")),
       stick_excitation_(printed_excitation("figure9.frequency", "figure9.amplitude")) {}
 
+template <typename Study>
+const std::invoke_result_t<Study>& StudyResults::once(const std::string& name, const std::string& what,
+                                                      const Study& study) {
+  using Result = std::invoke_result_t<Study>;
+  std::any& result = results_[name];
+  if (!result.has_value()) {
+    announce_(what);
+    result = study();
+    fs::create_directories(folder_);
+    replace_text(folder_ / (name + ".json"), json_text(*std::any_cast<Result>(&result)));
+  }
+  return *std::any_cast<Result>(&result);
+}
+
+void StudyResults::run_all() {
+  // The figures ask for the others.
+  flutter();
+  manufactured();
+  schemes();
+  wrong_models();
+  force_sensitivity();
+  design_example();
+  errata_evidence();
+  history_refinements();
+}
+
 const studies::FrequencyStudy& StudyResults::stick_frequencies() {
-  return once(stick_frequencies_, "stick-frequencies", "natural frequencies of the stick state",
+  return once("stick_frequencies", "natural frequencies of the stick state",
               [&] { return studies::stick_frequency_study(paper_.beam, shown_modes, meshes); });
 }
 
 const studies::FrequencyStudy& StudyResults::slip_frequencies() {
-  return once(slip_frequencies_, "slip-frequencies", "natural frequencies of the slip state",
+  return once("slip_frequencies", "natural frequencies of the slip state",
               [&] { return studies::slip_frequency_study(paper_.beam, shown_modes, meshes); });
 }
 
 const studies::FlutterStudy& StudyResults::flutter() {
-  return once(flutter_, "flutter", "flutter load",
-              [&] { return studies::flutter_study(paper_.beam, flutter_meshes); });
+  return once("flutter", "flutter load", [&] { return studies::flutter_study(paper_.beam, flutter_meshes); });
 }
 
 const studies::ModeShapeStudy& StudyResults::mode_shapes() {
-  return once(mode_shapes_, "mode-shapes", "mode shapes (Fig. 7)", [&] {
+  return once("mode_shapes", "mode shapes (Fig. 7)", [&] {
     const int elements = paper_.numerics.elements();
     return studies::mode_shape_study(paper_.beam, shown_modes, elements, points_per_element * elements + 1);
   });
 }
 
 const std::vector<studies::TimeOrderStudy>& StudyResults::time_orders() {
-  return once(time_orders_, "time-orders", "orders of the time integration", [] {
+  return once("time_orders", "orders of the time integration", [] {
     std::vector<studies::TimeOrderStudy> orders;
     for (const double radius : spectral_radii)
       orders.push_back(studies::time_order_study(radius, steps_per_period));
@@ -107,12 +136,12 @@ const std::vector<studies::TimeOrderStudy>& StudyResults::time_orders() {
 }
 
 const studies::ManufacturedSolutionStudy& StudyResults::manufactured() {
-  return once(manufactured_, "manufactured-solution", "manufactured solutions",
+  return once("manufactured_solution", "manufactured solutions",
               [&] { return studies::manufactured_solution_study(paper_.beam); });
 }
 
 const studies::StickHistoryStudy& StudyResults::stick_history() {
-  return once(stick_history_, "stick-history", "stick-state histories under refinement (Fig. 9)", [&] {
+  return once("stick_history", "stick-state histories under refinement (Fig. 9)", [&] {
     return studies::stick_history_study(paper_.beam, stick_excitation_,
                                         with_duration(paper_.numerics, stick_history_duration),
                                         stick_history_levels);
@@ -120,7 +149,7 @@ const studies::StickHistoryStudy& StudyResults::stick_history() {
 }
 
 const std::vector<studies::ForceMaximumStudy>& StudyResults::force_maxima() {
-  return once(force_maxima_, "force-maxima", "largest static friction forces", [&] {
+  return once("force_maxima", "largest static friction forces", [&] {
     std::vector<studies::ForceMaximumStudy> maxima;
     for (const int hz : {15, 25, 35, 70})
       maxima.push_back(studies::force_maximum_study(
@@ -133,52 +162,49 @@ const std::vector<studies::ForceMaximumStudy>& StudyResults::force_maxima() {
 
 const std::vector<studies::CriticalAmplitudePoint>& StudyResults::criterion() {
   const std::vector<double> frequencies = criterion_frequencies(stick_frequencies());
-  return once(criterion_, "criterion", "critical amplitudes (Fig. 11)", [&] {
+  return once("criterion", "critical amplitudes (Fig. 11)", [&] {
     return studies::critical_amplitude_curve(paper_.beam, paper_.friction, paper_.numerics, frequencies);
   });
 }
 
 const std::vector<studies::CriticalAmplitudeSearch>& StudyResults::searches() {
-  return once(searches_, "searches", "critical amplitudes by the paper's procedure (Fig. 6)", [&] {
+  return once("searches", "critical amplitudes by the paper's procedure (Fig. 6)", [&] {
     return studies::critical_amplitude_searches(paper_.beam, paper_.friction, paper_.numerics,
                                                 studies::figure6_frequencies(), search_increment, search_cap);
   });
 }
 
 const studies::FrequencyStudy& StudyResults::half_stiffness_frequencies() {
-  return once(half_stiffness_frequencies_, "half-stiffness-frequencies",
-              "natural frequencies at half the stiffness",
+  return once("half_stiffness_frequencies", "natural frequencies at half the stiffness",
               [&] { return studies::stick_frequency_study(half_stiffness_.beam, shown_modes, meshes); });
 }
 
 const std::vector<studies::CriticalAmplitudePoint>& StudyResults::half_stiffness_criterion() {
   const double ratio = half_stiffness_frequencies().modes.front().closed_form_hz /
                        stick_frequencies().modes.front().closed_form_hz;
-  return once(half_stiffness_criterion_, "half-stiffness-criterion",
-              "critical amplitudes at half the stiffness (Fig. 13)", [&] {
-                std::vector<double> frequencies = criterion_frequencies(stick_frequencies());
-                for (double& hz : frequencies) hz *= ratio;
-                return studies::critical_amplitude_curve(half_stiffness_.beam, half_stiffness_.friction,
-                                                         half_stiffness_.numerics, frequencies);
-              });
+  return once("half_stiffness_criterion", "critical amplitudes at half the stiffness (Fig. 13)", [&] {
+    std::vector<double> frequencies = criterion_frequencies(stick_frequencies());
+    for (double& hz : frequencies) hz *= ratio;
+    return studies::critical_amplitude_curve(half_stiffness_.beam, half_stiffness_.friction,
+                                             half_stiffness_.numerics, frequencies);
+  });
 }
 
 const studies::LengthForceMap& StudyResults::length_force_map() {
-  return once(length_force_map_, "length-force-map", "criterion over length and axial force (Fig. 14)", [&] {
+  return once("length_force_map", "criterion over length and axial force (Fig. 14)", [&] {
     return studies::length_force_map(flat_section_, 0.4, 2.0, studies::figure14_axial_forces());
   });
 }
 
 const studies::ClassificationStudy& StudyResults::classification() {
-  return once(
-      classification_, "classification", "classification of excitations (Fig. 12), the longest of all", [&] {
-        return studies::classification_study(paper_.beam, paper_.friction, paper_.numerics,
-                                             studies::figure12_frequencies(), studies::figure12_amplitudes());
-      });
+  return once("classification", "classification of excitations (Fig. 12), the longest of all", [&] {
+    return studies::classification_study(paper_.beam, paper_.friction, paper_.numerics,
+                                         studies::figure12_frequencies(), studies::figure12_amplitudes());
+  });
 }
 
 const std::vector<studies::ContactHistory>& StudyResults::contact_histories() {
-  return once(contact_histories_, "contact-histories", "stick-slip histories (Figs. 4 and 5)", [&] {
+  return once("contact_histories", "stick-slip histories (Figs. 4 and 5)", [&] {
     std::vector<studies::ContactHistory> histories;
     for (const auto& verdict : data::printed_verdicts())
       histories.push_back(studies::contact_history(
@@ -190,7 +216,7 @@ const std::vector<studies::ContactHistory>& StudyResults::contact_histories() {
 }
 
 const std::vector<studies::EventOrderStudy>& StudyResults::event_orders() {
-  return once(event_orders_, "event-orders", "orders through the events of a damped history", [&] {
+  return once("event_orders", "orders through the events of a damped history", [&] {
     std::vector<studies::EventOrderStudy> orders;
     for (const double radius : {paper_.numerics.spectral_radius(), 1.0})
       orders.push_back(studies::event_order_study(damped_, event_order_duration, event_order_elements, radius,
@@ -200,7 +226,7 @@ const std::vector<studies::EventOrderStudy>& StudyResults::event_orders() {
 }
 
 const std::vector<studies::DampedBenchmark>& StudyResults::damped_benchmarks() {
-  return once(damped_benchmarks_, "damped-benchmarks", "the damped benchmark by every method", [&] {
+  return once("damped_benchmarks", "the damped benchmark by every method", [&] {
     std::vector<studies::DampedBenchmark> benchmarks;
     for (const int hz : slipping_frequencies_hz)
       benchmarks.push_back(studies::damped_benchmark(at_frequency(damped_, hz)));
@@ -215,15 +241,17 @@ data::Case StudyResults::undamped_at(double hz) const {
 }
 
 const std::vector<studies::ConvergedHistory>& StudyResults::converged_histories() {
-  if (converged_histories_.empty())
+  return once("converged_histories", "converged histories", [&] {
+    std::vector<studies::ConvergedHistory> converged;
     for (const auto& history : contact_histories())
       if (history.converged && history.amplitude == damped_.excitation.amplitude())
-        converged_histories_.push_back(*history.converged);
-  return converged_histories_;
+        converged.push_back(*history.converged);
+    return converged;
+  });
 }
 
 const std::vector<std::vector<studies::PracticeRun>>& StudyResults::usual_practice() {
-  return once(usual_practice_, "usual-practice", "undamped histories as they are usually computed", [&] {
+  return once("usual_practice", "undamped histories as they are usually computed", [&] {
     std::vector<std::vector<studies::PracticeRun>> runs;
     for (const auto& history : converged_histories())
       runs.push_back(studies::usual_practice(paper_.beam, paper_.friction, paper_.numerics, history));
@@ -232,7 +260,7 @@ const std::vector<std::vector<studies::PracticeRun>>& StudyResults::usual_practi
 }
 
 const std::vector<studies::HistoryRefinement>& StudyResults::history_growth() {
-  return once(history_growth_, "history-growth", "growth of a disturbance on meshes", [&] {
+  return once("history_growth", "growth of a disturbance on meshes", [&] {
     const data::Case problem = undamped_at(converged_histories().front().frequency_hz);
     const auto refined = [&](const studies::StepRule& rule, const std::vector<int>& elements) {
       return studies::history_refinement(problem, converged_histories().front(), rule, elements,
@@ -248,7 +276,7 @@ const std::vector<studies::HistoryRefinement>& StudyResults::history_growth() {
 }
 
 const std::vector<studies::HistoryRefinement>& StudyResults::history_refinements() {
-  return once(history_refinements_, "history-refinements", "refinement of undamped histories on meshes", [&] {
+  return once("history_refinements", "refinement of undamped histories on meshes", [&] {
     std::vector<studies::HistoryRefinement> refinements;
     for (const auto& reference : converged_histories())
       for (const double radius : filtering_radii)
@@ -261,7 +289,7 @@ const std::vector<studies::HistoryRefinement>& StudyResults::history_refinements
 }
 
 const std::vector<studies::EnergyAudit>& StudyResults::energy_audits() {
-  return once(energy_audits_, "energy-audits", "energy balance", [&] {
+  return once("energy_audits", "energy balance", [&] {
     data::Case undamped = damped_;
     undamped.damping = data::Damping();
     const auto audit = [](const data::Case& problem, const std::vector<int>& elements) {
@@ -273,14 +301,14 @@ const std::vector<studies::EnergyAudit>& StudyResults::energy_audits() {
 }
 
 const std::vector<studies::SchemeRun>& StudyResults::schemes() {
-  return once(schemes_, "schemes", "contact schemes", [&] {
+  return once("schemes", "contact schemes", [&] {
     return studies::compare_schemes(paper_.beam, paper_.friction, damped_.excitation,
                                     with_duration(paper_.numerics, shown_duration), data::Damping());
   });
 }
 
 const std::vector<studies::BeamMotionStudy>& StudyResults::beam_motions() {
-  return once(beam_motions_, "beam-motions", "motions of the whole beam (Fig. 3)", [&] {
+  return once("beam_motions", "motions of the whole beam (Fig. 3)", [&] {
     std::vector<studies::BeamMotionStudy> motions;
     for (const int hz : {15, 25, 35, 70}) {
       data::Case problem = paper_;
@@ -293,23 +321,23 @@ const std::vector<studies::BeamMotionStudy>& StudyResults::beam_motions() {
 }
 
 const studies::WrongModelStudy& StudyResults::wrong_models() {
-  return once(wrong_models_, "wrong models", "what the known mistakes change", [&] {
+  return once("wrong_models", "what the known mistakes change", [&] {
     return studies::wrong_model_study(damped_, wrong_model_stick_duration, wrong_model_contact_duration);
   });
 }
 
 const studies::ForceSensitivity& StudyResults::force_sensitivity() {
-  return once(force_sensitivity_, "force-sensitivity", "what moves the printed forces",
+  return once("force_sensitivity", "what moves the printed forces",
               [&] { return studies::force_sensitivity(paper_); });
 }
 
 const studies::SolutionVerification& StudyResults::solution_verification() {
-  return once(solution_verification_, "solution-verification", "grid convergence of each result",
+  return once("solution_verification", "grid convergence of each result",
               [&] { return studies::solution_verification(paper_); });
 }
 
 const studies::CriterionMap& StudyResults::stiffness_map() {
-  return once(stiffness_map_, "stiffness-map", "criterion over frequency and stiffness", [&] {
+  return once("stiffness_map", "criterion over frequency and stiffness", [&] {
     data::Case problem = paper_;
     problem.excitation = stick_excitation_;
     const double modulus = paper_.beam.youngs_modulus();
@@ -321,7 +349,7 @@ const studies::CriterionMap& StudyResults::stiffness_map() {
 }
 
 const studies::Design& StudyResults::design_example() {
-  return once(design_example_, "design-example", "lengths and forces that avoid slipping", [&] {
+  return once("design_example", "lengths and forces that avoid slipping", [&] {
     const double hz = flat_section_.excitation.frequency_hz();
     const analytic::FrequencyBand band{hz - 1.0, hz + 1.0};
     const auto scan = [&](studies::Parameter parameter, double from, double to) {
@@ -336,13 +364,11 @@ const studies::Design& StudyResults::design_example() {
 }
 
 const std::vector<studies::PrintedCheck>& StudyResults::printed_checks() {
-  return once(printed_checks_, "printed-checks", "printed numbers",
-              [&] { return studies::printed_checks(paper_); });
+  return once("printed_checks", "printed numbers", [&] { return studies::printed_checks(paper_); });
 }
 
 const std::vector<studies::ErratumEvidence>& StudyResults::errata_evidence() {
-  return once(errata_evidence_, "errata-evidence", "errata",
-              [&] { return studies::errata_evidence(paper_); });
+  return once("errata_evidence", "errata", [&] { return studies::errata_evidence(paper_); });
 }
 
 }  // namespace stickslip::report

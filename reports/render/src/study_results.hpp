@@ -3,10 +3,12 @@
 /// What the report draws and quotes: each study, run on the paper's case with the settings chosen here, once
 /// and only if somebody asks.
 
+#include <any>
+#include <filesystem>
 #include <functional>
-#include <optional>
+#include <map>
 #include <string>
-#include <utility>
+#include <type_traits>
 #include <vector>
 
 #include "comparison/wrong_models.hpp"
@@ -31,14 +33,16 @@
 #include "studies/stick_slip/energy_audit.hpp"
 #include "studies/stick_slip/event_order.hpp"
 #include "studies/stick_slip/history_convergence.hpp"
-#include "study_store.hpp"
 
 namespace stickslip::report {
 
 class StudyResults {
  public:
-  /// `announce` is told what starts, before each study; `store` keeps the results for the next time.
-  StudyResults(std::function<void(const std::string&)> announce, StudyStore store);
+  /// `announce` is told what starts, before each study; `folder` receives each result as <name>.json.
+  StudyResults(std::function<void(const std::string&)> announce, std::filesystem::path folder);
+
+  /// Runs every study that has not run.
+  void run_all();
 
   [[nodiscard]] const data::Case& paper() const noexcept { return paper_; }
   [[nodiscard]] const data::Case& damped() const noexcept { return damped_; }
@@ -92,52 +96,18 @@ class StudyResults {
  private:
   /// The damped case at another frequency and without its damping.
   [[nodiscard]] data::Case undamped_at(double hz) const;
-  template <typename Result>
-  const Result& once(std::optional<Result>& result, const std::string& name, const std::string& what,
-                     const auto& study) {
-    if (!result) result = store_.load<Result>(name);
-    if (!result) {
-      announce_(what);
-      result = study();
-      store_.save(name, *result);
-    }
-    return *result;
-  }
+  template <typename Study>
+  const std::invoke_result_t<Study>& once(const std::string& name, const std::string& what,
+                                          const Study& study);
 
   std::function<void(const std::string&)> announce_;
-  StudyStore store_;
+  std::filesystem::path folder_;
   data::Case paper_;
   data::Case damped_;
   data::Case half_stiffness_;
   data::Case flat_section_;
   data::HarmonicExcitation stick_excitation_;
-  std::optional<studies::FrequencyStudy> stick_frequencies_, slip_frequencies_, half_stiffness_frequencies_;
-  std::optional<studies::FlutterStudy> flutter_;
-  std::optional<studies::ModeShapeStudy> mode_shapes_;
-  std::optional<std::vector<studies::TimeOrderStudy>> time_orders_;
-  std::optional<studies::ManufacturedSolutionStudy> manufactured_;
-  std::optional<studies::StickHistoryStudy> stick_history_;
-  std::optional<std::vector<studies::ForceMaximumStudy>> force_maxima_;
-  std::optional<std::vector<studies::CriticalAmplitudeSearch>> searches_;
-  std::optional<std::vector<studies::CriticalAmplitudePoint>> criterion_, half_stiffness_criterion_;
-  std::optional<studies::LengthForceMap> length_force_map_;
-  std::optional<studies::ClassificationStudy> classification_;
-  std::optional<std::vector<studies::ContactHistory>> contact_histories_;
-  std::optional<std::vector<studies::BeamMotionStudy>> beam_motions_;
-  std::optional<std::vector<studies::EventOrderStudy>> event_orders_;
-  std::optional<std::vector<studies::DampedBenchmark>> damped_benchmarks_;
-  std::vector<studies::ConvergedHistory> converged_histories_;
-  std::optional<std::vector<std::vector<studies::PracticeRun>>> usual_practice_;
-  std::optional<std::vector<studies::HistoryRefinement>> history_growth_, history_refinements_;
-  std::optional<std::vector<studies::EnergyAudit>> energy_audits_;
-  std::optional<std::vector<studies::SchemeRun>> schemes_;
-  std::optional<studies::WrongModelStudy> wrong_models_;
-  std::optional<studies::ForceSensitivity> force_sensitivity_;
-  std::optional<studies::SolutionVerification> solution_verification_;
-  std::optional<studies::CriterionMap> stiffness_map_;
-  std::optional<studies::Design> design_example_;
-  std::optional<std::vector<studies::PrintedCheck>> printed_checks_;
-  std::optional<std::vector<studies::ErratumEvidence>> errata_evidence_;
+  std::map<std::string, std::any> results_;
 };
 
 }  // namespace stickslip::report

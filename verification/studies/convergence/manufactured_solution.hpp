@@ -37,6 +37,11 @@ struct PredictedErrors {
   /// nodal rounding error by 12 N^k.
   std::vector<double> floor;
   OrderEstimate order;
+
+  /// Error over prediction on the finest level.
+  [[nodiscard]] std::optional<double> over_predicted() const {
+    return predicted.empty() ? std::nullopt : std::optional(error.back() / predicted.back());
+  }
 };
 
 /// Spatial errors at one instant against the exact motion. The time steps are so short that their error is

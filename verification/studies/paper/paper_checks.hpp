@@ -3,6 +3,7 @@
 /// Compares the paper with the two implementations: the printed numbers that can be computed, and the numbers
 /// that establish each erratum.
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,9 @@ struct ErratumEvidence {
   double corrected{};
   double reference{};  ///< the printed result, or an independent computation
   double tolerance{};  ///< |corrected - reference| is at most this, and |as_printed - reference| is larger
+  [[nodiscard]] bool confirmed() const {
+    return std::abs(corrected - reference) <= tolerance && std::abs(as_printed - reference) > tolerance;
+  }
 };
 
 /// At least one row per erratum that contains a number (all except E7 and E12, which concern wording).

@@ -48,7 +48,7 @@ run(data_set ${stickslip} reference show stick-frequencies)
 only_match(data_file "rows, ([^\n]*)" "${data_set}")
 expect_equal("the file of the data set" ${prefix}/share/stickslip/data/reference/frequencies/stick.csv "${data_file}")
 file(MAKE_DIRECTORY ${prefix}/share/stickslip/reports/elsewhere)
-file(RENAME ${prefix}/share/stickslip/reports/latex ${prefix}/share/stickslip/reports/elsewhere/latex)
+file(RENAME ${prefix}/share/stickslip/reports/report ${prefix}/share/stickslip/reports/elsewhere/report)
 execute_process(
   COMMAND ${stickslip} map paper --x frequency=10:20:2 --y amplitude=1e-4:2e-4:2 --output ${scratch}/map.csv --figure ${scratch}/map.svg
   ERROR_VARIABLE refusal

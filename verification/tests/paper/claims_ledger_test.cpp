@@ -17,7 +17,7 @@ STICKSLIP_VERIFIES(LedgerOfClaims, "V3");
 TEST(LedgerOfClaims, RefersToFiguresAndTablesThatTheReportHas) {
   std::string latex;
   for (const auto& file :
-       std::filesystem::recursive_directory_iterator(STICKSLIP_SOURCE_DIRECTORY "/reports/latex"))
+       std::filesystem::recursive_directory_iterator(STICKSLIP_SOURCE_DIRECTORY "/reports/report"))
     if (file.path().extension() == ".tex") {
       std::ifstream stream(file.path());
       latex.append(std::istreambuf_iterator<char>(stream), {});

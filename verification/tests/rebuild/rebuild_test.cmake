@@ -65,8 +65,6 @@ foreach(build IN ITEMS first second)
       ERROR_FILE ${scratch}/${build}/stderr-${number}
       COMMAND_ERROR_IS_FATAL ANY)
   endforeach()
-  # What a report keeps for the next one belongs to the code that made it.
-  file(REMOVE_RECURSE ${scratch}/${build}/report/.studies)
   file(GLOB_RECURSE ${build}_files RELATIVE ${scratch}/${build} ${scratch}/${build}/*)
 endforeach()
 

@@ -27,8 +27,9 @@ std::string prose_of(std::string text) {
   if (const std::size_t list = text.find("\\begin{thebibliography}"); list != std::string::npos)
     text.erase(list);
   for (const char* pattern :
-       {"(^|[^\\\\])%[^\n]*",  // comments
-        "\\\\(label|ref|cite|input|tablerows|includegraphics|begin|end|addcontentsline|texttt)(\\[[^\\]]*\\])"
+       {"<#[^]*?#>", "<%[^]*?%>", "<<[^]*?>>",  // of templates
+        "(^|[^\\\\])%[^\n]*",                   // comments
+        "\\\\(label|ref|cite|input|includegraphics|begin|end|addcontentsline|texttt)(\\[[^\\]]*\\])"
         "?\\{[^{}]*\\}",
         "\\[[^\\]\n]*(textwidth|linewidth|cm|ex|t)\\]", "\\\\(setlength|addtolength)\\{[^{}]*\\}\\{[^{}]*\\}",
         "\\\\(hspace|vspace)\\*?\\{[^{}]*\\}", "\\\\cmidrule(\\([lr]*(\\{[^{}]*\\})?\\))?\\{[0-9-]*\\}",
@@ -80,7 +81,7 @@ TEST_P(ReportSources, HoldNoLiteralResult) {
 
 std::vector<fs::path> latex_sources() {
   std::vector<fs::path> files;
-  for (const auto& entry : fs::recursive_directory_iterator(report::templates_directory() / "latex"))
+  for (const auto& entry : fs::recursive_directory_iterator(report::templates_directory() / "report"))
     if (entry.path().extension() == ".tex") files.push_back(entry.path());
   return files;
 }
@@ -121,7 +122,7 @@ TEST(LiteralResults, AreNotWhatTheoryThePaperOrTheLayoutHave) {
         "Eqs.~(29) and (30), Fig.~12, the paper's Figs.~4 and 5", "Chung and Hulbert (1993)", "erratum E6",
         "\\begin{tabular}{@{}L{4.2cm}R{3cm}@{}}", "\\includegraphics[width=.85\\textwidth]{fig8}",
         "\\cmidrule(lr){3-4}\\cmidrule(l){6-7}", "\\multicolumn{2}{c}{Modes}",
-        "at \\StickHz\\unit{Hz} % by 15 Hz", "\\vspace{1.6cm}", "\\\\[4.5ex]"})
+        "at << stick.frequency_hz | fixed(2) >>\\unit{Hz} % by 15 Hz", "\\vspace{1.6cm}", "\\\\[4.5ex]"})
     EXPECT_TRUE(results_in(text).empty()) << text << ": " << results_in(text).front();
 }
 

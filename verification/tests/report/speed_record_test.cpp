@@ -1,4 +1,4 @@
-/// The record of the benchmarks: written, read back, refused where it cannot be used, and drawn up as tables.
+/// The record of the benchmarks: written, read back, and refused where it cannot be used.
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <string>
 
-#include "speed_tables.hpp"
 #include "stickslip/benchmarks/speed_record.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/report/text_file.hpp"
@@ -86,15 +85,6 @@ TEST(SpeedRecord, OfTheReportHoldsWhatWasMeasured) {
   EXPECT_GE(record.comparisons.size(), 10u);
   EXPECT_EQ(record.elements.front(), 20);
   EXPECT_EQ(record.elements.back(), 20000);
-}
-
-STICKSLIP_VERIFIES(SpeedTables, "U8");
-TEST(SpeedTables, GiveRatiosAndShares) {
-  const SpeedRecord record = sample_record();
-  EXPECT_EQ(report::speed_rows(record),
-            "run of 10 steps & loop & product & 2 & 50 \\\\\nmap & loop & table & 250 & 12 \\\\\n");
-  EXPECT_EQ(report::load_rows(record), "product & 256 & 46 & 85 & 2 \\\\\n");
-  EXPECT_EQ(report::scale_rows(record), "20 & 50 & 1 \\\\\n80 & 60 & 1.2 \\\\\n");
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace stickslip::report {
 
@@ -25,15 +24,6 @@ class OutputFolder {
   /// Writes a file under this name, unless it holds this text already. Throws std::runtime_error if it cannot
   /// be written.
   void write(const std::string& name, std::string_view text);
-
-  /// Whether these files are there and were made from what has this fingerprint (record()).
-  [[nodiscard]] bool is_current(const std::string& name, const std::vector<std::string>& files,
-                                const std::string& fingerprint) const;
-  /// Remembers what `name`, a figure or the report, was made from. Throws std::runtime_error.
-  void record(const std::string& name, const std::string& fingerprint);
-  /// Forgets it: before the first of its files is published, so that old and new ones together never count as
-  /// current.
-  void forget(const std::string& name);
 
   /// Removes the scratch folder, for a program that ends here; from any thread. What cannot be removed the
   /// next one clears away.

@@ -20,18 +20,17 @@ struct ReportOptions {
 /// Runs the studies on the paper's case and writes `<figure>.csv`, `.pdf` and `.png` for each figure and,
 /// unless `only` is given, vv-report.pdf. Each file appears whole or not at all.
 ///
-/// Nothing is done twice: the folder's .studies keeps the results of the studies, for as long as their code
-/// and the cases stand, and .made what each drawing and the PDF were made from (scripts, tables, sources,
-/// test results).
+/// The folder's studies/ receives all numbers behind it as JSON: a file for each study, and what else the
+/// templates of the report read.
 ///
 /// Throws data::InputError for an unknown figure or an output folder that cannot be used, std::runtime_error
-/// if gnuplot or pdflatex is missing or fails (the CSV files are in place by then).
+/// if gnuplot, Python or pdflatex is missing or fails (the CSV files are in place by then).
 void write_report(const ReportOptions& options);
 
 /// What `only` may hold, in the order of the report.
 [[nodiscard]] std::vector<std::string> figure_names();
 
-/// The folder with figures/ and latex/: data::installed_folder() with the environment variable
+/// The folder with figures/ and report/: data::installed_folder() with the environment variable
 /// STICKSLIP_REPORTS. Throws data::InputError if it lacks one of them.
 [[nodiscard]] std::filesystem::path templates_directory();
 

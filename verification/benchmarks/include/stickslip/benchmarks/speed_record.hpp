@@ -22,6 +22,7 @@ struct SpeedComparison {
   std::string plain, fast;  ///< descriptions of the methods
   double plain_seconds{}, fast_seconds{};
   std::optional<Load> load;
+  [[nodiscard]] double ratio() const { return plain_seconds / fast_seconds; }
 };
 
 /// The content of a record.

@@ -1,8 +1,0 @@
-#pragma once
-
-namespace stickslip::report {
-
-inline constexpr double millimetre = 1e-3;   // m
-inline constexpr double millisecond = 1e-3;  // s
-
-}  // namespace stickslip::report

@@ -1,0 +1,330 @@
+#!/usr/bin/python3
+"""Makes the LaTeX sources of the report from templates.
+
+  render.py tests FOLDER FILE                     GoogleTest's XML files of a folder as one JSON file
+  render.py report TEMPLATES DATA VALUES OUTPUT   each TEMPLATES/*.tex, filled in, as OUTPUT/*.tex
+
+Templates are written in Jinja2: << value | filter >>, <% statement %> and <# comment #>. <name> is what the
+program wrote to VALUES/<name>.json; to this come the tables of the paper in DATA/paper. A template says how many
+digits a number has and computes nothing: the filters fixed, sig, sci, compact and plain; percent, milli and micro
+change the unit. A value that is missing, and a number without a filter, is an error that names it.
+
+Exit status: 2 for test results that cannot be used, 1 for any other error.
+"""
+
+import itertools
+import json
+import math
+import re
+import sys
+import tomllib
+import traceback
+from pathlib import Path
+from xml.etree import ElementTree
+
+import jinja2
+
+# ---- Numbers
+
+
+def finite(value):
+    if not math.isfinite(float(value)):
+        raise ValueError(f"{value} cannot stand in the report")
+    return float(value)
+
+
+def fixed(value, decimals):
+    """
+    >>> fixed(0.5, 2), fixed(-0.5, 2), fixed(1999.5, 0), fixed(-0.004, 2)
+    ('0.50', '\\\\ensuremath{-0.50}', '2000', '0.00')
+    """
+    text = f"{finite(value):.{decimals}f}"
+    if not text.startswith("-"):
+        return text
+    return f"\\ensuremath{{{text}}}" if text.strip("-0.") else text[1:]
+
+
+def exponent_of(value, digits):
+    """The decimal exponent of a value once it is rounded to so many significant digits."""
+    return int(f"{value:.{digits - 1}e}".partition("e")[2])
+
+
+def sig(value, digits):
+    """Significant digits.
+
+    >>> sig(0.012345, 3), sig(2, 3), sig(30465.4, 3), sig(0, 3), sig(0.09996, 3), sig(9.996, 3)
+    ('0.0123', '2.00', '30465', '0', '0.100', '10.0')
+    """
+    return fixed(value, max(0, digits - 1 - exponent_of(finite(value), digits))) if value else "0"
+
+
+def sci(value, digits):
+    """
+    >>> sci(0.4276, 2), sci(-9.96e5, 2), sci(0, 2)
+    ('\\\\ensuremath{4.3\\\\times10^{-1}}', '\\\\ensuremath{-1.0\\\\times10^{6}}', '0')
+    """
+    mantissa, _, exponent = f"{finite(value):.{digits - 1}e}".partition("e")
+    return f"\\ensuremath{{{mantissa}\\times10^{{{int(exponent)}}}}}" if value else "0"
+
+
+def plain(value):
+    """As many digits as the number has.
+
+    >>> plain(25.0), plain(-0.5)
+    ('25', '\\\\ensuremath{-}0.5')
+    """
+    return typeset(repr(finite(value)).removesuffix(".0"))
+
+
+def compact(value, digits):
+    """At most so many digits, trailing zeros left out; with a power of ten below 1e-3 and from 1e5 on.
+
+    >>> compact(2.50001, 3), compact(12345.6, 2), compact(2.5e-7, 3), compact(0.0, 2)
+    ('2.5', '12000', '\\\\ensuremath{2.5\\\\times10^{-7}}', '0')
+    """
+    rounded = float(f"{finite(value):.{digits - 1}e}")
+    if rounded == 0.0 or 1e-3 <= abs(rounded) < 1e5:
+        return plain(rounded)
+    return sci(rounded, next(n for n in range(1, digits + 1) if float(f"{rounded:.{n - 1}e}") == rounded))
+
+
+def order(estimate):
+    """An observed order and the half width of its interval, infinite through two points."""
+    text = fixed(estimate["order"], 3)
+    half_width = float(estimate["half_width"])
+    return f"${text}\\pm{fixed(half_width, 3)}$" if math.isfinite(half_width) else text
+
+
+def signed(value):
+    text = f"{abs(value):.2f}"
+    return f"${'+' if value > 0 else '-'}{text}$" if text.strip("0.") else text
+
+
+# ---- Words
+
+RESERVED = {"\\": r"\textbackslash{}", "^": r"\textasciicircum{}", "~": r"\textasciitilde{}"}
+RESERVED |= {character: "\\" + character for character in "#$%&_{}"}
+
+
+def escape(text):
+    """
+    >>> escape("50 % of a_b^c")
+    '50 \\\\% of a\\\\_b\\\\textasciicircum{}c'
+    """
+    return "".join(RESERVED.get(character, character) for character in str(text))
+
+
+def breakable(name):
+    """The name of a test or a file, which may be broken before its capitals."""
+    return re.sub(r"(?<=\S)(?=[A-Z])|(?<=[./])", r"\\allowbreak{}", escape(name), flags=re.ASCII)
+
+
+GREEK = {name: "\\" + name for name in "alpha beta gamma epsilon Omega lambda mu rho omega".split()}
+GREEK["betabar"] = r"\bar\beta"
+# Subscripts or an index, primes, an exponent and an argument.
+TAIL = r"(?:(?:_[A-Za-z]+)+|[0-9]*)'*(?:\^-?[0-9]*)?(?:\([xtL0/2,(]*\))?"
+# A letter is a symbol where its neighbours show that it is neither a unit nor an article: "u_t", "S(x)", "x = L",
+# "A = 0.01", and behind another symbol: "rho A". P, L, I, f and u always are.
+LETTER = r"[PLIfu]|[A-Za-z](?=_[A-Za-z]|'|\([xtL0/2,(]*\)| = )|(?<== )[A-Za-z]"
+NEXT_LETTER = r"(?!(?<=[0-9)] )x [0-9])(?:E I|[A-Za-z])(?![A-Za-z])"
+TOKEN = re.compile(
+    r"(?P<times>(?<=[0-9)] )x(?= [0-9]))"
+    rf"|(?P<symbols>(?:{'|'.join(GREEK)}|EI|E I|{LETTER})(?![A-Za-z]){TAIL}(?: {NEXT_LETTER}{TAIL})*)"
+    r"|(?P<word>[A-Za-z]+)|\^(?P<power>-?[0-9]*)|(?P<relation><=|>=)|(?P<minus>(?<![^ (])-(?=[ 0-9A-Za-z]))"
+    r"|(?P<character>.)", re.DOTALL)
+SYMBOL = re.compile(r"(E I|[A-Za-z]+)((?:_[A-Za-z]+)+|[0-9]*)('*)(?:\^(-?[0-9]*))?(\(.*?\))?")
+
+
+def symbol(match):
+    name, index, primes, power, argument = match.groups()
+    parts = [r"\max" if part == "max" else part if len(part) == 1 else rf"\mathrm{{{part}}}"
+             for part in index.split("_")[1:]] or [index]
+    return (r"\ensuremath{" + GREEK.get(name, name.replace(" ", "")) + (f"_{{{','.join(parts)}}}" if index else "") +
+            primes + (f"^{{{power}}}" if power is not None else "") + (argument or "") + "}")
+
+
+NOTATION = {
+    "times": lambda text: r"\ensuremath{\times}",
+    "symbols": lambda text: SYMBOL.sub(symbol, text),
+    "word": lambda text: text,
+    "power": lambda text: rf"\ensuremath{{^{{{text}}}}}",
+    "relation": lambda text: r"\ensuremath{\le}" if text == "<=" else r"\ensuremath{\ge}",
+    "minus": lambda text: r"\ensuremath{-}",
+    "character": escape,
+}
+
+
+def typeset(text):
+    r"""Plain notation as LaTeX.
+
+    >>> print(typeset("omega_n^2 T_n_tt, |f_max| <= mu_s P, P = 500 N, N = 10, N"))
+    \ensuremath{\omega_{n}^{2}} \ensuremath{T_{n,\mathrm{tt}}}, |\ensuremath{f_{\max}}| \ensuremath{\le} \ensuremath{\mu_{s}} \ensuremath{P}, \ensuremath{P} = 500 N, \ensuremath{N} = 10, N
+    >>> print(typeset("(1/12) x 10^-6 m^4, a box 10 high, E I u''' and u_t(x,0); 5 % & more: E4, stick-slip"))
+    (1/12) \ensuremath{\times} 10\ensuremath{^{-6}} m\ensuremath{^{4}}, a box 10 high, \ensuremath{EI} \ensuremath{u'''} and \ensuremath{u_{t}(x,0)}; 5 \% \& more: E4, stick-slip
+    """
+    return TOKEN.sub(lambda match: NOTATION[match.lastgroup](match[match.lastgroup]), text)
+
+
+def powers(text):
+    """Powers of ten in plain notation.
+
+    >>> powers("1e-05 s, -8.5e-16 and 3e+04; 0e+00 N, 2e9e")
+    '1 x 10^-5 s, -8.5 x 10^-16 and 3 x 10^4; 0 N, 2e9e'
+    """
+    return re.sub(r"(?<![A-Za-z0-9.])([0-9.]+)e([+-]?[0-9]+)(?![A-Za-z0-9])",
+                  lambda match: "0" if match[1] == "0" else f"{match[1]} x 10^{int(match[2])}", text)
+
+
+# ---- Tests
+
+
+def numbers(names, fields):
+    return dict(zip(names, map(float, fields), strict=True))
+
+
+def read_test(case, kind):
+    """A test as its XML tells of it: what it serves, its comparison with the largest margin, those with a name, and
+    for each class of tolerances the one that came closest."""
+    properties = {item.get("name"): item.get("value") for item in case.iterfind("properties/property")}
+    suite = case.get("classname").rpartition("/")[2]
+    name = f"{suite}.{case.get('name')}"
+    test = {"kind": kind, "suite": suite, "name": case.get("name"), "full_name": name, "named": [], "tolerances": [],
+            "passed": case.get("status") == "run" and case.find("failure") is None, "worst": None,
+            "position": int(properties.get("requirement_position", 0)),
+            "comparisons": int(properties.get("comparisons", 0))}
+    test |= {key: properties.get(key, "") for key in ("requirement", "requirement_text", "source", "claim", "finding")}
+    compared = ("computed", "expected", "error", "tolerance", "margin")
+    if test["comparisons"]:
+        test["worst"] = numbers(compared, (properties[key] for key in compared)) | {"class": properties["class"]}
+    for key, value in sorted(properties.items()):
+        group, _, what = key.partition(".")
+        if group == "compared":
+            *fields, _, _ = value.split("; ", 6)
+            test["named"].append(numbers(compared, fields) | {"name": what, "full_name": name})
+        if group == "tolerances":
+            count, *fields, derivation = value.split("; ", 4)
+            test["tolerances"].append(numbers(compared[2:], fields) | {"class": what, "count": int(count), "full_name": name,
+                                                                       "passed": test["passed"], "derivation": derivation})
+    return test
+
+
+def read_tests(folder):
+    """The tests of a folder by requirement, then suite, then name."""
+    tests, file = [], folder
+    try:
+        for file in folder.rglob("*.xml"):
+            if file.stat().st_size > 50_000_000:
+                raise ValueError("is larger than the 50000000 bytes that are allowed")
+            kind = file.relative_to(folder).parts[0].partition(".")[0]
+            tests += [read_test(case, kind) for case in ElementTree.parse(file).iterfind("testsuite/testcase")]
+    except (ElementTree.ParseError, OSError, ValueError) as error:
+        raise InputError(f"{file}: {error}") from error
+    except KeyError as error:
+        raise InputError(f"{file}: the property {error} is missing") from error
+    if not tests:
+        raise InputError(f"the folder of test results is {folder}, but must hold GoogleTest's XML files")
+    return sorted(tests, key=lambda test: (test["position"], test["suite"], test["name"], test["kind"]))
+
+
+def numbers_named(text, kind):
+    """The numbers of the paper's equations ("Eq") or figures ("Fig") that a text names.
+
+    >>> sorted(numbers_named("Eqs. (1) to (3), (26); E3", "Eq")), sorted(numbers_named("text on Figs. 4b and 5", "Fig"))
+    ([1, 2, 3, 26], [4, 5])
+    """
+    named = set()
+    number = r"\(?([0-9]+)[a-z]*\)?"
+    for places in re.finditer(rf"{kind}s?\. ({number}(?:(?:, | and | to ){number})*)", text):
+        last = None
+        for joint, found in re.findall(rf"(, | and | to )?{number}", places[1]):
+            named |= set(range(last, int(found) + 1)) if joint == " to " else {int(found)}
+            last = int(found)
+    return named
+
+
+def paper_index(kind, count, tests, claims):
+    """What is said of each equation or figure of the paper."""
+    for number in range(1, count + 1):
+        serving = [test for test in tests if number in numbers_named(test["source"], kind)]
+        yield {"number": number, "tests": len(serving),
+               "requirements": sorted({test["requirement"] for test in serving}),
+               "claims": [claim for claim in claims if number in numbers_named(claim["place"], kind)]}
+
+
+def requirements_of(tests):
+    for name, serving in itertools.groupby(tests, key=lambda test: test["requirement"]):
+        serving = list(serving)
+        yield {"name": name, "text": serving[0]["requirement_text"], "source": serving[0]["source"], "tests": serving}
+
+
+# ---- Report
+
+
+class InputError(Exception):
+    """Test results that cannot be used."""
+
+
+def read_values(data, values):
+    """What the templates can name."""
+    known = {file.stem: json.loads(file.read_text()) for file in values.glob("*.json")}
+    for file in ("claims", "errata", "printed-numbers"):
+        known |= tomllib.loads((data / "paper" / f"{file}.toml").read_text())
+    known["printed"] = {number["id"]: number for number in known["number"]}
+    known["requirements"] = list(requirements_of(known["tests"]))
+    known["named"], known["tolerances"] = ([entry for test in known["tests"] for entry in test[key]]
+                                           for key in ("named", "tolerances"))
+    known["indexed"] = lambda kind, count: paper_index(kind, count, known["tests"], known["claim"])
+    return known | {"zip": zip}
+
+
+def shown(value):
+    """A number needs a filter, so that its digits are chosen."""
+    if isinstance(value, float):
+        raise ValueError(f"the number {value} has no filter that says how many digits it is given")
+    return value
+
+
+FILTERS = (fixed, sig, sci, plain, compact, order, signed, escape, breakable, typeset, powers)
+
+
+def write_report(templates, data, values, output):
+    environment = jinja2.Environment(
+        loader=jinja2.FileSystemLoader(templates), undefined=jinja2.StrictUndefined, finalize=shown,
+        block_start_string="<%", block_end_string="%>", variable_start_string="<<", variable_end_string=">>",
+        comment_start_string="<#", comment_end_string="#>", trim_blocks=True, lstrip_blocks=True,
+        keep_trailing_newline=True)
+    environment.filters |= {function.__name__: function for function in FILTERS}
+    environment.filters |= {"percent": lambda value: 100.0 * value, "milli": lambda value: value / 1e-3,
+                            "micro": lambda value: value / 1e-6, "nano": lambda value: value / 1e-9}
+    environment.globals |= read_values(data, values)
+    for name in environment.list_templates(extensions=["tex"]):
+        (output / name).write_text(environment.get_template(name).render())
+
+
+def place_of(error):
+    """"title.tex, line 12: " where a template is to blame."""
+    lines = [(Path(frame.filename).name, frame.lineno) for frame in traceback.extract_tb(error.__traceback__)
+             if frame.filename.endswith(".tex")]
+    if isinstance(error, jinja2.TemplateSyntaxError):
+        lines.append((error.name, error.lineno))
+    return "{}, line {}: ".format(*lines[-1]) if lines else ""
+
+
+def main(command, *paths):
+    try:
+        if command == "tests":
+            folder, file = map(Path, paths)
+            file.write_text(json.dumps(read_tests(folder)))
+        else:
+            write_report(*map(Path, paths))
+    except InputError as error:
+        print(error)
+        return 2
+    except Exception as error:  # whatever a template does wrong, in one line
+        print(f"{place_of(error)}{error}")
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))

@@ -1,0 +1,211 @@
+/// The templates of the report: what is filled in, and what is refused.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+
+#include "document.hpp"
+#include "json_text.hpp"
+#include "stickslip/data/input_error.hpp"
+#include "stickslip/report/output_folder.hpp"
+#include "stickslip/report/report.hpp"
+#include "stickslip/report/text_file.hpp"
+#include "support/requirements.hpp"
+
+namespace stickslip {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+// A folder of templates with the renderer of the report and one template, and a folder of values.
+class ReportTemplates : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    fs::remove_all(folder_);
+    fs::create_directories(values());
+    fs::create_directories(templates_ / "figures");
+    fs::create_directories(templates_ / "report");
+    fs::copy(report::templates_directory() / "report" / "render.py", templates_ / "report");
+    fs::copy(report::templates_directory() / "report" / "macros.jinja", templates_ / "report");
+    ::setenv("STICKSLIP_REPORTS", templates_.c_str(), 1);
+    report::write_text(values() / "tests.json", "[]");
+  }
+  void TearDown() override {
+    ::unsetenv("STICKSLIP_REPORTS");
+    fs::remove_all(folder_);
+  }
+
+  [[nodiscard]] fs::path values() const { return folder_ / "values"; }
+
+  /// What a template becomes.
+  [[nodiscard]] std::string filled_in(const std::string& text) const {
+    report::write_text(templates_ / "report" / "a.tex", text);
+    const report::OutputFolder output(folder_ / "output");
+    return report::read_text(report::fill_in_templates(values(), output) / "a.tex");
+  }
+
+  [[nodiscard]] std::string error_of(const std::string& text) const {
+    try {
+      (void)filled_in(text);
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  const fs::path folder_ = fs::temp_directory_path() / ("stickslip-templates-" + std::to_string(::getpid()));
+  const fs::path templates_ = folder_ / "templates";
+};
+
+struct Interval {
+  double from{}, to{};
+  [[nodiscard]] double length() const { return to - from; }
+};
+STICKSLIP_JSON(Interval, from, to, length())
+
+TEST_F(ReportTemplates, ReadEveryDigitOfAResult) {
+  const json results{
+      {"intervals", std::vector<Interval>{{0.1, 1.0 / 3.0}}},
+      {"infinite", std::numeric_limits<double>::infinity()},
+      {"nothing", std::optional<double>{}},
+  };
+  report::write_text(values() / "results.json", report::json_text(results));
+  EXPECT_EQ(filled_in("<< results.intervals[0].to | plain >>, << results.intervals[0].length | fixed(3) >>, "
+                      "<< results.infinite == 'inf' >>, << results.nothing is none >>"),
+            "0.3333333333333333, 0.233, True, True");
+}
+
+TEST_F(ReportTemplates, NameAValueThatIsMissing) {
+  report::write_text(values() / "results.json", R"({"present": 1})");
+  const std::string text = error_of("<< results.present >>\n<< results.absent | fixed(2) >>\n");
+  EXPECT_NE(text.find("a.tex, line 2: "), std::string::npos) << text;
+  EXPECT_NE(text.find("'absent'"), std::string::npos) << text;
+  EXPECT_NE(error_of("<< nowhere.value >>").find("'nowhere' is undefined"), std::string::npos);
+}
+
+TEST_F(ReportTemplates, RefuseANumberWithoutDigitsAndOneThatIsNotFinite) {
+  report::write_text(values() / "results.json", R"({"value": 0.25, "infinite": "inf"})");
+  EXPECT_NE(error_of("\n\n<< results.value >>").find("a.tex, line 3: the number 0.25 has no filter"),
+            std::string::npos);
+  EXPECT_NE(error_of("<< results.infinite | sig(2) >>").find("inf cannot stand in the report"),
+            std::string::npos);
+}
+
+TEST_F(ReportTemplates, FormatNumbersAndWordsAsTheExamplesInTheRendererSay) {
+  const std::string command =
+      "/usr/bin/python3 -I -B -m doctest '" + (templates_ / "report" / "render.py").string() + "'";
+  EXPECT_EQ(std::system(command.c_str()), 0) << command;
+}
+
+class PaperIndex : public ReportTemplates {};
+
+TEST_F(PaperIndex, HasARequirementOrAClaimForEveryEquationAndFigure) {
+  json tests = json::array();
+  for (const auto& requirement : testing::requirements())
+    tests.push_back({{"source", requirement.source},
+                     {"requirement", requirement.id},
+                     {"requirement_text", ""},
+                     {"named", json::array()},
+                     {"tolerances", json::array()}});
+  report::write_text(values() / "tests.json", tests.dump());
+  EXPECT_EQ(filled_in("<% for kind, count in (('Eq', 30), ('Fig', 14)) %>"
+                      "<% for item in indexed(kind, count) if not item.tests and not item.claims %>"
+                      "<< kind >> << item.number >> <% endfor %><% endfor %>"),
+            "");
+}
+
+class TestResults : public ReportTemplates {
+ protected:
+  void SetUp() override {
+    ReportTemplates::SetUp();
+    fs::create_directories(xml_ / "cross.Figures");
+  }
+
+  void write(const std::string& file, const std::string& suite, const std::string& name,
+             const std::string& inside) const {
+    report::write_text(xml_ / file, "<?xml version=\"1.0\"?><testsuites><testsuite name=\"" + suite +
+                                        "\"><testcase name=\"" + name + "\" classname=\"" + suite +
+                                        "\" status=\"run\">" + inside +
+                                        "</testcase></testsuite></testsuites>");
+  }
+
+  static std::string property(const std::string& name, const std::string& value) {
+    return "<property name=\"" + name + "\" value=\"" + value + "\"/>";
+  }
+
+  [[nodiscard]] json read() const { return read(xml_); }
+  [[nodiscard]] json read(const fs::path& xml) const {
+    const report::OutputFolder output(folder_ / "output");
+    report::read_test_results(xml, values() / "tests.json", output);
+    return json::parse(report::read_text(values() / "tests.json"));
+  }
+
+  const fs::path xml_ = folder_ / "xml";
+};
+
+TEST_F(TestResults, HoldRequirementComparisonsAndClaim) {
+  write(
+      "cross.Figures/Verdict.IsPrinted.xml", "Figures/Verdict", "IsPrinted/4a",
+      "<properties>" + property("requirement", "V1") + property("requirement_position", "7") +
+          property("requirement_text", "Verdicts are printed.") + property("source", "Fig. 4") +
+          property("comparisons", "2") + property("computed", "2.5") + property("expected", "2") +
+          property("error", "0.5") + property("tolerance", "1") + property("margin", "0.5") +
+          property("class", "reference") + property("derivation", "a datum; of which") +
+          property("compared.L1, closed form", "3; 3.125; 0.125; 0.5; 0.25; discretisation; a law; really") +
+          property("tolerances.reference", "2; 0.5; 1; 0.5; a datum; of which") + property("claim", "fig4") +
+          property("finding", "35 Hz sticks") + "</properties>");
+  const json tests = read();
+  ASSERT_EQ(tests.size(), 1U);
+  const json& test = tests[0];
+  EXPECT_EQ(test["kind"], "cross");
+  EXPECT_EQ(test["full_name"], "Verdict.IsPrinted/4a");
+  EXPECT_EQ(test["passed"], true);
+  EXPECT_EQ(test["requirement"], "V1");
+  EXPECT_EQ(test["source"], "Fig. 4");
+  EXPECT_EQ(test["comparisons"], 2);
+  EXPECT_EQ(test["worst"]["computed"], 2.5);
+  EXPECT_EQ(test["worst"]["margin"], 0.5);
+  ASSERT_EQ(test["named"].size(), 1U);
+  EXPECT_EQ(test["named"][0]["name"], "L1, closed form");
+  EXPECT_EQ(test["named"][0]["expected"], 3.125);
+  ASSERT_EQ(test["tolerances"].size(), 1U);
+  EXPECT_EQ(test["tolerances"][0]["class"], "reference");
+  EXPECT_EQ(test["tolerances"][0]["count"], 2);
+  EXPECT_EQ(test["tolerances"][0]["tolerance"], 1.0);
+  EXPECT_EQ(test["tolerances"][0]["derivation"], "a datum; of which");
+  EXPECT_EQ(test["claim"], "fig4");
+  EXPECT_EQ(test["finding"], "35 Hz sticks");
+}
+
+TEST_F(TestResults, TellWhatFailedInTheOrderOfTheRequirements) {
+  write("unit.B.xml", "B", "Fails",
+        "<properties>" + property("requirement_position", "10") + "</properties><failure message=\"no\"/>");
+  write("unit.C.xml", "C", "Holds", "<properties>" + property("requirement_position", "9") + "</properties>");
+  const json tests = read();
+  ASSERT_EQ(tests.size(), 2U);
+  EXPECT_EQ(tests[0]["name"], "Holds");
+  EXPECT_EQ(tests[0]["passed"], true);
+  EXPECT_EQ(tests[1]["passed"], false);
+}
+
+TEST_F(TestResults, AreRefusedWhereThereAreNoneOrTheyCannotBeRead) {
+  EXPECT_THROW((void)read(), data::InputError);
+  EXPECT_THROW((void)read(folder_ / "nowhere"), data::InputError);
+  report::write_text(xml_ / "unit.A.xml", "<testsuites><testsuite>");
+  EXPECT_THROW((void)read(), data::InputError);
+  for (const std::string& broken : {property("comparisons", "many"), property("comparisons", "1"),
+                                    property("compared.x", "1; 2; 3"), property("tolerances.x", "1; 2")}) {
+    write("unit.A.xml", "A", "Holds", "<properties>" + broken + "</properties>");
+    EXPECT_THROW((void)read(), data::InputError) << broken;
+  }
+}
+
+}  // namespace
+}  // namespace stickslip
