@@ -5,13 +5,16 @@
   render.py report TEMPLATES DATA VALUES OUTPUT   each TEMPLATES/*.tex, filled in, as OUTPUT/*.tex
 
 Templates are written in Jinja2: << value | filter >>, <% statement %> and <# comment #>. <name> is what the
-program wrote to VALUES/<name>.json; to this come the tables of the paper in DATA/paper. A template says how many
+program wrote to VALUES/<name>.json; to this come the tables of the paper in DATA/paper and what the
+mutation runs left in verification/mutants. A template says how many
 digits a number has and computes nothing: the filters fixed, sig, sci, compact and plain; percent, milli and micro
 change the unit. A value that is missing, and a number without a filter, is an error that names it.
 
 Exit status: 2 for test results that cannot be used, 1 for any other error.
 """
 
+import collections
+import csv
 import itertools
 import json
 import math
@@ -187,9 +190,11 @@ def read_test(case, kind):
     for each class of tolerances the one that came closest."""
     properties = {item.get("name"): item.get("value") for item in case.iterfind("properties/property")}
     suite = case.get("classname").rpartition("/")[2]
+    skipped = case.find("skipped") is not None
     name = f"{suite}.{case.get('name')}"
     test = {"kind": kind, "suite": suite, "name": case.get("name"), "full_name": name, "named": [], "tolerances": [],
-            "passed": case.get("status") == "run" and case.find("failure") is None, "worst": None,
+            "bad_input": [], "accepted_input": {}, "skipped": skipped, "worst": None,
+            "passed": case.get("status") == "run" and not skipped and case.find("failure") is None,
             "position": int(properties.get("requirement_position", 0)),
             "comparisons": int(properties.get("comparisons", 0))}
     test |= {key: properties.get(key, "") for key in ("requirement", "requirement_text", "source", "claim", "finding")}
@@ -201,10 +206,17 @@ def read_test(case, kind):
         if group == "compared":
             *fields, _, _ = value.split("; ", 6)
             test["named"].append(numbers(compared, fields) | {"name": what, "full_name": name})
+        if group == "bad_input":
+            place, _, defect = what.partition(".")
+            refused, accepted = map(int, value.split("; "))
+            test["bad_input"].append({"place": place, "defect": defect, "refused": refused, "accepted": accepted})
+        if group == "accepted_input":
+            test["accepted_input"][what] = int(value)
         if group == "tolerances":
             count, *fields, derivation = value.split("; ", 4)
             test["tolerances"].append(numbers(compared[2:], fields) | {"class": what, "count": int(count), "full_name": name,
-                                                                       "passed": test["passed"], "derivation": derivation})
+                                                                       "passed": test["passed"], "skipped": skipped,
+                                                                       "derivation": derivation})
     return test
 
 
@@ -257,6 +269,27 @@ def requirements_of(tests):
         yield {"name": name, "text": serving[0]["requirement_text"], "source": serving[0]["source"], "tests": serving}
 
 
+INPUT_PLACES = ("case file", "option", "column", "package")
+
+
+def bad_input_of(tests):
+    """How many inputs with each defect are refused and accepted at each place, and how many are accepted for each reason.
+
+    >>> one = {"place": "option", "defect": "zero", "refused": 3, "accepted": 1}
+    >>> both = bad_input_of([{"bad_input": [one], "accepted_input": {"nothing moves": 1}}] * 2)
+    >>> both["by_defect"]["zero"]["option"], both["by_reason"]
+    ({'refused': 6, 'accepted': 2}, [('nothing moves', 2)])
+    """
+    by_defect, by_reason = {}, collections.Counter()
+    for test in tests:
+        for count in test.get("bad_input", []):
+            places = by_defect.setdefault(count["defect"], {place: {"refused": 0, "accepted": 0} for place in INPUT_PLACES})
+            for outcome, total in places[count["place"]].items():
+                places[count["place"]][outcome] = total + count[outcome]
+        by_reason.update(test.get("accepted_input", {}))
+    return {"by_defect": by_defect, "by_reason": by_reason.most_common()}
+
+
 # ---- Report
 
 
@@ -264,13 +297,17 @@ class InputError(Exception):
     """Test results that cannot be used."""
 
 
-def read_values(data, values):
+def read_values(templates, data, values):
     """What the templates can name."""
     known = {file.stem: json.loads(file.read_text()) for file in values.glob("*.json")}
     for file in ("claims", "errata", "printed-numbers"):
         known |= tomllib.loads((data / "paper" / f"{file}.toml").read_text())
     known["printed"] = {number["id"]: number for number in known["number"]}
+    mutants = templates.parent.parent / "verification" / "mutants"
+    known["mutants"] = list(csv.DictReader((mutants / "summary.csv").read_text().splitlines()))
+    known |= tomllib.loads((mutants / "survivors.toml").read_text())
     known["requirements"] = list(requirements_of(known["tests"]))
+    known["bad_input"] = bad_input_of(known["tests"])
     known["named"], known["tolerances"] = ([entry for test in known["tests"] for entry in test[key]]
                                            for key in ("named", "tolerances"))
     known["indexed"] = lambda kind, count: paper_index(kind, count, known["tests"], known["claim"])
@@ -296,7 +333,7 @@ def write_report(templates, data, values, output):
     environment.filters |= {function.__name__: function for function in FILTERS}
     environment.filters |= {"percent": lambda value: 100.0 * value, "milli": lambda value: value / 1e-3,
                             "micro": lambda value: value / 1e-6, "nano": lambda value: value / 1e-9}
-    environment.globals |= read_values(data, values)
+    environment.globals |= read_values(templates, data, values)
     for name in environment.list_templates(extensions=["tex"]):
         (output / name).write_text(environment.get_template(name).render())
 

@@ -195,6 +195,19 @@ TEST_F(TestResults, TellWhatFailedInTheOrderOfTheRequirements) {
   EXPECT_EQ(tests[1]["passed"], false);
 }
 
+TEST_F(TestResults, TellWhatWasSkippedAndCountBadInput) {
+  write("unit.A.xml", "A", "Waits", "<skipped message=\"no pseudo-terminal\"/>");
+  write("unit.B.xml", "B", "Options",
+        "<properties>" + property("bad_input.option.zero", "3; 1") +
+            property("accepted_input.nothing moves", "1") + "</properties>");
+  const json tests = read();
+  ASSERT_EQ(tests.size(), 2U);
+  EXPECT_EQ(tests[0]["skipped"], true);
+  EXPECT_EQ(tests[0]["passed"], false);
+  EXPECT_EQ(filled_in("<< bad_input.by_defect.zero.option.refused >>, << bad_input.by_reason[0][1] >>"),
+            "3, 1");
+}
+
 TEST_F(TestResults, AreRefusedWhereThereAreNoneOrTheyCannotBeRead) {
   EXPECT_THROW((void)read(), data::InputError);
   EXPECT_THROW((void)read(folder_ / "nowhere"), data::InputError);
