@@ -15,6 +15,7 @@
 #include "stickslip/data/installation.hpp"
 #include "stickslip/report/report.hpp"
 #include "stickslip/report/text_file.hpp"
+#include "temporary_folder.hpp"
 
 namespace stickslip::report {
 
@@ -57,10 +58,10 @@ void run_pdflatex(const fs::path& folder) {
 }
 
 // The last line of what it says is its error message.
-void run_renderer(std::vector<std::string> arguments, const OutputFolder& output) {
-  const fs::path log = output.scratch() / "render.log";
+void run_renderer(std::vector<std::string> arguments, const fs::path& folder) {
+  const fs::path log = folder / "render.log";
   arguments.insert(arguments.begin(), {"-I", (templates_directory() / "report" / "render.py").string()});
-  const int status = run_tool(python, arguments, output.scratch(), log);
+  const int status = run_tool(python, arguments, folder, log);
   if (status == 0) return;
   std::string message = read_text(log);
   while (message.ends_with('\n')) message.pop_back();
@@ -76,8 +77,11 @@ std::runtime_error no_pdf(const ToolMissing& missing, const OutputFolder& output
 
 }  // namespace
 
-void read_test_results(const fs::path& tests, const fs::path& file, const OutputFolder& output) {
-  run_renderer({"tests", fs::absolute(tests).string(), file.string()}, output);
+std::string read_test_results(const fs::path& tests) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "tests.json";
+  run_renderer({"tests", fs::absolute(tests).string(), file.string()}, folder.path());
+  return read_text(file);
 }
 
 fs::path fill_in_templates(const fs::path& values, const OutputFolder& output) {
@@ -86,7 +90,7 @@ fs::path fill_in_templates(const fs::path& values, const OutputFolder& output) {
   try {
     run_renderer({"report", (templates_directory() / "report").string(), data::data_directory().string(),
                   values.string(), sources.string()},
-                 output);
+                 output.scratch());
   } catch (const ToolMissing& missing) {
     throw no_pdf(missing, output);
   }

@@ -1,15 +1,15 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "stickslip/report/output_folder.hpp"
 
 namespace stickslip::report {
 
-/// Reads GoogleTest's XML files of a folder into one JSON file. Throws data::InputError if there are none, or
-/// one cannot be used.
-void read_test_results(const std::filesystem::path& tests, const std::filesystem::path& file,
-                       const OutputFolder& output);
+/// GoogleTest's XML files of a folder as one JSON text. Throws data::InputError if there are none, or one
+/// cannot be used.
+[[nodiscard]] std::string read_test_results(const std::filesystem::path& tests);
 
 /// Fills in the templates of the report from the JSON files in the folder `values`; returns the folder with
 /// the LaTeX sources. Throws std::runtime_error, naming the template and the value, if one is missing.

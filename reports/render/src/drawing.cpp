@@ -1,17 +1,15 @@
 #include "drawing.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstddef>
-#include <cstdlib>
 #include <system_error>
 
 #include "external_tool.hpp"
 #include "stickslip/report/report.hpp"
 #include "stickslip/report/text_file.hpp"
+#include "temporary_folder.hpp"
 
 namespace stickslip::report {
 
@@ -39,28 +37,6 @@ void remove_date(const fs::path& pdf) {
   std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(begin), end + 1 - begin, ' ');
   write_text(pdf, bytes);
 }
-
-// A folder of its own that is gone in the end.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "stickslip-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr)
-      throw std::system_error(errno, std::generic_category(), "no temporary folder " + name);
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;  // nothing is left to be done about a folder that cannot be removed
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 }  // namespace
 

@@ -66,12 +66,9 @@ void draw_all(const std::vector<Figure>& figures, Progress& progress, OutputFold
 void write_report(const ReportOptions& options) {
   const std::vector<Figure> chosen = chosen_figures(options.only);
   (void)templates_directory();  // refused now rather than after the studies
+  const std::string tests = options.tests.empty() ? "[]\n" : read_test_results(options.tests);
   OutputFolder output(options.output);
   const std::filesystem::path values = output.folder() / "studies";
-  if (!options.tests.empty()) {
-    std::filesystem::create_directories(values);
-    read_test_results(options.tests, values / "tests.json", output);
-  }
   Progress progress("stickslip report", Progress::standard_error(options.quiet));
   const Interruption interruption([&] {
     progress.finish();
@@ -88,7 +85,7 @@ void write_report(const ReportOptions& options) {
   draw_all(chosen, progress, output);
   if (!options.only.empty()) return;
 
-  if (options.tests.empty()) replace_text(values / "tests.json", "[]\n");
+  replace_text(values / "tests.json", tests);
   write_values(results, describe_environment(options, output.scratch()), values);
   progress.stage("typesetting vv-report.pdf");
   typeset(fill_in_templates(values, output), output);

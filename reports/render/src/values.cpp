@@ -37,9 +37,9 @@ void write_values(StudyResults& results, const Environment& environment,
   results.run_all();
   const std::map<std::string, json> values{{"environment", environment},
                                            {"paper", results.paper()},
-      {"flat_section", results.flat_section()},
-      {"stick_excitation", results.stick_excitation()},
-      {"findings", findings(results)},
+                                           {"flat_section", results.flat_section()},
+                                           {"stick_excitation", results.stick_excitation()},
+                                           {"findings", findings(results)},
                                            {"speed", speed(benchmarks::read_speed_record())}};
   for (const auto& [name, value] : values) replace_text(folder / (name + ".json"), json_text(value));
 }

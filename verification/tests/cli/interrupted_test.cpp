@@ -25,7 +25,7 @@ STICKSLIP_VERIFIES(Interrupted, "U12");
 TEST_F(Interrupted, ReportThatIsDrawnKeepsItsTables) {
   install_sleeper("gnuplot");
   EXPECT_EQ(said_after(SIGINT, "report --only fig2 --output '" + out() + "'"),
-            "interrupted after 33 % of the report; what is finished is in " + out() + "\n");
+            "interrupted after 33 % of the report; what is finished is in " + path("out") + "\n");
   EXPECT_EQ(all_files(out()), (std::vector<std::string>{"fig2-values.csv", "fig2.csv"}));
 }
 
@@ -75,7 +75,7 @@ TEST_F(Interrupted, SearchesEndAtOnce) {
   for (const auto& [arguments, said] :
        std::vector<Work>{{"design paper --band 1:100 --duration 1e4", " % of the design; nothing is kept\n"},
                          {"report --only fig12 --output '" + out() + "'",
-                          " % of the report; what is finished is in " + out() + "\n"}}) {
+                          " % of the report; what is finished is in " + path("out") + "\n"}}) {
     const Ending ending = signalled(arguments, SIGINT, 200ms);
     EXPECT_EQ(ending.status, 130) << arguments;
     EXPECT_LT(ending.seconds, 1.0) << arguments;

@@ -140,12 +140,7 @@ class TestResults : public ReportTemplates {
     return "<property name=\"" + name + "\" value=\"" + value + "\"/>";
   }
 
-  [[nodiscard]] json read() const { return read(xml_); }
-  [[nodiscard]] json read(const fs::path& xml) const {
-    const report::OutputFolder output(folder_ / "output");
-    report::read_test_results(xml, values() / "tests.json", output);
-    return json::parse(report::read_text(values() / "tests.json"));
-  }
+  [[nodiscard]] json read() const { return json::parse(report::read_test_results(xml_)); }
 
   const fs::path xml_ = folder_ / "xml";
 };
@@ -210,7 +205,7 @@ TEST_F(TestResults, TellWhatWasSkippedAndCountBadInput) {
 
 TEST_F(TestResults, AreRefusedWhereThereAreNoneOrTheyCannotBeRead) {
   EXPECT_THROW((void)read(), data::InputError);
-  EXPECT_THROW((void)read(folder_ / "nowhere"), data::InputError);
+  EXPECT_THROW((void)report::read_test_results(folder_ / "nowhere"), data::InputError);
   report::write_text(xml_ / "unit.A.xml", "<testsuites><testsuite>");
   EXPECT_THROW((void)read(), data::InputError);
   for (const std::string& broken : {property("comparisons", "many"), property("comparisons", "1"),
