@@ -10,9 +10,12 @@
 #include <string>
 #include <vector>
 
+#include "support/requirements.hpp"
+
 namespace stickslip {
 namespace {
 
+STICKSLIP_VERIFIES(CsvTable, "U3");
 TEST(CsvTable, HasTitleUnitsNamesAndRows) {
   report::CsvTable table("Tip", {{"time_s", "s"}, {"tip_m", "m"}});
   table.add_numbers({0.1, -2e-7});

@@ -131,6 +131,7 @@ class DrawnFigures : public ReportOutput {
   const fs::path templates_ = folder_ / "templates", output_ = folder_ / "output";
 };
 
+STICKSLIP_VERIFIES(DrawnFigures, "U3");
 TEST_F(DrawnFigures, AppearInAllFormatsOrInNone) {
   const auto read = [&](const char* name) { return report::read_text(output_ / name); };
   for (const char* name : {"fig7.png", "fig7.pdf"}) report::write_text(output_ / name, "old");
@@ -156,6 +157,7 @@ TEST_F(DrawnFigures, ComeFromTheirScriptsAndCsvFilesAlone) {
   }
 }
 
+STICKSLIP_VERIFIES(ReportFigures, "U3");
 TEST(ReportFigures, HaveAScriptEach) {
   for (const std::string& name : report::figure_names())
     EXPECT_TRUE(fs::exists(report::templates_directory() / "figures" / (name + ".gp"))) << name;

@@ -70,6 +70,7 @@ struct Interval {
 };
 STICKSLIP_JSON(Interval, from, to, length())
 
+STICKSLIP_VERIFIES(ReportTemplates, "U4");
 TEST_F(ReportTemplates, ReadEveryDigitOfAResult) {
   const json results{
       {"intervals", std::vector<Interval>{{0.1, 1.0 / 3.0}}},
@@ -106,6 +107,7 @@ TEST_F(ReportTemplates, FormatNumbersAndWordsAsTheExamplesInTheRendererSay) {
 
 class PaperIndex : public ReportTemplates {};
 
+STICKSLIP_VERIFIES(PaperIndex, "U6");
 TEST_F(PaperIndex, HasARequirementOrAClaimForEveryEquationAndFigure) {
   json tests = json::array();
   for (const auto& requirement : testing::requirements())
@@ -145,6 +147,7 @@ class TestResults : public ReportTemplates {
   const fs::path xml_ = folder_ / "xml";
 };
 
+STICKSLIP_VERIFIES(TestResults, "U6");
 TEST_F(TestResults, HoldRequirementComparisonsAndClaim) {
   write(
       "cross.Figures/Verdict.IsPrinted.xml", "Figures/Verdict", "IsPrinted/4a",
