@@ -8,7 +8,8 @@
 The sources are copied to build/mutants/source and built there once with the preset `mutants`. A mutant changes one
 file of the copy: ninja compiles it and links the test programs, and the tests run, those nearest to the file first,
 until one fails. Each mutant is a row of build/mutants/results.csv; a run that was interrupted goes on after the last
-row. At the end the row of the part in verification/mutants/summary.csv is written anew.
+row, and with that file deleted it begins anew. At the end the row of the part in verification/mutants/summary.csv is
+written.
 
 survivors.toml holds the mutants that no test can notice, each with the reason. mistakes.py makes the mutants.
 """
@@ -65,10 +66,17 @@ def copy_sources():
             path.unlink()
 
 
+def limit_resources():
+    """For the build as well, which runs the program that a mutant may let hang."""
+    for limit, value in ((resource.RLIMIT_AS, MEMORY), (resource.RLIMIT_CPU, 1200), (resource.RLIMIT_CORE, 0)):
+        resource.setrlimit(limit, (value, value))
+
+
 def ninja(jobs, *targets):
     """Builds targets; the return value says whether that worked, and the log what went wrong."""
     with open(WORK / "build.log", "wb") as log:
-        return subprocess.run(["ninja", "-C", BUILD, f"-j{jobs}", *targets], stdout=log, stderr=log).returncode == 0
+        command = ["ninja", "-C", BUILD, f"-j{jobs}", *targets]
+        return subprocess.run(command, stdout=log, stderr=log, preexec_fn=limit_resources).returncode == 0
 
 
 def test_programs():
@@ -114,11 +122,6 @@ def list_tests(program):
                    stdout=subprocess.DEVNULL)
     return [Test(program, f"{suite['name']}.{test['name']}", test["file"])
             for suite in json.loads(output.read_text())["testsuites"] for test in suite["testsuite"]]
-
-
-def limit_resources():
-    for limit, value in ((resource.RLIMIT_AS, MEMORY), (resource.RLIMIT_CPU, 3600), (resource.RLIMIT_CORE, 0)):
-        resource.setrlimit(limit, (value, value))
 
 
 def run_tests(program, tests, fail_fast):
@@ -170,7 +173,7 @@ def watch(process, usual, fail_fast):
     return run
 
 
-def unmutated_tests(jobs):
+def unmutated_tests():
     """All tests with the seconds that they take; stops where one fails without a mistake."""
     tests = [test for program in test_programs() for test in list_tests(program)]
     programs = contents(sorted({test.program for test in tests} | {"bin/stickslip"}))
@@ -259,10 +262,9 @@ def show(text):
         print(f"\r\033[K{text[:os.get_terminal_size(2).columns - 1]}", end="", file=sys.stderr, flush=True)
 
 
-def face_tests(mutants, count, tests, again, jobs):
+def face_tests(mutants, count, tests, unmutated, again, jobs):
     """Judges mutants until `count` of them have been built; those judged before are not built again."""
     rows, chosen, built = read_rows(), [], 0
-    unmutated = contents(object for part in PARTS for object in objects_of(part))
     for mutant in mutants:
         if built == count:
             break
@@ -334,12 +336,13 @@ def main():
     except BlockingIOError:
         sys.exit("mutants.py: another run is at work in build/mutants")
     copy_sources()
-    tests = []
+    tests, unmutated = [], {}
     if not arguments.list:
         subprocess.run(["cmake", "--preset", "mutants"], cwd=SOURCE, check=True, stdout=subprocess.DEVNULL)
         if not ninja(arguments.jobs, *test_programs()):
             sys.exit(f"mutants.py: the unmutated sources do not build, see {WORK / 'build.log'}")
-        tests = unmutated_tests(arguments.jobs)
+        tests = unmutated_tests()
+        unmutated = contents(file for part in PARTS for file in objects_of(part))
     for part in arguments.part or [*PARTS, "curated"]:
         if part == "curated":
             mutants, stale = curated_mutants(SOURCE, FOLDER / "curated.toml")
@@ -351,7 +354,7 @@ def main():
                 print(f"{mutant.id} {mutant.file}, {mutant.function}: {mutant.edit}")
             continue
         count = len(mutants) if part == "curated" else arguments.count
-        rows = face_tests(mutants, count, tests, arguments.survivors, arguments.jobs)
+        rows = face_tests(mutants, count, tests, unmutated, arguments.survivors, arguments.jobs)
         summarise(part, arguments.seed, rows)
     return 0
 
