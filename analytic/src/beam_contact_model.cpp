@@ -16,9 +16,9 @@
 
 #include "arguments.hpp"
 #include "beam_constants.hpp"
-#include "contact_dynamics.hpp"
 #include "gsl_handles.hpp"
 #include "gsl_status.hpp"
+#include "stickslip/analytic/contact_dynamics.hpp"
 
 namespace stickslip::analytic {
 namespace {

@@ -1,4 +1,4 @@
-#include "contact_dynamics.hpp"
+#include "stickslip/analytic/contact_dynamics.hpp"
 
 #include <algorithm>
 #include <cmath>

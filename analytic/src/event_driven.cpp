@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "arguments.hpp"
-#include "contact_dynamics.hpp"
 #include "gsl_handles.hpp"
 #include "slip_integrator.hpp"
-#include "stick_propagator.hpp"
+#include "stickslip/analytic/contact_dynamics.hpp"
+#include "stickslip/analytic/stick_propagator.hpp"
 
 namespace stickslip::analytic {
 namespace {

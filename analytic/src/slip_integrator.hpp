@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "contact_dynamics.hpp"
 #include "gsl_handles.hpp"
+#include "stickslip/analytic/contact_dynamics.hpp"
 
 namespace stickslip::analytic {
 

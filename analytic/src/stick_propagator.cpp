@@ -1,4 +1,4 @@
-#include "stick_propagator.hpp"
+#include "stickslip/analytic/stick_propagator.hpp"
 
 #include <gsl/gsl_complex_math.h>
 #include <gsl/gsl_linalg.h>

@@ -14,7 +14,7 @@
 #include <variant>
 
 #include "stickslip/data/installation.hpp"
-#include "toml_file.hpp"
+#include "stickslip/data/toml_file.hpp"
 
 namespace stickslip::data {
 

@@ -1,4 +1,4 @@
-#include "csv_text.hpp"
+#include "stickslip/data/csv_text.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "stickslip/data/case_file.hpp"
-#include "toml_record.hpp"
+#include "stickslip/data/toml_record.hpp"
 
 namespace stickslip::data {
 

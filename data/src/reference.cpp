@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "csv_text.hpp"
 #include "json_file.hpp"
 #include "stickslip/data/case_file.hpp"
+#include "stickslip/data/csv_text.hpp"
 #include "stickslip/data/input_text.hpp"
 #include "stickslip/data/sha256.hpp"
 
@@ -289,7 +289,8 @@ class TableReader {
     require_names();
     for (const Field& field : resource_.fields) columns_.push_back({field, {}, {}});
     while (const auto cells = csv_.next_row()) add_row(*cells);
-    if (lines_.empty()) throw InputError(csv_.place(csv_.line()) + ": the table has no rows, but must have at least one");
+    if (lines_.empty())
+      throw InputError(csv_.place(csv_.line()) + ": the table has no rows, but must have at least one");
     require_unique_keys();
     return std::move(columns_);
   }

@@ -1,4 +1,4 @@
-#include "toml_file.hpp"
+#include "stickslip/data/toml_file.hpp"
 
 #include <algorithm>
 #include <locale>

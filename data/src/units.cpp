@@ -1,4 +1,4 @@
-#include "units.hpp"
+#include "stickslip/data/units.hpp"
 
 #include <algorithm>
 #include <array>

@@ -8,10 +8,10 @@
 #include <optional>
 #include <utility>
 
-#include "csv_text.hpp"
 #include "stickslip/data/case_file.hpp"
+#include "stickslip/data/csv_text.hpp"
 #include "stickslip/data/input_text.hpp"
-#include "units.hpp"
+#include "stickslip/data/units.hpp"
 
 namespace stickslip::data {
 

@@ -7,7 +7,7 @@
 #include "case_options.hpp"
 #include "commands.hpp"
 #include "long_work.hpp"
-#include "stickslip/report/animation.hpp"
+#include "render/animation.hpp"
 
 namespace stickslip::cli {
 

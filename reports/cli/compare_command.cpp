@@ -12,10 +12,10 @@
 #include "comparison_output.hpp"
 #include "figure_format.hpp"
 #include "output_file.hpp"
+#include "render/comparison_figure.hpp"
+#include "render/interruption.hpp"
+#include "render/report.hpp"
 #include "stickslip/data/input_text.hpp"
-#include "stickslip/report/comparison_figure.hpp"
-#include "stickslip/report/interruption.hpp"
-#include "stickslip/report/report.hpp"
 
 namespace stickslip::cli {
 

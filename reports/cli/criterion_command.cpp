@@ -8,7 +8,7 @@
 #include "case_options.hpp"
 #include "commands.hpp"
 #include "number_text.hpp"
-#include "stickslip/report/interruption.hpp"
+#include "render/interruption.hpp"
 
 namespace stickslip::cli {
 

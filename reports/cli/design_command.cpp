@@ -12,9 +12,9 @@
 #include "long_work.hpp"
 #include "number_text.hpp"
 #include "range_text.hpp"
+#include "render/interruption.hpp"
+#include "render/progress.hpp"
 #include "stickslip/analytic/criterion.hpp"
-#include "stickslip/report/interruption.hpp"
-#include "stickslip/report/progress.hpp"
 #include "studies/criterion/design_guide.hpp"
 
 namespace stickslip::cli {

@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "stickslip/report/progress.hpp"
+#include "render/progress.hpp"
 
 namespace stickslip::cli {
 

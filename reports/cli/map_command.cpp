@@ -19,10 +19,10 @@
 #include "map_records.hpp"
 #include "output_file.hpp"
 #include "range_text.hpp"
-#include "stickslip/report/criterion_map.hpp"
-#include "stickslip/report/interruption.hpp"
-#include "stickslip/report/progress.hpp"
-#include "stickslip/report/report.hpp"
+#include "render/criterion_map.hpp"
+#include "render/interruption.hpp"
+#include "render/progress.hpp"
+#include "render/report.hpp"
 
 namespace stickslip::cli {
 

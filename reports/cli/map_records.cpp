@@ -13,12 +13,12 @@
 #include <utility>
 
 #include "case_options.hpp"
-#include "fingerprint.hpp"
 #include "output_file.hpp"
 #include "range_text.hpp"
+#include "render/criterion_map.hpp"
+#include "render/fingerprint.hpp"
+#include "render/text_file.hpp"
 #include "stickslip/data/input_text.hpp"
-#include "stickslip/report/criterion_map.hpp"
-#include "stickslip/report/text_file.hpp"
 #include "stickslip/version.hpp"
 
 namespace stickslip::cli {

@@ -7,7 +7,7 @@
 #include "case_options.hpp"
 #include "commands.hpp"
 #include "long_work.hpp"
-#include "stickslip/report/report.hpp"
+#include "render/report.hpp"
 #include "stickslip/version.hpp"
 
 namespace stickslip::cli {

@@ -13,12 +13,12 @@
 #include "case_options.hpp"
 #include "commands.hpp"
 #include "output_file.hpp"
+#include "render/interruption.hpp"
 #include "stickslip/analytic/beam_boundary_integral.hpp"
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/data/input_text.hpp"
-#include "stickslip/report/interruption.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 
 namespace stickslip::cli {
@@ -341,8 +341,7 @@ Json to_json(const data::Case& problem, const RespondOptions& options, const Sum
 void require_consistent(const RespondOptions& options) {
   const bool to_standard_output = options.output == "-";
   if (options.problem.json && to_standard_output)
-    throw data::InputError(
-        "--json and --output - both want standard output, but --json needs --output FILE");
+    throw data::InputError("--json and --output - both want standard output, but --json needs --output FILE");
   if (!to_standard_output && options.output == options.events)
     throw data::FieldError("--events", data::printable(options.events), "another file than --output");
   if (options.initial_velocity == "zero" && options.method != "fe" && options.method != "event-driven")

@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
+#include "render/interruption.hpp"
+#include "render/progress.hpp"
+#include "render/text_file.hpp"
 #include "stickslip/data/reference.hpp"
 #include "stickslip/reference/package.hpp"
-#include "stickslip/report/interruption.hpp"
-#include "stickslip/report/progress.hpp"
-#include "stickslip/report/text_file.hpp"
 
 int main(int argc, char** argv) {
   using namespace stickslip;

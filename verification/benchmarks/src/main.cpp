@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "record.hpp"
-#include "stickslip/report/text_file.hpp"
+#include "render/text_file.hpp"
 
 /// Accepts the options of Google Benchmark and --record FILE, which writes the record for the report.
 int main(int argc, char** argv) {

@@ -11,11 +11,11 @@
 
 #include "eigen_loops.hpp"
 #include "paper_problem.hpp"
+#include "render/criterion_map.hpp"
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/analytic/modal_reaction_table.hpp"
 #include "stickslip/analytic/stick_response.hpp"
-#include "stickslip/report/criterion_map.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/modal_stick_run.hpp"
 #include "studies/criterion/criterion_map.hpp"

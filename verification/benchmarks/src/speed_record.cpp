@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "toml_record.hpp"
+#include "stickslip/data/toml_record.hpp"
 
 namespace stickslip::benchmarks {
 

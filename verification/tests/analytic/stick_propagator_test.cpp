@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "contact_dynamics.hpp"
-#include "stick_propagator.hpp"
+#include "stickslip/analytic/contact_dynamics.hpp"
+#include "stickslip/analytic/stick_propagator.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 

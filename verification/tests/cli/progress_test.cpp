@@ -1,6 +1,6 @@
 /// How far long work is, and on how many threads it runs.
 
-#include "stickslip/report/progress.hpp"
+#include "render/progress.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "render/csv_table.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/data/user_table.hpp"
-#include "stickslip/report/csv_table.hpp"
 #include "support/command_line.hpp"
 #include "support/requirements.hpp"
 

@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "csv_text.hpp"
-#include "input_text.hpp"
 #include "stickslip/data/case_file.hpp"
-#include "units.hpp"
+#include "stickslip/data/csv_text.hpp"
+#include "stickslip/data/input_text.hpp"
+#include "stickslip/data/units.hpp"
 #include "support/requirements.hpp"
 
 namespace stickslip::testing {

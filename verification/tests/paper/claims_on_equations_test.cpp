@@ -229,7 +229,8 @@ TEST(ClaimOnEquation4, StickContinuesOnlyWhileTheForceIsWithinTheLimit) {
   }
   const auto onsets =
       std::ranges::count(run.events(), analytic::ContactChange::onset, &analytic::ChangeOfContact::change);
-  judge({.as_printed =
+  judge("eq4.necessary-condition",
+        {.as_printed =
              onsets > 3 && largest <= friction_limit() * (1.0 + 1e-9) && largest > 0.95 * friction_limit()},
         fmt::format("over 0.3 s at 25 Hz and 1 mm, {} onsets of slip, the force in stick reaches {:.2f} N "
                     "and never exceeds "
@@ -250,7 +251,8 @@ TEST(ClaimOnEquation4, StickLastsUntilTheForceReachesTheLimit) {
                                 {.contact = solver::TipContact::bonded});
   while (bonded.time() < onset) bonded.step();
   const double after = std::abs(bonded.friction_force());
-  judge({.as_printed = at_start >= friction_limit(), .corrected = stayed_below && after > friction_limit()},
+  judge("eq4.until",
+        {.as_printed = at_start >= friction_limit(), .corrected = stayed_below && after > friction_limit()},
         fmt::format("at 25 Hz and 1 mm the force begins at {:.0f} N, below the limit, and the tip sticks all "
                     "the same, until "
                     "{:.5f} s, when the force passes {:.0f} N",

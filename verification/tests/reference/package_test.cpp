@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "render/text_file.hpp"
 #include "stickslip/data/reference.hpp"
 #include "stickslip/reference/package.hpp"
-#include "stickslip/report/text_file.hpp"
 #include "support/published_data.hpp"
 #include "support/requirements.hpp"
 

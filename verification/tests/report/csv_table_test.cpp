@@ -1,6 +1,6 @@
 /// Tables of the figures' data.
 
-#include "stickslip/report/csv_table.hpp"
+#include "render/csv_table.hpp"
 
 #include <gtest/gtest.h>
 

@@ -10,10 +10,10 @@
 #include <iterator>
 #include <string>
 
+#include "render/output_folder.hpp"
+#include "render/report.hpp"
+#include "render/text_file.hpp"
 #include "stickslip/data/case_file.hpp"
-#include "stickslip/report/output_folder.hpp"
-#include "stickslip/report/report.hpp"
-#include "stickslip/report/text_file.hpp"
 #include "support/requirements.hpp"
 
 namespace stickslip {

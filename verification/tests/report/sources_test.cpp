@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "stickslip/report/report.hpp"
-#include "stickslip/report/text_file.hpp"
+#include "render/report.hpp"
+#include "render/text_file.hpp"
 #include "support/requirements.hpp"
 
 namespace stickslip {

@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <string>
 
+#include "render/text_file.hpp"
 #include "stickslip/benchmarks/speed_record.hpp"
 #include "stickslip/data/case_file.hpp"
-#include "stickslip/report/text_file.hpp"
 #include "support/requirements.hpp"
 
 namespace stickslip::testing {

@@ -10,12 +10,12 @@
 #include <stdexcept>
 #include <string>
 
-#include "document.hpp"
-#include "json_text.hpp"
+#include "render/document.hpp"
+#include "render/json_text.hpp"
+#include "render/output_folder.hpp"
+#include "render/report.hpp"
+#include "render/text_file.hpp"
 #include "stickslip/data/input_error.hpp"
-#include "stickslip/report/output_folder.hpp"
-#include "stickslip/report/report.hpp"
-#include "stickslip/report/text_file.hpp"
 #include "support/requirements.hpp"
 
 namespace stickslip {

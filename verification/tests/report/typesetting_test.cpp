@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "document.hpp"
-#include "stickslip/report/output_folder.hpp"
+#include "render/document.hpp"
+#include "render/output_folder.hpp"
 #include "support/command_line.hpp"
 #include "support/requirements.hpp"
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "stickslip/report/report.hpp"
+#include "render/report.hpp"
 #include "support/requirements.hpp"
 #include "support/sleeping_tool.hpp"
 

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <gsl/gsl_matrix.h>
+
+#include <complex>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "stickslip/analytic/contact_dynamics.hpp"
+
+namespace stickslip::analytic {
+
+/// A stick phase, exactly: with y = (omega_n T_n, T_n_t) = Re(Z z), every z_k_t = lambda_k z_k + F_k(t) with
+/// Re lambda_k <= 0 and F_k sinusoidal at Omega, so that
+///
+///     z_k(t0 + tau) = exp(lambda_k tau) z_k(t0) + sum over +-Omega of P (exp(+-i Omega tau) -
+///                     exp(lambda_k tau))/(+-i Omega - lambda_k) exp(+-i Omega t0),
+///
+/// written without the 0/0 at resonance. Undamped: lambda = i omega_n. Damped: the eigenvalues of the
+/// first-order matrix (GSL), one of each complex pair.
+class StickPropagator {
+ public:
+  /// Throws std::runtime_error if the damped eigenvectors are too nearly parallel (a critically damped mode)
+  /// for nine digits. `dynamics` must outlive this.
+  explicit StickPropagator(const ContactDynamics& dynamics);
+
+  /// Begins a phase at time t with the contact at rest on the wall.
+  void begin(double t, const ContactKinematics& state);
+
+  /// The state at time t >= the begin.
+  [[nodiscard]] ContactKinematics state(double t) const;
+
+  /// f_d and its rate.
+  [[nodiscard]] double force(double t) const;
+  [[nodiscard]] double force_rate(double t) const;
+
+  /// A bound of |d^2 f_d/dt^2| from t to t + length.
+  [[nodiscard]] double curvature_bound(double t, double length) const;
+
+  /// The first time in from ... to at which |f_d| exceeds the limit, or nothing; |f_d(from)| <= limit.
+  [[nodiscard]] std::optional<double> first_excess(double from, double to, double limit);
+
+ private:
+  using Complex = std::complex<double>;
+
+  void set_undamped();
+  void set_damped();
+  void require_separated(const gsl_matrix& matrix) const;
+  void set_forcing();
+  [[nodiscard]] Complex coordinate(std::size_t k, double t) const;
+  [[nodiscard]] Complex forcing(std::size_t k, double t) const;
+
+  const ContactDynamics& dynamics_;
+  double omega_;                        // Omega
+  std::vector<Complex> eigenvalue_;     // lambda_k
+  std::vector<Complex> shape_;          // Z, 2 m rows of eigenvalue_.size()
+  std::vector<Complex> inverse_;        // z = W y, eigenvalue_.size() rows of 2 m
+  std::vector<Complex> sine_, cosine_;  // F_k = sine sin(Omega t) + cosine cos(Omega t)
+  std::vector<Complex> force_weight_;   // f_d = Re sum weight z + ...
+  Harmonic force_harmonic_;
+
+  double begin_{};
+  double position_{};  // u_c - w
+  std::vector<Complex> initial_;
+  double next_length_{};
+};
+
+}  // namespace stickslip::analytic

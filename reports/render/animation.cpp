@@ -1,0 +1,143 @@
+#include "render/animation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "render/csv_table.hpp"
+#include "render/drawing.hpp"
+#include "render/external_tool.hpp"
+#include "render/figures.hpp"
+#include "render/interruption.hpp"
+#include "render/output_folder.hpp"
+#include "render/progress.hpp"
+#include "render/report.hpp"
+#include "render/text_file.hpp"
+#include "stickslip/data/case_file.hpp"
+#include "studies/stick_slip/beam_motion.hpp"
+
+namespace stickslip::report {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int positions = 81;
+constexpr std::size_t batch = 50;  // frames that one gnuplot process draws
+
+std::string frame_name(std::size_t frame) { return fmt::format("frame-{:04}.png", frame + 1); }
+
+void refuse_later_frames(const OutputFolder& output, int frames) {
+  const fs::path next = output.folder() / frame_name(static_cast<std::size_t>(frames));
+  if (fs::exists(next))
+    throw data::InputError(
+        fmt::format("output folder {} holds {} of a longer animation; remove it or name another folder",
+                    output.folder().string(), next.filename().string()));
+}
+
+studies::BeamMotion motion_of(const data::Case& problem, const AnimationOptions& options) {
+  const studies::MotionGrid grid{0.0, options.duration, options.frames, positions};
+  studies::BeamMotion motion = options.method == MotionMethod::finite_elements
+                                   ? studies::finite_element_motion(problem, grid)
+                                   : studies::event_driven_motion(problem, grid);
+  const auto is_finite = [](double value) { return std::isfinite(value); };
+  for (const auto& snapshot : motion.snapshots)
+    if (!is_finite(snapshot.friction_force) || !std::ranges::all_of(snapshot.displacement, is_finite))
+      data::throw_overflow(
+          fmt::format("the motion is not finite at {} s", data::shortest_text(snapshot.time)));
+  return motion;
+}
+
+// Frames first ... last - 1, `positions` rows each.
+CsvTable table_of(const data::Case& problem, const studies::BeamMotion& motion, std::size_t first,
+                  std::size_t last) {
+  CsvTable table(
+      fmt::format("Motion of the beam at {} Hz, {} m", data::shortest_text(problem.excitation.frequency_hz()),
+                  data::shortest_text(problem.excitation.amplitude())),
+      {{"frame", "1"},
+       {"time_s", "s"},
+       {"tip_sticks", "1"},
+       {"friction_force_N", "N"},
+       {"position_m", "m"},
+       {"displacement_m", "m"}});
+  for (std::size_t i = first; i < last; ++i) {
+    const auto& snapshot = motion.snapshots[i];
+    for (std::size_t k = 0; k < motion.position.size(); ++k)
+      table.add_numbers({static_cast<double>(i + 1), snapshot.time, snapshot.sticks ? 1.0 : 0.0,
+                         snapshot.friction_force, motion.position[k], snapshot.displacement[k]});
+  }
+  return table;
+}
+
+// What the script needs to keep the axes of all frames alike.
+std::vector<FigureData::Value> values_of(const data::Case& problem, const studies::BeamMotion& motion) {
+  const double limit = problem.friction.static_coefficient() * problem.beam.axial_force();
+  double largest_force = limit;
+  for (const auto& snapshot : motion.snapshots)
+    largest_force = std::max(largest_force, std::abs(snapshot.friction_force));
+  return {{"points", positions, "1"},
+          {"length", problem.beam.length(), "m"},
+          {"hz", problem.excitation.frequency_hz(), "Hz"},
+          {"amplitude", problem.excitation.amplitude(), "m"},
+          {"force_limit", limit, "N"},
+          {"largest_force", largest_force, "N"},
+          {"largest_displacement", studies::peak(motion), "m"}};
+}
+
+// The drawings, in the scratch folder.
+std::vector<fs::path> drawn_frames(const data::Case& problem, const studies::BeamMotion& motion,
+                                   Progress& progress, OutputFolder& output) {
+  const std::size_t frames = motion.snapshots.size();
+  std::vector<fs::path> drawn;
+  for (std::size_t first = 0; first < frames; first += batch) {
+    const std::size_t last = std::min(first + batch, frames);
+    progress(static_cast<double>(first) / static_cast<double>(frames));
+    progress.stage(fmt::format("drawing frames {} to {} of {}", first + 1, last, frames));
+    write_text(output.scratch() / "frames.csv", table_of(problem, motion, first, last).text());
+    auto values = values_of(problem, motion);
+    values.push_back({"first_frame", static_cast<double>(first + 1), "1"});
+    values.push_back({"last_frame", static_cast<double>(last), "1"});
+    write_text(output.scratch() / "animation-values.csv", values_table(values).text());
+    std::vector<std::string> names;
+    for (std::size_t i = first; i < last; ++i) names.push_back(frame_name(i));
+    for (fs::path& file : draw_in_scratch("animation", "png", "../", names, output))
+      drawn.push_back(std::move(file));
+  }
+  return drawn;
+}
+
+}  // namespace
+
+void write_animation(const data::Case& problem, const AnimationOptions& options) {
+  (void)templates_directory();  // refused now rather than after the run
+  OutputFolder output(options.output);
+  refuse_later_frames(output, options.frames);
+  Progress progress("stickslip animate", Progress::standard_error(options.quiet),
+                    static_cast<std::size_t>(options.frames));
+  const std::string table = (output.folder() / "motion.csv").string();
+  std::atomic<bool> has_motion{false};
+  Interruption interruption([&] {
+    progress.finish();
+    output.clear_scratch();
+    return fmt::format("interrupted after {:.0f} % of the frames, none of which is kept{}",
+                       100.0 * progress.share(), has_motion ? "; the motion is in " + table : "");
+  });
+  progress.stage("following the beam");
+  const studies::BeamMotion motion = motion_of(problem, options);
+  output.write("motion.csv", table_of(problem, motion, 0, motion.snapshots.size()).text());
+  has_motion = true;
+  try {
+    const std::vector<fs::path> frames = drawn_frames(problem, motion, progress, output);
+    const auto undisturbed = interruption.hold();
+    for (const fs::path& frame : frames) output.publish(frame);
+  } catch (const ToolMissing& missing) {
+    throw std::runtime_error(
+        fmt::format("{}, so that no frame is drawn; the motion is in {}", missing.what(), table));
+  }
+}
+
+}  // namespace stickslip::report

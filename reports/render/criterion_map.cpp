@@ -1,0 +1,104 @@
+#include "render/criterion_map.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "render/drawing.hpp"
+#include "render/map_figure.hpp"
+
+namespace stickslip::report {
+
+namespace {
+
+CsvColumn column_of(studies::Parameter parameter) {
+  switch (parameter) {
+    case studies::Parameter::frequency:
+      return {"frequency_Hz", "Hz"};
+    case studies::Parameter::amplitude:
+      return {"amplitude_m", "m"};
+    case studies::Parameter::length:
+      return {"length_m", "m"};
+    case studies::Parameter::axial_force:
+      return {"axial_force_N", "N"};
+    case studies::Parameter::youngs_modulus:
+      return {"youngs_modulus_Pa", "Pa"};
+    case studies::Parameter::static_coefficient:
+      return {"static_coefficient", "1"};
+  }
+  return {};
+}
+
+// What the axis `name` (x or y) shows, counted from 1, and whether its values are in equal ratios.
+void add_axis(const std::string& name, const studies::MapAxis& axis, std::vector<FigureData::Value>& values) {
+  values.push_back({name + "_parameter", static_cast<double>(axis.parameter) + 1.0, "1"});
+  values.push_back({name + "_log", axis.logarithmic ? 1.0 : 0.0, "1"});
+}
+
+std::vector<FigureData::Value> values_of(const studies::CriterionMap& map) {
+  std::vector<FigureData::Value> values;
+  add_axis("x", map.x, values);
+  add_axis("y", map.y, values);
+  values.push_back({"states_only", map.states_only ? 1.0 : 0.0, "1"});
+  return values;
+}
+
+// The texts of the values along an axis, which many cells share.
+std::vector<CsvText> texts_of(const studies::MapAxis& axis) {
+  std::vector<CsvText> texts;
+  for (const double value : axis.values) texts.emplace_back(csv_number(value));
+  return texts;
+}
+
+constexpr std::size_t longest_usual_row = 72;  // three numbers of 20 characters and a state
+
+}  // namespace
+
+std::string to_string(studies::CellState state) {
+  switch (state) {
+    case studies::CellState::stick:
+      return "stick";
+    case studies::CellState::stick_slip:
+      return "stick-slip";
+    case studies::CellState::no_stick_state:
+      return "no stick state";
+  }
+  return {};
+}
+
+CsvTable table_of(const data::Case& problem, const studies::CriterionMap& map) {
+  std::vector<CsvColumn> columns{column_of(map.x.parameter), column_of(map.y.parameter)};
+  if (!map.states_only) columns.push_back({"force_ratio", "1"});
+  columns.push_back({"state", "-"});
+  CsvTable table(fmt::format("Criterion of stick-slip for the case {}", problem.name), columns);
+  table.reserve(map.cells.size() * longest_usual_row);
+
+  const std::vector<CsvText> x = texts_of(map.x), y = texts_of(map.y);
+  const std::array states{CsvText(to_string(studies::CellState::stick)),
+                          CsvText(to_string(studies::CellState::stick_slip)),
+                          CsvText(to_string(studies::CellState::no_stick_state))};
+  auto cell = map.cells.begin();
+  for (const CsvText& at_y : y) {
+    for (const CsvText& at_x : x) {
+      table.add(at_x).add(at_y);
+      if (!map.states_only) table.add(cell->force_ratio);
+      table.add(states[static_cast<std::size_t>(cell->state)]).end_row();
+      ++cell;
+    }
+    table.end_grid_line();
+  }
+  return table;
+}
+
+FigureData figure_of(const data::Case& problem, const studies::CriterionMap& map) {
+  return {.tables = {{"map", table_of(problem, map)}}, .values = values_of(map)};
+}
+
+std::string draw(const CsvTable& table, const studies::CriterionMap& map, const std::string& format) {
+  return drawing_of("map", format,
+                    {{"map.csv", table.text()}, {"map-values.csv", values_table(values_of(map)).text()}});
+}
+
+}  // namespace stickslip::report

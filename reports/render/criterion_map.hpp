@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "render/csv_table.hpp"
+#include "stickslip/data/problem.hpp"
+#include "studies/criterion/criterion_map.hpp"
+
+namespace stickslip::report {
+
+/// "stick", "stick-slip" or "no stick state".
+[[nodiscard]] std::string to_string(studies::CellState state);
+
+/// One row per cell, with a force ratio only where there is a stick state; an empty line after each y.
+[[nodiscard]] CsvTable table_of(const data::Case& problem, const studies::CriterionMap& map);
+
+/// The map drawn by gnuplot (figures/map.gp) from its table, as the bytes of a file. `format` is "pdf", "png"
+/// or "svg". Throws std::runtime_error if gnuplot is missing or fails.
+[[nodiscard]] std::string draw(const CsvTable& table, const studies::CriterionMap& map,
+                               const std::string& format);
+
+}  // namespace stickslip::report

@@ -1,0 +1,72 @@
+#include "render/csv_table.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <utility>
+
+#include "stickslip/data/problem.hpp"
+
+namespace stickslip::report {
+
+CsvText::CsvText(std::string text) : text_(std::move(text)) {
+  if (text_.find_first_of(",\"\r\n") != std::string::npos)
+    throw std::invalid_argument(
+        fmt::format("the cell '{}' holds a comma, a quote or a line break, but must hold none", text_));
+}
+
+CsvTable::CsvTable(std::string_view title, const std::vector<CsvColumn>& columns)
+    : columns_(columns.size()), text_(fmt::format("# {}\n# units: ", title)) {
+  std::vector<std::string> names;
+  for (const CsvColumn& column : columns) {
+    if (!names.empty()) text_ += ',';
+    text_ += column.unit;
+    names.push_back(column.name);
+  }
+  text_ += '\n';
+  add_row(names);
+}
+
+void CsvTable::add_row(const std::vector<std::string>& cells) {
+  require_columns(cells.size());
+  const std::vector<CsvText> checked(cells.begin(), cells.end());
+  for (const CsvText& cell : checked) add(cell);
+  end_row();
+}
+
+void CsvTable::add_numbers(const std::vector<double>& values) {
+  require_columns(values.size());
+  for (const double value : values) add(value);
+  end_row();
+}
+
+CsvTable& CsvTable::add(const CsvText& cell) {
+  begin_cell();
+  text_ += cell.text();
+  return *this;
+}
+
+CsvTable& CsvTable::add(std::optional<double> value) {
+  begin_cell();
+  if (value) text_ += data::shortest_text(*value);
+  return *this;
+}
+
+void CsvTable::end_row() {
+  require_columns(cells_);
+  cells_ = 0;
+  text_ += '\n';
+}
+
+void CsvTable::require_columns(std::size_t cells) const {
+  if (cells != columns_)
+    throw std::invalid_argument(fmt::format("a row has {} cells, but the table {} columns", cells, columns_));
+}
+
+void CsvTable::begin_cell() {
+  if (cells_++ > 0) text_ += ',';
+}
+
+std::string csv_number(std::optional<double> value) { return value ? data::shortest_text(*value) : ""; }
+
+}  // namespace stickslip::report

@@ -1,0 +1,116 @@
+#include "render/document.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <initializer_list>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "render/external_tool.hpp"
+#include "render/report.hpp"
+#include "render/temporary_folder.hpp"
+#include "render/text_file.hpp"
+#include "stickslip/data/case_file.hpp"
+#include "stickslip/data/installation.hpp"
+
+namespace stickslip::report {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int most_runs = 4;
+
+// Debian's, which has Jinja2, whatever other Python stands on the search path.
+constexpr const char* python = "/usr/bin/python3";
+
+bool mentions(const fs::path& log, std::initializer_list<std::string_view> phrases) {
+  const std::string text = read_text(log);
+  return std::ranges::any_of(phrases,
+                             [&](std::string_view phrase) { return text.find(phrase) != std::string::npos; });
+}
+
+// "Rerun to get cross-references right.", "Table widths have changed. Rerun LaTeX."
+bool wants_another_run(const fs::path& log) { return mentions(log, {"Rerun to get", "Rerun LaTeX"}); }
+
+// "! Undefined control sequence." and the line after it, which says where.
+std::string first_error(const fs::path& log) {
+  std::ifstream stream(log);
+  std::string line, next;
+  while (std::getline(stream, line)) {
+    if (!line.starts_with("! ")) continue;
+    std::getline(stream, next);
+    return fmt::format("{} {}", line.substr(2), next);
+  }
+  return "its log names no error";
+}
+
+void run_pdflatex(const fs::path& folder) {
+  const int status = run_tool("pdflatex", {"-halt-on-error", "-interaction=nonstopmode", "vv-report.tex"},
+                              folder, folder / "pdflatex.out");
+  if (status == 0) return;
+  throw std::runtime_error(fmt::format("pdflatex could not typeset the report (status {}): {}", status,
+                                       first_error(folder / "vv-report.log")));
+}
+
+// The last line of what it says is its error message.
+void run_renderer(std::vector<std::string> arguments, const fs::path& folder) {
+  const fs::path log = folder / "render.log";
+  arguments.insert(arguments.begin(), {"-I", (templates_directory() / "report" / "render.py").string()});
+  const int status = run_tool(python, arguments, folder, log);
+  if (status == 0) return;
+  std::string message = read_text(log);
+  while (message.ends_with('\n')) message.pop_back();
+  message.erase(0, message.rfind('\n') + 1);
+  if (status == 2) throw data::InputError(message);
+  throw std::runtime_error(fmt::format("the templates of the report cannot be filled in: {}", message));
+}
+
+std::runtime_error no_pdf(const ToolMissing& missing, const OutputFolder& output) {
+  return std::runtime_error(fmt::format("{}, so that there is no PDF report; the figures are in {}",
+                                        missing.what(), output.folder().string()));
+}
+
+}  // namespace
+
+std::string read_test_results(const fs::path& tests) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "tests.json";
+  run_renderer({"tests", fs::absolute(tests).string(), file.string()}, folder.path());
+  return read_text(file);
+}
+
+fs::path fill_in_templates(const fs::path& values, const OutputFolder& output) {
+  const fs::path sources = output.scratch() / "latex";
+  fs::create_directory(sources);
+  try {
+    run_renderer({"report", (templates_directory() / "report").string(), data::data_directory().string(),
+                  values.string(), sources.string()},
+                 output.scratch());
+  } catch (const ToolMissing& missing) {
+    throw no_pdf(missing, output);
+  }
+  return sources;
+}
+
+void typeset(const fs::path& sources, OutputFolder& output) {
+  try {
+    run_pdflatex(sources);
+    for (int run = 2; run <= most_runs; ++run) {
+      run_pdflatex(sources);
+      if (!wants_another_run(sources / "vv-report.log")) break;
+    }
+  } catch (const ToolMissing& missing) {
+    throw no_pdf(missing, output);
+  }
+  if (mentions(sources / "vv-report.log", {"undefined references", "multiply-defined labels"}))
+    throw std::runtime_error(
+        "the report refers to a figure, a table or a section that it does not have, or that stands twice");
+  output.publish(sources / "vv-report.pdf");
+}
+
+}  // namespace stickslip::report

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "render/output_folder.hpp"
+
+namespace stickslip::report {
+
+/// GoogleTest's XML files of a folder as one JSON text. Throws data::InputError if there are none, or one
+/// cannot be used.
+[[nodiscard]] std::string read_test_results(const std::filesystem::path& tests);
+
+/// Fills in the templates of the report from the JSON files in the folder `values`; returns the folder with
+/// the LaTeX sources. Throws std::runtime_error, naming the template and the value, if one is missing.
+[[nodiscard]] std::filesystem::path fill_in_templates(const std::filesystem::path& values,
+                                                      const OutputFolder& output);
+
+/// Runs pdflatex on vv-report.tex until references settle and moves vv-report.pdf in place. Throws
+/// std::runtime_error, with LaTeX's first error, if that fails or pdflatex is missing.
+void typeset(const std::filesystem::path& sources, OutputFolder& output);
+
+}  // namespace stickslip::report

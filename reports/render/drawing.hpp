@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "render/output_folder.hpp"
+
+namespace stickslip::report {
+
+/// Runs figures/<script>.gp once, which makes these drawings in the scratch folder, and returns their paths.
+/// `tables` is the folder of its tables as seen from there. Throws as draw() does.
+[[nodiscard]] std::vector<std::filesystem::path> draw_in_scratch(const std::string& script,
+                                                                 const std::string& format,
+                                                                 const std::string& tables,
+                                                                 const std::vector<std::string>& drawings,
+                                                                 OutputFolder& output);
+
+/// The bytes of a drawing by figures/<script>.gp of these tables, whose keys are the names of their files.
+/// Throws as draw() does.
+[[nodiscard]] std::string drawing_of(const std::string& script, const std::string& format,
+                                     const std::map<std::string, std::string>& tables);
+
+/// Runs figures/<name>.gp on the tables in the output folder, once for PDF and once for PNG. Throws
+/// ToolMissing if there is no gnuplot, std::runtime_error with gnuplot's own words if it fails.
+void draw(const std::string& name, OutputFolder& output);
+
+}  // namespace stickslip::report

@@ -1,0 +1,111 @@
+#include "render/report.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+
+#include "render/document.hpp"
+#include "render/drawing.hpp"
+#include "render/environment.hpp"
+#include "render/external_tool.hpp"
+#include "render/figures.hpp"
+#include "render/interruption.hpp"
+#include "render/output_folder.hpp"
+#include "render/progress.hpp"
+#include "render/study_results.hpp"
+#include "render/text_file.hpp"
+#include "render/values.hpp"
+#include "stickslip/data/case_file.hpp"
+#include "stickslip/data/installation.hpp"
+
+namespace stickslip::report {
+
+namespace {
+
+// The figures asked for, in the order of the report.
+std::vector<Figure> chosen_figures(const std::vector<std::string>& only) {
+  const std::vector<std::string> known = figure_names();
+  for (const std::string& name : only)
+    if (std::ranges::find(known, name) == known.end())
+      throw data::InputError(fmt::format("--only names the figure '{}', but must name some of {}", name,
+                                         fmt::join(known, ", ")));
+  std::vector<Figure> chosen;
+  for (const Figure& figure : all_figures())
+    if (only.empty() || std::ranges::find(only, figure.name) != only.end()) chosen.push_back(figure);
+  return chosen;
+}
+
+// The steps of a report are the data of each figure, its drawing, and the document.
+double share_done(std::size_t figures, std::size_t steps) {
+  return static_cast<double>(steps) / static_cast<double>(2 * figures + 1);
+}
+
+void write_tables(const std::string& figure, FigureData data, OutputFolder& output) {
+  if (!data.values.empty()) data.tables.push_back({figure + "-values", values_table(data.values)});
+  for (const auto& [name, table] : data.tables) output.write(name + ".csv", table.text());
+}
+
+void draw_all(const std::vector<Figure>& figures, Progress& progress, OutputFolder& output) {
+  try {
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+      progress(share_done(figures.size(), figures.size() + i));
+      progress.stage(fmt::format("drawing {}", figures[i].name));
+      draw(figures[i].name, output);
+    }
+  } catch (const ToolMissing& missing) {
+    throw std::runtime_error(fmt::format("{}, so that no figure is drawn; their data are in {}/*.csv",
+                                         missing.what(), output.folder().string()));
+  }
+}
+
+}  // namespace
+
+void write_report(const ReportOptions& options) {
+  const std::vector<Figure> chosen = chosen_figures(options.only);
+  (void)templates_directory();  // refused now rather than after the studies
+  const std::string tests = options.tests.empty() ? "[]\n" : read_test_results(options.tests);
+  OutputFolder output(options.output);
+  const std::filesystem::path values = output.folder() / "studies";
+  Progress progress("stickslip report", Progress::standard_error(options.quiet));
+  const Interruption interruption([&] {
+    progress.finish();
+    output.clear_scratch();
+    return fmt::format("interrupted after {:.0f} % of the report; what is finished is in {}",
+                       100.0 * progress.share(), output.folder().string());
+  });
+  StudyResults results([&](const std::string& what) { progress.stage(what); }, values);
+
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    progress(share_done(chosen.size(), i));
+    write_tables(chosen[i].name, chosen[i].data(results), output);
+  }
+  draw_all(chosen, progress, output);
+  if (!options.only.empty()) return;
+
+  replace_text(values / "tests.json", tests);
+  write_values(results, describe_environment(options, output.scratch()), values);
+  progress.stage("typesetting vv-report.pdf");
+  typeset(fill_in_templates(values, output), output);
+}
+
+std::vector<std::string> figure_names() {
+  std::vector<std::string> names;
+  for (const Figure& figure : all_figures()) names.push_back(figure.name);
+  return names;
+}
+
+std::filesystem::path templates_directory() {
+  std::filesystem::path chosen =
+      data::installed_folder("STICKSLIP_REPORTS", "reports", STICKSLIP_REPORTS_DIRECTORY);
+  if (!std::filesystem::is_directory(chosen / "figures") || !std::filesystem::is_directory(chosen / "report"))
+    throw data::InputError(fmt::format(
+        "the folder of the report's templates (STICKSLIP_REPORTS) is {}, but must hold the folders "
+        "figures and report",
+        chosen.string()));
+  return chosen;
+}
+
+}  // namespace stickslip::report
