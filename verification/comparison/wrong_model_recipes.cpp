@@ -44,9 +44,10 @@ data::Case with_damping(data::Case problem, const data::Damping& damping) {
 }
 
 data::Case with_friction(data::Case problem, double static_coefficient, double kinetic_coefficient) {
-  problem.friction = data::FrictionLaw({.static_coefficient = static_coefficient,
-                                        .kinetic_coefficient = kinetic_coefficient,
-                                        .decay = problem.friction.decay()});
+  data::FrictionCoefficients coefficients = problem.friction.coefficients();
+  coefficients.static_coefficient = static_coefficient;
+  coefficients.kinetic_coefficient = kinetic_coefficient;
+  problem.friction = data::FrictionLaw(coefficients);
   return problem;
 }
 

@@ -45,9 +45,7 @@ data::Case with_value(const data::Case& problem, Parameter parameter, double val
   data::BeamProperties beam = problem.beam.properties();
   data::HarmonicMotion motion{.frequency_hz = problem.excitation.frequency_hz(),
                               .amplitude = problem.excitation.amplitude()};
-  data::FrictionCoefficients friction{.static_coefficient = problem.friction.static_coefficient(),
-                                      .kinetic_coefficient = problem.friction.kinetic_coefficient(),
-                                      .decay = problem.friction.decay()};
+  data::FrictionCoefficients friction = problem.friction.coefficients();
   switch (parameter) {
     case Parameter::frequency:
       motion.frequency_hz = value;

@@ -63,6 +63,7 @@ class FrictionLaw {
   [[nodiscard]] double static_coefficient() const noexcept { return coefficients_.static_coefficient; }
   [[nodiscard]] double kinetic_coefficient() const noexcept { return coefficients_.kinetic_coefficient; }
   [[nodiscard]] double decay() const noexcept { return coefficients_.decay; }
+  [[nodiscard]] const FrictionCoefficients& coefficients() const noexcept { return coefficients_; }
 
  private:
   FrictionCoefficients coefficients_;
