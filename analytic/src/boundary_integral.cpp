@@ -142,17 +142,18 @@ ContactStep solve_contact(const ContactLaw& law, double free_velocity, double we
   if (std::abs(free_velocity) <= weight * held) return {0.0, -free_velocity / weight};
   // |v| - |p| + W N mu(|v|) = 0: convex, rising, and negative at zero, so that Newton's method comes down to
   // the root after its first step.
-  const double kinetic = law.friction.kinetic_coefficient() * law.normal_force;
+  const double kinetic = law.friction.kinetic_coefficient() * law.normal_force,
+               viscous = law.friction.viscous() * law.normal_force;
   double speed = 0.0;
   constexpr int most_iterations = 100;
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     const double falling = (held - kinetic) * std::exp(-law.friction.decay() * speed);
-    const double residual = speed - std::abs(free_velocity) + weight * (kinetic + falling);
-    const double change = residual / (1.0 - weight * law.friction.decay() * falling);
+    const double residual = speed - std::abs(free_velocity) + weight * (kinetic + falling + viscous * speed);
+    const double change = residual / (1.0 - weight * law.friction.decay() * falling + weight * viscous);
     speed -= change;
     if (std::abs(change) <= 4.0 * epsilon * speed) break;
   }
-  const double force = kinetic + (held - kinetic) * std::exp(-law.friction.decay() * speed);
+  const double force = kinetic + (held - kinetic) * std::exp(-law.friction.decay() * speed) + viscous * speed;
   return {std::copysign(speed, free_velocity), -std::copysign(force, free_velocity)};
 }
 

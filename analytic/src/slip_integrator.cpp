@@ -172,7 +172,8 @@ double SlipIntegrator::friction_force(double sliding_velocity) const {
   const data::FrictionLaw& law = dynamics_.model().friction;
   const double weakening = law.static_coefficient() - law.kinetic_coefficient();
   return -direction_ * dynamics_.model().normal_force *
-         (law.kinetic_coefficient() + weakening * std::exp(-law.decay() * direction_ * sliding_velocity));
+         (law.kinetic_coefficient() + weakening * std::exp(-law.decay() * direction_ * sliding_velocity) +
+          law.viscous() * direction_ * sliding_velocity);
 }
 
 int SlipIntegrator::right_side(double t, const double y[], double rate[], void* self) {
@@ -215,8 +216,10 @@ void SlipIntegrator::measure(Node& node) const {
   const double acceleration =
       kinematics_of(node.rate.data()).velocity - dynamics_.wall_acceleration(node.time);
   const double weakening = law.static_coefficient() - law.kinetic_coefficient();
-  const double force_rate = dynamics_.model().normal_force * weakening * law.decay() *
-                            std::exp(-law.decay() * direction_ * sliding) * acceleration;
+  const double normal_force = dynamics_.model().normal_force;
+  const double force_rate =
+      normal_force * weakening * law.decay() * std::exp(-law.decay() * direction_ * sliding) * acceleration -
+      normal_force * law.viscous() * acceleration;
   accelerate(node.rate.data(), dynamics_.load_rate(node.time), force_rate, jerk_);
   node.velocity = {direction_ * sliding, direction_ * acceleration,
                    direction_ * (jerk_.back() - dynamics_.wall_jerk(node.time))};

@@ -72,6 +72,8 @@ constexpr std::array keys{
         member<&Draft::friction, &FrictionCoefficients::kinetic_coefficient>, Magnitudes{1e-9, 1e6, ""}},
     Key{"friction", "decay", member<&Draft::friction, &FrictionCoefficients::decay>,
         Magnitudes{1e-15, 1e15, "s/m"}},
+    Key{"friction", "viscous", member<&Draft::friction, &FrictionCoefficients::viscous>,
+        Magnitudes{1e-15, 1e15, "s/m"}, Presence::optional},
     Key{"excitation", "frequency_hz", member<&Draft::excitation, &HarmonicMotion::frequency_hz>,
         Magnitudes{1e-9, 1e12, "Hz"}},
     Key{"excitation", "amplitude", member<&Draft::excitation, &HarmonicMotion::amplitude>,

@@ -45,6 +45,7 @@ FrictionLaw::FrictionLaw(const FrictionCoefficients& coefficients) : coefficient
     throw FieldError("friction.kinetic_coefficient", shortest_text(kinetic_coefficient()),
                      "at most friction.static_coefficient, which is " + shortest_text(static_coefficient()));
   require_not_negative("friction.decay", decay(), " (s/m)");
+  require_not_negative("friction.viscous", viscous(), " (s/m)");
 }
 
 HarmonicExcitation::HarmonicExcitation(const HarmonicMotion& motion) : motion_(motion) {

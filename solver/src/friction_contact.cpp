@@ -7,8 +7,10 @@
 namespace stickslip::solver {
 
 double friction_coefficient(const data::FrictionLaw& law, double sliding_velocity) {
-  return law.kinetic_coefficient() + (law.static_coefficient() - law.kinetic_coefficient()) *
-                                         std::exp(-law.decay() * std::abs(sliding_velocity));
+  const double speed = std::abs(sliding_velocity);
+  return law.kinetic_coefficient() +
+         (law.static_coefficient() - law.kinetic_coefficient()) * std::exp(-law.decay() * speed) +
+         law.viscous() * speed;
 }
 
 FrictionContact::FrictionContact(const ContactSystem& system)
@@ -31,7 +33,8 @@ double FrictionContact::alpha_level_force(double direction, double free_velocity
   if (forward <= strength * law_.static_coefficient()) return -direction * limit_;
   for (int iteration = 0; iteration < 100; ++iteration) {
     const double residual = w + strength * friction_coefficient(law_, w) - forward;
-    const double slope = 1.0 - strength * weakening() * std::exp(-law_.decay() * w);
+    const double slope =
+        1.0 - strength * weakening() * std::exp(-law_.decay() * w) + strength * law_.viscous();
     const double next = std::max(w - residual / slope, 0.0);
     if (std::abs(next - w) <= 1e-15 * std::max(w, forward)) break;
     w = next;

@@ -27,7 +27,7 @@ struct Line {
 
   [[nodiscard]] std::string path() const { return table + "." + key; }
   [[nodiscard]] bool is_integer() const { return key == "elements" || key == "modes"; }
-  [[nodiscard]] bool is_optional() const { return table == "damping"; }
+  [[nodiscard]] bool is_optional() const { return table == "damping" || key == "viscous"; }
 };
 
 const std::vector<Line>& valid_lines() {
@@ -42,6 +42,7 @@ const std::vector<Line>& valid_lines() {
                                        {"friction", "static_coefficient", "0.6"},
                                        {"friction", "kinetic_coefficient", "0.3"},
                                        {"friction", "decay", "1.0"},
+                                       {"friction", "viscous", "0.1"},
                                        {"excitation", "", ""},
                                        {"excitation", "frequency_hz", "25.0"},
                                        {"excitation", "amplitude", "0.5e-3"},
@@ -151,6 +152,7 @@ TEST_F(CaseFile, IsReadKeyByKey) {
   EXPECT_EQ(problem.friction.static_coefficient(), 0.6);
   EXPECT_EQ(problem.friction.kinetic_coefficient(), 0.3);
   EXPECT_EQ(problem.friction.decay(), 1.0);
+  EXPECT_EQ(problem.friction.viscous(), 0.1);
   EXPECT_EQ(problem.excitation.frequency_hz(), 25.0);
   EXPECT_EQ(problem.excitation.amplitude(), 0.5e-3);
   EXPECT_EQ(problem.numerics.elements(), 20);

@@ -80,6 +80,7 @@ std::vector<Field> non_negative_fields() {
   return {friction_field("static_coefficient", &data::FrictionCoefficients::static_coefficient),
           friction_field("kinetic_coefficient", &data::FrictionCoefficients::kinetic_coefficient),
           friction_field("decay", &data::FrictionCoefficients::decay),
+          friction_field("viscous", &data::FrictionCoefficients::viscous),
           excitation_field("amplitude", &data::HarmonicMotion::amplitude),
           numerics_field("velocity_threshold", &data::NumericalChoices::velocity_threshold),
           damping_field("kelvin_voigt", &data::DampingProperties::kelvin_voigt)};

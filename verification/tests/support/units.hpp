@@ -39,9 +39,10 @@ inline data::Beam in_units(const Units& units, const data::Beam& si) {
 }
 
 inline data::FrictionLaw in_units(const Units& units, const data::FrictionLaw& si) {
-  return data::FrictionLaw({.static_coefficient = si.static_coefficient(),
-                            .kinetic_coefficient = si.kinetic_coefficient(),
-                            .decay = si.decay() / units.velocity()});
+  data::FrictionCoefficients coefficients = si.coefficients();
+  coefficients.decay /= units.velocity();
+  coefficients.viscous /= units.velocity();
+  return data::FrictionLaw(coefficients);
 }
 
 inline data::HarmonicExcitation in_units(const Units& units, const data::HarmonicExcitation& si) {

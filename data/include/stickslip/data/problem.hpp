@@ -48,13 +48,17 @@ class Beam {
 
 /// What a FrictionLaw is built from; field names are the keys of the table [friction].
 struct FrictionCoefficients {
-  double static_coefficient{};   ///< mu_s, >= 0
-  double kinetic_coefficient{};  ///< mu_m, the limit at high sliding velocity, 0 <= mu_m <= mu_s
-  double decay{};                ///< alpha, s/m, >= 0
+  double static_coefficient{};  ///< mu_s, >= 0
+  double
+      kinetic_coefficient{};  ///< mu_m, 0 <= mu_m <= mu_s: what the exponential leaves at high sliding velocity
+  double decay{};             ///< alpha, s/m, >= 0
+  double viscous{};           ///< beta, s/m, >= 0
 };
 
-/// The exponential friction law of Eq. (7), mu(v) = mu_m + (mu_s - mu_m) exp(-alpha |v|).
-/// Coulomb friction is mu_m = mu_s. Cannot be built invalid.
+/// The exponential friction law of Eq. (7) with a viscous term, mu(v) = mu_m + (mu_s - mu_m) exp(-alpha |v|) +
+/// beta |v|. Coulomb friction is mu_m = mu_s and beta = 0, the paper's law beta = 0. With 0 < beta < (mu_s -
+/// mu_m) alpha it has a minimum (Stribeck) at |v| = ln((mu_s - mu_m) alpha/beta)/alpha. mu is convex in |v| and
+/// falls no faster than (mu_s - mu_m) alpha, but may exceed mu_s. Cannot be built invalid.
 class FrictionLaw {
  public:
   /// Throws FieldError.
@@ -63,6 +67,7 @@ class FrictionLaw {
   [[nodiscard]] double static_coefficient() const noexcept { return coefficients_.static_coefficient; }
   [[nodiscard]] double kinetic_coefficient() const noexcept { return coefficients_.kinetic_coefficient; }
   [[nodiscard]] double decay() const noexcept { return coefficients_.decay; }
+  [[nodiscard]] double viscous() const noexcept { return coefficients_.viscous; }
   [[nodiscard]] const FrictionCoefficients& coefficients() const noexcept { return coefficients_; }
 
  private:
