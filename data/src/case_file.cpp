@@ -341,7 +341,7 @@ Case load_case(const std::string& name_or_path, const std::vector<Override>& ove
 std::map<std::string, double> numbers_of(const Case& problem) {
   const auto& [name, beam, friction, excitation, numerics, damping] = problem;
   Draft draft{.beam = beam.properties(),
-              .friction = {friction.static_coefficient(), friction.kinetic_coefficient(), friction.decay()},
+              .friction = friction.coefficients(),
               .excitation = {excitation.frequency_hz(), excitation.amplitude()},
               .numerics = numerics.choices(),
               .damping = {damping.kelvin_voigt(), damping.ratio()}};

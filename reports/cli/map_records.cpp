@@ -16,9 +16,9 @@
 #include "output_file.hpp"
 #include "range_text.hpp"
 #include "render/criterion_map.hpp"
-#include "render/fingerprint.hpp"
 #include "render/text_file.hpp"
 #include "stickslip/data/input_text.hpp"
+#include "stickslip/data/sha256.hpp"
 #include "stickslip/version.hpp"
 
 namespace stickslip::cli {
@@ -34,14 +34,8 @@ std::string program() { return fmt::format("stickslip {} (commit {})", version, 
 Json to_json(const studies::MapTask& task, const MapPart& part) {
   return {
       {"program", program()},
-      {"case", problem.name},
-      {"beam", numbers_of(problem.beam.properties())},
-      {"friction", numbers_of(problem.friction.coefficients())},
-      {"excitation", numbers_of(data::HarmonicMotion{.frequency_hz = problem.excitation.frequency_hz(),
-                                                     .amplitude = problem.excitation.amplitude()})},
-      {"numerics", numbers_of(problem.numerics.choices())},
-      {"damping", numbers_of(data::DampingProperties{.kelvin_voigt = problem.damping.kelvin_voigt(),
-                                                     .ratio = problem.damping.ratio()})},
+      {"case", task.problem.name},
+      {"numbers", data::numbers_of(task.problem)},
       {"x", axis_text(task.x)},
       {"y", axis_text(task.y)},
       {"method", task.method == studies::MapMethod::closed_form ? closed_form_method : finite_element_method},
@@ -61,19 +55,21 @@ studies::MapTask task_of(const Json& json) {
 
 constexpr std::size_t largest_shard = 500'000'000;  // bytes, more than the largest map takes
 
-// The line with its check; that of a record depends on the first line, too.
-std::string checked(std::string_view content, report::Fingerprint before = {}) {
-  return fmt::format("{},{}\n", content, before.add(content).text());
+// The first digits of the SHA-256 digest of a line; that of a record depends on the first line of the file, too.
+std::string check_of(std::string_view content, std::string_view header = {}) {
+  return data::sha256(std::string(header) + std::string(content)).substr(0, check_digits);
 }
 
-report::Fingerprint check_of(std::string_view header_line) { return report::Fingerprint().add(header_line); }
+// The line with its check.
+std::string checked(std::string_view content, std::string_view header = {}) {
+  return fmt::format("{},{}\n", content, check_of(content, header));
+}
 
 std::string header_line(const studies::MapTask& task, const MapPart& part) {
   return checked(to_json(task, part).dump());
 }
 
-std::string record(std::size_t number, const studies::MapEvaluation& evaluation,
-                   const report::Fingerprint& header) {
+std::string record(std::size_t number, const studies::MapEvaluation& evaluation, std::string_view header) {
   if (!evaluation.unit_force)
     return checked(fmt::format("{},{}", number, report::to_string(evaluation.state)), header);
   return checked(fmt::format("{},{},{}", number, data::shortest_text(evaluation.unit_force->lower),
@@ -82,11 +78,11 @@ std::string record(std::size_t number, const studies::MapEvaluation& evaluation,
 }
 
 // The first line of a text, without its end and its check; nothing if it is torn or damaged.
-std::optional<std::string_view> first_content(std::string_view text, const report::Fingerprint& before = {}) {
+std::optional<std::string_view> first_content(std::string_view text, std::string_view header = {}) {
   const std::size_t end = text.find('\n');
   if (end == std::string_view::npos || end <= check_digits) return std::nullopt;
   const std::string_view content = text.substr(0, end - check_digits - 1);
-  if (text.substr(0, end + 1) != checked(content, before)) return std::nullopt;
+  if (text.substr(0, end + 1) != checked(content, header)) return std::nullopt;
   return content;
 }
 
@@ -119,7 +115,7 @@ struct Taken {
 
 Taken take_records(std::string_view text, std::size_t header_length, const std::vector<std::size_t>& numbers,
                    studies::MapEvaluations& evaluations) {
-  const report::Fingerprint header = check_of(text.substr(0, header_length));
+  const std::string header = check_of(text.substr(0, header_length));
   Taken taken{.records = 0, .length = header_length};
   while (const auto content = first_content(text.substr(taken.length), header)) {
     const auto next = parse_record(*content);
@@ -188,7 +184,7 @@ MapPart parse_part(std::string_view text) {
 std::string shard_text(const studies::MapTask& task, const MapPart& part,
                        const studies::MapEvaluations& evaluations) {
   const std::string header = header_line(task, part);
-  const report::Fingerprint check = check_of(header);
+  const std::string check = check_of(header);
   std::string text = header;
   for (const std::size_t number : studies::share_of(evaluations.size(), part.part, part.parts))
     text += record(number, evaluations.at(number).value(), check);
@@ -279,7 +275,7 @@ std::size_t UnfinishedMap::kept() const {
 
 void UnfinishedMap::keep(std::span<const std::size_t> numbers) {
   if (file_.empty()) return;
-  const report::Fingerprint header = check_of(header_);
+  const std::string header = check_of(header_);
   std::string text;
   for (const std::size_t number : numbers) text += record(number, *evaluations_[number], header);
   const std::lock_guard lock(guard_);

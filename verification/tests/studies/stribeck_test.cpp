@@ -13,6 +13,7 @@
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/solver/energy_balance.hpp"
 #include "support/contact_models.hpp"
+#include "support/requirements.hpp"
 #include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
 #include "support/units.hpp"
@@ -34,6 +35,7 @@ double resistance_of_the_boundary_integral(double v, double weight) {
   return -solve_contact(law, v + weight * resistance_of_the_solver(v), weight).friction_force;
 }
 
+STICKSLIP_VERIFIES(StribeckLaw, "P2");
 TEST(StribeckLaw, HasItsMinimumWhereTheSlopesOfItsTermsCancel) {
   const double at = std::log(0.3 * 2.0 / 0.1) / 2.0;  // ln((mu_s - mu_m) alpha/beta)/alpha
   const double lowest = normal_force * (0.3 + 0.1 / 2.0 + 0.1 * at);
