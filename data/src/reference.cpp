@@ -302,9 +302,12 @@ class TableReader {
       if (names[i] != expected[i])
         throw InputError(csv_.place(csv_.line_of_names(), i) + ": the name of the column is '" +
                          printable(names[i]) + "', but must be " + expected[i] + " as in the schema");
-    if (names.size() != expected.size())
-      throw InputError(csv_.place(csv_.line_of_names()) + ": the line has " + std::to_string(names.size()) +
-                       " names, but must have " + std::to_string(expected.size()) + " as the schema has");
+    if (names.size() > expected.size())
+      throw InputError(csv_.place(csv_.line_of_names(), expected.size()) + ": the name of the column is '" +
+                       printable(names[expected.size()]) + "', but the schema has no further column");
+    if (names.size() < expected.size())
+      throw InputError(csv_.place(csv_.line_of_names()) + ": the column " + expected[names.size()] +
+                       " of the schema is missing");
   }
 
   void add_row(const std::vector<std::string>& cells) {

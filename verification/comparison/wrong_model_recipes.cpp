@@ -283,7 +283,7 @@ Recipes of_the_contact_force() {
   };
 }
 
-// The load by the moving base and its modal equations.
+// The load by the moving base.
 Recipes of_the_excitation() {
   return {
       {.wrong_model = {"base-load-sign", "the load is +rho A h_tt", "Eq. (1)",
@@ -312,6 +312,12 @@ Recipes of_the_excitation() {
        .inputs = [](const data::Case& problem) -> std::optional<data::Case> {
          return with_value(problem, Parameter::amplitude, 0.5 * problem.excitation.amplitude());
        }},
+  };
+}
+
+// The modal equations and the sum over the modes.
+Recipes of_the_modal_equations() {
+  return {
       {.wrong_model = {"frequency-for-its-square", "omega_n T_n in the modal equation, as printed (E3)",
                        "Eq. (24)", held_motion},
        .equations =
@@ -471,8 +477,9 @@ Recipes of_damping_and_friction() {
 
 Recipes all_recipes() {
   Recipes all;
-  for (const Recipes& group : {of_the_beam(), of_the_contact_force(), of_the_excitation(), of_the_response(),
-                               of_the_discretisation(), of_damping_and_friction()})
+  for (const Recipes& group :
+       {of_the_beam(), of_the_contact_force(), of_the_excitation(), of_the_modal_equations(),
+        of_the_response(), of_the_discretisation(), of_damping_and_friction()})
     all.insert(all.end(), group.begin(), group.end());
   return all;
 }

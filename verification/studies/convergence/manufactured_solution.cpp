@@ -362,84 +362,111 @@ double l2_norm(const solver::BeamModel& model, const Eigen::VectorXd& q) {
   return std::sqrt(q.dot(model.mass() * q) / (model.beam().density() * model.beam().area()));
 }
 
+// Integrals over the beam that the predicted errors in space consist of.
+struct SpaceErrorTerms {
+  ExponentialSum nodal_error;
+  std::array<double, 7> square{};  ///< of the derivatives of phi, by order
+  // Squares of the contribution of the nodal error to each norm, in units of (l^4/720)^2. The mixed terms
+  // with u - Iu are included.
+  double nodal_deflection{}, nodal_slope{}, nodal_curvature{};
+  double second_curvature_term{};
+};
+
+SpaceErrorTerms space_error_terms(const Problem& problem) {
+  const auto& phi = problem.phi;
+  const auto product = [&](const ExponentialSum& a, int i, const ExponentialSum& b, int j) {
+    return integral(problem.length, smooth_intervals, [&](int interval, double s) {
+      const double x = problem.length * (interval + s) / smooth_intervals;
+      return a(i, x) * b(j, x);
+    });
+  };
+  SpaceErrorTerms terms{.nodal_error = leading_nodal_error(problem)};
+  const auto& nodal_error = terms.nodal_error;
+  for (int order = 0; order < 7; ++order)
+    terms.square[static_cast<std::size_t>(order)] = product(phi, order, phi, order);
+  terms.nodal_deflection = product(nodal_error, 0, nodal_error, 0) - 2.0 * product(nodal_error, 0, phi, 4);
+  terms.nodal_slope = product(nodal_error, 1, nodal_error, 1) + 2.0 * product(nodal_error, 2, phi, 4);
+  terms.nodal_curvature = product(nodal_error, 2, nodal_error, 2);
+  terms.second_curvature_term =
+      (1.0 / 28.0 - 1.0 / 12.0) * product(phi, 4, phi, 6) + (1.0 / 140.0 - 1.0 / 12.0) * terms.square[5];
+  return terms;
+}
+
+// Adds the errors that are predicted for elements of length l at the end of the run.
+void add_predictions(ManufacturedSpaceErrors& study, const Problem& problem, const SpaceErrorTerms& terms,
+                     double l) {
+  const auto& square = terms.square;
+  const double l4 = l * l * l * l, nodal = l4 * l4 / (720.0 * 720.0), length = problem.length;
+  const double size = std::abs(problem.history(0, problem.duration()));
+  study.next_term.push_back(l * l / 24.0 * (std::sqrt(square[6] / square[4]) + square[5] / square[4]));
+  study.deflection.predicted.push_back(
+      size * std::sqrt(l4 * l4 / 362880.0 * square[4] + nodal * terms.nodal_deflection));
+  const double slope_of_interpolation = l * l * l * std::sqrt(square[4] / 30240.0);
+  const double slope = std::sqrt(slope_of_interpolation * slope_of_interpolation + nodal * terms.nodal_slope);
+  study.slope.predicted.push_back(size * slope);
+  study.nodal_share_of_slope.push_back(1.0 - slope_of_interpolation / slope);
+  study.curvature.predicted.push_back(
+      size * std::sqrt(l4 / 720.0 * (square[4] + l * l * terms.second_curvature_term) +
+                       nodal * terms.nodal_curvature));
+  if (study.tip != ManufacturedTip::stick)
+    study.tip_deflection.predicted.push_back(size * l4 / 720.0 * std::abs(terms.nodal_error(0, length)));
+  else
+    study.force.predicted.push_back(size * l4 / 720.0 *
+                                    std::abs(problem.axial_force * problem.phi(5, length) -
+                                             problem.rigidity * terms.nodal_error(3, length)));
+}
+
+// Adds the measured errors of a run on n elements, their round-off floors and the temporal shares.
+void add_run(ManufacturedSpaceErrors& study, const Problem& problem, const SpaceErrorTerms& terms, int n) {
+  const double length = problem.length, g = problem.history(0, problem.duration());
+  const solver::BeamModel model(problem.beam, n);
+  const Eigen::VectorXd load = implied_load(problem, model);
+  const Eigen::VectorXd shape = semi_discrete_shape(problem, model, load);
+  // The steps are short enough for a temporal share of about 1e-3. The force contains more of the high modes.
+  const int steps = (study.tip == ManufacturedTip::stick ? 320 : 160) * n * n;
+  const EndOfRun end = run(problem, model, load, shape, space_spectral_radius, steps);
+  const auto floor = [&](int order, double exact) { return round_off_floor(steps, n, order, g * exact); };
+  int order = 0;
+  for (PredictedErrors* errors : {&study.deflection, &study.slope, &study.curvature}) {
+    errors->error.push_back(difference(problem, model, end.displacement, g, order));
+    errors->floor.push_back(floor(order, std::sqrt(terms.square[static_cast<std::size_t>(order)])));
+    ++order;
+  }
+  if (study.tip != ManufacturedTip::stick) {
+    study.tip_deflection.error.push_back(
+        std::abs(end.displacement[model.tip_deflection()] - g * problem.phi(0, length)));
+    study.tip_deflection.floor.push_back(floor(0, problem.phi(0, length)));
+  }
+  if (study.tip != ManufacturedTip::slip) {
+    study.force.error.push_back(std::abs(end.friction_force - g * problem.tip_force()));
+    study.force.floor.push_back(floor(3, problem.tip_force()));
+  }
+  if (study.tip == ManufacturedTip::friction) return;
+  const Eigen::VectorXd temporal =
+      leading_time_error(problem, model, shape, space_spectral_radius, problem.duration() / steps);
+  study.temporal_share.push_back(l2_norm(model, temporal) / study.deflection.predicted.back());
+  if (study.tip == ManufacturedTip::stick)
+    study.temporal_share_of_force.push_back(std::abs(holding_row(model).dot(temporal)) /
+                                            study.force.predicted.back());
+}
+
 }  // namespace
 
 ManufacturedSpaceErrors manufactured_space_errors(const data::Beam& beam, ManufacturedTip tip,
                                                   double load_factor, const std::vector<int>& elements) {
   const Problem problem = manufactured_problem(beam, tip, load_factor);
-  const ExponentialSum nodal_error = leading_nodal_error(problem);
-  const auto& phi = problem.phi;
-  const double length = problem.length, g = problem.history(0, problem.duration()), size = std::abs(g);
-  const auto product = [&](const ExponentialSum& a, int i, const ExponentialSum& b, int j) {
-    return integral(length, smooth_intervals, [&](int interval, double s) {
-      const double x = length * (interval + s) / smooth_intervals;
-      return a(i, x) * b(j, x);
-    });
-  };
-  const auto square = [&](int order) { return product(phi, order, phi, order); };
-  // Squares of the contribution of the nodal error to each norm, in units of (l^4/720)^2. The mixed terms
-  // with u - Iu are included.
-  const double nodal_deflection =
-      product(nodal_error, 0, nodal_error, 0) - 2.0 * product(nodal_error, 0, phi, 4);
-  const double nodal_slope = product(nodal_error, 1, nodal_error, 1) + 2.0 * product(nodal_error, 2, phi, 4);
-  const double second_curvature_term =
-      (1.0 / 28.0 - 1.0 / 12.0) * product(phi, 4, phi, 6) + (1.0 / 140.0 - 1.0 / 12.0) * square(5);
-  const double nodal_curvature = product(nodal_error, 2, nodal_error, 2);
+  const SpaceErrorTerms terms = space_error_terms(problem);
   ManufacturedSpaceErrors study;
   study.tip = tip;
   study.load_factor = load_factor;
   study.elements = elements;
   if (tip == ManufacturedTip::friction)
     study.friction_coupling = friction_decay * problem.rate * std::abs(problem.tip_force()) *
-                              std::pow(length, 3) / (3.0 * problem.rigidity);
+                              std::pow(problem.length, 3) / (3.0 * problem.rigidity);
   for (const int n : elements) {
-    const double l = length / n, l4 = l * l * l * l;
-    const solver::BeamModel model(problem.beam, n);
-    const Eigen::VectorXd load = implied_load(problem, model);
-    const Eigen::VectorXd shape = semi_discrete_shape(problem, model, load);
-    // The steps are short enough for a temporal share of about 1e-3. The force contains more of the high
-    // modes.
-    const int steps = (tip == ManufacturedTip::stick ? 320 : 160) * n * n;
-    const EndOfRun end = run(problem, model, load, shape, space_spectral_radius, steps);
-    study.element_length.push_back(l);
-    study.next_term.push_back(l * l / 24.0 * (std::sqrt(square(6) / square(4)) + square(5) / square(4)));
-    study.deflection.error.push_back(difference(problem, model, end.displacement, g, 0));
-    study.slope.error.push_back(difference(problem, model, end.displacement, g, 1));
-    study.curvature.error.push_back(difference(problem, model, end.displacement, g, 2));
-    const auto floor = [&](int order, double exact) { return round_off_floor(steps, n, order, g * exact); };
-    study.deflection.floor.push_back(floor(0, std::sqrt(square(0))));
-    study.slope.floor.push_back(floor(1, std::sqrt(square(1))));
-    study.curvature.floor.push_back(floor(2, std::sqrt(square(2))));
-    const double nodal = l4 * l4 / (720.0 * 720.0);
-    study.deflection.predicted.push_back(
-        size * std::sqrt(l4 * l4 / 362880.0 * square(4) + nodal * nodal_deflection));
-    const double slope_of_interpolation = l * l * l * std::sqrt(square(4) / 30240.0);
-    const double slope = std::sqrt(slope_of_interpolation * slope_of_interpolation + nodal * nodal_slope);
-    study.slope.predicted.push_back(size * slope);
-    study.nodal_share_of_slope.push_back(1.0 - slope_of_interpolation / slope);
-    study.curvature.predicted.push_back(
-        size * std::sqrt(l4 / 720.0 * (square(4) + l * l * second_curvature_term) + nodal * nodal_curvature));
-    if (tip != ManufacturedTip::stick) {
-      study.tip_deflection.error.push_back(
-          std::abs(end.displacement[model.tip_deflection()] - g * phi(0, length)));
-      study.tip_deflection.predicted.push_back(size * l4 / 720.0 * std::abs(nodal_error(0, length)));
-      study.tip_deflection.floor.push_back(floor(0, phi(0, length)));
-    }
-    if (tip != ManufacturedTip::slip) {
-      study.force.error.push_back(std::abs(end.friction_force - g * problem.tip_force()));
-      study.force.floor.push_back(floor(3, problem.tip_force()));
-    }
-    if (tip == ManufacturedTip::stick)
-      study.force.predicted.push_back(
-          size * l4 / 720.0 *
-          std::abs(problem.axial_force * phi(5, length) - problem.rigidity * nodal_error(3, length)));
-    if (tip == ManufacturedTip::friction) continue;
-    const Eigen::VectorXd temporal =
-        leading_time_error(problem, model, shape, space_spectral_radius, problem.duration() / steps);
-    study.temporal_share.push_back(l2_norm(model, temporal) / study.deflection.predicted.back());
-    if (tip == ManufacturedTip::stick)
-      study.temporal_share_of_force.push_back(std::abs(holding_row(model).dot(temporal)) /
-                                              study.force.predicted.back());
+    study.element_length.push_back(problem.length / n);
+    add_predictions(study, problem, terms, problem.length / n);
+    add_run(study, problem, terms, n);
   }
   for (PredictedErrors* errors :
        {&study.deflection, &study.slope, &study.curvature, &study.tip_deflection, &study.force})

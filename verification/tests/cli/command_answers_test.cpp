@@ -480,17 +480,17 @@ TEST_F(CommandAnswers, CasesAreAlignedAndComplete) {
 
 TEST_F(CommandAnswers, LimitsThemselvesAreAllowed) {
   EXPECT_EQ(json("modes --count 1000")["frequencies_hz"].size(), 1000u);
-  expect_refused("modes --count 1001", "1001 is not an integer from 1 to 1000");
+  expect_refused("modes --count 1001", "is 1001, but must be an integer from 1 to 1000");
   EXPECT_EQ(json("modes --count 1")["frequencies_hz"].size(), 1u);
   EXPECT_EQ(run("respond --duration 0.001 --every 1000000000").status, 0);
-  expect_refused("respond --every 1000000001", "1000000001 is not an integer from 1 to 1000000000");
+  expect_refused("respond --every 1000000001", "is 1000000001, but must be an integer from 1 to 1000000000");
   const std::string map = "map paper-figure14 --states-only --duration 0.1 --y amplitude=1e-4:1e-3:2 ";
   EXPECT_EQ(run(map + "--x length=0.5:1:2").status, 0);
   EXPECT_EQ(csv(run(map + "--x length=0.5:1:2000").output).size(), 3u + 2u * 2001u);
   expect_refused(map + "--x length=0.5:1:2001", "COUNT is '2001', but must be an integer from 2 to 2000");
   EXPECT_EQ(run(map + "--threads 1024 --x length=0.5:1:2").status, 0);
-  expect_refused(map + "--threads 1025 --x length=0.5:1:2", "1025 is not an integer from 1 to 1024");
-  expect_refused("animate --frames 10000", "10000 is not an integer from 2 to 9999");
+  expect_refused(map + "--threads 1025 --x length=0.5:1:2", "is 1025, but must be an integer from 1 to 1024");
+  expect_refused("animate --frames 10000", "is 10000, but must be an integer from 2 to 9999");
 }
 
 TEST_F(CommandAnswers, MapAxesHaveEqualStepsOrRatios) {

@@ -35,7 +35,8 @@ TEST_F(CommandLine, RefusesUnusableArgumentsInOneSentence) {
   expect_refused("criterion --hz fast", "--hz is fast, but must be a number");
   expect_refused("criterion --hz -3", "excitation.frequency_hz is -3");
   expect_refused("respond --duration nan", "numerics.duration is nan");
-  expect_refused("report --output '" + path("report") + "' --tests nowhere", "test results is nowhere");
+  expect_refused("report --output '" + path("report") + "' --tests nowhere",
+                 "nowhere, but must hold GoogleTest's XML files");
   expect_refused("respond --json", "--output FILE");
   expect_refused("respond --every 0", "--every is 0, but must be an integer from 1");
   expect_refused("respond --method event-driven --scheme located",
@@ -312,7 +313,7 @@ TEST_F(CommandLine, FiniteElementsFollowTheDampingOfTheCase) {
   EXPECT_NE(history("--set damping.ratio=0.01"), history(""));
   expect_refused("respond --duration 0.01 --set damping.ratio=0.01 --set numerics.elements=501 --output '" +
                      path("none.csv") + "'",
-                 "numerics.elements = 501: must be at most 500 with a damping.ratio above 0");
+                 "numerics.elements is 501, but must be at most 500 with a damping.ratio above 0");
 }
 
 TEST_F(CommandLine, WhatIsUndampedRefusesADampedCase) {

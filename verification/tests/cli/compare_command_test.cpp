@@ -286,7 +286,7 @@ TEST_F(CompareCommand, RefusesWhatItCannotUseAndWritesNothing) {
                  "--events is given, but");
   expect_refused(command("stick-frequencies", right, outputs + "--until 1"), "a latest time is given");
   expect_refused(command("stick-frequencies", right, outputs + "--figure a.jpg"),
-                 "must end in .pdf, .png or .svg");
+                 "--figure is 'a.jpg', but must be a file whose name ends in .pdf, .png or .svg");
   expect_refused(command("stick-frequencies", right, "--json - --junit -"), "both want standard output");
   expect_refused(command("stick-frequencies", right, "--json '" + path("none/a.json") + "'"), "none/a.json");
   expect_refused(in_fixture("compare stick-frequencies '" + path("none.csv") + "'"),

@@ -411,11 +411,10 @@ TEST(ComparedVerdict, NamesTheToleranceThatIsNone) {
                                 {.tolerances = {{name, value}}, .until = {}, .events = {}}));
     });
   };
-  EXPECT_EQ(with("frequenzy", 1.0),
-            "tolerance of frequenzy: the quantity is unknown, but must be one of frequency");
+  EXPECT_EQ(with("frequenzy", 1.0), "the quantity of a tolerance is frequenzy, but must be one of frequency");
   EXPECT_EQ(with("frequency", -1.0),
-            "tolerance frequency = -1: must be a finite number that is not negative");
-  EXPECT_EQ(with("", std::nan("")), "tolerance nan: must be a finite number that is not negative");
+            "the tolerance of frequency is -1, but must be a finite number that is not negative");
+  EXPECT_EQ(with("", std::nan("")), "the tolerance is nan, but must be a finite number that is not negative");
 }
 
 // --- events

@@ -245,14 +245,14 @@ TEST_F(CaseFile, RefusesAMisspeltKeyAndSuggestsTheRightOne) {
 TEST_F(CaseFile, SuggestsNothingForAKeyLikeNoOther) {
   const std::string sentence = refusal(valid_case() + "colour_of_the_paint = 'red'\n");
   EXPECT_EQ(sentence,
-            "bar.toml:25: unknown key damping.colour_of_the_paint with the value 'red' (a string), but "
+            "bar.toml:26: unknown key damping.colour_of_the_paint with the value 'red' (a string), but "
             "[damping] has the keys kelvin_voigt, ratio");
 }
 
 TEST_F(CaseFile, RefusesAMisspeltTable) {
   EXPECT_EQ(
       refusal(valid_case() + "[beem]\nlength = 2\n"),
-      "bar.toml:25: unknown table [beem] (did you mean beam?), but a case has the tables beam, friction, "
+      "bar.toml:26: unknown table [beem] (did you mean beam?), but a case has the tables beam, friction, "
       "excitation, numerics, damping");
 }
 

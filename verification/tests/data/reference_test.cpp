@@ -466,7 +466,7 @@ TEST_F(ReferenceReader, RefusesEveryDefectOfATableAtItsPlace) {
   };
   const std::vector<Table> tables{
       {"t,phase,y\n0,stick,0\n", "8f3de1d5a674da074c9a1cf219afef659f1081b6ad42f4a26622e0de9c60a162",
-       "1: the line has 3 names, but must have 4 as the schema has"},
+       "1: the column y_radius of the schema is missing"},
       {"t,phase,yy,y_radius\n0,stick,0,0\n",
        "3ed3e0519462675b07a55a53425dc0388e5a61d3e3f889b6017f6de839983193",
        "1, column 3 (yy): the name of the column is 'yy', but must be y as in the schema"},
