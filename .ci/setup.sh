@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # shellcheck shell=bash
 # Sourced by reports/generate and verification/run: installs the Debian packages that are missing.
 

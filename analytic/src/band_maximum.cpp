@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stickslip/analytic/band_maximum.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// What the closed forms need of a beam, derived here and nowhere else on this side.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stickslip/analytic/beam_contact_model.hpp"
 
 #include <gsl/gsl_eigen.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stickslip/analytic/boundary_integral.hpp"
 
 #include <algorithm>

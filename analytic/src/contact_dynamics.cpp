@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stickslip/analytic/contact_dynamics.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stickslip/analytic/damped_steady_state.hpp"
 
 #include <cmath>

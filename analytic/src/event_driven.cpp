@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stickslip/analytic/event_driven.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stickslip/analytic/force_maximum.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fourier_transform.hpp"
 
 #include <mutex>

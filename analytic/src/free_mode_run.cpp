@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stickslip/analytic/free_mode_run.hpp"
 
 #include <array>

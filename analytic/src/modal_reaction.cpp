@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stickslip/analytic/modal_reaction.hpp"
 
 #include "beam_constants.hpp"

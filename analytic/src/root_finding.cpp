@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "root_finding.hpp"
 
 #include <gsl/gsl_errno.h>

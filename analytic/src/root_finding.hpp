@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// GSL's one-dimensional root finders and minimiser for C++ callables: handles are released by their owners,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "slip_integrator.hpp"
 
 #include <gsl/gsl_errno.h>

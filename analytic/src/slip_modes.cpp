@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stickslip/analytic/slip_modes.hpp"
 
 #include <algorithm>

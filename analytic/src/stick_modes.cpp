@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stickslip/analytic/stick_modes.hpp"
 
 #include <cmath>

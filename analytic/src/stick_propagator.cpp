@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stickslip/analytic/stick_propagator.hpp"
 
 #include <gsl/gsl_complex_math.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stumpff.hpp"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// Stumpff functions, entire functions of z that join trigonometric (z > 0), polynomial (z = 0) and

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stickslip/analytic/tip_mobility.hpp"
 
 #include <algorithm>

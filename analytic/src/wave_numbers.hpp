@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// The wave numbers of U'''' + (P/EI) U'' = k U, made dimensionless with the length: b = beta L and

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stickslip/data/input_text.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// JSON files whose values know their name, so that an error message says which value is wrong.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stickslip/data/sha256.hpp"
 
 #include <openssl/evp.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stickslip/data/toml_file.hpp"
 
 #include <algorithm>

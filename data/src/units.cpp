@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stickslip/data/units.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "argument_error.hpp"
 
 #include <fmt/format.h>

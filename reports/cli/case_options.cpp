@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "case_options.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// What the subcommands have in common: which problem, and in which form to answer.

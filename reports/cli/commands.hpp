@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// The subcommands of `stickslip`. Each adds itself to the application and runs from its callback, which

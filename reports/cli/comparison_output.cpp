@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "comparison_output.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "figure_format.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +13,8 @@ namespace stickslip::cli {
 std::string figure_format(const std::string& figure) {
   const std::string extension = std::filesystem::path(figure).extension().string();
   if (extension == ".pdf" || extension == ".png" || extension == ".svg") return extension.substr(1);
-  throw data::FieldError("--figure", fmt::format("'{}'", data::printable(figure)), "a file whose name ends in .pdf, .png or .svg");
+  throw data::FieldError("--figure", fmt::format("'{}'", data::printable(figure)),
+                         "a file whose name ends in .pdf, .png or .svg");
 }
 
 }  // namespace stickslip::cli

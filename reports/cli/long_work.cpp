@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "long_work.hpp"
 
 #include "case_options.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The command line `stickslip`. exit_status.hpp says with which status it ends.
 
 #include <fmt/format.h>

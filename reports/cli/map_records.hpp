@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// Evaluations of a map in files: what a part of the map hands in, and what is kept of an unfinished one.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "range_text.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// Ranges as the command line takes them. All functions throw data::InputError, naming the option, the part

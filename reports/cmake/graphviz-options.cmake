@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # What `cmake --graphviz` draws: the libraries and programs of this project, without the tests.
 set(GRAPHVIZ_GRAPH_NAME stickslip)
 set(GRAPHVIZ_GENERATE_PER_TARGET FALSE)

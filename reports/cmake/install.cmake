@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # cmake --install: the program with its files, and the libraries for find_package(stickslip).
 include(CMakePackageConfigHelpers)
 

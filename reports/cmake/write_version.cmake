@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Run at every build, so that the commit follows HEAD: cmake -D SOURCE_DIR=... -D STICKSLIP_VERSION=... -D TEMPLATE=...
 # -D HEADER=... -P write_version.cmake. The header is touched only when its text changes.
 set(STICKSLIP_COMMIT "unknown")

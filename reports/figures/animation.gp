@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Frames first_frame ... last_frame of an animation: the shape of the beam (left), and the friction force between
 # its limits (right). All frames have the axes that length, largest_displacement, force_limit and largest_force
 # (SI units) set.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # The damped benchmark: tip histories (top) and differences of event times to the reference (bottom).
 width = 16
 height = 12

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Somebody's results (vermillion) against a data set (black, with its uncertainty), and below the difference with what is
 # allowed: uncertainty and tolerance. A column of panels for each of the `quantities`; `smooth` says whether the samples of
 # the data set are joined. The first label is that of the abscissa.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Orders: natural frequencies in the element length (left, middle), generalised-alpha in the time step (right).
 width = 16
 height = 8

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Energy that the balance does not explain, over the base work, against the step.
 width = 15
 height = 7.5

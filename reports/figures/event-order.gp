@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Errors through the events of a damped history against the step, with and without location.
 width = 16
 height = 8

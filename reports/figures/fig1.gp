@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Fig. 1: the model. A drawing that is not to scale; no data.
 width = 16
 height = 6.5

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Fig. 10: largest static friction force over frequency and amplitude, with the plane mu_s P and the excitations
 # A to D.
 width = 16

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Fig. 11: critical amplitude against frequency.
 width = 16
 height = 8.5

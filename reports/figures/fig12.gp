@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Fig. 12: verdicts of the finite-element runs over the closed form's critical amplitude.
 width = 16
 height = 9.5

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Fig. 13: critical amplitude with EI and with EI/2. The upper axis, for EI/2, is scaled so that the first natural
 # frequencies stand at one place.
 width = 16

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Fig. 14: the criterion over beam length and axial force, with what the paper leaves out: the buckling load, over
 # which there is no stick state, and the resonances' dependence on P.
 width = 16

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Fig. 2: the friction law, coefficient (a) and force on the beam (b) against the sliding velocity.
 width = 16
 height = 6.5

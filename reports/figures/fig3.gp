@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Fig. 3: snapshots of the beam over one period, coloured by time; the tip says whether it sticks. Needs nothing
 # but fig3.csv.
 width = 16

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Fig. 6: critical amplitude by the paper's search (finite elements with contact) and by one linear run each.
 width = 12
 height = 7.5

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Fig. 7: mode shapes of the stick (left) and the slip state (right). Panel i, by rows, has the frequency hz<i>.
 width = 16
 height = 11.5

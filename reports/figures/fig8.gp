@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Fig. 8: the deflection as the sum of a quasi-static part and the rest. A drawing that is not to scale; no data.
 width = 16
 height = 6

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Fig. 9: midspan displacement and static friction force in the stick state, both implementations.
 width = 16
 height = 9

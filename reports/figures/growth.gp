@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Bound and observation of the growth of a disturbance, and error of undamped histories, against the mesh.
 width = 16
 height = 10

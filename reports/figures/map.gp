@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # The criterion over two parameters: |f_max|/(mu_s P) by colour and its contour 1, from a table of x, y, ratio and
 # state. Which parameter an axis has is x_parameter or y_parameter; its values follow each other in equal steps, or in
 # equal ratios where x_log or y_log is 1. White is the limit, blue sticks, orange slips, hatched has no stick state.

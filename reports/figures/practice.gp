@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Undamped tip histories as usually computed (columns), against the converged one, at each frequency (rows).
 width = 16
 height = 15

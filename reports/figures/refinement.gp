@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Sup-norm errors of the stick state against the time step, with what theory predicts.
 width = 16
 height = 7.5

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Computed values against their references (left), and their signed relative differences (right) on an axis that is
 # linear within 1e-5 and logarithmic beyond.
 width = 16

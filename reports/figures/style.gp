@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # The style that all figures share, and the file that they are drawn to.
 #
 # A figure sets width and height (cm) and loads this file. From the command line come

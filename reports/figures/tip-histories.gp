@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Four tip histories. Panel i has hz<i> and slips<i>; the band is the half-width.
 width = 16
 height = 10

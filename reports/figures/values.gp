@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Defines what the CSV file `values` holds: one variable a row, with its name, its value and its unit.
 stats values using 2 name 'row' nooutput
 do for [i = 0:int(row_records) - 1] {

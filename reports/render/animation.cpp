@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "render/animation.hpp"
 
 #include <fmt/format.h>

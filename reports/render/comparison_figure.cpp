@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "render/comparison_figure.hpp"
 
 #include <fmt/format.h>

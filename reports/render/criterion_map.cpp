@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "render/criterion_map.hpp"
 
 #include <fmt/format.h>

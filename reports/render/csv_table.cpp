@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "render/csv_table.hpp"
 
 #include <fmt/format.h>

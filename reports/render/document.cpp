@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "render/document.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "render/drawing.hpp"
 
 #include <fmt/format.h>

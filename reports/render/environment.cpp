@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "render/environment.hpp"
 
 #include <fmt/chrono.h>

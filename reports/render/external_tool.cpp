@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "render/external_tool.hpp"
 
 #include <fcntl.h>

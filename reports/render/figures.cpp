@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "render/figures.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "render/findings.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// Numbers that several studies yield together, or that the figures need as well.

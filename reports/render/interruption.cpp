@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "render/interruption.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "render/json_text.hpp"
 
 #include <fmt/format.h>

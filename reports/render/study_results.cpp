@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "render/study_results.hpp"
 
 #include <algorithm>

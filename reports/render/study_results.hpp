@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// What the report draws and quotes: each study, run on the paper's case with the settings chosen here, once

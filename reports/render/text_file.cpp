@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "render/text_file.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "render/values.hpp"
 
 #include <map>

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: MIT
 """Makes the LaTeX sources of the report from templates.
 
   render.py tests FOLDER FILE                     GoogleTest's XML files of a folder as one JSON file

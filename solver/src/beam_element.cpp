@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stickslip/solver/beam_element.hpp"
 
 namespace stickslip::solver {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stickslip/solver/beam_model.hpp"
 
 #include <Eigen/SparseCholesky>

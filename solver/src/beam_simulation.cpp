@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stickslip/solver/beam_simulation.hpp"
 
 #include <Eigen/Dense>

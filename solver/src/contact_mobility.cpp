@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stickslip/solver/contact_mobility.hpp"
 
 #include <Eigen/Dense>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stickslip/solver/energy_balance.hpp"
 
 #include <stdexcept>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "friction_contact.hpp"
 
 #include <algorithm>

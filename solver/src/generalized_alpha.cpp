@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stickslip/solver/generalized_alpha.hpp"
 
 #include "stickslip/data/input_error.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stickslip/solver/held_tip_basis.hpp"
 
 #include <Eigen/Dense>

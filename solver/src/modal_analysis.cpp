@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stickslip/solver/modal_analysis.hpp"
 
 #include <Eigen/Dense>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Steps in the coordinates of a HeldTipBasis: in stick the modes do not know each other, in slip they meet in
 /// the contact alone. A step takes a few passes over arrays and no factorisation, whatever its length.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stickslip/solver/modal_stick_run.hpp"
 
 #include <Eigen/Dense>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Steps by factorised sparse matrices.
 
 #include <Eigen/SparseLU>

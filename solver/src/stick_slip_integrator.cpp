@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stickslip/solver/stick_slip_integrator.hpp"
 
 #include <utility>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "comparison/comparison.hpp"
 
 #include <fmt/format.h>

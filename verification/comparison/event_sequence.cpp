@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "comparison/event_sequence.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "comparison/wrong_model_recipes.hpp"
 
 #include <algorithm>

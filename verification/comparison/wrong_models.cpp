@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "comparison/wrong_models.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// Wrong models of the problem, each with a name and one typical mistake, and the diagnosis of a user's

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The entry point of libFuzzer for one target. FUZZ_TARGET is the function of the target.
 
 #include <cstddef>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Wrong versions of C++ sources, each with one mistake: drawn at random, or written by hand in curated.toml.
 
 A mutant is known by its file, the function around it and the tokens that it changes. Line numbers are not kept and

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Runs the tests against wrong versions of the program, each with one mistake, and counts those that no test notices.
 
     verification/run --mutants -- --part data --count 30    30 random mistakes in data/

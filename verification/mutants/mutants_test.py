@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Tests of the mutation runs themselves: which mistakes are made, how they are known, and what a test log says."""
 
 import subprocess

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Generates the published reference data. Usage: stickslip_reference_data [--output FOLDER]
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # cmake -D CTEST=... -D BINARY_DIR=... -D RESULTS=... -D LABEL=... -P run_label.cmake: runs the tests of a label, with their
 # results as XML in a folder that holds no older ones of that label. Where one fails there is no stamp, and the next build
 # tries again.

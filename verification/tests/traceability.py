@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """traceability.py SOURCES RESULTS PROGRAMS: checks a whole run of the tests. Each requirement must be served by a test that
 passed, and each claim of the paper judged by one. Results older than their test program do not count."""
 

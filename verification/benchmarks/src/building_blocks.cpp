@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Times of the basic operations. Only ratios between lines of one run are meaningful, not the times
 /// themselves.
 

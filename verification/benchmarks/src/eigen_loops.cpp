@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "eigen_loops.hpp"
 
 #include <Eigen/Dense>

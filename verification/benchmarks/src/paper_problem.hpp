@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// The beam of the paper with its friction, settings and excitations for the benchmarks.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Times of the fast and of the plain methods, and of the peak performance of the machine. Only ratios
 /// between lines of one run are meaningful, not the times themselves.
 

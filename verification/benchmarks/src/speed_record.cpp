@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stickslip/benchmarks/speed_record.hpp"
 
 #include <fmt/format.h>

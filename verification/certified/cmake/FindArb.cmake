@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Finds Arb (ball arithmetic) and its dependencies FLINT and GMP, and defines the target Arb::arb. The name of the
 # library is flint-arb in Debian.
 find_path(Arb_INCLUDE_DIR arb.h)

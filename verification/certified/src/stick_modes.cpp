@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stickslip/certified/stick_modes.hpp"
 
 #include <stdexcept>

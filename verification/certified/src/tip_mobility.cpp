@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stickslip/certified/tip_mobility.hpp"
 
 #include <acb.h>

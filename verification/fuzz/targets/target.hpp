@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// Functions of arbitrary bytes that libFuzzer calls and the test suite repeats. Invalid input must cause an

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The data sets with converged values: the held beam with all modes, the map of Fig. 14, and the damped
 /// stick-slip history.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The data sets with values enclosed by ball arithmetic: the stick state, the frequencies of the slip state,
 /// and the criterion.
 

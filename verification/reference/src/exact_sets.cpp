@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The data sets from short closed forms: one mass with friction, and a manufactured motion.
 
 #include <array>

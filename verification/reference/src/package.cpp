@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stickslip/reference/package.hpp"
 
 #include <fmt/format.h>

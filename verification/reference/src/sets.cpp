@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "sets.hpp"
 
 #include <fmt/format.h>

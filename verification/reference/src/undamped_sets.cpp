@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The undamped stick-slip histories as far as they have converged, and their converged stick phases.
 
 #include <fmt/format.h>

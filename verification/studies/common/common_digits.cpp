@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/common/common_digits.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/common/problem_parameter.hpp"
 
 #include <algorithm>

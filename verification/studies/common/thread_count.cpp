@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/common/thread_count.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/convergence/convergence.hpp"
 
 #include <gsl/gsl_cdf.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/convergence/discretisation.hpp"
 
 #include <Eigen/Dense>

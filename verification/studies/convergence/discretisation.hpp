@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// Predictions of the discretisation error from theory and from the modes of the continuous beam alone. This

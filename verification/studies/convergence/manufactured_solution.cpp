@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/convergence/manufactured_solution.hpp"
 
 #include <gsl/gsl_integration.h>

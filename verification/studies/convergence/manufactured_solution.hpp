@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// Manufactured solutions: a motion u(x,t) = phi(x) g(t) is chosen, the load and the tip force that it

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/convergence/scheme_comparison.hpp"
 
 #include <algorithm>

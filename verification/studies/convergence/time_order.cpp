@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/convergence/time_order.hpp"
 
 #include <Eigen/Dense>

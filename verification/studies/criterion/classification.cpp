@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/criterion/classification.hpp"
 
 #include <cmath>

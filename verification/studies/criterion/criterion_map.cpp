@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/criterion/criterion_map.hpp"
 
 #include <fmt/format.h>
@@ -182,8 +183,8 @@ void evaluate(const MapTask& task, std::span<const std::size_t> numbers, MapEval
   const std::size_t columns = evaluations_along(task.x);
   if (evaluations.size() != evaluation_count(task))
     throw std::invalid_argument(
-        fmt::format("the vector of evaluations has the size {}, but must have the size {}", evaluations.size(),
-                    evaluation_count(task)));
+        fmt::format("the vector of evaluations has the size {}, but must have the size {}",
+                    evaluations.size(), evaluation_count(task)));
   const bool may_be_buckled = may_buckle(task);
   const bool decide_only =
       task.states_only && !is_a_factor(task.x.parameter) && !is_a_factor(task.y.parameter);

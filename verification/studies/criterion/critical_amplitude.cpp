@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/criterion/critical_amplitude.hpp"
 
 #include <cmath>

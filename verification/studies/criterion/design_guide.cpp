@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/criterion/design_guide.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// The design guideline of Sect. 5 in closed form: the margin against slipping over a band of excitation

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/criterion/length_force_map.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/criterion/problem_warnings.hpp"
 
 #include <fmt/format.h>

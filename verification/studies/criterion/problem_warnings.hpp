@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// Warnings for cases that leave the range of validity of the model or of the numerical method, and errors

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/paper/force_sensitivity.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// Why the computed |f_max| of Sect. 5 agree with the printed values to three digits and not to five: the

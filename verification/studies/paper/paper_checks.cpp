@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/paper/paper_checks.hpp"
 
 #include <fmt/format.h>

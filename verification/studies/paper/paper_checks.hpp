@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// Compares the paper with the two implementations: the printed numbers that can be computed, and the numbers

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/paper/solution_verification.hpp"
 
 #include <fmt/format.h>

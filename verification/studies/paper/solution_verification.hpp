@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// The discretisation uncertainty of the results of the paper that finite elements compute. It is the grid

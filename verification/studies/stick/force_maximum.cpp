@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/stick/force_maximum.hpp"
 
 #include "stickslip/analytic/criterion.hpp"

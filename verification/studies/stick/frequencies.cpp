@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/stick/frequencies.hpp"
 
 #include <algorithm>

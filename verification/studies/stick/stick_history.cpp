@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/stick/stick_history.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/stick/stick_sum.hpp"
 
 #include <Eigen/Dense>

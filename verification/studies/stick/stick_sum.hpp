@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// The stick state as a modal sum. Each factor may be changed, in order to compute the result of a wrong

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// The motion y(x,t) of the whole beam by several methods (Fig. 3).

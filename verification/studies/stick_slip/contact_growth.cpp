@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/stick_slip/contact_growth.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// A bound of the rate at which two solutions of one contact problem may separate. It follows

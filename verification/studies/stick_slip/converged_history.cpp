@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/stick_slip/converged_history.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/stick_slip/damped_benchmark.hpp"
 
 #include <algorithm>

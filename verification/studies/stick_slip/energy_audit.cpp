@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/stick_slip/energy_audit.hpp"
 
 #include <cmath>

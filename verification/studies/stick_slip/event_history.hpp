@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// Stick-slip histories of all methods in one format, so that they can be compared event by event.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/stick_slip/event_order.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/stick_slip/finite_element_contact_model.hpp"
 
 #include <Eigen/Cholesky>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// Whether undamped histories by generalised-alpha converge to that of the beam, and whether the growth bound

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/stick_slip/tip_run.hpp"
 
 #include <Eigen/Dense>

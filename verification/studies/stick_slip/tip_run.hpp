@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// Stick-slip runs of the tip for arbitrary matrices, loads and contact laws. They also compute wrong models.

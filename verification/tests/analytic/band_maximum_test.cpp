@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The largest friction force over a band of excitation frequencies.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The boundary integral equation of a contact: its weights, its steps, and its histories of one and two
 /// masses against exact ones.
 

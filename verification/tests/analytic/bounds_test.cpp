@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Enclosures hold the exact value, however coarse the search that gave them.
 
 #include <gtest/gtest.h>

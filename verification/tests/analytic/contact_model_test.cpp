@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The beam as a ContactModel: its closed forms against quadrature, its modes and reactions in the limit.
 
 #include <gtest/gtest.h>

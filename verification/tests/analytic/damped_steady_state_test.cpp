@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The damped steady vibration in closed form: it solves its equation and its boundary conditions, dissipates
 /// what is put in, tends to the undamped one, and is the sum over the modes where those decouple.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The event-driven engine against exact piecewise solutions of one mass, two masses and held oscillators.
 
 #include "stickslip/analytic/event_driven.hpp"

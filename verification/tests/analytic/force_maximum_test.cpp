@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The fast search for |f_max| against the plain one, samples and itself; the table of modes against the
 /// modes.
 

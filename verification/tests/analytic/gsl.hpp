@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// GSL's quadrature and numerical differentiation with their own error estimates: the second opinion on the

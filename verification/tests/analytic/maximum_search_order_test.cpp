@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The plain searches for |f_max|, by halving and by samples: they enclose what the fast one finds however
 /// wide they may be, and what they leave open falls with the square of the interval. The fast one, down to
 /// its rounding.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Relations between runs of the closed forms and of the event-driven engine that hold for every beam.
 
 #include <gtest/gtest.h>

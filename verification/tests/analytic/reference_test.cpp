@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The closed forms before they judge anything: energy products, sensitivity, sums over all modes, limits,
 /// and the condition at the tip that no other test looks at.
 

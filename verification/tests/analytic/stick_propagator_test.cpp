@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// A stick phase between its samples: what the search for the onset rests on.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The mobility of the tip: its limits at low and at high frequency, its poles and zeros, its sum over the
 /// modes, and the boundary value problem that it solves.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Ball arithmetic: what is certain is stated, what is not is not, and the closed forms have their
 /// properties.
 

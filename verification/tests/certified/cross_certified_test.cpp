@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Doubles against proven enclosures: the closed form in units in the last place, finite elements from above.
 
 #include <gtest/gtest.h>

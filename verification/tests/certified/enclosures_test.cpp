@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Enclosures of the closed form hold what finite elements find, to their predicted error.
 
 #include <gtest/gtest.h>

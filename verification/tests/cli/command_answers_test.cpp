@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What the commands answer: every field of their JSON, options with each method, and digits that are true.
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The command line, run as a program: exit status, streams, formats and files.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The commands that hand out the reference data and compare with them: exit status, streams, JSON, JUnit,
 /// figure.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What the program says of itself: examples of the help, manual pages and completion, against the help.
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// With what the program ends, by the kind of the exception: what the user can mend, and what not.
 
 #include "exit_status.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Full disks, folders that cannot be written, pipes that close, programs that are missing, signals and runs
 /// that diverge: a clear sentence, the right exit status, and no file that is not whole.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Bad input of every kind at every place: each key of a case file, each option of the command line, each
 /// column of a compared table, and each column and key of the published package is tried with each defect.
 /// Every defect is refused in one sentence, and nothing is written, but for the exceptions listed below; what

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Ctrl-C while a figure is drawn, a report is typeset or a long search goes on: the end within a second, one
 /// sentence about what is there, no file that is not whole, and no other program left behind.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Runs that are killed at fifty random moments: what has a name of its own is whole each time, and the same
 /// command completes.
 

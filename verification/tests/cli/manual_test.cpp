@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The manual: every command in it runs, in the order of the text, and prints what is shown; every link leads
 /// somewhere.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Maps made in parts, by several threads, shards and runs: always the same bytes.
 
 #include <fcntl.h>

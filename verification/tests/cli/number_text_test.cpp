@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Numbers on the command line: the digits that hold, and no others.
 
 #include "number_text.hpp"

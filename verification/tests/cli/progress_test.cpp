@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// How far long work is, and on how many threads it runs.
 
 #include "render/progress.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The same input gives the same bytes: twice, in any locale, on standard output and in files.
 
 #include <gtest/gtest.h>

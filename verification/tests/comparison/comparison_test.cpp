@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Somebody's results against reference data: a copy agrees, an error of known size is found where it is,
 /// events and phases are kept apart, and known mistakes are named.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Verdicts of a comparison at the edges: an error equal to what is allowed, an uncertainty equal to the
 /// tolerance, a time equal to the horizon or to that of an event.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Wrong models that are to be recognised: each differs where it says so, and its own results name it.
 
 #include <gtest/gtest.h>

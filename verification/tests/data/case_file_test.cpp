@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Case files: the published ones hold the paper's numbers, and unusable input is refused in one sentence
 /// that names the place, the key, the value and what is allowed.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The edges of what the readers take: magnitudes, sizes, units, characters and names that are nearly right.
 
 #include <gtest/gtest.h>

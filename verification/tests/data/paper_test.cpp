@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What the paper prints, as data: complete, consistent with its digits, and tied to the errata.
 
 #include <gtest/gtest.h>

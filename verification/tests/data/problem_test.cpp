@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The problem types: what they accept, what they refuse, and in which words.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The reader of the published reference data: what it returns, and that a package with any defect is refused
 /// in one sentence that names the file and the place in it.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Somebody else's CSV files: every spelling that is understood gives the same numbers, and what cannot be
 /// used is refused in one sentence that names file, line, column and value.
 

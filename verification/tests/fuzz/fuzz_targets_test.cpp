@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The fuzz targets, fed by their corpus and by a few thousand mutations of it, the same ones each time.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # cmake -D BUILD_DIR=... -D SOURCE_DIR=... -D GENERATOR=... -D COMPILER=... -D FLAGS=... -P install_test.cmake: installs into a
 # temporary prefix, moves that, asks the program there where its files are, and lets a project of somebody else find, link and
 # run the libraries, whose numbers have to be those of the program to the last digit.

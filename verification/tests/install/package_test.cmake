@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # cmake -D CPACK=... -D BUILD_DIR=... -P package_test.cmake: makes the Debian package, unpacks it elsewhere, and asks the program there
 # for its files.
 set(scratch ${BUILD_DIR}/package-test)

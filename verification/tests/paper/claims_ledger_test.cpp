@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The ledger of claims and the report.
 
 #include <gtest/gtest.h>

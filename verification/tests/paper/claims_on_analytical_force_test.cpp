@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Claims of Sect. 4: the static friction force in closed form, Eqs. (12) to (28). The formulas stand here
 /// once more as they are printed.
 

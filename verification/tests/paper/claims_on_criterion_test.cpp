@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Claims of the abstract, Sect. 5 and Sect. 6 on the criterion: Eqs. (29) and (30), Figs. 10 to 13.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Claims of Sect. 3 on Figs. 6 and 7: the critical amplitude and the natural modes.
 
 #include <gtest/gtest.h>

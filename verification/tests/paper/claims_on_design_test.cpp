@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Claims of Sect. 5 on Fig. 14: which lengths and axial forces avoid stick-slip.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Claims of Sect. 2: the equations of the stick and slip states and of friction.
 
 #include <gtest/gtest.h>

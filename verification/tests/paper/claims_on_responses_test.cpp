@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Claims of Sect. 3 on parameters, start and Figs. 3 to 5: where the tip sticks, where it slips, and how.
 
 #include <gtest/gtest.h>

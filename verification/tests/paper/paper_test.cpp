@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The paper's printed numbers, verdicts and errata.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # cmake -D PROGRAM=... -D SOURCE_DIR=... -D BUILD_DIR=... -D GENERATOR=... -D COMPILER=... -D FLAGS=... -D TYPE=... -D UNITY=... -D BATCH=...
 # -P rebuild_test.cmake: builds the command line a second time, from a copy of the sources in a folder of another path and
 # another length, and asks both programs for the same outputs, which have to be the same bytes.

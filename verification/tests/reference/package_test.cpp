@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The published data: what is in the repository is what the code makes, and every file says where it is
 /// from.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Tables of the figures' data.
 
 #include "render/csv_table.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Files of the report appear whole or not at all, and what is asked for is known before anything is
 /// computed.
 

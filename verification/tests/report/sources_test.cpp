@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The LaTeX sources hold no result: every number of a text, a table or a caption comes from a study.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The record of the benchmarks: written, read back, and refused where it cannot be used.
 
 #include <gtest/gtest.h>

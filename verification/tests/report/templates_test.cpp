@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The templates of the report: what is filled in, and what is refused.
 
 #include <gtest/gtest.h>

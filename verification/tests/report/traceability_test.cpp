@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Each test serves a known requirement, and comparisons are recorded for the report.
 
 #include <gtest/gtest-spi.h>

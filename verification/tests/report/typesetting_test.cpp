@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// LaTeX that is missing, or cannot typeset the report: a sentence that says so, and every file that was
 /// there.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The whole report where LaTeX is missing, and where a signal ends it while LaTeX is at work.
 
 #include <gtest/gtest.h>

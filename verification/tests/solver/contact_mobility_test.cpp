@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The driving-point mobility of a contact, against dense inverses and against steps of generalised-alpha.
 
 #include <gtest/gtest.h>

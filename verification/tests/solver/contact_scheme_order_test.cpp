@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What the location of contact changes is worth: second order with it, first order without.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Contact changes on one mass, against exact piecewise solutions.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The damping matrix of the beam, and what it does to a free vibration.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Hermite element matrices against what they must do, whatever their entries.
 
 #include <gtest/gtest.h>

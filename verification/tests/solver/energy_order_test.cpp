@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The residual of the energy balance: of second order, with the coefficient that method and rule predict.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The energy balance against exact works, and what changes of the contact do to the energy.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The generalised-alpha weights, and the amplification that they imply.
 
 #include <gtest/gtest.h>

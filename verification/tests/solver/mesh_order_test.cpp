@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Observed orders in the mesh, with their constants.
 
 #include <gtest/gtest.h>

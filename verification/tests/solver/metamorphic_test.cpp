@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Relations between runs of the finite elements and of the time stepper that hold for every beam.
 
 #include <gtest/gtest.h>

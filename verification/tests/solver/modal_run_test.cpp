@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The fast runs in the modes of the mesh against the plain ones: the same numbers, up to rounding.
 
 #include <gtest/gtest.h>

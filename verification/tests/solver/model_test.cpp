@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The assembled beam: statics that a Hermite mesh reproduces exactly, the follower term, modes, what a
 /// simulation makes of its settings, input errors.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The finite-element matrices before they judge anything: symmetry, definiteness, patch tests on unequal
 /// elements, and the exact forms of polynomials on the assembled beam.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Observed orders in time.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Checks the structure that the targets of this project make; the configuration stops where it is broken:
 # - no target sees the folder `src` of another folder;
 # - no target outside verification/tests is given a path in verification/tests;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The two implementations share nothing but the problem statement.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The motion of the whole beam by finite elements against the continuous beam (Fig. 3).
 
 #include "studies/stick_slip/beam_motion.hpp"

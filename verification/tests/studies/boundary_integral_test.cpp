@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Histories of the beam by its boundary integral and by its free modes, against each other, against the
 /// event-driven engine where that converges, and against closed forms.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The bound of the growth of a disturbance: closed forms, meshes, modes, steps, and runs that obey it.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The beam with contact: classification, first slip, symmetries.
 
 #include <gtest/gtest.h>

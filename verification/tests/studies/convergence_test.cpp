@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Observed orders and their confidence intervals.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The criterion over any two parameters of a case.
 
 #include <gtest/gtest.h>

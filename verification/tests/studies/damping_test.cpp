@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The damped steady vibration: finite elements, in the frequency domain and by time stepping, against the
 /// closed form, amplitude and phase.
 

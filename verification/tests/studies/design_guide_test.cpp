@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The margin to slipping over a band of frequencies, and the lengths and axial forces that keep it.
 
 #include <gtest/gtest.h>

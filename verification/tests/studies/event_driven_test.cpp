@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The time stepper against the event-driven engine: on the very same semi-discrete system, where only the
 /// time step is left between them, and against the beam without a mesh.
 

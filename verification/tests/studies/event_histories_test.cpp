@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Stick-slip histories by methods that share nothing: finite elements in time steps, the continuous beam
 /// from event to event.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What moves the printed |f_max|, against what theory says of each factor.
 
 #include <fmt/format.h>

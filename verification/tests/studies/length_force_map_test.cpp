@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The criterion over beam length and axial force, Fig. 14.
 
 #include <gtest/gtest.h>

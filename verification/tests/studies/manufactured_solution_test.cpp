@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Manufactured solutions: the finite elements and the time stepper return a motion that is no polynomial,
 /// under the load and the tip force that it implies, with the orders and the constants of theory.
 

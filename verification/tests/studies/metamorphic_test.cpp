@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Relations between the finite elements and the closed forms that hold for every beam.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Where a case leaves the ground of its model or of its numerics: each warning begins where theory says.
 
 #include <gtest/gtest.h>

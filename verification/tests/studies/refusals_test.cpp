@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What neither implementation can model, both refuse, and what one can, the other can as well.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What the three contact schemes make of the paper's beam at 25 Hz and 1 mm.
 
 #include <gtest/gtest.h>

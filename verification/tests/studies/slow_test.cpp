@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What takes minutes: finer grids and longer refinements of tests that run by default.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The discretisation uncertainties of the paper's results, against errors that the closed form knows.
 
 #include <gtest/gtest.h>

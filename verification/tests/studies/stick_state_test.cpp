@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Finite elements against the closed form in the stick state.
 
 #include <gtest/gtest.h>

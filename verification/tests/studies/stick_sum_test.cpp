@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The modal sum of the stick state against its equation of motion, integrated here by other means.
 
 #include <gtest/gtest.h>

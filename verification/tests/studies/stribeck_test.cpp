@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// A friction law with a Stribeck minimum in both implementations: against closed forms, and one against the
 /// other.
 

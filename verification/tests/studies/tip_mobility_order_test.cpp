@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The mobility of the tip of the mesh against that of the beam, without any modes.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// How a test judges a claim of the paper (data/paper/claims.toml). The verdict follows from what was

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// The command line, run as a program. STICKSLIP_PROGRAM is its path.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "support/contact_models.hpp"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// The systems of single_mass.hpp and exact_pair.hpp once more, as the ContactModel of the event-driven

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// Histories that must be the same up to errors whose growth another one measures.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// Two masses with a Coulomb contact on the second, solved exactly: a linear system in each phase, by the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// The flat section of Fig. 14, 0.2 m by 0.02 m, at 25 Hz and 1 mm.

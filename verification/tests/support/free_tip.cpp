@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "support/free_tip.hpp"
 
 #include "support/beams.hpp"

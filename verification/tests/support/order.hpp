@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// Orders of convergence: what a sequence of errors has to show before its slope is believed.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// The paper's case, and the verdicts of both implementations on an excitation.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// Names of parametrised tests: what GoogleTest allows in one, from the numbers that it stands for.

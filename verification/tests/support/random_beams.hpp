@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// Random beams and excitations for relations that must hold whatever the beam is. The same on every machine

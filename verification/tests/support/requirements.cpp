@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "support/requirements.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// The requirements of verification/requirements.toml, and which of them a test serves. Each test serves one.

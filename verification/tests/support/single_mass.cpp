@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "support/single_mass.hpp"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// One mass with a frictional contact, the system on which the contact logic is checked against exact

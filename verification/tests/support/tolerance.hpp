@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// How a test compares two numbers. A tolerance is derived, never tuned, and belongs to one of three classes,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// The traceability of a test run. While a test runs, every comparison of two numbers (tolerance.hpp) is

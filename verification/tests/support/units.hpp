@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// A problem in other units, and problems of other beams that are the same in units of their own.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// The steady vibration of the beam on a moving base, and what a mesh makes of it.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Runs every subcommand on a small problem under valgrind. Variables: VALGRIND, PROGRAM, FOLDER (is emptied).
 file(REMOVE_RECURSE ${FOLDER})
 file(MAKE_DIRECTORY ${FOLDER})

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// The largest |f_max| of Eqs. (29), (30) over a band of excitation frequencies, between rigorous bounds.

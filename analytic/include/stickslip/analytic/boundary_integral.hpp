@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// Stick-slip histories without mesh and without modes: the boundary integral equation of the contact.

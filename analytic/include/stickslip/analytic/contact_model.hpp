@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// A linear structure with one frictional contact, in the modes that it has while the contact is held.

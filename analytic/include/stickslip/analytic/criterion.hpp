@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// The criterion of stick-slip occurrence, Eqs. (29) and (30): the tip stays stuck over 0 <= t <= duration if

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// The steady vibration of the beam with Kelvin-Voigt damping, bending moment E I (u_xx + eta u_xxt), on a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// Stick-slip histories from event to event: no time step, no regularisation of friction.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// |f_max| of Eqs. (29) and (30), fast: what StickResponse::max_abs_friction_force returns, at a fraction of

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// A contact by the modes of its free structure, propagated exactly under a friction force that is constant

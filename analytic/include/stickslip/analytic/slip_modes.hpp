@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// The slip state in closed form: clamped at x = 0, free at x = L under a tangential (follower) axial force

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// The stick state in closed form: clamped at x = 0, pinned at x = L, axial force P (compression positive).

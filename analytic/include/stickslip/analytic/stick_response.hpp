@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// The stick-state response to h(t) = A0 sin(Omega t) in closed form, Eqs. (26)-(28), from rest relative to

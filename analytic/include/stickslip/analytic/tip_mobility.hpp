@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// The mobility of the tip in closed form: the velocity of the sliding beam per unit friction force on its

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// Cases as TOML files: the tables [beam], [friction], [excitation], [numerics] and [damping], whose keys are

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// Tables of comma-separated values: those of the data package, and those of a user.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// What reading a file of any format needs: its bytes, parts of it fit for a message, and the nearest known

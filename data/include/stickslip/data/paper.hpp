@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// What Won, Lee and Chung (2018) print: every number with its digits and its place, the verdicts of Figs. 4

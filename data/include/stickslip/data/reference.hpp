@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// The published reference data: a Frictionless data package (datapackage.json with a tabular resource for

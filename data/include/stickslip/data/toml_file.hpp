@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// What both kinds of TOML files (cases, the paper's numbers) need: reading with a bound, places and values

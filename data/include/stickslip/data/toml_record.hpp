@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// Arrays of tables in TOML files: each table a record whose keys are all known.

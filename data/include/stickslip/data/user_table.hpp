@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// Somebody else's results as a CSV file, to be compared with a data set.

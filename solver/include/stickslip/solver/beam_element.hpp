@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// The two-node Hermite beam element of length l: degrees of freedom (w1, theta1, w2, theta2), theta = dw/dx,

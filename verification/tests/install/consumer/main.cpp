@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// consumer CASE.toml: the critical amplitude of a beam by the closed form, and where the tip's midspan is
 /// after one time step of the finite elements.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// The speed of the fast methods compared with plain ones, as recorded by the last run of the benchmarks

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// The criterion of Eqs. (29) and (30): the tip sticks over 0 <= t <= duration if and only if max |f| <= mu_s

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// Automatic differentiation by dual numbers a + a' e with e^2 = 0. A function evaluated at x + e returns its

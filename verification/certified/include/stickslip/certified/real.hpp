@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// Ball arithmetic: a Real is a midpoint with a radius. The result of each operation is a ball that contains

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// The slip state: clamped at x = 0 and free at x = L under a follower force P. With b = beta L and bb =

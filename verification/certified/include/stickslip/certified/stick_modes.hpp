@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// The stick state (clamped at x = 0, pinned at x = L, axial force P) in the usual formulas. Cancellation in

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// The response of the stick state to h(t) = A0 sin(Omega t) by the sums of the paper with N modes. The beam

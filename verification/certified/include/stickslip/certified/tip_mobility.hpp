@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// The mobility of the tip in the usual formula: the velocity of the sliding tip per unit force on it. With D

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// Generates the published reference data in data/reference/. Each number has the half-width of its
