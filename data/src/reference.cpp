@@ -311,7 +311,15 @@ class TableReader {
                        " of the schema is missing");
   }
 
+  // A table of the package has neither empty lines nor comments, which a user's table may have.
+  void require_next_line() const {
+    const std::size_t next = (lines_.empty() ? csv_.line_of_names() : lines_.back()) + 1;
+    if (csv_.line() != next)
+      throw InputError(csv_.place(next) + ": the line is empty or a comment, but must be a row of the table");
+  }
+
   void add_row(const std::vector<std::string>& cells) {
+    require_next_line();
     lines_.push_back(csv_.line());
     for (std::size_t i = 0; i < cells.size(); ++i) {
       columns_[i].values.push_back(value_of(i, cells[i]));

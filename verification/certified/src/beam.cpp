@@ -16,7 +16,7 @@ Beam::Beam(const BeamData& data) : data_(data) {
                                      {"beam.second_moment_of_area", &data_.second_moment_of_area},
                                      {"beam.density", &data_.density},
                                      {"beam.youngs_modulus", &data_.youngs_modulus}})
-    if (value->sign() <= 0) throw std::invalid_argument(refusal(field, *value, "positive"));
+    if (value->sign() <= 0) throw std::invalid_argument(error_message(field, *value, "positive"));
 }
 
 Real Beam::bending_stiffness() const { return Real(data_.youngs_modulus) * data_.second_moment_of_area; }
@@ -41,7 +41,7 @@ Real buckling_load(const Beam& beam) {
   return buckling_factor() * beam.bending_stiffness() / pow(beam.length(), 2);
 }
 
-std::string refusal(std::string_view field, const Rational& value, std::string_view allowed) {
+std::string error_message(std::string_view field, const Rational& value, std::string_view allowed) {
   std::array<char, 32> shortest{};
   const auto end =
       std::to_chars(shortest.data(), shortest.data() + shortest.size(), value.approximately()).ptr;

@@ -20,12 +20,13 @@ std::string_view to_string(Verdict verdict) noexcept {
 Criterion evaluate_criterion(const Beam& beam, const Rational& static_coefficient,
                              const Excitation& excitation, const Rational& duration, int modes) {
   if (beam.data().axial_force.sign() <= 0)
-    throw std::invalid_argument(
-        refusal("beam.axial_force", beam.data().axial_force, "positive, to press the tip against the wall"));
+    throw std::invalid_argument(error_message("beam.axial_force", beam.data().axial_force,
+                                              "positive, to press the tip against the wall"));
   if (static_coefficient.sign() < 0)
-    throw std::invalid_argument(refusal("friction.static_coefficient", static_coefficient, "0 or more"));
+    throw std::invalid_argument(
+        error_message("friction.static_coefficient", static_coefficient, "0 or more"));
   if (excitation.amplitude.sign() <= 0)
-    throw std::invalid_argument(refusal("excitation.amplitude", excitation.amplitude, "positive"));
+    throw std::invalid_argument(error_message("excitation.amplitude", excitation.amplitude, "positive"));
 
   Criterion criterion;
   criterion.force_max = max_abs_friction_force(beam, excitation, duration, modes);

@@ -156,7 +156,8 @@ std::vector<Candidate> candidates(const BallForce& force, const Cells& cells, co
 }  // namespace
 
 ForceMaximum max_abs_of_sinusoids(const std::vector<Sinusoid>& sinusoids, const Rational& duration) {
-  if (duration.sign() <= 0) throw std::invalid_argument(refusal("numerics.duration", duration, "positive"));
+  if (duration.sign() <= 0)
+    throw std::invalid_argument(error_message("numerics.duration", duration, "positive"));
   if (std::ranges::any_of(sinusoids, [](const Sinusoid& s) {
         return s.amplitude.accurate_bits() < 60 || s.angular_frequency.accurate_bits() < 60;
       }))
@@ -169,9 +170,10 @@ ForceMaximum max_abs_of_sinusoids(const std::vector<Sinusoid>& sinusoids, const 
   const std::optional<Cells> cells =
       promising_cells(DoubleForce(sinusoids, end), std::nextafter(nearest, 0.0), end);
   if (!cells)
-    throw std::domain_error(refusal("numerics.duration", duration,
-                                    "so short, and the excitation so far from a natural frequency, that "
-                                    "doubles give the friction force to 1e-8 of its maximum"));
+    throw std::domain_error(
+        error_message("numerics.duration", duration,
+                      "so short, and the excitation so far from a natural frequency, that "
+                      "doubles give the friction force to 1e-8 of its maximum"));
   const std::vector<Candidate> all = candidates(BallForce(sinusoids), *cells, duration);
   if (all.empty()) throw std::logic_error("No cell contains the largest friction force.");
 

@@ -75,10 +75,11 @@ std::vector<SlipFrequency> slip_frequencies(const Beam& beam, int count) {
   const Real z = beam.load_factor(), flutter = flutter_factor();
   if (!(z < flutter)) {
     const Real load = flutter * beam.bending_stiffness() / pow(beam.length(), 2);
-    throw std::domain_error(refusal("beam.axial_force", beam.data().axial_force,
-                                    "below the flutter load of the slip state, " + enclosure(load, 17).value +
-                                        " N, by more than the radius of the precision; beyond it the two "
-                                        "lowest frequencies are complex"));
+    throw std::domain_error(
+        error_message("beam.axial_force", beam.data().axial_force,
+                      "below the flutter load of the slip state, " + enclosure(load, 17).value +
+                          " N, by more than the radius of the precision; beyond it the two "
+                          "lowest frequencies are complex"));
   }
 
   const int sign = beam.data().axial_force.sign(), pairs = (count + 1) / 2;
@@ -93,10 +94,10 @@ std::vector<SlipFrequency> slip_frequencies(const Beam& beam, int count) {
   const std::vector<Real> roots =
       isolate_roots(function, sign == 0 ? 1 : 0, (last * sqrt(pow(last, 2) - z)).midpoint());
   if (roots.size() != 2 * static_cast<std::size_t>(pairs))
-    throw std::domain_error(refusal("beam.axial_force", beam.data().axial_force,
-                                    "such that the slip frequencies are real; of the first " +
-                                        std::to_string(2 * pairs) + " only " + std::to_string(roots.size()) +
-                                        " are"));
+    throw std::domain_error(error_message("beam.axial_force", beam.data().axial_force,
+                                          "such that the slip frequencies are real; of the first " +
+                                              std::to_string(2 * pairs) + " only " +
+                                              std::to_string(roots.size()) + " are"));
 
   std::vector<SlipFrequency> frequencies;
   for (int n = 1; n <= count; ++n) {

@@ -11,10 +11,10 @@ namespace {
 
 void require_below_buckling(const Beam& beam) {
   if (beam.axial_force() < buckling_load(beam)) return;
-  throw std::domain_error(refusal("beam.axial_force", beam.data().axial_force,
-                                  "below the buckling load of the stick state, " +
-                                      enclosure(buckling_load(beam), 17).value +
-                                      " N, by more than the radius of the precision"));
+  throw std::domain_error(error_message("beam.axial_force", beam.data().axial_force,
+                                        "below the buckling load of the stick state, " +
+                                            enclosure(buckling_load(beam), 17).value +
+                                            " N, by more than the radius of the precision"));
 }
 
 /// Eq. (23) multiplied by its denominators, over kappa = omega L^2 sqrt(rho A/EI).

@@ -12,9 +12,10 @@ StickResponse::StickResponse(const Beam& beam, const Excitation& excitation, int
       omega_(2 * pi() * Real(excitation.frequency_hz)),
       modes_(stick_modes(beam, modes)) {
   if (excitation.frequency_hz.sign() <= 0)
-    throw std::invalid_argument(refusal("excitation.frequency_hz", excitation.frequency_hz, "positive"));
+    throw std::invalid_argument(
+        error_message("excitation.frequency_hz", excitation.frequency_hz, "positive"));
   if (excitation.amplitude.sign() < 0)
-    throw std::invalid_argument(refusal("excitation.amplitude", excitation.amplitude, "0 or more"));
+    throw std::invalid_argument(error_message("excitation.amplitude", excitation.amplitude, "0 or more"));
   force_ = history(beam.length(), 3);
   force_.base *= beam.bending_stiffness();
   for (Real& weight : force_.weights) weight *= beam.bending_stiffness();
@@ -61,10 +62,10 @@ std::vector<Sinusoid> StickResponse::force_sinusoids() const {
     const Real& natural = modes_[n].angular_frequency;
     const Real difference = pow(omega_, 2) - pow(natural, 2);
     if (difference.contains_zero())
-      throw std::domain_error(refusal("excitation.frequency_hz", frequency_hz_,
-                                      "so far from natural frequency " + std::to_string(modes_[n].number) +
-                                          ", " + enclosure(modes_[n].frequency_hz, 17).value +
-                                          " Hz, that the precision can tell them apart"));
+      throw std::domain_error(error_message(
+          "excitation.frequency_hz", frequency_hz_,
+          "so far from natural frequency " + std::to_string(modes_[n].number) + ", " +
+              enclosure(modes_[n].frequency_hz, 17).value + " Hz, that the precision can tell them apart"));
     sinusoids.front().amplitude += force_.weights[n] / difference;
     sinusoids.push_back({-force_.weights[n] * omega_ / (difference * natural), natural});
   }

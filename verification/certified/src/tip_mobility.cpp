@@ -56,7 +56,7 @@ class Complex {
 
 Mobility tip_mobility(const Beam& beam, const Real& sigma, const Real& omega, const Rational& kelvin_voigt) {
   if (kelvin_voigt.sign() < 0)
-    throw std::invalid_argument(refusal("damping.kelvin_voigt", kelvin_voigt, "0 or more"));
+    throw std::invalid_argument(error_message("damping.kelvin_voigt", kelvin_voigt, "0 or more"));
   const Complex s(sigma, omega), length = beam.length(), force = beam.axial_force();
   const Complex rigidity = beam.bending_stiffness() * (1 + Complex(kelvin_voigt) * s);
   const Complex root = sqrt(force * force - 4 * rigidity * beam.mass_per_length() * s * s);

@@ -119,8 +119,8 @@ void run_allowing_input_errors(const Run& run) {
     run();
   } catch (const Violation&) {
     throw;
-  } catch (const std::invalid_argument& refusal) {
-    require_sentence(refusal);
+  } catch (const std::invalid_argument& error_message) {
+    require_sentence(error_message);
   } catch (const std::runtime_error& failure) {
     require_sentence(failure);
   }

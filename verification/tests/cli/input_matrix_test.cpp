@@ -472,7 +472,7 @@ class PackageInput : public CommandLine {
   void enlarge(const std::string& name) const { fs::resize_file(path(name), hundred_megabytes); }
 
   // The sentence that refuses a package or one of its tables, empty if both are accepted.
-  [[nodiscard]] std::string refusal(const std::string& folder, std::size_t resource = 0) const {
+  [[nodiscard]] std::string error_message(const std::string& folder, std::size_t resource = 0) const {
     try {
       const auto package = data::load_reference(path(folder));
       (void)data::read_table(package, package.resources.at(resource).name);
@@ -526,7 +526,7 @@ STICKSLIP_VERIFIES(PublishedColumns, "U2");
 TEST_P(PublishedColumns, AreRefusedInOneSentenceOrRead) {
   const std::string original = text_of(rows_);
   write_signed(original);
-  ASSERT_EQ(refusal(""), "");
+  ASSERT_EQ(error_message(""), "");
   const auto inputs = published_inputs(data::load_reference().resource(GetParam()));
   record(inputs);
   for (const BadInput& row : inputs) {
@@ -535,7 +535,7 @@ TEST_P(PublishedColumns, AreRefusedInOneSentenceOrRead) {
     const std::string changed = text_of(spoilt_rows(rows_, column, row.defect));
     write_signed(changed);
     if (row.defect == "100 MB") enlarge("table.csv");
-    const std::string sentence = refusal("");
+    const std::string sentence = error_message("");
     EXPECT_EQ(!sentence.empty(), row.is_refused()) << sentence;
     if (row.is_refused()) {
       EXPECT_TRUE(sentence.starts_with(path("table.csv") + ":")) << sentence;
@@ -545,7 +545,7 @@ TEST_P(PublishedColumns, AreRefusedInOneSentenceOrRead) {
     if (changed == original) continue;
     write_signed(original);
     write("table.csv", changed);
-    EXPECT_TRUE(contains(refusal(""), "the file has been altered")) << refusal("");
+    EXPECT_TRUE(contains(error_message(""), "the file has been altered")) << error_message("");
   }
 }
 
@@ -554,9 +554,11 @@ TEST_P(PublishedColumns, AreMissedInATruncatedRow) {
     Rows truncated = rows_;
     truncated[3].resize(cells);
     write_signed(text_of(truncated));
-    EXPECT_EQ(refusal(""),
-              fmt::format("{}:4: the line has {} cells, but must have {} as the line of names has",
-                          path("table.csv"), std::max<std::size_t>(cells, 1), rows_.front().size()));
+    const std::string finding =
+        cells == 0 ? std::string("the line is empty or a comment, but must be a row of the table")
+                   : fmt::format("the line has {} cells, but must have {} as the line of names has", cells,
+                                 rows_.front().size());
+    EXPECT_EQ(error_message(""), path("table.csv") + ":4: " + finding);
   }
 }
 
@@ -642,7 +644,7 @@ TEST_P(PackageKeys, AreRefusedInOneSentenceOrRead) {
     SCOPED_TRACE(row.item + ", " + row.defect);
     write("package/datapackage.json", spoilt_text(key, row.defect));
     if (row.defect == "100 MB") enlarge("package/datapackage.json");
-    const std::string sentence = refusal("package", resource);
+    const std::string sentence = error_message("package", resource);
     EXPECT_EQ(!sentence.empty(), row.is_refused()) << sentence;
     if (!row.is_refused()) continue;
     EXPECT_TRUE(sentence.starts_with(path("package/datapackage.json:"))) << sentence;

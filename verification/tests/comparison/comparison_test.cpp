@@ -99,7 +99,7 @@ std::size_t skipped(const Comparison::Quantity& quantity, const std::string& rea
   return points;
 }
 
-std::string refusal(const std::function<void()>& action) {
+std::string error_message(const std::function<void()>& action) {
   try {
     action();
   } catch (const InputError& error) {
@@ -187,11 +187,11 @@ TEST(ComparedTable, RefusesRowsThatTheDataSetLacks) {
   auto mine = copy_of("stick-frequencies");
   values_of(mine, "mode")[2] = 99.0;
   words_of(mine, "mode")[2] = "99";
-  EXPECT_EQ(refusal([&] { static_cast<void>(compare("stick-frequencies", mine)); }),
+  EXPECT_EQ(error_message([&] { static_cast<void>(compare("stick-frequencies", mine)); }),
             "mine.csv:4: beam = paper, mode = 99 is not in the data set stick-frequencies");
   mine = copy_of("stick-frequencies");
   words_of(mine, "beam")[0] = "strip";
-  EXPECT_EQ(refusal([&] { static_cast<void>(compare("stick-frequencies", mine)); }),
+  EXPECT_EQ(error_message([&] { static_cast<void>(compare("stick-frequencies", mine)); }),
             "mine.csv:2: beam = strip is not in the data set stick-frequencies");
 }
 
@@ -244,7 +244,7 @@ TEST(ComparedCurve, RefusesAnAbscissaBetweenSamplesWithoutInterpolation) {
   auto mine = copy_of("stick-force");
   values_of(mine, "t")[3] += 1e-6;
   words_of(mine, "t")[3] = "0.001501";
-  EXPECT_EQ(refusal([&] { static_cast<void>(compare("stick-force", mine)); }),
+  EXPECT_EQ(error_message([&] { static_cast<void>(compare("stick-force", mine)); }),
             "mine.csv:5: t is 0.001501, but must be one of the 161 of the data set stick-force, between "
             "which it does "
             "not interpolate");
@@ -407,7 +407,7 @@ TEST(ComparedVerdict, AddsTheUncertaintyToTheTolerance) {
 
 TEST(ComparedVerdict, NamesTheToleranceThatIsNone) {
   const auto with = [](const std::string& name, double value) {
-    return refusal([&] {
+    return error_message([&] {
       static_cast<void>(compare("stick-frequencies", copy_of("stick-frequencies"),
                                 {.tolerances = {{name, value}}, .until = {}, .events = {}}));
     });
@@ -504,7 +504,7 @@ TEST(ComparedEvents, LeaveGrazesOutAndRefuseOtherWords) {
   words_of(mine, "change")[1] = "graze";
   EXPECT_EQ(compare("damped-events", mine).agreement, Agreement::agrees);
   words_of(mine, "change")[1] = "slip";
-  EXPECT_EQ(refusal([&] { static_cast<void>(compare("damped-events", mine)); }),
+  EXPECT_EQ(error_message([&] { static_cast<void>(compare("damped-events", mine)); }),
             "mine.csv:3: change is 'slip', but must be one of onset, capture, reversal, graze");
 }
 
@@ -652,18 +652,18 @@ TEST(ComparedHistory, EndsAtTheFirstEventThatDiffers) {
 TEST(ComparedHistory, RefusesWhatItCannotCompare) {
   auto mine = copy_of("cubic-history");
   words_of(mine, "phase")[7] = "sliding";
-  EXPECT_EQ(refusal([&] { static_cast<void>(compare("cubic-history", mine)); }),
+  EXPECT_EQ(error_message([&] { static_cast<void>(compare("cubic-history", mine)); }),
             "mine.csv:9: phase is 'sliding', but must be stick or slip");
   mine = copy_of("cubic-history");
   keep_rows(mine, [](std::size_t row) { return row % 101 > 95; });
-  EXPECT_EQ(refusal([&] { static_cast<void>(compare("cubic-history", mine)); }),
+  EXPECT_EQ(error_message([&] { static_cast<void>(compare("cubic-history", mine)); }),
             "mine.csv: none of the 10 rows can be compared: 10 beyond the horizon");
-  EXPECT_EQ(refusal([&] {
+  EXPECT_EQ(error_message([&] {
               static_cast<void>(compare("stick-frequencies", copy_of("stick-frequencies"),
                                         {.tolerances = {}, .until = 1.0, .events = {}}));
             }),
             "a latest time is given, but the data set stick-frequencies is not one in time");
-  EXPECT_EQ(refusal([&] { static_cast<void>(compare("beams", copy_of("beams"))); }),
+  EXPECT_EQ(error_message([&] { static_cast<void>(compare("beams", copy_of("beams"))); }),
             "the data set beams says nothing of how to compare with it");
 }
 

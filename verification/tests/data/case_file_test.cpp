@@ -111,8 +111,8 @@ class CaseFile : public ::testing::Test {
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
   // The sentence that refuses the text, without the folder, or "accepted".
-  [[nodiscard]] std::string refusal(const std::string& text,
-                                    const std::vector<data::Override>& overrides = {}) const {
+  [[nodiscard]] std::string error_message(const std::string& text,
+                                          const std::vector<data::Override>& overrides = {}) const {
     return refusal_of([&] { static_cast<void>(data::read_case(write(text), overrides)); });
   }
 
@@ -169,7 +169,7 @@ TEST_F(CaseFile, IsReadKeyByKey) {
 TEST_F(CaseFile, MustHoldEveryKeyOfTheRequiredTables) {
   for (const auto& key : valid_keys()) {
     if (key.is_optional()) continue;
-    const std::string sentence = refusal(case_with(key.path(), ""));
+    const std::string sentence = error_message(case_with(key.path(), ""));
     EXPECT_TRUE(
         sentence.starts_with("bar.toml: " + key.path() + " is missing, but [" + key.table + "] must hold "))
         << sentence;
@@ -194,12 +194,12 @@ TEST_F(CaseFile, IsDampedByAnOverrideWithoutATableOfItsOwn) {
   EXPECT_EQ(problem.damping.kelvin_voigt(), 6.4e-5);
   EXPECT_EQ(problem.damping.ratio(), 0.02);
   EXPECT_EQ(
-      refusal(undamped, {{"damping.kelvin_voigt", "-1"}}),
+      error_message(undamped, {{"damping.kelvin_voigt", "-1"}}),
       "override damping.kelvin_voigt=-1: damping.kelvin_voigt is -1, but must be a finite number of 0 or "
       "more (s)");
-  EXPECT_EQ(refusal(undamped, {{"damping.ratio", "1"}}),
+  EXPECT_EQ(error_message(undamped, {{"damping.ratio", "1"}}),
             "override damping.ratio=1: damping.ratio is 1, but must be a number from 0 to below 1");
-  EXPECT_EQ(refusal(undamped, {{"damping.ration", "0.1"}}),
+  EXPECT_EQ(error_message(undamped, {{"damping.ration", "0.1"}}),
             "override damping.ration=0.1: unknown key damping.ration (did you mean damping.ratio?) with the "
             "value 0.1 (a float), but [damping] has the keys kelvin_voigt, ratio");
 }
@@ -209,16 +209,16 @@ TEST_F(CaseFile, RefusesMagnitudesThatNoBeamHas) {
     const bool is_below_one = key.key == "spectral_radius" || key.key == "ratio";
     if (key.is_integer() || is_below_one) continue;
     for (const std::string value : {"1e+300", "5e-324"})
-      EXPECT_TRUE(refusal(case_with(key.path(), key.key + " = " + value + "\n"))
+      EXPECT_TRUE(error_message(case_with(key.path(), key.key + " = " + value + "\n"))
                       .starts_with(at(key.path()) + key.path() + " is " + value + ", but must be from "))
           << key.path();
   }
-  EXPECT_EQ(refusal(case_with("beam.axial_force", "axial_force = -1e300\n")),
+  EXPECT_EQ(error_message(case_with("beam.axial_force", "axial_force = -1e300\n")),
             at("beam.axial_force") +
                 "beam.axial_force is -1e+300, but must be from 1e-18 to 1e+18 (N) in magnitude");
-  EXPECT_EQ(refusal(valid_case(), {{"damping.ratio", "1e-10"}}),
+  EXPECT_EQ(error_message(valid_case(), {{"damping.ratio", "1e-10"}}),
             "override damping.ratio=1e-10: damping.ratio is 1e-10, but must be from 1e-09 to 1 in magnitude");
-  EXPECT_EQ(refusal(valid_case(), {{"beam.length", "1e7", "--length"}}),
+  EXPECT_EQ(error_message(valid_case(), {{"beam.length", "1e7", "--length"}}),
             "--length: beam.length is 1e+07, but must be from 1e-09 to 1e+06 (m) in magnitude");
   EXPECT_EQ(refusal_of([] { data::require_magnitude("friction.decay", 1e16, "--x"); }),
             "--x: friction.decay is 1e+16, but must be from 1e-15 to 1e+15 (s/m) in magnitude");
@@ -227,7 +227,7 @@ TEST_F(CaseFile, RefusesMagnitudesThatNoBeamHas) {
 
 TEST_F(CaseFile, MustHoldEveryRequiredTable) {
   for (const std::string table : {"beam", "friction", "excitation", "numerics"}) {
-    const std::string sentence = refusal(case_without_table(table));
+    const std::string sentence = error_message(case_without_table(table));
     EXPECT_TRUE(sentence.starts_with("bar.toml: the table [" + table + "] is missing, but ")) << sentence;
   }
 }
@@ -235,7 +235,7 @@ TEST_F(CaseFile, MustHoldEveryRequiredTable) {
 TEST_F(CaseFile, RefusesAMisspeltKeyAndSuggestsTheRightOne) {
   for (const auto& key : valid_keys()) {
     const std::string misspelt = key.key.substr(0, key.key.size() - 1);
-    const std::string sentence = refusal(case_with(key.path(), misspelt + " = 7\n"));
+    const std::string sentence = error_message(case_with(key.path(), misspelt + " = 7\n"));
     EXPECT_TRUE(sentence.starts_with(
         at(key.path()) + "unknown key " + key.table + "." + misspelt + " (did you mean " + key.path() +
         "?) with the value 7 (an integer), but [" + key.table + "] has the keys "))
@@ -244,7 +244,7 @@ TEST_F(CaseFile, RefusesAMisspeltKeyAndSuggestsTheRightOne) {
 }
 
 TEST_F(CaseFile, SuggestsNothingForAKeyLikeNoOther) {
-  const std::string sentence = refusal(valid_case() + "colour_of_the_paint = 'red'\n");
+  const std::string sentence = error_message(valid_case() + "colour_of_the_paint = 'red'\n");
   EXPECT_EQ(sentence,
             "bar.toml:26: unknown key damping.colour_of_the_paint with the value 'red' (a string), but "
             "[damping] has the keys kelvin_voigt, ratio");
@@ -252,18 +252,18 @@ TEST_F(CaseFile, SuggestsNothingForAKeyLikeNoOther) {
 
 TEST_F(CaseFile, RefusesAMisspeltTable) {
   EXPECT_EQ(
-      refusal(valid_case() + "[beem]\nlength = 2\n"),
+      error_message(valid_case() + "[beem]\nlength = 2\n"),
       "bar.toml:26: unknown table [beem] (did you mean beam?), but a case has the tables beam, friction, "
       "excitation, numerics, damping");
 }
 
 TEST_F(CaseFile, RefusesAKeyOutsideEveryTable) {
-  EXPECT_EQ(refusal("length = 2\n" + valid_case()),
+  EXPECT_EQ(error_message("length = 2\n" + valid_case()),
             "bar.toml:1: unknown key length with the value 2 (an integer), but a case has the tables beam, "
             "friction, excitation, numerics, damping");
-  EXPECT_EQ(refusal("beam = 3\n"), "bar.toml:1: beam is 3 (an integer), but must be a table");
-  EXPECT_EQ(refusal("damping = 0.01\n"), "bar.toml:1: damping is 0.01 (a float), but must be a table");
-  EXPECT_EQ(refusal("[[beam]]\nlength = 2\n"), "bar.toml:1: beam is an array, but must be a table");
+  EXPECT_EQ(error_message("beam = 3\n"), "bar.toml:1: beam is 3 (an integer), but must be a table");
+  EXPECT_EQ(error_message("damping = 0.01\n"), "bar.toml:1: damping is 0.01 (a float), but must be a table");
+  EXPECT_EQ(error_message("[[beam]]\nlength = 2\n"), "bar.toml:1: beam is an array, but must be a table");
 }
 
 TEST_F(CaseFile, RefusesEveryTypeThatIsNotANumber) {
@@ -275,7 +275,7 @@ TEST_F(CaseFile, RefusesEveryTypeThatIsNotANumber) {
       {"2018-02-19", "2018-02-19 (a date or time)"}};
   for (const auto& key : valid_keys())
     for (const auto& [value, described] : values)
-      EXPECT_EQ(refusal(case_with(key.path(), key.key + " = " + value + "\n")),
+      EXPECT_EQ(error_message(case_with(key.path(), key.key + " = " + value + "\n")),
                 at(key.path()) + key.path() + " is " + described + ", but must be " +
                     (key.is_integer() ? "an integer" : "a number"));
 }
@@ -286,21 +286,21 @@ TEST_F(CaseFile, TakesIntegersForNumbers) {
 
 TEST_F(CaseFile, RefusesFloatsForIntegers) {
   for (const std::string key : {"elements", "modes"})
-    EXPECT_EQ(refusal(case_with("numerics." + key, key + " = 20.0\n")),
+    EXPECT_EQ(error_message(case_with("numerics." + key, key + " = 20.0\n")),
               at("numerics." + key) + "numerics." + key + " is 20 (a float), but must be an integer");
 }
 
 TEST_F(CaseFile, RefusesNotANumberAndInfinityAtEveryKey) {
   for (const auto& key : valid_keys())
     for (const std::string value : {"nan", "inf", "-inf"}) {
-      const std::string sentence = refusal(case_with(key.path(), key.key + " = " + value + "\n"));
+      const std::string sentence = error_message(case_with(key.path(), key.key + " = " + value + "\n"));
       EXPECT_TRUE(sentence.starts_with(at(key.path()) + key.path() + " is " + value)) << sentence;
     }
 }
 
 TEST_F(CaseFile, RefusesNegativeValuesAtEveryKeyButTheAxialForce) {
   for (const auto& key : valid_keys()) {
-    const std::string sentence = refusal(case_with(key.path(), key.key + " = -3\n"));
+    const std::string sentence = error_message(case_with(key.path(), key.key + " = -3\n"));
     if (key.key == "axial_force")
       EXPECT_EQ(sentence, "accepted");
     else
@@ -309,32 +309,32 @@ TEST_F(CaseFile, RefusesNegativeValuesAtEveryKeyButTheAxialForce) {
 }
 
 TEST_F(CaseFile, RefusesAnIntegerThatDoesNotFit) {
-  EXPECT_EQ(refusal(case_with("numerics.modes", "modes = 4294967306\n")),
+  EXPECT_EQ(error_message(case_with("numerics.modes", "modes = 4294967306\n")),
             at("numerics.modes") +
                 "numerics.modes is 4294967306, but must be an integer of at most 2147483647 in magnitude");
 }
 
 TEST_F(CaseFile, PrintsTheRefusedValueWithAllItsDigits) {
   EXPECT_EQ(
-      refusal(case_with("beam.length", "length = -0.30000000000000004\n")),
+      error_message(case_with("beam.length", "length = -0.30000000000000004\n")),
       at("beam.length") + "beam.length is -0.30000000000000004, but must be a finite number above 0 (m)");
 }
 
 TEST_F(CaseFile, RefusesAKeyThatStandsTwice) {
-  const std::string sentence = refusal(case_with("beam.length", "length = 2.0\nlength = 3.0\n"));
+  const std::string sentence = error_message(case_with("beam.length", "length = 2.0\nlength = 3.0\n"));
   EXPECT_TRUE(sentence.starts_with("bar.toml:3: is not valid TOML: ")) << sentence;
   EXPECT_TRUE(contains(sentence, "'length'")) << sentence;
 }
 
 TEST_F(CaseFile, NamesTheLineOfASyntaxError) {
-  EXPECT_TRUE(refusal(case_with("beam.density", "density = \n"))
+  EXPECT_TRUE(error_message(case_with("beam.density", "density = \n"))
                   .starts_with(at("beam.density") + "is not valid TOML: "));
 }
 
 TEST_F(CaseFile, RefusesWhatIsNoText) {
-  EXPECT_EQ(refusal(""), "bar.toml: is empty");
-  EXPECT_TRUE(refusal("# \xC3\x28\n").starts_with("bar.toml:1: is not valid TOML: "));
-  EXPECT_EQ(refusal(valid_case() + std::string(1'000'000, '#')),
+  EXPECT_EQ(error_message(""), "bar.toml: is empty");
+  EXPECT_TRUE(error_message("# \xC3\x28\n").starts_with("bar.toml:1: is not valid TOML: "));
+  EXPECT_EQ(error_message(valid_case() + std::string(1'000'000, '#')),
             "bar.toml: is larger than the 1000000 bytes that are allowed");
   EXPECT_EQ(refusal_of([&] { static_cast<void>(data::read_case(folder())); }),
             folder().string() + ": is a folder, not a file");
@@ -345,8 +345,8 @@ TEST_F(CaseFile, RefusesWhatIsNoText) {
 }
 
 TEST_F(CaseFile, MessagesStayOnOneShortLine) {
-  const std::string sentence =
-      refusal(case_with("beam.length", "length = \"\"\"line\nline\x7F" + std::string(500, 'x') + "\"\"\"\n"));
+  const std::string sentence = error_message(
+      case_with("beam.length", "length = \"\"\"line\nline\x7F" + std::string(500, 'x') + "\"\"\"\n"));
   EXPECT_FALSE(contains(sentence, "\n"));
   EXPECT_LT(sentence.size(), 200U);
 }
@@ -354,7 +354,7 @@ TEST_F(CaseFile, MessagesStayOnOneShortLine) {
 TEST_F(CaseFile, IsOverriddenKeyByKey) {
   for (const auto& key : valid_keys()) {
     const auto override = data::Override::parse(key.path() + "=-3");
-    const std::string sentence = refusal(valid_case(), {override});
+    const std::string sentence = error_message(valid_case(), {override});
     if (key.key == "axial_force")
       EXPECT_EQ(sentence, "accepted");
     else
@@ -379,20 +379,20 @@ TEST_F(CaseFile, AnOverrideSuppliesWhatTheFileLacks) {
 
 TEST_F(CaseFile, RefusesAnOverrideOfAnUnknownKey) {
   EXPECT_EQ(
-      refusal(valid_case(), {{"beam.lenght", "1.8"}}),
+      error_message(valid_case(), {{"beam.lenght", "1.8"}}),
       "override beam.lenght=1.8: unknown key beam.lenght (did you mean beam.length?) with the value 1.8 (a "
       "float), but [beam] has the keys length, area, second_moment_of_area, density, youngs_modulus, "
       "axial_force");
-  EXPECT_TRUE(contains(refusal(valid_case(), {{"length", "1.8"}}), "but a case has the tables beam"));
+  EXPECT_TRUE(contains(error_message(valid_case(), {{"length", "1.8"}}), "but a case has the tables beam"));
 }
 
 TEST_F(CaseFile, RefusesAnOverrideThatIsNoSingleTomlValue) {
-  EXPECT_TRUE(refusal(valid_case(), {{"beam.length", "long"}})
+  EXPECT_TRUE(error_message(valid_case(), {{"beam.length", "long"}})
                   .starts_with("override beam.length=long: the value is not valid TOML: "));
-  EXPECT_EQ(refusal(valid_case(), {{"beam.length", "1\nbeam.area = 2"}}),
+  EXPECT_EQ(error_message(valid_case(), {{"beam.length", "1\nbeam.area = 2"}}),
             "override beam.length=1?beam.area = 2: the value has several lines, but must be one TOML value "
             "on one line");
-  EXPECT_EQ(refusal(valid_case(), {{"beam.length", "'2'"}}),
+  EXPECT_EQ(error_message(valid_case(), {{"beam.length", "'2'"}}),
             "override beam.length='2': beam.length is '2' (a string), but must be a number");
 }
 

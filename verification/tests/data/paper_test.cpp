@@ -182,13 +182,13 @@ class MalformedPaperFile : public ::testing::Test {
     return "accepted";
   }
 
-  [[nodiscard]] virtual std::string refusal(const std::string& text) const {
+  [[nodiscard]] virtual std::string error_message(const std::string& text) const {
     write("printed-numbers.toml", text);
     return refusal_of(data::printed_numbers);
   }
 
   void expect_refused(const std::string& text, const std::string& part) const {
-    const std::string sentence = refusal(text);
+    const std::string sentence = error_message(text);
     EXPECT_NE(sentence.find(part), std::string::npos) << sentence;
   }
 
@@ -205,7 +205,7 @@ class MalformedPaperFile : public ::testing::Test {
 
 STICKSLIP_VERIFIES(MalformedPaperFile, "P3");
 TEST_F(MalformedPaperFile, IsDerivedFromAWellFormedOne) {
-  EXPECT_EQ(refusal(number("2.5", "2.5")), "accepted");
+  EXPECT_EQ(error_message(number("2.5", "2.5")), "accepted");
 }
 
 TEST_F(MalformedPaperFile, MayNotContradictThePrintedDigits) {
@@ -219,7 +219,7 @@ TEST_F(MalformedPaperFile, MayNotNameAnIdTwice) {
 
 TEST_F(MalformedPaperFile, MayNotHaveUnreadableDigits) {
   for (const std::string printed : {"two", "2.5 m", "2.5x10^0", "(2.5)", "(5/two)", "2.5 x 10^y"})
-    EXPECT_NE(refusal(number("2.5", printed)), "accepted") << printed;
+    EXPECT_NE(error_message(number("2.5", printed)), "accepted") << printed;
 }
 
 TEST_F(MalformedPaperFile, MayNotLackOrAddAKey) {
@@ -230,7 +230,7 @@ TEST_F(MalformedPaperFile, MayNotLackOrAddAKey) {
 
 class MalformedClaimsFile : public MalformedPaperFile {
  protected:
-  [[nodiscard]] std::string refusal(const std::string& text) const override {
+  [[nodiscard]] std::string error_message(const std::string& text) const override {
     write("errata.toml",
           "[[erratum]]\nid = 'E1'\nplace = 'p'\nprinted = 'a'\nholds = 'b'\nestablished = 'c'\n");
     write("claims.toml", text);
@@ -244,9 +244,10 @@ class MalformedClaimsFile : public MalformedPaperFile {
 
 STICKSLIP_VERIFIES(MalformedClaimsFile, "P3");
 TEST_F(MalformedClaimsFile, IsDerivedFromAWellFormedOne) {
-  EXPECT_EQ(refusal(claim("verdict = 'holds'\nfigure = 'fig:search'\n")), "accepted");
+  EXPECT_EQ(error_message(claim("verdict = 'holds'\nfigure = 'fig:search'\n")), "accepted");
   for (const std::string verdict : {"holds with correction", "does not hold"})
-    EXPECT_EQ(refusal(claim("verdict = '" + verdict + "'\ncorrection = 'c'\nerratum = 'E1'\n")), "accepted");
+    EXPECT_EQ(error_message(claim("verdict = '" + verdict + "'\ncorrection = 'c'\nerratum = 'E1'\n")),
+              "accepted");
 }
 
 TEST_F(MalformedClaimsFile, MayNotHaveAnotherVerdict) {

@@ -87,8 +87,8 @@ std::vector<Field> non_negative_fields() {
           damping_field("kelvin_voigt", &data::DampingProperties::kelvin_voigt)};
 }
 
-// The sentence of the refusal, or "accepted".
-std::string refusal(const Field& field, double value) {
+// The sentence of the error, or "accepted".
+std::string error_message(const Field& field, double value) {
   try {
     field.build_with(value);
   } catch (const data::FieldError& error) {
@@ -99,8 +99,9 @@ std::string refusal(const Field& field, double value) {
 }
 
 void expect_refused(const Field& field, double value, const std::string& text, const std::string& allowed) {
-  EXPECT_TRUE(refusal(field, value).starts_with(field.name + " is " + text + ", but must be " + allowed))
-      << refusal(field, value);
+  EXPECT_TRUE(
+      error_message(field, value).starts_with(field.name + " is " + text + ", but must be " + allowed))
+      << error_message(field, value);
 }
 
 STICKSLIP_VERIFIES(ProblemTypes, "P1");
@@ -119,8 +120,9 @@ TEST(ProblemTypes, RefuseWhatIsNegativeWhereItMustNotBe) {
 TEST(ProblemTypes, AcceptZeroWhereItHasAMeaning) {
   EXPECT_NO_THROW(data::FrictionLaw({.static_coefficient = 0.0, .kinetic_coefficient = 0.0, .decay = 0.0}));
   EXPECT_NO_THROW(data::HarmonicExcitation({.frequency_hz = 25.0, .amplitude = 0.0}));
-  EXPECT_EQ(refusal(numerics_field("velocity_threshold", &data::NumericalChoices::velocity_threshold), 0.0),
-            "accepted");
+  EXPECT_EQ(
+      error_message(numerics_field("velocity_threshold", &data::NumericalChoices::velocity_threshold), 0.0),
+      "accepted");
 }
 
 TEST(ProblemTypes, RefuseNotANumberAndInfinityEverywhere) {
@@ -142,14 +144,14 @@ TEST(ProblemTypes, AcceptAnyMagnitudeSinceTheyKnowNoUnits) {
             field.name == "friction.static_coefficient" || field.name == "friction.kinetic_coefficient" ||
             field.name == "numerics.time_step" || field.name == "numerics.duration";
         if (depends_on_another) continue;
-        EXPECT_EQ(refusal(field, value), "accepted") << field.name;
+        EXPECT_EQ(error_message(field, value), "accepted") << field.name;
       }
 }
 
 STICKSLIP_VERIFIES(NumericalSettings, "P1");
 TEST(NumericalSettings, RefuseADurationOfMoreThanABillionSteps) {
   const auto duration = numerics_field("duration", &data::NumericalChoices::duration);
-  EXPECT_EQ(refusal(duration, 1e5), "accepted");
+  EXPECT_EQ(error_message(duration, 1e5), "accepted");
   expect_refused(duration, 1.1e5, "110000", "at most a billion times numerics.time_step, which is 1e-04");
 }
 
@@ -171,8 +173,8 @@ TEST(Damping, IsNoneByDefaultAndHasARatioBelowCritical) {
   EXPECT_EQ(data::Damping().kelvin_voigt(), 0.0);
   EXPECT_EQ(data::Damping().ratio(), 0.0);
   const auto ratio = damping_field("ratio", &data::DampingProperties::ratio);
-  EXPECT_EQ(refusal(ratio, 0.0), "accepted");
-  EXPECT_EQ(refusal(ratio, std::nextafter(1.0, 0.0)), "accepted");
+  EXPECT_EQ(error_message(ratio, 0.0), "accepted");
+  EXPECT_EQ(error_message(ratio, std::nextafter(1.0, 0.0)), "accepted");
   for (const auto& [value, text] :
        {std::pair{1.0, "1"}, {-1e-300, "-1e-300"}, {nan, "nan"}, {infinity, "inf"}})
     expect_refused(ratio, value, text, "a number from 0 to below 1");
@@ -180,19 +182,19 @@ TEST(Damping, IsNoneByDefaultAndHasARatioBelowCritical) {
 
 TEST(NumericalSettings, BoundTheSpectralRadiusByZeroAndOne) {
   const auto radius = numerics_field("spectral_radius", &data::NumericalChoices::spectral_radius);
-  EXPECT_EQ(refusal(radius, 0.0), "accepted");
-  EXPECT_EQ(refusal(radius, 1.0), "accepted");
-  for (const double value : {-1e-9, 1.0 + 1e-9, nan}) EXPECT_NE(refusal(radius, value), "accepted");
+  EXPECT_EQ(error_message(radius, 0.0), "accepted");
+  EXPECT_EQ(error_message(radius, 1.0), "accepted");
+  for (const double value : {-1e-9, 1.0 + 1e-9, nan}) EXPECT_NE(error_message(radius, value), "accepted");
   expect_refused(radius, 1.5, "1.5", "a number from 0 to 1");
 }
 
 TEST(NumericalSettings, RefuseADurationShorterThanOneStep) {
   const auto duration = numerics_field("duration", &data::NumericalChoices::duration);
-  EXPECT_EQ(refusal(duration, 1e-4), "accepted");
+  EXPECT_EQ(error_message(duration, 1e-4), "accepted");
   expect_refused(duration, 0.5e-4, "5e-05", "at least numerics.time_step, which is 1e-04");
 }
 
-std::string refusal(int data::NumericalChoices::*member, int value) {
+std::string error_message(int data::NumericalChoices::*member, int value) {
   auto choices = usual_choices();
   choices.*member = value;
   try {
@@ -205,19 +207,19 @@ std::string refusal(int data::NumericalChoices::*member, int value) {
 
 TEST(NumericalSettings, BoundTheNumberOfElements) {
   for (const int accepted : {1, 100000})
-    EXPECT_EQ(refusal(&data::NumericalChoices::elements, accepted), "accepted");
-  EXPECT_EQ(refusal(&data::NumericalChoices::elements, 0),
+    EXPECT_EQ(error_message(&data::NumericalChoices::elements, accepted), "accepted");
+  EXPECT_EQ(error_message(&data::NumericalChoices::elements, 0),
             "numerics.elements is 0, but must be an integer from 1 to 100000");
-  EXPECT_EQ(refusal(&data::NumericalChoices::elements, 100001),
+  EXPECT_EQ(error_message(&data::NumericalChoices::elements, 100001),
             "numerics.elements is 100001, but must be an integer from 1 to 100000");
 }
 
 TEST(NumericalSettings, BoundTheNumberOfModes) {
   for (const int accepted : {1, 200})
-    EXPECT_EQ(refusal(&data::NumericalChoices::modes, accepted), "accepted");
-  EXPECT_EQ(refusal(&data::NumericalChoices::modes, 0),
+    EXPECT_EQ(error_message(&data::NumericalChoices::modes, accepted), "accepted");
+  EXPECT_EQ(error_message(&data::NumericalChoices::modes, 0),
             "numerics.modes is 0, but must be an integer from 1 to 200");
-  EXPECT_EQ(refusal(&data::NumericalChoices::modes, 201),
+  EXPECT_EQ(error_message(&data::NumericalChoices::modes, 201),
             "numerics.modes is 201, but must be an integer from 1 to 200");
 }
 

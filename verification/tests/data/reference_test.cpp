@@ -86,7 +86,7 @@ class ReferenceReader : public ::testing::Test {
   }
 
   // The sentence that refuses the package or one of its tables, without the folder, or "accepted".
-  [[nodiscard]] std::string refusal(const std::string& table = "") const {
+  [[nodiscard]] std::string error_message(const std::string& table = "") const {
     try {
       const auto package = data::load_reference(folder_);
       if (!table.empty()) static_cast<void>(data::read_table(package, table));
@@ -181,26 +181,27 @@ TEST_F(ReferenceReader, TakesAnEmptyCellForNoValue) {
 
 TEST_F(ReferenceReader, NamesTheNearestDataSet) {
   write_package(valid_package());
-  EXPECT_EQ(refusal("histroy"),
+  EXPECT_EQ(error_message("histroy"),
             "the data set histroy is unknown (did you mean history?), but must be one of history, events");
 }
 
 TEST_F(ReferenceReader, NamesTheValueThatIsWrong) {
   write("datapackage.json", "{\n \"name\": \"small\",\n   \"title\": 3\n}\n");
-  EXPECT_EQ(refusal(), "datapackage.json: title is 3, but must be a string that is not empty");
+  EXPECT_EQ(error_message(), "datapackage.json: title is 3, but must be a string that is not empty");
   write("datapackage.json", "{\n \"name\": \"small\",\n   \"name\": \"twice\"\n}\n");
-  EXPECT_EQ(refusal(), "datapackage.json: the key name stands twice in an object");
+  EXPECT_EQ(error_message(), "datapackage.json: the key name stands twice in an object");
   write("datapackage.json", "{\n \"name\": \"small\",\n  oops\n}\n");
-  EXPECT_TRUE(refusal().starts_with("datapackage.json: is not valid JSON: parse error at line 3, column 3: "))
-      << refusal();
+  EXPECT_TRUE(
+      error_message().starts_with("datapackage.json: is not valid JSON: parse error at line 3, column 3: "))
+      << error_message();
   write("datapackage.json", "{\n \"name\": \"small\"");
   EXPECT_TRUE(
-      refusal().starts_with("datapackage.json: is not valid JSON: parse error at line 2, column 17: "))
-      << refusal();
+      error_message().starts_with("datapackage.json: is not valid JSON: parse error at line 2, column 17: "))
+      << error_message();
   write("datapackage.json", "[]");
-  EXPECT_EQ(refusal(), "datapackage.json: the package is an array, but must be an object");
+  EXPECT_EQ(error_message(), "datapackage.json: the package is an array, but must be an object");
   std::filesystem::remove(folder() / "datapackage.json");
-  EXPECT_EQ(refusal(), "datapackage.json: cannot be opened for reading");
+  EXPECT_EQ(error_message(), "datapackage.json: cannot be opened for reading");
 }
 
 // What is done to the package, and a part of the sentence that refuses it.
@@ -384,13 +385,13 @@ std::vector<Defect> defects() {
 
 TEST_F(ReferenceReader, RefusesEveryDefectOfAPackageAtItsPlace) {
   write_package(valid_package());
-  ASSERT_EQ(refusal("history"), "accepted");
-  ASSERT_EQ(refusal("events"), "accepted");
+  ASSERT_EQ(error_message("history"), "accepted");
+  ASSERT_EQ(error_message("events"), "accepted");
   for (const Defect& defect : defects()) {
     json package = valid_package();
     defect.spoil(package);
     write_package(package);
-    const std::string sentence = refusal();
+    const std::string sentence = error_message();
     EXPECT_TRUE(contains(sentence, defect.part)) << defect.name << ": " << sentence;
     EXPECT_TRUE(sentence.starts_with("datapackage.json: ")) << sentence;
   }
@@ -402,7 +403,7 @@ TEST_F(ReferenceReader, RefusesDigestsAndSizesThatAreNone) {
     json package = json::parse(std::ifstream(folder() / "datapackage.json"));
     package["resources"][0][key] = value;
     write("datapackage.json", package.dump(1));
-    return refusal("history");
+    return error_message("history");
   };
   for (const char* hash : {"sha256:12", "md5:0", "", "sha256:"})
     EXPECT_TRUE(contains(with("hash", hash), "hash is \"")) << with("hash", hash);
@@ -418,11 +419,11 @@ TEST_F(ReferenceReader, NoticesASingleAlteredByte) {
   altered[altered.size() - 12] = '2';
   write_package(valid_package());
   write("history.csv", altered);
-  const std::string sentence = refusal("history");
+  const std::string sentence = error_message("history");
   EXPECT_TRUE(sentence.starts_with("history.csv: its SHA-256 digest is ")) << sentence;
   EXPECT_TRUE(contains(sentence, history_digest)) << sentence;
   std::filesystem::remove(folder() / "history.csv");
-  EXPECT_EQ(refusal("history"), "history.csv: cannot be opened for reading");
+  EXPECT_EQ(error_message("history"), "history.csv: cannot be opened for reading");
 }
 
 // A package of one table of numbers, with the digest that another program says.
@@ -457,7 +458,7 @@ TEST_F(ReferenceReader, DigestsTablesOfEveryLengthAroundABlock) {
     csv += std::string(size - csv.size() - 1, '1') + "\n";
     write("history.csv", csv);
     write("datapackage.json", package_of(csv, digest, {"x"}).dump());
-    EXPECT_EQ(refusal("history"), "accepted") << size;
+    EXPECT_EQ(error_message("history"), "accepted") << size;
   }
 }
 
@@ -522,7 +523,7 @@ TEST_F(ReferenceReader, RefusesEveryDefectOfATableAtItsPlace) {
     package["resources"][0]["hash"] = "sha256:" + digest;
     write("datapackage.json", package.dump());
     write("history.csv", csv);
-    EXPECT_EQ(refusal("history"), "history.csv:" + sentence);
+    EXPECT_EQ(error_message("history"), "history.csv:" + sentence);
   }
 }
 

@@ -41,8 +41,8 @@ class UserTable : public ::testing::Test {
   }
 
   // The sentence that refuses the text, without the folder, or "accepted".
-  [[nodiscard]] std::string refusal(const std::string& set, const std::string& text,
-                                    const std::vector<std::string>& mappings = {}) const {
+  [[nodiscard]] std::string error_message(const std::string& set, const std::string& text,
+                                          const std::vector<std::string>& mappings = {}) const {
     try {
       static_cast<void>(read(set, text, mappings));
     } catch (const data::InputError& error) {
@@ -250,7 +250,7 @@ TEST_F(UserTable, RefusesWhatCannotBeUsedInOneSentence) {
       {frequencies, std::string("\xFF\xFE") + "b", "mine.csv: is no text in UTF-8"},
       {frequencies, std::string("beam\0\n", 6), "mine.csv: is no text in UTF-8"},
       {"beams", "beam\npaper\n", "the data set beams says nothing of how to compare with it"}};
-  for (const auto& [set, text, sentence] : defects) EXPECT_EQ(refusal(set, text), sentence);
+  for (const auto& [set, text, sentence] : defects) EXPECT_EQ(error_message(set, text), sentence);
 }
 
 TEST_F(UserTable, RefusesAFileThatIsNone) {
@@ -262,10 +262,10 @@ TEST_F(UserTable, RefusesAFileThatIsNone) {
 }
 
 TEST_F(UserTable, RefusesAMappingToNothing) {
-  EXPECT_EQ(refusal("stick-frequencies", "beam,mode,f\npaper,1,25\n", {"frequency=g:kHz"}),
+  EXPECT_EQ(error_message("stick-frequencies", "beam,mode,f\npaper,1,25\n", {"frequency=g:kHz"}),
             "mine.csv:1: the column g (for frequency) is missing; the file has beam, mode, f (--column "
             "REFERENCE=THEIRS says which is which)");
-  EXPECT_EQ(refusal("stick-frequencies", "beam,mode,f\npaper,1,25\n", {"frequency=f:furlong"}),
+  EXPECT_EQ(error_message("stick-frequencies", "beam,mode,f\npaper,1,25\n", {"frequency=f:furlong"}),
             "mine.csv:1, column 3 (f): the unit of frequency is 'furlong', but must be one of Hz, mHz, kHz, "
             "MHz, rad/s");
 }

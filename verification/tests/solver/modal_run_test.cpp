@@ -379,8 +379,8 @@ TEST(ModalSteps, RefusesDampingAndSystemsOfAnotherForm) {
       const BeamSimulation run(paper_beam(), paper_friction(), shaking(25.0, 1e-3), settings(4, 0.9),
                                {.damping = damping, .coordinates = Coordinates::modal});
       FAIL();
-    } catch (const data::FieldError& refusal) {
-      EXPECT_EQ(refusal.field(), damping.ratio() > 0.0 ? "damping.ratio" : "damping.kelvin_voigt");
+    } catch (const data::FieldError& error_message) {
+      EXPECT_EQ(error_message.field(), damping.ratio() > 0.0 ? "damping.ratio" : "damping.kelvin_voigt");
     }
   }
   const BeamModel model(paper_beam(), 4);

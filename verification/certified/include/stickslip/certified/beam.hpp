@@ -46,6 +46,7 @@ class Beam {
 
 /// The message "<field> is <value>; it must be <allowed>.", with the value as the shortest decimal of its
 /// double.
-[[nodiscard]] std::string refusal(std::string_view field, const Rational& value, std::string_view allowed);
+[[nodiscard]] std::string error_message(std::string_view field, const Rational& value,
+                                        std::string_view allowed);
 
 }  // namespace stickslip::certified
