@@ -216,171 +216,205 @@ json& history_of(json& package) { return package["resources"][0]; }
 json& fields_of(json& package) { return history_of(package)["schema"]["fields"]; }
 json& rule_of(json& package) { return history_of(package)["comparison"]; }
 
-std::vector<Defect> defects() {
-  std::vector<Defect> list;
-  const auto add = [&](const std::string& name, const std::function<void(json&)>& spoil,
-                       const std::string& part) {
-    list.push_back({name, spoil, part});
-  };
+struct Defects {
+  std::vector<Defect> all;
+
+  void add(const std::string& name, const std::function<void(json&)>& spoil, const std::string& part) {
+    all.push_back({name, spoil, part});
+  }
+};
+
+// Keys that are missing.
+void add_missing_keys(Defects& list) {
   for (const char* key : {"name", "title", "description", "version", "licenses", "resources"})
-    add(
+    list.add(
         std::string("without_") + key, [key](json& p) { p.erase(key); },
         std::string("the package lacks ") + key);
   for (const char* key : {"name", "path", "title", "description", "schema", "provenance"})
-    add(
+    list.add(
         std::string("resource_without_") + key, [key](json& p) { history_of(p).erase(key); },
         (key == std::string("name") ? "resources/0 lacks " : "resources/history lacks ") + std::string(key));
   for (const char* key : {"class", "method", "settings", "software", "checks"})
-    add(
+    list.add(
         std::string("provenance_without_") + key, [key](json& p) { history_of(p)["provenance"].erase(key); },
         std::string("resources/history/provenance lacks ") + key);
   for (const char* key : {"kind", "values", "abscissa", "events"})
-    add(
+    list.add(
         std::string("comparison_without_") + key, [key](json& p) { rule_of(p).erase(key); },
         std::string("resources/history/comparison lacks ") + key);
   for (const char* key : {"field", "norm", "tolerance"})
-    add(
+    list.add(
         std::string("value_without_") + key, [key](json& p) { rule_of(p)["values"][0].erase(key); },
         std::string("resources/history/comparison/values/0 lacks ") + key);
   for (const char* key : {"quantity", "case", "abscissa", "value"})
-    add(
+    list.add(
         std::string("diagnosis_without_") + key, [key](json& p) { history_of(p)["diagnosis"].erase(key); },
         std::string("resources/history/diagnosis lacks ") + key);
-  add(
+}
+
+// Resources and their fields.
+void add_resource_defects(Defects& list) {
+  list.add(
       "no_licence", [](json& p) { p["licenses"] = json::array(); },
       "licenses is an array, but must be an array that");
-  add(
+  list.add(
       "no_resource", [](json& p) { p["resources"] = json::array(); },
       "resources is an array, but must be an array");
-  add(
+  list.add(
       "name_twice", [](json& p) { p["resources"][1]["name"] = "history"; },
       "resources/history/name stands twice: history");
-  add(
+  list.add(
       "path_outside", [](json& p) { history_of(p)["path"] = "../history.csv"; },
       "path is \"../history.csv\", but must be a path inside");
-  add(
+  list.add(
       "path_absolute", [](json& p) { history_of(p)["path"] = "/etc/passwd"; }, "but must be a path inside");
-  add(
+  list.add(
       "other_format", [](json& p) { history_of(p)["format"] = "xlsx"; }, "\"xlsx\", but must be one of csv");
-  add(
+  list.add(
       "other_encoding", [](json& p) { history_of(p)["encoding"] = "latin1"; }, "but must be one of utf-8");
-  add(
+  list.add(
       "other_profile", [](json& p) { history_of(p)["profile"] = "data-resource"; }, "tabular-data-resource");
-  add(
+  list.add(
       "no_fields", [](json& p) { fields_of(p) = json::array(); }, "an array of fields that is not empty");
-  add(
+  list.add(
       "field_twice", [](json& p) { fields_of(p)[2]["name"] = "t"; }, "schema/fields/t/name stands twice: t");
-  add(
+  list.add(
       "unknown_type", [](json& p) { fields_of(p)[0]["type"] = "float"; },
       "\"float\", but must be one of string, integer, number");
-  add(
+  list.add(
       "type_is_no_word", [](json& p) { fields_of(p)[0]["type"] = 7; }, "type is 7, but must be one of");
-  add(
+}
+
+// Classes and radii of fields.
+void add_field_defects(Defects& list) {
+  list.add(
       "unknown_class", [](json& p) { fields_of(p)[2]["class"] = "good"; },
       "\"good\", but must be one of enclosed, exact, converged, external");
-  add(
+  list.add(
       "class_of_words", [](json& p) { fields_of(p)[1]["class"] = "exact"; }, "has a class, but holds words");
-  add(
+  list.add(
       "required_is_no_flag", [](json& p) { fields_of(p)[1]["constraints"]["required"] = 1; },
       "required is 1, but must be true or false");
   for (const char* known : {"converged", "enclosed"})
-    add(
+    list.add(
         std::string(known) + "_without_radius",
         [known](json& p) {
           fields_of(p)[2]["class"] = known;
           fields_of(p)[3]["name"] = "radius";
         },
         std::string("resources/history/schema/fields/y is ") + known + ", but the schema lacks y_radius");
-  add(
+  list.add(
       "radius_of_nothing",
       [](json& p) {
         fields_of(p)[2].erase("class");
         fields_of(p)[3]["name"] = "z_radius";
       },
       "is the radius of no field: z_radius");
-  add(
+  list.add(
       "radius_in_another_unit", [](json& p) { fields_of(p)[3]["unit"] = "mm"; },
       "has the unit 'mm', but must have that of y, 'm'");
-  add(
+}
+
+// Rules of comparison.
+void add_rule_defects(Defects& list) {
+  list.add(
       "unknown_key", [](json& p) { history_of(p)["schema"]["primaryKey"] = {"tt"}; },
       "primaryKey/0 is \"tt\", but must be a field of the schema: t, phase, y, y_radius");
-  add(
+  list.add(
       "unknown_kind", [](json& p) { rule_of(p)["kind"] = "list"; }, "one of table, curve, events, phases");
-  add(
+  list.add(
       "no_values", [](json& p) { rule_of(p)["values"] = json::array(); },
       "values is an array, but must be an array");
-  add(
+  list.add(
       "unknown_value", [](json& p) { rule_of(p)["values"][0]["field"] = "y_radiu"; },
       "a field of the schema (did you mean y_radius?)");
-  add(
+  list.add(
       "value_of_words", [](json& p) { rule_of(p)["values"][0]["field"] = "phase"; },
       "but must be a field of numbers");
-  add(
+  list.add(
       "unknown_norm", [](json& p) { rule_of(p)["values"][0]["norm"] = "l2"; },
       "one of relative, scale, absolute, range");
-  add(
+  list.add(
       "negative_tolerance", [](json& p) { rule_of(p)["values"][0]["tolerance"] = -1; },
       "tolerance is -1, but must be a number that is not negative");
-  add(
+  list.add(
       "tolerance_is_no_number", [](json& p) { rule_of(p)["values"][0]["tolerance"] = "1e-3"; },
       "must be a number");
-  add(
+  list.add(
       "unknown_abscissa", [](json& p) { rule_of(p)["abscissa"] = "time"; }, "a field of the schema");
-  add(
+}
+
+// Interpolation and events of a rule.
+void add_interpolation_defects(Defects& list) {
+  list.add(
       "order_of_0", [](json& p) { rule_of(p)["interpolation"]["order"] = 0; },
       "order is 0, but must be an integer from 1");
-  add(
+  list.add(
       "order_of_10", [](json& p) { rule_of(p)["interpolation"]["order"] = 10; }, "an integer from 1 to 9");
-  add(
+  list.add(
       "order_is_no_integer", [](json& p) { rule_of(p)["interpolation"]["order"] = 2.5; },
       "2.5, but must be an integer");
-  add(
+  list.add(
       "error_of_unknown_field", [](json& p) { rule_of(p)["interpolation"]["error"]["y_radiu"] = 1.0; },
       "is of no field of the schema (did you mean y_radius?)");
-  add(
+  list.add(
       "error_missing", [](json& p) { rule_of(p)["interpolation"]["error"].erase("y"); },
       "lacks y, which is compared");
-  add(
+  list.add(
       "negative_error", [](json& p) { rule_of(p)["interpolation"]["error"]["y"] = -1e-9; },
       "that is not negative");
-  add(
+  list.add(
       "horizon_of_0", [](json& p) { rule_of(p)["horizon"] = 0; },
       "horizon is 0, but must be a number above 0");
-  add(
+  list.add(
       "events_of_no_resource", [](json& p) { rule_of(p)["events"] = "changes"; },
       "a resource of the kind events");
-  add(
+  list.add(
       "events_of_another_kind", [](json& p) { rule_of(p)["events"] = "history"; },
       "a resource of the kind events");
-  add(
+}
+
+// Columns that a kind of table needs, provenance and diagnosis.
+void add_remaining_defects(Defects& list) {
+  list.add(
       "phases_without_phase", [](json& p) { fields_of(p)[1]["name"] = "state"; },
       "the schema lacks the field phase");
-  add(
+  list.add(
       "events_without_change", [](json& p) { p["resources"][1]["schema"]["fields"][1]["name"] = "kind"; },
       "is of the kind events, but the schema lacks the field change");
-  add(
+  list.add(
       "table_without_key",
       [](json& p) {
         rule_of(p)["kind"] = "table";
         history_of(p)["schema"].erase("primaryKey");
       },
       "is of the kind table, but the schema lacks a primaryKey");
-  add(
+  list.add(
       "case_in_unknown_column",
       [](json& p) {
         history_of(p)["diagnosis"]["case"] = {{"column", "beam"}};
       },
       "case/column is \"beam\", but must be a field of the schema");
-  add(
+  list.add(
       "settings_are_no_object", [](json& p) { history_of(p)["provenance"]["settings"] = "none"; },
       "settings is \"none\", but must be an object");
-  add(
+  list.add(
       "no_checks", [](json& p) { history_of(p)["provenance"]["checks"] = json::array(); },
       "checks is an array, but");
-  add(
+  list.add(
       "empty_method", [](json& p) { history_of(p)["provenance"]["method"] = ""; },
       "method is \"\", but must be a string");
-  return list;
+}
+
+std::vector<Defect> defects() {
+  Defects list;
+  add_missing_keys(list);
+  add_resource_defects(list);
+  add_field_defects(list);
+  add_rule_defects(list);
+  add_interpolation_defects(list);
+  add_remaining_defects(list);
+  return list.all;
 }
 
 TEST_F(ReferenceReader, RefusesEveryDefectOfAPackageAtItsPlace) {
