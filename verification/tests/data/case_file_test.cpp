@@ -243,6 +243,20 @@ TEST_F(CaseFile, RefusesAMisspeltKeyAndSuggestsTheRightOne) {
   }
 }
 
+// What a record of a map keeps of its case.
+TEST_F(CaseFile, IsTheSameAgainFromItsNumbers) {
+  std::vector<data::Override> overrides;
+  for (const char* text : {"friction.viscous=0.02", "damping.ratio=0.01", "damping.kelvin_voigt=1e-5"})
+    overrides.push_back(data::Override::parse(text));
+  const data::Case original = data::load_case("damped", overrides);
+  const auto numbers = data::numbers_of(original);
+  EXPECT_EQ(numbers.at("friction.viscous"), 0.02);
+  EXPECT_EQ(numbers.at("damping.ratio"), 0.01);
+  const data::Case again = data::case_with(original.name, numbers);
+  EXPECT_EQ(again.friction.coefficients().viscous, 0.02);
+  EXPECT_EQ(data::numbers_of(again), numbers);
+}
+
 TEST_F(CaseFile, SuggestsNothingForAKeyLikeNoOther) {
   const std::string sentence = error_message(valid_case() + "colour_of_the_paint = 'red'\n");
   EXPECT_EQ(sentence,
