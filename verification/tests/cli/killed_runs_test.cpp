@@ -101,7 +101,7 @@ STICKSLIP_VERIFIES(KilledRunLong, "U12");
 TEST_F(KilledRunLong, OfReportLeavesOnlyWhatIsWholeAtFiftyMoments) {
   kill("report", 50, "report --quiet --only fig1,fig2,fig7 --output '" + out() + "'",
        {"fig1.pdf", "fig1.png", "fig2.csv", "fig2-values.csv", "fig2.pdf", "fig2.png", "fig7.csv",
-        "fig7-values.csv", "fig7.pdf", "fig7.png"});
+        "fig7-values.csv", "fig7.pdf", "fig7.png", "studies/mode_shapes.json"});
 }
 
 TEST_F(KilledRunLong, OfMapLeavesOnlyWhatIsWholeAtFiftyMoments) {
