@@ -6,7 +6,7 @@
 # shellcheck disable=SC2034
 build_packages=(
   g++ cmake ninja-build
-  libboost1.81-dev libeigen3-dev libgsl-dev libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev
+  libeigen3-dev libgsl-dev libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev
   libfftw3-dev libssl-dev pkgconf libpugixml-dev libflint-arb-dev libflint-dev help2man
 )
 

@@ -19,7 +19,7 @@ namespace stickslip::studies {
 /// a call. The first exception of `work` or `settled` ends the work and is thrown again. `work` must not depend
 /// on the order of the calls.
 ///
-/// These are threads of the standard library and not tasks of oneTBB or OpenMP, because the thread sanitizer
+/// These are threads of the standard library and not tasks of oneTBB, because the thread sanitizer
 /// sees how these wait for each other. It reports false races in the tasks of a library that was built without
 /// it.
 inline void in_parallel_settling(std::size_t count, const std::function<void(std::size_t)>& work,

@@ -35,13 +35,6 @@ class Record {
     return *value;
   }
 
-  /// A string that may be empty.
-  [[nodiscard]] std::string any_text(std::string_view key) const {
-    const auto value = table_[key].value_exact<std::string>();
-    if (!value) fail_unless(key, "a string");
-    return *value;
-  }
-
   /// Empty if the key is missing.
   [[nodiscard]] std::string optional_text(std::string_view key) const { return has(key) ? text(key) : ""; }
 
