@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 #include <string>
 
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/paper.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
+#include "stickslip/solver/modal_analysis.hpp"
 #include "studies/paper/paper_checks.hpp"
 #include "support/beams.hpp"
 #include "support/paper_case.hpp"
@@ -115,6 +117,18 @@ TEST(Errata, E4RestInTheFrameOfTheBaseGivesAnImpulsiveReaction) {
   EXPECT_GT(largest(64, solver::InitialVelocity::zero), 300.0)
       << "15 Hz at 0.5 mm would slip, against Figs. 3 and 4";
   EXPECT_LT(largest(64, solver::InitialVelocity::quasi_static), 1.0);
+}
+
+// The printed 169.3 Hz is what 11 to 31 elements round to. With the leading term 1277 Hz/n^4 of the error, the ends of
+// the range, 169.25 and 169.35 Hz, are reached at n = 31.6 and 10.6.
+TEST(Errata, E5ElevenToThirtyOneElementsRoundToThePrintedFrequency) {
+  const auto rounded = [](int elements) {
+    const auto modes = solver::stick_modes(solver::BeamModel(paper().beam, elements), 3);
+    return std::round(10.0 * modes.back().angular_frequency / (2.0 * std::numbers::pi)) / 10.0;
+  };
+  const double printed = data::printed_number("frequency.stick.3").value;
+  for (const int elements : {11, 20, 31}) EXPECT_DOUBLE_EQ(rounded(elements), printed) << elements;
+  for (const int elements : {10, 32}) EXPECT_NE(rounded(elements), printed) << elements;
 }
 
 TEST(Errata, E7MuSPBoundsTheStaticForceAndTheKineticOneLiesBetweenMuMAndMuS) {
