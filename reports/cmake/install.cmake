@@ -38,7 +38,7 @@ install(
   DIRECTORY data/cases data/paper data/reference
   DESTINATION ${shared_files}/data)
 install(
-  DIRECTORY reports/figures reports/report
+  DIRECTORY reports/figures reports/report reports/site
   DESTINATION ${shared_files}/reports
   PATTERN readme.png EXCLUDE)
 install(DIRECTORY ${CMAKE_BINARY_DIR}/share/man/ DESTINATION ${CMAKE_INSTALL_MANDIR})

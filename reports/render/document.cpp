@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "render/external_tool.hpp"
@@ -59,9 +60,9 @@ void run_pdflatex(const fs::path& folder) {
 }
 
 // The last line of what it says is its error message.
-void run_renderer(std::vector<std::string> arguments, const fs::path& folder) {
+void run_script(const fs::path& script, std::vector<std::string> arguments, const fs::path& folder) {
   const fs::path log = folder / "render.log";
-  arguments.insert(arguments.begin(), {"-I", (templates_directory() / "report" / "render.py").string()});
+  arguments.insert(arguments.begin(), {"-I", "-B", (templates_directory() / script).string()});
   const int status = run_tool(python, arguments, folder, log);
   if (status == 0) return;
   std::string message = read_text(log);
@@ -69,6 +70,10 @@ void run_renderer(std::vector<std::string> arguments, const fs::path& folder) {
   message.erase(0, message.rfind('\n') + 1);
   if (status == 2) throw data::InputError(message);
   throw std::runtime_error(fmt::format("the templates of the report cannot be filled in: {}", message));
+}
+
+void run_renderer(std::vector<std::string> arguments, const fs::path& folder) {
+  run_script(fs::path("report") / "render.py", std::move(arguments), folder);
 }
 
 std::runtime_error no_pdf(const ToolMissing& missing, const OutputFolder& output) {
@@ -96,6 +101,17 @@ fs::path fill_in_templates(const fs::path& values, const OutputFolder& output) {
     throw no_pdf(missing, output);
   }
   return sources;
+}
+
+void write_site(const fs::path& values, OutputFolder& output) {
+  const fs::path site = output.scratch() / "site";
+  fs::create_directory(site);
+  run_script(fs::path("site") / "site.py",
+             {(templates_directory() / "report").string(), data::data_directory().string(), values.string(),
+              output.folder().string(), site.string()},
+             output.scratch());
+  fs::remove_all(output.folder() / "site");
+  output.publish(site);
 }
 
 void typeset(const fs::path& sources, OutputFolder& output) {

@@ -17,6 +17,10 @@ namespace stickslip::report {
 [[nodiscard]] std::filesystem::path fill_in_templates(const std::filesystem::path& values,
                                                       const OutputFolder& output);
 
+/// Makes the pages of evidence, the folder `site`, from the JSON files in the folder `values` and the figures in the
+/// folder of the report. Throws std::runtime_error if that fails.
+void write_site(const std::filesystem::path& values, OutputFolder& output);
+
 /// Runs pdflatex on vv-report.tex until references settle and moves vv-report.pdf in place. Throws
 /// std::runtime_error, with LaTeX's first error, if that fails or pdflatex is missing.
 void typeset(const std::filesystem::path& sources, OutputFolder& output);

@@ -90,6 +90,8 @@ void write_report(const ReportOptions& options) {
   write_values(results, describe_environment(options, output.scratch()), values);
   progress.stage("typesetting vv-report.pdf");
   typeset(fill_in_templates(values, output), output);
+  progress.stage("writing the pages of evidence");
+  write_site(values, output);
 }
 
 std::vector<std::string> figure_names() {
@@ -101,11 +103,12 @@ std::vector<std::string> figure_names() {
 std::filesystem::path templates_directory() {
   std::filesystem::path chosen =
       data::installed_folder("STICKSLIP_REPORTS", "reports", STICKSLIP_REPORTS_DIRECTORY);
-  if (!std::filesystem::is_directory(chosen / "figures") || !std::filesystem::is_directory(chosen / "report"))
-    throw data::InputError(fmt::format(
-        "the folder of the report's templates (STICKSLIP_REPORTS) is {}, but must hold the folders "
-        "figures and report",
-        chosen.string()));
+  for (const char* folder : {"figures", "report", "site"})
+    if (!std::filesystem::is_directory(chosen / folder))
+      throw data::InputError(fmt::format(
+          "the folder of the report's templates (STICKSLIP_REPORTS) is {}, but must hold the folders "
+          "figures, report and site",
+          chosen.string()));
   return chosen;
 }
 

@@ -186,14 +186,15 @@ def numbers(names, fields):
     return dict(zip(names, map(float, fields), strict=True))
 
 
-def read_test(case, kind):
+def read_test(case, identity):
     """A test as its XML tells of it: what it serves, its comparison with the largest margin, those with a name, and
-    for each class of tolerances the one that came closest."""
+    for each class of tolerances the one that came closest. Its identity is its name for ctest."""
     properties = {item.get("name"): item.get("value") for item in case.iterfind("properties/property")}
     suite = case.get("classname").rpartition("/")[2]
     skipped = case.find("skipped") is not None
     name = f"{suite}.{case.get('name')}"
-    test = {"kind": kind, "suite": suite, "name": case.get("name"), "full_name": name, "named": [], "tolerances": [],
+    test = {"id": identity, "file": case.get("file"), "line": case.get("line"), "suite": suite, "name": case.get("name"),
+            "full_name": name, "named": [], "tolerances": [],
             "bad_input": [], "accepted_input": {}, "skipped": skipped, "worst": None,
             "passed": case.get("status") == "run" and not skipped and case.find("failure") is None,
             "position": int(properties.get("requirement_position", 0)),
@@ -215,8 +216,7 @@ def read_test(case, kind):
             test["accepted_input"][what] = int(value)
         if group == "tolerances":
             count, *fields, derivation = value.split("; ", 4)
-            test["tolerances"].append(numbers(compared[2:], fields) | {"class": what, "count": int(count), "full_name": name,
-                                                                       "passed": test["passed"], "skipped": skipped,
+            test["tolerances"].append(numbers(compared[2:], fields) | {"id": identity, "class": what, "count": int(count),
                                                                        "derivation": derivation})
     return test
 
@@ -228,15 +228,15 @@ def read_tests(folder):
         for file in folder.rglob("*.xml"):
             if file.stat().st_size > 50_000_000:
                 raise ValueError("is larger than the 50000000 bytes that are allowed")
-            kind = file.relative_to(folder).parts[0].partition(".")[0]
-            tests += [read_test(case, kind) for case in ElementTree.parse(file).iterfind("testsuite/testcase")]
+            identity = str(file.relative_to(folder).with_suffix(""))
+            tests += [read_test(case, identity) for case in ElementTree.parse(file).iterfind("testsuite/testcase")]
     except (ElementTree.ParseError, OSError, ValueError) as error:
         raise InputError(f"{file}: {error}") from error
     except KeyError as error:
         raise InputError(f"{file}: the property {error} is missing") from error
     if not tests:
         raise InputError(f"the folder of test results is {folder}, but must hold GoogleTest's XML files")
-    return sorted(tests, key=lambda test: (test["position"], test["suite"], test["name"], test["kind"]))
+    return sorted(tests, key=lambda test: (test["position"], test["suite"], test["name"], test["id"]))
 
 
 def numbers_named(text, kind):
@@ -291,6 +291,31 @@ def bad_input_of(tests):
     return {"by_defect": by_defect, "by_reason": by_reason.most_common()}
 
 
+def distance_from_one(value):
+    return abs(value - 1.0)
+
+
+def error_ratio(errors, elements, order):
+    """The ratio of the errors on the two finest meshes over what an order predicts.
+
+    >>> error_ratio([5.0, 1.6, 0.1], [1, 2, 4], 4)
+    1.0
+    """
+    return errors[-2] / errors[-1] / (elements[-1] / elements[-2]) ** order
+
+
+def judged(result, environment, known):
+    """A result of acceptance.toml with its value and whether that meets the criterion.
+
+    >>> judged({"value": "a | distance_from_one", "most": 0.5}, environment_for([]), {"a": 1.5})["passed"]
+    True
+    >>> judged({"value": "a", "least": 2, "most": 3}, environment_for([]), {"a": 1.5})["passed"]
+    False
+    """
+    value = float(environment.compile_expression(result["value"], undefined_to_none=False)(**known))
+    return result | {"value": value, "value_of": result["value"], "passed": result.get("least", -math.inf) <= value <= result.get("most", math.inf)}
+
+
 # ---- Report
 
 
@@ -304,6 +329,7 @@ def read_values(templates, data, values):
     for file in ("claims", "errata", "printed-numbers"):
         known |= tomllib.loads((data / "paper" / f"{file}.toml").read_text())
     known["printed"] = {number["id"]: number for number in known["number"]}
+    known["package"] = json.loads((data / "reference" / "datapackage.json").read_text())
     mutants = templates.parent.parent / "verification" / "mutants"
     known["mutants"] = list(csv.DictReader((mutants / "summary.csv").read_text().splitlines()))
     known |= tomllib.loads((mutants / "survivors.toml").read_text())
@@ -311,6 +337,8 @@ def read_values(templates, data, values):
     known["bad_input"] = bad_input_of(known["tests"])
     known["named"], known["tolerances"] = ([entry for test in known["tests"] for entry in test[key]]
                                            for key in ("named", "tolerances"))
+    accepted = tomllib.loads((templates.parent.parent / "verification" / "acceptance.toml").read_text())
+    known["acceptance"] = [judged(result, environment_for([]), known) for result in accepted["result"]]
     known["indexed"] = lambda kind, count: paper_index(kind, count, known["tests"], known["claim"])
     return known | {"zip": zip}
 
@@ -322,10 +350,10 @@ def shown(value):
     return value
 
 
-FILTERS = (fixed, sig, sci, plain, compact, order, signed, escape, breakable, typeset, powers)
+FILTERS = (fixed, sig, sci, plain, compact, order, signed, escape, breakable, typeset, powers, distance_from_one, error_ratio)
 
 
-def write_report(templates, data, values, output):
+def environment_for(templates):
     environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(templates), undefined=jinja2.StrictUndefined, finalize=shown,
         block_start_string="<%", block_end_string="%>", variable_start_string="<<", variable_end_string=">>",
@@ -334,6 +362,11 @@ def write_report(templates, data, values, output):
     environment.filters |= {function.__name__: function for function in FILTERS}
     environment.filters |= {"percent": lambda value: 100.0 * value, "milli": lambda value: value / 1e-3,
                             "micro": lambda value: value / 1e-6, "nano": lambda value: value / 1e-9}
+    return environment
+
+
+def write_report(templates, data, values, output):
+    environment = environment_for(templates)
     environment.globals |= read_values(templates, data, values)
     for name in environment.list_templates(extensions=["tex"]):
         (output / name).write_text(environment.get_template(name).render())

@@ -33,6 +33,7 @@ class ReportTemplates : public ::testing::Test {
     fs::create_directories(values());
     fs::create_directories(templates_ / "figures");
     fs::create_directories(templates_ / "report");
+    fs::create_directories(templates_ / "site");
     fs::copy(report::templates_directory() / "report" / "render.py", templates_ / "report");
     fs::copy(report::templates_directory() / "report" / "macros.jinja", templates_ / "report");
     ::setenv("STICKSLIP_REPORTS", templates_.c_str(), 1);
@@ -40,6 +41,7 @@ class ReportTemplates : public ::testing::Test {
     fs::create_directories(folder_ / "verification" / "mutants");
     report::write_text(folder_ / "verification" / "mutants" / "summary.csv", "part,killed\n");
     report::write_text(folder_ / "verification" / "mutants" / "survivors.toml", "equivalent = []\n");
+    report::write_text(folder_ / "verification" / "acceptance.toml", "result = []\n");
   }
   void TearDown() override {
     ::unsetenv("STICKSLIP_REPORTS");
@@ -104,9 +106,12 @@ TEST_F(ReportTemplates, RefuseANumberWithoutDigitsAndOneThatIsNotFinite) {
 }
 
 TEST_F(ReportTemplates, FormatNumbersAndWordsAsTheExamplesInTheRendererSay) {
-  const std::string command =
-      "/usr/bin/python3 -I -B -m doctest '" + (templates_ / "report" / "render.py").string() + "'";
-  EXPECT_EQ(std::system(command.c_str()), 0) << command;
+  ::unsetenv("STICKSLIP_REPORTS");
+  for (const fs::path script : {"report/render.py", "site/site.py"}) {
+    const std::string command =
+        "/usr/bin/python3 -I -B -m doctest '" + (report::templates_directory() / script).string() + "'";
+    EXPECT_EQ(std::system(command.c_str()), 0) << command;
+  }
 }
 
 class PaperIndex : public ReportTemplates {};

@@ -1,0 +1,262 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""Makes the evidence site: the ledgers behind the report as static HTML pages that need no network.
+
+  site.py TEMPLATES DATA VALUES FIGURES OUTPUT
+
+TEMPLATES is the folder of the report's templates, DATA that of the data, VALUES what the studies returned and
+FIGURES the folder with their CSV and PNG files, which lies beside OUTPUT. Each page is a table. The sources of the tests are
+pages as well, so that each test links to its line.
+"""
+
+import re
+import shutil
+import sys
+from collections import namedtuple
+from pathlib import Path
+
+import jinja2
+
+FOLDER = Path(__file__).resolve().parent
+sys.path.insert(0, str(FOLDER.parent / "report"))
+from render import read_values  # noqa: E402
+
+Link = namedtuple("Link", "text href")
+Number = namedtuple("Number", "text value")
+Code = namedtuple("Code", "text")
+Image = namedtuple("Image", "href alt")
+Row = namedtuple("Row", "id cells")
+Page = namedtuple("Page", "name title intro columns rows")
+
+
+def number(value, digits=6):
+    """
+    >>> number(0.000123456789, 3), number(None)
+    (Number(text='0.000123', value=0.000123456789), '')
+    """
+    return "" if value is None else Number(f"{value:.{digits}g}", float(value))
+
+
+def words(text):
+    return str(text).rstrip(".")
+
+
+class Site:
+    """The pages, each made from the values of the report."""
+
+    def __init__(self, known, templates, figures):
+        self.known, self.figures = known, figures
+        text = "".join(file.read_text() for file in templates.glob("*.tex"))
+        self.alternatives = {name: " ".join(alt.split()) for name, alt in re.findall(r"\\drawing(?:\[.*?\])?{([a-z0-9-]+)}\s*{([^}]*)}", text)}
+        self.sources = {}  # pages of test sources by file
+        self.tests_of_claim = {test["claim"]: test for test in known["tests"] if test["claim"]}
+
+    def test_link(self, test):
+        return Link(test["id"], f"tests.html#{test['id']}")
+
+    def source_link(self, test):
+        file = Path(test["file"])
+        if not file.is_file():
+            return file.name
+        name = str(file).split("/verification/")[-1]
+        self.sources[file] = f"source/{name}.html"
+        return Link(f"{name}:{test['line']}", f"{self.sources[file]}#L{test['line']}")
+
+    def tests(self):
+        rows = []
+        for test in self.known["tests"]:
+            worst = test["worst"] or dict.fromkeys(("computed", "expected", "error", "tolerance", "margin"))
+            outcome = "passed" if test["passed"] else "skipped" if test["skipped"] else "failed"
+            rows.append(Row(test["id"], [
+                Link(test["id"], f"#{test['id']}"), outcome, Link(test["requirement"], f"requirements.html#{test['requirement']}"),
+                self.source_link(test), number(test["comparisons"] or None), number(worst["computed"]), number(worst["expected"]),
+                number(worst["error"], 2), number(worst["tolerance"], 2), number(worst["margin"], 2), worst.get("class", ""),
+                Code(f"ctest --test-dir build/release -R '^{re.escape(test['id'])}$'")]))
+        return Page("tests", "Tests", [
+            "Each test with the requirement that it serves, its source and the command that runs it.",
+            "The numbers belong to the comparison that came closest to its tolerance. The margin is error over tolerance. A margin "
+            "above 1 fails. A test without numbers decides by an exception, a sign, a count or equal bits."],
+            ["Test", "Outcome", "Requirement", "Source", "Comparisons", "Computed", "Reference", "Error", "Tolerance", "Margin",
+             "Class", "Command"], rows)
+
+    def requirements(self):
+        rows = []
+        for item in self.known["requirements"]:
+            tests = item["tests"]
+            margins = [test["worst"]["margin"] for test in tests if test["worst"]]
+            failed = sum(not test["passed"] and not test["skipped"] for test in tests)
+            rows.append(Row(item["name"], [item["name"], item["text"], item["source"],
+                                           Link(str(len(tests)), f"tests.html?q={item['name']}&column=Requirement"),
+                                           number(failed), number(max(margins, default=None), 2)]))
+        return Page("requirements", "Requirements", [
+            "What must hold, where it comes from, how many tests serve it, how many of them failed, and their largest margin."],
+            ["Requirement", "What must hold", "Where it comes from", "Tests", "Failed", "Largest margin"], rows)
+
+    def tolerances(self):
+        rows = [Row(f"{index}", [Link(entry["id"], f"tests.html#{entry['id']}"), entry["class"], number(entry["count"]),
+                                 number(entry["error"], 2), number(entry["tolerance"], 2), number(entry["margin"], 2),
+                                 entry["derivation"]])
+                for index, entry in enumerate(self.known["tolerances"])]
+        return Page("tolerances", "Tolerances", [
+            "Each test and class of tolerance: round-off is a multiple of the machine's accuracy, the length of the computation and "
+            "its condition; discretisation is a predicted error times a stated margin; reference is the accuracy of a datum.",
+            "A margin above a half may turn by a small change of rounding. A margin below a thousandth says little: the bound is far "
+            "from sharp, or two numbers are equal to the last digit."],
+            ["Test", "Class", "Comparisons", "Error", "Tolerance", "Margin", "Derivation of the tolerance"], rows)
+
+    def claims(self):
+        rows = []
+        for claim in self.known["claim"]:
+            test = self.tests_of_claim.get(claim["id"])
+            erratum = claim.get("erratum", "")
+            rows.append(Row(claim["id"], [
+                Link(claim["id"], f"#{claim['id']}"), claim["place"], claim["claim"], claim["verdict"], claim["how"],
+                test["finding"] if test else "not run", claim.get("correction", ""),
+                Link(erratum, f"errata.html#{erratum}") if erratum else "", self.test_link(test) if test else ""]))
+        return Page("claims", "Claims of the paper", [
+            "Sentences of the paper that can be true or false and can be tested here, in the order of the page, each with the test that "
+            "judges it.", "A correction puts a symbol, a sign, a number or a range right."],
+            ["Claim", "Place", "What the paper says", "Verdict", "How it is tested", "What was found", "What holds instead", "Erratum",
+             "Test"], rows)
+
+    def errata(self):
+        evidence = {}
+        for row in self.known["errata_evidence"]:
+            unit = "" if row["unit"] == "1" else f" {row['unit']}"
+            evidence.setdefault(row["erratum"], []).append(
+                f"{row['quantity']}: {row['as_printed']:.6g}{unit} as printed, {row['corrected']:.6g} corrected, reference "
+                f"{row['reference']:.6g} +- {row['tolerance']:.2g}" + ("" if row["confirmed"] else " (not confirmed)"))
+        rows = [Row(row["id"], [Link(row["id"], f"#{row['id']}"), row["place"], row["printed"], row["holds"], row["established"],
+                                "; ".join(evidence.get(row["id"], []))]) for row in self.known["erratum"]]
+        return Page("errata", "Errata", ["Where the text of the paper and a recomputation differ."],
+                    ["Erratum", "Place", "Printed", "What holds", "How it was established", "Numbers"], rows)
+
+    def numbers(self):
+        rows = []
+        for index, check in enumerate(self.known["printed_checks"]):
+            printed = check["printed"]
+            unit = printed.get("printed_unit") or printed["unit"]
+            rows.append(Row(f"{index}", [printed["id"], words(printed["meaning"]), printed["place"],
+                                         f"{printed['printed']}{'' if unit == '1' else ' ' + unit}", number(check["computed"]),
+                                         number(check["allowed"], 2), check["because"], check["method"],
+                                         "yes" if check["agrees"] else "no"]))
+        return Page("numbers", "Printed numbers", ["Numbers that the paper prints, recomputed. Values are in SI units."],
+                    ["Number", "Meaning", "Place", "Printed", "Computed", "Allowed difference", "Reason", "Method", "Agrees"], rows)
+
+    def paper(self):
+        rows = []
+        for kind, name, count in (("Eq", "Eq. ({})", 30), ("Fig", "Fig. {}", 14)):
+            for item in self.known["indexed"](kind, count):
+                rows.append(Row(f"{kind}{item['number']}", [
+                    name.format(item["number"]),
+                    [Link(one, f"requirements.html#{one}") for one in item["requirements"]], number(item["tests"]),
+                    [Link(f"{claim['id']} ({claim['verdict']})", f"claims.html#{claim['id']}") for claim in item["claims"]]]))
+        return Page("paper", "Equations and figures of the paper", [
+            "Each equation and figure with the requirements that name it, the number of their tests, and the claims about it."],
+            ["Place", "Requirements", "Tests", "Claims"], rows)
+
+    def mutants(self):
+        rows = [Row(f"{index}", [Code(one["file"]), Code(one["function"]), Code(one["edit"]), one["why"]])
+                for index, one in enumerate(self.known["equivalent"])]
+        counts = [f"Part {one['part']}: {one['mutants']} mutants, {one['killed']} killed, {one['equivalent']} equivalent, "
+                  f"{one['survived']} survived." for one in self.known["mutants"]]
+        return Page("mutants", "Mutants", [
+            "A mutant is the program with one mistake. These mutants change no result that a test can see.", *counts,
+            "Command: ./verification/run --mutants -- --part data"], ["File", "Function", "Change", "Reason"], rows)
+
+    def wrong_models(self):
+        columns = ["stick_frequency", "slip_frequency", "force_maximum", "stick_force", "stick_displacement", "first_slip",
+                   "tip_displacement"]
+        rows = []
+        for effect in self.known["wrong_models"]["effects"]:
+            model = effect["wrong_model"]
+            changes = [number(None if effect[name] is None else float(effect[name]), 3) for name in columns]
+            rows.append(Row(model["name"], [Code(model["name"]), model["mistake"], model["place"], *changes]))
+        return Page("wrong-models", "Wrong models", [
+            "Mistakes that people make, by name, and what each changes in the damped benchmark, relative to the right value.",
+            "Without a number: the model does not define the quantity, or the mistake is not possible in this problem."],
+            ["Model", "Mistake", "Place in the paper", "First frequency, stick", "First frequency, slip", "Largest force", "f(t)",
+             "y(L/2, t)", "First slip", "y(L, t)"], rows)
+
+    def bad_input(self):
+        rows = []
+        for defect, places in sorted(self.known["bad_input"]["by_defect"].items()):
+            for place, count in places.items():
+                rows.append(Row(f"{defect}.{place}".replace(" ", "-"), [defect, place, number(count["refused"]), number(count["accepted"])]))
+        reasons = [f"Accepted {count} times: {reason}." for reason, count in self.known["bad_input"]["by_reason"]]
+        return Page("bad-input", "Bad input", [
+            "Every key of a case file, option, column and key of a data package is tried with every defect. What is refused ends with exit "
+            "code 2, one sentence and no file. What is accepted runs and gives finite numbers.", *reasons],
+            ["Defect", "Place", "Refused", "Accepted"], rows)
+
+    def figures_page(self):
+        rows = []
+        for image in sorted(self.figures.glob("*.png")):
+            name = image.stem
+            tables = [file for file in sorted(self.figures.glob(f"{name}*.csv")) if file.stem == name or file.stem.startswith(f"{name}-")]
+            alt = self.alternatives.get(name, name)
+            rows.append(Row(name, [name, Image(f"../{image.name}", alt), alt,
+                                   [Link(file.name, f"../{file.name}") for file in tables],
+                                   Code(f"build/release/bin/stickslip report --only {name} --output figures")]))
+        return Page("figures", "Figures", ["Each figure of the report with its data and the command that draws it."],
+                    ["Figure", "Picture", "What it shows", "Data", "Command"], rows)
+
+    def data_sets(self):
+        rows = []
+        for resource in self.known["package"]["resources"]:
+            values = resource.get("comparison", {}).get("values", [])
+            rows.append(Row(resource["name"], [
+                resource["name"], resource["title"], resource["description"], resource["provenance"]["class"],
+                [f"{value['field']}: {value['tolerance']:g} ({value['norm']})" for value in values],
+                Link(resource["path"], f"data/{resource['path']}"), Code(f"build/release/bin/stickslip reference show {resource['name']}")]))
+        return Page("data", "Reference data", ["The published data sets, with the tolerances that are proposed for a comparison."],
+                    ["Data set", "Title", "What it holds", "Uncertainty", "Tolerances", "File", "Command"], rows)
+
+    def verdicts(self):
+        rows = []
+        for index, result in enumerate(self.known["acceptance"]):
+            criterion = f"at most {result['most']:g}"
+            if "least" in result:
+                criterion = f"{result['least']:g} to {result['most']:g}"
+            rows.append(Row(f"{index}", [result["what"], result["metric"], number(result["value"], 3), criterion, result["basis"],
+                                         "yes" if result["passed"] else "no", result.get("remark", ""), Code(result["value_of"])]))
+        return Page("verdicts", "Verdicts", ["Each result with its metric, its value and the acceptance criterion of verification/acceptance.toml."],
+                    ["Result", "Metric", "Value", "Criterion", "Basis", "Met", "Why not", "How it is computed from the studies"], rows)
+
+    def pages(self):
+        return [self.verdicts(), self.requirements(), self.tests(), self.tolerances(), self.claims(), self.errata(), self.numbers(), self.paper(),
+                self.figures_page(), self.data_sets(), self.wrong_models(), self.mutants(), self.bad_input()]
+
+
+def kind_of(cell):
+    """How the template shows a cell: the name of its type."""
+    return type(cell).__name__.lower()
+
+
+def write_site(known, templates, data, figures, output):
+    site = Site(known, templates, figures)
+    pages = site.pages()
+    environment = jinja2.Environment(loader=jinja2.FileSystemLoader(FOLDER), autoescape=True, undefined=jinja2.StrictUndefined,
+                                     trim_blocks=True, lstrip_blocks=True)
+    environment.tests["kind"] = lambda cell, kind: kind_of(cell) == kind
+    environment.globals |= {"pages": pages, "environment": known["environment"], "tests": known["tests"]}
+    write = lambda name, template, **values: (output / name).write_text(environment.get_template(template).render(**values))
+    write("index.html", "index.html", root="", title="Evidence")
+    for page in pages:
+        write(f"{page.name}.html", "table.html", root="", page=page, title=page.title)
+    for file, name in site.sources.items():
+        (output / name).parent.mkdir(parents=True, exist_ok=True)
+        write(name, "source.html", root="../" * name.count("/"), title=name.removeprefix("source/").removesuffix(".html"),
+              lines=file.read_text().splitlines())
+    for asset in ("site.css", "site.js"):
+        shutil.copy(FOLDER / asset, output)
+    shutil.copytree(data / "reference", output / "data")
+
+
+def main(templates, data, values, figures, output):
+    known = read_values(templates, data, values)
+    write_site(known, templates, data, figures, output)
+
+
+if __name__ == "__main__":
+    main(*map(Path, sys.argv[1:]))

@@ -1,0 +1,159 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""Tests the evidence site in headless Chromium.
+
+  site_test.py REPORT AXE
+
+REPORT is the folder of the report, with the folder site. AXE is the folder for axe-core, the accessibility checker, which is
+fetched when it is missing. The packages chromium-driver and python3-selenium are needed.
+"""
+
+import base64
+import hashlib
+import io
+import json
+import sys
+import tarfile
+import unittest
+import urllib.request
+from html.parser import HTMLParser
+from pathlib import Path
+from urllib.parse import unquote, urlsplit
+
+from selenium import webdriver
+from selenium.webdriver.common.by import By
+
+AXE_URL = "https://registry.npmjs.org/axe-core/-/axe-core-4.14.1.tgz"
+AXE_SHA512 = "FHfa+lmNjQZfJz1q8wKqIDwC6DExcHt/pkjNQb09a3NPjCKg2rhu5qb2S4r76ASyFNNtuFooJpZe37OgudVGtQ=="
+# These pages are checked in the browser; the other tables have the same template.
+SHOWN = ("index.html", "requirements.html", "claims.html", "figures.html", "numbers.html", "source/tests/solver/contact_test.cpp.html")
+
+
+def fetch_axe(folder):
+    """The text of axe-core, whose package must have the published digest."""
+    file = folder / "axe.min.js"
+    if not file.exists():
+        package = urllib.request.urlopen(AXE_URL, timeout=60).read()
+        digest = base64.b64encode(hashlib.sha512(package).digest()).decode()
+        if digest != AXE_SHA512:
+            sys.exit(f"the digest of {AXE_URL} is {digest}, but must be {AXE_SHA512}")
+        folder.mkdir(parents=True, exist_ok=True)
+        with tarfile.open(fileobj=io.BytesIO(package)) as archive:
+            file.write_bytes(archive.extractfile("package/axe.min.js").read())
+    return file.read_text()
+
+
+class Links(HTMLParser):
+    """The addresses and the identities of a page."""
+
+    def __init__(self, page):
+        super().__init__()
+        self.addresses, self.identities = set(), []
+        self.feed(page.read_text())
+
+    def handle_starttag(self, tag, attributes):
+        for name, value in attributes:
+            if name in ("href", "src"):
+                self.addresses.add(value)
+            if name == "id":
+                self.identities.append(value)
+
+
+class Site(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        options = webdriver.ChromeOptions()
+        for argument in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--host-resolver-rules=MAP * ~NOTFOUND"):
+            options.add_argument(argument)
+        options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+        cls.browser = webdriver.Chrome(options=options)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.quit()
+
+    def open(self, name, width=1200):
+        self.browser.set_window_size(width, 900)
+        self.browser.get((SITE / name.partition("?")[0]).as_uri() + "".join(name.partition("?")[1:]))
+
+    def shown_rows(self):
+        return [row for row in self.browser.find_elements(By.CSS_SELECTOR, "tbody tr") if row.is_displayed()]
+
+    def test_links_resolve(self):
+        pages = {page: Links(page) for page in SITE.rglob("*.html")}
+        for page, links in pages.items():
+            self.assertEqual(len(links.identities), len(set(links.identities)), f"{page}: an id stands twice")
+            for address in links.addresses:
+                parts = urlsplit(address)
+                if parts.scheme == "data":
+                    continue
+                self.assertEqual(parts.scheme + parts.netloc, "", f"{page}: {address} leaves the site")
+                target = (page.parent / unquote(parts.path)).resolve() if parts.path else page
+                self.assertTrue(target.is_file(), f"{page}: {address} is missing")
+                if parts.fragment:
+                    self.assertIn(unquote(parts.fragment), pages[target].identities, f"{page}: {address} has no target")
+
+    def test_loads_without_network_and_without_errors(self):
+        for name in SHOWN:
+            with self.subTest(name):
+                self.open(name)
+                loaded = self.browser.execute_script("return performance.getEntriesByType('resource').map(e => e.name)")
+                self.assertEqual([address for address in loaded if not address.startswith(("file:", "data:"))], [])
+                self.assertEqual(self.browser.get_log("browser"), [])
+
+    def test_search_keeps_the_rows_with_all_words(self):
+        self.open("requirements.html")
+        rows = len(self.shown_rows())
+        self.browser.find_element(By.ID, "query").send_keys("energies BALANCE")
+        found = self.shown_rows()
+        self.assertGreater(rows, 50)
+        self.assertEqual([row.get_attribute("id") for row in found], ["F8"])
+        self.assertEqual(self.browser.find_element(By.ID, "count").text, f"1 of {rows} rows")
+
+    def test_link_to_the_tests_of_a_requirement_shows_these_only(self):
+        self.open("requirements.html")
+        link = self.browser.find_element(By.CSS_SELECTOR, "#F8 a")
+        count = int(link.text)
+        link.click()
+        shown = self.browser.execute_script(
+            "return [...document.querySelectorAll('tbody tr:not([hidden])')].map(row => row.cells[2].textContent.trim())")
+        self.assertEqual(shown, ["F8"] * count)
+
+    def test_sorts_numbers_by_value_in_both_directions(self):
+        self.open("tolerances.html")
+        head = self.browser.find_elements(By.CSS_SELECTOR, "th button")[5]
+        for direction in (1, -1):
+            head.click()
+            values = self.browser.execute_script("return [...document.querySelectorAll('tbody tr')].map(r => r.cells[5].dataset.value)")
+            values = [float(value) for value in values]
+            self.assertEqual(values, sorted(values, reverse=direction < 0))
+            self.assertLess(min(values), max(values))
+
+    def test_is_readable_at_the_width_of_a_phone(self):
+        for name in SHOWN:
+            with self.subTest(name):
+                # Chromium's window is no narrower than 500 pixels: the width is set as a phone has it.
+                self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
+                                             {"width": 360, "height": 740, "deviceScaleFactor": 1, "mobile": True})
+                self.open(name)
+                width = self.browser.execute_script("return document.documentElement.scrollWidth")
+                self.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+                self.assertLessEqual(width, 360)
+
+    def test_accessibility_checker_finds_no_violation(self):
+        for name in SHOWN:
+            with self.subTest(name):
+                self.open(name)
+                self.browser.execute_script(AXE)
+                result = self.browser.execute_async_script(
+                    "const done = arguments[arguments.length - 1]; axe.run({preload: false}).then(done, error => done({error: String(error)}))")
+                self.assertNotIn("error", result)
+                self.assertGreater(len(result["passes"]), 15)
+                found = [(one["id"], one["help"], [node["html"] for node in one["nodes"]][:3]) for one in result["violations"]]
+                self.assertEqual(found, [], json.dumps(found, indent=1))
+
+
+if __name__ == "__main__":
+    SITE = Path(sys.argv[1]).resolve() / "site"
+    AXE = fetch_axe(Path(sys.argv[2]))
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:], verbosity=2)
