@@ -106,7 +106,7 @@ class Test:
     program: str
     name: str
     file: str
-    seconds: float = 0.0
+    seconds: float = 60.0  # until it is known
 
 
 @dataclass
@@ -156,7 +156,7 @@ def watch(process, usual, fail_fast):
         for mark, name, milliseconds in (m.groups() for m in map(LINE.search, lines) if m):
             if mark == " RUN      ":
                 running = name
-                deadline = time.monotonic() + PATIENCE + 10.0 * usual.get(name, 60.0)
+                deadline = time.monotonic() + PATIENCE + 10.0 * usual[name]
             elif name == running:
                 running = ""
                 deadline = time.monotonic() + 60.0
