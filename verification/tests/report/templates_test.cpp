@@ -143,7 +143,7 @@ class TestResults : public ReportTemplates {
              const std::string& inside) const {
     report::write_text(xml_ / file, "<?xml version=\"1.0\"?><testsuites><testsuite name=\"" + suite +
                                         "\"><testcase name=\"" + name + "\" classname=\"" + suite +
-                                        "\" status=\"run\">" + inside +
+                                        "\" file=\"verdict_test.cpp\" line=\"25\" status=\"run\">" + inside +
                                         "</testcase></testsuite></testsuites>");
   }
 
@@ -171,7 +171,9 @@ TEST_F(TestResults, HoldRequirementComparisonsAndClaim) {
   const json tests = read();
   ASSERT_EQ(tests.size(), 1U);
   const json& test = tests[0];
-  EXPECT_EQ(test["kind"], "cross");
+  EXPECT_EQ(test["id"], "cross.Figures/Verdict.IsPrinted");
+  EXPECT_EQ(test["file"], "verdict_test.cpp");
+  EXPECT_EQ(test["line"], "25");
   EXPECT_EQ(test["full_name"], "Verdict.IsPrinted/4a");
   EXPECT_EQ(test["passed"], true);
   EXPECT_EQ(test["requirement"], "V1");
