@@ -128,6 +128,9 @@ std::vector<double> mobility_weights(const Mobility& mobility, double time_step,
 }
 
 void require_unique_step(const ContactLaw& law, double first_weight) {
+  if (std::isinf(law.friction.decay()))
+    throw data::FieldError("friction.decay", law.friction.decay(),
+                           "finite (s/m) here: with a jump a step can both stick and slip");
   const double weakening = (law.friction.static_coefficient() - law.friction.kinetic_coefficient()) *
                            law.friction.decay() * law.normal_force;
   if (!(weakening * first_weight < 1.0))

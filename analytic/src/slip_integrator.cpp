@@ -55,6 +55,7 @@ SlipIntegrator::SlipIntegrator(const ContactDynamics& dynamics, double tolerance
       dimension_(2 * size_),
       equations_(dimension_ + (keep_energy_balance ? kWorks : 0)),
       velocity_floor_(64.0 * kEpsilon * reference_velocity),
+      law_(dynamics.model().friction.in_slip()),
       system_{&SlipIntegrator::right_side, nullptr, equations_, this},
       error_(equations_),
       jerk_(size_) {
@@ -170,11 +171,10 @@ Powers SlipIntegrator::works_of(const std::vector<double>& y) const {
 
 // Analytic through v_s = 0, so that a trial step may pass it.
 double SlipIntegrator::friction_force(double sliding_velocity) const {
-  const data::FrictionLaw& law = dynamics_.model().friction;
-  const double weakening = law.static_coefficient() - law.kinetic_coefficient();
+  const double weakening = law_.static_coefficient() - law_.kinetic_coefficient();
   return -direction_ * dynamics_.model().normal_force *
-         (law.kinetic_coefficient() + weakening * std::exp(-law.decay() * direction_ * sliding_velocity) +
-          law.viscous() * direction_ * sliding_velocity);
+         (law_.kinetic_coefficient() + weakening * std::exp(-law_.decay() * direction_ * sliding_velocity) +
+          law_.viscous() * direction_ * sliding_velocity);
 }
 
 int SlipIntegrator::right_side(double t, const double y[], double rate[], void* self) {
@@ -212,15 +212,14 @@ void SlipIntegrator::evaluate(double t, const double* y, double* rate) const {
 // v_s and its first two rates; the rows are linear, so that the rate of the accelerations follows from the
 // rates of their arguments.
 void SlipIntegrator::measure(Node& node) const {
-  const data::FrictionLaw& law = dynamics_.model().friction;
   const double sliding = kinematics_of(node.y.data()).velocity - dynamics_.wall_velocity(node.time);
   const double acceleration =
       kinematics_of(node.rate.data()).velocity - dynamics_.wall_acceleration(node.time);
-  const double weakening = law.static_coefficient() - law.kinetic_coefficient();
+  const double weakening = law_.static_coefficient() - law_.kinetic_coefficient();
   const double normal_force = dynamics_.model().normal_force;
-  const double force_rate =
-      normal_force * weakening * law.decay() * std::exp(-law.decay() * direction_ * sliding) * acceleration -
-      normal_force * law.viscous() * acceleration;
+  const double force_rate = normal_force * weakening * law_.decay() *
+                                std::exp(-law_.decay() * direction_ * sliding) * acceleration -
+                            normal_force * law_.viscous() * acceleration;
   accelerate(node.rate.data(), dynamics_.load_rate(node.time), force_rate, jerk_);
   node.velocity = {direction_ * sliding, direction_ * acceleration,
                    direction_ * (jerk_.back() - dynamics_.wall_jerk(node.time))};

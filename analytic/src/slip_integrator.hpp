@@ -75,6 +75,7 @@ class SlipIntegrator {
   std::size_t size_, dimension_, equations_;  // of q; of q and q_t; with the works
   double longest_step_, shortest_step_;
   double velocity_floor_;  // m/s: below it a sign of v_s is round-off
+  data::FrictionLaw law_;
   double direction_{};
   gsl_odeiv2_system system_;
   OwnedHandle<gsl_odeiv2_step> stepper_;

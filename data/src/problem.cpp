@@ -45,8 +45,16 @@ FrictionLaw::FrictionLaw(const FrictionCoefficients& coefficients) : coefficient
   if (kinetic_coefficient() > static_coefficient())
     throw FieldError("friction.kinetic_coefficient", shortest_text(kinetic_coefficient()),
                      "at most friction.static_coefficient, which is " + shortest_text(static_coefficient()));
-  require_not_negative("friction.decay", decay(), " (s/m)");
+  if (!(decay() >= 0.0))
+    throw FieldError("friction.decay", decay(), "a number of 0 or more (s/m), or inf for a jump");
   require_not_negative("friction.viscous", viscous(), " (s/m)");
+}
+
+FrictionLaw FrictionLaw::in_slip() const {
+  if (std::isfinite(decay())) return *this;
+  return FrictionLaw({.static_coefficient = kinetic_coefficient(),
+                      .kinetic_coefficient = kinetic_coefficient(),
+                      .viscous = viscous()});
 }
 
 HarmonicExcitation::HarmonicExcitation(const HarmonicMotion& motion) : motion_(motion) {

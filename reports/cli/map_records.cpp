@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -32,11 +34,25 @@ constexpr std::size_t check_digits = 16;
 
 std::string program() { return fmt::format("stickslip {} (commit {})", version, commit); }
 
+// JSON has no infinity: the decay of a jump is a text.
+Json to_json(const std::map<std::string, double>& numbers) {
+  Json json;
+  for (const auto& [key, value] : numbers) json[key] = std::isinf(value) ? Json("inf") : Json(value);
+  return json;
+}
+
+std::map<std::string, double> numbers_of(const Json& json) {
+  std::map<std::string, double> numbers;
+  for (const auto& [key, value] : json.items())
+    numbers[key] = value == "inf" ? std::numeric_limits<double>::infinity() : value.get<double>();
+  return numbers;
+}
+
 Json to_json(const studies::MapTask& task, const MapPart& part) {
   return {
       {"program", program()},
       {"case", task.problem.name},
-      {"numbers", data::numbers_of(task.problem)},
+      {"numbers", to_json(data::numbers_of(task.problem))},
       {"x", axis_text(task.x)},
       {"y", axis_text(task.y)},
       {"method", task.method == studies::MapMethod::closed_form ? closed_form_method : finite_element_method},
@@ -46,7 +62,7 @@ Json to_json(const studies::MapTask& task, const MapPart& part) {
 }
 
 studies::MapTask task_of(const Json& json) {
-  return {.problem = data::case_with(json.at("case"), json.at("numbers")),
+  return {.problem = data::case_with(json.at("case"), numbers_of(json.at("numbers"))),
           .x = parse_axis("x", json.at("x").get<std::string>()),
           .y = parse_axis("y", json.at("y").get<std::string>()),
           .method = json.at("method") == closed_form_method ? studies::MapMethod::closed_form

@@ -15,9 +15,10 @@ double friction_coefficient(const data::FrictionLaw& law, double sliding_velocit
 }
 
 FrictionContact::FrictionContact(const ContactSystem& system)
-    : law_(system.friction),
+    : law_(system.friction.in_slip()),
       normal_force_(system.normal_force),
-      limit_(normal_force_ == bonding_force ? bonding_force : law_.static_coefficient() * normal_force_) {}
+      limit_(normal_force_ == bonding_force ? bonding_force
+                                            : system.friction.static_coefficient() * normal_force_) {}
 
 double FrictionContact::force(double direction, double sliding_velocity) const {
   return -direction * friction_coefficient(law_, sliding_velocity) * normal_force_;
@@ -25,13 +26,14 @@ double FrictionContact::force(double direction, double sliding_velocity) const {
 
 // f_d = -d mu(v) N, v = free_velocity + mobility f_d the sliding velocity at the alpha level. With w = d v
 // this is w + mobility N mu(w) = d free_velocity; mu is held at mu_s for w < 0, where a trial step has
-// overshot the end of the phase. The left side is convex and rises as long as mobility N (mu_s - mu_m) alpha
+// overshot the end of the phase. (For a jump mu_s is mu_m here.) The left side is convex and rises as long as mobility N (mu_s - mu_m) alpha
 // < 1, so that Newton's method from above converges without leaving the right side of the root.
 double FrictionContact::alpha_level_force(double direction, double free_velocity, double mobility) const {
   const double forward = direction * free_velocity;
   const double strength = mobility * normal_force_;
   double w = forward - strength * law_.kinetic_coefficient();
-  if (forward <= strength * law_.static_coefficient()) return -direction * limit_;
+  if (forward <= strength * law_.static_coefficient())
+    return -direction * law_.static_coefficient() * normal_force_;
   for (int iteration = 0; iteration < 100; ++iteration) {
     const double residual = w + strength * friction_coefficient(law_, w) - forward;
     const double slope =

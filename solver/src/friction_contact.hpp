@@ -33,7 +33,7 @@ class FrictionContact {
  private:
   [[nodiscard]] double weakening() const noexcept;
 
-  data::FrictionLaw law_;
+  data::FrictionLaw law_;        // in slip
   double normal_force_, limit_;  // N, mu_s N
 };
 

@@ -164,7 +164,8 @@ ModalScheme with_damping_added(const data::Case& problem) {
 
 double sign(double v) { return v < 0.0 ? -1.0 : 1.0; }
 
-double weakened(const data::FrictionLaw& law, double speed) {
+double weakened(const data::FrictionLaw& friction, double speed) {
+  const data::FrictionLaw law = friction.in_slip();
   const double kinetic = law.kinetic_coefficient();
   return kinetic + (law.static_coefficient() - kinetic) * std::exp(-law.decay() * speed);
 }

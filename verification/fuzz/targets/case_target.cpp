@@ -14,7 +14,7 @@ std::vector<data::Override> overrides_of(const data::Case& problem) {
   const auto number = [](const char* key, double value) {
     std::string text = data::shortest_text(value);
     // TOML distinguishes floats from integers by these.
-    if (text.find_first_of(".e") == std::string::npos) text += ".0";
+    if (text.find_first_of(".en") == std::string::npos) text += ".0";  // but "inf" is one
     return data::Override{key, text};
   };
   const auto integer = [](const char* key, int value) { return data::Override{key, std::to_string(value)}; };

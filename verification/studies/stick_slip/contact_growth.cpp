@@ -94,7 +94,8 @@ analytic::Mobility in_steps(std::function<Complex(Complex)> discrete, double tim
 }  // namespace
 
 double weakening(const data::FrictionLaw& friction, double normal_force) {
-  return (friction.static_coefficient() - friction.kinetic_coefficient()) * friction.decay() * normal_force;
+  const data::FrictionLaw law = friction.in_slip();
+  return (law.static_coefficient() - law.kinetic_coefficient()) * law.decay() * normal_force;
 }
 
 bool grows_at_most(const LinearContact& contact, double kappa, double sigma) {

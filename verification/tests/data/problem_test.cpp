@@ -114,7 +114,8 @@ TEST(ProblemTypes, RefuseWhatIsNotPositiveWhereItMustBe) {
 
 TEST(ProblemTypes, RefuseWhatIsNegativeWhereItMustNotBe) {
   for (const auto& field : non_negative_fields())
-    expect_refused(field, -1e-300, "-1e-300", "a finite number of 0 or more");
+    expect_refused(field, -1e-300, "-1e-300",
+                   field.name == "friction.decay" ? "a number of 0 or more" : "a finite number of 0 or more");
 }
 
 TEST(ProblemTypes, AcceptZeroWhereItHasAMeaning) {
@@ -130,9 +131,12 @@ TEST(ProblemTypes, RefuseNotANumberAndInfinityEverywhere) {
   for (const auto& field : non_negative_fields()) fields.push_back(field);
   fields.push_back(beam_field("axial_force", &data::BeamProperties::axial_force));
   for (const auto& field : fields) {
-    expect_refused(field, nan, "nan", "a finite number");
-    expect_refused(field, infinity, "inf", "a finite number");
-    expect_refused(field, -infinity, "-inf", "a finite number");
+    const bool may_jump = field.name == "friction.decay";
+    const std::string allowed =
+        may_jump ? "a number of 0 or more (s/m), or inf for a jump" : "a finite number";
+    expect_refused(field, nan, "nan", allowed);
+    if (!may_jump) expect_refused(field, infinity, "inf", allowed);
+    expect_refused(field, -infinity, "-inf", allowed);
   }
 }
 

@@ -52,14 +52,15 @@ struct FrictionCoefficients {
   double static_coefficient{};  ///< mu_s, >= 0
   double
       kinetic_coefficient{};  ///< mu_m, 0 <= mu_m <= mu_s: what the exponential leaves at high sliding velocity
-  double decay{};             ///< alpha, s/m, >= 0
+  double decay{};             ///< alpha, s/m, >= 0; infinite for a jump from mu_s to mu_m
   double viscous{};           ///< beta, s/m, >= 0
 };
 
 /// The exponential friction law of Eq. (7) with a viscous term, mu(v) = mu_m + (mu_s - mu_m) exp(-alpha |v|) +
 /// beta |v|. Coulomb friction is mu_m = mu_s and beta = 0, the paper's law beta = 0. With 0 < beta < (mu_s -
 /// mu_m) alpha it has a minimum (Stribeck) at |v| = ln((mu_s - mu_m) alpha/beta)/alpha. mu is convex in |v| and
-/// falls no faster than (mu_s - mu_m) alpha, but may exceed mu_s. Cannot be built invalid.
+/// falls no faster than (mu_s - mu_m) alpha, but may exceed mu_s. With alpha infinite the contact holds up to mu_s
+/// while it sticks, and mu is mu_m + beta |v| as soon as it slides. Cannot be built invalid.
 class FrictionLaw {
  public:
   /// Throws FieldError.
@@ -70,6 +71,8 @@ class FrictionLaw {
   [[nodiscard]] double decay() const noexcept { return coefficients_.decay; }
   [[nodiscard]] double viscous() const noexcept { return coefficients_.viscous; }
   [[nodiscard]] const FrictionCoefficients& coefficients() const noexcept { return coefficients_; }
+  /// The law while the contact slides, with a finite alpha: of a jump what it leaves, else the same law.
+  [[nodiscard]] FrictionLaw in_slip() const;
 
  private:
   FrictionCoefficients coefficients_;

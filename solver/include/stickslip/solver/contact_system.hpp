@@ -41,7 +41,8 @@ struct ContactSystem {
   data::FrictionLaw friction;
 };
 
-/// mu(v) = mu_m + (mu_s - mu_m) exp(-alpha |v|) of Eq. (7), v in m/s.
+/// mu(v) = mu_m + (mu_s - mu_m) exp(-alpha |v|) + beta |v|, Eq. (7) with a viscous term, v in m/s. alpha must be
+/// finite (data::FrictionLaw::in_slip).
 [[nodiscard]] double friction_coefficient(const data::FrictionLaw& law, double sliding_velocity);
 
 }  // namespace stickslip::solver
