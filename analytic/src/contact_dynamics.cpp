@@ -49,6 +49,7 @@ void require_consistent(const ContactModel& model) {
                                      {std::span(model.damping.values()), "damping"},
                                      {std::span(&model.contact_stiffness, 1), "contact_stiffness"},
                                      {std::span(&model.contact_follower, 1), "contact_follower"},
+                                     {std::span(&model.contact_force, 1), "contact_force"},
                                      {std::span(&model.wall_amplitude, 1), "wall_amplitude"}})
     require_finite(values, name);
   const double free_mass = model.contact_mass - dot(model.mass_coupling, model.mass_coupling);
@@ -112,7 +113,7 @@ double ContactDynamics::accelerate(const KinematicsView& state, double s, double
 
 double ContactDynamics::holding_force(const KinematicsView& state, double t) const {
   std::vector<double> modal(modes());
-  return free_mass_ * (wall_acceleration(t) - accelerate(state, load(t), 0.0, modal));
+  return free_mass_ * (wall_acceleration(t) - accelerate(state, load(t), model_.contact_force, modal));
 }
 
 Powers ContactDynamics::powers(const KinematicsView& state, double t, double friction_force) const {
@@ -120,7 +121,7 @@ Powers ContactDynamics::powers(const KinematicsView& state, double t, double fri
   Powers powers;
   powers.base =
       load(t) * (dot(std::span(model_.load).first(m), state.rates) + model_.load[m] * state.velocity) +
-      friction_force * wall_velocity(t);
+      model_.contact_force * state.velocity + friction_force * wall_velocity(t);
   powers.follower = -state.velocity *
                     (dot(model_.follower, state.amplitudes) + model_.contact_follower * state.displacement);
   powers.friction = -friction_force * (state.velocity - wall_velocity(t));

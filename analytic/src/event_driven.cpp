@@ -148,6 +148,7 @@ class EventDriven::Engine {
       speed = std::max({std::abs(model.wall_amplitude) * omega,
                         std::sqrt(modal_load / model.contact_mass) / omega,
                         std::abs(model.load.back()) / (model.contact_mass * omega),
+                        std::abs(model.contact_force) / (model.contact_mass * omega),
                         std::abs(now_.velocity - dynamics_.wall_velocity(0.0))});
     }
     if (!(speed > 0.0)) speed = speed_of_the_energy();

@@ -192,7 +192,7 @@ void SlipIntegrator::accelerate(const double* y, double s, double f, std::span<d
 }
 
 double SlipIntegrator::holding_force() const {
-  accelerate(end_.y.data(), dynamics_.load(end_.time), 0.0, jerk_);
+  accelerate(end_.y.data(), dynamics_.load(end_.time), dynamics_.model().contact_force, jerk_);
   return (dynamics_.wall_acceleration(end_.time) - jerk_.back()) / mobility_;
 }
 
@@ -200,7 +200,7 @@ void SlipIntegrator::evaluate(double t, const double* y, double* rate) const {
   const KinematicsView state = kinematics_of(y);
   const double force = friction_force(state.velocity - dynamics_.wall_velocity(t));
   std::copy_n(y + size_, size_, rate);
-  accelerate(y, dynamics_.load(t), force, {rate + size_, size_});
+  accelerate(y, dynamics_.load(t), force + dynamics_.model().contact_force, {rate + size_, size_});
   if (equations_ == dimension_) return;
   const Powers powers = dynamics_.powers(state, t, force);
   rate[dimension_] = powers.base;

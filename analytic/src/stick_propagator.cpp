@@ -200,8 +200,8 @@ ContactKinematics StickPropagator::state(double t) const {
 }
 
 double StickPropagator::force(double t) const {
-  double force = dynamics_.held_stiffness() * position_ + force_harmonic_.sine * std::sin(omega_ * t) +
-                 force_harmonic_.cosine * std::cos(omega_ * t);
+  double force = dynamics_.held_stiffness() * position_ - dynamics_.model().contact_force +
+                 force_harmonic_.sine * std::sin(omega_ * t) + force_harmonic_.cosine * std::cos(omega_ * t);
   for (std::size_t k = 0; k < eigenvalue_.size(); ++k) force += (force_weight_[k] * coordinate(k, t)).real();
   return force;
 }

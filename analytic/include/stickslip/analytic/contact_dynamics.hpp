@@ -57,7 +57,7 @@ class ContactDynamics {
   [[nodiscard]] double wall_acceleration(double t) const;
   [[nodiscard]] double wall_jerk(double t) const;
 
-  /// Accelerations under the load factor s and the contact force f; writes T_tt and returns u_c_tt. Linear in
+  /// Accelerations under the load factor s and the contact force f, which is f_d + F_c; writes T_tt and returns u_c_tt. Linear in
   /// all its arguments, so that their rates give the rate of the result.
   double accelerate(const KinematicsView& state, double s, double f, std::span<double> modal) const;
 
@@ -72,7 +72,7 @@ class ContactDynamics {
   /// T_n_tt + (C T_t)_n + omega_n^2 T_n = sine sin(Omega t) + cosine cos(Omega t).
   [[nodiscard]] Harmonic held_load(std::size_t mode) const;
 
-  /// holding_force = sum rho_n T_n + sum rho_(m+n) T_n_t + held_stiffness() (u_c - w) + held_force().
+  /// holding_force = sum rho_n T_n + sum rho_(m+n) T_n_t + held_stiffness() (u_c - w) - F_c + held_force().
   [[nodiscard]] std::vector<double> held_force_row() const;
   [[nodiscard]] double held_stiffness() const { return model_.contact_stiffness + model_.contact_follower; }
   [[nodiscard]] Harmonic held_force() const;

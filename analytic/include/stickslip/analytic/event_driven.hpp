@@ -45,7 +45,7 @@ struct ChangeOfContact {
 struct EventDrivenEnergy {
   double kinetic{};    ///< 1/2 x_t . M x_t in the frame of the base
   double potential{};  ///< strain and geometric energy, 1/2 sum omega_n^2 T_n^2 + 1/2 k_c u_c^2
-  double base_work{};  ///< of the inertial load and of the moving wall, int s b . x_t + f_d w_t dt
+  double base_work{};  ///< of the loads and of the moving wall, int s b . x_t + F_c u_c_t + f_d w_t dt
   double follower_work{};
   double damping_loss{};
   double friction_loss{};
