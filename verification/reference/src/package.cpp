@@ -106,7 +106,10 @@ const std::vector<Recipe>& recipes() {
                                        {"undamped-sticks", undamped_sticks, false},
                                        {"single-mass-events", single_mass_events, true},
                                        {"friction-powers", friction_powers, true},
-                                       {"manufactured-motion", manufactured_motion, true}};
+                                       {"manufactured-motion", manufactured_motion, true},
+                                       {"published-problems", published_problems, true},
+                                       {"stops-per-period", stops_per_period, true},
+                                       {"non-stop-limits", non_stop_limits, true}};
   return all;
 }
 

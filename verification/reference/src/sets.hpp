@@ -99,5 +99,8 @@ void add_value(std::vector<data::Field>& fields, const std::string& name, const 
 [[nodiscard]] DataSet single_mass_events();
 [[nodiscard]] DataSet friction_powers();
 [[nodiscard]] DataSet manufactured_motion();
+[[nodiscard]] DataSet published_problems();
+[[nodiscard]] DataSet stops_per_period();
+[[nodiscard]] DataSet non_stop_limits();
 
 }  // namespace stickslip::reference

@@ -1,0 +1,387 @@
+// SPDX-License-Identifier: MIT
+/// The data sets of friction problems that others have published: one or two masses, one contact.
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "sets.hpp"
+#include "stickslip/certified/roots.hpp"
+
+namespace stickslip::reference {
+
+using certified::Dual;
+using certified::PrecisionScope;
+using certified::Rational;
+using certified::Real;
+using data::ValueClass;
+
+namespace {
+
+constexpr long published_bits = 256;
+
+struct MassEvent {
+  const char* change;
+  Real time, position;
+};
+
+/// m x_tt + k x = G sin(Omega t) + f_d with m = 1 kg, k = 100 N/m and Coulomb friction, mu N = 5 N.
+struct ForcedMass {
+  Real amplitude, rate;  // G, Omega
+};
+const Real& stiffness() {
+  static const Real value(100);
+  return value;
+}
+const Real& friction() {
+  static const Real value(5);
+  return value;
+}
+
+// All roots of s F in the first window that has any, from `from` to `end`; s F(from) has a certain sign.
+std::optional<Real> first_root(const certified::DifferentiableFunction& function, const Real& from,
+                               const Real& window, const Real& end) {
+  for (Real lower = from.upper(); lower < end;) {
+    const Real upper = (lower + window).midpoint();
+    const auto roots = certified::isolate_roots(function, lower, upper);
+    if (!roots.empty()) return roots.front();
+    lower = upper;
+  }
+  return std::nullopt;
+}
+
+/// A slip phase from the time `begin` on: x = mean + a cos(10 tau) + b sin(10 tau) + V sin(Omega t).
+class Slide {
+ public:
+  Slide(const ForcedMass& mass, int direction, Real begin, const Real& position, const Real& velocity)
+      : rate_(mass.rate),
+        forced_(mass.amplitude / (stiffness() - mass.rate * mass.rate)),
+        direction_(direction),
+        begin_(std::move(begin)),
+        mean_(-direction * friction() / stiffness()),
+        a_(position - mean_ - forced_ * sin(rate_ * begin_)),
+        b_((velocity - forced_ * rate_ * cos(rate_ * begin_)) / own_) {}
+
+  [[nodiscard]] Real position(const Real& t) const {
+    return mean_ + a_ * cos(phase(t)) + b_ * sin(phase(t)) + forced_ * sin(rate_ * t);
+  }
+
+  /// The first time after the begin at which the velocity is zero. Right after the begin the velocity has the sign
+  /// of the direction, because the first of velocity, acceleration and jerk that is not zero has it.
+  [[nodiscard]] std::optional<Real> end(const Real& latest) const {
+    const Real window = Real(1) / (4 * max(own_, rate_)).midpoint();
+    Real after = (window / 64).midpoint();
+    for (int halving = 0;; ++halving) {
+      const Real early = hull(begin_, begin_ + after);
+      const auto has_the_sign = [&](int order) {
+        return (direction_ * rate_of(order, early)).certain_sign() > 0;
+      };
+      if (has_the_sign(1) || has_the_sign(2) || has_the_sign(3)) break;
+      if (halving == 40) throw std::runtime_error("a slip begins in no certain direction");
+      after = (after / 2).midpoint();
+    }
+    return first_root([this](const Real& t) { return Dual<Real>(rate_of(1, t), rate_of(2, t)); },
+                      begin_ + after, window, latest);
+  }
+
+ private:
+  [[nodiscard]] Real phase(const Real& t) const { return own_ * (t - begin_); }
+  // The derivative of this order, 1 to 3, of the position.
+  [[nodiscard]] Real rate_of(int order, const Real& t) const {
+    const Real c = cos(phase(t)), s = sin(phase(t)), forced_c = cos(rate_ * t), forced_s = sin(rate_ * t);
+    if (order == 1) return own_ * (b_ * c - a_ * s) + forced_ * rate_ * forced_c;
+    if (order == 2) return -own_ * own_ * (a_ * c + b_ * s) - forced_ * rate_ * rate_ * forced_s;
+    return own_ * own_ * own_ * (a_ * s - b_ * c) - forced_ * pow(rate_, 3) * forced_c;
+  }
+
+  Real own_{10}, rate_, forced_;
+  int direction_;
+  Real begin_, mean_, a_, b_;
+};
+
+// The friction force that holding the mass takes, N, and its rate.
+Dual<Real> holding(const ForcedMass& mass, const Real& position, const Real& t) {
+  return {stiffness() * position - mass.amplitude * sin(mass.rate * t),
+          -mass.amplitude * mass.rate * cos(mass.rate * t)};
+}
+
+std::optional<Real> end_of_stick(const ForcedMass& mass, const Real& position, const Real& begin,
+                                 const Real& latest) {
+  std::optional<Real> first;
+  for (const int sign : {-1, 1}) {
+    const auto excess = [&](const Real& t) { return sign * holding(mass, position, t) - friction(); };
+    const auto root = first_root(excess, begin, Real(1) / (4 * mass.rate).midpoint(), latest);
+    if (root && (!first || *root < *first)) first = root;
+  }
+  return first;
+}
+
+/// All events up to the time `latest`, every decision certain. Without a velocity the mass starts stuck.
+std::vector<MassEvent> events_of(const ForcedMass& mass, Real position, std::optional<Real> velocity,
+                                 const Real& latest) {
+  std::vector<MassEvent> events;
+  Real now(0);
+  bool sticks = !velocity;
+  int direction = velocity ? velocity->certain_sign() : 0;
+  for (;;) {
+    if (sticks) {
+      const auto onset = end_of_stick(mass, position, now, latest);
+      if (!onset) return events;
+      now = *onset;
+      direction = -holding(mass, position, now).value.certain_sign();
+      sticks = false;
+      velocity = Real(0);
+      events.push_back({"onset", now, position});
+      continue;
+    }
+    const Slide slide(mass, direction, now, position, *velocity);
+    const auto rest = slide.end(latest);
+    if (!rest) return events;
+    now = *rest;
+    position = slide.position(now);
+    velocity = Real(0);
+    const Real force = holding(mass, position, now).value;
+    const int excess = (abs(force) - friction()).certain_sign();
+    if (excess == 0) throw std::runtime_error("it is not certain whether the mass sticks");
+    sticks = excess < 0;
+    direction = -force.certain_sign();
+    events.push_back({sticks ? "capture" : "reversal", now, position});
+  }
+}
+
+ForcedMass forced_mass(const char* force_ratio, const char* frequency_ratio) {
+  return {Real(Rational(force_ratio)) * friction(), Real(Rational(frequency_ratio)) * 10};
+}
+
+void add_rows(DataSet& set, const char* problem, const std::vector<MassEvent>& events) {
+  int index = 0;
+  for (const MassEvent& event : events)
+    set.rows.push_back(
+        Row().text(problem).number(++index).text(event.change).enclosed(event.time).enclosed(event.position));
+}
+
+// x = 0.25 m + v0 t + (sin a - mu_k cos a) g t^2/2 once it slides.
+std::vector<MassEvent> states_on_an_incline(const char* slope, int initial_velocity, bool slides,
+                                            std::array<int, 3> times) {
+  const Real p{Rational(slope)}, g{Rational("9.81")};
+  const Real acceleration = g * (p - Real(Rational("0.3"))) / sqrt(1 + p * p);
+  std::vector<MassEvent> states;
+  for (const int t : times) {
+    const Real slid = slides ? initial_velocity * Real(t) + acceleration * (t * t) / 2 : Real(0);
+    states.push_back({"state", Real(t), Real(Rational("0.25")) + slid});
+  }
+  return states;
+}
+
+std::vector<MassEvent> sdnd100_events() {
+  std::vector<MassEvent> events;
+  for (int i = 1; i <= 4; ++i)
+    events.push_back({i < 4 ? "reversal" : "capture", i * certified::pi() / 100,
+                      (i % 2 == 0 ? 1 : -1) * (Real(Rational("0.85e-3")) - i * Real(Rational("0.2e-3")))});
+  return events;
+}
+
+// Mass 1 lets go when k x_2 = mu_s N = F, at a quarter of the period of mass 2. Then X = x_1 + x_2 falls freely and Y =
+// x_1 - x_2 oscillates; at 0.2 s the pull ends.
+std::vector<MassEvent> sdnd106_events() {
+  const Real own = sqrt(Real(2000)), rate = sqrt(Real(4000)), end_of_pull = Real(Rational("0.2"));
+  const Real onset = certified::pi() / (2 * own), stretch(Rational("0.3"));
+  struct Phase {  // X = x + u tau + c tau^2/2, Y = y0 + a cos(rate tau) + b sin(rate tau)
+    Real begin, x, u, c, y0, a, b;
+  };
+  const auto twice_velocity = [&](const Phase& p, const Real& t) {
+    const Real tau = t - p.begin, phase = rate * tau;
+    return Dual<Real>(p.u + p.c * tau + rate * (p.b * cos(phase) - p.a * sin(phase)),
+                      p.c - rate * rate * (p.a * cos(phase) + p.b * sin(phase)));
+  };
+  // (F - mu_k N)/m = 200, -(F + mu_k N)/m = -1000; without the pull both are -400.
+  const Real equilibrium = Real(-1000) / 4000;
+  const Phase pulled{
+      onset, stretch, stretch * own, Real(200), equilibrium, -stretch - equilibrium, -stretch * own / rate};
+  const Real window = Real(Rational("0.005")).midpoint(), soon = (onset + window).upper();
+  // It starts with the acceleration (mu_s - mu_k) N/m, and its velocity has no zero while it is pulled.
+  if (!(twice_velocity(pulled, hull(onset, soon)).slope > Real(0)))
+    throw std::runtime_error("mass 1 does not begin to slide");
+  const auto velocity_while_pulled = [&](const Real& t) { return twice_velocity(pulled, t); };
+  if (!certified::isolate_roots(velocity_while_pulled, soon, end_of_pull.upper()).empty())
+    throw std::runtime_error("mass 1 stops while it is pulled");
+  const Real tau = end_of_pull - onset, phase = rate * tau, rest(Rational("-0.1"));
+  const Real y = equilibrium + pulled.a * cos(phase) + pulled.b * sin(phase);
+  const Real y_rate = rate * (pulled.b * cos(phase) - pulled.a * sin(phase));
+  const Phase free{end_of_pull,
+                   pulled.x + pulled.u * tau + pulled.c * tau * tau / 2,
+                   pulled.u + pulled.c * tau,
+                   Real(-400),
+                   rest,
+                   y - rest,
+                   y_rate / rate};
+  const auto stop =
+      first_root([&](const Real& t) { return twice_velocity(free, t); }, end_of_pull, window, Real(1));
+  const Real s = *stop - end_of_pull, turn = rate * s;
+  const Real sum = free.x + free.u * s + free.c * s * s / 2;
+  const Real difference = rest + free.a * cos(turn) + free.b * sin(turn);
+  const Real difference_rate = rate * (free.b * cos(turn) - free.a * sin(turn));
+  // It sticks for ever: the spring force of mass 2 about mass 1 stays below mu_s N.
+  if (!(sqrt(pow(difference, 2) + pow(difference_rate / own, 2)) < stretch))
+    throw std::runtime_error("mass 1 does not stay at rest");
+  return {{"onset", onset, Real(0)}, {"capture", *stop, (sum + difference) / 2}};
+}
+
+// The steady motion without stops, from a zero of the force on. While it moves down from rest at tau = 0, x = s - s cos(w
+// tau) - s tan(T/2) sin(w tau) + V cos(Omega tau + phi) with w = 10 rad/s, s = mu N/k, T = pi w/Omega, V = G/(k - m
+// Omega^2); it is at rest again at -x(0) half a period later because Omega V sin(phi) = -w s tan(T/2). The zero of the force
+// lies at Omega tau + phi = pi/2, or half a period later, where all signs are reversed.
+std::vector<MassEvent> den_hartog_events() {
+  const ForcedMass mass = forced_mass("4", "0.8");
+  const Real own(10), forced = mass.amplitude / (stiffness() - mass.rate * mass.rate);
+  const Real shift = friction() / stiffness(), tangent = tan(certified::pi() * own / (2 * mass.rate));
+  const Real sine = -shift * own * tangent / (mass.rate * forced);
+  const Real phi = certified::isolate_root(
+      [&](const Real& angle) { return Dual<Real>(sin(angle) - sine, cos(angle)); }, Real(-1), Real(1));
+  const Real turn = own * (certified::pi() / 2 - phi) / mass.rate;
+  const Real x = shift - shift * cos(turn) - shift * tangent * sin(turn);
+  const Real v = own * shift * (sin(turn) - tangent * cos(turn)) - forced * mass.rate;
+  std::vector<MassEvent> events = events_of(mass, -x, -v, 10 * certified::pi() / mass.rate);
+  events.resize(10, events.front());
+  return events;
+}
+
+std::vector<MassEvent> hong_liu_events(const char* force_ratio, const char* frequency_ratio) {
+  const ForcedMass mass = forced_mass(force_ratio, frequency_ratio);
+  return events_of(mass, Real(0), std::nullopt, 4 * certified::pi() / mass.rate);
+}
+
+// Onset to onset: captures in the fourth period of the force.
+int stops_in_the_fourth_period(const char* force_ratio, const char* frequency_ratio) {
+  const ForcedMass mass = forced_mass(force_ratio, frequency_ratio);
+  const Real period = 2 * certified::pi() / mass.rate;
+  const auto events = events_of(mass, Real(0), std::nullopt, 4 * period);
+  return static_cast<int>(std::ranges::count_if(events, [&](const MassEvent& event) {
+    return std::string_view(event.change) == "capture" && event.time > 3 * period && event.time < 4 * period;
+  }));
+}
+
+// G/(mu N) = |1 - r^2| sqrt(1/r^4 + tan^2(pi/(2 r))/r^2): the force is just large enough that the friction is overcome at the
+// turning point. Between two turning points the mass must not stop either: w = sin(r t)/r - sin t - tan(T/2) (cos(r t) - cos t) > 0
+// for 0 < t < T = pi/r, which starts as a parabola and ends with a falling slope.
+Real non_stop_limit(const char* frequency_ratio) {
+  const Real r{Rational(frequency_ratio)}, end = certified::pi() / r, tangent = tan(end / 2);
+  const auto slope = [&](const Real& t) { return cos(r * t) - cos(t) + tangent * (r * sin(r * t) - sin(t)); };
+  const auto bend = [&](const Real& t) {
+    return sin(t) - r * sin(r * t) + tangent * (r * r * cos(r * t) - cos(t));
+  };
+  constexpr int parts = 2048, ends = 256;
+  for (int i = 0; i < parts; ++i) {
+    const Real t = hull(end * i / parts, end * (i + 1) / parts);
+    const Real w = sin(r * t) / r - sin(t) - tangent * (cos(r * t) - cos(t));
+    const bool moves = i < ends ? bend(t) > Real(0) : i < parts - ends ? w > Real(0) : slope(t) < Real(0);
+    if (!moves) throw std::runtime_error("the mass may stop between its turning points");
+  }
+  return abs(1 - r * r) * sqrt(1 / pow(r, 4) + tangent * tangent / (r * r));
+}
+
+data::Provenance published_provenance(std::string method, std::vector<std::string> checks) {
+  return {.value_class = ValueClass::enclosed,
+          .method = std::move(method) +
+                    ", in ball arithmetic (Arb); every event is isolated and each decision certain",
+          .settings = R"({"bits": 256, "digits": 30})",
+          .software = software(),
+          .checks = std::move(checks)};
+}
+
+}  // namespace
+
+DataSet published_problems() {
+  DataSet set = data_set("published-problems", "single-mass/published-problems.csv",
+                         "Friction problems of others, event by event",
+                         "One contact; mu_s holds it while it sticks, mu_k while it slides. incline: a block "
+                         "of any mass at 0.25 m on a plane "
+                         "with slope tan a, g = 9.81 m/s^2, mu_s = 0.5, mu_k = 0.3. incline-stays: tan a = "
+                         "0.45, from rest. incline-slides: "
+                         "tan a = 0.55, from rest. incline-goes-on: tan a = 0.45, from 1 m/s downhill. "
+                         "sdnd100 (code_aster V5.01.100): m = 1 "
+                         "kg, a spring of 1e4 N/m to the fixed frame, mu_s = mu_k = 0.1, normal force 10 N, "
+                         "from rest at 0.85 mm. sdnd106 "
+                         "(code_aster V5.01.106): m_1 = m_2 = 5 kg, a spring of 1e4 N/m between them, mass 1 "
+                         "on a plane with mu_s = 0.3, mu_k "
+                         "= 0.2 and the normal force 1e4 N, a pull of 3000 N on mass 2 until 0.2 s and none "
+                         "afterwards, both at rest at 0 at "
+                         "first; the events and positions are those of mass 1. The others: m = 1 kg, a "
+                         "spring of 100 N/m, mu_s = mu_k with mu "
+                         "N = 5 N, the force G sin(Omega t). den-hartog (Trans. ASME 53, 1931): G = 20 N, "
+                         "Omega = 8 rad/s, the steady motion "
+                         "without stops; its first ten turning points. hong-liu-1, -2, -4, -6 (J. Sound Vib. "
+                         "229, 2000): two periods from rest at "
+                         "0 with G = 15 N, Omega = 5 rad/s; 15, 3; 15, 2; 7.5, 0.6; the number is that of "
+                         "stops in a period in the end.");
+  data::Resource& resource = set.resource;
+  resource.fields = {word("problem", "name"), integer("index", "number of the event, from 1"),
+                     word("change", "onset, reversal, capture, or state at a given time")};
+  add_value(resource.fields, "time", "s", "of the event", ValueClass::enclosed);
+  add_value(resource.fields, "position", "m", "of the mass", ValueClass::enclosed);
+  resource.primary_key = {"problem", "index"};
+  resource.comparison =
+      by_rows({{"time", data::Norm::relative, 1e-6}, {"position", data::Norm::absolute, 1e-6}});
+  resource.provenance =
+      published_provenance("the piecewise closed form",
+                           {"the event-driven engine and the time stepper, to round-off and to order two"});
+  const PrecisionScope scope(published_bits);
+  add_rows(set, "incline-stays", states_on_an_incline("0.45", 0, false, {1, 10, 100}));
+  add_rows(set, "incline-slides", states_on_an_incline("0.55", 0, true, {1, 2, 5}));
+  add_rows(set, "incline-goes-on", states_on_an_incline("0.45", 1, true, {1, 2, 5}));
+  add_rows(set, "sdnd100", sdnd100_events());
+  add_rows(set, "sdnd106", sdnd106_events());
+  add_rows(set, "den-hartog", den_hartog_events());
+  add_rows(set, "hong-liu-1", hong_liu_events("3", "0.5"));
+  add_rows(set, "hong-liu-2", hong_liu_events("3", "0.3"));
+  add_rows(set, "hong-liu-4", hong_liu_events("3", "0.2"));
+  add_rows(set, "hong-liu-6", hong_liu_events("1.5", "0.06"));
+  return set;
+}
+
+DataSet stops_per_period() {
+  DataSet set = data_set("stops-per-period", "single-mass/stops.csv",
+                         "How often a forced mass with Coulomb friction stops",
+                         "Hong and Liu (J. Sound Vib. 229, 2000): m x_tt + k x = G sin(Omega t) + f_d with "
+                         "Coulomb friction mu N, from rest at 0; "
+                         "the stops of finite length in the fourth period of the force.");
+  data::Resource& resource = set.resource;
+  resource.fields = {exact_number("frequency_ratio", "", "Omega sqrt(m/k)"),
+                     exact_number("force_ratio", "", "G/(mu N)"), exact_number("stops", "", "in the period")};
+  resource.primary_key = {"frequency_ratio", "force_ratio"};
+  resource.comparison = by_rows({{"stops", data::Norm::absolute, 0.1}});
+  resource.provenance =
+      published_provenance("the piecewise closed form", {"the event-driven engine and the time stepper"});
+  const PrecisionScope scope(published_bits);
+  for (const char* r :
+       {"0.06", "0.08", "0.1", "0.12", "0.15", "0.2", "0.3", "0.5", "0.6", "0.8", "1.25", "2"})
+    for (const char* f : {"1.5", "2", "3"})
+      set.rows.push_back(Row().text(r).text(f).number(stops_in_the_fourth_period(f, r)));
+  return set;
+}
+
+DataSet non_stop_limits() {
+  DataSet set = data_set("non-stop-limits", "single-mass/non-stop.csv",
+                         "The least force under which a mass with friction never stops",
+                         "Den Hartog (Trans. ASME 53, 1931): m x_tt + k x = G sin(Omega t) + f_d with "
+                         "Coulomb friction mu N. The steady motion with "
+                         "two turning points in a period, in each of which it rests for no time, is possible "
+                         "if G/(mu N) is above |1 - r^2| "
+                         "sqrt(1/r^4 + tan^2(pi/(2 r))/r^2), r = Omega sqrt(m/k).");
+  data::Resource& resource = set.resource;
+  resource.fields = {exact_number("frequency_ratio", "", "r")};
+  add_value(resource.fields, "force_ratio", "", "G/(mu N) at the limit", ValueClass::enclosed);
+  resource.primary_key = {"frequency_ratio"};
+  resource.comparison = by_rows({{"force_ratio", data::Norm::relative, 1e-3}});
+  resource.provenance = published_provenance("the closed form", {"runs on both sides of the limit"});
+  const PrecisionScope scope(published_bits);
+  for (const char* r : {"0.6", "0.7", "0.8", "0.9", "1.1", "1.25", "1.5", "2", "3"})
+    set.rows.push_back(Row().text(r).enclosed(non_stop_limit(r)));
+  return set;
+}
+
+}  // namespace stickslip::reference

@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: MIT
+#include "studies/stick_slip/published_problems.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+
+#include "stickslip/analytic/event_driven.hpp"
+#include "stickslip/solver/stick_slip_integrator.hpp"
+
+namespace stickslip::studies {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double jump = std::numeric_limits<double>::infinity();
+constexpr std::array<const char*, 4> names_of_changes{"onset", "capture", "reversal", "graze"};
+
+/// One mass m x_tt + k x = F + G sin(Omega t) + f_d, or two: the second one hangs on the first one's spring, and F pulls it
+/// until `end_of_pull`.
+struct MassProblem {
+  double mass{1.0}, stiffness{};
+  double force{}, amplitude{}, rate{1.0};
+  double normal_force{};
+  data::FrictionCoefficients friction{};
+  double position{};
+  std::optional<double> velocity;  // without it the mass starts stuck
+  double time_step{};
+  bool is_pair{};
+  double end_of_pull{};
+};
+
+constexpr data::FrictionCoefficients incline_friction{
+    .static_coefficient = 0.5, .kinetic_coefficient = 0.3, .decay = jump};
+
+// A block of 1 kg.
+MassProblem on_an_incline(double slope, std::optional<double> velocity) {
+  const double g = 9.81, cosine = 1.0 / std::hypot(1.0, slope);
+  return {.force = g * slope * cosine,
+          .normal_force = g * cosine,
+          .friction = incline_friction,
+          .position = 0.25,
+          .velocity = velocity,
+          .time_step = 0.1};
+}
+
+MassProblem forced(double force_ratio, double frequency_ratio) {
+  const double rate = 10.0 * frequency_ratio;
+  return {.stiffness = 100.0,
+          .amplitude = 5.0 * force_ratio,
+          .rate = rate,
+          .normal_force = 5.0,
+          .friction = {.static_coefficient = 1.0, .kinetic_coefficient = 1.0},
+          .time_step = 2.0 * pi / std::max(rate, 10.0) / 500.0};
+}
+
+// The steady motion without stops at a zero of the force.
+MassProblem den_hartog() {
+  MassProblem problem = forced(4.0, 0.8);
+  const double own = 10.0, rate = problem.rate, shift = 0.05, tangent = std::tan(pi * own / (2.0 * rate));
+  const double response = problem.amplitude / (problem.stiffness - rate * rate);
+  const double phase = std::asin(-shift * own * tangent / (rate * response));
+  const double turn = own * (0.5 * pi - phase) / rate;
+  problem.position = -shift * (1.0 - std::cos(turn) - tangent * std::sin(turn));
+  problem.velocity = -own * shift * (std::sin(turn) - tangent * std::cos(turn)) + response * rate;
+  return problem;
+}
+
+MassProblem problem_named(const std::string& name) {
+  if (name == "incline-stays") return on_an_incline(0.45, std::nullopt);
+  if (name == "incline-slides") return on_an_incline(0.55, std::nullopt);
+  if (name == "incline-goes-on") return on_an_incline(0.45, 1.0);
+  if (name == "sdnd100")
+    return {.stiffness = 1e4,
+            .normal_force = 10.0,
+            .friction = {.static_coefficient = 0.1, .kinetic_coefficient = 0.1},
+            .position = 0.85e-3,
+            .velocity = 0.0,
+            .time_step = 1e-3};
+  if (name == "sdnd106")
+    return {.mass = 5.0,
+            .stiffness = 1e4,
+            .force = 3000.0,
+            .normal_force = 1e4,
+            .friction = {.static_coefficient = 0.3, .kinetic_coefficient = 0.2, .decay = jump},
+            .time_step = 1e-3,
+            .is_pair = true,
+            .end_of_pull = 0.2};
+  if (name == "den-hartog") return den_hartog();
+  if (name == "hong-liu-1") return forced(3.0, 0.5);
+  if (name == "hong-liu-2") return forced(3.0, 0.3);
+  if (name == "hong-liu-4") return forced(3.0, 0.2);
+  if (name == "hong-liu-6") return forced(1.5, 0.06);
+  throw std::logic_error("the study has no problem " + name);
+}
+
+struct Change {
+  std::string kind;
+  double time{}, position{};
+};
+
+// The changes up to the last of the times, and the positions at the times.
+struct History {
+  std::vector<Change> changes;
+  std::vector<double> positions;
+  [[nodiscard]] int captures_between(double from, double to) const {
+    return static_cast<int>(std::ranges::count_if(changes, [&](const Change& change) {
+      return change.kind == "capture" && change.time > from && change.time < to;
+    }));
+  }
+};
+
+analytic::ContactModel contact_model(const MassProblem& problem) {
+  analytic::ContactModel model{.contact_mass = problem.mass,
+                               .contact_stiffness = problem.stiffness,
+                               .load = {problem.amplitude},
+                               .contact_force = problem.force,
+                               .load_angular_frequency = problem.rate,
+                               .normal_force = problem.normal_force,
+                               .friction = data::FrictionLaw(problem.friction)};
+  if (!problem.is_pair) return model;
+  // x_2 = x_1 + F/k + T/sqrt(m).
+  model.angular_frequency = {std::sqrt(problem.stiffness / problem.mass)};
+  model.mass_coupling = {std::sqrt(problem.mass)};
+  model.contact_mass = 2.0 * problem.mass;
+  model.contact_stiffness = 0.0;
+  model.follower = {0.0};
+  model.load = {0.0, 0.0};
+  return model;
+}
+
+void run_on(analytic::EventDriven& run, double start, const std::vector<double>& times, History& history) {
+  for (const double t : times) {
+    if (t < start) continue;
+    run.advance_to(t - start);
+    history.positions.push_back(run.contact_position());
+  }
+  for (const auto& change : run.events())
+    history.changes.push_back(
+        {names_of_changes[static_cast<std::size_t>(change.change)], start + change.time, change.position});
+}
+
+History event_driven(const MassProblem& problem, const std::vector<double>& times) {
+  History history;
+  analytic::EventDriven run(contact_model(problem));
+  if (!problem.is_pair) {
+    if (problem.velocity)
+      run.start_slipping({}, {}, problem.position, *problem.velocity);
+    else
+      run.start_stuck({}, {}, problem.position);
+    run_on(run, 0.0, times, history);
+    return history;
+  }
+  const double root = std::sqrt(problem.mass), stretch = problem.force / problem.stiffness;
+  run.start_stuck({-stretch * root}, {0.0});
+  run_on(run, 0.0, {problem.end_of_pull}, history);
+  MassProblem free = problem;
+  free.force = 0.0;
+  analytic::EventDriven on(contact_model(free));
+  on.start_slipping({run.amplitudes()[0] + stretch * root}, run.rates(), run.contact_position(),
+                    run.contact_velocity());
+  history.positions.clear();
+  run_on(on, problem.end_of_pull, {times.back()}, history);
+  return history;
+}
+
+solver::ContactSystem contact_system(const MassProblem& problem) {
+  const Eigen::Index n = problem.is_pair ? 2 : 1;
+  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Constant(n, n, problem.stiffness);
+  if (problem.is_pair) stiffness(0, 1) = stiffness(1, 0) = -problem.stiffness;
+  const solver::SparseMatrix k = stiffness.sparseView();
+  const auto zero = [](double) { return 0.0; };
+  const Eigen::MatrixXd mass = problem.mass * Eigen::MatrixXd::Identity(n, n);
+  return {.mass = mass.sparseView(),
+          .damping = solver::SparseMatrix(n, n),
+          .stick_stiffness = k,
+          .slip_stiffness = k,
+          .load_shape = Eigen::VectorXd::Unit(n, n - 1),
+          .load_history =
+              [problem](double t) { return problem.force + problem.amplitude * std::sin(problem.rate * t); },
+          .contact = 0,
+          .wall = {zero, zero, zero},
+          .normal_force = problem.normal_force,
+          .friction = data::FrictionLaw(problem.friction)};
+}
+
+// Steps to the last of the times, which must be on the grid where the position is asked for.
+void step_on(solver::StickSlipIntegrator& run, double start, const std::vector<double>& times, double h,
+             History& history) {
+  for (const double t : times) {
+    while (run.time() < t - start - 1e-9 * h) run.step();
+    history.positions.push_back(run.displacement()[0]);
+  }
+  for (const auto& event : run.events())
+    history.changes.push_back(
+        {names_of_changes[static_cast<std::size_t>(event.kind)], start + event.time, event.displacement});
+}
+
+History stepped(const MassProblem& problem, const std::vector<double>& times, double h) {
+  const solver::IntegratorSettings settings{.time_step = h, .spectral_radius = 0.9};
+  solver::StickSlipIntegrator run(contact_system(problem), settings);
+  const Eigen::Index n = problem.is_pair ? 2 : 1;
+  const Eigen::VectorXd position = problem.position * Eigen::VectorXd::Unit(n, 0);
+  if (problem.velocity)
+    run.start_slipping(position, *problem.velocity * Eigen::VectorXd::Unit(n, 0));
+  else
+    run.start_stuck(position, Eigen::VectorXd::Zero(n));
+  History history;
+  if (!problem.is_pair) {
+    step_on(run, 0.0, times, h, history);
+    return history;
+  }
+  step_on(run, 0.0, {problem.end_of_pull}, h, history);
+  MassProblem free = problem;
+  free.force = 0.0;
+  solver::StickSlipIntegrator on(contact_system(free), settings);
+  on.start_slipping(run.displacement(), run.velocity());
+  history.positions.clear();
+  step_on(on, problem.end_of_pull, {times.back()}, h, history);
+  return history;
+}
+
+/// The rows of a problem.
+struct Rows {
+  std::vector<std::string> change;
+  std::vector<double> time, position;
+};
+
+ProblemErrors errors_of(const History& history, const Rows& rows) {
+  ProblemErrors errors{.same_changes = true};
+  if (rows.change.front() == "state") {
+    for (std::size_t i = 0; i < rows.time.size(); ++i)
+      errors.position = std::max(errors.position, std::abs(history.positions[i] - rows.position[i]));
+    return errors;
+  }
+  errors.same_changes = history.changes.size() >= rows.time.size();
+  for (std::size_t i = 0; i < std::min(rows.time.size(), history.changes.size()); ++i) {
+    const Change& change = history.changes[i];
+    errors.same_changes &= change.kind == rows.change[i];
+    errors.time = std::max(errors.time, std::abs(change.time - rows.time[i]));
+    errors.position = std::max(errors.position, std::abs(change.position - rows.position[i]));
+  }
+  return errors;
+}
+
+// A little more than the last event, so that no late one is missed.
+std::vector<double> times_of(const Rows& rows, double time_step) {
+  if (rows.change.front() == "state") return rows.time;
+  return {rows.time.back() + 4.0 * time_step};
+}
+
+PublishedProblem solved(const std::string& name, const Rows& rows) {
+  const MassProblem problem = problem_named(name);
+  PublishedProblem result{.name = name, .duration = rows.time.back()};
+  for (const double position : rows.position)
+    result.amplitude = std::max(result.amplitude, std::abs(position));
+  const auto times = times_of(rows, problem.time_step);
+  result.event_driven = errors_of(event_driven(problem, times), rows);
+  const double fastest = std::max(std::sqrt(problem.stiffness / problem.mass), problem.rate);
+  result.event_driven_prediction = 1e-12 * (1.0 + fastest * result.duration);
+  for (std::size_t level = 0; level < 3; ++level) {
+    result.time_step[level] = problem.time_step / std::pow(2.0, level);
+    result.stepped[level] = errors_of(stepped(problem, times, result.time_step[level]), rows);
+  }
+  return result;
+}
+
+StopCount stop_count(double frequency_ratio, double force_ratio, int period) {
+  const MassProblem problem = forced(force_ratio, frequency_ratio);
+  const double length = 2.0 * pi / problem.rate, from = (period - 1) * length, to = period * length;
+  const double h = problem.time_step;
+  return {.frequency_ratio = frequency_ratio,
+          .force_ratio = force_ratio,
+          .reference = -1,
+          .event_driven = event_driven(problem, {to}).captures_between(from, to),
+          .stepped = stepped(problem, {to}, h).captures_between(from, to)};
+}
+
+}  // namespace
+
+std::vector<PublishedProblem> published_problems(const data::ReferencePackage& package) {
+  const data::ReferenceTable table = data::read_table(package, "published-problems");
+  std::vector<PublishedProblem> problems;
+  for (std::size_t row = 0; row < table.rows();) {
+    const std::string name = table.column("problem").text[row];
+    Rows rows;
+    for (; row < table.rows() && table.column("problem").text[row] == name; ++row) {
+      rows.change.push_back(table.column("change").text[row]);
+      rows.time.push_back(table.column("time").values[row]);
+      rows.position.push_back(table.column("position").values[row]);
+    }
+    problems.push_back(solved(name, rows));
+  }
+  return problems;
+}
+
+std::vector<StopCount> stops_per_period(const data::ReferencePackage& package) {
+  const data::ReferenceTable table = data::read_table(package, "stops-per-period");
+  std::vector<StopCount> counts;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    counts.push_back(
+        stop_count(table.column("frequency_ratio").values[row], table.column("force_ratio").values[row], 4));
+    counts.back().reference = static_cast<int>(table.column("stops").values[row]);
+  }
+  return counts;
+}
+
+std::vector<StopCount> stops_beside_the_limit(const data::ReferencePackage& package, double share) {
+  const data::ReferenceTable table = data::read_table(package, "non-stop-limits");
+  std::vector<StopCount> counts;
+  for (std::size_t row = 0; row < table.rows(); ++row)
+    counts.push_back(stop_count(table.column("frequency_ratio").values[row],
+                                share * table.column("force_ratio").values[row], 40));
+  return counts;
+}
+
+Creep creep_on_an_incline(double regularisation) {
+  constexpr double slope = 0.45, mu = 0.5, g = 9.81, duration = 100.0;
+  const double cosine = 1.0 / std::hypot(1.0, slope);
+  const auto acceleration = [&](double v) {
+    return g * cosine * (slope - mu * std::tanh(v / regularisation));
+  };
+  // The relaxation rate is at most mu g cos a/v_reg; the method is stable up to 2.7.
+  const double h = regularisation / (mu * g * cosine);
+  const long steps = std::lround(duration / h);
+  double v = 0.0, slid = 0.0;
+  for (long n = 0; n < steps; ++n) {
+    const double a1 = acceleration(v), a2 = acceleration(v + 0.5 * h * a1),
+                 a3 = acceleration(v + 0.5 * h * a2), a4 = acceleration(v + h * a3);
+    slid += h * (v + h * (a1 + a2 + a3) / 6.0);
+    v += h * (a1 + 2.0 * (a2 + a3) + a4) / 6.0;
+  }
+  const double rate = regularisation * std::atanh(slope / mu);
+  return {.regularisation = regularisation,
+          .closed_form = rate,
+          .run = v,
+          .slid = slid,
+          .expected_slid = rate * duration};
+}
+
+}  // namespace stickslip::studies

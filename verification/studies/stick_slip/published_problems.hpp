@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// Friction problems of others, one or two masses with one contact, by both implementations against the closed forms of
+/// the data sets `published-problems`, `stops-per-period` and `non-stop-limits`, whose descriptions state the problems.
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "stickslip/data/reference.hpp"
+
+namespace stickslip::studies {
+
+/// Largest errors over the rows of a problem.
+struct ProblemErrors {
+  bool same_changes{};  ///< as many changes of the contact as the data set has, of the same kinds
+  double time{};        ///< s
+  double position{};    ///< m
+};
+
+/// One problem by both implementations. Predicted: the time stepper is of second order in h, so that each error is a quarter of
+/// that on twice the step; the event-driven run keeps 1e-12 of each coordinate in each step of a slip phase.
+struct PublishedProblem {
+  std::string name;
+  double duration{};   ///< the last time of the problem, s
+  double amplitude{};  ///< the largest |position|, m
+  ProblemErrors event_driven;
+  double event_driven_prediction{};   ///< of either error over duration or amplitude
+  std::array<double, 3> time_step{};  ///< h, h/2, h/4, s
+  std::array<ProblemErrors, 3> stepped;
+};
+
+/// All problems of `published-problems`, with the spectral radius 0.9. Throws what the implementations throw.
+[[nodiscard]] std::vector<PublishedProblem> published_problems(const data::ReferencePackage& package);
+
+/// Captures of a mass with k = 100 N/m, m = 1 kg, mu N = 5 N, from rest at 0, in a period of the force.
+struct StopCount {
+  double frequency_ratio{}, force_ratio{};
+  int reference{}, event_driven{}, stepped{};
+};
+
+/// The counts of `stops-per-period`; the time step is 1/500 of the shorter of the periods of force and mass.
+[[nodiscard]] std::vector<StopCount> stops_per_period(const data::ReferencePackage& package);
+
+/// For each limit of `non-stop-limits` the captures in the 40th period, from rest, with `share` of the force of the limit;
+/// `reference` is -1.
+[[nodiscard]] std::vector<StopCount> stops_beside_the_limit(const data::ReferencePackage& package,
+                                                            double share);
+
+/// What a friction force mu N tanh(v/v_reg) makes of a block at rest on an incline below the friction angle: it creeps at v_reg
+/// artanh(tan a/mu), wherever it should stay.
+struct Creep {
+  double regularisation{};  ///< v_reg, m/s
+  double closed_form{};     ///< the rate, m/s
+  double run{};             ///< the velocity after `duration` by the Runge-Kutta method of order 4, m/s
+  double slid{};            ///< m
+  double expected_slid{};   ///< closed_form times the duration, m
+};
+
+/// tan a = 0.45, mu = 0.5, g = 9.81 m/s^2, 100 s.
+[[nodiscard]] Creep creep_on_an_incline(double regularisation);
+
+}  // namespace stickslip::studies
