@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <system_error>
@@ -34,17 +33,11 @@ constexpr std::size_t check_digits = 16;
 
 std::string program() { return fmt::format("stickslip {} (commit {})", version, commit); }
 
-// JSON has no infinity: the decay of a jump is a text.
-Json to_json(const std::map<std::string, double>& numbers) {
-  Json json;
-  for (const auto& [key, value] : numbers) json[key] = std::isinf(value) ? Json("inf") : Json(value);
-  return json;
-}
-
+// JSON has no infinity, the decay of a jump, and holds null for it.
 std::map<std::string, double> numbers_of(const Json& json) {
   std::map<std::string, double> numbers;
   for (const auto& [key, value] : json.items())
-    numbers[key] = value == "inf" ? std::numeric_limits<double>::infinity() : value.get<double>();
+    numbers[key] = value.is_null() ? std::numeric_limits<double>::infinity() : value.get<double>();
   return numbers;
 }
 
@@ -52,7 +45,7 @@ Json to_json(const studies::MapTask& task, const MapPart& part) {
   return {
       {"program", program()},
       {"case", task.problem.name},
-      {"numbers", to_json(data::numbers_of(task.problem))},
+      {"numbers", data::numbers_of(task.problem)},
       {"x", axis_text(task.x)},
       {"y", axis_text(task.y)},
       {"method", task.method == studies::MapMethod::closed_form ? closed_form_method : finite_element_method},

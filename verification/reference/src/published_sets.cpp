@@ -33,16 +33,9 @@ struct MassEvent {
 struct ForcedMass {
   Real amplitude, rate;  // G, Omega
 };
-const Real& stiffness() {
-  static const Real value(100);
-  return value;
-}
-const Real& friction() {
-  static const Real value(5);
-  return value;
-}
+constexpr int stiffness = 100, friction = 5;
 
-// All roots of s F in the first window that has any, from `from` to `end`; s F(from) has a certain sign.
+// The first root from `from` on, searched window by window until `end`; F(from) has a certain sign.
 std::optional<Real> first_root(const certified::DifferentiableFunction& function, const Real& from,
                                const Real& window, const Real& end) {
   for (Real lower = from.upper(); lower < end;) {
@@ -59,10 +52,10 @@ class Slide {
  public:
   Slide(const ForcedMass& mass, int direction, Real begin, const Real& position, const Real& velocity)
       : rate_(mass.rate),
-        forced_(mass.amplitude / (stiffness() - mass.rate * mass.rate)),
+        forced_(mass.amplitude / (stiffness - mass.rate * mass.rate)),
         direction_(direction),
         begin_(std::move(begin)),
-        mean_(-direction * friction() / stiffness()),
+        mean_(-direction * Real(friction) / stiffness),
         a_(position - mean_ - forced_ * sin(rate_ * begin_)),
         b_((velocity - forced_ * rate_ * cos(rate_ * begin_)) / own_) {}
 
@@ -105,7 +98,7 @@ class Slide {
 
 // The friction force that holding the mass takes, N, and its rate.
 Dual<Real> holding(const ForcedMass& mass, const Real& position, const Real& t) {
-  return {stiffness() * position - mass.amplitude * sin(mass.rate * t),
+  return {stiffness * position - mass.amplitude * sin(mass.rate * t),
           -mass.amplitude * mass.rate * cos(mass.rate * t)};
 }
 
@@ -113,7 +106,7 @@ std::optional<Real> end_of_stick(const ForcedMass& mass, const Real& position, c
                                  const Real& latest) {
   std::optional<Real> first;
   for (const int sign : {-1, 1}) {
-    const auto excess = [&](const Real& t) { return sign * holding(mass, position, t) - friction(); };
+    const auto excess = [&](const Real& t) { return sign * holding(mass, position, t) - friction; };
     const auto root = first_root(excess, begin, Real(1) / (4 * mass.rate).midpoint(), latest);
     if (root && (!first || *root < *first)) first = root;
   }
@@ -145,7 +138,7 @@ std::vector<MassEvent> events_of(const ForcedMass& mass, Real position, std::opt
     position = slide.position(now);
     velocity = Real(0);
     const Real force = holding(mass, position, now).value;
-    const int excess = (abs(force) - friction()).certain_sign();
+    const int excess = (abs(force) - friction).certain_sign();
     if (excess == 0) throw std::runtime_error("it is not certain whether the mass sticks");
     sticks = excess < 0;
     direction = -force.certain_sign();
@@ -154,7 +147,7 @@ std::vector<MassEvent> events_of(const ForcedMass& mass, Real position, std::opt
 }
 
 ForcedMass forced_mass(const char* force_ratio, const char* frequency_ratio) {
-  return {Real(Rational(force_ratio)) * friction(), Real(Rational(frequency_ratio)) * 10};
+  return {Real(Rational(force_ratio)) * friction, Real(Rational(frequency_ratio)) * 10};
 }
 
 void add_rows(DataSet& set, const char* problem, const std::vector<MassEvent>& events) {
@@ -185,50 +178,46 @@ std::vector<MassEvent> sdnd100_events() {
   return events;
 }
 
-// Mass 1 lets go when k x_2 = mu_s N = F, at a quarter of the period of mass 2. Then X = x_1 + x_2 falls freely and Y =
-// x_1 - x_2 oscillates; at 0.2 s the pull ends.
+// Positions and velocities of the masses, and the acceleration of mass 1.
+struct Pair {
+  Real x1, v1, x2, v2, a1;
+};
+
+// A time tau later, while mass 1 slides up: x1 + x2 falls freely, x1 - x2 oscillates.
+Pair slid(const Pair& from, const Real& tau, int pull) {
+  const Real rate = sqrt(Real(4000)), c = cos(rate * tau), s = sin(rate * tau);
+  const Real fall = Real(pull - 2000) / 5, rest = -Real(pull + 2000) / 20000;
+  const Real a = from.x1 - from.x2 - rest, b = (from.v1 - from.v2) / rate;
+  const Real sum = from.x1 + from.x2 + tau * (from.v1 + from.v2 + fall * tau / 2);
+  const Real sum_rate = from.v1 + from.v2 + fall * tau;
+  const Real difference = rest + a * c + b * s, difference_rate = rate * (b * c - a * s);
+  return {(sum + difference) / 2, (sum_rate + difference_rate) / 2, (sum - difference) / 2,
+          (sum_rate - difference_rate) / 2, (fall - rate * rate * (difference - rest)) / 2};
+}
+
+// Mass 1 lets go when k x2 = mu_s N = F, at a quarter of the period of mass 2; at 0.2 s the pull ends.
 std::vector<MassEvent> sdnd106_events() {
-  const Real own = sqrt(Real(2000)), rate = sqrt(Real(4000)), end_of_pull = Real(Rational("0.2"));
-  const Real onset = certified::pi() / (2 * own), stretch(Rational("0.3"));
-  struct Phase {  // X = x + u tau + c tau^2/2, Y = y0 + a cos(rate tau) + b sin(rate tau)
-    Real begin, x, u, c, y0, a, b;
+  const Real own = sqrt(Real(2000)), onset = certified::pi() / (2 * own), release(Rational("0.2"));
+  const auto velocity = [](const Pair& from, const Real& begin, int pull) {
+    return [=](const Real& t) {
+      const Pair now = slid(from, t - begin, pull);
+      return Dual<Real>(now.v1, now.a1);
+    };
   };
-  const auto twice_velocity = [&](const Phase& p, const Real& t) {
-    const Real tau = t - p.begin, phase = rate * tau;
-    return Dual<Real>(p.u + p.c * tau + rate * (p.b * cos(phase) - p.a * sin(phase)),
-                      p.c - rate * rate * (p.a * cos(phase) + p.b * sin(phase)));
-  };
-  // (F - mu_k N)/m = 200, -(F + mu_k N)/m = -1000; without the pull both are -400.
-  const Real equilibrium = Real(-1000) / 4000;
-  const Phase pulled{
-      onset, stretch, stretch * own, Real(200), equilibrium, -stretch - equilibrium, -stretch * own / rate};
-  const Real window = Real(Rational("0.005")).midpoint(), soon = (onset + window).upper();
-  // It starts with the acceleration (mu_s - mu_k) N/m, and its velocity has no zero while it is pulled.
-  if (!(twice_velocity(pulled, hull(onset, soon)).slope > Real(0)))
-    throw std::runtime_error("mass 1 does not begin to slide");
-  const auto velocity_while_pulled = [&](const Real& t) { return twice_velocity(pulled, t); };
-  if (!certified::isolate_roots(velocity_while_pulled, soon, end_of_pull.upper()).empty())
-    throw std::runtime_error("mass 1 stops while it is pulled");
-  const Real tau = end_of_pull - onset, phase = rate * tau, rest(Rational("-0.1"));
-  const Real y = equilibrium + pulled.a * cos(phase) + pulled.b * sin(phase);
-  const Real y_rate = rate * (pulled.b * cos(phase) - pulled.a * sin(phase));
-  const Phase free{end_of_pull,
-                   pulled.x + pulled.u * tau + pulled.c * tau * tau / 2,
-                   pulled.u + pulled.c * tau,
-                   Real(-400),
-                   rest,
-                   y - rest,
-                   y_rate / rate};
-  const auto stop =
-      first_root([&](const Real& t) { return twice_velocity(free, t); }, end_of_pull, window, Real(1));
-  const Real s = *stop - end_of_pull, turn = rate * s;
-  const Real sum = free.x + free.u * s + free.c * s * s / 2;
-  const Real difference = rest + free.a * cos(turn) + free.b * sin(turn);
-  const Real difference_rate = rate * (free.b * cos(turn) - free.a * sin(turn));
-  // It sticks for ever: the spring force of mass 2 about mass 1 stays below mu_s N.
-  if (!(sqrt(pow(difference, 2) + pow(difference_rate / own, 2)) < stretch))
+  const Real stretch(Rational("0.3")), window = Real(Rational("0.005")).midpoint();
+  const Pair at_onset{Real(0), Real(0), stretch, stretch * own, Real(0)};
+  const auto pulled = velocity(at_onset, onset, 3000);
+  const Real soon = (onset + window).upper();
+  if (!(pulled(hull(onset, soon)).slope > Real(0)) ||
+      !certified::isolate_roots(pulled, soon, release.upper()).empty())
+    throw std::runtime_error("mass 1 does not slide until the pull ends");
+  const Pair at_release = slid(at_onset, release - onset, 3000);
+  const Real stop = *first_root(velocity(at_release, release, 0), release, window, Real(1));
+  const Pair at_stop = slid(at_release, stop - release, 0);
+  // The largest force of the spring from now on is below mu_s N.
+  if (!(pow(at_stop.x2 - at_stop.x1, 2) + pow(at_stop.v2 / own, 2) < pow(stretch, 2)))
     throw std::runtime_error("mass 1 does not stay at rest");
-  return {{"onset", onset, Real(0)}, {"capture", *stop, (sum + difference) / 2}};
+  return {{"onset", onset, Real(0)}, {"capture", stop, at_stop.x1}};
 }
 
 // The steady motion without stops, from a zero of the force on. While it moves down from rest at tau = 0, x = s - s cos(w
@@ -237,8 +226,8 @@ std::vector<MassEvent> sdnd106_events() {
 // lies at Omega tau + phi = pi/2, or half a period later, where all signs are reversed.
 std::vector<MassEvent> den_hartog_events() {
   const ForcedMass mass = forced_mass("4", "0.8");
-  const Real own(10), forced = mass.amplitude / (stiffness() - mass.rate * mass.rate);
-  const Real shift = friction() / stiffness(), tangent = tan(certified::pi() * own / (2 * mass.rate));
+  const Real own(10), forced = mass.amplitude / (stiffness - mass.rate * mass.rate);
+  const Real shift = Real(friction) / stiffness, tangent = tan(certified::pi() * own / (2 * mass.rate));
   const Real sine = -shift * own * tangent / (mass.rate * forced);
   const Real phi = certified::isolate_root(
       [&](const Real& angle) { return Dual<Real>(sin(angle) - sine, cos(angle)); }, Real(-1), Real(1));
@@ -250,16 +239,16 @@ std::vector<MassEvent> den_hartog_events() {
   return events;
 }
 
-std::vector<MassEvent> hong_liu_events(const char* force_ratio, const char* frequency_ratio) {
+// From rest at 0, for some half periods of the force.
+std::vector<MassEvent> hong_liu_events(const char* force_ratio, const char* frequency_ratio,
+                                       int half_periods) {
   const ForcedMass mass = forced_mass(force_ratio, frequency_ratio);
-  return events_of(mass, Real(0), std::nullopt, 4 * certified::pi() / mass.rate);
+  return events_of(mass, Real(0), std::nullopt, half_periods * certified::pi() / mass.rate);
 }
 
-// Onset to onset: captures in the fourth period of the force.
 int stops_in_the_fourth_period(const char* force_ratio, const char* frequency_ratio) {
-  const ForcedMass mass = forced_mass(force_ratio, frequency_ratio);
-  const Real period = 2 * certified::pi() / mass.rate;
-  const auto events = events_of(mass, Real(0), std::nullopt, 4 * period);
+  const Real period = certified::pi() / 5 / Real(Rational(frequency_ratio));
+  const auto events = hong_liu_events(force_ratio, frequency_ratio, 8);
   return static_cast<int>(std::ranges::count_if(events, [&](const MassEvent& event) {
     return std::string_view(event.change) == "capture" && event.time > 3 * period && event.time < 4 * period;
   }));
@@ -296,28 +285,14 @@ data::Provenance published_provenance(std::string method, std::vector<std::strin
 }  // namespace
 
 DataSet published_problems() {
-  DataSet set = data_set("published-problems", "single-mass/published-problems.csv",
-                         "Friction problems of others, event by event",
-                         "One contact; mu_s holds it while it sticks, mu_k while it slides. incline: a block "
-                         "of any mass at 0.25 m on a plane "
-                         "with slope tan a, g = 9.81 m/s^2, mu_s = 0.5, mu_k = 0.3. incline-stays: tan a = "
-                         "0.45, from rest. incline-slides: "
-                         "tan a = 0.55, from rest. incline-goes-on: tan a = 0.45, from 1 m/s downhill. "
-                         "sdnd100 (code_aster V5.01.100): m = 1 "
-                         "kg, a spring of 1e4 N/m to the fixed frame, mu_s = mu_k = 0.1, normal force 10 N, "
-                         "from rest at 0.85 mm. sdnd106 "
-                         "(code_aster V5.01.106): m_1 = m_2 = 5 kg, a spring of 1e4 N/m between them, mass 1 "
-                         "on a plane with mu_s = 0.3, mu_k "
-                         "= 0.2 and the normal force 1e4 N, a pull of 3000 N on mass 2 until 0.2 s and none "
-                         "afterwards, both at rest at 0 at "
-                         "first; the events and positions are those of mass 1. The others: m = 1 kg, a "
-                         "spring of 100 N/m, mu_s = mu_k with mu "
-                         "N = 5 N, the force G sin(Omega t). den-hartog (Trans. ASME 53, 1931): G = 20 N, "
-                         "Omega = 8 rad/s, the steady motion "
-                         "without stops; its first ten turning points. hong-liu-1, -2, -4, -6 (J. Sound Vib. "
-                         "229, 2000): two periods from rest at "
-                         "0 with G = 15 N, Omega = 5 rad/s; 15, 3; 15, 2; 7.5, 0.6; the number is that of "
-                         "stops in a period in the end.");
+  DataSet set =
+      data_set("published-problems", "single-mass/published-problems.csv",
+               "Friction problems of others, event by event",
+               "One or two masses with one contact; mu_s holds it while it sticks, mu_k while it slides. A "
+               "block on an incline, "
+               "SDND100 and SDND106 of code_aster, Den Hartog's steady motion without stops, and motions "
+               "from rest of Hong and "
+               "Liu with 1, 2, 4 and 6 stops in a period. README.md states equations, numbers and sources.");
   data::Resource& resource = set.resource;
   resource.fields = {word("problem", "name"), integer("index", "number of the event, from 1"),
                      word("change", "onset, reversal, capture, or state at a given time")};
@@ -336,10 +311,10 @@ DataSet published_problems() {
   add_rows(set, "sdnd100", sdnd100_events());
   add_rows(set, "sdnd106", sdnd106_events());
   add_rows(set, "den-hartog", den_hartog_events());
-  add_rows(set, "hong-liu-1", hong_liu_events("3", "0.5"));
-  add_rows(set, "hong-liu-2", hong_liu_events("3", "0.3"));
-  add_rows(set, "hong-liu-4", hong_liu_events("3", "0.2"));
-  add_rows(set, "hong-liu-6", hong_liu_events("1.5", "0.06"));
+  add_rows(set, "hong-liu-1", hong_liu_events("3", "0.5", 4));
+  add_rows(set, "hong-liu-2", hong_liu_events("3", "0.3", 4));
+  add_rows(set, "hong-liu-4", hong_liu_events("3", "0.2", 4));
+  add_rows(set, "hong-liu-6", hong_liu_events("1.5", "0.06", 4));
   return set;
 }
 

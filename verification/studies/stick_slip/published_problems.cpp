@@ -57,18 +57,6 @@ MassProblem forced(double force_ratio, double frequency_ratio) {
           .time_step = 2.0 * pi / std::max(rate, 10.0) / 500.0};
 }
 
-// The steady motion without stops at a zero of the force.
-MassProblem den_hartog() {
-  MassProblem problem = forced(4.0, 0.8);
-  const double own = 10.0, rate = problem.rate, shift = 0.05, tangent = std::tan(pi * own / (2.0 * rate));
-  const double response = problem.amplitude / (problem.stiffness - rate * rate);
-  const double phase = std::asin(-shift * own * tangent / (rate * response));
-  const double turn = own * (0.5 * pi - phase) / rate;
-  problem.position = -shift * (1.0 - std::cos(turn) - tangent * std::sin(turn));
-  problem.velocity = -own * shift * (std::sin(turn) - tangent * std::cos(turn)) + response * rate;
-  return problem;
-}
-
 MassProblem problem_named(const std::string& name) {
   if (name == "incline-stays") return on_an_incline(0.45, std::nullopt);
   if (name == "incline-slides") return on_an_incline(0.55, std::nullopt);
@@ -89,7 +77,12 @@ MassProblem problem_named(const std::string& name) {
             .time_step = 1e-3,
             .is_pair = true,
             .end_of_pull = 0.2};
-  if (name == "den-hartog") return den_hartog();
+  if (name == "den-hartog") {
+    MassProblem steady = forced(4.0, 0.8);
+    steady.position = -0.173009592359444;
+    steady.velocity = 4.00402328243824;
+    return steady;
+  }
   if (name == "hong-liu-1") return forced(3.0, 0.5);
   if (name == "hong-liu-2") return forced(3.0, 0.3);
   if (name == "hong-liu-4") return forced(3.0, 0.2);
@@ -134,7 +127,6 @@ analytic::ContactModel contact_model(const MassProblem& problem) {
 
 void run_on(analytic::EventDriven& run, double start, const std::vector<double>& times, History& history) {
   for (const double t : times) {
-    if (t < start) continue;
     run.advance_to(t - start);
     history.positions.push_back(run.contact_position());
   }
@@ -162,7 +154,6 @@ History event_driven(const MassProblem& problem, const std::vector<double>& time
   analytic::EventDriven on(contact_model(free));
   on.start_slipping({run.amplitudes()[0] + stretch * root}, run.rates(), run.contact_position(),
                     run.contact_velocity());
-  history.positions.clear();
   run_on(on, problem.end_of_pull, {times.back()}, history);
   return history;
 }
@@ -218,7 +209,6 @@ History stepped(const MassProblem& problem, const std::vector<double>& times, do
   free.force = 0.0;
   solver::StickSlipIntegrator on(contact_system(free), settings);
   on.start_slipping(run.displacement(), run.velocity());
-  history.positions.clear();
   step_on(on, problem.end_of_pull, {times.back()}, h, history);
   return history;
 }
@@ -246,18 +236,16 @@ ProblemErrors errors_of(const History& history, const Rows& rows) {
   return errors;
 }
 
-// A little more than the last event, so that no late one is missed.
-std::vector<double> times_of(const Rows& rows, double time_step) {
-  if (rows.change.front() == "state") return rows.time;
-  return {rows.time.back() + 4.0 * time_step};
-}
-
 PublishedProblem solved(const std::string& name, const Rows& rows) {
   const MassProblem problem = problem_named(name);
-  PublishedProblem result{.name = name, .duration = rows.time.back()};
+  PublishedProblem result;
+  result.name = name;
+  result.duration = rows.time.back();
   for (const double position : rows.position)
     result.amplitude = std::max(result.amplitude, std::abs(position));
-  const auto times = times_of(rows, problem.time_step);
+  // A little more than the last event, so that no late one is missed.
+  const bool has_states = rows.change.front() == "state";
+  const auto times = has_states ? rows.time : std::vector{rows.time.back() + 4.0 * problem.time_step};
   result.event_driven = errors_of(event_driven(problem, times), rows);
   const double fastest = std::max(std::sqrt(problem.stiffness / problem.mass), problem.rate);
   result.event_driven_prediction = 1e-12 * (1.0 + fastest * result.duration);
@@ -268,15 +256,18 @@ PublishedProblem solved(const std::string& name, const Rows& rows) {
   return result;
 }
 
-StopCount stop_count(double frequency_ratio, double force_ratio, int period) {
-  const MassProblem problem = forced(force_ratio, frequency_ratio);
-  const double length = 2.0 * pi / problem.rate, from = (period - 1) * length, to = period * length;
-  const double h = problem.time_step;
-  return {.frequency_ratio = frequency_ratio,
-          .force_ratio = force_ratio,
-          .reference = -1,
-          .event_driven = event_driven(problem, {to}).captures_between(from, to),
-          .stepped = stepped(problem, {to}, h).captures_between(from, to)};
+// The captures in a period, from rest, under the forces of a data set times `share`.
+std::vector<StopCount> stop_counts(const data::ReferenceTable& table, double share, int period) {
+  std::vector<StopCount> counts;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const double force_ratio = share * table.column("force_ratio").values[row];
+    const MassProblem problem = forced(force_ratio, table.column("frequency_ratio").values[row]);
+    const double length = 2.0 * pi / problem.rate, from = (period - 1) * length, to = period * length;
+    counts.push_back({table.column("frequency_ratio").values[row], force_ratio, -1,
+                      event_driven(problem, {to}).captures_between(from, to),
+                      stepped(problem, {to}, problem.time_step).captures_between(from, to)});
+  }
+  return counts;
 }
 
 }  // namespace
@@ -299,22 +290,14 @@ std::vector<PublishedProblem> published_problems(const data::ReferencePackage& p
 
 std::vector<StopCount> stops_per_period(const data::ReferencePackage& package) {
   const data::ReferenceTable table = data::read_table(package, "stops-per-period");
-  std::vector<StopCount> counts;
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    counts.push_back(
-        stop_count(table.column("frequency_ratio").values[row], table.column("force_ratio").values[row], 4));
-    counts.back().reference = static_cast<int>(table.column("stops").values[row]);
-  }
+  auto counts = stop_counts(table, 1.0, 4);
+  for (std::size_t row = 0; row < counts.size(); ++row)
+    counts[row].reference = static_cast<int>(table.column("stops").values[row]);
   return counts;
 }
 
 std::vector<StopCount> stops_beside_the_limit(const data::ReferencePackage& package, double share) {
-  const data::ReferenceTable table = data::read_table(package, "non-stop-limits");
-  std::vector<StopCount> counts;
-  for (std::size_t row = 0; row < table.rows(); ++row)
-    counts.push_back(stop_count(table.column("frequency_ratio").values[row],
-                                share * table.column("force_ratio").values[row], 40));
-  return counts;
+  return stop_counts(data::read_table(package, "non-stop-limits"), share, 40);
 }
 
 Creep creep_on_an_incline(double regularisation) {
@@ -323,7 +306,7 @@ Creep creep_on_an_incline(double regularisation) {
   const auto acceleration = [&](double v) {
     return g * cosine * (slope - mu * std::tanh(v / regularisation));
   };
-  // The relaxation rate is at most mu g cos a/v_reg; the method is stable up to 2.7.
+  // One over the fastest relaxation rate.
   const double h = regularisation / (mu * g * cosine);
   const long steps = std::lround(duration / h);
   double v = 0.0, slid = 0.0;
@@ -334,11 +317,7 @@ Creep creep_on_an_incline(double regularisation) {
     v += h * (a1 + 2.0 * (a2 + a3) + a4) / 6.0;
   }
   const double rate = regularisation * std::atanh(slope / mu);
-  return {.regularisation = regularisation,
-          .closed_form = rate,
-          .run = v,
-          .slid = slid,
-          .expected_slid = rate * duration};
+  return {rate, v, slid, rate * duration};
 }
 
 }  // namespace stickslip::studies

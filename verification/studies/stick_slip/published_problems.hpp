@@ -51,11 +51,10 @@ struct StopCount {
 /// What a friction force mu N tanh(v/v_reg) makes of a block at rest on an incline below the friction angle: it creeps at v_reg
 /// artanh(tan a/mu), wherever it should stay.
 struct Creep {
-  double regularisation{};  ///< v_reg, m/s
-  double closed_form{};     ///< the rate, m/s
-  double run{};             ///< the velocity after `duration` by the Runge-Kutta method of order 4, m/s
-  double slid{};            ///< m
-  double expected_slid{};   ///< closed_form times the duration, m
+  double closed_form{};    ///< the rate, m/s
+  double run{};            ///< the velocity after `duration` by the Runge-Kutta method of order 4, m/s
+  double slid{};           ///< m
+  double expected_slid{};  ///< closed_form times the duration, m
 };
 
 /// tan a = 0.45, mu = 0.5, g = 9.81 m/s^2, 100 s.
