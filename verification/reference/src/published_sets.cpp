@@ -63,8 +63,8 @@ class Slide {
     return mean_ + a_ * cos(phase(t)) + b_ * sin(phase(t)) + forced_ * sin(rate_ * t);
   }
 
-  /// The first time after the begin at which the velocity is zero. Right after the begin the velocity has the sign
-  /// of the direction, because the first of velocity, acceleration and jerk that is not zero has it.
+  /// The first time after the begin at which the velocity is zero. Right after the begin it has the sign of
+  /// the direction, because the first of velocity, acceleration and jerk that is not zero has it.
   [[nodiscard]] std::optional<Real> end(const Real& latest) const {
     const Real window = Real(1) / (4 * max(own_, rate_)).midpoint();
     Real after = (window / 64).midpoint();
@@ -220,10 +220,11 @@ std::vector<MassEvent> sdnd106_events() {
   return {{"onset", onset, Real(0)}, {"capture", stop, at_stop.x1}};
 }
 
-// The steady motion without stops, from a zero of the force on. While it moves down from rest at tau = 0, x = s - s cos(w
-// tau) - s tan(T/2) sin(w tau) + V cos(Omega tau + phi) with w = 10 rad/s, s = mu N/k, T = pi w/Omega, V = G/(k - m
-// Omega^2); it is at rest again at -x(0) half a period later because Omega V sin(phi) = -w s tan(T/2). The zero of the force
-// lies at Omega tau + phi = pi/2, or half a period later, where all signs are reversed.
+// The steady motion without stops, from a zero of the force on. While it moves down from rest at tau = 0,
+// x = s - s cos(w tau) - s tan(T/2) sin(w tau) + V cos(Omega tau + phi) with w = 10 rad/s, s = mu N/k,
+// T = pi w/Omega, V = G/(k - m Omega^2). Half a period later it is at rest at -x(0), because
+// Omega V sin(phi) = -w s tan(T/2). The zero of the force lies at Omega tau + phi = pi/2, or half a period
+// later, where all signs are reversed.
 std::vector<MassEvent> den_hartog_events() {
   const ForcedMass mass = forced_mass("4", "0.8");
   const Real own(10), forced = mass.amplitude / (stiffness - mass.rate * mass.rate);
@@ -254,9 +255,10 @@ int stops_in_the_fourth_period(const char* force_ratio, const char* frequency_ra
   }));
 }
 
-// G/(mu N) = |1 - r^2| sqrt(1/r^4 + tan^2(pi/(2 r))/r^2): the force is just large enough that the friction is overcome at the
-// turning point. Between two turning points the mass must not stop either: w = sin(r t)/r - sin t - tan(T/2) (cos(r t) - cos t) > 0
-// for 0 < t < T = pi/r, which starts as a parabola and ends with a falling slope.
+// G/(mu N) = |1 - r^2| sqrt(1/r^4 + tan^2(pi/(2 r))/r^2): the friction is just overcome at the turning point.
+// Between two turning points the mass must not stop either:
+// w = sin(r t)/r - sin t - tan(T/2) (cos(r t) - cos t) > 0 for 0 < t < T = pi/r,
+// which starts as a parabola and ends with a falling slope.
 Real non_stop_limit(const char* frequency_ratio) {
   const Real r{Rational(frequency_ratio)}, end = certified::pi() / r, tangent = tan(end / 2);
   const auto slope = [&](const Real& t) { return cos(r * t) - cos(t) + tangent * (r * sin(r * t) - sin(t)); };

@@ -19,8 +19,8 @@ using std::numbers::pi;
 constexpr double jump = std::numeric_limits<double>::infinity();
 constexpr std::array<const char*, 4> names_of_changes{"onset", "capture", "reversal", "graze"};
 
-/// One mass m x_tt + k x = F + G sin(Omega t) + f_d, or two: the second one hangs on the first one's spring, and F pulls it
-/// until `end_of_pull`.
+/// One mass m x_tt + k x = F + G sin(Omega t) + f_d, or two: the second one hangs on the first one's spring,
+/// and F pulls it until `end_of_pull`.
 struct MassProblem {
   double mass{1.0}, stiffness{};
   double force{}, amplitude{}, rate{1.0};

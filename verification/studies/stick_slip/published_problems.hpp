@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// Friction problems of others, one or two masses with one contact, by both implementations against the closed forms of
-/// the data sets `published-problems`, `stops-per-period` and `non-stop-limits`, whose descriptions state the problems.
+/// Friction problems of others, one or two masses with one contact, by both implementations against the
+/// closed forms of the data sets `published-problems`, `stops-per-period` and `non-stop-limits`, which the
+/// README of data/reference states.
 
 #include <array>
 #include <string>
@@ -19,8 +20,8 @@ struct ProblemErrors {
   double position{};    ///< m
 };
 
-/// One problem by both implementations. Predicted: the time stepper is of second order in h, so that each error is a quarter of
-/// that on twice the step; the event-driven run keeps 1e-12 of each coordinate in each step of a slip phase.
+/// One problem by both implementations. Predicted: the time stepper is of second order in h, so that each
+/// error is a quarter of that on twice the step; the event-driven run keeps 1e-12 of each coordinate in a step.
 struct PublishedProblem {
   std::string name;
   double duration{};   ///< the last time of the problem, s
@@ -43,13 +44,13 @@ struct StopCount {
 /// The counts of `stops-per-period`; the time step is 1/500 of the shorter of the periods of force and mass.
 [[nodiscard]] std::vector<StopCount> stops_per_period(const data::ReferencePackage& package);
 
-/// For each limit of `non-stop-limits` the captures in the 40th period, from rest, with `share` of the force of the limit;
-/// `reference` is -1.
+/// For each limit of `non-stop-limits` the captures in the 40th period, from rest, with `share` of the force
+/// of the limit; `reference` is -1.
 [[nodiscard]] std::vector<StopCount> stops_beside_the_limit(const data::ReferencePackage& package,
                                                             double share);
 
-/// What a friction force mu N tanh(v/v_reg) makes of a block at rest on an incline below the friction angle: it creeps at v_reg
-/// artanh(tan a/mu), wherever it should stay.
+/// What a friction force mu N tanh(v/v_reg) makes of a block at rest on an incline below the friction angle:
+/// it creeps at v_reg artanh(tan a/mu) where it should stay.
 struct Creep {
   double closed_form{};    ///< the rate, m/s
   double run{};            ///< the velocity after `duration` by the Runge-Kutta method of order 4, m/s
