@@ -12,9 +12,9 @@ set xrange [-5:5]
 set xtics 2.5
 set xlabel 'sliding velocity v_s / m s^{−1}'
 unset key
-set multiplot layout 1, 2 margins 0.085, 0.98, 0.185, 0.90 spacing 0.135, 0.1
-set title '(a) friction coefficient' offset 0, -0.6
-set ylabel 'coefficient μ' offset 1
+set multiplot layout 1, 2 margins 0.085, 0.98, 0.185, 0.90 spacing 0.15, 0.1
+set title '(a) friction coefficient'
+set ylabel 'friction coefficient μ' offset 1
 set yrange [0:0.8]
 set ytics 0.2
 set arrow 1 from -5, kinetic_coefficient to 5, kinetic_coefficient nohead linestyle 3 back
@@ -22,8 +22,8 @@ set arrow 2 from 0, static_coefficient to 5, static_coefficient nohead linestyle
 set label 1 sprintf('μ_s = %g', static_coefficient) at 4.8, static_coefficient + 0.035 right
 set label 2 sprintf('μ_m = %g', kinetic_coefficient) at 4.8, kinetic_coefficient - 0.04 right
 plot file using 1:2 with lines linestyle 1
-set title '(b) friction force on the beam' offset 0, -0.6
-set ylabel 'force f_d / N' offset 1
+set title '(b) friction force on the beam'
+set ylabel 'friction force f_d / N' offset -0.5
 set yrange [-400:400]
 set ytics 200
 set arrow 1 from -5, lowest to 5, lowest nohead linestyle 3 back
@@ -34,5 +34,6 @@ set label 1 sprintf('μ_sP = %g N', highest) at 4.8, highest + 35 right
 set label 2 sprintf('μ_mP = %g N', lowest) at 4.8, lowest + 35 right
 set label 3 sprintf('−μ_sP = −%g N', highest) at -4.8, -highest - 40 left
 set label 4 sprintf('−μ_mP = −%g N', lowest) at -4.8, -lowest - 40 left
+set label 5 'sticks: |f_d| ≤ μ_sP' at -0.25, 0 right
 plot file using 1:3 with lines linestyle 1
 unset multiplot

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-# Fig. 3: snapshots of the beam over one period, coloured by time; the tip says whether it sticks. Needs nothing
-# but fig3.csv.
+# Fig. 3: numbered snapshots of the beam over one period, the first half of it left, the second right; the tip says
+# whether it sticks. Needs nothing but fig3.csv.
 width = 16
-height = 11
+height = 17
 load 'style.gp'
 file = folder.'fig3.csv'
 stats file using 1 name 'panel' nooutput
@@ -10,51 +10,54 @@ stats file using 3 name 'snapshot' nooutput
 stats file using 7 name 'position' nooutput
 points = int(position_records / panel_max / snapshot_max)  # per snapshot
 rows = points * int(snapshot_max)                          # per panel
+half = (int(snapshot_max) + 1) / 2                         # snapshots of half a period
+step_in(k, j) = k - 1 - (j - 1) * (half - 1)               # from the first snapshot of half j
 first(i, k) = (i - 1) * rows + (k - 1) * points
+tip(i, k) = first(i, k) + points - 1
+# Where along the beam the snapshots of a half have their numbers.
+array fractions[5] = [0.14, 0.30, 0.53, 0.62, 0.80]
+labelled(i, k, j) = first(i, k) + int(fractions[step_in(k, j) + 1] * points)
 
-# Viridis without its pale end: even in lightness, so that the order of the colours can be read by everybody.
+# From dark to light in the order of time, in each half.
 set palette defined (0 '#440154', 0.25 '#3B528B', 0.5 '#21918C', 0.75 '#5DC863', 1 '#D8C220')
+shade(k, j) = 0.88 * step_in(k, j) / (half - 1)
 set cbrange [0:1]
-set cbtics 0.25 scale 0.4 offset -0.5
-set cblabel 'time since the first snapshot / period' offset 0.2
 unset colorbox
-set format xy '%g'
-set xrange [0:position_max * 1.04]
+set style textbox opaque noborder margins 0.4, 0.3 fillcolor rgb 'white'
 set xtics 0.5
-set ytics autofreq
-set multiplot
-left(i) = i % 2 == 1 ? 0.085 : 0.525
-low(i) = i <= 2 ? 0.575 : 0.095
+set multiplot layout int(panel_max), 2 margins 0.09, 0.985, 0.09, 0.965 spacing 0.045, 0.047
 do for [i = 1:int(panel_max)] {
-  set lmargin at screen left(i)
-  set rmargin at screen left(i) + 0.35
-  set bmargin at screen low(i)
-  set tmargin at screen low(i) + 0.37
-  row = first(i, 1)
-  stats file every ::row::row using 2 name 'hz' nooutput
-  stats file every ::row::row using (1e3 * $4) name 'begin' nooutput
-  stats file every ::(row + rows - 1)::(row + rows - 1) using (1e3 * $4) name 'end' nooutput
-  set title sprintf('(%s) %g Hz, %.1f to %.1f ms', 'abcd'[i:i], hz_min, begin_min, end_min) offset 0, -0.6
-  set xlabel (i > 2 ? 'position x / m' : '')
-  set ylabel (i % 2 == 1 ? 'y(x, t) / mm' : '') offset 1
-  if (i == 2) {
-    set colorbox user origin screen 0.9, screen 0.27 size screen 0.016, screen 0.6
-    set key at screen 1.015, screen 0.19 right reverse Left samplen 1 font ',6.5'
-  } else {
-    unset colorbox
+  set autoscale xy  # what follows counts only rows in range
+  stats file every ::first(i, 1)::(first(i, 1) + rows - 1) using (1e3 * $8) name 'y' nooutput
+  gap = 0.08 * (y_max - y_min)
+  stats file every ::first(i, 1)::first(i, 1) using (hz = $2, begin_ms = 1e3 * $4) nooutput
+  set xlabel (i == panel_max ? 'position x / m' : '')
+  set format x (i == panel_max ? '%g' : '')
+  set xrange [0:position_max * 1.03]
+  set yrange [y_min - gap:y_max + gap]
+  do for [j = 1:2] {
+    begin = (j - 1) * (half - 1) + 1
+    end = begin + half - 1
+    set title sprintf('(%s) %g Hz from %.1f ms: %s half period', 'abcd'[i:i], hz, begin_ms, j == 1 ? 'first' : 'second')
+    set format y (j == 1 ? '%g' : '')
     unset key
+    if (i == panel_max && j == 2) {
+      set key at screen 0.5, 0.005 center bottom vertical maxrows 1
+      set label 'displacement y(x, t) / mm' at screen 0.017, 0.53 center rotate
+    }
+    plot for [k = begin:end] file every ::first(i, k)::tip(i, k) \
+           using 7:(1e3 * $9):(shade(k, j)) with lines linewidth 1.2 linecolor palette notitle, \
+         for [k = begin:end] file every 6::first(i, k)::(tip(i, k) - 1) \
+           using 7:(1e3 * $8):(shade(k, j)) with points pointtype 6 pointsize 0.4 linewidth 0.7 linecolor palette notitle, \
+         for [k = begin:end] file every ::tip(i, k)::tip(i, k) \
+           using 7:(1e3 * $8):($6 > 0.5 ? 7 : 8):($6 > 0.5 ? 0x000000 : 0xD55E00) \
+           with points pointtype variable pointsize 0.7 linecolor rgb variable notitle, \
+         for [k = begin:end] file every ::labelled(i, k, j)::labelled(i, k, j) \
+           using 7:(1e3 * $9):(sprintf('%d', k)) with labels boxed notitle, \
+         keyentry with lines linewidth 1.2 linecolor rgb grey title 'continuous beam', \
+         keyentry with points pointtype 6 pointsize 0.4 linecolor rgb grey title 'finite elements', \
+         keyentry with points pointtype 7 pointsize 0.7 linecolor rgb black title 'tip sticks', \
+         keyentry with points pointtype 8 pointsize 0.7 linecolor rgb vermillion title 'tip slips'
   }
-  tip(k) = first(i, k) + points - 1
-  plot for [k = 1:int(snapshot_max)] file every ::first(i, k)::tip(k) \
-         using 7:(1e3 * $9):5 with lines linewidth 1.2 linecolor palette notitle, \
-       for [k = 1:int(snapshot_max)] file every 6::first(i, k)::(tip(k) - 1) \
-         using 7:(1e3 * $8):5 with points pointtype 6 pointsize 0.35 linewidth 0.7 linecolor palette notitle, \
-       for [k = 1:int(snapshot_max)] file every ::tip(k)::tip(k) \
-         using 7:($6 > 0.5 ? 1e3 * $8 : NaN) with points pointtype 7 pointsize 0.6 linecolor rgb black notitle, \
-       for [k = 1:int(snapshot_max)] file every ::tip(k)::tip(k) \
-         using 7:($6 < 0.5 ? 1e3 * $8 : NaN) with points pointtype 8 pointsize 0.75 linecolor rgb vermillion notitle, \
-       NaN with points pointtype 7 pointsize 0.6 linecolor rgb black title 'tip sticks', \
-       NaN with points pointtype 8 pointsize 0.75 linecolor rgb vermillion title 'tip slips', \
-       NaN with points pointtype 6 pointsize 0.35 linecolor rgb grey title 'finite el.'
 }
 unset multiplot

@@ -12,12 +12,11 @@ set yrange [-1.15:1.15]
 set xtics 0.25
 set ytics 0.5
 set multiplot layout 3, 2 margins 0.10, 0.98, 0.10, 0.955 spacing 0.08, 0.085
-set style line 2 pointtype 6 pointsize 0.45
 do for [i = 1:6] {
-  set title sprintf('%s state, mode %d: %.3f Hz', i % 2 ? 'Stick' : 'Slip', (i + 1) / 2, hz[i]) offset 0, -0.6
+  set title sprintf('%s state, mode %d: %.3f Hz', i % 2 ? 'Stick' : 'Slip', (i + 1) / 2, hz[i])
   set format x (i > 4 ? '%g' : '')
   set xlabel (i > 4 ? 'position x/L' : '')
-  set ylabel (i % 2 == 1 ? 'shape U' : '') offset 1
+  set ylabel (i % 2 == 1 ? 'shape U' : '') offset 0.5
   unset key
   if (i == 2) { set key right bottom }
   plot 0 with lines linecolor rgb grey linewidth 0.5 notitle, \
