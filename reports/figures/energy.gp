@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Energy that the balance does not explain, over the base work, against the step.
-width = 15
-height = 7.5
+width = 16
+height = 8
 load 'style.gp'
 values = folder.'energy-values.csv'
 load 'values.gp'
@@ -9,19 +9,18 @@ file = folder.'energy.csv'
 set logscale xy
 set format xy '10^{%T}'
 set xrange [4e-7:4e-5]
-set yrange [1e-15:1e-3]
+set yrange [1e-15:1e-4]
+set ytics 100
 set xlabel 'time step Δt / s'
-set ylabel 'unexplained energy / base work' offset 1
-set key outside right center reverse Left samplen 1.5
+set ylabel '|unexplained energy| over base work' offset -0.5
+set key outside right center
 array elements[3] = [undamped_elements1, undamped_elements2, undamped_elements3]
-array colours[3] = [green, vermillion, purple]
-array shapes[3] = [9, 5, 13]
 share(elements, damped) = ($1 > 0) == damped && $2 == elements ? abs($4/$5) : NaN
-plot file using 3:(share(damped_elements, 1)) with linespoints linecolor rgb blue pointtype 7 pointsize 0.5 \
+plot for [k = 3:1:-1] file using 3:(share(elements[k], 0)) with linespoints linecolor rgb colours[k + 1] \
+       linewidth 1.2 dashtype 2 pointtype shapes[k + 1] pointsize 0.7 title sprintf('undamped, %d elements', elements[k]), \
+     '' using 3:(share(damped_elements, 1)) with linespoints linecolor rgb blue pointtype 7 pointsize 0.5 \
        title sprintf('damped, %d elements', damped_elements), \
-     for [k = 1:3] '' using 3:(share(elements[k], 0)) with linespoints linecolor rgb colours[k] \
-       pointtype shapes[k] pointsize 0.5 title sprintf('undamped, %d elements', elements[k]), \
-     '' using ($1 > 0 ? $3 : NaN):(abs($6/$5)) with lines linecolor rgb black linewidth 1.0 \
+     '' using ($1 > 0 ? $3 : NaN):(abs($6/$5)) with lines linecolor rgb black linewidth 1.2 \
        title 'event-driven, damped', \
-     '' using ($1 == 0 && $2 == undamped_elements2 ? $3 : NaN):(abs($6/$5)) with lines linecolor rgb black linewidth 1.0 \
+     '' using ($1 == 0 && $2 == undamped_elements2 ? $3 : NaN):(abs($6/$5)) with lines linecolor rgb black linewidth 1.2 \
        dashtype 2 title 'event-driven, undamped'

@@ -17,13 +17,14 @@ set yrange [0:2]
 set xtics 20
 set x2tics 20
 set ytics 0.5
-set margins screen 0.10, screen 0.975, screen 0.14, screen 0.85
+set margins screen 0.085, screen 0.975, screen 0.14, screen 0.85
 set arrow from natural1, graph 0 to natural1, graph 1 nohead linestyle 3 back
 set arrow from natural2, graph 0 to natural2, graph 1 nohead linestyle 3 back
 set label sprintf("ω_1, ω'_1\n%.2f, %.2f Hz", natural1, half1) at natural1 + 1.5, graph 0.93
-set label sprintf("ω_2, ω'_2\n%.2f, %.2f Hz", natural2, half2) at natural2 + 1.5, graph 0.93
-set label 'stick-slip region' at 57, graph 0.66 center
-set label 'stick region' at 48, graph 0.07 center
-set key top right
-plot file using 3:(1e3 * $4) axes x2y1 with lines linecolor rgb vermillion linewidth 1.2 title 'EI/2', \
-     '' using 1:(1e3 * $2) with lines linestyle 1 title 'EI'
+set label sprintf("ω_2, ω'_2\n%.2f, %.2f Hz", natural2, half2) at natural2 - 1.5, graph 0.93 right
+set label 'stick-slip region' at 60, graph 0.66 center
+set label 'stick region' at 45, graph 0.1 center
+set key at graph 0.99, graph 0.97 right top samplen 3
+plot file using 3:(1e3 * $4) axes x2y1 with lines linecolor rgb vermillion linewidth 1.5 dashtype 2 \
+       title 'EI/2 (upper axis)', \
+     '' using 1:(1e3 * $2) with lines linestyle 1 title 'EI (lower axis)'

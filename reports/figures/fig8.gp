@@ -33,5 +33,5 @@ set label 'u = u_0 + Δu' at 0.735, 0.85 * h left
 set key at 1.2, 0.53 right samplen 4
 set samples 200
 plot sample [0:1] '+' using 1:(whole($1)) with lines linecolor rgb blue linewidth 3.5 title 'beam', \
-     [0:1] '+' using 1:(quasi_static($1)) with lines linecolor rgb vermillion linewidth 2 dashtype (8, 5) \
+     [0:1] '+' using 1:(quasi_static($1)) with lines linecolor rgb vermillion linewidth 2 dashtype 2 \
        title 'quasi-static deflection'

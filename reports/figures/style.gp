@@ -47,6 +47,7 @@ slip_fill = '#FFF1DD'
 # |f_max|/(mu_s P) on its decadic logarithm: lighter throughout with the force, the hue changes at the limit.
 ratio_palette = "set palette defined (-1.5 '#08306B', -0.75 '#2171B5', 0 '#7FB8DE', 0 '#EE9A33', 0.75 '#FDCB75', 1.5 '#FFF6D0')"
 
+set dashtype 2 (7, 5)
 set style line 1 linecolor rgb blue linewidth 1.5
 set style line 2 linecolor rgb vermillion linewidth 1.2 pointtype 6 pointsize 0.5
 set style line 3 linecolor rgb grey linewidth 0.8 dashtype 2
