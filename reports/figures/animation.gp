@@ -19,8 +19,8 @@ do for [frame = first_frame:last_frame] {
   tip = row + points - 1
   set output sprintf('frame-%04d.png', frame)
   set multiplot title sprintf('Base at %g Hz, %g mm', hz, 1e3 * amplitude)
-  set lmargin at screen 0.09
-  set rmargin at screen 0.80
+  set lmargin at screen 0.10
+  set rmargin at screen 0.79
   set bmargin at screen 0.13
   set tmargin at screen 0.90
   set xrange [-0.04 * length:1.04 * length]
@@ -28,13 +28,13 @@ do for [frame = first_frame:last_frame] {
   set xtics autofreq
   set ytics autofreq
   set xlabel 'position x / m'
-  set ylabel 'displacement y / mm' offset 1
+  set ylabel 'displacement y / mm' offset -1
   set object 1 rectangle from 1.006 * length, -y_end to 1.04 * length, y_end fillcolor rgb '#D0D0D0' \
       fillstyle pattern 4 noborder behind
   plot 0 with lines linecolor rgb grey linewidth 0.5, \
        file every ::row::tip using 5:(1e3 * $6) with lines linecolor rgb blue linewidth 2.5, \
        file every ::row::row using (-0.02 * length):(1e3 * $6):(0.02 * length):(0.05 * y_end) \
-         with boxxyerror linecolor rgb black fillstyle solid, \
+         with boxxyerror fillcolor rgb '#BBBBBB' fillstyle solid border rgb black, \
        file every ::tip::tip using 5:($3 > 0.5 ? 1e3 * $6 : NaN) with points pointtype 7 pointsize 1.1 \
          linecolor rgb black, \
        file every ::tip::tip using 5:($3 < 0.5 ? 1e3 * $6 : NaN) with points pointtype 8 pointsize 1.3 \
@@ -43,18 +43,21 @@ do for [frame = first_frame:last_frame] {
        file every ::row::row using (0.97 * length):(0.92 * y_end):($3 > 0.5 ? 'tip sticks' : 'tip slips') \
          with labels right
   unset object 1
-  set lmargin at screen 0.90
+  set lmargin at screen 0.905
   set rmargin at screen 0.97
   set xrange [-1:1]
   set yrange [-f_end:f_end]
   unset xtics
-  set xlabel 'force'
-  set ylabel 'f / N' offset 1.5
+  set xlabel ' '
+  set label 1 'μ_sP' at 0, force_limit center offset 0, 0.6 front
+  set label 2 '−μ_sP' at 0, -force_limit center offset 0, -0.6 front
+  set ylabel 'friction force f / N' offset -0.5
   plot file every ::row::row using (0):($4 / 2):(0.5):(abs($4) / 2) with boxxyerror \
          linecolor rgb blue fillstyle solid, \
        0 with lines linecolor rgb grey linewidth 0.5, \
        force_limit with lines linestyle 3 linecolor rgb vermillion, \
        -force_limit with lines linestyle 3 linecolor rgb vermillion
+  unset label
   unset multiplot
 }
 unset output

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Somebody's results (vermillion) against a data set (black, with its uncertainty), and below the difference with what is
+# Somebody's results (thin) against a data set (thick, with its uncertainty), and below the difference with what is
 # allowed: uncertainty and tolerance. A column of panels for each of the `quantities`; `smooth` says whether the samples of
 # the data set are joined. The first label is that of the abscissa.
 values = folder.'comparison-values.csv'
@@ -34,14 +34,14 @@ do for [i = 1:count] {
   set bmargin at screen 0.50
   unset xlabel
   set format x ''
-  set ylabel labels[i + 1] offset 0.5
+  set ylabel labels[i + 1]
   set key at screen 0.5, 0.985 center top horizontal maxrows 1
   if (i > 1) { unset key }
   if (smooth) {
     plot file using 1:($3 - $4):($3 + $4) with filledcurves fillcolor rgb grey fillstyle transparent solid 0.4 noborder \
            notitle, \
-         '' using 1:3 with lines linecolor rgb black linewidth 1.0 title 'reference', \
-         '' using 1:2 with points linecolor rgb vermillion pointtype 7 pointsize 0.25 title 'yours'
+         '' using 1:3 with lines linecolor rgb '#BBBBBB' linewidth 3 title 'reference', \
+         '' using 1:2 with lines linecolor rgb vermillion linewidth 0.9 title 'yours'
   } else {
     plot file using 1:3:4 with yerrorbars linecolor rgb black pointtype 6 pointsize 0.8 title 'reference', \
          '' using 1:2 with points linecolor rgb vermillion pointtype 7 pointsize 0.4 title 'yours'
@@ -51,14 +51,14 @@ do for [i = 1:count] {
   set bmargin at screen 0.17
   set xlabel labels[1]
   set format x '%g'
-  set ylabel 'difference'.(strstrt(labels[i + 1], ' / ') ? labels[i + 1][strstrt(labels[i + 1], ' / '):*] : '') offset 0.5
+  set ylabel 'difference'.(strstrt(labels[i + 1], ' / ') ? labels[i + 1][strstrt(labels[i + 1], ' / '):*] : '')
   set key at screen 0.5, 0.01 center bottom horizontal maxrows 1
   if (i < count) { unset key }
   if (smooth) {
     plot file using 1:(-$5):5 with filledcurves fillcolor rgb blue fillstyle transparent solid 0.18 noborder \
            title 'allowed', \
          0 with lines linestyle 3 notitle, \
-         file using 1:($2 - $3) with linespoints linecolor rgb vermillion linewidth 0.6 pointtype 7 pointsize 0.2 \
+         file using 1:($2 - $3) with lines linecolor rgb vermillion linewidth 0.9 \
            title 'difference'
   } else {
     plot file using 1:(-$5):(0):(2 * $5) with vectors heads size graph 0.006, 90 linecolor rgb blue linewidth 1.2 \

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # The criterion over two parameters: |f_max|/(mu_s P) by colour and its contour 1, from a table of x, y, ratio and
 # state. Which parameter an axis has is x_parameter or y_parameter; its values follow each other in equal steps, or in
-# equal ratios where x_log or y_log is 1. White is the limit, blue sticks, orange slips, hatched has no stick state.
+# equal ratios where x_log or y_log is 1. Blue sticks, orange slips, the lighter the larger the force; hatched has no stick state.
 # Where states_only is 1 the table has no ratio, and the regions have one colour each.
 width = 16
 height = 10
@@ -64,12 +64,12 @@ set xlabel x_label
 set ylabel y_label
 set xrange [axis_min_x:axis_max_x]
 set yrange [axis_min_y:axis_max_y]
-set palette defined (-1 '#08519C', -0.5 blue, 0 'white', 0.5 '#E69F00', 1 vermillion)
+eval ratio_palette
 set cbrange [-1.5:1.5]
 set cbtics ('≤ 1/30' -1.5, '1/10' -1, '1/3' log10(1/3.0), '1' 0, '3' log10(3), '10' 1, '≥ 30' 1.5)
 set cblabel '|f_{max}| / (μ_sP)'
-set key above horizontal center samplen 3 width -3 maxcols 2
-set margins screen 0.115, screen 0.84, screen 0.125, screen 0.90
+set key above horizontal center samplen 3
+set margins screen 0.105, screen 0.84, screen 0.125, screen 0.90
 if (states_only) { unset colorbox; set rmargin at screen 0.97 }
 set object 1 rectangle from graph 0, graph 0 to graph 1, graph 1 behind fillcolor rgb grey \
     fillstyle pattern 4 noborder
@@ -77,6 +77,6 @@ limit_title = limit eq 'NaN' ? '' : '|f_{max}| = μ_sP'
 buckled_title = 'no stick state (buckled)'
 plot @cells notitle, \
      @limit with lines linecolor rgb black linewidth 1.2 title limit_title, \
-     for [i = 1:states_only] keyentry with boxes linecolor rgb blue fillstyle solid title 'stick', \
-     for [i = 1:states_only] keyentry with boxes linecolor rgb '#E69F00' fillstyle solid title 'stick-slip', \
+     for [i = 1:states_only] keyentry with boxes linecolor rgb '#2171B5' fillstyle solid title 'stick', \
+     for [i = 1:states_only] keyentry with boxes linecolor rgb '#FDCB75' fillstyle solid title 'stick-slip', \
      for [i = 1:buckled_max] keyentry with boxes linecolor rgb grey fillstyle pattern 4 title buckled_title
