@@ -18,9 +18,9 @@ set xrange [0:shown]
 set xtics 0.1
 set multiplot
 do for [j = 1:2] {
-  left = 0.105 + 0.455 * (j - 1)
+  left = 0.115 + 0.455 * (j - 1)
   set lmargin at screen left
-  set rmargin at screen left + 0.425
+  set rmargin at screen left + 0.415
   set tmargin at screen 0.955
   set bmargin at screen 0.68
   unset logscale y

@@ -25,7 +25,7 @@ set cbrange [0:1]
 unset colorbox
 set style textbox opaque noborder margins 0.4, 0.3 fillcolor rgb 'white'
 set xtics 0.5
-set multiplot layout int(panel_max), 2 margins 0.09, 0.985, 0.09, 0.965 spacing 0.045, 0.047
+set multiplot layout int(panel_max), 2 margins 0.09, 0.985, 0.1, 0.965 spacing 0.045, 0.047
 do for [i = 1:int(panel_max)] {
   set autoscale xy  # what follows counts only rows in range
   stats file every ::first(i, 1)::(first(i, 1) + rows - 1) using (1e3 * $8) name 'y' nooutput

@@ -27,7 +27,7 @@ set label 'h(t)' at -0.165, 0.5 * h right
 set arrow from 0.36, h to 0.36, quasi_static(0.36) + 0.005 arrowstyle 1
 set label 'u_0 = S(x) h(t)' at 0.375, h - 0.03 left
 set arrow from 0.52, quasi_static(0.52) to 0.52, whole(0.52) + 0.01 arrowstyle 1
-set label 'Δu(x, t)' at 0.535, 0.5 * (quasi_static(0.52) + whole(0.52)) left
+set label 'Δu(x, t)' at 0.535, 0.35 * quasi_static(0.52) + 0.65 * whole(0.52) left
 set arrow from 0.72, h to 0.72, whole(0.72) + 0.01 arrowstyle 1
 set label 'u = u_0 + Δu' at 0.735, 0.85 * h left
 set key at 1.2, 0.53 right samplen 4

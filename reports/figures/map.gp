@@ -67,9 +67,9 @@ set yrange [axis_min_y:axis_max_y]
 eval ratio_palette
 set cbrange [-1.5:1.5]
 set cbtics ('≤ 1/30' -1.5, '1/10' -1, '1/3' log10(1/3.0), '1' 0, '3' log10(3), '10' 1, '≥ 30' 1.5)
-set cblabel '|f_{max}| / (μ_sP)'
+set cblabel '|f_{max}| / (μ_sP)' offset -0.5
 set key above horizontal center samplen 3
-set margins screen 0.105, screen 0.84, screen 0.125, screen 0.90
+set margins screen 0.105, screen 0.83, screen 0.125, screen 0.90
 if (states_only) { unset colorbox; set rmargin at screen 0.97 }
 set object 1 rectangle from graph 0, graph 0 to graph 1, graph 1 behind fillcolor rgb grey \
     fillstyle pattern 4 noborder

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Undamped tip histories as usually computed (columns), against the converged one, at each frequency (rows).
 width = 16
-height = 14.5
+height = 15.5
 load 'style.gp'
 values = folder.'practice-values.csv'
 load 'values.gp'
@@ -9,7 +9,7 @@ file = folder.'practice.csv'
 array hz[3] = [hz1, hz2, hz3]
 array runs[3] = [1, 3, 6]
 set xtics 0.1
-set multiplot layout 3, 3 margins 0.09, 0.985, 0.12, 0.945 spacing 0.025, 0.065
+set multiplot layout 3, 3 margins 0.09, 0.985, 0.12, 0.905 spacing 0.025, 0.065
 do for [j = 1:3] {
   set autoscale xy  # what follows counts only rows in range
   stats file using ($1 == hz[j] && ($2 == 0 || $2 == runs[1] || $2 == runs[2] || $2 == runs[3]) ? 1e3 * $9 : NaN) name 'y' nooutput
@@ -20,7 +20,7 @@ do for [j = 1:3] {
       nooutput
     set xrange [0:shown]
     set yrange [y_min - gap:y_max + gap]
-    set title (j == 1 ? sprintf("%s, %d elements\n", method, size) : '').sprintf('%g Hz, error %.1f %%', hz[j], error)
+    set title (j == 1 ? sprintf("%s\n%d elements\n", method, size) : '').sprintf('%g Hz, error %.1f %%', hz[j], error)
     set format x (j == 3 ? '%g' : '')
     set xlabel (j == 3 ? 'time t / s' : '')
     set format y (k == 1 ? '%g' : '')

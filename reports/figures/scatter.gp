@@ -14,8 +14,8 @@ set tmargin at screen 0.93
 set bmargin at screen 0.33
 set key at screen 0.5, 0.015 center bottom maxrows 2 vertical
 
-set lmargin at screen 0.10
-set rmargin at screen 0.42
+set lmargin at screen 0.125
+set rmargin at screen 0.435
 set title 'Values'
 set logscale xy
 set format xy '10^{%T}'

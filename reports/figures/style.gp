@@ -8,10 +8,11 @@
 # as in
 #   gnuplot -e "folder='build/reports/'; format='pdf'; output='refinement.pdf'" refinement.gp
 
-typeface = 'DejaVu Sans,8'  # as printed where a figure is not scaled; nothing is set smaller but indices and exponents
+typeface = 'DejaVu Sans,8.8'  # in points as printed, and the one size; indices and exponents have 7
 if (format eq 'pdf') {
   # This terminal, too, takes fonts at 96 dots per inch and not at 72.
-  set terminal pdfcairo enhanced color font typeface fontscale 0.75 linewidth 1.0 \
+  # Its lines are half as wide as those of the others.
+  set terminal pdfcairo enhanced color font typeface fontscale 0.75 linewidth 1.8 \
       size width cm, height cm
 }
 if (format eq 'svg') {
