@@ -109,6 +109,15 @@ TEST(ReportFigureScripts, HoldNoLiteralResult) {
   EXPECT_GT(scripts, 20);
 }
 
+// All text of figures is legible as printed because style.gp sets its size, and nothing else does.
+TEST(ReportFigureScripts, LeaveTheSizeOfTextToTheStyle) {
+  for (const auto& entry : fs::directory_iterator(report::templates_directory() / "figures")) {
+    if (entry.path().extension() != ".gp" || entry.path().filename() == "style.gp") continue;
+    const std::string text = without(report::read_text(entry.path()), "#[^\n']*\n");
+    EXPECT_FALSE(std::regex_search(text, std::regex("\\bfont|\\{/"))) << entry.path().filename();
+  }
+}
+
 STICKSLIP_VERIFIES(LiteralResults, "U5");
 TEST(LiteralResults, AreFoundWhereverTheyStand) {
   for (const std::string text : {"The first frequency is 25 Hz.", "at $A_0 = 1\\unit{mm}$",
