@@ -11,7 +11,7 @@ left = 2.2
 panel = count > 1 ? 6.6 : 11.8
 gap = 2.4
 width = left + count * panel + (count - 1) * gap + 0.5
-height = 10
+height = 11
 load 'style.gp'
 label_file = folder.'comparison-labels.csv'
 array labels[count + 1]
