@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "sets.hpp"
 #include "stickslip/data/sha256.hpp"
@@ -77,6 +78,30 @@ Json resource_json(const DataSet& set, const std::string& csv) {
   return json;
 }
 
+// The text of a JSON value. An object or array of at most 120 characters stands on one line. In a longer object the
+// members share lines of that length, in a longer array each element has a line of its own.
+std::string text_of(const Json& json, std::size_t indent = 0) {
+  if (!json.is_structured()) return json.dump();
+  constexpr std::size_t width = 120;
+  const auto is_broken = [](const std::string& text) { return text.find('\n') != std::string::npos; };
+  std::vector<std::string> members;
+  for (const auto& [key, value] : json.items())
+    members.push_back((json.is_object() ? Json(key).dump() + ": " : "") + text_of(value, indent + 1));
+  const auto [open, close] = json.is_object() ? std::pair('{', '}') : std::pair('[', ']');
+  std::string text = fmt::format("{}{}{}", open, fmt::join(members, ", "), close);
+  if (text.size() <= width && !is_broken(text)) return text;
+  text = open + members.front();
+  std::size_t column = indent + text.size();
+  for (std::size_t i = 1; i < members.size(); ++i) {
+    const bool stays = json.is_object() && !is_broken(members[i - 1]) && !is_broken(members[i]) &&
+                       column + 2 + members[i].size() < width;
+    text += stays ? ", " : ",\n" + std::string(indent + 1, ' ');
+    text += members[i];
+    column = (stays ? column + 2 : indent + 1) + members[i].size();
+  }
+  return text + close;
+}
+
 }  // namespace
 
 const std::vector<Recipe>& recipes() {
@@ -146,7 +171,7 @@ std::map<std::string, std::string> package_files(const std::vector<DataSet>& set
       {"licenses",
        {{{"name", "MIT"}, {"path", "https://opensource.org/licenses/MIT"}, {"title", "MIT License"}}}},
       {"resources", resources}};
-  files["datapackage.json"] = package.dump(1) + '\n';
+  files["datapackage.json"] = text_of(package) + '\n';
   return files;
 }
 
