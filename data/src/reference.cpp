@@ -67,6 +67,11 @@ Field field_of(const JsonNode& node) {
     constraints->require_spelling(
         {"required", "unique", "minimum", "maximum", "minLength", "maxLength", "pattern", "enum"});
     if (const auto required = constraints->find("required")) field.required = required->flag();
+    if (const auto allowed = constraints->find("enum")) {
+      field.allowed = allowed->texts();
+      if (field.allowed.empty() || field.type != FieldType::string)
+        allowed->fail_unless("an array of the words of a field of words");
+    }
   }
   return field;
 }
@@ -93,6 +98,15 @@ void require_radii(const Resource& resource, const std::vector<JsonNode>& nodes)
   }
 }
 
+ForeignKey foreign_key_of(const JsonNode& node, const Resource& resource) {
+  node.require_spelling({"fields", "reference"});
+  const JsonNode reference = node.at("reference");
+  reference.require_spelling({"resource", "fields"});
+  return {.column = column_in(resource, node.at("fields")),
+          .resource = reference.at("resource").text(),
+          .reference_column = reference.at("fields").text()};
+}
+
 void read_schema(const JsonNode& schema, Resource& resource) {
   schema.require_spelling({"fields", "primaryKey", "foreignKeys", "missingValues"});
   const auto nodes = schema.at("fields").elements();
@@ -103,6 +117,9 @@ void read_schema(const JsonNode& schema, Resource& resource) {
     resource.fields.push_back(std::move(field));
   }
   require_radii(resource, nodes);
+  if (const auto keys = schema.find("foreignKeys"))
+    for (const JsonNode& node : keys->elements())
+      resource.foreign_keys.push_back(foreign_key_of(node, resource));
   const auto key = schema.find("primaryKey");
   if (!key) return;
   if (key->value().is_string()) {
@@ -188,6 +205,24 @@ DiagnosisRule diagnosis_of(const JsonNode& node, const Resource& resource) {
   return rule;
 }
 
+// Numbers, words, columns that the schema has, and objects of them.
+void require_problem(const JsonNode& node, const Resource& resource) {
+  node.require_spelling({"beam", "tip", "excitation", "damping", "friction", "initial_state", "modes",
+                         "duration", "column", "frequency_hz", "amplitude", "kelvin_voigt",
+                         "static_coefficient", "kinetic_coefficient", "decay"});
+  if (const auto tip = node.find("tip")) static_cast<void>(tip->one_of({"held", "free", "friction"}));
+  if (const auto duration = node.find("duration"); duration && !duration->value().is_object())
+    static_cast<void>(positive(*duration));
+  for (const auto& [key, member] : node.members()) {
+    if (key == "column")
+      static_cast<void>(column_in(resource, member));
+    else if (member.value().is_object())
+      require_problem(member, resource);
+    else if (!member.value().is_number() && !member.value().is_string())
+      member.fail_unless("a number, a word or an object");
+  }
+}
+
 Provenance provenance_of(const JsonNode& node) {
   node.require_spelling({"class", "method", "settings", "software", "checks"});
   Provenance provenance;
@@ -227,7 +262,7 @@ void require_word(const JsonNode& node, const std::string& key, const std::strin
 
 Resource resource_of(const JsonNode& node) {
   node.require_spelling({"name", "path", "profile", "format", "mediatype", "encoding", "bytes", "hash",
-                         "title", "description", "schema", "comparison", "diagnosis", "provenance",
+                         "title", "description", "problem", "schema", "comparison", "diagnosis", "provenance",
                          "licenses", "sources", "dialect"});
   Resource resource;
   resource.name = node.at("name").text();
@@ -243,6 +278,10 @@ Resource resource_of(const JsonNode& node) {
   resource.title = node.at("title").text();
   resource.description = node.at("description").text();
   read_schema(node.at("schema"), resource);
+  if (const auto problem = node.find("problem")) {
+    require_problem(*problem, resource);
+    resource.problem = problem->value().dump();
+  }
   if (const auto comparison = node.find("comparison"))
     resource.comparison = comparison_of(*comparison, resource);
   if (const auto diagnosis = node.find("diagnosis")) resource.diagnosis = diagnosis_of(*diagnosis, resource);
@@ -265,7 +304,14 @@ std::vector<std::string> names_of(const std::vector<Resource>& resources) {
   return names;
 }
 
-// Every set of phases has its events, and no name stands twice.
+// The column that a foreign key refers to is there.
+void require_reference(const ReferencePackage& package, const JsonNode& node, const ForeignKey& key) {
+  const auto other = std::ranges::find(package.resources, key.resource, &Resource::name);
+  if (other == package.resources.end() || other->field(key.reference_column) == nullptr)
+    node.at("reference").fail("is no column of the package: " + key.resource + "/" + key.reference_column);
+}
+
+// Every set of phases has its events, every foreign key its columns, and no name stands twice.
 void require_consistent(const ReferencePackage& package, const std::vector<JsonNode>& nodes) {
   std::set<std::string> names;
   for (const JsonNode& node : nodes)
@@ -273,6 +319,9 @@ void require_consistent(const ReferencePackage& package, const std::vector<JsonN
       name.fail("stands twice: " + name.text());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const Resource& resource = package.resources[i];
+    for (std::size_t k = 0; k < resource.foreign_keys.size(); ++k)
+      require_reference(package, nodes[i].at("schema").at("foreignKeys").elements()[k],
+                        resource.foreign_keys[k]);
     if (!resource.comparison || resource.comparison->events.empty()) continue;
     const auto events = std::ranges::find(package.resources, resource.comparison->events, &Resource::name);
     if (events == package.resources.end() || !events->comparison ||
@@ -337,6 +386,8 @@ class TableReader {
     }
     if (field.type == FieldType::string) {
       if (cell != printable(cell)) fail_unless("a word, in UTF-8 and of 60 bytes at most", i, cell);
+      if (!field.allowed.empty() && std::ranges::count(field.allowed, cell) == 0)
+        fail_unless("one of " + joined(field.allowed), i, cell);
       return std::numeric_limits<double>::quiet_NaN();
     }
     const auto value = finite_number(cell);

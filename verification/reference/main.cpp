@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Generates the published reference data. Usage: stickslip_reference_data [--output FOLDER]
+/// Generates the published reference data. Usage: stickslip_reference_data [--output FOLDER] [--only DATA_SET...]
 
 #include <fmt/format.h>
 
@@ -14,6 +14,7 @@
 #include "render/interruption.hpp"
 #include "render/progress.hpp"
 #include "render/text_file.hpp"
+#include "stickslip/data/input_error.hpp"
 #include "stickslip/data/reference.hpp"
 #include "stickslip/reference/package.hpp"
 
@@ -23,11 +24,17 @@ int main(int argc, char** argv) {
   CLI::App app("Generates the published reference data.", "stickslip_reference_data");
   std::string output = data::reference_directory().string();
   app.add_option("--output", output, "Folder for the package")->capture_default_str();
+  std::vector<std::string> only;
+  app.add_option("--only", only, "Make only these data sets, and keep the others in the folder");
   bool quiet = false;
   app.add_flag("--quiet", quiet, "No progress on standard error");
   CLI11_PARSE(app, argc, argv);
   try {
-    const auto& recipes = reference::recipes();
+    const bool makes_all = only.empty();
+    std::vector<reference::Recipe> recipes;
+    for (const reference::Recipe& recipe : reference::recipes())
+      if (makes_all || std::erase(only, recipe.name) > 0) recipes.push_back(recipe);
+    if (!only.empty()) throw data::InputError("the data set " + only.front() + " is unknown");
     std::vector<reference::DataSet> sets;
     {
       report::Progress progress("stickslip_reference_data", report::Progress::standard_error(quiet),
@@ -43,7 +50,9 @@ int main(int argc, char** argv) {
         sets.push_back(recipes[i].make());
       }
     }
-    for (const auto& [name, text] : reference::package_files(sets)) {
+    const fs::path description = fs::path(output) / "datapackage.json";
+    for (const auto& [name, text] :
+         reference::package_files(sets, makes_all ? "" : report::read_text(description))) {
       const fs::path file = fs::path(output) / name;
       fs::create_directories(file.parent_path());
       report::replace_text(file, text);

@@ -21,8 +21,6 @@ namespace stickslip::reference {
 
 using data::ValueClass;
 
-namespace {
-
 data::Provenance converged_by(std::string method, std::string settings, std::vector<std::string> checks) {
   return {.value_class = ValueClass::converged,
           .method = std::move(method),
@@ -31,21 +29,20 @@ data::Provenance converged_by(std::string method, std::string settings, std::vec
           .checks = std::move(checks)};
 }
 
-}  // namespace
-
 DataSet stick_history() {
-  DataSet set = data_set(
-      "stick-history", "stick/history.csv", "The held beam with all its modes",
-      "Fig. 9: the paper's beam at 15 Hz and 0.5 mm, tip held, from rest relative to the wall, for any "
-      "converged implementation. The paper's ten modes leave 3e-6 of y and 0.3 % of f out.");
+  DataSet set =
+      data_set("stick-history", "stick/history.csv", "The held beam with all its modes",
+               "Fig. 9: the paper's beam at 15 Hz and 0.5 mm, tip held, for any converged implementation. "
+               " The paper's ten modes leave 3e-6 of y and 0.3 % of f out.");
   data::Resource& resource = set.resource;
   resource.fields = {exact_number("time", "s", "since the start")};
   add_value(resource.fields, "midspan_displacement", "m", "y(L/2, t), absolute", ValueClass::converged);
-  add_value(resource.fields, "friction_force", "N", "f(t) in the sign of Eq. (28)", ValueClass::converged);
+  add_value(resource.fields, "friction_force", "N", "f(t), of the tip on the wall", ValueClass::converged);
   resource.primary_key = {"time"};
   resource.comparison = along("time", {{"midspan_displacement", data::Norm::scale, 1e-3},
                                        {"friction_force", data::Norm::scale, 2e-2}});
   resource.diagnosis = in_case("stick displacement", "paper-figure9", "time", "midspan_displacement");
+  resource.problem = problem_of(data::load_case("paper-figure9"), "paper", "held", {{"/duration", "1"}});
   constexpr int modes = 200;
   resource.provenance = converged_by(
       "Eqs. (27), (28) with the steady part in closed form and 200 free vibrations; the half-width is the "
@@ -95,6 +92,11 @@ DataSet length_force_ratios() {
       R"({"modes": 10, "duration": 10, "relative_width": 1e-10})",
       {"the same search is within its bounds of the enclosures in friction-maxima"});
   const data::Case problem = data::load_case("paper-figure14");
+  resource.problem = problem_of(problem, problem.name, "held",
+                                {{"/length", in_column("length")},
+                                 {"/axial_force", in_column("axial_force")},
+                                 {"/modes", "10"},
+                                 {"/duration", "10"}});
   for (int tenths = 4; tenths <= 20; ++tenths)
     for (const double axial_force : {10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0, 10000.0, 30000.0}) {
       data::BeamProperties properties = problem.beam.properties();
@@ -118,6 +120,11 @@ namespace {
 
 constexpr int reference_modes = 40;
 constexpr double horizon = 0.5;
+
+std::string benchmark_problem() {
+  return problem_of(data::load_case("damped"), "paper", "friction",
+                    {{"/duration", fmt::format("{}", horizon)}});
+}
 
 const studies::DampedBenchmark& benchmark() {
   static const studies::DampedBenchmark known = [] {
@@ -152,11 +159,12 @@ DataSet stick_slip_events() {
   DataSet set = data_set(
       "stick-slip-events", "stick-slip/events.csv", "Onsets and captures of the damped stick-slip vibration",
       "The paper's beam at 25 Hz and 1 mm with Kelvin-Voigt damping of 0.5 % of critical in the first mode "
-      "(case damped), from the quasi-static start. Stick phases shorter than 2e-5 s count as part of the "
+      "(case damped), with the tip at rest at the start. Stick phases shorter than 2e-5 s count as part of "
+      "the "
       "slip round them.");
   data::Resource& resource = set.resource;
   resource.fields = {integer("index", "number of the event, from 1"),
-                     word("change", "onset (of slip) or capture")};
+                     word("change", "onset of slip, or capture", {"onset", "capture"})};
   add_value(resource.fields, "time", "s", "of the event", ValueClass::converged);
   add_value(resource.fields, "position", "m", "y(L), of the tip in the fixed frame", ValueClass::converged);
   resource.primary_key = {"index"};
@@ -168,6 +176,7 @@ DataSet stick_slip_events() {
       .events = {},
       .horizon = horizon};
   resource.diagnosis = in_case("contact event", "damped", "index", "time");
+  resource.problem = benchmark_problem();
   resource.provenance = benchmark_provenance();
   int index = 0;
   for (const studies::BenchmarkEvent& entry : benchmark().events)
@@ -211,12 +220,13 @@ DataSet stick_slip_history() {
       "same one elsewhere the two are in different states, and nothing can be compared. Samples at which 28 "
       "and 40 modes are in different states are left out.");
   data::Resource& resource = set.resource;
-  resource.fields = {exact_number("time", "s", "since the start"), word("phase", "stick or slip")};
+  resource.fields = {exact_number("time", "s", "since the start"),
+                     word("phase", "of the contact", {"stick", "slip"})};
   add_value(resource.fields, "tip_displacement", "m", "y(L, t), in the fixed frame", ValueClass::converged);
-  add_value(resource.fields, "friction_force", "N", "f(t), of the wall on the tip, in the sign of Eq. (28)",
-            ValueClass::converged);
+  add_value(resource.fields, "friction_force", "N", "f(t), of the tip on the wall", ValueClass::converged);
   resource.fields.push_back(exact_number("event_distance", "s", "to the nearest event"));
   resource.primary_key = {"time"};
+  resource.problem = benchmark_problem();
   resource.provenance = benchmark_provenance();
   const auto fine = samples(reference_modes), coarse = samples(28);
   double largest_displacement = 0.0, largest_force = 0.0;

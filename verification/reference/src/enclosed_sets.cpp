@@ -34,6 +34,12 @@ Rational point_of(const NamedBeam& named, int k, double& as_double) {
   return exact(as_double);
 }
 
+// The problem of each beam in the column beam.
+void set_problem(data::Resource& resource, std::string_view tip) {
+  resource.problem = problem_of_each_beam(tip);
+  resource.foreign_keys = {beam_key()};
+}
+
 }  // namespace
 
 DataSet beam_table() {
@@ -49,13 +55,17 @@ DataSet beam_table() {
                          exact_number("youngs_modulus", "Pa", "E"),
                          exact_number("axial_force", "N", "P, compression positive")};
   set.resource.primary_key = {"beam"};
-  set.resource.provenance = {
-      .value_class = ValueClass::exact,
-      .method = "chosen: the beam of the paper, and four that stress an implementation elsewhere",
-      .settings = "{}",
-      .software = software(),
-      .checks = {"each is a case file of the same name that the program runs"}};
-  for (const NamedBeam& named : beams()) {
+  set.resource.provenance = {.value_class = ValueClass::exact,
+                             .method =
+                                 "chosen: the beam of the paper, the same with half of E I, that of its Fig. "
+                                 "14, and four that stress an "
+                                 "implementation elsewhere",
+                             .settings = "{}",
+                             .software = software(),
+                             .checks = {"each is a case file of the same name that the program runs"}};
+  std::vector<NamedBeam> all = beams();
+  for (const char* name : {"paper-half-stiffness", "paper-figure14"}) all.push_back(named_beam(name));
+  for (const NamedBeam& named : all) {
     const data::BeamProperties& p = named.problem.beam.properties();
     set.rows.push_back(Row()
                            .text(named.name)
@@ -84,6 +94,7 @@ DataSet stick_frequencies() {
                                      {"hyperbolic_wave_number", data::Norm::relative, 1e-6},
                                      {"trigonometric_wave_number", data::Norm::relative, 1e-6}});
   set.resource.diagnosis = for_each_beam("stick frequency", "mode", "frequency");
+  set_problem(set.resource, "held");
   set.resource.provenance =
       enclosed_by("every root of the characteristic equation from the first on is isolated", digits_and_bits,
                   {"no interval between the roots holds another one: the function or its derivative has a "
@@ -111,6 +122,7 @@ DataSet slip_frequencies() {
   set.resource.primary_key = {"beam", "mode"};
   set.resource.comparison = by_rows({{"frequency", data::Norm::relative, 1e-6}});
   set.resource.diagnosis = for_each_beam("slip frequency", "mode", "frequency");
+  set_problem(set.resource, "free");
   set.resource.provenance = enclosed_by("every root of the frequency equation is isolated", digits_and_bits,
                                         {"their number is that of the cantilever without axial force"});
   const PrecisionScope scope(bits);
@@ -134,6 +146,7 @@ DataSet critical_loads() {
   add_value(set.resource.fields, "holding_stiffness", "N/m", "EI S'''(L), the shear force of S",
             ValueClass::enclosed);
   set.resource.primary_key = {"beam"};
+  set_problem(set.resource, "held");
   set.resource.comparison = by_rows({{"buckling_load", data::Norm::relative, 1e-6},
                                      {"flutter_load", data::Norm::relative, 1e-6},
                                      {"holding_stiffness", data::Norm::relative, 1e-6}});
@@ -162,6 +175,7 @@ DataSet participation() {
   set.resource.primary_key = {"beam", "mode"};
   set.resource.comparison = by_rows({{"participation", data::Norm::relative, 1e-6}});
   set.resource.diagnosis = for_each_beam("participation", "mode", "participation");
+  set_problem(set.resource, "held");
   set.resource.provenance =
       enclosed_by("the integrals in closed form", digits_and_bits, {"the integrals by rigorous quadrature"});
   const PrecisionScope scope(bits);
@@ -182,6 +196,7 @@ DataSet static_shapes() {
   set.resource.primary_key = {"beam", "x"};
   set.resource.comparison = by_rows({{"shape", data::Norm::scale, 1e-6}, {"slope", data::Norm::scale, 1e-6}});
   set.resource.diagnosis = for_each_beam("quasi-static shape", "x", "shape");
+  set_problem(set.resource, "held");
   set.resource.provenance = enclosed_by("Eq. (18)", digits_and_bits, {"the boundary values hold"});
   const PrecisionScope scope(bits);
   for (const NamedBeam& named : beams()) {
@@ -206,6 +221,7 @@ DataSet mode_shapes() {
   add_value(set.resource.fields, "shape", "", "U_n(x)", ValueClass::enclosed);
   set.resource.primary_key = {"beam", "mode", "x"};
   set.resource.comparison = by_rows({{"shape", data::Norm::scale, 1e-4}});
+  set_problem(set.resource, "held");
   set.resource.provenance = enclosed_by(
       "Eq. (22)", digits_and_bits, {"value and slope vanish at the clamp, value and curvature at the tip"});
   const PrecisionScope scope(bits);
@@ -228,15 +244,17 @@ DataSet stick_history_of_ten_modes() {
                "all modes.");
   set.resource.fields = {exact_number("time", "s", "since the start")};
   add_value(set.resource.fields, "midspan_displacement", "m", "y(L/2, t), absolute", ValueClass::enclosed);
-  add_value(set.resource.fields, "friction_force", "N", "f(t) in the sign of Eq. (28)", ValueClass::enclosed);
+  add_value(set.resource.fields, "friction_force", "N", "f(t), of the tip on the wall", ValueClass::enclosed);
   set.resource.primary_key = {"time"};
+  set.resource.problem =
+      problem_of(data::load_case("paper-figure9"), "paper", "held", {{"/modes", "10"}, {"/duration", "1"}});
   set.resource.comparison = along("time", {{"midspan_displacement", data::Norm::scale, 1e-6},
                                            {"friction_force", data::Norm::scale, 1e-6}});
   set.resource.provenance = enclosed_by(
       "Eqs. (27), (28) with omega_n^2 in Eq. (24)",
       fmt::format(R"({{"bits": {}, "digits": 30, "modes": 10, "frequency_hz": 15, "amplitude": 0.0005}})",
                   bits),
-      {"y and y_t vanish at t = 0 relative to the wall"});
+      {"y vanishes at t = 0, and y_t is (1 + S) h_t"});
   const PrecisionScope scope(bits);
   const NamedBeam& paper = beams().front();
   const certified::StickResponse response(paper.beam, {"15", "0.0005"}, 10);
@@ -273,6 +291,12 @@ const certified::ForceMaximum& force_maximum(const NamedBeam& named, int hz) {
       .first->second;
 }
 
+// |f|_max over 10 s by ten modes.
+std::string criterion_problem(std::map<std::string, std::string> others) {
+  others.insert({{"/modes", "10"}, {"/duration", "10"}});
+  return problem_of(beams().front().problem, "paper", "held", others);
+}
+
 const NamedBeam& half_stiffness() {
   static const NamedBeam named = named_beam("paper-half-stiffness");
   return named;
@@ -289,6 +313,7 @@ DataSet friction_maxima() {
   set.resource.primary_key = {"frequency"};
   set.resource.comparison = by_rows({{"friction_force", data::Norm::relative, 1e-3}});
   set.resource.diagnosis = in_case("force maximum", "paper", "frequency", "friction_force");
+  set.resource.problem = criterion_problem({{"/excitation/frequency_hz", in_column("frequency")}});
   set.resource.provenance = enclosed_by(
       "times are dropped where a bound of f'' keeps |f| below the largest value found; in what is left every "
       "root of f' is isolated",
@@ -306,11 +331,15 @@ DataSet critical_amplitudes() {
       data_set("critical-amplitudes", "criterion/critical-amplitudes.csv", "Critical amplitudes",
                "The base amplitude at which |f|_max over 10 s reaches mu_s P = 300 N, N = 10: Figs. "
                "6, 11 (case paper) and 13 (case paper-half-stiffness).");
-  set.resource.fields = {word("beam", "name of the case"), exact_number("frequency", "Hz", "of the base")};
+  set.resource.fields = {beam_column, exact_number("frequency", "Hz", "of the base")};
   add_value(set.resource.fields, "amplitude", "m", "A_c", ValueClass::enclosed);
   set.resource.primary_key = {"beam", "frequency"};
   set.resource.comparison = by_rows({{"amplitude", data::Norm::relative, 1e-3}});
   set.resource.diagnosis = for_each_beam("critical amplitude", "frequency", "amplitude");
+  set.resource.problem = criterion_problem({{"/beam", in_column("beam")},
+                                            {"/excitation/frequency_hz", in_column("frequency")},
+                                            {"/excitation/amplitude", in_column("amplitude")}});
+  set.resource.foreign_keys = {beam_key()};
   set.resource.provenance = enclosed_by("mu_s P over the largest force per metre, as in friction-maxima",
                                         R"({"modes": 10, "duration": 10, "digits": 30})",
                                         {"one linear run of finite elements per frequency"});
@@ -331,9 +360,11 @@ DataSet classification() {
                "decide otherwise.");
   set.resource.fields = {exact_number("frequency", "Hz", "of the base"),
                          exact_number("amplitude", "m", "of the base"),
-                         word("verdict", "stick or stick-slip")};
+                         word("verdict", "of the criterion", {"stick", "stick-slip"})};
   add_value(set.resource.fields, "force_ratio", "", "|f|_max/(mu_s P)", ValueClass::enclosed);
   set.resource.primary_key = {"frequency", "amplitude"};
+  set.resource.problem = criterion_problem({{"/excitation/frequency_hz", in_column("frequency")},
+                                            {"/excitation/amplitude", in_column("amplitude")}});
   set.resource.comparison = by_rows({{"force_ratio", data::Norm::relative, 1e-3}});
   set.resource.provenance =
       enclosed_by("as in friction-maxima", R"({"modes": 10, "duration": 10, "digits": 30})",

@@ -27,11 +27,16 @@ DataSet single_mass_events() {
       "1.04 m: turning points at i pi/2 s, where it is (-1)^i (1.04 - 0.2 i) m; the fifth lies within the "
       "dead zone of 0.1 m, and it sticks.");
   data::Resource& resource = set.resource;
-  resource.fields = {word("system", "slider or oscillator"), integer("index", "number of the event, from 1"),
-                     word("change", "reversal or capture")};
+  resource.fields = {word("system", "slider or oscillator", {"slider", "oscillator"}),
+                     integer("index", "number of the event, from 1"),
+                     word("change", "reversal or capture", {"reversal", "capture"})};
   add_value(resource.fields, "time", "s", "of the event", ValueClass::enclosed);
   add_value(resource.fields, "position", "m", "of the mass", ValueClass::enclosed);
   resource.primary_key = {"system", "index"};
+  resource.problem =
+      R"({"system": {"column": "system"},
+          "slider": {"mass": 2, "stiffness": 0, "friction_force": 3, "position": 0.25, "velocity": 1.3},
+          "oscillator": {"mass": 1, "stiffness": 4, "friction_force": 0.4, "position": 1.04, "velocity": 0}})";
   resource.comparison =
       by_rows({{"time", data::Norm::relative, 1e-6}, {"position", data::Norm::absolute, 1e-6}});
   resource.provenance = {
@@ -62,12 +67,16 @@ DataSet single_mass_events() {
 DataSet friction_powers() {
   DataSet set = data_set(
       "friction-powers", "single-mass/friction-powers.csv", "Mean friction power of a mass on a shaken plane",
-      "Case SDND104: 1 kg on a plane that moves by w, w_tt = a sin(2 pi t), with Coulomb friction mu N = 1 "
-      "N, from rest on the plane; the mean of 10 N |v_s| over 4 <= t <= 12 s.");
+      "Case SDND104: 1 kg on a plane that moves by w, w_tt = a sin(2 pi t), with Coulomb friction mu N, mu = "
+      "0.1, N = 10 N, from rest on the plane; the mean of N |v_s| over 4 <= t <= 12 s.");
   data::Resource& resource = set.resource;
   resource.fields = {exact_number("amplitude", "m/s^2", "a")};
   add_value(resource.fields, "power", "W", "mean", ValueClass::external);
   resource.primary_key = {"amplitude"};
+  resource.problem =
+      R"({"mass": 1, "normal_force": 10, "friction_force": 1, "initial_state": "at rest on the plane",
+          "plane_acceleration": {"amplitude": {"column": "amplitude"}, "frequency_hz": 1},
+          "mean_from": 4, "mean_to": 12})";
   resource.comparison = by_rows({{"power", data::Norm::relative, 1e-6}});
   resource.provenance = {.value_class = ValueClass::external,
                          .method =
@@ -101,6 +110,9 @@ DataSet manufactured_motion() {
   add_value(resource.fields, "bending_moment", "N m", "EI phi''(x)", ValueClass::enclosed);
   add_value(resource.fields, "shear_force", "N", "EI phi'''(x)", ValueClass::enclosed);
   resource.primary_key = {"axial_force", "x"};
+  resource.problem =
+      R"({"beam": "paper", "axial_force": {"column": "axial_force"}, "tip": "free",
+          "damping": {"kelvin_voigt": 0}})";
   resource.comparison = by_rows({{"displacement", data::Norm::scale, 1e-6},
                                  {"load", data::Norm::scale, 1e-6},
                                  {"bending_moment", data::Norm::scale, 1e-6},

@@ -25,6 +25,7 @@ Json field_json(const data::Field& field) {
   json["description"] = field.description;
   if (field.value_class) json["class"] = data::to_string(*field.value_class);
   json["constraints"] = {{"required", true}};
+  if (!field.allowed.empty()) json["constraints"]["enum"] = field.allowed;
   return json;
 }
 
@@ -64,9 +65,14 @@ Json resource_json(const DataSet& set, const std::string& csv) {
             {"hash", "sha256:" + data::sha256(csv)},
             {"title", resource.title},
             {"description", resource.description}};
+  if (!resource.problem.empty()) json["problem"] = Json::parse(resource.problem);
   Json fields = Json::array();
   for (const data::Field& field : resource.fields) fields.push_back(field_json(field));
   json["schema"] = {{"fields", fields}, {"primaryKey", resource.primary_key}};
+  for (const data::ForeignKey& key : resource.foreign_keys)
+    json["schema"]["foreignKeys"].push_back(
+        {{"fields", key.column},
+         {"reference", {{"resource", key.resource}, {"fields", key.reference_column}}}});
   if (resource.comparison) json["comparison"] = comparison_json(*resource.comparison);
   if (resource.diagnosis) json["diagnosis"] = diagnosis_json(*resource.diagnosis);
   const data::Provenance& provenance = resource.provenance;
@@ -151,14 +157,21 @@ std::string csv_of(const DataSet& set) {
   return text;
 }
 
-std::map<std::string, std::string> package_files(const std::vector<DataSet>& sets) {
+std::map<std::string, std::string> package_files(const std::vector<DataSet>& sets,
+                                                 const std::string& before) {
   std::map<std::string, std::string> files;
-  Json resources = Json::array();
+  std::map<std::string, Json> by_name;
+  const Json kept = before.empty() ? Json::array() : Json::parse(before).at("resources");
+  for (const Json& resource : kept) by_name[resource.at("name")] = resource;
   for (const DataSet& set : sets) {
     const std::string csv = csv_of(set);
-    resources.push_back(resource_json(set, csv));
+    by_name[set.resource.name] = resource_json(set, csv);
     files[set.resource.path.generic_string()] = csv;
   }
+  Json resources = Json::array();
+  for (const Recipe& recipe : recipes())
+    if (const auto made = by_name.find(std::string(recipe.name)); made != by_name.end())
+      resources.push_back(made->second);
   const Json package{
       {"profile", "tabular-data-package"},
       {"name", "stickslip-reference"},

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 namespace stickslip::reference {
@@ -62,13 +63,14 @@ Row& Row::converged(double value, double radius) {
       .text(fmt::format("{:.1e}", 1.05 * printed_radius));
 }
 
-data::Field word(std::string name, std::string description) {
+data::Field word(std::string name, std::string description, std::vector<std::string> allowed) {
   return {.name = std::move(name),
           .type = data::FieldType::string,
           .unit = {},
           .description = std::move(description),
           .value_class = {},
-          .required = true};
+          .required = true,
+          .allowed = std::move(allowed)};
 }
 
 data::Field integer(std::string name, std::string description) {
@@ -102,6 +104,34 @@ DataSet data_set(std::string name, std::string path, std::string title, std::str
   set.resource.title = std::move(title);
   set.resource.description = std::move(description);
   return set;
+}
+
+data::ForeignKey beam_key() { return {.column = "beam", .resource = "beams", .reference_column = "beam"}; }
+
+std::string in_column(std::string_view column) { return fmt::format(R"({{"column": "{}"}})", column); }
+
+std::string problem_of_each_beam(std::string_view tip) {
+  return fmt::format(R"({{"beam": {}, "tip": "{}", "damping": {{"kelvin_voigt": 0}}}})", in_column("beam"),
+                     tip);
+}
+
+std::string problem_of(const data::Case& problem, std::string_view beam, std::string_view tip,
+                       const std::map<std::string, std::string>& others) {
+  using Json = nlohmann::ordered_json;
+  Json json{
+      {"beam", beam},
+      {"tip", tip},
+      {"excitation",
+       {{"frequency_hz", problem.excitation.frequency_hz()}, {"amplitude", problem.excitation.amplitude()}}},
+      {"damping", {{"kelvin_voigt", problem.damping.kelvin_voigt()}}},
+      {"friction",
+       {{"static_coefficient", problem.friction.static_coefficient()},
+        {"kinetic_coefficient", problem.friction.kinetic_coefficient()},
+        {"decay", problem.friction.decay()}}},
+      {"initial_state", "y = 0, y_t = (1 + S(x)) h_t"},
+      {"modes", "all"}};
+  for (const auto& [pointer, value] : others) json[Json::json_pointer(pointer)] = Json::parse(value);
+  return json.dump();
 }
 
 data::ComparisonRule by_rows(std::vector<data::ComparedValue> values) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -48,8 +49,10 @@ class Row {
   std::vector<std::string> cells_;
 };
 
-/// Descriptions of columns without a radius: text, integer, exact number.
-[[nodiscard]] data::Field word(std::string name, std::string description);
+/// Descriptions of columns without a radius: one of the words allowed (any, if none are given), integer, exact
+/// number.
+[[nodiscard]] data::Field word(std::string name, std::string description,
+                               std::vector<std::string> allowed = {});
 [[nodiscard]] data::Field integer(std::string name, std::string description);
 [[nodiscard]] data::Field exact_number(std::string name, std::string unit, std::string description);
 /// Adds the description of a value and of its radius.
@@ -62,6 +65,20 @@ void add_value(std::vector<data::Field>& fields, const std::string& name, const 
 /// A data set without fields and rows.
 [[nodiscard]] DataSet data_set(std::string name, std::string path, std::string title,
                                std::string description);
+
+/// The key of a column "beam", which refers to the data set beams.
+[[nodiscard]] data::ForeignKey beam_key();
+
+/// A member of a problem whose value stands in a column.
+[[nodiscard]] std::string in_column(std::string_view column);
+
+/// The problem without excitation of each beam in the column "beam". tip: "held" or "free".
+[[nodiscard]] std::string problem_of_each_beam(std::string_view tip);
+
+/// The problem of a case on a beam of the data set beams. tip: "held" or "friction". `others`: members by their
+/// pointers ("/excitation/amplitude"), as JSON, beside or instead of those of the case; all modes, if it has none.
+[[nodiscard]] std::string problem_of(const data::Case& problem, std::string_view beam, std::string_view tip,
+                                     const std::map<std::string, std::string>& others);
 
 /// The comparison row by row, or along an abscissa without interpolation.
 [[nodiscard]] data::ComparisonRule by_rows(std::vector<data::ComparedValue> values);
@@ -76,6 +93,10 @@ void add_value(std::vector<data::Field>& fields, const std::string& name, const 
 /// The provenance of values enclosed by ball arithmetic.
 [[nodiscard]] data::Provenance enclosed_by(std::string method, std::string settings,
                                            std::vector<std::string> checks);
+
+/// The provenance of values from a converged sequence.
+[[nodiscard]] data::Provenance converged_by(std::string method, std::string settings,
+                                            std::vector<std::string> checks);
 
 // The data sets.
 [[nodiscard]] DataSet beam_table();

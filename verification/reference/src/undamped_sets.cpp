@@ -49,13 +49,17 @@ studies::ConvergedEffort effort_of(const Run& run) {
           .shortest_stick = shortest_stick / run.frequency_hz};
 }
 
-const studies::ConvergedHistory& history_of(const Run& run) {
-  static std::map<std::string_view, studies::ConvergedHistory> known;
-  if (const auto found = known.find(run.set); found != known.end()) return found->second;
+data::Case case_of(const Run& run) {
   data::Case problem = data::load_case(std::string(run.case_name));
   problem.excitation =
       data::HarmonicExcitation({.frequency_hz = run.frequency_hz, .amplitude = run.amplitude});
-  return known[run.set] = studies::converged_history(problem, effort_of(run));
+  return problem;
+}
+
+const studies::ConvergedHistory& history_of(const Run& run) {
+  static std::map<std::string_view, studies::ConvergedHistory> known;
+  if (const auto found = known.find(run.set); found != known.end()) return found->second;
+  return known[run.set] = studies::converged_history(case_of(run), effort_of(run));
 }
 
 data::Provenance provenance_of(std::string settings) {
@@ -81,11 +85,10 @@ DataSet undamped_history(std::string_view name) {
   const studies::ConvergedEffort effort = effort_of(run);
   DataSet set = data_set(
       std::string(run.set), std::string(run.file), std::string(run.title),
-      fmt::format(
-          "{} without damping at {:g} Hz and {:g} mm, from the quasi-static start (erratum E4): y = 0 "
-          "and y_t = (1 + S(x)) h_t(0), so that the tip is at rest. {} equal samples from 0 to {:g} s. "
-          "Stick and slip alternate without a countable sequence of events; the motion converges.",
-          run.beam, run.frequency_hz, 1e3 * run.amplitude, effort.samples + 1, run.duration));
+      fmt::format("{} without damping at {:g} Hz and {:g} mm, with y = 0 and y_t = (1 + S(x)) h_t(0) at the "
+                  "start: the tip is at rest. {} equal samples from 0 to {:g} s. "
+                  "Stick and slip alternate without a countable sequence of events; the motion converges.",
+                  run.beam, run.frequency_hz, 1e3 * run.amplitude, effort.samples + 1, run.duration));
   data::Resource& resource = set.resource;
   resource.fields = {exact_number("time", "s", "since the start")};
   add_value(resource.fields, "tip_displacement", "m", "y(L, t), in the fixed frame", ValueClass::converged);
@@ -95,6 +98,8 @@ DataSet undamped_history(std::string_view name) {
   resource.comparison = along("time", {{"tip_displacement", data::Norm::range, tolerance},
                                        {"midspan_displacement", data::Norm::range, tolerance}});
   resource.comparison->horizon = run.duration;
+  resource.problem =
+      problem_of(case_of(run), run.case_name, "friction", {{"/duration", fmt::format("{}", run.duration)}});
   resource.provenance = provenance_of(fmt::format(
       R"({{"case": "{}", "frequency_hz": {}, "amplitude": {}, "duration": {}, "samples": {}, )"
       R"("steps_per_sample": {}}})",
@@ -120,7 +125,11 @@ DataSet undamped_sticks() {
                   "index is of this file.",
                   shortest_stick, largest_stick_radius));
   data::Resource& resource = set.resource;
-  resource.fields = {word("history", "the data set"), integer("index", "number of the stick, from 1")};
+  std::vector<std::string> histories;
+  for (const Run& run : runs) histories.emplace_back(run.set);
+  resource.problem = fmt::format(R"({{"history": {}}})", in_column("history"));
+  resource.fields = {word("history", "the data set with the history", histories),
+                     integer("index", "number of the stick, from 1")};
   add_value(resource.fields, "begin", "s", "capture, or the start", ValueClass::converged);
   add_value(resource.fields, "end", "s", "onset of slip", ValueClass::converged);
   add_value(resource.fields, "position", "m", "y(L), of the tip in the fixed frame", ValueClass::converged);

@@ -35,10 +35,12 @@ json valid_package() {
   {"name": "history", "path": "history.csv", "format": "csv", "encoding": "utf-8", "profile": "tabular-data-resource",
    "title": "A history", "description": "Of a tip",
    "schema": {"fields": [{"name": "t", "type": "number", "unit": "s"},
-                         {"name": "phase", "type": "string", "constraints": {"required": true}},
+                         {"name": "phase", "type": "string", "constraints": {"required": true, "enum": ["stick", "slip"]}},
                          {"name": "y", "type": "number", "unit": "m", "class": "converged"},
                          {"name": "y_radius", "type": "number", "unit": "m"}],
-              "primaryKey": ["t"]},
+              "primaryKey": ["t"],
+              "foreignKeys": [{"fields": "t", "reference": {"resource": "events", "fields": "time"}}]},
+   "problem": {"beam": "paper", "tip": "friction", "excitation": {"frequency_hz": {"column": "t"}}, "duration": 0.4},
    "comparison": {"kind": "phases", "values": [{"field": "y", "norm": "scale", "tolerance": 1e-3}], "abscissa": "t",
                   "interpolation": {"order": 3, "error": {"y": 1e-9}}, "events": "events", "horizon": 0.4},
    "diagnosis": {"quantity": "tip displacement", "case": "damped", "abscissa": "t", "value": "y"},
@@ -130,6 +132,13 @@ TEST_F(ReferenceReader, ReturnsWhatAPackageSays) {
   EXPECT_EQ(history.field("phase")->type, data::FieldType::string);
   EXPECT_TRUE(history.field("phase")->required);
   EXPECT_FALSE(history.field("y")->required);
+  EXPECT_EQ(history.field("phase")->allowed, (std::vector<std::string>{"stick", "slip"}));
+  ASSERT_EQ(history.foreign_keys.size(), 1u);
+  EXPECT_EQ(history.foreign_keys[0].column, "t");
+  EXPECT_EQ(history.foreign_keys[0].resource, "events");
+  EXPECT_EQ(history.foreign_keys[0].reference_column, "time");
+  EXPECT_EQ(json::parse(history.problem)["tip"], "friction");
+  EXPECT_EQ(package.resource("events").problem, "");
   EXPECT_EQ(history.field("z"), nullptr);
   EXPECT_EQ(history.primary_key, std::vector<std::string>{"t"});
   const auto& rule = history.comparison.value();
@@ -374,6 +383,42 @@ void add_interpolation_defects(Defects& list) {
       "a resource of the kind events");
 }
 
+// Statements of the problem, foreign keys and words.
+void add_problem_defects(Defects& list) {
+  const auto key = [](json& p) -> json& { return history_of(p)["schema"]["foreignKeys"][0]; };
+  list.add(
+      "unknown_tip", [](json& p) { history_of(p)["problem"]["tip"] = "loose"; },
+      "problem/tip is \"loose\", but must be one of held, free, friction");
+  list.add(
+      "misspelt_problem", [](json& p) { history_of(p)["problem"]["exitation"] = 1; },
+      "problem/exitation is unknown (did you mean excitation?)");
+  list.add(
+      "problem_in_unknown_column",
+      [](json& p) {
+        history_of(p)["problem"]["beam"] = {{"column", "beam"}};
+      },
+      "problem/beam/column is \"beam\", but must be a field of the schema");
+  list.add(
+      "problem_with_array",
+      [](json& p) {
+        history_of(p)["problem"]["modes"] = {1, 2};
+      },
+      "problem/modes is an array, but must be a number, a word or an object");
+  list.add(
+      "problem_without_end", [](json& p) { history_of(p)["problem"]["duration"] = 0; },
+      "problem/duration is 0, but must be a number above 0");
+  list.add(
+      "key_of_unknown_column", [key](json& p) { key(p)["fields"] = "tt"; },
+      "schema/foreignKeys/0/fields is \"tt\", but must be a field of the schema");
+  for (const char* part : {"resource", "fields"})
+    list.add(
+        std::string("key_to_unknown_") + part, [key, part](json& p) { key(p)["reference"][part] = "none"; },
+        "schema/foreignKeys/0/reference is no column of the package: ");
+  list.add(
+      "words_of_numbers", [](json& p) { fields_of(p)[0]["constraints"]["enum"] = {"a"}; },
+      "enum is an array, but must be an array of the words of a field of words");
+}
+
 // Columns that a kind of table needs, provenance and diagnosis.
 void add_remaining_defects(Defects& list) {
   list.add(
@@ -413,6 +458,7 @@ std::vector<Defect> defects() {
   add_field_defects(list);
   add_rule_defects(list);
   add_interpolation_defects(list);
+  add_problem_defects(list);
   add_remaining_defects(list);
   return list.all;
 }

@@ -3,10 +3,13 @@
 /// from.
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -61,7 +64,7 @@ TEST(PublishedData, HoldsTheDataSetsThatAreMadeAndNothingElse) {
   const data::ReferencePackage package = data::load_reference();
   std::vector<std::string> made, published;
   for (const reference::Recipe& recipe : reference::recipes()) made.emplace_back(recipe.name);
-  std::set<fs::path> files{"datapackage.json", "README.md"};
+  std::set<fs::path> files{"datapackage.json", "README.md", "example.py"};
   for (const data::Resource& resource : package.resources) {
     published.push_back(resource.name);
     files.insert(resource.path);
@@ -106,6 +109,70 @@ TEST(PublishedData, SaysOfEveryNumberHowFarItCanBeTrusted) {
       }
     }
   }
+}
+
+TEST(PublishedData, ResolvesEveryReferenceOfItsRowsAndProblems) {
+  const data::ReferencePackage package = data::load_reference();
+  const auto cells_of = [&](const std::string& resource, const std::string& column) {
+    const auto cells = data::read_table(package, resource).column(column).text;
+    return std::set(cells.begin(), cells.end());
+  };
+  const auto beams = cells_of("beams", "beam");
+  for (const data::Resource& resource : package.resources) {
+    SCOPED_TRACE(resource.name);
+    for (const data::ForeignKey& key : resource.foreign_keys) {
+      const auto known = cells_of(key.resource, key.reference_column);
+      for (const std::string& cell : cells_of(resource.name, key.column))
+        EXPECT_TRUE(known.contains(cell)) << cell;
+    }
+    const bool has_beam = resource.name != "beams" && resource.field("beam") != nullptr;
+    EXPECT_EQ(has_beam, !resource.foreign_keys.empty());
+    if (resource.problem.empty()) continue;
+    const auto problem = nlohmann::json::parse(resource.problem);
+    if (const auto beam = problem.find("beam"); beam != problem.end() && beam->is_string()) {
+      EXPECT_TRUE(beams.contains(beam->get<std::string>())) << *beam;
+    }
+    if (problem.contains("history"))
+      for (const std::string& history : resource.field("history")->allowed) {
+        EXPECT_NO_THROW((void)package.resource(history));
+      }
+  }
+}
+
+TEST(PublishedData, StatesTheProblemOfEachDataSetOfTheBeamAndTheWordsOfEachColumnOfWords) {
+  const data::ReferencePackage package = data::load_reference();
+  const std::set<fs::path> folders{"frequencies", "static", "shapes", "stick", "criterion", "stick-slip"};
+  for (const data::Resource& resource : package.resources) {
+    SCOPED_TRACE(resource.name);
+    for (const char* word : {"phase", "change", "verdict"})
+      if (const data::Field* field = resource.field(word)) {
+        EXPECT_FALSE(field->allowed.empty()) << word;
+      }
+    if (!folders.contains(resource.path.parent_path())) continue;
+    ASSERT_FALSE(resource.problem.empty());
+    const auto problem = nlohmann::json::parse(resource.problem);
+    if (problem.contains("history")) continue;
+    std::vector<std::string> members{"beam", "tip", "damping"};
+    if (problem.contains("excitation"))
+      for (const char* member : {"friction", "initial_state", "modes"}) members.emplace_back(member);
+    for (const std::string& member : members) EXPECT_TRUE(problem.contains(member)) << member;
+  }
+}
+
+// The example beside the data, in Python without any package, with its own finite elements.
+TEST(PublishedData, IsEnoughToSetAProblemUpSolveItAndAgree) {
+  const fs::path copy = fs::temp_directory_path() / ("stickslip-example-" + std::to_string(::getpid()));
+  fs::copy(data::reference_directory(), copy, fs::copy_options::recursive);
+  const auto status = [&] {
+    return std::system(("python3 -I -S '" + (copy / "example.py").string() + "' > /dev/null 2>&1").c_str());
+  };
+  EXPECT_EQ(status(), 0);
+  // Another density is another beam.
+  std::string heavier = report::read_text(copy / "beams.csv");
+  heavier.replace(heavier.find(",1000,"), 6, ",1001,");
+  std::ofstream(copy / "beams.csv") << heavier;
+  EXPECT_NE(status(), 0);
+  fs::remove_all(copy);
 }
 
 TEST(PublishedData, IsTheSamePackageByteForByteWhenMadeTwice) {

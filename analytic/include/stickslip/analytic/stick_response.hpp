@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// The stick-state response to h(t) = A0 sin(Omega t) in closed form, Eqs. (26)-(28), from rest relative to
-/// the wall: u(x,0) = 0, u_t(x,0) = S(x) h_t(0), which is what Eq. (26) assumes (erratum E4).
+/// The stick-state response to h(t) = A0 sin(Omega t) in closed form, Eqs. (26)-(28), with the
+/// tip at rest: u(x,0) = 0, u_t(x,0) = S(x) h_t(0), which is what Eq. (26) assumes (erratum E4).
 ///
 ///     u(x,t) = A0 { S(x) sin(Omega t) + sum_n U_n(x) Omega^2 C_n g_n(t) },    y = h + u               (27)
 ///     f(t)   = EI u'''(L,t)                                                                           (28)

@@ -42,7 +42,8 @@ struct Field {
   std::string unit;  ///< empty for a pure number or a word
   std::string description;
   std::optional<ValueClass> value_class;
-  bool required{};  ///< no cell may be empty
+  bool required{};                     ///< no cell may be empty
+  std::vector<std::string> allowed{};  ///< the words that may stand in a cell; empty: any
 };
 
 /// What an error is measured by.
@@ -108,6 +109,11 @@ struct Provenance {
   std::vector<std::string> checks;
 };
 
+/// A column whose cells stand in a column of another data set.
+struct ForeignKey {
+  std::string column, resource, reference_column;
+};
+
 /// A data set without its numbers.
 struct Resource {
   std::string name;
@@ -117,6 +123,11 @@ struct Resource {
   std::string title, description;
   std::vector<Field> fields;
   std::vector<std::string> primary_key;
+  std::vector<ForeignKey> foreign_keys;
+  /// The problem that was solved, as JSON; empty if there is none. Its members are numbers, words, {"column": c}
+  /// where the column c holds the value, or objects of such members: beam, tip, excitation, damping, friction,
+  /// initial_state, modes, duration. data/reference/README.md defines them.
+  std::string problem;
   std::optional<ComparisonRule> comparison;
   std::optional<DiagnosisRule> diagnosis;
   Provenance provenance;

@@ -72,7 +72,7 @@ struct BeamRun {
                                                 const PrescribedMotion& base,
                                                 const data::Damping& damping = {});
 
-/// The beam of the paper by finite elements: built, started at rest relative to the wall and stepped through
+/// The beam of the paper by finite elements: built, started with its tip at rest and stepped through
 /// time. Displacements are absolute (y = h + u); friction_force() has the sign of Eq. (28), f = EI u'''(L) =
 /// -f_d.
 class BeamSimulation {

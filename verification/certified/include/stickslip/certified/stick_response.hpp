@@ -2,7 +2,7 @@
 #pragma once
 
 /// The response of the stick state to h(t) = A0 sin(Omega t) by the sums of the paper with N modes. The beam
-/// starts at rest relative to the wall (Eqs. 26 to 28; with omega_n^2 in Eq. 24):
+/// starts with u = 0, u_t = S h_t (Eqs. 26 to 28; with omega_n^2 in Eq. 24):
 ///
 ///     u(x,t) = A0 { S(x) sin(Omega t) + sum_n U_n(x) Omega^2 C_n g_n(t) },     y = A0 sin(Omega t) + u,
 ///     g_n(t) = [omega_n sin(Omega t) - Omega sin(omega_n t)]/[(Omega^2 - omega_n^2) omega_n],

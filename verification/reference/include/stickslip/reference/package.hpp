@@ -35,7 +35,10 @@ struct Recipe {
 /// The text of the CSV file of a data set.
 [[nodiscard]] std::string csv_of(const DataSet& set);
 
-/// The texts of all files of a package by their names in its folder, including datapackage.json.
-[[nodiscard]] std::map<std::string, std::string> package_files(const std::vector<DataSet>& sets);
+/// The texts of the files of a package by their names in its folder: datapackage.json and a table for each of
+/// `sets`. With the text of a datapackage.json that was made before, the recipes' other data sets keep what it says
+/// of them.
+[[nodiscard]] std::map<std::string, std::string> package_files(const std::vector<DataSet>& sets,
+                                                               const std::string& before = "");
 
 }  // namespace stickslip::reference
