@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <stdexcept>
+#include <utility>
 
 #include "sets.hpp"
 #include "stickslip/analytic/beam_contact_model.hpp"
@@ -112,6 +114,91 @@ DataSet length_force_ratios() {
                              .number(properties.length)
                              .number(axial_force)
                              .converged(ratio, (0.5 * width + rounding) * ratio));
+    }
+  return set;
+}
+
+namespace {
+
+// max |f| per metre of amplitude over 10 s with all modes, and its half-width.
+std::pair<double, double> all_modes_maximum(const NamedBeam& named, int hz) {
+  static std::map<std::pair<std::string, int>, std::pair<double, double>> known;
+  const auto key = std::pair(named.name, hz);
+  if (const auto found = known.find(key); found != known.end()) return found->second;
+  constexpr int modes = 100;
+  const analytic::StickResponse response(
+      named.problem.beam,
+      data::HarmonicExcitation({.frequency_hz = static_cast<double>(hz), .amplitude = 1.0}), modes,
+      analytic::SteadyPart::exact);
+  const analytic::Bounds bounds = response.max_abs_friction_force(10.0);
+  constexpr double rounding = 1e-9;  // of the modes, whose phases turn by 1e5 rad and more
+  return known[key] = {bounds.midpoint(), 0.5 * (bounds.upper - bounds.lower) +
+                                              response.omitted_transient_bound() + rounding * bounds.upper};
+}
+
+data::Provenance all_modes_provenance() {
+  return converged_by(
+      "Eq. (28) with the steady part in closed form and 100 free vibrations; bounds of the maximum over "
+      "time. The "
+      "half-width is half the distance of the bounds, plus a bound of the omitted free vibrations, 2/3 N "
+      "|a_N| with "
+      "the last amplitude a_N and N = 100 (they fall as n^-4; a factor of 2 is for safety), plus 1e-9 for "
+      "rounding",
+      R"({"free_vibrations": 100, "duration": 10})",
+      {"200 free vibrations change no value by more than its half-width",
+       "finite elements with a held tip, to their predicted error"});
+}
+
+}  // namespace
+
+DataSet all_modes_maxima() {
+  DataSet set =
+      data_set("friction-maxima-all-modes", "criterion/friction-maxima-all-modes.csv",
+               "Largest static friction force of the beam",
+               "|f|_max over 0 <= t <= 10 s with all modes, the paper's beam at 0.5 mm: for finite elements "
+               "and other converged methods, which cannot meet the ten modes of friction-maxima.");
+  data::Resource& resource = set.resource;
+  resource.fields = {exact_number("frequency", "Hz", "of the base")};
+  add_value(resource.fields, "friction_force", "N", "|f|_max", ValueClass::converged);
+  resource.primary_key = {"frequency"};
+  resource.comparison = by_rows({{"friction_force", data::Norm::relative, 1e-2}});
+  const NamedBeam& paper = beams().front();
+  resource.problem = problem_of(paper.problem, paper.name, "held",
+                                {{"/excitation/frequency_hz", in_column("frequency")}, {"/duration", "10"}});
+  resource.provenance = all_modes_provenance();
+  for (int hz = 1; hz <= 120; ++hz) {
+    const auto [value, radius] = all_modes_maximum(paper, hz);
+    set.rows.push_back(Row().number(hz).converged(5e-4 * value, 5e-4 * radius));
+  }
+  return set;
+}
+
+DataSet all_modes_amplitudes() {
+  DataSet set =
+      data_set("critical-amplitudes-all-modes", "criterion/critical-amplitudes-all-modes.csv",
+               "Critical amplitudes of the beam",
+               "The base amplitude at which |f|_max over 10 s reaches mu_s P = 300 N with all modes: "
+               "critical-amplitudes for finite elements and other converged methods.");
+  data::Resource& resource = set.resource;
+  resource.fields = {word("beam", "name of the beam, in beams.csv"),
+                     exact_number("frequency", "Hz", "of the base")};
+  add_value(resource.fields, "amplitude", "m", "A_c", ValueClass::converged);
+  resource.primary_key = {"beam", "frequency"};
+  resource.foreign_keys = {beam_key()};
+  resource.comparison = by_rows({{"amplitude", data::Norm::relative, 1e-2}});
+  resource.problem = problem_of(beams().front().problem, "paper", "held",
+                                {{"/beam", in_column("beam")},
+                                 {"/excitation/frequency_hz", in_column("frequency")},
+                                 {"/excitation/amplitude", in_column("amplitude")},
+                                 {"/duration", "10"}});
+  resource.provenance = all_modes_provenance();
+  for (const NamedBeam& named : {beams().front(), named_beam("paper-half-stiffness")})
+    for (int hz = 5; hz <= 120; hz += 5) {
+      const auto [value, radius] = all_modes_maximum(named, hz);
+      set.rows.push_back(Row()
+                             .text(named.name)
+                             .number(hz)
+                             .converged(300.0 / value, 300.0 * radius / (value * (value - radius))));
     }
   return set;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// The data sets from short closed forms: one mass with friction, and a manufactured motion.
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -91,6 +92,67 @@ DataSet friction_powers() {
                                                             {"15", "15.2670995893716", "5e-14"}}};
   for (const auto& [amplitude, power, radius] : rows)
     set.rows.push_back(Row().text(amplitude).text(power).text(radius));
+  return set;
+}
+
+DataSet beam_matrices() {
+  DataSet set = data_set(
+      "beam-matrices", "manufactured/matrices.csv", "Matrices of the paper's beam with four elements",
+      "Four equal Hermite elements, clamped end left out: unknowns 1 to 8 are (w, w_x) of the nodes at 0.5, "
+      "1, 1.5 and 2 "
+      "m. mass: rho A int N N; stiffness: EI int N'' N''; geometric: int N' N', which enters as -P; "
+      "follower: P in the "
+      "row of w(L) and the column of w_x(L); load: rho A int N (column 1), which enters as -h_tt. Stick: "
+      "stiffness - P "
+      "geometric, without row and column 7. Slip: the same plus follower. Entries that are not here are 0.");
+  data::Resource& resource = set.resource;
+  resource.fields = {word("matrix", "name", {"mass", "stiffness", "geometric", "follower", "load"}),
+                     integer("row", "from 1"), integer("column", "from 1")};
+  add_value(resource.fields, "value", "", "of the entry, in SI units (m, rad, kg, N)", ValueClass::enclosed);
+  resource.primary_key = {"matrix", "row", "column"};
+  resource.comparison = by_rows({{"value", data::Norm::relative, 1e-12}});
+  resource.problem = R"({"beam": "paper", "damping": {"kelvin_voigt": 0}})";
+  resource.provenance = {
+      .value_class = ValueClass::enclosed,
+      .method = "the integrals of the cubic shape functions in closed form, in ball arithmetic (Arb)",
+      .settings = R"({"bits": 256, "digits": 30, "elements": 4})",
+      .software = software(),
+      .checks = {"the matrices of the finite-element solver, to rounding"}};
+  const PrecisionScope scope(exact_bits);
+  const certified::Beam& beam = beams().front().beam;
+  const Real l = beam.length() / 4, mass = beam.mass_per_length();
+  struct Matrix {
+    const char* name;
+    Real factor;
+    std::array<std::array<int, 4>, 4> numbers;  // of an element, over `factor` and over l for each rotation
+  };
+  const std::array<Matrix, 3> matrices{
+      {{"mass",
+        mass * l / 420,
+        {{{156, 22, 54, -13}, {22, 4, 13, -3}, {54, 13, 156, -22}, {-13, -3, -22, 4}}}},
+       {"stiffness",
+        beam.bending_stiffness() / pow(l, 3),
+        {{{12, 6, -12, 6}, {6, 4, -6, 2}, {-12, -6, 12, -6}, {6, 2, -6, 4}}}},
+       {"geometric",
+        Real(1) / (30 * l),
+        {{{36, 3, -36, 3}, {3, 4, -3, -1}, {-36, -3, 36, -3}, {3, -1, -3, 4}}}}}};
+  for (const Matrix& matrix : matrices)
+    for (int i = 0; i < 8; ++i)
+      for (int j = 0; j < 8; ++j) {
+        int sum = 0;
+        for (int first = -2; first < 6; first += 2)  // unknown of each element
+          if (std::min(i, j) >= first && std::max(i, j) < first + 4)
+            sum += matrix.numbers.at(static_cast<std::size_t>(i - first))
+                       .at(static_cast<std::size_t>(j - first));
+        if (sum == 0) continue;
+        const Real value = matrix.factor * Real(sum) * pow(l, static_cast<unsigned>(i % 2 + j % 2));
+        set.rows.push_back(Row().text(matrix.name).number(i + 1).number(j + 1).enclosed(value));
+      }
+  set.rows.push_back(Row().text("follower").number(7).number(8).enclosed(beam.axial_force()));
+  for (int node = 1; node <= 4; ++node)
+    set.rows.push_back(
+        Row().text("load").number(2 * node - 1).number(1).enclosed(mass * l / (node < 4 ? 1 : 2)));
+  set.rows.push_back(Row().text("load").number(8).number(1).enclosed(-(mass * l * l / 12)));
   return set;
 }
 

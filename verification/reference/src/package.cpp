@@ -127,8 +127,17 @@ const std::vector<Recipe>& recipes() {
                                        {"critical-amplitudes", critical_amplitudes, true},
                                        {"classification", classification, true},
                                        {"length-force", length_force_ratios, true},
+                                       {"stick-velocities", stick_velocities, true},
+                                       {"stick-fields", stick_fields, true},
+                                       {"damped-stick-history", damped_stick_history, true},
+                                       {"damped-steady-state", damped_steady_state, true},
+                                       {"friction-maxima-all-modes", all_modes_maxima, false},
+                                       {"critical-amplitudes-all-modes", all_modes_amplitudes, false},
                                        {"stick-slip-events", stick_slip_events, false},
                                        {"stick-slip-history", stick_slip_history, false},
+                                       {"stick-slip-velocities", stick_slip_velocities, false},
+                                       {"stick-slip-fields", stick_slip_fields, false},
+                                       {"stick-slip-energy", stick_slip_energy, false},
                                        undamped("undamped-history-25"),
                                        undamped("undamped-history-35"),
                                        undamped("undamped-history-70"),
@@ -140,7 +149,8 @@ const std::vector<Recipe>& recipes() {
                                        {"manufactured-motion", manufactured_motion, true},
                                        {"published-problems", published_problems, true},
                                        {"stops-per-period", stops_per_period, true},
-                                       {"non-stop-limits", non_stop_limits, true}};
+                                       {"non-stop-limits", non_stop_limits, true},
+                                       {"beam-matrices", beam_matrices, true}};
   return all;
 }
 

@@ -112,6 +112,16 @@ void add_value(std::vector<data::Field>& fields, const std::string& name, const 
 [[nodiscard]] DataSet critical_amplitudes();
 [[nodiscard]] DataSet classification();
 [[nodiscard]] DataSet length_force_ratios();
+[[nodiscard]] DataSet all_modes_maxima();
+[[nodiscard]] DataSet all_modes_amplitudes();
+[[nodiscard]] DataSet stick_velocities();
+[[nodiscard]] DataSet stick_fields();
+[[nodiscard]] DataSet damped_stick_history();
+[[nodiscard]] DataSet damped_steady_state();
+[[nodiscard]] DataSet stick_slip_velocities();
+[[nodiscard]] DataSet stick_slip_fields();
+[[nodiscard]] DataSet stick_slip_energy();
+[[nodiscard]] DataSet beam_matrices();
 [[nodiscard]] DataSet stick_slip_events();
 [[nodiscard]] DataSet stick_slip_history();
 [[nodiscard]] DataSet undamped_history(

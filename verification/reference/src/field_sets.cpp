@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: MIT
+/// The data sets of the damped steady state, and of runs without a mesh on modes of the continuous beam: velocities,
+/// whole fields and energies.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "sets.hpp"
+#include "stickslip/analytic/beam_contact_model.hpp"
+#include "stickslip/analytic/damped_steady_state.hpp"
+#include "stickslip/analytic/event_driven.hpp"
+
+namespace stickslip::reference {
+
+using data::ValueClass;
+
+namespace {
+
+// The state of the beam at one time, with y and y_t at some points.
+struct BeamState {
+  bool is_stuck{};
+  double friction_force{};
+  std::vector<double> displacement, velocity;
+  analytic::EventDrivenEnergy energy;
+};
+
+std::vector<BeamState> beam_states(const data::Case& problem, int modes, const std::vector<double>& times,
+                                   const std::vector<double>& points, bool has_energy) {
+  const analytic::BeamContactModel beam(problem.beam, problem.friction, problem.excitation, problem.damping,
+                                        modes);
+  analytic::EventDriven run(beam.model(), {.keep_energy_balance = has_energy});
+  const double omega = 2.0 * std::numbers::pi * problem.excitation.frequency_hz();
+  std::vector<BeamState> states;
+  for (const double time : times) {
+    run.advance_to(time);
+    BeamState& state = states.emplace_back();
+    state.is_stuck = run.state() == analytic::ContactPhase::stick;
+    state.friction_force = -run.friction_force();
+    if (has_energy) state.energy = run.energy_balance();
+    for (const double x : points) {
+      const std::vector<double> shape = beam.shapes(x);
+      state.displacement.push_back(analytic::absolute_displacement(shape, run));
+      double velocity = problem.excitation.amplitude() * omega * std::cos(omega * time) +
+                        shape.back() * run.contact_velocity();
+      for (std::size_t n = 0; n + 1 < shape.size(); ++n) velocity += shape[n] * run.rates()[n];
+      state.velocity.push_back(velocity);
+    }
+  }
+  return states;
+}
+
+std::vector<double> equal_times(double step, int count) {
+  std::vector<double> times;
+  for (int k = 1; k <= count; ++k) times.push_back(step * k);
+  return times;
+}
+
+struct Quantity {
+  std::string name, unit, description;
+  double tolerance{}, least{};  // of the largest value; the least half-width
+  std::function<double(const BeamState&)> value;
+};
+
+// A history at equal times. The half-width is the difference between 40 and 28 modes, the largest in the phase of
+// stick or slip. Samples at which they are in different phases are left out.
+DataSet history_of(DataSet set, const data::Case& problem, double step, int count,
+                   const std::vector<Quantity>& quantities, bool has_energy = false) {
+  data::Resource& resource = set.resource;
+  const bool slips = problem.name == "damped";
+  resource.fields = {exact_number("time", "s", "since the start")};
+  if (slips) resource.fields.push_back(word("phase", "of the contact", {"stick", "slip"}));
+  std::vector<data::ComparedValue> compared;
+  for (const Quantity& quantity : quantities) {
+    add_value(resource.fields, quantity.name, quantity.unit, quantity.description, ValueClass::converged);
+    compared.push_back({quantity.name, data::Norm::scale, quantity.tolerance});
+  }
+  resource.primary_key = {"time"};
+  resource.comparison = along("time", compared);
+  resource.problem =
+      problem_of(problem, "paper", slips ? "friction" : "held", {{"/duration", slips ? "0.5" : "1"}});
+  if (slips) {
+    resource.comparison->kind = data::ComparisonKind::phases;
+    resource.comparison->events = "stick-slip-events";
+    resource.comparison->horizon = 0.5;
+  }
+  resource.provenance = converged_by(
+      "event-driven integration on 40 modes of the continuous beam, held while it sticks, and the static "
+      "shape: exact in "
+      "stick, Runge-Kutta of order 8 in slip. The half-width is the largest difference to 28 modes, in the "
+      "phase or at "
+      "the time; the error falls faster than the third power of their number",
+      R"({"modes": 40, "fewer_modes": 28, "tolerance": 1e-12})",
+      {"finite elements, to their order, in fields"});
+  const std::vector<double> times = equal_times(step, count),
+                            points{0.5 * problem.beam.length(), problem.beam.length()};
+  const auto fine = beam_states(problem, 40, times, points, has_energy);
+  const auto coarse = beam_states(problem, 28, times, points, has_energy);
+  for (std::size_t first = 0, end = 0; first < fine.size(); first = end) {
+    while (end < fine.size() && fine[end].is_stuck == fine[first].is_stuck) ++end;
+    for (std::size_t k = first; k < end; ++k) {
+      if (coarse[k].is_stuck != fine[k].is_stuck) continue;
+      Row row;
+      row.text(fmt::format("{:.3f}", times[k]));
+      if (slips) row.text(fine[k].is_stuck ? "stick" : "slip");
+      for (const Quantity& quantity : quantities) {
+        double radius = quantity.least;
+        for (std::size_t i = first; i < end; ++i)
+          if (coarse[i].is_stuck == fine[i].is_stuck)
+            radius = std::max(radius, std::abs(quantity.value(fine[i]) - quantity.value(coarse[i])));
+        row.converged(quantity.value(fine[k]), radius);
+      }
+      set.rows.push_back(row);
+    }
+  }
+  return set;
+}
+
+data::Case held_problem(double kelvin_voigt) {
+  data::Case problem = data::load_case("paper-figure9");
+  problem.damping = data::Damping({.kelvin_voigt = kelvin_voigt});
+  return problem;
+}
+
+constexpr double eta = 6.4e-5;
+constexpr double velocity_rounding = 1e-11;
+
+double midspan_velocity(const BeamState& state) { return state.velocity.front(); }
+
+// y and y_t at 21 points and ten times, at which 40 and 28 modes must be in the same phase.
+DataSet fields_of(DataSet set, const data::Case& problem, double step) {
+  set = history_of(std::move(set), problem, step, 0, {});
+  data::Resource& resource = set.resource;
+  resource.fields = {exact_number("time", "s", "since the start"),
+                     exact_number("x", "m", "distance from the clamp")};
+  add_value(resource.fields, "displacement", "m", "y(x, t), absolute", ValueClass::converged);
+  add_value(resource.fields, "velocity", "m/s", "y_t(x, t), absolute", ValueClass::converged);
+  resource.primary_key = {"time", "x"};
+  resource.comparison =
+      by_rows({{"displacement", data::Norm::scale, 1e-2}, {"velocity", data::Norm::scale, 1e-2}});
+  std::vector<double> points;
+  for (int k = 0; k <= 20; ++k) points.push_back(problem.beam.length() * k / 20.0);
+  const std::vector<double> times = equal_times(step, 10);
+  const auto fine = beam_states(problem, 40, times, points, false);
+  const auto coarse = beam_states(problem, 28, times, points, false);
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    if (fine[k].is_stuck != coarse[k].is_stuck) throw std::runtime_error("the runs are in different phases");
+    double displacement = 1e-13, velocity = velocity_rounding;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      displacement = std::max(displacement, std::abs(fine[k].displacement[i] - coarse[k].displacement[i]));
+      velocity = std::max(velocity, std::abs(fine[k].velocity[i] - coarse[k].velocity[i]));
+    }
+    for (std::size_t i = 0; i < points.size(); ++i)
+      set.rows.push_back(Row()
+                             .text(fmt::format("{:.3f}", times[k]))
+                             .number(points[i])
+                             .converged(fine[k].displacement[i], displacement)
+                             .converged(fine[k].velocity[i], velocity));
+  }
+  return set;
+}
+
+}  // namespace
+
+DataSet stick_velocities() {
+  return history_of(
+      data_set("stick-velocities", "stick/velocities.csv", "Velocities of the held beam",
+               "The velocity at the middle of the beam of stick-history, every 5 ms."),
+      held_problem(0.0), 5e-3, 200,
+      {{"midspan_velocity", "m/s", "y_t(L/2, t), absolute", 1e-3, velocity_rounding, midspan_velocity}});
+}
+
+DataSet damped_stick_history() {
+  return history_of(
+      data_set("damped-stick-history", "stick/damped.csv", "The held beam with damping",
+               "stick-history with Kelvin-Voigt damping of 0.5 % of critical in the first mode, every 5 ms."),
+      held_problem(eta), 5e-3, 200,
+      {{"midspan_displacement", "m", "y(L/2, t), absolute", 1e-3, 1e-16,
+        [](const BeamState& state) { return state.displacement.front(); }},
+       {"friction_force", "N", "f(t), of the tip on the wall", 2e-2, 1e-9,
+        [](const BeamState& state) { return state.friction_force; }}});
+}
+
+DataSet stick_slip_velocities() {
+  return history_of(
+      data_set("stick-slip-velocities", "stick-slip/velocities.csv",
+               "Velocities in damped stick-slip vibration",
+               "The tip and the middle of the beam of stick-slip-history, every 2 ms, phase by phase."),
+      data::load_case("damped"), 2e-3, 250,
+      {{"tip_velocity", "m/s", "y_t(L, t), the sliding velocity", 2e-2, velocity_rounding,
+        [](const BeamState& state) { return state.is_stuck ? 0.0 : state.velocity.back(); }},
+       {"midspan_velocity", "m/s", "y_t(L/2, t), absolute", 2e-2, velocity_rounding, midspan_velocity}});
+}
+
+DataSet stick_slip_energy() {
+  using Energy = analytic::EventDrivenEnergy;
+  const auto quantity = [](std::string name, std::string description, double Energy::*member) {
+    return Quantity{
+        std::move(name), "J", std::move(description), 2e-2, 1e-12, [member](const BeamState& state) {
+          return state.energy.*member;
+        }};
+  };
+  return history_of(
+      data_set("stick-slip-energy", "stick-slip/energy.csv", "Energies of the damped stick-slip vibration",
+               "Of the beam of stick-slip-history, every 10 ms, in the frame of the base. Kinetic and "
+               "potential energy "
+               "change by the two works less the two losses."),
+      data::load_case("damped"), 1e-2, 50,
+      {quantity("kinetic_energy", "integral of rho A u_t^2/2", &Energy::kinetic),
+       quantity("potential_energy", "integral of (EI u_xx^2 - P u_x^2)/2", &Energy::potential),
+       quantity("base_work", "of -rho A h_tt on u_t and of f on h_t, since the start", &Energy::base_work),
+       quantity("follower_work", "of -P u_x(L) on u_t(L), since the start", &Energy::follower_work),
+       quantity("damping_loss", "integral of EI eta u_xxt^2, since the start", &Energy::damping_loss),
+       quantity("friction_loss", "of f on y_t(L), since the start", &Energy::friction_loss)},
+      true);
+}
+
+DataSet stick_fields() {
+  return fields_of(data_set("stick-fields", "stick/fields.csv", "The whole held beam at ten times",
+                            "The displacement and the velocity of the beam of stick-history at 21 points."),
+                   held_problem(0.0), 0.1);
+}
+
+DataSet stick_slip_fields() {
+  return fields_of(
+      data_set(
+          "stick-slip-fields", "stick-slip/fields.csv", "The whole beam in damped stick-slip vibration",
+          "The displacement and the velocity of the beam of stick-slip-history at 21 points and ten times."),
+      data::load_case("damped"), 0.05);
+}
+
+DataSet damped_steady_state() {
+  DataSet set = data_set(
+      "damped-steady-state", "stick/damped-steady-state.csv", "Steady vibration of the held, damped beam",
+      "The paper's beam with Kelvin-Voigt damping at 0.5 mm after its free vibrations have died out, tip "
+      "held: y(L/2) = amplitude sin(2 pi f0 t + phase), f likewise, and the heat of a period.");
+  data::Resource& resource = set.resource;
+  resource.fields = {exact_number("frequency", "Hz", "f0, of the base")};
+  add_value(resource.fields, "midspan_amplitude", "m", "of y(L/2), absolute", ValueClass::converged);
+  add_value(resource.fields, "midspan_phase", "rad", "of y(L/2)", ValueClass::converged);
+  add_value(resource.fields, "force_amplitude", "N", "of f, the force of the tip on the wall",
+            ValueClass::converged);
+  add_value(resource.fields, "force_phase", "rad", "of f", ValueClass::converged);
+  add_value(resource.fields, "heat", "J", "by damping, per period", ValueClass::converged);
+  resource.primary_key = {"frequency"};
+  resource.comparison = by_rows({{"midspan_amplitude", data::Norm::relative, 1e-3},
+                                 {"midspan_phase", data::Norm::absolute, 1e-3},
+                                 {"force_amplitude", data::Norm::relative, 1e-2},
+                                 {"force_phase", data::Norm::absolute, 1e-2},
+                                 {"heat", data::Norm::relative, 1e-2}});
+  const data::Case problem = held_problem(eta);
+  resource.problem = problem_of(
+      problem, "paper", "held",
+      {{"/excitation/frequency_hz", in_column("frequency")}, {"/initial_state", R"("none: steady state")"}});
+  constexpr double relative = 1e-10;
+  resource.provenance = converged_by(
+      "the closed form with a complex rigidity EI (1 + 2 pi i f0 eta), in double precision. The half-width "
+      "is 1e-10 of "
+      "the value (of 1 rad), far above the rounding error times the resonance factor, which is at most 200",
+      R"({"relative_half_width": 1e-10})", {"the harmonic response of finite elements, to their order"});
+  for (int hz = 1; hz <= 120; ++hz) {
+    const analytic::DampedSteadyState steady(
+        problem.beam, data::HarmonicExcitation({.frequency_hz = hz + 0.0, .amplitude = 5e-4}),
+        problem.damping, analytic::TipSupport::held);
+    Row row = Row().number(hz);
+    for (const auto value : {steady.displacement(0.5 * problem.beam.length()), steady.friction_force()})
+      row.converged(std::abs(value), relative * std::abs(value)).converged(std::arg(value), relative);
+    set.rows.push_back(row.converged(steady.dissipated_energy(), relative * steady.dissipated_energy()));
+  }
+  return set;
+}
+
+}  // namespace stickslip::reference

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+/// The published fields, energies, forces and matrices against the finite elements of the solver, which share nothing
+/// with the code that made the data.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "stickslip/analytic/event_driven.hpp"
+#include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/data/case_file.hpp"
+#include "stickslip/data/reference.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
+#include "stickslip/solver/modal_stick_run.hpp"
+#include "studies/stick_slip/finite_element_contact_model.hpp"
+#include "support/requirements.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+const data::ReferencePackage& published() {
+  static const data::ReferencePackage package = data::load_reference();
+  return package;
+}
+
+// The case of stick-history, with another damping, in s.
+data::Case held_case(double kelvin_voigt) {
+  data::Case problem = data::load_case("paper-figure9");
+  problem.damping = data::Damping({.kelvin_voigt = kelvin_voigt});
+  return problem;
+}
+
+// y and y_t of a mesh from event to event, in the rows of a set of fields up to the time `end`.
+struct MeshFields {
+  std::vector<double> displacement, velocity;
+
+  MeshFields(const data::Case& problem, int elements, const data::ReferenceTable& table, double end) {
+    const solver::BeamModel mesh(problem.beam, elements);
+    const studies::FiniteElementContactModel contact(
+        solver::beam_contact_system(mesh, problem.friction, solver::harmonic_motion(problem.excitation),
+                                    problem.damping),
+        studies::harmonic_drive(problem.excitation));
+    analytic::EventDriven run(contact.model());
+    const double omega = 2.0 * std::numbers::pi * problem.excitation.frequency_hz();
+    const double amplitude = problem.excitation.amplitude();
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+      const double time = table.column("time").values[row];
+      if (time > end) break;
+      run.advance_to(time);
+      const Eigen::VectorXd at = mesh.interpolation(table.column("x").values[row]);
+      displacement.push_back(amplitude * std::sin(omega * time) +
+                             at.dot(contact.full(run.amplitudes(), run.contact_displacement())));
+      velocity.push_back(amplitude * omega * std::cos(omega * time) +
+                         at.dot(contact.full(run.rates(), run.contact_velocity())));
+    }
+  }
+};
+
+// The error of 20 elements is a fifteenth of their difference from 10 elements, of order four; twice that is allowed.
+void expect_fields_of_meshes(const std::string& set, const data::Case& problem, double end) {
+  const data::ReferenceTable table = data::read_table(published(), set);
+  const MeshFields coarse(problem, 10, table, end), fine(problem, 20, table, end);
+  ASSERT_GE(fine.displacement.size(), 42U);
+  const auto expect = [&](const std::string& column, const std::vector<double>& of_fine,
+                          const std::vector<double>& of_coarse) {
+    double error = 0.0, difference = 0.0;
+    for (std::size_t row = 0; row < of_fine.size(); ++row) {
+      const double radius = table.radius_of(column)[row];
+      error = std::max(error, std::abs(of_fine[row] - table.column(column).values[row]) - radius);
+      difference = std::max(difference, std::abs(of_fine[row] - of_coarse[row]));
+    }
+    EXPECT_LE(error, 2.0 * difference / 15.0) << set << ", " << column << ", difference " << difference;
+  };
+  expect("displacement", fine.displacement, coarse.displacement);
+  expect("velocity", fine.velocity, coarse.velocity);
+}
+
+STICKSLIP_VERIFIES(PublishedFields, "P6");
+TEST(PublishedFields, OfTheHeldBeamAreThoseOfFiniteElements) {
+  expect_fields_of_meshes("stick-fields", held_case(0.0), 1.0);
+}
+
+TEST(PublishedFields, OfStickSlipAreThoseOfFiniteElements) {
+  expect_fields_of_meshes("stick-slip-fields", data::load_case("damped"), 0.1);
+}
+
+TEST(PublishedFields, HaveInSlipAForceOnTheWallInTheDirectionOfSliding) {
+  const auto history = data::read_table(published(), "stick-slip-history");
+  const auto velocities = data::read_table(published(), "stick-slip-velocities");
+  const data::Case problem = data::load_case("damped");
+  const double limit = problem.beam.axial_force(), drop = 0.3 * limit;  // mu falls by mu_s - mu_m = 0.3
+  int compared = 0;
+  for (std::size_t row = 0, i = 0; row < velocities.rows(); ++row) {
+    const double time = velocities.column("time").values[row];
+    while (i + 1 < history.rows() && history.column("time").values[i] < time - 1e-9) ++i;
+    if (velocities.column("phase").text[row] != "slip" ||
+        !data::is_same_key(history.column("time").values[i], time))
+      continue;
+    const double velocity = velocities.column("tip_velocity").values[row];
+    const double force = std::copysign(0.3 * limit + drop * std::exp(-std::abs(velocity)), velocity);
+    EXPECT_NEAR(history.column("friction_force").values[i], force,
+                history.radius_of("friction_force")[i] + drop * velocities.radius_of("tip_velocity")[row])
+        << time;
+    ++compared;
+  }
+  EXPECT_GT(compared, 100);
+}
+
+TEST(PublishedFields, HaveTheEnergiesOfTheirWorks) {
+  const auto table = data::read_table(published(), "stick-slip-energy");
+  const std::vector<std::pair<std::string, double>> entries{
+      {"kinetic_energy", 1.0}, {"potential_energy", 1.0}, {"damping_loss", 1.0},
+      {"friction_loss", 1.0},  {"base_work", -1.0},       {"follower_work", -1.0}};
+  const auto sum = [&](std::size_t row) {
+    double balance = 0.0;
+    for (const auto& [name, sign] : entries) balance += sign * table.column(name).values[row];
+    return balance;
+  };
+  double radius = 0.0;
+  for (const auto& entry : entries) radius += std::ranges::max(table.radius_of(entry.first));
+  for (std::size_t row = 1; row < table.rows(); ++row) EXPECT_NEAR(sum(row), sum(0), 2.0 * radius) << row;
+}
+
+TEST(PublishedFields, OfTheSteadyStateAreTheHarmonicResponseOfFiniteElements) {
+  using Complex = std::complex<double>;
+  const auto table = data::read_table(published(), "damped-steady-state");
+  const data::Case problem = held_case(6.4e-5);
+  const solver::BeamModel mesh(problem.beam, 40);
+  const Eigen::MatrixXd mass(mesh.mass()), damping(solver::damping_matrix(mesh, problem.damping));
+  const Eigen::MatrixXd stick(mesh.stick_stiffness()), slip(mesh.slip_stiffness());
+  const Eigen::Index tip = mesh.tip_deflection();
+  for (std::size_t row = 0; row < table.rows(); row += 17) {
+    const double omega = 2.0 * std::numbers::pi * table.column("frequency").values[row], amplitude = 5e-4;
+    const Eigen::MatrixXcd dynamic =
+        damping.cast<Complex>() * Complex(0.0, omega) - (omega * omega * mass).cast<Complex>();
+    Eigen::MatrixXcd held = stick.cast<Complex>() + dynamic;
+    Eigen::VectorXcd load = (omega * omega * amplitude * mesh.base_load()).cast<Complex>();
+    held.row(tip).setZero();
+    held(tip, tip) = 1.0;
+    load(tip) = -amplitude;
+    const Eigen::VectorXcd u = held.partialPivLu().solve(load);
+    const Complex middle = amplitude + mesh.interpolation(0.5 * problem.beam.length()).cast<Complex>().dot(u);
+    const Eigen::VectorXcd balance = (slip.cast<Complex>() + dynamic) * u;
+    const Complex force = omega * omega * amplitude * mesh.base_load()(tip) - balance(tip);
+    const auto expect = [&](const std::string& name, const Complex& value) {
+      const Complex reference = std::polar(table.column(name + "_amplitude").values[row],
+                                           table.column(name + "_phase").values[row]);
+      // Empirical: 40 elements shift the first resonances by less than 1e-6, which a resonance enlarges by 200.
+      EXPECT_LT(std::abs(value - reference), 1e-3 * std::abs(reference)) << name << ", row " << row;
+    };
+    expect("midspan", middle);
+    expect("force", force);
+  }
+}
+
+STICKSLIP_VERIFIES(PublishedForces, "P6");
+TEST(PublishedForces, OfAllModesAreThoseOfMoreModesAndOfFiniteElements) {
+  const auto table = data::read_table(published(), "friction-maxima-all-modes");
+  const auto amplitudes = data::read_table(published(), "critical-amplitudes-all-modes");
+  const data::Case problem = data::load_case("paper");
+  for (const int hz : {15, 70}) {
+    const auto row = static_cast<std::size_t>(hz - 1);
+    const double value = table.column("friction_force").values[row],
+                 radius = table.radius_of("friction_force")[row];
+    const data::HarmonicExcitation excitation({.frequency_hz = hz + 0.0, .amplitude = 5e-4});
+    const analytic::Bounds more =
+        analytic::StickResponse(problem.beam, excitation, 200, analytic::SteadyPart::exact)
+            .max_abs_friction_force(10.0);
+    EXPECT_NEAR(more.midpoint(), value, radius) << hz;
+    data::NumericalChoices mesh = problem.numerics.choices();
+    mesh.elements = 40;
+    mesh.time_step = 1e-4;
+    const solver::ModalStickRun run(problem.beam, excitation, data::NumericalSettings(mesh));
+    // The tolerance that the data set proposes.
+    EXPECT_NEAR(run.max_abs_friction_force(100'000), value, 1e-2 * value) << hz;
+    const double critical = amplitudes.column("amplitude").values[static_cast<std::size_t>(hz / 5 - 1)];
+    EXPECT_NEAR(critical * value, 300.0 * 5e-4, 1e-6 * 300.0 * 5e-4);
+  }
+}
+
+STICKSLIP_VERIFIES(PublishedMatrices, "P6");
+TEST(PublishedMatrices, AreThoseOfTheSolverToRounding) {
+  const auto table = data::read_table(published(), "beam-matrices");
+  const solver::BeamModel mesh(data::load_case("paper").beam, 4);
+  const auto published_matrix = [&](const std::string& name, Eigen::Index columns) {
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(8, columns);
+    for (std::size_t row = 0; row < table.rows(); ++row)
+      if (table.column("matrix").text[row] == name)
+        matrix(static_cast<Eigen::Index>(table.column("row").values[row]) - 1,
+               static_cast<Eigen::Index>(table.column("column").values[row]) - 1) =
+            table.column("value").values[row];
+    return matrix;
+  };
+  // A few roundings of each entry; of the follower term, those of the stiffness that it is the difference of.
+  const auto expect = [&](const std::string& name, const Eigen::MatrixXd& solved, double scale) {
+    const Eigen::MatrixXd matrix = published_matrix(name, solved.cols());
+    for (Eigen::Index i = 0; i < 8; ++i)
+      for (Eigen::Index j = 0; j < solved.cols(); ++j)
+        EXPECT_NEAR(solved(i, j), matrix(i, j), 1e-15 * std::max(scale, 4.0 * std::abs(matrix(i, j))))
+            << name << " " << i << " " << j;
+  };
+  const Eigen::MatrixXd stiffness(mesh.elastic_stiffness());
+  expect("mass", Eigen::MatrixXd(mesh.mass()), 0.0);
+  expect("stiffness", stiffness, 0.0);
+  expect("geometric", Eigen::MatrixXd(mesh.geometric_stiffness()), 0.0);
+  expect("load", mesh.base_load(), 0.0);
+  expect("follower", Eigen::MatrixXd(mesh.slip_stiffness()) - Eigen::MatrixXd(mesh.stick_stiffness()),
+         stiffness.cwiseAbs().maxCoeff());
+}
+
+}  // namespace
+}  // namespace stickslip::testing
