@@ -155,18 +155,38 @@ Interpolation interpolation_of(const JsonNode& node, const Resource& resource) {
   return interpolation;
 }
 
+ComparedValue compared_value_of(const JsonNode& node, const Resource& resource) {
+  ComparedValue value;
+  value.norm = static_cast<Norm>(node.at("norm").one_of(words(norm_names)));
+  value.tolerance = not_negative(node.at("tolerance"));
+  const JsonNode field = node.at("field");
+  if (value.norm != Norm::word) {
+    node.require_spelling({"field", "norm", "tolerance"});
+    value.field = number_column_in(resource, field);
+    return value;
+  }
+  node.require_spelling({"field", "norm", "tolerance", "decided_by"});
+  value.field = column_in(resource, field);
+  if (resource.field(value.field)->type != FieldType::string) field.fail_unless("a column of words");
+  if (const auto deciding = node.find("decided_by")) {
+    deciding->require_spelling({"field", "threshold"});
+    value.decided_by = {.field = number_column_in(resource, deciding->at("field")),
+                        .threshold = deciding->at("threshold").number()};
+  }
+  return value;
+}
+
 ComparisonRule comparison_of(const JsonNode& node, const Resource& resource) {
-  node.require_spelling({"kind", "values", "abscissa", "interpolation", "events", "horizon"});
+  node.require_spelling({"kind", "values", "abscissa", "interpolation", "events", "horizon", "shortest_phase"});
   ComparisonRule rule;
   rule.kind = static_cast<ComparisonKind>(node.at("kind").one_of(words(comparison_kind_names)));
   const auto values = node.at("values").elements();
   if (values.empty()) node.at("values").fail_unless("an array that is not empty");
-  for (const JsonNode& value : values) {
-    value.require_spelling({"field", "norm", "tolerance"});
-    rule.values.push_back({.field = number_column_in(resource, value.at("field")),
-                           .norm = static_cast<Norm>(value.at("norm").one_of(words(norm_names))),
-                           .tolerance = not_negative(value.at("tolerance"))});
-  }
+  for (const JsonNode& value : values) rule.values.push_back(compared_value_of(value, resource));
+  for (const JsonNode& value : values)
+    if (const auto deciding = value.find("decided_by"))
+      if (std::ranges::count(rule.values, deciding->at("field").text(), &ComparedValue::field) == 0)
+        deciding->at("field").fail_unless("one of the compared values");
   const bool is_sampled = rule.kind == ComparisonKind::curve || rule.kind == ComparisonKind::phases;
   if (is_sampled) rule.abscissa = number_column_in(resource, node.at("abscissa"));
   if (const auto interpolation = node.find("interpolation"); interpolation && is_sampled) {
@@ -177,6 +197,7 @@ ComparisonRule comparison_of(const JsonNode& node, const Resource& resource) {
   }
   if (rule.kind == ComparisonKind::phases) rule.events = node.at("events").text();
   if (const auto horizon = node.find("horizon")) rule.horizon = positive(*horizon);
+  if (const auto shortest = node.find("shortest_phase")) rule.shortest_phase = not_negative(*shortest);
   if (rule.kind == ComparisonKind::table && resource.primary_key.empty())
     node.fail("is of the kind table, but the schema lacks a primaryKey");
   const auto require = [&](const char* column) {

@@ -67,6 +67,10 @@ void print_columns(const data::Resource& resource) {
 // The smallest and the largest half-width of each compared value.
 void print_uncertainties(const data::ReferenceTable& table) {
   for (const auto& value : table.resource.comparison->values) {
+    if (value.norm == data::Norm::word) {
+      fmt::print("  {}: word by word\n", value.field);
+      continue;
+    }
     const std::string unit = table.resource.field(value.field)->unit;
     double least = std::numeric_limits<double>::infinity(), greatest = 0.0;
     for (const double radius : table.radius_of(value.field)) {

@@ -48,13 +48,14 @@ struct Field {
 
 /// What an error is measured by.
 enum class Norm {
-  relative,  ///< |e|/|reference|, row by row
+  relative,  ///< |e|/|reference|, row by row; where that is 0, over the largest of the column
   scale,     ///< |e| over the largest |reference| of the curve
   absolute,  ///< |e|, in the unit of the value
-  range      ///< |e| over the largest less the smallest reference of the curve
+  range,     ///< |e| over the largest less the smallest reference of the curve
+  word       ///< the number of words that differ
 };
 
-inline constexpr std::array<std::string_view, 4> norm_names{"relative", "scale", "absolute", "range"};
+inline constexpr std::array<std::string_view, 5> norm_names{"relative", "scale", "absolute", "range", "word"};
 [[nodiscard]] constexpr std::string_view to_string(Norm norm) noexcept {
   return norm_names[static_cast<std::size_t>(norm)];
 }
@@ -71,10 +72,19 @@ inline constexpr std::array<std::string_view, 4> comparison_kind_names{"table", 
   return comparison_kind_names[static_cast<std::size_t>(kind)];
 }
 
+/// The value that decides a word: one word below the threshold, another one above it.
+struct DecidingValue {
+  std::string field;  ///< one of the compared values
+  double threshold{};
+};
+
 struct ComparedValue {
   std::string field;
   Norm norm{};
   double tolerance{};
+  /// A word is not judged where this value of the reference is nearer to the threshold than its tolerance and
+  /// its uncertainty.
+  std::optional<DecidingValue> decided_by = std::nullopt;
 };
 
 /// Lagrange's polynomial through the nearest order + 1 samples.
@@ -91,6 +101,8 @@ struct ComparisonRule {
   std::optional<Interpolation> interpolation;
   std::string events;             ///< phases: the data set with the events
   std::optional<double> horizon;  ///< s; nothing later is compared
+  /// events, s: a stick or a slip that is shorter counts as part of what is round it
+  double shortest_phase = 0.0;
 };
 
 /// Which quantity of the wrong models (studies::Quantity) a data set is.
