@@ -261,7 +261,8 @@ DataSet stick_slip_events() {
       .abscissa = {},
       .interpolation = {},
       .events = {},
-      .horizon = horizon};
+      .horizon = horizon,
+      .shortest_phase = 2e-5};
   resource.diagnosis = in_case("contact event", "damped", "index", "time");
   resource.problem = benchmark_problem();
   resource.provenance = benchmark_provenance();

@@ -31,14 +31,19 @@ Json field_json(const data::Field& field) {
 
 Json comparison_json(const data::ComparisonRule& rule) {
   Json json{{"kind", data::to_string(rule.kind)}, {"values", Json::array()}};
-  for (const data::ComparedValue& value : rule.values)
+  for (const data::ComparedValue& value : rule.values) {
     json["values"].push_back(
         {{"field", value.field}, {"norm", data::to_string(value.norm)}, {"tolerance", value.tolerance}});
+    if (value.decided_by)
+      json["values"].back()["decided_by"] = {{"field", value.decided_by->field},
+                                             {"threshold", value.decided_by->threshold}};
+  }
   if (!rule.abscissa.empty()) json["abscissa"] = rule.abscissa;
   if (rule.interpolation)
     json["interpolation"] = {{"order", rule.interpolation->order}, {"error", rule.interpolation->error}};
   if (!rule.events.empty()) json["events"] = rule.events;
   if (rule.horizon) json["horizon"] = *rule.horizon;
+  if (rule.shortest_phase > 0.0) json["shortest_phase"] = rule.shortest_phase;
   return json;
 }
 
