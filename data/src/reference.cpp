@@ -177,7 +177,8 @@ ComparedValue compared_value_of(const JsonNode& node, const Resource& resource) 
 }
 
 ComparisonRule comparison_of(const JsonNode& node, const Resource& resource) {
-  node.require_spelling({"kind", "values", "abscissa", "interpolation", "events", "horizon", "shortest_phase"});
+  node.require_spelling(
+      {"kind", "values", "abscissa", "interpolation", "events", "horizon", "shortest_phase"});
   ComparisonRule rule;
   rule.kind = static_cast<ComparisonKind>(node.at("kind").one_of(words(comparison_kind_names)));
   const auto values = node.at("values").elements();
@@ -189,6 +190,8 @@ ComparisonRule comparison_of(const JsonNode& node, const Resource& resource) {
         deciding->at("field").fail_unless("one of the compared values");
   const bool is_sampled = rule.kind == ComparisonKind::curve || rule.kind == ComparisonKind::phases;
   if (is_sampled) rule.abscissa = number_column_in(resource, node.at("abscissa"));
+  if (is_sampled && std::ranges::count(rule.values, Norm::word, &ComparedValue::norm) > 0)
+    node.at("kind").fail_unless("table or events, because words are compared");
   if (const auto interpolation = node.find("interpolation"); interpolation && is_sampled) {
     rule.interpolation = interpolation_of(*interpolation, resource);
     for (const ComparedValue& value : rule.values)

@@ -50,7 +50,8 @@ json valid_package() {
    "schema": {"fields": [{"name": "index", "type": "integer"}, {"name": "change", "type": "string"},
                          {"name": "time", "type": "number", "unit": "s", "class": "exact"}],
               "primaryKey": "index"},
-   "comparison": {"kind": "events", "values": [{"field": "time", "norm": "absolute", "tolerance": 1e-6}]},
+   "comparison": {"kind": "events", "values": [{"field": "time", "norm": "absolute", "tolerance": 1e-6}],
+                  "shortest_phase": 1e-5},
    "provenance": {"class": "exact", "method": "by hand", "settings": {}, "software": "none", "checks": ["looked at"]}}
  ]})");
 }
@@ -160,6 +161,7 @@ TEST_F(ReferenceReader, ReturnsWhatAPackageSays) {
   EXPECT_EQ(history.provenance.settings, R"({"modes":3})");
   EXPECT_EQ(history.provenance.software, "none");
   EXPECT_EQ(history.provenance.checks, std::vector<std::string>{"looked at"});
+  EXPECT_EQ(package.resource("events").comparison->shortest_phase, 1e-5);
   EXPECT_EQ(package.resource("events").primary_key, std::vector<std::string>{"index"});
   EXPECT_FALSE(package.resource("events").diagnosis.has_value());
 }
@@ -340,6 +342,27 @@ void add_rule_defects(Defects& list) {
   list.add(
       "value_of_words", [](json& p) { rule_of(p)["values"][0]["field"] = "phase"; },
       "but must be a field of numbers");
+  list.add(
+      "word_of_numbers", [](json& p) { rule_of(p)["values"][0]["norm"] = "word"; },
+      "field is \"y\", but must be a column of words");
+  list.add(
+      "words_in_phases",
+      [](json& p) {
+        rule_of(p)["values"].push_back({{"field", "phase"}, {"norm", "word"}, {"tolerance", 0}});
+      },
+      "but must be table or events, because words are compared");
+  list.add(
+      "number_decided_by", [](json& p) { rule_of(p)["values"][0]["decided_by"] = json::object(); },
+      "decided_by");
+  list.add(
+      "word_decided_by_another",
+      [](json& p) {
+        rule_of(p)["values"].push_back({{"field", "phase"},
+                                        {"norm", "word"},
+                                        {"tolerance", 0},
+                                        {"decided_by", {{"field", "t"}, {"threshold", 1}}}});
+      },
+      "but must be one of the compared values");
   list.add(
       "unknown_norm", [](json& p) { rule_of(p)["values"][0]["norm"] = "l2"; },
       "one of relative, scale, absolute, range");
