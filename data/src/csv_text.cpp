@@ -1,31 +1,46 @@
 // SPDX-License-Identifier: MIT
 #include "stickslip/data/csv_text.hpp"
 
+#include <zlib.h>
+
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <memory>
+#include <new>
 #include <numeric>
 #include <system_error>
+#include <tuple>
 #include <utility>
 
 #include "stickslip/data/input_error.hpp"
 #include "stickslip/data/input_text.hpp"
 #include "stickslip/data/reference.hpp"
+#include "stickslip/data/units.hpp"
 
 namespace stickslip::data {
 
 namespace {
 
-// The first of tab, semicolon and comma that stands outside quotes.
-char separator_of(std::string_view names) {
-  for (const char separator : {'\t', ';', ','}) {
+constexpr char blank = ' ';
+
+// The first of tab, semicolon and comma that stands outside quotes, else a blank if the line has one.
+char separator_of(std::string_view line) {
+  for (const char separator : {'\t', ';', ',', blank}) {
     bool quoted = false;
-    for (const char c : names) {
+    for (const char c : trimmed(line)) {
       if (c == '"') quoted = !quoted;
       if (c == separator && !quoted) return separator;
     }
   }
   return ',';
+}
+
+// Where the cell ends that holds this place. Tabs count as blanks.
+std::size_t end_of_cell(std::string_view line, std::size_t place, char separator) {
+  return std::min(separator == blank ? line.find_first_of(" \t", place) : line.find(separator, place),
+                  line.size());
 }
 
 // The cell that begins here, without blanks and quotes, and where it ends: at a separator or at the end of
@@ -36,12 +51,9 @@ struct Cell {
 };
 
 std::optional<Cell> cell_at(std::string_view line, std::size_t at, char separator) {
-  const auto end_after = [&](std::size_t place) {
-    return std::min(line.find(separator, place), line.size());
-  };
-  while (at < line.size() && line[at] == ' ') ++at;
+  while (at < line.size() && (line[at] == ' ' || (separator == blank && line[at] == '\t'))) ++at;
   if (at == line.size() || line[at] != '"') {
-    const std::size_t end = end_after(at);
+    const std::size_t end = end_of_cell(line, at, separator);
     return Cell{std::string(trimmed(line.substr(at, end - at))), end};
   }
   std::string text;
@@ -49,33 +61,165 @@ std::optional<Cell> cell_at(std::string_view line, std::size_t at, char separato
     text += line[at];
     if (line[at] == '"') ++at;  // two quotes stand for one
   }
-  const std::size_t end = end_after(at);
+  const std::size_t end = end_of_cell(line, std::min(at + 1, line.size()), separator);
   if (at >= line.size() || !trimmed(line.substr(at + 1, end - at - 1)).empty()) return std::nullopt;
   return Cell{text, end};
 }
 
+bool is_comment(std::string_view line) {
+  return trimmed(line).starts_with('#') || trimmed(line).starts_with('%');
+}
+
+// What stands behind the signs of a comment.
+std::string_view comment_text(std::string_view line) {
+  const auto begin = line.find_first_not_of(" \t#%");
+  return begin == std::string_view::npos ? std::string_view{} : line.substr(begin);
+}
+
+// Blanks separate names, but not a name from its unit: "frequency [kHz]" and "frequency / kHz" are one cell.
+std::vector<std::string> with_units_joined(const std::vector<std::string>& words) {
+  std::vector<std::string> names;
+  bool is_open = false;
+  for (const std::string& word : words) {
+    const bool is_unit = word.starts_with('[') || word.starts_with('(') || word == "/";
+    if (!names.empty() && (is_open || is_unit))
+      names.back() += " " + word;
+    else
+      names.push_back(word);
+    is_open = word == "/" || (is_unit && !word.ends_with(']') && !word.ends_with(')')) ||
+              (is_open && !word.ends_with(']') && !word.ends_with(')') &&
+               names.back().find(" / ") == std::string::npos);
+  }
+  return names;
+}
+
+// A unit without its brackets.
+std::string_view bare_unit(std::string_view cell) {
+  const bool is_bracketed = cell.size() > 1 && ((cell.front() == '[' && cell.back() == ']') ||
+                                                (cell.front() == '(' && cell.back() == ')'));
+  return is_bracketed ? trimmed(cell.substr(1, cell.size() - 2)) : cell;
+}
+
+// Why the text cannot be a table; empty if it can.
+std::string_view other_format(std::string_view text) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 4> beginnings{
+      {{"\x89HDF", "is a file in HDF5 format (as MATLAB's -v7.3), but must be a table in text, as CSV"},
+       {"PK\x03\x04", "is a zip archive (as .xlsx, .ods, .npz), but must be a table in text, as CSV"},
+       {"MATLAB 5.0", "is a MATLAB file, but must be a table in text, as CSV"},
+       {"\x93NUMPY", "is a NumPy file, but must be a table in text, as CSV"}}};
+  for (const auto& [beginning, sentence] : beginnings)
+    if (text.starts_with(beginning)) return sentence;
+  const bool is_binary = text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") ||
+                         text.find('\0') != std::string_view::npos;
+  return is_binary ? "is no text in UTF-8" : "";
+}
+
+// What is compressed here, of all members of the file.
+std::string decompressed(const std::string& file, std::string text) {
+  constexpr int gzip_window = 16 + MAX_WBITS;
+  z_stream stream{};
+  if (inflateInit2(&stream, gzip_window) != Z_OK) throw std::bad_alloc();
+  const std::unique_ptr<z_stream, int (*)(z_stream*)> guard(&stream, inflateEnd);
+  stream.next_in = reinterpret_cast<Bytef*>(text.data());
+  stream.avail_in = static_cast<uInt>(text.size());
+  std::string plain;
+  int state = Z_OK;
+  while (state == Z_OK && plain.size() <= largest_table) {
+    constexpr std::size_t chunk = 1 << 16;
+    const std::size_t before = plain.size();
+    plain.resize(before + chunk);
+    stream.next_out = reinterpret_cast<Bytef*>(plain.data() + before);
+    stream.avail_out = chunk;
+    state = inflate(&stream, Z_NO_FLUSH);
+    plain.resize(before + chunk - stream.avail_out);
+    if (state == Z_STREAM_END && stream.avail_in > 0) state = inflateReset(&stream);
+  }
+  if (plain.size() > largest_table)
+    throw InputError(file + ": holds more than the " + std::to_string(largest_table) +
+                     " bytes that are allowed");
+  if (state != Z_STREAM_END) throw InputError(file + ": is no complete file in gzip's format");
+  return plain;
+}
+
 }  // namespace
 
+std::string read_table_text(const std::filesystem::path& file) {
+  std::string text = read_bounded(file == "-" ? "/dev/stdin" : file, largest_table);
+  return text.starts_with("\x1F\x8B") ? decompressed(file.string(), std::move(text)) : text;
+}
+
 CsvReader::CsvReader(std::filesystem::path file, std::string_view text)
-    : file_(std::move(file)), rest_(text) {
+    : file_(file == "-" ? "standard input" : std::move(file)), rest_(text) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (rest_.starts_with(byte_order_mark)) rest_.remove_prefix(byte_order_mark.size());
-  if (rest_.starts_with("\xFF\xFE") || rest_.starts_with("\xFE\xFF") ||
-      rest_.find('\0') != std::string_view::npos)
-    throw InputError(file_.string() + ": is no text in UTF-8");
-  const auto line = next_line();
-  if (!line) throw InputError(place(line_) + ": there is no line with the names of the columns");
-  line_of_names_ = line_;
-  separator_ = separator_of(*line);
-  names_ = cells_of(*line);
+  if (const auto sentence = other_format(rest_); !sentence.empty())
+    throw InputError(file_.string() + ": " + std::string(sentence));
+  std::vector<Line> comments;
+  const auto first = next_line(&comments);
+  if (!first) throw InputError(place(line_) + ": there is no line with the names of the columns");
+  find_names(*first, comments);
+  if (separator_ != blank || !held_) return;
+  if (const auto row = cells_of(*held_, separator_); row.size() == names_.size() + 1)
+    names_.insert(names_.begin(), "");
+}
+
+// The names are in the first line or, if half of its cells are numbers, in a comment before it.
+void CsvReader::find_names(const Line& first, const std::vector<Line>& comments) {
+  separator_ = separator_of(first.text);
+  const Cells cells = cells_of(first, separator_);
+  line_of_names_ = first.number;
+  const auto names_in = [this](const Line& line, char separator) {
+    const Cells names = cells_of(line, separator);
+    return separator == blank ? with_units_joined(names) : names;
+  };
+  const auto numbers =
+      std::ranges::count_if(cells, [this](const std::string& cell) { return number(cell).has_value(); });
+  if (2 * numbers >= std::ssize(cells)) {
+    std::vector<std::pair<std::size_t, Cells>> candidates;
+    for (const Line& comment : comments) {
+      const Line line{comment_text(comment.text), comment.number};
+      Cells names = names_in(line, separator_of(line.text));
+      if (names.size() == cells.size()) candidates.emplace_back(line.number, std::move(names));
+    }
+    if (!candidates.empty()) {
+      held_ = first;
+      // The last one, or the last but one if the last one holds its units.
+      const bool are_two = candidates.size() > 1;
+      std::tie(line_of_names_, names_) = candidates[candidates.size() - (are_two ? 2 : 1)];
+      if (are_two && !take_units(candidates.back().second))
+        std::tie(line_of_names_, names_) = candidates.back();
+      return;
+    }
+  }
+  names_ = names_in(first, separator_);
+  held_ = next_line();
+  if (!held_) return;
+  const Cells second = cells_of(*held_, separator_);
+  if (take_units(second)) held_ = next_line();
+}
+
+// Joins a line of units to the names. A row of the table is none: it holds a number other than 1.
+bool CsvReader::take_units(const Cells& units) {
+  bool has_unit = false;
+  for (const std::string& cell : units) {
+    const std::string_view unit = bare_unit(cell);
+    if (unit != "1" && number(unit)) return false;
+    has_unit = has_unit || (unit != "1" && unit_named(unit).has_value());
+  }
+  if (!has_unit || units.size() != names_.size()) return false;
+  for (std::size_t i = 0; i < names_.size(); ++i)
+    if (const std::string_view unit = bare_unit(units[i]); !unit.empty() && unit != "-" && unit != "1")
+      names_[i].append(" [").append(unit).append("]");
+  return true;
 }
 
 std::optional<std::vector<std::string>> CsvReader::next_row() {
-  const auto line = next_line();
+  const auto line = held_ ? std::exchange(held_, std::nullopt) : next_line();
+  line_of_row_ = line ? line->number : line_;
   if (!line) return std::nullopt;
-  auto cells = cells_of(*line);
+  auto cells = cells_of(*line, separator_);
   if (cells.size() != names_.size())
-    throw InputError(place(line_) + ": the line has " + std::to_string(cells.size()) +
+    throw InputError(place(line_of_row_) + ": the line has " + std::to_string(cells.size()) +
                      " cells, but must have " + std::to_string(names_.size()) + " as the line of names has");
   return cells;
 }
@@ -86,30 +230,48 @@ std::string CsvReader::place(std::size_t line, std::size_t column) const {
   return place(line) + ", column " + std::to_string(column + 1) + " (" + printable(names_[column]) + ")";
 }
 
-// The next line that holds something.
-std::optional<std::string_view> CsvReader::next_line() {
+// A line ends with a line feed, with a carriage return, or with both.
+std::string_view CsvReader::take_line() {
+  const auto end = rest_.find_first_of("\r\n");
+  const std::string_view line = rest_.substr(0, end);
+  const bool is_pair = end != std::string_view::npos && rest_.substr(end, 2) == "\r\n";
+  rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + (is_pair ? 2 : 1));
+  ++line_;
+  return line;
+}
+
+// The next line that holds something. The comments before it can be collected.
+std::optional<CsvReader::Line> CsvReader::next_line(std::vector<Line>* comments) {
   while (!rest_.empty()) {
-    const auto end = rest_.find('\n');
-    std::string_view line = rest_.substr(0, end);
-    rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
-    ++line_;
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    const std::string_view content = trimmed(line);
-    if (!content.empty() && !content.starts_with('#')) return line;
+    const std::string_view line = take_line();
+    if (trimmed(line).empty()) continue;
+    if (!is_comment(line)) return Line{line, line_};
+    if (comments != nullptr) comments->push_back({line, line_});
   }
   return std::nullopt;
 }
 
-std::vector<std::string> CsvReader::cells_of(std::string_view line) const {
-  std::vector<std::string> cells;
+CsvReader::Cells CsvReader::cells_of(const Line& line, char separator) const {
+  const std::string_view text = separator == blank ? trimmed(line.text) : line.text;
+  Cells cells;
   for (std::size_t at = 0;; ++at) {
-    const auto cell = cell_at(line, at, separator_);
+    const auto cell = cell_at(text, at, separator);
     if (!cell)
-      throw InputError(place(line_) + ": a quote is not closed, or something follows it: " + printable(line));
+      throw InputError(place(line.number) +
+                       ": a quote is not closed, or something follows it: " + printable(line.text));
     cells.push_back(cell->text);
     at = cell->end;
-    if (at == line.size()) return cells;
+    if (at == text.size()) return cells;
   }
+}
+
+std::optional<double> CsvReader::number(std::string_view cell) const {
+  std::string text(cell);
+  for (char& c : text) {
+    if (c == 'd' || c == 'D') c = 'e';
+    if (c == ',' && separator_ != ',' && text.find('.') == std::string::npos) c = '.';
+  }
+  return finite_number(text);
 }
 
 std::optional<double> finite_number(std::string_view text) {

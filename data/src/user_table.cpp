@@ -53,15 +53,16 @@ std::optional<std::string> unit_behind(const std::string& name, const std::strin
   return unit_named(unit) ? std::optional(unit) : std::nullopt;
 }
 
+// The names that the files of `stickslip respond` have for columns of the data sets, and t for time.
+const std::vector<std::pair<std::string, std::string>> other_names{
+    {"phase", "state"}, {"position", "tip_displacement"}, {"time", "t"}, {"t", "time"}};
+
 class UserTableReader {
  public:
   UserTableReader(const std::filesystem::path& file, const ReferenceTable& reference,
                   const std::vector<ColumnMapping>& mappings)
-      : reference_(reference),
-        mappings_(mappings),
-        text_(read_bounded(file, largest_table)),
-        csv_(file, text_) {
-    table_.file = file;
+      : reference_(reference), mappings_(mappings), text_(read_table_text(file)), csv_(file, text_) {
+    table_.file = file == "-" ? "standard input" : file;
   }
 
   [[nodiscard]] UserTable read() {
@@ -103,7 +104,15 @@ class UserTableReader {
 
   [[nodiscard]] std::optional<Source> find(const Field& field) const {
     const ColumnMapping* mapping = mapping_of(field.name);
-    const std::string& name = mapping != nullptr ? mapping->theirs : field.name;
+    if (mapping != nullptr) return find_named(field, mapping->theirs, mapping);
+    auto source = find_named(field, field.name, nullptr);
+    for (const auto& [name, other] : other_names)
+      if (!source && field.name == name) source = find_named(field, other, nullptr);
+    return source;
+  }
+
+  [[nodiscard]] std::optional<Source> find_named(const Field& field, const std::string& name,
+                                                 const ColumnMapping* mapping) const {
     std::optional<Source> source;
     for (std::size_t i = 0; i < csv_.names().size(); ++i) {
       const auto header = match(csv_.names()[i], name);
@@ -193,7 +202,7 @@ class UserTableReader {
       if (cell.empty() || cell != printable(cell)) fail_unless("a word");
       return std::numeric_limits<double>::quiet_NaN();
     }
-    const auto number = finite_number(cell);
+    const auto number = csv_.number(cell);
     if (!number) fail_unless("a finite number, as 0.025 or 2.5e-2");
     if (source.field->type == FieldType::integer && *number != std::floor(*number)) fail_unless("an integer");
     const double value = source.unit->to_si(*number);
@@ -210,12 +219,12 @@ class UserTableReader {
     }
   }
 
-  // The abscissa increases within a curve, and the time of the events of one run does not decrease.
+  // The abscissa does not decrease within a curve or a sequence of events. A time may stand twice: before and
+  // after an event.
   void require_order() const {
     const ComparisonRule& rule = *resource().comparison;
     if (rule.kind == ComparisonKind::table) return;
-    const bool is_event = rule.kind == ComparisonKind::events;
-    const Column& abscissa = *table_.column(is_event ? "time" : rule.abscissa);
+    const Column& abscissa = *table_.column(rule.kind == ComparisonKind::events ? "time" : rule.abscissa);
     std::map<std::vector<std::string>, std::size_t> previous;
     for (std::size_t row = 0; row < table_.rows(); ++row) {
       std::vector<std::string> group;
@@ -225,10 +234,10 @@ class UserTableReader {
       const std::size_t before = std::exchange(entry->second, row);
       if (is_first) continue;
       const double step = abscissa.values[row] - abscissa.values[before];
-      if (step < 0.0 || (step == 0.0 && !is_event))
+      if (step < 0.0)
         throw InputError(place_of(abscissa, row) + ": " + abscissa.field.name + " is " + abscissa.text[row] +
-                         (is_event ? ", but must not be below " : ", but must be above ") +
-                         abscissa.text[before] + " of line " + std::to_string(table_.lines[before]));
+                         ", but must not be below " + abscissa.text[before] + " of line " +
+                         std::to_string(table_.lines[before]));
     }
   }
 
@@ -237,9 +246,10 @@ class UserTableReader {
     for (const std::string& name : resource().primary_key)
       if (const Column* column = table_.column(name); column != nullptr)
         key.push_back({&column->text, column->field.type == FieldType::string ? nullptr : &column->values});
-    const bool has_index =
-        resource().comparison->kind != ComparisonKind::events || table_.column("index") != nullptr;
-    if (key.empty() || !has_index) return;
+    const ComparisonKind kind = resource().comparison->kind;
+    const bool has_key = kind == ComparisonKind::table ||
+                         (kind == ComparisonKind::events && table_.column("index") != nullptr);
+    if (key.empty() || !has_key) return;
     const auto twice = repeated_key(key, table_.rows());
     if (!twice) return;
     std::string values;

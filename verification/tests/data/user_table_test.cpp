@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include "stickslip/data/case_file.hpp"
+#include "stickslip/data/csv_text.hpp"
 #include "stickslip/data/user_table.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
@@ -25,6 +27,20 @@ const data::ReferencePackage& package() {
   static const auto fixture = data::load_reference(std::filesystem::path(STICKSLIP_SOURCE_DIRECTORY) /
                                                    "verification/tests/golden/reference");
   return fixture;
+}
+
+std::string gzip(const std::string& text) {
+  z_stream stream{};
+  EXPECT_EQ(deflateInit2(&stream, Z_BEST_SPEED, Z_DEFLATED, 16 + MAX_WBITS, 8, Z_DEFAULT_STRATEGY), Z_OK);
+  std::string plain = text, packed(deflateBound(&stream, plain.size()), '\0');
+  stream.next_in = reinterpret_cast<Bytef*>(plain.data());
+  stream.avail_in = static_cast<uInt>(plain.size());
+  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
+  stream.avail_out = static_cast<uInt>(packed.size());
+  EXPECT_EQ(deflate(&stream, Z_FINISH), Z_STREAM_END);
+  packed.resize(stream.total_out);
+  deflateEnd(&stream);
+  return packed;
 }
 
 class UserTable : public ::testing::Test {
@@ -79,7 +95,20 @@ TEST_F(UserTable, IsTheSameHoweverItIsSpelled) {
       "beam,mode,frequency\npaper,1.0,+2.5e+1\npaper,2,8.15E1\n",
       "beam,mode,frequency,remark\npaper,1,25,\"a, \"\"b\"\"\"\npaper,2,81.5,\n",
       "beam;mode;frequency;remark\npaper;1;25;a,b\npaper;2;81.5;c\n",
-      "beam,mode,frequency,\"a; b\"\npaper,1,25,a\npaper,2,81.5,b\n"};
+      "beam,mode,frequency,\"a; b\"\npaper,1,25,a\npaper,2,81.5,b\n",
+      "beam,mode,frequency\rpaper,1,25\rpaper,2,81.5\r",
+      "  beam   mode  frequency\n paper  1\t 2.5E+01 \n paper  2  8.15D+01\n",
+      "# beam mode frequency\npaper 1 2.5e+01\npaper 2 8.15e+01\n",
+      "# made today\n#beam,mode,frequency\n# - - -\n# end\npaper,1,25\npaper,2,81.5\n",
+      "# beam mode frequency\n# - - kHz\npaper 1 0.025\npaper 2 0.0815\n",
+      "beam mode frequency [kHz]\npaper 1 0.025\npaper 2 0.0815\n",
+      "beam mode frequency / kHz\npaper 1 0.025\npaper 2 0.0815\n",
+      "beam mode frequency ( kHz )\npaper 1 0.025\npaper 2 0.0815\n",
+      "beam,mode,frequency\n,,[kHz]\npaper,1,0.025\npaper,2,0.0815\n",
+      "% by hand\nbeam;mode;frequency\n-;1;kHz\npaper;1;0,025\npaper;2;0,0815\n",
+      "\"beam\" \"mode\" \"frequency\"\n\"1\" \"paper\" 1 25\n\"2\" \"paper\" 2 81.5\n",
+      gzip("beam,mode,frequency\npaper,1,25\npaper,2,81.5\n"),
+      gzip("beam,mode,frequency\npaper,1,") + gzip("25\npaper,2,81.5\n")};
   for (const std::string& text : spellings) {
     const auto table = read("stick-frequencies", text);
     ASSERT_EQ(table.rows(), 2u) << text;
@@ -169,6 +198,18 @@ TEST_F(UserTable, NeedsNoKeyThatHasOneValueAndNoNumberOfEvents) {
   EXPECT_EQ(events.column("time")->values, (std::vector<double>{0.055, 0.068}));
   EXPECT_EQ(events.column("change")->text, (std::vector<std::string>{"onset", "capture"}));
   EXPECT_EQ(read("damped-events", "time,change\n0.1,onset\n0.1,capture\n").rows(), 2u);  // may coincide
+  EXPECT_EQ(read("stick-force", "t,friction_force\n0,1\n0.001,2\n0.001,3\n").rows(), 3u);
+}
+
+TEST_F(UserTable, KnowsTheColumnsOfOwnHistories) {
+  const auto history = read("damped-history", "time_s,tip_displacement_m,state\n0.5,1,stick\n");
+  EXPECT_EQ(history.column("t")->values[0], 0.5);
+  EXPECT_EQ(history.column("phase")->text[0], "stick");
+  EXPECT_EQ(
+      read("damped-history", "t,phase,state,tip_displacement\n0,slip,stick,1\n").column("phase")->text[0],
+      "slip");
+  const auto events = read("damped-events", "time_s,change,tip_displacement_m\n0.5,onset,2\n");
+  EXPECT_EQ(events.column("position")->values[0], 2.0);
 }
 
 TEST_F(UserTable, RefusesWhatCannotBeUsedInOneSentence) {
@@ -214,9 +255,18 @@ TEST_F(UserTable, RefusesWhatCannotBeUsedInOneSentence) {
       {frequencies, header + "paper,1,25 Hz\n",
        "mine.csv:2, column 3 (frequency): frequency is '25 Hz', but must be a finite number, as 0.025 or "
        "2.5e-2"},
-      {frequencies, "beam;mode;frequency\npaper;1;25,0\n",
+      {frequencies, "beam;mode;frequency\npaper;1;1.025,0\n",
+       "mine.csv:2, column 3 (frequency): frequency is '1.025,0', but must be a finite number, as 0.025 or "
+       "2.5e-2"},
+      {frequencies, header + "paper,1,\"25,0\"\n",
        "mine.csv:2, column 3 (frequency): frequency is '25,0', but must be a finite number, as 0.025 or "
        "2.5e-2"},
+      {frequencies, header + "-,-,THz\npaper,1,25\n",
+       "mine.csv:1, column 3 (frequency [THz]): the unit of frequency is 'THz', but must be one of Hz, mHz, "
+       "kHz, MHz, rad/s"},
+      {frequencies, header + ",,mm\npaper,1,25\n",
+       "mine.csv:1, column 3 (frequency [mm]): the unit of frequency is 'mm', but must be one of Hz, mHz, "
+       "kHz, MHz, rad/s"},
       {frequencies, header + "paper,1,NaN\n",
        "mine.csv:2, column 3 (frequency): frequency is 'NaN', but must be a finite number, as 0.025 or "
        "2.5e-2"},
@@ -239,16 +289,24 @@ TEST_F(UserTable, RefusesWhatCannotBeUsedInOneSentence) {
        "mine.csv:2: a quote is not closed, or something follows it: \"paper\"x,1,25"},
       {frequencies, header + "paper,1,25\npaper,2,81\npaper,1,26\n",
        "mine.csv:4: beam = paper, mode = 1 stands in line 2 already, but must stand once"},
-      {force, "t,friction_force\n0,1\n0.001,2\n0.001,3\n",
-       "mine.csv:4, column 1 (t): t is 0.001, but must be above 0.001 of line 3"},
       {force, "t,friction_force\n0.002,1\n0.001,2\n",
-       "mine.csv:3, column 1 (t): t is 0.001, but must be above 0.002 of line 2"},
+       "mine.csv:3, column 1 (t): t is 0.001, but must not be below 0.002 of line 2"},
       {events, "time,change\n0.2,onset\n0.1,capture\n",
        "mine.csv:3, column 1 (time): time is 0.1, but must not be below 0.2 of line 2"},
       {events, "index,time,change\n1,0.1,onset\n1,0.2,capture\n",
        "mine.csv:3: index = 1 stands in line 2 already, but must stand once"},
       {frequencies, std::string("\xFF\xFE") + "b", "mine.csv: is no text in UTF-8"},
       {frequencies, std::string("beam\0\n", 6), "mine.csv: is no text in UTF-8"},
+      {frequencies, "\x89HDF\r\n",
+       "mine.csv: is a file in HDF5 format (as MATLAB's -v7.3), but must be a table in text, as CSV"},
+      {frequencies, "PK\x03\x04",
+       "mine.csv: is a zip archive (as .xlsx, .ods, .npz), but must be a table in text, as CSV"},
+      {frequencies, "MATLAB 5.0 MAT-file", "mine.csv: is a MATLAB file, but must be a table in text, as CSV"},
+      {frequencies, "\x93NUMPY", "mine.csv: is a NumPy file, but must be a table in text, as CSV"},
+      {frequencies, gzip(header + "paper,1,25\n").substr(0, 20),
+       "mine.csv: is no complete file in gzip's format"},
+      {frequencies, gzip(std::string(data::largest_table + 1, ' ')),
+       "mine.csv: holds more than the 50000000 bytes that are allowed"},
       {"beams", "beam\npaper\n", "the data set beams says nothing of how to compare with it"}};
   for (const auto& [set, text, sentence] : defects) EXPECT_EQ(error_message(set, text), sentence);
 }

@@ -14,9 +14,15 @@ namespace stickslip::data {
 
 constexpr std::size_t largest_table = 50'000'000;  ///< bytes
 
-/// Reads a table row by row. Cells are separated by commas, semicolons or tabs, as in the line of names, and
-/// may be quoted; blanks around them, CRLF, a byte order mark, empty lines and lines that begin with # are
-/// understood.
+/// The text of a table: a file, standard input for "-", or what a file in gzip's format holds, at most
+/// largest_table bytes. Throws InputError for what cannot be read, and for a format that is no text.
+[[nodiscard]] std::string read_table_text(const std::filesystem::path& file);
+
+/// Reads a table row by row. Cells are separated by commas, semicolons, tabs or else blanks, as in the line of
+/// names, and may be quoted; blanks around them, the line ends of all systems, a byte order mark, empty lines
+/// and lines that begin with # or % are understood. If half of the cells of the first line are numbers, the names are those of
+/// the last comment before it that has as many cells. A line of units below the names is joined to them, as in
+/// "frequency [kHz]". In a table with blanks, the rows may have one cell more in front, as R's have.
 class CsvReader {
  public:
   /// Reads the names of the columns from the text of a file. Throws InputError, naming the file, if there are
@@ -31,7 +37,11 @@ class CsvReader {
 
   /// Where the names stand and where the row stands that was read last, counted from 1.
   [[nodiscard]] std::size_t line_of_names() const noexcept { return line_of_names_; }
-  [[nodiscard]] std::size_t line() const noexcept { return line_; }
+  [[nodiscard]] std::size_t line() const noexcept { return line_of_row_; }
+
+  /// The number of a cell, as finite_number; also with a Fortran exponent (1.0D-03) and, unless commas separate
+  /// the cells, with a decimal comma.
+  [[nodiscard]] std::optional<double> number(std::string_view cell) const;
 
   /// "stick.csv:12"
   [[nodiscard]] std::string place(std::size_t line) const;
@@ -39,12 +49,22 @@ class CsvReader {
   [[nodiscard]] std::string place(std::size_t line, std::size_t column) const;
 
  private:
-  [[nodiscard]] std::optional<std::string_view> next_line();
-  [[nodiscard]] std::vector<std::string> cells_of(std::string_view line) const;
+  struct Line {
+    std::string_view text;
+    std::size_t number{};
+  };
+  using Cells = std::vector<std::string>;
+
+  [[nodiscard]] std::string_view take_line();
+  [[nodiscard]] std::optional<Line> next_line(std::vector<Line>* comments = nullptr);
+  [[nodiscard]] Cells cells_of(const Line& line, char separator) const;
+  void find_names(const Line& first, const std::vector<Line>& comments);
+  bool take_units(const Cells& units);
 
   std::filesystem::path file_;
   std::string_view rest_;
-  std::size_t line_{}, line_of_names_{};
+  std::size_t line_{}, line_of_names_{}, line_of_row_{};
+  std::optional<Line> held_;  // the first row, which was read to look for the names or the units
   char separator_{','};
   std::vector<std::string> names_;
 };

@@ -5,9 +5,8 @@
 ///
 /// Columns are found by their names, in any order and in any case; a unit may follow the name and is
 /// converted to that of the data set: `frequency [kHz]`, `frequency (kHz)`, `frequency / kHz`,
-/// `frequency_kHz`. Cells are separated by commas, semicolons or tabs and may be quoted; blanks around them,
-/// CRLF, a byte order mark, empty lines and lines that begin with # are understood. Columns that the data set
-/// does not have are left alone.
+/// `frequency_kHz`, or in a line below the names. csv_text.hpp says which formats are understood. The columns
+/// of `stickslip respond` are known. Columns that the data set does not have are left alone.
 
 #include <cstddef>
 #include <filesystem>
@@ -45,8 +44,8 @@ struct UserTable {
 /// set has one value only, nor the `index` of events), the abscissa, the `change` and the `time` of events,
 /// and at least one of the values that are compared. Throws InputError, naming file, line, column and value
 /// and what is allowed, for a column that is missing, stands twice or has an unknown unit, for a cell that is
-/// no finite number, for a line with fewer or more cells, for no rows, for a key that stands twice, for an
-/// abscissa that does not increase and for times of events that decrease.
+/// no finite number, for a line with fewer or more cells, for no rows, for a key that stands twice in
+/// a table, and for an abscissa or times of events that decrease.
 [[nodiscard]] UserTable read_user_table(const std::filesystem::path& file, const ReferenceTable& reference,
                                         const std::vector<ColumnMapping>& mappings = {});
 
