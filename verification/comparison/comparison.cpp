@@ -9,10 +9,15 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numeric>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
 #include "comparison/event_sequence.hpp"
+#include "comparison/groups.hpp"
+#include "comparison/points.hpp"
+#include "comparison/samples.hpp"
 #include "stickslip/data/case_file.hpp"
 
 namespace stickslip::studies {
@@ -23,7 +28,6 @@ using data::ComparisonKind;
 using data::InputError;
 using data::Norm;
 using data::shortest_text;
-using Rows = std::vector<std::size_t>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -33,205 +37,9 @@ const std::string no_value = "without a value in the data set";
 const std::string at_event = "between the two times of an event, or next to it";
 const std::string past_last_sample = "between an event and the samples of the phase";
 const std::string other_phase = "in another phase";
-const std::string after_difference = "after the first event that differs";
-
-// --- comparison of points
-
-// One point of one quantity, in the unit of the quantity.
-struct Point {
-  double abscissa{}, theirs{}, reference{}, half_width{};
-  std::string where;
-};
-
-// The divisor that converts an error to the norm of the quantity.
-double unit_of(Norm norm, double reference, double scale) {
-  switch (norm) {
-    case Norm::relative:
-      return std::abs(reference);
-    case Norm::scale:
-    case Norm::range:
-      return scale;
-    case Norm::absolute:
-      break;
-  }
-  return 1.0;
-}
-
-// |x| in a norm. For x = 0 the result is 0 even if the divisor is 0; for other x it is then infinite.
-double measured(double x, Norm norm, double reference, double scale) {
-  return x == 0.0 ? 0.0 : std::abs(x) / unit_of(norm, reference, scale);
-}
-
-// The difference between an error and the uncertainty.
-double excess(double error, double uncertainty) {
-  return std::isfinite(uncertainty) ? error - uncertainty : -infinity;
-}
-
-void skip(Comparison::Quantity& quantity, const std::string& reason) {
-  const auto known = std::ranges::find(quantity.skipped, reason, &Comparison::Skipped::reason);
-  if (known == quantity.skipped.end())
-    quantity.skipped.push_back({reason, 1});
-  else
-    ++known->points;
-}
-
-// Adds the point to the last series and updates the result of the quantity. Returns whether the point
-// differs.
-bool judge(Comparison::Quantity& quantity, const Point& point, double scale) {
-  Comparison::Series& series = quantity.series.back();
-  series.abscissa.push_back(point.abscissa);
-  series.theirs.push_back(point.theirs);
-  series.reference.push_back(point.reference);
-  series.half_width.push_back(point.half_width);
-  series.allowed.push_back(point.half_width +
-                           quantity.tolerance * unit_of(quantity.norm, point.reference, scale));
-  ++quantity.compared;
-
-  const double error = measured(point.theirs - point.reference, quantity.norm, point.reference, scale);
-  const double uncertainty = measured(point.half_width, quantity.norm, point.reference, scale);
-  const bool differs = error > quantity.tolerance + uncertainty;
-  const bool undecided = !differs && uncertainty > quantity.tolerance;
-  quantity.undecided += undecided ? 1 : 0;
-  if (differs)
-    quantity.agreement = Agreement::differs;
-  else if (undecided && quantity.agreement == Agreement::agrees)
-    quantity.agreement = Agreement::undecided;
-  if (!quantity.error || excess(error, uncertainty) > excess(*quantity.error, *quantity.uncertainty)) {
-    quantity.error = error;
-    quantity.uncertainty = uncertainty;
-    quantity.where = point.where;
-  }
-  return differs;
-}
-
-// A quantity that counts deviations, such as additional or missing events.
-Comparison::Quantity count_of(const std::string& name, const std::string& unit) {
-  return {.name = name,
-          .unit = unit,
-          .norm = Norm::absolute,
-          .tolerance = 0.0,
-          .error = 0.0,
-          .uncertainty = 0.0,
-          .where = {},
-          .agreement = Agreement::agrees,
-          .compared = 0,
-          .undecided = 0,
-          .skipped = {},
-          .series = {}};
-}
-
-void count(Comparison::Quantity& quantity, const std::string& where) {
-  if (quantity.error == 0.0) quantity.where = where;
-  *quantity.error += 1.0;
-  quantity.agreement = Agreement::differs;
-}
-
-// --- groups of rows
-
-// The rows of one curve or one sequence, in the reference and in the user's table.
-struct Group {
-  std::string label;
-  Rows reference, theirs;
-  bool differs{};  // whether its events, its phases or the quantity of the diagnosis differ
-};
-
-bool is_same_cell(const data::Column& a, std::size_t i, const data::Column& b, std::size_t j) {
-  return a.field.type == data::FieldType::string ? a.text[i] == b.text[j]
-                                                 : data::is_same_key(a.values[i], b.values[j]);
-}
-
-class Matcher {
- public:
-  Matcher(const data::ReferenceTable& reference, const data::UserTable& theirs)
-      : reference_(reference), theirs_(theirs) {}
-
-  [[nodiscard]] bool matches(const std::vector<std::string>& columns, std::size_t row,
-                             std::size_t their_row) const {
-    return std::ranges::all_of(columns, [&](const std::string& name) {
-      return is_same_cell(reference_.column(name), row, *theirs_.column(name), their_row);
-    });
-  }
-
-  // For example "beam = paper, mode = 3".
-  [[nodiscard]] std::string label(const std::vector<std::string>& columns, std::size_t row) const {
-    return label_of(columns, [&](const std::string& name) { return reference_.column(name).text[row]; });
-  }
-
-  [[noreturn]] void throw_unknown_row(const std::vector<std::string>& columns, std::size_t their_row) const {
-    const auto cell = [&](const std::string& name) { return theirs_.column(name)->text[their_row]; };
-    throw InputError(fmt::format("{}: {} is not in the data set {}", theirs_.place(their_row),
-                                 label_of(columns, cell), reference_.resource.name));
-  }
-
-  [[nodiscard]] std::vector<Group> groups(const std::vector<std::string>& columns) const {
-    std::vector<Group> list;
-    for (std::size_t row = 0; row < reference_.rows(); ++row) {
-      const auto known = std::ranges::find_if(list, [&](const Group& group) {
-        return std::ranges::all_of(columns, [&](const std::string& name) {
-          const data::Column& column = reference_.column(name);
-          return is_same_cell(column, group.reference.front(), column, row);
-        });
-      });
-      if (known == list.end())
-        list.push_back({.label = label(columns, row), .reference = {row}, .theirs = {}});
-      else
-        known->reference.push_back(row);
-    }
-    if (list.size() == 1) list.front().label.clear();
-    for (std::size_t row = 0; row < theirs_.rows(); ++row) {
-      const auto group = std::ranges::find_if(
-          list, [&](const Group& one) { return matches(columns, one.reference.front(), row); });
-      if (group == list.end()) throw_unknown_row(columns, row);
-      group->theirs.push_back(row);
-    }
-    return list;
-  }
-
- private:
-  template <class Cell>
-  static std::string label_of(const std::vector<std::string>& columns, const Cell& cell) {
-    std::string text;
-    for (const std::string& name : columns)
-      text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", name, cell(name));
-    return text;
-  }
-
-  const data::ReferenceTable& reference_;
-  const data::UserTable& theirs_;
-};
-
-// --- interpolation of the reference
-
-struct Samples {
-  std::vector<double> abscissa, values, half_width;
-};
-
-struct Interpolated {
-  double value{}, half_width{};
-};
-
-// The sample at x, or else the interpolation polynomial through the nearest order + 1 samples; empty if there
-// are too few samples.
-std::optional<Interpolated> value_at(const Samples& samples, double x, double coincidence,
-                                     const data::Interpolation* interpolation, double error_bound) {
-  const auto& xs = samples.abscissa;
-  const auto next = static_cast<std::size_t>(std::ranges::lower_bound(xs, x - coincidence) - xs.begin());
-  if (next < xs.size() && std::abs(xs[next] - x) <= coincidence)
-    return Interpolated{samples.values[next], samples.half_width[next]};
-  if (interpolation == nullptr) return std::nullopt;
-  const auto points = static_cast<std::size_t>(interpolation->order) + 1;
-  if (xs.size() < points) return std::nullopt;
-  const std::size_t first = std::min(next - std::min(next, points / 2), xs.size() - points);
-  Interpolated result{.value = 0.0, .half_width = error_bound};
-  for (std::size_t i = first; i < first + points; ++i) {
-    double weight = 1.0;
-    for (std::size_t j = first; j < first + points; ++j)
-      if (j != i) weight *= (x - xs[j]) / (xs[i] - xs[j]);
-    result.value += weight * samples.values[i];
-    result.half_width += std::abs(weight) * samples.half_width[i];
-  }
-  return result;
-}
+const std::string not_in_data_set = "without an event of the data set";
+const std::string near_threshold = "too near to the threshold, where a mesh may decide otherwise";
+const std::string between_samples = "between the samples of the data set, to which they are interpolated";
 
 // --- sequences of events
 
@@ -240,7 +48,8 @@ std::vector<TabulatedEvent> events_of(const data::ReferenceTable& table, const R
   const auto& time = table.column("time");
   const auto radius = table.radius_of("time");
   std::vector<TabulatedEvent> events;
-  for (const std::size_t row : rows) events.push_back({change.text[row], time.values[row], radius[row], row});
+  for (const std::size_t row : rows)
+    events.push_back({change.text[row], time.values[row], radius[row], row, events.size() + 1});
   return events;
 }
 
@@ -254,9 +63,18 @@ std::vector<TabulatedEvent> events_of(const data::UserTable& table, const Rows& 
       throw InputError(fmt::format("{}: change is '{}', but must be one of {}", table.place(row),
                                    change.text[row], fmt::join(changes, ", ")));
     if (change.text[row] != "graze")
-      events.push_back({change.text[row], table.column("time")->values[row], 0.0, row});
+      events.push_back({change.text[row], table.column("time")->values[row], 0.0, row, events.size() + 1});
   }
   return events;
+}
+
+// The user's events without reversals, if the data set has none: it takes a reversal for a short stick, which
+// is left out.
+std::vector<TabulatedEvent> in_words_of(const std::vector<TabulatedEvent>& reference,
+                                        std::vector<TabulatedEvent> theirs) {
+  if (std::ranges::count(reference, "reversal", &TabulatedEvent::change) == 0)
+    std::erase_if(theirs, [](const TabulatedEvent& event) { return event.change == "reversal"; });
+  return theirs;
 }
 
 // A time interval in which the reference and the user's result are, or may be, in different phases.
@@ -316,10 +134,10 @@ class Comparer {
 
   [[nodiscard]] double tolerance_of(const data::ComparedValue& value) const {
     double tolerance = value.tolerance;
-    // The tolerance of one quantity replaces that for all.
+    // The tolerance of one quantity replaces that for all. Words have only their own.
     for (const std::string& name : {std::string(), value.field})
       for (const auto& [quantity, replacement] : settings_.tolerances)
-        if (quantity == name) tolerance = replacement;
+        if (quantity == name && (value.norm != Norm::word || !name.empty())) tolerance = replacement;
     return tolerance;
   }
 
@@ -341,6 +159,10 @@ class Comparer {
     for (const data::ComparedValue& value : rule_.values) {
       if (theirs_.column(value.field) == nullptr) {
         result_.remarks.push_back(fmt::format("{} is not in the file and was not compared", value.field));
+        continue;
+      }
+      if (value.norm == Norm::word) {
+        result_.quantities.push_back(count_of(value.field, "rows", value.norm, tolerance_of(value)));
         continue;
       }
       result_.quantities.push_back({.name = value.field,
@@ -385,13 +207,13 @@ class Comparer {
     }
   }
 
-  // The largest |value| of a group, or the range of its values. All values up to the horizon of the data set
-  // count, also if the comparison ends earlier.
-  [[nodiscard]] double scale_of(const std::string& field, Norm norm, const Group& group) const {
+  // The largest |value| of some rows, or the range of their values. All values up to the horizon of the data
+  // set count, also if the comparison ends earlier.
+  [[nodiscard]] double extent_of(const std::string& field, Norm norm, const Rows& rows) const {
     const auto& values = reference_.column(field).values;
     const double end = rule_.kind == ComparisonKind::table ? infinity : rule_.horizon.value_or(infinity);
     double least = infinity, greatest = -infinity;
-    for (const std::size_t row : group.reference) {
+    for (const std::size_t row : rows) {
       if (std::isfinite(end) && reference_.column(result_.abscissa).values[row] > end) continue;
       if (!std::isfinite(values[row])) continue;
       least = std::min(least, values[row]);
@@ -401,22 +223,31 @@ class Comparer {
     return norm == Norm::range ? greatest - least : std::max(std::abs(least), std::abs(greatest));
   }
 
+  // The extent of a group. If that is 0, the extent of the whole column. If that is 0 too, one unit.
+  [[nodiscard]] double scale_of(const std::string& field, Norm norm, const Group& group) const {
+    Rows all(reference_.rows());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    for (const Rows& rows : {group.reference, all})
+      if (const double extent = extent_of(field, norm, rows); extent > 0.0) return extent;
+    return 1.0;
+  }
+
   [[nodiscard]] bool is_diagnosed(const std::string& field) const {
     const auto& diagnosis = reference_.resource.diagnosis;
     return diagnosis && diagnosis->value == field;
   }
 
-  // Compares one row of the user with the reference, unless the reference has no value there.
-  void judge_at(Comparison::Quantity& quantity, Group& group, std::size_t their_row, double abscissa,
+  // Compares one value of the user with the reference, unless the reference has no value there.
+  void judge_at(Comparison::Quantity& quantity, Group& group, double abscissa, const Interpolated& theirs,
                 const std::optional<Interpolated>& reference, double scale, const std::string& where) {
     if (!reference || !std::isfinite(reference->value)) {
       skip(quantity, no_value);
       return;
     }
     const Point point{.abscissa = abscissa,
-                      .theirs = theirs_.column(quantity.name)->values[their_row],
+                      .theirs = theirs.value,
                       .reference = reference->value,
-                      .half_width = reference->half_width,
+                      .half_width = reference->half_width + theirs.half_width,
                       .where = where};
     if (judge(quantity, point, scale) && is_diagnosed(quantity.name)) group.differs = true;
   }
@@ -430,22 +261,61 @@ class Comparer {
   // A row of the reference and the corresponding row of the user.
   struct Pair {
     std::size_t row{}, their_row{};
+    Interpolated their_time{};  // of events
   };
 
   // Compares the values of pairs of rows at the abscissas of the reference.
   void compare_pairs(Group& group, const std::vector<Pair>& pairs,
                      const std::function<std::string(const Pair&)>& where) {
     for (Comparison::Quantity& quantity : result_.quantities) {
+      if (quantity.norm == Norm::word) {
+        compare_words(quantity, group, pairs, where);
+        continue;
+      }
       const auto& values = reference_.column(quantity.name).values;
+      const auto& their_values = theirs_.column(quantity.name)->values;
       const auto radius = reference_.radius_of(quantity.name);
       const double scale = scale_of(quantity.name, quantity.norm, group);
       for (const Pair& pair : pairs) {
         const double abscissa = result_.abscissa.empty()
                                     ? static_cast<double>(pair.row + 1)
                                     : reference_.column(result_.abscissa).values[pair.row];
-        judge_at(quantity, group, pair.their_row, abscissa, Interpolated{values[pair.row], radius[pair.row]},
-                 scale, where(pair));
+        const bool is_event_time = rule_.kind == ComparisonKind::events && quantity.name == "time";
+        judge_at(quantity, group, abscissa,
+                 is_event_time ? pair.their_time : Interpolated{their_values[pair.their_row], 0.0},
+                 Interpolated{values[pair.row], radius[pair.row]}, scale, where(pair));
       }
+    }
+  }
+
+  // Whether the value that decides a word is too near to its threshold for the word to count.
+  [[nodiscard]] bool is_near_threshold(const data::ComparedValue& word, std::size_t row,
+                                       const Group& group) const {
+    if (!word.decided_by) return false;
+    const auto& [field, threshold] = *word.decided_by;
+    const auto& deciding = *std::ranges::find(rule_.values, field, &data::ComparedValue::field);
+    const double value = reference_.column(field).values[row];
+    const double unit = unit_of(deciding.norm, value, scale_of(field, deciding.norm, group));
+    return std::abs(value - threshold) <= tolerance_of(deciding) * unit + reference_.radius_of(field)[row];
+  }
+
+  void compare_words(Comparison::Quantity& quantity, const Group& group, const std::vector<Pair>& pairs,
+                     const std::function<std::string(const Pair&)>& where) const {
+    const auto& rule = *std::ranges::find(rule_.values, quantity.name, &data::ComparedValue::field);
+    const auto& words = reference_.column(quantity.name).text;
+    for (const Pair& pair : pairs) {
+      const std::string& theirs = theirs_.column(quantity.name)->text[pair.their_row];
+      if (std::ranges::find(words, theirs) == words.end())
+        throw InputError(fmt::format("{}: {} is '{}', but must be one of {}", theirs_.place(pair.their_row),
+                                     quantity.name, theirs,
+                                     fmt::join(std::set<std::string>(words.begin(), words.end()), ", ")));
+      if (is_near_threshold(rule, pair.row, group)) {
+        skip(quantity, near_threshold);
+        continue;
+      }
+      ++quantity.compared;
+      if (theirs != words[pair.row])
+        count(quantity, fmt::format("{} ({} in the data set)", where(pair), words[pair.row]));
     }
   }
 
@@ -467,6 +337,26 @@ class Comparer {
       for (const std::size_t row : absent) missing.push_back(matcher_.label(key, row));
     }
     note_missing(std::move(missing));
+    cover_table();
+  }
+
+  // The share of rows in each part of the table that the file begins. A part has the same words in its key.
+  void cover_table() {
+    std::vector<std::string> words;
+    for (const std::string& name : reference_.resource.primary_key)
+      if (reference_.resource.field(name)->type == data::FieldType::string) words.push_back(name);
+    result_.required_coverage = least_table_coverage;
+    for (const Group& part : matcher_.groups(words)) {
+      if (part.theirs.empty()) continue;
+      const double share =
+          static_cast<double>(part.theirs.size()) / static_cast<double>(part.reference.size());
+      result_.coverage = std::min(result_.coverage, share);
+      if (share < least_table_coverage)
+        result_.remarks.push_back(
+            fmt::format("the file has {} of {} rows{}{}, but a verdict needs at least {:g} %",
+                        part.theirs.size(), part.reference.size(), part.label.empty() ? "" : " of ",
+                        part.label, 100.0 * least_table_coverage));
+    }
   }
 
   void note_missing(std::vector<std::string> labels) {
@@ -496,21 +386,48 @@ class Comparer {
     return samples;
   }
 
-  [[nodiscard]] const data::Interpolation* interpolation() const {
-    return rule_.interpolation ? &*rule_.interpolation : nullptr;
+  // The user's samples, without a second one at the same abscissa.
+  [[nodiscard]] Samples their_samples_of(const Comparison::Quantity& quantity, const Rows& rows,
+                                         double scale) const {
+    const auto& abscissa = theirs_.column(rule_.abscissa)->values;
+    const auto& values = theirs_.column(quantity.name)->values;
+    Samples samples;
+    for (const std::size_t row : rows) {
+      if (!samples.abscissa.empty() && samples.abscissa.back() == abscissa[row]) {
+        const double step = std::abs(values[row] - samples.values.back());
+        if (rule_.kind == ComparisonKind::curve &&
+            step > quantity.tolerance * unit_of(quantity.norm, values[row], scale))
+          throw InputError(fmt::format(
+              "{}: {} is {} as in the row before, but {} is {} there and {} here; it must be the same to the "
+              "tolerance of {:g}",
+              theirs_.place(row), rule_.abscissa, theirs_.column(rule_.abscissa)->text[row], quantity.name,
+              shortest_text(samples.values.back()), shortest_text(values[row]), quantity.tolerance));
+        continue;
+      }
+      samples.abscissa.push_back(abscissa[row]);
+      samples.values.push_back(values[row]);
+      samples.half_width.push_back(0.0);
+    }
+    return samples;
   }
 
-  [[nodiscard]] double interpolation_error(const std::string& field) const {
-    return rule_.interpolation ? rule_.interpolation->error.at(field) : 0.0;
-  }
+  // The abscissas of a group of the reference.
+  struct Grid {
+    double first{}, last{};
+    double spacing{};      // the mean distance of the samples
+    double coincidence{};  // abscissas with a smaller distance are considered equal
+  };
 
-  // Abscissas with a smaller distance than this are considered equal.
-  [[nodiscard]] double coincidence(const Group& group) const {
+  [[nodiscard]] Grid grid_of(const Group& group) const {
     constexpr double relative = 1e-9;
     const auto& abscissa = reference_.column(rule_.abscissa).values;
     const auto [least, greatest] =
         std::ranges::minmax(group.reference, {}, [&](std::size_t row) { return abscissa[row]; });
-    return relative * std::max(abscissa[greatest] - abscissa[least], std::abs(abscissa[greatest]));
+    const double first = abscissa[least], last = abscissa[greatest];
+    return {.first = first,
+            .last = last,
+            .spacing = (last - first) / std::max(1.0, static_cast<double>(group.reference.size()) - 1.0),
+            .coincidence = relative * std::max(last - first, std::abs(last))};
   }
 
   [[nodiscard]] std::string where_of(const Group& group, double abscissa) const {
@@ -519,47 +436,145 @@ class Comparer {
                        group.label.empty() ? "" : ", " + group.label);
   }
 
-  // Compares with the sample or with the interpolated value. Throws data::InputError if the data set has no
-  // sample at x and defines no interpolation.
-  void compare_at(Comparison::Quantity& quantity, Group& group, const Samples& samples, std::size_t their_row,
-                  double x, double scale) {
-    const auto value =
-        value_at(samples, x, coincidence(group), interpolation(), interpolation_error(quantity.name));
-    if (!value && !rule_.interpolation)
-      throw InputError(fmt::format(
-          "{}: {} is {}, but must be one of the {} of the data set {}, between which it does not interpolate",
-          theirs_.place(their_row), rule_.abscissa, theirs_.column(rule_.abscissa)->text[their_row],
-          group.reference.size(), reference_.resource.name));
-    judge_at(quantity, group, their_row, x, value, scale, where_of(group, x));
+  // A value of the user and of the reference at the same abscissa.
+  struct Compared {
+    double abscissa{};
+    Interpolated theirs;
+    std::optional<Interpolated> reference;
+  };
+
+  // Compares at the user's abscissas, where the data set states the error of its interpolation.
+  [[nodiscard]] std::vector<Compared> by_stated_interpolation(const std::string& field,
+                                                              const Samples& reference, const Samples& theirs,
+                                                              double margin) const {
+    std::vector<Compared> points;
+    for (std::size_t i = 0; i < theirs.abscissa.size(); ++i) {
+      const double x = theirs.abscissa[i];
+      auto value = sample_at(reference, x, margin);
+      if (!value)
+        value = interpolated(reference, x, *rule_.interpolation, rule_.interpolation->error.at(field));
+      points.push_back({x, {theirs.values[i], 0.0}, value});
+    }
+    return points;
   }
 
-  // Whether x is before the horizon and in the range of the samples. If not, the point is counted as skipped.
-  bool is_comparable(Comparison::Quantity& quantity, const Samples& samples, double x, double margin) {
-    if (x > horizon_) {
-      skip(quantity, beyond_horizon);
-      return false;
+  // Compares at the samples of the reference that have samples of the user near by, and at the user's samples
+  // that have none of their own near by. "Near by" is the distance of the samples of the reference.
+  [[nodiscard]] std::vector<Compared> by_own_interpolation(Comparison::Quantity& quantity,
+                                                           const Samples& reference, const Samples& theirs,
+                                                           const Grid& grid) const {
+    const double near = 1.01 * grid.spacing;
+    // A time that was rounded to single precision may mean that of the reference. The difference counts as
+    // uncertainty.
+    constexpr double single_precision = 0x1p-24;
+    const auto& xs = theirs.abscissa;
+    std::vector<Compared> points;
+    for (std::size_t i = 0; i < reference.abscissa.size(); ++i) {
+      const double x = reference.abscissa[i];
+      auto value = sample_at(theirs, x, grid.coincidence);
+      if (!value && gap_at(theirs, x) <= near) value = interpolated(theirs, x);
+      if (const auto sample = sample_at(theirs, x, single_precision * std::abs(x)); value && sample)
+        value->half_width += std::abs(value->value - sample->value);
+      if (value) points.push_back({x, *value, Interpolated{reference.values[i], reference.half_width[i]}});
     }
-    if (x < samples.abscissa.front() - margin || x > samples.abscissa.back() + margin) {
-      skip(quantity, outside_range);
-      return false;
+    for (std::size_t i = 0; i < xs.size(); ++i) {
+      if (sample_at(reference, xs[i], grid.coincidence)) continue;
+      const bool is_alone = xs.size() < 3 || (i > 0 && xs[i] - xs[i - 1] > near) ||
+                            (i + 1 < xs.size() && xs[i + 1] - xs[i] > near);
+      const bool is_inside = xs[i] > reference.abscissa.front() && xs[i] < reference.abscissa.back();
+      const auto value = is_alone && is_inside ? interpolated(reference, xs[i]) : std::nullopt;
+      if (value)
+        points.push_back({xs[i], {theirs.values[i], 0.0}, value});
+      else
+        skip(quantity, is_alone ? past_last_sample : between_samples);
     }
-    return true;
+    std::ranges::sort(points, {}, &Compared::abscissa);
+    return points;
+  }
+
+  void compare_samples(Comparison::Quantity& quantity, Group& group, const Rows& rows, const Rows& their_rows,
+                       const Grid& grid) {
+    if (their_rows.empty()) return;
+    const double scale = scale_of(quantity.name, quantity.norm, group);
+    const Samples reference = samples_of(quantity.name, rows);
+    const Samples theirs = their_samples_of(quantity, their_rows, scale);
+    const auto points = rule_.interpolation
+                            ? by_stated_interpolation(quantity.name, reference, theirs, grid.coincidence)
+                            : by_own_interpolation(quantity, reference, theirs, grid);
+    for (const auto& [x, value, known] : points)
+      judge_at(quantity, group, x, value, known, scale, where_of(group, x));
+  }
+
+  // The user's rows of a group up to the horizon and in the range of the reference. The others are counted as
+  // skipped.
+  [[nodiscard]] Rows comparable_rows(const Group& group, const Grid& grid) {
+    const auto& abscissa = theirs_.column(rule_.abscissa)->values;
+    Rows rows;
+    for (const std::size_t row : group.theirs) {
+      const double x = abscissa[row];
+      if (x > horizon_)
+        skip_in_all(beyond_horizon);
+      else if (x < grid.first - grid.coincidence || x > grid.last + grid.coincidence)
+        skip_in_all(outside_range);
+      else
+        rows.push_back(row);
+    }
+    return rows;
+  }
+
+  // Whether the file has rows of this group. If not, a remark says so.
+  [[nodiscard]] bool has_begun(const Group& group) {
+    if (group.theirs.empty())
+      result_.remarks.push_back(fmt::format("{} is not in the file and was not compared", group.label));
+    return !group.theirs.empty();
+  }
+
+  // The share of the range of the abscissa, up to the horizon, that has compared points in all quantities. A
+  // point covers a fortieth of the range on either side of it.
+  void cover_range(const Group& group, const Grid& grid) {
+    const double last = std::min(grid.last, horizon_), range = last - grid.first, reach = range / 40.0;
+    result_.required_coverage = least_range_coverage;
+    if (!(range > 0.0)) return;
+    double least = 1.0;
+    for (const Comparison::Quantity& quantity : result_.quantities) {
+      double covered = 0.0, end = grid.first;
+      for (const double x : quantity.series.back().abscissa) {
+        const double begin = std::max(end, x - reach);
+        end = std::max(end, std::min(last, x + reach));
+        covered += std::max(0.0, end - begin);
+      }
+      least = std::min(least, covered / range);
+    }
+    result_.coverage = std::min(result_.coverage, least);
+    if (least < least_range_coverage)
+      result_.remarks.push_back(fmt::format(
+          "the file covers {:.0f} % of {} from {:g} to {:g}{}{}{}, but a verdict needs at least {:g} %{}",
+          std::floor(100.0 * least), rule_.abscissa, grid.first, last,
+          result_.abscissa_unit.empty() ? "" : " " + result_.abscissa_unit, group.label.empty() ? "" : " of ",
+          group.label, 100.0 * least_range_coverage,
+          result_.abscissa_unit == "s" ? "; --until ends the comparison earlier" : ""));
   }
 
   void compare_curves() {
     for (Group& group : groups_) {
       open_series(group);
-      const double margin = coincidence(group);
-      for (Comparison::Quantity& quantity : result_.quantities) {
-        const Samples samples = samples_of(quantity.name, group.reference);
-        const double scale = scale_of(quantity.name, quantity.norm, group);
-        for (const std::size_t their_row : group.theirs) {
-          const double x = theirs_.column(rule_.abscissa)->values[their_row];
-          if (is_comparable(quantity, samples, x, margin))
-            compare_at(quantity, group, samples, their_row, x, scale);
-        }
-      }
+      if (!has_begun(group)) continue;
+      const Grid grid = grid_of(group);
+      const Rows rows = rows_up_to_horizon(group), their_rows = comparable_rows(group, grid);
+      for (Comparison::Quantity& quantity : result_.quantities)
+        compare_samples(quantity, group, rows, their_rows, grid);
+      cover_range(group, grid);
     }
+  }
+
+  // The samples of the reference that are compared. All of them, if they are interpolated.
+  [[nodiscard]] Rows rows_up_to_horizon(const Group& group) const {
+    if (rule_.interpolation) return group.reference;
+    const auto& abscissa = reference_.column(rule_.abscissa).values;
+    Rows rows;
+    for (const std::size_t row : group.reference)
+      if (abscissa[row] <= horizon_) rows.push_back(row);
+    return rows;
   }
 
   // --- kind events
@@ -574,32 +589,67 @@ class Comparer {
     return 0.0;
   }
 
-  void note_difference(Comparison::Quantity& sequence, Group& group, const SequenceMatch& found) {
-    sequence.compared += found.common + found.missing;
-    if (found.difference.empty()) return;
-    group.differs = true;
-    for (std::size_t i = 0; i < std::max(found.missing, found.extra); ++i) count(sequence, found.difference);
-    result_.remarks.push_back(group.label.empty() ? found.difference : group.label + ": " + found.difference);
+  // Counts the events without a partner and names the first of them.
+  void note_difference(Comparison::Quantity& sequence, Group& group, const SequenceMatch& found,
+                       const std::vector<TabulatedEvent>& events,
+                       const std::vector<TabulatedEvent>& their_events) {
+    constexpr std::size_t shown = 8;
+    const std::string prefix = group.label.empty() ? "" : group.label + ": ";
+    const auto note = [&](const std::string& sentence) {
+      count(sequence, sentence);
+      if (*sequence.error <= static_cast<double>(shown)) result_.remarks.push_back(prefix + sentence);
+    };
+    sequence.compared += found.pairs.size() + found.missing.size() + found.unreached;
+    for (const std::size_t i : found.missing)
+      note(fmt::format("{} is missing in the file", description(events[i])));
+    for (const std::size_t i : found.extra)
+      note(fmt::format("{} of the file is not in the data set", description(their_events[i])));
+    if (found.missing.size() + found.extra.size() > 0) group.differs = true;
+    if (*sequence.error > static_cast<double>(shown))
+      result_.remarks.push_back(
+          prefix + fmt::format("{:g} events are missing or not in the data set", *sequence.error));
+    if (found.unreached == 0) return;
+    sequence.undecided += found.unreached;
+    if (sequence.agreement == Agreement::agrees) sequence.agreement = Agreement::undecided;
+    if (sequence.where.empty()) sequence.where = "the end of the file";
+  }
+
+  // The user's run ends with its last event, unless a latest time is given.
+  void note_unreached(const Group& group, const SequenceMatch& found,
+                      const std::vector<TabulatedEvent>& events, double end) {
+    result_.required_coverage = least_range_coverage;
+    if (found.unreached == 0) return;
+    const auto last = std::ranges::upper_bound(events, horizon_, {}, &TabulatedEvent::time) - 1;
+    result_.coverage = std::min(result_.coverage, end / last->time);
+    result_.remarks.push_back(fmt::format(
+        "{}the file ends at {:.9g} s, and the data set has {} more event{} up to {:.9g} s; --until says how "
+        "far your run goes",
+        group.label.empty() ? "" : group.label + ": ", end, found.unreached, found.unreached == 1 ? "" : "s",
+        last->time));
   }
 
   void compare_events() {
     Comparison::Quantity sequence = count_of("sequence", "events");
     for (Group& group : groups_) {
       open_series(group);
-      const auto events = events_of(reference_, group.reference);
-      const auto their_events = events_of(theirs_, group.theirs);
-      const SequenceMatch found = match(events, their_events, horizon_, time_tolerance(rule_));
-      note_difference(sequence, group, found);
+      if (!has_begun(group)) continue;
+      const auto events = without_short_phases(events_of(reference_, group.reference), rule_.shortest_phase);
+      const auto their_events =
+          without_short_phases(in_words_of(events, events_of(theirs_, group.theirs)), rule_.shortest_phase);
+      const double end = settings_.until ? infinity : theirs_.column("time")->values[group.theirs.back()];
+      const SequenceMatch found = match(events, their_events, {horizon_, end, time_tolerance(rule_)});
+      note_difference(sequence, group, found, events, their_events);
+      note_unreached(group, found, events, end);
       std::vector<Pair> pairs;
-      for (std::size_t i = 0; i < found.common; ++i) pairs.push_back({events[i].row, their_events[i].row});
+      for (const auto& [i, j] : found.pairs)
+        pairs.push_back(
+            {events[i].row, their_events[j].row, {their_events[j].time, their_events[j].time_radius}});
       compare_pairs(group, pairs, [&](const Pair& pair) {
-        const auto event = std::ranges::find(events, pair.row, &TabulatedEvent::row);
-        const auto index = static_cast<std::size_t>(event - events.begin());
-        return description(index, *event) + (group.label.empty() ? "" : ", " + group.label);
+        return description(*std::ranges::find(events, pair.row, &TabulatedEvent::row)) +
+               (group.label.empty() ? "" : ", " + group.label);
       });
       for (std::size_t i = 0; i < found.beyond; ++i) skip_in_all(beyond_horizon);
-      for (std::size_t i = found.common + found.beyond; i < their_events.size(); ++i)
-        skip_in_all(after_difference);
+      for (std::size_t i = 0; i < found.extra.size(); ++i) skip_in_all(not_in_data_set);
     }
     result_.quantities.insert(result_.quantities.begin(), std::move(sequence));
   }
@@ -629,29 +679,36 @@ class Comparer {
 
   // The number of events up to the time t. Samples with the same number are in the same phase.
   static std::size_t phase_number(const std::vector<TabulatedEvent>& events, double t) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(events, [t](const TabulatedEvent& event) { return event.time <= t; }));
+    return static_cast<std::size_t>(std::ranges::upper_bound(events, t, {}, &TabulatedEvent::time) -
+                                    events.begin());
   }
 
   // The larger of the distances to the two neighbouring samples.
-  [[nodiscard]] double sampling_distance(const Group& group, std::size_t index) const {
+  [[nodiscard]] double sampling_distance(const Rows& rows, std::size_t index) const {
     const auto& t = theirs_.column(rule_.abscissa)->values;
     double distance = 0.0;
-    if (index > 0) distance = t[group.theirs[index]] - t[group.theirs[index - 1]];
-    if (index + 1 < group.theirs.size())
-      distance = std::max(distance, t[group.theirs[index + 1]] - t[group.theirs[index]]);
+    if (index > 0) distance = t[rows[index]] - t[rows[index - 1]];
+    if (index + 1 < rows.size()) distance = std::max(distance, t[rows[index + 1]] - t[rows[index]]);
     return distance;
   }
 
-  // The intervals around the events of the reference in which the phases may differ. If the user's event
-  // times are known, an interval extends to them.
-  static std::vector<Window> windows_between(const std::vector<TabulatedEvent>& events,
-                                             const std::vector<TabulatedEvent>& theirs, std::size_t common) {
+  // The events of a group of a history. The user's are unknown if their file is not given.
+  struct Events {
+    std::vector<TabulatedEvent> reference;
+    std::optional<std::vector<TabulatedEvent>> theirs;
+    std::vector<Window> windows;  // around the events, in which the phases may differ
+    double guard{};  // how far an event of the user may be from that of the reference, if unknown
+  };
+
+  // The interval of a pair extends from one time to the other.
+  static std::vector<Window> windows_between(const Events& events, const SequenceMatch& found) {
     std::vector<Window> windows;
-    for (std::size_t i = 0; i < events.size(); ++i) {
-      Window window{events[i].time - events[i].time_radius, events[i].time + events[i].time_radius};
-      if (i < common) window = {std::min(window.from, theirs[i].time), std::max(window.to, theirs[i].time)};
-      windows.push_back(window);
+    for (const TabulatedEvent& event : events.reference)
+      windows.push_back({event.time - event.time_radius, event.time + event.time_radius});
+    for (const auto& [i, j] : found.pairs) {
+      const TabulatedEvent& theirs = (*events.theirs)[j];
+      windows[i].from = std::min(windows[i].from, theirs.time - theirs.time_radius);
+      windows[i].to = std::max(windows[i].to, theirs.time + theirs.time_radius);
     }
     return windows;
   }
@@ -680,81 +737,102 @@ class Comparer {
     return word;
   }
 
+  [[nodiscard]] Events find_events(const data::ReferenceTable& table, Group& group,
+                                   Comparison::Quantity& sequence) {
+    const data::ComparisonRule& rule = *table.resource.comparison;
+    Events events;
+    events.reference = without_short_phases(events_in(table, group), rule.shortest_phase);
+    SequenceMatch found;
+    if (settings_.events) {
+      events.theirs = without_short_phases(in_words_of(events.reference, events_in(*settings_.events, group)),
+                                           rule.shortest_phase);
+      const double end = theirs_.column(rule_.abscissa)->values[group.theirs.back()];
+      found = match(events.reference, *events.theirs, {horizon_, end, time_tolerance(rule)});
+      found.unreached = 0;  // the coverage of the history tells it
+      note_difference(sequence, group, found, events.reference, *events.theirs);
+    }
+    events.guard = settings_.events ? 0.0 : time_tolerance(rule);
+    events.windows = windows_between(events, found);
+    return events;
+  }
+
   void compare_phases() {
     const data::ReferenceTable table = data::read_table(package_, rule_.events);
     Comparison::Quantity phase = count_of("phase", "samples"), sequence = count_of("sequence", "events");
     for (Group& group : groups_) {
       open_series(group);
-      const auto events = events_in(table, group);
-      std::vector<TabulatedEvent> their_events;
-      SequenceMatch found;
-      if (settings_.events) {
-        their_events = events_in(*settings_.events, group);
-        found = match(events, their_events, horizon_, time_tolerance(*table.resource.comparison));
-        note_difference(sequence, group, found);
-      }
-      compare_phases_of(group, events, windows_between(events, their_events, found.common), found.until,
-                        phase);
+      if (!has_begun(group)) continue;
+      const Events events = find_events(table, group, sequence);
+      const Grid grid = grid_of(group);
+      std::vector<Rows> rows;
+      for (std::size_t number = 0; number <= events.reference.size(); ++number)
+        rows.push_back(rows_in_phase(group, events.reference, number));
+      const auto their_rows = their_rows_by_phase(group, grid, events, rows, phase);
+      for (Comparison::Quantity& quantity : result_.quantities)
+        for (std::size_t number = 0; number < rows.size(); ++number)
+          compare_samples(quantity, group, rows[number], their_rows[number], grid);
+      cover_range(group, grid);
     }
     if (theirs_.column("phase") != nullptr)
       result_.quantities.insert(result_.quantities.begin(), std::move(phase));
     if (settings_.events) result_.quantities.insert(result_.quantities.begin(), std::move(sequence));
   }
 
-  void compare_phases_of(Group& group, const std::vector<TabulatedEvent>& events,
-                         const std::vector<Window>& windows, double first_difference,
-                         Comparison::Quantity& phase) {
-    const double margin = coincidence(group);
-    const std::size_t phases = events.size() + 1;
-    std::vector<Rows> rows;
-    for (std::size_t number = 0; number < phases; ++number)
-      rows.push_back(rows_in_phase(group, events, number));
-    for (Comparison::Quantity& quantity : result_.quantities) {
-      const bool is_first = &quantity == &result_.quantities.front();
-      const double scale = scale_of(quantity.name, quantity.norm, group);
-      const Samples all = samples_of(quantity.name, group.reference);
-      std::vector<Samples> samples;
-      for (const Rows& one : rows) samples.push_back(samples_of(quantity.name, one));
-      for (std::size_t i = 0; i < group.theirs.size(); ++i) {
-        const std::size_t their_row = group.theirs[i];
-        const double t = theirs_.column(rule_.abscissa)->values[their_row];
-        if (!is_comparable(quantity, all, t, margin)) continue;
-        if (t >= first_difference) {
-          skip(quantity, after_difference);
-          continue;
-        }
-        const double guard = settings_.events ? 0.0 : sampling_distance(group, i);
-        if (std::ranges::any_of(windows, [&](const Window& window) {
-              return t >= window.from - guard && t <= window.to + guard;
-            })) {
-          skip(quantity, at_event);
-          continue;
-        }
-        const std::size_t number = phase_number(events, t);
-        const Samples& of_phase = samples[number];
-        if (of_phase.abscissa.empty() || t < of_phase.abscissa.front() - margin ||
-            t > of_phase.abscissa.back() + margin) {
-          skip(quantity, past_last_sample);
-          continue;
-        }
-        const std::string& word = reference_.column("phase").text[rows[number].front()];
-        const std::string their_word = their_phase(their_row);
-        if (!their_word.empty() && is_first) ++phase.compared;
-        if (!their_word.empty() && their_word != word) {
-          skip(quantity, other_phase);
-          group.differs = true;
-          if (is_first) count(phase, fmt::format("{} ({} in the data set)", where_of(group, t), word));
-          continue;
-        }
-        compare_at(quantity, group, of_phase, their_row, t, scale);
+  // The user's rows in each phase of the reference, without those in another phase or near to an event.
+  [[nodiscard]] std::vector<Rows> their_rows_by_phase(Group& group, const Grid& grid, const Events& events,
+                                                      const std::vector<Rows>& rows,
+                                                      Comparison::Quantity& phase) {
+    const auto &abscissa = reference_.column(rule_.abscissa).values,
+               &times = theirs_.column(rule_.abscissa)->values;
+    const Rows comparable = comparable_rows(group, grid);
+    std::vector<Rows> by_phase(rows.size());
+    for (std::size_t i = 0; i < comparable.size(); ++i) {
+      const std::size_t their_row = comparable[i];
+      const double t = times[their_row];
+      const double guard = events.theirs ? 0.0 : std::max(events.guard, sampling_distance(comparable, i));
+      const bool is_at_event = std::ranges::any_of(events.windows, [&](const Window& window) {
+        return t >= window.from - guard && t <= window.to + guard;
+      });
+      if (is_at_event) {
+        skip_in_all(at_event);
+        continue;
       }
+      if (events.theirs && contact_at(events.reference, t) != contact_at(*events.theirs, t)) {
+        skip_in_all(other_phase);
+        continue;
+      }
+      const std::size_t number = phase_number(events.reference, t);
+      const Rows& samples = rows[number];
+      if (samples.empty() || t < abscissa[samples.front()] - grid.coincidence ||
+          t > abscissa[samples.back()] + grid.coincidence) {
+        skip_in_all(past_last_sample);
+        continue;
+      }
+      if (is_in_phase(group, their_row, t, reference_.column("phase").text[samples.front()], phase))
+        by_phase[number].push_back(their_row);
+      else
+        skip_in_all(other_phase);
     }
+    return by_phase;
+  }
+
+  // Compares the phase of a row with that of the reference, if the file has one.
+  [[nodiscard]] bool is_in_phase(Group& group, std::size_t their_row, double t, const std::string& word,
+                                 Comparison::Quantity& phase) {
+    const std::string their_word = their_phase(their_row);
+    if (their_word.empty()) return true;
+    ++phase.compared;
+    if (their_word == word) return true;
+    group.differs = true;
+    count(phase, fmt::format("{} ({} in the data set)", where_of(group, t), word));
+    return false;
   }
 
   // --- result
 
   void conclude() {
     bool compared = false;
+    if (result_.coverage < result_.required_coverage) result_.agreement = Agreement::undecided;
     for (Comparison::Quantity& quantity : result_.quantities) {
       std::erase_if(quantity.series,
                     [](const Comparison::Series& series) { return series.abscissa.empty(); });

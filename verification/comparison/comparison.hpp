@@ -28,6 +28,11 @@ enum class Agreement { agrees, differs, undecided };
 /// The result in one word: "agrees", "differs" or "undecided".
 [[nodiscard]] std::string_view to_string(Agreement agreement) noexcept;
 
+/// The share of the range of a curve, of a history or of a sequence of events that a verdict needs.
+constexpr double least_range_coverage = 0.9;
+/// The share of the rows of a table. It counts in each part of the table that the file begins, such as a beam.
+constexpr double least_table_coverage = 0.1;
+
 /// The settings of a comparison.
 struct ComparisonSettings {
   /// A tolerance that replaces that of the data set.
@@ -84,6 +89,9 @@ struct Comparison {
   data::ComparisonKind kind{};
   std::string abscissa, abscissa_unit;  ///< of the series; empty if it is the row number
   Agreement agreement{};
+  /// The share of what is asked for that the file covers, the least of all groups of which it has rows; and the
+  /// share that is needed. With less, what does not differ is undecided.
+  double coverage{1.0}, required_coverage{};
   std::vector<Quantity> quantities;
   std::vector<std::string> remarks;  ///< rows and columns that are missing on either side, as sentences
   std::vector<Likeness> likenesses;
@@ -91,16 +99,24 @@ struct Comparison {
 
 /// Compares the values of a user's table with a data set, point by point, according to the kind of the data
 /// set:
-/// - table: rows with the same primary key are compared.
-/// - curve: the reference is evaluated at the user's abscissas by the interpolation polynomial through its
-///   samples. The error bound of the interpolation and the amplified half-widths of the samples count as
-///   uncertainty. If the data set defines no interpolation, the abscissas must coincide (to 1e-9).
-/// - events: first the sequence of changes up to the horizon is compared, then the times and positions of the
-///   common first part. An event within tolerance of the horizon may be on either side of it.
+/// - table: rows with the same primary key are compared. Words that differ are counted.
+/// - curve: if the data set states an interpolation, the reference is evaluated at the user's abscissas by the
+///   polynomial through its samples. The stated bound of its error and the amplified half-widths of the samples
+///   count as uncertainty. If not, the user's samples are interpolated to the abscissas of the reference where
+///   they are at least as dense, and else the reference is interpolated; the estimated error
+///   (interpolated(Samples, x)) counts as uncertainty. Abscissas coincide to 1e-9 of the range.
+/// - events: the two sequences are aligned in time (match()). Missing and additional events are counted, and
+///   times and positions of the pairs are compared. Before that, phases shorter than the shortest phase of the
+///   data set are taken out of both. An event within tolerance of the horizon may be on either side of it.
+///   Events of the reference after the last one of the user are undecided, unless a latest time is given.
 /// - phases: like curve, but with samples of the same phase only. Points between the event times of the
-///   reference and of the user are skipped. If the user's event times are unknown, points within one of the
-///   user's sampling intervals of an event of the reference are skipped. A sample in a different phase
-///   outside these intervals is an error of the quantity "phase".
+///   reference and of the user are skipped, and points at which the two sequences of events are in different
+///   phases. If the user's event times are unknown, points within the tolerance of the event times and within
+///   one of the user's sampling intervals of an event of the reference are skipped. A sample in a different
+///   phase outside these intervals is an error of the quantity "phase".
+///
+/// Nothing is said to agree if the file covers less than least_range_coverage or least_table_coverage. A
+/// compared point of a curve covers a fortieth of the range on either side of it.
 ///
 /// Quantities that differ are compared with the wrong models if the data set names the quantity of its
 /// diagnosis. The tolerance is then taken as the uncertainty of the user's values.

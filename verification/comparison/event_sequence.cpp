@@ -5,45 +5,131 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace stickslip::studies {
 
-std::string description(std::size_t index, const TabulatedEvent& event) {
-  return fmt::format("event {} ({} at {:.9g} s)", index + 1, event.change, event.time);
+namespace {
+
+enum class Step : std::uint8_t { pair, leave_reference, leave_theirs };
+
+// The cost to leave each event without a partner.
+struct LeavingCosts {
+  std::vector<double> reference, theirs;
+};
+
+LeavingCosts leaving_costs(const std::vector<TabulatedEvent>& reference,
+                           const std::vector<TabulatedEvent>& theirs, const SequenceLimits& limits) {
+  const double end = std::min(limits.horizon, limits.end);
+  const double usual =
+      reference.empty() ? 1.0 : 0.5 * reference.back().time / static_cast<double>(reference.size());
+  LeavingCosts costs;
+  for (const TabulatedEvent& event : reference)
+    costs.reference.push_back(std::min(usual, event.time < end - limits.time_tolerance - event.time_radius
+                                                  ? usual
+                                              : event.time <= end + limits.time_tolerance + event.time_radius
+                                                  ? limits.time_tolerance + event.time_radius
+                                                  : 0.0));
+  for (const TabulatedEvent& event : theirs)
+    costs.theirs.push_back(event.time <= limits.horizon ? usual : 0.0);
+  return costs;
+}
+
+// The last step of the best alignment of the first i and j events, at i (theirs + 1) + j.
+std::vector<Step> best_steps(const std::vector<TabulatedEvent>& reference,
+                             const std::vector<TabulatedEvent>& theirs, const LeavingCosts& leaving) {
+  const std::size_t width = theirs.size() + 1;
+  std::vector<Step> steps((reference.size() + 1) * width, Step::leave_theirs);
+  std::vector<double> cost(width, 0.0);
+  for (std::size_t j = 1; j < width; ++j) cost[j] = cost[j - 1] + leaving.theirs[j - 1];
+  for (std::size_t i = 1; i <= reference.size(); ++i) {
+    double diagonal = cost[0];
+    cost[0] += leaving.reference[i - 1];
+    steps[i * width] = Step::leave_reference;
+    for (std::size_t j = 1; j < width; ++j) {
+      const TabulatedEvent &a = reference[i - 1], &b = theirs[j - 1];
+      const double pair = a.change == b.change ? diagonal + std::abs(a.time - b.time)
+                                               : std::numeric_limits<double>::infinity();
+      diagonal = cost[j];
+      const double without_a = cost[j] + leaving.reference[i - 1],
+                   without_b = cost[j - 1] + leaving.theirs[j - 1];
+      cost[j] = std::min({pair, without_a, without_b});
+      steps[i * width + j] = pair <= cost[j]        ? Step::pair
+                             : without_a <= cost[j] ? Step::leave_reference
+                                                    : Step::leave_theirs;
+    }
+  }
+  return steps;
+}
+
+}  // namespace
+
+std::string description(const TabulatedEvent& event) {
+  return fmt::format("event {} ({} at {:.9g} s)", event.number, event.change, event.time);
+}
+
+std::vector<TabulatedEvent> without_short_phases(const std::vector<TabulatedEvent>& events, double shortest) {
+  std::vector<TabulatedEvent> left;
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    if (events[i].change == "reversal") {
+      left.push_back(events[i]);
+      continue;
+    }
+    std::size_t last = i;
+    for (std::size_t j = i + 1; j < events.size() && events[j].time - events[last].time < shortest; ++j)
+      if (events[j].change != "reversal") last = j;
+    if (last == i || events[last].change == events[i].change) {
+      const double half = 0.5 * (events[last].time - events[i].time);
+      left.push_back(events[i]);
+      left.back().time += half;
+      left.back().time_radius += half;
+    }
+    i = last;
+  }
+  return left;
+}
+
+int contact_at(const std::vector<TabulatedEvent>& events, double t) {
+  if (events.empty()) return 0;
+  auto event = std::ranges::upper_bound(events, t, {}, &TabulatedEvent::time);
+  int sign = 1;
+  for (; event != events.begin() && (event - 1)->change == "reversal"; --event) sign = -sign;
+  const bool slips = event == events.begin() ? event->change != "onset" : (event - 1)->change == "onset";
+  return slips ? sign : 0;
 }
 
 SequenceMatch match(const std::vector<TabulatedEvent>& reference, const std::vector<TabulatedEvent>& theirs,
-                    double horizon, double time_tolerance) {
-  const auto is_within = [horizon](const TabulatedEvent& event) { return event.time <= horizon; };
-  const auto is_at_horizon = [&](const TabulatedEvent& event) {
-    return std::abs(event.time - horizon) <= time_tolerance + event.time_radius;
-  };
-  const auto within = static_cast<std::size_t>(std::ranges::count_if(reference, is_within));
+                    const SequenceLimits& limits) {
+  const auto slack = [&](const TabulatedEvent& event) { return limits.time_tolerance + event.time_radius; };
+  std::vector<TabulatedEvent> within;
+  for (const TabulatedEvent& event : reference)
+    if (event.time <= limits.horizon + slack(event)) within.push_back(event);
+  const auto steps = best_steps(within, theirs, leaving_costs(within, theirs, limits));
+
   SequenceMatch result;
-  std::size_t& i = result.common;
-  while (i < std::min(within, theirs.size()) && reference[i].change == theirs[i].change) ++i;
-
-  // The last reference event within the horizon may be missing because the user's run ends before it. The
-  // first reference event after the horizon may be before the horizon in the user's run.
-  const bool last_is_late = i == theirs.size() && i + 1 == within && is_at_horizon(reference[i]);
-  result.missing = last_is_late ? 0 : within - i;
-  result.extra = static_cast<std::size_t>(
-      std::count_if(theirs.begin() + static_cast<std::ptrdiff_t>(i), theirs.end(), is_within));
-  const bool next_is_early = i == within && i < reference.size() && result.extra == 1 &&
-                             reference[i].change == theirs[i].change && is_at_horizon(reference[i]);
-  if (next_is_early) result.extra = 0;
-  result.beyond = theirs.size() - i - result.extra;
-  if (result.missing + result.extra == 0) return result;
-
-  if (result.missing > 0) result.until = reference[i].time;
-  if (result.extra > 0) result.until = std::min(result.until, theirs[i].time);
-  if (result.missing > 0 && result.extra > 0)
-    result.difference =
-        fmt::format("{} is {} in the file", description(i, reference[i]), description(i, theirs[i]));
-  else if (result.missing > 0)
-    result.difference = fmt::format("{} is missing in the file", description(i, reference[i]));
-  else
-    result.difference = fmt::format("{} of the file is not in the data set", description(i, theirs[i]));
+  std::size_t i = within.size(), j = theirs.size();
+  while (i > 0 || j > 0) {
+    const Step step = steps[i * (theirs.size() + 1) + j];
+    i -= step == Step::leave_theirs ? 0 : 1;
+    j -= step == Step::leave_reference ? 0 : 1;
+    if (step == Step::leave_theirs) {
+      if (theirs[j].time <= limits.horizon)
+        result.extra.push_back(j);
+      else
+        ++result.beyond;
+    } else if (step == Step::pair && within[i].time <= limits.horizon) {
+      result.pairs.push_back({i, j});
+    } else if (step == Step::pair) {
+      ++result.beyond;
+    } else if (within[i].time < limits.horizon - slack(within[i]) && within[i].time > limits.end) {
+      ++result.unreached;
+    } else if (within[i].time < std::min(limits.horizon, limits.end) - slack(within[i])) {
+      result.missing.push_back(i);
+    }
+  }
+  std::ranges::reverse(result.pairs);
+  std::ranges::reverse(result.missing);
+  std::ranges::reverse(result.extra);
   return result;
 }
 

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "comparison/groups.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "stickslip/data/case_file.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+template <class Cell>
+std::string label_of(const std::vector<std::string>& columns, const Cell& cell) {
+  std::string text;
+  for (const std::string& name : columns)
+    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", name, cell(name));
+  return text;
+}
+
+}  // namespace
+
+bool is_same_cell(const data::Column& a, std::size_t i, const data::Column& b, std::size_t j) {
+  return a.field.type == data::FieldType::string ? a.text[i] == b.text[j]
+                                                 : data::is_same_key(a.values[i], b.values[j]);
+}
+
+bool Matcher::matches(const std::vector<std::string>& columns, std::size_t row, std::size_t their_row) const {
+  return std::ranges::all_of(columns, [&](const std::string& name) {
+    return is_same_cell(reference_.column(name), row, *theirs_.column(name), their_row);
+  });
+}
+
+std::string Matcher::label(const std::vector<std::string>& columns, std::size_t row) const {
+  return label_of(columns, [&](const std::string& name) { return reference_.column(name).text[row]; });
+}
+
+void Matcher::throw_unknown_row(const std::vector<std::string>& columns, std::size_t their_row) const {
+  const auto cell = [&](const std::string& name) { return theirs_.column(name)->text[their_row]; };
+  throw data::InputError(fmt::format("{}: {} is not in the data set {}", theirs_.place(their_row),
+                                     label_of(columns, cell), reference_.resource.name));
+}
+
+std::vector<Group> Matcher::groups(const std::vector<std::string>& columns) const {
+  std::vector<Group> list;
+  for (std::size_t row = 0; row < reference_.rows(); ++row) {
+    const auto known = std::ranges::find_if(list, [&](const Group& group) {
+      return std::ranges::all_of(columns, [&](const std::string& name) {
+        const data::Column& column = reference_.column(name);
+        return is_same_cell(column, group.reference.front(), column, row);
+      });
+    });
+    if (known == list.end())
+      list.push_back({.label = label(columns, row), .reference = {row}, .theirs = {}});
+    else
+      known->reference.push_back(row);
+  }
+  if (list.size() == 1) list.front().label.clear();
+  for (std::size_t row = 0; row < theirs_.rows(); ++row) {
+    const auto group = std::ranges::find_if(
+        list, [&](const Group& one) { return matches(columns, one.reference.front(), row); });
+    if (group == list.end()) throw_unknown_row(columns, row);
+    group->theirs.push_back(row);
+  }
+  return list;
+}
+
+}  // namespace stickslip::studies

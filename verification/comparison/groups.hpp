@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// The rows of a reference table and of a user's table that belong together.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "stickslip/data/reference.hpp"
+#include "stickslip/data/user_table.hpp"
+
+namespace stickslip::studies {
+
+using Rows = std::vector<std::size_t>;
+
+/// The rows of one curve or one sequence, in the reference and in the user's table.
+struct Group {
+  std::string label;
+  Rows reference, theirs;
+  bool differs{};  ///< whether its events, its phases or the quantity of the diagnosis differ
+};
+
+/// Whether two cells of a key are the same word or the same number.
+[[nodiscard]] bool is_same_cell(const data::Column& a, std::size_t i, const data::Column& b, std::size_t j);
+
+/// Finds the rows of two tables that have the same keys.
+class Matcher {
+ public:
+  Matcher(const data::ReferenceTable& reference, const data::UserTable& theirs)
+      : reference_(reference), theirs_(theirs) {}
+
+  [[nodiscard]] bool matches(const std::vector<std::string>& columns, std::size_t row,
+                             std::size_t their_row) const;
+
+  /// For example "beam = paper, mode = 3".
+  [[nodiscard]] std::string label(const std::vector<std::string>& columns, std::size_t row) const;
+
+  [[noreturn]] void throw_unknown_row(const std::vector<std::string>& columns, std::size_t their_row) const;
+
+  /// The groups of the reference with the user's rows. Throws data::InputError for a row of no group.
+  [[nodiscard]] std::vector<Group> groups(const std::vector<std::string>& columns) const;
+
+ private:
+  const data::ReferenceTable& reference_;
+  const data::UserTable& theirs_;
+};
+
+}  // namespace stickslip::studies

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// The judgement of single points of a comparison.
+
+#include <string>
+
+#include "comparison/comparison.hpp"
+
+namespace stickslip::studies {
+
+/// One point of one quantity, in the unit of the quantity.
+struct Point {
+  double abscissa{}, theirs{}, reference{}, half_width{};
+  std::string where;
+};
+
+/// The divisor that converts an error to the norm of the quantity: for the norm relative |reference| or, where
+/// that is 0, the scale.
+[[nodiscard]] double unit_of(data::Norm norm, double reference, double scale);
+
+/// Counts a point that was not compared.
+void skip(Comparison::Quantity& quantity, const std::string& reason);
+
+/// Adds the point to the last series and updates the result of the quantity. Returns whether the point differs.
+bool judge(Comparison::Quantity& quantity, const Point& point, double scale);
+
+/// A quantity that counts deviations, such as words that differ or events that are missing. It differs if there
+/// are more of them than its tolerance.
+[[nodiscard]] Comparison::Quantity count_of(const std::string& name, const std::string& unit,
+                                            data::Norm norm = data::Norm::absolute, double tolerance = 0.0);
+void count(Comparison::Quantity& quantity, const std::string& where);
+
+}  // namespace stickslip::studies

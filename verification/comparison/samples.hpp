@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// Curves given by samples, and their values between the samples.
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "stickslip/data/reference.hpp"
+
+namespace stickslip::studies {
+
+/// The samples of a curve. The abscissas increase.
+struct Samples {
+  std::vector<double> abscissa, values, half_width;
+};
+
+struct Interpolated {
+  double value{}, half_width{};
+};
+
+/// The sample at x (to `coincidence`); empty if there is none.
+[[nodiscard]] std::optional<Interpolated> sample_at(const Samples& samples, double x, double coincidence);
+
+/// The interpolation polynomial of this rule through the nearest order + 1 samples. The half-width is the
+/// stated bound of the error and the amplified half-widths of the samples. Empty for too few samples.
+[[nodiscard]] std::optional<Interpolated> interpolated(const Samples& samples, double x,
+                                                       const data::Interpolation& rule, double error_bound);
+
+/// The cubic through the nearest four samples, or the parabola through three. To the amplified half-widths of
+/// the samples it adds the estimated error of the interpolation: twice the largest error with which such a cubic
+/// reproduces one of the eight samples on either side from its neighbours, times 4 s (1 - s), where s is the
+/// place of x between its two neighbours, from 0 to 1. That is generous for a smooth curve, and it shows what
+/// varies faster than the samples. It is no bound: nothing shows what has the period of the samples. With less
+/// than five samples the error is the difference to the straight line. Empty for less than three samples.
+[[nodiscard]] std::optional<Interpolated> interpolated(const Samples& samples, double x);
+
+/// The distance between the two samples on either side of x; infinite outside the samples.
+[[nodiscard]] double gap_at(const Samples& samples, double x);
+
+}  // namespace stickslip::studies

@@ -1,0 +1,489 @@
+// SPDX-License-Identifier: MIT
+/// Files as other programs write them, against the published data: words, events that are missing in between,
+/// values of zero, files that end early, and times that are not those of the data set.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <numbers>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "comparison/comparison.hpp"
+#include "comparison/event_sequence.hpp"
+#include "comparison/samples.hpp"
+#include "support/requirements.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+using studies::Agreement;
+using studies::Comparison;
+using studies::ComparisonSettings;
+using studies::TabulatedEvent;
+
+const data::ReferencePackage& published() {
+  static const auto package = data::load_reference();
+  return package;
+}
+
+// A data set as somebody's result, or some columns of it.
+class Result {
+ public:
+  explicit Result(std::string set, const std::vector<std::string>& columns = {},
+                  const data::ReferencePackage& package = published())
+      : set_(std::move(set)), package_(package) {
+    const auto reference = data::read_table(package, set_);
+    table.file = "mine.csv";
+    table.lines.resize(reference.rows());
+    std::iota(table.lines.begin(), table.lines.end(), 2);
+    for (const data::Column& column : reference.columns)
+      if (columns.empty() || std::ranges::count(columns, column.field.name) > 0)
+        table.columns.push_back(column);
+  }
+
+  data::UserTable table;
+
+  std::vector<double>& operator[](const std::string& name) { return column(name).values; }
+  std::vector<std::string>& words(const std::string& name) { return column(name).text; }
+
+  Result& keep(const std::function<bool(std::size_t)>& is_kept) {
+    for (std::size_t row = table.rows(); row-- > 0;) {
+      if (is_kept(row)) continue;
+      const auto at = static_cast<std::ptrdiff_t>(row);
+      for (data::Column& one : table.columns) {
+        one.text.erase(one.text.begin() + at);
+        one.values.erase(one.values.begin() + at);
+      }
+      table.lines.erase(table.lines.begin() + at);
+    }
+    return *this;
+  }
+  Result& repeat(std::size_t row) {
+    const auto at = static_cast<std::ptrdiff_t>(row);
+    for (data::Column& one : table.columns) {
+      one.text.insert(one.text.begin() + at, std::string(one.text[row]));
+      one.values.insert(one.values.begin() + at, double{one.values[row]});
+    }
+    table.lines.insert(table.lines.begin() + at, std::size_t{table.lines[row]});
+    return *this;
+  }
+
+  [[nodiscard]] Comparison compared(ComparisonSettings settings = {}) const {
+    settings.diagnose = false;
+    return studies::compare(package_, set_, table, settings);
+  }
+  [[nodiscard]] Comparison::Quantity compared(const std::string& quantity,
+                                              const ComparisonSettings& settings = {}) const {
+    const Comparison comparison = compared(settings);
+    return *std::ranges::find(comparison.quantities, quantity, &Comparison::Quantity::name);
+  }
+  [[nodiscard]] std::string refusal() const {
+    try {
+      static_cast<void>(compared());
+    } catch (const data::InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  }
+
+ private:
+  data::Column& column(const std::string& name) {
+    return *std::ranges::find(table.columns, name, [](const auto& one) { return one.field.name; });
+  }
+
+  std::string set_;
+  const data::ReferencePackage& package_;
+};
+
+ComparisonSettings until(double time) { return {.tolerances = {}, .until = time, .events = {}}; }
+ComparisonSettings tolerance(const std::string& name, double value) {
+  return {.tolerances = {{name, value}}, .until = {}, .events = {}};
+}
+
+bool mentions(const Comparison& comparison, const std::string& part) {
+  return std::ranges::any_of(
+      comparison.remarks, [&](const std::string& remark) { return remark.find(part) != std::string::npos; });
+}
+
+std::size_t skipped_because(const Comparison::Quantity& quantity, const std::string& reason) {
+  const auto found = std::ranges::find_if(
+      quantity.skipped, [&](const auto& skipped) { return skipped.reason.starts_with(reason); });
+  return found == quantity.skipped.end() ? 0 : found->points;
+}
+
+// --- words
+
+STICKSLIP_VERIFIES(ComparedWords, "X20");
+TEST(ComparedWords, ThatDifferAreCounted) {
+  Result mine("classification", {"frequency", "amplitude", "verdict"});
+  EXPECT_EQ(mine.compared().agreement, Agreement::agrees);
+  EXPECT_EQ(mine.compared("verdict").compared, 480u);
+  const auto slips = std::ranges::count(mine.words("verdict"), "stick-slip");
+  ASSERT_GT(slips, 100);
+  std::ranges::fill(mine.words("verdict"), "stick");
+  const auto verdict = mine.compared("verdict");
+  EXPECT_EQ(verdict.agreement, Agreement::differs);
+  EXPECT_EQ(verdict.error, static_cast<double>(slips));
+  EXPECT_TRUE(verdict.where.ends_with("(stick-slip in the data set)")) << verdict.where;
+  EXPECT_EQ(mine.compared("verdict", tolerance("verdict", static_cast<double>(slips))).agreement,
+            Agreement::agrees);
+  mine.words("verdict")[7] = "slip";
+  EXPECT_EQ(mine.refusal(), "mine.csv:9: verdict is 'slip', but must be one of stick, stick-slip");
+}
+
+TEST(ComparedWords, DoNotCountWhereAMeshMayDecideOtherwise) {
+  // A point of which the ratio is r counts if |r - 1| > tolerance r + radius; the radii are below 1e-20.
+  const Result right("classification");
+  const auto& ratio = right.table.column("force_ratio")->values;
+  const auto distance = [](double r) { return std::abs(r - 1.0) / r; };
+  const auto nearest =
+      static_cast<std::size_t>(std::ranges::min_element(ratio, {}, distance) - ratio.begin());
+  Result mine("classification", {"frequency", "amplitude", "verdict"});
+  auto& word = mine.words("verdict")[nearest];
+  word = word == "stick" ? "stick-slip" : "stick";
+  const double limit = distance(ratio[nearest]);
+  ASSERT_GT(limit, 1e-3);
+  EXPECT_EQ(mine.compared("verdict").error, 1.0);
+  EXPECT_EQ(mine.compared("verdict", tolerance("force_ratio", 0.99 * limit)).error, 1.0);
+  const auto near = mine.compared("verdict", tolerance("force_ratio", 1.01 * limit));
+  EXPECT_EQ(near.error, 0.0);
+  EXPECT_EQ(near.compared, 479u);
+  EXPECT_EQ(skipped_because(near, "too near to the threshold"), 1u);
+}
+
+TEST(ComparedWords, AreComparedInEventsOfASingleMass) {
+  Result mine("single-mass-events");
+  EXPECT_EQ(mine.compared("change").compared, 6u);
+  mine.words("change")[2] = "capture";
+  EXPECT_EQ(mine.compared("change").error, 1.0);
+  EXPECT_EQ(mine.compared("change", tolerance("", 1e3)).agreement, Agreement::differs);  // has its own
+  EXPECT_EQ(mine.compared().agreement, Agreement::differs);
+}
+
+STICKSLIP_VERIFIES(ComparedZero, "X20");
+TEST(ComparedZero, IsMeasuredByTheLargestOfTheColumn) {
+  Result mine("friction-powers");
+  const double largest = std::ranges::max(mine["power"]);
+  for (const double power : {1e-9, 1e-4}) {
+    mine["power"][0] = power;  // 0 in the data set
+    const auto found = mine.compared("power");
+    EXPECT_TRUE(within(*found.error, power / largest, round_off(1.0, 1.0, power / largest)));
+    EXPECT_EQ(found.agreement, power / largest > 1e-6 ? Agreement::differs : Agreement::agrees);
+  }
+}
+
+// --- alignment of events
+
+TabulatedEvent event(const std::string& change, double time) { return {change, time, 0.0, 0, 0}; }
+
+STICKSLIP_VERIFIES(EventSequence, "X20");
+TEST(EventSequence, IsAlignedWithEventsMissingAndEventsTooMany) {
+  const std::vector<TabulatedEvent> reference{event("onset", 1.0),  event("capture", 2.0),
+                                              event("onset", 2.01), event("capture", 3.0),
+                                              event("onset", 4.0),  event("capture", 5.0)};
+  // They miss the stick at 2 s and have one of their own at 4.5 s.
+  const std::vector<TabulatedEvent> theirs{event("onset", 1.1),  event("capture", 2.9),
+                                           event("onset", 4.1),  event("capture", 4.5),
+                                           event("onset", 4.52), event("capture", 5.0)};
+  const auto found = studies::match(reference, theirs, {});
+  ASSERT_EQ(found.pairs.size(), 4u);
+  EXPECT_EQ(found.pairs[1].reference, 3u);
+  EXPECT_EQ(found.pairs[1].theirs, 1u);
+  EXPECT_EQ(found.missing, (std::vector<std::size_t>{1, 2}));
+  EXPECT_EQ(found.extra, (std::vector<std::size_t>{3, 4}));
+  // Their run ends with the second event.
+  const auto begin = studies::match(reference, {theirs[0], theirs[1]}, {.end = 2.9});
+  EXPECT_EQ(begin.missing.size(), 2u);
+  EXPECT_EQ(begin.unreached, 2u);
+}
+
+TEST(EventSequence, HasNoPairFartherApartThanTheMeanDistance) {
+  const std::vector<TabulatedEvent> reference{event("onset", 1.0), event("capture", 2.0)};  // 1 s
+  for (const double shift : {0.99, 1.01}) {
+    const auto found = studies::match(reference, {event("onset", 1.0), event("capture", 2.0 + shift)}, {});
+    EXPECT_EQ(found.pairs.size(), shift < 1.0 ? 2u : 1u) << shift;
+    EXPECT_EQ(found.missing.size(), shift < 1.0 ? 0u : 1u) << shift;
+    EXPECT_EQ(found.extra.size(), shift < 1.0 ? 0u : 1u) << shift;
+  }
+}
+
+TEST(EventSequence, LeavesShortPhasesOutAndKeepsThoseOfTheLimit) {
+  const double limit = 0.125;
+  const auto kept = [&](const std::vector<TabulatedEvent>& events) {
+    return studies::without_short_phases(events, limit).size();
+  };
+  EXPECT_EQ(kept({event("onset", 1.0), event("capture", 2.0), event("onset", 2.1)}), 1u);  // a stick
+  EXPECT_EQ(kept({event("onset", 1.0), event("capture", 1.1), event("onset", 2.0)}), 1u);  // a slip
+  EXPECT_EQ(kept({event("onset", 1.0), event("reversal", 1.05), event("capture", 1.1)}), 0u);
+  EXPECT_EQ(kept({event("onset", 1.0), event("capture", 1.125), event("onset", 2.0)}), 3u);
+  EXPECT_EQ(kept({event("reversal", 1.0), event("reversal", 1.1)}), 2u);
+  // Short phases in a row between slip and stick are one capture.
+  const auto block =
+      studies::without_short_phases({event("onset", 1.0), event("capture", 2.0), event("onset", 2.1),
+                                     event("reversal", 2.15), event("capture", 2.2), event("onset", 3.0)},
+                                    limit);
+  ASSERT_EQ(block.size(), 3u);
+  EXPECT_EQ(block[1].change, "capture");
+  EXPECT_TRUE(within(block[1].time, 2.1, round_off(2.0, 1.0, 2.1)));
+  EXPECT_TRUE(within(block[1].time_radius, 0.1, round_off(2.0, 1.0, 2.1)));
+}
+
+TEST(EventSequence, SaysTheContactAtATime) {
+  const std::vector<TabulatedEvent> events{event("onset", 1.0), event("reversal", 2.0),
+                                           event("capture", 3.0)};
+  for (const auto& [t, contact] : std::vector<std::pair<double, int>>{
+           {0.5, 0}, {1.0, 1}, {1.5, 1}, {2.0, -1}, {2.5, -1}, {3.0, 0}, {9.0, 0}})
+    EXPECT_EQ(studies::contact_at(events, t), contact) << t;
+  EXPECT_EQ(studies::contact_at({event("capture", 1.0)}, 0.5), 1);
+}
+
+// The shortest stick of the data set lasts 0.33 ms.
+std::size_t shortest_stick(const Result& events) {
+  const auto& time = events.table.column("time")->values;
+  std::size_t shortest = 0;
+  for (std::size_t i = 0; i + 1 < time.size(); ++i)
+    if (time[i + 1] - time[i] < time[shortest + 1] - time[shortest]) shortest = i;
+  return shortest;
+}
+
+STICKSLIP_VERIFIES(ComparedEvents, "X20");
+TEST(ComparedEvents, WithoutOneShortStickKeepAllOthers) {
+  Result mine("stick-slip-events");
+  const std::size_t stick = shortest_stick(mine);
+  ASSERT_EQ(mine.words("change")[stick], "capture");
+  mine.keep([&](std::size_t row) { return row != stick && row != stick + 1; });
+  const auto comparison = mine.compared();
+  EXPECT_EQ(mine.compared("sequence").error, 2.0);
+  EXPECT_EQ(mine.compared("time").error, 0.0);
+  EXPECT_EQ(mine.compared("time").compared, 45u);
+  EXPECT_EQ(comparison.agreement, Agreement::differs);
+  ASSERT_EQ(comparison.remarks.size(), 2u);
+  EXPECT_TRUE(comparison.remarks[0].ends_with("is missing in the file")) << comparison.remarks[0];
+}
+
+TEST(ComparedEvents, OfShortPhasesInARowAreOneEventAtAnUncertainTime) {
+  // Their first capture takes 15 us or 0.3 ms, with sticks of 10 us and slips of 5 us.
+  for (const std::size_t sticks : {1u, 20u}) {
+    Result mine("stick-slip-events");
+    const double capture = mine["time"][1];
+    for (std::size_t i = 0; i < 2 * sticks; ++i) mine.repeat(1);
+    for (std::size_t i = 1; i <= 2 * sticks; ++i) {
+      mine.words("change")[i + 1] = i % 2 == 1 ? "onset" : "capture";
+      mine["time"][i + 1] =
+          capture + 1e-5 * static_cast<double>((i + 1) / 2) + 5e-6 * static_cast<double>(i / 2);
+    }
+    EXPECT_EQ(mine.compared("sequence").error, 0.0);
+    EXPECT_EQ(mine.compared("time").agreement, sticks == 1 ? Agreement::agrees : Agreement::undecided);
+  }
+}
+
+TEST(ComparedEvents, LeaveReversalsOutThatTheDataSetDoesNotHave) {
+  Result mine("stick-slip-events");
+  mine.repeat(1);
+  mine.words("change")[1] = "reversal";
+  EXPECT_EQ(mine.compared().agreement, Agreement::agrees);
+}
+
+TEST(ComparedEvents, OfPhasesBelowTheShortestAreLeftOut) {
+  for (const double duration : {1.9e-5, 2.1e-5}) {
+    Result mine("stick-slip-events");
+    mine.repeat(4).repeat(4);  // an onset, and a stick in the slip behind it
+    ASSERT_EQ(mine.words("change")[6], "onset");
+    mine.words("change")[5] = "capture";
+    mine["time"][5] += 1e-3;
+    mine["time"][6] += 1e-3 + duration;
+    EXPECT_EQ(mine.compared("sequence").error, duration < 2e-5 ? 0.0 : 2.0) << duration;
+  }
+}
+
+STICKSLIP_VERIFIES(ComparedHistory, "X20");
+TEST(ComparedHistory, IsComparedInAllPhasesThatBothHave) {
+  Result mine("stick-slip-history"), events("stick-slip-events");
+  const std::size_t stick = shortest_stick(events), total = mine.table.rows();
+  events.keep([&](std::size_t row) { return row != stick && row != stick + 1; });
+  const ComparisonSettings settings{.tolerances = {}, .until = {}, .events = events.table};
+  EXPECT_EQ(mine.compared("sequence", settings).error, 2.0);
+  const auto tip = mine.compared("tip_displacement", settings);
+  EXPECT_EQ(tip.agreement, Agreement::agrees);
+  EXPECT_GE(tip.compared + 2, total);  // one sample or two lie in the stick that they do not have
+  mine["tip_displacement"].back() += 1.0;
+  EXPECT_EQ(mine.compared("tip_displacement", settings).agreement, Agreement::differs);
+}
+
+TEST(ComparedHistory, LeavesOutTheToleranceOfAnEventWithoutTheirs) {
+  // Their onset at 0.0553 s is 50 us late, and they have samples every 10 us.
+  Result mine("stick-slip-history", {"time", "phase", "tip_displacement"});
+  mine.keep([&](std::size_t row) { return row > 275 && row < 281; });
+  auto& time = mine["time"];
+  const double onset = 0.0553214408237;
+  for (std::size_t i = 0; i < time.size(); ++i) time[i] = onset + 1e-5 * static_cast<double>(i + 1);
+  std::ranges::fill(mine.words("phase"), "stick");
+  EXPECT_TRUE(mine.refusal().find("5 between the two times of an event") != std::string::npos)
+      << mine.refusal();
+}
+
+// --- coverage
+
+STICKSLIP_VERIFIES(ComparedCoverage, "X20");
+TEST(ComparedCoverage, OfARangeMustBeNineTenths) {
+  // A sample covers a fortieth on either side: 0.875 + 0.025.
+  for (const auto& [last, agreement] : std::vector<std::pair<double, Agreement>>{
+           {0.4375, Agreement::agrees}, {0.437, Agreement::undecided}, {0.01, Agreement::undecided}}) {
+    Result mine("undamped-history-25");
+    const auto time = mine["time"];
+    mine.keep([&](std::size_t row) { return time[row] <= last; });
+    const Comparison comparison = mine.compared();
+    EXPECT_EQ(comparison.agreement, agreement) << last;
+    EXPECT_TRUE(within(comparison.coverage, last / 0.5 + 0.025, round_off(1e4, 1.0, 1.0))) << last;
+    EXPECT_EQ(mentions(comparison, "% of time from 0 to 0.5 s, but a verdict needs at least 90 %"),
+              agreement == Agreement::undecided);
+    EXPECT_EQ(mine.compared(until(last)).agreement, Agreement::agrees);
+    mine["tip_displacement"][5] += 1.0;
+    EXPECT_EQ(mine.compared().agreement, Agreement::differs);
+  }
+}
+
+TEST(ComparedCoverage, OfThreeRowsIsThreeTwentieths) {
+  Result mine("undamped-history-25");
+  mine.keep([](std::size_t row) { return row == 250 || row == 500 || row == 750; });
+  EXPECT_EQ(mine.compared().agreement, Agreement::undecided);
+  EXPECT_TRUE(within(mine.compared().coverage, 0.15, round_off(16.0, 1.0, 1.0)));
+}
+
+TEST(ComparedCoverage, OfAHistoryThatEndsEarlyIsTooSmall) {
+  Result mine("stick-slip-history");
+  mine.keep([](std::size_t row) { return row < 29; });
+  EXPECT_EQ(mine.compared().agreement, Agreement::undecided);
+  EXPECT_EQ(mine.compared(until(0.0058)).agreement, Agreement::agrees);
+}
+
+TEST(ComparedCoverage, OfEventsEndsWithTheLastOneUnlessALatestTimeIsGiven) {
+  Result mine("stick-slip-events");
+  const double end = mine["time"][19], last = mine["time"].back();
+  mine.keep([](std::size_t row) { return row < 20; });
+  const Comparison comparison = mine.compared();
+  EXPECT_EQ(comparison.agreement, Agreement::undecided);
+  EXPECT_TRUE(within(comparison.coverage, end / last, round_off(1.0, 1.0, 1.0)));
+  EXPECT_EQ(mine.compared("sequence").undecided, 27u);
+  EXPECT_TRUE(mentions(comparison, "27 more events"));
+  EXPECT_EQ(mine.compared(until(end + 2e-4)).agreement, Agreement::agrees);
+  EXPECT_EQ(mine.compared("sequence", until(0.5)).error, 27.0);
+  EXPECT_EQ(mine.compared(until(0.5)).agreement, Agreement::differs);
+}
+
+TEST(ComparedCoverage, OfATableMustBeATenthOfEachPartThatTheFileBegins) {
+  for (const std::size_t rows : {47u, 48u}) {
+    Result mine("classification");
+    mine.keep([&](std::size_t row) { return row < rows; });
+    EXPECT_EQ(mine.compared().agreement, rows == 48 ? Agreement::agrees : Agreement::undecided) << rows;
+    EXPECT_EQ(mentions(mine.compared(), "the file has 47 of 480 rows, but a verdict needs at least 10 %"),
+              rows == 47);
+  }
+  Result modes("stick-frequencies");
+  modes.keep([](std::size_t row) { return row < 3; });  // three of ten modes of one beam
+  EXPECT_EQ(modes.compared().agreement, Agreement::agrees);
+  EXPECT_TRUE(within(modes.compared().coverage, 0.3, round_off(1.0, 1.0, 1.0)));
+}
+
+// --- times between those of the data set
+
+STICKSLIP_VERIFIES(ComparedSamples, "X20");
+TEST(ComparedSamples, AreInterpolatedWithinTheEstimatedError) {
+  studies::Samples sine;
+  const double h = 0.1;
+  for (int i = 0; i <= 20; ++i) {
+    sine.abscissa.push_back(h * i);
+    sine.values.push_back(std::sin(h * i));
+    sine.half_width.push_back(0.0);
+  }
+  for (double x = h + 0.013; x < 19.0 * h; x += 0.017) {
+    const auto found = studies::interpolated(sine, x);
+    // The largest of |(x - x0)(x - x1)(x - x2)(x - x3)|/24 between the two in the middle is 3/128 h^4.
+    EXPECT_TRUE(within(found->value, std::sin(x),
+                       discretisation(3.0 / 128.0 * std::pow(h, 4), 1.0, "3/128 h^4 max |f''''|")));
+    EXPECT_GE(found->half_width, std::abs(found->value - std::sin(x)));
+    EXPECT_LE(found->half_width, 2.0 * std::pow(h, 4) / 4.0);  // at the second sample 1 1 2 3 h^4/24
+  }
+  EXPECT_FALSE(studies::interpolated({{0.0, 1.0}, {0.0, 1.0}, {0.0, 0.0}}, 0.5).has_value());
+}
+
+TEST(ComparedSamples, ThatAreTooFarApartForTheCurveSaySo) {
+  // Six periods in ten samples. The estimate shows it wherever the cubic is wrong.
+  studies::Samples fast;
+  const auto curve = [](double x) { return std::sin(2.0 * std::numbers::pi * 0.6 * x); };
+  for (int i = 0; i <= 100; ++i) {
+    fast.abscissa.push_back(i);
+    fast.values.push_back(curve(i));
+    fast.half_width.push_back(0.0);
+  }
+  for (double x = 10.5; x < 90.0; x += 0.37) {
+    const auto found = studies::interpolated(fast, x);
+    EXPECT_GE(found->half_width, std::abs(found->value - curve(x))) << x;
+  }
+}
+
+TEST(ComparedSamples, MayHaveTimesOfSinglePrecision) {
+  for (const std::string set : {"stick-history", "stick-slip-history", "undamped-history-25",
+                                "undamped-history-steel-strip", "undamped-history-soft-short"}) {
+    Result mine(set);
+    for (double& t : mine["time"]) t = static_cast<double>(static_cast<float>(t));
+    const Comparison comparison = mine.compared();
+    EXPECT_EQ(comparison.agreement, Agreement::agrees) << set;
+    for (const auto& one : comparison.quantities)
+      EXPECT_LE(*one.error, 1e-3 * one.tolerance) << set << " " << one.name;
+    for (auto& column : mine.table.columns)
+      if (column.field.name.ends_with("displacement")) column.values[mine.table.rows() / 2] += 1.0;
+    EXPECT_EQ(mine.compared().agreement, Agreement::differs) << set;
+  }
+}
+
+// The polynomials of the data set, of order 3 in each phase, at other times: in the middle between those of the
+// data set, or at a third of them. Interpolation reproduces them but for some ten eps.
+TEST(ComparedSamples, BetweenThoseOfTheDataSetAreComparedWithThem) {
+  auto package = data::load_reference(std::filesystem::path(STICKSLIP_SOURCE_DIRECTORY) /
+                                      "verification/tests/golden/reference");
+  std::ranges::find(package.resources, "cubic-history", &data::Resource::name)
+      ->comparison->interpolation.reset();
+  for (const std::size_t step : {1u, 3u})
+    for (const double error : {0.0, 0.5}) {
+      Result mine("cubic-history", {}, package);
+      auto& t = mine["t"];
+      mine.keep([&](std::size_t row) { return row < 31 && row % step == 0; });
+      for (std::size_t i = 0; i < t.size(); ++i) {
+        t[i] += 0.003;  // run a sticks up to 0.305 s, y = 1 + t - 2 t^2 + t^3
+        mine["y"][i] = 1.0 + t[i] - 2.0 * t[i] * t[i] + t[i] * t[i] * t[i];
+      }
+      mine["y"][4] += error;
+      auto settings = until(0.31);
+      settings.tolerances = {{"y", 0.01}};
+      const auto y = mine.compared("y", settings);
+      EXPECT_EQ(y.agreement, error > 0.0 ? Agreement::differs : Agreement::agrees) << step;
+      EXPECT_GE(y.compared, step == 1 ? 26u : 9u) << step;
+      if (error == 0.0) {
+        EXPECT_TRUE(within(*y.error, 0.0, round_off(10.0, 4.0, 2.0)));
+      }
+    }
+}
+
+TEST(ComparedSamples, MayStandTwiceAtATime) {
+  Result curve("undamped-history-25");
+  curve.repeat(100);
+  EXPECT_EQ(curve.compared().agreement, Agreement::agrees);
+  curve["tip_displacement"][101] += 0.5;
+  EXPECT_TRUE(
+      curve.refusal().starts_with("mine.csv:102: time is 0.05 as in the row before, but "
+                                  "tip_displacement is "))
+      << curve.refusal();
+  Result history("stick-slip-history");
+  history.repeat(276);
+  EXPECT_EQ(history.compared().agreement, Agreement::agrees);
+}
+
+}  // namespace
+}  // namespace stickslip::testing
