@@ -92,6 +92,8 @@ void run(const CompareOptions& options) {
   if (options.json == "-" && options.junit == "-")
     throw data::InputError(
         "--json - and --junit - both want standard output, but one of them must be a file");
+  if (options.file == "-" && options.events == "-")
+    throw data::InputError("FILE and --events both are standard input, but one of them must be a file");
   if (!options.figure.empty()) {
     (void)figure_format(options.figure);
     (void)report::templates_directory();
@@ -137,7 +139,8 @@ void add_compare_command(CLI::App& app) {
   command
       ->add_option(
           "FILE", options->file,
-          "CSV file with the columns of the data set; a unit may follow a name, as in 'frequency [kHz]'")
+          "CSV file with the columns of the data set, '-' for standard input; a unit may follow a name, as in "
+          "'frequency [kHz]'")
       ->check(file_name())
       ->required();
   command
@@ -154,7 +157,7 @@ void add_compare_command(CLI::App& app) {
                    "Instead of that of the data set, of one quantity or of all; repeatable")
       ->type_name("[QUANTITY=]NUMBER")
       ->allow_extra_args(false);
-  command->add_option("--until", options->until, "Compare nothing later, s")->check(time());
+  command->add_option("--until", options->until, "Compare nothing later, s; a run of yours must reach it")->check(time());
   command->add_option("--json", options->json, "JSON file with all numbers, '-' for standard output")
       ->check(file_name());
   command->add_option("--junit", options->junit, "XML file in JUnit's format, '-' for standard output")

@@ -23,7 +23,8 @@ std::string number_of(std::optional<double> value) { return value ? fmt::format(
 // In the unit of the quantity, relative to it or in per cent of its range.
 std::string measured(std::optional<double> value, const Comparison::Quantity& quantity) {
   if (value && quantity.norm == data::Norm::range) return number_of(100.0 * *value) + " %";
-  const bool has_unit = value && quantity.norm == data::Norm::absolute && !quantity.unit.empty();
+  const bool is_absolute = quantity.norm == data::Norm::absolute || quantity.norm == data::Norm::word;
+  const bool has_unit = value && is_absolute && !quantity.unit.empty();
   return has_unit ? number_of(value) + " " + quantity.unit : number_of(value);
 }
 
@@ -71,15 +72,25 @@ std::string prefix_of(const std::string& group) { return group.empty() ? "" : gr
 
 // Why a quantity does not agree, in one clause.
 std::string reason_of(const Comparison::Quantity& quantity) {
-  if (quantity.compared == 0 && !quantity.error) return "no point could be compared";
+  if (quantity.compared == 0 && quantity.error.value_or(0.0) == 0.0) return "no point could be compared";
   return fmt::format("error {} at {}, tolerance {}, uncertainty of the reference {}",
                      measured(quantity.error, quantity), quantity.where,
                      measured(quantity.tolerance, quantity), measured(quantity.uncertainty, quantity));
 }
 
-std::string conclusion_of(Agreement agreement) {
-  const auto verdict = studies::to_string(agreement);
-  if (agreement != Agreement::undecided) return std::string(verdict);
+bool is_covered(const Comparison& comparison) { return comparison.coverage >= comparison.required_coverage; }
+
+// "coverage: 58 %, at least 90 % needed"
+std::string coverage_of(const Comparison& comparison) {
+  return fmt::format("coverage: {:.3g} %, at least {:g} % needed", 100.0 * comparison.coverage,
+                     100.0 * comparison.required_coverage);
+}
+
+std::string conclusion_of(const Comparison& comparison) {
+  const auto verdict = studies::to_string(comparison.agreement);
+  if (comparison.agreement != Agreement::undecided) return std::string(verdict);
+  if (!is_covered(comparison))
+    return fmt::format("{}: nothing differs, but the file covers too little", verdict);
   return fmt::format("{}: nothing differs, but the reference does not settle everything", verdict);
 }
 
@@ -151,9 +162,10 @@ std::string text_of(const Comparison& comparison) {
     if (const std::string skipped = skipped_of(quantity); !skipped.empty())
       text += fmt::format("{}: not compared: {}\n", quantity.name, skipped);
   for (const std::string& remark : comparison.remarks) text += remark + "\n";
+  text += coverage_of(comparison) + "\n";
   for (const auto& likeness : comparison.likenesses)
     text += fmt::format("{}{}\n", prefix_of(likeness.group), likeness.sentence);
-  return text + fmt::format("{}\n", conclusion_of(comparison.agreement));
+  return text + fmt::format("{}\n", conclusion_of(comparison));
 }
 
 Json json_of(const Comparison& comparison, const std::string& file) {
@@ -164,6 +176,8 @@ Json json_of(const Comparison& comparison, const std::string& file) {
               {"verdict", studies::to_string(comparison.agreement)},
               {"abscissa", comparison.abscissa},
               {"abscissa_unit", comparison.abscissa_unit},
+              {"coverage", comparison.coverage},
+              {"required_coverage", comparison.required_coverage},
               {"quantities", Json::array()},
               {"remarks", comparison.remarks},
               {"diagnoses", Json::array()}};
@@ -178,19 +192,27 @@ std::string junit_of(const Comparison& comparison, const std::string& file) {
   declaration.append_attribute("version") = "1.0";
   declaration.append_attribute("encoding") = "UTF-8";
   const auto failures = static_cast<long long>(count_of(comparison, Agreement::differs));
-  const auto skipped = static_cast<long long>(count_of(comparison, Agreement::undecided));
+  const auto skipped =
+      static_cast<long long>(count_of(comparison, Agreement::undecided)) + (is_covered(comparison) ? 0 : 1);
   pugi::xml_node suites = document.append_child("testsuites"), suite = suites.append_child("testsuite");
   for (pugi::xml_node node : {suites, suite}) {
     node.append_attribute("name") = comparison.name.c_str();
-    node.append_attribute("tests") = static_cast<long long>(comparison.quantities.size());
+    node.append_attribute("tests") = static_cast<long long>(comparison.quantities.size() + 1);
     node.append_attribute("failures") = failures;
     node.append_attribute("errors") = 0;
     if (node == suite) node.append_attribute("skipped") = skipped;
   }
-  for (const auto& quantity : comparison.quantities) {
+  const auto add_case = [&](const std::string& name) {
     pugi::xml_node test = suite.append_child("testcase");
     test.append_attribute("classname") = comparison.name.c_str();
-    test.append_attribute("name") = quantity.name.c_str();
+    test.append_attribute("name") = name.c_str();
+    return test;
+  };
+  pugi::xml_node coverage = add_case("coverage");
+  if (!is_covered(comparison))
+    coverage.append_child("skipped").append_attribute("message") = coverage_of(comparison).c_str();
+  for (const auto& quantity : comparison.quantities) {
+    pugi::xml_node test = add_case(quantity.name);
     if (quantity.agreement == Agreement::agrees) continue;
     const bool differs = quantity.agreement == Agreement::differs;
     pugi::xml_node outcome = test.append_child(differs ? "failure" : "skipped");
