@@ -460,6 +460,7 @@ class Comparer {
 
   // Compares at the samples of the reference that have samples of the user near by, and at the user's samples
   // that have none of their own near by. "Near by" is the distance of the samples of the reference.
+  // Where the reference is smooth, a rough result of the user is no uncertainty but an error.
   [[nodiscard]] std::vector<Compared> by_own_interpolation(Comparison::Quantity& quantity,
                                                            const Samples& reference, const Samples& theirs,
                                                            const Grid& grid) const {
@@ -472,7 +473,7 @@ class Comparer {
     for (std::size_t i = 0; i < reference.abscissa.size(); ++i) {
       const double x = reference.abscissa[i];
       auto value = sample_at(theirs, x, grid.coincidence);
-      if (!value && gap_at(theirs, x) <= near) value = interpolated(theirs, x);
+      if (!value && gap_at(theirs, x) <= near) value = interpolated(theirs, x, roughness_at(reference, x));
       if (const auto sample = sample_at(theirs, x, single_precision * std::abs(x)); value && sample)
         value->half_width += std::abs(value->value - sample->value);
       if (value) points.push_back({x, *value, Interpolated{reference.values[i], reference.half_width[i]}});

@@ -104,7 +104,7 @@ struct Comparison {
 ///   polynomial through its samples. The stated bound of its error and the amplified half-widths of the samples
 ///   count as uncertainty. If not, the user's samples are interpolated to the abscissas of the reference where
 ///   they are at least as dense, and else the reference is interpolated; the estimated error
-///   (interpolated(Samples, x)) counts as uncertainty. Abscissas coincide to 1e-9 of the range.
+///   (samples.hpp) counts as uncertainty. Abscissas coincide to 1e-9 of the range.
 /// - events: the two sequences are aligned in time (match()). Missing and additional events are counted, and
 ///   times and positions of the pairs are compared. Before that, phases shorter than the shortest phase of the
 ///   data set are taken out of both. An event within tolerance of the horizon may be on either side of it.

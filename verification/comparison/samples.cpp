@@ -68,22 +68,27 @@ std::optional<Interpolated> interpolated(const Samples& samples, double x, const
   return result;
 }
 
-std::optional<Interpolated> interpolated(const Samples& samples, double x) {
+double roughness_at(const Samples& samples, double x) {
+  const std::size_t size = samples.abscissa.size();
+  if (size < 5) return std::numeric_limits<double>::infinity();
+  constexpr std::size_t reach = 8;
+  const std::size_t next = std::clamp<std::size_t>(next_of(samples, x), 1, size - 1);
+  double largest = 0.0;
+  for (std::size_t i = next - std::min(next - 1, reach); i < std::min(next + reach, size - 1); ++i)
+    largest = std::max(largest, error_without(samples, i));
+  return largest;
+}
+
+std::optional<Interpolated> interpolated(const Samples& samples, double x, double most_rough) {
   const std::size_t size = samples.abscissa.size();
   if (size < 3) return std::nullopt;
   const std::size_t next = std::clamp<std::size_t>(next_of(samples, x), 1, size - 1);
   Interpolated result = polynomial(samples, x, next, std::min<std::size_t>(4, size));
-  if (size < 5) {
-    result.half_width += std::abs(result.value - polynomial(samples, x, next, 2).value);
-    return result;
-  }
-  constexpr std::size_t reach = 8;
-  double largest = 0.0;
-  for (std::size_t i = next - std::min(next - 1, reach); i < std::min(next + reach, size - 1); ++i)
-    largest = std::max(largest, error_without(samples, i));
-  const double place =
-      (x - samples.abscissa[next - 1]) / (samples.abscissa[next] - samples.abscissa[next - 1]);
-  result.half_width += 2.0 * std::clamp(4.0 * place * (1.0 - place), 0.0, 1.0) * largest;
+  const double first = samples.abscissa[next - 1];
+  const double place = (x - first) / (samples.abscissa[next] - first);
+  result.half_width += size < 5 ? std::abs(result.value - polynomial(samples, x, next, 2).value)
+                                : 2.0 * std::clamp(4.0 * place * (1.0 - place), 0.0, 1.0) *
+                                      std::min(most_rough, roughness_at(samples, x));
   return result;
 }
 

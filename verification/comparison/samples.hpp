@@ -4,6 +4,7 @@
 /// Curves given by samples, and their values between the samples.
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -28,13 +29,18 @@ struct Interpolated {
 [[nodiscard]] std::optional<Interpolated> interpolated(const Samples& samples, double x,
                                                        const data::Interpolation& rule, double error_bound);
 
+/// The largest error with which the cubic through its four neighbours reproduces a sample, of the eight samples
+/// on either side of x. Infinite for less than five samples.
+[[nodiscard]] double roughness_at(const Samples& samples, double x);
+
 /// The cubic through the nearest four samples, or the parabola through three. To the amplified half-widths of
-/// the samples it adds the estimated error of the interpolation: twice the largest error with which such a cubic
-/// reproduces one of the eight samples on either side from its neighbours, times 4 s (1 - s), where s is the
-/// place of x between its two neighbours, from 0 to 1. That is generous for a smooth curve, and it shows what
-/// varies faster than the samples. It is no bound: nothing shows what has the period of the samples. With less
-/// than five samples the error is the difference to the straight line. Empty for less than three samples.
-[[nodiscard]] std::optional<Interpolated> interpolated(const Samples& samples, double x);
+/// the samples it adds the estimated error of the interpolation: twice the roughness, or twice `most_rough` if
+/// that is less, times 4 s (1 - s), where s is the place of x between its two neighbours, from 0 to 1. That is
+/// generous for a smooth curve, and it shows what varies faster than the samples. It is no bound: nothing shows
+/// what has the period of the samples. With less than five samples the error is the difference to the straight
+/// line. Empty for less than three samples.
+[[nodiscard]] std::optional<Interpolated> interpolated(
+    const Samples& samples, double x, double most_rough = std::numeric_limits<double>::infinity());
 
 /// The distance between the two samples on either side of x; infinite outside the samples.
 [[nodiscard]] double gap_at(const Samples& samples, double x);

@@ -8,12 +8,11 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "comparison/comparison.hpp"
+#include "own_copy.hpp"
 #include "support/requirements.hpp"
 
 namespace stickslip::testing {
@@ -29,60 +28,16 @@ const data::ReferencePackage& small_package() {
   return fixture;
 }
 
-// A data set as its own result, in which a test changes single numbers.
-class OwnCopy {
- public:
-  explicit OwnCopy(const std::string& set) : set_(set), reference_(data::read_table(small_package(), set)) {
-    table.file = "mine.csv";
-    table.columns = reference_.columns;
-    table.lines.resize(reference_.rows());
-    std::iota(table.lines.begin(), table.lines.end(), 2);
-  }
-
-  data::UserTable table;
-
-  [[nodiscard]] std::vector<double>& operator[](const std::string& name) {
-    return std::ranges::find(table.columns, name, [](const auto& column) { return column.field.name; })
-        ->values;
-  }
-  [[nodiscard]] const data::ReferenceTable& reference() const { return reference_; }
-
-  [[nodiscard]] Comparison compared(ComparisonSettings settings = {},
-                                    const data::ReferencePackage& package = small_package()) const {
-    settings.diagnose = false;
-    return studies::compare(package, set_, table, settings);
-  }
-  [[nodiscard]] Comparison::Quantity compared(const std::string& quantity,
-                                              const ComparisonSettings& settings = {},
-                                              const data::ReferencePackage& package = small_package()) const {
-    const auto comparison = compared(settings, package);
-    return *std::ranges::find(comparison.quantities, quantity, &Comparison::Quantity::name);
-  }
-
- private:
-  std::string set_;
-  data::ReferenceTable reference_;
-};
+OwnCopy own_copy(const std::string& set) { return {small_package(), set}; }
 
 double below(double x) { return std::nextafter(x, 0.0); }
 double above(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()); }
-
-ComparisonSettings with_tolerance(const std::string& quantity, double tolerance,
-                                  std::optional<double> until = std::nullopt) {
-  return {.tolerances = {{quantity, tolerance}}, .until = until, .events = {}};
-}
-
-std::size_t skipped_for(const Comparison::Quantity& quantity, const std::string& reason) {
-  const auto found = std::ranges::find_if(
-      quantity.skipped, [&](const auto& skipped) { return skipped.reason.starts_with(reason); });
-  return found == quantity.skipped.end() ? 0 : found->points;
-}
 
 // --- error and tolerance
 
 STICKSLIP_VERIFIES(ComparedVerdict, "X20");
 TEST(ComparedVerdict, AnErrorEqualToTheToleranceAgrees) {
-  OwnCopy mine("cubic-history");  // its values are exact
+  auto mine = own_copy("cubic-history");  // its values are exact
   const double reference = mine["y"][10];
   mine["y"][10] += 0.25;
   const double error = mine["y"][10] - reference;
@@ -94,7 +49,7 @@ TEST(ComparedVerdict, AnErrorEqualToTheToleranceAgrees) {
 }
 
 TEST(ComparedVerdict, AnErrorEqualToToleranceAndUncertaintyDoesNotDiffer) {
-  OwnCopy mine("damped-events");
+  auto mine = own_copy("damped-events");
   const double radius = mine.reference().radius_of("time")[2], reference = mine["time"][2];
   // An error that is the sum of the radius and a tolerance without rounding.
   double error = 0.0, tolerance = 0.0;
@@ -113,7 +68,7 @@ TEST(ComparedVerdict, AnErrorEqualToToleranceAndUncertaintyDoesNotDiffer) {
 }
 
 TEST(ComparedVerdict, AnUncertaintyEqualToTheToleranceDecides) {
-  const OwnCopy mine("damped-events");
+  const auto mine = own_copy("damped-events");
   const auto radii = mine.reference().radius_of("time");
   const double largest = *std::max_element(radii.begin(), radii.begin() + 6);  // within the horizon
   const auto decided = mine.compared("time", with_tolerance("time", largest));
@@ -127,7 +82,7 @@ TEST(ComparedVerdict, AnUncertaintyEqualToTheToleranceDecides) {
 
 TEST(ComparedVerdict, DiffersWinsOverUndecidedInAnyOrder) {
   for (const std::size_t row : {0u, 4u}) {  // before and behind the events that are undecided
-    OwnCopy mine("damped-events");
+    auto mine = own_copy("damped-events");
     mine["time"][row] += 1e-3;
     const auto time = mine.compared("time", with_tolerance("time", 1e-9));
     EXPECT_EQ(time.agreement, Agreement::differs) << row;
@@ -138,7 +93,7 @@ TEST(ComparedVerdict, DiffersWinsOverUndecidedInAnyOrder) {
 
 TEST(ComparedVerdict, TheErrorThatIsToldExceedsItsUncertaintyMost) {
   // Event 5 is known to 1.7e-8 s, event 1 to 3.4e-10 s: the smaller error of event 1 says more.
-  OwnCopy mine("damped-events");
+  auto mine = own_copy("damped-events");
   mine["time"][0] += 1e-8;
   mine["time"][4] += 2e-8;
   const auto time = mine.compared("time");
@@ -149,9 +104,9 @@ TEST(ComparedVerdict, TheErrorThatIsToldExceedsItsUncertaintyMost) {
 
 TEST(ComparedVerdict, AQuantityOfWhichNothingIsComparedIsUndecided) {
   // Up to 10 ms there is no event to compare, which is no agreement of the sequences.
-  const OwnCopy mine("damped-history");
+  const auto mine = own_copy("damped-history");
   const ComparisonSettings settings{
-      .tolerances = {}, .until = 0.01, .events = OwnCopy("damped-events").table};
+      .tolerances = {}, .until = 0.01, .events = own_copy("damped-events").table};
   EXPECT_EQ(mine.compared("sequence", settings).agreement, Agreement::undecided);
   EXPECT_EQ(mine.compared("tip_displacement", settings).agreement, Agreement::agrees);
   EXPECT_EQ(mine.compared(settings).agreement, Agreement::undecided);
@@ -160,7 +115,7 @@ TEST(ComparedVerdict, AQuantityOfWhichNothingIsComparedIsUndecided) {
 // --- horizons
 
 TEST(ComparedVerdict, ATimeEqualToTheHorizonIsCompared) {
-  OwnCopy mine("cubic-history");
+  auto mine = own_copy("cubic-history");
   const double horizon = mine["t"][40];
   mine["y"][40] += 1.0;
   const ComparisonSettings until{.tolerances = {}, .until = horizon, .events = {}};
@@ -170,14 +125,14 @@ TEST(ComparedVerdict, ATimeEqualToTheHorizonIsCompared) {
 }
 
 TEST(ComparedVerdict, ALatestTimeBeyondThatOfTheDataSetChangesNothing) {
-  OwnCopy mine("cubic-history");
+  auto mine = own_copy("cubic-history");
   mine["y"][97] += 1.0;  // at 0.97 s; the data set is known up to 0.95 s
   for (const double until : {0.95, 0.98, 2.0}) {
     const auto y = mine.compared("y", {.tolerances = {}, .until = until, .events = {}});
     EXPECT_EQ(y.agreement, Agreement::agrees) << until;
     EXPECT_EQ(skipped_for(y, "beyond the horizon"), 10u) << until;
   }
-  OwnCopy events("damped-events");
+  auto events = own_copy("damped-events");
   events["time"][6] += 1e-3;  // at 0.111 s; the data set is known up to 0.11 s
   for (const double until : {0.11, 0.5}) {
     const auto time = events.compared("time", {.tolerances = {}, .until = until, .events = {}});
@@ -187,7 +142,7 @@ TEST(ComparedVerdict, ALatestTimeBeyondThatOfTheDataSetChangesNothing) {
 }
 
 TEST(ComparedVerdict, AnEventAtTheLatestTimeIsWithinIt) {
-  OwnCopy mine("damped-events");
+  auto mine = own_copy("damped-events");
   const double sixth = mine["time"][5];
   EXPECT_EQ(mine.compared("time", {.tolerances = {}, .until = sixth, .events = {}}).compared, 6u);
   EXPECT_EQ(mine.compared("time", {.tolerances = {}, .until = below(sixth), .events = {}}).compared, 5u);
@@ -195,13 +150,9 @@ TEST(ComparedVerdict, AnEventAtTheLatestTimeIsWithinIt) {
 
 TEST(ComparedVerdict, AnEventMissesTheLatestTimeByNoMoreThanToleranceAndUncertainty) {
   // They have five events; the sixth lies before the latest time, by what it may be late or by a little more.
-  OwnCopy five("damped-events");
+  auto five = own_copy("damped-events");
   const double sixth = five["time"][5], radius = five.reference().radius_of("time")[5];
-  for (auto& column : five.table.columns) {
-    column.text.resize(5);
-    column.values.resize(5);
-  }
-  five.table.lines.resize(5);
+  five.keep([](std::size_t row) { return row < 5; });
   const auto missing = [&](double margin) {
     return *five.compared("sequence", with_tolerance("time", 1e-5, sixth + margin)).error;
   };
@@ -215,11 +166,11 @@ TEST(ComparedVerdict, AnEventMissesTheLatestTimeByNoMoreThanToleranceAndUncertai
 // The samples nearest to the onset at 0.305 s moved to that very time, or next to it.
 TEST(ComparedVerdict, ASampleAtTheTimeOfAnEventIsLeftOut) {
   for (const double time : {below(0.305), 0.305, above(0.305)}) {
-    OwnCopy mine("cubic-history");
+    auto mine = own_copy("cubic-history");
     mine["t"][30] = time;
     mine["y"][30] = 1e3;  // far from both phases
     const auto y =
-        mine.compared("y", {.tolerances = {}, .until = {}, .events = OwnCopy("cubic-events").table});
+        mine.compared("y", {.tolerances = {}, .until = {}, .events = own_copy("cubic-events").table});
     EXPECT_EQ(skipped_for(y, "between the two times"), time == 0.305 ? 1u : 0u) << time;
     // The two others lie in a phase, but next to no sample of it.
     EXPECT_EQ(skipped_for(y, "between an event and the samples"), time == 0.305 ? 0u : 1u) << time;
@@ -228,7 +179,7 @@ TEST(ComparedVerdict, ASampleAtTheTimeOfAnEventIsLeftOut) {
 }
 
 TEST(ComparedVerdict, TheTimesOfBothEventsBelongToTheWindow) {
-  OwnCopy mine("cubic-history"), events("cubic-events");
+  auto mine = own_copy("cubic-history"), events = own_copy("cubic-events");
   events["time"][0] = mine["t"][34];  // their onset is at a sample, 35 ms late
   for (std::size_t row = 31; row <= 34; ++row) mine["y"][row] = 1e3;
   const ComparisonSettings settings{.tolerances = {}, .until = {}, .events = events.table};
@@ -236,7 +187,7 @@ TEST(ComparedVerdict, TheTimesOfBothEventsBelongToTheWindow) {
   EXPECT_EQ(skipped_for(mine.compared("y", settings), "between the two times"), 4u);
   mine["y"][35] = 1e3;
   EXPECT_EQ(mine.compared("y", settings).agreement, Agreement::differs);
-  mine = OwnCopy("cubic-history");
+  mine = own_copy("cubic-history");
   events["time"][0] = mine["t"][27];  // and early
   for (std::size_t row = 27; row <= 30; ++row) mine["y"][row] = 1e3;
   const ComparisonSettings early{.tolerances = {}, .until = {}, .events = events.table};
@@ -247,14 +198,10 @@ TEST(ComparedVerdict, TheTimesOfBothEventsBelongToTheWindow) {
 }
 
 TEST(ComparedVerdict, ASampleAtAnEventThatTheyDoNotHaveIsLeftOut) {
-  OwnCopy mine("cubic-history"), events("cubic-events");
+  auto mine = own_copy("cubic-history"), events = own_copy("cubic-events");
   mine["t"][51] = 0.515;  // the time of the reversal, which they do not have
   for (std::size_t row = 51; row <= 80; ++row) mine["y"][row] = 1e3;
-  for (auto& column : events.table.columns) {
-    column.text.erase(column.text.begin() + 1);
-    column.values.erase(column.values.begin() + 1);
-  }
-  events.table.lines.pop_back();
+  events.keep([](std::size_t row) { return row != 1; });
   const auto y = mine.compared("y", {.tolerances = {}, .until = {}, .events = events.table});
   EXPECT_EQ(y.agreement, Agreement::agrees);
   EXPECT_EQ(skipped_for(y, "between the two times"), 1u);
@@ -266,7 +213,7 @@ TEST(ComparedVerdict, TheLargerDistanceToANeighbourGuardsAnEventOnBothSides) {
   // is a little more or less than 10 ms away.
   for (const bool before : {true, false})
     for (const double distance : {0.0101, 0.0099}) {
-      OwnCopy mine("cubic-history");
+      auto mine = own_copy("cubic-history");
       auto& t = mine["t"];
       const std::size_t row = before ? 29 : 31;
       t[30] = before ? 0.3 : 0.31;
@@ -279,12 +226,8 @@ TEST(ComparedVerdict, TheLargerDistanceToANeighbourGuardsAnEventOnBothSides) {
 }
 
 TEST(ComparedVerdict, AfterALastEventThatIsMissingTheyAreInAnotherPhase) {
-  OwnCopy mine("cubic-history"), events("cubic-events");
-  for (auto& column : events.table.columns) {  // they have no capture at 0.805 s
-    column.text.erase(column.text.begin() + 2);
-    column.values.erase(column.values.begin() + 2);
-  }
-  events.table.lines.pop_back();
+  auto mine = own_copy("cubic-history"), events = own_copy("cubic-events");
+  events.keep([](std::size_t row) { return row != 2; });  // they have no capture at 0.805 s
   const ComparisonSettings settings{.tolerances = {}, .until = {}, .events = events.table};
   EXPECT_EQ(mine.compared("sequence", settings).error, 1.0);
   EXPECT_EQ(mine.compared("sequence", settings).compared, 4u);
@@ -297,7 +240,7 @@ TEST(ComparedVerdict, AfterALastEventThatIsMissingTheyAreInAnotherPhase) {
 
 TEST(ComparedVerdict, BetweenSamplesTheHalfWidthsAreThoseOfTheWeights) {
   // The cubic through four samples has the weights -1/16, 9/16, 9/16, -1/16 half-way: 5/4 in all.
-  OwnCopy mine("damped-history");
+  auto mine = own_copy("damped-history");
   const auto t = mine["t"];
   mine["t"][20] = 0.5 * (t[20] + t[21]);
   mine["t"].back() = t.back();
@@ -313,7 +256,7 @@ TEST(ComparedVerdict, BetweenSamplesTheHalfWidthsAreThoseOfTheWeights) {
 }
 
 TEST(ComparedVerdict, PhasesAreCountedOnceHoweverManyQuantitiesThereAre) {
-  OwnCopy mine("damped-history");
+  auto mine = own_copy("damped-history");
   ASSERT_EQ(mine.compared().quantities.size(), 3u);
   EXPECT_EQ(mine.compared("phase").compared, mine.compared("tip_displacement").compared);
   EXPECT_EQ(mine.compared("friction_force").compared, mine.compared("tip_displacement").compared);
@@ -323,7 +266,7 @@ TEST(ComparedVerdict, PhasesAreCountedOnceHoweverManyQuantitiesThereAre) {
 }
 
 TEST(ComparedVerdict, TheRangeOfACurveIncludesItsEnds) {
-  OwnCopy mine("quasi-static-shape");
+  auto mine = own_copy("quasi-static-shape");
   const double length = mine["x"].back();
   mine["x"].front() = -1e-10 * length;
   mine["x"].back() = (1.0 + 1e-10) * length;

@@ -7,15 +7,13 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <functional>
 #include <numbers>
-#include <numeric>
 #include <string>
 #include <vector>
 
-#include "comparison/comparison.hpp"
 #include "comparison/event_sequence.hpp"
 #include "comparison/samples.hpp"
+#include "own_copy.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
@@ -32,96 +30,30 @@ const data::ReferencePackage& published() {
   return package;
 }
 
-// A data set as somebody's result, or some columns of it.
-class Result {
- public:
-  explicit Result(std::string set, const std::vector<std::string>& columns = {},
-                  const data::ReferencePackage& package = published())
-      : set_(std::move(set)), package_(package) {
-    const auto reference = data::read_table(package, set_);
-    table.file = "mine.csv";
-    table.lines.resize(reference.rows());
-    std::iota(table.lines.begin(), table.lines.end(), 2);
-    for (const data::Column& column : reference.columns)
-      if (columns.empty() || std::ranges::count(columns, column.field.name) > 0)
-        table.columns.push_back(column);
-  }
-
-  data::UserTable table;
-
-  std::vector<double>& operator[](const std::string& name) { return column(name).values; }
-  std::vector<std::string>& words(const std::string& name) { return column(name).text; }
-
-  Result& keep(const std::function<bool(std::size_t)>& is_kept) {
-    for (std::size_t row = table.rows(); row-- > 0;) {
-      if (is_kept(row)) continue;
-      const auto at = static_cast<std::ptrdiff_t>(row);
-      for (data::Column& one : table.columns) {
-        one.text.erase(one.text.begin() + at);
-        one.values.erase(one.values.begin() + at);
-      }
-      table.lines.erase(table.lines.begin() + at);
-    }
-    return *this;
-  }
-  Result& repeat(std::size_t row) {
-    const auto at = static_cast<std::ptrdiff_t>(row);
-    for (data::Column& one : table.columns) {
-      one.text.insert(one.text.begin() + at, std::string(one.text[row]));
-      one.values.insert(one.values.begin() + at, double{one.values[row]});
-    }
-    table.lines.insert(table.lines.begin() + at, std::size_t{table.lines[row]});
-    return *this;
-  }
-
-  [[nodiscard]] Comparison compared(ComparisonSettings settings = {}) const {
-    settings.diagnose = false;
-    return studies::compare(package_, set_, table, settings);
-  }
-  [[nodiscard]] Comparison::Quantity compared(const std::string& quantity,
-                                              const ComparisonSettings& settings = {}) const {
-    const Comparison comparison = compared(settings);
-    return *std::ranges::find(comparison.quantities, quantity, &Comparison::Quantity::name);
-  }
-  [[nodiscard]] std::string refusal() const {
-    try {
-      static_cast<void>(compared());
-    } catch (const data::InputError& error) {
-      return error.what();
-    }
-    return "accepted";
-  }
-
- private:
-  data::Column& column(const std::string& name) {
-    return *std::ranges::find(table.columns, name, [](const auto& one) { return one.field.name; });
-  }
-
-  std::string set_;
-  const data::ReferencePackage& package_;
-};
-
-ComparisonSettings until(double time) { return {.tolerances = {}, .until = time, .events = {}}; }
-ComparisonSettings tolerance(const std::string& name, double value) {
-  return {.tolerances = {{name, value}}, .until = {}, .events = {}};
+OwnCopy copy_of(const std::string& set, const std::vector<std::string>& columns = {}) {
+  return {published(), set, columns};
 }
 
+std::string refusal(const OwnCopy& mine) {
+  try {
+    static_cast<void>(mine.compared());
+  } catch (const data::InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+ComparisonSettings until(double time) { return {.tolerances = {}, .until = time, .events = {}}; }
 bool mentions(const Comparison& comparison, const std::string& part) {
   return std::ranges::any_of(
       comparison.remarks, [&](const std::string& remark) { return remark.find(part) != std::string::npos; });
-}
-
-std::size_t skipped_because(const Comparison::Quantity& quantity, const std::string& reason) {
-  const auto found = std::ranges::find_if(
-      quantity.skipped, [&](const auto& skipped) { return skipped.reason.starts_with(reason); });
-  return found == quantity.skipped.end() ? 0 : found->points;
 }
 
 // --- words
 
 STICKSLIP_VERIFIES(ComparedWords, "X20");
 TEST(ComparedWords, ThatDifferAreCounted) {
-  Result mine("classification", {"frequency", "amplitude", "verdict"});
+  auto mine = copy_of("classification", {"frequency", "amplitude", "verdict"});
   EXPECT_EQ(mine.compared().agreement, Agreement::agrees);
   EXPECT_EQ(mine.compared("verdict").compared, 480u);
   const auto slips = std::ranges::count(mine.words("verdict"), "stick-slip");
@@ -131,44 +63,44 @@ TEST(ComparedWords, ThatDifferAreCounted) {
   EXPECT_EQ(verdict.agreement, Agreement::differs);
   EXPECT_EQ(verdict.error, static_cast<double>(slips));
   EXPECT_TRUE(verdict.where.ends_with("(stick-slip in the data set)")) << verdict.where;
-  EXPECT_EQ(mine.compared("verdict", tolerance("verdict", static_cast<double>(slips))).agreement,
+  EXPECT_EQ(mine.compared("verdict", with_tolerance("verdict", static_cast<double>(slips))).agreement,
             Agreement::agrees);
   mine.words("verdict")[7] = "slip";
-  EXPECT_EQ(mine.refusal(), "mine.csv:9: verdict is 'slip', but must be one of stick, stick-slip");
+  EXPECT_EQ(refusal(mine), "mine.csv:9: verdict is 'slip', but must be one of stick, stick-slip");
 }
 
 TEST(ComparedWords, DoNotCountWhereAMeshMayDecideOtherwise) {
   // A point of which the ratio is r counts if |r - 1| > tolerance r + radius; the radii are below 1e-20.
-  const Result right("classification");
+  const auto right = copy_of("classification");
   const auto& ratio = right.table.column("force_ratio")->values;
   const auto distance = [](double r) { return std::abs(r - 1.0) / r; };
   const auto nearest =
       static_cast<std::size_t>(std::ranges::min_element(ratio, {}, distance) - ratio.begin());
-  Result mine("classification", {"frequency", "amplitude", "verdict"});
+  auto mine = copy_of("classification", {"frequency", "amplitude", "verdict"});
   auto& word = mine.words("verdict")[nearest];
   word = word == "stick" ? "stick-slip" : "stick";
   const double limit = distance(ratio[nearest]);
   ASSERT_GT(limit, 1e-3);
   EXPECT_EQ(mine.compared("verdict").error, 1.0);
-  EXPECT_EQ(mine.compared("verdict", tolerance("force_ratio", 0.99 * limit)).error, 1.0);
-  const auto near = mine.compared("verdict", tolerance("force_ratio", 1.01 * limit));
+  EXPECT_EQ(mine.compared("verdict", with_tolerance("force_ratio", 0.99 * limit)).error, 1.0);
+  const auto near = mine.compared("verdict", with_tolerance("force_ratio", 1.01 * limit));
   EXPECT_EQ(near.error, 0.0);
   EXPECT_EQ(near.compared, 479u);
-  EXPECT_EQ(skipped_because(near, "too near to the threshold"), 1u);
+  EXPECT_EQ(skipped_for(near, "too near to the threshold"), 1u);
 }
 
 TEST(ComparedWords, AreComparedInEventsOfASingleMass) {
-  Result mine("single-mass-events");
+  auto mine = copy_of("single-mass-events");
   EXPECT_EQ(mine.compared("change").compared, 6u);
   mine.words("change")[2] = "capture";
   EXPECT_EQ(mine.compared("change").error, 1.0);
-  EXPECT_EQ(mine.compared("change", tolerance("", 1e3)).agreement, Agreement::differs);  // has its own
+  EXPECT_EQ(mine.compared("change", with_tolerance("", 1e3)).agreement, Agreement::differs);  // has its own
   EXPECT_EQ(mine.compared().agreement, Agreement::differs);
 }
 
 STICKSLIP_VERIFIES(ComparedZero, "X20");
 TEST(ComparedZero, IsMeasuredByTheLargestOfTheColumn) {
-  Result mine("friction-powers");
+  auto mine = copy_of("friction-powers");
   const double largest = std::ranges::max(mine["power"]);
   for (const double power : {1e-9, 1e-4}) {
     mine["power"][0] = power;  // 0 in the data set
@@ -244,7 +176,7 @@ TEST(EventSequence, SaysTheContactAtATime) {
 }
 
 // The shortest stick of the data set lasts 0.33 ms.
-std::size_t shortest_stick(const Result& events) {
+std::size_t shortest_stick(const OwnCopy& events) {
   const auto& time = events.table.column("time")->values;
   std::size_t shortest = 0;
   for (std::size_t i = 0; i + 1 < time.size(); ++i)
@@ -254,7 +186,7 @@ std::size_t shortest_stick(const Result& events) {
 
 STICKSLIP_VERIFIES(ComparedEvents, "X20");
 TEST(ComparedEvents, WithoutOneShortStickKeepAllOthers) {
-  Result mine("stick-slip-events");
+  auto mine = copy_of("stick-slip-events");
   const std::size_t stick = shortest_stick(mine);
   ASSERT_EQ(mine.words("change")[stick], "capture");
   mine.keep([&](std::size_t row) { return row != stick && row != stick + 1; });
@@ -270,7 +202,7 @@ TEST(ComparedEvents, WithoutOneShortStickKeepAllOthers) {
 TEST(ComparedEvents, OfShortPhasesInARowAreOneEventAtAnUncertainTime) {
   // Their first capture takes 15 us or 0.3 ms, with sticks of 10 us and slips of 5 us.
   for (const std::size_t sticks : {1u, 20u}) {
-    Result mine("stick-slip-events");
+    auto mine = copy_of("stick-slip-events");
     const double capture = mine["time"][1];
     for (std::size_t i = 0; i < 2 * sticks; ++i) mine.repeat(1);
     for (std::size_t i = 1; i <= 2 * sticks; ++i) {
@@ -284,7 +216,7 @@ TEST(ComparedEvents, OfShortPhasesInARowAreOneEventAtAnUncertainTime) {
 }
 
 TEST(ComparedEvents, LeaveReversalsOutThatTheDataSetDoesNotHave) {
-  Result mine("stick-slip-events");
+  auto mine = copy_of("stick-slip-events");
   mine.repeat(1);
   mine.words("change")[1] = "reversal";
   EXPECT_EQ(mine.compared().agreement, Agreement::agrees);
@@ -292,7 +224,7 @@ TEST(ComparedEvents, LeaveReversalsOutThatTheDataSetDoesNotHave) {
 
 TEST(ComparedEvents, OfPhasesBelowTheShortestAreLeftOut) {
   for (const double duration : {1.9e-5, 2.1e-5}) {
-    Result mine("stick-slip-events");
+    auto mine = copy_of("stick-slip-events");
     mine.repeat(4).repeat(4);  // an onset, and a stick in the slip behind it
     ASSERT_EQ(mine.words("change")[6], "onset");
     mine.words("change")[5] = "capture";
@@ -304,7 +236,7 @@ TEST(ComparedEvents, OfPhasesBelowTheShortestAreLeftOut) {
 
 STICKSLIP_VERIFIES(ComparedHistory, "X20");
 TEST(ComparedHistory, IsComparedInAllPhasesThatBothHave) {
-  Result mine("stick-slip-history"), events("stick-slip-events");
+  auto mine = copy_of("stick-slip-history"), events = copy_of("stick-slip-events");
   const std::size_t stick = shortest_stick(events), total = mine.table.rows();
   events.keep([&](std::size_t row) { return row != stick && row != stick + 1; });
   const ComparisonSettings settings{.tolerances = {}, .until = {}, .events = events.table};
@@ -318,14 +250,14 @@ TEST(ComparedHistory, IsComparedInAllPhasesThatBothHave) {
 
 TEST(ComparedHistory, LeavesOutTheToleranceOfAnEventWithoutTheirs) {
   // Their onset at 0.0553 s is 50 us late, and they have samples every 10 us.
-  Result mine("stick-slip-history", {"time", "phase", "tip_displacement"});
+  auto mine = copy_of("stick-slip-history", {"time", "phase", "tip_displacement"});
   mine.keep([&](std::size_t row) { return row > 275 && row < 281; });
   auto& time = mine["time"];
   const double onset = 0.0553214408237;
   for (std::size_t i = 0; i < time.size(); ++i) time[i] = onset + 1e-5 * static_cast<double>(i + 1);
   std::ranges::fill(mine.words("phase"), "stick");
-  EXPECT_TRUE(mine.refusal().find("5 between the two times of an event") != std::string::npos)
-      << mine.refusal();
+  EXPECT_TRUE(refusal(mine).find("5 between the two times of an event") != std::string::npos)
+      << refusal(mine);
 }
 
 // --- coverage
@@ -335,7 +267,7 @@ TEST(ComparedCoverage, OfARangeMustBeNineTenths) {
   // A sample covers a fortieth on either side: 0.875 + 0.025.
   for (const auto& [last, agreement] : std::vector<std::pair<double, Agreement>>{
            {0.4375, Agreement::agrees}, {0.437, Agreement::undecided}, {0.01, Agreement::undecided}}) {
-    Result mine("undamped-history-25");
+    auto mine = copy_of("undamped-history-25");
     const auto time = mine["time"];
     mine.keep([&](std::size_t row) { return time[row] <= last; });
     const Comparison comparison = mine.compared();
@@ -350,21 +282,21 @@ TEST(ComparedCoverage, OfARangeMustBeNineTenths) {
 }
 
 TEST(ComparedCoverage, OfThreeRowsIsThreeTwentieths) {
-  Result mine("undamped-history-25");
+  auto mine = copy_of("undamped-history-25");
   mine.keep([](std::size_t row) { return row == 250 || row == 500 || row == 750; });
   EXPECT_EQ(mine.compared().agreement, Agreement::undecided);
   EXPECT_TRUE(within(mine.compared().coverage, 0.15, round_off(16.0, 1.0, 1.0)));
 }
 
 TEST(ComparedCoverage, OfAHistoryThatEndsEarlyIsTooSmall) {
-  Result mine("stick-slip-history");
+  auto mine = copy_of("stick-slip-history");
   mine.keep([](std::size_t row) { return row < 29; });
   EXPECT_EQ(mine.compared().agreement, Agreement::undecided);
   EXPECT_EQ(mine.compared(until(0.0058)).agreement, Agreement::agrees);
 }
 
 TEST(ComparedCoverage, OfEventsEndsWithTheLastOneUnlessALatestTimeIsGiven) {
-  Result mine("stick-slip-events");
+  auto mine = copy_of("stick-slip-events");
   const double end = mine["time"][19], last = mine["time"].back();
   mine.keep([](std::size_t row) { return row < 20; });
   const Comparison comparison = mine.compared();
@@ -379,13 +311,13 @@ TEST(ComparedCoverage, OfEventsEndsWithTheLastOneUnlessALatestTimeIsGiven) {
 
 TEST(ComparedCoverage, OfATableMustBeATenthOfEachPartThatTheFileBegins) {
   for (const std::size_t rows : {47u, 48u}) {
-    Result mine("classification");
+    auto mine = copy_of("classification");
     mine.keep([&](std::size_t row) { return row < rows; });
     EXPECT_EQ(mine.compared().agreement, rows == 48 ? Agreement::agrees : Agreement::undecided) << rows;
     EXPECT_EQ(mentions(mine.compared(), "the file has 47 of 480 rows, but a verdict needs at least 10 %"),
               rows == 47);
   }
-  Result modes("stick-frequencies");
+  auto modes = copy_of("stick-frequencies");
   modes.keep([](std::size_t row) { return row < 3; });  // three of ten modes of one beam
   EXPECT_EQ(modes.compared().agreement, Agreement::agrees);
   EXPECT_TRUE(within(modes.compared().coverage, 0.3, round_off(1.0, 1.0, 1.0)));
@@ -431,7 +363,7 @@ TEST(ComparedSamples, ThatAreTooFarApartForTheCurveSaySo) {
 TEST(ComparedSamples, MayHaveTimesOfSinglePrecision) {
   for (const std::string set : {"stick-history", "stick-slip-history", "undamped-history-25",
                                 "undamped-history-steel-strip", "undamped-history-soft-short"}) {
-    Result mine(set);
+    auto mine = copy_of(set);
     for (double& t : mine["time"]) t = static_cast<double>(static_cast<float>(t));
     const Comparison comparison = mine.compared();
     EXPECT_EQ(comparison.agreement, Agreement::agrees) << set;
@@ -452,7 +384,7 @@ TEST(ComparedSamples, BetweenThoseOfTheDataSetAreComparedWithThem) {
       ->comparison->interpolation.reset();
   for (const std::size_t step : {1u, 3u})
     for (const double error : {0.0, 0.5}) {
-      Result mine("cubic-history", {}, package);
+      OwnCopy mine(package, "cubic-history");
       auto& t = mine["t"];
       mine.keep([&](std::size_t row) { return row < 31 && row % step == 0; });
       for (std::size_t i = 0; i < t.size(); ++i) {
@@ -472,15 +404,15 @@ TEST(ComparedSamples, BetweenThoseOfTheDataSetAreComparedWithThem) {
 }
 
 TEST(ComparedSamples, MayStandTwiceAtATime) {
-  Result curve("undamped-history-25");
+  auto curve = copy_of("undamped-history-25");
   curve.repeat(100);
   EXPECT_EQ(curve.compared().agreement, Agreement::agrees);
   curve["tip_displacement"][101] += 0.5;
   EXPECT_TRUE(
-      curve.refusal().starts_with("mine.csv:102: time is 0.05 as in the row before, but "
-                                  "tip_displacement is "))
-      << curve.refusal();
-  Result history("stick-slip-history");
+      refusal(curve).starts_with("mine.csv:102: time is 0.05 as in the row before, but "
+                                 "tip_displacement is "))
+      << refusal(curve);
+  auto history = copy_of("stick-slip-history");
   history.repeat(276);
   EXPECT_EQ(history.compared().agreement, Agreement::agrees);
 }
