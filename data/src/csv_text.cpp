@@ -76,19 +76,16 @@ std::string_view comment_text(std::string_view line) {
   return begin == std::string_view::npos ? std::string_view{} : line.substr(begin);
 }
 
-// Blanks separate names, but not a name from its unit: "frequency [kHz]" and "frequency / kHz" are one cell.
+// Blanks separate names, but not a name from its unit in brackets: "frequency [kHz]" is one.
 std::vector<std::string> with_units_joined(const std::vector<std::string>& words) {
   std::vector<std::string> names;
-  bool is_open = false;
   for (const std::string& word : words) {
-    const bool is_unit = word.starts_with('[') || word.starts_with('(') || word == "/";
-    if (!names.empty() && (is_open || is_unit))
+    const bool is_open = !names.empty() && names.back().find_first_of("[(") != std::string::npos &&
+                         names.back().find_first_of("])") == std::string::npos;
+    if (!names.empty() && (is_open || word.starts_with('[') || word.starts_with('(')))
       names.back() += " " + word;
     else
       names.push_back(word);
-    is_open = word == "/" || (is_unit && !word.ends_with(']') && !word.ends_with(')')) ||
-              (is_open && !word.ends_with(']') && !word.ends_with(')') &&
-               names.back().find(" / ") == std::string::npos);
   }
   return names;
 }

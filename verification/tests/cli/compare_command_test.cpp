@@ -127,6 +127,27 @@ TEST_F(CompareCommand, ReadsTheFilesThatRespondWrites) {
   EXPECT_EQ(run(in_fixture("compare damped-events '" + events + "'")).status, 0);
 }
 
+TEST_F(CompareCommand, ReadsTheHistoriesThatRespondWritesAtAnyStep) {
+  const std::string history = path("history.csv"), events = path("events.csv");
+  for (const char* step : {"7e-5", "3e-4"}) {
+    ASSERT_EQ(run(fmt::format("respond damped --method event-driven --set numerics.modes=20 --duration 0.5 "
+                              "--set numerics.time_step={} --output '{}' --events '{}'",
+                              step, history, events))
+                  .status,
+              0);
+    const Outcome outcome = run("compare stick-slip-history '" + history + "' --events '" + events + "'");
+    EXPECT_TRUE(outcome.output.ends_with("\nagrees\n")) << step << outcome.output << outcome.errors;
+  }
+  EXPECT_TRUE(run("compare stick-slip-events '" + events + "'").output.ends_with("\nagrees\n"));
+}
+
+TEST_F(CompareCommand, ReadsStandardInput) {
+  std::ofstream(path("mine.csv")) << right;
+  EXPECT_EQ(run(in_fixture("compare stick-frequencies -") + "< '" + path("mine.csv") + "'").status, 0);
+  expect_refused(in_fixture("compare damped-history - --events -"),
+                 "FILE and --events both are standard input, but one of them must be a file");
+}
+
 TEST_F(CompareCommand, SaysTheLargestErrorOfAnUndampedHistoryInPerCentOfTheRange) {
   // The contact by the letter of the paper, on the mesh and the step that it takes.
   const std::string history = path("history.csv");

@@ -102,7 +102,6 @@ TEST_F(UserTable, IsTheSameHoweverItIsSpelled) {
       "# made today\n#beam,mode,frequency\n# - - -\n# end\npaper,1,25\npaper,2,81.5\n",
       "# beam mode frequency\n# - - kHz\npaper 1 0.025\npaper 2 0.0815\n",
       "beam mode frequency [kHz]\npaper 1 0.025\npaper 2 0.0815\n",
-      "beam mode frequency / kHz\npaper 1 0.025\npaper 2 0.0815\n",
       "beam mode frequency ( kHz )\npaper 1 0.025\npaper 2 0.0815\n",
       "beam,mode,frequency\n,,[kHz]\npaper,1,0.025\npaper,2,0.0815\n",
       "% by hand\nbeam;mode;frequency\n-;1;kHz\npaper;1;0,025\npaper;2;0,0815\n",
