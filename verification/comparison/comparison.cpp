@@ -436,73 +436,20 @@ class Comparer {
                        group.label.empty() ? "" : ", " + group.label);
   }
 
-  // A value of the user and of the reference at the same abscissa.
-  struct Compared {
-    double abscissa{};
-    Interpolated theirs;
-    std::optional<Interpolated> reference;
-  };
-
-  // Compares at the user's abscissas, where the data set states the error of its interpolation.
-  [[nodiscard]] std::vector<Compared> by_stated_interpolation(const std::string& field,
-                                                              const Samples& reference, const Samples& theirs,
-                                                              double margin) const {
-    std::vector<Compared> points;
-    for (std::size_t i = 0; i < theirs.abscissa.size(); ++i) {
-      const double x = theirs.abscissa[i];
-      auto value = sample_at(reference, x, margin);
-      if (!value)
-        value = interpolated(reference, x, *rule_.interpolation, rule_.interpolation->error.at(field));
-      points.push_back({x, {theirs.values[i], 0.0}, value});
-    }
-    return points;
-  }
-
-  // Compares at the samples of the reference that have samples of the user near by, and at the user's samples
-  // that have none of their own near by. "Near by" is the distance of the samples of the reference.
-  // Where the reference is smooth, a rough result of the user is no uncertainty but an error.
-  [[nodiscard]] std::vector<Compared> by_own_interpolation(Comparison::Quantity& quantity,
-                                                           const Samples& reference, const Samples& theirs,
-                                                           const Grid& grid) const {
-    const double near = 1.01 * grid.spacing;
-    // A time that was rounded to single precision may mean that of the reference. The difference counts as
-    // uncertainty.
-    constexpr double single_precision = 0x1p-24;
-    const auto& xs = theirs.abscissa;
-    std::vector<Compared> points;
-    for (std::size_t i = 0; i < reference.abscissa.size(); ++i) {
-      const double x = reference.abscissa[i];
-      auto value = sample_at(theirs, x, grid.coincidence);
-      if (!value && gap_at(theirs, x) <= near) value = interpolated(theirs, x, roughness_at(reference, x));
-      if (const auto sample = sample_at(theirs, x, single_precision * std::abs(x)); value && sample)
-        value->half_width += std::abs(value->value - sample->value);
-      if (value) points.push_back({x, *value, Interpolated{reference.values[i], reference.half_width[i]}});
-    }
-    for (std::size_t i = 0; i < xs.size(); ++i) {
-      if (sample_at(reference, xs[i], grid.coincidence)) continue;
-      const bool is_alone = xs.size() < 3 || (i > 0 && xs[i] - xs[i - 1] > near) ||
-                            (i + 1 < xs.size() && xs[i + 1] - xs[i] > near);
-      const bool is_inside = xs[i] > reference.abscissa.front() && xs[i] < reference.abscissa.back();
-      const auto value = is_alone && is_inside ? interpolated(reference, xs[i]) : std::nullopt;
-      if (value)
-        points.push_back({xs[i], {theirs.values[i], 0.0}, value});
-      else
-        skip(quantity, is_alone ? past_last_sample : between_samples);
-    }
-    std::ranges::sort(points, {}, &Compared::abscissa);
-    return points;
-  }
-
   void compare_samples(Comparison::Quantity& quantity, Group& group, const Rows& rows, const Rows& their_rows,
                        const Grid& grid) {
     if (their_rows.empty()) return;
     const double scale = scale_of(quantity.name, quantity.norm, group);
     const Samples reference = samples_of(quantity.name, rows);
     const Samples theirs = their_samples_of(quantity, their_rows, scale);
-    const auto points = rule_.interpolation
-                            ? by_stated_interpolation(quantity.name, reference, theirs, grid.coincidence)
-                            : by_own_interpolation(quantity, reference, theirs, grid);
-    for (const auto& [x, value, known] : points)
+    const ComparedSamples found =
+        rule_.interpolation
+            ? by_stated_interpolation(reference, theirs, *rule_.interpolation,
+                                      rule_.interpolation->error.at(quantity.name), grid.coincidence)
+            : by_own_interpolation(reference, theirs, grid.spacing, grid.coincidence);
+    for (std::size_t i = 0; i < found.between; ++i) skip(quantity, between_samples);
+    for (std::size_t i = 0; i < found.past_last; ++i) skip(quantity, past_last_sample);
+    for (const auto& [x, value, known] : found.points)
       judge_at(quantity, group, x, value, known, scale, where_of(group, x));
   }
 

@@ -98,4 +98,48 @@ double gap_at(const Samples& samples, double x) {
   return samples.abscissa[next] - samples.abscissa[next - 1];
 }
 
+ComparedSamples by_stated_interpolation(const Samples& reference, const Samples& theirs,
+                                        const data::Interpolation& rule, double error_bound,
+                                        double coincidence) {
+  ComparedSamples result;
+  for (std::size_t i = 0; i < theirs.abscissa.size(); ++i) {
+    const double x = theirs.abscissa[i];
+    auto value = sample_at(reference, x, coincidence);
+    if (!value) value = interpolated(reference, x, rule, error_bound);
+    result.points.push_back({x, {theirs.values[i], 0.0}, value});
+  }
+  return result;
+}
+
+ComparedSamples by_own_interpolation(const Samples& reference, const Samples& theirs, double spacing,
+                                     double coincidence) {
+  const double near = 1.01 * spacing;
+  // A time that was rounded to single precision may mean that of the reference. The difference counts as
+  // uncertainty.
+  constexpr double single_precision = 0x1p-24;
+  const auto& xs = theirs.abscissa;
+  ComparedSamples result;
+  for (std::size_t i = 0; i < reference.abscissa.size(); ++i) {
+    const double x = reference.abscissa[i];
+    auto value = sample_at(theirs, x, coincidence);
+    if (!value && gap_at(theirs, x) <= near) value = interpolated(theirs, x, roughness_at(reference, x));
+    if (const auto sample = sample_at(theirs, x, single_precision * std::abs(x)); value && sample)
+      value->half_width += std::abs(value->value - sample->value);
+    if (value)
+      result.points.push_back({x, *value, Interpolated{reference.values[i], reference.half_width[i]}});
+  }
+  for (std::size_t i = 0; i < xs.size(); ++i) {
+    if (sample_at(reference, xs[i], coincidence)) continue;
+    const bool is_alone = xs.size() < 3 || (i > 0 && xs[i] - xs[i - 1] > near) ||
+                          (i + 1 < xs.size() && xs[i + 1] - xs[i] > near);
+    const bool is_inside = xs[i] > reference.abscissa.front() && xs[i] < reference.abscissa.back();
+    const auto value = is_alone && is_inside ? interpolated(reference, xs[i]) : std::nullopt;
+    if (value) result.points.push_back({xs[i], {theirs.values[i], 0.0}, value});
+    result.between += is_alone ? 0 : 1;
+    result.past_last += is_alone && !value ? 1 : 0;
+  }
+  std::ranges::sort(result.points, {}, &ComparedSample::abscissa);
+  return result;
+}
+
 }  // namespace stickslip::studies

@@ -45,4 +45,28 @@ struct Interpolated {
 /// The distance between the two samples on either side of x; infinite outside the samples.
 [[nodiscard]] double gap_at(const Samples& samples, double x);
 
+/// A value of the user and of the reference at the same abscissa.
+struct ComparedSample {
+  double abscissa{};
+  Interpolated theirs;
+  std::optional<Interpolated> reference;
+};
+
+struct ComparedSamples {
+  std::vector<ComparedSample> points;
+  std::size_t between{};    ///< samples of the user that serve the interpolation only
+  std::size_t past_last{};  ///< samples of the user where the reference has none
+};
+
+/// Compares at the user's abscissas, where the data set states the error of its interpolation.
+[[nodiscard]] ComparedSamples by_stated_interpolation(const Samples& reference, const Samples& theirs,
+                                                      const data::Interpolation& rule, double error_bound,
+                                                      double coincidence);
+
+/// Compares at the samples of the reference that have samples of the user near by, and at the user's samples
+/// that have none of their own near by. "Near by" is the spacing of the reference. Where the reference is
+/// smooth, a rough result of the user is no uncertainty but an error.
+[[nodiscard]] ComparedSamples by_own_interpolation(const Samples& reference, const Samples& theirs,
+                                                   double spacing, double coincidence);
+
 }  // namespace stickslip::studies
