@@ -250,6 +250,7 @@ DataSet stick_history_of_ten_modes() {
       problem_of(data::load_case("paper-figure9"), "paper", "held", {{"/modes", "10"}, {"/duration", "1"}});
   set.resource.comparison = along("time", {{"midspan_displacement", data::Norm::scale, 1e-6},
                                            {"friction_force", data::Norm::scale, 1e-6}});
+  set.resource.diagnosis = in_case("stick displacement", "paper-figure9", "time", "midspan_displacement");
   set.resource.provenance = enclosed_by(
       "Eqs. (27), (28) with omega_n^2 in Eq. (24)",
       fmt::format(R"({{"bits": {}, "digits": 30, "modes": 10, "frequency_hz": 15, "amplitude": 0.0005}})",
@@ -368,6 +369,7 @@ DataSet classification() {
   set.resource.comparison =
       by_rows({{"force_ratio", data::Norm::relative, 1e-3},
                {"verdict", data::Norm::word, 0.0, data::DecidingValue{"force_ratio", 1.0}}});
+  set.resource.diagnosis = in_case("force ratio", "paper", "amplitude", "force_ratio");
   set.resource.provenance =
       enclosed_by("as in friction-maxima", R"({"modes": 10, "duration": 10, "digits": 30})",
                   {"every verdict is certain", "the grid of Fig. 12 by finite elements"});

@@ -105,7 +105,8 @@ struct ComparisonRule {
   double shortest_phase = 0.0;
 };
 
-/// Which quantity of the wrong models (studies::Quantity) a data set is.
+/// Which quantity of the wrong models (studies::Quantity) a data set is; "force ratio" is |f|_max/(mu_s P) of a
+/// case in each row.
 struct DiagnosisRule {
   std::string quantity;     ///< "stick frequency"
   std::string case_name;    ///< the case file, or
