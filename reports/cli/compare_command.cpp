@@ -12,6 +12,7 @@
 #include "commands.hpp"
 #include "comparison_output.hpp"
 #include "figure_format.hpp"
+#include "long_work.hpp"
 #include "output_file.hpp"
 #include "render/comparison_figure.hpp"
 #include "render/interruption.hpp"
@@ -57,7 +58,7 @@ std::vector<data::ColumnMapping> mappings_for(const data::ReferenceTable& refere
   return mappings;
 }
 
-studies::Comparison compare(const CompareOptions& options) {
+studies::Comparison compare(const CompareOptions& options, report::Progress& progress) {
   const data::ReferencePackage package = data::load_reference(options.package);
   const data::ReferenceTable reference = data::read_table(package, options.name);
   const auto& rule = reference.resource.comparison;
@@ -79,6 +80,7 @@ studies::Comparison compare(const CompareOptions& options) {
     settings.events = data::read_user_table(options.events, *events, mappings_for(*events, mappings));
   const data::UserTable theirs =
       data::read_user_table(options.file, reference, mappings_for(reference, mappings));
+  settings.progress = [&](double share) { progress(share); };
   return studies::compare(package, options.name, theirs, settings);
 }
 
@@ -105,7 +107,10 @@ void run(const CompareOptions& options) {
   open(figure, options.figure);
 
   std::vector<std::string> written;
+  report::Progress progress("stickslip compare: known mistakes",
+                            report::Progress::standard_error(options.quiet || is_quiet()));
   report::Interruption interruption([&] {
+    progress.finish();
     for (const auto* file : {&json, &junit, &figure})
       if (*file) (*file)->discard();
     if (written.empty()) return std::string("interrupted; nothing is written");
@@ -119,7 +124,8 @@ void run(const CompareOptions& options) {
     written.push_back(path == "-" ? "standard output" : path);
   };
 
-  const studies::Comparison comparison = compare(options);
+  const studies::Comparison comparison = compare(options, progress);
+  progress.finish();
   write(table, "-", [&] { return text_of(comparison); });
   write(json, options.json, [&] { return json_of(comparison, options.file).dump(2) + "\n"; });
   write(junit, options.junit, [&] { return junit_of(comparison, options.file); });

@@ -130,7 +130,10 @@ Json json_of(const Comparison::Quantity& quantity) {
 }
 
 Json json_of(const Comparison::Likeness& likeness) {
-  Json object{{"group", likeness.group}, {"sentence", likeness.sentence}, {"finding", nullptr}};
+  Json object{{"group", likeness.group},
+              {"quantity", likeness.quantity},
+              {"sentence", likeness.sentence},
+              {"finding", nullptr}};
   if (!likeness.diagnosis) return object;
   const studies::Diagnosis& diagnosis = *likeness.diagnosis;
   object["finding"] = finding_name(diagnosis.finding);
@@ -164,7 +167,8 @@ std::string text_of(const Comparison& comparison) {
   for (const std::string& remark : comparison.remarks) text += remark + "\n";
   text += coverage_of(comparison) + "\n";
   for (const auto& likeness : comparison.likenesses)
-    text += fmt::format("{}{}\n", prefix_of(likeness.group), likeness.sentence);
+    text += fmt::format("{}{}{}\n", prefix_of(comparison.quantities.size() > 1 ? likeness.quantity : ""),
+                        prefix_of(likeness.group), likeness.sentence);
   return text + fmt::format("{}\n", conclusion_of(comparison));
 }
 

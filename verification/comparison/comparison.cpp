@@ -16,9 +16,9 @@
 
 #include "comparison/event_sequence.hpp"
 #include "comparison/groups.hpp"
+#include "comparison/likeness.hpp"
 #include "comparison/points.hpp"
 #include "comparison/samples.hpp"
-#include "stickslip/data/case_file.hpp"
 
 namespace stickslip::studies {
 
@@ -118,8 +118,8 @@ class Comparer {
         break;
     }
     conclude();
-    if (settings_.diagnose && result_.agreement == Agreement::differs && reference_.resource.diagnosis)
-      diagnose();
+    if (settings_.diagnose && result_.agreement == Agreement::differs)
+      find_likenesses(result_, package_, reference_, theirs_, settings_);
     return std::move(result_);
   }
 
@@ -798,69 +798,6 @@ class Comparer {
       reasons += fmt::format("{}{} {}", reasons.empty() ? ": " : ", ", points, reason);
     throw InputError(fmt::format("{}: none of the {} rows can be compared{}", theirs_.file.string(),
                                  theirs_.rows(), reasons));
-  }
-
-  // --- diagnosis
-
-  static Quantity quantity_named(const std::string& name) {
-    for (const Quantity quantity : all_quantities)
-      if (name_of(quantity) == name) return quantity;
-    throw InputError(fmt::format("the quantity '{}' of a diagnosis is unknown", name));
-  }
-
-  // The user's values up to the horizon. The tolerance is taken as their uncertainty.
-  [[nodiscard]] Observation observation_of(const Group& group, Quantity quantity) const {
-    const data::DiagnosisRule& rule = *reference_.resource.diagnosis;
-    const auto compared = std::ranges::find(rule_.values, rule.value, &data::ComparedValue::field);
-    const double scale = scale_of(rule.value, compared->norm, group), tolerance = tolerance_of(*compared);
-    const auto& values = theirs_.column(rule.value)->values;
-    Observation observation{.quantity = quantity, .abscissa = {}, .values = {}, .uncertainty = {}};
-    const auto add = [&](double abscissa, double value) {
-      observation.abscissa.push_back(abscissa);
-      observation.values.push_back(value);
-      observation.uncertainty.push_back(tolerance * unit_of(compared->norm, value, scale));
-    };
-    if (quantity == Quantity::contact_event) {
-      // Onsets and captures are counted, reversals are not.
-      const auto counts = [](const TabulatedEvent& event) { return event.change != "reversal"; };
-      const auto most = std::ranges::count_if(events_of(reference_, group.reference), counts);
-      for (const TabulatedEvent& event : events_of(theirs_, group.theirs))
-        if (counts(event) && event.time <= horizon_ && std::ssize(observation.values) < most)
-          add(static_cast<double>(observation.values.size() + 1), event.time);
-      return observation;
-    }
-    const auto& abscissa = theirs_.column(rule.abscissa)->values;
-    for (const std::size_t row : group.theirs)
-      if (rule_.kind == ComparisonKind::table || abscissa[row] <= horizon_) add(abscissa[row], values[row]);
-    return observation;
-  }
-
-  [[nodiscard]] Comparison::Likeness likeness_of(const Group& group, Quantity quantity) const {
-    const data::DiagnosisRule& rule = *reference_.resource.diagnosis;
-    const std::string name = rule.case_column.empty()
-                                 ? rule.case_name
-                                 : reference_.column(rule.case_column).text[group.reference.front()];
-    Comparison::Likeness likeness{.group = group.label, .sentence = {}, .diagnosis = {}};
-    try {
-      const Diagnosis found = studies::diagnose(data::load_case(name), observation_of(group, quantity));
-      likeness.sentence = found.finding == Finding::correct
-                              ? "no diagnosis: the difference is too small to be assigned to a mistake (" +
-                                    sentence(found) + ")"
-                              : sentence(found);
-      likeness.diagnosis = found;
-    } catch (const data::InputError& error) {  // the case is unknown or has no such state
-      likeness.sentence = fmt::format("no diagnosis: {}", error.what());
-    }
-    return likeness;
-  }
-
-  void diagnose() {
-    const data::DiagnosisRule& rule = *reference_.resource.diagnosis;
-    const Quantity quantity = quantity_named(rule.quantity);
-    const bool is_compared = std::ranges::count(rule_.values, rule.value, &data::ComparedValue::field) > 0;
-    if (!is_compared || theirs_.column(rule.value) == nullptr) return;
-    for (const Group& group : groups_)
-      if (group.differs) result_.likenesses.push_back(likeness_of(group, quantity));
   }
 
   const data::ReferencePackage& package_;

@@ -4,6 +4,7 @@
 /// The comparison of a user's results with the published reference data.
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -43,8 +44,10 @@ struct ComparisonSettings {
   std::vector<Tolerance> tolerances;
   std::optional<double> until;  ///< latest time to compare, s; it cannot extend the horizon of the data set
   std::optional<data::UserTable> events;  ///< events of the same run, for a data set of the kind phases
-  /// Whether quantities that differ are compared with the wrong models.
+  /// Whether it is searched what quantities that differ look like.
   bool diagnose = true;
+  /// Is told the completed fraction of a search that takes longer.
+  std::function<void(double)> progress{};
 };
 
 /// The result of a comparison and the compared values.
@@ -78,9 +81,11 @@ struct Comparison {
     std::vector<Series> series;
   };
 
-  /// The diagnosis of one group: the wrong model that is nearest to the result.
+  /// What one quantity of one group looks like: a mistake that the numbers show, another data set, or the wrong
+  /// model that is nearest to the result.
   struct Likeness {
-    std::string group;
+    std::string group;     ///< the first of several with the same sentence
+    std::string quantity;  ///< the name of the compared quantity
     std::string sentence;
     std::optional<Diagnosis> diagnosis;  ///< empty if no diagnosis is possible; the sentence gives the reason
   };
@@ -118,8 +123,8 @@ struct Comparison {
 /// Nothing is said to agree if the file covers less than least_range_coverage or least_table_coverage. A
 /// compared point of a curve covers a fortieth of the range on either side of it.
 ///
-/// Quantities that differ are compared with the wrong models if the data set names the quantity of its
-/// diagnosis. The tolerance is then taken as the uncertainty of the user's values.
+/// It is then searched what quantities that differ look like (likeness.hpp). The tolerance is taken as the
+/// uncertainty of the user's values.
 ///
 /// Throws data::InputError for an unknown data set, quantity of a tolerance, row, abscissa or word, and if
 /// nothing can be compared.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "comparison/wrong_models.hpp"
 
@@ -16,6 +17,7 @@ namespace {
 // Allowed probability that an unrelated error is assigned to a wrong model.
 constexpr double accidental_share = 0.01;
 constexpr double least_ratio = 3.0;
+constexpr std::size_t most_named = 3;  // in a sentence
 
 bool is_scaled_by_entry(Quantity quantity) {
   switch (quantity) {
@@ -93,6 +95,13 @@ void require_usable(const ModelResults& model_results, const Observation& observ
 
 std::string percent(double share) { return fmt::format("{:.2g} %", 100.0 * share); }
 
+// The nearest wrong model that changes something: the others are no explanation. Null if there is none.
+const Candidate* nearest_of(const Diagnosis& diagnosis) {
+  const auto found = std::ranges::find_if(
+      diagnosis.ranked, [&](const Candidate& one) { return one.from_reference > diagnosis.uncertainty; });
+  return found == diagnosis.ranked.end() ? nullptr : &*found;
+}
+
 const WrongModel& wrong_model_named(const std::string& name) {
   return *std::ranges::find(wrong_models(), name, &WrongModel::name);
 }
@@ -102,6 +111,20 @@ std::string quoted(const std::vector<std::string>& names) {
 }
 
 }  // namespace
+
+ModelResults relative_to_data(ModelResults model_results, const std::vector<double>& data) {
+  ModelResults result = std::move(model_results);
+  const std::vector<double> right = std::exchange(result.reference, data);
+  const bool by_entry = is_scaled_by_entry(result.quantity);
+  for (ModelResults::Member& member : result.wrong_models) {
+    for (std::size_t i = 0; i < data.size(); ++i)
+      member.values[i] =
+          by_entry ? data[i] * (member.values[i] / right[i]) : data[i] + (member.values[i] - right[i]);
+    member.from_reference = distance(result, member.values, data);
+  }
+  result.reference_uncertainty = distance(result, right, data);
+  return result;
+}
 
 double distance(const ModelResults& model_results, const std::vector<double>& a,
                 const std::vector<double>& b) {
@@ -145,12 +168,16 @@ Diagnosis diagnose(const ModelResults& model_results, const Observation& observa
     return diagnosis;
   }
   diagnosis.finding = Finding::unexplained;
-  if (diagnosis.ranked.empty()) return diagnosis;
-  const Candidate& nearest = diagnosis.ranked.front();
-  if (nearest.distance * diagnosis.required_ratio > diagnosis.from_reference) return diagnosis;
+  const Candidate* const nearest = nearest_of(diagnosis);
+  if (nearest == nullptr || nearest->distance * diagnosis.required_ratio > diagnosis.from_reference)
+    return diagnosis;
   diagnosis.finding = Finding::mistaken;
   name_indistinguishable_from(
-      std::ranges::find(model_results.wrong_models, nearest.name, &ModelResults::Member::name)->values);
+      std::ranges::find(model_results.wrong_models, nearest->name, &ModelResults::Member::name)->values);
+  std::erase_if(diagnosis.named, [&](const std::string& name) {
+    return std::ranges::find(diagnosis.ranked, name, &Candidate::name)->from_reference <=
+           diagnosis.uncertainty;
+  });
   return diagnosis;
 }
 
@@ -164,17 +191,25 @@ std::string sentence(const Diagnosis& diagnosis) {
     case Finding::correct: {
       std::string text = fmt::format("correct: {} from the reference, within the uncertainty of {}",
                                      from_reference, percent(diagnosis.uncertainty));
-      if (!diagnosis.named.empty())
+      if (diagnosis.named.size() > most_named)
+        text += fmt::format("; {} known mistakes cannot be distinguished from the reference",
+                            diagnosis.named.size());
+      else if (!diagnosis.named.empty())
         text += fmt::format("; {} cannot be distinguished from the reference", quoted(diagnosis.named));
       return text;
     }
     case Finding::mistaken: {
+      const std::string& name = diagnosis.named.front();
       const std::vector<std::string> others(diagnosis.named.begin() + 1, diagnosis.named.end());
+      const bool are_many = diagnosis.named.size() > most_named;
       std::string text =
-          fmt::format("like '{}' ({}) to {}, while the reference is {} away", diagnosis.named.front(),
-                      wrong_model_named(diagnosis.named.front()).mistake,
-                      percent(diagnosis.ranked.front().distance), from_reference);
-      if (!others.empty()) text += fmt::format("; it could as well be {}", quoted(others));
+          are_many ? fmt::format("like {} known mistakes that cannot be told apart here, the nearest ",
+                                 diagnosis.named.size())
+                   : "like ";
+      text += fmt::format("'{}' ({}) to {}, while the reference is {} away", name,
+                          wrong_model_named(name).mistake, percent(nearest_of(diagnosis)->distance),
+                          from_reference);
+      if (!others.empty() && !are_many) text += fmt::format("; it could as well be {}", quoted(others));
       return text;
     }
     case Finding::undecided:
@@ -184,10 +219,10 @@ std::string sentence(const Diagnosis& diagnosis) {
       break;
   }
   std::string text = fmt::format("wrong by {}, not near any known mistake", from_reference);
-  if (!diagnosis.ranked.empty())
-    text += fmt::format("; the nearest, '{}', is {} away and would have to be within {}",
-                        diagnosis.ranked.front().name, percent(diagnosis.ranked.front().distance),
-                        percent(diagnosis.from_reference / diagnosis.required_ratio));
+  if (const Candidate* const nearest = nearest_of(diagnosis))
+    text +=
+        fmt::format("; the nearest, '{}', is {} away and would have to be within {}", nearest->name,
+                    percent(nearest->distance), percent(diagnosis.from_reference / diagnosis.required_ratio));
   return text;
 }
 

@@ -44,6 +44,30 @@ data::Case with_damping(data::Case problem, const data::Damping& damping) {
   return problem;
 }
 
+data::Case with_stiffness(const data::Case& problem, double factor) {
+  return with_value(problem, Parameter::youngs_modulus, factor * problem.beam.youngs_modulus());
+}
+
+data::Case with_scheme(data::Case problem, double spectral_radius, double time_step) {
+  data::NumericalChoices choices = problem.numerics.choices();
+  choices.spectral_radius = spectral_radius;
+  choices.time_step = time_step;
+  choices.duration = std::max(choices.duration, time_step);
+  problem.numerics = data::NumericalSettings(choices);
+  return problem;
+}
+
+// C = eta K becomes eta omega_1^2 M, which damps the first stick mode alike.
+void damp_the_mass(solver::ContactSystem& system, const solver::BeamModel& mesh) {
+  const double eta = system.damping.norm() / mesh.elastic_stiffness().norm();
+  const double omega = analytic::stick_modes(mesh.beam(), 1).front().angular_frequency();
+  system.damping = eta * omega * omega * system.mass;
+}
+
+std::optional<data::Case> if_kelvin_voigt(const data::Case& problem) {
+  return problem.damping.kelvin_voigt() > 0.0 ? std::optional(problem) : std::nullopt;
+}
+
 data::Case with_friction(data::Case problem, double static_coefficient, double kinetic_coefficient) {
   data::FrictionCoefficients coefficients = problem.friction.coefficients();
   coefficients.static_coefficient = static_coefficient;
@@ -213,6 +237,10 @@ Recipes of_the_beam() {
       {.wrong_model = {"second-moment-of-other-axis", "I is taken about the other axis of the rectangle",
                        "Sect. 3, parameters", everything},
        .inputs = about_the_other_axis},
+      {.wrong_model = {"stiffness-doubled", "EI is twice the right one", "Sect. 3, parameters", everything},
+       .inputs = [](const data::Case& problem) { return with_stiffness(problem, 2.0); }},
+      {.wrong_model = {"stiffness-halved", "EI is half the right one", "Sect. 3, parameters", everything},
+       .inputs = [](const data::Case& problem) { return with_stiffness(problem, 0.5); }},
       {.wrong_model = {"tension", "P is tensile instead of compressive", "Eq. (1)", everything},
        .inputs = [](const data::Case& problem) -> std::optional<data::Case> {
          return with_value(problem, Parameter::axial_force, -problem.beam.axial_force());
@@ -309,6 +337,10 @@ Recipes of_the_excitation() {
          return with_value(problem, Parameter::frequency,
                            problem.excitation.frequency_hz() / (2.0 * std::numbers::pi));
        }},
+      {.wrong_model = {"cosine-for-sine", "the base moves by A0 cos(Omega t), a quarter of a period earlier",
+                       "Sect. 3, excitation", held_motion},
+       .equations = [](StickSum& sum, const data::Case&) { sum.cosine = true; },
+       .knows_stick_slip = false},
       {.wrong_model = {"peak-to-peak-amplitude", "the amplitude is used as the peak-to-peak travel",
                        "Sect. 3, excitation", held_motion + stick_slip},
        .inputs = [](const data::Case& problem) -> std::optional<data::Case> {
@@ -405,6 +437,25 @@ Recipes of_the_discretisation() {
                        held_motion},
        .scheme = with_the_load_at_the_end,
        .knows_stick_slip = false},
+      {.wrong_model = {"time-step-of-the-case",
+                       "the time step of the case, with which the free vibrations come late", "Sect. 3, [24]",
+                       held_motion},
+       .scheme = [](const data::Case& problem) { return scheme_of(problem); },
+       .knows_stick_slip = false},
+      {.wrong_model = {"ten-times-the-step", "the time step is ten times that of the case", "Sect. 3, [24]",
+                       held_motion + stick_slip},
+       .inputs =
+           [](const data::Case& problem) {
+             return with_scheme(problem, problem.numerics.spectral_radius(),
+                                10.0 * problem.numerics.time_step());
+           },
+       .scheme = [](const data::Case& problem) { return scheme_of(problem); }},
+      {.wrong_model = {"spectral-radius-zero", "spectral radius 0 with the time step of the case",
+                       "Sect. 3, [24]", held_motion},
+       .inputs =
+           [](const data::Case& problem) { return with_scheme(problem, 0.0, problem.numerics.time_step()); },
+       .scheme = [](const data::Case& problem) { return scheme_of(problem); },
+       .knows_stick_slip = false},
       {.wrong_model = {"strong-algorithmic-damping", "spectral radius 0 with ten times the step",
                        "Sect. 3, [24]", held_motion},
        .scheme =
@@ -430,6 +481,18 @@ Recipes of_damping_and_friction() {
        .inputs = [](const data::Case& problem) -> std::optional<data::Case> {
          if (problem.damping.ratio() == 0.0 && problem.damping.kelvin_voigt() == 0.0) return std::nullopt;
          return with_damping(problem, {});
+       }},
+      {.wrong_model = {"mass-proportional-damping",
+                       "damping goes with the mass, with the right ratio in the first mode", "Eq. (1)",
+                       stick_slip},
+       .inputs = if_kelvin_voigt,
+       .mesh = damp_the_mass},
+      {.wrong_model = {"same-damping-ratio", "all modes have the damping ratio of the first", "Eq. (1)",
+                       stick_slip},
+       .inputs = [](const data::Case& problem) -> std::optional<data::Case> {
+         if (problem.damping.kelvin_voigt() == 0.0) return std::nullopt;
+         const double omega = analytic::stick_modes(problem.beam, 1).front().angular_frequency();
+         return with_damping(problem, data::Damping({.ratio = 0.5 * problem.damping.kelvin_voigt() * omega}));
        }},
       {.wrong_model = {"kinetic-coefficient-as-limit", "mu_m limits the static friction force", "Eq. (4)",
                        Quantities{critical_amplitude} + stick_slip},

@@ -130,6 +130,19 @@ HeldHistory held_in_closed_form(const data::Case& problem, StickReading reading,
 
 HeldHistory held_by_a_sum(const StickSum& sum, const data::Case& problem, StickReading reading, double end) {
   const auto terms = sinusoids(sum, problem.excitation, reading);
+  if (sum.cosine) {
+    const auto at = [terms](double t) {
+      double value = 0.0;
+      for (const auto& term : terms) value += term.amplitude * std::cos(term.angular_frequency * t);
+      return value;
+    };
+    return {at, [at, end, step = problem.numerics.time_step()] {
+              double largest = 0.0;
+              for (long n = 0; n <= std::lround(end / step); ++n)
+                largest = std::max(largest, std::abs(at(static_cast<double>(n) * step)));
+              return largest;
+            }};
+  }
   return {[terms](double t) { return value_at(terms, t); },
           [terms, end, step = problem.numerics.time_step()] { return max_abs(terms, end, step); }};
 }
@@ -370,8 +383,29 @@ std::optional<std::vector<double>> wrong_result(const data::Case& problem, std::
   throw std::invalid_argument(fmt::format("there is no wrong model {}", wrong_model));
 }
 
-ModelResults model_results(const data::Case& problem, Quantity quantity,
-                           const std::vector<double>& abscissa) {
+namespace {
+
+// The results of all wrong models by `values_by`.
+template <class Evaluate>
+void add_wrong_models(ModelResults& result, const Evaluate& values_by,
+                      const std::function<void(double)>& progress) {
+  const auto& models = wrong_model_recipes();
+  std::vector<Values> values(models.size());
+  in_parallel(
+      models.size(), [&](std::size_t i) { values[i] = values_by(models[i]); }, progress);
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    const std::string& name = models[i].wrong_model.name;
+    if (values[i])
+      result.wrong_models.push_back({name, *values[i], distance(result, result.reference, *values[i])});
+    else
+      result.missing.push_back(name);
+  }
+}
+
+}  // namespace
+
+ModelResults model_results(const data::Case& problem, Quantity quantity, const std::vector<double>& abscissa,
+                           const std::function<void(double)>& progress) {
   ModelResults result{.quantity = quantity,
                       .abscissa = abscissa,
                       .reference = reference_result(problem, quantity, abscissa),
@@ -385,17 +419,33 @@ ModelResults model_results(const data::Case& problem, Quantity quantity,
   if (is_of_stick_slip(quantity))
     result.reference_uncertainty = distance(
         result, result.reference, values_of(right_model(), coarser(problem), quantity, abscissa).value());
-  const auto& models = wrong_model_recipes();
-  std::vector<Values> values(models.size());
-  in_parallel(models.size(),
-              [&](std::size_t i) { values[i] = wrong_values(models[i], problem, quantity, abscissa); });
-  for (std::size_t i = 0; i < models.size(); ++i) {
-    const std::string& name = models[i].wrong_model.name;
-    if (values[i])
-      result.wrong_models.push_back({name, *values[i], distance(result, result.reference, *values[i])});
-    else
-      result.missing.push_back(name);
-  }
+  add_wrong_models(
+      result, [&](const auto& model) { return wrong_values(model, problem, quantity, abscissa); }, progress);
+  return result;
+}
+
+ModelResults model_results(const std::vector<data::Case>& cases, Quantity quantity,
+                           const std::vector<double>& abscissa, const std::function<void(double)>& progress) {
+  const auto values_by = [&](const WrongModelRecipe& model) {
+    Values all(std::in_place);
+    for (std::size_t i = 0; all && i < cases.size(); ++i) {
+      const auto one = wrong_values(model, cases[i], quantity, {abscissa[i]});
+      if (one)
+        all->push_back(one->front());
+      else
+        all.reset();
+    }
+    return all;
+  };
+  ModelResults result{.quantity = quantity,
+                      .abscissa = abscissa,
+                      .reference = {},
+                      .reference_uncertainty = closed_form_uncertainty,
+                      .wrong_models = {},
+                      .missing = {}};
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    result.reference.push_back(reference_result(cases[i], quantity, {abscissa[i]}).front());
+  add_wrong_models(result, values_by, progress);
   return result;
 }
 

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -101,9 +102,22 @@ struct ModelResults {
 };
 
 /// Computes these results. Throws what reference_result() throws, and data::InputError if the reference
-/// is 0 everywhere.
+/// is 0 everywhere. `progress` is told the completed fraction.
 [[nodiscard]] ModelResults model_results(const data::Case& problem, Quantity quantity,
-                                         const std::vector<double>& abscissa);
+                                         const std::vector<double>& abscissa,
+                                         const std::function<void(double)>& progress = {});
+
+/// The same with a case for each abscissa, for the quantities force_maximum and critical_amplitude.
+[[nodiscard]] ModelResults model_results(const std::vector<data::Case>& cases, Quantity quantity,
+                                         const std::vector<double>& abscissa,
+                                         const std::function<void(double)>& progress = {});
+
+/// The results with the values `data` of a data set as the reference. With the right result R and the wrong
+/// one W, both by this program, the predicted wrong value is data * W/R for quantities whose entries have the
+/// same weight, else data + W - R. An error that the program makes in R and in W in the same proportion, or by
+/// the same amount, cancels. The program's own error, distance(R, data), is taken as the uncertainty of what remains: the
+/// error in W is assumed to be at most twice that in R. So R itself need not be accurate, and is no truth.
+[[nodiscard]] ModelResults relative_to_data(ModelResults model_results, const std::vector<double>& data);
 
 /// The distance of two results as defined at ModelResults; infinite if a result is not finite.
 [[nodiscard]] double distance(const ModelResults& model_results, const std::vector<double>& a,
@@ -128,7 +142,7 @@ struct Candidate {
 ///
 /// The uncertainty u is the sum of the uncertainties of the observation, in the measure of the distances, and
 /// of the reference. An observation is `correct` if its distance d from the reference is at most u. Otherwise
-/// the nearest wrong model, at the distance m, is named if m <= d/R. Two models are indistinguishable if
+/// the nearest wrong model with a distance above u from the reference, at the distance m, is named if m <= d/R. Two models are indistinguishable if
 /// their distance is at most 2u, because only then one observation can be within u of both. The actual model
 /// of the observation is therefore in `named` if it is one of the wrong models: it is within u of the
 /// observation, and so is the nearest one, so that their distance is at most 2u.
@@ -149,14 +163,14 @@ struct Candidate {
 /// about four digits. Ten frequencies need less agreement.
 struct Diagnosis {
   Finding finding{};
-  double from_reference{};        ///< d, relative
-  double uncertainty{};           ///< u, relative
-  double dimension{};             ///< n
-  double required_ratio{};        ///< R
-  std::vector<Candidate> ranked;  ///< all wrong models, the nearest first
+  double from_reference{};          ///< d, relative
+  double uncertainty{};             ///< u, relative
+  double dimension{};               ///< n
+  double required_ratio{};          ///< R
+  std::vector<Candidate> ranked{};  ///< all wrong models, the nearest first
   /// If mistaken, the nearest wrong model and those that are indistinguishable from it. If correct, those
   /// that are indistinguishable from the reference.
-  std::vector<std::string> named;
+  std::vector<std::string> named{};
 };
 
 /// Diagnoses an observation. Throws data::InputError for a value or an uncertainty that is not finite and for a
@@ -166,7 +180,7 @@ struct Diagnosis {
 [[nodiscard]] Diagnosis diagnose(const data::Case& problem, const Observation& observation);
 
 /// The diagnosis in one sentence, such as "like 'zero-initial-velocity' (...) to 0.3 %, while the reference
-/// is 41 % away".
+/// is 41 % away". It names at most three wrong models.
 [[nodiscard]] std::string sentence(const Diagnosis& diagnosis);
 
 /// The relative changes that a wrong model causes in one case; empty where it does not define the quantity.

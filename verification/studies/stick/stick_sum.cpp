@@ -113,7 +113,8 @@ std::vector<analytic::Sinusoid> sinusoids(const StickSum& sum, const data::Harmo
     const double weight = amplitude * weight_of(mode, reading);
     const double steady = square(omega) * mode.participation / (square(omega) - square(w));
     terms.front().amplitude += weight * steady;
-    if (sum.free_vibrations) terms.push_back({weight * (mode.initial_rate - steady) * omega / w, w});
+    const double free = sum.cosine ? -steady : (mode.initial_rate - steady) * omega / w;
+    if (sum.free_vibrations) terms.push_back({weight * free, w});
   }
   return terms;
 }

@@ -35,6 +35,8 @@ struct StickSum {
   double displacement{};            ///< y_S
   /// Whether the parts at w_n are included; otherwise only the steady vibration.
   bool free_vibrations{true};
+  /// Whether h = A0 cos(Omega t) with T_n(0) = 0 and h_t(0) = 0; the terms of sinusoids() are then cosines.
+  bool cosine{};
   std::vector<Mode> modes;
 };
 

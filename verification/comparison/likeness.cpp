@@ -1,0 +1,435 @@
+// SPDX-License-Identifier: MIT
+#include "comparison/likeness.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "comparison/patterns.hpp"
+#include "stickslip/data/case_file.hpp"
+#include "studies/common/problem_parameter.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+using Likeness = Comparison::Likeness;
+using Series = Comparison::Series;
+using Found = std::optional<Pattern>;
+
+std::string percent(double share) { return fmt::format("{:.2g} %", 100.0 * share); }
+
+// A row of the user and the row of the data set with the same key.
+struct Pair {
+  std::size_t theirs{}, reference{};
+};
+
+bool is_same_cell(const data::Column& a, std::size_t i, const data::Column& b, std::size_t j) {
+  return a.field.type == data::FieldType::string ? a.text[i] == b.text[j]
+                                                 : data::is_same_key(a.values[i], b.values[j]);
+}
+
+// The row of `table` whose key is that of a row of `other`; columns that one of them lacks do not count.
+template <class Table>
+std::optional<std::size_t> row_like(const data::ReferenceTable& table, const std::vector<std::string>& key,
+                                    const Table& other, std::size_t other_row) {
+  const auto column_of = [](const auto& from, const std::string& name) {
+    const auto found =
+        std::ranges::find(from.columns, name, [](const data::Column& c) { return c.field.name; });
+    return found == from.columns.end() ? nullptr : &*found;
+  };
+  for (std::size_t row = 0; row < table.rows(); ++row)
+    if (std::ranges::all_of(key, [&](const std::string& name) {
+          const data::Column *mine = column_of(table, name), *theirs = column_of(other, name);
+          return mine == nullptr || theirs == nullptr || is_same_cell(*mine, row, *theirs, other_row);
+        }))
+      return row;
+  return std::nullopt;
+}
+
+// At most `count` of the items, evenly from the first to the last.
+template <class Item>
+std::vector<Item> spread(const std::vector<Item>& items, std::size_t count) {
+  if (items.size() <= count) return items;
+  std::vector<Item> kept;
+  for (std::size_t i = 0; i < count; ++i) kept.push_back(items[i * (items.size() - 1) / (count - 1)]);
+  return kept;
+}
+
+bool differs(const Series& series) {
+  for (std::size_t i = 0; i < series.theirs.size(); ++i)
+    if (!(std::abs(series.theirs[i] - series.reference[i]) <= series.allowed[i])) return true;
+  return false;
+}
+
+class Search {
+ public:
+  Search(Comparison& comparison, const data::ReferencePackage& package, const data::ReferenceTable& reference,
+         const data::UserTable& theirs, const ComparisonSettings& settings)
+      : comparison_(comparison),
+        package_(package),
+        reference_(reference),
+        rule_(reference.resource.diagnosis ? &*reference.resource.diagnosis : nullptr),
+        theirs_(theirs),
+        settings_(settings) {}
+
+  void run() {
+    for (const Comparison::Quantity& quantity : comparison_.quantities) {
+      if (reference_.resource.field(quantity.name) == nullptr) continue;  // a count of events or phases
+      std::vector<Series> groups = quantity.series;
+      if (is_of_rows()) groups = {joined(groups)};
+      for (const Series& group : groups)
+        if (differs(group) || is_of_other_events(quantity)) add(quantity, group);
+    }
+    for (auto& [key, likeness] : joined_) {
+      if (likeness.second > 1) likeness.first.group += fmt::format(" and {} more", likeness.second - 1);
+      comparison_.likenesses.push_back(std::move(likeness.first));
+    }
+  }
+
+ private:
+  // Whether each row of the data set is a case of its own.
+  [[nodiscard]] bool is_of_rows() const {
+    return comparison_.kind == data::ComparisonKind::table && rule_ != nullptr && rule_->case_column.empty();
+  }
+
+  static Series joined(const std::vector<Series>& groups) {
+    Series all;
+    for (const Series& group : groups) {
+      const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+      append(all.abscissa, group.abscissa), append(all.theirs, group.theirs);
+      append(all.reference, group.reference), append(all.half_width, group.half_width);
+      append(all.allowed, group.allowed);
+    }
+    return all;
+  }
+
+  // Whether events are missing or additional, which the wrong models may explain.
+  [[nodiscard]] bool is_of_other_events(const Comparison::Quantity& quantity) const {
+    return comparison_.kind == data::ComparisonKind::events && rule_ != nullptr &&
+           quantity.name == rule_->value &&
+           std::ranges::any_of(comparison_.quantities, [](const Comparison::Quantity& one) {
+             return one.name == "sequence" && one.agreement == Agreement::differs;
+           });
+  }
+
+  // --- the search for one group
+
+  void add(const Comparison::Quantity& quantity, const Series& group) {
+    Likeness likeness{.group = group.group, .quantity = quantity.name, .sentence = {}, .diagnosis = {}};
+    const ComparedValues values = values_of(quantity, group);
+    const auto problem = case_of(group);
+    const data::Beam* beam = problem ? &problem->beam : nullptr;
+    Found found = pattern(values, beam);
+    if (!found) found = other_values(quantity, values, group.group);
+    std::string key;
+    if (!found) {
+      const bool is_said = problem && diagnose_by_models(likeness, quantity, group, *problem);
+      if (!likeness.diagnosis || likeness.diagnosis->finding == Finding::unexplained)
+        found = growth_of(values, beam);
+      if (!found && !is_said) return;
+      key = likeness.group + likeness.sentence;
+    }
+    if (found) {
+      key = found->sentence;
+      describe(likeness, *found);
+    }
+    const auto known = std::ranges::find(joined_, quantity.name + key, &Joined::first);
+    if (known == joined_.end())
+      joined_.push_back({quantity.name + key, {likeness, 1}});
+    else
+      ++known->second.second;
+  }
+
+  void describe(Likeness& likeness, const Pattern& found) const {
+    likeness.sentence = found.sentence;
+    if (found.remaining > 1e-12) likeness.sentence += ", to " + percent(found.remaining);
+    likeness.diagnosis = Diagnosis{.finding = Finding::mistaken,
+                                   .from_reference = found.difference,
+                                   .named = named_by(found, likeness.quantity)};
+    if (likeness.diagnosis->named.size() > 1)
+      likeness.sentence += fmt::format(": like '{}'", likeness.diagnosis->named.back());
+  }
+
+  [[nodiscard]] ComparedValues values_of(const Comparison::Quantity& quantity, const Series& group) const {
+    return {.abscissa_name = comparison_.abscissa,
+            .abscissa_unit = comparison_.abscissa_unit,
+            .unit = quantity.unit,
+            .norm = quantity.norm,
+            .abscissa = group.abscissa,
+            .theirs = group.theirs,
+            .reference = group.reference};
+  }
+
+  [[nodiscard]] Found pattern(const ComparedValues& values, const data::Beam* beam) const {
+    Found found =
+        pattern_of(values, beam, rule_ != nullptr && rule_->quantity == name_of(Quantity::slip_frequency));
+    if (found && found->factor != 0.0 && is_mode_shape()) {
+      found->name = "scaled-shape";
+      found->sentence = "MAC = 1: the same shape in another scale or with another sign";
+    }
+    return found;
+  }
+
+  [[nodiscard]] bool is_mode_shape() const {
+    const auto& key = reference_.resource.primary_key;
+    return std::ranges::count(key, "mode") + std::ranges::count(key, "x") == 2;
+  }
+
+  // The wrong models that only multiply the quantity.
+  [[nodiscard]] std::vector<std::string> named_by(const Pattern& found, const std::string& field) const {
+    std::vector<std::string> names{found.name};
+    const auto quantity = quantity_of(field);
+    if (found.factor == 0.0 || !quantity) return names;
+    const double halved = *quantity == Quantity::critical_amplitude && !is_force_ratio() ? 2.0 : 0.5;
+    for (const auto& [name, factor] : {std::pair{"force-sign", -1.0}, {"peak-to-peak-amplitude", halved}}) {
+      const auto& model = *std::ranges::find(wrong_models(), name, &WrongModel::name);
+      if (found.factor == factor && std::ranges::count(model.changes, *quantity) > 0)
+        names.emplace_back(name);
+    }
+    return names;
+  }
+
+  // --- another data set, or another group of this one
+
+  [[nodiscard]] Found other_values(const Comparison::Quantity& quantity, const ComparedValues& values,
+                                   const std::string& group) const {
+    if (comparison_.kind == data::ComparisonKind::events || is_of_rows()) return {};
+    const auto& key = reference_.resource.primary_key;
+    std::vector<data::ReferenceTable> tables;
+    for (const data::Resource& other : package_.resources) {
+      const data::Field* field = other.field(quantity.name);
+      if (other.name != comparison_.name && field != nullptr && field->unit == quantity.unit &&
+          other.comparison && other.comparison->kind == comparison_.kind && other.primary_key == key)
+        tables.push_back(data::read_table(package_, other.name));
+    }
+    for (const data::ReferenceTable& table : tables) {
+      const auto predicted = at_the_same_rows(table, quantity.name, values, group);
+      if (auto found = accepted(values,
+                                {.name = "other-data-set",
+                                 .sentence = fmt::format("the values are those of {}", table.resource.name)},
+                                predicted, 0, static_cast<int>(tables.size())))
+        return found;
+    }
+    return {};
+  }
+
+  // The values of another data set in the rows of this group; NaN where it has none.
+  [[nodiscard]] std::vector<double> at_the_same_rows(const data::ReferenceTable& other,
+                                                     const std::string& field, const ComparedValues& values,
+                                                     const std::string& group) const {
+    std::vector<double> found(values.abscissa.size(), std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t row = 0; row < reference_.rows(); ++row) {
+      if (!group.empty() && label_of(row) != group) continue;
+      const double x = reference_.column(comparison_.abscissa).values[row];
+      const auto at =
+          std::ranges::find_if(values.abscissa, [x](double a) { return data::is_same_key(a, x); });
+      if (at == values.abscissa.end()) continue;
+      if (const auto there = row_like(other, reference_.resource.primary_key, reference_, row))
+        found[static_cast<std::size_t>(at - values.abscissa.begin())] = other.column(field).values[*there];
+    }
+    return found;
+  }
+
+  // As Comparison::Series::group.
+  [[nodiscard]] std::string label_of(std::size_t row) const {
+    std::string text;
+    for (const std::string& name : reference_.resource.primary_key)
+      if (name != comparison_.abscissa && name != "index")
+        text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", name, reference_.column(name).text[row]);
+    return text;
+  }
+
+  // --- the wrong models
+
+  [[nodiscard]] bool is_force_ratio() const { return rule_ != nullptr && rule_->quantity == "force ratio"; }
+
+  // The quantity of the wrong models; that of f beside y in a history as well.
+  [[nodiscard]] std::optional<Quantity> quantity_of(const std::string& field) const {
+    if (rule_ == nullptr) return std::nullopt;
+    if (is_force_ratio()) return Quantity::critical_amplitude;
+    const auto* const known = std::ranges::find(all_quantities, rule_->quantity, name_of);
+    if (known == all_quantities.end())
+      throw data::InputError(fmt::format("the quantity '{}' of a diagnosis is unknown", rule_->quantity));
+    if (field == rule_->value) return *known;
+    if (field != "friction_force") return std::nullopt;
+    if (*known == Quantity::stick_displacement) return Quantity::stick_force;
+    if (*known == Quantity::tip_displacement) return Quantity::friction_force;
+    return std::nullopt;
+  }
+
+  // The case that the data set names for a group; empty if there is none.
+  [[nodiscard]] std::optional<data::Case> case_of(const Series& group) const {
+    if (rule_ == nullptr) return std::nullopt;
+    std::string name = rule_->case_name;
+    for (std::size_t row = 0; name.empty() && row < reference_.rows(); ++row)
+      if (group.group.empty() || label_of(row) == group.group)
+        name = reference_.column(rule_->case_column).text[row];
+    try {
+      return data::load_case(name);
+    } catch (const data::InputError&) {
+      return std::nullopt;
+    }
+  }
+
+  // The case with the values of the columns of a row.
+  [[nodiscard]] data::Case case_of_row(data::Case problem, std::size_t row) const {
+    for (const auto& [name, parameter] : {std::pair{"frequency", Parameter::frequency},
+                                          {"amplitude", Parameter::amplitude},
+                                          {"length", Parameter::length},
+                                          {"axial_force", Parameter::axial_force}})
+      if (std::ranges::count(reference_.resource.primary_key, name) > 0)
+        problem = with_value(problem, parameter, reference_.column(name).values[row]);
+    return problem;
+  }
+
+  // What is observed, with the truth and, if each row is a case, the cases.
+  struct Observed {
+    Observation observation;
+    std::vector<double> truth;
+    std::vector<data::Case> cases;
+  };
+
+  [[nodiscard]] std::vector<Pair> pairs_of(const Series& group, const std::string& field) const {
+    std::vector<Pair> pairs;
+    const double end =
+        std::min(reference_.resource.comparison->horizon.value_or(1e300), settings_.until.value_or(1e300));
+    const data::Column* time =
+        comparison_.abscissa_unit == "s" ? theirs_.column(comparison_.abscissa) : nullptr;
+    for (std::size_t row = 0; row < theirs_.rows(); ++row) {
+      if (time != nullptr && time->values[row] > end) continue;
+      const auto found = row_like(reference_, reference_.resource.primary_key, theirs_, row);
+      if (!found || !std::isfinite(reference_.column(field).values[*found])) continue;
+      if (group.group.empty() || label_of(*found) == group.group) pairs.push_back({row, *found});
+    }
+    return pairs;
+  }
+
+  // Onsets and captures, not reversals, in their sequence.
+  [[nodiscard]] std::vector<Pair> pairs_of_events() const {
+    const auto changes = [](const auto& table) {
+      const auto& word =
+          std::ranges::find(table.columns, "change", [](const auto& c) { return c.field.name; })->text;
+      std::vector<std::size_t> rows;
+      for (std::size_t row = 0; row < word.size(); ++row)
+        if (word[row] == "onset" || word[row] == "capture") rows.push_back(row);
+      return rows;
+    };
+    const auto theirs = changes(theirs_), reference = changes(reference_);
+    std::vector<Pair> pairs;
+    for (std::size_t i = 0; i < std::min({theirs.size(), reference.size(), std::size_t{12}}); ++i)
+      pairs.push_back({theirs[i], reference[i]});
+    return pairs;
+  }
+
+  [[nodiscard]] Observed observed(const Comparison::Quantity& compared, Quantity quantity,
+                                  const Series& group, const data::Case& problem) const {
+    const bool is_event = quantity == Quantity::contact_event;
+    const bool is_slow = quantity == Quantity::force_maximum || quantity == Quantity::critical_amplitude;
+    const auto pairs =
+        spread(is_event ? pairs_of_events() : pairs_of(group, compared.name), is_slow ? 8 : 400);
+    const data::Column &values = *theirs_.column(compared.name), &truth = reference_.column(compared.name);
+    const auto half_width = reference_.radius_of(compared.name);
+    const double scale = group.allowed.empty() ? compared.tolerance : group.allowed[0] - group.half_width[0];
+    Observed result{.observation = {.quantity = quantity, .abscissa = {}, .values = {}, .uncertainty = {}},
+                    .truth = {},
+                    .cases = {}};
+    for (const auto& [row, reference_row] : pairs) {
+      double value = values.values[row], right = truth.values[reference_row];
+      double uncertainty =
+          half_width[reference_row] +
+          (compared.norm == data::Norm::relative ? compared.tolerance * std::abs(right) : scale);
+      if (is_slow) result.cases.push_back(case_of_row(problem, reference_row));
+      if (is_force_ratio()) {
+        const double amplitude = result.cases.back().excitation.amplitude();
+        uncertainty *= amplitude / (right * right);
+        value = amplitude / value, right = amplitude / right;
+      }
+      result.observation.abscissa.push_back(is_event ? static_cast<double>(result.truth.size() + 1)
+                                            : is_slow
+                                                ? result.cases.back().excitation.frequency_hz()
+                                                : reference_.column(rule_->abscissa).values[reference_row]);
+      result.observation.values.push_back(value);
+      result.observation.uncertainty.push_back(uncertainty);
+      result.truth.push_back(right);
+    }
+    return result;
+  }
+
+  // Whether there is a diagnosis, or a reason why there is none.
+  bool diagnose_by_models(Likeness& likeness, const Comparison::Quantity& compared, const Series& group,
+                          const data::Case& problem) {
+    const auto quantity = quantity_of(compared.name);
+    if (!quantity) return false;
+    try {
+      const Observed seen = observed(compared, *quantity, group, problem);
+      if (seen.truth.empty()) return false;
+      const ModelResults computed =
+          seen.cases.empty()
+              ? model_results(problem, *quantity, seen.observation.abscissa, settings_.progress)
+              : model_results(seen.cases, *quantity, seen.observation.abscissa, settings_.progress);
+      if (!seen.cases.empty() && is_of_all_modes(computed, seen)) {
+        likeness.sentence = fmt::format("like all modes: the data set has {}", problem.numerics.modes());
+        likeness.diagnosis = Diagnosis{.finding = Finding::mistaken, .named = {"all-modes"}};
+        return true;
+      }
+      const Diagnosis found = studies::diagnose(relative_to_data(computed, seen.truth), seen.observation);
+      likeness.sentence =
+          found.finding == Finding::correct
+              ? fmt::format("no diagnosis: the difference of {} is too small to be assigned to a mistake",
+                            percent(found.from_reference))
+              : sentence(found) + where_told_apart(found, *quantity);
+      likeness.diagnosis = found;
+    } catch (const data::InputError& error) {  // there is no such state
+      likeness.sentence = fmt::format("no diagnosis: {}", error.what());
+    }
+    return true;
+  }
+
+  // Whether the values are three times nearer to those of all modes than to the data set. Three is empirical.
+  static bool is_of_all_modes(const ModelResults& all_modes, const Observed& seen) {
+    constexpr double ratio = 3.0;
+    return ratio * distance(all_modes, seen.observation.values, all_modes.reference) <
+           distance(all_modes, seen.observation.values, seen.truth);
+  }
+
+  // A data set that some of many named mistakes change and others do not.
+  [[nodiscard]] std::string where_told_apart(const Diagnosis& found, Quantity quantity) const {
+    if (found.finding != Finding::mistaken || found.named.size() < 2) return "";
+    for (const data::Resource& other : package_.resources) {
+      if (!other.diagnosis || other.diagnosis->quantity == name_of(quantity)) continue;
+      const auto changed = std::ranges::count_if(found.named, [&](const std::string& name) {
+        const auto& changes = std::ranges::find(wrong_models(), name, &WrongModel::name)->changes;
+        return std::ranges::count(changes, other.diagnosis->quantity, name_of) > 0;
+      });
+      if (changed > 0 && changed < std::ssize(found.named))
+        return fmt::format("; the data set {} tells some of them apart", other.name);
+    }
+    return "";
+  }
+
+  Comparison& comparison_;
+  const data::ReferencePackage& package_;
+  const data::ReferenceTable& reference_;
+  const data::DiagnosisRule* rule_;
+  const data::UserTable& theirs_;
+  const ComparisonSettings& settings_;
+  // A sentence, its first group, and the number of groups.
+  using Joined = std::pair<std::string, std::pair<Likeness, int>>;
+  std::vector<Joined> joined_;
+};
+
+}  // namespace
+
+void find_likenesses(Comparison& comparison, const data::ReferencePackage& package,
+                     const data::ReferenceTable& reference, const data::UserTable& theirs,
+                     const ComparisonSettings& settings) {
+  Search(comparison, package, reference, theirs, settings).run();
+}
+
+}  // namespace stickslip::studies

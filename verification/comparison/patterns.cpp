@@ -1,0 +1,405 @@
+// SPDX-License-Identifier: MIT
+#include "comparison/patterns.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <set>
+
+#include "stickslip/solver/beam_model.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+using Values = std::vector<double>;
+using Found = std::optional<Pattern>;
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr int patterns_tried = 30;  // 16 usual factors, a fitted one, 10 shifts by samples and some more
+constexpr double two_pi = 2.0 * std::numbers::pi;
+
+bool is_of_frequencies(const ComparedValues& values) {
+  return values.unit == "Hz" && values.abscissa_name == "mode" &&
+         std::ranges::is_sorted(values.reference, std::less_equal());
+}
+
+// --- factors
+
+struct UsualFactor {
+  double value;
+  const char* text;
+};
+constexpr std::array usual_factors{
+    UsualFactor{-1.0, "-1: the opposite sign"},
+    UsualFactor{2.0, "2: a load, an amplitude or a rigidity is twice the right one"},
+    UsualFactor{0.5, "1/2: a load, an amplitude or a rigidity is half the right one"},
+    UsualFactor{std::numbers::sqrt2,
+                "sqrt 2: EI is double or rho A half, or a peak is given for an rms value"},
+    UsualFactor{1.0 / std::numbers::sqrt2,
+                "1/sqrt 2: EI is half or rho A double, or an rms value is given for a peak"},
+    UsualFactor{two_pi, "2 pi: rad/s for Hz"},
+    UsualFactor{1.0 / two_pi, "1/(2 pi): divided by 2 pi once too often"},
+    UsualFactor{1e3, "1000: another unit, such as mm for m or mHz for Hz"},
+    UsualFactor{1e-3, "1/1000: another unit, such as kN for N or km for m"},
+    UsualFactor{1e2, "100: another unit, such as cm for m"},
+    UsualFactor{1e-2, "1/100: another unit"},
+    UsualFactor{1e6, "1e6: another unit, such as um for m"},
+    UsualFactor{-2.0, "-2"},
+    UsualFactor{-0.5, "-1/2"},
+    UsualFactor{-1e3, "-1000: another unit and the opposite sign"},
+    UsualFactor{-1e-3, "-1/1000: another unit and the opposite sign"}};
+
+Values multiplied(const Values& values, double factor) {
+  Values result;
+  for (const double value : values) result.push_back(factor * value);
+  return result;
+}
+
+// The least squares factor, in the measure of the distances.
+double fitted_factor(const ComparedValues& values) {
+  double product = 0.0, square = 0.0;
+  for (std::size_t i = 0; i < values.theirs.size(); ++i) {
+    const double s = values.norm == data::Norm::relative ? values.reference[i] : 1.0;
+    if (s == 0.0) continue;
+    product += values.theirs[i] * values.reference[i] / (s * s);
+    square += values.reference[i] * values.reference[i] / (s * s);
+  }
+  return product / square;
+}
+
+// The values over the factor are compared with the reference, because values near zero would else have every
+// small factor. A hundredth of the difference, and of the values, may remain; this is empirical.
+Found with_factor(const ComparedValues& values, double factor, const std::string& text, int free) {
+  constexpr double least_ratio = 100.0;
+  Pattern pattern{.name = "constant-factor",
+                  .sentence = "all values are those of the data set times " + text,
+                  .factor = factor};
+  pattern.remaining = distance(values, multiplied(values.theirs, 1.0 / factor), values.reference);
+  pattern.difference = distance(values, values.theirs, values.reference);
+  const double ratio = std::max(least_ratio, required_ratio(values.theirs.size(), free, patterns_tried));
+  if (!(pattern.remaining * ratio <= std::min(pattern.difference, 1.0))) return {};
+  return pattern;
+}
+
+Found factor_of(const ComparedValues& values) {
+  for (const auto& [factor, text] : usual_factors)
+    if (auto found = with_factor(values, factor, text, 0)) return found;
+  const double factor = fitted_factor(values);
+  return with_factor(values, factor, fmt::format("{:.5g}", factor), 1);
+}
+
+// --- shifts
+
+// The reference k samples further on.
+Values later(const Values& values, int k) {
+  Values result(values.size(), nothing);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto from = static_cast<std::ptrdiff_t>(i) + k;
+    if (from >= 0 && from < std::ssize(values)) result[i] = values[static_cast<std::size_t>(from)];
+  }
+  return result;
+}
+
+// The reference at x + shift by the parabola through three neighbouring samples.
+Values shifted(const ComparedValues& values, double shift) {
+  const Values& x = values.abscissa;
+  Values result(x.size(), nothing);
+  for (std::size_t i = 1; i + 1 < x.size(); ++i) {
+    const double at = x[i] + shift;
+    if (at < x.front() || at > x.back()) continue;
+    const auto next = static_cast<std::size_t>(std::ranges::lower_bound(x, at) - x.begin());
+    const std::size_t first = std::clamp<std::size_t>(next, 1, x.size() - 2) - 1;
+    result[i] = 0.0;
+    for (std::size_t j = first; j < first + 3; ++j) {
+      double weight = 1.0;
+      for (std::size_t m = first; m < first + 3; ++m)
+        if (m != j) weight *= (at - x[m]) / (x[j] - x[m]);
+      result[i] += weight * values.reference[j];
+    }
+  }
+  return result;
+}
+
+// The shift of the abscissa by Gauss and Newton: theirs = reference + shift reference'.
+double fitted_shift(const ComparedValues& values) {
+  double shift = 0.0;
+  const double width =
+      1e-3 * (values.abscissa.back() - values.abscissa.front()) / static_cast<double>(values.abscissa.size());
+  for (int iteration = 0; iteration < 20; ++iteration) {
+    const Values here = shifted(values, shift), beside = shifted(values, shift + width);
+    double product = 0.0, square = 0.0;
+    for (std::size_t i = 0; i < here.size(); ++i) {
+      const double slope = (beside[i] - here[i]) / width;
+      if (!std::isfinite(slope)) continue;
+      product += slope * (values.theirs[i] - here[i]);
+      square += slope * slope;
+    }
+    if (square == 0.0) return 0.0;
+    shift += product / square;
+  }
+  return shift;
+}
+
+// What the measured thing at x is called if it belongs to another x.
+std::string place_of(const ComparedValues& values) {
+  return values.abscissa_name == "x" ? "those of a neighbouring node" : "shifted";
+}
+
+Found shift_of(const ComparedValues& values) {
+  constexpr std::size_t fewest = 6;
+  if (values.abscissa.size() < fewest || !std::ranges::is_sorted(values.abscissa, std::less_equal()))
+    return {};
+  Found best;
+  for (const int k : {1, -1, 2, -2, 3, -3, 4, -4, 5, -5})
+    if (const auto found =
+            accepted(values,
+                     {.name = "shifted-by-samples",
+                      .sentence = fmt::format("the values are {}: those of the data set {} row{} {}",
+                                              place_of(values), std::abs(k), std::abs(k) == 1 ? "" : "s",
+                                              k > 0 ? "further down" : "further up")},
+                     later(values.reference, k), 0, patterns_tried);
+        found && (!best || found->remaining < best->remaining))
+      best = found;
+  if (best || values.abscissa_unit.empty() || values.abscissa_unit == "Hz") return best;
+  const double shift = fitted_shift(values);
+  return accepted(values,
+                  {.name = "shifted",
+                   .sentence = fmt::format("the values are {}: those of the data set at {} {} {:.3g} {}",
+                                           place_of(values), values.abscissa_name, shift > 0.0 ? "+" : "-",
+                                           std::abs(shift), values.abscissa_unit)},
+                  shifted(values, shift), 1, patterns_tried);
+}
+
+// Times of events that are all late by the same time.
+Found delay_of(const ComparedValues& values) {
+  if (values.abscissa_unit != "s" || values.unit != "s" || values.theirs.empty()) return {};
+  double sum = 0.0;
+  for (std::size_t i = 0; i < values.theirs.size(); ++i) sum += values.theirs[i] - values.reference[i];
+  const double delay = sum / static_cast<double>(values.theirs.size());
+  Values predicted = values.reference;
+  for (double& time : predicted) time += delay;
+  return accepted(values,
+                  {.name = "shifted",
+                   .sentence = fmt::format("all events are {:.3g} s {}", std::abs(delay),
+                                           delay > 0.0 ? "late" : "early")},
+                  predicted, 1, patterns_tried);
+}
+
+// --- frequencies
+
+// The number of the axial frequency (2k-1)/(4L) sqrt(E/rho) within 1 %, else 0.
+int axial_number(const data::Beam& beam, double hz) {
+  const double first = std::sqrt(beam.youngs_modulus() / beam.density()) / (4.0 * beam.length());
+  const int k = std::max(1, static_cast<int>(std::lround(0.5 * (hz / first + 1.0))));
+  return std::abs(hz / ((2 * k - 1) * first) - 1.0) < 0.01 ? k : 0;
+}
+
+std::string foreign_mode(double number, double hz, double before, const data::Beam* beam) {
+  std::string text = fmt::format("{:.0f} ({:.6g} Hz", number, hz);
+  if (std::abs(hz / before - 1.0) < 1e-3)
+    text += ", the one before it a second time";
+  else if (const int k = beam == nullptr ? 0 : axial_number(*beam, hz); k > 0)
+    text += fmt::format(", the axial mode {}", k);
+  return text + ")";
+}
+
+// Their modes in the order of the reference, without those that it does not have, and without those that they
+// leave out. Two frequencies are the same if they agree to 1 %.
+Found mixed_modes(const ComparedValues& values, const data::Beam* beam) {
+  constexpr double same = 0.01;
+  Values predicted(values.theirs.size(), nothing);
+  std::vector<std::string> foreign, missing;
+  std::size_t next = 0, matched = 0;
+  for (std::size_t i = 0; i < values.theirs.size(); ++i) {
+    const double hz = values.theirs[i];
+    const auto found =
+        std::find_if(values.reference.begin() + static_cast<std::ptrdiff_t>(next), values.reference.end(),
+                     [hz](double reference) { return std::abs(hz / reference - 1.0) < same; });
+    if (found == values.reference.end()) {
+      const bool is_beyond = hz > values.reference.back();
+      if (!is_beyond)
+        foreign.push_back(foreign_mode(values.abscissa[i], hz, i > 0 ? values.theirs[i - 1] : 0.0, beam));
+      continue;
+    }
+    const auto at = static_cast<std::size_t>(found - values.reference.begin());
+    for (; next < at; ++next) missing.push_back(fmt::format("{:.0f}", values.abscissa[next]));
+    predicted[i] = *found;
+    ++next, ++matched;
+  }
+  if (foreign.size() + missing.size() == 0 || 2 * matched < values.theirs.size()) return {};
+  std::string text;
+  if (!foreign.empty())
+    text =
+        fmt::format("mode {} of the file {} none of this data set, and those after it are numbered too high",
+                    fmt::join(foreign, ", "), foreign.size() == 1 ? "is" : "are");
+  if (!missing.empty())
+    text += fmt::format("{}mode {} of the data set is missing in the file", text.empty() ? "" : "; ",
+                        fmt::join(missing, ", "));
+  const int free = static_cast<int>(foreign.size() + missing.size());
+  return accepted(values, {.name = "mixed-modes", .sentence = text}, predicted, free, patterns_tried);
+}
+
+// Natural frequencies on a mesh of cubic Hermite elements, Hz, ascending; empty if one is complex.
+Values mesh_frequencies(const data::Beam& beam, int elements, bool is_slip) {
+  const solver::BeamModel mesh(beam, elements);
+  const Eigen::MatrixXd mass(mesh.mass()),
+      stiffness(is_slip ? mesh.slip_stiffness() : mesh.stick_stiffness());
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index i = 0; i < mass.rows(); ++i)
+    if (is_slip || i != mesh.tip_deflection()) kept.push_back(i);
+  const Eigen::MatrixXd flexibility_times_mass =
+      Eigen::MatrixXd(stiffness(kept, kept)).partialPivLu().solve(Eigen::MatrixXd(mass(kept, kept)));
+  const Eigen::EigenSolver<Eigen::MatrixXd> eigen(flexibility_times_mass, false);
+  Values hz;
+  for (const std::complex<double>& mu : eigen.eigenvalues()) {
+    if (std::abs(mu.imag()) > 1e-9 * std::abs(mu.real()) || mu.real() <= 0.0) return {};
+    hz.push_back(1.0 / (two_pi * std::sqrt(mu.real())));
+  }
+  std::ranges::sort(hz);
+  return hz;
+}
+
+double squared_wave_number(const data::Beam& beam, double hz) {
+  return two_pi * hz *
+         std::sqrt(beam.density() * beam.area() / (beam.youngs_modulus() * beam.second_moment_of_area()));
+}
+
+// The mesh of Hermite elements whose frequencies are theirs. The leading error (beta l)^4/1440 of a frequency gives
+// the number of elements of the smallest error that is still above round-off, to one.
+Found hermite_mesh(const ComparedValues& values, const data::Beam& beam, bool is_slip) {
+  constexpr double round_off = 1e-6;
+  constexpr int most = 100;
+  std::set<int> tried;
+  for (std::size_t i = 0; i < values.theirs.size() && tried.size() < 15; ++i) {
+    const double error = values.theirs[i] / values.reference[i] - 1.0;
+    if (error < round_off) continue;
+    const double beta = std::sqrt(squared_wave_number(beam, values.reference[i]));
+    const int estimate = static_cast<int>(
+        std::lround(std::min(beam.length() * beta / std::pow(1440.0 * error, 0.25), 2.0 * most)));
+    for (const int elements : {estimate, estimate - 1, estimate + 1}) {
+      if (elements < 1 || elements > most || !tried.insert(elements).second) continue;
+      const Values mesh = mesh_frequencies(beam, elements, is_slip);
+      Values predicted(values.theirs.size(), nothing);
+      for (std::size_t j = 0; j < predicted.size(); ++j)
+        if (const auto mode = static_cast<std::size_t>(values.abscissa[j]); mode <= mesh.size())
+          predicted[j] = mesh[mode - 1];
+      Pattern pattern{.name = "mesh",
+                      .sentence = fmt::format("the error is that of a mesh of {} cubic Hermite elements; its "
+                                              "leading term is (beta l)^4/1440",
+                                              elements)};
+      if (auto found = accepted(values, pattern, predicted, 1, patterns_tried)) return found;
+    }
+  }
+  return {};
+}
+
+std::string square_growth(double coefficient, const data::Beam* beam) {
+  if (coefficient > 0.0) return "as with linear (Timoshenko) elements; refine the mesh";
+  const std::string discrete = "as with lumped masses or finite differences";
+  if (beam == nullptr) return discrete;
+  // Rotary inertia and shear lower omega by (beta r)^2/2 (1 + E/(k G)), r^2 = I/A.
+  const double share = -2.0 * coefficient * beam->area() / beam->second_moment_of_area();
+  if (std::abs(share - 1.0) < 0.1) return "as with rotary inertia (Rayleigh's beam)";
+  if (share > 3.0 && share < 4.8)
+    return fmt::format(
+        "as with a Timoshenko beam or a solid, (beta r)^2/2 (1 + E/(k G)), here with E/(k G) = {:.2g}",
+        share - 1.0);
+  return discrete;
+}
+
+}  // namespace
+
+double required_ratio(std::size_t values, int free, int tried) {
+  constexpr double accidental_share = 0.01, least_ratio = 10.0;
+  const double n = static_cast<double>(std::min<std::size_t>(values, 6)) - free;
+  if (n <= 0.0) return std::numeric_limits<double>::infinity();
+  const double choices = tried / (accidental_share * (free == 0 ? std::numbers::ln10 : 1.0));
+  return std::max(least_ratio, std::pow(choices, 1.0 / n));
+}
+
+double distance(const ComparedValues& values, const Values& a, const Values& b) {
+  double square = 0.0;
+  for (const double reference : values.reference) square += reference * reference;
+  const double common = std::sqrt(square / static_cast<double>(values.reference.size()));
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (std::isnan(a[i]) || std::isnan(b[i])) continue;
+    const double s = values.norm == data::Norm::relative ? std::abs(values.reference[i]) : common;
+    sum += a[i] == b[i] ? 0.0 : std::pow((a[i] - b[i]) / s, 2);
+    ++count;
+  }
+  return count == 0 ? std::numeric_limits<double>::infinity() : std::sqrt(sum / static_cast<double>(count));
+}
+
+Found accepted(const ComparedValues& values, Pattern pattern, const Values& predicted, int free, int tried) {
+  ComparedValues kept = values;
+  Values theirs;
+  kept.theirs.clear(), kept.reference.clear();
+  Values expected;
+  for (std::size_t i = 0; i < predicted.size(); ++i) {
+    if (std::isnan(predicted[i])) continue;
+    kept.theirs.push_back(values.theirs[i]);
+    kept.reference.push_back(values.reference[i]);
+    expected.push_back(predicted[i]);
+  }
+  if (expected.size() < 2 && !(free == 0 && expected.size() == 1)) return {};
+  pattern.remaining = distance(kept, kept.theirs, expected);
+  pattern.difference = distance(kept, kept.theirs, kept.reference);
+  const double ratio = required_ratio(expected.size(), free, tried);
+  if (!(pattern.remaining * ratio <= pattern.difference)) return {};
+  return pattern;
+}
+
+Found pattern_of(const ComparedValues& values, const data::Beam* beam, bool is_slip) {
+  if (values.theirs.empty()) return {};
+  if (auto found = factor_of(values)) return found;
+  if (auto found = delay_of(values)) return found;
+  if (is_of_frequencies(values)) {
+    if (auto found = mixed_modes(values, beam)) return found;
+    return beam == nullptr ? Found() : hermite_mesh(values, *beam, is_slip);
+  }
+  return shift_of(values);
+}
+
+Found growth_of(const ComparedValues& values, const data::Beam* beam) {
+  if (!is_of_frequencies(values)) return {};
+  constexpr double spread = 0.25, largest_error = 0.2, smallest_error = 1e-7;
+  for (const int power : {4, 2}) {
+    Values ratios, errors;
+    double lowest = std::numeric_limits<double>::infinity(), highest = 0.0;
+    for (std::size_t i = 0; i < values.theirs.size(); ++i) {
+      const double error = values.theirs[i] / values.reference[i] - 1.0;
+      if (!(std::abs(error) < largest_error && std::abs(error) > smallest_error)) continue;
+      ratios.push_back(error / std::pow(values.reference[i], power / 2));
+      errors.push_back(std::abs(error));
+      lowest = std::min(lowest, values.reference[i]);
+      highest = std::max(highest, values.reference[i]);
+    }
+    if (ratios.size() < 3 || highest < 3.0 * lowest) continue;
+    Values sorted = ratios;
+    std::ranges::sort(sorted);
+    const double middle = sorted[sorted.size() / 2];
+    if (!std::ranges::all_of(ratios, [&](double c) { return std::abs(c / middle - 1.0) < spread; })) continue;
+    Pattern pattern{.name = power == 4 ? "error-of-fourth-power" : "error-of-second-power", .sentence = {}};
+    pattern.remaining = spread * std::ranges::max(errors);
+    pattern.difference = std::ranges::max(errors);
+    const double scale = beam == nullptr ? 0.0 : squared_wave_number(*beam, 1.0);
+    pattern.sentence =
+        fmt::format("the relative error of a frequency grows with the {} of the mode number, {}",
+                    power == 4 ? "fourth power" : "square",
+                    power == 4 ? "as with a coarse mesh of cubic elements"
+                               : square_growth(beam == nullptr ? middle : middle / scale, beam));
+    return pattern;
+  }
+  return {};
+}
+
+}  // namespace stickslip::studies

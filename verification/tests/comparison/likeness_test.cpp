@@ -1,0 +1,434 @@
+// SPDX-License-Identifier: MIT
+/// What a result that differs from a published data set looks like: files of known mistakes.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "comparison/comparison.hpp"
+#include "comparison/patterns.hpp"
+#include "comparison/wrong_model_recipes.hpp"
+#include "stickslip/analytic/criterion.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/data/case_file.hpp"
+#include "studies/common/problem_parameter.hpp"
+#include "studies/convergence/discretisation.hpp"
+#include "support/requirements.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+using studies::Comparison;
+using studies::Finding;
+using studies::Quantity;
+using Values = std::vector<double>;
+
+const data::ReferencePackage& package() {
+  static const auto published =
+      data::load_reference(std::filesystem::path(STICKSLIP_SOURCE_DIRECTORY) / "data/reference");
+  return published;
+}
+
+// A user's file with columns of a data set, for the beam of the paper if there are several.
+class File {
+ public:
+  explicit File(const std::string& set, const std::string& value) : set_(set), value_(value) {
+    const auto table = data::read_table(package(), set);
+    std::vector<std::size_t> rows(table.rows());
+    std::iota(rows.begin(), rows.end(), 0);
+    if (table.resource.field("beam") != nullptr)
+      std::erase_if(rows, [&](std::size_t row) { return table.column("beam").text[row] != "paper"; });
+    for (const data::Column& column : table.columns) {
+      const std::string& name = column.field.name;
+      if (name != value && name != "change" && name != "time" &&
+          std::ranges::count(table.resource.primary_key, name) == 0)
+        continue;
+      data::Column& mine =
+          table_.columns.emplace_back(data::Column{.field = column.field, .text = {}, .values = {}});
+      for (const std::size_t row : rows) {
+        mine.text.push_back(column.text[row]);
+        mine.values.push_back(column.values[row]);
+      }
+    }
+    table_.file = "mine.csv";
+    for (const std::size_t row : rows) table_.lines.push_back(row + 2);
+  }
+
+  Values& column(const std::string& name) {
+    return std::ranges::find(table_.columns, name, [](const auto& c) { return c.field.name; })->values;
+  }
+  Values& values() { return column(value_); }
+
+  // Keeps the rows of which the index satisfies `keep`.
+  template <class Condition>
+  void keep(const Condition& condition) {
+    for (std::size_t row = table_.rows(); row-- > 0;) {
+      if (condition(row)) continue;
+      const auto at = static_cast<std::ptrdiff_t>(row);
+      for (data::Column& one : table_.columns) {
+        one.text.erase(one.text.begin() + at);
+        one.values.erase(one.values.begin() + at);
+      }
+      table_.lines.erase(table_.lines.begin() + at);
+    }
+  }
+
+  [[nodiscard]] Comparison compared(double tolerance = -1.0) const {
+    studies::ComparisonSettings settings;
+    if (tolerance >= 0.0) settings.tolerances.push_back({"", tolerance});
+    return studies::compare(package(), set_, table_, settings);
+  }
+
+  // All that is said of it, a line for each group.
+  [[nodiscard]] std::string likeness(double tolerance = -1.0) const {
+    std::string text;
+    for (const auto& likeness : compared(tolerance).likenesses) text += likeness.sentence + "\n";
+    return text;
+  }
+
+ private:
+  std::string set_, value_;
+  data::UserTable table_;
+};
+
+// --- tolerances
+
+struct Diagnosed {
+  const char* set;
+  const char* value;
+  Quantity quantity;
+  const char* problem;
+};
+
+// The effect of these goes to zero with the mesh or the step, so that no tolerance is below it.
+bool is_of_discretisation(const studies::WrongModelRecipe& recipe) {
+  return recipe.depends_on_mesh || recipe.force_row ||
+         (recipe.scheme && recipe.wrong_model.name != "damping-added");
+}
+
+class ToleranceOf : public ::testing::TestWithParam<Diagnosed> {};
+
+STICKSLIP_VERIFIES(ToleranceOf, "X20");
+TEST_P(ToleranceOf, ADataSetIsAtMostAThirdOfWhatAListedMistakeChanges) {
+  const auto& [set, field, quantity, problem_name] = GetParam();
+  const auto& compared =
+      *std::ranges::find(package().resource(set).comparison->values, field, &data::ComparedValue::field);
+  const data::Case problem = data::load_case(problem_name);
+  File file(set, field);
+  const bool is_slow = quantity == Quantity::force_maximum || quantity == Quantity::critical_amplitude;
+  const bool is_event = quantity == Quantity::contact_event;
+  const auto& rule = *package().resource(set).diagnosis;
+  const std::size_t stride = is_slow ? file.values().size() / 8 : 1;
+  file.keep([&](std::size_t row) { return row % stride == 0 && (!is_event || row < 40); });
+  const Values abscissa = file.column(rule.abscissa), data = file.values();
+  const auto models = studies::relative_to_data(studies::model_results(problem, quantity, abscissa), data);
+  const auto [least, greatest] = std::ranges::minmax(data);
+  const double scale = compared.norm == data::Norm::range      ? greatest - least
+                       : compared.norm == data::Norm::absolute ? 1.0
+                                                               : std::max(-least, greatest);
+  for (const auto& member : models.wrong_models) {
+    const auto& recipe = *std::ranges::find(studies::wrong_model_recipes(), member.name,
+                                            [](const auto& one) { return one.wrong_model.name; });
+    if (std::ranges::count(recipe.wrong_model.changes, quantity) == 0 || is_of_discretisation(recipe))
+      continue;
+    double change = 0.0;
+    for (std::size_t i = 0; i < data.size(); ++i)
+      change = std::max(change, std::abs(member.values[i] - data[i]) /
+                                    (compared.norm == data::Norm::relative ? std::abs(data[i]) : scale));
+    EXPECT_GE(change, 3.0 * compared.tolerance) << member.name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    DataSets, ToleranceOf,
+    ::testing::Values(
+        Diagnosed{"stick-frequencies", "frequency", Quantity::stick_frequency, "paper"},
+        Diagnosed{"slip-frequencies", "frequency", Quantity::slip_frequency, "paper"},
+        Diagnosed{"participation", "participation", Quantity::participation, "paper"},
+        Diagnosed{"static-shapes", "shape", Quantity::quasi_static_shape, "paper"},
+        Diagnosed{"stick-history", "midspan_displacement", Quantity::stick_displacement, "paper-figure9"},
+        Diagnosed{"stick-history", "friction_force", Quantity::stick_force, "paper-figure9"},
+        Diagnosed{"friction-maxima", "friction_force", Quantity::force_maximum, "paper"},
+        Diagnosed{"critical-amplitudes", "amplitude", Quantity::critical_amplitude, "paper"},
+        Diagnosed{"stick-slip-events", "time", Quantity::contact_event, "damped"},
+        Diagnosed{"stick-slip-history", "tip_displacement", Quantity::tip_displacement, "damped"},
+        Diagnosed{"stick-slip-history", "friction_force", Quantity::friction_force, "damped"}),
+    [](const auto& instance) {
+      std::string name = std::string(instance.param.set) + "_" + instance.param.value;
+      std::ranges::replace(name, '-', '_');
+      return name;
+    });
+
+// --- patterns of the numbers
+
+void multiply(Values& values, double factor) {
+  for (double& value : values) value *= factor;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+STICKSLIP_VERIFIES(LikenessOfNumbers, "X20");
+TEST(LikenessOfNumbers, IsTheFactorInEveryComparedColumnOfEveryDataSet) {
+  for (const data::Resource& resource : package().resources) {
+    if (!resource.comparison) continue;
+    for (const auto& compared : resource.comparison->values) {
+      File file(resource.name, compared.field);
+      multiply(file.values(), 2.0);
+      const std::string text = file.likeness();
+      EXPECT_TRUE(contains(text, resource.name == "mode-shapes" ? "MAC = 1" : "times 2: "))
+          << resource.name << ", " << compared.field << ": " << text;
+    }
+  }
+}
+
+TEST(LikenessOfNumbers, IsTheUsualNameOfAFactor) {
+  for (const auto& [factor, name] : {std::pair{-1.0, "the opposite sign"},
+                                     {0.5, "half"},
+                                     {std::numbers::sqrt2, "EI is double"},
+                                     {std::sqrt(0.5), "EI is half"},
+                                     {2.0 * std::numbers::pi, "rad/s for Hz"},
+                                     {0.5 / std::numbers::pi, "divided by 2 pi"},
+                                     {1e3, "mm for m"},
+                                     {1e-3, "kN for N"},
+                                     {1e2, "cm for m"},
+                                     {1.037, "times 1.037"}}) {
+    File file("stick-frequencies", "frequency");
+    multiply(file.values(), factor);
+    EXPECT_TRUE(contains(file.likeness(), name)) << factor << ": " << file.likeness();
+  }
+  File force("stick-history", "friction_force");
+  multiply(force.values(), -1.0);
+  EXPECT_TRUE(contains(force.likeness(), "like 'force-sign'")) << force.likeness();
+}
+
+TEST(LikenessOfNumbers, IsNoFactorWhereAllValuesAreSmall) {
+  File file("stick-frequencies", "frequency");
+  for (std::size_t n = 0; n < file.values().size(); ++n)
+    file.values()[n] *= 1e-3 * (1.0 + 0.1 * static_cast<double>(n % 3));
+  EXPECT_FALSE(contains(file.likeness(), "times")) << file.likeness();
+}
+
+TEST(LikenessOfNumbers, IsAMeshOfSoManyHermiteElements) {
+  // The leading error of 40 elements; the next term is below a twentieth of it up to mode 5.
+  File file("stick-frequencies", "frequency");
+  file.keep([](std::size_t row) { return row < 5; });
+  const auto beam = data::load_case("paper").beam;
+  const auto modes = analytic::stick_modes(beam, 5);
+  for (std::size_t n = 0; n < 5; ++n)
+    file.values()[n] *=
+        std::sqrt(1.0 + studies::hermite_eigenvalue_error(beam, modes[n], beam.length() / 40.0));
+  EXPECT_TRUE(contains(file.likeness(), "a mesh of 40 cubic Hermite elements")) << file.likeness();
+}
+
+TEST(LikenessOfNumbers, IsAnErrorThatGrowsWithTheSquareOfTheModeNumber) {
+  const data::Beam beam = data::load_case("paper").beam;
+  const double radius_squared = beam.second_moment_of_area() / beam.area();
+  const auto of = [&](double factor) {
+    File file("stick-frequencies", "frequency");
+    file.keep([](std::size_t row) { return row < 6; });
+    const auto modes = analytic::stick_modes(beam, 6);
+    for (std::size_t n = 0; n < 6; ++n)
+      file.values()[n] *= 1.0 + factor * 0.5 * modes[n].angular_frequency() * radius_squared *
+                                    std::sqrt(beam.density() * beam.area() /
+                                              (beam.youngs_modulus() * beam.second_moment_of_area()));
+    return file.likeness();
+  };
+  EXPECT_TRUE(contains(of(-4.1), "Timoshenko beam or a solid")) << of(-4.1);
+  EXPECT_TRUE(contains(of(-1.0), "rotary inertia")) << of(-1.0);
+  EXPECT_TRUE(contains(of(-8.0), "lumped masses")) << of(-8.0);
+  EXPECT_TRUE(contains(of(1.0), "linear (Timoshenko) elements")) << of(1.0);
+}
+
+TEST(LikenessOfNumbers, IsAModeThatTheBeamDoesNotHaveOrThatIsMissing) {
+  const data::Beam beam = data::load_case("paper").beam;
+  File file("stick-frequencies", "frequency");
+  Values& hz = file.values();
+  const Values right = hz;
+  hz.insert(hz.begin() + 3, std::sqrt(beam.youngs_modulus() / beam.density()) / (4.0 * beam.length()));
+  hz.pop_back();
+  EXPECT_TRUE(contains(file.likeness(), "mode 4 (176.777 Hz, the axial mode 1) of the file is none"))
+      << file.likeness();
+  hz = right;
+  hz.insert(hz.begin() + 5, right[4]);
+  hz.pop_back();
+  EXPECT_TRUE(contains(file.likeness(), "the one before it a second time")) << file.likeness();
+  hz = right;
+  hz.erase(hz.begin() + 2);
+  hz.push_back(1.2 * right.back());
+  EXPECT_TRUE(contains(file.likeness(), "mode 3 of the data set is missing")) << file.likeness();
+}
+
+TEST(LikenessOfNumbers, IsAnotherDataSet) {
+  for (const auto& [set, field, other] :
+       {std::tuple{"stick-frequencies", "frequency", "slip-frequencies"},
+        {"slip-frequencies", "frequency", "stick-frequencies"},
+        {"stick-history-ten-modes", "friction_force", "stick-history"},
+        {"undamped-history-25", "tip_displacement", "undamped-history-35"}}) {
+    File file(set, field);
+    file.values() = File(other, field).values();
+    EXPECT_EQ(file.likeness(), std::string("the values are those of ") + other + "\n");
+  }
+}
+
+TEST(LikenessOfNumbers, IsAShift) {
+  File file("stick-history", "midspan_displacement");
+  const Values right = file.values();
+  std::ranges::copy(right.begin(), right.end() - 2, file.values().begin() + 2);
+  EXPECT_TRUE(contains(file.likeness(), "2 rows further up")) << file.likeness();
+  // y(t - 0.4 ms) by the parabola through three samples; its error is below 1e-3 of the shift.
+  for (std::size_t i = 1; i + 1 < right.size(); ++i)
+    file.values()[i] = right[i] - 0.4 * 0.5 * (right[i + 1] - right[i - 1]) +
+                       0.08 * (right[i + 1] - 2.0 * right[i] + right[i - 1]);
+  EXPECT_TRUE(contains(file.likeness(), "at time - 0.0004 s")) << file.likeness();
+
+  File shape("static-shapes", "shape");
+  std::ranges::copy(Values(shape.values().begin() + 1, shape.values().end()), shape.values().begin());
+  EXPECT_TRUE(contains(shape.likeness(), "those of a neighbouring node")) << shape.likeness();
+
+  File events("stick-slip-events", "time");
+  for (double& time : events.values()) time += 5e-4;
+  EXPECT_TRUE(contains(events.likeness(), "all events are 0.0005 s late")) << events.likeness();
+}
+
+TEST(LikenessOfNumbers, IsNothingForRoundOffAndForUnknownErrors) {
+  std::mt19937 generator(1);
+  std::uniform_real_distribution<double> error(-1.0, 1.0);
+  int named = 0, files = 0;
+  for (const data::Resource& resource : package().resources) {
+    if (!resource.comparison || resource.name == "classification" || resource.name == "length-force")
+      continue;
+    for (const auto& compared : resource.comparison->values) {
+      File file(resource.name, compared.field);
+      const Values right = file.values();
+      for (double& value : file.values()) value *= 1.0 + 1e-14 * error(generator);
+      EXPECT_EQ(file.likeness(), "") << resource.name;
+      studies::ComparedValues values;
+      values.norm = compared.norm;
+      values.theirs = values.reference = right;
+      for (std::size_t i = 0; i < right.size(); ++i) values.abscissa.push_back(static_cast<double>(i));
+      for (int draw = 0; draw < 20; ++draw, ++files) {
+        for (std::size_t i = 0; i < right.size(); ++i)
+          values.theirs[i] = right[i] * (1.0 + 0.1 * error(generator));
+        named += studies::pattern_of(values) ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_LE(named, files / 100);
+}
+
+TEST(LikenessOfNumbers, TakesTheMoreAgreementTheFewerTheNumbers) {
+  EXPECT_TRUE(
+      within(studies::required_ratio(1, 0, 30), 30.0 / (0.01 * std::numbers::ln10), round_off(4, 1, 1303)));
+  EXPECT_TRUE(within(studies::required_ratio(3, 1, 30), std::sqrt(30.0 / 0.01), round_off(4, 1, 55)));
+  EXPECT_EQ(studies::required_ratio(1000, 1, 30), 10.0);
+  EXPECT_TRUE(std::isinf(studies::required_ratio(2, 2, 30)));
+}
+
+// --- wrong models beside the data set
+
+STICKSLIP_VERIFIES(LikenessOfModels, "X20");
+TEST(LikenessOfModels, IsAllModesWhereTheDataSetHasTen) {
+  const data::Case problem = data::load_case("paper");
+  File file("friction-maxima", "friction_force");
+  file.keep([](std::size_t row) { return row % 30 == 9; });
+  for (std::size_t i = 0; i < file.values().size(); ++i)
+    file.values()[i] =
+        analytic::evaluate_criterion(
+            problem.beam, problem.friction,
+            data::HarmonicExcitation({.frequency_hz = file.column("frequency")[i], .amplitude = 0.5e-3}),
+            10.0, 40, analytic::SteadyPart::exact)
+            .force_max.midpoint();
+  EXPECT_EQ(file.likeness(), "like all modes: the data set has 10\n");
+}
+
+TEST(LikenessOfModels, IsTheMistakeInEachRowThatIsACase) {
+  const data::Case problem = data::load_case("paper-figure14");
+  File file("length-force", "force_ratio");
+  file.keep([](std::size_t row) { return row % 15 == 0; });
+  for (std::size_t i = 0; i < file.values().size(); ++i) {
+    data::Case row = studies::with_value(problem, studies::Parameter::length, file.column("length")[i]);
+    row = studies::with_value(row, studies::Parameter::axial_force, file.column("axial_force")[i]);
+    const double hz = row.excitation.frequency_hz();
+    file.values()[i] *=
+        studies::reference_result(row, Quantity::critical_amplitude, {hz})[0] /
+        studies::wrong_result(row, "base-load-left-out", Quantity::critical_amplitude, {hz}).value()[0];
+  }
+  EXPECT_TRUE(file.likeness().starts_with("like 'base-load-left-out'")) << file.likeness();
+}
+
+TEST(LikenessOfModels, LooksAtTheForceOfAHistoryAsWell) {
+  File file("stick-history", "friction_force");
+  file.values() = studies::wrong_result(data::load_case("paper-figure9"), "cosine-for-sine",
+                                        Quantity::stick_force, file.column("time"))
+                      .value();
+  EXPECT_TRUE(file.likeness().starts_with("like 'cosine-for-sine'")) << file.likeness();
+}
+
+TEST(LikenessOfModels, TakesTheEventsOfTheDataSetAsTheTruth) {
+  // The run for the diagnosis has 45 events, the data set 47. Late events of no known mistake:
+  File file("stick-slip-events", "time");
+  for (std::size_t i = 0; i < file.values().size(); ++i) file.values()[i] += i % 2 == 0 ? 2e-4 : 5e-4;
+  const std::string text = file.likeness();
+  EXPECT_TRUE(text.starts_with("wrong by")) << text;
+  // The effect of a mistake on the times of the data set.
+  File damped("stick-slip-events", "time");
+  damped.keep([](std::size_t row) { return row < 12; });
+  const data::Case problem = data::load_case("damped");
+  const auto right = studies::reference_result(problem, Quantity::contact_event, damped.column("index"));
+  for (const char* name : {"mass-proportional-damping", "damping-left-out", "kinetic-friction-at-once"}) {
+    File events = damped;
+    const auto wrong = studies::wrong_result(problem, name, Quantity::contact_event, damped.column("index"));
+    for (std::size_t i = 0; i < right.size(); ++i) events.values()[i] *= (*wrong)[i] / right[i];
+    EXPECT_TRUE(contains(events.likeness(), name)) << events.likeness();
+  }
+}
+
+TEST(LikenessOfModels, CancelsTheErrorThatBothResultsHave) {
+  studies::ModelResults results{.quantity = Quantity::contact_event,
+                                .abscissa = {1.0, 2.0},
+                                .reference = {1.01, 2.02},
+                                .reference_uncertainty = 0.0,
+                                .wrong_models = {{"lumped-mass", {1.515, 3.03}, 0.0}},
+                                .missing = {}};
+  const auto relative = studies::relative_to_data(results, {1.0, 2.0});
+  EXPECT_EQ(relative.reference, (Values{1.0, 2.0}));
+  EXPECT_TRUE(within(relative.wrong_models[0].values[1], 3.0, round_off(4, 1, 3.0)));
+  EXPECT_TRUE(within(relative.wrong_models[0].from_reference, 0.5, round_off(10, 2, 0.5)));
+  EXPECT_TRUE(within(relative.reference_uncertainty, 0.01, round_off(10, 200, 0.01)));
+  results.quantity = Quantity::tip_displacement;
+  EXPECT_TRUE(within(studies::relative_to_data(results, {1.0, 2.0}).wrong_models[0].values[1], 3.01,
+                     round_off(4, 2, 3.01)));
+}
+
+TEST(LikenessOfModels, NamesAtMostThreeMistakesAndNoneThatChangesNothing) {
+  studies::ModelResults results{.quantity = Quantity::participation,
+                                .abscissa = {1.0, 2.0, 3.0, 4.0, 5.0, 6.0},
+                                .reference = Values(6, 1.0),
+                                .reference_uncertainty = 0.0,
+                                .wrong_models = {{"dead-load", Values(6, 1.0), 0.0}},
+                                .missing = {}};
+  studies::Observation seen{Quantity::participation, results.abscissa, Values(6, 1.1), Values(6, 1e-3)};
+  EXPECT_EQ(studies::diagnose(results, seen).finding, Finding::unexplained);
+  EXPECT_FALSE(contains(studies::sentence(studies::diagnose(results, seen)), "dead-load"));
+  for (const char* name : {"tension", "lumped-mass", "force-sign", "one-mode"})
+    results.wrong_models.push_back({name, Values(6, 1.1), 0.1});
+  const std::string text = studies::sentence(studies::diagnose(results, seen));
+  EXPECT_TRUE(text.starts_with("like 4 known mistakes that cannot be told apart here, the nearest 'tension'"))
+      << text;
+  EXPECT_FALSE(contains(text, "lumped-mass")) << text;
+}
+
+}  // namespace
+}  // namespace stickslip::testing
