@@ -9,11 +9,13 @@ namespace stickslip::studies {
 
 /// Adds to `comparison.likenesses` a sentence for each quantity and group that differs, in this order:
 /// - a pattern of the numbers alone (patterns.hpp);
-/// - the values of another data set, or of another group, with the same columns;
-/// - for sums of N modes, the values of all modes;
+/// - the values of another data set with the same columns;
+/// - for maxima of ten modes, the values of all modes;
 /// - the nearest wrong model, if the data set names the case. Its effect is computed by one method with and
 ///   without the mistake and applied to the values of the data set (relative_to_data()). At most 8 forces
-///   over 10 s or 12 events are taken for it, which keeps a diagnosis within a few seconds.
+///   over 10 s, 12 events or five periods of stick and slip are taken for it, which keeps a diagnosis within
+///   seconds;
+/// - an error of natural frequencies that grows with the mode number.
 ///
 /// Groups with the same sentence are joined. Data sets whose rows are cases (the columns frequency,
 /// amplitude, length, axial_force) are diagnosed as a whole.

@@ -350,11 +350,11 @@ Found accepted(const ComparedValues& values, Pattern pattern, const Values& pred
     kept.reference.push_back(values.reference[i]);
     expected.push_back(predicted[i]);
   }
-  if (expected.size() < 2 && !(free == 0 && expected.size() == 1)) return {};
+  if (expected.size() < 3) return {};
   pattern.remaining = distance(kept, kept.theirs, expected);
   pattern.difference = distance(kept, kept.theirs, kept.reference);
   const double ratio = required_ratio(expected.size(), free, tried);
-  if (!(pattern.remaining * ratio <= pattern.difference)) return {};
+  if (!std::isfinite(pattern.difference) || !(pattern.remaining * ratio <= pattern.difference)) return {};
   return pattern;
 }
 

@@ -44,7 +44,8 @@ struct Pattern {
 [[nodiscard]] double distance(const ComparedValues& values, const std::vector<double>& a,
                               const std::vector<double>& b);
 
-/// `predicted` as a pattern, if it is near enough to the user's values. A NaN leaves the value out.
+/// `predicted` as a pattern, if it is near enough to the user's values. A NaN leaves the value out;
+/// at least three must remain.
 [[nodiscard]] std::optional<Pattern> accepted(const ComparedValues& values, Pattern pattern,
                                               const std::vector<double>& predicted, int free, int tried);
 

@@ -775,7 +775,8 @@ TEST(LikenedToNothing, IsADifferenceThatTheModelsCannotResolve) {
       "damped-history", mine, {.tolerances = {{"tip_displacement", 1e-5}}, .until = {}, .events = {}});
   EXPECT_EQ(comparison.agreement, Agreement::differs);
   ASSERT_EQ(comparison.likenesses.size(), 1u);
-  EXPECT_TRUE(comparison.likenesses[0].sentence.starts_with("no diagnosis: the difference is too small"))
+  EXPECT_TRUE(
+      comparison.likenesses[0].sentence.starts_with("no diagnosis: the difference of 0.01 % is too small"))
       << comparison.likenesses[0].sentence;
 }
 

@@ -83,16 +83,12 @@ class File {
     }
   }
 
-  [[nodiscard]] Comparison compared(double tolerance = -1.0) const {
-    studies::ComparisonSettings settings;
-    if (tolerance >= 0.0) settings.tolerances.push_back({"", tolerance});
-    return studies::compare(package(), set_, table_, settings);
-  }
+  [[nodiscard]] Comparison compared() const { return studies::compare(package(), set_, table_); }
 
   // All that is said of it, a line for each group.
-  [[nodiscard]] std::string likeness(double tolerance = -1.0) const {
+  [[nodiscard]] std::string likeness() const {
     std::string text;
-    for (const auto& likeness : compared(tolerance).likenesses) text += likeness.sentence + "\n";
+    for (const auto& likeness : compared().likenesses) text += likeness.sentence + "\n";
     return text;
   }
 
@@ -116,11 +112,8 @@ bool is_of_discretisation(const studies::WrongModelRecipe& recipe) {
          (recipe.scheme && recipe.wrong_model.name != "damping-added");
 }
 
-class ToleranceOf : public ::testing::TestWithParam<Diagnosed> {};
-
-STICKSLIP_VERIFIES(ToleranceOf, "X20");
-TEST_P(ToleranceOf, ADataSetIsAtMostAThirdOfWhatAListedMistakeChanges) {
-  const auto& [set, field, quantity, problem_name] = GetParam();
+void expect_tolerance_below_a_third(const Diagnosed& diagnosed) {
+  const auto& [set, field, quantity, problem_name] = diagnosed;
   const auto& compared =
       *std::ranges::find(package().resource(set).comparison->values, field, &data::ComparedValue::field);
   const data::Case problem = data::load_case(problem_name);
@@ -145,29 +138,28 @@ TEST_P(ToleranceOf, ADataSetIsAtMostAThirdOfWhatAListedMistakeChanges) {
     for (std::size_t i = 0; i < data.size(); ++i)
       change = std::max(change, std::abs(member.values[i] - data[i]) /
                                     (compared.norm == data::Norm::relative ? std::abs(data[i]) : scale));
-    EXPECT_GE(change, 3.0 * compared.tolerance) << member.name;
+    EXPECT_GE(change, 3.0 * compared.tolerance) << set << ", " << field << ": " << member.name;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    DataSets, ToleranceOf,
-    ::testing::Values(
-        Diagnosed{"stick-frequencies", "frequency", Quantity::stick_frequency, "paper"},
-        Diagnosed{"slip-frequencies", "frequency", Quantity::slip_frequency, "paper"},
-        Diagnosed{"participation", "participation", Quantity::participation, "paper"},
-        Diagnosed{"static-shapes", "shape", Quantity::quasi_static_shape, "paper"},
-        Diagnosed{"stick-history", "midspan_displacement", Quantity::stick_displacement, "paper-figure9"},
-        Diagnosed{"stick-history", "friction_force", Quantity::stick_force, "paper-figure9"},
-        Diagnosed{"friction-maxima", "friction_force", Quantity::force_maximum, "paper"},
-        Diagnosed{"critical-amplitudes", "amplitude", Quantity::critical_amplitude, "paper"},
-        Diagnosed{"stick-slip-events", "time", Quantity::contact_event, "damped"},
-        Diagnosed{"stick-slip-history", "tip_displacement", Quantity::tip_displacement, "damped"},
-        Diagnosed{"stick-slip-history", "friction_force", Quantity::friction_force, "damped"}),
-    [](const auto& instance) {
-      std::string name = std::string(instance.param.set) + "_" + instance.param.value;
-      std::ranges::replace(name, '-', '_');
-      return name;
-    });
+STICKSLIP_VERIFIES(ToleranceOf, "X20");
+TEST(ToleranceOf, ADataSetIsAtMostAThirdOfWhatAListedMistakeChanges) {
+  for (const Diagnosed& diagnosed :
+       {Diagnosed{"stick-frequencies", "frequency", Quantity::stick_frequency, "paper"},
+        {"slip-frequencies", "frequency", Quantity::slip_frequency, "paper"},
+        {"participation", "participation", Quantity::participation, "paper"},
+        {"static-shapes", "shape", Quantity::quasi_static_shape, "paper"},
+        {"stick-history", "midspan_displacement", Quantity::stick_displacement, "paper-figure9"},
+        {"stick-history", "friction_force", Quantity::stick_force, "paper-figure9"},
+        {"stick-history-ten-modes", "midspan_displacement", Quantity::stick_displacement, "paper-figure9"},
+        {"stick-history-ten-modes", "friction_force", Quantity::stick_force, "paper-figure9"},
+        {"friction-maxima", "friction_force", Quantity::force_maximum, "paper"},
+        {"critical-amplitudes", "amplitude", Quantity::critical_amplitude, "paper"},
+        {"stick-slip-events", "time", Quantity::contact_event, "damped"},
+        {"stick-slip-history", "tip_displacement", Quantity::tip_displacement, "damped"},
+        {"stick-slip-history", "friction_force", Quantity::friction_force, "damped"}})
+    expect_tolerance_below_a_third(diagnosed);
+}
 
 // --- patterns of the numbers
 
@@ -177,6 +169,11 @@ void multiply(Values& values, double factor) {
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
+}
+
+::testing::AssertionResult looks(const File& file, const std::string& like) {
+  const std::string text = file.likeness();
+  return (contains(text, like) ? ::testing::AssertionSuccess() : ::testing::AssertionFailure()) << text;
 }
 
 STICKSLIP_VERIFIES(LikenessOfNumbers, "X20");
@@ -206,11 +203,11 @@ TEST(LikenessOfNumbers, IsTheUsualNameOfAFactor) {
                                      {1.037, "times 1.037"}}) {
     File file("stick-frequencies", "frequency");
     multiply(file.values(), factor);
-    EXPECT_TRUE(contains(file.likeness(), name)) << factor << ": " << file.likeness();
+    EXPECT_TRUE(looks(file, name));
   }
   File force("stick-history", "friction_force");
   multiply(force.values(), -1.0);
-  EXPECT_TRUE(contains(force.likeness(), "like 'force-sign'")) << force.likeness();
+  EXPECT_TRUE(looks(force, "like 'force-sign'"));
 }
 
 TEST(LikenessOfNumbers, IsNoFactorWhereAllValuesAreSmall) {
@@ -229,7 +226,7 @@ TEST(LikenessOfNumbers, IsAMeshOfSoManyHermiteElements) {
   for (std::size_t n = 0; n < 5; ++n)
     file.values()[n] *=
         std::sqrt(1.0 + studies::hermite_eigenvalue_error(beam, modes[n], beam.length() / 40.0));
-  EXPECT_TRUE(contains(file.likeness(), "a mesh of 40 cubic Hermite elements")) << file.likeness();
+  EXPECT_TRUE(looks(file, "a mesh of 40 cubic Hermite elements"));
 }
 
 TEST(LikenessOfNumbers, IsAnErrorThatGrowsWithTheSquareOfTheModeNumber) {
@@ -245,10 +242,10 @@ TEST(LikenessOfNumbers, IsAnErrorThatGrowsWithTheSquareOfTheModeNumber) {
                                               (beam.youngs_modulus() * beam.second_moment_of_area()));
     return file.likeness();
   };
-  EXPECT_TRUE(contains(of(-4.1), "Timoshenko beam or a solid")) << of(-4.1);
-  EXPECT_TRUE(contains(of(-1.0), "rotary inertia")) << of(-1.0);
-  EXPECT_TRUE(contains(of(-8.0), "lumped masses")) << of(-8.0);
-  EXPECT_TRUE(contains(of(1.0), "linear (Timoshenko) elements")) << of(1.0);
+  EXPECT_TRUE(contains(of(-4.1), "Timoshenko beam or a solid"));
+  EXPECT_TRUE(contains(of(-1.0), "rotary inertia"));
+  EXPECT_TRUE(contains(of(-8.0), "lumped masses"));
+  EXPECT_TRUE(contains(of(1.0), "linear (Timoshenko) elements"));
 }
 
 TEST(LikenessOfNumbers, IsAModeThatTheBeamDoesNotHaveOrThatIsMissing) {
@@ -258,16 +255,15 @@ TEST(LikenessOfNumbers, IsAModeThatTheBeamDoesNotHaveOrThatIsMissing) {
   const Values right = hz;
   hz.insert(hz.begin() + 3, std::sqrt(beam.youngs_modulus() / beam.density()) / (4.0 * beam.length()));
   hz.pop_back();
-  EXPECT_TRUE(contains(file.likeness(), "mode 4 (176.777 Hz, the axial mode 1) of the file is none"))
-      << file.likeness();
+  EXPECT_TRUE(looks(file, "mode 4 (176.777 Hz, the axial mode 1) of the file is none"));
   hz = right;
   hz.insert(hz.begin() + 5, right[4]);
   hz.pop_back();
-  EXPECT_TRUE(contains(file.likeness(), "the one before it a second time")) << file.likeness();
+  EXPECT_TRUE(looks(file, "the one before it a second time"));
   hz = right;
   hz.erase(hz.begin() + 2);
   hz.push_back(1.2 * right.back());
-  EXPECT_TRUE(contains(file.likeness(), "mode 3 of the data set is missing")) << file.likeness();
+  EXPECT_TRUE(looks(file, "mode 3 of the data set is missing"));
 }
 
 TEST(LikenessOfNumbers, IsAnotherDataSet) {
@@ -286,20 +282,20 @@ TEST(LikenessOfNumbers, IsAShift) {
   File file("stick-history", "midspan_displacement");
   const Values right = file.values();
   std::ranges::copy(right.begin(), right.end() - 2, file.values().begin() + 2);
-  EXPECT_TRUE(contains(file.likeness(), "2 rows further up")) << file.likeness();
+  EXPECT_TRUE(looks(file, "2 rows further up"));
   // y(t - 0.4 ms) by the parabola through three samples; its error is below 1e-3 of the shift.
   for (std::size_t i = 1; i + 1 < right.size(); ++i)
     file.values()[i] = right[i] - 0.4 * 0.5 * (right[i + 1] - right[i - 1]) +
                        0.08 * (right[i + 1] - 2.0 * right[i] + right[i - 1]);
-  EXPECT_TRUE(contains(file.likeness(), "at time - 0.0004 s")) << file.likeness();
+  EXPECT_TRUE(looks(file, "at time - 0.0004 s"));
 
   File shape("static-shapes", "shape");
   std::ranges::copy(Values(shape.values().begin() + 1, shape.values().end()), shape.values().begin());
-  EXPECT_TRUE(contains(shape.likeness(), "those of a neighbouring node")) << shape.likeness();
+  EXPECT_TRUE(looks(shape, "those of a neighbouring node"));
 
   File events("stick-slip-events", "time");
   for (double& time : events.values()) time += 5e-4;
-  EXPECT_TRUE(contains(events.likeness(), "all events are 0.0005 s late")) << events.likeness();
+  EXPECT_TRUE(looks(events, "all events are 0.0005 s late"));
 }
 
 TEST(LikenessOfNumbers, IsNothingForRoundOffAndForUnknownErrors) {
@@ -365,7 +361,7 @@ TEST(LikenessOfModels, IsTheMistakeInEachRowThatIsACase) {
         studies::reference_result(row, Quantity::critical_amplitude, {hz})[0] /
         studies::wrong_result(row, "base-load-left-out", Quantity::critical_amplitude, {hz}).value()[0];
   }
-  EXPECT_TRUE(file.likeness().starts_with("like 'base-load-left-out'")) << file.likeness();
+  EXPECT_TRUE(looks(file, "like 'base-load-left-out'"));
 }
 
 TEST(LikenessOfModels, LooksAtTheForceOfAHistoryAsWell) {
@@ -373,7 +369,7 @@ TEST(LikenessOfModels, LooksAtTheForceOfAHistoryAsWell) {
   file.values() = studies::wrong_result(data::load_case("paper-figure9"), "cosine-for-sine",
                                         Quantity::stick_force, file.column("time"))
                       .value();
-  EXPECT_TRUE(file.likeness().starts_with("like 'cosine-for-sine'")) << file.likeness();
+  EXPECT_TRUE(looks(file, "like 'cosine-for-sine'"));
 }
 
 TEST(LikenessOfModels, TakesTheEventsOfTheDataSetAsTheTruth) {
@@ -391,7 +387,7 @@ TEST(LikenessOfModels, TakesTheEventsOfTheDataSetAsTheTruth) {
     File events = damped;
     const auto wrong = studies::wrong_result(problem, name, Quantity::contact_event, damped.column("index"));
     for (std::size_t i = 0; i < right.size(); ++i) events.values()[i] *= (*wrong)[i] / right[i];
-    EXPECT_TRUE(contains(events.likeness(), name)) << events.likeness();
+    EXPECT_TRUE(looks(events, name));
   }
 }
 
