@@ -130,6 +130,15 @@ STICKSLIP_JSON(BandMargin, force_max, friction_limit, margin, frequency_hz, eval
 STICKSLIP_JSON(DesignInterval, from, to, sticks, buckled, resonances)
 STICKSLIP_JSON(DesignScan, accuracy, intervals)
 STICKSLIP_JSON(Design, band, margin, lengths, forces)
+STICKSLIP_JSON(ForceHorizon, duration, force_max, critical_amplitude, finite_element, predicted_error)
+STICKSLIP_JSON(SteadyForce, frequency_hz, amplitude, steady, truncated, finite_element, predicted_error,
+               ceiling, grows, horizons)
+STICKSLIP_JSON(DampedForce, frequency_hz, amplitude, kelvin_voigt, ratio, undamped_force_max, steady,
+               finite_element, predicted_error, finite_element_max)
+STICKSLIP_JSON(SlenderForce, frequency_hz, amplitude, model_errors, force_max, shifted_force_max)
+STICKSLIP_JSON(SofterBeam, larger, all, lowest_ratio, at_hz)
+STICKSLIP_JSON(LateSlips, method, duration, range, settled, later_range, last_onset)
+STICKSLIP_JSON(Scope, friction_limit, steady, damped, slender, softer, late_slips)
 STICKSLIP_JSON(PrintedCheck, printed, computed, method, allowed, because, error(), agrees())
 STICKSLIP_JSON(ErratumEvidence, erratum, quantity, unit, as_printed, corrected, reference, tolerance,
                confirmed())

@@ -102,6 +102,7 @@ void StudyResults::run_all() {
   wrong_models();
   force_sensitivity();
   design_example();
+  scope();
   errata_evidence();
   history_refinements();
 }
@@ -361,6 +362,14 @@ const studies::Design& StudyResults::design_example() {
                            .margin = studies::band_margin(flat_section_, band),
                            .lengths = scan(studies::Parameter::length, 0.4, 2.0),
                            .forces = scan(studies::Parameter::axial_force, 50.0, 5000.0)};
+  });
+}
+
+const studies::Scope& StudyResults::scope() {
+  return once("scope", "scope of the criterion", [&] {
+    const auto& histories = converged_histories();
+    const auto slow = std::ranges::find(histories, 35.0, &studies::ConvergedHistory::frequency_hz);
+    return studies::scope(paper_, damped_, *slow);
   });
 }
 

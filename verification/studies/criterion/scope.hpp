@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// What the criterion |f_max| > mu_s P over 0 ... T, Eqs. (29) and (30), is: that of a start-up without
+/// damping. The free vibrations of the start never decay in |f_max|. This study shows what they add to the
+/// steady vibration, and how |f_max| depends on T, on damping and on the slenderness of the beam.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "stickslip/analytic/bounds.hpp"
+#include "stickslip/data/problem.hpp"
+#include "studies/stick_slip/converged_history.hpp"
+
+namespace stickslip::studies {
+
+/// The amplitude of f by finite elements in the steady vibration with the tip held, N: the tip's row of
+/// (K + i Omega eta K_e - Omega^2 M) u = Omega^2 A0 b with u(L) = -A0, and the elastic part K_e of K. The
+/// error falls with the fourth power of the element length. Throws data::FieldError, naming damping.ratio,
+/// unless that is 0.
+[[nodiscard]] double finite_element_steady_force(const data::Case& problem, int elements);
+
+/// |f_max| over T for one T.
+struct ForceHorizon {
+  double duration{};                     ///< T, s
+  analytic::Bounds force_max;            ///< all modes, N
+  double critical_amplitude{};           ///< A0 mu_s P/|f_max|, m
+  std::optional<double> finite_element;  ///< |f_max| of the mesh of the case, N; up to numerics.duration()
+  double predicted_error{};  ///< of finite_element, N: PredictedForce less closed form, and its uncertainty
+};
+
+/// The force of the undamped held beam at one frequency.
+struct SteadyForce {
+  double frequency_hz{}, amplitude{};  ///< Hz, m
+  double steady{};           ///< amplitude of f at Omega in closed form, N; infinite at a natural frequency
+  double truncated{};        ///< the same with numerics.modes() modes, as the paper sums Eq. (28), N
+  double finite_element{};   ///< the same by finite elements, N
+  double predicted_error{};  ///< of finite_element, N: (16/15) of the difference from half the element length
+  double ceiling{};          ///< sum of the amplitudes of all sinusoids of f, N: a bound of |f| for all time
+  bool grows{};              ///< |f| grows over all of numerics.duration() (Concern::resonance)
+  std::vector<ForceHorizon> horizons;
+};
+
+/// Steady force of a beam with Kelvin-Voigt damping and its tip held.
+struct DampedForce {
+  double frequency_hz{}, amplitude{};  ///< Hz, m
+  double kelvin_voigt{};               ///< eta, s
+  double ratio{};                      ///< fraction of critical damping of stick mode 1, eta omega_1/2
+  double undamped_force_max{};         ///< |f_max| over numerics.duration() without damping, N
+  double steady{};                     ///< closed form (analytic::DampedSteadyState), N
+  double finite_element{};             ///< steady amplitude of a run by time steps, N
+  double predicted_error{};            ///< of finite_element, N: the frequency of mode 1 in the run
+  double finite_element_max{};         ///< |f_max| of that run over numerics.duration(), start included, N
+};
+
+/// |f_max| with the natural frequencies of Euler-Bernoulli theory and with those that rotary inertia and
+/// shear leave (stick_model_error()).
+struct SlenderForce {
+  double frequency_hz{}, amplitude{};
+  std::vector<double> model_errors;         ///< relative, of each natural frequency that is kept
+  double force_max{}, shifted_force_max{};  ///< N
+};
+
+/// The critical amplitude with half of E I against that with E I, at the same frequency in Hz.
+struct SofterBeam {
+  int larger{}, all{};             ///< frequencies at which it is larger, of how many
+  double lowest_ratio{}, at_hz{};  ///< softer over stiffer
+};
+
+/// What is left of a history after its large slips.
+struct LateSlips {
+  std::string method;
+  double duration{};     ///< of the history, s
+  double range{};        ///< of y(L), m
+  double settled{};      ///< from here on y(L) is within settled_share of the range from its last value, s
+  double later_range{};  ///< of y(L) from then on, m
+  double last_onset{};   ///< start of the last slip in the history, s
+};
+inline constexpr double settled_share = 0.05;
+
+/// The complete study.
+struct Scope {
+  double friction_limit{};  ///< mu_s P, N
+  std::vector<SteadyForce> steady;
+  std::vector<DampedForce> damped;
+  std::vector<SlenderForce> slender;
+  SofterBeam softer;
+  std::vector<LateSlips> late_slips;  ///< converged history first
+};
+
+/// The parts of the study, for the case of data/cases/paper.toml at its frequency and amplitude.
+[[nodiscard]] SteadyForce steady_force(const data::Case& paper, const std::vector<double>& durations);
+[[nodiscard]] DampedForce damped_force(const data::Case& damped);
+[[nodiscard]] SlenderForce slender_force(const data::Case& paper);
+/// 1 to `last_hz` by 1 Hz, closed form.
+[[nodiscard]] SofterBeam softer_beam(const data::Case& paper, int last_hz);
+/// Of the undamped history at the frequency and amplitude of `converged`: `converged` itself, finite elements
+/// with the filtering step over its duration, and 20 and 40 elements with the step of `paper` over
+/// numerics.duration(), which are not converged.
+[[nodiscard]] std::vector<LateSlips> late_slips(const data::Case& paper, const ConvergedHistory& converged);
+
+/// All parts: steady forces at 15, 25, 35 and 70 Hz over 0.1 ... 1000 s and slenderness at 0.5 mm, damping at
+/// 25 Hz, 0.5 and 1 mm, and the late slips of `converged`. `damped` gives the damping. Uses thread_count()
+/// threads; the result does not depend on their number.
+[[nodiscard]] Scope scope(const data::Case& paper, const data::Case& damped,
+                          const ConvergedHistory& converged);
+
+}  // namespace stickslip::studies

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+/// What |f_max| over a time is: the start-up of an undamped beam, by both implementations.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "stickslip/analytic/damped_steady_state.hpp"
+#include "studies/criterion/problem_warnings.hpp"
+#include "studies/criterion/scope.hpp"
+#include "support/paper_case.hpp"
+#include "support/requirements.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+constexpr double half_millimetre = 0.5e-3;
+
+data::Case paper_at(double hz, double amplitude = half_millimetre) {
+  data::Case problem = paper();
+  problem.excitation = excitation(hz, amplitude);
+  return problem;
+}
+
+class SteadyForce : public ::testing::TestWithParam<double> {
+ protected:
+  static studies::SteadyForce study(const std::vector<double>& durations = {}) {
+    return studies::steady_force(paper_at(GetParam()), durations);
+  }
+};
+
+STICKSLIP_VERIFIES(SteadyForce, "X22");
+TEST_P(SteadyForce, OfAMeshDiffersFromTheClosedFormByTheFourthPowerOfTheElementLength) {
+  const auto force = study();
+  // The next term is (beta l)^2/40 of it, and near resonance the shift of the frequency counts once more.
+  EXPECT_TRUE(within(force.finite_element, force.steady,
+                     discretisation(force.predicted_error, 1.02, "extrapolation from two meshes")));
+  EXPECT_GT(std::abs(force.finite_element - force.steady), 0.98 * force.predicted_error);
+}
+
+TEST_P(SteadyForce, IsExceededByTheStartUpMoreTheLongerItLasts) {
+  const auto force = study({0.1, 1.0, 10.0, 100.0});
+  double shorter = 0.0;
+  for (const auto& horizon : force.horizons) {
+    EXPECT_GE(horizon.force_max.upper, shorter) << horizon.duration;
+    shorter = horizon.force_max.lower;
+    EXPECT_LE(horizon.force_max.lower, force.ceiling) << horizon.duration;
+    EXPECT_TRUE(within(horizon.critical_amplitude * horizon.force_max.midpoint(),
+                       friction_limit() * half_millimetre, round_off(10, 1, 0.15)));
+    ASSERT_EQ(horizon.finite_element.has_value(), horizon.duration <= 10.0);
+    if (horizon.finite_element) {
+      EXPECT_TRUE(within(*horizon.finite_element, horizon.force_max.midpoint(),
+                         discretisation(horizon.predicted_error, 1.0, "PredictedForce")));
+    }
+  }
+  EXPECT_EQ(force.grows, GetParam() == 25.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(, SteadyForce, ::testing::Values(15.0, 25.0, 35.0, 70.0));
+
+STICKSLIP_VERIFIES(DampedForce, "X22");
+TEST(DampedForce, OfALongRunIsTheClosedFormAtTheFrequencyOfTheRun) {
+  data::Case problem = paper_at(25.0);
+  problem.damping = data::load_case("damped").damping;
+  const auto force = studies::damped_force(problem);
+  // Of the free vibration exp(-zeta omega_1 T) is left after 20 s, 2e-7 of the force.
+  EXPECT_TRUE(within(force.finite_element, force.steady,
+                     discretisation(force.predicted_error + 2e-7 * force.steady, 1.5,
+                                    "frequency of mode 1 in the run, and modes above it")));
+  EXPECT_TRUE(within(force.ratio, 0.005, reference(5e-5, "the comment of damped.toml, one digit")));
+  const auto error = [&](int elements) {
+    return studies::finite_element_steady_force(problem, elements) - force.steady;
+  };
+  EXPECT_TRUE(within(error(10) / error(20), 16.0, discretisation(16.0 * 0.02, 1.0, "the next order")));
+}
+
+TEST(DampedForce, NeedsKelvinVoigtDampingOnAMesh) {
+  data::Case problem = paper_at(25.0);
+  problem.damping = data::Damping({.ratio = 0.01});
+  EXPECT_THROW((void)studies::finite_element_steady_force(problem, 4), data::FieldError);
+}
+
+STICKSLIP_VERIFIES(SlenderForce, "X22");
+TEST(SlenderForce, NearResonanceIsThatOfAMeshWhoseFirstFrequencyIsAsMuchLower) {
+  const auto force = studies::slender_force(paper_at(25.0));
+  const double error = force.model_errors.front();
+  EXPECT_EQ(error, studies::stick_model_error(paper().beam, 1));
+  const data::Case softer = with_value(paper_at(25.0), studies::Parameter::youngs_modulus,
+                                       paper().beam.youngs_modulus() / std::pow(1.0 + error, 2));
+  const double finite_element =
+      solver::max_abs_friction_force(softer.beam, softer.excitation, softer.numerics);
+  // A modulus that is lower by 2 error lowers the force of mode 1 as much besides.
+  EXPECT_TRUE(within(force.shifted_force_max, finite_element,
+                     discretisation(2.0 * error * finite_element, 1.5, "force of a mode per modulus")));
+  EXPECT_GT(force.force_max, 7.0 * force.shifted_force_max);
+}
+
+STICKSLIP_VERIFIES(LateSlips, "X22");
+TEST(LateSlips, GoOnButMoveTheTipLittleByTwoFormulations) {
+  const auto converged = studies::converged_history(
+      paper_at(35.0, 1e-3),
+      {.duration = 0.5, .samples = 1000, .steps_per_sample = 128, .levels = 2, .with_midspan = false});
+  const auto histories = studies::late_slips(paper(), converged);
+  for (const auto& history : histories) {
+    EXPECT_LT(history.settled, 0.145) << history.method;
+    EXPECT_LT(history.later_range, 2.0 * studies::settled_share * history.range) << history.method;
+    EXPECT_GT(history.last_onset, 0.4) << history.method;
+  }
+}
+
+}  // namespace
+}  // namespace stickslip::testing
