@@ -100,10 +100,10 @@ PrintedVerdict read_verdict(const Record& record) {
 
 ClaimVerdict read_claim_verdict(const Record& record) {
   const std::string text = record.text("verdict");
-  for (const auto verdict :
-       {ClaimVerdict::holds, ClaimVerdict::holds_with_correction, ClaimVerdict::does_not_hold})
+  for (const auto verdict : {ClaimVerdict::holds, ClaimVerdict::holds_with_correction,
+                             ClaimVerdict::does_not_hold, ClaimVerdict::not_determined})
     if (text == to_string(verdict)) return verdict;
-  record.fail_unless("verdict", "holds, holds with correction or does not hold");
+  record.fail_unless("verdict", "holds, holds with correction, does not hold or not determined");
 }
 
 Claim read_claim(const Record& record) {
@@ -123,11 +123,14 @@ Claim read_claim(const Record& record) {
 }
 
 Erratum read_erratum(const Record& record) {
-  return {.id = record.text("id"),
-          .place = record.text("place"),
-          .printed = record.text("printed"),
-          .holds = record.text("holds"),
-          .established = record.text("established")};
+  Erratum row{.id = record.text("id"),
+              .place = record.text("place"),
+              .printed = record.text("printed"),
+              .holds = record.text("holds"),
+              .established = record.text("established"),
+              .verdict = read_claim_verdict(record)};
+  if (row.verdict == ClaimVerdict::holds) record.fail(row.id + " is an erratum, but holds");
+  return row;
 }
 
 Unstated read_unstated(const Record& record) {
@@ -152,8 +155,8 @@ std::vector<PrintedVerdict> printed_verdicts() {
 }
 
 std::vector<Erratum> errata() {
-  auto rows =
-      read_all(errata_file(), "erratum", {"id", "place", "printed", "holds", "established"}, read_erratum);
+  auto rows = read_all(errata_file(), "erratum",
+                       {"id", "place", "printed", "holds", "established", "verdict"}, read_erratum);
   require_unique_ids(errata_file(), rows);
   return rows;
 }
@@ -166,6 +169,8 @@ std::string_view to_string(ClaimVerdict verdict) noexcept {
       return "holds with correction";
     case ClaimVerdict::does_not_hold:
       return "does not hold";
+    case ClaimVerdict::not_determined:
+      return "not determined";
   }
   return "";
 }
@@ -176,10 +181,14 @@ std::vector<Claim> claims() {
                {"id", "place", "claim", "how", "verdict", "correction", "figure", "erratum"}, read_claim);
   require_unique_ids(claims_file(), rows);
   const auto known = errata();
-  for (const auto& row : rows)
-    if (!row.erratum.empty() && std::ranges::find(known, row.erratum, &Erratum::id) == known.end())
-      throw InputError(claims_file().string() + ": " + row.id + " names the erratum " +
-                       printable(row.erratum) + ", which does not exist");
+  for (const auto& row : rows) {
+    if (row.erratum.empty()) continue;
+    const auto erratum = std::ranges::find(known, row.erratum, &Erratum::id);
+    const std::string message =
+        claims_file().string() + ": " + row.id + " names the erratum " + printable(row.erratum);
+    if (erratum == known.end()) throw InputError(message + ", which does not exist");
+    if (erratum->verdict != row.verdict) throw InputError(message + ", which has another verdict");
+  }
   return rows;
 }
 

@@ -7,6 +7,10 @@
 #include "render/study_results.hpp"
 
 namespace stickslip::data {
+NLOHMANN_JSON_SERIALIZE_ENUM(ClaimVerdict, {{ClaimVerdict::holds, "holds"},
+                                            {ClaimVerdict::holds_with_correction, "holds with correction"},
+                                            {ClaimVerdict::does_not_hold, "does not hold"},
+                                            {ClaimVerdict::not_determined, "not determined"}})
 STICKSLIP_JSON(Beam, length(), area(), second_moment_of_area(), density(), youngs_modulus(), axial_force())
 STICKSLIP_JSON(FrictionLaw, static_coefficient(), kinetic_coefficient(), decay())
 STICKSLIP_JSON(HarmonicExcitation, frequency_hz(), amplitude())
@@ -116,7 +120,8 @@ STICKSLIP_JSON(ForceRow, factor, setting, closed_form, left_open, force, change)
 STICKSLIP_JSON(InputSensitivity, input, relative, lowest_change, highest_change, at_half_digit_below,
                at_half_digit_above)
 STICKSLIP_JSON(ForceRange, force, digits, holds_printed)
-STICKSLIP_JSON(ForceDigits, frequency_hz, printed, half_digit, formula, method, problem)
+STICKSLIP_JSON(ForceDigits, frequency_hz, printed, half_digit, formula, method, problem, uncertainty,
+               verdict())
 STICKSLIP_JSON(SamplingTrial, modes, sampling_step, force, largest_difference, returned)
 STICKSLIP_JSON(SamplingSearch, most_modes, sampling_steps, returning_all, returning, closest, most_returned)
 STICKSLIP_JSON(ForceSensitivity, frequency_hz, rows, inputs, digits, search)
@@ -139,7 +144,8 @@ STICKSLIP_JSON(SlenderForce, frequency_hz, amplitude, model_errors, force_max, s
 STICKSLIP_JSON(SofterBeam, larger, all, lowest_ratio, at_hz)
 STICKSLIP_JSON(LateSlips, method, duration, range, settled, later_range, last_onset)
 STICKSLIP_JSON(Scope, friction_limit, steady, damped, slender, softer, late_slips)
-STICKSLIP_JSON(PrintedCheck, printed, computed, method, allowed, because, error(), agrees())
+STICKSLIP_JSON(PrintedCheck, printed, computed, method, allowed, because, left_open, error(), verdict(),
+               agrees())
 STICKSLIP_JSON(ErratumEvidence, erratum, quantity, unit, as_printed, corrected, reference, tolerance,
                confirmed())
 }  // namespace stickslip::studies

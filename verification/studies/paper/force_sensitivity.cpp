@@ -42,6 +42,18 @@ analytic::Bounds problem_bounds(const data::Case& paper, double hz) {
   return {kept.lower - omitted, kept.upper + omitted};
 }
 
+// Bound of the difference between f with all modes and f of Eq. (28) with N, at any time.
+double truncation_bound(const data::Case& paper, double hz) {
+  const analytic::StickResponse all(paper.beam, printed_excitation(hz), all_modes,
+                                    analytic::SteadyPart::exact),
+      kept(paper.beam, printed_excitation(hz), paper.numerics.modes());
+  double bound =
+      std::abs(all.steady_force_amplitude() - kept.steady_force_amplitude()) + all.omitted_transient_bound();
+  const auto free = all.transient_force();
+  for (std::size_t n = kept.modes().size(); n < free.size(); ++n) bound += std::abs(free[n].amplitude);
+  return bound;
+}
+
 // A row of the study and the function that computes its force at one excitation.
 struct RowPlan {
   ForceRow row;
@@ -236,7 +248,7 @@ std::vector<ForceDigits> force_digits(const data::Case& paper, const std::vector
     digits.push_back({hz, printed.value, printed.half_digit,
                       force_range(range_left_open(rows, i, true), printed),
                       force_range(range_left_open(rows, i, false), printed),
-                      force_range(problem_bounds(paper, hz), printed)});
+                      force_range(problem_bounds(paper, hz), printed), truncation_bound(paper, hz)});
   }
   return digits;
 }

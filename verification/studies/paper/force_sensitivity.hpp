@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "stickslip/analytic/bounds.hpp"
+#include "stickslip/data/paper.hpp"
 #include "stickslip/data/problem.hpp"
 
 namespace stickslip::studies {
@@ -59,6 +60,14 @@ struct ForceDigits {
   ForceRange formula;              ///< Eq. (28) with N = 10, over the sampling steps
   ForceRange method;               ///< over all rows with left_open, including finite elements
   ForceRange problem;              ///< all modes, continuous time; bounds, with an extrapolated tail
+  /// Of the unchanged Eq. (28) with N modes, N: the difference of the steady parts, and the amplitudes of all
+  /// free vibrations n > N. `problem` is within it of that force.
+  double uncertainty{};
+  /// Not determined if `method` holds the printed value and `problem` does not.
+  [[nodiscard]] data::ClaimVerdict verdict() const {
+    if (problem.holds_printed) return data::ClaimVerdict::holds;
+    return method.holds_printed ? data::ClaimVerdict::not_determined : data::ClaimVerdict::does_not_hold;
+  }
 };
 
 /// One way of sampling Eq. (28).

@@ -5,13 +5,20 @@
 /// that establish each erratum.
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "stickslip/analytic/bounds.hpp"
 #include "stickslip/data/paper.hpp"
 #include "stickslip/data/problem.hpp"
 
 namespace stickslip::studies {
+
+/// The verdict on a printed number of which both ends of `found`, and what is between them, are possible
+/// results: holds if both are within `allowed` of it, not determined if it is between them to `allowed`, else
+/// does not hold.
+[[nodiscard]] data::ClaimVerdict verdict_on(double printed, const analytic::Bounds& found, double allowed);
 
 /// A printed number and its computed value.
 struct PrintedCheck {
@@ -20,9 +27,19 @@ struct PrintedCheck {
   std::string method;   ///< such as "closed form, N = 10" or "finite elements, 20 elements"
   double allowed{};     ///< largest |computed - printed| that counts as agreement, same unit
   std::string because;  ///< the reason for `allowed`
+  /// Between these lies what the choices give that the paper leaves open; empty if it leaves none.
+  std::optional<analytic::Bounds> left_open;
   [[nodiscard]] double error() const { return computed - printed.value; }
-  [[nodiscard]] bool agrees() const { return error() <= allowed && -error() <= allowed; }
+  [[nodiscard]] data::ClaimVerdict verdict() const {
+    return verdict_on(printed.value, left_open.value_or(analytic::Bounds{computed, computed}), allowed);
+  }
+  [[nodiscard]] bool agrees() const { return verdict() == data::ClaimVerdict::holds; }
 };
+
+/// |f_max| at a printed frequency between the smallest and the largest that the paper's own settings give:
+/// ten modes of Eq. (28) at any time, every 1e-4 s (its time step) and every 5e-3 s, and finite elements. The
+/// paper does not say by which its values were found.
+[[nodiscard]] analytic::Bounds printed_force_range(const data::Case& paper, double hz);
 
 /// Computes the printed results (not the inputs) of data/paper/printed-numbers.toml that a computation can
 /// reproduce. `paper` is the case of data/cases/paper.toml.
@@ -43,7 +60,8 @@ struct ErratumEvidence {
   }
 };
 
-/// At least one row per erratum that contains a number (all except E7 and E12, which concern wording).
+/// At least one row per erratum that contains a number, except E7 and E12, which concern wording, and E6, which
+/// is a number that the paper's text does not determine (printed_checks()).
 [[nodiscard]] std::vector<ErratumEvidence> errata_evidence(const data::Case& paper);
 
 }  // namespace stickslip::studies

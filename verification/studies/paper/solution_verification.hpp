@@ -78,6 +78,9 @@ struct SolutionVerification {
 /// step are refined, so the levels are asymptotic only if one mode dominates, as at 25 Hz. Otherwise the
 /// uncertainty is the predicted one: for |f_max| the error of PredictedForce plus its own uncertainty, for a
 /// history drift_bound(), and for the time of a first slip drift_bound() divided by the slope of the force.
+/// For the position of the tip after the first slip there is no prediction: its uncertainty is the index, an
+/// estimate that the comparison with the boundary integral confirms. What follows has no entry: later slips of
+/// the undamped beam do not converge on these meshes (history_convergence.hpp).
 [[nodiscard]] SolutionVerification solution_verification(const data::Case& paper);
 
 }  // namespace stickslip::studies

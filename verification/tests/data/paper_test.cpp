@@ -232,7 +232,8 @@ class MalformedClaimsFile : public MalformedPaperFile {
  protected:
   [[nodiscard]] std::string error_message(const std::string& text) const override {
     write("errata.toml",
-          "[[erratum]]\nid = 'E1'\nplace = 'p'\nprinted = 'a'\nholds = 'b'\nestablished = 'c'\n");
+          "[[erratum]]\nid = 'E1'\nplace = 'p'\nprinted = 'a'\nholds = 'b'\nestablished = 'c'\n"
+          "verdict = 'does not hold'\n");
     write("claims.toml", text);
     return refusal_of(data::claims);
   }
@@ -245,14 +246,16 @@ class MalformedClaimsFile : public MalformedPaperFile {
 STICKSLIP_VERIFIES(MalformedClaimsFile, "P3");
 TEST_F(MalformedClaimsFile, IsDerivedFromAWellFormedOne) {
   EXPECT_EQ(error_message(claim("verdict = 'holds'\nfigure = 'fig:search'\n")), "accepted");
-  for (const std::string verdict : {"holds with correction", "does not hold"})
-    EXPECT_EQ(error_message(claim("verdict = '" + verdict + "'\ncorrection = 'c'\nerratum = 'E1'\n")),
-              "accepted");
+  for (const std::string verdict : {"holds with correction", "does not hold", "not determined"})
+    EXPECT_EQ(error_message(claim("verdict = '" + verdict + "'\ncorrection = 'c'\n")), "accepted");
+  EXPECT_EQ(error_message(claim("verdict = 'does not hold'\ncorrection = 'c'\nerratum = 'E1'\n")),
+            "accepted");
 }
 
 TEST_F(MalformedClaimsFile, MayNotHaveAnotherVerdict) {
   expect_refused(claim("verdict = 'true'\n"),
-                 "verdict is 'true' (a string), but must be holds, holds with correction or does not hold");
+                 "verdict is 'true' (a string), but must be holds, holds with correction, does not hold or "
+                 "not determined");
 }
 
 TEST_F(MalformedClaimsFile, HasACorrectionExactlyWhereTheClaimDoesNotHoldAsPrinted) {
@@ -262,9 +265,11 @@ TEST_F(MalformedClaimsFile, HasACorrectionExactlyWhereTheClaimDoesNotHoldAsPrint
   expect_refused(claim("verdict = 'does not hold'\n"), "a does not hold, but has no correction");
 }
 
-TEST_F(MalformedClaimsFile, MayNotNameAnErratumThatDoesNotExist) {
+TEST_F(MalformedClaimsFile, MayNotNameAnErratumThatDoesNotExistOrSaysSomethingElse) {
   expect_refused(claim("verdict = 'holds'\nerratum = 'E2'\n"),
                  "a names the erratum E2, which does not exist");
+  expect_refused(claim("verdict = 'not determined'\ncorrection = 'c'\nerratum = 'E1'\n"),
+                 "a names the erratum E1, which has another verdict");
 }
 
 TEST_F(MalformedClaimsFile, MayNotNameAnIdTwice) {

@@ -15,6 +15,8 @@
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/data/paper.hpp"
 #include "studies/criterion/classification.hpp"
+#include "studies/criterion/scope.hpp"
+#include "studies/paper/paper_checks.hpp"
 #include "studies/stick/force_maximum.hpp"
 #include "studies/stick/frequencies.hpp"
 #include "support/claim.hpp"
@@ -121,7 +123,7 @@ TEST(ClaimOnFigure10, TenSecondsHoldTheAbsoluteMaximumAwayFromTheNaturalFrequenc
   const auto is_maximum = [](double ratio) { return ratio < 1.01; };
   judge("fig10.ten-seconds",
         {.as_printed = std::ranges::all_of(growth, is_maximum),
-         .corrected =
+         .instead =
              is_maximum(growth[0]) && is_maximum(growth[2]) && is_maximum(growth[3]) && 0.5 * beat > 10.0},
         fmt::format("over 100 s |f_max| is {:.3f}, {:.3f}, {:.3f} and {:.3f} times that over 10 s at 15, 25, "
                     "35 and 70 Hz; at 25 Hz a beat "
@@ -173,33 +175,25 @@ TEST(ClaimOnFigure10, TheMaximumIsSharplyAmplifiedAtTheNaturalFrequencies) {
                     ratio[0], ratio[1]));
 }
 
-void judge_printed_force(const std::string& claim, double hz, double corrected) {
+// Whether a printed value comes back depends on how the largest |f| was found, which the paper does not say.
+void judge_printed_force(const std::string& claim, double hz) {
   const auto printed = data::printed_number(fmt::format("force_max.{:.0f}", hz));
-  const analytic::StickResponse response(paper().beam, excitation(hz, amplitude));
-  const double sampled =
-      response.sampled_max_abs_friction_force(paper().numerics.duration(), paper().numerics.time_step())
-          .lower;
-  const double finite_element =
-      solver::max_abs_friction_force(paper().beam, excitation(hz, amplitude), paper().numerics);
+  const analytic::Bounds found = studies::printed_force_range(paper(), hz);
+  const auto verdict = studies::verdict_on(printed.value, found, printed.half_digit);
   judge(claim,
-        {.as_printed = std::abs(sampled - printed.value) <= printed.half_digit,
-         .corrected = std::abs(sampled - corrected) <= 1e-5 * corrected},
-        fmt::format(
-            "{:.6g} N with ten modes sampled every 0.1 ms, printed {} N, {:+.2f} %; finite elements {:.6g} N",
-            sampled, printed.printed, 100.0 * (printed.value / sampled - 1.0), finite_element));
+        {.as_printed = verdict == data::ClaimVerdict::holds,
+         .with_a_choice = verdict == data::ClaimVerdict::not_determined},
+        fmt::format("{:.6g} to {:.6g} N, depending on sampling and method; printed {} N", found.lower,
+                    found.upper, printed.printed));
 }
 
-TEST(ClaimOnFigure10, PointAHasAnotherForceThanThe40_38NPrinted) {
-  judge_printed_force("fig10.point-a", 15.0, 40.463);
+TEST(ClaimOnFigure10, PointAHas40_38NOrNotAsTheMaximumIsFound) { judge_printed_force("fig10.point-a", 15.0); }
+TEST(ClaimOnFigure10, PointBHas254_87NOrNotAsTheMaximumIsFound) {
+  judge_printed_force("fig10.point-b", 35.0);
 }
-TEST(ClaimOnFigure10, PointBHasAnotherForceThanThe254_87NPrinted) {
-  judge_printed_force("fig10.point-b", 35.0, 255.165);
-}
-TEST(ClaimOnFigure10, PointCHasAnotherForceThanThe30300NPrinted) {
-  judge_printed_force("fig10.point-c", 25.0, 30465.5);
-}
-TEST(ClaimOnFigure10, PointDHasAnotherForceThanThe977_54NPrinted) {
-  judge_printed_force("fig10.point-d", 70.0, 977.86);
+TEST(ClaimOnFigure10, PointCHas30300NOrNotAsTheMaximumIsFound) { judge_printed_force("fig10.point-c", 25.0); }
+TEST(ClaimOnFigure10, PointDHas977_54NOrNotAsTheMaximumIsFound) {
+  judge_printed_force("fig10.point-d", 70.0);
 }
 
 TEST(ClaimOnFigure10, PointsAAndBStick) {
@@ -304,7 +298,7 @@ TEST(ClaimOnFigure13, TheThirdNaturalFrequencyBeforeWas169_2Hz) {
   const auto rounds_to = [&](double value, double hz) { return std::abs(hz - value) <= printed.half_digit; };
   judge("fig13.third-natural-frequency",
         {.as_printed = rounds_to(printed.value, exact) && rounds_to(printed.value, extrapolated),
-         .corrected = rounds_to(169.2, exact) && rounds_to(169.2, extrapolated)},
+         .instead = rounds_to(169.2, exact) && rounds_to(169.2, extrapolated)},
         fmt::format("{:.4f} Hz in closed form, {:.4f} Hz by finite elements extrapolated from 16 and 32 "
                     "elements; 20 elements give {:.4f} Hz",
                     exact, extrapolated, mesh[1]));
@@ -394,7 +388,7 @@ TEST(ClaimOnFigure13, TheCriticalAmplitudeIsLargerAwayFromTheSecondResonance) {
   const Larger found = larger_critical_amplitudes(c);
   std::ranges::sort(c.ratio);
   judge("fig13.larger-critical-amplitude",
-        {.as_printed = found.larger == found.all, .corrected = found.exceptions_are_near_second},
+        {.as_printed = found.larger == found.all, .instead = found.exceptions_are_near_second},
         fmt::format("on a scaled grid up to 120 Hz it is larger at {} of {} frequencies, {:.2f} times as "
                     "large in the median; smallest ratio "
                     "{:.2f}, at {:.2f} Hz, beside the second resonances of the two ({:.2f} and {:.2f} Hz)",
@@ -404,24 +398,29 @@ TEST(ClaimOnFigure13, TheCriticalAmplitudeIsLargerAwayFromTheSecondResonance) {
 
 TEST(ClaimOnFigure13, ALowRigidityBeamBetterResistsStickSlipAtTheNormalisedFrequencyOnly) {
   // As it stands: at the same excitation.
-  const auto hz = frequencies(1.0, 120.0, 1.0);
-  const auto whole = critical_amplitudes(paper().beam, hz), half = critical_amplitudes(half_stiff_beam(), hz);
-  int larger = 0;
-  double worst = 1.0, worst_hz = 0.0;
-  for (std::size_t i = 0; i < hz.size(); ++i) {
-    larger += half[i] > whole[i] ? 1 : 0;
-    if (half[i] / whole[i] < worst) {
-      worst = half[i] / whole[i];
-      worst_hz = hz[i];
-    }
+  const studies::SofterBeam same_hz = studies::softer_beam(paper(), 120);
+  // |f_max| of finite elements at one frequency in ten: the same beam is the better one.
+  const auto force_of_elements = [](const data::Beam& beam, double hz) {
+    return solver::max_abs_friction_force(beam, excitation(hz, amplitude), paper().numerics, {},
+                                          solver::Coordinates::modal);
+  };
+  int confirmed = 0;
+  for (const double hz : frequencies(10.0, 120.0, 10.0)) {
+    const bool softer_is_better =
+        critical_amplitudes(half_stiff_beam(), {hz}).front() > critical_amplitude(hz);
+    const bool on_mesh = force_of_elements(half_stiff_beam(), hz) < force_of_elements(paper().beam, hz);
+    confirmed += softer_is_better == on_mesh ? 1 : 0;
   }
+  EXPECT_EQ(confirmed, 12);
   const Larger scaled = larger_critical_amplitudes(scaled_comparison());
   judge("fig13.low-rigidity-resists",
-        {.as_printed = larger == static_cast<int>(hz.size()), .corrected = scaled.exceptions_are_near_second},
+        {.as_printed = same_hz.larger == same_hz.all,
+         .instead = same_hz.larger == 66 && scaled.exceptions_are_near_second},
         fmt::format("at the same frequency in Hz the softer beam has the larger critical amplitude at {} of "
                     "{} frequencies, and {:.2g} times that "
                     "of the other at {:.1f} Hz; at the same scaled frequency at {} of {}",
-                    larger, hz.size(), worst, worst_hz, scaled.larger, scaled.all));
+                    same_hz.larger, same_hz.all, same_hz.lowest_ratio, same_hz.at_hz, scaled.larger,
+                    scaled.all));
 }
 
 TEST(ClaimInConclusions, StickSlipOccursMoreReadilyTowardsANaturalFrequency) {
@@ -445,7 +444,7 @@ TEST(ClaimInConclusions, LowerRigidityIsMoreStableAtTheNormalisedFrequencyAwayFr
   const Larger found = larger_critical_amplitudes(c);
   judge("sect6.lower-rigidity",
         {.as_printed = found.larger == found.all,
-         .corrected = found.exceptions_are_near_second && found.larger > 0.95 * found.all},
+         .instead = found.exceptions_are_near_second && found.larger > 0.95 * found.all},
         fmt::format("the critical amplitude is larger at {} of {} normalised frequencies; the exceptions lie "
                     "within 1 Hz of the second resonances, "
                     "{:.2f} and {:.2f} Hz",

@@ -110,7 +110,7 @@ TEST(ClaimOnFigure6, TheSmallAmplitudesAreAt25And80HzNextToTheNaturalFrequencies
   };
   const double first = nearest(modes[0].frequency_hz()), second = nearest(modes[1].frequency_hz());
   judge("fig6.next-to-natural-frequencies",
-        {.as_printed = first == 25.0 && second == 85.0, .corrected = first == 25.0 && second == 80.0},
+        {.as_printed = first == 25.0 && second == 85.0, .instead = first == 25.0 && second == 80.0},
         fmt::format("of the frequencies of Fig. 6, {:.0f} Hz is closest to the first natural frequency, "
                     "{:.2f} Hz, and {:.0f} Hz to the "
                     "second, {:.2f} Hz",

@@ -93,7 +93,7 @@ TEST(ClaimOnFigure14, AboveTheLineThereAreStripsOfStickSlip) {
     }
     lengths_with_one_line += strips == before ? 1 : 0;
   }
-  judge("fig14.regions", {.as_printed = strips == 0, .corrected = explained == strips},
+  judge("fig14.regions", {.as_printed = strips == 0, .instead = explained == strips},
         fmt::format("above the line {} further strips of stick-slip cross {} lengths from 0.5 to 1.8 m; in "
                     "{} of them a natural frequency, lowered "
                     "by the axial force, passes 25 Hz, or the buckling load is within 0.05 %",
@@ -109,7 +109,7 @@ void judge_printed_length(const std::string& claim, int mode) {
                at_1000 = resonance(mode, 1000.0);
   judge(claim,
         {.as_printed = is_printed(none) && is_printed(at_500) && is_printed(at_1000),
-         .corrected = is_printed(at_500)},
+         .with_a_choice = is_printed(at_500)},
         fmt::format("natural frequency {} is 25 Hz at {:.4f} m without axial force, at {:.4f} m with 500 N "
                     "and at {:.4f} m with 1000 N",
                     mode, none, at_500, at_1000));
@@ -172,7 +172,7 @@ TEST(ClaimOnFigure14, LengthsAwayFromTheResonanceOnesOfTheirAxialForceAvoidStick
       far_from_own += all_are_far(length, own) ? 1 : 0;
     }
   }
-  judge("fig14.recommended-lengths", {.as_printed = far_from_printed == 0, .corrected = far_from_own == 0},
+  judge("fig14.recommended-lengths", {.as_printed = far_from_printed == 0, .instead = far_from_own == 0},
         fmt::format("of {} beams from 0.4 to 2 m under 300 to 7000 N {} slip; {} of these are farther than "
                     "0.1 m from 0.88 and 1.58 m, {} from the "
                     "resonance and buckling lengths of their own axial force",

@@ -211,7 +211,7 @@ TEST(ClaimOnEquation4, TheStaticFrictionForceIsTheShearForceUnderAFollowerForceO
   const double allowed = 1e-5 * std::abs(force.shear);
   const double follower = std::abs(force.follower + force.shear), fixed = std::abs(force.fixed + force.shear);
   judge("eq4.shear-force",
-        {.as_printed = follower <= allowed && fixed <= allowed, .corrected = follower <= allowed},
+        {.as_printed = follower <= allowed && fixed <= allowed, .with_a_choice = follower <= allowed},
         fmt::format("at 15 Hz and 0.5 mm E I u''' is {:.4f} N; the tip's balance on 40 elements asks for "
                     "{:.4f} N with a "
                     "follower force and for {:.4f} N with an axial force of fixed direction",

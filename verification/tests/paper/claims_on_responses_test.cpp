@@ -99,7 +99,7 @@ TEST(ClaimOnSection3, TheThresholdMissesStopsOfAStrongDeceleration) {
   const double with = first_capture(1e-4), without = first_capture(0.0);
   judge(
       "sect3.threshold",
-      {.as_printed = missed == 0, .corrected = std::abs(with - without) < paper().numerics.time_step()},
+      {.as_printed = missed == 0, .instead = std::abs(with - without) < paper().numerics.time_step()},
       fmt::format("by the letter, {} of {} stops in 0.3 s at 25 Hz and 1 mm are stepped over, for the tip "
                   "decelerates by more than "
                   "epsilon in a step; with sign changes located, epsilon moves the first capture by {:.0e} s",
@@ -158,7 +158,7 @@ TEST(ClaimOnSection3, AHundredTimesThePrintedSecondMomentOfAreaGivesTheNaturalFr
   const double wrong = first(data::Beam(as_printed)), right = first(paper().beam);
   judge("sect3.second-moment-of-area",
         {.as_printed = std::abs(wrong - printed.value) <= printed.half_digit,
-         .corrected = std::abs(right - printed.value) <= printed.half_digit},
+         .instead = std::abs(right - printed.value) <= printed.half_digit},
         fmt::format("I = (1/12) 10^-6 m^4 gives a first natural frequency of {:.3f} Hz, (1/12) 10^-4 m^4 one "
                     "of {:.3f} Hz; the paper "
                     "prints {} Hz",

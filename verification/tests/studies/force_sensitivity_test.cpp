@@ -132,8 +132,19 @@ void printed_digits_are_the_methods_and_not_the_problems() {
   for (const studies::ForceDigits& digits : study().digits) {
     EXPECT_TRUE(digits.method.holds_printed) << digits.frequency_hz;
     EXPECT_FALSE(digits.problem.holds_printed) << digits.frequency_hz;
+    EXPECT_EQ(digits.verdict(), data::ClaimVerdict::not_determined) << digits.frequency_hz;
     EXPECT_LE(digits.method.digits, 2) << digits.frequency_hz;
     EXPECT_GE(digits.problem.digits, 5) << digits.frequency_hz;
+  }
+}
+
+void the_value_of_ten_modes_and_its_uncertainty_hold_the_exact_one() {
+  for (std::size_t i = 0; i < study().digits.size(); ++i) {
+    const auto& digits = study().digits[i];
+    const double force = closed_form().force[i];
+    EXPECT_LE(force - digits.uncertainty, digits.problem.force.lower) << digits.frequency_hz;
+    EXPECT_GE(force + digits.uncertainty, digits.problem.force.upper) << digits.frequency_hz;
+    EXPECT_LT(digits.uncertainty, 0.01 * force) << digits.frequency_hz;
   }
 }
 
@@ -162,6 +173,7 @@ TEST(ForceSensitivity, IsWhatTheoryAllowsEachFactorAndThePrintedDigitsAreTheMeth
   derivatives_obey_the_dimensions();
   ranges_are_those_of_the_rows_left_open();
   printed_digits_are_the_methods_and_not_the_problems();
+  the_value_of_ten_modes_and_its_uncertainty_hold_the_exact_one();
   no_trial_returns_all_printed_digits();
 }
 

@@ -18,15 +18,18 @@ namespace stickslip::testing {
 /// What a test measured.
 struct Evidence {
   bool as_printed{};  ///< the statement passed as it is printed
-  std::optional<bool>
-      corrected{};  ///< it passed the same test once a symbol, a sign, a number or its range is put right
+  /// It passed the same test once a slip of the pen is put right: a symbol, sign, unit, word or reference.
+  std::optional<bool> corrected{};
+  /// It passed with one choice of what the paper leaves open, and failed with another.
+  std::optional<bool> with_a_choice{};
   std::optional<bool> instead{};  ///< what `correction` puts in the place of a wrong statement passed
 };
 
 inline data::ClaimVerdict verdict(const Evidence& evidence) {
   if (evidence.as_printed) return data::ClaimVerdict::holds;
-  return evidence.corrected.value_or(false) ? data::ClaimVerdict::holds_with_correction
-                                            : data::ClaimVerdict::does_not_hold;
+  if (evidence.corrected.value_or(false)) return data::ClaimVerdict::holds_with_correction;
+  return evidence.with_a_choice.value_or(false) ? data::ClaimVerdict::not_determined
+                                                : data::ClaimVerdict::does_not_hold;
 }
 
 /// Judges the claim with this id in the running test. `finding` is one sentence with the numbers measured, in

@@ -33,6 +33,17 @@ struct PrintedVerdict {
   std::string figure;     ///< "4a"
 };
 
+/// What became of a claim, an erratum or a printed number: one scale for all of them.
+enum class ClaimVerdict {
+  holds,                  ///< as printed
+  holds_with_correction,  ///< once a slip of the pen is put right: a symbol, sign, unit, word or reference
+  does_not_hold,          ///< as printed: something else does
+  not_determined  ///< by what the paper states: with one choice of what it leaves open it holds, with another not
+};
+
+/// "holds", "holds with correction", "does not hold" or "not determined".
+[[nodiscard]] std::string_view to_string(ClaimVerdict verdict) noexcept;
+
 /// One row of the errata ledger.
 struct Erratum {
   std::string id;  ///< "E1"
@@ -40,6 +51,7 @@ struct Erratum {
   std::string printed;
   std::string holds;
   std::string established;  ///< how
+  ClaimVerdict verdict{};   ///< of the printed text; never holds
 };
 
 /// Something that a recomputation needs and the paper does not say.
@@ -48,16 +60,6 @@ struct Unstated {
   std::string choice;  ///< what is used here
   std::string reason;
 };
-
-/// What became of a claim.
-enum class ClaimVerdict {
-  holds,                  ///< as printed
-  holds_with_correction,  ///< once a symbol, a sign, a number or its range is put right
-  does_not_hold           ///< something else does
-};
-
-/// "holds", "holds with correction" or "does not hold".
-[[nodiscard]] std::string_view to_string(ClaimVerdict verdict) noexcept;
 
 /// A statement of the paper that can be true or false.
 struct Claim {
