@@ -4,12 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "case_options.hpp"
 #include "commands.hpp"
 #include "number_text.hpp"
 #include "render/interruption.hpp"
+#include "stickslip/analytic/damped_steady_state.hpp"
 
 namespace stickslip::cli {
 
@@ -20,20 +24,22 @@ struct CriterionOptions {
   ExcitationOptions excitation;
 };
 
+constexpr int kept_modes = 200;
+
 analytic::Criterion with_paper_modes(const data::Case& problem) {
   return analytic::evaluate_criterion(problem.beam, problem.friction, problem.excitation,
                                       problem.numerics.duration(), problem.numerics.modes());
 }
 
-// The criterion without truncation: exact steady part, `kept` free vibrations, and the bound of what the
+// The criterion without truncation: exact steady part, `kept_modes` free vibrations, and the bound of what the
 // others can add. Evaluated at an amplitude of 1 m and scaled, since the reaction is proportional to the
 // amplitude.
 analytic::Criterion with_all_modes(const data::Case& problem) {
-  constexpr int kept = 200;
   const data::HarmonicExcitation unit({.frequency_hz = problem.excitation.frequency_hz(), .amplitude = 1.0});
-  const auto criterion = analytic::evaluate_criterion(
-      problem.beam, problem.friction, unit, problem.numerics.duration(), kept, analytic::SteadyPart::exact);
-  const double omitted = analytic::StickResponse(problem.beam, unit, kept, analytic::SteadyPart::exact)
+  const auto criterion =
+      analytic::evaluate_criterion(problem.beam, problem.friction, unit, problem.numerics.duration(),
+                                   kept_modes, analytic::SteadyPart::exact);
+  const double omitted = analytic::StickResponse(problem.beam, unit, kept_modes, analytic::SteadyPart::exact)
                              .omitted_transient_bound();
   const analytic::Bounds unit_force{std::max(0.0, criterion.force_max.lower - omitted),
                                     criterion.force_max.upper + omitted};
@@ -45,21 +51,77 @@ analytic::Criterion with_all_modes(const data::Case& problem) {
           .verdict = slips ? analytic::Verdict::stick_slip : analytic::Verdict::stick};
 }
 
-void print_table(const data::Case& problem, const analytic::Criterion& paper,
-                 const analytic::Criterion& all) {
-  const auto row = [](std::string_view name, std::string_view left, std::string_view right) {
-    fmt::print("{:<28}{:<20}{}\n", name, left, right);
-  };
+// The amplitude of f in the steady vibration of the held beam, N, the excitation amplitude at which it is
+// mu_s P, m, and the verdict on it.
+struct SteadyState {
+  double force{}, critical_amplitude{};
+  analytic::Verdict verdict{};
+};
+
+double unit_steady_force(const data::Case& problem) {
+  const data::HarmonicExcitation unit({.frequency_hz = problem.excitation.frequency_hz(), .amplitude = 1.0});
+  if (!studies::is_damped(problem))
+    return std::abs(analytic::StickResponse(problem.beam, unit, kept_modes, analytic::SteadyPart::exact)
+                        .steady_force_amplitude());
+  const analytic::DampedSteadyState state(problem.beam, unit, problem.damping, analytic::TipSupport::held);
+  return std::abs(state.friction_force());
+}
+
+SteadyState steady_state(const data::Case& problem) {
+  const double unit_force = unit_steady_force(problem);
+  const double force = problem.excitation.amplitude() * unit_force;
+  const double limit = problem.friction.static_coefficient() * problem.beam.axial_force();
+  return {.force = force,
+          .critical_amplitude = limit / unit_force,
+          .verdict = force > limit ? analytic::Verdict::stick_slip : analytic::Verdict::stick};
+}
+
+// Nothing where the undamped force grows over all of the duration.
+std::optional<SteadyState> undamped_steady_state(const data::Case& problem) {
+  const auto warnings = studies::problem_warnings(problem, studies::Inquiry::criterion);
+  if (std::ranges::find(warnings, studies::Concern::resonance, &studies::Warning::concern) != warnings.end())
+    return std::nullopt;
+  return steady_state(problem);
+}
+
+std::string seven_digits(double value) { return fmt::format("{:.7g}", value); }
+
+void print_row(std::string_view name, std::string_view left, std::string_view right = "") {
+  fmt::print("{:<28}{:<{}}{}\n", name, left, right.empty() ? 0 : 20, right);
+}
+
+void print_table(const data::Case& problem, const analytic::Criterion& paper, const analytic::Criterion& all,
+                 const std::optional<SteadyState>& steady) {
   fmt::print(
       "{}: {} Hz, {} m, 0 to {} s\n\n", problem.name, data::shortest_text(problem.excitation.frequency_hz()),
       data::shortest_text(problem.excitation.amplitude()), data::shortest_text(problem.numerics.duration()));
-  row("", fmt::format("N = {}", problem.numerics.modes()), "all modes");
-  row("largest |f| / N", common_digits(paper.force_max), common_digits(all.force_max));
-  row("friction limit mu_s P / N", data::shortest_text(paper.friction_limit),
-      data::shortest_text(all.friction_limit));
-  row("critical amplitude / m", common_digits(paper.critical_amplitude),
-      common_digits(all.critical_amplitude));
-  row("verdict", to_string(paper.verdict), to_string(all.verdict));
+  print_row("", fmt::format("N = {}", problem.numerics.modes()), "all modes");
+  print_row("largest |f| / N", common_digits(paper.force_max), common_digits(all.force_max));
+  print_row("friction limit mu_s P / N", data::shortest_text(paper.friction_limit),
+            data::shortest_text(all.friction_limit));
+  print_row("critical amplitude / m", common_digits(paper.critical_amplitude),
+            common_digits(all.critical_amplitude));
+  print_row("verdict", to_string(paper.verdict), to_string(all.verdict));
+  if (steady) {
+    print_row("steady |f| / N", "", seven_digits(steady->force));
+    print_row("verdict, steady", "", to_string(steady->verdict));
+  } else {
+    print_row("steady |f| / N", "", "none, it grows all the time");
+  }
+  fmt::print("\nThe largest |f| is that of a start-up without damping: its free vibrations do not decay.\n");
+}
+
+// With damping only the steady vibration is known in closed form.
+void print_damped_table(const data::Case& problem, const SteadyState& steady) {
+  fmt::print("{}: {} Hz, {} m, with damping\n\n", problem.name,
+             data::shortest_text(problem.excitation.frequency_hz()),
+             data::shortest_text(problem.excitation.amplitude()));
+  print_row("steady |f| / N", seven_digits(steady.force));
+  print_row("friction limit mu_s P / N",
+            data::shortest_text(problem.friction.static_coefficient() * problem.beam.axial_force()));
+  print_row("critical amplitude / m", seven_digits(steady.critical_amplitude));
+  print_row("verdict, steady", to_string(steady.verdict));
+  fmt::print("\nThe start-up is not included: respond --method fe follows it.\n");
 }
 
 Json to_json(const analytic::Criterion& criterion) {
@@ -70,8 +132,14 @@ Json to_json(const analytic::Criterion& criterion) {
           {"verdict", to_string(criterion.verdict)}};
 }
 
+Json to_json(const SteadyState& steady) {
+  return {{"force_N", steady.force},
+          {"critical_amplitude_m", steady.critical_amplitude},
+          {"verdict", to_string(steady.verdict)}};
+}
+
 Json to_json(const data::Case& problem, const analytic::Criterion& paper, const analytic::Criterion& all,
-             const std::vector<std::string>& warnings) {
+             const std::optional<SteadyState>& steady, const std::vector<std::string>& warnings) {
   Json object{{"case", problem.name},
               {"frequency_hz", problem.excitation.frequency_hz()},
               {"amplitude_m", problem.excitation.amplitude()},
@@ -79,27 +147,50 @@ Json to_json(const data::Case& problem, const analytic::Criterion& paper, const 
               {"modes", problem.numerics.modes()}};
   object.update(to_json(paper));
   object["all_modes"] = to_json(all);
+  object["steady"] = steady ? to_json(*steady) : Json();
   object["warnings"] = warnings;
   return object;
+}
+
+void answer_damped(const data::Case& problem, bool json) {
+  const SteadyState steady = steady_state(problem);
+  const auto warnings = warnings_of(problem, studies::Inquiry::criterion);
+  const Json answer{{"case", problem.name},
+                    {"frequency_hz", problem.excitation.frequency_hz()},
+                    {"amplitude_m", problem.excitation.amplitude()},
+                    {"kelvin_voigt_s", problem.damping.kelvin_voigt()},
+                    {"friction_limit_N", problem.friction.static_coefficient() * problem.beam.axial_force()},
+                    {"steady", to_json(steady)},
+                    {"warnings", warnings}};
+  require_finite(answer);
+  print_warnings(warnings);
+  if (json)
+    print_json(answer);
+  else
+    print_damped_table(problem, steady);
 }
 
 void run(const CriterionOptions& options) {
   const data::Case problem =
       data::load_case(options.problem.name, overrides_of(options.problem, options.excitation));
-  require_undamped(problem, "the criterion");
   analytic::require_contact(problem.beam);
+  if (studies::is_damped(problem)) {
+    answer_damped(problem, options.problem.json);
+    return;
+  }
   studies::require_feasible(problem, studies::Inquiry::criterion);
   const report::Interruption interruption([] { return "interrupted before there was a result"; });
   const auto paper = with_paper_modes(problem);
   const auto all = with_all_modes(problem);
   const auto warnings = warnings_of(problem, studies::Inquiry::criterion);
-  const Json answer = to_json(problem, paper, all, warnings);
+  const auto steady = undamped_steady_state(problem);
+  const Json answer = to_json(problem, paper, all, steady, warnings);
   require_finite(answer);
   print_warnings(warnings);
   if (options.problem.json)
     print_json(answer);
   else
-    print_table(problem, paper, all);
+    print_table(problem, paper, all, steady);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// The command line, run as a program: exit status, streams, formats and files.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -17,6 +18,8 @@
 #include <utility>
 #include <vector>
 
+#include "stickslip/data/case_file.hpp"
+#include "studies/criterion/scope.hpp"
 #include "support/command_line.hpp"
 #include "support/requirements.hpp"
 
@@ -317,12 +320,41 @@ TEST_F(CommandLine, FiniteElementsFollowTheDampingOfTheCase) {
                  "numerics.elements is 501, but must be at most 500 with a damping.ratio above 0");
 }
 
-TEST_F(CommandLine, WhatIsUndampedRefusesADampedCase) {
-  for (const std::string command : {"criterion", "respond --method closed-form"}) {
-    expect_refused(command + " damped", "damping.kelvin_voigt is 6.4e-05, but must be 0 for the c");
-    expect_refused(command + " --set damping.ratio=0.01", "damping.ratio is 0.01, but must be 0 for the c");
-    EXPECT_EQ(run(command + " --set damping.ratio=0").status, 0);
-  }
+TEST_F(CommandLine, TheClosedFormHistoryRefusesADampedCase) {
+  const std::string command = "respond --method closed-form";
+  expect_refused(command + " damped", "damping.kelvin_voigt is 6.4e-05, but must be 0 for the c");
+  expect_refused(command + " --set damping.ratio=0.01", "damping.ratio is 0.01, but must be 0 for the c");
+  EXPECT_EQ(run(command + " --set damping.ratio=0").status, 0);
+}
+
+TEST_F(CommandLine, CriterionGivesTheSteadyForceBesideThatOfTheStartUp) {
+  const auto slow = json("criterion --hz 35 --amplitude 1e-3");
+  EXPECT_EQ(slow["verdict"], "stick-slip");
+  EXPECT_EQ(slow["steady"]["verdict"], "stick");
+  EXPECT_NEAR(
+      slow["steady"]["force_N"].get<double>(),
+      studies::finite_element_steady_force(
+          data::load_case("paper", {{"excitation.frequency_hz", "35"}, {"excitation.amplitude", "1e-3"}}),
+          40),
+      1e-4);  // the fourth power of the element length: 1.4e-7 of 224 N
+  EXPECT_NE(run("criterion --hz 35").output.find("\nverdict, steady                                 stick\n"),
+            std::string::npos);
+  EXPECT_TRUE(json("criterion --hz 25")["steady"].is_null());
+  EXPECT_NE(run("criterion --hz 25").output.find("none, it grows all the time\n"), std::string::npos);
+}
+
+TEST_F(CommandLine, CriterionOfADampedCaseIsThatOfTheSteadyForce) {
+  const auto answer = json("criterion damped");
+  EXPECT_FALSE(answer.contains("force_max_N"));
+  const double force = answer["steady"]["force_N"], critical = answer["steady"]["critical_amplitude_m"];
+  EXPECT_NEAR(force, studies::finite_element_steady_force(data::load_case("damped"), 40), 1e-5 * force);
+  EXPECT_DOUBLE_EQ(critical * force, 1e-3 * 300.0);
+  EXPECT_EQ(answer["steady"]["verdict"], "stick-slip");
+  EXPECT_EQ(json(fmt::format("criterion damped --amplitude {}", 0.999 * critical))["steady"]["verdict"],
+            "stick");
+  EXPECT_NE(run("criterion damped").output.find("The start-up is not included"), std::string::npos);
+  expect_refused("criterion --set damping.ratio=0.01",
+                 "damping.ratio is 0.01, but must be 0: the closed form knows Kelvin-Voigt damping alone");
 }
 
 TEST_F(CommandLine, ModesOfADampedCaseSayThatTheyAreUndamped) {
