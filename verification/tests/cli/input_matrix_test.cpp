@@ -116,7 +116,7 @@ constexpr Exception exceptions[] = {
      "any word may stand in a table"},
     {"package integer", "*", "@(huge|negative|zero)", "any finite number may stand in a table"},
     {"package radius", "*", "@(denormal|huge|zero)", "any finite number may stand in a table"},
-    {"package number", "undamped-history-* time", "zero", ""},  // the time of the first row
+    {"package number", "@(undamped-history-* time|*-fields x)", "zero", ""},  // the key of the first row
     {"package number", "*", "@(denormal|huge|negative|zero)", "any finite number may stand in a table"},
     {"package key",
      "@(profile|licenses/*/name|resources/*/@(profile|format|mediatype|encoding|comparison|diagnosis))",

@@ -539,8 +539,7 @@ json package_of(const std::string& csv, const std::string& digest, const std::ve
   resource["schema"] = {{"fields", json::array()}};
   for (const std::string& name : columns)
     resource["schema"]["fields"].push_back({{"name", name}, {"type", "number"}});
-  resource.erase("comparison");
-  resource.erase("diagnosis");
+  for (const char* key : {"comparison", "diagnosis", "problem"}) resource.erase(key);
   return package;
 }
 
