@@ -27,7 +27,7 @@ struct MassProblem {
   double normal_force{};
   data::FrictionCoefficients friction{};
   double position{};
-  std::optional<double> velocity;  // without it the mass starts stuck
+  std::optional<double> velocity{};  // without it the mass starts stuck
   double time_step{};
   bool is_pair{};
   double end_of_pull{};
@@ -107,8 +107,12 @@ struct History {
 };
 
 analytic::ContactModel contact_model(const MassProblem& problem) {
-  analytic::ContactModel model{.contact_mass = problem.mass,
+  analytic::ContactModel model{.angular_frequency = {},
+                               .mass_coupling = {},
+                               .contact_mass = problem.mass,
                                .contact_stiffness = problem.stiffness,
+                               .follower = {},
+                               .damping = {},
                                .load = {problem.amplitude},
                                .contact_force = problem.force,
                                .load_angular_frequency = problem.rate,
