@@ -378,15 +378,15 @@ class Search {
     try {
       const Observed seen = observed(compared, *quantity, group, problem);
       if (seen.truth.empty()) return false;
-      const ModelResults computed =
-          seen.cases.empty()
-              ? model_results(problem, *quantity, seen.observation.abscissa, settings_.progress)
-              : model_results(seen.cases, *quantity, seen.observation.abscissa, settings_.progress);
-      if (!seen.cases.empty() && is_of_all_modes(computed, seen)) {
+      if (is_of_all_modes(seen)) {
         likeness.sentence = fmt::format("like all modes: the data set has {}", problem.numerics.modes());
         likeness.diagnosis = Diagnosis{.finding = Finding::mistaken, .named = {"all-modes"}};
         return true;
       }
+      const auto& [what, abscissa, values, uncertainty] = seen.observation;
+      const ModelResults computed = seen.cases.empty()
+                                        ? model_results(problem, what, abscissa, settings_.progress)
+                                        : model_results(seen.cases, what, abscissa, settings_.progress);
       const Diagnosis found = studies::diagnose(relative_to_data(computed, seen.truth), seen.observation);
       likeness.sentence =
           found.finding == Finding::correct
@@ -400,11 +400,18 @@ class Search {
     return true;
   }
 
-  // Whether the values are three times nearer to those of all modes than to the data set. Three is empirical.
-  static bool is_of_all_modes(const ModelResults& all_modes, const Observed& seen) {
+  // Whether the values of a maximum are three times nearer to those of all modes than to the data set. Three
+  // is empirical.
+  static bool is_of_all_modes(const Observed& seen) {
     constexpr double ratio = 3.0;
-    return ratio * distance(all_modes, seen.observation.values, all_modes.reference) <
-           distance(all_modes, seen.observation.values, seen.truth);
+    double all_modes = 0.0, data_set = 0.0;
+    for (std::size_t i = 0; i < seen.cases.size(); ++i) {
+      const auto& [quantity, abscissa, values, uncertainty] = seen.observation;
+      const double right = reference_result(seen.cases[i], quantity, {abscissa[i]}).front();
+      all_modes += std::pow(values[i] / right - 1.0, 2);
+      data_set += std::pow(values[i] / seen.truth[i] - 1.0, 2);
+    }
+    return ratio * std::sqrt(all_modes) < std::sqrt(data_set);
   }
 
   // A data set that some of many named mistakes change and others do not.
