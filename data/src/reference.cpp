@@ -156,16 +156,16 @@ Interpolation interpolation_of(const JsonNode& node, const Resource& resource) {
 }
 
 ComparedValue compared_value_of(const JsonNode& node, const Resource& resource) {
+  node.require_spelling({"field", "norm", "tolerance", "decided_by"});
   ComparedValue value;
   value.norm = static_cast<Norm>(node.at("norm").one_of(words(norm_names)));
   value.tolerance = not_negative(node.at("tolerance"));
   const JsonNode field = node.at("field");
   if (value.norm != Norm::word) {
-    node.require_spelling({"field", "norm", "tolerance"});
+    if (const auto deciding = node.find("decided_by")) deciding->fail("is for words only");
     value.field = number_column_in(resource, field);
     return value;
   }
-  node.require_spelling({"field", "norm", "tolerance", "decided_by"});
   value.field = column_in(resource, field);
   if (resource.field(value.field)->type != FieldType::string) field.fail_unless("a column of words");
   if (const auto deciding = node.find("decided_by")) {
