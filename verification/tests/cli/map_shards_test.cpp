@@ -104,7 +104,8 @@ TEST_F(MapShards, AreTheSameMapOnAnyNumberOfThreads) {
 }
 
 TEST_F(MapShards, MergeToTheBytesOfTheWholeMap) {
-  for (const std::string map : {closed_form, finite_elements}) {
+  const std::string with_a_jump = closed_form + std::string("--set friction.decay=inf ");
+  for (const std::string& map : {std::string(closed_form), std::string(finite_elements), with_a_jump}) {
     const std::string whole = made(map, "whole.csv");
     for (const int parts : {1, 2, 3, 7}) {  // the second map has three evaluations
       make_shards(map, parts);
