@@ -333,6 +333,7 @@ def read_values(templates, data, values):
     mutants = templates.parent.parent / "verification" / "mutants"
     known["mutants"] = list(csv.DictReader((mutants / "summary.csv").read_text().splitlines()))
     known |= tomllib.loads((mutants / "survivors.toml").read_text())
+    known["scoreboard"] = list(csv.DictReader((mutants.parent / "peers" / "scoreboard.csv").read_text().splitlines()))
     known["requirements"] = list(requirements_of(known["tests"]))
     known["bad_input"] = bad_input_of(known["tests"])
     known["named"], known["tolerances"] = ([entry for test in known["tests"] for entry in test[key]]

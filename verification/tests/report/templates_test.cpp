@@ -42,6 +42,8 @@ class ReportTemplates : public ::testing::Test {
     report::write_text(folder_ / "verification" / "mutants" / "summary.csv", "part,killed\n");
     report::write_text(folder_ / "verification" / "mutants" / "survivors.toml", "equivalent = []\n");
     report::write_text(folder_ / "verification" / "acceptance.toml", "result = []\n");
+    fs::create_directories(folder_ / "verification" / "peers");
+    report::write_text(folder_ / "verification" / "peers" / "scoreboard.csv", "code,verdict\n");
   }
   void TearDown() override {
     ::unsetenv("STICKSLIP_REPORTS");
