@@ -7,7 +7,7 @@
 
 The codes come from Debian 12. They are installed in a folder of their own, build/peers/debian (debootstrap, chroot), so
 that nothing on this machine changes; that needs root. Every row is kept in build/peers/results.csv, and a run that was
-interrupted goes on after it. A row is made again if its driver, its line in peers.toml, the reference data or the
+interrupted goes on after it. A row that did not run is tried again, and a row is made again if its driver, its line in peers.toml, the reference data or the
 program has changed. What cannot run is a row "not run" with the reason.
 
 `seconds` is processor time of the whole driver, start-up of the interpreter included and compilation not. `cost` is its
@@ -69,7 +69,8 @@ def execute(command, what):
     run = subprocess.run(command, capture_output=True, text=True, errors="replace", preexec_fn=limit)
     after = os.times()
     if run.returncode != 0:
-        lines = (run.stderr + run.stdout).strip().splitlines() or [f"exit code {run.returncode}"]
+        lines = [line for line in (run.stderr + run.stdout).splitlines() if line.strip() and "ignoring const" not in line]
+        lines = lines or [f"exit code {run.returncode}"]
         reason = f"more than {PATIENCE} s" if run.returncode in (137, -9, 152) else lines[-1].strip()[:120]
         raise CannotRun(f"{what}: {reason}")
     return after.children_user + after.children_system - before.children_user - before.children_system
@@ -104,7 +105,8 @@ def install(packages):
 def judge(problem, output):
     """What stickslip says about result.csv: verdict, the quantity that fares worst, its error and its tolerance."""
     name = "events.csv" if problem.endswith("-events") else "result.csv"
-    command = [PROGRAM, "compare", problem, output / name, "--quiet", "--json", output / "verdict.json"]
+    command = [PROGRAM, "compare", problem, output / name, "--quiet", "--json", output / "verdict.json",
+               "--package", ROOT / "data" / "reference"]
     if (output / "events.csv").exists() and name == "result.csv":
         command += ["--events", output / "events.csv"]
     (output / "verdict.json").unlink(missing_ok=True)
@@ -186,7 +188,8 @@ def main():
     WORK.mkdir(parents=True, exist_ok=True)
     store, kept, times = WORK / "results.csv", {}, {}
     if store.exists():
-        kept = {row["fingerprint"] + row["problem"]: row for row in csv.DictReader(store.open())}
+        kept = {row["fingerprint"] + row["problem"]: row for row in csv.DictReader(store.open())
+                if row["verdict"] != "not run"}  # what failed is tried again
 
     def ours(problem):
         """Processor time of stickslip with default settings, mean of three runs; None if it has no such problem."""

@@ -73,7 +73,8 @@ function [samples, events] = history (problem, beam, elements, solver, rtol, ato
     run = solve (rate, [t, wanted](:), x, options);
     ended = ! isempty (run.ie);
     times = run.x(:)'; states = run.y; if (columns (states) != numel (times)) states = states'; endif
-    for k = find (ismember (times, wanted))
+    last = ifelse_ (ended, min ([run.xe(:); Inf]), Inf);  # a sample behind the event belongs to the next phase
+    for k = find (ismember (times, wanted) & times < last)
       y = states(:,k); f = ifelse_ (direction == 0, -reaction (times(k), y), direction * mu_P (y(row) + h1 (times(k))));
       samples(end+1,:) = [times(k), direction == 0, h(times(k)) + y(middle), h(times(k)) + y(tip), f];
     endfor
