@@ -19,6 +19,7 @@ import csv
 import functools
 import hashlib
 import json
+import math
 import os
 import pathlib
 import resource
@@ -34,7 +35,7 @@ PROGRAM = ROOT / "build" / "release" / "bin" / "stickslip"
 SCOREBOARD = FOLDER / "scoreboard.csv"
 COLUMNS = ["code", "version", "problem", "settings", "verdict", "quantity", "error", "tolerance", "seconds", "cost", "note"]
 MIRROR = "http://deb.debian.org/debian"
-PATIENCE = 900  # seconds of processor time that a driver may take
+PATIENCE = 120  # seconds of processor time that a driver may take
 
 # Sees the drivers, the data and a folder for results, and leaves nothing mounted when it ends or is killed.
 ENTER = """
@@ -71,7 +72,7 @@ def execute(command, what):
     if run.returncode != 0:
         lines = [line for line in (run.stderr + run.stdout).splitlines() if line.strip() and "ignoring const" not in line]
         lines = lines or [f"exit code {run.returncode}"]
-        reason = f"more than {PATIENCE} s" if run.returncode in (137, -9, 152) else lines[-1].strip()[:120]
+        reason = f"more than {PATIENCE} s" if run.returncode in (137, 152, -9, -24) else lines[-1].strip()[:120]
         raise CannotRun(f"{what}: {reason}")
     return after.children_user + after.children_system - before.children_user - before.children_system
 
@@ -115,6 +116,8 @@ def judge(problem, output):
         raise CannotRun(run.stderr.strip().splitlines()[-1].replace(str(output) + "/", "")[:160])
     verdict = json.loads((output / "verdict.json").read_text())
     compared = [q for q in verdict["quantities"] if q["compared"] > 0 or q["verdict"] == "differs"]
+    for quantity in compared:
+        quantity["error"] = math.inf if quantity["error"] is None else quantity["error"]
     worst = max(compared, key=lambda q: (q["verdict"] == "differs", q["error"] / (q["tolerance"] or 1e-9)))
     unit = worst["unit"] if worst["norm"] == "absolute" else ""
     return {"verdict": verdict["verdict"], "quantity": worst["quantity"],
