@@ -72,7 +72,8 @@ def execute(command, what):
     if run.returncode != 0:
         lines = [line for line in (run.stderr + run.stdout).splitlines() if line.strip() and "ignoring const" not in line]
         lines = lines or [f"exit code {run.returncode}"]
-        reason = f"more than {PATIENCE} s" if run.returncode in (137, 152, -9, -24) else lines[-1].strip()[:120]
+        reason = f"more than {PATIENCE} s" if run.returncode in (137, 152, -9, -24) else \
+            next((line for line in lines if line.startswith("error:")), lines[-1]).strip()[:120]
         raise CannotRun(f"{what}: {reason}")
     return after.children_user + after.children_system - before.children_user - before.children_system
 
