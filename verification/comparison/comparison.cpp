@@ -232,14 +232,9 @@ class Comparer {
     return 1.0;
   }
 
-  [[nodiscard]] bool is_diagnosed(const std::string& field) const {
-    const auto& diagnosis = reference_.resource.diagnosis;
-    return diagnosis && diagnosis->value == field;
-  }
-
   // Compares one value of the user with the reference, unless the reference has no value there.
-  void judge_at(Comparison::Quantity& quantity, Group& group, double abscissa, const Interpolated& theirs,
-                const std::optional<Interpolated>& reference, double scale, const std::string& where) {
+  static void judge_at(Comparison::Quantity& quantity, double abscissa, const Interpolated& theirs,
+                       const std::optional<Interpolated>& reference, double scale, const std::string& where) {
     if (!reference || !std::isfinite(reference->value)) {
       skip(quantity, no_value);
       return;
@@ -249,7 +244,7 @@ class Comparer {
                       .reference = reference->value,
                       .half_width = reference->half_width + theirs.half_width,
                       .where = where};
-    if (judge(quantity, point, scale) && is_diagnosed(quantity.name)) group.differs = true;
+    judge(quantity, point, scale);
   }
 
   void skip_in_all(const std::string& reason) {
@@ -265,7 +260,7 @@ class Comparer {
   };
 
   // Compares the values of pairs of rows at the abscissas of the reference.
-  void compare_pairs(Group& group, const std::vector<Pair>& pairs,
+  void compare_pairs(const Group& group, const std::vector<Pair>& pairs,
                      const std::function<std::string(const Pair&)>& where) {
     for (Comparison::Quantity& quantity : result_.quantities) {
       if (quantity.norm == Norm::word) {
@@ -281,7 +276,7 @@ class Comparer {
                                     ? static_cast<double>(pair.row + 1)
                                     : reference_.column(result_.abscissa).values[pair.row];
         const bool is_event_time = rule_.kind == ComparisonKind::events && quantity.name == "time";
-        judge_at(quantity, group, abscissa,
+        judge_at(quantity, abscissa,
                  is_event_time ? pair.their_time : Interpolated{their_values[pair.their_row], 0.0},
                  Interpolated{values[pair.row], radius[pair.row]}, scale, where(pair));
       }
@@ -322,7 +317,7 @@ class Comparer {
   void compare_table() {
     const auto& key = reference_.resource.primary_key;
     std::vector<std::string> missing;
-    for (Group& group : groups_) {
+    for (const Group& group : groups_) {
       open_series(group);
       Rows absent = group.reference;
       std::vector<Pair> pairs;
@@ -436,8 +431,8 @@ class Comparer {
                        group.label.empty() ? "" : ", " + group.label);
   }
 
-  void compare_samples(Comparison::Quantity& quantity, Group& group, const Rows& rows, const Rows& their_rows,
-                       const Grid& grid) {
+  void compare_samples(Comparison::Quantity& quantity, const Group& group, const Rows& rows,
+                       const Rows& their_rows, const Grid& grid) {
     if (their_rows.empty()) return;
     const double scale = scale_of(quantity.name, quantity.norm, group);
     const Samples reference = samples_of(quantity.name, rows);
@@ -450,7 +445,7 @@ class Comparer {
     for (std::size_t i = 0; i < found.between; ++i) skip(quantity, between_samples);
     for (std::size_t i = 0; i < found.past_last; ++i) skip(quantity, past_last_sample);
     for (const auto& [x, value, known] : found.points)
-      judge_at(quantity, group, x, value, known, scale, where_of(group, x));
+      judge_at(quantity, x, value, known, scale, where_of(group, x));
   }
 
   // The user's rows of a group up to the horizon and in the range of the reference. The others are counted as
@@ -504,7 +499,7 @@ class Comparer {
   }
 
   void compare_curves() {
-    for (Group& group : groups_) {
+    for (const Group& group : groups_) {
       open_series(group);
       if (!has_begun(group)) continue;
       const Grid grid = grid_of(group);
@@ -538,7 +533,7 @@ class Comparer {
   }
 
   // Counts the events without a partner and names the first of them.
-  void note_difference(Comparison::Quantity& sequence, Group& group, const SequenceMatch& found,
+  void note_difference(Comparison::Quantity& sequence, const Group& group, const SequenceMatch& found,
                        const std::vector<TabulatedEvent>& events,
                        const std::vector<TabulatedEvent>& their_events) {
     constexpr std::size_t shown = 8;
@@ -552,7 +547,6 @@ class Comparer {
       note(fmt::format("{} is missing in the file", description(events[i])));
     for (const std::size_t i : found.extra)
       note(fmt::format("{} of the file is not in the data set", description(their_events[i])));
-    if (found.missing.size() + found.extra.size() > 0) group.differs = true;
     if (*sequence.error > static_cast<double>(shown))
       result_.remarks.push_back(
           prefix + fmt::format("{:g} events are missing or not in the data set", *sequence.error));
@@ -578,7 +572,7 @@ class Comparer {
 
   void compare_events() {
     Comparison::Quantity sequence = count_of("sequence", "events");
-    for (Group& group : groups_) {
+    for (const Group& group : groups_) {
       open_series(group);
       if (!has_begun(group)) continue;
       const auto events = without_short_phases(events_of(reference_, group.reference), rule_.shortest_phase);
@@ -685,7 +679,7 @@ class Comparer {
     return word;
   }
 
-  [[nodiscard]] Events find_events(const data::ReferenceTable& table, Group& group,
+  [[nodiscard]] Events find_events(const data::ReferenceTable& table, const Group& group,
                                    Comparison::Quantity& sequence) {
     const data::ComparisonRule& rule = *table.resource.comparison;
     Events events;
@@ -707,7 +701,7 @@ class Comparer {
   void compare_phases() {
     const data::ReferenceTable table = data::read_table(package_, rule_.events);
     Comparison::Quantity phase = count_of("phase", "samples"), sequence = count_of("sequence", "events");
-    for (Group& group : groups_) {
+    for (const Group& group : groups_) {
       open_series(group);
       if (!has_begun(group)) continue;
       const Events events = find_events(table, group, sequence);
@@ -727,8 +721,8 @@ class Comparer {
   }
 
   // The user's rows in each phase of the reference, without those in another phase or near to an event.
-  [[nodiscard]] std::vector<Rows> their_rows_by_phase(Group& group, const Grid& grid, const Events& events,
-                                                      const std::vector<Rows>& rows,
+  [[nodiscard]] std::vector<Rows> their_rows_by_phase(const Group& group, const Grid& grid,
+                                                      const Events& events, const std::vector<Rows>& rows,
                                                       Comparison::Quantity& phase) {
     const auto &abscissa = reference_.column(rule_.abscissa).values,
                &times = theirs_.column(rule_.abscissa)->values;
@@ -765,13 +759,12 @@ class Comparer {
   }
 
   // Compares the phase of a row with that of the reference, if the file has one.
-  [[nodiscard]] bool is_in_phase(Group& group, std::size_t their_row, double t, const std::string& word,
+  [[nodiscard]] bool is_in_phase(const Group& group, std::size_t their_row, double t, const std::string& word,
                                  Comparison::Quantity& phase) {
     const std::string their_word = their_phase(their_row);
     if (their_word.empty()) return true;
     ++phase.compared;
     if (their_word == word) return true;
-    group.differs = true;
     count(phase, fmt::format("{} ({} in the data set)", where_of(group, t), word));
     return false;
   }

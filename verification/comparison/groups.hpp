@@ -18,7 +18,6 @@ using Rows = std::vector<std::size_t>;
 struct Group {
   std::string label;
   Rows reference, theirs;
-  bool differs{};  ///< whether its events, its phases or the quantity of the diagnosis differ
 };
 
 /// Whether two cells of a key are the same word or the same number.

@@ -45,7 +45,7 @@ void skip(Comparison::Quantity& quantity, const std::string& reason) {
     ++known->points;
 }
 
-bool judge(Comparison::Quantity& quantity, const Point& point, double scale) {
+void judge(Comparison::Quantity& quantity, const Point& point, double scale) {
   Comparison::Series& series = quantity.series.back();
   series.abscissa.push_back(point.abscissa);
   series.theirs.push_back(point.theirs);
@@ -69,7 +69,6 @@ bool judge(Comparison::Quantity& quantity, const Point& point, double scale) {
     quantity.uncertainty = uncertainty;
     quantity.where = point.where;
   }
-  return differs;
 }
 
 Comparison::Quantity count_of(const std::string& name, const std::string& unit, Norm norm, double tolerance) {

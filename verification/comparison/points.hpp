@@ -22,8 +22,8 @@ struct Point {
 /// Counts a point that was not compared.
 void skip(Comparison::Quantity& quantity, const std::string& reason);
 
-/// Adds the point to the last series and updates the result of the quantity. Returns whether the point differs.
-bool judge(Comparison::Quantity& quantity, const Point& point, double scale);
+/// Adds the point to the last series and updates the result of the quantity.
+void judge(Comparison::Quantity& quantity, const Point& point, double scale);
 
 /// A quantity that counts deviations, such as words that differ or events that are missing. It differs if there
 /// are more of them than its tolerance.

@@ -32,7 +32,7 @@ TEST(Traceability, TestWithoutAKnownRequirementFails) {
   EXPECT_NONFATAL_FAILURE(record_requirement("Z9"), "has no requirement Z9");
 }
 
-Comparison compared(double computed, double error, double tolerance, const std::string& name = "") {
+ComparedNumber compared(double computed, double error, double tolerance, const std::string& name = "") {
   return {name, computed, computed - error, error, tolerance, "reference", "a datum"};
 }
 

@@ -11,12 +11,12 @@
 
 namespace stickslip::testing {
 
-double Comparison::margin() const {
+double ComparedNumber::margin() const {
   if (std::isnan(error)) return INFINITY;
   return error == 0.0 ? 0.0 : error / tolerance;
 }
 
-void Trace::note(const Comparison& comparison) { by_margin_.emplace(comparison.margin(), comparison); }
+void Trace::note(const ComparedNumber& comparison) { by_margin_.emplace(comparison.margin(), comparison); }
 
 std::map<std::string, std::string> Trace::properties(bool test_passed) const {
   std::map<std::string, std::string> properties;
@@ -74,6 +74,6 @@ class Recorder : public ::testing::EmptyTestEventListener {
 
 }  // namespace
 
-void note(const Comparison& comparison) { running_trace().note(comparison); }
+void note(const ComparedNumber& comparison) { running_trace().note(comparison); }
 
 }  // namespace stickslip::testing

@@ -14,7 +14,7 @@
 namespace stickslip::testing {
 
 /// What a comparison found.
-struct Comparison {
+struct ComparedNumber {
   std::string name;  ///< what was compared, as the report names it; may be empty
   double computed{}, expected{}, error{}, tolerance{};
   std::string tolerance_class;  ///< round-off, discretisation or reference
@@ -27,7 +27,7 @@ struct Comparison {
 /// The comparisons of one test.
 class Trace {
  public:
-  void note(const Comparison& comparison);
+  void note(const ComparedNumber& comparison);
 
   /// comparisons                             how many there were
   /// computed, expected, error, tolerance, margin, class, derivation   of the one with the largest margin
@@ -39,10 +39,10 @@ class Trace {
   [[nodiscard]] std::map<std::string, std::string> properties(bool test_passed) const;
 
  private:
-  std::multimap<double, Comparison> by_margin_;
+  std::multimap<double, ComparedNumber> by_margin_;
 };
 
 /// Notes a comparison of the running test.
-void note(const Comparison& comparison);
+void note(const ComparedNumber& comparison);
 
 }  // namespace stickslip::testing
