@@ -111,7 +111,7 @@ def frequencies(beam, count, elements=60):
     return found
 
 
-def history(problem, beam, times, elements=16, step=5e-5):
+def history(problem, beam, times, elements=20, step=2.5e-5):
     """y(L/2, t) and f(t), the force of the tip on the wall: Newmark's method, average acceleration."""
     mesh = Mesh(beam, elements)
     eta, size, tip = problem["damping"]["kelvin_voigt"], mesh.size, mesh.size - 2

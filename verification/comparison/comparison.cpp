@@ -526,7 +526,8 @@ class Comparer {
   [[nodiscard]] double time_tolerance(const data::ComparisonRule& rule) const {
     for (const data::ComparedValue& value : rule.values) {
       if (value.field != "time") continue;
-      const double tolerance = tolerance_of(value);
+      // The user's tolerances belong to the data set that is compared, not to the events of a history.
+      const double tolerance = &rule == &rule_ ? tolerance_of(value) : value.tolerance;
       return value.norm == Norm::absolute || !std::isfinite(horizon_) ? tolerance : tolerance * horizon_;
     }
     return 0.0;

@@ -126,6 +126,7 @@ class Search {
     const auto problem = case_of(group);
     const data::Beam* beam = problem ? &problem->beam : nullptr;
     Found found = pattern(values, beam);
+    if (!found && is_of_other_events(quantity)) found = pattern(in_sequence(quantity, values), beam);
     if (!found) found = other_values(quantity, values, group.group);
     std::string key;
     if (!found) {
@@ -167,6 +168,18 @@ class Search {
             .abscissa = group.abscissa,
             .theirs = group.theirs,
             .reference = group.reference};
+  }
+
+  // Events by their number. A common factor or shift of the times leaves no pairs that are near in time.
+  [[nodiscard]] ComparedValues in_sequence(const Comparison::Quantity& quantity,
+                                           ComparedValues values) const {
+    values.theirs = theirs_.column(quantity.name)->values;
+    values.reference = reference_.column(quantity.name).values;
+    const std::size_t count = std::min(values.theirs.size(), values.reference.size());
+    values.theirs.resize(count);
+    values.reference.resize(count);
+    values.abscissa = values.reference;
+    return values;
   }
 
   [[nodiscard]] Found pattern(const ComparedValues& values, const data::Beam* beam) const {

@@ -168,8 +168,8 @@ TEST_F(Completion, OfBashKnowsCommandsOptionsChoicesAndNames) {
   EXPECT_EQ(offered("criterion --set beam.length = 1 steel"), "steel-strip|");
   EXPECT_EQ(offered("design --band 20 : 30 --json steel"), "steel-strip|");
   EXPECT_EQ(offered("reference e"), "export|");
-  EXPECT_EQ(offered("reference show stick-f"), "stick-frequencies|");
-  EXPECT_EQ(offered("compare stick-f"), "stick-frequencies|");
+  EXPECT_EQ(offered("reference show stick-fr"), "stick-frequencies|");
+  EXPECT_EQ(offered("compare stick-fr"), "stick-frequencies|");
   EXPECT_EQ(offered("compare stick-frequencies my-"), nothing);
   EXPECT_EQ(offered("criterion 'my b'"), nothing);
   EXPECT_EQ(offered("respond paper --output my-"), nothing);

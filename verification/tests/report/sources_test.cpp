@@ -39,7 +39,7 @@ std::string prose_of(std::string text) {
         "(Eqs?|Figs?|Sects?)\\.[~ \n]*\\(?[0-9][0-9, ~\n()]*((and|to)[~ \n]*\\(?[0-9]+\\)?)?",  // of the
                                                                                                 // paper
         "[Ee]rrat(um|a)[~ ]E[0-9]+", "\\((19|20)[0-9][0-9]\\)",
-        "(Roache|Hulbert|Dynamics),? (19|20)[0-9][0-9]"})
+        "(Roache|Hulbert|Dynamics),? (19|20)[0-9][0-9]", "(V\\\\&V |NASA-STD-)[0-9]+"})
     text = without(text, pattern);
   return text;
 }
