@@ -16,7 +16,6 @@ Exit status: 2 for test results that cannot be used, 1 for any other error.
 
 import collections
 import csv
-import itertools
 import json
 import math
 import re
@@ -265,8 +264,10 @@ def paper_index(kind, count, tests, claims):
 
 
 def requirements_of(tests):
-    for name, serving in itertools.groupby(tests, key=lambda test: test["requirement"]):
-        serving = list(serving)
+    by_requirement = {}
+    for test in tests:
+        by_requirement.setdefault(test["requirement"], []).append(test)
+    for name, serving in by_requirement.items():
         yield {"name": name, "text": serving[0]["requirement_text"], "source": serving[0]["source"], "tests": serving}
 
 

@@ -56,7 +56,7 @@ class Site:
 
     def source_link(self, test):
         file = Path(test["file"])
-        if not file.is_file():
+        if not file.is_file() or int(test["line"]) > file.read_text().count("\n"):  # a result of older sources
             return file.name
         name = str(file).split("/verification/")[-1]
         self.sources[file] = f"source/{name}.html"
@@ -115,7 +115,7 @@ class Site:
                 Link(erratum, f"errata.html#{erratum}") if erratum else "", self.test_link(test) if test else ""]))
         return Page("claims", "Claims of the paper", [
             "Sentences of the paper that can be true or false and can be tested here, in the order of the page, each with the test that "
-            "judges it.", "A correction puts a symbol, a sign, a number or a range right."],
+            "judges it.", "A correction puts a slip of the pen right: a symbol, a sign, a unit or a reference."],
             ["Claim", "Place", "What the paper says", "Verdict", "How it is tested", "What was found", "What holds instead", "Erratum",
              "Test"], rows)
 
@@ -126,10 +126,10 @@ class Site:
             evidence.setdefault(row["erratum"], []).append(
                 f"{row['quantity']}: {row['as_printed']:.6g}{unit} as printed, {row['corrected']:.6g} corrected, reference "
                 f"{row['reference']:.6g} +- {row['tolerance']:.2g}" + ("" if row["confirmed"] else " (not confirmed)"))
-        rows = [Row(row["id"], [Link(row["id"], f"#{row['id']}"), row["place"], row["printed"], row["holds"], row["established"],
+        rows = [Row(row["id"], [Link(row["id"], f"#{row['id']}"), row["place"], row["printed"], row["verdict"], row["holds"], row["established"],
                                 "; ".join(evidence.get(row["id"], []))]) for row in self.known["erratum"]]
         return Page("errata", "Errata", ["Where the text of the paper and a recomputation differ."],
-                    ["Erratum", "Place", "Printed", "What holds", "How it was established", "Numbers"], rows)
+                    ["Erratum", "Place", "Printed", "Verdict", "What holds", "How it was established", "Numbers"], rows)
 
     def numbers(self):
         rows = []
@@ -139,9 +139,9 @@ class Site:
             rows.append(Row(f"{index}", [printed["id"], words(printed["meaning"]), printed["place"],
                                          f"{printed['printed']}{'' if unit == '1' else ' ' + unit}", number(check["computed"]),
                                          number(check["allowed"], 2), check["because"], check["method"],
-                                         "yes" if check["agrees"] else "no"]))
+                                         check["verdict"]]))
         return Page("numbers", "Printed numbers", ["Numbers that the paper prints, recomputed. Values are in SI units."],
-                    ["Number", "Meaning", "Place", "Printed", "Computed", "Allowed difference", "Reason", "Method", "Agrees"], rows)
+                    ["Number", "Meaning", "Place", "Printed", "Computed", "Allowed difference", "Reason", "Method", "Verdict"], rows)
 
     def paper(self):
         rows = []
@@ -163,6 +163,17 @@ class Site:
         return Page("mutants", "Mutants", [
             "A mutant is the program with one mistake. These mutants change no result that a test can see.", *counts,
             "Command: ./verification/run --mutants -- --part data"], ["File", "Function", "Change", "Reason"], rows)
+
+    def scoreboard(self):
+        rows = [Row(f"{index}", [one["code"], one["version"], Link(one["problem"], f"data.html#{one['problem']}"), one["settings"],
+                                 one["verdict"], one["quantity"], one["error"], one["tolerance"],
+                                 number(float(one["cost"]) if one["cost"] else None, 2), one["note"]])
+                for index, one in enumerate(self.known["scoreboard"])]
+        return Page("scoreboard", "Other codes", [
+            "Other codes on the problems of the reference data, a record of an earlier run: usual settings first, then what it takes to agree.",
+            "The cost is processor time in units of that of this program with its default settings.",
+            "Command: ./verification/run --peers"],
+            ["Code", "Version", "Data set", "Settings", "Verdict", "Quantity", "Error", "Tolerance", "Cost", "Note"], rows)
 
     def wrong_models(self):
         columns = ["stick_frequency", "slip_frequency", "force_maximum", "stick_force", "stick_displacement", "first_slip",
@@ -225,7 +236,7 @@ class Site:
 
     def pages(self):
         return [self.verdicts(), self.requirements(), self.tests(), self.tolerances(), self.claims(), self.errata(), self.numbers(), self.paper(),
-                self.figures_page(), self.data_sets(), self.wrong_models(), self.mutants(), self.bad_input()]
+                self.figures_page(), self.data_sets(), self.scoreboard(), self.wrong_models(), self.mutants(), self.bad_input()]
 
 
 def kind_of(cell):

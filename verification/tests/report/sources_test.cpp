@@ -32,6 +32,7 @@ std::string prose_of(std::string text) {
         "(^|[^\\\\])%[^\n]*",                   // comments
         "\\\\(label|ref|cite|input|includegraphics|begin|end|addcontentsline|texttt)(\\[[^\\]]*\\])"
         "?\\{[^{}]*\\}",
+        "\\\\drawing(\\[[^\\]]*\\])?\\{[^{}]*\\}\\{[^{}]*\\}",  // its text says what is drawn
         "\\[[^\\]\n]*(textwidth|linewidth|cm|ex|t)\\]", "\\\\(setlength|addtolength)\\{[^{}]*\\}\\{[^{}]*\\}",
         "\\\\(hspace|vspace)\\*?\\{[^{}]*\\}", "\\\\cmidrule(\\([lr]*(\\{[^{}]*\\})?\\))?\\{[0-9-]*\\}",
         "\\\\multicolumn\\{[0-9]\\}\\{[^{}]*(\\{[^{}]*\\}[^{}]*)*\\}", "\\\\\\\\\\[[^\\]]*\\]",
