@@ -143,10 +143,10 @@ void add_compare_command(CLI::App& app) {
   auto options = std::make_shared<CompareOptions>();
   command->add_option("NAME", options->name, "A data set that 'stickslip reference list' lists")->required();
   command
-      ->add_option(
-          "FILE", options->file,
-          "CSV file with the columns of the data set, '-' for standard input; a unit may follow a name, as in "
-          "'frequency [kHz]'")
+      ->add_option("FILE", options->file,
+                   "CSV file with the columns of the data set, '-' for standard input; a unit may follow a "
+                   "name, as in "
+                   "'frequency [kHz]'")
       ->check(file_name())
       ->required();
   command
@@ -163,7 +163,8 @@ void add_compare_command(CLI::App& app) {
                    "Instead of that of the data set, of one quantity or of all; repeatable")
       ->type_name("[QUANTITY=]NUMBER")
       ->allow_extra_args(false);
-  command->add_option("--until", options->until, "Compare nothing later, s; a run of yours must reach it")->check(time());
+  command->add_option("--until", options->until, "Compare nothing later, s; a run of yours must reach it")
+      ->check(time());
   command->add_option("--json", options->json, "JSON file with all numbers, '-' for standard output")
       ->check(file_name());
   command->add_option("--junit", options->junit, "XML file in JUnit's format, '-' for standard output")

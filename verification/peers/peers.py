@@ -7,8 +7,9 @@
 
 The codes come from Debian 12. They are installed in a folder of their own, build/peers/debian (debootstrap, chroot), so
 that nothing on this machine changes; that needs root. Every row is kept in build/peers/results.csv, and a run that was
-interrupted goes on after it. A row that did not run is tried again, and a row is made again if its driver, its line in peers.toml, the reference data or the
-program has changed. What cannot run is a row "not run" with the reason.
+interrupted goes on after it. A row that did not run is tried again, and a row is made again if its driver, its line in
+peers.toml or the reference data have changed; delete that file after a change of the program. What cannot run is a row "not run"
+with the reason.
 
 `seconds` is processor time of the whole driver, start-up of the interpreter included and compilation not. `cost` is its
 ratio to stickslip with default settings on the same problem, measured just before.
@@ -128,7 +129,7 @@ def judge(problem, output):
 def fingerprint(peer, run):
     """Of all that decides about a row; without what only says how it is printed."""
     digest = hashlib.sha1(json.dumps([peer["packages"], peer.get("build"), peer["command"], run], sort_keys=True).encode())
-    files = [PROGRAM, ROOT / "data" / "reference" / "datapackage.json"]
+    files = [ROOT / "data" / "reference" / "datapackage.json"]
     for path in files + sorted(p for p in (FOLDER / peer["folder"]).glob("*") if p.is_file()):
         digest.update(path.read_bytes())
     return digest.hexdigest()[:16]

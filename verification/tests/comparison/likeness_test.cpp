@@ -185,10 +185,10 @@ TEST(LikenessOfNumbers, IsTheFactorInEveryComparedColumnOfEveryDataSet) {
       File file(resource.name, compared.field);
       multiply(file.values(), 2.0);
       const auto result = file.compared();
-      const auto quantity =
-          std::ranges::find(result.quantities, compared.field, &Comparison::Quantity::name);
+      const auto quantity = std::ranges::find(result.quantities, compared.field, &Comparison::Quantity::name);
       // Twice a small energy may be within the tolerance, which belongs to the largest one.
-      if (result.agreement != studies::Agreement::differs || quantity->agreement == studies::Agreement::agrees)
+      if (result.agreement != studies::Agreement::differs ||
+          quantity->agreement == studies::Agreement::agrees)
         continue;
       const std::string text = file.likeness();
       EXPECT_TRUE(contains(text, resource.name == "mode-shapes" ? "MAC = 1" : "times 2: "))
