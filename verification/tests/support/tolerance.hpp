@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// How a test compares two numbers. A tolerance is derived, never tuned, and belongs to one of three classes,
+/// How a test compares two numbers. A tolerance is derived or called empirical, and belongs to one of three classes,
 /// each built by a helper below; a failing comparison prints expected, computed, error, tolerance and
 /// margin.
 
