@@ -40,9 +40,9 @@ TEST(Figure9RefinedOnceMore, ForceErrorFallsOnAsPredicted) {
   EXPECT_GT(study.force_order.order, study.predicted_force_order - 0.05);
   EXPECT_LT(study.force_order.order, 1.3);
   for (const auto& level : study.levels)
-    EXPECT_TRUE(
-        within(level.force_error, 0.0,
-               discretisation(level.predicted_force_error, 1.35, "phase drift; the factor is empirical, for 12/(omega T)")));
+    EXPECT_TRUE(within(level.force_error, 0.0,
+                       discretisation(level.predicted_force_error, 1.35,
+                                      "phase drift; the factor is empirical, for 12/(omega T)")));
 }
 
 STICKSLIP_VERIFIES(Figure12Finer, "X3");
