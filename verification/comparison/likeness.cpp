@@ -10,6 +10,7 @@
 #include <map>
 #include <utility>
 
+#include "comparison/groups.hpp"
 #include "comparison/patterns.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "studies/common/problem_parameter.hpp"
@@ -28,11 +29,6 @@ std::string percent(double share) { return fmt::format("{:.2g} %", 100.0 * share
 struct Pair {
   std::size_t theirs{}, reference{};
 };
-
-bool is_same_cell(const data::Column& a, std::size_t i, const data::Column& b, std::size_t j) {
-  return a.field.type == data::FieldType::string ? a.text[i] == b.text[j]
-                                                 : data::is_same_key(a.values[i], b.values[j]);
-}
 
 // The row of `table` whose key is that of a row of `other`; columns that one of them lacks do not count.
 template <class Table>
@@ -255,11 +251,10 @@ class Search {
 
   // As Comparison::Series::group.
   [[nodiscard]] std::string label_of(std::size_t row) const {
-    std::string text;
-    for (const std::string& name : reference_.resource.primary_key)
-      if (name != comparison_.abscissa && name != "index")
-        text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", name, reference_.column(name).text[row]);
-    return text;
+    std::vector<std::string> columns = reference_.resource.primary_key;
+    std::erase_if(columns,
+                  [&](const std::string& name) { return name == comparison_.abscissa || name == "index"; });
+    return Matcher(reference_, theirs_).label(columns, row);
   }
 
   // --- the wrong models
