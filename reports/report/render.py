@@ -340,7 +340,8 @@ def read_values(templates, data, values):
     known["named"], known["tolerances"] = ([entry for test in known["tests"] for entry in test[key]]
                                            for key in ("named", "tolerances"))
     accepted = tomllib.loads((templates.parent.parent / "verification" / "acceptance.toml").read_text())
-    known["acceptance"] = [judged(result, environment_for([]), known) for result in accepted["result"]]
+    expressions = environment_for([])
+    known["acceptance"] = [judged(result, expressions, known) for result in accepted["result"]]
     known["indexed"] = lambda kind, count: paper_index(kind, count, known["tests"], known["claim"])
     return known | {"zip": zip}
 

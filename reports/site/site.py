@@ -9,6 +9,7 @@ FIGURES the folder with their CSV and PNG files, which lies beside OUTPUT. Each 
 pages as well, so that each test links to its line.
 """
 
+import functools
 import re
 import shutil
 import sys
@@ -41,6 +42,11 @@ def words(text):
     return str(text).rstrip(".")
 
 
+@functools.cache
+def lines_of(file):
+    return file.read_text().splitlines()
+
+
 class Site:
     """The pages, each made from the values of the report."""
 
@@ -56,7 +62,7 @@ class Site:
 
     def source_link(self, test):
         file = Path(test["file"])
-        if not file.is_file() or int(test["line"]) > file.read_text().count("\n"):  # a result of older sources
+        if not file.is_file() or int(test["line"]) > len(lines_of(file)):  # a result of older sources
             return file.name
         name = str(file).split("/verification/")[-1]
         self.sources[file] = f"source/{name}.html"
@@ -258,7 +264,7 @@ def write_site(known, templates, data, figures, output):
     for file, name in site.sources.items():
         (output / name).parent.mkdir(parents=True, exist_ok=True)
         write(name, "source.html", root="../" * name.count("/"), title=name.removeprefix("source/").removesuffix(".html"),
-              lines=file.read_text().splitlines())
+              lines=lines_of(file))
     for asset in ("site.css", "site.js"):
         shutil.copy(FOLDER / asset, output)
     shutil.copytree(data / "reference", output / "data")
