@@ -14,8 +14,12 @@
 #include <utility>
 #include <variant>
 
+#include "case_entry.hpp"
+#include "case_shorthand.hpp"
+#include "stickslip/data/default_numerics.hpp"
 #include "stickslip/data/installation.hpp"
 #include "stickslip/data/toml_file.hpp"
+#include "stickslip/data/toml_record.hpp"
 
 namespace stickslip::data {
 
@@ -32,14 +36,8 @@ struct Draft {
 
 using Target = std::variant<double*, int*>;
 
-enum class Presence { required, optional };  // an optional key that is missing keeps the value of a Draft
-
-// Magnitudes that a quantity may have unless it is 0: far wider than any beam, and so narrow that no product
-// of powers of them leaves the range of a double.
-struct Magnitudes {
-  double smallest{}, largest{std::numeric_limits<double>::infinity()};
-  std::string_view unit;
-};
+// required, or with a default: that of a Draft, or of default_numerics()
+enum class Presence { required, optional };
 
 struct Key {
   std::string_view table;
@@ -79,47 +77,49 @@ constexpr std::array keys{
         Magnitudes{1e-9, 1e12, "Hz"}},
     Key{"excitation", "amplitude", member<&Draft::excitation, &HarmonicMotion::amplitude>,
         Magnitudes{1e-18, 1e6, "m"}},
-    Key{"numerics", "elements", member<&Draft::numerics, &NumericalChoices::elements>},
+    Key{"numerics",
+        "elements",
+        member<&Draft::numerics, &NumericalChoices::elements>,
+        {},
+        Presence::optional},
     Key{"numerics", "time_step", member<&Draft::numerics, &NumericalChoices::time_step>,
-        Magnitudes{1e-15, 1e9, "s"}},
-    Key{"numerics", "spectral_radius", member<&Draft::numerics, &NumericalChoices::spectral_radius>},
+        Magnitudes{1e-15, 1e9, "s"}, Presence::optional},
+    Key{"numerics",
+        "spectral_radius",
+        member<&Draft::numerics, &NumericalChoices::spectral_radius>,
+        {},
+        Presence::optional},
     Key{"numerics", "velocity_threshold", member<&Draft::numerics, &NumericalChoices::velocity_threshold>,
-        Magnitudes{1e-18, 1e9, "m/s"}},
-    Key{"numerics", "modes", member<&Draft::numerics, &NumericalChoices::modes>},
+        Magnitudes{1e-18, 1e9, "m/s"}, Presence::optional},
+    Key{"numerics", "modes", member<&Draft::numerics, &NumericalChoices::modes>, {}, Presence::optional},
     Key{"numerics", "duration", member<&Draft::numerics, &NumericalChoices::duration>,
-        Magnitudes{1e-15, 1e15, "s"}},
+        Magnitudes{1e-15, 1e15, "s"}, Presence::optional},
     Key{"damping", "kelvin_voigt", member<&Draft::damping, &DampingProperties::kelvin_voigt>,
         Magnitudes{1e-18, 1e6, "s"}, Presence::optional},
     Key{"damping", "ratio", member<&Draft::damping, &DampingProperties::ratio>, Magnitudes{1e-9, 1.0, ""},
         Presence::optional},
 };
 
-// A value as it was given, and where.
-struct Entry {
-  std::variant<std::int64_t, double, std::string> value;  // a string describes a value that is no number
-  std::string place;                                      // "paper.toml:3" or "override beam.length=1.8"
-};
-
-using Entries = std::map<std::string, Entry>;  // by "table.key"
-
 std::vector<std::string> key_paths() {
   std::vector<std::string> paths;
-  paths.reserve(keys.size());
+  paths.reserve(keys.size() + shorthand_keys().size());
   for (const auto& key : keys) paths.push_back(key.path());
+  paths.insert(paths.end(), shorthand_keys().begin(), shorthand_keys().end());
   return paths;
 }
 
 std::vector<std::string> table_names() {
   std::vector<std::string> names;
-  for (const auto& key : keys)
-    if (std::ranges::find(names, key.table) == names.end()) names.emplace_back(key.table);
+  for (const std::string& path : key_paths())
+    if (std::string table = path.substr(0, path.find('.')); std::ranges::find(names, table) == names.end())
+      names.push_back(std::move(table));
   return names;
 }
 
-std::vector<std::string> key_names(std::string_view table) {
+std::vector<std::string> key_names(const std::string& table) {
   std::vector<std::string> names;
-  for (const auto& key : keys)
-    if (key.table == table) names.emplace_back(key.name);
+  for (const std::string& path : key_paths())
+    if (path.starts_with(table + ".")) names.push_back(path.substr(table.size() + 1));
   return names;
 }
 
@@ -129,23 +129,18 @@ std::vector<std::string> key_names(std::string_view table) {
 }
 
 [[noreturn]] void throw_unknown_key(const std::string& place, const std::string& path,
-                                    const toml::node& value) {
+                                    const std::string& value) {
   const std::string table = path.substr(0, path.find('.'));
   const auto names = key_names(table);
   const std::string allowed = names.empty() ? "a case has the tables " + joined(table_names())
                                             : "[" + table + "] has the keys " + joined(names);
   throw InputError(place + ": unknown key " + printable(path) + suggestion(path, key_paths()) +
-                   " with the value " + describe(value) + ", but " + allowed);
+                   " with the value " + value + ", but " + allowed);
 }
 
-void require_known_key(const std::string& place, const std::string& path, const toml::node& value) {
-  if (std::ranges::find(keys, path, &Key::path) == keys.end()) throw_unknown_key(place, path, value);
-}
-
-Entry entry_of(const toml::node& node, std::string place) {
-  if (const auto* integer = node.as_integer()) return {integer->get(), std::move(place)};
-  if (const auto* floating = node.as_floating_point()) return {floating->get(), std::move(place)};
-  return {describe(node), std::move(place)};
+void require_known_key(const std::string& place, const std::string& path, const std::string& value) {
+  const auto known = key_paths();
+  if (std::ranges::find(known, path) == known.end()) throw_unknown_key(place, path, value);
 }
 
 void collect_table(const std::filesystem::path& file, std::string_view name, const toml::table& table,
@@ -153,7 +148,7 @@ void collect_table(const std::filesystem::path& file, std::string_view name, con
   for (const auto& [key, value] : table) {
     const std::string path = std::string(name) + "." + std::string(key.str());
     const std::string place = place_of(file, value);
-    require_known_key(place, path, value);
+    require_known_key(place, path, describe(value));
     entries.insert_or_assign(path, entry_of(value, place));
   }
 }
@@ -172,7 +167,7 @@ Entries entries_of_file(const std::filesystem::path& file) {
     } else if (is_known) {
       throw InputError(place + ": " + name + " is " + describe(value) + ", but must be a table");
     } else {
-      throw_unknown_key(place, name, value);
+      throw_unknown_key(place, name, describe(value));
     }
   }
   return entries;
@@ -182,74 +177,46 @@ void apply(const Override& replacement, Entries& entries) {
   const std::string place = replacement.place.empty()
                                 ? "override " + printable(replacement.key + "=" + replacement.value)
                                 : replacement.place;
-  if (replacement.value.find_first_of("\r\n") != std::string::npos)
-    throw InputError(place + ": the value has several lines, but must be one TOML value on one line");
-  try {
-    const toml::table parsed = toml::parse("value = " + replacement.value);
-    const toml::node& value = *parsed.get("value");
-    require_known_key(place, replacement.key, value);
-    entries.insert_or_assign(replacement.key, entry_of(value, place));
-  } catch (const toml::parse_error& error) {
-    throw InputError(place + ": the value is not valid TOML: " + description_of(error));
-  }
-}
-
-std::string text_of(const Entry& entry) {
-  if (const auto* integer = std::get_if<std::int64_t>(&entry.value)) return std::to_string(*integer);
-  if (const auto* floating = std::get_if<double>(&entry.value)) return shortest_text(*floating);
-  return std::get<std::string>(entry.value);
-}
-
-// What is not finite is left to the problem types.
-void require_magnitude(const Key& key, double value) {
-  const auto& [smallest, largest, unit] = key.magnitudes;
-  const double magnitude = std::abs(value);
-  if (value == 0.0 || !std::isfinite(value) || (smallest <= magnitude && magnitude <= largest)) return;
-  throw FieldError(key.path(), shortest_text(value),
-                   "from " + shortest_text(smallest) + " to " + shortest_text(largest) +
-                       (unit.empty() ? "" : " (" + std::string(unit) + ")") + " in magnitude");
+  Entry entry = entry_of(replacement.value, place);
+  require_known_key(place, replacement.key, entry.description);
+  erase_alternatives(replacement.key, entries);
+  entries.insert_or_assign(replacement.key, std::move(entry));
 }
 
 void assign(const Key& key, const Entry& entry, double& field) {
-  if (const auto* floating = std::get_if<double>(&entry.value))
-    field = *floating;
-  else if (const auto* integer = std::get_if<std::int64_t>(&entry.value))
-    field = static_cast<double>(*integer);
-  else
-    throw FieldError(key.path(), text_of(entry), "a number");
-  require_magnitude(key, field);
+  field = number_of(key.path(), key.magnitudes, entry);
 }
 
-void assign(const Key& key, const Entry& entry, int& field) {
-  const auto* integer = std::get_if<std::int64_t>(&entry.value);
-  if (std::holds_alternative<double>(entry.value))
-    throw FieldError(key.path(), text_of(entry) + " (a float)", "an integer");
-  if (integer == nullptr) throw FieldError(key.path(), text_of(entry), "an integer");
-  if (!std::in_range<int>(*integer))
-    throw FieldError(
-        key.path(), text_of(entry),
-        "an integer of at most " + std::to_string(std::numeric_limits<int>::max()) + " in magnitude");
-  field = static_cast<int>(*integer);
+void assign(const Key& key, const Entry& entry, int& field) { field = integer_of(key.path(), entry); }
+
+// How a missing key could have been given otherwise.
+std::string alternative_to(const Key& key) {
+  if (key.name == "area" || key.name == "second_moment_of_area") return " or the table [section]";
+  if (key.name == "density" || key.name == "youngs_modulus") return " or beam.material";
+  if (key.path() == "excitation.amplitude")
+    return " or excitation.velocity_amplitude or excitation.acceleration_amplitude";
+  return "";
 }
 
-[[noreturn]] void throw_missing_key(const std::filesystem::path& file, const Key& key,
-                                    const Entries& entries) {
-  const std::string table(key.table);
-  const bool has_table =
-      std::ranges::any_of(entries, [&](const auto& entry) { return entry.first.starts_with(table + "."); });
-  throw InputError(file.string() + ": " + (has_table ? key.path() : "the table [" + table + "]") +
-                   " is missing, but [" + table + "] must hold " + joined(key_names(key.table)));
-}
-
-Draft draft_of(const std::filesystem::path& file, const Entries& entries) {
-  Draft draft;
+void fill_table(const std::filesystem::path& file, const Entries& entries, std::string_view table,
+                Draft& draft) {
   for (const auto& key : keys) {
+    if (key.table != table) continue;
     const auto found = entries.find(key.path());
     if (found != entries.end())
       std::visit([&](auto* field) { assign(key, found->second, *field); }, key.target(draft));
     else if (key.presence == Presence::required)
-      throw_missing_key(file, key, entries);
+      throw InputError(file.string() + ": " + key.path() + " is missing, but a case must hold it" +
+                       alternative_to(key));
   }
+}
+
+Draft draft_of(const std::filesystem::path& file, const Entries& entries) {
+  Draft draft;
+  for (const std::string_view table : {"beam", "friction", "excitation", "damping"})
+    fill_table(file, entries, table, draft);
+  draft.numerics = default_numerics(Beam(draft.beam), HarmonicExcitation(draft.excitation));
+  fill_table(file, entries, "numerics", draft);
   return draft;
 }
 
@@ -262,11 +229,13 @@ Case case_of(const std::string& name, const Draft& draft) {
           .damping = Damping(draft.damping)};
 }
 
-Case case_of(const std::filesystem::path& file, const Entries& entries) {
+Case case_of(const std::filesystem::path& file, Entries entries) {
   try {
+    expand_shorthand(entries);
     return case_of(file.stem().string(), draft_of(file, entries));
   } catch (const FieldError& error) {
-    throw InputError(entries.at(error.field()).place + ": " + error.what());
+    const auto given = entries.find(error.field());
+    throw InputError((given == entries.end() ? file.string() : given->second.place) + ": " + error.what());
   }
 }
 
@@ -323,7 +292,7 @@ std::filesystem::path find_case(const std::string& name_or_path) {
 
 void require_magnitude(std::string_view key, double value, const std::string& place) {
   try {
-    require_magnitude(*std::ranges::find(keys, key, &Key::path), value);
+    require_magnitude(key, std::ranges::find(keys, key, &Key::path)->magnitudes, value);
   } catch (const FieldError& error) {
     throw InputError(place + ": " + error.what());
   }
@@ -332,7 +301,7 @@ void require_magnitude(std::string_view key, double value, const std::string& pl
 Case read_case(const std::filesystem::path& file, const std::vector<Override>& overrides) {
   Entries entries = entries_of_file(file);
   for (const auto& replacement : overrides) apply(replacement, entries);
-  return case_of(file, entries);
+  return case_of(file, std::move(entries));
 }
 
 Case load_case(const std::string& name_or_path, const std::vector<Override>& overrides) {
@@ -361,6 +330,16 @@ Case case_with(const std::string& name, const std::map<std::string, double>& num
         },
         key.target(draft));
   return case_of(name, draft);
+}
+
+std::vector<Material> list_materials() {
+  return read_all(data_directory() / "materials.toml", "material",
+                  {"name", "density", "youngs_modulus", "source"}, [](const Record& record) {
+                    return Material{.name = record.text("name"),
+                                    .density = record.number("density"),
+                                    .youngs_modulus = record.number("youngs_modulus"),
+                                    .source = record.text("source")};
+                  });
 }
 
 std::vector<CaseListing> list_cases() {

@@ -92,6 +92,8 @@ struct Exception {
 
 constexpr Exception exceptions[] = {
     {"case file", "damping.*", "@(missing|zero)", "the beam has no such damping"},
+    {"case file", "numerics.*", "missing", "the program chooses the setting"},
+    {"case file", "friction.kinetic_coefficient", "missing", "the friction is that of Coulomb"},
     {"case file", "beam.axial_force", "@(negative|zero)",
      "tension and no force have frequencies; a run needs compression"},
     {"case file", "friction.kinetic_coefficient", "zero", "the sliding tip meets no friction"},

@@ -2,8 +2,14 @@
 #pragma once
 
 /// Cases as TOML files: the tables [beam], [friction], [excitation], [numerics] and [damping], whose keys are
-/// the field names of problem.hpp. A file holds every key exactly once and no other; those of [damping] may
-/// be missing and are then 0.
+/// the field names of problem.hpp. A value is a number in SI units, or a text of a number and a unit ("1.5 mm").
+/// These keys may be missing: those of [damping] and friction.viscous are then 0, those of [numerics] have the
+/// values of default_numerics(), and without friction.kinetic_coefficient the friction is Coulomb's, with the
+/// static coefficient. In place of some keys a file may hold others:
+///   [section] shape = "rectangle" (width; height, in the direction of the vibration), "circle" (diameter) or
+///     "tube" (diameter, wall_thickness): beam.area, beam.second_moment_of_area;
+///   beam.material, a name of list_materials(): beam.density, beam.youngs_modulus;
+///   excitation.velocity_amplitude (m/s) or acceleration_amplitude (m/s^2): excitation.amplitude.
 
 #include <filesystem>
 #include <map>
@@ -42,8 +48,8 @@ struct Override {
 /// "beam.length", which must be one of problem.hpp.
 void require_magnitude(std::string_view key, double value, const std::string& place);
 
-/// Reads and validates a case, of at most 1 MB; the last override of a key wins. An integer may stand where a
-/// float is expected, but not the other way round. Throws InputError for a file that cannot be read, a syntax
+/// Reads and validates a case, of at most 1 MB; the last override of a key wins, and one of the three amplitudes
+/// replaces the other two. An integer may stand where a float is expected, but not the other way round. Throws InputError for a file that cannot be read, a syntax
 /// error, an unknown, missing or mistyped key, a value that the problem types do not allow, or one that no
 /// beam has: each quantity has a range of magnitudes, in SI units, that the problem types do not know.
 [[nodiscard]] Case read_case(const std::filesystem::path& file, const std::vector<Override>& overrides = {});
@@ -57,6 +63,17 @@ void require_magnitude(std::string_view key, double value, const std::string& pl
 /// The case that has these numbers, every key among them. Throws std::out_of_range for a key that is missing,
 /// and FieldError.
 [[nodiscard]] Case case_with(const std::string& name, const std::map<std::string, double>& numbers);
+
+/// A material by its name.
+struct Material {
+  std::string name;
+  double density{};         ///< kg/m^3
+  double youngs_modulus{};  ///< Pa
+  std::string source;       ///< the standard or publication that the two are from
+};
+
+/// The rows of materials.toml in data_directory(), in the order of the file. Throws InputError if it is not there.
+[[nodiscard]] std::vector<Material> list_materials();
 
 /// The names of the published cases, sorted, each with the first comment line of its file.
 struct CaseListing {

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "stickslip/data/problem.hpp"
+
+namespace stickslip::data {
+
+/// Settings for a case that does not state them, from its shortest vibration that matters. That is stick mode
+/// k: the tenth, or the first of more than four times the excitation frequency if that is higher, at most the
+/// 200th. Its frequency without axial force is f_k = ((k + 1/4) pi)^2 sqrt(EI/(rho A L^4))/(2 pi), to 1e-7 of
+/// itself.
+///
+///     elements            4 k: four for each half-wave of mode k
+///     time_step           1/(25 f_k), rounded down to 1, 2 or 5 times a power of ten, s
+///     spectral_radius     0.9
+///     velocity_threshold  a thousandth of the largest velocity of the base, m/s
+///     modes               k
+///     duration            10 s, that of the paper
+///
+/// Why these: see the user guide, "Defaults of [numerics]".
+[[nodiscard]] NumericalChoices default_numerics(const Beam& beam, const HarmonicExcitation& excitation);
+
+}  // namespace stickslip::data

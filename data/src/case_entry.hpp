@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// The values of a case file as they were given: numbers, or texts such as "1.5 mm".
+
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "stickslip/data/toml_file.hpp"
+
+namespace stickslip::data {
+
+/// Magnitudes that a quantity may have unless it is 0: far wider than any beam, and so narrow that no product
+/// of powers of them leaves the range of a double. The unit is the SI unit of the quantity.
+struct Magnitudes {
+  double smallest{}, largest{std::numeric_limits<double>::infinity()};
+  std::string_view unit;
+};
+
+/// A value as it was given, and where.
+struct Entry {
+  std::variant<std::monostate, std::int64_t, double, std::string>
+      value;                // monostate: neither number nor text
+  std::string description;  // for messages
+  std::string place;        // "paper.toml:3" or "override beam.length=1.8"
+};
+
+using Entries = std::map<std::string, Entry>;  // by "table.key"
+
+[[nodiscard]] Entry entry_of(const toml::node& node, std::string place);
+
+/// The value of an override: TOML, as 0.04 or "40 mm"; what is not TOML is a text, as 40 mm. Throws InputError,
+/// beginning with the place, if it has several lines.
+[[nodiscard]] Entry entry_of(const std::string& text, const std::string& place);
+
+/// The text. Throws FieldError unless it is one of the names.
+[[nodiscard]] std::string name_of(std::string_view path, const Entry& entry,
+                                  const std::vector<std::string>& names);
+
+/// The number in SI units. Throws FieldError if it is neither a number nor a number with a unit of this kind,
+/// or has no magnitude that is allowed. What is not finite is left to the problem types.
+[[nodiscard]] double number_of(std::string_view path, const Magnitudes& magnitudes, const Entry& entry);
+
+/// Throws FieldError unless it is an integer that an int holds.
+[[nodiscard]] int integer_of(std::string_view path, const Entry& entry);
+
+/// Throws FieldError.
+void require_magnitude(std::string_view path, const Magnitudes& magnitudes, double value);
+
+}  // namespace stickslip::data

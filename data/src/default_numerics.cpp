@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "stickslip/data/default_numerics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace stickslip::data {
+
+namespace {
+
+constexpr int fewest_modes = 10, most_modes = 200;
+
+// The largest of 1, 2 and 5 times a power of ten that is not above the value, as the double nearest to it.
+double rounded_down(double value) {
+  const int exponent = static_cast<int>(std::floor(std::log10(value)));
+  const double power = std::pow(10.0, std::abs(exponent));  // exact up to 1e22
+  double rounded = 0.0;
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    const double candidate = exponent < 0 ? factor / power : factor * power;
+    if (rounded == 0.0 || candidate <= value) rounded = candidate;
+  }
+  return rounded;
+}
+
+}  // namespace
+
+NumericalChoices default_numerics(const Beam& beam, const HarmonicExcitation& excitation) {
+  constexpr double pi = std::numbers::pi;
+  const double bending_stiffness = beam.youngs_modulus() * beam.second_moment_of_area();
+  const double mass = beam.density() * beam.area();
+  const double unit =
+      std::sqrt(bending_stiffness / mass) / (beam.length() * beam.length()) / (2.0 * pi);  // Hz
+  const double resolved = 4.0 * excitation.frequency_hz();
+  const double above = std::ceil(std::sqrt(resolved / unit) / pi - 0.25);
+  const int k = static_cast<int>(std::clamp(above, double{fewest_modes}, double{most_modes}));
+  const double wave_number = (k + 0.25) * pi;
+  const double highest = wave_number * wave_number * unit;
+  constexpr double duration = 10.0;
+  return {.elements = 4 * k,
+          .time_step = rounded_down(std::min(duration, 1.0 / (25.0 * highest))),
+          .spectral_radius = 0.9,
+          .velocity_threshold = 1e-3 * 2.0 * pi * excitation.frequency_hz() * excitation.amplitude(),
+          .modes = k,
+          .duration = duration};
+}
+
+}  // namespace stickslip::data
