@@ -26,7 +26,7 @@ BandMaximum::BandMaximum(const data::Beam& beam, const FrequencyBand& band, doub
   require(band.from_hz > 0.0, "band.from_hz", band.from_hz, "positive");
   require(band.to_hz >= band.from_hz && std::isfinite(band.to_hz), "band.to_hz", band.to_hz,
           "finite and not below band.from_hz");
-  require(duration > 0.0 && std::isfinite(duration), "numerics.duration", duration, "positive and finite");
+  require(duration > 0.0 && std::isfinite(duration), "excitation.duration", duration, "positive and finite");
   double from = kTwoPi * band.from_hz;
   const double to = kTwoPi * band.to_hz;
   for (const ModalForce& mode : reaction_.modes)

@@ -48,7 +48,7 @@ void tabulate(double angle, Row& sine, Row& cosine) {
 ForceMaximum::ForceMaximum(const ModalReaction& reaction, double angular_frequency, double duration)
     : duration_(duration) {
   require_positive("excitation.frequency_hz", angular_frequency);
-  require_positive("numerics.duration", duration);
+  require_positive("excitation.duration", duration);
   const double omega = angular_frequency;
   double steady = reaction.quasi_static;
   double cancelled = std::abs(steady);  // the sum of the absolute values of what makes the steady amplitude
@@ -189,7 +189,7 @@ class ForceMaximum::Search {
     const double count = std::ceil(force_.duration_ / step);
     if (!(count <= kMostGridPoints))
       throw data::FieldError(
-          "numerics.duration", force_.duration_,
+          "excitation.duration", force_.duration_,
           "at most " + data::shortest_text(kMostGridPoints * step) + " s, a billion points");
     const auto intervals = std::max<std::size_t>(1, static_cast<std::size_t>(count));
     const double h = force_.duration_ / static_cast<double>(intervals);

@@ -75,7 +75,7 @@ std::int64_t interval_count(double duration, double step) {
   constexpr double kMost = 1e9;
   const double count = std::ceil(duration / step);
   if (!(count <= kMost))
-    throw data::FieldError("numerics.duration", duration,
+    throw data::FieldError("excitation.duration", duration,
                            "at most " + data::shortest_text(kMost * step) + " s, a billion samples");
   return std::max<std::int64_t>(1, static_cast<std::int64_t>(count));
 }
@@ -300,7 +300,7 @@ Bounds StickResponse::max_abs_friction_force(double duration, double relative_wi
 }
 
 Bounds StickResponse::max_abs_friction_force_by_halving(double duration, double relative_width) const {
-  require_positive("numerics.duration", duration);
+  require_positive("excitation.duration", duration);
   if (!(relative_width >= 1e-13 && relative_width < 1.0))
     throw wrong_argument("relative_width", relative_width, "1e-13 ... 1");
   const double curvature = second_derivative_bound(force_, duration);
@@ -314,7 +314,7 @@ Bounds StickResponse::max_abs_friction_force_by_halving(double duration, double 
 }
 
 Bounds StickResponse::sampled_max_abs_friction_force(double duration, double sampling_step) const {
-  require_positive("numerics.duration", duration);
+  require_positive("excitation.duration", duration);
   require_positive("sampling_step", sampling_step);
   const std::int64_t intervals = interval_count(duration, sampling_step);
   double lower = std::abs(evaluate(force_, duration));

@@ -97,9 +97,9 @@ int integer_of(std::string_view path, const Entry& entry) {
   const auto* integer = std::get_if<std::int64_t>(&entry.value);
   if (integer == nullptr) throw FieldError(path, entry.description, "an integer");
   if (!std::in_range<int>(*integer))
-    throw FieldError(path, std::to_string(*integer),
-                     "an integer of at most " + std::to_string(std::numeric_limits<int>::max()) +
-                         " in magnitude");
+    throw FieldError(
+        path, std::to_string(*integer),
+        "an integer of at most " + std::to_string(std::numeric_limits<int>::max()) + " in magnitude");
   return static_cast<int>(*integer);
 }
 

@@ -77,6 +77,8 @@ constexpr std::array keys{
         Magnitudes{1e-9, 1e12, "Hz"}},
     Key{"excitation", "amplitude", member<&Draft::excitation, &HarmonicMotion::amplitude>,
         Magnitudes{1e-18, 1e6, "m"}},
+    Key{"excitation", "duration", member<&Draft::numerics, &NumericalChoices::duration>,
+        Magnitudes{1e-15, 1e15, "s"}, Presence::optional},
     Key{"numerics",
         "elements",
         member<&Draft::numerics, &NumericalChoices::elements>,
@@ -92,8 +94,6 @@ constexpr std::array keys{
     Key{"numerics", "velocity_threshold", member<&Draft::numerics, &NumericalChoices::velocity_threshold>,
         Magnitudes{1e-18, 1e9, "m/s"}, Presence::optional},
     Key{"numerics", "modes", member<&Draft::numerics, &NumericalChoices::modes>, {}, Presence::optional},
-    Key{"numerics", "duration", member<&Draft::numerics, &NumericalChoices::duration>,
-        Magnitudes{1e-15, 1e15, "s"}, Presence::optional},
     Key{"damping", "kelvin_voigt", member<&Draft::damping, &DampingProperties::kelvin_voigt>,
         Magnitudes{1e-18, 1e6, "s"}, Presence::optional},
     Key{"damping", "ratio", member<&Draft::damping, &DampingProperties::ratio>, Magnitudes{1e-9, 1.0, ""},
@@ -153,9 +153,8 @@ void collect_table(const std::filesystem::path& file, std::string_view name, con
   }
 }
 
-Entries entries_of_file(const std::filesystem::path& file) {
+Entries entries_of(const std::filesystem::path& file, const toml::table& document) {
   Entries entries;
-  const toml::table document = read_toml(file);
   const auto tables = table_names();
   for (const auto& [key, value] : document) {
     const std::string name(key.str());
@@ -213,9 +212,11 @@ void fill_table(const std::filesystem::path& file, const Entries& entries, std::
 
 Draft draft_of(const std::filesystem::path& file, const Entries& entries) {
   Draft draft;
+  draft.numerics.duration = default_duration;
   for (const std::string_view table : {"beam", "friction", "excitation", "damping"})
     fill_table(file, entries, table, draft);
-  draft.numerics = default_numerics(Beam(draft.beam), HarmonicExcitation(draft.excitation));
+  draft.numerics =
+      default_numerics(Beam(draft.beam), HarmonicExcitation(draft.excitation), draft.numerics.duration);
   fill_table(file, entries, "numerics", draft);
   return draft;
 }
@@ -299,9 +300,13 @@ void require_magnitude(std::string_view key, double value, const std::string& pl
 }
 
 Case read_case(const std::filesystem::path& file, const std::vector<Override>& overrides) {
-  Entries entries = entries_of_file(file);
+  Entries entries = entries_of(file, read_toml(file));
   for (const auto& replacement : overrides) apply(replacement, entries);
   return case_of(file, std::move(entries));
+}
+
+Case parse_case(const std::filesystem::path& file, const std::string& text) {
+  return case_of(file, entries_of(file, parse_toml(file, text)));
 }
 
 Case load_case(const std::string& name_or_path, const std::vector<Override>& overrides) {

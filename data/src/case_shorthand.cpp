@@ -15,14 +15,15 @@ namespace stickslip::data {
 
 namespace {
 
-constexpr std::array<std::string_view, 8> shorthand{"section.shape",
+constexpr std::array<std::string_view, 9> shorthand{"section.shape",
                                                     "section.width",
                                                     "section.height",
                                                     "section.diameter",
                                                     "section.wall_thickness",
                                                     "beam.material",
                                                     "excitation.velocity_amplitude",
-                                                    "excitation.acceleration_amplitude"};
+                                                    "excitation.acceleration_amplitude",
+                                                    "numerics.duration"};
 
 constexpr std::array<std::string_view, 3> amplitudes{"excitation.amplitude", "excitation.velocity_amplitude",
                                                      "excitation.acceleration_amplitude"};
@@ -146,6 +147,15 @@ void expand_amplitude(Entries& entries) {
   }
 }
 
+// Where cases of version 0.1 have it.
+void expand_duration(Entries& entries) {
+  const Entry* given = find(entries, "numerics.duration");
+  if (given == nullptr) return;
+  const double duration = number_of("numerics.duration", {1e-15, 1e15, "s"}, *given);
+  supply(entries, "excitation.duration", duration, "numerics.duration");
+  entries.erase("numerics.duration");
+}
+
 // Without a kinetic coefficient the friction does not fall: Coulomb's law. The exponential then has no
 // effect.
 void expand_friction(Entries& entries) {
@@ -160,15 +170,19 @@ void expand_friction(Entries& entries) {
 std::span<const std::string_view> shorthand_keys() { return shorthand; }
 
 void erase_alternatives(std::string_view key, Entries& entries) {
-  if (std::ranges::find(amplitudes, key) == amplitudes.end()) return;
-  for (const std::string_view other : amplitudes)
-    if (other != key) entries.erase(std::string(other));
+  constexpr std::array<std::string_view, 2> durations{"excitation.duration", "numerics.duration"};
+  for (const std::span<const std::string_view> group :
+       {std::span<const std::string_view>(amplitudes), std::span<const std::string_view>(durations)})
+    if (std::ranges::find(group, key) != group.end())
+      for (const std::string_view other : group)
+        if (other != key) entries.erase(std::string(other));
 }
 
 void expand_shorthand(Entries& entries) {
   expand_section(entries);
   expand_material(entries);
   expand_amplitude(entries);
+  expand_duration(entries);
   expand_friction(entries);
 }
 

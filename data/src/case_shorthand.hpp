@@ -15,12 +15,12 @@ namespace stickslip::data {
 [[nodiscard]] std::span<const std::string_view> shorthand_keys();
 
 /// Replaces the shorthand by beam.area, beam.second_moment_of_area, beam.density, beam.youngs_modulus,
-/// excitation.amplitude and friction.kinetic_coefficient. Throws FieldError, naming the shorthand, for a value
+/// excitation.amplitude, excitation.duration and friction.kinetic_coefficient. Throws FieldError, naming the shorthand, for a value
 /// that it does not allow, InputError if a quantity is given in two ways or a key of a shape is missing.
 void expand_shorthand(Entries& entries);
 
 /// Takes out of the entries what the key replaces: of the amplitudes of displacement, velocity and
-/// acceleration one alone is given.
+/// acceleration one alone is given, and the duration once.
 void erase_alternatives(std::string_view key, Entries& entries);
 
 }  // namespace stickslip::data

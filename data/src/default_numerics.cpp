@@ -25,7 +25,7 @@ double rounded_down(double value) {
 
 }  // namespace
 
-NumericalChoices default_numerics(const Beam& beam, const HarmonicExcitation& excitation) {
+NumericalChoices default_numerics(const Beam& beam, const HarmonicExcitation& excitation, double duration) {
   constexpr double pi = std::numbers::pi;
   const double bending_stiffness = beam.youngs_modulus() * beam.second_moment_of_area();
   const double mass = beam.density() * beam.area();
@@ -36,11 +36,10 @@ NumericalChoices default_numerics(const Beam& beam, const HarmonicExcitation& ex
   const int k = static_cast<int>(std::clamp(above, double{fewest_modes}, double{most_modes}));
   const double wave_number = (k + 0.25) * pi;
   const double highest = wave_number * wave_number * unit;
-  constexpr double duration = 10.0;
   return {.elements = 4 * k,
-          .time_step = rounded_down(std::min(duration, 1.0 / (25.0 * highest))),
+          .time_step = rounded_down(std::min(duration, 1.0 / (50.0 * highest))),
           .spectral_radius = 0.9,
-          .velocity_threshold = 1e-3 * 2.0 * pi * excitation.frequency_hz() * excitation.amplitude(),
+          .velocity_threshold = 0.0,
           .modes = k,
           .duration = duration};
 }

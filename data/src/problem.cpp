@@ -75,13 +75,13 @@ NumericalSettings::NumericalSettings(const NumericalChoices& choices) : choices_
     throw FieldError("numerics.spectral_radius", shortest_text(spectral_radius()), "a number from 0 to 1");
   require_not_negative("numerics.velocity_threshold", velocity_threshold(), " (m/s)");
   require_between("numerics.modes", modes(), 1, 200);
-  require_positive("numerics.duration", duration(), " (s)");
+  require_positive("excitation.duration", duration(), " (s)");
   if (duration() < time_step())
-    throw FieldError("numerics.duration", shortest_text(duration()),
+    throw FieldError("excitation.duration", shortest_text(duration()),
                      "at least numerics.time_step, which is " + shortest_text(time_step()));
   constexpr double most_steps = 1e9;
   if (duration() > most_steps * time_step())
-    throw FieldError("numerics.duration", shortest_text(duration()),
+    throw FieldError("excitation.duration", shortest_text(duration()),
                      "at most a billion times numerics.time_step, which is " + shortest_text(time_step()));
 }
 

@@ -34,7 +34,10 @@ std::string with_article(const toml::node& node) {
 
 toml::table read_toml(const std::filesystem::path& file) {
   constexpr std::size_t largest = 1'000'000;
-  const std::string text = read_bounded(file, largest);
+  return parse_toml(file, read_bounded(file, largest));
+}
+
+toml::table parse_toml(const std::filesystem::path& file, const std::string& text) {
   try {
     return toml::parse(text, file.string());
   } catch (const toml::parse_error& error) {

@@ -97,7 +97,7 @@ std::vector<data::Override> overrides_of(const CaseOptions& options, const Excit
 data::Case load_case(const CaseOptions& options, const ExcitationOptions& excitation,
                      const std::optional<double>& duration) {
   auto overrides = overrides_of(options, excitation);
-  if (duration) overrides.push_back(override_with("numerics.duration", *duration, "--duration"));
+  if (duration) overrides.push_back(override_with("excitation.duration", *duration, "--duration"));
   return data::load_case(options.name, overrides);
 }
 
@@ -131,6 +131,15 @@ void print_warnings(const std::vector<std::string>& warnings) {
 
 Json bounds_json(const analytic::Bounds& bounds) {
   return {{"lower", bounds.lower}, {"upper", bounds.upper}};
+}
+
+Json numerics_json(const data::Case& problem) {
+  const data::NumericalChoices& choices = problem.numerics.choices();
+  return {{"elements", choices.elements},
+          {"time_step", choices.time_step},
+          {"spectral_radius", choices.spectral_radius},
+          {"velocity_threshold", choices.velocity_threshold},
+          {"modes", choices.modes}};
 }
 
 void require_finite(const Json& answer, const std::string& name) {

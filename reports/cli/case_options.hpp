@@ -86,6 +86,9 @@ void print_warnings(const std::vector<std::string>& warnings);
 /// {"lower": ..., "upper": ...}
 [[nodiscard]] Json bounds_json(const analytic::Bounds& bounds);
 
+/// The settings that the case states or default_numerics() has chosen, by their keys.
+[[nodiscard]] Json numerics_json(const data::Case& problem);
+
 /// Throws data::InputError, naming the key, if a number of the answer is not finite: see
 /// data::throw_overflow().
 void require_finite(const Json& answer, const std::string& name = "the answer");

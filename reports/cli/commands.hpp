@@ -9,6 +9,9 @@
 
 namespace stickslip::cli {
 
+/// `new`: a case file to start from.
+void add_new_command(CLI::App& app);
+
 /// `modes`: natural frequencies of the stick or the slip state.
 void add_modes_command(CLI::App& app);
 

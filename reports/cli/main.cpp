@@ -24,6 +24,7 @@ void add_commands(CLI::App& app) {
   app.require_subcommand(0, 1);  // run() requires one, so that a misspelt one is named
   app.option_defaults()->disable_flag_override();
   app.set_version_flag("--version", fmt::format("stickslip {} (commit {})", version, commit));
+  add_new_command(app);
   add_modes_command(app);
   add_respond_command(app);
   add_animate_command(app);

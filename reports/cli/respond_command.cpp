@@ -13,7 +13,10 @@
 
 #include "case_options.hpp"
 #include "commands.hpp"
+#include "figure_format.hpp"
 #include "output_file.hpp"
+#include "render/drawing.hpp"
+#include "render/figures.hpp"
 #include "render/interruption.hpp"
 #include "stickslip/analytic/beam_boundary_integral.hpp"
 #include "stickslip/analytic/beam_contact_model.hpp"
@@ -35,6 +38,7 @@ struct RespondOptions {
   std::optional<double> duration;
   std::string output = "-";
   std::string events;
+  std::string figure;
   long every = 1;
 };
 
@@ -89,19 +93,22 @@ struct Summary {
 
 class Writer {
  public:
-  explicit Writer(const std::string& path) : file_(path) {}
+  Writer(const std::string& path, bool keeps_text) : file_(path), keeps_text_(keeps_text) {}
 
   // The header goes before the first row, so that an error in the problem writes nothing.
   void write(const Row& row) {
     require_finite_row(row);
-    if (summary_.rows == 0) file_.write(header);
-    file_.write(csv_line(row));
+    if (summary_.rows == 0) put(header);
+    put(csv_line(row));
     time_ = row.time;
     ++summary_.rows;
     summary_.largest_force = std::max(summary_.largest_force, std::abs(row.friction_force));
   }
 
   [[nodiscard]] Summary& summary() { return summary_; }
+
+  /// What was written, if it is kept.
+  [[nodiscard]] const std::string& text() const { return text_; }
 
   /// Of the last row, s; any thread may ask.
   [[nodiscard]] double time() const { return time_; }
@@ -114,7 +121,14 @@ class Writer {
   }
 
  private:
+  void put(std::string_view text) {
+    file_.write(text);
+    if (keeps_text_) text_ += text;
+  }
+
   OutputFile file_;
+  bool keeps_text_;
+  std::string text_;
   Summary summary_;
   std::atomic<double> time_{};
 };
@@ -334,6 +348,7 @@ Json to_json(const data::Case& problem, const RespondOptions& options, const Sum
     if (summary.step_effect) object["largest_change_on_twice_the_step_m"] = *summary.step_effect;
   }
   if (options.method == "fe") object["scheme"] = options.scheme.value_or("located");
+  object["numerics"] = numerics_json(problem);
   object["warnings"] = warnings;
   return object;
 }
@@ -345,6 +360,9 @@ void require_consistent(const RespondOptions& options) {
     throw data::InputError("--json and --output - both want standard output, but --json needs --output FILE");
   if (!to_standard_output && options.output == options.events)
     throw data::FieldError("--events", data::printable(options.events), "another file than --output");
+  if (!options.figure.empty() && (options.figure == options.output || options.figure == options.events))
+    throw data::FieldError("--figure", data::printable(options.figure),
+                           "another file than --output and --events");
   if (options.initial_velocity == "zero" && options.method != "fe" && options.method != "event-driven")
     throw data::FieldError(
         "--initial-velocity", "zero",
@@ -355,6 +373,17 @@ void require_consistent(const RespondOptions& options) {
     throw data::FieldError("--method", "closed-form",
                            "one that follows the slip (fe, event-driven or boundary-integral) where --events "
                            "is given");
+}
+
+// The history is in place by then.
+void write_figure(const data::Case& problem, const RespondOptions& options, const std::string& history,
+                  OutputFile& file) {
+  const double limit = problem.friction.static_coefficient() * problem.beam.axial_force();
+  file.write(
+      report::drawing_of("history", figure_format(options.figure),
+                         {{"history.csv", history},
+                          {"history-values.csv", report::values_table({{"limit", limit, "N"}}).text()}}));
+  file.commit();
 }
 
 // Of the history that has been written.
@@ -376,12 +405,15 @@ void run(const RespondOptions& options) {
   if (options.method == "closed-form") require_undamped(problem, "the closed form");
   studies::require_feasible(problem, method.inquiry);
   const bool to_standard_output = options.output == "-";
-  Writer writer(options.output);
-  std::optional<OutputFile> events;
+  if (!options.figure.empty()) (void)figure_format(options.figure);
+  Writer writer(options.output, !options.figure.empty());
+  std::optional<OutputFile> events, figure;
   if (!options.events.empty()) events.emplace(options.events);  // throws now rather than after the run
+  if (!options.figure.empty()) figure.emplace(options.figure);
   const report::Interruption interruption([&] {
     writer.discard();
     if (events) events->discard();
+    if (figure) figure->discard();
     return fmt::format(
         "interrupted at {} s of {} s; {}", data::shortest_text(writer.time()),
         data::shortest_text(problem.numerics.duration()),
@@ -390,6 +422,7 @@ void run(const RespondOptions& options) {
   method.write(problem, options, writer);
   const Summary summary = writer.finish();
   if (events) write_events(*events, summary.events);
+  if (figure) write_figure(problem, options, writer.text(), *figure);
   const auto warnings = warnings_after(problem, options, summary);
   print_warnings(warnings);
   if (options.problem.json)
@@ -430,6 +463,9 @@ void add_respond_command(CLI::App& app) {
       ->check(file_name())
       ->capture_default_str();
   command->add_option("--events", options->events, "CSV file for the changes of contact")->check(file_name());
+  command
+      ->add_option("--figure", options->figure, "Figure to draw, a .png, .pdf or .svg file (needs gnuplot)")
+      ->check(file_name());
   command->add_option("--every", options->every, "Write every N-th time step only")
       ->check(integer_between(1, 1'000'000'000))
       ->capture_default_str();

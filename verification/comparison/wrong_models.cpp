@@ -370,7 +370,7 @@ std::vector<double> reference_result(const data::Case& problem, Quantity quantit
   std::vector<double> values = values_of(right_model(), problem, quantity, abscissa).value();
   if (const auto none = std::ranges::find(values, infinity); none != values.end())
     throw data::FieldError("an abscissa of contact event", *std::ranges::max_element(abscissa),
-                           fmt::format("at most {}, the changes of contact within numerics.duration",
+                           fmt::format("at most {}, the changes of contact within excitation.duration",
                                        std::ranges::count_if(values, [](double t) { return t < infinity; })));
   return values;
 }

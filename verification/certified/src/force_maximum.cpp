@@ -157,7 +157,7 @@ std::vector<Candidate> candidates(const BallForce& force, const Cells& cells, co
 
 ForceMaximum max_abs_of_sinusoids(const std::vector<Sinusoid>& sinusoids, const Rational& duration) {
   if (duration.sign() <= 0)
-    throw std::invalid_argument(error_message("numerics.duration", duration, "positive"));
+    throw std::invalid_argument(error_message("excitation.duration", duration, "positive"));
   if (std::ranges::any_of(sinusoids, [](const Sinusoid& s) {
         return s.amplitude.accurate_bits() < 60 || s.angular_frequency.accurate_bits() < 60;
       }))
@@ -171,7 +171,7 @@ ForceMaximum max_abs_of_sinusoids(const std::vector<Sinusoid>& sinusoids, const 
       promising_cells(DoubleForce(sinusoids, end), std::nextafter(nearest, 0.0), end);
   if (!cells)
     throw std::domain_error(
-        error_message("numerics.duration", duration,
+        error_message("excitation.duration", duration,
                       "so short, and the excitation so far from a natural frequency, that "
                       "doubles give the friction force to 1e-8 of its maximum"));
   const std::vector<Candidate> all = candidates(BallForce(sinusoids), *cells, duration);

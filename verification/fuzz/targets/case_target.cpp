@@ -35,7 +35,7 @@ std::vector<data::Override> overrides_of(const data::Case& problem) {
           number("numerics.spectral_radius", numerics.spectral_radius()),
           number("numerics.velocity_threshold", numerics.velocity_threshold()),
           integer("numerics.modes", numerics.modes()),
-          number("numerics.duration", numerics.duration()),
+          number("excitation.duration", numerics.duration()),
           number("damping.kelvin_voigt", damping.kelvin_voigt()),
           number("damping.ratio", damping.ratio())};
 }

@@ -82,7 +82,7 @@ void warn_of_resonance(const data::Case& problem, std::vector<Warning>& warnings
        fmt::format(
            "excitation.frequency_hz is {}, next to natural frequency {} of the stick state, {:.7g} Hz: the "
            "reaction of the undamped beam grows with t, {}, so that its maximum depends on "
-           "numerics.duration, {} s",
+           "excitation.duration, {} s",
            data::shortest_text(problem.excitation.frequency_hz()), nearest->number(), nearest->frequency_hz(),
            end, data::shortest_text(duration))});
 }
@@ -256,7 +256,7 @@ void require_feasible(const data::Case& problem, Inquiry inquiry) {
                              "0 with the boundary integral, which allows Kelvin-Voigt damping only");
     const double most_steps = std::ldexp(1.0, 24), step = boundary_integral_step(problem);
     if (problem.numerics.duration() <= most_steps * step) return;
-    throw data::FieldError("numerics.duration", data::shortest_text(problem.numerics.duration()),
+    throw data::FieldError("excitation.duration", data::shortest_text(problem.numerics.duration()),
                            fmt::format("at most {:.3g} s, 2^24 steps of {:.3g} s", most_steps * step, step));
   }
   const bool is_event_driven = inquiry == Inquiry::event_driven_history;
@@ -264,7 +264,7 @@ void require_feasible(const data::Case& problem, Inquiry inquiry) {
   const double natural = analytic::stick_modes(problem.beam, problem.numerics.modes()).back().frequency_hz();
   const double highest = std::max(natural, problem.excitation.frequency_hz());
   if (problem.numerics.duration() * highest <= most_periods) return;
-  throw data::FieldError("numerics.duration", data::shortest_text(problem.numerics.duration()),
+  throw data::FieldError("excitation.duration", data::shortest_text(problem.numerics.duration()),
                          fmt::format("at most {:.3g} s, {} periods of {}, {:.3g} Hz", most_periods / highest,
                                      is_event_driven ? "a million" : "a hundred million",
                                      natural > problem.excitation.frequency_hz()

@@ -550,7 +550,7 @@ TEST(MaximumForce, RefusesBadArgumentsAndSaysWhich) {
   try {
     (void)response.max_abs_friction_force(-1.0);
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "numerics.duration is -1, but must be positive and finite");
+    EXPECT_STREQ(error.what(), "excitation.duration is -1, but must be positive and finite");
   }
 }
 

@@ -411,7 +411,7 @@ TEST_F(CommandAnswers, DesignPrintsWhatItsJsonHolds) {
   EXPECT_DOUBLE_EQ(margin["lower"], 300.0 / force["upper"].get<double>());
   EXPECT_DOUBLE_EQ(margin["upper"], 300.0 / force["lower"].get<double>());
   // The margin at its frequency is that of the criterion.
-  const auto criterion = json(fmt::format("criterion paper-figure14 --hz {} --set numerics.duration=2",
+  const auto criterion = json(fmt::format("criterion paper-figure14 --hz {} --set excitation.duration=2",
                                           answer["frequency_hz"].dump()));
   EXPECT_NEAR(criterion["force_max_N"]["lower"].get<double>(), force["lower"].get<double>(),
               1e-5 * force["lower"].get<double>());

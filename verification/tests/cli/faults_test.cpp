@@ -121,7 +121,7 @@ TEST_F(Fault, CtrlCEndsLongWorkAtOnceAndSaysHowFarItCame) {
             " s of 300 s; nothing is kept\n"},
            {"respond --duration 1e5", "interrupted at ",
             "standard output holds the history up to there at most\n"},
-           {"criterion --set numerics.duration=2e4", "interrupted before there was a result", "\n"}}) {
+           {"criterion --set excitation.duration=2e4", "interrupted before there was a result", "\n"}}) {
     const Ending ending = signalled(arguments, SIGINT, std::chrono::milliseconds(150));
     EXPECT_EQ(ending.status, 130) << arguments;
     EXPECT_LT(ending.seconds, 1.0) << arguments;

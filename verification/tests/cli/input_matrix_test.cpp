@@ -92,7 +92,7 @@ struct Exception {
 
 constexpr Exception exceptions[] = {
     {"case file", "damping.*", "@(missing|zero)", "the beam has no such damping"},
-    {"case file", "numerics.*", "missing", "the program chooses the setting"},
+    {"case file", "@(numerics.*|excitation.duration)", "missing", "the program chooses the setting"},
     {"case file", "friction.kinetic_coefficient", "missing", "the friction is that of Coulomb"},
     {"case file", "beam.axial_force", "@(negative|zero)",
      "tension and no force have frequencies; a run needs compression"},
@@ -203,12 +203,12 @@ struct CaseLine {
   [[nodiscard]] std::string path() const { return table + "." + key; }
 };
 
-// Those of the damped case.
+// Those of the case of the paper, with damping.
 const std::vector<CaseLine>& case_lines() {
   static const auto lines = [] {
     std::vector<CaseLine> result;
     std::string table;
-    std::istringstream text(contents(data::find_case("damped")));
+    std::istringstream text(contents(data::find_case("paper")));
     for (std::string line; std::getline(text, line);) {
       line = line.substr(0, line.find('#'));
       const auto equals = line.find('=');
@@ -216,7 +216,8 @@ const std::vector<CaseLine>& case_lines() {
       if (equals != std::string::npos)
         result.push_back({table, line.substr(0, line.find(' ')), line.substr(equals + 2)});
     }
-    if (result.size() == 18) result.push_back({"damping", "ratio", "0.01"});
+    result.push_back({"damping", "kelvin_voigt", "6.4e-5"});
+    result.push_back({"damping", "ratio", "0.01"});
     return result;
   }();
   return lines;
@@ -318,7 +319,7 @@ TEST_F(CaseFileInput, ThatIsReadGivesFiniteNumbers) {
     if (row.item == "beam.axial_force") continue;
     expect_finite("respond " + name + "--duration 0.002");
     expect_finite("criterion " + name +
-                  "--set damping.ratio=0 --set damping.kelvin_voigt=0 --set numerics.duration=0.1");
+                  "--set damping.ratio=0 --set damping.kelvin_voigt=0 --set excitation.duration=0.1");
   }
 }
 
@@ -708,11 +709,12 @@ std::vector<Command> commands() {
   const std::string set = "stick-frequencies";
   return {{"stickslip", {{"SUBCOMMAND", "cases"}}},
           {"reference", {{"SUBCOMMAND", "list"}}},
+          {"new", {{"FILE", "FOLDER/new.toml"}}},
           {"modes", {{"CASE", "paper"}}},
           {"respond", {{"CASE", "paper"}, {"--duration", "0.001"}, {"--output", "FOLDER/out.csv"}}},
           {"animate",
            {{"CASE", "paper"}, {"--duration", "0.001"}, {"--frames", "2"}, {"--output", "FOLDER/film"}}},
-          {"criterion", {{"CASE", "paper"}, {"--set", "numerics.duration=0.1"}}},
+          {"criterion", {{"CASE", "paper"}, {"--set", "excitation.duration=0.1"}}},
           {"map",
            {{"CASE", "paper"},
             {"--x", "frequency=20:30:2"},
@@ -956,8 +958,8 @@ TEST_F(OptionInput, ThatHasNoValueOrTwoIsNamed) {
   expect_refused("modes --json=nan", "--json is given a value, but must stand alone");
   expect_refused("respond --hz nan", "--hz: excitation.frequency_hz is nan");
   expect_refused("respond --duration 1e9",
-                 "--duration: numerics.duration is 1e+09, but must be at most a billion times");
-  expect_refused("criterion --set numerics.duration=1e5",
+                 "--duration: excitation.duration is 1e+09, but must be at most a billion times");
+  expect_refused("criterion --set excitation.duration=1e5",
                  "a hundred million periods of natural frequency 10");
   expect_refused("map --threads 1e9", "--threads is 1e9, but must be an integer from 1 to 1024");
   expect_refused("map --threads 0", "--threads is 0, but must be an integer from 1 to 1024");
@@ -1046,7 +1048,7 @@ TEST_F(WarningsOf, TheSubcommandsAreOneLineEachAndInJson) {
 
 TEST_F(WarningsOf, ARunThatDeservesNoneAreNone) {
   for (const std::string arguments :
-       {"modes --count 2", "criterion --hz 15 --set numerics.duration=0.5", "respond --hz 15 --duration 0.1",
+       {"modes --count 2", "criterion --hz 15 --set excitation.duration=0.5", "respond --hz 15 --duration 0.1",
         "map --x frequency=20:30:2 --y amplitude=1e-4:2e-4:2 --duration 0.1"})
     EXPECT_EQ(run(arguments).errors, "") << arguments;
   EXPECT_EQ(json("modes --count 2")["warnings"], nlohmann::json::array());

@@ -219,7 +219,7 @@ TEST_F(MapShards, DoNotGoOnFromOtherWork) {
   expect_refused(closed_form + shard(1, 3) + output("shard"), "its parts is 2, but must be 3");
   expect_refused(closed_form + part + "--set beam.density=900",
                  "its beam.density is 1000.0, but must be 900.0");
-  expect_refused(of_the_case + "--x length=0.8:3:5", "its numerics.duration is 0.5, but must be 10.0");
+  expect_refused(of_the_case + "--x length=0.8:3:5", "its excitation.duration is 0.5, but must be 10.0");
   expect_refused(of_the_case + "--duration 0.5 --x length=0.8:3:6",
                  "its x is \"length=0.8:3:5\", but must be \"length=0.8:3:6\"");
   expect_refused(closed_form + part + "--states-only", "its states_only is false, but must be true");

@@ -33,7 +33,7 @@ class Reproducible : public CommandLine {
       "respond paper --method event-driven --hz 25 --amplitude 1e-3 --duration 0.05",
       "respond paper --method closed-form --duration 0.05",
       "map paper --x frequency=1:50:10 --y amplitude=1e-4:1e-3:3",
-      "map paper --method fe --x frequency=24:26:2 --y amplitude=1e-4:1e-3:3 --set numerics.duration=0.1",
+      "map paper --method fe --x frequency=24:26:2 --y amplitude=1e-4:1e-3:3 --set excitation.duration=0.1",
       "reference list",
       "reference show stick-frequencies",
       "reference export stick-frequencies"};

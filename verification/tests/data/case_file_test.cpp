@@ -29,7 +29,8 @@ struct Line {
   [[nodiscard]] std::string path() const { return table + "." + key; }
   [[nodiscard]] bool is_integer() const { return key == "elements" || key == "modes"; }
   [[nodiscard]] bool is_optional() const {
-    return table == "damping" || table == "numerics" || key == "viscous" || key == "kinetic_coefficient";
+    return table == "damping" || table == "numerics" || key == "viscous" || key == "kinetic_coefficient" ||
+           key == "duration";
   }
 };
 
@@ -49,13 +50,13 @@ const std::vector<Line>& valid_lines() {
                                        {"excitation", "", ""},
                                        {"excitation", "frequency_hz", "25.0"},
                                        {"excitation", "amplitude", "0.5e-3"},
+                                       {"excitation", "duration", "8.0"},
                                        {"numerics", "", ""},
                                        {"numerics", "elements", "20"},
                                        {"numerics", "time_step", "1e-4"},
                                        {"numerics", "spectral_radius", "0.9"},
                                        {"numerics", "velocity_threshold", "1e-4"},
                                        {"numerics", "modes", "10"},
-                                       {"numerics", "duration", "10.0"},
                                        {"damping", "", ""},
                                        {"damping", "kelvin_voigt", "6.4e-5"},
                                        {"damping", "ratio", "0.01"}};
@@ -163,7 +164,7 @@ TEST_F(CaseFile, IsReadKeyByKey) {
   EXPECT_EQ(problem.numerics.spectral_radius(), 0.9);
   EXPECT_EQ(problem.numerics.velocity_threshold(), 1e-4);
   EXPECT_EQ(problem.numerics.modes(), 10);
-  EXPECT_EQ(problem.numerics.duration(), 10.0);
+  EXPECT_EQ(problem.numerics.duration(), 8.0);
   EXPECT_EQ(problem.damping.kelvin_voigt(), 6.4e-5);
   EXPECT_EQ(problem.damping.ratio(), 0.01);
 }
@@ -502,6 +503,17 @@ TEST_F(CaseShorthand, IsRefusedWhereItIsIncompleteOrGivenTwice) {
             "excitation.velocity_amplitude is given");
 }
 
+TEST_F(CaseShorthand, TakesADurationAmongTheNumericsOnce) {
+  EXPECT_EQ(data::read_case(write(case_with("excitation.duration", ""))).numerics.duration(), 10.0);
+  const std::string older = "modes = 10\nduration = 3\n";
+  EXPECT_EQ(error_message(case_with("numerics.modes", older)),
+            "bar.toml:17: excitation.duration is 8 (a float), but must be missing where numerics.duration is "
+            "given");
+  const auto file = write(case_with("numerics.modes", older));
+  EXPECT_EQ(data::read_case(file, {{"excitation.duration", "2 s"}}).numerics.duration(), 2.0);
+  EXPECT_EQ(data::read_case(file, {{"numerics.duration", "2000 ms"}}).numerics.duration(), 2.0);
+}
+
 TEST_F(CaseShorthand, HasAMaterialOnlyWithASource) {
   for (const auto& material : data::list_materials()) {
     EXPECT_FALSE(material.source.empty());
@@ -533,7 +545,7 @@ void expect_paper_friction_and_numerics(const data::Case& problem) {
   EXPECT_EQ(problem.numerics.spectral_radius(), 0.9);
   EXPECT_EQ(problem.numerics.velocity_threshold(), 1e-4);
   EXPECT_EQ(problem.numerics.modes(), 10);
-  EXPECT_EQ(problem.numerics.duration(), 10.0);
+  EXPECT_EQ(problem.numerics.duration(), 8.0);
 }
 
 void expect_beam(const data::Beam& beam, const data::BeamProperties& expected) {

@@ -49,7 +49,7 @@ TEST(InputLimits, OfEachKeyAreAllowedThemselves) {
                                                                   {"excitation.amplitude", 1e-18, 1e6},
                                                                   {"numerics.time_step", 1e-15, 1e9},
                                                                   {"numerics.velocity_threshold", 1e-18, 1e9},
-                                                                  {"numerics.duration", 1e-15, 1e15},
+                                                                  {"excitation.duration", 1e-15, 1e15},
                                                                   {"damping.kelvin_voigt", 1e-18, 1e6},
                                                                   {"damping.ratio", 1e-9, 1.0}}) {
     for (const double value : {smallest, largest, -smallest, -largest, 0.0})

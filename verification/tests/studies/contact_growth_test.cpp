@@ -352,7 +352,7 @@ TEST(GrowthWarning, BeginsWhereRoundingMayGrowToTheSizeOfTheMotion) {
   for (const double share : {0.99, 1.01}) {
     const auto found = warning({{"numerics.time_step", "1e-5"},
                                 {"numerics.spectral_radius", "1"},
-                                {"numerics.duration", data::shortest_text(share * 36.0 / bound)}});
+                                {"excitation.duration", data::shortest_text(share * 36.0 / bound)}});
     EXPECT_EQ(found.has_value(), share > 1.0);
     if (!found) continue;
     EXPECT_EQ(found->value, bound);
@@ -362,7 +362,7 @@ TEST(GrowthWarning, BeginsWhereRoundingMayGrowToTheSizeOfTheMotion) {
 }
 
 TEST(GrowthWarning, SuggestsSettingsThatKeepTheGrowthAtThatOfTheBeam) {
-  const auto found = warning({{"numerics.time_step", "1e-6"}, {"numerics.duration", "0.5"}});
+  const auto found = warning({{"numerics.time_step", "1e-6"}, {"excitation.duration", "0.5"}});
   ASSERT_TRUE(found);
   const std::string before = "time_step = ";
   const auto place = found->sentence.find(before);
@@ -370,12 +370,12 @@ TEST(GrowthWarning, SuggestsSettingsThatKeepTheGrowthAtThatOfTheBeam) {
   const double step = std::stod(found->sentence.substr(place + before.size()));
   EXPECT_FALSE(warning({{"numerics.time_step", data::shortest_text(step)},
                         {"numerics.spectral_radius", "0"},
-                        {"numerics.duration", "1.1"}}));  // 31/s for 1.16 s
+                        {"excitation.duration", "1.1"}}));  // 31/s for 1.16 s
   EXPECT_LT(found->sentence.size(), 300u);
 }
 
 TEST(GrowthWarning, SaysWhenNoDiscretisationHelps) {
-  const auto found = warning({{"numerics.duration", "10"}});
+  const auto found = warning({{"excitation.duration", "10"}});
   ASSERT_TRUE(found);
   EXPECT_NE(found->sentence.find("beyond 1.2 s the bound is of no use for any discretisation"),
             std::string::npos)
@@ -383,7 +383,7 @@ TEST(GrowthWarning, SaysWhenNoDiscretisationHelps) {
 }
 
 TEST(GrowthWarning, SaysLessOfABeamWhoseDampingItsClosedFormDoesNotKnow) {
-  const auto found = warning({{"numerics.duration", "3"}, {"damping.ratio", "1e-4"}});
+  const auto found = warning({{"excitation.duration", "3"}, {"damping.ratio", "1e-4"}});
   ASSERT_TRUE(found);
   EXPECT_NE(found->sentence.find("for the undamped beam"), std::string::npos) << found->sentence;
   EXPECT_EQ(found->sentence.find("any discretisation"), std::string::npos) << found->sentence;
@@ -391,9 +391,9 @@ TEST(GrowthWarning, SaysLessOfABeamWhoseDampingItsClosedFormDoesNotKnow) {
 
 TEST(GrowthWarning, CountsTheModesOfAnEventDrivenRun) {
   const auto inquiry = studies::Inquiry::event_driven_history;
-  EXPECT_FALSE(warning({{"numerics.modes", "5"}, {"numerics.duration", "0.15"}}, inquiry));  // 213/s
-  EXPECT_TRUE(warning({{"numerics.modes", "5"}, {"numerics.duration", "0.2"}}, inquiry));
-  EXPECT_TRUE(warning({{"numerics.modes", "10"}, {"numerics.duration", "0.1"}}, inquiry));  // 398/s
+  EXPECT_FALSE(warning({{"numerics.modes", "5"}, {"excitation.duration", "0.15"}}, inquiry));  // 213/s
+  EXPECT_TRUE(warning({{"numerics.modes", "5"}, {"excitation.duration", "0.2"}}, inquiry));
+  EXPECT_TRUE(warning({{"numerics.modes", "10"}, {"excitation.duration", "0.1"}}, inquiry));  // 398/s
 }
 
 TEST(GrowthWarning, IsSilentOnWhatItDoesNotCompute) {

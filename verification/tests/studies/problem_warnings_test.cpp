@@ -171,14 +171,14 @@ TEST(LongStep, IsWarnedOfWithAStepThatPasses) {
 }
 
 TEST(LongStep, MindsAnExcitationThatIsFasterThanTheModes) {
-  EXPECT_TRUE(warns(paper_with({{"excitation.frequency_hz", "2000"}, {"numerics.duration", "0.1"}}),
+  EXPECT_TRUE(warns(paper_with({{"excitation.frequency_hz", "2000"}, {"excitation.duration", "0.1"}}),
                     Inquiry::stepped_history, Concern::long_step));
 }
 
 STICKSLIP_VERIFIES(ModesThatMatter, "X21");
 TEST(ModesThatMatter, HaveAnAmplitudeAboveTheirShare) {
   for (const char* hz : {"15", "25", "35", "70", "300"}) {
-    const data::Case problem = paper_with({{"excitation.frequency_hz", hz}, {"numerics.duration", "1"}});
+    const data::Case problem = paper_with({{"excitation.frequency_hz", hz}, {"excitation.duration", "1"}});
     const analytic::StickResponse response(problem.beam, problem.excitation, problem.numerics.modes());
     const double largest = response.max_abs_friction_force(1.0, 1e-3).upper;
     const auto vibrations = response.transient_force();
@@ -222,7 +222,7 @@ TEST(Resonance, IsNoConcernOfAShortADampedOrAnUnmovedBeam) {
   EXPECT_TRUE(warns(paper_with({at}), Inquiry::criterion, Concern::resonance));
   EXPECT_TRUE(warns(paper_with({at}), Inquiry::closed_form_history, Concern::resonance));
   EXPECT_FALSE(warns(paper_with({at}), Inquiry::stepped_history, Concern::resonance));
-  EXPECT_FALSE(warns(paper_with({at, {"numerics.duration", "0.1"}}), Inquiry::criterion, Concern::resonance));
+  EXPECT_FALSE(warns(paper_with({at, {"excitation.duration", "0.1"}}), Inquiry::criterion, Concern::resonance));
   EXPECT_FALSE(warns(paper_with({at, {"damping.ratio", "0.01"}}), Inquiry::criterion, Concern::resonance));
   EXPECT_FALSE(
       warns(paper_with({at, {"excitation.amplitude", "0"}}), Inquiry::criterion, Concern::resonance));
@@ -237,7 +237,7 @@ TEST(Flutter, IsWarnedOfFromItsLoadOnAndTheRunGoesOn) {
   ASSERT_LT(flutter, buckling);
   for (const double load : {0.9 * flutter, 0.999 * flutter, 0.5 * (flutter + buckling)}) {
     const data::Case problem =
-        paper_with({{"beam.axial_force", digits(load)}, {"numerics.duration", "0.002"}});
+        paper_with({{"beam.axial_force", digits(load)}, {"excitation.duration", "0.002"}});
     for (const Inquiry inquiry : {Inquiry::stepped_history, Inquiry::event_driven_history}) {
       const auto warnings = studies::problem_warnings(problem, inquiry);
       const auto* warning = find(warnings, Concern::flutter);
@@ -310,10 +310,10 @@ TEST(ProblemWarnings, AreNoneWhereThePeriodsToFollowAreTooMany) {
   EXPECT_NO_THROW(studies::require_feasible(paper_with(), Inquiry::criterion));
   for (const Inquiry inquiry :
        {Inquiry::criterion, Inquiry::closed_form_history, Inquiry::event_driven_history, Inquiry::design})
-    EXPECT_THROW(studies::require_feasible(paper_with({{"numerics.duration", "1e5"}}), inquiry),
+    EXPECT_THROW(studies::require_feasible(paper_with({{"excitation.duration", "1e5"}}), inquiry),
                  data::FieldError);
   EXPECT_NO_THROW(
-      studies::require_feasible(paper_with({{"numerics.duration", "1e5"}}), Inquiry::stepped_history));
+      studies::require_feasible(paper_with({{"excitation.duration", "1e5"}}), Inquiry::stepped_history));
 }
 
 }  // namespace

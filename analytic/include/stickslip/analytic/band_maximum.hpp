@@ -41,7 +41,7 @@ struct FrequencyBand {
 class BandMaximum {
  public:
   /// Throws what stick_modes() throws, and std::invalid_argument unless 0 < from_hz <= to_hz and
-  /// duration > 0 (numerics.duration).
+  /// duration > 0 (excitation.duration).
   BandMaximum(const data::Beam& beam, const FrequencyBand& band, double duration, int modes = 10);
 
   /// Bounds of the largest |f_max| per unit amplitude, N/m, with upper - lower <= relative_width * lower, or

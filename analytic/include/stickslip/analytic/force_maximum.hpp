@@ -31,7 +31,7 @@ namespace stickslip::analytic {
 class ForceMaximum {
  public:
   /// angular_frequency: Omega, rad/s; duration: T, s. Throws data::FieldError, naming
-  /// excitation.frequency_hz or numerics.duration, unless both are positive and finite.
+  /// excitation.frequency_hz or excitation.duration, unless both are positive and finite.
   ForceMaximum(const ModalReaction& reaction, double angular_frequency, double duration);
 
   /// Bounds of max |f|/A0, N/m, with upper - lower <= relative_width * lower + 3 rounding(). They enclose the

@@ -81,7 +81,7 @@ class StickResponse {
   /// max|f''| <= sum |a_i| w_i^2; a mode in resonance, whose two amplitudes are large and opposite, counts
   /// instead with |g_n''| <= Omega (Omega t + 1)/(Omega + omega_n). Intervals whose bound does not exceed the
   /// best value found are dropped, the others are halved, until upper - lower <= relative_width * lower.
-  /// Throws std::invalid_argument unless duration > 0 (numerics.duration) and 1e-13 <= relative_width < 1, or
+  /// Throws std::invalid_argument unless duration > 0 (excitation.duration) and 1e-13 <= relative_width < 1, or
   /// if the first division already needs more than 1e9 intervals.
   [[nodiscard]] Bounds max_abs_friction_force_by_halving(double duration,
                                                          double relative_width = 1e-10) const;

@@ -4,7 +4,7 @@
 /// Cases as TOML files: the tables [beam], [friction], [excitation], [numerics] and [damping], whose keys are
 /// the field names of problem.hpp. A value is a number in SI units, or a text of a number and a unit ("1.5 mm").
 /// These keys may be missing: those of [damping] and friction.viscous are then 0, those of [numerics] have the
-/// values of default_numerics(), and without friction.kinetic_coefficient the friction is Coulomb's, with the
+/// values of default_numerics(), excitation.duration is default_duration, and without friction.kinetic_coefficient the friction is Coulomb's, with the
 /// static coefficient. In place of some keys a file may hold others:
 ///   [section] shape = "rectangle" (width; height, in the direction of the vibration), "circle" (diameter) or
 ///     "tube" (diameter, wall_thickness): beam.area, beam.second_moment_of_area;
@@ -53,6 +53,9 @@ void require_magnitude(std::string_view key, double value, const std::string& pl
 /// error, an unknown, missing or mistyped key, a value that the problem types do not allow, or one that no
 /// beam has: each quantity has a range of magnitudes, in SI units, that the problem types do not know.
 [[nodiscard]] Case read_case(const std::filesystem::path& file, const std::vector<Override>& overrides = {});
+
+/// The case that a file with this text holds. Throws what read_case() throws.
+[[nodiscard]] Case parse_case(const std::filesystem::path& file, const std::string& text);
 
 /// find_case, then read_case.
 [[nodiscard]] Case load_case(const std::string& name_or_path, const std::vector<Override>& overrides = {});

@@ -16,11 +16,11 @@ namespace stickslip::data {
 /// Parses a TOML file of at most 1 MB. Throws InputError, naming the file and, for a syntax error, the line.
 [[nodiscard]] toml::table read_toml(const std::filesystem::path& file);
 
-/// What is wrong, on one line: TOML++ quotes the line break that it stumbles over as it is.
-[[nodiscard]] std::string description_of(const toml::parse_error& error);
-
 /// What is wrong, on one line: toml++ quotes a line break as it is.
 [[nodiscard]] std::string description_of(const toml::parse_error& error);
+
+/// The same from the text of the file.
+[[nodiscard]] toml::table parse_toml(const std::filesystem::path& file, const std::string& text);
 
 /// "paper.toml:3", the line on which the node's value begins.
 [[nodiscard]] std::string place_of(const std::filesystem::path& file, const toml::node& node);

@@ -24,7 +24,7 @@ struct ForceMaximum {
 /// The enclosure is proven under one assumption: the error of sin and cos of the C library is at most 2^-52,
 /// twice the value that glibc states. It is used when intervals are removed.
 ///
-/// Throws std::invalid_argument, naming numerics.duration, unless it is positive, or if a sinusoid is known
+/// Throws std::invalid_argument, naming excitation.duration, unless it is positive, or if a sinusoid is known
 /// to less than 60 bits. Throws std::domain_error if the evaluation in doubles is too inaccurate, which
 /// happens near a resonance (relative distance below about 1e-7), where large amplitudes cancel.
 [[nodiscard]] ForceMaximum max_abs_of_sinusoids(const std::vector<Sinusoid>& sinusoids,

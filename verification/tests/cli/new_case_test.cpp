@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+/// `new`: the case that it writes is the one that was asked for. And what a case without [numerics] gives.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "stickslip/data/case_file.hpp"
+#include "stickslip/data/default_numerics.hpp"
+#include "support/command_line.hpp"
+#include "support/requirements.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+class NewCase : public CommandLine {
+ protected:
+  [[nodiscard]] std::string file() const { return path("my-beam.toml"); }
+  [[nodiscard]] std::string command(const std::string& options = "") const {
+    return "new '" + file() + "' " + options;
+  }
+};
+
+STICKSLIP_VERIFIES(NewCase, "P1");
+TEST_F(NewCase, HoldsTheValuesThatAreSet) {
+  const Outcome outcome =
+      run(command("--set section.shape=tube --set 'beam.length=1.2 m' --set "
+                  "'excitation.acceleration_amplitude=\"1 g\"' --set damping.ratio=0.02"));
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_TRUE(outcome.output.ends_with("whether it slips: stickslip criterion " + file() + "\n"));
+  const data::Case problem = data::load_case(file());
+  EXPECT_EQ(problem.beam.length(), 1.2);
+  EXPECT_EQ(problem.beam.density(), 7850.0);
+  EXPECT_NEAR(problem.beam.area(), std::numbers::pi * (25e-6 - 16e-6), 1e-19);
+  EXPECT_NEAR(problem.excitation.amplitude(), 9.80665 / std::pow(60.0 * std::numbers::pi, 2), 1e-18);
+  EXPECT_EQ(problem.damping.ratio(), 0.02);
+  EXPECT_EQ(run("criterion '" + file() + "'").status, 0);
+}
+
+TEST_F(NewCase, ReplacesASectionOrAMaterialByNumbers) {
+  ASSERT_EQ(run(command("--set beam.area=1e-4 --set beam.second_moment_of_area=1e-9 --set "
+                        "'beam.density=1.2 g/cm^3' --set beam.youngs_modulus=3e9"))
+                .status,
+            0);
+  const data::Case problem = data::load_case(file());
+  EXPECT_EQ(problem.beam.second_moment_of_area(), 1e-9);
+  EXPECT_EQ(problem.beam.density(), 1200.0);
+}
+
+// The second answer is refused and asked again; the others are kept.
+TEST_F(NewCase, AsksForWhatIsNotSet) {
+  const std::string program = std::string("'") + STICKSLIP_PROGRAM + "' ";
+  const std::string ask = program + command("--ask --set beam.material=glass");
+  const Outcome outcome = shell("printf '250 mm\\n-3\\n\\ncircle\\n8 mm\\n\\n\\n\\n\\n\\n' | " + ask);
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_NE(outcome.errors.find("beam.axial_force is '-3 N' (a string)"), std::string::npos)
+      << outcome.errors;
+  const data::Case problem = data::load_case(file());
+  EXPECT_EQ(problem.beam.length(), 0.25);
+  EXPECT_EQ(problem.beam.axial_force(), 40.0);
+  EXPECT_EQ(problem.beam.density(), 2500.0);
+  EXPECT_NEAR(problem.beam.area(), std::numbers::pi * 16e-6, 1e-19);
+}
+
+TEST_F(NewCase, WritesNothingThatIsNoCaseAndOverwritesNothing) {
+  expect_refused(command("--set beam.lenth=1"), "unknown key beam.lenth (did you mean beam.length?)");
+  expect_refused(command("--set section.height=0"),
+                 "section.height is 0, but must be a finite number above 0");
+  expect_refused(command("--ask") + " < /dev/null", "standard input ends before beam.length is answered");
+  EXPECT_FALSE(std::filesystem::exists(file()));
+  ASSERT_EQ(run(command()).status, 0);
+  expect_refused(command(), "but must be a file that does not exist yet");
+}
+
+// f_10 of the paper's beam is (10.25 pi)^2 sqrt(16666.7/10)/(2 pi 4) = 1684 Hz, 1/(50 f_10) = 1.19e-5 s; at 500 Hz the
+// first mode above 2000 Hz is the 11th (2029 Hz).
+STICKSLIP_VERIFIES(DefaultNumerics, "P1");
+TEST(DefaultNumerics, FollowTheHighestModeThatMatters) {
+  const data::Case paper = data::load_case("paper");
+  const auto at = [&](double hz, double duration) {
+    return data::default_numerics(
+        paper.beam, data::HarmonicExcitation({.frequency_hz = hz, .amplitude = 1e-3}), duration);
+  };
+  EXPECT_EQ(at(25.0, 10.0).elements, 40);
+  EXPECT_EQ(at(25.0, 10.0).time_step, 1e-5);
+  EXPECT_EQ(at(25.0, 10.0).modes, 10);
+  EXPECT_EQ(at(500.0, 10.0).modes, 11);
+  EXPECT_EQ(at(500.0, 10.0).elements, 44);
+  EXPECT_EQ(at(25.0, 2e-6).time_step, 2e-6);
+  EXPECT_EQ(at(1e9, 10.0).modes, 200);
+}
+
+class DefaultRuns : public CommandLine {};
+
+STICKSLIP_VERIFIES(DefaultRuns, "X9");
+TEST_F(DefaultRuns, OfTheDampedCaseAgreeWithTheReferenceData) {
+  const std::string history = "'" + path("history.csv") + "'", events = "'" + path("events.csv") + "'";
+  ASSERT_EQ(run("respond damped --output " + history + " --events " + events).status, 0);
+  const Outcome outcome = run("compare stick-slip-history " + history + " --events " + events);
+  EXPECT_EQ(outcome.status, 0) << outcome.output << outcome.errors;
+}
+
+// With a threshold above 0 each slip that begins is taken for a stick at the end of a step that is short enough.
+TEST_F(DefaultRuns, FindTheSameChangesOfContactAtEachStepOnlyWithoutAVelocityThreshold) {
+  const auto changes = [&](const std::string& step, const std::string& threshold) {
+    return json("respond damped --set numerics.time_step=" + step + " --set numerics.velocity_threshold=" +
+                threshold + " --output '" + path("history.csv") + "'")["changes_of_contact"]
+        .get<int>();
+  };
+  for (const std::string step : {"2e-5", "1e-5", "5e-6"}) EXPECT_EQ(changes(step, "0"), 47) << step;
+  EXPECT_EQ(changes("2e-5", "1e-4"), 47);
+  EXPECT_GT(changes("5e-6", "1e-4"), 100);
+}
+
+class RespondFigure : public Drawing {};
+
+STICKSLIP_VERIFIES(RespondFigure, "U1");
+TEST_F(RespondFigure, IsDrawnFromTheRowsAndTheLimit) {
+  install_gnuplot("cat \"${folder}history.csv\" \"${folder}history-values.csv\" > $output\n");
+  const Outcome outcome = run("respond paper --duration 0.001 --output '" + path("history.csv") +
+                              "' --figure '" + path("history.png") + "'");
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  const std::string drawn = contents(path("history.png"));
+  EXPECT_TRUE(drawn.starts_with(contents(path("history.csv"))));
+  EXPECT_TRUE(drawn.ends_with("limit,300,N\n")) << drawn;
+  expect_refused("respond paper --duration 0.001 --figure a.jpg", "--figure is 'a.jpg'");
+  expect_refused("respond paper --output '" + path("b.png") + "' --figure '" + path("b.png") + "'",
+                 "another file than --output");
+}
+
+}  // namespace
+}  // namespace stickslip::testing
