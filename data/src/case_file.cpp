@@ -16,6 +16,7 @@
 
 #include "stickslip/data/installation.hpp"
 #include "stickslip/data/toml_file.hpp"
+#include "uncertainty_table.hpp"
 
 namespace stickslip::data {
 
@@ -113,6 +114,7 @@ std::vector<std::string> table_names() {
   std::vector<std::string> names;
   for (const auto& key : keys)
     if (std::ranges::find(names, key.table) == names.end()) names.emplace_back(key.table);
+  names.emplace_back("uncertainty");
   return names;
 }
 
@@ -158,6 +160,20 @@ void collect_table(const std::filesystem::path& file, std::string_view name, con
   }
 }
 
+std::vector<std::string> real_key_paths() {
+  std::vector<std::string> paths;
+  Draft draft;
+  for (const auto& key : keys)
+    if (std::holds_alternative<double*>(key.target(draft))) paths.push_back(key.path());
+  return paths;
+}
+
+// A key that is missing has the mean of its distribution.
+void supply_means(const Uncertainty& uncertainty, Entries& entries) {
+  for (const auto& [key, distribution, place] : uncertainty.keys)
+    entries.try_emplace(key, Entry{distribution.mean_value(), place});
+}
+
 Entries entries_of_file(const std::filesystem::path& file) {
   Entries entries;
   const toml::table document = read_toml(file);
@@ -165,6 +181,7 @@ Entries entries_of_file(const std::filesystem::path& file) {
   for (const auto& [key, value] : document) {
     const std::string name(key.str());
     const std::string place = place_of(file, value);
+    if (name == "uncertainty") continue;
     const bool is_known = std::ranges::find(tables, name) != tables.end();
     if (const auto* table = value.as_table()) {
       if (!is_known) throw_unknown_table(place, name);
@@ -175,6 +192,8 @@ Entries entries_of_file(const std::filesystem::path& file) {
       throw_unknown_key(place, name, value);
     }
   }
+  if (const auto* node = document.get("uncertainty"))
+    supply_means(uncertainty_of(file, *node, real_key_paths()), entries);
   return entries;
 }
 
@@ -327,6 +346,12 @@ void require_magnitude(std::string_view key, double value, const std::string& pl
   } catch (const FieldError& error) {
     throw InputError(place + ": " + error.what());
   }
+}
+
+Uncertainty read_uncertainty(const std::filesystem::path& file) {
+  const toml::table document = read_toml(file);
+  const auto* node = document.get("uncertainty");
+  return node == nullptr ? Uncertainty() : uncertainty_of(file, *node, real_key_paths());
 }
 
 Case read_case(const std::filesystem::path& file, const std::vector<Override>& overrides) {

@@ -3,7 +3,8 @@
 
 /// Cases as TOML files: the tables [beam], [friction], [excitation], [numerics] and [damping], whose keys are
 /// the field names of problem.hpp. A file holds every key exactly once and no other; those of [damping] may
-/// be missing and are then 0.
+/// be missing and are then 0. A table [uncertainty] (uncertainty.hpp) gives keys a distribution; one that is
+/// missing elsewhere has the mean of its distribution.
 
 #include <filesystem>
 #include <map>
