@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: MIT
+#include "studies/uncertainty/slip_probability.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "stickslip/analytic/criterion.hpp"
+#include "stickslip/analytic/damped_reaction.hpp"
+#include "stickslip/data/case_file.hpp"
+#include "studies/common/parallel.hpp"
+#include "studies/common/problem_parameter.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+constexpr double kForceWidth = 1e-8, kBandWidth = 1e-3, kCommonWidth = 1e-6, kUndecided = 1e-7;
+constexpr std::array kProbabilities{0.05, 0.25, 0.5, 0.75, 0.95};
+
+// The result of one sample.
+struct Verdict {
+  double critical_amplitude{}, margin{};
+  bool slips{};
+};
+
+// Keys on which |f_max| per metre of amplitude does not depend.
+bool moves_the_force(const std::string& key) {
+  static const std::set<std::string> others{"excitation.amplitude", "numerics.time_step",
+                                            "numerics.spectral_radius", "numerics.velocity_threshold"};
+  return !key.starts_with("friction.") && !others.contains(key);
+}
+
+// The verdict on the cases in which keys have other values.
+class Verdicts {
+ public:
+  Verdicts(const data::Case& problem, const data::Uncertainty& uncertainty,
+           const std::optional<analytic::FrequencyBand>& band)
+      : problem_(problem), numbers_(data::numbers_of(problem)), keys_(uncertainty.keys), band_(band) {
+    const auto has = [&](const std::string& key) {
+      return std::ranges::find(keys_, key, &data::UncertainKey::key) != keys_.end();
+    };
+    follows_ = !has("friction.kinetic_coefficient");
+    if (std::ranges::any_of(keys_, [](const auto& key) { return moves_the_force(key.key); })) return;
+    force_ = band ? search_of(problem).refined_to(kCommonWidth) : unit_force(problem);
+  }
+
+  // Throws data::InputError for values that no beam has.
+  [[nodiscard]] Verdict at(std::span<const double> values) const {
+    auto numbers = numbers_;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      require_finite(keys_[i].key, values[i]);
+      numbers[keys_[i].key] = values[i];
+    }
+    auto& kinetic = numbers.at("friction.kinetic_coefficient");
+    if (follows_) kinetic = std::min(kinetic, numbers.at("friction.static_coefficient"));
+    return of(data::case_with(problem_.name, numbers));
+  }
+
+  [[nodiscard]] Verdict of(const data::Case& problem) const {
+    analytic::require_contact(problem.beam);
+    const double limit = problem.friction.static_coefficient() * problem.beam.axial_force();
+    const double amplitude = problem.excitation.amplitude();
+    if (!(amplitude > 0.0)) throw data::FieldError("excitation.amplitude", amplitude, "above 0 (m)");
+    const analytic::Bounds force = force_ ? *force_ : unit_force(problem);
+    return {.critical_amplitude = limit / force.midpoint(),
+            .margin = limit / (amplitude * force.midpoint()),
+            .slips = amplitude * force.lower > limit};
+  }
+
+ private:
+  static void require_finite(const std::string& key, double value) {
+    if (!std::isfinite(value)) throw data::FieldError(key, value, "a finite number");
+    try {
+      data::require_magnitude(key, value, key);
+    } catch (const data::InputError&) {
+      throw data::FieldError(key, value, "of a magnitude that beams have");
+    }
+  }
+
+  [[nodiscard]] analytic::BandMaximum search_of(const data::Case& problem) const {
+    return {problem.beam, *band_, problem.numerics.duration(), problem.numerics.modes()};
+  }
+
+  [[nodiscard]] analytic::Bounds unit_force(const data::Case& problem) const {
+    if (!band_)
+      return analytic::largest_unit_force(problem.beam, problem.damping, problem.excitation.frequency_hz(),
+                                          problem.numerics.duration(), problem.numerics.modes(),
+                                          analytic::SteadyPart::modal_sum, kForceWidth);
+    const double limit =
+        problem.friction.static_coefficient() * problem.beam.axial_force() / problem.excitation.amplitude();
+    analytic::BandMaximum search = search_of(problem);
+    const analytic::Bounds force = search.refined_to(kBandWidth);
+    return force.lower <= limit && limit < force.upper ? search.refined_against(limit, kUndecided) : force;
+  }
+
+  data::Case problem_;
+  std::map<std::string, double> numbers_;
+  std::vector<data::UncertainKey> keys_;
+  std::optional<analytic::FrequencyBand> band_;
+  bool follows_{};
+  std::optional<analytic::Bounds> force_;
+};
+
+// No verdict where the sample is no valid beam, and why.
+struct Outcome {
+  std::optional<Verdict> verdict;
+  std::string reason;
+};
+
+Outcome outcome_at(const Verdicts& verdicts, std::span<const double> values) {
+  try {
+    return {verdicts.at(values), ""};
+  } catch (const data::FieldError& error) {
+    return {std::nullopt, error.field()};
+  } catch (const data::InputError& error) {
+    return {std::nullopt, error.what()};
+  }
+}
+
+std::vector<Outcome> outcomes(const Verdicts& verdicts, const JointDistribution& joint,
+                              const SlipSampling& sampling, std::span<const double> spreads,
+                              const std::function<void(double)>& progress) {
+  std::vector<Outcome> all(sampling.samples);
+  in_parallel(
+      all.size(),
+      [&](std::size_t index) {
+        all[index] =
+            outcome_at(verdicts, joint.at(independent_point(sampling.seed, index, joint.size()), spreads));
+      },
+      progress);
+  return all;
+}
+
+struct Count {
+  std::size_t valid{}, slips{};
+};
+
+Count count_of(const std::vector<Outcome>& all) {
+  Count count;
+  for (const Outcome& outcome : all) {
+    count.valid += outcome.verdict ? 1U : 0U;
+    count.slips += outcome.verdict && outcome.verdict->slips ? 1U : 0U;
+  }
+  return count;
+}
+
+void summarise(const std::vector<Outcome>& all, SlipUncertainty& result) {
+  std::vector<double> amplitudes, margins;
+  for (const Outcome& outcome : all) {
+    if (!outcome.verdict) {
+      ++result.invalid[outcome.reason];
+      continue;
+    }
+    amplitudes.push_back(outcome.verdict->critical_amplitude);
+    margins.push_back(outcome.verdict->margin);
+  }
+  if (margins.empty())
+    throw data::InputError(
+        "no sample is a beam with a verdict, but one or more must be; most have no valid " +
+        std::ranges::max_element(result.invalid, {}, [](const auto& row) { return row.second; })->first);
+  std::ranges::sort(amplitudes);
+  std::ranges::sort(margins);
+  for (const double p : kProbabilities)
+    result.quantiles.push_back({p, quantile_of(amplitudes, p), quantile_of(margins, p)});
+  const Count count = count_of(all);
+  result.valid = count.valid;
+  result.slips = count.slips;
+  result.probability_of_slip = probability_of(count.slips, count.valid);
+}
+
+std::vector<SlipUncertainty::Tornado> tornado_of(const data::Case& problem,
+                                                 const data::Uncertainty& uncertainty,
+                                                 const std::optional<analytic::FrequencyBand>& band) {
+  std::vector<SlipUncertainty::Tornado> rows;
+  for (const auto& key : uncertainty.keys) {
+    const Verdicts alone(problem, {.keys = {key}, .correlation = {1.0}}, band);
+    const auto margin_at = [&](double value) {
+      const Outcome outcome = outcome_at(alone, std::span(&value, 1));
+      return outcome.verdict ? std::optional(outcome.verdict->margin) : std::nullopt;
+    };
+    const double low = quantile(key.distribution, 0.05), high = quantile(key.distribution, 0.95);
+    rows.push_back({key.key, low, high, margin_at(low), margin_at(high)});
+  }
+  return rows;
+}
+
+// Of the tornado: |log(margin_high/margin_low)|; a beam that is lost is as wide as it gets.
+double width_of(const SlipUncertainty::Tornado& row) {
+  if (!row.margin_low || !row.margin_high) return std::numeric_limits<double>::infinity();
+  return std::abs(std::log(*row.margin_high / *row.margin_low));
+}
+
+std::size_t decisive_key(const SlipUncertainty& result) {
+  if (!result.sensitivity) {
+    const auto widest = std::ranges::max_element(result.tornado, {}, width_of);
+    return static_cast<std::size_t>(widest - result.tornado.begin());
+  }
+  const auto& indices = result.sensitivity->indices;
+  const auto largest =
+      std::ranges::max_element(indices, {}, [](const auto& index) { return index.total.value; });
+  return static_cast<std::size_t>(largest - indices.begin());
+}
+
+void require_answerable(const data::Case& problem, const data::Uncertainty& uncertainty,
+                        const SlipSampling& sampling) {
+  if (uncertainty.keys.empty())
+    throw data::InputError(
+        "uncertainty is missing, but the case must have a table [uncertainty] with one key or more "
+        "that --set does not fix");
+  require_friction(problem);
+  if (!sampling.band) return;
+  for (const auto& key : uncertainty.keys)
+    if (key.key == "excitation.frequency_hz" || key.key.starts_with("damping."))
+      throw data::InputError(key.place + ": " + key.key + " is uncertain, but must be certain with a band");
+  if (is_damped(problem))
+    throw data::InputError(
+        "the case is damped, but must have no damping with a band: its bounds are those of Eq. (26)");
+}
+
+}  // namespace
+
+data::Uncertainty without(const data::Uncertainty& uncertainty, const std::vector<std::string>& keys) {
+  std::vector<std::size_t> kept;
+  data::Uncertainty result;
+  for (std::size_t i = 0; i < uncertainty.keys.size(); ++i) {
+    if (std::ranges::find(keys, uncertainty.keys[i].key) != keys.end()) continue;
+    kept.push_back(i);
+    result.keys.push_back(uncertainty.keys[i]);
+  }
+  for (const std::size_t i : kept)
+    for (const std::size_t j : kept)
+      result.correlation.push_back(uncertainty.correlation[i * uncertainty.keys.size() + j]);
+  return result;
+}
+
+SlipUncertainty slip_uncertainty(const data::Case& problem, const data::Uncertainty& uncertainty,
+                                 const SlipSampling& sampling, const std::function<void(double)>& progress) {
+  require_answerable(problem, uncertainty, sampling);
+  const Verdicts verdicts(problem, uncertainty, sampling.band);
+  const JointDistribution joint(uncertainty);
+  SlipUncertainty result;
+  result.nominal_margin = verdicts.of(problem).margin;
+
+  const bool has_indices = joint.is_independent() && joint.size() <= 20;
+  const std::size_t rows = std::min(sampling.samples, most_index_rows);
+  const double index_work = has_indices ? static_cast<double>(rows * (joint.size() + 2)) : 0.0;
+  const auto draws = static_cast<double>(sampling.samples);
+  const auto part = [&](double start, double length) {
+    return [&progress, from = start / (2.0 * draws + index_work),
+            share = length / (2.0 * draws + index_work)](double done) {
+      if (progress) progress(from + share * done);
+    };
+  };
+  summarise(outcomes(verdicts, joint, sampling, {}, part(0.0, draws)), result);
+  result.tornado = tornado_of(problem, uncertainty, sampling.band);
+  if (has_indices)
+    result.sensitivity = sobol_indices(
+        [&](std::span<const double> u) -> std::optional<double> {
+          const Outcome outcome = outcome_at(verdicts, joint.at(u));
+          return outcome.verdict ? std::optional(std::log(outcome.verdict->margin)) : std::nullopt;
+        },
+        joint.size(), rows, sampling.seed, part(draws, index_work));
+  result.decisive = decisive_key(result);
+  std::vector<double> spreads(joint.size(), 1.0);
+  spreads[result.decisive] = 0.5;
+  const Count count = count_of(outcomes(verdicts, joint, sampling, spreads, part(draws + index_work, draws)));
+  if (count.valid > 0) result.probability_with_half_spread = probability_of(count.slips, count.valid);
+  return result;
+}
+
+}  // namespace stickslip::studies
