@@ -515,7 +515,7 @@ TEST(PublishedCases, AMisspeltNameIsRefusedWithTheNamesThereAre) {
     EXPECT_STREQ(error.what(),
                  "case papr is unknown (did you mean paper?), but must be a file or one of damped, "
                  "near-buckling, paper, paper-figure14, paper-figure9, paper-half-stiffness, soft-short, "
-                 "steel-strip, tension");
+                 "steel-strip, tension, uncertain");
   }
 }
 
