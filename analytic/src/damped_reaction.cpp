@@ -141,9 +141,11 @@ class DampedForce::Search {
       upper_ = amplitude + rest + force.rounding_;
     }
     constexpr int looks = 64;
-    for (int k = 1; k <= looks; ++k) see(force.value(end * k / looks), force.rounding_);
-    const double count = std::ceil(std::max(1.0, end * force.omega_));
-    require_count(count);
+    const double early = std::min(end, 60.0 / force.omega_);
+    for (int k = 1; k <= looks; ++k)
+      for (const double span : {early, end}) see(force.value(span * k / looks), force.rounding_);
+    require_count(end * force.omega_);
+    const double count = std::ceil(end * force.omega_ / 64.0);
     radius_ = 0.5 * end / count;
     for (double k = 0.0; k < count; ++k) centres_.push_back((2.0 * k + 1.0) * radius_);
     while (!centres_.empty()) halve();
@@ -174,15 +176,22 @@ class DampedForce::Search {
     return late;
   }
 
-  /// The bound of a piece, with its value seen.
+  [[nodiscard]] bool is_done(double upper) const {
+    return upper <= (1.0 + relative_width_) * lower_ + 2.0 * force_.rounding_;
+  }
+
+  /// The bound of a piece, with its value seen unless the sum of the amplitudes is bound enough, or the piece is
+  /// too wide for a parabola.
   [[nodiscard]] double upper_of(double centre) {
     const double start = std::max(0.0, centre - radius_), reach = cubed(radius_) / 6.0;
+    const double largest = std::abs(force_.terms_.front().amplitude) + force_.transient_bound(start) +
+                           beats_value_ + force_.rounding_;
+    if (is_done(largest) || radius_ * force_.omega_ > 1.0) return largest;
     Jet sum;
-    double rest = force_.rounding_, excess = 0.0, largest = beats_value_;
+    double rest = force_.rounding_, excess = 0.0;
     for (const Term& term : force_.terms_) {
       const double amplitude = std::abs(term.amplitude) * std::exp(term.exponent.real() * start);
       const double beyond = amplitude * cubed(std::abs(term.exponent)) * reach;
-      largest += amplitude;
       if (beyond < amplitude) {
         force_.add(sum, term, centre);
         excess += beyond;
@@ -193,15 +202,14 @@ class DampedForce::Search {
     for (const Beat& beat : force_.beats_) force_.add(sum, beat, centre);
     excess += beats_third_ * reach;
     see(sum.value, rest);
-    return std::min(largest + force_.rounding_,
-                    largest_parabola(sum.value, sum.slope, sum.curvature, radius_) + excess + rest);
+    return std::min(largest, largest_parabola(sum.value, sum.slope, sum.curvature, radius_) + excess + rest);
   }
 
   void halve() {
     std::vector<double> left;
     for (const double centre : centres_) {
       const double upper = upper_of(centre);
-      if (upper <= (1.0 + relative_width_) * lower_ + 2.0 * force_.rounding_) {
+      if (is_done(upper)) {
         upper_ = std::max(upper_, upper);
         continue;
       }

@@ -205,8 +205,8 @@ void add_uncertainty_command(CLI::App& app) {
       ->check(integer_between(0, 1'000'000'000))
       ->capture_default_str();
   add_threads_option(*command);
-  add_examples(*command, {"stickslip uncertainty uncertain",
-                          "stickslip uncertainty uncertain --band 20:30 --samples 500 --json"});
+  add_examples(*command, {"stickslip uncertainty uncertain --samples 1000",
+                          "stickslip uncertainty uncertain --band 30:35 --samples 50 --json"});
   command->callback([options] { run(*options); });
 }
 

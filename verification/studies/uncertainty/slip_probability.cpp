@@ -3,12 +3,18 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <set>
+#include <utility>
 
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/damped_reaction.hpp"
+#include "stickslip/analytic/force_maximum.hpp"
+#include "stickslip/analytic/modal_reaction_table.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "studies/common/parallel.hpp"
 #include "studies/common/problem_parameter.hpp"
@@ -18,6 +24,8 @@ namespace stickslip::studies {
 namespace {
 
 constexpr double kForceWidth = 1e-8, kBandWidth = 1e-3, kCommonWidth = 1e-6, kUndecided = 1e-7;
+constexpr std::size_t kPilots = 1000;     // samples whose load factors are the range of the table of modes
+constexpr double kMostTabulated = 0.999;  // of the buckling load, below which a table keeps its digits
 constexpr std::array kProbabilities{0.05, 0.25, 0.5, 0.75, 0.95};
 
 // The result of one sample.
@@ -47,22 +55,42 @@ class Verdicts {
     force_ = band ? search_of(problem).refined_to(kCommonWidth) : unit_force(problem);
   }
 
-  // Throws data::InputError for values that no beam has.
-  [[nodiscard]] Verdict at(std::span<const double> values) const {
-    auto numbers = numbers_;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      require_finite(keys_[i].key, values[i]);
-      numbers[keys_[i].key] = values[i];
+  // From now on the modes of undamped beams with a load factor between those of the values are interpolated.
+  void tabulate(const std::vector<std::vector<double>>& values) {
+    double lowest = std::numeric_limits<double>::infinity(), highest = 0.0;
+    for (const auto& sample : values) {
+      try {
+        const data::Beam beam = case_at(sample).beam;
+        analytic::require_contact(beam);
+        const double share = beam.axial_force() / analytic::stick_buckling_load(beam);
+        lowest = std::min(lowest, share);
+        highest = std::max(highest, share);
+      } catch (const data::InputError&) {
+        continue;
+      }
     }
-    auto& kinetic = numbers.at("friction.kinetic_coefficient");
-    if (follows_) kinetic = std::min(kinetic, numbers.at("friction.static_coefficient"));
-    return of(data::case_with(problem_.name, numbers));
+    const data::Beam& beam = problem_.beam;
+    const double buckling = analytic::stick_buckling_load(beam) * beam.length() * beam.length() /
+                            (beam.youngs_modulus() * beam.second_moment_of_area());
+    if (lowest <= highest && highest < kMostTabulated)
+      table_.emplace(lowest * buckling, highest * buckling, problem_.numerics.modes());
+  }
+
+  // Throws data::InputError for values that no beam has.
+  [[nodiscard]] Verdict at(std::span<const double> values) const { return of(case_at(values)); }
+
+  // The verdict alone, which far from the limit is cheaper than the force.
+  [[nodiscard]] bool slips_at(std::span<const double> values) const {
+    const data::Case problem = case_at(values);
+    if (force_ || band_ || is_damped(problem) || problem.excitation.amplitude() == 0.0)
+      return of(problem).slips;
+    analytic::require_contact(problem.beam);
+    return search_of_force(problem).exceeds(friction_limit(problem) / problem.excitation.amplitude());
   }
 
   [[nodiscard]] Verdict of(const data::Case& problem) const {
     analytic::require_contact(problem.beam);
-    const double limit = problem.friction.static_coefficient() * problem.beam.axial_force();
-    const double amplitude = problem.excitation.amplitude();
+    const double limit = friction_limit(problem), amplitude = problem.excitation.amplitude();
     if (!(amplitude > 0.0)) throw data::FieldError("excitation.amplitude", amplitude, "above 0 (m)");
     const analytic::Bounds force = force_ ? *force_ : unit_force(problem);
     return {.critical_amplitude = limit / force.midpoint(),
@@ -71,6 +99,21 @@ class Verdicts {
   }
 
  private:
+  static double friction_limit(const data::Case& problem) {
+    return problem.friction.static_coefficient() * problem.beam.axial_force();
+  }
+
+  [[nodiscard]] data::Case case_at(std::span<const double> values) const {
+    auto numbers = numbers_;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      require_finite(keys_[i].key, values[i]);
+      numbers[keys_[i].key] = values[i];
+    }
+    auto& kinetic = numbers.at("friction.kinetic_coefficient");
+    if (follows_) kinetic = std::min(kinetic, numbers.at("friction.static_coefficient"));
+    return data::case_with(problem_.name, numbers);
+  }
+
   static void require_finite(const std::string& key, double value) {
     if (!std::isfinite(value)) throw data::FieldError(key, value, "a finite number");
     try {
@@ -84,7 +127,15 @@ class Verdicts {
     return {problem.beam, *band_, problem.numerics.duration(), problem.numerics.modes()};
   }
 
+  [[nodiscard]] analytic::ForceMaximum search_of_force(const data::Case& problem) const {
+    return {table_ && table_->holds(problem.beam)
+                ? table_->at(problem.beam)
+                : analytic::modal_reaction(problem.beam, problem.numerics.modes()),
+            angular_frequency(problem.excitation), problem.numerics.duration()};
+  }
+
   [[nodiscard]] analytic::Bounds unit_force(const data::Case& problem) const {
+    if (!band_ && !is_damped(problem)) return search_of_force(problem).refined_to(kForceWidth);
     if (!band_)
       return analytic::largest_unit_force(problem.beam, problem.damping, problem.excitation.frequency_hz(),
                                           problem.numerics.duration(), problem.numerics.modes(),
@@ -102,73 +153,78 @@ class Verdicts {
   std::optional<analytic::FrequencyBand> band_;
   bool follows_{};
   std::optional<analytic::Bounds> force_;
+  std::optional<analytic::ModalReactionTable> table_;
 };
 
-// No verdict where the sample is no valid beam, and why.
-struct Outcome {
-  std::optional<Verdict> verdict;
-  std::string reason;
-};
-
-Outcome outcome_at(const Verdicts& verdicts, std::span<const double> values) {
+// What a function of a sample returns, or nothing for a sample that is no valid beam, and the key or the sentence that
+// says why.
+template <class Function>
+auto result_or_reason(const Function& function, std::string* reason = nullptr)
+    -> std::optional<decltype(function())> {
   try {
-    return {verdicts.at(values), ""};
+    return function();
   } catch (const data::FieldError& error) {
-    return {std::nullopt, error.field()};
+    if (reason != nullptr) *reason = error.field();
   } catch (const data::InputError& error) {
-    return {std::nullopt, error.what()};
+    if (reason != nullptr) *reason = error.what();
   }
-}
-
-std::vector<Outcome> outcomes(const Verdicts& verdicts, const JointDistribution& joint,
-                              const SlipSampling& sampling, std::span<const double> spreads,
-                              const std::function<void(double)>& progress) {
-  std::vector<Outcome> all(sampling.samples);
-  in_parallel(
-      all.size(),
-      [&](std::size_t index) {
-        all[index] =
-            outcome_at(verdicts, joint.at(independent_point(sampling.seed, index, joint.size()), spreads));
-      },
-      progress);
-  return all;
+  return std::nullopt;
 }
 
 struct Count {
   std::size_t valid{}, slips{};
+  std::map<std::string, std::size_t> invalid{};
 };
 
-Count count_of(const std::vector<Outcome>& all) {
+// Sums over all samples, which do not depend on their order.
+Count count_samples(const Verdicts& verdicts, const JointDistribution& joint, const SlipSampling& sampling,
+                    std::span<const double> spreads, const std::function<void(double)>& progress) {
   Count count;
-  for (const Outcome& outcome : all) {
-    count.valid += outcome.verdict ? 1U : 0U;
-    count.slips += outcome.verdict && outcome.verdict->slips ? 1U : 0U;
-  }
+  std::atomic<std::size_t> valid{}, slips{};
+  std::mutex guard;
+  in_parallel(
+      sampling.samples,
+      [&](std::size_t index) {
+        const auto values = joint.at(independent_point(sampling.seed, index, joint.size()), spreads);
+        std::string reason;
+        if (const auto slip = result_or_reason([&] { return verdicts.slips_at(values); }, &reason)) {
+          ++valid;
+          if (*slip) ++slips;
+          return;
+        }
+        const std::lock_guard lock(guard);
+        ++count.invalid[reason];
+      },
+      progress);
+  count.valid = valid;
+  count.slips = slips;
   return count;
 }
 
-void summarise(const std::vector<Outcome>& all, SlipUncertainty& result) {
+std::vector<SlipUncertainty::Quantile> quantiles_of(const Verdicts& verdicts, const JointDistribution& joint,
+                                                    const SlipSampling& sampling,
+                                                    const std::function<void(double)>& progress) {
+  std::vector<std::optional<Verdict>> all(std::min(sampling.samples, most_quantile_samples));
+  in_parallel(
+      all.size(),
+      [&](std::size_t index) {
+        const auto values = joint.at(independent_point(sampling.seed, index, joint.size()));
+        all[index] = result_or_reason([&] { return verdicts.at(values); });
+      },
+      progress);
   std::vector<double> amplitudes, margins;
-  for (const Outcome& outcome : all) {
-    if (!outcome.verdict) {
-      ++result.invalid[outcome.reason];
-      continue;
-    }
-    amplitudes.push_back(outcome.verdict->critical_amplitude);
-    margins.push_back(outcome.verdict->margin);
+  for (const auto& verdict : all) {
+    if (!verdict) continue;
+    amplitudes.push_back(verdict->critical_amplitude);
+    margins.push_back(verdict->margin);
   }
-  if (margins.empty())
-    throw data::InputError(
-        "no sample is a beam with a verdict, but one or more must be; most have no valid " +
-        std::ranges::max_element(result.invalid, {}, [](const auto& row) { return row.second; })->first);
+  std::vector<SlipUncertainty::Quantile> quantiles;
+  if (margins.empty()) return quantiles;
   std::ranges::sort(amplitudes);
   std::ranges::sort(margins);
   for (const double p : kProbabilities)
-    result.quantiles.push_back({p, quantile_of(amplitudes, p), quantile_of(margins, p)});
-  const Count count = count_of(all);
-  result.valid = count.valid;
-  result.slips = count.slips;
-  result.probability_of_slip = probability_of(count.slips, count.valid);
+    quantiles.push_back({p, quantile_of(amplitudes, p), quantile_of(margins, p)});
+  return quantiles;
 }
 
 std::vector<SlipUncertainty::Tornado> tornado_of(const data::Case& problem,
@@ -178,8 +234,7 @@ std::vector<SlipUncertainty::Tornado> tornado_of(const data::Case& problem,
   for (const auto& key : uncertainty.keys) {
     const Verdicts alone(problem, {.keys = {key}, .correlation = {1.0}}, band);
     const auto margin_at = [&](double value) {
-      const Outcome outcome = outcome_at(alone, std::span(&value, 1));
-      return outcome.verdict ? std::optional(outcome.verdict->margin) : std::nullopt;
+      return result_or_reason([&] { return alone.at(std::span(&value, 1)).margin; });
     };
     const double low = quantile(key.distribution, 0.05), high = quantile(key.distribution, 0.95);
     rows.push_back({key.key, low, high, margin_at(low), margin_at(high)});
@@ -239,35 +294,51 @@ data::Uncertainty without(const data::Uncertainty& uncertainty, const std::vecto
 SlipUncertainty slip_uncertainty(const data::Case& problem, const data::Uncertainty& uncertainty,
                                  const SlipSampling& sampling, const std::function<void(double)>& progress) {
   require_answerable(problem, uncertainty, sampling);
-  const Verdicts verdicts(problem, uncertainty, sampling.band);
+  Verdicts verdicts(problem, uncertainty, sampling.band);
   const JointDistribution joint(uncertainty);
   SlipUncertainty result;
   result.nominal_margin = verdicts.of(problem).margin;
+  std::vector<std::vector<double>> pilots;
+  for (std::size_t index = 0; index < kPilots; ++index)
+    pilots.push_back(joint.at(independent_point(sampling.seed, index, joint.size())));
+  verdicts.tabulate(pilots);
 
   const bool has_indices = joint.is_independent() && joint.size() <= 20;
   const std::size_t rows = std::min(sampling.samples, most_index_rows);
   const double index_work = has_indices ? static_cast<double>(rows * (joint.size() + 2)) : 0.0;
-  const auto draws = static_cast<double>(sampling.samples);
-  const auto part = [&](double start, double length) {
-    return [&progress, from = start / (2.0 * draws + index_work),
-            share = length / (2.0 * draws + index_work)](double done) {
-      if (progress) progress(from + share * done);
+  const auto draws = 0.1 * static_cast<double>(sampling.samples);  // what a verdict costs, of a margin
+  const auto margins = static_cast<double>(std::min(sampling.samples, most_quantile_samples));
+  const double work = 2.0 * draws + margins + index_work;
+  double done = 0.0;
+  const auto part = [&](double length) {
+    const double from = done / work, share = length / work;
+    done += length;
+    return [&progress, from, share](double finished) {
+      if (progress) progress(from + share * finished);
     };
   };
-  summarise(outcomes(verdicts, joint, sampling, {}, part(0.0, draws)), result);
+  const Count count = count_samples(verdicts, joint, sampling, {}, part(draws));
+  if (count.valid == 0)
+    throw data::InputError(
+        "no sample is a beam with a verdict, but one or more must be; most have no valid " +
+        std::ranges::max_element(count.invalid, {}, [](const auto& row) { return row.second; })->first);
+  result.valid = count.valid;
+  result.slips = count.slips;
+  result.invalid = count.invalid;
+  result.probability_of_slip = probability_of(count.slips, count.valid);
+  result.quantiles = quantiles_of(verdicts, joint, sampling, part(margins));
   result.tornado = tornado_of(problem, uncertainty, sampling.band);
   if (has_indices)
     result.sensitivity = sobol_indices(
-        [&](std::span<const double> u) -> std::optional<double> {
-          const Outcome outcome = outcome_at(verdicts, joint.at(u));
-          return outcome.verdict ? std::optional(std::log(outcome.verdict->margin)) : std::nullopt;
+        [&](std::span<const double> u) {
+          return result_or_reason([&] { return std::log(verdicts.at(joint.at(u)).margin); });
         },
-        joint.size(), rows, sampling.seed, part(draws, index_work));
+        joint.size(), rows, sampling.seed, part(index_work));
   result.decisive = decisive_key(result);
   std::vector<double> spreads(joint.size(), 1.0);
   spreads[result.decisive] = 0.5;
-  const Count count = count_of(outcomes(verdicts, joint, sampling, spreads, part(draws + index_work, draws)));
-  if (count.valid > 0) result.probability_with_half_spread = probability_of(count.slips, count.valid);
+  const Count halved = count_samples(verdicts, joint, sampling, spreads, part(draws));
+  if (halved.valid > 0) result.probability_with_half_spread = probability_of(halved.slips, halved.valid);
   return result;
 }
 

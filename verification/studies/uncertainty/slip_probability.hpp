@@ -57,8 +57,12 @@ struct SlipUncertainty {
 /// The largest number of rows of the Sobol' indices.
 constexpr std::size_t most_index_rows = 4096;
 
-/// Draws independent samples of the keys, builds the case of each and evaluates the criterion: |f_max| to 1e-8, or
-/// over a band to 1e-3 unless the verdict needs more. A static coefficient below a kinetic one that is certain
+/// The largest number of samples whose margin is computed for the quantiles: the first ones.
+constexpr std::size_t most_quantile_samples = 10000;
+
+/// Draws independent samples of the keys, builds the case of each and evaluates the criterion: the verdict of all
+/// samples (ForceMaximum::exceeds), and |f_max| to 1e-8, or over a band to 1e-3 unless the verdict needs more, of those
+/// whose margin is asked for. A static coefficient below a kinetic one that is certain
 /// takes that down with it. The indices take min(samples, most_index_rows) rows. Uses thread_count() threads; the
 /// result depends on the seed and not on their number.
 ///

@@ -86,7 +86,7 @@ TEST_F(UncertaintyTable, LeavesTheValueOfTheCaseOrSuppliesTheMean) {
 }
 
 TEST_F(UncertaintyTable, IsRefusedInOneSentence) {
-  const std::string key = "bar.toml:25: uncertainty.\"beam.length\"";
+  const std::string key = "bar.toml:27: uncertainty.\"beam.length\"";
   const auto length = [&](const std::string& value) { return refusal("\"beam.length\" = " + value + "\n"); };
   EXPECT_EQ(length("1"), key + " is 1 (an integer), but must be a table with a distribution");
   EXPECT_EQ(
@@ -108,19 +108,19 @@ TEST_F(UncertaintyTable, IsRefusedInOneSentence) {
             key + ".mode is 4 (an integer), but must be from lower to upper");
   EXPECT_EQ(
       length("{ distribution = 'uniform', lower = 1, uper = 2 }"),
-      "bar.toml:25: unknown key uncertainty.\"beam.length\".uper (did you mean upper?), but uniform has the "
+      "bar.toml:27: unknown key uncertainty.\"beam.length\".uper (did you mean upper?), but uniform has the "
       "keys lower, upper");
   EXPECT_EQ(length("{ distribution = 'uniform', lower = 1, upper = 1e9 }"),
-            "bar.toml:25: beam.length is 1e+09, but must be from 1e-09 to 1e+06 (m) in magnitude");
+            "bar.toml:27: beam.length is 1e+09, but must be from 1e-09 to 1e+06 (m) in magnitude");
   EXPECT_EQ(refusal("\"beam.lenght\" = " + normal),
-            "bar.toml:25: unknown key uncertainty.beam.lenght (did you mean beam.length?), but must be "
+            "bar.toml:27: unknown key uncertainty.beam.lenght (did you mean beam.length?), but must be "
             "\"correlation\" or a key of a case that is no integer, in quotes");
   EXPECT_TRUE(refusal("\"numerics.modes\" = " + normal).find("a key of a case that is no integer") !=
               std::string::npos);
   EXPECT_EQ(refusal("beam.length = " + normal),
-            "bar.toml:25: unknown key uncertainty.beam, but the key of a case must stand in quotes, as "
+            "bar.toml:27: unknown key uncertainty.beam, but the key of a case must stand in quotes, as "
             "\"beam.name\"");
-  EXPECT_EQ(refusal(""), "bar.toml:24: uncertainty has no distribution, but must have one or more");
+  EXPECT_EQ(refusal(""), "bar.toml:26: uncertainty has no distribution, but must have one or more");
 }
 
 TEST_F(UncertaintyTable, IsRefusedForItsSamples) {
@@ -130,7 +130,7 @@ TEST_F(UncertaintyTable, IsRefusedForItsSamples) {
   };
   EXPECT_EQ(
       samples("M\n1\n2\n"),
-      "bar.toml:25: uncertainty.\"beam.length\".column is L, but must be a column of l.csv, which has M");
+      "bar.toml:27: uncertainty.\"beam.length\".column is L, but must be a column of l.csv, which has M");
   EXPECT_EQ(samples("L\n1\n"), "l.csv: has 1 rows, but must have at least 2");
   EXPECT_EQ(samples("L,M\n1,1\nlong,2\n"),
             "l.csv:3, column 1 (L): long stands there, but must be a finite number");
@@ -140,7 +140,7 @@ TEST_F(UncertaintyTable, IsRefusedForItsCorrelation) {
   const std::string keys = mu + "\"beam.length\" = { distribution = 'uniform', lower = 1, upper = 2 }\n" +
                            "\"beam.area\" = { distribution = 'uniform', lower = 1, upper = 2 }\n";
   const auto with = [&](const std::string& rows) { return refusal(keys + "correlation = [" + rows + "]\n"); };
-  const std::string start = "bar.toml:28: uncertainty.correlation ";
+  const std::string start = "bar.toml:30: uncertainty.correlation ";
   EXPECT_TRUE(with("1").starts_with(start + "has a row that is 1 (an integer)"));
   EXPECT_TRUE(
       with("['beam.length', 'beam.width', 0.1]").starts_with(start + "names beam.width (a string), which"));

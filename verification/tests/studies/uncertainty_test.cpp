@@ -289,9 +289,9 @@ TEST(SlipProbability, OfCorrelatedKeysIsThatOfTheirQuotient) {
   }
 }
 
-// How many of 400 intervals hold the truth is binomial with their exact coverage.
+// How many of 200 intervals hold the truth is binomial with their exact coverage.
 TEST(SlipProbability, LiesInItsIntervalAsOftenAsItShould) {
-  constexpr unsigned runs = 400, samples = 60;
+  constexpr unsigned runs = 200, samples = 60;
   const double critical = 0.5e-3 * force_per_metre(problem()) / 500.0;
   const double p = gsl_cdf_ugaussian_P((critical - 0.55) / 0.05), expected = coverage(p, samples);
   int held = 0;
