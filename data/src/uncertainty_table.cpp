@@ -106,7 +106,8 @@ class DistributionReader {
         result.upper = number("upper");
         break;
       case DistributionKind::samples:
-        result.samples = column(file_.parent_path() / text("file"), text("column"));
+        result.samples =
+            column((file_.has_parent_path() ? file_.parent_path() : ".") / text("file"), text("column"));
     }
     return result;
   }

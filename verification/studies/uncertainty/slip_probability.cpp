@@ -123,15 +123,18 @@ class Verdicts {
     }
   }
 
+  [[nodiscard]] analytic::ModalReaction reaction_of(const data::Case& problem) const {
+    return table_ && table_->holds(problem.beam)
+               ? table_->at(problem.beam)
+               : analytic::modal_reaction(problem.beam, problem.numerics.modes());
+  }
+
   [[nodiscard]] analytic::BandMaximum search_of(const data::Case& problem) const {
-    return {problem.beam, *band_, problem.numerics.duration(), problem.numerics.modes()};
+    return {reaction_of(problem), *band_, problem.numerics.duration()};
   }
 
   [[nodiscard]] analytic::ForceMaximum search_of_force(const data::Case& problem) const {
-    return {table_ && table_->holds(problem.beam)
-                ? table_->at(problem.beam)
-                : analytic::modal_reaction(problem.beam, problem.numerics.modes()),
-            angular_frequency(problem.excitation), problem.numerics.duration()};
+    return {reaction_of(problem), angular_frequency(problem.excitation), problem.numerics.duration()};
   }
 
   [[nodiscard]] analytic::Bounds unit_force(const data::Case& problem) const {
@@ -171,6 +174,10 @@ auto result_or_reason(const Function& function, std::string* reason = nullptr)
   return std::nullopt;
 }
 
+std::size_t at_most(std::size_t most, const SlipSampling& sampling) {
+  return std::min(sampling.samples, sampling.band ? most / band_part : most);
+}
+
 struct Count {
   std::size_t valid{}, slips{};
   std::map<std::string, std::size_t> invalid{};
@@ -204,7 +211,7 @@ Count count_samples(const Verdicts& verdicts, const JointDistribution& joint, co
 std::vector<SlipUncertainty::Quantile> quantiles_of(const Verdicts& verdicts, const JointDistribution& joint,
                                                     const SlipSampling& sampling,
                                                     const std::function<void(double)>& progress) {
-  std::vector<std::optional<Verdict>> all(std::min(sampling.samples, most_quantile_samples));
+  std::vector<std::optional<Verdict>> all(at_most(most_quantile_samples, sampling));
   in_parallel(
       all.size(),
       [&](std::size_t index) {
@@ -304,10 +311,10 @@ SlipUncertainty slip_uncertainty(const data::Case& problem, const data::Uncertai
   verdicts.tabulate(pilots);
 
   const bool has_indices = joint.is_independent() && joint.size() <= 20;
-  const std::size_t rows = std::min(sampling.samples, most_index_rows);
+  const std::size_t rows = at_most(most_index_rows, sampling);
   const double index_work = has_indices ? static_cast<double>(rows * (joint.size() + 2)) : 0.0;
   const auto draws = 0.1 * static_cast<double>(sampling.samples);  // what a verdict costs, of a margin
-  const auto margins = static_cast<double>(std::min(sampling.samples, most_quantile_samples));
+  const auto margins = static_cast<double>(at_most(most_quantile_samples, sampling));
   const double work = 2.0 * draws + margins + index_work;
   double done = 0.0;
   const auto part = [&](double length) {

@@ -54,16 +54,18 @@ struct SlipUncertainty {
   Estimate probability_with_half_spread;
 };
 
-/// The largest number of rows of the Sobol' indices.
-constexpr std::size_t most_index_rows = 4096;
+/// The largest number of rows of the Sobol' indices, and the part of it that is taken with a band, whose margins are
+/// forty times as expensive.
+constexpr std::size_t most_index_rows = 4096, band_part = 16;
 
-/// The largest number of samples whose margin is computed for the quantiles: the first ones.
+/// The largest number of samples whose margin is computed for the quantiles, the first ones; with a band the same
+/// part of it.
 constexpr std::size_t most_quantile_samples = 10000;
 
 /// Draws independent samples of the keys, builds the case of each and evaluates the criterion: the verdict of all
-/// samples (ForceMaximum::exceeds), and |f_max| to 1e-8, or over a band to 1e-3 unless the verdict needs more, of those
+/// samples (ForceMaximum::exceeds, BandMaximum::exceeds), and |f_max| to 1e-8, or over a band to 1e-3 unless the verdict needs more, of those
 /// whose margin is asked for. A static coefficient below a kinetic one that is certain
-/// takes that down with it. The indices take min(samples, most_index_rows) rows. Uses thread_count() threads; the
+/// takes that down with it. The indices take as many rows as samples, up to their largest number. Uses thread_count() threads; the
 /// result depends on the seed and not on their number.
 ///
 /// Throws data::InputError for a case without a verdict of its own (no compression, no amplitude, no friction),

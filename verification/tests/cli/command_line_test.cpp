@@ -544,8 +544,10 @@ TEST_F(MapCommand, FollowsTheDampingByBothMethods) {
     ASSERT_EQ(run(command(axes)).status, 0);
     EXPECT_NE(closed, csv(contents(path("map.csv"))));
     ASSERT_EQ(closed.size(), by_elements.size());
-    for (std::size_t i = 3; i < closed.size(); ++i)
+    for (std::size_t i = 3; i < closed.size(); ++i) {
+      if (closed[i].empty()) continue;
       EXPECT_NEAR(std::stod(closed[i][2]), std::stod(by_elements[i][2]), 1e-2 * std::stod(closed[i][2])) << i;
+    }
   }
 }
 
