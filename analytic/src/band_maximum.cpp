@@ -47,7 +47,7 @@ bool BandMaximum::exceeds(double limit) {
   if (sticks) return false;
   for (const double omega : marks_)
     if (ForceMaximum(reaction_, omega, duration_).exceeds(limit)) return true;
-  return refined_against(limit, 1e-7).lower > limit;
+  return refined_against(limit, 1e-4).upper > limit;
 }
 
 /// Whether the bounds of between() say so on an interval or on its parts.

@@ -23,7 +23,7 @@ namespace stickslip::studies {
 
 namespace {
 
-constexpr double kForceWidth = 1e-8, kBandWidth = 1e-3, kCommonWidth = 1e-6, kUndecided = 1e-7;
+constexpr double kForceWidth = 1e-8, kBandWidth = 1e-3, kCommonWidth = 1e-6;
 constexpr std::size_t kPilots = 1000;     // samples whose load factors are the range of the table of modes
 constexpr double kMostTabulated = 0.999;  // of the buckling load, below which a table keeps its digits
 constexpr std::array kProbabilities{0.05, 0.25, 0.5, 0.75, 0.95};
@@ -143,11 +143,7 @@ class Verdicts {
       return analytic::largest_unit_force(problem.beam, problem.damping, problem.excitation.frequency_hz(),
                                           problem.numerics.duration(), problem.numerics.modes(),
                                           analytic::SteadyPart::modal_sum, kForceWidth);
-    const double limit =
-        problem.friction.static_coefficient() * problem.beam.axial_force() / problem.excitation.amplitude();
-    analytic::BandMaximum search = search_of(problem);
-    const analytic::Bounds force = search.refined_to(kBandWidth);
-    return force.lower <= limit && limit < force.upper ? search.refined_against(limit, kUndecided) : force;
+    return search_of(problem).refined_to(kBandWidth);
   }
 
   data::Case problem_;

@@ -63,7 +63,7 @@ constexpr std::size_t most_index_rows = 4096, band_part = 16;
 constexpr std::size_t most_quantile_samples = 10000;
 
 /// Draws independent samples of the keys, builds the case of each and evaluates the criterion: the verdict of all
-/// samples (ForceMaximum::exceeds, BandMaximum::exceeds), and |f_max| to 1e-8, or over a band to 1e-3 unless the verdict needs more, of those
+/// samples (ForceMaximum::exceeds, BandMaximum::exceeds), and |f_max| to 1e-8, or over a band to 1e-3, of those
 /// whose margin is asked for. A static coefficient below a kinetic one that is certain
 /// takes that down with it. The indices take as many rows as samples, up to their largest number. Uses thread_count() threads; the
 /// result depends on the seed and not on their number.

@@ -52,8 +52,8 @@ class BandMaximum {
   [[nodiscard]] Bounds refined_to(double relative_width);
   [[nodiscard]] Bounds refined_against(double limit, double relative_width);
 
-  /// Whether the largest |f_max| per unit amplitude exceeds the limit, N/m; within 1e-7 of it, no. At the cost of
-  /// deciding it: mostly from between() alone or from the ends of the band and its natural frequencies.
+  /// Whether the largest |f_max| per unit amplitude exceeds the limit, N/m; what is undecided within 1e-4 of it does.
+  /// At the cost of deciding it: mostly from between() alone or from the ends of the band and its natural frequencies.
   [[nodiscard]] bool exceeds(double limit);
 
   /// Where the lower bound is attained, Hz.
