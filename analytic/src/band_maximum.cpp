@@ -22,19 +22,40 @@ void require(bool holds, std::string_view field, double value, std::string_view 
 }  // namespace
 
 BandMaximum::BandMaximum(const data::Beam& beam, const FrequencyBand& band, double duration, int modes)
-    : reaction_(modal_reaction(beam, modes)), duration_(duration), best_omega_(kTwoPi * band.from_hz) {
+    : BandMaximum(modal_reaction(beam, modes), band, duration) {}
+
+BandMaximum::BandMaximum(const ModalReaction& reaction, const FrequencyBand& band, double duration)
+    : reaction_(reaction), duration_(duration), best_omega_(kTwoPi * band.from_hz) {
   require(band.from_hz > 0.0, "band.from_hz", band.from_hz, "positive");
   require(band.to_hz >= band.from_hz && std::isfinite(band.to_hz), "band.to_hz", band.to_hz,
           "finite and not below band.from_hz");
   require(duration > 0.0 && std::isfinite(duration), "excitation.duration", duration, "positive and finite");
-  double from = kTwoPi * band.from_hz;
-  const double to = kTwoPi * band.to_hz;
+  const double from = kTwoPi * band.from_hz, to = kTwoPi * band.to_hz;
+  marks_.push_back(from);
   for (const ModalForce& mode : reaction_.modes)
-    if (from < mode.angular_frequency && mode.angular_frequency < to) {
-      add(from, mode.angular_frequency);
-      from = mode.angular_frequency;
-    }
-  add(from, to);
+    if (from < mode.angular_frequency && mode.angular_frequency < to)
+      marks_.push_back(mode.angular_frequency);
+  marks_.push_back(to);
+  for (std::size_t i = 1; i < marks_.size(); ++i) add(marks_[i - 1], marks_[i]);
+}
+
+bool BandMaximum::exceeds(double limit) {
+  constexpr int most_halvings = 8;
+  bool sticks = true;
+  for (std::size_t i = 1; sticks && i < marks_.size(); ++i)
+    sticks = stays_below(marks_[i - 1], marks_[i], limit, most_halvings);
+  if (sticks) return false;
+  for (const double omega : marks_)
+    if (ForceMaximum(reaction_, omega, duration_).exceeds(limit)) return true;
+  return refined_against(limit, 1e-4).upper > limit;
+}
+
+/// Whether the bounds of between() say so on an interval or on its parts.
+bool BandMaximum::stays_below(double from, double to, double limit, int halvings) const {
+  if (between(from, to).force <= limit) return true;
+  const double middle = from + 0.5 * (to - from);
+  return halvings > 0 && between(middle, middle).force <= limit &&
+         stays_below(from, middle, limit, halvings - 1) && stays_below(middle, to, limit, halvings - 1);
 }
 
 Bounds BandMaximum::refined_to(double relative_width) {

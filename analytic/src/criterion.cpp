@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "arguments.hpp"
+#include "stickslip/analytic/damped_reaction.hpp"
 
 namespace stickslip::analytic {
 namespace {
@@ -29,11 +30,10 @@ void require_contact(const data::Beam& beam) {
 
 Criterion evaluate_criterion(const data::Beam& beam, const data::FrictionLaw& friction,
                              const data::HarmonicExcitation& excitation, double duration, int modes,
-                             SteadyPart steady_part, double relative_width) {
+                             SteadyPart steady_part, double relative_width, const data::Damping& damping) {
   require_contact(beam);
-  const data::HarmonicExcitation unit({.frequency_hz = excitation.frequency_hz(), .amplitude = 1.0});
-  const Bounds per_unit =
-      StickResponse(beam, unit, modes, steady_part).max_abs_friction_force(duration, relative_width);
+  const Bounds per_unit = largest_unit_force(beam, damping, excitation.frequency_hz(), duration, modes,
+                                             steady_part, relative_width);
 
   Criterion criterion;
   criterion.friction_limit = friction.static_coefficient() * beam.axial_force();

@@ -9,6 +9,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "exponential_difference.hpp"
 #include "gsl_handles.hpp"
 #include "gsl_status.hpp"
 #include "root_finding.hpp"
@@ -21,15 +22,6 @@ using Complex = std::complex<double>;
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 Complex from_gsl(gsl_complex value) { return {GSL_REAL(value), GSL_IMAG(value)}; }
-
-/// (exp(a tau) - exp(b tau))/(a - b), without the cancellation where a and b are close; Re a <= 0, Re b <= 0.
-Complex exponential_difference(Complex a, Complex b, double tau) {
-  const Complex gap = (a - b) * tau;
-  if (std::abs(gap) > 0.5) return (std::exp(a * tau) - std::exp(b * tau)) / (a - b);
-  Complex term = 1.0, sum = 1.0;
-  for (int k = 2; std::abs(term) > 0.1 * kEpsilon && k < 30; ++k) sum += term *= gap / static_cast<double>(k);
-  return tau * std::exp(b * tau) * sum;
-}
 
 struct Eigensystem {
   OwnedHandle<gsl_vector_complex> values;
@@ -169,6 +161,13 @@ void StickPropagator::begin(double t, const ContactKinematics& state) {
       initial_[k] +=
           inverse_[k * 2 * m + n] * (dynamics_.model().angular_frequency[n] * state.amplitudes[n]) +
           inverse_[k * 2 * m + m + n] * state.rates[n];
+}
+
+std::vector<StickPropagator::Share> StickPropagator::force_shares() const {
+  std::vector<Share> shares;
+  for (std::size_t k = 0; k < eigenvalue_.size(); ++k)
+    shares.push_back({eigenvalue_[k], force_weight_[k] * sine_[k], force_weight_[k] * cosine_[k]});
+  return shares;
 }
 
 StickPropagator::Complex StickPropagator::coordinate(std::size_t k, double t) const {

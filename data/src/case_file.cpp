@@ -20,6 +20,7 @@
 #include "stickslip/data/installation.hpp"
 #include "stickslip/data/toml_file.hpp"
 #include "stickslip/data/toml_record.hpp"
+#include "uncertainty_table.hpp"
 
 namespace stickslip::data {
 
@@ -113,6 +114,7 @@ std::vector<std::string> table_names() {
   for (const std::string& path : key_paths())
     if (std::string table = path.substr(0, path.find('.')); std::ranges::find(names, table) == names.end())
       names.push_back(std::move(table));
+  names.emplace_back("uncertainty");
   return names;
 }
 
@@ -153,12 +155,34 @@ void collect_table(const std::filesystem::path& file, std::string_view name, con
   }
 }
 
+std::vector<std::string> real_key_paths() {
+  std::vector<std::string> paths;
+  Draft draft;
+  for (const auto& key : keys)
+    if (std::holds_alternative<double*>(key.target(draft))) paths.push_back(key.path());
+  return paths;
+}
+
+Uncertainty uncertainty_in(const std::filesystem::path& file, const toml::table& document) {
+  const auto* node = document.get("uncertainty");
+  return node == nullptr ? Uncertainty() : uncertainty_of(file, *node, real_key_paths());
+}
+
+// The means of the uncertain keys.
+Entries means_in(const std::filesystem::path& file, const toml::table& document) {
+  Entries means;
+  for (const auto& [key, distribution, place] : uncertainty_in(file, document).keys)
+    means.emplace(key, Entry{distribution.mean_value(), shortest_text(distribution.mean_value()), place});
+  return means;
+}
+
 Entries entries_of(const std::filesystem::path& file, const toml::table& document) {
   Entries entries;
   const auto tables = table_names();
   for (const auto& [key, value] : document) {
     const std::string name(key.str());
     const std::string place = place_of(file, value);
+    if (name == "uncertainty") continue;
     const bool is_known = std::ranges::find(tables, name) != tables.end();
     if (const auto* table = value.as_table()) {
       if (!is_known) throw_unknown_table(place, name);
@@ -230,9 +254,11 @@ Case case_of(const std::string& name, const Draft& draft) {
           .damping = Damping(draft.damping)};
 }
 
-Case case_of(const std::filesystem::path& file, Entries entries) {
+// What is missing has its mean.
+Case case_of(const std::filesystem::path& file, Entries entries, Entries means) {
   try {
     expand_shorthand(entries);
+    entries.merge(means);
     return case_of(file.stem().string(), draft_of(file, entries));
   } catch (const FieldError& error) {
     const auto given = entries.find(error.field());
@@ -299,14 +325,20 @@ void require_magnitude(std::string_view key, double value, const std::string& pl
   }
 }
 
+Uncertainty read_uncertainty(const std::filesystem::path& file) {
+  return uncertainty_in(file, read_toml(file));
+}
+
 Case read_case(const std::filesystem::path& file, const std::vector<Override>& overrides) {
-  Entries entries = entries_of(file, read_toml(file));
+  const toml::table document = read_toml(file);
+  Entries entries = entries_of(file, document);
   for (const auto& replacement : overrides) apply(replacement, entries);
-  return case_of(file, std::move(entries));
+  return case_of(file, std::move(entries), means_in(file, document));
 }
 
 Case parse_case(const std::filesystem::path& file, const std::string& text) {
-  return case_of(file, entries_of(file, parse_toml(file, text)));
+  const toml::table document = parse_toml(file, text);
+  return case_of(file, entries_of(file, document), means_in(file, document));
 }
 
 Case load_case(const std::string& name_or_path, const std::vector<Override>& overrides) {

@@ -30,6 +30,9 @@ void add_map_command(CLI::App& app);
 /// `design`: the margin to slipping over a band of frequencies; lengths and axial forces that keep it.
 void add_design_command(CLI::App& app);
 
+/// `uncertainty`: the probability of slip with uncertain keys, and which of them it hangs on.
+void add_uncertainty_command(CLI::App& app);
+
 /// `report`: the figures and the V&V report.
 void add_report_command(CLI::App& app);
 

@@ -13,6 +13,7 @@
 #include "commands.hpp"
 #include "number_text.hpp"
 #include "render/interruption.hpp"
+#include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/damped_steady_state.hpp"
 
 namespace stickslip::cli {
@@ -24,23 +25,30 @@ struct CriterionOptions {
   ExcitationOptions excitation;
 };
 
-constexpr int kept_modes = 200;
+constexpr double width = 1e-10;  // relative, of the bounds
 
-analytic::Criterion with_paper_modes(const data::Case& problem) {
-  return analytic::evaluate_criterion(problem.beam, problem.friction, problem.excitation,
-                                      problem.numerics.duration(), problem.numerics.modes());
+// The free vibrations that are kept where no truncation is asked for. Damping couples them.
+int kept_modes(const data::Case& problem) { return studies::is_damped(problem) ? 40 : 200; }
+
+data::HarmonicExcitation unit_excitation(const data::Case& problem) {
+  return data::HarmonicExcitation({.frequency_hz = problem.excitation.frequency_hz(), .amplitude = 1.0});
 }
 
-// The criterion without truncation: exact steady part, `kept_modes` free vibrations, and the bound of what the
-// others can add. Evaluated at an amplitude of 1 m and scaled, since the reaction is proportional to the
-// amplitude.
+analytic::Criterion criterion_of(const data::Case& problem, const data::HarmonicExcitation& excitation,
+                                 int modes, analytic::SteadyPart steady_part) {
+  return analytic::evaluate_criterion(problem.beam, problem.friction, excitation, problem.numerics.duration(),
+                                      modes, steady_part, width, problem.damping);
+}
+
+// The criterion without truncation: exact steady part, kept_modes() free vibrations, and the bound of what the
+// others can add to the undamped reaction. Evaluated at an amplitude of 1 m and scaled, since the reaction is
+// proportional to the amplitude.
 analytic::Criterion with_all_modes(const data::Case& problem) {
-  const data::HarmonicExcitation unit({.frequency_hz = problem.excitation.frequency_hz(), .amplitude = 1.0});
-  const auto criterion =
-      analytic::evaluate_criterion(problem.beam, problem.friction, unit, problem.numerics.duration(),
-                                   kept_modes, analytic::SteadyPart::exact);
-  const double omitted = analytic::StickResponse(problem.beam, unit, kept_modes, analytic::SteadyPart::exact)
+  const data::HarmonicExcitation unit = unit_excitation(problem);
+  const int modes = kept_modes(problem);
+  const double omitted = analytic::StickResponse(problem.beam, unit, modes, analytic::SteadyPart::exact)
                              .omitted_transient_bound();
+  const auto criterion = criterion_of(problem, unit, modes, analytic::SteadyPart::exact);
   const analytic::Bounds unit_force{std::max(0.0, criterion.force_max.lower - omitted),
                                     criterion.force_max.upper + omitted};
   const double limit = criterion.friction_limit, amplitude = problem.excitation.amplitude();
@@ -58,11 +66,18 @@ struct SteadyState {
   analytic::Verdict verdict{};
 };
 
+// By a damping ratio, with the modes kept; otherwise exact.
 double unit_steady_force(const data::Case& problem) {
-  const data::HarmonicExcitation unit({.frequency_hz = problem.excitation.frequency_hz(), .amplitude = 1.0});
-  if (!studies::is_damped(problem))
-    return std::abs(analytic::StickResponse(problem.beam, unit, kept_modes, analytic::SteadyPart::exact)
-                        .steady_force_amplitude());
+  const data::HarmonicExcitation unit = unit_excitation(problem);
+  if (problem.damping.ratio() > 0.0)
+    return analytic::DampedForce(analytic::damped_reaction(problem.beam, problem.damping, kept_modes(problem),
+                                                           analytic::SteadyPart::exact),
+                                 studies::angular_frequency(unit), problem.numerics.duration())
+        .steady_amplitude();
+  if (problem.damping.kelvin_voigt() == 0.0)
+    return std::abs(
+        analytic::StickResponse(problem.beam, unit, kept_modes(problem), analytic::SteadyPart::exact)
+            .steady_force_amplitude());
   const analytic::DampedSteadyState state(problem.beam, unit, problem.damping, analytic::TipSupport::held);
   return std::abs(state.friction_force());
 }
@@ -77,7 +92,7 @@ SteadyState steady_state(const data::Case& problem) {
 }
 
 // Nothing where the undamped force grows over all of the duration.
-std::optional<SteadyState> undamped_steady_state(const data::Case& problem) {
+std::optional<SteadyState> steady_state_if_any(const data::Case& problem) {
   const auto warnings = studies::problem_warnings(problem, studies::Inquiry::criterion);
   if (std::ranges::find(warnings, studies::Concern::resonance, &studies::Warning::concern) != warnings.end())
     return std::nullopt;
@@ -92,9 +107,11 @@ void print_row(std::string_view name, std::string_view left, std::string_view ri
 
 void print_table(const data::Case& problem, const analytic::Criterion& paper, const analytic::Criterion& all,
                  const std::optional<SteadyState>& steady) {
-  fmt::print(
-      "{}: {} Hz, {} m, 0 to {} s\n\n", problem.name, data::shortest_text(problem.excitation.frequency_hz()),
-      data::shortest_text(problem.excitation.amplitude()), data::shortest_text(problem.numerics.duration()));
+  fmt::print("{}: {} Hz, {} m, 0 to {} s{}\n\n", problem.name,
+             data::shortest_text(problem.excitation.frequency_hz()),
+             data::shortest_text(problem.excitation.amplitude()),
+             data::shortest_text(problem.numerics.duration()),
+             studies::is_damped(problem) ? ", with damping" : "");
   print_row("", fmt::format("N = {}", problem.numerics.modes()), "all modes");
   print_row("largest |f| / N", common_digits(paper.force_max), common_digits(all.force_max));
   print_row("friction limit mu_s P / N", data::shortest_text(paper.friction_limit),
@@ -108,20 +125,9 @@ void print_table(const data::Case& problem, const analytic::Criterion& paper, co
   } else {
     print_row("steady |f| / N", "", "none, it grows all the time");
   }
-  fmt::print("\nThe largest |f| is that of a start-up without damping: its free vibrations do not decay.\n");
-}
-
-// With damping only the steady vibration is known in closed form.
-void print_damped_table(const data::Case& problem, const SteadyState& steady) {
-  fmt::print("{}: {} Hz, {} m, with damping\n\n", problem.name,
-             data::shortest_text(problem.excitation.frequency_hz()),
-             data::shortest_text(problem.excitation.amplitude()));
-  print_row("steady |f| / N", seven_digits(steady.force));
-  print_row("friction limit mu_s P / N",
-            data::shortest_text(problem.friction.static_coefficient() * problem.beam.axial_force()));
-  print_row("critical amplitude / m", seven_digits(steady.critical_amplitude));
-  print_row("verdict, steady", to_string(steady.verdict));
-  fmt::print("\nThe start-up is not included: respond --method fe follows it.\n");
+  fmt::print("\nThe largest |f| is that of a start-up {}.\n",
+             studies::is_damped(problem) ? "whose free vibrations decay with the damping of the case"
+                                         : "without damping: its free vibrations do not decay");
 }
 
 Json to_json(const analytic::Criterion& criterion) {
@@ -145,6 +151,9 @@ Json to_json(const data::Case& problem, const analytic::Criterion& paper, const 
               {"amplitude_m", problem.excitation.amplitude()},
               {"duration_s", problem.numerics.duration()},
               {"modes", problem.numerics.modes()}};
+  if (studies::is_damped(problem))
+    object["damping"] = {{"kelvin_voigt_s", problem.damping.kelvin_voigt()},
+                         {"ratio", problem.damping.ratio()}};
   object.update(to_json(paper));
   object["all_modes"] = to_json(all);
   object["steady"] = steady ? to_json(*steady) : Json();
@@ -152,38 +161,17 @@ Json to_json(const data::Case& problem, const analytic::Criterion& paper, const 
   return object;
 }
 
-void answer_damped(const data::Case& problem, bool json) {
-  const SteadyState steady = steady_state(problem);
-  const auto warnings = warnings_of(problem, studies::Inquiry::criterion);
-  const Json answer{{"case", problem.name},
-                    {"frequency_hz", problem.excitation.frequency_hz()},
-                    {"amplitude_m", problem.excitation.amplitude()},
-                    {"kelvin_voigt_s", problem.damping.kelvin_voigt()},
-                    {"friction_limit_N", problem.friction.static_coefficient() * problem.beam.axial_force()},
-                    {"steady", to_json(steady)},
-                    {"warnings", warnings}};
-  require_finite(answer);
-  print_warnings(warnings);
-  if (json)
-    print_json(answer);
-  else
-    print_damped_table(problem, steady);
-}
-
 void run(const CriterionOptions& options) {
   const data::Case problem =
       data::load_case(options.problem.name, overrides_of(options.problem, options.excitation));
   analytic::require_contact(problem.beam);
-  if (studies::is_damped(problem)) {
-    answer_damped(problem, options.problem.json);
-    return;
-  }
   studies::require_feasible(problem, studies::Inquiry::criterion);
   const report::Interruption interruption([] { return "interrupted before there was a result"; });
-  const auto paper = with_paper_modes(problem);
+  const auto paper =
+      criterion_of(problem, problem.excitation, problem.numerics.modes(), analytic::SteadyPart::modal_sum);
   const auto all = with_all_modes(problem);
   const auto warnings = warnings_of(problem, studies::Inquiry::criterion);
-  const auto steady = undamped_steady_state(problem);
+  const auto steady = steady_state_if_any(problem);
   const Json answer = to_json(problem, paper, all, steady, warnings);
   require_finite(answer);
   print_warnings(warnings);

@@ -31,6 +31,7 @@ void add_commands(CLI::App& app) {
   add_criterion_command(app);
   add_map_command(app);
   add_design_command(app);
+  add_uncertainty_command(app);
   add_reference_command(app);
   add_compare_command(app);
   add_report_command(app);

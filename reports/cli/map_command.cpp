@@ -111,8 +111,6 @@ studies::MapTask task_of(const MapOptions& options) {
                         .method = options.method == closed_form_method ? studies::MapMethod::closed_form
                                                                        : studies::MapMethod::finite_elements,
                         .states_only = options.states_only};
-  if (task.method == studies::MapMethod::closed_form)
-    require_undamped(task.problem, "the map in closed form (--method fe follows the damping)");
   return task;
 }
 

@@ -4,7 +4,11 @@
 
 #include <benchmark/benchmark.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "paper_problem.hpp"
+#include "stickslip/analytic/band_maximum.hpp"
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/event_driven.hpp"
@@ -96,6 +100,27 @@ void stick_modes(benchmark::State& state) {
     benchmark::DoNotOptimize(analytic::stick_modes(paper_beam, static_cast<int>(state.range(0))));
 }
 BENCHMARK(stick_modes)->Arg(10)->Arg(200)->Unit(benchmark::kMicrosecond);
+
+// Whether a beam slips in a band of 10 Hz, over beams that differ by 1 % and limits that differ by 30 %: the whole
+// search against a decision.
+enum class BandVerdict { search, decision };
+void band_verdict(benchmark::State& state, BandVerdict way) {
+  int sample = 0;
+  const auto share = [&](double ratio) { return std::fmod(ratio * sample, 1.0); };
+  for (auto _ : state) {
+    ++sample;
+    auto properties = paper_beam.properties();
+    properties.youngs_modulus *= 0.995 + 0.01 * share(std::numbers::phi);
+    analytic::BandMaximum band(data::Beam(properties), {30.0, 40.0}, 10.0, 10);
+    const double limit = 6.8e5 * (0.85 + 0.3 * share(std::numbers::sqrt2));
+    benchmark::DoNotOptimize(way == BandVerdict::decision ? band.exceeds(limit)
+                                                          : band.refined_against(limit, 1e-7).lower > limit);
+  }
+}
+BENCHMARK_CAPTURE(band_verdict, search, BandVerdict::search)->Unit(benchmark::kMicrosecond)->Iterations(2000);
+BENCHMARK_CAPTURE(band_verdict, decision, BandVerdict::decision)
+    ->Unit(benchmark::kMicrosecond)
+    ->Iterations(2000);
 
 }  // namespace
 }  // namespace stickslip::benchmarks

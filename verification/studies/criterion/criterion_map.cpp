@@ -14,6 +14,7 @@
 #include <string>
 
 #include "stickslip/analytic/criterion.hpp"
+#include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/analytic/modal_reaction_table.hpp"
 #include "stickslip/data/case_file.hpp"
@@ -63,6 +64,11 @@ class Forces {
  public:
   explicit Forces(const MapTask& task) : method_(task.method), modes_(task.problem.numerics.modes()) {
     if (method_ != MapMethod::closed_form) return;
+    if (is_damped(task.problem)) {
+      if (!may_buckle(task))
+        common_damped_ = analytic::damped_reaction(task.problem.beam, task.problem.damping, modes_);
+      return;
+    }
     double lowest = std::numeric_limits<double>::infinity(), highest = 0.0;
     for (const std::size_t j : ends_of(task.y))
       for (const std::size_t i : ends_of(task.x)) {
@@ -79,6 +85,12 @@ class Forces {
 
   // |f_max| per metre of amplitude, N/m.
   [[nodiscard]] analytic::Bounds unit_force(const data::Case& problem) const {
+    if (method_ == MapMethod::closed_form && is_damped(problem))
+      return analytic::DampedForce(common_damped_
+                                       ? *common_damped_
+                                       : analytic::damped_reaction(problem.beam, problem.damping, modes_),
+                                   angular_frequency(problem.excitation), problem.numerics.duration())
+          .refined_to();
     if (method_ == MapMethod::closed_form) return search(problem).refined_to();
     const data::HarmonicExcitation unit(
         {.frequency_hz = problem.excitation.frequency_hz(), .amplitude = 1.0});
@@ -91,7 +103,7 @@ class Forces {
   [[nodiscard]] bool slips(const data::Case& problem) const {
     const double limit = problem.friction.static_coefficient() * problem.beam.axial_force();
     const double amplitude = problem.excitation.amplitude();
-    if (method_ == MapMethod::closed_form)
+    if (method_ == MapMethod::closed_form && !is_damped(problem))
       return amplitude > 0.0 && search(problem).exceeds(limit / amplitude);
     return amplitude * unit_force(problem).lower > limit;
   }
@@ -116,6 +128,7 @@ class Forces {
   int modes_;
   std::optional<analytic::ModalReaction> common_;
   std::optional<analytic::ModalReactionTable> table_;
+  std::optional<analytic::DampedReaction> common_damped_;
 };
 
 // The quantities of a cell that |f_max| per metre of amplitude is compared with.

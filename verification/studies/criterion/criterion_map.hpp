@@ -15,7 +15,8 @@ namespace stickslip::studies {
 
 /// How |f_max| is computed.
 enum class MapMethod {
-  closed_form,     ///< Eq. (28) with numerics.modes() modes, |f_max| to 1e-10; undamped beam only
+  closed_form,     ///< Eq. (28) with numerics.modes() modes, |f_max| to 1e-10; with damping as
+                   ///< well
   finite_elements  ///< one linear run with a bonded tip, |f_max| over its time steps; with damping
 };
 

@@ -112,6 +112,17 @@ TEST(BandMaximum, LooksNoFurtherThanALimitAsks) {
   }
 }
 
+// By either way, on both sides of the largest force and with a natural frequency in the band.
+TEST(BandMaximum, DecidesAsItsBoundsDo) {
+  for (const FrequencyBand& band :
+       {FrequencyBand{30.0, 32.0}, FrequencyBand{24.0, 26.0}, FrequencyBand{60.0, 60.0}}) {
+    BandMaximum search(paper_beam(), band, 10.0);
+    const double largest = search.refined_to(1e-5).midpoint();
+    for (const double share : {0.3, 0.9, 0.99, 0.999, 1.001, 1.01, 1.03, 1.1, 2.0})
+      EXPECT_EQ(BandMaximum(paper_beam(), band, 10.0).exceeds(share * largest), share < 1.0) << share;
+  }
+}
+
 TEST(BandMaximum, RefusesWhatIsNoBand) {
   EXPECT_THROW(BandMaximum(paper_beam(), {0.0, 1.0}, 1.0), std::invalid_argument);
   EXPECT_THROW(BandMaximum(paper_beam(), {2.0, 1.0}, 1.0), std::invalid_argument);

@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "stickslip/analytic/criterion.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "studies/criterion/scope.hpp"
 #include "support/command_line.hpp"
@@ -345,18 +346,26 @@ TEST_F(CommandLine, CriterionGivesTheSteadyForceBesideThatOfTheStartUp) {
   EXPECT_NE(run("criterion --hz 25").output.find("none, it grows all the time\n"), std::string::npos);
 }
 
-TEST_F(CommandLine, CriterionOfADampedCaseIsThatOfTheSteadyForce) {
+TEST_F(CommandLine, CriterionOfADampedCaseIsThatOfItsStartUpAndOfTheSteadyForce) {
   const auto answer = json("criterion damped");
-  EXPECT_FALSE(answer.contains("force_max_N"));
   const double force = answer["steady"]["force_N"], critical = answer["steady"]["critical_amplitude_m"];
   EXPECT_NEAR(force, studies::finite_element_steady_force(data::load_case("damped"), 40), 1e-5 * force);
   EXPECT_DOUBLE_EQ(critical * force, 1e-3 * 300.0);
   EXPECT_EQ(answer["steady"]["verdict"], "stick-slip");
   EXPECT_EQ(json(fmt::format("criterion damped --amplitude {}", 0.999 * critical))["steady"]["verdict"],
             "stick");
-  EXPECT_NE(run("criterion damped").output.find("The start-up is not included"), std::string::npos);
-  expect_refused("criterion --set damping.ratio=0.01",
-                 "damping.ratio is 0.01, but must be 0: the closed form knows Kelvin-Voigt damping alone");
+  EXPECT_EQ(answer["damping"]["kelvin_voigt_s"], 6.4e-5);
+  const data::Case damped = data::load_case("damped");
+  const auto expected = analytic::evaluate_criterion(damped.beam, damped.friction, damped.excitation, 0.5, 10,
+                                                     analytic::SteadyPart::modal_sum, 1e-10, damped.damping);
+  EXPECT_EQ(answer["force_max_N"]["lower"], expected.force_max.lower);
+  EXPECT_EQ(answer["critical_amplitude_bounds_m"]["upper"], expected.critical_amplitude.upper);
+  // Both columns, to the truncation after ten modes, and the steady part by modes, to rounding.
+  const double of_ten = answer["force_max_N"]["lower"], of_all = answer["all_modes"]["force_max_N"]["lower"];
+  EXPECT_NEAR(of_all, of_ten, 1e-3 * of_ten);
+  EXPECT_NE(run("criterion damped").output.find("decay with the damping of the case"), std::string::npos);
+  EXPECT_LT(json("criterion --hz 35 --set damping.ratio=0.01")["force_max_N"]["upper"],
+            json("criterion --hz 35")["force_max_N"]["lower"]);
 }
 
 TEST_F(CommandLine, ModesOfADampedCaseSayThatTheyAreUndamped) {
@@ -525,13 +534,63 @@ TEST_F(MapCommand, HoldsWhatCriterionSaysOfEveryCell) {
   EXPECT_EQ(answer["states"]["no stick state"], 1);
 }
 
-TEST_F(MapCommand, FollowsTheDampingByFiniteElementsOnly) {
-  const std::string damped = "--set damping.ratio=0.05 --x frequency=24:26:2 --y friction=0.3:0.6:2 ";
-  expect_refused(command(damped), "damping.ratio is 0.05, but must be 0 for the map in closed form");
-  ASSERT_EQ(run(command(damped + "--method fe")).status, 0);
-  const auto with = csv(contents(path("map.csv")));
-  ASSERT_EQ(run(command("--x frequency=24:26:2 --y friction=0.3:0.6:2 --method fe")).status, 0);
-  EXPECT_NE(with, csv(contents(path("map.csv"))));
+// To 1e-2: finite elements of the case, at 24 and 26 Hz, beside its first frequency.
+TEST_F(MapCommand, FollowsTheDampingByBothMethods) {
+  for (const std::string axes :
+       {"--x frequency=24:26:2 --y friction=0.3:0.6:2 ", "--x length=1.9:2:2 --y friction=0.3:0.6:2 "}) {
+    const std::string damped = axes + "--set damping.ratio=0.05 ";
+    ASSERT_EQ(run(command(damped + "--method fe")).status, 0);
+    const auto by_elements = csv(contents(path("map.csv")));
+    ASSERT_EQ(run(command(damped)).status, 0);
+    const auto closed = csv(contents(path("map.csv")));
+    ASSERT_EQ(run(command(axes)).status, 0);
+    EXPECT_NE(closed, csv(contents(path("map.csv"))));
+    ASSERT_EQ(closed.size(), by_elements.size());
+    for (std::size_t i = 3; i < closed.size(); ++i) {
+      if (closed[i].empty()) continue;
+      EXPECT_NEAR(std::stod(closed[i][2]), std::stod(by_elements[i][2]), 1e-2 * std::stod(closed[i][2])) << i;
+    }
+  }
+}
+
+TEST_F(CommandLine, UncertaintyGivesTheProbabilityOfSlip) {
+  const auto answer = json("uncertainty uncertain --samples 400 --seed 3");
+  const double p = answer["probability_of_slip"];
+  EXPECT_EQ(answer["valid_samples"], 400);
+  EXPECT_LT(answer["probability_lower"], p);
+  EXPECT_GT(answer["probability_upper"], p);
+  EXPECT_EQ(answer["tighten"], "friction.static_coefficient");
+  EXPECT_EQ(answer["keys"].size(), 4u);
+  const double critical = json("criterion uncertain")["critical_amplitude_m"];
+  EXPECT_NEAR(answer["margin_of_case"], critical / 0.5e-3, 1e-6);
+  const std::string table = run("uncertainty uncertain --samples 400 --seed 3").output;
+  EXPECT_NE(table.find(fmt::format("probability of slip         {:.5f} (", p)), std::string::npos) << table;
+  EXPECT_NE(table.find("The tolerance to tighten is that of friction.static_coefficient"), std::string::npos);
+}
+
+TEST_F(CommandLine, UncertaintyIsTheSameInAnyNumberOfThreadsAndAnotherWithAnotherSeed) {
+  const std::string command = "uncertainty uncertain --samples 300 --json";
+  const std::string one = run(command + " --threads 1").output;
+  EXPECT_EQ(one, run(command + " --threads 3").output);
+  EXPECT_NE(one, run(command + " --seed 2").output);
+}
+
+TEST_F(CommandLine, UncertaintyTakesWhatIsSetAsCertain) {
+  const auto answer =
+      json("uncertainty uncertain --samples 40 --set beam.length=2 --set friction.static_coefficient=0.5");
+  EXPECT_EQ(answer["keys"].size(), 2u);
+  EXPECT_EQ(json("uncertainty uncertain --samples 20 --band 34:35")["band_hz"][1], 35.0);
+}
+
+TEST_F(CommandLine, UncertaintyRefusesWhatItCannotAnswer) {
+  expect_refused("uncertainty paper", "uncertainty is missing, but the case must have a table [uncertainty]");
+  expect_refused("uncertainty uncertain --band 30:40 --set damping.ratio=0.01",
+                 "must have no damping with a band");
+  expect_refused("uncertainty uncertain --amplitude 0", "excitation.amplitude is 0, but must be above 0 (m)");
+  expect_refused("uncertainty uncertain --set beam.axial_force=0",
+                 "beam.axial_force is 0, but must be positive");
+  expect_refused("uncertainty uncertain --samples 0", "--samples is 0, but must be an integer from 1");
+  expect_refused("uncertainty uncertain --band 40:30", "--band");
 }
 
 TEST_F(MapCommand, IsDrawnFromItsTableAlone) {

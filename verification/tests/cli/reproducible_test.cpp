@@ -34,6 +34,7 @@ class Reproducible : public CommandLine {
       "respond paper --method closed-form --duration 0.05",
       "map paper --x frequency=1:50:10 --y amplitude=1e-4:1e-3:3",
       "map paper --method fe --x frequency=24:26:2 --y amplitude=1e-4:1e-3:3 --set excitation.duration=0.1",
+      "uncertainty uncertain --samples 100 --json",
       "reference list",
       "reference show stick-frequencies",
       "reference export stick-frequencies"};

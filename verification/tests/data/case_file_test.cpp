@@ -263,13 +263,13 @@ TEST_F(CaseFile, RefusesAMisspeltTable) {
   EXPECT_EQ(
       error_message(valid_case() + "[beem]\nlength = 2\n"),
       "bar.toml:26: unknown table [beem] (did you mean beam?), but a case has the tables beam, friction, "
-      "excitation, numerics, damping, section");
+      "excitation, numerics, damping, section, uncertainty");
 }
 
 TEST_F(CaseFile, RefusesAKeyOutsideEveryTable) {
   EXPECT_EQ(error_message("length = 2\n" + valid_case()),
             "bar.toml:1: unknown key length with the value 2 (an integer), but a case has the tables beam, "
-            "friction, excitation, numerics, damping, section");
+            "friction, excitation, numerics, damping, section, uncertainty");
   EXPECT_EQ(error_message("beam = 3\n"), "bar.toml:1: beam is 3 (an integer), but must be a table");
   EXPECT_EQ(error_message("damping = 0.01\n"), "bar.toml:1: damping is 0.01 (a float), but must be a table");
   EXPECT_EQ(error_message("[[beam]]\nlength = 2\n"), "bar.toml:1: beam is an array, but must be a table");
@@ -628,7 +628,7 @@ TEST(PublishedCases, AMisspeltNameIsRefusedWithTheNamesThereAre) {
     EXPECT_STREQ(error.what(),
                  "case papr is unknown (did you mean paper?), but must be a file or one of damped, "
                  "near-buckling, paper, paper-figure14, paper-figure9, paper-half-stiffness, soft-short, "
-                 "steel-strip, tension");
+                 "steel-strip, tension, uncertain");
   }
 }
 

@@ -43,12 +43,18 @@ class BandMaximum {
   /// Throws what stick_modes() throws, and std::invalid_argument unless 0 < from_hz <= to_hz and
   /// duration > 0 (excitation.duration).
   BandMaximum(const data::Beam& beam, const FrequencyBand& band, double duration, int modes = 10);
+  /// The same of a reaction.
+  BandMaximum(const ModalReaction& reaction, const FrequencyBand& band, double duration);
 
   /// Bounds of the largest |f_max| per unit amplitude, N/m, with upper - lower <= relative_width * lower, or
   /// wider as soon as they leave no doubt on which side of `limit` it is. Rigorous for the modes kept at
   /// their computed frequencies. Throws std::invalid_argument unless 1e-7 <= relative_width < 1.
   [[nodiscard]] Bounds refined_to(double relative_width);
   [[nodiscard]] Bounds refined_against(double limit, double relative_width);
+
+  /// Whether the largest |f_max| per unit amplitude exceeds the limit, N/m; what is undecided within 1e-4 of it does.
+  /// At the cost of deciding it: mostly from between() alone or from the ends of the band and its natural frequencies.
+  [[nodiscard]] bool exceeds(double limit);
 
   /// Where the lower bound is attained, Hz.
   [[nodiscard]] double frequency_hz() const;
@@ -71,12 +77,14 @@ class BandMaximum {
     [[nodiscard]] bool operator<(const Interval& other) const { return upper < other.upper; }
   };
   [[nodiscard]] double upper_value(double omega);
+  [[nodiscard]] bool stays_below(double from, double to, double limit, int halvings) const;
   void add(double from, double to);
   void sharpen(const Interval& interval);
   [[nodiscard]] Bounds bounds() const;
 
   ModalReaction reaction_;
   double duration_;
+  std::vector<double> marks_;        // the ends and the natural frequencies between them, rad/s, ascending
   std::map<double, double> values_;  // upper bound of |f_max| by Omega
   std::priority_queue<Interval> intervals_;
   double lower_ = 0.0;

@@ -30,10 +30,11 @@ struct Criterion {
 void require_contact(const data::Beam& beam);
 
 /// Evaluates the criterion. The reaction is proportional to A0, so one evaluation gives the critical
-/// amplitude whatever excitation.amplitude() is, zero included. Throws what require_contact() throws.
+/// amplitude whatever excitation.amplitude() is, zero included. Damping: largest_unit_force() in
+/// damped_reaction.hpp. Throws what require_contact() and that throw.
 [[nodiscard]] Criterion evaluate_criterion(const data::Beam& beam, const data::FrictionLaw& friction,
                                            const data::HarmonicExcitation& excitation, double duration,
                                            int modes = 10, SteadyPart steady_part = SteadyPart::modal_sum,
-                                           double relative_width = 1e-10);
+                                           double relative_width = 1e-10, const data::Damping& damping = {});
 
 }  // namespace stickslip::analytic

@@ -36,6 +36,13 @@ class StickPropagator {
   [[nodiscard]] double force(double t) const;
   [[nodiscard]] double force_rate(double t) const;
 
+  /// What z_k adds to f_d, as the real part of a share that obeys x_t = eigenvalue x + sine sin(Omega t) + cosine
+  /// cos(Omega t).
+  struct Share {
+    std::complex<double> eigenvalue, sine, cosine;
+  };
+  [[nodiscard]] std::vector<Share> force_shares() const;
+
   /// A bound of |d^2 f_d/dt^2| from t to t + length.
   [[nodiscard]] double curvature_bound(double t, double length) const;
 

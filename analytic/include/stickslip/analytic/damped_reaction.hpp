@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// The stick-state reaction of a damped beam that starts as Eq. (26) assumes, in closed form.
+///
+/// Kelvin-Voigt damping is eta times the bending stiffness, and a damping ratio holds in the modes of the beam
+/// with its tip free and P = 0. Neither is diagonal in the modes of the stick state. With the N modes of
+/// BeamContactModel, y = (omega_n T_n, T_n_t) = Re(Z z) separates them (StickPropagator), and per unit amplitude
+///
+///     f(t)/A0 = (s + m Omega^2) sin(Omega t) + r Omega cos(Omega t) + Re sum_k z_k(t),
+///     z_k_t = lambda_k z_k + u_k Omega^2 sin(Omega t) + v_k Omega cos(Omega t),       z_k(0) = 0,
+///
+/// where no number but Omega depends on the excitation. The solution is, with the sum over both signs,
+///
+///     z_k = sum P (exp(+-i Omega t) - exp(lambda_k t))/(+-i Omega - lambda_k),  P = (v_k Omega -+ i u_k Omega^2)/2:
+///
+/// the steady vibration and free vibrations that decay.
+
+#include <complex>
+#include <vector>
+
+#include "stickslip/analytic/bounds.hpp"
+#include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/data/problem.hpp"
+
+namespace stickslip::analytic {
+
+/// The numbers above.
+struct DampedReaction {
+  struct Share {
+    std::complex<double> eigenvalue;    ///< lambda_k, rad/s, Re <= 0; one of each complex pair
+    std::complex<double> sine, cosine;  ///< u_k, N s/m; v_k, N/m
+  };
+  double quasi_static{};  ///< s = EI S'''(L), N/m
+  double inertia{};       ///< m, N s^2/m; that of what is not in the N modes, 0 for SteadyPart::modal_sum
+  double rate{};          ///< r, N s/m
+  std::vector<Share> shares;
+};
+
+/// With SteadyPart::modal_sum the undamped limit is ModalReaction, Eq. (28), with as many modes. With
+/// SteadyPart::exact the inertia of the other modes counts statically, so that the terms at Omega fall as P n^-4 +
+/// n^-6. Throws what BeamContactModel throws, and data::FieldError,
+/// naming the damping, if a mode is so nearly critically damped that it cannot be separated.
+[[nodiscard]] DampedReaction damped_reaction(const data::Beam& beam, const data::Damping& damping, int modes,
+                                             SteadyPart steady_part = SteadyPart::modal_sum);
+
+/// The reaction to one excitation frequency over 0 <= t <= duration, per unit amplitude.
+class DampedForce {
+ public:
+  /// angular_frequency: Omega, rad/s; duration: T, s. Throws data::FieldError, naming
+  /// excitation.frequency_hz or excitation.duration, unless both are positive and finite.
+  DampedForce(const DampedReaction& reaction, double angular_frequency, double duration);
+
+  /// f(t)/A0, N/m.
+  [[nodiscard]] double value(double t) const { return jet(t).value; }
+  /// Amplitude of the steady part, N/m.
+  [[nodiscard]] double steady_amplitude() const noexcept { return steady_amplitude_; }
+
+  /// Bounds of max |f|/A0 over 0 <= t <= T, N/m, with upper - lower <= relative_width * lower + 3 rounding();
+  /// rigorous for the eigenvalues and weights given, rounding included.
+  ///
+  /// On a piece of time of half-width r about t_c that begins at a, each term is either evaluated, and leaves
+  /// |A_k lambda_k^3| exp(Re lambda_k a) r^3/6 beyond its parabola, or counts with its amplitude |A_k| exp(Re
+  /// lambda_k a), whichever is less. Pieces whose bound does not exceed the best value are dropped, the others
+  /// halved. A term with |+-i Omega - lambda_k| T < 2 stays one, (exp(i Omega t) - exp(lambda t))/(i Omega -
+  /// lambda), whose modulus is at most t. Where the free vibrations have fallen below relative_width/4 of the
+  /// steady amplitude and half a period is left, that amplitude bounds the rest.
+  ///
+  /// Throws std::invalid_argument unless 1e-13 <= relative_width < 1, and data::FieldError, naming
+  /// excitation.duration, if that needs more than 1e8 pieces.
+  [[nodiscard]] Bounds refined_to(double relative_width = 1e-10) const;
+
+  /// Bound of the rounding error of an evaluation of f/A0, N/m.
+  [[nodiscard]] double rounding() const noexcept { return rounding_; }
+
+ private:
+  class Search;
+  using Complex = std::complex<double>;
+
+  // Re[amplitude exp(exponent t)]; that at Omega comes first.
+  struct Term {
+    Complex amplitude, exponent;
+  };
+  // Re[amplitude (exp(pole t) - exp(exponent t))/(pole - exponent)]
+  struct Beat {
+    Complex amplitude, pole, exponent;
+  };
+  struct Jet {
+    double value{}, slope{}, curvature{};
+  };
+
+  [[nodiscard]] Jet jet(double t) const;
+  void add(Jet& sum, const Term& term, double t) const;
+  void add(Jet& sum, const Beat& beat, double t) const;
+  [[nodiscard]] double transient_bound(double t) const;  // of the terms but the first, from t on
+
+  double omega_, duration_;
+  std::vector<Term> terms_;
+  std::vector<Beat> beats_;
+  double steady_amplitude_{};
+  double rounding_{};
+};
+
+/// max |f|/A0, N/m, over 0 <= t <= duration: ForceMaximum of the undamped beam or, if it is damped, DampedForce.
+[[nodiscard]] Bounds largest_unit_force(const data::Beam& beam, const data::Damping& damping,
+                                        double frequency_hz, double duration, int modes,
+                                        SteadyPart steady_part = SteadyPart::modal_sum,
+                                        double relative_width = 1e-10);
+
+}  // namespace stickslip::analytic

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: MIT
+#include "stickslip/analytic/damped_reaction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "arguments.hpp"
+#include "exponential_difference.hpp"
+#include "stickslip/analytic/beam_contact_model.hpp"
+#include "stickslip/analytic/contact_dynamics.hpp"
+#include "stickslip/analytic/force_maximum.hpp"
+#include "stickslip/analytic/stick_propagator.hpp"
+
+namespace stickslip::analytic {
+namespace {
+
+constexpr double kUnitRoundoff = 0.5 * std::numeric_limits<double>::epsilon();
+constexpr double kMostPieces = 1e8;
+
+/// The largest |a + b s + c s^2/2| over |s| <= r.
+double largest_parabola(double a, double b, double c, double r) {
+  const double at_ends = std::abs(a + 0.5 * c * r * r) + std::abs(b) * r;
+  if (std::abs(b) >= std::abs(c) * r) return at_ends;
+  return std::max(at_ends, std::abs(a - 0.5 * b * b / c));
+}
+
+std::vector<StickPropagator::Share> shares_of(const ContactDynamics& dynamics, const data::Damping& damping) {
+  try {
+    return StickPropagator(dynamics).force_shares();
+  } catch (const std::runtime_error&) {
+    const bool viscous = damping.kelvin_voigt() > 0.0;
+    throw data::FieldError(viscous ? "damping.kelvin_voigt" : "damping.ratio",
+                           viscous ? damping.kelvin_voigt() : damping.ratio(),
+                           "different by a millionth: with this value a mode of the held beam is critically "
+                           "damped to nine digits");
+  }
+}
+
+double cubed(double x) { return x * x * x; }
+
+}  // namespace
+
+DampedReaction damped_reaction(const data::Beam& beam, const data::Damping& damping, int modes,
+                               SteadyPart steady_part) {
+  const data::HarmonicExcitation unit({.frequency_hz = 0.5 / std::numbers::pi, .amplitude = 1.0});
+  const BeamContactModel structure(beam, data::FrictionLaw({}), unit, damping, modes);
+  const ContactDynamics dynamics(structure.model());
+  const double omega = structure.model().load_angular_frequency;  // 1 rad/s, up to rounding
+  const Harmonic force = dynamics.held_force();
+
+  // f = -f_d, and w = -h.
+  DampedReaction reaction;
+  reaction.quasi_static = dynamics.held_stiffness();
+  if (steady_part == SteadyPart::exact)
+    reaction.inertia = -(force.sine + reaction.quasi_static) / (omega * omega);
+  reaction.rate = -force.cosine / omega;
+  for (const auto& share : shares_of(dynamics, damping))
+    reaction.shares.push_back({share.eigenvalue, -share.sine / (omega * omega), -share.cosine / omega});
+  return reaction;
+}
+
+DampedForce::DampedForce(const DampedReaction& reaction, double angular_frequency, double duration)
+    : omega_(angular_frequency), duration_(duration) {
+  require_positive("excitation.frequency_hz", angular_frequency);
+  require_positive("excitation.duration", duration);
+  const double omega = angular_frequency;
+  const Complex i(0.0, 1.0);
+  // sin = Re[-i exp(i Omega t)]
+  Complex steady = -i * (reaction.quasi_static + reaction.inertia * omega * omega) + reaction.rate * omega;
+  Complex apart = steady;  // without what is in the beats
+  double cancelled = std::abs(steady);
+  terms_.push_back({0.0, i * omega});
+  for (const auto& [eigenvalue, sine, cosine] : reaction.shares) {
+    Complex transient = 0.0;
+    for (const double sign : {1.0, -1.0}) {
+      const Complex amplitude = 0.5 * omega * (cosine - sign * i * omega * sine), pole = sign * i * omega;
+      const Complex share = amplitude / (pole - eigenvalue);
+      steady += sign > 0.0 ? share : std::conj(share);
+      if (std::abs(pole - eigenvalue) * duration < 2.0) {
+        beats_.push_back({amplitude, pole, eigenvalue});
+        continue;
+      }
+      apart += sign > 0.0 ? share : std::conj(share);
+      cancelled += std::abs(share);
+      transient -= share;
+    }
+    terms_.push_back({transient, eigenvalue});
+  }
+  terms_.front().amplitude = apart;
+  steady_amplitude_ = std::abs(steady);
+
+  const auto operations = static_cast<double>(terms_.size() + beats_.size()) + 20.0;
+  rounding_ = operations * cancelled;
+  for (const Term& term : terms_) {
+    // A phase is wrong by up to |lambda| t eps, and counts while exp(Re lambda t) lets it.
+    const double longest = std::min(duration, 1.0 / (std::numbers::e * std::abs(term.exponent.real())));
+    rounding_ += std::abs(term.amplitude) * (4.0 * std::abs(term.exponent) * longest + operations);
+  }
+  for (const Beat& beat : beats_)
+    rounding_ +=
+        std::abs(beat.amplitude) * duration * (4.0 * std::abs(beat.exponent) * duration + operations);
+  rounding_ *= kUnitRoundoff;
+}
+
+void DampedForce::add(Jet& sum, const Term& term, double t) const {
+  const Complex value = term.amplitude * std::exp(term.exponent * t), slope = term.exponent * value;
+  sum.value += value.real();
+  sum.slope += slope.real();
+  sum.curvature += (term.exponent * slope).real();
+}
+
+void DampedForce::add(Jet& sum, const Beat& beat, double t) const {
+  const Complex value = beat.amplitude * exponential_difference(beat.pole, beat.exponent, t);
+  const Complex forcing = beat.amplitude * std::exp(beat.pole * t);
+  const Complex slope = beat.exponent * value + forcing;
+  sum.value += value.real();
+  sum.slope += slope.real();
+  sum.curvature += (beat.exponent * slope + beat.pole * forcing).real();
+}
+
+DampedForce::Jet DampedForce::jet(double t) const {
+  Jet sum;
+  for (const Term& term : terms_) add(sum, term, t);
+  for (const Beat& beat : beats_) add(sum, beat, t);
+  return sum;
+}
+
+double DampedForce::transient_bound(double t) const {
+  double sum = 0.0;
+  for (std::size_t k = 1; k < terms_.size(); ++k)
+    sum += std::abs(terms_[k].amplitude) * std::exp(terms_[k].exponent.real() * t);
+  return sum;
+}
+
+/// All pieces of one width at a time.
+class DampedForce::Search {
+ public:
+  Search(const DampedForce& force, double relative_width) : force_(force), relative_width_(relative_width) {
+    for (const Beat& beat : force.beats_) {
+      const double b = std::abs(beat.amplitude), w = std::abs(beat.exponent), o = force.omega_;
+      beats_value_ += b * force.duration_;
+      beats_third_ += b * (cubed(w) * force.duration_ + w * w + w * o + o * o);
+    }
+    double end = force.duration_;
+    if (const auto settled = settling_time()) {
+      end = *settled;
+      const double amplitude = std::abs(force.terms_.front().amplitude), rest = force.transient_bound(end);
+      lower_ = amplitude - rest - force.rounding_;
+      upper_ = amplitude + rest + force.rounding_;
+    }
+    constexpr int looks = 64;
+    const double early = std::min(end, 60.0 / force.omega_);
+    for (int k = 1; k <= looks; ++k)
+      for (const double span : {early, end}) see(force.value(span * k / looks), force.rounding_);
+    require_count(end * force.omega_);
+    const double count = std::ceil(end * force.omega_ / 64.0);
+    radius_ = 0.5 * end / count;
+    for (double k = 0.0; k < count; ++k) centres_.push_back((2.0 * k + 1.0) * radius_);
+    while (!centres_.empty()) halve();
+  }
+
+  [[nodiscard]] Bounds bounds() const { return {lower_, std::max(lower_, upper_)}; }
+
+ private:
+  void see(double value, double uncertainty) { lower_ = std::max(lower_, std::abs(value) - uncertainty); }
+
+  void require_count(double count) const {
+    if (!(count <= kMostPieces))
+      throw data::FieldError("excitation.duration", force_.duration_,
+                             "at most " + data::shortest_text(force_.duration_ * kMostPieces / count) +
+                                 " s, a hundred million pieces");
+  }
+
+  /// From when on the steady vibration bounds the force, if that is half a period before the end.
+  [[nodiscard]] std::optional<double> settling_time() const {
+    const double enough = 0.25 * relative_width_ * std::abs(force_.terms_.front().amplitude);
+    const double last = force_.duration_ - std::numbers::pi / force_.omega_;
+    if (!force_.beats_.empty() || !(last > 0.0) || force_.transient_bound(last) > enough) return std::nullopt;
+    double early = 0.0, late = last;
+    for (int k = 0; k < 20; ++k) {
+      const double middle = 0.5 * (early + late);
+      (force_.transient_bound(middle) > enough ? early : late) = middle;
+    }
+    return late;
+  }
+
+  [[nodiscard]] bool is_done(double upper) const {
+    return upper <= (1.0 + relative_width_) * lower_ + 2.0 * force_.rounding_;
+  }
+
+  /// The bound of a piece, with its value seen unless the sum of the amplitudes is bound enough, or the piece is
+  /// too wide for a parabola.
+  [[nodiscard]] double upper_of(double centre) {
+    const double start = std::max(0.0, centre - radius_), reach = cubed(radius_) / 6.0;
+    const double largest = std::abs(force_.terms_.front().amplitude) + force_.transient_bound(start) +
+                           beats_value_ + force_.rounding_;
+    if (is_done(largest) || radius_ * force_.omega_ > 1.0) return largest;
+    Jet sum;
+    double rest = force_.rounding_, excess = 0.0;
+    for (const Term& term : force_.terms_) {
+      const double amplitude = std::abs(term.amplitude) * std::exp(term.exponent.real() * start);
+      const double beyond = amplitude * cubed(std::abs(term.exponent)) * reach;
+      if (beyond < amplitude) {
+        force_.add(sum, term, centre);
+        excess += beyond;
+      } else {
+        rest += amplitude;
+      }
+    }
+    for (const Beat& beat : force_.beats_) force_.add(sum, beat, centre);
+    excess += beats_third_ * reach;
+    see(sum.value, rest);
+    return std::min(largest, largest_parabola(sum.value, sum.slope, sum.curvature, radius_) + excess + rest);
+  }
+
+  void halve() {
+    std::vector<double> left;
+    for (const double centre : centres_) {
+      const double upper = upper_of(centre);
+      if (is_done(upper)) {
+        upper_ = std::max(upper_, upper);
+        continue;
+      }
+      left.push_back(centre - 0.5 * radius_);
+      left.push_back(centre + 0.5 * radius_);
+    }
+    require_count(static_cast<double>(left.size()));
+    centres_ = std::move(left);
+    radius_ *= 0.5;
+  }
+
+  const DampedForce& force_;
+  double relative_width_;
+  double beats_value_{}, beats_third_{};
+  double lower_{}, upper_{};
+  double radius_{};
+  std::vector<double> centres_;
+};
+
+Bounds DampedForce::refined_to(double relative_width) const {
+  if (!(relative_width >= 1e-13 && relative_width < 1.0))
+    throw wrong_argument("relative_width", relative_width, "1e-13 ... 1");
+  return Search(*this, relative_width).bounds();
+}
+
+Bounds largest_unit_force(const data::Beam& beam, const data::Damping& damping, double frequency_hz,
+                          double duration, int modes, SteadyPart steady_part, double relative_width) {
+  if (damping.kelvin_voigt() > 0.0 || damping.ratio() > 0.0)
+    return DampedForce(damped_reaction(beam, damping, modes, steady_part),
+                       2.0 * std::numbers::pi * frequency_hz, duration)
+        .refined_to(relative_width);
+  const data::HarmonicExcitation unit({.frequency_hz = frequency_hz, .amplitude = 1.0});
+  return StickResponse(beam, unit, modes, steady_part).max_abs_friction_force(duration, relative_width);
+}
+
+}  // namespace stickslip::analytic

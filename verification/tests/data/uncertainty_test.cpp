@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+/// The table [uncertainty] of a case file: what it says is read, anything else refused in one sentence.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "stickslip/data/case_file.hpp"
+#include "stickslip/data/uncertainty.hpp"
+#include "support/requirements.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+class UncertaintyTable : public ::testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::create_directory(folder_); }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  // The paper's case, without its static coefficient if so asked, and the table.
+  [[nodiscard]] std::filesystem::path write(const std::string& table,
+                                            bool without_coefficient = false) const {
+    std::ifstream paper(data::find_case("paper"));
+    std::ofstream file(folder_ / "bar.toml");
+    for (std::string line; std::getline(paper, line);)
+      if (!without_coefficient || !line.starts_with("static")) file << line << '\n';
+    file << "[uncertainty]\n" << table;
+    return folder_ / "bar.toml";
+  }
+
+  // Without the folder; both readers say the same.
+  [[nodiscard]] std::string refusal(const std::string& table) const {
+    const auto file = write(table);
+    std::string sentence = "accepted";
+    try {
+      (void)data::read_uncertainty(file);
+    } catch (const data::InputError& error) {
+      sentence = error.what();
+    }
+    EXPECT_THROW((void)data::read_case(file), data::InputError);
+    for (auto at = sentence.find(folder_.string()); at != std::string::npos;
+         at = sentence.find(folder_.string()))
+      sentence.erase(at, folder_.string().size() + 1);
+    return sentence;
+  }
+
+  std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() / ("uncertainty-" + std::to_string(::getpid()));
+};
+
+const std::string normal = R"({ distribution = "normal", mean = 0.55, standard_deviation = 0.05 })";
+const std::string mu = "\"friction.static_coefficient\" = " + normal + "\n";
+
+STICKSLIP_VERIFIES(UncertaintyTable, "P7");
+TEST_F(UncertaintyTable, IsReadAsItStands) {
+  std::ofstream(folder_ / "e.csv") << "E_Pa,n\n2.1e9,1\n1.9e9,2\n2.0e9,3\n";
+  const auto read = data::read_uncertainty(
+      write(mu + R"("beam.length" = { distribution = "uniform", lower = 1.9, upper = 2 }
+"beam.area" = { distribution = "lognormal", mean = 0.01, standard_deviation = 1e-4 }
+"beam.axial_force" = { distribution = "triangular", lower = 400, mode = 500, upper = 700 }
+"beam.youngs_modulus" = { distribution = "samples", file = "e.csv", column = "E_Pa" }
+correlation = [["beam.length", "beam.area", 0.25]]
+)"));
+  ASSERT_EQ(read.keys.size(), 5u);
+  const auto of = [&](const std::string& key) {
+    return std::ranges::find(read.keys, key, &data::UncertainKey::key)->distribution;
+  };
+  EXPECT_EQ(of("friction.static_coefficient").mean, 0.55);
+  EXPECT_EQ(of("friction.static_coefficient").standard_deviation, 0.05);
+  EXPECT_EQ(of("beam.length").upper, 2.0);
+  EXPECT_EQ(of("beam.length").mean_value(), 1.95);
+  EXPECT_EQ(of("beam.area").kind, data::DistributionKind::lognormal);
+  EXPECT_DOUBLE_EQ(of("beam.axial_force").mean_value(), 1600.0 / 3.0);
+  EXPECT_EQ(of("beam.youngs_modulus").samples, (std::vector{1.9e9, 2.0e9, 2.1e9}));
+  EXPECT_EQ(std::ranges::count(read.correlation, 0.25), 2);
+  EXPECT_EQ(std::ranges::count(read.correlation, 1.0), 5);
+  EXPECT_TRUE(data::read_uncertainty(data::find_case("paper")).keys.empty());
+}
+
+TEST_F(UncertaintyTable, LeavesTheValueOfTheCaseOrSuppliesTheMean) {
+  EXPECT_EQ(data::read_case(write(mu)).friction.static_coefficient(), 0.6);
+  EXPECT_EQ(data::read_case(write(mu, true)).friction.static_coefficient(), 0.55);
+}
+
+TEST_F(UncertaintyTable, IsRefusedInOneSentence) {
+  const std::string key = "bar.toml:27: uncertainty.\"beam.length\"";
+  const auto length = [&](const std::string& value) { return refusal("\"beam.length\" = " + value + "\n"); };
+  EXPECT_EQ(length("1"), key + " is 1 (an integer), but must be a table with a distribution");
+  EXPECT_EQ(
+      length("{ distribution = 'norml', mean = 1 }"),
+      key +
+          ".distribution is norml (a string) (did you mean normal?), but must be one of normal, lognormal, "
+          "uniform, triangular, samples");
+  EXPECT_EQ(length("{ distribution = 'normal', mean = 2 }"),
+            key + ".standard_deviation is missing, but must be a finite number");
+  EXPECT_EQ(length("{ distribution = 'normal', mean = 2, standard_deviation = 0 }"),
+            key + ".standard_deviation is 0 (an integer), but must be above 0");
+  EXPECT_EQ(length("{ distribution = 'normal', mean = nan, standard_deviation = 1 }"),
+            key + ".mean is nan (a float), but must be a finite number");
+  EXPECT_EQ(length("{ distribution = 'lognormal', mean = -2, standard_deviation = 1 }"),
+            key + ".mean is -2 (an integer), but must be above 0 for lognormal");
+  EXPECT_EQ(length("{ distribution = 'uniform', lower = 2, upper = 2 }"),
+            key + ".upper is 2 (an integer), but must be above lower");
+  EXPECT_EQ(length("{ distribution = 'triangular', lower = 1, mode = 4, upper = 3 }"),
+            key + ".mode is 4 (an integer), but must be from lower to upper");
+  EXPECT_EQ(
+      length("{ distribution = 'uniform', lower = 1, uper = 2 }"),
+      "bar.toml:27: unknown key uncertainty.\"beam.length\".uper (did you mean upper?), but uniform has the "
+      "keys lower, upper");
+  EXPECT_EQ(length("{ distribution = 'uniform', lower = 1, upper = 1e9 }"),
+            "bar.toml:27: beam.length is 1e+09, but must be from 1e-09 to 1e+06 (m) in magnitude");
+  EXPECT_EQ(refusal("\"beam.lenght\" = " + normal),
+            "bar.toml:27: unknown key uncertainty.beam.lenght (did you mean beam.length?), but must be "
+            "\"correlation\" or a key of a case that is no integer, in quotes");
+  EXPECT_TRUE(refusal("\"numerics.modes\" = " + normal).find("a key of a case that is no integer") !=
+              std::string::npos);
+  EXPECT_EQ(refusal("beam.length = " + normal),
+            "bar.toml:27: unknown key uncertainty.beam, but the key of a case must stand in quotes, as "
+            "\"beam.name\"");
+  EXPECT_EQ(refusal(""), "bar.toml:26: uncertainty has no distribution, but must have one or more");
+}
+
+TEST_F(UncertaintyTable, IsRefusedForItsSamples) {
+  const auto samples = [&](const std::string& text) {
+    std::ofstream(folder_ / "l.csv") << text;
+    return refusal("\"beam.length\" = { distribution = 'samples', file = 'l.csv', column = 'L' }\n");
+  };
+  EXPECT_EQ(
+      samples("M\n1\n2\n"),
+      "bar.toml:27: uncertainty.\"beam.length\".column is L, but must be a column of l.csv, which has M");
+  EXPECT_EQ(samples("L\n1\n"), "l.csv: has 1 rows, but must have at least 2");
+  EXPECT_EQ(samples("L,M\n1,1\nlong,2\n"),
+            "l.csv:3, column 1 (L): long stands there, but must be a finite number");
+}
+
+TEST_F(UncertaintyTable, IsRefusedForItsCorrelation) {
+  const std::string keys = mu + "\"beam.length\" = { distribution = 'uniform', lower = 1, upper = 2 }\n" +
+                           "\"beam.area\" = { distribution = 'uniform', lower = 1, upper = 2 }\n";
+  const auto with = [&](const std::string& rows) { return refusal(keys + "correlation = [" + rows + "]\n"); };
+  const std::string start = "bar.toml:30: uncertainty.correlation ";
+  EXPECT_TRUE(with("1").starts_with(start + "has a row that is 1 (an integer)"));
+  EXPECT_TRUE(
+      with("['beam.length', 'beam.width', 0.1]").starts_with(start + "names beam.width (a string), which"));
+  EXPECT_TRUE(with("['beam.length', 'beam.length', 0.1]").starts_with(start + "names beam.length twice"));
+  EXPECT_TRUE(with("['beam.length', 'beam.area', 1]").starts_with(start + "has the coefficient 1"));
+  EXPECT_TRUE(with("['beam.length', 'beam.area', 0.1], ['beam.area', 'beam.length', 0.1]")
+                  .starts_with(start + "has two rows of beam.area and beam.length"));
+  EXPECT_EQ(with("['beam.length', 'beam.area', 0.9], ['beam.area', 'friction.static_coefficient', 0.9], "
+                 "['beam.length', 'friction.static_coefficient', -0.9]"),
+            start + "is contradictory, but must be a positive definite matrix");
+}
+
+}  // namespace
+}  // namespace stickslip::testing

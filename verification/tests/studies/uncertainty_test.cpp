@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: MIT
+/// How sure a verdict is: samples, intervals and indices against closed forms, and the probability of slip where it has
+/// one.
+
+#include <gsl/gsl_cdf.h>
+#include <gsl/gsl_randist.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "stickslip/analytic/damped_reaction.hpp"
+#include "studies/common/thread_count.hpp"
+#include "studies/criterion/design_guide.hpp"
+#include "studies/uncertainty/slip_probability.hpp"
+#include "support/beams.hpp"
+#include "support/requirements.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+using data::Distribution;
+using data::DistributionKind;
+using studies::Estimate;
+
+Distribution normal(double mean, double deviation) {
+  return {.kind = DistributionKind::normal, .mean = mean, .standard_deviation = deviation};
+}
+Distribution lognormal(double mean, double deviation) {
+  return {.kind = DistributionKind::lognormal, .mean = mean, .standard_deviation = deviation};
+}
+Distribution uniform(double lower, double upper) {
+  return {.kind = DistributionKind::uniform, .lower = lower, .upper = upper};
+}
+
+data::Uncertainty independent(std::vector<std::pair<std::string, Distribution>> keys) {
+  data::Uncertainty result;
+  for (const auto& [key, distribution] : keys) result.keys.push_back({key, distribution, ""});
+  for (std::size_t i = 0; i < keys.size() * keys.size(); ++i)
+    result.correlation.push_back(i % (keys.size() + 1) == 0 ? 1.0 : 0.0);
+  return result;
+}
+
+// Four standard deviations of a share of n independent samples: one in 16000 is outside.
+Tolerance sampling(double share, std::size_t count) {
+  return {4.0 * std::sqrt(share * (1.0 - share) / static_cast<double>(count)), "discretisation",
+          "four standard deviations of the binomial distribution"};
+}
+
+// The midpoint rule in p leaves out about z^2/n of the variance beyond its last point, z = 4.4.
+STICKSLIP_VERIFIES(Quantiles, "Q1");
+TEST(Quantiles, HaveTheMomentsOfTheirDistribution) {
+  constexpr int count = 100000;
+  const Distribution triangular{
+      .kind = DistributionKind::triangular, .lower = 1.0, .mode = 1.5, .upper = 4.0};
+  const Distribution samples{.kind = DistributionKind::samples, .samples = {1.0, 2.0, 4.0, 5.0}};
+  for (const auto& [distribution, variance] : {std::pair{normal(3.0, 0.5), 0.25},
+                                               {lognormal(3.0, 0.5), 0.25},
+                                               {uniform(1.0, 4.0), 0.75},
+                                               {triangular, (1.0 + 2.25 + 16.0 - 1.5 - 4.0 - 6.0) / 18.0},
+                                               {samples, 2.5}}) {
+    double mean = 0.0, square = 0.0;
+    for (int i = 0; i < count; ++i) {
+      const double x = studies::quantile(distribution, (i + 0.5) / count) - distribution.mean_value();
+      mean += x / count;
+      square += x * x / count;
+    }
+    const Tolerance tolerance{5e-4 * variance, "discretisation", "z^2/n of the tails"};
+    EXPECT_TRUE(within(mean, 0.0, tolerance));
+    EXPECT_TRUE(within(square, variance, tolerance));
+  }
+  EXPECT_EQ(studies::quantile(samples, 0.49), 2.0);
+  EXPECT_EQ(studies::quantile(samples, 0.51), 4.0);
+}
+
+// The probability that the interval holds the truth, summed over all counts.
+double coverage(double p, unsigned count) {
+  double sum = 0.0;
+  for (unsigned k = 0; k <= count; ++k) {
+    const Estimate interval = studies::probability_of(k, count);
+    if (interval.lower <= p && p <= interval.upper) sum += gsl_ran_binomial_pdf(k, p, count);
+  }
+  return sum;
+}
+
+STICKSLIP_VERIFIES(ConfidenceIntervals, "Q1");
+TEST(ConfidenceIntervals, OfAProbabilityHoldItAtLeastSoOften) {
+  for (const unsigned count : {1U, 10U, 200U})
+    for (const double p : {1e-4, 0.003, 0.05, 0.5, 0.77, 0.999}) EXPECT_GE(coverage(p, count), 0.95) << p;
+  EXPECT_LT(coverage(0.5, 200), 0.97);  // and not by being wide
+  const Estimate none = studies::probability_of(0, 100);
+  EXPECT_EQ(none.lower, 0.0);
+  EXPECT_NEAR(none.upper, 1.0 - std::pow(0.025, 0.01), 1e-14);
+}
+
+// Of ranks: with x_i = i the interval says between which ranks the quantile lies.
+TEST(ConfidenceIntervals, OfAQuantileHoldItAtLeastSoOften) {
+  for (const unsigned count : {1U, 20U, 500U})
+    for (const double p : {0.05, 0.5, 0.95}) {
+      std::vector<double> ranks(count);
+      std::iota(ranks.begin(), ranks.end(), 1.0);
+      const Estimate interval = studies::quantile_of(ranks, p);
+      const auto missed = [&](double least, double most) {  // B < least or B >= most
+        double sum = 0.0;
+        for (unsigned b = 0; b <= count; ++b)
+          if (b < least || b >= most) sum += gsl_ran_binomial_pdf(b, p, count);
+        return sum;
+      };
+      EXPECT_LE(missed(interval.lower, interval.upper), 0.05) << count << ' ' << p;
+      // One rank less on either side would miss more than 2.5 % there.
+      EXPECT_TRUE(interval.lower == count ||
+                  missed(std::max(interval.lower, 0.0) + 1.0, count + 1.0) > 0.025);
+      EXPECT_TRUE(interval.upper < 2.0 ||
+                  missed(0.0, std::min<double>(interval.upper, count + 1.0) - 1.0) > 0.025);
+    }
+}
+
+// One point in each of n equal parts of every axis, whatever the scrambling, and in each quarter of a plane n/4.
+STICKSLIP_VERIFIES(SobolPoints, "Q1");
+TEST(SobolPoints, AreEvenlySpreadAndScrambledBySeed) {
+  constexpr std::size_t dimensions = 40, count = 256;
+  const auto points = studies::scrambled_sobol_points(dimensions, count, 7);
+  for (std::size_t i = 0; i < dimensions; ++i) {
+    std::vector<int> hits(count);
+    for (std::size_t j = 0; j < count; ++j)
+      ++hits[static_cast<std::size_t>(points[j * dimensions + i] * static_cast<double>(count))];
+    EXPECT_TRUE(std::ranges::all_of(hits, [](int n) { return n == 1; })) << i;
+  }
+  int quarter = 0;
+  for (std::size_t j = 0; j < count; ++j)
+    quarter += points[j * dimensions] < 0.5 && points[j * dimensions + 1] < 0.5 ? 1 : 0;
+  EXPECT_EQ(quarter, count / 4);
+  EXPECT_EQ(points, studies::scrambled_sobol_points(dimensions, count, 7));
+  EXPECT_NE(points, studies::scrambled_sobol_points(dimensions, count, 8));
+  EXPECT_THROW((void)studies::scrambled_sobol_points(41, 2, 0), std::invalid_argument);
+  EXPECT_THROW((void)studies::scrambled_sobol_points(2, 3, 0), std::invalid_argument);
+}
+
+// Within 2.5 half-widths of the interval, which are 5.3 standard errors: one in 10000 with 15 degrees of freedom.
+void expect_index(const Estimate& index, double expected) {
+  EXPECT_TRUE(within(
+      index.value, expected,
+      {2.5 * (index.upper - index.value) + 1e-12, "discretisation", "Student's t of 16 replications"}));
+  EXPECT_LT(index.upper - index.value, 0.03);
+}
+
+// Ishigami and Homma (1990), a = 7, b = 0.1.
+STICKSLIP_VERIFIES(SobolIndices, "Q1");
+TEST(SobolIndices, OfIshigamisFunctionAreItsClosedForms) {
+  constexpr double a = 7.0, b = 0.1;
+  const auto model = [](std::span<const double> u) -> std::optional<double> {
+    const auto x = [&](std::size_t i) { return std::numbers::pi * (2.0 * u[i] - 1.0); };
+    return std::sin(x(0)) + a * std::pow(std::sin(x(1)), 2) + b * std::pow(x(2), 4) * std::sin(x(0));
+  };
+  const double pi4 = std::pow(std::numbers::pi, 4);
+  const double first = 0.5 * std::pow(1.0 + b * pi4 / 5.0, 2), second = a * a / 8.0,
+               both = 8.0 * b * b * pi4 * pi4 / 225.0, variance = first + second + both;
+  const auto result = studies::sobol_indices(model, 3, 4096, 3);
+  EXPECT_EQ(result.evaluations, 5u * 4096u);
+  EXPECT_EQ(result.dropped, 0u);
+  expect_index(result.indices[0].first, first / variance);
+  expect_index(result.indices[0].total, (first + both) / variance);
+  expect_index(result.indices[1].first, second / variance);
+  expect_index(result.indices[1].total, second / variance);
+  expect_index(result.indices[2].first, 0.0);
+  expect_index(result.indices[2].total, both / variance);
+}
+
+TEST(SobolIndices, OfASumAreTheSharesOfItsTermsAndDoNotDependOnThreads) {
+  const auto model = [](std::span<const double> u) -> std::optional<double> {
+    return 3.0 * u[0] - 2.0 * u[1] + u[2] + 5.0;
+  };
+  const auto result = studies::sobol_indices(model, 4, 1024, 1);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double share = std::vector{9.0, 4.0, 1.0, 0.0}[i] / 14.0;
+    expect_index(result.indices[i].first, share);
+    expect_index(result.indices[i].total, share);
+  }
+  const unsigned threads = studies::thread_count();
+  studies::set_thread_count(3);
+  const auto again = studies::sobol_indices(model, 4, 1024, 1);
+  studies::set_thread_count(threads);
+  EXPECT_EQ(result.indices[1].first.value, again.indices[1].first.value);
+  EXPECT_EQ(result.indices[1].total.upper, again.indices[1].total.upper);
+}
+
+TEST(SobolIndices, CountTheRowsThatHaveNoValue) {
+  const auto model = [](std::span<const double> u) {
+    return u[0] < 0.25 ? std::nullopt : std::optional(1.0);
+  };
+  const auto result = studies::sobol_indices(model, 1, 1024, 1);
+  EXPECT_TRUE(within(static_cast<double>(result.dropped) / 1024.0, 1.0 - 0.75 * 0.75, sampling(0.44, 1024)));
+  EXPECT_EQ(result.indices[0].total.value, 0.0);  // constant
+  EXPECT_THROW((void)studies::sobol_indices(model, 21, 1024, 1), std::invalid_argument);
+}
+
+// x_1 - x_2 has the variance s_1^2 + s_2^2 - 2 rho s_1 s_2, whose estimate varies by sqrt(2/n).
+STICKSLIP_VERIFIES(JointDistribution, "Q1");
+TEST(JointDistribution, HasTheCorrelationThatIsAskedFor) {
+  constexpr std::size_t count = 20000;
+  auto uncertainty = independent({{"a", normal(1.0, 2.0)}, {"b", normal(3.0, 1.0)}});
+  uncertainty.correlation = {1.0, 0.7, 0.7, 1.0};
+  const studies::JointDistribution joint(uncertainty);
+  double squares = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto x = joint.at(studies::independent_point(5, i, 2));
+    squares += std::pow(x[0] - x[1] + 2.0, 2) / count;
+  }
+  const double expected = 4.0 + 1.0 - 2.0 * 0.7 * 2.0;
+  EXPECT_TRUE(
+      within(squares, expected,
+             {4.0 * expected * std::sqrt(2.0 / count), "discretisation", "four standard deviations"}));
+  EXPECT_EQ(joint.at(std::vector{0.5, 0.5}), (std::vector{1.0, 3.0}));
+}
+
+data::Case problem(double hz = 35.0) {
+  return {.name = "paper",
+          .beam = paper_beam(),
+          .friction = paper_friction(),
+          .excitation = data::HarmonicExcitation({hz, 0.5e-3}),
+          .numerics = data::NumericalSettings(paper_choices(10.0))};
+}
+
+double force_per_metre(const data::Case& of) {
+  return analytic::largest_unit_force(of.beam, of.damping, of.excitation.frequency_hz(), 10.0, 10).midpoint();
+}
+
+// mu_s alone: A_c is proportional to it, and the tip slips below mu_c = A_0 |f_max|/(A_0 P).
+STICKSLIP_VERIFIES(SlipProbability, "Q2");
+TEST(SlipProbability, OfAnUncertainCoefficientIsThatOfItsDistribution) {
+  data::Case of = problem();
+  for (const data::Damping& damping : {data::Damping(), data::Damping({.kelvin_voigt = 6.4e-5})}) {
+    of.damping = damping;
+    const double unit = force_per_metre(of), critical = 0.5e-3 * unit / 500.0;
+    const auto result =
+        studies::slip_uncertainty(of, independent({{"friction.static_coefficient", normal(0.55, 0.05)}}),
+                                  {.samples = 20000, .seed = 2});
+    const double expected = gsl_cdf_ugaussian_P((critical - 0.55) / 0.05);
+    EXPECT_TRUE(within(result.probability_of_slip.value, expected, sampling(expected, 20000)));
+    EXPECT_EQ(result.valid, 20000u);
+    EXPECT_TRUE(result.invalid.empty());
+    EXPECT_NEAR(result.nominal_margin, 0.6 / critical, 1e-7);
+    for (const auto& [p, amplitude, margin] : result.quantiles) {
+      const auto share_below = [&](double a) {
+        return gsl_cdf_ugaussian_P((a * unit / 500.0 - 0.55) / 0.05);
+      };
+      EXPECT_TRUE(within(share_below(amplitude.value), p, sampling(p, 20000)));
+      EXPECT_LT(amplitude.lower, amplitude.value);
+      EXPECT_LT(amplitude.value, amplitude.upper);
+      EXPECT_NEAR(margin.value, amplitude.value / 0.5e-3, 1e-12);
+    }
+    EXPECT_NEAR(result.tornado[0].margin_low.value(), (0.55 - 1.6448536269514722 * 0.05) / critical, 1e-7);
+    expect_index(result.sensitivity->indices[0].total, 1.0);
+    const double halved = gsl_cdf_ugaussian_P((critical - 0.55) / 0.025);
+    EXPECT_TRUE(within(result.probability_with_half_spread.value, halved, sampling(halved, 20000)));
+  }
+}
+
+TEST(SlipProbability, OfAnUncertainAmplitudeIsThatOfItsDistribution) {
+  const double critical = 300.0 / force_per_metre(problem());
+  const auto result = studies::slip_uncertainty(
+      problem(), independent({{"excitation.amplitude", uniform(0.4e-3, 0.8e-3)}}), {.samples = 20000});
+  const double expected = (0.8e-3 - critical) / 0.4e-3;
+  EXPECT_TRUE(within(result.probability_of_slip.value, expected, sampling(expected, 20000)));
+  EXPECT_NEAR(result.quantiles[2].critical_amplitude.value, critical, 1e-7 * critical);
+}
+
+// log(margin) is normal: that of mu_s less that of the amplitude, and its variance is known with their correlation.
+TEST(SlipProbability, OfCorrelatedKeysIsThatOfTheirQuotient) {
+  auto uncertainty = independent({{"friction.static_coefficient", lognormal(0.6, 0.06)},
+                                  {"excitation.amplitude", lognormal(0.55e-3, 0.11e-3)}});
+  const double s = std::sqrt(std::log1p(0.01)), t = std::sqrt(std::log1p(0.04));
+  for (const double rho : {0.0, 0.8, -0.5}) {
+    uncertainty.correlation = {1.0, rho, rho, 1.0};
+    const auto result = studies::slip_uncertainty(problem(), uncertainty, {.samples = 20000});
+    const double mean =
+        std::log(0.6 * 500.0 / (0.55e-3 * force_per_metre(problem()))) - 0.5 * s * s + 0.5 * t * t;
+    const double expected = gsl_cdf_ugaussian_P(-mean / std::sqrt(s * s + t * t - 2.0 * rho * s * t));
+    EXPECT_TRUE(within(result.probability_of_slip.value, expected, sampling(expected, 20000))) << rho;
+    EXPECT_EQ(result.sensitivity.has_value(), rho == 0.0);
+    EXPECT_EQ(uncertainty.keys[result.decisive].key, "excitation.amplitude");
+    if (rho == 0.0) expect_index(result.sensitivity->indices[0].first, s * s / (s * s + t * t));
+  }
+}
+
+// How many of 200 intervals hold the truth is binomial with their exact coverage.
+TEST(SlipProbability, LiesInItsIntervalAsOftenAsItShould) {
+  constexpr unsigned runs = 200, samples = 60;
+  const double critical = 0.5e-3 * force_per_metre(problem()) / 500.0;
+  const double p = gsl_cdf_ugaussian_P((critical - 0.55) / 0.05), expected = coverage(p, samples);
+  int held = 0;
+  for (unsigned seed = 1; seed <= runs; ++seed) {
+    const auto result = studies::slip_uncertainty(
+        problem(), independent({{"friction.static_coefficient", normal(0.55, 0.05)}}),
+        {.samples = samples, .seed = seed});
+    held += result.probability_of_slip.lower <= p && p <= result.probability_of_slip.upper ? 1 : 0;
+  }
+  EXPECT_TRUE(within(held / static_cast<double>(runs), expected, sampling(expected, runs)));
+}
+
+TEST(SlipProbability, CountsWhatIsNoBeam) {
+  const auto result = studies::slip_uncertainty(
+      problem(),
+      independent({{"beam.axial_force", uniform(-100.0, 900.0)}, {"beam.length", uniform(-1.0, 3.0)}}),
+      {.samples = 2000});
+  ASSERT_EQ(result.invalid.size(), 2u);
+  const auto lost = [&](const std::string& key) {
+    return static_cast<double>(result.invalid.at(key)) / 2000.0;
+  };
+  EXPECT_TRUE(within(lost("beam.length"), 0.25, sampling(0.25, 2000)));
+  EXPECT_TRUE(within(lost("beam.axial_force"), 0.075, sampling(0.075, 2000)));
+  EXPECT_EQ(result.valid, 2000u - result.invalid.at("beam.length") - result.invalid.at("beam.axial_force"));
+  EXPECT_GT(result.sensitivity->dropped, 0u);
+  EXPECT_THROW((void)studies::slip_uncertainty(problem(), independent({{"beam.length", uniform(-2.0, -1.0)}}),
+                                               {.samples = 10}),
+               data::InputError);
+}
+
+TEST(SlipProbability, OverABandIsThatOfItsWorstFrequency) {
+  const analytic::FrequencyBand band{30.0, 32.0};
+  const double critical = 0.6 / studies::band_margin(problem(), band).margin.midpoint();
+  const auto coefficient =
+      independent({{"friction.static_coefficient", normal(1.1 * critical, 0.1 * critical)}});
+  const auto result = studies::slip_uncertainty(problem(), coefficient, {.samples = 5000, .band = band});
+  const double expected = gsl_cdf_ugaussian_P(-1.0);
+  EXPECT_TRUE(within(result.probability_of_slip.value, expected, sampling(expected, 5000)));
+  // A point of the band where the verdict is another.
+  EXPECT_LT(
+      studies::slip_uncertainty(problem(35.0), coefficient, {.samples = 5000}).probability_of_slip.upper,
+      expected);
+  data::Case damped = problem();
+  damped.damping = data::Damping({.ratio = 0.01});
+  EXPECT_THROW((void)studies::slip_uncertainty(damped, coefficient, {.samples = 10, .band = band}),
+               data::InputError);
+  EXPECT_THROW(
+      (void)studies::slip_uncertainty(problem(), independent({{"excitation.frequency_hz", uniform(1, 2)}}),
+                                      {.samples = 10, .band = band}),
+      data::InputError);
+}
+
+TEST(SlipProbability, LeavesOutKeysThatAreGiven) {
+  auto uncertainty = independent({{"a", uniform(0, 1)}, {"b", uniform(0, 1)}, {"c", uniform(0, 1)}});
+  uncertainty.correlation = {1.0, 0.1, 0.2, 0.1, 1.0, 0.3, 0.2, 0.3, 1.0};
+  const auto left = studies::without(uncertainty, {"b", "d"});
+  ASSERT_EQ(left.keys.size(), 2u);
+  EXPECT_EQ(left.keys[1].key, "c");
+  EXPECT_EQ(left.correlation, (std::vector{1.0, 0.2, 0.2, 1.0}));
+}
+
+}  // namespace
+}  // namespace stickslip::testing
