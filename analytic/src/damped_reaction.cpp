@@ -6,7 +6,6 @@
 #include <limits>
 #include <numbers>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
 #include "arguments.hpp"
@@ -29,18 +28,6 @@ double largest_parabola(double a, double b, double c, double r) {
   return std::max(at_ends, std::abs(a - 0.5 * b * b / c));
 }
 
-std::vector<StickPropagator::Share> shares_of(const ContactDynamics& dynamics, const data::Damping& damping) {
-  try {
-    return StickPropagator(dynamics).force_shares();
-  } catch (const std::runtime_error&) {
-    const bool viscous = damping.kelvin_voigt() > 0.0;
-    throw data::FieldError(viscous ? "damping.kelvin_voigt" : "damping.ratio",
-                           viscous ? damping.kelvin_voigt() : damping.ratio(),
-                           "different by a millionth: with this value a mode of the held beam is critically "
-                           "damped to nine digits");
-  }
-}
-
 double cubed(double x) { return x * x * x; }
 
 }  // namespace
@@ -59,7 +46,7 @@ DampedReaction damped_reaction(const data::Beam& beam, const data::Damping& damp
   if (steady_part == SteadyPart::exact)
     reaction.inertia = -(force.sine + reaction.quasi_static) / (omega * omega);
   reaction.rate = -force.cosine / omega;
-  for (const auto& share : shares_of(dynamics, damping))
+  for (const auto& share : StickPropagator(dynamics).force_shares())
     reaction.shares.push_back({share.eigenvalue, -share.sine / (omega * omega), -share.cosine / omega});
   return reaction;
 }

@@ -92,7 +92,7 @@ TEST_F(UncertaintyTable, IsRefusedInOneSentence) {
   EXPECT_EQ(
       length("{ distribution = 'norml', mean = 1 }"),
       key +
-          ".distribution is norml (a string) (did you mean normal?), but must be one of normal, lognormal, "
+          ".distribution is 'norml' (a string) (did you mean normal?), but must be one of normal, lognormal, "
           "uniform, triangular, samples");
   EXPECT_EQ(length("{ distribution = 'normal', mean = 2 }"),
             key + ".standard_deviation is missing, but must be a finite number");
@@ -143,7 +143,7 @@ TEST_F(UncertaintyTable, IsRefusedForItsCorrelation) {
   const std::string start = "bar.toml:30: uncertainty.correlation ";
   EXPECT_TRUE(with("1").starts_with(start + "has a row that is 1 (an integer)"));
   EXPECT_TRUE(
-      with("['beam.length', 'beam.width', 0.1]").starts_with(start + "names beam.width (a string), which"));
+      with("['beam.length', 'beam.width', 0.1]").starts_with(start + "names 'beam.width' (a string), which"));
   EXPECT_TRUE(with("['beam.length', 'beam.length', 0.1]").starts_with(start + "names beam.length twice"));
   EXPECT_TRUE(with("['beam.length', 'beam.area', 1]").starts_with(start + "has the coefficient 1"));
   EXPECT_TRUE(with("['beam.length', 'beam.area', 0.1], ['beam.area', 'beam.length', 0.1]")
