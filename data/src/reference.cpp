@@ -247,6 +247,18 @@ void require_problem(const JsonNode& node, const Resource& resource) {
   }
 }
 
+StatedProblem stated_problem(const JsonNode& node) {
+  StatedProblem stated;
+  for (const auto& [key, member] : node.members()) {
+    if (member.value().is_string() && key == "beam") stated.beam = member.text();
+    if (member.value().is_string() && key == "tip") stated.tip = member.text();
+    if (!member.value().is_object()) continue;
+    for (const auto& [name, number] : member.members())
+      if (number.value().is_number()) stated.numbers[key + "." + name] = number.value().get<double>();
+  }
+  return stated;
+}
+
 Provenance provenance_of(const JsonNode& node) {
   node.require_spelling({"class", "method", "settings", "software", "checks"});
   Provenance provenance;
@@ -305,6 +317,7 @@ Resource resource_of(const JsonNode& node) {
   if (const auto problem = node.find("problem")) {
     require_problem(*problem, resource);
     resource.problem = problem->value().dump();
+    resource.stated = stated_problem(*problem);
   }
   if (const auto comparison = node.find("comparison"))
     resource.comparison = comparison_of(*comparison, resource);

@@ -98,6 +98,7 @@ DataSet undamped_history(std::string_view name) {
   resource.comparison = along("time", {{"tip_displacement", data::Norm::range, tolerance},
                                        {"midspan_displacement", data::Norm::range, tolerance}});
   resource.comparison->horizon = run.duration;
+  resource.diagnosis = in_case("tip displacement", std::string(run.case_name), "time", "tip_displacement");
   resource.problem =
       problem_of(case_of(run), run.case_name, "friction", {{"/duration", fmt::format("{}", run.duration)}});
   resource.provenance = provenance_of(fmt::format(
