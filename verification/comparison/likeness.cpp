@@ -124,14 +124,16 @@ class Search {
     const data::Beam* beam = problem ? &problem->beam : nullptr;
     Found found = pattern(values, beam);
     if (!found && is_of_other_events(quantity)) found = pattern(in_sequence(quantity, values), beam);
-    if (!found) found = other_values(quantity, values, group.group);
+    // Another data set may be near without being meant: beyond the tolerance a wrong model comes first.
+    const Found other = found ? Found() : other_values(quantity, values, group.group);
+    if (other && other->remaining <= quantity.tolerance) found = other;
     if (!found && problem && quantity.name == "midspan_displacement")
       found = beside_the_middle(values, *problem);
     std::string key;
     if (!found) {
       const bool is_said = problem && diagnose_by_models(likeness, quantity, group, *problem);
       if (!likeness.diagnosis || likeness.diagnosis->finding == Finding::unexplained)
-        found = growth_of(values, beam);
+        found = other ? other : growth_of(values, beam);
       // Events may be missing although the times agree.
       const bool is_of_interest =
           differs(group) || (likeness.diagnosis && likeness.diagnosis->finding == Finding::mistaken);

@@ -9,7 +9,7 @@ namespace stickslip::studies {
 
 /// Adds to `comparison.likenesses` a sentence for each quantity and group that differs, in this order:
 /// - a pattern of the numbers alone (patterns.hpp);
-/// - the values of another data set with the same columns;
+/// - the values of another data set with the same columns, or, beyond the tolerance, after the wrong models;
 /// - for y(L/2), the values at the node beside the middle on a mesh of 4 to 40 elements;
 /// - for maxima of ten modes, the values of all modes;
 /// - the nearest wrong model, if the data set names the case. Its effect is computed by one method with and
