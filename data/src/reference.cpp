@@ -233,7 +233,8 @@ DiagnosisRule diagnosis_of(const JsonNode& node, const Resource& resource) {
 void require_problem(const JsonNode& node, const Resource& resource) {
   node.require_spelling({"beam", "tip", "excitation", "damping", "friction", "initial_state", "modes",
                          "duration", "column", "frequency_hz", "amplitude", "kelvin_voigt",
-                         "static_coefficient", "kinetic_coefficient", "decay"});
+                         "static_coefficient", "kinetic_coefficient", "decay", "shear_coefficient",
+                         "poisson_ratio"});
   if (const auto tip = node.find("tip")) static_cast<void>(tip->one_of({"held", "free", "friction"}));
   if (const auto duration = node.find("duration"); duration && !duration->value().is_object())
     static_cast<void>(positive(*duration));
@@ -245,6 +246,18 @@ void require_problem(const JsonNode& node, const Resource& resource) {
     else if (!member.value().is_number() && !member.value().is_string())
       member.fail_unless("a number, a word or an object");
   }
+}
+
+StatedProblem stated_problem(const JsonNode& node) {
+  StatedProblem stated;
+  for (const auto& [key, member] : node.members()) {
+    if (member.value().is_string() && key == "beam") stated.beam = member.text();
+    if (member.value().is_string() && key == "tip") stated.tip = member.text();
+    if (!member.value().is_object()) continue;
+    for (const auto& [name, number] : member.members())
+      if (number.value().is_number()) stated.numbers[key + "." + name] = number.value().get<double>();
+  }
+  return stated;
 }
 
 Provenance provenance_of(const JsonNode& node) {
@@ -305,6 +318,7 @@ Resource resource_of(const JsonNode& node) {
   if (const auto problem = node.find("problem")) {
     require_problem(*problem, resource);
     resource.problem = problem->value().dump();
+    resource.stated = stated_problem(*problem);
   }
   if (const auto comparison = node.find("comparison"))
     resource.comparison = comparison_of(*comparison, resource);

@@ -89,11 +89,11 @@ class Comparer {
   Comparer(const data::ReferencePackage& package, const std::string& name, const data::UserTable& theirs,
            const ComparisonSettings& settings)
       : package_(package),
-        theirs_(theirs),
         settings_(settings),
         reference_(data::read_table(package, name)),
         rule_(rule_of(reference_.resource)),
-        matcher_(reference_, theirs),
+        theirs_(with_keys_of(reference_, theirs, rule_.abscissa)),
+        matcher_(reference_, theirs_),
         horizon_(std::min(rule_.horizon.value_or(infinity), settings.until.value_or(infinity))) {}
 
   [[nodiscard]] Comparison run() {
@@ -795,10 +795,10 @@ class Comparer {
   }
 
   const data::ReferencePackage& package_;
-  const data::UserTable& theirs_;
   const ComparisonSettings& settings_;
   const data::ReferenceTable reference_;
   const data::ComparisonRule& rule_;
+  const data::UserTable theirs_;
   const Matcher matcher_;
   const double horizon_;
   std::vector<std::string> group_columns_;

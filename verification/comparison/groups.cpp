@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
 
 #include "stickslip/data/case_file.hpp"
 
@@ -24,6 +27,25 @@ std::string label_of(const std::vector<std::string>& columns, const Cell& cell) 
 bool is_same_cell(const data::Column& a, std::size_t i, const data::Column& b, std::size_t j) {
   return a.field.type == data::FieldType::string ? a.text[i] == b.text[j]
                                                  : data::is_same_key(a.values[i], b.values[j]);
+}
+
+data::UserTable with_keys_of(const data::ReferenceTable& reference, data::UserTable theirs,
+                             const std::string& abscissa) {
+  constexpr double single_precision = 1e-6;
+  for (data::Column& column : theirs.columns) {
+    if (column.field.name == abscissa || column.field.type == data::FieldType::string ||
+        std::ranges::count(reference.resource.primary_key, column.field.name) == 0)
+      continue;
+    const auto& values = reference.column(column.field.name).values;
+    const std::set<double> keys(values.begin(), values.end());
+    for (double& key : column.values) {
+      const double reach = single_precision * std::abs(key);
+      const auto near = keys.lower_bound(key - reach);
+      if (near != keys.end() && *near <= key + reach && keys.upper_bound(key + reach) == std::next(near))
+        key = *near;
+    }
+  }
+  return theirs;
 }
 
 bool Matcher::matches(const std::vector<std::string>& columns, std::size_t row, std::size_t their_row) const {

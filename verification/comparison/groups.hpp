@@ -23,6 +23,11 @@ struct Group {
 /// Whether two cells of a key are the same word or the same number.
 [[nodiscard]] bool is_same_cell(const data::Column& a, std::size_t i, const data::Column& b, std::size_t j);
 
+/// The user's table with numeric keys in single precision replaced: by the key of the reference within 1e-6, relative,
+/// if that is the only one there. The column `abscissa` is left as it is.
+[[nodiscard]] data::UserTable with_keys_of(const data::ReferenceTable& reference, data::UserTable theirs,
+                                           const std::string& abscissa);
+
 /// Finds the rows of two tables that have the same keys.
 class Matcher {
  public:

@@ -9,11 +9,12 @@ namespace stickslip::studies {
 
 /// Adds to `comparison.likenesses` a sentence for each quantity and group that differs, in this order:
 /// - a pattern of the numbers alone (patterns.hpp);
-/// - the values of another data set with the same columns;
+/// - the values of another data set with the same columns, or, beyond the tolerance, after the wrong models;
+/// - for y(L/2), the values at the node beside the middle on a mesh of 4 to 40 elements;
 /// - for maxima of ten modes, the values of all modes;
 /// - the nearest wrong model, if the data set names the case. Its effect is computed by one method with and
 ///   without the mistake and applied to the values of the data set (relative_to_data()). At most 8 forces
-///   over 10 s, 12 events or five periods of stick and slip are taken for it, which keeps a diagnosis within
+///   over 10 s, 12 events or five periods of stick and slip (three without damping) are taken for it, which keeps a diagnosis within
 ///   seconds;
 /// - an error of natural frequencies that grows with the mode number.
 ///

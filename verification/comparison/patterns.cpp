@@ -300,10 +300,28 @@ Found hermite_mesh(const ComparedValues& values, const data::Beam& beam, bool is
   return {};
 }
 
+// The number of elements whose error is k (beta l)^2 if that is `coefficient` beta^2.
+std::string elements_of(double k, double coefficient, const data::Beam& beam) {
+  return fmt::format("{:.0f}", std::max(1.0, beam.length() * std::sqrt(k / std::abs(coefficient))));
+}
+
+// The leading errors, by the dispersion of a harmonic wave in an endless mesh: linear elements with one point of
+// integration (beta l)^2/8, with lumped masses /24; cubic elements with masses m l/2 and m l^3/78 at each end
+// -(beta l)^2/78; central differences -(beta l)^2/12.
 std::string square_growth(double coefficient, const data::Beam* beam) {
-  if (coefficient > 0.0) return "as with linear (Timoshenko) elements; refine the mesh";
-  const std::string discrete = "as with lumped masses or finite differences";
+  if (coefficient > 0.0) {
+    const std::string linear = "as with linear (Timoshenko) elements";
+    return beam == nullptr
+               ? linear + "; refine the mesh"
+               : linear + fmt::format(", about {} with one point of integration, {} if masses are lumped",
+                                      elements_of(1.0 / 8.0, coefficient, *beam),
+                                      elements_of(1.0 / 24.0, coefficient, *beam));
+  }
+  std::string discrete = "as with lumped masses or finite differences";
   if (beam == nullptr) return discrete;
+  discrete =
+      fmt::format("as with lumped masses on about {} cubic elements, or finite differences of {} intervals",
+                  elements_of(1.0 / 78.0, coefficient, *beam), elements_of(1.0 / 12.0, coefficient, *beam));
   // Rotary inertia and shear lower omega by (beta r)^2/2 (1 + E/(k G)), r^2 = I/A.
   const double share = -2.0 * coefficient * beam->area() / beam->second_moment_of_area();
   if (std::abs(share - 1.0) < 0.1) return "as with rotary inertia (Rayleigh's beam)";
@@ -312,6 +330,17 @@ std::string square_growth(double coefficient, const data::Beam* beam) {
         "as with a Timoshenko beam or a solid, (beta r)^2/2 (1 + E/(k G)), here with E/(k G) = {:.2g}",
         share - 1.0);
   return discrete;
+}
+
+// Consistent masses have the leading error (beta l)^4/1440 and lumped ones without rotary inertia -(beta l)^4/1440.
+std::string fourth_power_growth(double coefficient, const data::Beam* beam) {
+  const std::string elements =
+      beam == nullptr
+          ? "cubic elements"
+          : fmt::format("about {:.0f} cubic elements",
+                        std::max(1.0, beam->length() / std::pow(1440.0 * std::abs(coefficient), 0.25)));
+  return coefficient > 0.0 ? "as with a coarse mesh of " + elements
+                           : "as with lumped masses without rotary inertia on " + elements;
 }
 
 }  // namespace
@@ -391,12 +420,15 @@ Found growth_of(const ComparedValues& values, const data::Beam* beam) {
     Pattern pattern{.name = power == 4 ? "error-of-fourth-power" : "error-of-second-power", .sentence = {}};
     pattern.remaining = spread * std::ranges::max(errors);
     pattern.difference = std::ranges::max(errors);
-    const double scale = beam == nullptr ? 0.0 : squared_wave_number(*beam, 1.0);
+    // c of an error c beta^power in the highest mode: the lower ones feel the ends more.
+    const double highest_ratio = ratios.back();
+    const double coefficient = beam == nullptr
+                                   ? highest_ratio
+                                   : highest_ratio / std::pow(squared_wave_number(*beam, 1.0), power / 2);
     pattern.sentence =
         fmt::format("the relative error of a frequency grows with the {} of the mode number, {}",
                     power == 4 ? "fourth power" : "square",
-                    power == 4 ? "as with a coarse mesh of cubic elements"
-                               : square_growth(beam == nullptr ? middle : middle / scale, beam));
+                    power == 4 ? fourth_power_growth(coefficient, beam) : square_growth(coefficient, beam));
     return pattern;
   }
   return {};

@@ -201,6 +201,14 @@ void take_the_relative_displacement(const data::Case& problem, Quantity quantity
   for (std::size_t i = 0; i < values.size(); ++i) values[i] -= base.displacement(abscissa[i]);
 }
 
+solver::PrescribedMotion cosine_motion(const data::HarmonicExcitation& excitation) {
+  const auto later = [period = 1.0 / excitation.frequency_hz()](const std::function<double(double)>& sine) {
+    return [sine, period](double t) { return sine(t + 0.25 * period); };
+  };
+  const solver::PrescribedMotion sine = solver::harmonic_motion(excitation);
+  return {later(sine.displacement), later(sine.velocity), later(sine.acceleration)};
+}
+
 void change_the_sign_of_forces(const data::Case&, Quantity quantity, const std::vector<double>&,
                                std::vector<double>& values) {
   if (quantity != stick_force && quantity != friction_force) return;
@@ -338,9 +346,9 @@ Recipes of_the_excitation() {
                            problem.excitation.frequency_hz() / (2.0 * std::numbers::pi));
        }},
       {.wrong_model = {"cosine-for-sine", "the base moves by A0 cos(Omega t), a quarter of a period earlier",
-                       "Sect. 3, excitation", held_motion},
+                       "Sect. 3, excitation", held_motion + stick_slip},
        .equations = [](StickSum& sum, const data::Case&) { sum.cosine = true; },
-       .knows_stick_slip = false},
+       .base = cosine_motion},
       {.wrong_model = {"peak-to-peak-amplitude", "the amplitude is used as the peak-to-peak travel",
                        "Sect. 3, excitation", held_motion + stick_slip},
        .inputs = [](const data::Case& problem) -> std::optional<data::Case> {
@@ -451,18 +459,17 @@ Recipes of_the_discretisation() {
            },
        .scheme = [](const data::Case& problem) { return scheme_of(problem); }},
       {.wrong_model = {"spectral-radius-zero", "spectral radius 0 with the time step of the case",
-                       "Sect. 3, [24]", held_motion},
+                       "Sect. 3, [24]", held_motion + stick_slip},
        .inputs =
            [](const data::Case& problem) { return with_scheme(problem, 0.0, problem.numerics.time_step()); },
-       .scheme = [](const data::Case& problem) { return scheme_of(problem); },
-       .knows_stick_slip = false},
+       .scheme = [](const data::Case& problem) { return scheme_of(problem); }},
       {.wrong_model = {"strong-algorithmic-damping", "spectral radius 0 with ten times the step",
-                       "Sect. 3, [24]", held_motion},
-       .scheme =
+                       "Sect. 3, [24]", held_motion + stick_slip},
+       .inputs =
            [](const data::Case& problem) {
-             return scheme_of(solver::GeneralizedAlpha(0.0), 10.0 * problem.numerics.time_step());
+             return with_scheme(problem, 0.0, 10.0 * problem.numerics.time_step());
            },
-       .knows_stick_slip = false},
+       .scheme = [](const data::Case& problem) { return scheme_of(problem); }},
   };
 }
 

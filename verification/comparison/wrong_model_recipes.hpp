@@ -31,6 +31,8 @@ struct WrongModelRecipe {
   std::function<Eigen::RowVectorXd(const solver::BeamModel&)> force_row{};
   /// The scheme of the time integration of the modal equations.
   std::function<ModalScheme(const data::Case&)> scheme{};
+  /// The motion of the base in stick-slip. The run starts with the quasi-static shape to its displacement.
+  std::function<solver::PrescribedMotion(const data::HarmonicExcitation&)> base{solver::harmonic_motion};
   /// The duration (s) over which |f_max| is searched.
   std::function<double(const data::Case&)> observed_for{};
   solver::InitialVelocity start{solver::InitialVelocity::quasi_static};

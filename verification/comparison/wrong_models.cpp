@@ -77,8 +77,8 @@ struct MeshedBeam {
 MeshedBeam meshed_beam(const WrongModelRecipe& model, const data::Case& problem, double normal_force) {
   solver::BeamModel mesh(problem.beam, problem.numerics.elements());
   solver::require_stable_stick_state(mesh);
-  solver::ContactSystem system = solver::beam_contact_system(
-      mesh, problem.friction, solver::harmonic_motion(problem.excitation), problem.damping);
+  solver::ContactSystem system =
+      solver::beam_contact_system(mesh, problem.friction, model.base(problem.excitation), problem.damping);
   system.normal_force = normal_force;
   if (model.mesh) model.mesh(system, mesh);
   return {std::move(mesh), std::move(system)};
@@ -241,8 +241,9 @@ Values stick_slip_values(const WrongModelRecipe& model, const data::Case& proble
   const RunEnd end = quantity == contact_event
                          ? RunEnd{problem.numerics.duration(), static_cast<std::size_t>(highest(abscissa))}
                          : RunEnd{std::ranges::max(abscissa)};
-  const TipRun run = model.law ? tip_run(beam.mesh, beam.system, problem, *model.law, end)
-                               : tip_run(beam.mesh, beam.system, problem, model.start, end);
+  const auto base = model.base(problem.excitation);
+  const TipRun run = model.law ? tip_run(beam.system, base, problem.numerics, *model.law, end)
+                               : tip_run(beam.system, base, problem.numerics, model.start, end);
   return at_each(abscissa, [&](double x) {
     if (quantity == contact_event) {
       const auto index = static_cast<std::size_t>(rounded(x) - 1);

@@ -119,9 +119,14 @@ const std::vector<Recipe>& recipes() {
   const auto undamped = [](const char* name) {
     return Recipe{name, [name] { return undamped_history(name); }, false};
   };
+  const auto timoshenko = [](const char* name, bool is_held) {
+    return Recipe{name, [is_held] { return timoshenko_frequencies(is_held); }, true};
+  };
   static const std::vector<Recipe> all{{"beams", beam_table, true},
                                        {"stick-frequencies", stick_frequencies, true},
                                        {"slip-frequencies", slip_frequencies, true},
+                                       timoshenko("timoshenko-stick-frequencies", true),
+                                       timoshenko("timoshenko-slip-frequencies", false),
                                        {"critical-loads", critical_loads, true},
                                        {"participation", participation, true},
                                        {"static-shapes", static_shapes, true},
@@ -143,12 +148,14 @@ const std::vector<Recipe>& recipes() {
                                        {"stick-slip-velocities", stick_slip_velocities, false},
                                        {"stick-slip-fields", stick_slip_fields, false},
                                        {"stick-slip-energy", stick_slip_energy, false},
+                                       {"stick-slip-spectrum", stick_slip_spectrum, false},
                                        undamped("undamped-history-25"),
                                        undamped("undamped-history-35"),
                                        undamped("undamped-history-70"),
                                        undamped("undamped-history-steel-strip"),
                                        undamped("undamped-history-soft-short"),
                                        {"undamped-sticks", undamped_sticks, false},
+                                       {"undamped-fields", undamped_fields, false},
                                        {"single-mass-events", single_mass_events, true},
                                        {"friction-powers", friction_powers, true},
                                        {"manufactured-motion", manufactured_motion, true},

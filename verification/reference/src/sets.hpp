@@ -102,6 +102,7 @@ void add_value(std::vector<data::Field>& fields, const std::string& name, const 
 [[nodiscard]] DataSet beam_table();
 [[nodiscard]] DataSet stick_frequencies();
 [[nodiscard]] DataSet slip_frequencies();
+[[nodiscard]] DataSet timoshenko_frequencies(bool is_held);
 [[nodiscard]] DataSet critical_loads();
 [[nodiscard]] DataSet participation();
 [[nodiscard]] DataSet static_shapes();
@@ -121,12 +122,14 @@ void add_value(std::vector<data::Field>& fields, const std::string& name, const 
 [[nodiscard]] DataSet stick_slip_velocities();
 [[nodiscard]] DataSet stick_slip_fields();
 [[nodiscard]] DataSet stick_slip_energy();
+[[nodiscard]] DataSet stick_slip_spectrum();
 [[nodiscard]] DataSet beam_matrices();
 [[nodiscard]] DataSet stick_slip_events();
 [[nodiscard]] DataSet stick_slip_history();
 [[nodiscard]] DataSet undamped_history(
     std::string_view name);  ///< of the data set, one of those in recipes()
 [[nodiscard]] DataSet undamped_sticks();
+[[nodiscard]] DataSet undamped_fields();
 [[nodiscard]] DataSet single_mass_events();
 [[nodiscard]] DataSet friction_powers();
 [[nodiscard]] DataSet manufactured_motion();

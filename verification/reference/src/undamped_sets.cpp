@@ -5,9 +5,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 
 #include "sets.hpp"
+#include "stickslip/analytic/beam_boundary_integral.hpp"
+#include "stickslip/analytic/free_mode_run.hpp"
+#include "stickslip/analytic/slip_modes.hpp"
 #include "studies/stick_slip/converged_history.hpp"
 
 namespace stickslip::reference {
@@ -78,6 +82,31 @@ data::Provenance provenance_of(std::string settings) {
                  "tolerance"}};
 }
 
+// y by places and times.
+using Fields = std::vector<std::vector<double>>;
+
+// By free modes, at t = 0 and at ten equal times up to the end of the grid.
+Fields free_mode_fields(const data::Case& problem, const analytic::TimeGrid& grid,
+                        const std::vector<double>& points) {
+  const std::size_t every = grid.steps / 10;
+  const int modes = studies::free_modes_for(problem.beam, grid.time_step);
+  const auto shapes = analytic::slip_modes(problem.beam, modes);
+  const auto held = analytic::holding_force(problem.beam, problem.excitation, {}, grid);
+  analytic::FreeModeRun beam(analytic::free_modes(problem.beam, modes),
+                             {problem.beam.axial_force(), problem.friction}, grid.time_step);
+  Fields fields;
+  for (const double x : points)
+    fields.push_back(analytic::held_displacement(problem.beam, problem.excitation, {}, grid, x, every));
+  for (std::size_t n = 0; n < held.size(); ++n) {
+    static_cast<void>(beam.step(held[n]));
+    if ((n + 1) % every != 0) continue;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      for (std::size_t k = 0; k < shapes.size(); ++k)
+        fields[i][(n + 1) / every] += shapes[k].shape(points[i]) * beam.amplitudes()[k];
+  }
+  return fields;
+}
+
 }  // namespace
 
 DataSet undamped_history(std::string_view name) {
@@ -98,6 +127,7 @@ DataSet undamped_history(std::string_view name) {
   resource.comparison = along("time", {{"tip_displacement", data::Norm::range, tolerance},
                                        {"midspan_displacement", data::Norm::range, tolerance}});
   resource.comparison->horizon = run.duration;
+  resource.diagnosis = in_case("tip displacement", std::string(run.case_name), "time", "tip_displacement");
   resource.problem =
       problem_of(case_of(run), run.case_name, "friction", {{"/duration", fmt::format("{}", run.duration)}});
   resource.provenance = provenance_of(fmt::format(
@@ -113,6 +143,58 @@ DataSet undamped_history(std::string_view name) {
                        std::max(history.tip_half_width[i], least_half_width * history.tip_range))
             .converged(history.midspan[i],
                        std::max(history.midspan_half_width[i], least_half_width * history.midspan_range)));
+  return set;
+}
+
+DataSet undamped_fields() {
+  constexpr int times = 10, steps = 1 << 17;  // between two of the times
+  constexpr double interval = 0.03;
+  const Run& run = runs.front();
+  const data::Case problem = case_of(run);
+  DataSet set =
+      data_set("undamped-fields", "stick-slip/undamped-fields.csv", "The whole undamped beam in stick-slip",
+               "The displacement of the beam of undamped-history-25 at 21 points and ten times.");
+  data::Resource& resource = set.resource;
+  resource.fields = {exact_number("time", "s", "since the start"),
+                     exact_number("x", "m", "distance from the clamp")};
+  add_value(resource.fields, "displacement", "m", "y(x, t), absolute", ValueClass::converged);
+  resource.primary_key = {"time", "x"};
+  resource.comparison = by_rows({{"displacement", data::Norm::scale, tolerance}});
+  resource.problem =
+      problem_of(problem, run.case_name, "friction", {{"/duration", fmt::format("{}", times * interval)}});
+  resource.provenance = converged_by(
+      "free modes of the beam, propagated exactly, friction constant over a step. Half-width: twice the "
+      "larger of "
+      "the differences so far to twice the step, at all points, and to the boundary integral of the tip, at "
+      "the "
+      "quarters of the length. An estimate, not a bound",
+      fmt::format(R"({{"case": "paper", "steps_per_interval": {}}})", steps),
+      {"finite elements, to the tolerance; the middle and the tip are those of undamped-history-25"});
+  std::vector<double> points;
+  for (int k = 0; k <= 20; ++k) points.push_back(problem.beam.length() * k / 20.0);
+  const auto grid_of = [&](int count) {
+    return analytic::TimeGrid{interval / count,
+                              static_cast<std::size_t>(times) * static_cast<std::size_t>(count)};
+  };
+  const Fields fine = free_mode_fields(problem, grid_of(steps), points),
+               coarse = free_mode_fields(problem, grid_of(steps / 2), points);
+  const analytic::BeamBoundaryIntegral integral(problem.beam, problem.friction, problem.excitation, {},
+                                                grid_of(steps));
+  Fields other(points.size());
+  for (const std::size_t k : {5U, 10U, 15U}) other[k] = integral.displacement(points[k], steps);
+  other[20] = integral.tip_displacement(steps);
+  double half_width = least_half_width * 1e-3;
+  for (std::size_t i = 1; i <= times; ++i) {
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      half_width = std::max(half_width, 2.0 * std::abs(fine[k][i] - coarse[k][i]));
+      if (!other[k].empty()) half_width = std::max(half_width, 2.0 * std::abs(fine[k][i] - other[k][i]));
+    }
+    for (std::size_t k = 0; k < points.size(); ++k)
+      set.rows.push_back(Row()
+                             .text(fmt::format("{:.2f}", interval * static_cast<double>(i)))
+                             .number(points[k])
+                             .converged(fine[k][i], half_width));
+  }
   return set;
 }
 

@@ -19,15 +19,15 @@ std::vector<double> event_times(const std::vector<solver::ContactEvent>& events)
   return times;
 }
 
-// The quasi-static shape of the system's own matrices, with the initial velocity of the base.
-Eigen::VectorXd initial_velocity(const solver::ContactSystem& system) {
+// The quasi-static shape of the system's own matrices, 1 at the contact.
+Eigen::VectorXd quasi_static_shape(const solver::ContactSystem& system) {
   const Eigen::Index c = system.contact;
   Eigen::MatrixXd held(system.stick_stiffness);
   Eigen::VectorXd right_side = -held.col(c);
   held.row(c).setZero();
   held.col(c).setZero();
   held(c, c) = right_side[c] = 1.0;
-  return system.wall.velocity(0.0) * held.ldlt().solve(right_side);
+  return held.ldlt().solve(right_side);
 }
 
 // The v in [v_free - reach, v_free + reach] at which v + strength c(v) changes its sign about v_free.
@@ -44,15 +44,14 @@ double sliding_velocity(const FrictionRule& law, const data::FrictionLaw& fricti
 
 }  // namespace
 
-TipRun tip_run(const solver::BeamModel& mesh, const solver::ContactSystem& system, const data::Case& problem,
-               solver::InitialVelocity start, const RunEnd& end) {
-  const auto& numerics = problem.numerics;
-  const solver::PrescribedMotion base = solver::harmonic_motion(problem.excitation);
+TipRun tip_run(const solver::ContactSystem& system, const solver::PrescribedMotion& base,
+               const data::NumericalSettings& numerics, solver::InitialVelocity start, const RunEnd& end) {
   solver::StickSlipIntegrator run(system, {.time_step = numerics.time_step(),
                                            .spectral_radius = numerics.spectral_radius(),
                                            .velocity_threshold = numerics.velocity_threshold()});
-  const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(mesh.degrees_of_freedom());
-  run.start_stuck(at_rest, start == solver::InitialVelocity::zero ? at_rest : initial_velocity(system));
+  const Eigen::VectorXd shape = quasi_static_shape(system);
+  const double velocity = start == solver::InitialVelocity::zero ? 0.0 : system.wall.velocity(0.0);
+  run.start_stuck(system.wall.displacement(0.0) * shape, velocity * shape);
   TipRun result{.step = numerics.time_step()};
   const long steps = std::lround(std::ceil(end.time / result.step - 1e-6));
   for (long n = 0; n <= steps; ++n) {
@@ -65,10 +64,10 @@ TipRun tip_run(const solver::BeamModel& mesh, const solver::ContactSystem& syste
   return result;
 }
 
-TipRun tip_run(const solver::BeamModel& mesh, const solver::ContactSystem& system, const data::Case& problem,
-               const FrictionRule& law, const RunEnd& end) {
+TipRun tip_run(const solver::ContactSystem& system, const solver::PrescribedMotion& base,
+               const data::NumericalSettings& numerics, const FrictionRule& law, const RunEnd& end) {
   constexpr int substeps = 10;
-  const double h = problem.numerics.time_step() / substeps;
+  const double h = numerics.time_step() / substeps;
   const Eigen::Index c = system.contact;
   const Eigen::MatrixXd mass(system.mass), damping(system.damping), stiffness(system.slip_stiffness);
   const Eigen::PartialPivLU<Eigen::MatrixXd> step_matrix(mass + 0.5 * h * damping + 0.25 * h * h * stiffness);
@@ -76,15 +75,16 @@ TipRun tip_run(const solver::BeamModel& mesh, const solver::ContactSystem& syste
       step_matrix.solve(mass - 0.5 * h * damping - 0.25 * h * h * stiffness);
   const Eigen::MatrixXd from_displacement = -h * step_matrix.solve(stiffness);
   const Eigen::VectorXd from_load = h * step_matrix.solve(system.load_shape);
-  const Eigen::VectorXd from_force =
-      h * step_matrix.solve(Eigen::VectorXd::Unit(mesh.degrees_of_freedom(), c));
+  const Eigen::VectorXd from_force = h * step_matrix.solve(Eigen::VectorXd::Unit(system.mass.rows(), c));
   const double limit = system.friction.static_coefficient() * system.normal_force;
   const double strength = from_force[c] * system.normal_force;
 
-  Eigen::VectorXd q = Eigen::VectorXd::Zero(mesh.degrees_of_freedom());
-  Eigen::VectorXd v = initial_velocity(system), free(q.size());
-  const solver::PrescribedMotion base = solver::harmonic_motion(problem.excitation);
-  TipRun result{.step = problem.numerics.time_step(), .tip_displacement = {0.0}, .friction_force = {0.0}};
+  const Eigen::VectorXd shape = quasi_static_shape(system);
+  Eigen::VectorXd q = system.wall.displacement(0.0) * shape;
+  Eigen::VectorXd v = system.wall.velocity(0.0) * shape, free(q.size());
+  TipRun result{.step = numerics.time_step(),
+                .tip_displacement = {base.displacement(0.0) + q[c]},
+                .friction_force = {0.0}};
   bool sliding = false;
   const long steps = substeps * std::lround(std::ceil(end.time / result.step - 1e-6));
   for (long n = 0; n < steps && result.events.size() < end.events; ++n) {

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
-#include "stickslip/solver/beam_model.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/contact_system.hpp"
 
@@ -29,9 +28,11 @@ struct TipRun {
   std::vector<double> events{};            ///< times of onsets and captures, s
 };
 
-/// A run by the integrator of the solver with located changes.
-[[nodiscard]] TipRun tip_run(const solver::BeamModel& mesh, const solver::ContactSystem& system,
-                             const data::Case& problem, solver::InitialVelocity start, const RunEnd& end);
+/// A run by the integrator of the solver with located changes. The beam starts with the quasi-static shape to the
+/// displacement of the base, and that to its velocity unless `start` is zero.
+[[nodiscard]] TipRun tip_run(const solver::ContactSystem& system, const solver::PrescribedMotion& base,
+                             const data::NumericalSettings& numerics, solver::InitialVelocity start,
+                             const RunEnd& end);
 
 /// A contact law of one's own: the coefficient of friction against a sliding velocity v, f_d = -c(v) N, odd
 /// or not, and whether a tip at rest is held by up to mu_s N.
@@ -44,7 +45,8 @@ struct FrictionRule {
 /// end (Moreau's scheme): v_s = v_free + m f with the mobility m of the contact. The tip is held if v_s = 0
 /// is possible with |f| <= mu_s N. Otherwise v_s is the root of v + m N c(v) = v_free, by bisection. The
 /// method has first order in the step, which is a tenth of the time step of the case.
-[[nodiscard]] TipRun tip_run(const solver::BeamModel& mesh, const solver::ContactSystem& system,
-                             const data::Case& problem, const FrictionRule& law, const RunEnd& end);
+[[nodiscard]] TipRun tip_run(const solver::ContactSystem& system, const solver::PrescribedMotion& base,
+                             const data::NumericalSettings& numerics, const FrictionRule& law,
+                             const RunEnd& end);
 
 }  // namespace stickslip::studies

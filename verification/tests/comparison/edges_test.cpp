@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "comparison/groups.hpp"
 #include "own_copy.hpp"
 #include "support/requirements.hpp"
 
@@ -110,6 +111,40 @@ TEST(ComparedVerdict, AQuantityOfWhichNothingIsComparedIsUndecided) {
   EXPECT_EQ(mine.compared("sequence", settings).agreement, Agreement::undecided);
   EXPECT_EQ(mine.compared("tip_displacement", settings).agreement, Agreement::agrees);
   EXPECT_EQ(mine.compared(settings).agreement, Agreement::undecided);
+}
+
+// --- keys
+
+TEST(ComparedVerdict, AKeyInSinglePrecisionIsThatOfItsRow) {
+  const data::ReferencePackage published = data::load_reference();
+  OwnCopy mine(published, "length-force");
+  const auto single = [](double x) { return static_cast<double>(static_cast<float>(x)); };
+  for (double& length : mine["length"]) length = single(length);
+  mine["force_ratio"][3] *= 1.1;
+  const auto ratio = mine.compared("force_ratio");
+  EXPECT_EQ(ratio.compared, mine.reference().rows());
+  EXPECT_EQ(ratio.agreement, Agreement::differs);
+  mine["length"][3] *= 1.0 + 2e-6;
+  EXPECT_THROW((void)mine.compared(), data::InputError);
+}
+
+TEST(ComparedVerdict, AKeyNearTwoRowsIsNeither) {
+  data::ReferenceTable reference;
+  reference.resource.primary_key = {"x"};
+  const data::Field x{.name = "x",
+                      .type = data::FieldType::number,
+                      .unit = {},
+                      .description = {},
+                      .value_class = {},
+                      .required = true,
+                      .allowed = {}};
+  reference.columns = {{.field = x, .text = {}, .values = {1.0, 1.0 + 0.9e-6, 2.0}}};
+  data::UserTable theirs;
+  theirs.columns = {
+      {.field = x, .text = {}, .values = {1.0 + 0.4e-6, 2.0 - 0.9e-6, 2.0 + 2.1e-6, 1.0 - 0.5e-6}}};
+  const std::vector<double> expected{1.0 + 0.4e-6, 2.0, 2.0 + 2.1e-6, 1.0};
+  EXPECT_EQ(studies::with_keys_of(reference, theirs, "").columns[0].values, expected);
+  EXPECT_EQ(studies::with_keys_of(reference, theirs, "x").columns[0].values, theirs.columns[0].values);
 }
 
 // --- horizons

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// What a result that differs from a published data set looks like: files of known mistakes.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,12 +15,15 @@
 #include <string>
 #include <vector>
 
+#include <chrono>
 #include "comparison/comparison.hpp"
 #include "comparison/patterns.hpp"
 #include "comparison/wrong_model_recipes.hpp"
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/data/case_file.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/convergence/discretisation.hpp"
 #include "support/requirements.hpp"
@@ -103,7 +107,7 @@ struct Diagnosed {
   const char* set;
   const char* value;
   Quantity quantity;
-  const char* problem;
+  data::Case problem;
 };
 
 // The effect of these goes to zero with the mesh or the step, so that no tolerance is below it.
@@ -113,10 +117,9 @@ bool is_of_discretisation(const studies::WrongModelRecipe& recipe) {
 }
 
 void expect_tolerance_below_a_third(const Diagnosed& diagnosed) {
-  const auto& [set, field, quantity, problem_name] = diagnosed;
+  const auto& [set, field, quantity, problem] = diagnosed;
   const auto& compared =
       *std::ranges::find(package().resource(set).comparison->values, field, &data::ComparedValue::field);
-  const data::Case problem = data::load_case(problem_name);
   File file(set, field);
   const bool is_slow = quantity == Quantity::force_maximum || quantity == Quantity::critical_amplitude;
   const bool is_event = quantity == Quantity::contact_event;
@@ -142,22 +145,37 @@ void expect_tolerance_below_a_third(const Diagnosed& diagnosed) {
   }
 }
 
+// Steps that damp what the mesh cannot resolve, as in the diagnosis.
+data::Case undamped_case(const char* name, double hz, double amplitude) {
+  data::Case problem = data::load_case(name);
+  problem.excitation = data::HarmonicExcitation({.frequency_hz = hz, .amplitude = amplitude});
+  data::NumericalChoices choices = problem.numerics.choices();
+  choices.spectral_radius = 0.5;
+  choices.time_step = 1.0 / (1600.0 * hz);
+  problem.numerics = data::NumericalSettings(choices);
+  return problem;
+}
+
 STICKSLIP_VERIFIES(ToleranceOf, "X20");
 TEST(ToleranceOf, ADataSetIsAtMostAThirdOfWhatAListedMistakeChanges) {
+  const data::Case paper = data::load_case("paper"), held = data::load_case("paper-figure9"),
+                   damped = data::load_case("damped");
   for (const Diagnosed& diagnosed :
-       {Diagnosed{"stick-frequencies", "frequency", Quantity::stick_frequency, "paper"},
-        {"slip-frequencies", "frequency", Quantity::slip_frequency, "paper"},
-        {"participation", "participation", Quantity::participation, "paper"},
-        {"static-shapes", "shape", Quantity::quasi_static_shape, "paper"},
-        {"stick-history", "midspan_displacement", Quantity::stick_displacement, "paper-figure9"},
-        {"stick-history", "friction_force", Quantity::stick_force, "paper-figure9"},
-        {"stick-history-ten-modes", "midspan_displacement", Quantity::stick_displacement, "paper-figure9"},
-        {"stick-history-ten-modes", "friction_force", Quantity::stick_force, "paper-figure9"},
-        {"friction-maxima", "friction_force", Quantity::force_maximum, "paper"},
-        {"critical-amplitudes", "amplitude", Quantity::critical_amplitude, "paper"},
-        {"stick-slip-events", "time", Quantity::contact_event, "damped"},
-        {"stick-slip-history", "tip_displacement", Quantity::tip_displacement, "damped"},
-        {"stick-slip-history", "friction_force", Quantity::friction_force, "damped"}})
+       {Diagnosed{"stick-frequencies", "frequency", Quantity::stick_frequency, paper},
+        {"slip-frequencies", "frequency", Quantity::slip_frequency, paper},
+        {"participation", "participation", Quantity::participation, paper},
+        {"static-shapes", "shape", Quantity::quasi_static_shape, paper},
+        {"stick-history", "midspan_displacement", Quantity::stick_displacement, held},
+        {"stick-history", "friction_force", Quantity::stick_force, held},
+        {"stick-history-ten-modes", "midspan_displacement", Quantity::stick_displacement, held},
+        {"stick-history-ten-modes", "friction_force", Quantity::stick_force, held},
+        {"friction-maxima", "friction_force", Quantity::force_maximum, paper},
+        {"critical-amplitudes", "amplitude", Quantity::critical_amplitude, paper},
+        {"stick-slip-events", "time", Quantity::contact_event, damped},
+        {"stick-slip-history", "tip_displacement", Quantity::tip_displacement, damped},
+        {"stick-slip-history", "friction_force", Quantity::friction_force, damped},
+        {"undamped-history-25", "tip_displacement", Quantity::tip_displacement,
+         undamped_case("paper", 25.0, 1e-3)}})
     expect_tolerance_below_a_third(diagnosed);
 }
 
@@ -255,6 +273,40 @@ TEST(LikenessOfNumbers, IsAnErrorThatGrowsWithTheSquareOfTheModeNumber) {
   EXPECT_TRUE(contains(of(1.0), "linear (Timoshenko) elements"));
 }
 
+TEST(LikenessOfNumbers, IsSoManyElementsWhereTheErrorGrowsWithAPowerOfTheModeNumber) {
+  const data::Beam beam = data::load_case("paper").beam;
+  const auto modes = analytic::stick_modes(beam, 6);
+  // A relative error k (beta L/N)^power of each frequency; the mean of the wave numbers is beta to P/(4 EI beta^2).
+  const auto of = [&](double k, int power, int elements) {
+    File file("stick-frequencies", "frequency");
+    file.keep([](std::size_t row) { return row < 6; });
+    for (std::size_t n = 0; n < 6; ++n)
+      file.values()[n] *=
+          1.0 + k * std::pow(modes[n].angular_frequency() *
+                                 std::sqrt(beam.density() * beam.area() /
+                                           (beam.youngs_modulus() * beam.second_moment_of_area())) *
+                                 std::pow(beam.length() / elements, 2),
+                             power / 2);
+    return file.likeness();
+  };
+  EXPECT_TRUE(contains(of(-1.0 / 78.0, 2, 34), "lumped masses on about 34 cubic elements"))
+      << of(-1.0 / 78.0, 2, 34);
+  EXPECT_TRUE(contains(of(-1.0 / 12.0, 2, 70), "finite differences of 70 intervals"));
+  EXPECT_TRUE(contains(of(1.0 / 8.0, 2, 80), "about 80 with one point of integration"));
+  EXPECT_TRUE(contains(of(1.0 / 24.0, 2, 50), "50 if masses are lumped"));
+  EXPECT_TRUE(contains(of(-1.0 / 1440.0, 4, 24), "without rotary inertia on about 24 cubic elements"));
+}
+
+TEST(LikenessOfNumbers, HasTheNumberOfElementsOfAMeshWithLumpedMasses) {
+  // In mode 6 the integral of U'^2 is 0.95 beta^2 that of U^2, so that the error is that of 33/sqrt(0.95) elements.
+  File file("stick-frequencies", "frequency");
+  file.keep([](std::size_t row) { return row < 6; });
+  file.values() = studies::wrong_result(studies::with_elements(data::load_case("paper"), 33), "lumped-mass",
+                                        Quantity::stick_frequency, {1.0, 2.0, 3.0, 4.0, 5.0, 6.0})
+                      .value();
+  EXPECT_TRUE(looks(file, "lumped masses on about 34 cubic elements"));
+}
+
 TEST(LikenessOfNumbers, IsAModeThatTheBeamDoesNotHaveOrThatIsMissing) {
   const data::Beam beam = data::load_case("paper").beam;
   File file("stick-frequencies", "frequency");
@@ -303,6 +355,45 @@ TEST(LikenessOfNumbers, IsAShift) {
   File events("stick-slip-events", "time");
   for (double& time : events.values()) time += 5e-4;
   EXPECT_TRUE(looks(events, "all events are 0.0005 s late"));
+}
+
+TEST(LikenessOfNumbers, IsTheNodeBesideTheMiddle) {
+  // By the closed form, and by meshes that are not that of the diagnosis.
+  const data::Case held = data::load_case("paper-figure9");
+  const analytic::StickResponse response(held.beam, held.excitation, 60, analytic::SteadyPart::exact);
+  for (const auto& [place, name] : {std::pair{0.55, "x = 0.55 L, the node beside the middle on 20 elements"},
+                                    {0.25, "x = 0.25 L, the node beside the middle on 4 elements"}}) {
+    File file("stick-history", "midspan_displacement");
+    for (std::size_t i = 0; i < file.values().size(); ++i)
+      file.values()[i] = response.absolute_displacement(place * held.beam.length(), file.column("time")[i]);
+    EXPECT_TRUE(looks(file, name));
+  }
+  struct Shown {
+    const char *set, *beam;
+    double hz, amplitude, kelvin_voigt;
+    solver::TipContact tip;
+  };
+  for (const Shown& shown :
+       {Shown{"damped-stick-history", "paper", 15.0, 5e-4, 6.4e-5, solver::TipContact::bonded},
+        {"undamped-history-70", "paper", 70.0, 1e-3, 0.0, solver::TipContact::friction},
+        {"undamped-history-soft-short", "soft-short", 400.0, 0.7e-3, 0.0, solver::TipContact::friction}}) {
+    const data::Case problem = data::load_case(shown.beam);
+    data::NumericalChoices choices = problem.numerics.choices();
+    choices.elements = 30;
+    choices.spectral_radius = 0.5;
+    choices.time_step = 1.0 / (2000.0 * shown.hz);
+    solver::BeamSimulation run(
+        problem.beam, problem.friction,
+        data::HarmonicExcitation({.frequency_hz = shown.hz, .amplitude = shown.amplitude}),
+        data::NumericalSettings(choices),
+        {.contact = shown.tip, .damping = data::Damping({.kelvin_voigt = shown.kelvin_voigt})});
+    File file(shown.set, "midspan_displacement");
+    for (std::size_t i = 0; i < file.values().size(); ++i) {
+      while (run.time() < file.column("time")[i]) run.step();
+      file.values()[i] += run.displacement(0.4 * problem.beam.length()) - run.midspan_displacement();
+    }
+    EXPECT_TRUE(looks(file, "x = 0.4 L, the node beside the middle on 10 elements"));
+  }
 }
 
 TEST(LikenessOfNumbers, IsNothingForRoundOffAndForUnknownErrors) {
@@ -396,6 +487,46 @@ TEST(LikenessOfModels, TakesTheEventsOfTheDataSetAsTheTruth) {
     for (std::size_t i = 0; i < right.size(); ++i) events.values()[i] *= (*wrong)[i] / right[i];
     EXPECT_TRUE(looks(events, name));
   }
+}
+
+// The column of a data set over the first periods, with the effect of a mistake by a run on another mesh.
+File mistaken(const char* set, data::Case problem, const char* mistake, int periods) {
+  problem = studies::with_elements(problem, 36);
+  File file(set, "tip_displacement");
+  const double end = periods / problem.excitation.frequency_hz();
+  file.keep([&](std::size_t row) { return file.column("time")[row] <= end; });
+  const Values times = file.column("time");
+  const Values right = studies::reference_result(problem, Quantity::tip_displacement, times),
+               wrong = studies::wrong_result(problem, mistake, Quantity::tip_displacement, times).value();
+  for (std::size_t i = 0; i < times.size(); ++i) file.values()[i] += wrong[i] - right[i];
+  return file;
+}
+
+TEST(LikenessOfModels, IsTheMistakeInADampedHistory) {
+  for (const char* mistake : {"cosine-for-sine", "spectral-radius-zero"})
+    EXPECT_TRUE(looks(mistaken("stick-slip-history", data::load_case("damped"), mistake, 5),
+                      fmt::format("like '{}'", mistake)));
+}
+
+TEST(LikenessOfModels, IsTheMistakeInAnUndampedHistory) {
+  const data::Case paper = undamped_case("paper", 25.0, 1e-3),
+                   strip = undamped_case("steel-strip", 60.0, 6e-3);
+  for (const char* mistake : {"cosine-for-sine", "follower-term-sign", "one-friction-coefficient",
+                              "ten-times-the-step", "strong-algorithmic-damping", "four-elements"})
+    EXPECT_TRUE(looks(mistaken("undamped-history-25", paper, mistake, 3), fmt::format("like '{}'", mistake)));
+  EXPECT_TRUE(looks(mistaken("undamped-history-25", paper, "kinetic-friction-at-once", 3),
+                    "'kinetic-friction-at-once'"));
+  for (const char* mistake : {"dead-load", "four-elements"})
+    EXPECT_TRUE(looks(mistaken("undamped-history-steel-strip", strip, mistake, 3),
+                      fmt::format("like '{}'", mistake)));
+}
+
+TEST(LikenessOfModels, IsNoOtherDataSetThatSharesFewRowsOnly) {
+  // At rest for three periods, as undamped-history-25 is at the few times that both have.
+  File file("undamped-history-soft-short", "tip_displacement");
+  file.keep([&](std::size_t row) { return file.column("time")[row] <= 7.5e-3; });
+  for (double& value : file.values()) value = 0.0;
+  EXPECT_FALSE(contains(file.likeness(), "undamped-history-25"));
 }
 
 TEST(LikenessOfModels, CancelsTheErrorThatBothResultsHave) {

@@ -15,6 +15,7 @@
 
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/analytic/timoshenko_modes.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/data/reference.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
@@ -93,6 +94,96 @@ TEST(PublishedFields, OfTheHeldBeamAreThoseOfFiniteElements) {
 
 TEST(PublishedFields, OfStickSlipAreThoseOfFiniteElements) {
   expect_fields_of_mesh("stick-slip-fields", data::load_case("damped"), 0.1, 4.0);
+}
+
+// y at the rows of undamped-fields up to 0.15 s, by steps that damp what the mesh cannot resolve.
+std::vector<double> undamped_mesh(const data::ReferenceTable& table, int elements, double steps_per_period) {
+  data::Case problem = data::load_case("paper");
+  data::NumericalChoices choices = problem.numerics.choices();
+  choices.elements = elements;
+  choices.spectral_radius = 0.5;
+  choices.time_step = 1.0 / (25.0 * steps_per_period);
+  solver::BeamSimulation run(problem.beam, problem.friction,
+                             data::HarmonicExcitation({.frequency_hz = 25.0, .amplitude = 1e-3}),
+                             data::NumericalSettings(choices));
+  std::vector<double> displacement;
+  for (std::size_t row = 0; row < table.rows() && table.column("time").values[row] < 0.151; ++row) {
+    while (run.time() + 0.5 * choices.time_step < table.column("time").values[row]) run.step();
+    displacement.push_back(run.displacement(table.column("x").values[row]));
+  }
+  return displacement;
+}
+
+TEST(PublishedFields, OfUndampedStickSlipAreThoseOfFiniteElements) {
+  const auto table = data::read_table(published(), "undamped-fields");
+  // Mesh and step refined together, h as l^2: order 1 in l or better, so that the difference is above the error.
+  const auto fine = undamped_mesh(table, 40, 6400.0), coarse = undamped_mesh(table, 20, 1600.0);
+  ASSERT_EQ(fine.size(), 105U);
+  double error = 0.0, difference = 0.0;
+  for (std::size_t row = 0; row < fine.size(); ++row) {
+    error = std::max(error, std::abs(fine[row] - table.column("displacement").values[row]));
+    difference = std::max(difference, std::abs(fine[row] - coarse[row]));
+  }
+  EXPECT_LE(error, difference);
+  EXPECT_LE(error, 5e-3 * std::ranges::max(fine));
+}
+
+TEST(PublishedFields, OfUndampedStickSlipPassThroughItsHistory) {
+  const auto fields = data::read_table(published(), "undamped-fields"),
+             history = data::read_table(published(), "undamped-history-25");
+  const auto radius = fields.radius_of("displacement");
+  for (std::size_t row = 0; row < fields.rows(); ++row)
+    for (const auto& [place, name] : {std::pair{1.0, "midspan_displacement"}, {2.0, "tip_displacement"}}) {
+      if (fields.column("x").values[row] != place) continue;
+      const auto at = static_cast<std::size_t>(std::lround(fields.column("time").values[row] / 5e-4));
+      EXPECT_NEAR(fields.column("displacement").values[row], history.column(name).values[at],
+                  radius[row] + history.radius_of(name)[at])
+          << row;
+    }
+}
+
+TEST(PublishedFields, HaveTheSpectrumOfAMeshOverTenSeconds) {
+  const auto table = data::read_table(published(), "stick-slip-spectrum");
+  const data::Case problem = data::load_case("damped");
+  solver::BeamSimulation run(problem.beam, problem.friction, problem.excitation, problem.numerics,
+                             {.damping = problem.damping});
+  // 100 samples per period instead of 64; the motion has nothing at the frequencies that either folds back.
+  std::vector<double> tip;
+  for (int i = 0; i < 500 * 400; ++i) {
+    if (i >= 250 * 400 && i % 4 == 0) tip.push_back(run.tip_displacement());
+    run.step();
+  }
+  const auto count = static_cast<double>(tip.size());
+  const auto amplitude = [&](double cycles) {
+    std::complex<double> sum;
+    for (std::size_t i = 0; i < tip.size(); ++i)
+      sum += (1.0 - std::cos(2.0 * std::numbers::pi * static_cast<double>(i) / count)) * tip[i] *
+             std::polar(1.0, -2.0 * std::numbers::pi * cycles * static_cast<double>(i) / 100.0);
+    return 2.0 * std::abs(sum) / count;
+  };
+  const auto& published_parts = table.column("tip_amplitude").values;
+  const double tolerance = 5e-3 * std::ranges::max(published_parts);  // that of the data set
+  EXPECT_EQ(table.column("part").text[2], "harmonic-1");
+  EXPECT_NEAR(amplitude(1.0), published_parts[2], tolerance);
+  EXPECT_NEAR(amplitude(3.0), published_parts[3], tolerance);
+  EXPECT_NEAR(amplitude(2.0), 0.0, tolerance);
+}
+
+STICKSLIP_VERIFIES(PublishedFrequencies, "P6");
+TEST(PublishedFrequencies, OfTimoshenkoBeamsAreThoseInDoublePrecision) {
+  for (const auto& [set, tip] : {std::pair{"timoshenko-stick-frequencies", analytic::TipSupport::held},
+                                 {"timoshenko-slip-frequencies", analytic::TipSupport::free}}) {
+    const auto table = data::read_table(published(), set);
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+      data::BeamProperties beam = data::load_case(table.column("beam").text[row]).beam.properties();
+      beam.axial_force = 0.0;
+      const int mode = static_cast<int>(table.column("mode").values[row]);
+      const double computed =
+          analytic::timoshenko_frequencies(data::Beam(beam), {}, tip, mode).back() / (2.0 * std::numbers::pi);
+      const double value = table.column("frequency").values[row];
+      EXPECT_NEAR(computed, value, 2e-15 * (mode + 1) * value) << set << " " << row;
+    }
+  }
 }
 
 TEST(PublishedFields, HaveInSlipAForceOnTheWallInTheDirectionOfSliding) {

@@ -127,6 +127,12 @@ struct ForeignKey {
   std::string column, resource, reference_column;
 };
 
+/// The parts of a problem that are the same in all rows of a data set.
+struct StatedProblem {
+  std::string beam, tip;                  ///< empty if not given
+  std::map<std::string, double> numbers;  ///< by their keys in a case, such as "excitation.amplitude"
+};
+
 /// A data set without its numbers.
 struct Resource {
   std::string name;
@@ -141,6 +147,7 @@ struct Resource {
   /// where the column c holds the value, or objects of such members: beam, tip, excitation, damping, friction,
   /// initial_state, modes, duration. data/reference/README.md defines them.
   std::string problem;
+  StatedProblem stated;
   std::optional<ComparisonRule> comparison;
   std::optional<DiagnosisRule> diagnosis;
   Provenance provenance;
