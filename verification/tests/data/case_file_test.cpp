@@ -28,7 +28,9 @@ struct Line {
 
   [[nodiscard]] std::string path() const { return table + "." + key; }
   [[nodiscard]] bool is_integer() const { return key == "elements" || key == "modes"; }
-  [[nodiscard]] bool is_optional() const { return table == "damping" || key == "viscous"; }
+  [[nodiscard]] bool is_optional() const {
+    return table == "damping" || key == "viscous" || key == "axial_direction";
+  }
 };
 
 const std::vector<Line>& valid_lines() {
@@ -397,7 +399,7 @@ TEST_F(CaseFile, RefusesAnOverrideOfAnUnknownKey) {
       error_message(valid_case(), {{"beam.lenght", "1.8"}}),
       "override beam.lenght=1.8: unknown key beam.lenght (did you mean beam.length?) with the value 1.8 (a "
       "float), but [beam] has the keys length, area, second_moment_of_area, density, youngs_modulus, "
-      "axial_force");
+      "axial_force, axial_direction");
   EXPECT_TRUE(contains(error_message(valid_case(), {{"length", "1.8"}}), "but a case has the tables beam"));
 }
 

@@ -233,7 +233,7 @@ TEST(Resonance, IsNoConcernOfAShortADampedOrAnUnmovedBeam) {
 STICKSLIP_VERIFIES(Flutter, "X21");
 TEST(Flutter, IsWarnedOfFromItsLoadOnAndTheRunGoesOn) {
   const data::Beam beam = paper_with().beam;
-  const double flutter = analytic::flutter_load(beam), buckling = analytic::stick_buckling_load(beam);
+  const double flutter = analytic::slip_critical_load(beam), buckling = analytic::stick_buckling_load(beam);
   ASSERT_LT(flutter, buckling);
   for (const double load : {0.9 * flutter, 0.999 * flutter, 0.5 * (flutter + buckling)}) {
     const data::Case problem =

@@ -2,8 +2,8 @@
 #pragma once
 
 /// Cases as TOML files: the tables [beam], [friction], [excitation], [numerics] and [damping], whose keys are
-/// the field names of problem.hpp. A file holds every key exactly once and no other; those of [damping] may
-/// be missing and are then 0.
+/// the field names of problem.hpp. A file holds every key exactly once and no other; those of [damping],
+/// friction.viscous and beam.axial_direction may be missing and are then 0.
 
 #include <filesystem>
 #include <map>
