@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// What the model leaves open changes: the direction of the axial force. The paper's force follows the tip
-/// (chi = 0), the normal force of a flat wall keeps its direction (chi = 1).
+/// The effect of a choice in the model: the axial force follows the tip in the paper (chi = 0), but the normal
+/// force of a flat wall keeps its direction (chi = 1).
 
 #include <cstddef>
 #include <string>
