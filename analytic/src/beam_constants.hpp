@@ -20,4 +20,22 @@ namespace stickslip::analytic {
   return beam.axial_force() * beam.length() * beam.length() / bending_stiffness(beam);
 }
 
+/// (1 - chi) P, N: the part of the axial force that follows the tip.
+[[nodiscard]] inline double follower_force(const data::Beam& beam) {
+  return (1.0 - beam.axial_direction()) * beam.axial_force();
+}
+
+/// f = D u'''(L) + chi P u'(L), N, of D u'''(L) and u'(L), double or complex; D = EI if there is no damping.
+template <class Number>
+[[nodiscard]] Number tip_reaction(const data::Beam& beam, Number shear, Number slope) {
+  return shear + beam.axial_direction() * beam.axial_force() * slope;
+}
+
+/// The same of a shape without damping, a StickMode for one.
+template <class Shape>
+[[nodiscard]] double tip_reaction(const data::Beam& beam, const Shape& shape) {
+  return tip_reaction(beam, bending_stiffness(beam) * shape.third_derivative(beam.length()),
+                      shape.slope(beam.length()));
+}
+
 }  // namespace stickslip::analytic

@@ -93,14 +93,14 @@ BeamContactModel::BeamContactModel(const data::Beam& beam, const data::FrictionL
                                    int modes)
     : modes_(stick_modes(beam, modes)), static_shape_(beam) {
   require_contact(beam);
-  const double length = beam.length(), axial_force = beam.axial_force();
+  const double length = beam.length(), follower = follower_force(beam);
   const double density = mass_per_length(beam);
   const double omega = 2.0 * std::numbers::pi * excitation.frequency_hz();
   const std::size_t m = modes_.size();
   for (const StickMode& mode : modes_) {
     scale_.push_back(1.0 / std::sqrt(density * mode.norm_squared()));
     model_.angular_frequency.push_back(mode.angular_frequency());
-    model_.follower.push_back(axial_force * scale_.back() * mode.slope(length));
+    model_.follower.push_back(follower * scale_.back() * mode.slope(length));
   }
   // Masses with the constant 1 as the last function, whose products are the load of the base.
   const auto shapes_and_one = [this](double x) {
@@ -118,12 +118,12 @@ BeamContactModel::BeamContactModel(const data::Beam& beam, const data::FrictionL
     model_.mass_coupling.push_back(mass(n, m));
   }
   model_.contact_mass = mass(m, m);
-  model_.contact_follower = -axial_force * static_shape_.slope(length);
-  model_.contact_stiffness =
-      bending_stiffness(beam) * static_shape_.third_derivative(length) - model_.contact_follower;
+  model_.contact_follower = -follower * static_shape_.slope(length);
+  model_.contact_stiffness = bending_stiffness(beam) * static_shape_.third_derivative(length) +
+                             beam.axial_force() * static_shape_.slope(length);
   model_.load_angular_frequency = omega;
   model_.wall_amplitude = -excitation.amplitude();
-  model_.normal_force = axial_force;
+  model_.normal_force = beam.axial_force();
   model_.friction = friction;
   if (damping.kelvin_voigt() > 0.0 || damping.ratio() > 0.0) add_damping(beam, damping, mass);
 }
@@ -187,7 +187,7 @@ std::vector<double> free_contact_frequencies(const ContactModel& model, int coun
   for (std::size_t k = 0; k < size; ++k) {
     const gsl_complex value = gsl_vector_complex_get(values.get(), k);
     if (GSL_IMAG(value) != 0.0 || GSL_REAL(value) < 0.0)
-      throw data::InputError("the free structure has a complex frequency: it flutters");
+      throw data::InputError("the free structure has a complex frequency: it flutters or buckles");
     squares.push_back(GSL_REAL(value));
   }
   std::ranges::sort(squares);

@@ -43,14 +43,15 @@ Weights held_tip(Complex r, Complex q) {
   return {factor, -std::exp(-r) * factor};
 }
 
-/// With a free tip, Y ~ (c^2/b^2) cosh(b xi) - cosh(b eta) cosh(c) + (c/b) sinh(b eta) sinh(c) and the same
-/// with b and c exchanged: cosh(r eta)/r^2 and sinh(r eta)/r^3 of both exponents, subtracted, have neither
-/// curvature nor shear at the tip, and their combination without slope at the clamp is this one. The share of
-/// r, times 4 exp(-b - c).
-Weights free_tip(Complex r, Complex q) {
-  const Complex at_tip = std::exp(-r), other = std::exp(-q), ratio = q / r;
-  const Complex cosh = 1.0 + other * other, sinh = ratio * (1.0 - other * other);
-  const Complex near = 2.0 * ratio * ratio * other;
+/// With a free tip and y = chi z, Y ~ ((c^2 + y)/b^2) cosh(b xi) - ((b^2 + y)/b^2) cosh(b eta) cosh(c) +
+/// ((c^2 + y)/(b c)) sinh(b eta) sinh(c) and the same with b and c exchanged: cosh(r eta)/r^2 and
+/// sinh(r eta)/(r (r^2 + y)) of both exponents, subtracted, have neither curvature nor force at the tip, and their
+/// combination without slope at the clamp is this one. The share of r, times 4 exp(-b - c).
+Weights free_tip(Complex r, Complex q, Complex y) {
+  const Complex at_tip = std::exp(-r), other = std::exp(-q), ratio = q / r, shift = y / (r * r);
+  const Complex cosh = (1.0 + shift) * (1.0 + other * other);
+  const Complex sinh = (ratio + shift / ratio) * (1.0 - other * other);
+  const Complex near = 2.0 * (ratio * ratio + shift) * other;
   return {near * at_tip - cosh + sinh, near - at_tip * (cosh + sinh)};
 }
 
@@ -66,7 +67,7 @@ Complex mean_of_exponential(Complex r, Complex q) {
 
 DampedSteadyState::DampedSteadyState(const data::Beam& beam, const data::HarmonicExcitation& excitation,
                                      const data::Damping& damping, TipSupport tip)
-    : length_(beam.length()) {
+    : beam_(beam), length_(beam.length()) {
   if (damping.ratio() != 0.0)
     throw data::FieldError("damping.ratio", damping.ratio(),
                            "0: the closed form knows Kelvin-Voigt damping alone");
@@ -77,9 +78,11 @@ DampedSteadyState::DampedSteadyState(const data::Beam& beam, const data::Harmoni
 
   const double length_squared = length_ * length_;
   const double inertia = mass_per_length(beam) * omega * omega * length_squared * length_squared;
-  const auto [b, c] = exponents(beam.axial_force() * length_squared / rigidity_, inertia / rigidity_);
+  const Complex z = beam.axial_force() * length_squared / rigidity_, y = beam.axial_direction() * z;
+  const auto [b, c] = exponents(z, inertia / rigidity_);
   const bool held = tip == TipSupport::held;
-  const Weights of_b = held ? held_tip(b, c) : free_tip(b, c), of_c = held ? held_tip(c, b) : free_tip(c, b);
+  const Weights of_b = held ? held_tip(b, c) : free_tip(b, c, y);
+  const Weights of_c = held ? held_tip(c, b) : free_tip(c, b, y);
   const double sign = held ? -1.0 : 1.0;
   waves_ = {Wave{b, of_b.from_clamp, true}, Wave{b, of_b.from_tip, false},
             Wave{c, sign * of_c.from_clamp, true}, Wave{c, sign * of_c.from_tip, false}};
@@ -98,7 +101,9 @@ Complex DampedSteadyState::derivative(int order, double x) const {
   return sum;
 }
 
-Complex DampedSteadyState::friction_force() const { return rigidity_ * derivative(3, length_); }
+Complex DampedSteadyState::friction_force() const {
+  return tip_reaction(beam_, rigidity_ * derivative(3, length_), derivative(1, length_));
+}
 
 double DampedSteadyState::dissipated_energy() const {
   double integral = 0.0;  // of |L^2 Y''|^2 over x/L

@@ -9,14 +9,12 @@ namespace stickslip::analytic {
 std::vector<ModalForce> modal_forces(const data::Beam& beam, int modes) {
   std::vector<ModalForce> forces;
   for (const StickMode& mode : stick_modes(beam, modes))
-    forces.push_back({mode.angular_frequency(),
-                      bending_stiffness(beam) * mode.third_derivative(beam.length()) * mode.participation()});
+    forces.push_back({mode.angular_frequency(), tip_reaction(beam, mode) * mode.participation()});
   return forces;
 }
 
 ModalReaction modal_reaction(const data::Beam& beam, int modes) {
-  return {.quasi_static = bending_stiffness(beam) * QuasiStaticShape(beam).third_derivative(beam.length()),
-          .modes = modal_forces(beam, modes)};
+  return {.quasi_static = tip_reaction(beam, QuasiStaticShape(beam)), .modes = modal_forces(beam, modes)};
 }
 
 }  // namespace stickslip::analytic

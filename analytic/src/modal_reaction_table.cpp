@@ -10,6 +10,7 @@
 
 #include "arguments.hpp"
 #include "beam_constants.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
 
 namespace stickslip::analytic {
 namespace {
@@ -17,16 +18,16 @@ namespace {
 using Functions = std::vector<double>;
 
 /// 1/(L^3 S'''(L)), then Omega_n^2 and Omega_n^2 c_n L^3/EI by mode, from the beam with L = EI = rho A = 1.
-Functions tabulated_functions(double load_factor, int modes) {
+Functions tabulated_functions(double load_factor, double axial_direction, int modes) {
   const data::Beam beam({.length = 1.0,
                          .area = 1.0,
                          .second_moment_of_area = 1.0,
                          .density = 1.0,
                          .youngs_modulus = 1.0,
-                         .axial_force = load_factor});
-  const ModalReaction reaction = modal_reaction(beam, modes);
-  Functions values{1.0 / reaction.quasi_static};
-  for (const ModalForce& mode : reaction.modes) {
+                         .axial_force = load_factor,
+                         .axial_direction = axial_direction});
+  Functions values{1.0 / QuasiStaticShape(beam).third_derivative(1.0)};
+  for (const ModalForce& mode : modal_forces(beam, modes)) {
     const double squared = mode.angular_frequency * mode.angular_frequency;
     values.push_back(squared);
     values.push_back(squared * mode.coefficient);
@@ -36,13 +37,15 @@ Functions tabulated_functions(double load_factor, int modes) {
 
 /// Chebyshev coefficients by degree of the interpolant in `count` points of the first kind on [lowest,
 /// highest].
-std::vector<Functions> interpolant(double lowest, double highest, int modes, std::size_t count) {
+std::vector<Functions> interpolant(double lowest, double highest, double axial_direction, int modes,
+                                   std::size_t count) {
   std::vector<Functions> samples;
   const auto angle = [count](std::size_t j) {
     return std::numbers::pi * (static_cast<double>(j) + 0.5) / static_cast<double>(count);
   };
   for (std::size_t j = 0; j < count; ++j)
-    samples.push_back(tabulated_functions(std::lerp(lowest, highest, 0.5 + 0.5 * std::cos(angle(j))), modes));
+    samples.push_back(tabulated_functions(std::lerp(lowest, highest, 0.5 + 0.5 * std::cos(angle(j))),
+                                          axial_direction, modes));
   std::vector<Functions> coefficients(count, Functions(samples.front().size(), 0.0));
   for (std::size_t k = 0; k < count; ++k)
     for (std::size_t j = 0; j < count; ++j) {
@@ -68,13 +71,14 @@ bool ends_in_rounding(const std::vector<Functions>& coefficients) {
 
 }  // namespace
 
-ModalReactionTable::ModalReactionTable(double lowest_load_factor, double highest_load_factor, int modes)
-    : lowest_(lowest_load_factor), highest_(highest_load_factor) {
+ModalReactionTable::ModalReactionTable(double lowest_load_factor, double highest_load_factor, int modes,
+                                       double axial_direction)
+    : lowest_(lowest_load_factor), highest_(highest_load_factor), axial_direction_(axial_direction) {
   if (!(lowest_ >= 0.0 && lowest_ <= highest_))
     throw wrong_argument("the lowest load factor", lowest_,
                          "at least 0 and at most the highest, " + data::shortest_text(highest_));
   for (std::size_t count = 8; count <= 128; count *= 2) {
-    coefficients_ = interpolant(lowest_, highest_, modes, count);
+    coefficients_ = interpolant(lowest_, highest_, axial_direction_, modes, count);
     if (ends_in_rounding(coefficients_)) return;
   }
   throw std::runtime_error("the modes as functions of the load factor did not converge");
@@ -96,7 +100,7 @@ std::vector<double> ModalReactionTable::functions_at(double load_factor) const {
 
 bool ModalReactionTable::holds(const data::Beam& beam) const {
   const double z = axial_load_factor(beam);
-  return z >= lowest_ && z <= highest_;
+  return z >= lowest_ && z <= highest_ && beam.axial_direction() == axial_direction_;
 }
 
 ModalReaction ModalReactionTable::at(const data::Beam& beam) const {
@@ -104,12 +108,15 @@ ModalReaction ModalReactionTable::at(const data::Beam& beam) const {
   if (!holds(beam))
     throw wrong_argument("the load factor P L^2/EI", z,
                          "in the range of the table, " + data::shortest_text(lowest_) + " ... " +
-                             data::shortest_text(highest_));
+                             data::shortest_text(highest_) + ", at its axial_direction, " +
+                             data::shortest_text(axial_direction_));
   const Functions values = functions_at(z);
   const double length = beam.length();
   const double stiffness = bending_stiffness(beam) / (length * length * length);  // EI/L^3
   const double frequency = std::sqrt(stiffness / (mass_per_length(beam) * length));
-  ModalReaction reaction{.quasi_static = stiffness / values[0], .modes = {}};
+  const double slope_share =
+      1.0 - axial_direction_ * (1.0 - std::cos(std::sqrt(z)));  // S''' + chi p S' over S'''
+  ModalReaction reaction{.quasi_static = stiffness / values[0] * slope_share, .modes = {}};
   reaction.modes.reserve(values.size() / 2);
   for (std::size_t n = 0; n < values.size() / 2; ++n) {
     const double squared = values[1 + 2 * n];

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "arguments.hpp"
@@ -25,25 +26,35 @@ constexpr double kStrongestTension = -1e5;
 /// large enough for its fourth power: at P = 0 the characteristic function vanishes at 0 itself.
 constexpr double kBelowEveryRoot = 1e-70;
 
-/// Left side of the characteristic equation divided by cosh(b), with b^4 + bb^4 = z^2 + 2 b^2 bb^2.
-double characteristic(WaveNumbers wave_numbers, double z) {
+/// z = P L^2/EI and chi.
+struct Load {
+  double factor{}, direction{};
+};
+
+Load load_of(const data::Beam& beam) { return {axial_load_factor(beam), beam.axial_direction()}; }
+
+/// Left side of the characteristic equation divided by cosh(b).
+double characteristic(WaveNumbers wave_numbers, Load load) {
   const auto [b, bb] = wave_numbers;
+  const auto [z, chi] = load;
   const double decaying = std::exp(-b), product = b * bb;
   const double sech = 2.0 * decaying / (1.0 + decaying * decaying);
-  return z * z * sech + product * (2.0 * product * (sech + std::cos(bb)) + z * std::tanh(b) * std::sin(bb));
+  return z * z * ((1.0 - chi) * sech + chi * std::cos(bb)) +
+         product *
+             (2.0 * product * (sech + std::cos(bb)) + (1.0 - 2.0 * chi) * z * std::tanh(b) * std::sin(bb));
 }
 
 /// The characteristic function over the smaller wave number, where modes 2 pair - 1 and 2 pair lie:
 /// (2 pair - 2) pi < bb < 2 pair pi.
 class PairCharacteristic {
  public:
-  PairCharacteristic(int pair, double z)
-      : z_(z),
-        interval_{std::max(kBelowEveryRoot, smaller_wave_number((2.0 * pair - 2.0) * pi, z)),
-                  smaller_wave_number(2.0 * pair * pi, z)} {}
+  PairCharacteristic(int pair, Load load)
+      : load_(load),
+        interval_{std::max(kBelowEveryRoot, smaller_wave_number((2.0 * pair - 2.0) * pi, load.factor)),
+                  smaller_wave_number(2.0 * pair * pi, load.factor)} {}
 
   double operator()(double smaller) const {
-    return characteristic(wave_numbers_from_smaller(smaller, z_), z_);
+    return characteristic(wave_numbers_from_smaller(smaller, load_.factor), load_);
   }
 
   [[nodiscard]] Interval interval() const { return interval_; }
@@ -60,41 +71,44 @@ class PairCharacteristic {
     return brent_minimum(as_gsl_function(*this), {node(least - 1), node(least + 1)}, node(least));
   }
 
-  /// The two roots, or nothing if they have become complex.
+  /// The two roots, or nothing if they have become complex or the first imaginary.
   [[nodiscard]] std::optional<std::pair<double, double>> roots() const {
     constexpr double kTolerance = 4.0 * std::numeric_limits<double>::epsilon();
     const Minimum between = minimum();
-    if (between.value >= 0.0) return std::nullopt;
+    if (between.value >= 0.0 || (*this)(interval_.lower) <= 0.0) return std::nullopt;
     const gsl_function function = as_gsl_function(*this);
     return std::pair{brent_root(function, {interval_.lower, between.argument}, kTolerance),
                      brent_root(function, {between.argument, interval_.upper}, kTolerance)};
   }
 
  private:
-  double z_;
+  Load load_;
   Interval interval_;
 };
 
 [[noreturn]] void throw_outside_range(const data::Beam& beam) {
   const double unit = bending_stiffness(beam) / (beam.length() * beam.length());
   throw data::FieldError("beam.axial_force", beam.axial_force(),
-                         "below the flutter load of the slip state, " +
-                             data::shortest_text(flutter_load(beam)) + " N, and not below " +
-                             data::shortest_text(kStrongestTension * unit) + " N");
+                         "below the " + std::string(buckles_in_slip(beam) ? "buckling" : "flutter") +
+                             " load of the slip state, " + data::shortest_text(slip_critical_load(beam)) +
+                             " N, and not below " + data::shortest_text(kStrongestTension * unit) + " N");
 }
 
 }  // namespace
 
 double slip_characteristic(const data::Beam& beam, double omega) {
-  const double length = beam.length(), z = axial_load_factor(beam);
+  const double length = beam.length();
   const double scaled = omega * length * length * std::sqrt(mass_per_length(beam) / bending_stiffness(beam));
-  return characteristic(wave_numbers_at(scaled, z), z);
+  return characteristic(wave_numbers_at(scaled, axial_load_factor(beam)), load_of(beam));
 }
 
-double flutter_load(const data::Beam& beam) {
-  const auto least_value = [](double z) { return PairCharacteristic(1, z).minimum().value; };
-  const double z = brent_root(as_gsl_function(least_value), {15.0, 25.0}, 1e-13);
-  return z * bending_stiffness(beam) / (beam.length() * beam.length());
+bool buckles_in_slip(const data::Beam& beam) { return beam.axial_direction() >= 0.5; }
+
+double slip_critical_load(const data::Beam& beam) {
+  const double chi = beam.axial_direction(), unit = bending_stiffness(beam) / (beam.length() * beam.length());
+  if (buckles_in_slip(beam)) return unit * std::pow(2.0 * std::acos(std::sqrt(1.0 - 0.5 / chi)), 2);
+  const auto least_value = [chi](double z) { return PairCharacteristic(1, {z, chi}).minimum().value; };
+  return unit * brent_root(as_gsl_function(least_value), {15.0, 25.0}, 1e-13);
 }
 
 SlipMode::SlipMode(const data::Beam& beam, int number, double b, double bb)
@@ -105,10 +119,12 @@ SlipMode::SlipMode(const data::Beam& beam, int number, double b, double bb)
       angular_frequency_(std::sqrt(bending_stiffness(beam) / mass_per_length(beam)) * b * bb /
                          (length_ * length_)) {
   const double e = std::exp(-b), c = std::cos(bb), s = std::sin(bb);
-  // psi''(L) = 0, and psi*'' + z psi* = 0, give the ratio of the exponential parts.
+  // psi''(L) = 0, and psi*'' + (1 - chi) z psi* = 0, give the ratio of the exponential parts.
   direct_ = clamped(b * b + bb * (bb * c + b * s) * e, -(b * b * e + bb * (bb * c - b * s)));
-  adjoint_ =
-      clamped(bb * bb * bb + b * b * (bb * c + b * s) * e, -(bb * bb * bb * e + b * b * (bb * c - b * s)));
+  const double fixed = beam.axial_direction() * axial_load_factor(beam);
+  const double hyperbolic = (bb * bb - fixed) * bb, trigonometric = b * b + fixed;
+  adjoint_ = clamped(hyperbolic + trigonometric * (bb * c + b * s) * e,
+                     -(hyperbolic * e + trigonometric * (bb * c - b * s)));
 }
 
 SlipMode::Weights SlipMode::clamped(double left, double right) const {
@@ -139,12 +155,12 @@ double SlipMode::curvature(double x) const {
 std::vector<SlipMode> slip_modes(const data::Beam& beam, int count) {
   if (count < 1 || count > 1000) throw data::FieldError("numerics.modes", count, "1 ... 1000");
   const double z = axial_load_factor(beam);
-  if (z < kStrongestTension || beam.axial_force() >= flutter_load(beam)) throw_outside_range(beam);
+  if (z < kStrongestTension || beam.axial_force() >= slip_critical_load(beam)) throw_outside_range(beam);
 
   std::vector<SlipMode> modes;
   modes.reserve(static_cast<std::size_t>(count) + 1);
   for (int pair = 1; 2 * pair - 1 <= count; ++pair) {
-    const auto roots = PairCharacteristic(pair, z).roots();
+    const auto roots = PairCharacteristic(pair, load_of(beam)).roots();
     if (!roots) throw_outside_range(beam);
     for (const auto& [number, smaller] : {std::pair{2 * pair - 1, roots->first}, {2 * pair, roots->second}}) {
       const auto [b, bb] = wave_numbers_from_smaller(smaller, z);

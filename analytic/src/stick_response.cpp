@@ -60,13 +60,21 @@ class SteadyShape {
     return (std::cos(bb_) * sinh_ratio(b_, eta) - q_ * std::sin(bb_ * eta) / bb_) / determinant_;
   }
 
+  /// L Y'(L), dimensionless.
+  [[nodiscard]] Complex slope_at_tip() const {
+    return -(std::cos(bb_) * b_ * inverse_sinh() - q_) / determinant_;
+  }
+
   /// L^3 Y'''(L), dimensionless.
   [[nodiscard]] Complex third_derivative_at_tip() const {
-    const Complex inverse_sinh = 2.0 * std::exp(-b_) / (1.0 - std::exp(-2.0 * b_));
-    return -(std::cos(bb_) * b_ * b_ * b_ * inverse_sinh + q_ * bb_ * bb_) / determinant_;
+    return -(std::cos(bb_) * b_ * b_ * b_ * inverse_sinh() + q_ * bb_ * bb_) / determinant_;
   }
 
  private:
+  [[nodiscard]] Complex inverse_sinh() const {  // 1/sinh(b)
+    return 2.0 * std::exp(-b_) / (1.0 - std::exp(-2.0 * b_));
+  }
+
   Complex b_, bb_, q_, determinant_;  // q = b coth(b)
 };
 
@@ -168,11 +176,12 @@ StickResponse::StickResponse(const data::Beam& beam, const data::HarmonicExcitat
                                " Hz has a mode at twice that frequency or above; the highest kept is at " +
                                data::shortest_text(modes_.back().frequency_hz()) + " Hz");
   for (const StickMode& mode : modes_)
-    force_.weights.push_back(bending_stiffness_ * mode.third_derivative(length_) * omega_ * omega_ *
-                             mode.participation());
-  force_.base = bending_stiffness_ * quasi_static_.third_derivative(length_);
-  force_.base += steady_remainder(force_, [this](const SteadyShape& steady) {
-    return bending_stiffness_ * steady.third_derivative_at_tip() / (length_ * length_ * length_);
+    force_.weights.push_back(tip_reaction(beam, mode) * omega_ * omega_ * mode.participation());
+  force_.base = tip_reaction(beam, quasi_static_);
+  force_.base += steady_remainder(force_, [&, this](const SteadyShape& steady) {
+    const Complex shear =
+        bending_stiffness_ * steady.third_derivative_at_tip() / (length_ * length_ * length_);
+    return tip_reaction(beam, shear, steady.slope_at_tip() / length_);
   });
 }
 

@@ -68,9 +68,9 @@ Complex numerator(Complex k, Complex z, const Both& at) {
   return mean_over_circle(quotient, k, 1.0);
 }
 
-/// exp(-decay) [1 + (k/2) (c(a) - c(b))].
-Complex denominator(Complex k, const Both& at) {
-  return std::exp(-at.decay) + 0.5 * k * (at.a.cosh - at.b.cosh);
+/// exp(-decay) [1 + (k/2) (c(a) - c(b)) - (chi z/2) (c(a) + c(b))]; fixed_load = chi z.
+Complex denominator(Complex k, Complex fixed_load, const Both& at) {
+  return std::exp(-at.decay) + 0.5 * (k * (at.a.cosh - at.b.cosh) - fixed_load * (at.a.cosh + at.b.cosh));
 }
 
 /// The exponents of exp(+-l_i x/L), in the right half plane.
@@ -114,6 +114,7 @@ TipMobility::TipMobility(const data::Beam& beam, const data::Damping& damping)
       bending_stiffness_(analytic::bending_stiffness(beam)),
       mass_per_length_(analytic::mass_per_length(beam)),
       axial_force_(beam.axial_force()),
+      axial_direction_(beam.axial_direction()),
       kelvin_voigt_(damping.kelvin_voigt()) {
   if (damping.ratio() != 0.0)
     throw data::FieldError("damping.ratio", damping.ratio(),
@@ -129,7 +130,8 @@ TipMobility::Scaled TipMobility::scaled(Complex s) const {
 Complex TipMobility::operator()(Complex s) const {
   const auto [rigidity, k, z] = scaled(s);
   const Both at = both(k, z);
-  return s * length_ * length_ * length_ / rigidity * 2.0 * numerator(k, z, at) / denominator(k, at);
+  return s * length_ * length_ * length_ / rigidity * 2.0 * numerator(k, z, at) /
+         denominator(k, axial_direction_ * z, at);
 }
 
 Complex TipMobility::transfer(double x, Complex s) const {
@@ -140,7 +142,7 @@ Complex TipMobility::transfer(double x, Complex s) const {
   const bool close = std::abs(z * z - 4.0 * k * k) < 1.0 || std::abs(k) < 0.5;
   const auto value = [&, load = z](Complex node) { return deflection(xi, node, load, at.decay); };
   const Complex shape = close ? mean_over_circle(value, k, std::abs(z) < 4.0 ? 6.0 : 1.0) : value(k);
-  return s * length_ * length_ * length_ / rigidity * shape / denominator(k, at);
+  return s * length_ * length_ * length_ / rigidity * shape / denominator(k, axial_direction_ * z, at);
 }
 
 }  // namespace stickslip::analytic

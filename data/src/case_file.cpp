@@ -66,6 +66,8 @@ constexpr std::array keys{
         Magnitudes{1e-3, 1e18, "Pa"}},
     Key{"beam", "axial_force", member<&Draft::beam, &BeamProperties::axial_force>,
         Magnitudes{1e-18, 1e18, "N"}},
+    Key{"beam", "axial_direction", member<&Draft::beam, &BeamProperties::axial_direction>,
+        Magnitudes{1e-9, 1.0, ""}, Presence::optional},
     Key{"friction", "static_coefficient", member<&Draft::friction, &FrictionCoefficients::static_coefficient>,
         Magnitudes{1e-9, 1e6, ""}},
     Key{"friction", "kinetic_coefficient",

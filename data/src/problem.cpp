@@ -37,6 +37,9 @@ Beam::Beam(const BeamProperties& properties) : properties_(properties) {
   require_positive("beam.density", density(), " (kg/m^3)");
   require_positive("beam.youngs_modulus", youngs_modulus(), " (Pa)");
   require_finite("beam.axial_force", axial_force(), " (N, compression positive)");
+  if (!(axial_direction() >= 0.0 && axial_direction() <= 1.0))
+    throw FieldError("beam.axial_direction", shortest_text(axial_direction()),
+                     "a number from 0 (follows the tip) to 1 (keeps its direction)");
 }
 
 FrictionLaw::FrictionLaw(const FrictionCoefficients& coefficients) : coefficients_(coefficients) {

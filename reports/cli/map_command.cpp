@@ -313,8 +313,8 @@ void add_map_command(CLI::App& app) {
   const std::string axis =
       "PARAMETER=FROM:TO:COUNT, in equal steps, or PARAMETER=FROM:TO:COUNT:log, in equal ratios; PARAMETER "
       "is "
-      "frequency (Hz), amplitude (m), length (m), force (P, N), stiffness (Young's modulus, Pa) or friction "
-      "(static coefficient)";
+      "frequency (Hz), amplitude (m), length (m), force (P, N), stiffness (Young's modulus, Pa), friction "
+      "(static coefficient) or direction (of P, chi)";
   command->add_option("--x", options->x, axis)->type_name("AXIS")->capture_default_str();
   command->add_option("--y", options->y, "As --x, another parameter")
       ->type_name("AXIS")

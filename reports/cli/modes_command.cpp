@@ -136,7 +136,7 @@ void add_modes_command(CLI::App& app) {
   auto* command = app.add_subcommand("modes", "Natural frequencies of the stick or the slip state");
   auto options = std::make_shared<ModesOptions>();
   add_case_options(*command, options->problem);
-  command->add_option("--state", options->state, "Tip pinned to the wall, or sliding under the follower load")
+  command->add_option("--state", options->state, "Tip pinned to the wall, or sliding under the axial force")
       ->check(one_of({"stick", "slip"}))
       ->capture_default_str();
   command->add_option("--method", options->method, "Of the continuous beam, or of its finite elements")

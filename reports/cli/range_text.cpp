@@ -21,13 +21,14 @@ using studies::ParameterRange;
 
 constexpr int most_values = 2000;  // along one axis
 
-constexpr std::array<std::pair<std::string_view, studies::Parameter>, 6> parameters{
+constexpr std::array<std::pair<std::string_view, studies::Parameter>, 7> parameters{
     {{"frequency", studies::Parameter::frequency},
      {"amplitude", studies::Parameter::amplitude},
      {"length", studies::Parameter::length},
      {"force", studies::Parameter::axial_force},
      {"stiffness", studies::Parameter::youngs_modulus},
-     {"friction", studies::Parameter::static_coefficient}}};
+     {"friction", studies::Parameter::static_coefficient},
+     {"direction", studies::Parameter::axial_direction}}};
 
 [[noreturn]] void fail_unless(std::string_view allowed, std::string_view option, std::string_view part,
                               std::string_view value) {
@@ -97,7 +98,9 @@ studies::MapAxis parse_axis(std::string_view option, std::string_view text) {
   if (equals == std::string_view::npos || (parts.size() != 3 && !logarithmic))
     fail_unless("PARAMETER=FROM:TO:COUNT or PARAMETER=FROM:TO:COUNT:log", option, "the axis", text);
   const studies::Parameter parameter = parameter_of(option, text.substr(0, equals));
-  const bool zero = parameter == studies::Parameter::amplitude && !logarithmic;
+  const bool may_be_zero =
+      parameter == studies::Parameter::amplitude || parameter == studies::Parameter::axial_direction;
+  const bool zero = may_be_zero && !logarithmic;
   const ParameterRange range = range_of(option, parts[0], parts[1], zero, false);
   if (logarithmic && !std::isfinite(range.to / range.from))
     fail_unless(fmt::format("at most 1e308 times FROM, {}", parts[0]), option, "TO", parts[1]);

@@ -8,9 +8,10 @@ height = 10
 load 'style.gp'
 values = folder.'map-values.csv'
 load 'values.gp'
-array names[6] = ['excitation frequency / Hz', 'excitation amplitude A_0 / mm', 'beam length L / m', \
-    'axial force P / N', "Young's modulus E / GPa", 'static friction coefficient μ_s']
-array scales[6] = [1, 1e3, 1, 1, 1e-9, 1]
+array names[7] = ['excitation frequency / Hz', 'excitation amplitude A_0 / mm', 'beam length L / m', \
+    'axial force P / N', "Young's modulus E / GPa", 'static friction coefficient μ_s', \
+    'direction of the axial force χ']
+array scales[7] = [1, 1e3, 1, 1, 1e-9, 1, 1]
 x_label = names[int(x_parameter)]
 y_label = names[int(y_parameter)]
 x_scale = scales[int(x_parameter)]

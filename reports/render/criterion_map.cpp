@@ -28,6 +28,8 @@ CsvColumn column_of(studies::Parameter parameter) {
       return {"youngs_modulus_Pa", "Pa"};
     case studies::Parameter::static_coefficient:
       return {"static_coefficient", "1"};
+    case studies::Parameter::axial_direction:
+      return {"axial_direction", "1"};
   }
   return {};
 }

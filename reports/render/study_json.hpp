@@ -144,6 +144,10 @@ STICKSLIP_JSON(SlenderForce, frequency_hz, amplitude, model_errors, force_max, s
 STICKSLIP_JSON(SofterBeam, larger, all, lowest_ratio, at_hz)
 STICKSLIP_JSON(LateSlips, method, duration, range, settled, later_range, last_onset)
 STICKSLIP_JSON(Scope, friction_limit, steady, damped, slender, softer, late_slips)
+STICKSLIP_JSON(AxialDirectionPlane, figures, problem, cells, flipped, lowest_ratio, highest_ratio, buckled,
+               slip_buckling_load, flipped_share(), buckled_share())
+STICKSLIP_JSON(AxialDirectionForce, frequency_hz, ratio)
+STICKSLIP_JSON(ModelForm, forces, planes)
 STICKSLIP_JSON(PrintedCheck, printed, computed, method, allowed, because, left_open, error(), verdict(),
                agrees())
 STICKSLIP_JSON(ErratumEvidence, erratum, quantity, unit, as_printed, corrected, reference, tolerance,

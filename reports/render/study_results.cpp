@@ -103,6 +103,7 @@ void StudyResults::run_all() {
   force_sensitivity();
   design_example();
   scope();
+  model_form();
   errata_evidence();
   history_refinements();
 }
@@ -370,6 +371,13 @@ const studies::Scope& StudyResults::scope() {
     const auto& histories = converged_histories();
     const auto slow = std::ranges::find(histories, 35.0, &studies::ConvergedHistory::frequency_hz);
     return studies::scope(paper_, damped_, *slow);
+  });
+}
+
+const studies::ModelForm& StudyResults::model_form() {
+  return once("model_form", "criterion with an axial force of fixed direction", [&] {
+    constexpr int lengths = 81;  // every 2 cm
+    return studies::model_form(paper_, half_stiffness_, flat_section_, lengths);
   });
 }
 

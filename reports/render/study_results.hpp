@@ -22,6 +22,7 @@
 #include "studies/criterion/critical_amplitude.hpp"
 #include "studies/criterion/design_guide.hpp"
 #include "studies/criterion/length_force_map.hpp"
+#include "studies/criterion/model_form.hpp"
 #include "studies/criterion/scope.hpp"
 #include "studies/paper/force_sensitivity.hpp"
 #include "studies/paper/paper_checks.hpp"
@@ -89,6 +90,7 @@ class StudyResults {
   stiffness_map();                          ///< frequency and Young's modulus, at the amplitude of Fig. 4
   const studies::Design& design_example();  ///< the section of Fig. 14 over a band around its frequency
   const studies::Scope& scope();            ///< of the criterion: its horizon, damping, slenderness
+  const studies::ModelForm& model_form();   ///< what an axial force of fixed direction changes
   const std::vector<studies::PrintedCheck>& printed_checks();
   const std::vector<studies::ErratumEvidence>& errata_evidence();
 

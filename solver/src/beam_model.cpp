@@ -61,7 +61,7 @@ BeamModel::BeamModel(const data::Beam& beam, int elements) : beam_(beam), elemen
 
   stick_stiffness_ = elastic_ - beam.axial_force() * geometric_;
   slip_stiffness_ = stick_stiffness_;
-  slip_stiffness_.coeffRef(tip_deflection(), tip_rotation()) += beam.axial_force();
+  slip_stiffness_.coeffRef(tip_deflection(), tip_rotation()) += follower_force();
 }
 
 double BeamModel::elastic_energy(const Eigen::VectorXd& q) const { return 0.5 * q.dot(elastic_ * q); }

@@ -54,18 +54,18 @@ ContactSystem modal_contact_system(const BeamModel& model, const HeldTipBasis& b
   const Eigen::VectorXd &sigma = basis.static_shape, inertia = model.mass() * sigma;
   const Eigen::VectorXd coupling = basis.modes.transpose() * inertia;
   const Eigen::VectorXd rotations = basis.modes.row(model.tip_rotation()).transpose();
-  const double axial_force = model.beam().axial_force();
+  const double follower_force = model.follower_force();
 
   SparseMatrix mass(modes + 1, modes + 1), stick(modes + 1, modes + 1), slip(modes + 1, modes + 1);
   for (Eigen::Index n = 0; n < modes; ++n) {
     mass.insert(n, n) = 1.0;
     mass.insert(tip, n) = mass.insert(n, tip) = coupling[n];
     stick.insert(n, n) = slip.insert(n, n) = basis.squared_frequencies[n];
-    slip.insert(tip, n) = axial_force * rotations[n];
+    slip.insert(tip, n) = follower_force * rotations[n];
   }
   mass.insert(tip, tip) = sigma.dot(inertia);
   stick.insert(tip, tip) = sigma.dot(model.stick_stiffness() * sigma);
-  slip.insert(tip, tip) = stick.coeff(tip, tip) + axial_force * sigma[model.tip_rotation()];
+  slip.insert(tip, tip) = stick.coeff(tip, tip) + follower_force * sigma[model.tip_rotation()];
   for (SparseMatrix* matrix : {&mass, &stick, &slip}) matrix->makeCompressed();
 
   ContactSystem system = full;

@@ -102,9 +102,9 @@ std::vector<FiniteElementMode> slip_modes(const BeamModel& model, int count) {
   for (Eigen::Index n = 0; n < count; ++n) {
     const std::complex<double> mu = pairs.mu[n];
     if (mu.imag() != 0.0 || mu.real() <= 0.0)
-      throw data::FieldError(
-          "beam.axial_force", model.beam().axial_force(),
-          "below the flutter load: slip mode " + std::to_string(n + 1) + " has no real frequency");
+      throw data::FieldError("beam.axial_force", model.beam().axial_force(),
+                             "below the flutter or buckling load of the slip state: slip mode " +
+                                 std::to_string(n + 1) + " has no real frequency");
     modes.push_back({1.0 / std::sqrt(mu.real()), normalised(pairs.shapes.col(n).real(), model.mass())});
   }
   return modes;

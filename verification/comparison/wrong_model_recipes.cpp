@@ -265,8 +265,10 @@ Recipes of_the_beam() {
       {.wrong_model = {"dead-load", "P keeps its direction instead of following the tip", "Eq. (9)",
                        Quantities{slip_frequency, force_maximum, critical_amplitude, stick_force} +
                            stick_slip},
-       .mesh = [](solver::ContactSystem& system,
-                  const solver::BeamModel& mesh) { system.slip_stiffness = mesh.stick_stiffness(); }},
+       .inputs = [](const data::Case& problem) -> std::optional<data::Case> {
+         if (problem.beam.axial_direction() == 1.0) return std::nullopt;
+         return with_value(problem, Parameter::axial_direction, 1.0);
+       }},
       {.wrong_model = {"follower-term-sign", "the term P u'(L) at the tip has the wrong sign", "Eq. (9)",
                        Quantities{slip_frequency, force_maximum, critical_amplitude, stick_force} +
                            stick_slip},

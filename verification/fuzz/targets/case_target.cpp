@@ -25,6 +25,7 @@ std::vector<data::Override> overrides_of(const data::Case& problem) {
           number("beam.density", beam.density()),
           number("beam.youngs_modulus", beam.youngs_modulus()),
           number("beam.axial_force", beam.axial_force()),
+          number("beam.axial_direction", beam.axial_direction()),
           number("friction.static_coefficient", friction.static_coefficient()),
           number("friction.kinetic_coefficient", friction.kinetic_coefficient()),
           number("friction.decay", friction.decay()),

@@ -18,6 +18,9 @@ Rational exact(double value) { return {std::string_view(data::shortest_text(valu
 NamedBeam named_beam(const std::string& name) {
   data::Case problem = data::load_case(name);
   const data::BeamProperties& p = problem.beam.properties();
+  if (p.axial_direction != 0.0)
+    throw data::FieldError("beam.axial_direction", p.axial_direction,
+                           "0: the enclosures have a follower force");
   certified::Beam beam({.length = exact(p.length),
                         .area = exact(p.area),
                         .second_moment_of_area = exact(p.second_moment_of_area),

@@ -20,6 +20,8 @@ std::string_view field_of(Parameter parameter) {
       return "beam.youngs_modulus";
     case Parameter::static_coefficient:
       return "friction.static_coefficient";
+    case Parameter::axial_direction:
+      return "beam.axial_direction";
   }
   return {};
 }
@@ -38,6 +40,8 @@ double value_of(const data::Case& problem, Parameter parameter) {
       return problem.beam.youngs_modulus();
     case Parameter::static_coefficient:
       return problem.friction.static_coefficient();
+    case Parameter::axial_direction:
+      return problem.beam.axial_direction();
   }
   return {};
 }
@@ -66,6 +70,9 @@ data::Case with_value(const data::Case& problem, Parameter parameter, double val
     case Parameter::static_coefficient:
       friction.static_coefficient = value;
       friction.kinetic_coefficient = std::min(friction.kinetic_coefficient, std::max(value, 0.0));
+      break;
+    case Parameter::axial_direction:
+      beam.axial_direction = value;
       break;
   }
   data::Case changed = problem;

@@ -9,11 +9,20 @@
 namespace stickslip::studies {
 
 /// A quantity of a case that a map or a design may vary.
-enum class Parameter { frequency, amplitude, length, axial_force, youngs_modulus, static_coefficient };
+enum class Parameter {
+  frequency,
+  amplitude,
+  length,
+  axial_force,
+  youngs_modulus,
+  static_coefficient,
+  axial_direction
+};
 
 inline constexpr std::array all_parameters{Parameter::frequency,      Parameter::amplitude,
                                            Parameter::length,         Parameter::axial_force,
-                                           Parameter::youngs_modulus, Parameter::static_coefficient};
+                                           Parameter::youngs_modulus, Parameter::static_coefficient,
+                                           Parameter::axial_direction};
 
 /// The name of the parameter's field in a case file, such as "beam.length".
 [[nodiscard]] std::string_view field_of(Parameter parameter);

@@ -131,11 +131,10 @@ PredictedForce::PredictedForce(const data::Beam& beam, const data::HarmonicExcit
     : omega_(angular_frequency(excitation)),
       time_step_(numerics.time_step()),
       steps_(std::lround(numerics.duration() / numerics.time_step())) {
-  const double stiffness = beam.youngs_modulus() * beam.second_moment_of_area();
-  const double scale = stiffness * excitation.amplitude();
   const double element_length = beam.length() / numerics.elements();
   const analytic::StickResponse exact(beam, excitation, 3 * modes, analytic::SteadyPart::exact);
   const std::vector<analytic::Sinusoid> transient = exact.transient_force();
+  const analytic::ModalReaction reaction = exact.reaction();
   rest_amplitude_ = exact.steady_force_amplitude();
   for (std::size_t n = 0; n < transient.size(); ++n) {
     const double amplitude = std::abs(transient[n].amplitude);
@@ -145,8 +144,7 @@ PredictedForce::PredictedForce(const data::Beam& beam, const data::HarmonicExcit
     }
     const analytic::StickMode& mode = exact.modes()[n];
     const double natural = mode.angular_frequency();
-    const double weight =
-        scale * mode.third_derivative(beam.length()) * omega_ * omega_ * mode.participation();
+    const double weight = excitation.amplitude() * reaction.modes[n].coefficient * omega_ * omega_;
     terms_.push_back({weight, stepped_from_rest(numerics.spectral_radius(),
                                                 frequency_on_mesh(beam, mode, numerics.elements()), omega_,
                                                 numerics.time_step())});

@@ -40,6 +40,11 @@ bool may_buckle(const MapTask& task) {
   return moves_the_buckling_load_ratio(task.x.parameter) || moves_the_buckling_load_ratio(task.y.parameter);
 }
 
+// Whether the reactions of the cells belong to different directions of the axial force.
+bool turns_the_axial_force(const MapTask& task) {
+  return task.x.parameter == Parameter::axial_direction || task.y.parameter == Parameter::axial_direction;
+}
+
 // How many values of an axis need separate evaluations of the force.
 std::size_t evaluations_along(const MapAxis& axis) {
   return is_a_factor(axis.parameter) ? 1 : axis.values.size();
@@ -59,11 +64,11 @@ data::Case case_at(const MapTask& task, std::size_t i, std::size_t j) {
 }
 
 // |f_max| at the points of one map. The modes are interpolated in a table, or computed once if all points
-// have the same beam. The modes therefore do not depend on which points are evaluated.
+// have the same beam; the direction of the axial force is not interpolated. The modes therefore do not depend on which points are evaluated.
 class Forces {
  public:
   explicit Forces(const MapTask& task) : method_(task.method), modes_(task.problem.numerics.modes()) {
-    if (method_ != MapMethod::closed_form) return;
+    if (method_ != MapMethod::closed_form || turns_the_axial_force(task)) return;
     if (is_damped(task.problem)) {
       if (!may_buckle(task))
         common_damped_ = analytic::damped_reaction(task.problem.beam, task.problem.damping, modes_);
@@ -78,7 +83,7 @@ class Forces {
       }
     if (may_buckle(task)) highest = std::min(highest, just_below_buckling(case_at(task, 0, 0).beam));
     if (lowest > 0.0 && lowest < highest)
-      table_.emplace(lowest, highest, modes_);
+      table_.emplace(lowest, highest, modes_, task.problem.beam.axial_direction());
     else if (lowest == highest)
       common_ = analytic::modal_reaction(case_at(task, 0, 0).beam, modes_);
   }

@@ -56,14 +56,15 @@ double allowed_step(double spectral_radius, double omega) {
   return two_digits(lower / omega);
 }
 
-void warn_of_flutter(const data::Beam& beam, std::vector<Warning>& warnings) {
-  const double load = analytic::flutter_load(beam);
+void warn_of_instability(const data::Beam& beam, std::vector<Warning>& warnings) {
+  const double load = analytic::slip_critical_load(beam);
   if (beam.axial_force() < load) return;
+  const bool buckles = analytic::buckles_in_slip(beam);
   warnings.push_back(
-      {Concern::flutter, beam.axial_force(), load,
-       fmt::format("beam.axial_force is {} N, at the flutter load of the sliding beam, {:.6g} N, or over "
-                   "it: once the tip slips, the motion is unstable",
-                   data::shortest_text(beam.axial_force()), load)});
+      {buckles ? Concern::buckling : Concern::flutter, beam.axial_force(), load,
+       fmt::format("beam.axial_force is {} N, at the {} load of the sliding beam, {:.6g} N, or over it: once "
+                   "the tip slips, the motion is unstable",
+                   data::shortest_text(beam.axial_force()), buckles ? "buckling" : "flutter", load)});
 }
 
 void warn_of_resonance(const data::Case& problem, std::vector<Warning>& warnings) {
@@ -128,10 +129,10 @@ double stick_model_error(const data::Beam& beam, int mode) {
       integral(&analytic::StickMode::third_derivative) / integral(&analytic::StickMode::curvature));
 }
 
-// Slope and third derivative by partial integration, with U'''' = k U - p U'' and U''(L) = U'''(L) = 0:
+// Slope and third derivative by partial integration, with U'''' = k U - p U'', U''(L) = 0 and U'''(L) = -chi p U'(L):
 //
-//     U'(L) = int U'',       int U'^2 = U(L) U'(L) - int U U'',
-//     U'''(0) = -int U'''',  int U'''^2 = -U''(0) U'''(0) - int U'' U''''.
+//     U'(L) = int U'',                    int U'^2 = U(L) U'(L) - int U U'',
+//     U'''(0) = U'''(L) - int U'''',      int U'''^2 = -U''(0) U'''(0) - int U'' U''''.
 double slip_model_error(const data::Beam& beam, int mode) {
   const auto modes = analytic::slip_modes(beam, mode);
   const auto& u = modes.back();
@@ -143,7 +144,8 @@ double slip_model_error(const data::Beam& beam, int mode) {
   const double slopes =
       u.shape(beam.length()) * tip_slope - integral([&](double x) { return u.shape(x) * u.curvature(x); });
   const double third_derivatives =
-      u.curvature(0.0) * integral(fourth) - integral([&](double x) { return u.curvature(x) * fourth(x); });
+      u.curvature(0.0) * (beam.axial_direction() * p * tip_slope + integral(fourth)) -
+      integral([&](double x) { return u.curvature(x) * fourth(x); });
   return model_error(beam, slopes / integral([&](double x) { return std::pow(u.shape(x), 2); }),
                      third_derivatives / integral([&](double x) { return std::pow(u.curvature(x), 2); }));
 }
@@ -173,7 +175,7 @@ int highest_mode_that_matters(const data::Case& problem) {
 
 std::vector<Warning> problem_warnings(const data::Case& problem, Inquiry inquiry, int frequencies) {
   std::vector<Warning> warnings;
-  if (may_slip(inquiry)) warn_of_flutter(problem.beam, warnings);
+  if (may_slip(inquiry)) warn_of_instability(problem.beam, warnings);
   if (inquiry == Inquiry::criterion || inquiry == Inquiry::closed_form_history)
     warn_of_resonance(problem, warnings);
   const int mode = is_about_frequencies(inquiry) ? frequencies : highest_mode_that_matters(problem);
@@ -228,7 +230,8 @@ std::optional<Warning> growth_warning(const data::Case& problem, Inquiry inquiry
 std::vector<Warning> warnings_common_to(const data::Case& problem, const std::vector<Parameter>& varied) {
   if (problem.beam.axial_force() >= analytic::stick_buckling_load(problem.beam)) return {};
   const auto moves_a_frequency = [](Parameter parameter) {
-    return parameter != Parameter::amplitude && parameter != Parameter::static_coefficient;
+    return parameter != Parameter::amplitude && parameter != Parameter::static_coefficient &&
+           parameter != Parameter::axial_direction;
   };
   auto warnings = problem_warnings(problem, Inquiry::criterion);
   std::erase_if(warnings, [&](const Warning& warning) {

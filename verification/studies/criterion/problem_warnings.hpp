@@ -27,13 +27,14 @@ enum class Inquiry {
 };
 
 /// The subject of a warning.
-enum class Concern { flutter, resonance, thick_beam, long_step, growth };
+enum class Concern { flutter, buckling, resonance, thick_beam, long_step, growth };
 
 /// A warning about a case.
 struct Warning {
   Concern concern{};
   double value{};  ///< what was found: P (N), Omega/2pi (Hz), a relative frequency error, h (s), sigma* (1/s)
-  double limit{};  ///< the limit: flutter load, omega_n/2pi, allowed error, suggested step, allowed sigma*
+  double
+      limit{};  ///< the limit: flutter or buckling load, omega_n/2pi, allowed error, suggested step, allowed sigma*
   std::string sentence;
 };
 
@@ -74,7 +75,7 @@ constexpr double shear_flexibility = 3.0;
 [[nodiscard]] int highest_mode_that_matters(const data::Case& problem);
 
 /// The warnings for a case, each at most once, in the order of Concern:
-/// - flutter, for histories that can slip: P is not below the flutter load of the slip state.
+/// - flutter or buckling, for histories that can slip: P is not below the critical load of the slip state.
 /// - resonance, for an undamped |f| in closed form: a natural frequency of the stick state is so close to
 ///   Omega that |f| grows over the whole duration T, |Omega - omega_n| T <= pi (half a beat), and reaches at
 ///   least grown_response times the quasi-static response, Omega T/2 >= grown_response.

@@ -121,7 +121,7 @@ FrequencyStudy slip_frequency_study(const data::Beam& beam, int modes, const std
 
 FlutterStudy flutter_study(const data::Beam& beam, const std::vector<int>& elements) {
   const double unit = beam.youngs_modulus() * beam.second_moment_of_area() / (beam.length() * beam.length());
-  FlutterStudy study{analytic::flutter_load(beam) / unit, elements, {}, {}};
+  FlutterStudy study{analytic::slip_critical_load(beam) / unit, elements, {}, {}};
   std::vector<double> steps, errors;
   for (const int n : elements) {
     study.finite_element.push_back(finite_element_flutter(beam, n));

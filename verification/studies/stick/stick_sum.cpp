@@ -37,9 +37,10 @@ double shape_integral(const analytic::StickMode& mode, double length, double p) 
 StickSum stick_sum(const data::Beam& beam, int modes) {
   const double length = beam.length(), rigidity = beam.youngs_modulus() * beam.second_moment_of_area();
   const double axial_force = beam.axial_force();
+  const double fixed = beam.axial_direction() * axial_force, follower = axial_force - fixed;
   const analytic::QuasiStaticShape shape(beam);
-  StickSum sum{.force = rigidity * shape.third_derivative(length),
-               .follower_force = axial_force * shape.slope(length),
+  StickSum sum{.force = rigidity * shape.third_derivative(length) + fixed * shape.slope(length),
+               .follower_force = follower * shape.slope(length),
                .displacement = 1.0 + shape.value(0.5 * length),
                .modes = {}};
   for (const analytic::StickMode& mode : analytic::stick_modes(beam, modes))
@@ -48,8 +49,8 @@ StickSum stick_sum(const data::Beam& beam, int modes) {
          .oscillator_frequency = mode.angular_frequency(),
          .participation = mode.participation(),
          .rigid_participation = -shape_integral(mode, length, axial_force / rigidity) / mode.norm_squared(),
-         .force = rigidity * mode.third_derivative(length),
-         .follower_force = axial_force * mode.slope(length),
+         .force = rigidity * mode.third_derivative(length) + fixed * mode.slope(length),
+         .follower_force = follower * mode.slope(length),
          .displacement = mode.shape(0.5 * length)});
   return sum;
 }

@@ -26,12 +26,12 @@ struct StickSum {
     double rigid_participation{};   ///< -int U / int U^2
     double initial_rate{};          ///< V_n
     double force{};                 ///< f_n, N
-    double follower_force{};        ///< P U_n'(L), N
+    double follower_force{};        ///< (1 - chi) P U_n'(L), N
     double displacement{};          ///< y_n
   };
   double force{};                   ///< f_S, N/m
   double force_per_acceleration{};  ///< f_a, kg
-  double follower_force{};          ///< P S'(L), N/m
+  double follower_force{};          ///< (1 - chi) P S'(L), N/m
   double displacement{};            ///< y_S
   /// Whether the parts at w_n are included; otherwise only the steady vibration.
   bool free_vibrations{true};

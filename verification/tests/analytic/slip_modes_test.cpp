@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "analytic/gsl.hpp"
@@ -20,8 +22,8 @@
 namespace stickslip::testing {
 namespace {
 
-using analytic::flutter_load;
 using analytic::slip_characteristic;
+using analytic::slip_critical_load;
 using analytic::slip_modes;
 using analytic::SlipMode;
 
@@ -30,9 +32,11 @@ constexpr double kFlutterFactor = 20.0509536189737612;
 
 double stiffness(const data::Beam& beam) { return beam.youngs_modulus() * beam.second_moment_of_area(); }
 
-data::Beam beam_with_load_factor(double factor) {
-  const data::Beam beam = paper_beam();
-  return paper_beam_with_axial_force(factor * stiffness(beam) / (beam.length() * beam.length()));
+data::Beam beam_with_load_factor(double factor, double axial_direction = 0.0) {
+  data::BeamProperties properties = paper_beam_properties();
+  properties.axial_force = factor * stiffness(paper_beam()) / (properties.length * properties.length);
+  properties.axial_direction = axial_direction;
+  return data::Beam(properties);
 }
 
 STICKSLIP_VERIFIES(SlipModes, "A3");
@@ -72,8 +76,17 @@ TEST(SlipModes, AgreeWithSixtyDigitArithmetic) {
 }
 
 TEST(SlipModes, AreAllSignChangesOfTheCharacteristicFunction) {
-  for (const double factor : {-100.0, 0.0, 0.12, 10.0, 19.0}) {
-    const data::Beam beam = beam_with_load_factor(factor);
+  for (const auto& [factor, chi] : {std::pair{-100.0, 0.0},
+                                    {0.0, 0.0},
+                                    {0.12, 0.0},
+                                    {10.0, 0.0},
+                                    {19.0, 0.0},
+                                    {-100.0, 0.3},
+                                    {15.0, 0.49},
+                                    {9.3, 0.501},
+                                    {-1e4, 1.0},
+                                    {2.46, 1.0}}) {
+    const data::Beam beam = beam_with_load_factor(factor, chi);
     const auto modes = slip_modes(beam, 9);
     const double highest = modes.back().angular_frequency() * 1.01;
     constexpr int kSteps = 20000;
@@ -82,7 +95,7 @@ TEST(SlipModes, AreAllSignChangesOfTheCharacteristicFunction) {
       changes += slip_characteristic(beam, highest * i / kSteps) *
                      slip_characteristic(beam, highest * (i + 1) / kSteps) <
                  0.0;
-    EXPECT_EQ(changes, 9) << "P L^2/EI = " << factor;
+    EXPECT_EQ(changes, 9) << "P L^2/EI = " << factor << ", chi = " << chi;
     for (const SlipMode& mode : modes) {
       const double omega = mode.angular_frequency();
       EXPECT_LT(slip_characteristic(beam, omega * (1 - 1e-9)) * slip_characteristic(beam, omega * (1 + 1e-9)),
@@ -118,8 +131,16 @@ Derivatives derivatives(const Shape& shape, double x, double h) {
 }
 
 TEST(SlipModes, ShapesMeetTheBoundaryConditionsAndTheEquation) {
-  for (const double factor : {-10.0, 0.0, 10.0, 19.0}) {
-    const data::Beam beam = beam_with_load_factor(factor);
+  for (const auto& [factor, chi] : {std::pair{-10.0, 0.0},
+                                    {0.0, 0.0},
+                                    {10.0, 0.0},
+                                    {19.0, 0.0},
+                                    {10.0, 0.4},
+                                    {-50.0, 0.4},
+                                    {2.4, 1.0},
+                                    {-50.0, 1.0},
+                                    {-1e3, 1.0}}) {
+    const data::Beam beam = beam_with_load_factor(factor, chi);
     const double p = beam.axial_force() / stiffness(beam);
     for (const SlipMode& mode : slip_modes(beam, 4)) {
       const double steepest = std::max(mode.hyperbolic_wave_number(), mode.trigonometric_wave_number());
@@ -136,7 +157,8 @@ TEST(SlipModes, ShapesMeetTheBoundaryConditionsAndTheEquation) {
       EXPECT_TRUE(within(mode.shape(2.0), 1.0, round_off(6, 1, size)));
       EXPECT_TRUE(within(derivatives(shape, 0.0, h).first, 0.0, tolerance(1)));
       EXPECT_TRUE(within(derivatives(shape, 2.0, h).second, 0.0, tolerance(2)));
-      EXPECT_TRUE(within(derivatives(shape, 2.0, h).third, 0.0, tolerance(3)));
+      const Derivatives tip = derivatives(shape, 2.0, h);
+      EXPECT_TRUE(within(tip.third + chi * p * tip.first, 0.0, tolerance(3)));
       const double k = beam.density() * beam.area() * std::pow(mode.angular_frequency(), 2) / stiffness(beam);
       const Derivatives inside = derivatives(shape, 0.83, h);
       EXPECT_TRUE(within(inside.fourth + p * inside.second, k * mode.shape(0.83), tolerance(4)));
@@ -144,12 +166,19 @@ TEST(SlipModes, ShapesMeetTheBoundaryConditionsAndTheEquation) {
   }
 }
 
-class AdjointSlipModes : public ::testing::TestWithParam<double> {};
+// P L^2/EI and chi.
+class AdjointSlipModes : public ::testing::TestWithParam<std::tuple<double, double>> {
+ protected:
+  [[nodiscard]] static double direction() { return std::get<1>(GetParam()); }
+  [[nodiscard]] static data::Beam beam() {
+    return beam_with_load_factor(std::get<0>(GetParam()), direction());
+  }
+};
 
 STICKSLIP_VERIFIES(AdjointSlipModes, "A3");
 TEST_P(AdjointSlipModes, AreBiorthogonalToTheModes) {
   // Shapes of magnitude 1 on 2 m; the quadrature is good to 1e-11 of its scale.
-  const data::Beam beam = beam_with_load_factor(GetParam());
+  const data::Beam beam = AdjointSlipModes::beam();
   const auto modes = slip_modes(beam, 6);
   for (const SlipMode& adjoint : modes) {
     for (const SlipMode& mode : modes) {
@@ -167,7 +196,7 @@ TEST_P(AdjointSlipModes, AreBiorthogonalToTheModes) {
 }
 
 TEST_P(AdjointSlipModes, MeetTheBoundaryConditionsOfTheAdjointProblemAndHaveTheirCurvature) {
-  const data::Beam beam = beam_with_load_factor(GetParam());
+  const data::Beam beam = AdjointSlipModes::beam();
   const double p = beam.axial_force() / stiffness(beam);
   for (const SlipMode& mode : slip_modes(beam, 4)) {
     const double steepest = std::max(mode.hyperbolic_wave_number(), mode.trigonometric_wave_number());
@@ -185,7 +214,7 @@ TEST_P(AdjointSlipModes, MeetTheBoundaryConditionsOfTheAdjointProblemAndHaveThei
     EXPECT_TRUE(within(adjoint(0.0), 0.0, round_off(6, 1, size)));
     EXPECT_TRUE(within(root.first, 0.0, tolerance(1)));
     EXPECT_TRUE(within(adjoint(2.0), 1.0, round_off(6, 1, size)));
-    EXPECT_TRUE(within(tip.second + p, 0.0, tolerance(2)));
+    EXPECT_TRUE(within(tip.second + (1.0 - direction()) * p, 0.0, tolerance(2)));
     EXPECT_TRUE(within(tip.third + p * tip.first, 0.0, tolerance(3)));
     const auto shape = [&](double x) { return mode.shape(x); };
     for (const double x : {0.3, 0.9, 1.7})
@@ -193,7 +222,20 @@ TEST_P(AdjointSlipModes, MeetTheBoundaryConditionsOfTheAdjointProblemAndHaveThei
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(LoadFactor, AdjointSlipModes, ::testing::Values(0.12, 5.0, 18.0), NameOfDouble());
+TEST_P(AdjointSlipModes, AreTheModesIfTheForceKeepsItsDirection) {
+  if (direction() != 1.0) return;
+  for (const SlipMode& mode : slip_modes(beam(), 4))
+    for (const double x : {0.3, 0.9, 1.7})
+      EXPECT_TRUE(within(mode.adjoint_shape(x), mode.shape(x), round_off(20, 5, 1.0))) << mode.number();
+}
+
+INSTANTIATE_TEST_SUITE_P(LoadFactor, AdjointSlipModes,
+                         ::testing::Values(std::tuple{0.12, 0.0}, std::tuple{5.0, 0.0}, std::tuple{18.0, 0.0},
+                                           std::tuple{12.0, 0.3}, std::tuple{4.0, 0.6}, std::tuple{2.0, 1.0}),
+                         [](const auto& instance) {
+                           return parameter_name(std::get<0>(instance.param)) + "_direction" +
+                                  parameter_name(std::get<1>(instance.param));
+                         });
 
 TEST(SlipModes, FollowerForceRaisesTheFirstFrequencyWhereADeadLoadWouldBuckle) {
   const double dead_load_buckling = 2.467;
@@ -204,12 +246,26 @@ TEST(SlipModes, FollowerForceRaisesTheFirstFrequencyWhereADeadLoadWouldBuckle) {
 STICKSLIP_VERIFIES(FlutterLoad, "A3");
 TEST(FlutterLoad, IsBecks) {
   const data::Beam beam = paper_beam();
-  EXPECT_TRUE(within(flutter_load(beam) * 4.0 / stiffness(beam), kFlutterFactor,
-                     reference(1e-12 * kFlutterFactor, "flutter_load as documented")));
+  EXPECT_TRUE(within(slip_critical_load(beam) * 4.0 / stiffness(beam), kFlutterFactor,
+                     reference(1e-12 * kFlutterFactor, "slip_critical_load as documented")));
+}
+
+TEST(FlutterLoad, GivesWayToABucklingLoadWhichIsRefusedAsSuch) {
+  for (const double factor : {2.468, 30.0}) {
+    try {
+      (void)slip_modes(beam_with_load_factor(factor, 1.0), 1);
+      FAIL() << "accepted P L^2/EI = " << factor;
+    } catch (const data::FieldError& error) {
+      EXPECT_EQ(error.field(), "beam.axial_force");
+      EXPECT_NE(std::string(error.what()).find("below the buckling load of the slip state, 10280.8"),
+                std::string::npos)
+          << error.what();
+    }
+  }
 }
 
 TEST(FlutterLoad, DoesNotDependOnTheBeamsOwnAxialForce) {
-  EXPECT_EQ(flutter_load(paper_beam_with_axial_force(-1e4)), flutter_load(paper_beam()));
+  EXPECT_EQ(slip_critical_load(paper_beam_with_axial_force(-1e4)), slip_critical_load(paper_beam()));
 }
 
 TEST(FlutterLoad, IsWhereTheTwoLowestFrequenciesCoalesceAsASquareRoot) {

@@ -85,7 +85,7 @@ Values ritz_frequencies(const data::Beam& beam, const ShearProperties& shear, Ti
   return frequencies;
 }
 
-STICKSLIP_VERIFIES(TimoshenkoModes, "A10");
+STICKSLIP_VERIFIES(TimoshenkoModes, "A11");
 TEST(TimoshenkoModes, AreAllThoseOfASpectralDiscretisationBelowTheCutOff) {
   constexpr ShearProperties shear{};
   for (const data::Beam& beam : {slender, stout})

@@ -30,7 +30,7 @@ struct Line {
   [[nodiscard]] bool is_integer() const { return key == "elements" || key == "modes"; }
   [[nodiscard]] bool is_optional() const {
     return table == "damping" || table == "numerics" || key == "viscous" || key == "kinetic_coefficient" ||
-           key == "duration";
+           key == "duration" || key == "axial_direction";
   }
 };
 
@@ -42,6 +42,7 @@ const std::vector<Line>& valid_lines() {
                                        {"beam", "density", "1000"},
                                        {"beam", "youngs_modulus", "2e9"},
                                        {"beam", "axial_force", "500.0"},
+                                       {"beam", "axial_direction", "0.5"},
                                        {"friction", "", ""},
                                        {"friction", "static_coefficient", "0.6"},
                                        {"friction", "kinetic_coefficient", "0.3"},
@@ -153,6 +154,7 @@ TEST_F(CaseFile, IsReadKeyByKey) {
   EXPECT_EQ(problem.beam.density(), 1000.0);
   EXPECT_EQ(problem.beam.youngs_modulus(), 2e9);
   EXPECT_EQ(problem.beam.axial_force(), 500.0);
+  EXPECT_EQ(problem.beam.axial_direction(), 0.5);
   EXPECT_EQ(problem.friction.static_coefficient(), 0.6);
   EXPECT_EQ(problem.friction.kinetic_coefficient(), 0.3);
   EXPECT_EQ(problem.friction.decay(), 1.0);
@@ -241,7 +243,8 @@ TEST_F(CaseFile, RefusesAMisspeltKeyAndSuggestsTheRightOne) {
 // What a record of a map keeps of its case.
 TEST_F(CaseFile, IsTheSameAgainFromItsNumbers) {
   std::vector<data::Override> overrides;
-  for (const char* text : {"friction.viscous=0.02", "damping.ratio=0.01", "damping.kelvin_voigt=1e-5"})
+  for (const char* text : {"friction.viscous=0.02", "damping.ratio=0.01", "damping.kelvin_voigt=1e-5",
+                           "beam.axial_direction=0.25"})
     overrides.push_back(data::Override::parse(text));
   const data::Case original = data::load_case("damped", overrides);
   const auto numbers = data::numbers_of(original);
@@ -249,20 +252,21 @@ TEST_F(CaseFile, IsTheSameAgainFromItsNumbers) {
   EXPECT_EQ(numbers.at("damping.ratio"), 0.01);
   const data::Case again = data::case_with(original.name, numbers);
   EXPECT_EQ(again.friction.coefficients().viscous, 0.02);
+  EXPECT_EQ(again.beam.axial_direction(), 0.25);
   EXPECT_EQ(data::numbers_of(again), numbers);
 }
 
 TEST_F(CaseFile, SuggestsNothingForAKeyLikeNoOther) {
   const std::string sentence = error_message(valid_case() + "colour_of_the_paint = 'red'\n");
   EXPECT_EQ(sentence,
-            "bar.toml:26: unknown key damping.colour_of_the_paint with the value 'red' (a string), but "
+            "bar.toml:27: unknown key damping.colour_of_the_paint with the value 'red' (a string), but "
             "[damping] has the keys kelvin_voigt, ratio");
 }
 
 TEST_F(CaseFile, RefusesAMisspeltTable) {
   EXPECT_EQ(
       error_message(valid_case() + "[beem]\nlength = 2\n"),
-      "bar.toml:26: unknown table [beem] (did you mean beam?), but a case has the tables beam, friction, "
+      "bar.toml:27: unknown table [beem] (did you mean beam?), but a case has the tables beam, friction, "
       "excitation, numerics, damping, section, uncertainty");
 }
 
@@ -392,7 +396,7 @@ TEST_F(CaseFile, RefusesAnOverrideOfAnUnknownKey) {
       error_message(valid_case(), {{"beam.lenght", "1.8"}}),
       "override beam.lenght=1.8: unknown key beam.lenght (did you mean beam.length?) with the value 1.8 (a "
       "float), but [beam] has the keys length, area, second_moment_of_area, density, youngs_modulus, "
-      "axial_force, material");
+      "axial_force, axial_direction, material");
   EXPECT_TRUE(contains(error_message(valid_case(), {{"length", "1.8"}}), "but a case has the tables beam"));
 }
 

@@ -42,6 +42,7 @@ TEST(InputLimits, OfEachKeyAreAllowedThemselves) {
                                                                   {"beam.density", 1e-6, 1e9},
                                                                   {"beam.youngs_modulus", 1e-3, 1e18},
                                                                   {"beam.axial_force", 1e-18, 1e18},
+                                                                  {"beam.axial_direction", 1e-9, 1.0},
                                                                   {"friction.static_coefficient", 1e-9, 1e6},
                                                                   {"friction.kinetic_coefficient", 1e-9, 1e6},
                                                                   {"friction.decay", 1e-15, 1e15},

@@ -105,6 +105,15 @@ void expect_refused(const Field& field, double value, const std::string& text, c
 }
 
 STICKSLIP_VERIFIES(ProblemTypes, "P1");
+TEST(ProblemTypes, RefuseADirectionOfTheAxialForceThatIsNotBetweenTheTwo) {
+  const Field direction = beam_field("axial_direction", &data::BeamProperties::axial_direction);
+  const std::string allowed = "a number from 0 (follows the tip) to 1 (keeps its direction)";
+  expect_refused(direction, -0.1, "-0.1", allowed);
+  expect_refused(direction, 1.5, "1.5", allowed);
+  expect_refused(direction, std::nan(""), "nan", allowed);
+  for (const double value : {0.0, 0.3, 1.0}) EXPECT_EQ(error_message(direction, value), "accepted");
+}
+
 TEST(ProblemTypes, RefuseWhatIsNotPositiveWhereItMustBe) {
   for (const auto& field : positive_fields()) {
     expect_refused(field, -2.5, "-2.5", "a finite number above 0");

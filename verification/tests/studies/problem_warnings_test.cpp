@@ -233,7 +233,7 @@ TEST(Resonance, IsNoConcernOfAShortADampedOrAnUnmovedBeam) {
 STICKSLIP_VERIFIES(Flutter, "X21");
 TEST(Flutter, IsWarnedOfFromItsLoadOnAndTheRunGoesOn) {
   const data::Beam beam = paper_with().beam;
-  const double flutter = analytic::flutter_load(beam), buckling = analytic::stick_buckling_load(beam);
+  const double flutter = analytic::slip_critical_load(beam), buckling = analytic::stick_buckling_load(beam);
   ASSERT_LT(flutter, buckling);
   for (const double load : {0.9 * flutter, 0.999 * flutter, 0.5 * (flutter + buckling)}) {
     const data::Case problem =
@@ -251,6 +251,33 @@ TEST(Flutter, IsWarnedOfFromItsLoadOnAndTheRunGoesOn) {
     for (int n = 0; n < 20; ++n) run.step();
     EXPECT_TRUE(std::isfinite(run.friction_force()));
   }
+}
+
+TEST(Flutter, GivesWayToBucklingIfTheAxialForceKeepsItsDirection) {
+  for (const double share : {0.99, 1.01}) {
+    // Euler's load of the cantilever.
+    const double euler = std::pow(0.5 * std::numbers::pi / 2.0, 2) * 2e9 * 1e-4 / 12.0;
+    const data::Case problem =
+        paper_with({{"beam.axial_direction", "1"}, {"beam.axial_force", digits(share * euler)}});
+    EXPECT_EQ(warns(problem, Inquiry::event_driven_history, Concern::buckling), share > 1.0);
+    EXPECT_FALSE(warns(problem, Inquiry::event_driven_history, Concern::flutter));
+  }
+  // The estimates of thickness hold for every direction: slopes and third derivatives of the mode itself.
+  const data::Beam beam = paper_with({{"beam.axial_direction", "1"}, {"beam.axial_force", "8000"}}).beam;
+  const auto mode = analytic::slip_modes(beam, 2).back();
+  const double h = 1e-3;
+  double slopes = 0.0, thirds = 0.0, values = 0.0, curvatures = 0.0;
+  for (double x = h; x < 2.0 - 0.5 * h; x += h) {
+    slopes += std::pow((mode.shape(x + h) - mode.shape(x - h)) / (2.0 * h), 2);
+    thirds += std::pow((mode.curvature(x + h) - mode.curvature(x - h)) / (2.0 * h), 2);
+    values += std::pow(mode.shape(x), 2);
+    curvatures += std::pow(mode.curvature(x), 2);
+  }
+  const double error = 0.5 * beam.second_moment_of_area() / beam.area() *
+                       (slopes / values + studies::shear_flexibility * thirds / curvatures);
+  // Ends left out by half a step each, a share of h/L of each integral, and the square of the error itself.
+  EXPECT_TRUE(within(studies::slip_model_error(beam, 2), error,
+                     discretisation(error * (4.0 * h + error), 1.0, "ends of the sums, the square root")));
 }
 
 // --- The published cases

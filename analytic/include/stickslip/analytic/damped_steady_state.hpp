@@ -7,8 +7,8 @@
 ///
 ///     D Y'''' + P Y'' - rho A Omega^2 Y = 0,        Y(0) = A0,  Y'(0) = 0,  D Y''(L) = 0,
 ///
-/// and Y(L) = 0 with the tip held to the wall, or D Y'''(L) = 0 with a tip that slides without friction under
-/// the follower force P. The exponents r of the solutions exp(r x/L) are +-b and +-c,
+/// and Y(L) = 0 with the tip held to the wall, or D Y'''(L) + chi P Y'(L) = 0 with a tip that slides without
+/// friction. The exponents r of the solutions exp(r x/L) are +-b and +-c,
 ///
 ///     b^2 = -z/2 + sqrt(z^2/4 + s^2),   c^2 = -z/2 - sqrt(z^2/4 + s^2),
 ///     z = P L^2/D,                      s^2 = rho A Omega^2 L^4/D,
@@ -25,7 +25,7 @@ namespace stickslip::analytic {
 /// What holds at x = L.
 enum class TipSupport {
   held,  ///< the stick state
-  free   ///< the slip state without friction; also its response beyond the flutter load, stable or not
+  free   ///< the slip state without friction; also its response beyond the flutter or buckling load
 };
 
 /// Complex amplitudes of the steady vibration: a quantity is Im[amplitude exp(i Omega t)], its phase that
@@ -46,11 +46,11 @@ class DampedSteadyState {
   [[nodiscard]] Complex derivative(int order, double x) const;
   /// D = E I (1 + i Omega eta), N m^2.
   [[nodiscard]] Complex rigidity() const noexcept { return rigidity_; }
-  /// f = D Y'''(L), N: the sign of Eq. (28), f = -f_d with the friction force f_d on the beam. Round-off of 0
+  /// f = D Y'''(L) + chi P Y'(L), N: the sign of Eq. (28), f = -f_d with the friction force f_d on the beam. Round-off of 0
   /// with a free tip.
   [[nodiscard]] Complex friction_force() const;
   /// Heat per period, pi Omega eta E I int |Y''|^2 dx, J, with the integral in closed form. It is what the
-  /// base and, with a free tip, the follower force put in: pi Im[A0 D Y'''(0) - P Y'(L) conj(Y(L))].
+  /// base and, with a free tip, the follower force put in: pi Im[A0 D Y'''(0) - (1 - chi) P Y'(L) conj(Y(L))].
   [[nodiscard]] double dissipated_energy() const;
 
  private:
@@ -60,6 +60,7 @@ class DampedSteadyState {
     bool from_clamp{};
   };
 
+  data::Beam beam_;
   double length_;
   double loss_;  // pi Omega eta E I
   Complex rigidity_;

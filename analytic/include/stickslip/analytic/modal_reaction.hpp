@@ -10,13 +10,13 @@ namespace stickslip::analytic {
 /// The share of one mode in the stick-state reaction.
 struct ModalForce {
   double angular_frequency{};  ///< omega_n, rad/s
-  double coefficient{};        ///< c_n = EI U_n'''(L) C_n, N/m
+  double coefficient{};        ///< c_n = [EI U_n''' + chi P U_n'](L) C_n, N/m
 };
 
 /// The stick-state reaction of Eq. (28) per unit amplitude of the base, as a sum over modes: with phi_n =
 /// Omega^2 g_n of Eq. (26),
 ///
-///     f(t)/A0 = s sin(Omega t) + sum_n c_n phi_n(t),        s = EI S'''(L).
+///     f(t)/A0 = s sin(Omega t) + sum_n c_n phi_n(t),        s = [EI S''' + chi P S'](L).
 ///
 /// None of these numbers depends on the excitation.
 struct ModalReaction {

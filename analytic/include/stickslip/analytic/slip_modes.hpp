@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// The slip state in closed form: clamped at x = 0, free at x = L under a tangential (follower) axial force
-/// P: u(0) = u'(0) = 0, u''(L) = 0, EI u'''(L) = 0. The wave numbers are those of stick_modes.hpp; the
-/// characteristic equation (Beck's column with distributed mass), with b = beta L, bb = betabar L, is
+/// The slip state in closed form: clamped at x = 0, free at x = L under the axial force P: u(0) = u'(0) = 0,
+/// u''(L) = 0, EI u'''(L) + chi P u'(L) = 0. The wave numbers are those of stick_modes.hpp; the characteristic
+/// equation, with b = beta L, bb = betabar L and z = bb^2 - b^2 = P L^2/EI, is
 ///
-///     b^4 + bb^4 + 2 b^2 bb^2 cosh(b) cos(bb) + b bb (bb^2 - b^2) sinh(b) sin(bb) = 0.
+///     2 b^2 bb^2 (1 + cosh(b) cos(bb)) + z^2 (1 - chi + chi cosh(b) cos(bb))
+///                                      + (1 - 2 chi) z b bb sinh(b) sin(bb) = 0.
 ///
-/// The problem is not self-adjoint: the two lowest frequencies coalesce at the flutter load 20.05 EI/L^2,
-/// beyond which they are complex.
+/// A follower force (chi = 0, Beck's column with distributed mass) and every chi < 1/2 make the two lowest
+/// frequencies coalesce at the flutter load (20.05 EI/L^2 at chi = 0), beyond which they are complex. From chi
+/// = 1/2 on the lowest frequency falls to 0 first, at the buckling load z = y^2, cos(y) = -(1 - chi)/chi:
+/// pi^2 at chi = 1/2, pi^2/4 at chi = 1 (Euler), where the problem is self-adjoint.
 
 #include <vector>
 
@@ -20,12 +23,15 @@ namespace stickslip::analytic {
 /// Dimensionless; its sign changes are the natural frequencies.
 [[nodiscard]] double slip_characteristic(const data::Beam& beam, double omega);
 
-/// The axial force, N, at which the two lowest slip frequencies coalesce (Beck 1952: 20.05 EI/L^2), by
-/// minimising the characteristic function over the frequency and finding the force at which that minimum is
-/// zero. The beam's own axial_force does not enter. Relative accuracy 1e-12.
-[[nodiscard]] double flutter_load(const data::Beam& beam);
+/// Whether chi >= 1/2: the sliding beam loses its stability by buckling, else by flutter.
+[[nodiscard]] bool buckles_in_slip(const data::Beam& beam);
 
-/// One clamped-free mode under follower load.
+/// The axial force, N, at which the slip state loses its stability. Flutter (Beck 1952: 20.05 EI/L^2 at chi = 0):
+/// minimises the characteristic function over the frequency and finds the force at which that minimum is zero,
+/// relative accuracy 1e-12; buckling: the formula above, to round-off. The beam's own axial_force does not enter.
+[[nodiscard]] double slip_critical_load(const data::Beam& beam);
+
+/// One clamped-free mode.
 class SlipMode {
  public:
   [[nodiscard]] int number() const noexcept { return number_; }
@@ -37,7 +43,7 @@ class SlipMode {
   [[nodiscard]] double shape(double x) const { return value(direct_, x); }
   [[nodiscard]] double curvature(double x) const;  ///< psi''(x), 1/m^2
   /// psi*(x), scaled to 1 at x = L: the mode of the adjoint problem, which has the same frequency, with psi*
-  /// = psi*' = 0 at x = 0 and psi*'' + (P/EI) psi* = psi*''' + (P/EI) psi*' = 0 at x = L. The integral of
+  /// = psi*' = 0 at x = 0 and psi*'' + (1 - chi) (P/EI) psi* = psi*''' + (P/EI) psi*' = 0 at x = L. The integral of
   /// psi*_m psi_n vanishes for m != n.
   [[nodiscard]] double adjoint_shape(double x) const { return value(adjoint_, x); }
 
@@ -64,9 +70,9 @@ class SlipMode {
 /// The first `count` slip modes, ascending. Modes 2m-1 and 2m lie in (2m-2) pi < bb < 2m pi, at whose ends
 /// the characteristic function is positive; between them its minimum is located and each root is bracketed
 /// alone. Precondition 1 <= count <= 1000 (data::FieldError). Throws data::FieldError, naming
-/// beam.axial_force, its value and what is allowed, unless -1e5 EI/L^2 <= P < flutter_load(): at the upper
-/// end the two lowest frequencies become complex; in tension the first one falls as exp(-sqrt(-P L^2/EI)/2),
-/// because a follower force does not straighten the beam, and below the lower end it cannot be represented.
+/// beam.axial_force, its value and what is allowed, unless -1e5 EI/L^2 <= P < slip_critical_load(): in
+/// tension and at chi = 0 the first frequency falls as exp(-sqrt(-P L^2/EI)/2), because a follower force does not
+/// straighten the beam, and below the lower end it cannot be represented.
 [[nodiscard]] std::vector<SlipMode> slip_modes(const data::Beam& beam, int count);
 
 }  // namespace stickslip::analytic

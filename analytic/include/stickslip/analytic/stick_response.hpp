@@ -5,7 +5,7 @@
 /// tip at rest: u(x,0) = 0, u_t(x,0) = S(x) h_t(0), which is what Eq. (26) assumes (erratum E4).
 ///
 ///     u(x,t) = A0 { S(x) sin(Omega t) + sum_n U_n(x) Omega^2 C_n g_n(t) },    y = h + u               (27)
-///     f(t)   = EI u'''(L,t)                                                                           (28)
+///     f(t)   = EI u'''(L,t) + chi P u'(L,t)                                                           (28)
 ///     g_n(t) = (omega_n sin(Omega t) - Omega sin(omega_n t)) / ((Omega^2 - omega_n^2) omega_n)        (26)
 ///
 /// Where Omega and omega_n are close, g_n is evaluated as [omega_n t cos((Omega + omega_n) t/2)
@@ -56,12 +56,12 @@ class StickResponse {
   [[nodiscard]] double base_displacement(double t) const;                ///< h(t), m
   [[nodiscard]] double relative_displacement(double x, double t) const;  ///< u(x,t), m; 0 <= x <= L, t >= 0
   [[nodiscard]] double absolute_displacement(double x, double t) const;  ///< y = h + u, m
-  [[nodiscard]] double friction_force(double t) const;  ///< f(t) = EI u'''(L,t), N, sign of Eq. (28)
+  [[nodiscard]] double friction_force(double t) const;                   ///< f(t), N, sign of Eq. (28)
 
-  /// Amplitude of the part of f at Omega, N: EI A0 [S'''(L) + sum U_n'''(L) Omega^2 C_n/(Omega^2 -
-  /// omega_n^2)], or its exact limit. Infinite where Omega equals a natural frequency, unless A0 = 0.
+  /// Amplitude of the part of f at Omega, N: A0 [r(S) + sum r(U_n) Omega^2 C_n/(Omega^2 - omega_n^2)] with
+  /// r(U) = EI U'''(L) + chi P U'(L), or its exact limit. Infinite where Omega equals a natural frequency, unless A0 = 0.
   [[nodiscard]] double steady_force_amplitude() const;
-  /// The free vibrations in f, one per mode: -EI A0 U_n'''(L) Omega^3 C_n / ((Omega^2 - omega_n^2) omega_n)
+  /// The free vibrations in f, one per mode: -A0 r(U_n) Omega^3 C_n / ((Omega^2 - omega_n^2) omega_n)
   /// at omega_n. Their amplitudes fall as n^-4.
   [[nodiscard]] std::vector<Sinusoid> transient_force() const;
   /// As steady_force_amplitude and transient_force, for u(x, .).

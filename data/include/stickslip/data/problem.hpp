@@ -10,6 +10,9 @@
 ///
 ///     rho A u_tt + E I u_xxxx + P u_xx = -rho A h_tt,      h(t) = A0 sin(2 pi hz t) (1)
 ///
+/// with u = u_x = 0 at x = 0 and, at x = L, u_xx = 0 and the friction force on the beam f_d = -(E I u_xxx +
+/// chi P u_x): the paper has chi = 0, an axial force that follows the tip.
+///
 /// Every quantity is in SI units. Derived quantities (E I, rho A, Omega, mu(v), h(t)) are left to each of the
 /// two implementations on purpose, so that a slip in one of them shows when they are compared.
 
@@ -27,6 +30,9 @@ struct BeamProperties {
   double density{};                ///< rho, kg/m^3, > 0
   double youngs_modulus{};         ///< E, Pa, > 0
   double axial_force{};            ///< P, N, compression positive, any finite value
+  /// chi, 0 <= chi <= 1: P has the slope (1 - chi) u_x(L), 0 if it follows the tip (the paper), 1 if it keeps
+  /// its direction (a dead load, the normal force of a flat wall)
+  double axial_direction{};
 };
 
 /// A uniform, slender beam. Cannot be built invalid.
@@ -41,6 +47,7 @@ class Beam {
   [[nodiscard]] double density() const noexcept { return properties_.density; }
   [[nodiscard]] double youngs_modulus() const noexcept { return properties_.youngs_modulus; }
   [[nodiscard]] double axial_force() const noexcept { return properties_.axial_force; }
+  [[nodiscard]] double axial_direction() const noexcept { return properties_.axial_direction; }
   [[nodiscard]] const BeamProperties& properties() const noexcept { return properties_; }
 
  private:

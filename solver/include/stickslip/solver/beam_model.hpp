@@ -13,13 +13,15 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 /// The beam on a uniform mesh, clamped at x = 0 (those two degrees of freedom are gone), both degrees of
 /// freedom of the tip kept: q = (w_1, theta_1, ..., w_n, theta_n), relative to the base, in m and rad.
 ///
-/// Slip state, Eq. (9):    M q_tt + K_slip q  = -b h_tt + e_w f_d,   K_slip = K - P K_G + P e_w e_theta^T
+/// Slip state, Eq. (9):    M q_tt + K_slip q  = -b h_tt + e_w f_d,
+///                         K_slip = K - P K_G + (1 - chi) P e_w e_theta^T
 /// Stick state, Eq. (8):   the same rows without that of w_L, whose motion is prescribed,  K_stick = K - P K_G.
 ///
 /// e_w and e_theta pick the tip's deflection and rotation, b = rho A int N dx. The last term of K_slip is the
 /// follower term: the weak form leaves -w(L) (EI u''' + P u') at the tip, and the boundary condition is EI
-/// u''' = -f_d without P u'. It makes K_slip unsymmetric. In both states the friction force on the beam is
-/// the w_L row of the slip-state balance, f_d = [M q_tt + K_slip q + b h_tt]_w = -EI u'''(L).
+/// u''' + chi P u' = -f_d, with chi = 0 in the paper. It makes K_slip unsymmetric; at chi = 1, an axial force of
+/// fixed direction, it is absent. In both states the friction force on the beam is the w_L row of the slip-state
+/// balance, f_d = [M q_tt + K_slip q + b h_tt]_w = -[EI u''' + chi P u'](L).
 class BeamModel {
  public:
   /// Throws data::FieldError, naming numerics.elements, if elements < 1.
@@ -36,6 +38,10 @@ class BeamModel {
   [[nodiscard]] const SparseMatrix& geometric_stiffness() const noexcept { return geometric_; }  ///< K_G
   /// K - P K_G.
   [[nodiscard]] const SparseMatrix& stick_stiffness() const noexcept { return stick_stiffness_; }
+  /// (1 - chi) P, N: the part of the axial force that follows the tip.
+  [[nodiscard]] double follower_force() const noexcept {
+    return (1.0 - beam_.axial_direction()) * beam_.axial_force();
+  }
   /// The same with the follower term.
   [[nodiscard]] const SparseMatrix& slip_stiffness() const noexcept { return slip_stiffness_; }
   /// The two parts of 1/2 q^T K_stick q: 1/2 q^T K q of bending and -P/2 q^T K_G q of the axial force, J.

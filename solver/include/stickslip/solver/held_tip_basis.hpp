@@ -20,7 +20,7 @@ namespace stickslip::solver {
 ///     M = [I  g; g^T  sigma^T M sigma],   g = Phi^T M sigma,
 ///     K_stick = diag(omega^2, sigma^T K_stick sigma),
 ///
-/// and K_slip adds the follower term, the row P e_theta^T [Phi sigma] of the tip.
+/// and K_slip adds the follower term, the row (1 - chi) P e_theta^T [Phi sigma] of the tip.
 struct HeldTipBasis {
   Eigen::MatrixXd modes;                ///< Phi, by columns
   Eigen::VectorXd static_shape;         ///< sigma

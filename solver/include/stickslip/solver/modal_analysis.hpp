@@ -24,11 +24,11 @@ struct FiniteElementMode {
 [[nodiscard]] std::vector<FiniteElementMode> stick_modes(const BeamModel& model, int count);
 
 /// The `count` lowest eigenvalues omega^2 of the slip state, (K_slip - omega^2 M) phi = 0, rad^2/s^2, by
-/// modulus; complex pairs beyond the flutter load.
+/// modulus; complex pairs beyond the flutter load, one below 0 beyond the buckling load.
 [[nodiscard]] std::vector<std::complex<double>> slip_eigenvalues(const BeamModel& model, int count);
 
 /// The `count` lowest modes of the slip state. Throws data::FieldError, naming beam.axial_force, if one of
-/// them has a complex frequency (flutter).
+/// them has no real frequency (flutter or buckling).
 [[nodiscard]] std::vector<FiniteElementMode> slip_modes(const BeamModel& model, int count);
 
 /// The lowest axial force, N, at which K - P K_G with w_L = 0 becomes singular.

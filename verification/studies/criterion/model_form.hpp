@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// The effect of a choice in the model: the axial force follows the tip in the paper (chi = 0), but the normal
+/// force of a flat wall keeps its direction (chi = 1).
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "stickslip/data/problem.hpp"
+
+namespace stickslip::studies {
+
+/// The criterion over the plane of a figure of the paper with chi = 1 against chi = 0, closed form.
+struct AxialDirectionPlane {
+  std::string figures;  ///< "10 to 12"
+  data::Case problem;
+  std::size_t cells{};    ///< with a stick state
+  std::size_t flipped{};  ///< of these, with another verdict
+  /// |f_max| with chi = 1 over that with chi = 0, over the cells.
+  double lowest_ratio{}, highest_ratio{};
+  std::size_t buckled{};  ///< cells at which the sliding beam with chi = 1 is at its buckling load or over it
+  double slip_buckling_load{};  ///< of the beam of the case with chi = 1, N
+  [[nodiscard]] double flipped_share() const {
+    return static_cast<double>(flipped) / static_cast<double>(cells);
+  }
+  [[nodiscard]] double buckled_share() const {
+    return static_cast<double>(buckled) / static_cast<double>(cells);
+  }
+};
+
+/// |f_max| with chi = 1 over that with chi = 0 at one frequency, numerics.duration() and modes() of the case.
+struct AxialDirectionForce {
+  double frequency_hz{}, ratio{};
+};
+
+struct ModelForm {
+  std::vector<AxialDirectionForce> forces;  ///< of the paper's beam at the frequencies of Fig. 12
+  std::vector<AxialDirectionPlane> planes;  ///< Figs. 10 to 12, which share one plane, 13 and 14
+};
+
+/// `paper`, `half_stiffness` and `flat_section` are the cases of Figs. 10 to 12, 13 and 14. The planes are the
+/// excitations of Fig. 12 and, for Fig. 14, `lengths` from 0.4 to 2 m (at least 2) by figure14_axial_forces().
+[[nodiscard]] ModelForm model_form(const data::Case& paper, const data::Case& half_stiffness,
+                                   const data::Case& flat_section, int lengths);
+
+}  // namespace stickslip::studies

@@ -1,0 +1,377 @@
+// SPDX-License-Identifier: MIT
+/// The direction of the axial force, chi, in both implementations: 0 follows the tip, 1 keeps its direction.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "stickslip/analytic/beam_contact_model.hpp"
+#include "stickslip/analytic/damped_steady_state.hpp"
+#include "stickslip/analytic/modal_reaction_table.hpp"
+#include "stickslip/analytic/slip_modes.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/analytic/tip_mobility.hpp"
+#include "stickslip/data/case_file.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
+#include "stickslip/solver/contact_mobility.hpp"
+#include "stickslip/solver/modal_analysis.hpp"
+#include "studies/criterion/criterion_map.hpp"
+#include "studies/criterion/model_form.hpp"
+#include "studies/criterion/scope.hpp"
+#include "studies/stick/frequencies.hpp"
+#include "studies/stick_slip/damped_benchmark.hpp"
+#include "studies/stick_slip/energy_audit.hpp"
+#include "support/beams.hpp"
+#include "support/order.hpp"
+#include "support/parameter_name.hpp"
+#include "support/requirements.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+double rigidity_of(const data::Beam& beam) { return beam.youngs_modulus() * beam.second_moment_of_area(); }
+
+// P = factor EI/L^2.
+data::Beam beam_with(double axial_direction, double factor) {
+  data::BeamProperties properties = paper_beam_properties();
+  properties.axial_force = factor * rigidity_of(paper_beam()) / (properties.length * properties.length);
+  properties.axial_direction = axial_direction;
+  return data::Beam(properties);
+}
+
+data::Case case_with_direction(const std::string& name, double axial_direction) {
+  return studies::with_value(data::load_case(name), studies::Parameter::axial_direction, axial_direction);
+}
+
+double critical_factor(double axial_direction) {
+  const data::Beam beam = beam_with(axial_direction, 0.0);
+  return analytic::slip_critical_load(beam) * beam.length() * beam.length() / rigidity_of(beam);
+}
+
+// The load factor up to which all slip frequencies of a mesh are real, to 1e-11.
+double critical_factor_of_the_mesh(double axial_direction, int elements) {
+  const auto is_stable = [&](double factor) {
+    const solver::BeamModel mesh(beam_with(axial_direction, factor), elements);
+    return std::ranges::all_of(solver::slip_eigenvalues(mesh, 2), [](const std::complex<double>& square) {
+      return square.imag() == 0.0 && square.real() > 0.0;
+    });
+  };
+  double low = 0.0, high = 0.5;
+  while (is_stable(high)) low = high, high += 0.5;
+  while (high - low > 1e-11) {
+    const double middle = 0.5 * (low + high);
+    (is_stable(middle) ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+STICKSLIP_VERIFIES(SlipCriticalLoad, "X23");
+TEST(SlipCriticalLoad, IsBecksFlutterLoadAndEulersBucklingLoad) {
+  EXPECT_TRUE(within(critical_factor(0.0), 20.050953618973761, reference(4e-11, "1e-12 of it")));
+  const double euler = std::pow(std::numbers::pi, 2) / 4.0;
+  EXPECT_TRUE(within(critical_factor(1.0), euler, round_off(8, 2, euler)));
+}
+
+class BucklingInSlip : public ::testing::TestWithParam<double> {};
+
+// The static shapes of the mesh are those of the beam with another wave number: y^2 (1 + y^4/(720 n^4)
+// [1 - 11 y^2/(210 n^2)]), y^2 the load factor, whatever the condition at the tip. (The strain energy of the
+// interpolant lacks y^4/(720 n^4) [1 - y^2/(35 n^2)], the work of P has y^6/(30240 n^6) too little.)
+STICKSLIP_VERIFIES(BucklingInSlip, "X23");
+TEST_P(BucklingInSlip, OfTheMeshConvergesToTheClosedFormWithOrderFourAndThePredictedConstant) {
+  const double exact = critical_factor(GetParam());
+  std::vector<OrderLevel> levels;
+  for (const int n : {3, 4, 6, 8}) {
+    const double next = 11.0 / 210.0 * exact / (n * n);
+    levels.push_back({.step = 1.0 / n,
+                      .error = critical_factor_of_the_mesh(GetParam(), n) - exact,
+                      .next_term = 1.2 * next,
+                      .floor = 1e-10});
+  }
+  EXPECT_TRUE(order_is(levels, 4.0, std::pow(exact, 3) / 720.0));
+}
+
+INSTANTIATE_TEST_SUITE_P(AxialDirection, BucklingInSlip, ::testing::Values(0.501, 0.6, 0.8, 1.0),
+                         NameOfDouble());
+
+TEST(SlipCriticalLoad, OfTheMeshConvergesWithOrderFourWhereItIsFlutter) {
+  // As FlutterLoadOrder: beta_bar L = 5.0 where the modes meet, four times (beta_bar l)^2/40 at a free tip.
+  for (const double axial_direction : {0.2, 0.45}) {
+    const double exact = critical_factor(axial_direction);
+    std::vector<OrderLevel> levels;
+    for (const int n : {4, 6, 8, 12, 16})
+      levels.push_back({.step = 1.0 / n,
+                        .error = critical_factor_of_the_mesh(axial_direction, n) - exact,
+                        .next_term = 0.1 * std::pow(5.0 / n, 2),
+                        .floor = 1e-9});
+    EXPECT_TRUE(order_is(levels, 4.0)) << axial_direction;
+  }
+}
+
+// The chi from which on the tip has no static stiffness under some load factor: the stiffness that meets a
+// unit deflection of the tip is k + (1 - chi) m, with m the transverse part of a follower force, and its zero
+// chi = 1 + k/m is least at y = pi.
+double least_chi(const std::function<double(double)>& stiffness_over_follower) {
+  double low = 8.0, high = 12.0;
+  while (high - low > 1e-6) {  // the minimum is flat: 1e-12 of it is left
+    const double first = low + (high - low) / 3.0, second = high - (high - low) / 3.0;
+    (stiffness_over_follower(first) < stiffness_over_follower(second) ? high : low) =
+        stiffness_over_follower(first) < stiffness_over_follower(second) ? second : first;
+  }
+  return 1.0 + stiffness_over_follower(0.5 * (low + high));
+}
+
+TEST(SlipCriticalLoad, ChangesFromFlutterToBucklingAtOneHalfInBothImplementations) {
+  const auto beam_ratio = [](double factor) {
+    const analytic::BeamContactModel beam(beam_with(0.0, factor), paper_friction(),
+                                          data::HarmonicExcitation({25.0, 1e-3}), {}, 1);
+    return beam.model().contact_stiffness / beam.model().contact_follower;
+  };
+  EXPECT_TRUE(within(least_chi(beam_ratio), 0.5, reference(1e-11, "the flat minimum, round-off")));
+  // On a mesh the wave number is another one, and the minimum over it is the same.
+  for (const int elements : {2, 5, 20}) {
+    const auto mesh_ratio = [elements](double factor) {
+      const solver::BeamModel mesh(beam_with(0.0, factor), elements);
+      const Eigen::VectorXd shape = mesh.unit_tip_deflection();
+      return (mesh.stick_stiffness() * shape)[mesh.tip_deflection()] /
+             (mesh.follower_force() * shape[mesh.tip_rotation()]);
+    };
+    EXPECT_TRUE(within(least_chi(mesh_ratio), 0.5,
+                       reference(1e-11 + round_off(10, std::pow(elements, 4), 1.0).value,
+                                 "the flat minimum, condition of the stiffness")))
+        << elements;
+  }
+  // So the beam below is stable up to its flutter load, and the one above it is not at pi^2.
+  EXPECT_NO_THROW((void)analytic::slip_modes(beam_with(0.499, 9.87), 2));
+  EXPECT_NO_THROW((void)solver::slip_modes(solver::BeamModel(beam_with(0.499, 9.87), 20), 2));
+  EXPECT_THROW((void)analytic::slip_modes(beam_with(0.501, 9.87), 2), data::FieldError);
+  EXPECT_THROW((void)solver::slip_modes(solver::BeamModel(beam_with(0.501, 9.87), 20), 2), data::FieldError);
+  EXPECT_FALSE(analytic::buckles_in_slip(beam_with(0.499, 0.0)));
+  EXPECT_TRUE(analytic::buckles_in_slip(beam_with(0.501, 0.0)));
+}
+
+class AxialDirection : public ::testing::TestWithParam<double> {};
+
+STICKSLIP_VERIFIES(AxialDirection, "X23");
+TEST_P(AxialDirection, LeavesTheStickFrequenciesAlone) {
+  for (int i = 0; i < 3; ++i) {
+    const auto number = static_cast<std::size_t>(i);
+    EXPECT_EQ(analytic::stick_modes(beam_with(GetParam(), 2.0), 3)[number].angular_frequency(),
+              analytic::stick_modes(beam_with(0.0, 2.0), 3)[number].angular_frequency());
+    EXPECT_EQ(
+        solver::stick_modes(solver::BeamModel(beam_with(GetParam(), 2.0), 8), 3)[number].angular_frequency,
+        solver::stick_modes(solver::BeamModel(beam_with(0.0, 2.0), 8), 3)[number].angular_frequency);
+  }
+}
+
+TEST_P(AxialDirection, GivesTheMeshTheSlipFrequenciesOfTheBeamWithOrderFour) {
+  // As SlipFrequencyOrder; the axial force changes the constants, which are left out here, and lengthens the
+  // trigonometric wave number, whose square is that of the hyperbolic one and the load factor, 2.
+  const auto study = studies::slip_frequency_study(beam_with(GetParam(), 2.0), 3, {8, 12, 16, 24, 32});
+  for (const auto& mode : study.modes) {
+    std::vector<OrderLevel> levels;
+    for (std::size_t i = 0; i < study.elements.size(); ++i) {
+      const double length = 1.0 / study.elements[i];
+      const double beta_length = (mode.mode - 0.4) * std::numbers::pi;
+      levels.push_back({.step = length,
+                        .error = std::abs(mode.relative_error[i]),
+                        .next_term = 0.1 * (std::pow(beta_length, 2) + 2.0) * length * length,
+                        .floor = 1e-11});
+    }
+    EXPECT_TRUE(order_is(levels, 4.0)) << "mode " << mode.mode;
+  }
+}
+
+TEST_P(AxialDirection, GivesTheMeshTheSteadyForceOfTheHeldBeamWithOrderFour) {
+  // (beta l)^2/10 as in MeshedHistory, with beta L = 3.9 of mode 1, below whose frequency the excitation stays:
+  // above it the constant passes zero.
+  const data::Case damped = case_with_direction("damped", GetParam());
+  for (const double hz : {5.0, 20.0}) {
+    const data::Case at = studies::with_value(damped, studies::Parameter::frequency, hz);
+    const double force =
+        std::abs(analytic::DampedSteadyState(at.beam, at.excitation, at.damping, analytic::TipSupport::held)
+                     .friction_force());
+    std::vector<OrderLevel> levels;
+    for (const int n : {4, 6, 8, 12})
+      levels.push_back({.step = 1.0 / n,
+                        .error = std::abs(studies::finite_element_steady_force(at, n) - force),
+                        .next_term = std::pow(3.93 / n, 2) / 10.0,
+                        .floor = 1e-11 * force});
+    EXPECT_TRUE(order_is(levels, 4.0)) << hz;
+  }
+}
+
+TEST_P(AxialDirection, GivesTheMobilityItsPolesZerosAndStaticLimitAndTheMeshTheSameWithOrderFour) {
+  const double factor = 2.0, y = std::sqrt(factor), chi = GetParam();
+  const data::Beam beam = beam_with(chi, factor);
+  const analytic::TipMobility mobility(beam);
+  // The shape 1 - cos(y xi) - tan(y) (y xi - sin(y xi)) has no moment at the tip.
+  const double flexibility = (std::tan(y) - y) / (1.0 - (1.0 - chi) * (1.0 - 1.0 / std::cos(y))) /
+                             std::pow(y, 3) * std::pow(beam.length(), 3) / rigidity_of(beam) * 1.0;
+  const double small = 1e-6;
+  EXPECT_TRUE(within(std::abs(mobility(small) / small), std::abs(flexibility),
+                     round_off(30, 10, std::abs(flexibility))));
+  for (const auto& mode : analytic::slip_modes(beam, 4)) {
+    const auto at = [&](double share) { return 1.0 / mobility({0.0, mode.angular_frequency() * share}); };
+    EXPECT_TRUE(
+        within(std::abs(2e-6 * at(1.0) / (at(1.0 + 1e-6) - at(1.0 - 1e-6))), 0.0, round_off(10, 5, 1.0)))
+        << mode.number();
+  }
+  for (const auto& mode : analytic::stick_modes(beam, 4)) {
+    const auto at = [&](double share) { return mobility({0.0, mode.angular_frequency() * share}); };
+    EXPECT_TRUE(
+        within(std::abs(2e-6 * at(1.0) / (at(1.0 + 1e-6) - at(1.0 - 1e-6))), 0.0, round_off(10, 5, 1.0)))
+        << mode.number();
+  }
+  const data::Damping damping({.kelvin_voigt = 1e-4});
+  const std::complex<double> s(60.0, 150.0);
+  const auto damped = analytic::TipMobility(beam, damping)(s);
+  const auto base = solver::harmonic_motion(data::HarmonicExcitation({25.0, 1e-3}));
+  std::vector<OrderLevel> levels;
+  for (const int n : {8, 12, 16, 24}) {
+    const auto system =
+        solver::beam_contact_system(solver::BeamModel(beam, n), paper_friction(), base, damping);
+    levels.push_back({.step = 1.0 / n,
+                      .error = std::abs(solver::ContactMobility(system)(s) - damped),
+                      .next_term = std::pow(6.0 / n, 2) / 10.0,
+                      .floor = round_off(1, std::pow(n, 4), std::abs(damped)).value});
+  }
+  EXPECT_TRUE(order_is(levels, 4.0));
+}
+
+TEST_P(AxialDirection, KeepsTheFreeTipOfTheDampedSteadyStateFreeOfForce) {
+  const data::Beam beam = beam_with(GetParam(), 2.0);
+  for (const double hz : {1.0, 25.0, 400.0})
+    for (const double eta : {0.0, 6.4e-5}) {
+      const data::HarmonicExcitation excitation({.frequency_hz = hz, .amplitude = 1e-3});
+      const analytic::DampedSteadyState free(beam, excitation, data::Damping({.kelvin_voigt = eta}),
+                                             analytic::TipSupport::free);
+      double largest = 0.0;
+      for (int i = 0; i <= 100; ++i)
+        largest = std::max(largest, std::abs(free.rigidity() * free.derivative(3, 0.02 * i)));
+      EXPECT_TRUE(within(std::abs(free.friction_force()), 0.0, round_off(50, 45, largest))) << hz;
+      EXPECT_TRUE(within(std::abs(free.derivative(1, 0.0)), 0.0, round_off(50, 45, 1.0))) << hz;
+      // What the base and the follower part of P put in is what becomes heat.
+      const auto tip = free.displacement(2.0), slope = free.derivative(1, 2.0);
+      const double follower = (1.0 - GetParam()) * beam.axial_force();
+      const double put_in =
+          std::numbers::pi *
+          (1e-3 * free.rigidity() * free.derivative(3, 0.0) - follower * slope * std::conj(tip)).imag();
+      const double scale = std::abs(1e-3 * free.rigidity() * free.derivative(3, 0.0));
+      EXPECT_TRUE(within(put_in, free.dissipated_energy(), round_off(200, 45, scale))) << hz;
+    }
+}
+
+TEST_P(AxialDirection, IsInTheStaticReactionAndInTheTableOfReactions) {
+  // S'''(L) + chi p S'(L) = S'''(L) [1 - chi (1 - cos y)], which vanishes at chi = 1, y = pi/2.
+  const analytic::ModalReactionTable table(0.0, 10.0, 6, GetParam());
+  for (const double factor : {0.0, 0.12, 2.4674, 5.0, 9.9}) {
+    const data::Beam beam = beam_with(GetParam(), factor);
+    const auto direct = analytic::modal_reaction(beam, 6),
+               follower = analytic::modal_reaction(beam_with(0.0, factor), 6);
+    const double share = 1.0 - GetParam() * (1.0 - std::cos(std::sqrt(factor)));
+    EXPECT_TRUE(
+        within(direct.quasi_static, share * follower.quasi_static, round_off(20, 5, follower.quasi_static)));
+    const auto tabulated = table.at(beam);
+    EXPECT_TRUE(
+        within(tabulated.quasi_static, direct.quasi_static, round_off(20, 20, follower.quasi_static)));
+    for (std::size_t n = 0; n < direct.modes.size(); ++n)
+      EXPECT_TRUE(within(tabulated.modes[n].coefficient, direct.modes[n].coefficient,
+                         round_off(20, 100, follower.modes[n].coefficient)))
+          << n;
+    EXPECT_FALSE(table.holds(beam_with(0.5 * (1.0 + GetParam()) - 0.1, factor)));
+  }
+}
+
+TEST_P(AxialDirection, BalancesTheEnergyOfADampedHistoryWithTheShareOfTheForceThatFollows) {
+  const auto audit = studies::energy_audit(case_with_direction("damped", GetParam()), 0.09, {6}, 10,
+                                           {1e-5, 5e-6, 2.5e-6, 1.25e-6});
+  const double work = audit.event_driven.base_work;
+  // The integrator keeps 1e-12 of the state a step, in some thousand steps.
+  EXPECT_TRUE(within(audit.event_driven_residual(), 0.0, reference(1e-8 * work, "the integrator")));
+  std::vector<double> residuals;
+  for (const auto& balance : audit.meshes.front().stepped) residuals.push_back(std::abs(balance.residual()));
+  EXPECT_TRUE(order_is(
+      order_levels(
+          audit.time_step, residuals, [](double h) { return 1770.0 * h; }, round_off(1e5, 1, 1.0).value),
+      2.0));
+  if (GetParam() == 1.0) {
+    EXPECT_EQ(audit.event_driven.follower_work, 0.0);
+    EXPECT_EQ(audit.meshes.front().stepped.back().follower_work, 0.0);
+  } else {
+    EXPECT_NE(audit.event_driven.follower_work, 0.0);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Chi, AxialDirection, ::testing::Values(0.0, 0.3, 1.0), NameOfDouble());
+
+STICKSLIP_VERIFIES(DeadLoadHistory, "X23");
+TEST(DeadLoadHistory, IsTheSameByFiniteElementsInTimeStepsAndByContinuousModesFromEventToEvent) {
+  // As DampedBenchmark: mesh error of order 4, error of the step of order 2, margin 3 for both together.
+  const auto benchmark =
+      studies::damped_benchmark(case_with_direction("damped", 1.0), {.duration = 0.1,
+                                                                     .modes = 28,
+                                                                     .other_modes = {10},
+                                                                     .event_driven_elements = {10},
+                                                                     .elements = {20, 40},
+                                                                     .time_steps = {1e-5, 5e-6}});
+  ASSERT_GE(benchmark.events.size(), 5u);
+  const auto run = [&](int size, double step) {
+    return *std::ranges::find_if(benchmark.runs, [&](const studies::BenchmarkRun& candidate) {
+      return candidate.method == "generalised-alpha" && candidate.size == size && candidate.time_step == step;
+    });
+  };
+  const auto coarse = run(20, 5e-6), fine = run(40, 5e-6), longer = run(40, 1e-5);
+  const double time = coarse.all.time / 15.0 + std::abs(longer.all.time - fine.all.time) / 3.0;
+  const double position =
+      coarse.all.position / 15.0 + std::abs(longer.all.position - fine.all.position) / 3.0;
+  EXPECT_TRUE(within(fine.all.time, 0.0, discretisation(time, 3.0, "Richardson")));
+  EXPECT_TRUE(within(fine.all.position, 0.0, discretisation(position, 3.0, "Richardson")));
+  // And it is not the history under a follower force.
+  const auto follower =
+      studies::damped_benchmark(case_with_direction("damped", 0.0), {.duration = 0.1,
+                                                                     .modes = 10,
+                                                                     .other_modes = {},
+                                                                     .event_driven_elements = {},
+                                                                     .elements = {},
+                                                                     .time_steps = {}});
+  EXPECT_GT(std::abs(follower.events.front().event.time - benchmark.events.front().event.time),
+            100.0 * fine.all.time);
+}
+
+STICKSLIP_VERIFIES(ModelForm, "X23");
+TEST(ModelForm, OfTheAxialForceIsThatOfTheMapsAndBucklesTheSectionOfFigure14) {
+  const data::Case flat = data::load_case("paper-figure14");
+  const auto form =
+      studies::model_form(data::load_case("paper"), data::load_case("paper-half-stiffness"), flat, 5);
+  ASSERT_EQ(form.planes.size(), 3u);
+  const double euler = std::pow(std::numbers::pi / flat.beam.length(), 2) / 4.0 * rigidity_of(flat.beam);
+  EXPECT_TRUE(within(form.planes[2].slip_buckling_load, euler, round_off(8, 2, euler)));
+  EXPECT_LT(euler, flat.beam.axial_force());
+  EXPECT_GT(form.planes[2].buckled, 0u);
+  for (const auto& plane : form.planes) {
+    EXPECT_LE(plane.flipped, plane.cells);
+    EXPECT_LT(plane.highest_ratio, 1.0) << plane.figures;
+  }
+  // The less, the faster: the force tends to cos(y) of itself where the beam is massless.
+  const double massless = std::cos(std::sqrt(paper_beam().axial_force() * 4.0 / rigidity_of(paper_beam())));
+  EXPECT_GT(form.forces.front().ratio, massless);
+  EXPECT_LT(form.forces.front().ratio, form.forces.back().ratio);
+  // Over the direction itself, by the map: neither by the table nor by one reaction for all cells.
+  const auto map = studies::criterion_map(
+      data::load_case("paper"), studies::map_axis(studies::Parameter::axial_direction, 0.0, 1.0, 2, false),
+      {.parameter = studies::Parameter::frequency, .values = {form.forces.front().frequency_hz}},
+      studies::MapMethod::closed_form);
+  EXPECT_TRUE(within(*map.cells[1].force_ratio / *map.cells[0].force_ratio, form.forces.front().ratio,
+                     reference(2e-10, "the width of the bounds")));
+}
+
+}  // namespace
+}  // namespace stickslip::testing
