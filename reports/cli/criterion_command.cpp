@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "case_options.hpp"
 #include "commands.hpp"
@@ -15,6 +17,7 @@
 #include "render/interruption.hpp"
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/damped_steady_state.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
 
 namespace stickslip::cli {
 
@@ -99,6 +102,67 @@ std::optional<SteadyState> steady_state_if_any(const data::Case& problem) {
   return steady_state(problem);
 }
 
+// mu_s P over the largest |f|: below 1 the tip slips.
+analytic::Bounds margin_of(const analytic::Criterion& criterion) {
+  return {criterion.friction_limit / criterion.force_max.upper,
+          criterion.friction_limit / criterion.force_max.lower};
+}
+
+// The first natural frequency of the stick state above that of the excitation.
+struct NaturalFrequency {
+  int mode{};
+  double hz{};
+};
+
+std::optional<NaturalFrequency> next_natural_frequency(const data::Case& problem) {
+  constexpr int most_modes = 200;
+  int mode = 0;
+  for (const analytic::StickMode& shape : analytic::stick_modes(problem.beam, most_modes)) {
+    const double hz = shape.angular_frequency() / (2.0 * std::numbers::pi);
+    ++mode;
+    if (hz > problem.excitation.frequency_hz()) return NaturalFrequency{mode, hz};
+  }
+  return std::nullopt;
+}
+
+// One key changed by a tenth, and the margin that it gives.
+struct Change {
+  std::string_view key;
+  double factor{}, margin{};
+};
+
+// Of changes of one key by a tenth, the one with the largest margin. Those after which there is no stick state are
+// left out.
+Change best_change(const data::Case& problem) {
+  Change best;
+  for (const std::string_view key :
+       {"excitation.amplitude", "excitation.frequency_hz", "beam.length", "beam.axial_force",
+        "beam.youngs_modulus", "beam.density", "friction.static_coefficient"})
+    for (const double factor : {0.9, 1.1}) {
+      auto numbers = data::numbers_of(problem);
+      numbers.at(std::string(key)) *= factor;
+      numbers.at("friction.kinetic_coefficient") = 0.0;  // which has no part in the criterion
+      const data::Case changed = data::case_with(problem.name, numbers);
+      if (changed.beam.axial_force() >= analytic::stick_buckling_load(changed.beam)) continue;
+      const double margin = margin_of(criterion_of(changed, changed.excitation, changed.numerics.modes(),
+                                                   analytic::SteadyPart::modal_sum))
+                                .lower;
+      if (margin > best.margin) best = {key, factor, margin};
+    }
+  return best;
+}
+
+// What an engineer asks next.
+struct Outlook {
+  std::optional<NaturalFrequency> next;
+  Change change;
+};
+
+Outlook outlook_of(const data::Case& problem) {
+  return {next_natural_frequency(problem),
+          problem.excitation.amplitude() > 0.0 ? best_change(problem) : Change{}};
+}
+
 std::string seven_digits(double value) { return fmt::format("{:.7g}", value); }
 
 void print_row(std::string_view name, std::string_view left, std::string_view right = "") {
@@ -106,7 +170,7 @@ void print_row(std::string_view name, std::string_view left, std::string_view ri
 }
 
 void print_table(const data::Case& problem, const analytic::Criterion& paper, const analytic::Criterion& all,
-                 const std::optional<SteadyState>& steady) {
+                 const std::optional<SteadyState>& steady, const Outlook& outlook) {
   fmt::print("{}: {} Hz, {} m, 0 to {} s{}\n\n", problem.name,
              data::shortest_text(problem.excitation.frequency_hz()),
              data::shortest_text(problem.excitation.amplitude()),
@@ -118,6 +182,8 @@ void print_table(const data::Case& problem, const analytic::Criterion& paper, co
             data::shortest_text(all.friction_limit));
   print_row("critical amplitude / m", common_digits(paper.critical_amplitude),
             common_digits(all.critical_amplitude));
+  if (problem.excitation.amplitude() > 0.0)
+    print_row("margin mu_s P / |f|", common_digits(margin_of(paper)), common_digits(margin_of(all)));
   print_row("verdict", to_string(paper.verdict), to_string(all.verdict));
   if (steady) {
     print_row("steady |f| / N", "", seven_digits(steady->force));
@@ -125,6 +191,12 @@ void print_table(const data::Case& problem, const analytic::Criterion& paper, co
   } else {
     print_row("steady |f| / N", "", "none, it grows all the time");
   }
+  if (outlook.next)
+    print_row("next natural frequency / Hz",
+              fmt::format("{} (mode {})", seven_digits(outlook.next->hz), outlook.next->mode));
+  if (!outlook.change.key.empty())
+    print_row("best change by a tenth", fmt::format("{} times {}: margin {:.4g}", outlook.change.key,
+                                                    outlook.change.factor, outlook.change.margin));
   fmt::print("\nThe largest |f| is that of a start-up {}.\n",
              studies::is_damped(problem) ? "whose free vibrations decay with the damping of the case"
                                          : "without damping: its free vibrations do not decay");
@@ -145,7 +217,8 @@ Json to_json(const SteadyState& steady) {
 }
 
 Json to_json(const data::Case& problem, const analytic::Criterion& paper, const analytic::Criterion& all,
-             const std::optional<SteadyState>& steady, const std::vector<std::string>& warnings) {
+             const std::optional<SteadyState>& steady, const Outlook& outlook,
+             const std::vector<std::string>& warnings) {
   Json object{{"case", problem.name},
               {"frequency_hz", problem.excitation.frequency_hz()},
               {"amplitude_m", problem.excitation.amplitude()},
@@ -156,7 +229,15 @@ Json to_json(const data::Case& problem, const analytic::Criterion& paper, const 
                          {"ratio", problem.damping.ratio()}};
   object.update(to_json(paper));
   object["all_modes"] = to_json(all);
+  object["margin"] = problem.excitation.amplitude() > 0.0 ? bounds_json(margin_of(all)) : Json();
   object["steady"] = steady ? to_json(*steady) : Json();
+  object["next_natural_frequency"] = nullptr;
+  if (outlook.next)
+    object["next_natural_frequency"] = {{"mode", outlook.next->mode}, {"frequency_hz", outlook.next->hz}};
+  object["best_change"] = nullptr;
+  if (!outlook.change.key.empty())
+    object["best_change"] = {
+        {"key", outlook.change.key}, {"factor", outlook.change.factor}, {"margin", outlook.change.margin}};
   object["warnings"] = warnings;
   return object;
 }
@@ -172,13 +253,14 @@ void run(const CriterionOptions& options) {
   const auto all = with_all_modes(problem);
   const auto warnings = warnings_of(problem, studies::Inquiry::criterion);
   const auto steady = steady_state_if_any(problem);
-  const Json answer = to_json(problem, paper, all, steady, warnings);
+  const Outlook outlook = outlook_of(problem);
+  const Json answer = to_json(problem, paper, all, steady, outlook, warnings);
   require_finite(answer);
   print_warnings(warnings);
   if (options.problem.json)
     print_json(answer);
   else
-    print_table(problem, paper, all, steady);
+    print_table(problem, paper, all, steady, outlook);
 }
 
 }  // namespace

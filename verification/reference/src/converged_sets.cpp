@@ -258,7 +258,7 @@ DataSet stick_slip_events() {
   resource.primary_key = {"index"};
   resource.comparison = {
       .kind = data::ComparisonKind::events,
-      .values = {{"time", data::Norm::absolute, 1e-4}, {"position", data::Norm::absolute, 1e-5}},
+      .values = {{"time", data::Norm::absolute, 8e-5}, {"position", data::Norm::absolute, 1e-5}},
       .abscissa = {},
       .interpolation = {},
       .events = {},

@@ -156,10 +156,18 @@ data::Case undamped_case(const char* name, double hz, double amplitude) {
   return problem;
 }
 
+// The settings of the paper, as in the diagnosis. On 40 elements with 1e-5 s the same mistakes change no less than
+// 2.6e-4 s of the times of the events.
+data::Case damped_case() {
+  data::Case problem = data::load_case("damped");
+  problem.numerics = data::load_case("paper").numerics;
+  return problem;
+}
+
 STICKSLIP_VERIFIES(ToleranceOf, "X20");
 TEST(ToleranceOf, ADataSetIsAtMostAThirdOfWhatAListedMistakeChanges) {
   const data::Case paper = data::load_case("paper"), held = data::load_case("paper-figure9"),
-                   damped = data::load_case("damped");
+                   damped = damped_case();
   for (const Diagnosed& diagnosed :
        {Diagnosed{"stick-frequencies", "frequency", Quantity::stick_frequency, paper},
         {"slip-frequencies", "frequency", Quantity::slip_frequency, paper},
