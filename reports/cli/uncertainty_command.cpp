@@ -189,6 +189,7 @@ void add_uncertainty_command(CLI::App& app) {
   auto* command = app.add_subcommand(
       "uncertainty", "Probability of slip of a case with uncertain keys, and which of them it hangs on");
   auto options = std::make_shared<UncertaintyOptions>();
+  options->problem.name = "uncertain";
   add_case_options(*command, options->problem);
   add_excitation_options(*command, options->excitation);
   command

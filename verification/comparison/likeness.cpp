@@ -300,7 +300,7 @@ class Search {
         numbers["numerics.spectral_radius"] = 0.5;
         numbers["numerics.time_step"] = 1.0 / (1600.0 * numbers["excitation.frequency_hz"]);
       }
-      if (stated.tip == "friction" && numbers["damping.kelvin_voigt"] > 0.0) {
+      if (numbers["damping.kelvin_voigt"] > 0.0) {
         // The settings of the paper answer in seconds, and find 45 of the 47 changes of contact of `damped`.
         numbers["numerics.elements"] = 20;
         numbers["numerics.time_step"] = 1.0 / (400.0 * numbers["excitation.frequency_hz"]);

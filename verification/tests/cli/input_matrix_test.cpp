@@ -132,7 +132,7 @@ constexpr Exception exceptions[] = {
     {"package key", "resources/*/diagnosis/case", "wrong type", "a case may have that name"},
 
     {"option", "@(stickslip|reference) --help", "!(unknown)", "help is given"},
-    {"option", "* CASE", "missing", "the case of the paper stands for none"},
+    {"option", "* CASE", "missing", "a case of the paper stands for none"},
     {"option", "@(respond|animate|criterion|map) --amplitude", "zero", "nothing moves"},
     {"option", "uncertainty --seed", "zero", "any seed will do"},
     {"option", "@(criterion --set|uncertainty --set|compare --tolerance|report --only)", "duplicate",

@@ -667,6 +667,15 @@ TEST(ComparedHistory, RefusesWhatItCannotCompare) {
 
 // --- whom it looks like
 
+// As the diagnosis runs it.
+data::Case with_the_settings_of_the_paper(const std::string& name) {
+  data::Case problem = data::load_case(name);
+  data::NumericalChoices choices = data::load_case("paper").numerics.choices();
+  choices.duration = problem.numerics.duration();
+  problem.numerics = data::NumericalSettings(choices);
+  return problem;
+}
+
 struct Mistake {
   const char* set;
   const char* wrong_model;
@@ -688,8 +697,8 @@ TEST_P(LikenedTo, TheMistakeThatWasMade) {
                                          : copy_of(name);
   if (name == "stick-frequencies") keep_rows(mine, [](std::size_t row) { return row < 6; });
   if (counts_events) keep_rows(mine, [](std::size_t row) { return row < 6; });
-  const auto values =
-      studies::wrong_result(data::load_case(problem), wrong_model, what, values_of(mine, abscissa));
+  const auto values = studies::wrong_result(with_the_settings_of_the_paper(problem), wrong_model, what,
+                                            values_of(mine, abscissa));
   ASSERT_TRUE(values.has_value());
   values_of(mine, value) = *values;
   const Comparison comparison = compare(name, mine);

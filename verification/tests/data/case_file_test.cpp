@@ -549,7 +549,7 @@ void expect_paper_friction_and_numerics(const data::Case& problem) {
   EXPECT_EQ(problem.numerics.spectral_radius(), 0.9);
   EXPECT_EQ(problem.numerics.velocity_threshold(), 1e-4);
   EXPECT_EQ(problem.numerics.modes(), 10);
-  EXPECT_EQ(problem.numerics.duration(), 8.0);
+  EXPECT_EQ(problem.numerics.duration(), 10.0);
 }
 
 void expect_beam(const data::Beam& beam, const data::BeamProperties& expected) {

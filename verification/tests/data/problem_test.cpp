@@ -59,7 +59,8 @@ Field excitation_field(const std::string& name, double data::HarmonicMotion::*me
 }
 
 Field numerics_field(const std::string& name, double data::NumericalChoices::*member) {
-  return field<data::NumericalSettings>("numerics." + name, usual_choices(), member);
+  const std::string table = name == "duration" ? "excitation." : "numerics.";  // where a case file has it
+  return field<data::NumericalSettings>(table + name, usual_choices(), member);
 }
 
 Field damping_field(const std::string& name, double data::DampingProperties::*member) {
