@@ -785,7 +785,8 @@ TEST(CertifiedMaximum, RefusesSpansThatAreNone) {
       },
       "excitation.duration is 10;"));
   const std::vector<Sinusoid> cancelling{{Real(1e12), Real(1)}, {Real(-1e12), Real(1) + Real(1e-13)}};
-  EXPECT_TRUE(throws_about([&] { (void)max_abs_of_sinusoids(cancelling, "3"); }, "excitation.duration is 3;"));
+  EXPECT_TRUE(
+      throws_about([&] { (void)max_abs_of_sinusoids(cancelling, "3"); }, "excitation.duration is 3;"));
   const PrecisionScope scope(50);
   EXPECT_TRUE(throws_about([] { (void)max_abs_of_sinusoids({{pi(), Real(1)}}, "1"); }, "60 bits"));
   EXPECT_TRUE(max_abs_of_sinusoids({{Real(0), Real(1)}}, "1").value.contains(0));

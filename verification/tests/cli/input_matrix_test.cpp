@@ -1049,9 +1049,9 @@ TEST_F(WarningsOf, TheSubcommandsAreOneLineEachAndInJson) {
 }
 
 TEST_F(WarningsOf, ARunThatDeservesNoneAreNone) {
-  for (const std::string arguments :
-       {"modes --count 2", "criterion --hz 15 --set excitation.duration=0.5", "respond --hz 15 --duration 0.1",
-        "map --x frequency=20:30:2 --y amplitude=1e-4:2e-4:2 --duration 0.1"})
+  for (const std::string arguments : {"modes --count 2", "criterion --hz 15 --set excitation.duration=0.5",
+                                      "respond --hz 15 --duration 0.1",
+                                      "map --x frequency=20:30:2 --y amplitude=1e-4:2e-4:2 --duration 0.1"})
     EXPECT_EQ(run(arguments).errors, "") << arguments;
   EXPECT_EQ(json("modes --count 2")["warnings"], nlohmann::json::array());
 }

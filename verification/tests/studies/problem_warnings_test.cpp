@@ -222,7 +222,8 @@ TEST(Resonance, IsNoConcernOfAShortADampedOrAnUnmovedBeam) {
   EXPECT_TRUE(warns(paper_with({at}), Inquiry::criterion, Concern::resonance));
   EXPECT_TRUE(warns(paper_with({at}), Inquiry::closed_form_history, Concern::resonance));
   EXPECT_FALSE(warns(paper_with({at}), Inquiry::stepped_history, Concern::resonance));
-  EXPECT_FALSE(warns(paper_with({at, {"excitation.duration", "0.1"}}), Inquiry::criterion, Concern::resonance));
+  EXPECT_FALSE(
+      warns(paper_with({at, {"excitation.duration", "0.1"}}), Inquiry::criterion, Concern::resonance));
   EXPECT_FALSE(warns(paper_with({at, {"damping.ratio", "0.01"}}), Inquiry::criterion, Concern::resonance));
   EXPECT_FALSE(
       warns(paper_with({at, {"excitation.amplitude", "0"}}), Inquiry::criterion, Concern::resonance));
