@@ -319,6 +319,10 @@ std::filesystem::path find_case(const std::string& name_or_path) {
                    suggestion(name_or_path, names) + ", but must be a file or one of " + joined(names));
 }
 
+std::string_view unit_of(std::string_view key) {
+  return std::ranges::find(keys, key, &Key::path)->magnitudes.unit;
+}
+
 void require_magnitude(std::string_view key, double value, const std::string& place) {
   try {
     require_magnitude(key, std::ranges::find(keys, key, &Key::path)->magnitudes, value);

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <string_view>
 
+#include "case_entry.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/data/csv_text.hpp"
 #include "stickslip/data/input_text.hpp"
@@ -74,11 +75,17 @@ class DistributionReader {
     throw InputError(place_ + ": " + what + ", but must be " + allowed);
   }
 
+  // With or without a unit, that of the key.
   [[nodiscard]] double number(const std::string& name) const {
-    const auto value = (*table_)[name].value<double>();
-    if (!value || !std::isfinite(*value))
-      fail(item(name) + " is " + described(table_->get(name)), "a finite number");
-    return *value;
+    const auto* node = table_->get(name);
+    if (node == nullptr) fail(item(name) + " is missing", "a finite number");
+    try {
+      const double value = number_of(item(name), {.unit = unit_of(key_)}, entry_of(*node, place_));
+      if (std::isfinite(value)) return value;
+    } catch (const FieldError& error) {
+      throw InputError(place_ + ": " + error.what());
+    }
+    fail(item(name) + " is " + describe(*node), "a finite number");
   }
 
   [[nodiscard]] std::string text(const std::string& name) const {

@@ -8,6 +8,7 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -82,7 +83,8 @@ std::vector<Line> for_shape(std::vector<Line> lines) {
 }
 
 std::string text_of(const std::vector<Line>& lines, const std::string& file) {
-  std::string text = fmt::format("# A beam of your own. Try: stickslip criterion {}\n", file);
+  std::string text =
+      fmt::format("# A beam of your own. Try: stickslip criterion {}\n", data::printable(file));
   std::string table;
   for (const Line& line : lines) {
     if (line.table != table) text += fmt::format("{}[{}]\n", table.empty() ? "" : "\n", line.table);
@@ -161,7 +163,8 @@ void ask_all(std::vector<Line>& lines, const std::string& file) {
 }
 
 void run(const NewOptions& options) {
-  if (std::filesystem::exists(options.file))
+  std::error_code unusable;  // which OutputFile reports
+  if (std::filesystem::exists(options.file, unusable))
     throw data::FieldError("FILE", data::printable(options.file), "a file that does not exist yet");
   std::vector<Line> lines = strip();
   for (const std::string& text : options.overrides) set(lines, data::Override::parse(text));

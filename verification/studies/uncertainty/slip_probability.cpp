@@ -73,7 +73,8 @@ class Verdicts {
     const double buckling = analytic::stick_buckling_load(beam) * beam.length() * beam.length() /
                             (beam.youngs_modulus() * beam.second_moment_of_area());
     if (lowest <= highest && highest < kMostTabulated)
-      table_.emplace(lowest * buckling, highest * buckling, problem_.numerics.modes());
+      table_.emplace(lowest * buckling, highest * buckling, problem_.numerics.modes(),
+                     beam.axial_direction());
   }
 
   // Throws data::InputError for values that no beam has.

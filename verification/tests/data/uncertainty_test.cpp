@@ -58,7 +58,7 @@ STICKSLIP_VERIFIES(UncertaintyTable, "P7");
 TEST_F(UncertaintyTable, IsReadAsItStands) {
   std::ofstream(folder_ / "e.csv") << "E_Pa,n\n2.1e9,1\n1.9e9,2\n2.0e9,3\n";
   const auto read = data::read_uncertainty(
-      write(mu + R"("beam.length" = { distribution = "uniform", lower = 1.9, upper = 2 }
+      write(mu + R"("beam.length" = { distribution = "uniform", lower = "1900 mm", upper = 2 }
 "beam.area" = { distribution = "lognormal", mean = 0.01, standard_deviation = 1e-4 }
 "beam.axial_force" = { distribution = "triangular", lower = 400, mode = 500, upper = 700 }
 "beam.youngs_modulus" = { distribution = "samples", file = "e.csv", column = "E_Pa" }
@@ -96,6 +96,10 @@ TEST_F(UncertaintyTable, IsRefusedInOneSentence) {
           "uniform, triangular, samples");
   EXPECT_EQ(length("{ distribution = 'normal', mean = 2 }"),
             key + ".standard_deviation is missing, but must be a finite number");
+  EXPECT_EQ(length("{ distribution = 'normal', mean = '2 s' }"),
+            key +
+                ".mean is '2 s' (a string), but must be a number (m) or a text of a number and a unit: m, "
+                "cm, mm, um, nm");
   EXPECT_EQ(length("{ distribution = 'normal', mean = 2, standard_deviation = 0 }"),
             key + ".standard_deviation is 0 (an integer), but must be above 0");
   EXPECT_EQ(length("{ distribution = 'normal', mean = nan, standard_deviation = 1 }"),

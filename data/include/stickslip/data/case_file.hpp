@@ -46,6 +46,9 @@ struct Override {
 /// Throws InputError, naming the cases there are, if neither exists.
 [[nodiscard]] std::filesystem::path find_case(const std::string& name_or_path);
 
+/// The SI unit of a key of problem.hpp, as "m" of "beam.length"; empty for a number without a unit.
+[[nodiscard]] std::string_view unit_of(std::string_view key);
+
 /// Throws InputError, naming the place, if no case may have a number of that magnitude at the key, as
 /// "beam.length", which must be one of problem.hpp.
 void require_magnitude(std::string_view key, double value, const std::string& place);

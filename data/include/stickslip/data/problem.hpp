@@ -133,7 +133,7 @@ struct NumericalChoices {
   double spectral_radius{};     ///< of generalised-alpha at infinite frequency, 0 ... 1
   double velocity_threshold{};  ///< epsilon of Sect. 3, m/s, >= 0
   int modes{};                  ///< N of Eq. (21), 1 ... 200
-  double duration{};            ///< s, 1 ... 1e9 times time_step
+  double duration{};            ///< s, 1 ... 1e9 times time_step; in a case file excitation.duration
 };
 
 /// Settings of both implementations. Cannot be built invalid.

@@ -9,7 +9,8 @@
 ///     correlation = [["friction.static_coefficient", "beam.length", 0.5]]
 ///
 /// normal and lognormal have the mean and the standard deviation of the quantity itself; uniform has lower and
-/// upper, triangular also mode; samples has the name of a CSV file, relative to the case file, and a column.
+/// upper, triangular also mode; these numbers may have a unit ("5 mm"). samples has the name of a CSV file, relative to
+/// the case file, and a column in SI units.
 
 #include <filesystem>
 #include <string>

@@ -53,9 +53,11 @@ enum class StepAlgebra {
 };
 
 struct IntegratorSettings {
-  double time_step{};           ///< h, s, > 0
-  double spectral_radius{};     ///< 0 ... 1
-  double velocity_threshold{};  ///< epsilon, m/s, >= 0: below it a slip that can stick is captured
+  double time_step{};        ///< h, s, > 0
+  double spectral_radius{};  ///< 0 ... 1
+  /// epsilon, m/s, >= 0: below it a slip that can stick is captured. Above 0 it limits the step from below: a slip
+  /// that begins and does not exceed it within the step is captured at its end, by an impact.
+  double velocity_threshold{};
   ContactScheme scheme{ContactScheme::located};
   StepAlgebra algebra{StepAlgebra::sparse};
 };
