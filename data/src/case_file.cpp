@@ -142,18 +142,18 @@ std::vector<std::string> key_names(const std::string& table) {
                    " with the value " + value + ", but " + allowed);
 }
 
-void require_known_key(const std::string& place, const std::string& path, const std::string& value) {
+void require_known_key(const std::string& path, const Entry& entry) {
   const auto known = key_paths();
-  if (std::ranges::find(known, path) == known.end()) throw_unknown_key(place, path, value);
+  if (std::ranges::find(known, path) == known.end()) throw_unknown_key(entry.place, path, entry.description);
 }
 
 void collect_table(const std::filesystem::path& file, std::string_view name, const toml::table& table,
                    Entries& entries) {
   for (const auto& [key, value] : table) {
     const std::string path = std::string(name) + "." + std::string(key.str());
-    const std::string place = place_of(file, value);
-    require_known_key(place, path, describe(value));
-    entries.insert_or_assign(path, entry_of(value, place));
+    Entry entry = entry_of(value, place_of(file, value));
+    require_known_key(path, entry);
+    entries.insert_or_assign(path, std::move(entry));
   }
 }
 
@@ -203,7 +203,7 @@ void apply(const Override& replacement, Entries& entries) {
                                 ? "override " + printable(replacement.key + "=" + replacement.value)
                                 : replacement.place;
   Entry entry = entry_of(replacement.value, place);
-  require_known_key(place, replacement.key, entry.description);
+  require_known_key(replacement.key, entry);
   erase_alternatives(replacement.key, entries);
   entries.insert_or_assign(replacement.key, std::move(entry));
 }

@@ -18,6 +18,7 @@
 #include "comparison/wrong_models.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/case_file.hpp"
+#include "support/paper_settings.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
@@ -666,15 +667,6 @@ TEST(ComparedHistory, RefusesWhatItCannotCompare) {
 }
 
 // --- whom it looks like
-
-// As the diagnosis runs it.
-data::Case with_the_settings_of_the_paper(const std::string& name) {
-  data::Case problem = data::load_case(name);
-  data::NumericalChoices choices = data::load_case("paper").numerics.choices();
-  choices.duration = problem.numerics.duration();
-  problem.numerics = data::NumericalSettings(choices);
-  return problem;
-}
 
 struct Mistake {
   const char* set;
