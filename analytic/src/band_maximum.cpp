@@ -39,15 +39,48 @@ BandMaximum::BandMaximum(const ModalReaction& reaction, const FrequencyBand& ban
   for (std::size_t i = 1; i < marks_.size(); ++i) add(marks_[i - 1], marks_[i]);
 }
 
+/// A frequency, and what is known of the largest |f| there.
+struct BandMaximum::Decided {
+  double omega{};
+  ForceMaximum force;
+  double exceeded = 0.0;                                  // the largest limit that it is known to exceed
+  double kept = std::numeric_limits<double>::infinity();  // the smallest that it is known not to
+  [[nodiscard]] bool exceeds(double limit) {
+    if (limit <= exceeded || limit >= kept) return limit <= exceeded;
+    const bool above = force.exceeds(limit);
+    (above ? exceeded : kept) = limit;
+    return above;
+  }
+};
+
 bool BandMaximum::exceeds(double limit) {
   constexpr int most_halvings = 8;
   bool sticks = true;
   for (std::size_t i = 1; sticks && i < marks_.size(); ++i)
     sticks = stays_below(marks_[i - 1], marks_[i], limit, most_halvings);
   if (sticks) return false;
-  for (const double omega : marks_)
-    if (ForceMaximum(reaction_, omega, duration_).exceeds(limit)) return true;
-  return refined_against(limit, 1e-4).upper > limit;
+  std::vector<Decided> ends;
+  for (const double omega : marks_) {
+    ends.push_back({omega, ForceMaximum(reaction_, omega, duration_)});
+    if (ends.back().exceeds(limit)) return true;
+  }
+  for (std::size_t i = 1; i < ends.size(); ++i)
+    if (rises_above(ends[i - 1], ends[i], limit)) return true;
+  return false;
+}
+
+/// Whether |f| exceeds the limit between two frequencies where it does not.
+bool BandMaximum::rises_above(Decided& from, Decided& to, double limit) const {
+  constexpr double undecided = 1e-4;
+  const Suprema most = between(from.omega, to.omega);
+  if (most.force <= limit) return false;
+  const double width = to.omega - from.omega, excess = width * width / 8.0 * most.curvature;
+  const double enough = limit - excess;
+  if (enough > 0.0 && !from.exceeds(enough) && !to.exceeds(enough)) return false;
+  if (excess <= undecided * limit) return true;
+  const double omega = from.omega + 0.5 * width;
+  Decided middle{omega, ForceMaximum(reaction_, omega, duration_)};
+  return middle.exceeds(limit) || rises_above(from, middle, limit) || rises_above(middle, to, limit);
 }
 
 /// Whether the bounds of between() say so on an interval or on its parts.

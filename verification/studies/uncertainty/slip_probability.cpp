@@ -83,10 +83,10 @@ class Verdicts {
   // The verdict alone, which far from the limit is cheaper than the force.
   [[nodiscard]] bool slips_at(std::span<const double> values) const {
     const data::Case problem = case_at(values);
-    if (force_ || band_ || is_damped(problem) || problem.excitation.amplitude() == 0.0)
-      return of(problem).slips;
+    if (force_ || is_damped(problem) || problem.excitation.amplitude() == 0.0) return of(problem).slips;
     analytic::require_contact(problem.beam);
-    return search_of_force(problem).exceeds(friction_limit(problem) / problem.excitation.amplitude());
+    const double limit = friction_limit(problem) / problem.excitation.amplitude();
+    return band_ ? search_of(problem).exceeds(limit) : search_of_force(problem).exceeds(limit);
   }
 
   [[nodiscard]] Verdict of(const data::Case& problem) const {

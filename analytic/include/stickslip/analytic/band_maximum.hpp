@@ -76,6 +76,8 @@ class BandMaximum {
     double upper{};
     [[nodiscard]] bool operator<(const Interval& other) const { return upper < other.upper; }
   };
+  struct Decided;
+  [[nodiscard]] bool rises_above(Decided& from, Decided& to, double limit) const;
   [[nodiscard]] double upper_value(double omega);
   [[nodiscard]] bool stays_below(double from, double to, double limit, int halvings) const;
   void add(double from, double to);
