@@ -13,11 +13,16 @@
 
 #include "case_options.hpp"
 #include "commands.hpp"
+#include "figure_format.hpp"
 #include "number_text.hpp"
+#include "output_file.hpp"
+#include "render/drawing.hpp"
+#include "render/figures.hpp"
 #include "render/interruption.hpp"
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/damped_steady_state.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
+#include "studies/common/parallel.hpp"
 
 namespace stickslip::cli {
 
@@ -26,6 +31,7 @@ namespace {
 struct CriterionOptions {
   CaseOptions problem;
   ExcitationOptions excitation;
+  std::string figure;
 };
 
 constexpr double width = 1e-10;  // relative, of the bounds
@@ -163,6 +169,47 @@ Outlook outlook_of(const data::Case& problem) {
           problem.excitation.amplitude() > 0.0 ? best_change(problem) : Change{}};
 }
 
+// Critical amplitude with the N modes of the case against the excitation frequency, from a quarter of that of the case
+// to four times it: in equal ratios and at the natural frequencies.
+report::CsvTable critical_amplitudes(const data::Case& problem, const std::vector<double>& natural) {
+  constexpr int steps = 240;
+  constexpr double reach = 4.0, drawn_width = 1e-3;
+  const double here = problem.excitation.frequency_hz();
+  std::vector<double> frequencies;
+  for (int i = 0; i <= steps; ++i) frequencies.push_back(here * std::pow(reach, 2.0 * i / steps - 1.0));
+  for (const double hz : natural)
+    if (hz > frequencies.front() && hz < here * reach) frequencies.push_back(hz);
+  std::ranges::sort(frequencies);
+  std::vector<double> amplitudes(frequencies.size());
+  studies::in_parallel(frequencies.size(), [&](std::size_t i) {
+    const double force = analytic::largest_unit_force(problem.beam, problem.damping, frequencies[i],
+                                                      problem.numerics.duration(), problem.numerics.modes(),
+                                                      analytic::SteadyPart::modal_sum, drawn_width)
+                             .midpoint();
+    amplitudes[i] = problem.friction.static_coefficient() * problem.beam.axial_force() / force;
+  });
+  report::CsvTable table("Critical amplitude of the case " + problem.name,
+                         {{"frequency", "Hz"}, {"critical_amplitude", "m"}});
+  for (std::size_t i = 0; i < frequencies.size(); ++i) table.add_numbers({frequencies[i], amplitudes[i]});
+  return table;
+}
+
+void write_figure(const data::Case& problem, const std::string& figure, OutputFile& file) {
+  std::vector<double> natural;
+  report::CsvTable marks("Natural frequencies of the stick state", {{"frequency", "Hz"}});
+  for (const auto& mode : analytic::stick_modes(problem.beam, problem.numerics.modes())) {
+    natural.push_back(mode.frequency_hz());
+    marks.add_numbers({mode.frequency_hz()});
+  }
+  const auto values = report::values_table({{"excitation_frequency", problem.excitation.frequency_hz(), "Hz"},
+                                            {"excitation_amplitude", problem.excitation.amplitude(), "m"}});
+  file.write(report::drawing_of("criterion", figure_format(figure),
+                                {{"criterion.csv", critical_amplitudes(problem, natural).text()},
+                                 {"criterion-natural.csv", marks.text()},
+                                 {"criterion-values.csv", values.text()}}));
+  file.commit();
+}
+
 std::string seven_digits(double value) { return fmt::format("{:.7g}", value); }
 
 void print_row(std::string_view name, std::string_view left, std::string_view right = "") {
@@ -247,7 +294,15 @@ void run(const CriterionOptions& options) {
       data::load_case(options.problem.name, overrides_of(options.problem, options.excitation));
   analytic::require_contact(problem.beam);
   studies::require_feasible(problem, studies::Inquiry::criterion);
-  const report::Interruption interruption([] { return "interrupted before there was a result"; });
+  std::optional<OutputFile> figure;
+  if (!options.figure.empty()) {
+    (void)figure_format(options.figure);
+    figure.emplace(options.figure);
+  }
+  const report::Interruption interruption([&] {
+    if (figure) figure->discard();
+    return "interrupted before there was a result";
+  });
   const auto paper =
       criterion_of(problem, problem.excitation, problem.numerics.modes(), analytic::SteadyPart::modal_sum);
   const auto all = with_all_modes(problem);
@@ -256,6 +311,7 @@ void run(const CriterionOptions& options) {
   const Outlook outlook = outlook_of(problem);
   const Json answer = to_json(problem, paper, all, steady, outlook, warnings);
   require_finite(answer);
+  if (figure) write_figure(problem, options.figure, *figure);
   print_warnings(warnings);
   if (options.problem.json)
     print_json(answer);
@@ -271,7 +327,8 @@ void add_criterion_command(CLI::App& app) {
   auto options = std::make_shared<CriterionOptions>();
   add_case_options(*command, options->problem);
   add_excitation_options(*command, options->excitation);
-  add_examples(*command, {"stickslip criterion steel-strip --hz 30",
+  add_figure_option(*command, options->figure);
+  add_examples(*command, {"stickslip criterion steel-strip --hz 30 --figure criterion.png",
                           "stickslip criterion paper --set beam.length=1.8 --amplitude 0.5e-3 --json"});
   command->callback([options] { run(*options); });
 }

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "case_options.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/data/input_text.hpp"
 
@@ -15,6 +16,11 @@ std::string figure_format(const std::string& figure) {
   if (extension == ".pdf" || extension == ".png" || extension == ".svg") return extension.substr(1);
   throw data::FieldError("--figure", fmt::format("'{}'", data::printable(figure)),
                          "a file whose name ends in .pdf, .png or .svg");
+}
+
+CLI::Option* add_figure_option(CLI::App& command, std::string& figure) {
+  return command.add_option("--figure", figure, "Figure to draw, a .png, .pdf or .svg file (needs gnuplot)")
+      ->check(file_name());
 }
 
 }  // namespace stickslip::cli

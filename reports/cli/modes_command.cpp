@@ -5,10 +5,15 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <optional>
 
 #include "case_options.hpp"
 #include "commands.hpp"
+#include "figure_format.hpp"
 #include "number_text.hpp"
+#include "output_file.hpp"
+#include "render/drawing.hpp"
+#include "render/figures.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
@@ -22,6 +27,7 @@ struct ModesOptions {
   std::string state = "stick";
   std::string method = "closed-form";
   int count = 3;
+  std::string figure;
 };
 
 // A natural frequency and how far to trust it.
@@ -30,6 +36,7 @@ struct Frequency {
   double relative_error{};  // estimate
 };
 
+constexpr int most_drawn = 8;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 std::vector<Frequency> closed_form_stick(const data::Beam& beam, int count) {
@@ -85,6 +92,54 @@ std::vector<Frequency> frequencies_of(const data::Case& problem, const ModesOpti
               : closed_form_stick(problem.beam, options.count);
 }
 
+// Value of each mode at equally spaced points of the beam, [point][mode].
+std::vector<std::vector<double>> shapes_of(const data::Case& problem, const ModesOptions& options,
+                                           const std::vector<double>& points) {
+  std::vector<std::vector<double>> values(points.size());
+  const auto evaluate = [&](const auto& modes) {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      for (const auto& mode : modes) values[i].push_back(mode.shape(points[i]));
+  };
+  if (options.method == "fe") {
+    const solver::BeamModel model(problem.beam, problem.numerics.elements());
+    const auto modes = options.state == "slip" ? solver::slip_modes(model, options.count)
+                                               : solver::stick_modes(model, options.count);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const auto weights = model.interpolation(points[i]);
+      for (const auto& mode : modes) values[i].push_back(weights.dot(mode.shape));
+    }
+  } else if (options.state == "slip") {
+    evaluate(analytic::slip_modes(problem.beam, options.count));
+  } else {
+    evaluate(analytic::stick_modes(problem.beam, options.count));
+  }
+  return values;
+}
+
+// The shapes, a column each with its frequency as name, divided by their value of largest modulus.
+void write_figure(const data::Case& problem, const ModesOptions& options,
+                  const std::vector<Frequency>& frequencies, OutputFile& file) {
+  constexpr int intervals = 400;
+  std::vector<double> points;
+  for (int i = 0; i <= intervals; ++i) points.push_back(problem.beam.length() * i / intervals);
+  auto values = shapes_of(problem, options, points);
+  std::vector<report::CsvColumn> columns{{"x", "m"}};
+  for (std::size_t n = 0; n < frequencies.size(); ++n) {
+    columns.push_back({fmt::format("{}: {:.6g} Hz", n + 1, frequencies[n].hz), "1"});
+    double largest = 0.0;
+    for (const auto& row : values)
+      if (std::abs(row[n]) > std::abs(largest)) largest = row[n];
+    for (auto& row : values) row[n] /= largest;
+  }
+  report::CsvTable table("Modes of the case " + problem.name, columns);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    values[i].insert(values[i].begin(), points[i]);
+    table.add_numbers(values[i]);
+  }
+  file.write(report::drawing_of("modes", figure_format(options.figure), {{"modes.csv", table.text()}}));
+  file.commit();
+}
+
 void print_table(const data::Case& problem, const ModesOptions& options,
                  const std::vector<Frequency>& frequencies) {
   const std::string method =
@@ -116,6 +171,13 @@ Json to_json(const data::Case& problem, const ModesOptions& options,
 
 void run(const ModesOptions& options) {
   const data::Case problem = data::load_case(options.problem.name, overrides_of(options.problem));
+  std::optional<OutputFile> figure;
+  if (!options.figure.empty()) {
+    (void)figure_format(options.figure);
+    if (options.count > most_drawn)
+      throw data::FieldError("--count", options.count, fmt::format("at most {} with --figure", most_drawn));
+    figure.emplace(options.figure);
+  }
   const auto frequencies = frequencies_of(problem, options);
   const auto warnings = warnings_of(
       problem,
@@ -123,6 +185,7 @@ void run(const ModesOptions& options) {
       options.count);
   const Json answer = to_json(problem, options, frequencies, warnings);
   require_finite(answer);
+  if (figure) write_figure(problem, options, frequencies, *figure);
   print_warnings(warnings);
   if (options.problem.json)
     print_json(answer);
@@ -145,7 +208,8 @@ void add_modes_command(CLI::App& app) {
   command->add_option("--count", options->count, "How many, from the lowest")
       ->check(integer_between(1, 1000))
       ->capture_default_str();
-  add_examples(*command, {"stickslip modes steel-strip --state slip --count 5",
+  add_figure_option(*command, options->figure);
+  add_examples(*command, {"stickslip modes steel-strip --state slip --count 5 --figure modes.png",
                           "stickslip modes paper --method fe --set numerics.elements=40"});
   command->callback([options] { run(*options); });
 }

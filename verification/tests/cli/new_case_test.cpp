@@ -139,6 +139,69 @@ TEST_F(RespondFigure, IsDrawnFromTheRowsAndTheLimit) {
                  "another file than --output");
 }
 
+// The rows of a table of numbers under its names, which the first two lines describe.
+std::vector<std::vector<double>> numbers(const std::string& table) {
+  auto rows = csv(table);
+  std::vector<std::vector<double>> values;
+  for (std::size_t i = 3; i < rows.size(); ++i) {
+    auto& row = values.emplace_back();
+    for (const auto& cell : rows[i]) row.push_back(std::stod(cell));
+  }
+  return values;
+}
+
+class FigureOfAVerdict : public Drawing {};
+
+// The curve at the frequency of the case is its critical amplitude, to half of the width that is drawn, 1e-3; 16 = 4 x 4.
+STICKSLIP_VERIFIES(FigureOfAVerdict, "U1");
+TEST_F(FigureOfAVerdict, IsTheCriticalAmplitudeAroundTheFrequencyOfTheCase) {
+  install_gnuplot("cat \"${folder}criterion.csv\" > $output; cat \"${folder}criterion-natural.csv\" > '" +
+                  path("marks.csv") + "'; cat \"${folder}criterion-values.csv\" > '" + path("values.csv") +
+                  "'\n");
+  for (const std::string name : {"paper", "damped"}) {
+    const auto answer = json("criterion " + name + " --hz 35 --figure '" + path("curve.svg") + "'");
+    const auto rows = numbers(contents(path("curve.svg")));
+    ASSERT_GE(rows.size(), 241u);
+    EXPECT_NEAR(rows[0][0], 35.0 / 4.0, 1e-13);
+    EXPECT_NEAR(rows.back()[0], 35.0 * 4.0, 1e-12);
+    const auto here =
+        std::ranges::find_if(rows, [](const auto& row) { return std::abs(row[0] - 35.0) < 1e-9; });
+    ASSERT_NE(here, rows.end());
+    const double critical = answer["critical_amplitude_m"].get<double>();
+    EXPECT_NEAR((*here)[1], critical, 0.5e-3 * critical) << name;
+    EXPECT_NE(contents(path("marks.csv")).find("24.971958"), std::string::npos);
+    EXPECT_NE(contents(path("values.csv")).find("excitation_frequency,35,Hz"), std::string::npos);
+  }
+  expect_refused("criterion paper --figure a.jpg", "--figure is 'a.jpg'");
+}
+
+class FigureOfModes : public Drawing {};
+
+// A held tip has no deflection, a sliding one the largest of its first mode; the mesh has the shapes of the beam.
+STICKSLIP_VERIFIES(FigureOfModes, "U1");
+TEST_F(FigureOfModes, HasTheShapesByBothMethods) {
+  install_gnuplot("cat \"${folder}modes.csv\" > $output\n");
+  const auto drawn = [&](const std::string& options) {
+    EXPECT_EQ(run("modes paper --count 2 --figure '" + path("modes.pdf") + "' " + options).status, 0);
+    return numbers(contents(path("modes.pdf")));
+  };
+  for (const std::string state : {"stick", "slip"}) {
+    const auto exact = drawn("--state " + state), mesh = drawn("--method fe --state " + state);
+    ASSERT_EQ(exact.size(), 401u);
+    ASSERT_EQ(mesh.size(), exact.size());
+    // Twenty elements and betabar L = 7.1: Hermite interpolation of mode 2 is wrong by (betabar h)^4/384 = 4.1e-5, and
+    // its nodes are by (betabar h)^4/1440 of the slope of the shape over the frequency, betabar x < 7.1: 7.7e-5.
+    for (std::size_t i = 0; i < exact.size(); ++i)
+      for (std::size_t n = 0; n < 3; ++n)
+        EXPECT_NEAR(exact[i][n], mesh[i][n], 1.2e-4) << state << " row " << i;
+    EXPECT_NEAR(exact.back()[1], state == "slip" ? 1.0 : 0.0, 1e-12);
+    if (state == "stick") {
+      EXPECT_NE(contents(path("modes.pdf")).find(",1: 24.972 Hz"), std::string::npos);
+    }
+  }
+  expect_refused("modes paper --count 9 --figure a.png", "--count is 9, but must be at most 8 with --figure");
+}
+
 class CriterionOutlook : public CommandLine {};
 
 // The strip of the manual: its first natural frequency is 31.189 Hz, and a tenth less length moves it most.
