@@ -51,11 +51,11 @@ std::string first_error(const fs::path& log) {
   return "its log names no error";
 }
 
-void run_pdflatex(const fs::path& folder) {
-  const int status = run_tool("pdflatex", {"-halt-on-error", "-interaction=nonstopmode", "vv-report.tex"},
-                              folder, folder / "pdflatex.out");
+void run_lualatex(const fs::path& folder) {
+  const int status = run_tool("lualatex", {"-halt-on-error", "-interaction=nonstopmode", "vv-report.tex"},
+                              folder, folder / "lualatex.out");
   if (status == 0) return;
-  throw std::runtime_error(fmt::format("pdflatex could not typeset the report (status {}): {}", status,
+  throw std::runtime_error(fmt::format("lualatex could not typeset the report (status {}): {}", status,
                                        first_error(folder / "vv-report.log")));
 }
 
@@ -116,9 +116,9 @@ void write_site(const fs::path& values, OutputFolder& output) {
 
 void typeset(const fs::path& sources, OutputFolder& output) {
   try {
-    run_pdflatex(sources);
+    run_lualatex(sources);
     for (int run = 2; run <= most_runs; ++run) {
-      run_pdflatex(sources);
+      run_lualatex(sources);
       if (!wants_another_run(sources / "vv-report.log")) break;
     }
   } catch (const ToolMissing& missing) {

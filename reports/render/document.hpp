@@ -21,8 +21,8 @@ namespace stickslip::report {
 /// folder of the report. Throws std::runtime_error if that fails.
 void write_site(const std::filesystem::path& values, OutputFolder& output);
 
-/// Runs pdflatex on vv-report.tex until references settle and moves vv-report.pdf in place. Throws
-/// std::runtime_error, with LaTeX's first error, if that fails or pdflatex is missing.
+/// Runs lualatex on vv-report.tex until references settle and moves vv-report.pdf in place. Throws
+/// std::runtime_error, with LaTeX's first error, if that fails or lualatex is missing.
 void typeset(const std::filesystem::path& sources, OutputFolder& output);
 
 }  // namespace stickslip::report

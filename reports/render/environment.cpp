@@ -57,7 +57,7 @@ Environment describe_environment(const ReportOptions& options, const std::filesy
                    {"System", distribution()},
                    {"Kernel", kernel()},
                    {"Figures", tool_version("gnuplot", scratch)},
-                   {"Typesetting", tool_version("pdflatex", scratch)}}};
+                   {"Typesetting", tool_version("lualatex", scratch)}}};
 }
 
 }  // namespace stickslip::report

@@ -25,7 +25,7 @@ struct ReportOptions {
 /// templates of the report read.
 ///
 /// Throws data::InputError for an unknown figure or an output folder that cannot be used, std::runtime_error
-/// if gnuplot, Python or pdflatex is missing or fails (the CSV files are in place by then).
+/// if gnuplot, Python or lualatex is missing or fails (the CSV files are in place by then).
 void write_report(const ReportOptions& options);
 
 /// What `only` may hold, in the order of the report.

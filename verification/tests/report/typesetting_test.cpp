@@ -44,16 +44,16 @@ TEST_F(Typesetting, SaysThatLatexIsMissingAndWhereTheFiguresAre) {
   ::setenv("PATH", path("tools").c_str(), 1);
   EXPECT_EQ(
       complaint(),
-      "pdflatex is not installed or not on the search path, so that there is no PDF report; the figures "
+      "lualatex is not installed or not on the search path, so that there is no PDF report; the figures "
       "are in " +
           folder());
 }
 
 TEST_F(Typesetting, SaysWhatLatexLacks) {
-  install_tool("pdflatex",
+  install_tool("lualatex",
                "printf \"! LaTeX Error: File \\`lmodern.sty' not found.\\n\\n\" >vv-report.log\nexit 1\n");
   EXPECT_EQ(complaint(),
-            "pdflatex could not typeset the report (status 1): LaTeX Error: File `lmodern.sty' not found. ");
+            "lualatex could not typeset the report (status 1): LaTeX Error: File `lmodern.sty' not found. ");
 }
 
 }  // namespace

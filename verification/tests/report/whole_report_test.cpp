@@ -38,7 +38,7 @@ TEST_F(WholeReport, KeepsFiguresTablesAndTheOldPdfWithoutLatex) {
   const Outcome outcome = shell("PATH='" + path("tools") + "' '" + STICKSLIP_PROGRAM + "' " + report);
   EXPECT_EQ(outcome.status, 1);
   EXPECT_EQ(outcome.errors,
-            "stickslip: pdflatex is not installed or not on the search path, so that there is no PDF report; "
+            "stickslip: lualatex is not installed or not on the search path, so that there is no PDF report; "
             "the figures are in " +
                 fs::canonical(out()).string() + "\n");
   const std::vector<std::string> files = all_files(out());
@@ -48,7 +48,7 @@ TEST_F(WholeReport, KeepsFiguresTablesAndTheOldPdfWithoutLatex) {
   EXPECT_GT(std::ranges::count_if(files, [](const auto& name) { return name.ends_with(".csv"); }), 20);
   EXPECT_EQ(contents(out("vv-report.pdf")), "old");
 
-  install_sleeper("pdflatex");
+  install_sleeper("lualatex");
   const std::string said = said_after(SIGINT, report);
   EXPECT_TRUE(said.starts_with("interrupted after 9")) << said;
   EXPECT_EQ(all_files(out()), files);

@@ -5,13 +5,15 @@
   site_test.py REPORT AXE
 
 REPORT is the folder of the report, with the folder site. AXE is the folder for axe-core, the accessibility checker, which is
-fetched when it is missing. The packages chromium-driver and python3-selenium are needed.
+fetched when it is missing. The packages chromium-driver, python3-selenium and
+poppler-utils are needed.
 """
 
 import base64
 import hashlib
 import io
 import json
+import subprocess
 import sys
 import tarfile
 import unittest
@@ -139,6 +141,15 @@ class Site(unittest.TestCase):
                 width = self.browser.execute_script("return document.documentElement.scrollWidth")
                 self.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
                 self.assertLessEqual(width, 360)
+
+    def test_report_is_tagged_with_headings_and_all_figures(self):
+        structure = subprocess.run(["pdfinfo", "-struct", SITE.parent / "vv-report.pdf"], capture_output=True, text=True, check=True)
+        elements = structure.stdout.split()
+        self.open("figures.html")
+        self.assertEqual(elements.count("Figure"), len(self.shown_rows()))
+        self.assertEqual(elements.count("Document"), 1)
+        self.assertGreater(elements.count("H1"), 10)
+        self.assertGreater(elements.count("P"), 500)
 
     def test_accessibility_checker_finds_no_violation(self):
         for name in SHOWN:
