@@ -29,9 +29,10 @@ namespace stickslip::analytic {
 /// Throws data::FieldError, naming beam.shear_stiffness, unless the beam is rigid in shear.
 inline void require_rigid_in_shear(const data::Beam& beam) {
   if (beam.shear_stiffness() == 0.0) return;
-  throw data::FieldError("beam.shear_stiffness", beam.shear_stiffness(),
-                         "0 for this closed form; finite elements (--method fe) and the criterion without damping "
-                         "have shear");
+  throw data::FieldError(
+      "beam.shear_stiffness", beam.shear_stiffness(),
+      "0 for this closed form; finite elements (--method fe) and the criterion without damping "
+      "have shear");
 }
 
 /// (1 - chi) P, N: the part of the axial force that follows the tip.

@@ -96,7 +96,8 @@ double hyperbolic_norm(double b) {
 double stick_buckling_load(const data::Beam& beam) {
   static const double rigid = buckling_load_factor(0.0);
   const double s2 = shear_flexibility(beam);
-  return (s2 == 0.0 ? rigid : buckling_load_factor(s2)) * bending_stiffness(beam) / (beam.length() * beam.length());
+  return (s2 == 0.0 ? rigid : buckling_load_factor(s2)) * bending_stiffness(beam) /
+         (beam.length() * beam.length());
 }
 
 void require_unbuckled(const data::Beam& beam) {

@@ -106,7 +106,8 @@ class TimoshenkoBeam {
       pinned.push_back(0.5 * (sum + root) / (r2_ * s2_));
     }
     std::ranges::sort(pinned);
-    pinned.front() = std::max(pinned.front(), 1e-12 * pinned[1]);  // below 0 over the buckling load of that beam
+    pinned.front() =
+        std::max(pinned.front(), 1e-12 * pinned[1]);  // below 0 over the buckling load of that beam
     const auto determinant = [this](double b) { return force(b).determinant; };
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
       const double lower = pinned[i], upper = pinned[i + 1];
@@ -126,8 +127,7 @@ class TimoshenkoBeam {
   [[nodiscard]] std::vector<double> free(int count) const {
     const auto squared = [this](double n) {
       const double n2 = n * n, sum = 1.0 + (r2_ + s2_) * n2;
-      return 2.0 * n2 * n2 /
-             (sum + std::sqrt(1.0 + 2.0 * (r2_ + s2_) * n2 + std::pow((r2_ - s2_) * n2, 2)));
+      return 2.0 * n2 * n2 / (sum + std::sqrt(1.0 + 2.0 * (r2_ + s2_) * n2 + std::pow((r2_ - s2_) * n2, 2)));
     };
     const auto equation = [&](double n) {  // over cosh(m)
       const double b = squared(n), m = std::sqrt(std::max(b * (1.0 - b * r2_ * s2_), 0.0)) / n;
@@ -190,8 +190,7 @@ ModalReaction timoshenko_reaction(const data::Beam& beam, int modes) {
   if (modes < 1 || modes > 1000) throw data::FieldError("numerics.modes", modes, "1 ... 1000");
   ModalReaction reaction{.quasi_static = force_unit(beam) * timoshenko.static_force(), .modes = {}};
   for (const double b : timoshenko.held(modes))
-    reaction.modes.push_back(
-        {std::sqrt(b * squared_unit(beam)), force_unit(beam) * timoshenko.share(b)});
+    reaction.modes.push_back({std::sqrt(b * squared_unit(beam)), force_unit(beam) * timoshenko.share(b)});
   return reaction;
 }
 
@@ -207,7 +206,8 @@ ModalReaction timoshenko_reaction(const data::Beam& beam, int modes, double omeg
   const double radius = 0.25 * std::max(omega, reaction.modes.front().angular_frequency);
   double mean = 0.0;
   for (int j = 0; j < nodes; ++j) {
-    const Complex frequency = omega + std::polar(radius, pi * (j + 0.5) / nodes), squared = frequency * frequency;
+    const Complex frequency = omega + std::polar(radius, pi * (j + 0.5) / nodes),
+                  squared = frequency * frequency;
     const auto exact = timoshenko.force(squared / squared_unit(beam));
     Complex remainder = force_unit(beam) * exact.numerator / exact.determinant - reaction.quasi_static;
     for (const auto& [natural, coefficient] : reaction.modes)

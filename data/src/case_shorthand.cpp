@@ -18,15 +18,15 @@ namespace stickslip::data {
 namespace {
 
 constexpr std::array<std::string_view, 10> shorthand{"section.shape",
-                                                    "section.width",
-                                                    "section.height",
-                                                    "section.diameter",
-                                                    "section.wall_thickness",
-                                                    "beam.material",
-                                                    "beam.poissons_ratio",
-                                                    "excitation.velocity_amplitude",
-                                                    "excitation.acceleration_amplitude",
-                                                    "numerics.duration"};
+                                                     "section.width",
+                                                     "section.height",
+                                                     "section.diameter",
+                                                     "section.wall_thickness",
+                                                     "beam.material",
+                                                     "beam.poissons_ratio",
+                                                     "excitation.velocity_amplitude",
+                                                     "excitation.acceleration_amplitude",
+                                                     "numerics.duration"};
 
 constexpr std::array<std::string_view, 3> amplitudes{"excitation.amplitude", "excitation.velocity_amplitude",
                                                      "excitation.acceleration_amplitude"};
@@ -60,7 +60,7 @@ double side(const Entries& entries, std::string_view key, std::string_view shape
 
 // Shear coefficients k of a Poisson's ratio nu: Cowper, J. Appl. Mech. 33, 335-340 (1966).
 struct Section {
-  double area{}, second_moment_of_area{};          // m^2, m^4
+  double area{}, second_moment_of_area{};  // m^2, m^4
   std::function<double(double)> shear_coefficient;
 };
 
@@ -137,8 +137,8 @@ void expand_poissons_ratio(const std::optional<Section>& section, Entries& entri
   if (!(nu > -1.0 && nu < 0.5)) throw FieldError(key, shortest_text(nu), "a number above -1 and below 0.5");
   const Entry* modulus = find(entries, "beam.youngs_modulus");
   if (!section || modulus == nullptr)
-    throw InputError(given->place + ": beam.poissons_ratio is " + given->description +
-                     ", but needs " + (section ? "beam.youngs_modulus or beam.material" : "section.shape") +
+    throw InputError(given->place + ": beam.poissons_ratio is " + given->description + ", but needs " +
+                     (section ? "beam.youngs_modulus or beam.material" : "section.shape") +
                      "; otherwise give beam.shear_stiffness");
   const double youngs_modulus = number_of("beam.youngs_modulus", {1e-3, 1e18, "Pa"}, *modulus);
   supply(entries, "beam.shear_stiffness",

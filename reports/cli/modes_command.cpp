@@ -36,7 +36,8 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 std::vector<Frequency> closed_form_stick(const data::Beam& beam, int count) {
   std::vector<Frequency> frequencies;
   if (beam.shear_stiffness() > 0.0) {
-    const double condition = 1.0 / (1.0 - std::max(0.0, beam.axial_force()) / analytic::stick_buckling_load(beam));
+    const double condition =
+        1.0 / (1.0 - std::max(0.0, beam.axial_force()) / analytic::stick_buckling_load(beam));
     for (const double omega : analytic::timoshenko_frequencies(beam, analytic::TipSupport::held, count))
       frequencies.push_back({omega / (2.0 * std::numbers::pi), 4.0 * epsilon * condition});
     return frequencies;

@@ -9,8 +9,8 @@ namespace {
 // (w1, theta2), (theta1, theta1), (theta1, theta2).
 ElementMatrix symmetric(double a, double b, double c, double d, double e, double f) {
   ElementMatrix m;
-  m << a, b, c, d,  //
-      b, e, -d, f,  //
+  m << a, b, c, d,   //
+      b, e, -d, f,   //
       c, -d, a, -b,  //
       d, f, -b, e;
   return m;

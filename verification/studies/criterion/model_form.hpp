@@ -38,8 +38,8 @@ struct AxialDirectionForce {
 /// The criterion over the same plane with shear and rotary inertia against without.
 struct ShearPlane {
   std::string figures;
-  std::size_t cells{};    ///< with a stick state in both models
-  std::size_t flipped{};  ///< of these, with another verdict
+  std::size_t cells{};                     ///< with a stick state in both models
+  std::size_t flipped{};                   ///< of these, with another verdict
   double lowest_ratio{}, highest_ratio{};  ///< of |f_max|, over the cells
   std::size_t buckled{};                   ///< cells that have a stick state without shear alone
   [[nodiscard]] double flipped_share() const {
@@ -50,7 +50,7 @@ struct ShearPlane {
 struct ModelForm {
   std::vector<AxialDirectionForce> forces;  ///< of the paper's beam at the frequencies of Fig. 12
   std::vector<AxialDirectionPlane> planes;  ///< Figs. 10 to 12, which share one plane, 13 and 14
-  std::vector<ShearPlane> shear;  ///< the same planes, with the shear stiffness of with_shear()
+  std::vector<ShearPlane> shear;            ///< the same planes, with the shear stiffness of with_shear()
 };
 
 /// `paper`, `half_stiffness` and `flat_section` are the cases of Figs. 10 to 12, 13 and 14. The planes are the

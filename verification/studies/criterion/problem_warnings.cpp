@@ -210,8 +210,9 @@ std::string shear_effect(const data::Case& problem) {
   const auto without = criterion(problem), with = criterion(sheared);
   return fmt::format("{} |f_max| is {:.4g} N instead of {:.4g} N, and the verdict is {}{}", choice,
                      with.force_max.midpoint(), without.force_max.midpoint(), to_string(with.verdict),
-                     with.verdict == without.verdict ? " as well"
-                                                     : fmt::format(" instead of {}", to_string(without.verdict)));
+                     with.verdict == without.verdict
+                         ? " as well"
+                         : fmt::format(" instead of {}", to_string(without.verdict)));
 }
 
 std::vector<Warning> problem_warnings(const data::Case& problem, Inquiry inquiry, int frequencies) {
@@ -243,9 +244,9 @@ std::optional<Warning> growth_warning(const data::Case& problem, Inquiry inquiry
   const double allowed = allowed_growth / numerics.duration();
   if (grows_at_most(contact, kappa, allowed)) return std::nullopt;
   const double run_bound = growth_bound(contact, kappa);
-  const double beam_bound = beam_growth_bound(
-      without_shear(problem.beam), problem.friction,
-      data::Damping({.kelvin_voigt = problem.damping.kelvin_voigt()}));
+  const double beam_bound =
+      beam_growth_bound(without_shear(problem.beam), problem.friction,
+                        data::Damping({.kelvin_voigt = problem.damping.kelvin_voigt()}));
   const auto rate = [](double value) {
     return value < 100.0 ? fmt::format("{:.3g} 1/s", value) : fmt::format("{:.0f} 1/s", value);
   };

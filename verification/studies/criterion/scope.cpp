@@ -208,8 +208,8 @@ SlenderForce slender_force(const data::Case& paper) {
                       .force_max = force_max(slender),
                       .shifted_force_max = force_max(sheared)};
   for (std::size_t i = 0; i < slender.modes.size(); ++i)
-    result.model_errors.push_back(
-        slender.modes[i].angular_frequency / sheared.modes[i].angular_frequency - 1.0);
+    result.model_errors.push_back(slender.modes[i].angular_frequency / sheared.modes[i].angular_frequency -
+                                  1.0);
   return result;
 }
 

@@ -57,7 +57,8 @@ struct DampedForce {
 /// |f_max| of Euler-Bernoulli theory and with rotary inertia and shear (with_shear()).
 struct SlenderForce {
   double frequency_hz{}, amplitude{};
-  std::vector<double> model_errors;         ///< relative, of Euler-Bernoulli theory in each natural frequency that is kept
+  std::vector<double>
+      model_errors;  ///< relative, of Euler-Bernoulli theory in each natural frequency that is kept
   double force_max{}, shifted_force_max{};  ///< N
 };
 
