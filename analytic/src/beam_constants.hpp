@@ -20,6 +20,21 @@ namespace stickslip::analytic {
   return beam.axial_force() * beam.length() * beam.length() / bending_stiffness(beam);
 }
 
+/// s^2 = EI/(k G A L^2), dimensionless; 0 if the beam is rigid in shear.
+[[nodiscard]] inline double shear_flexibility(const data::Beam& beam) {
+  if (beam.shear_stiffness() == 0.0) return 0.0;
+  return bending_stiffness(beam) / (beam.shear_stiffness() * beam.length() * beam.length());
+}
+
+/// Throws data::FieldError, naming beam.shear_stiffness, unless the beam is rigid in shear.
+inline void require_rigid_in_shear(const data::Beam& beam) {
+  if (beam.shear_stiffness() == 0.0) return;
+  throw data::FieldError(
+      "beam.shear_stiffness", beam.shear_stiffness(),
+      "0 for this closed form; finite elements (--method fe) and the criterion without damping "
+      "have shear");
+}
+
 /// (1 - chi) P, N: the part of the axial force that follows the tip.
 [[nodiscard]] inline double follower_force(const data::Beam& beam) {
   return (1.0 - beam.axial_direction()) * beam.axial_force();

@@ -14,6 +14,7 @@
 #include "stickslip/analytic/contact_dynamics.hpp"
 #include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/analytic/stick_propagator.hpp"
+#include "stickslip/analytic/timoshenko_modes.hpp"
 
 namespace stickslip::analytic {
 namespace {
@@ -241,6 +242,13 @@ Bounds largest_unit_force(const data::Beam& beam, const data::Damping& damping, 
     return DampedForce(damped_reaction(beam, damping, modes, steady_part),
                        2.0 * std::numbers::pi * frequency_hz, duration)
         .refined_to(relative_width);
+  if (beam.shear_stiffness() > 0.0) {
+    const double omega = 2.0 * std::numbers::pi * frequency_hz;
+    return ForceMaximum(steady_part == SteadyPart::exact ? timoshenko_reaction(beam, modes, omega)
+                                                         : timoshenko_reaction(beam, modes),
+                        omega, duration)
+        .refined_to(relative_width);
+  }
   const data::HarmonicExcitation unit({.frequency_hz = frequency_hz, .amplitude = 1.0});
   return StickResponse(beam, unit, modes, steady_part).max_abs_friction_force(duration, relative_width);
 }

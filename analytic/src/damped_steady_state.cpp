@@ -68,6 +68,7 @@ Complex mean_of_exponential(Complex r, Complex q) {
 DampedSteadyState::DampedSteadyState(const data::Beam& beam, const data::HarmonicExcitation& excitation,
                                      const data::Damping& damping, TipSupport tip)
     : beam_(beam), length_(beam.length()) {
+  require_rigid_in_shear(beam);
   if (damping.ratio() != 0.0)
     throw data::FieldError("damping.ratio", damping.ratio(),
                            "0: the closed form knows Kelvin-Voigt damping alone");

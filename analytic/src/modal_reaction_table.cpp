@@ -100,7 +100,8 @@ std::vector<double> ModalReactionTable::functions_at(double load_factor) const {
 
 bool ModalReactionTable::holds(const data::Beam& beam) const {
   const double z = axial_load_factor(beam);
-  return z >= lowest_ && z <= highest_ && beam.axial_direction() == axial_direction_;
+  return z >= lowest_ && z <= highest_ && beam.axial_direction() == axial_direction_ &&
+         beam.shear_stiffness() == 0.0;
 }
 
 ModalReaction ModalReactionTable::at(const data::Beam& beam) const {

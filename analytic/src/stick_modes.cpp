@@ -17,12 +17,12 @@ namespace {
 
 using std::numbers::pi;
 
-/// z_cr = P_cr L^2/EI = y^2, with y the first positive root of tan y = y.
-double buckling_load_factor() {
-  const auto function = [](double y) { return std::sin(y) - y * std::cos(y); };
-  static const double y =
+/// z_cr = P_cr L^2/EI = y^2/(1 + s^2 y^2), with y the first positive root of tan y = y/(1 + s^2 y^2).
+double buckling_load_factor(double s2) {
+  const auto function = [s2](double y) { return (1.0 + s2 * y * y) * std::sin(y) - y * std::cos(y); };
+  const double y =
       brent_root(as_gsl_function(function), {pi, 1.5 * pi}, 2.0 * std::numeric_limits<double>::epsilon());
-  return y * y;
+  return y * y / (1.0 + s2 * y * y);
 }
 
 [[noreturn]] void throw_buckled(const data::Beam& beam) {
@@ -94,14 +94,22 @@ double hyperbolic_norm(double b) {
 }  // namespace
 
 double stick_buckling_load(const data::Beam& beam) {
-  return buckling_load_factor() * bending_stiffness(beam) / (beam.length() * beam.length());
+  static const double rigid = buckling_load_factor(0.0);
+  const double s2 = shear_flexibility(beam);
+  return (s2 == 0.0 ? rigid : buckling_load_factor(s2)) * bending_stiffness(beam) /
+         (beam.length() * beam.length());
+}
+
+void require_unbuckled(const data::Beam& beam) {
+  if (beam.axial_force() >= stick_buckling_load(beam)) throw_buckled(beam);
 }
 
 QuasiStaticShape::QuasiStaticShape(const data::Beam& beam)
     : length_(beam.length()),
       load_factor_(axial_load_factor(beam)),
       decay_(std::sqrt(std::max(0.0, -load_factor_))) {
-  if (beam.axial_force() >= stick_buckling_load(beam)) throw_buckled(beam);
+  require_rigid_in_shear(beam);
+  require_unbuckled(beam);
   determinant_ = scaled(2, 1.0) - scaled(3, 1.0);
   if (!(determinant_ > 0.0)) throw_buckled(beam);
 }
@@ -207,7 +215,8 @@ double StickMode::condition_number() const {
 
 std::vector<StickMode> stick_modes(const data::Beam& beam, int count) {
   if (count < 1 || count > 1000) throw data::FieldError("numerics.modes", count, "1 ... 1000");
-  if (beam.axial_force() >= stick_buckling_load(beam)) throw_buckled(beam);
+  require_rigid_in_shear(beam);
+  require_unbuckled(beam);
   const double z = axial_load_factor(beam);
   const StickCharacteristic characteristic(z);
   // Positive at the start of the first bracket by theory; not so within round-off of the buckling load.

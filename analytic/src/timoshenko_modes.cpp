@@ -3,88 +3,236 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <numbers>
+#include <numeric>
+#include <stdexcept>
 #include <string>
 
 #include "arguments.hpp"
 #include "beam_constants.hpp"
 #include "root_finding.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
+#include "stumpff.hpp"
 
 namespace stickslip::analytic {
 namespace {
 
 using std::numbers::pi;
+using Complex = std::complex<double>;
 
-double squared_slenderness(const data::Beam& beam) {
-  return beam.second_moment_of_area() / (beam.area() * beam.length() * beam.length());
+constexpr double root_tolerance = 4.0 * std::numeric_limits<double>::epsilon();
+
+double real_part(double x) { return x; }
+double real_part(Complex x) { return x.real(); }
+
+/// C = cosh(sqrt q) and T = sinh(sqrt q)/sqrt(q), both times `scale`, with which neither overflows.
+template <class Number>
+struct Functions {
+  Number scale{1.0}, cosh, sinh_over_root;
+};
+
+Functions<double> functions_of(double q) {
+  const double root = std::sqrt(std::abs(q));
+  if (q > 1.0) {
+    const double scale = std::exp(-root);
+    return {scale, 0.5 * (1.0 + scale * scale), 0.5 * (1.0 - scale * scale) / root};
+  }
+  return {1.0, stumpff(0, -q), stumpff(1, -q)};
 }
 
-/// The left sides divided by cosh(m), up to the cut-off frequency.
-class TimoshenkoEquation {
- public:
-  TimoshenkoEquation(double r2, double s2, TipSupport tip) : r2_(r2), s2_(s2), tip_(tip) {}
+Functions<Complex> functions_of(Complex q) {
+  const Complex root = std::sqrt(q);
+  if (q.real() > 1.0) {
+    const Complex scale = std::exp(-root);
+    return {scale, 0.5 * (1.0 + scale * scale), 0.5 * (1.0 - scale * scale) / root};
+  }
+  return {1.0, std::cosh(root), root == 0.0 ? 1.0 : std::sinh(root) / root};
+}
 
-  /// B, the smaller root of r^2 s^2 B^2 - (1 + (r^2 + s^2) n^2) B + n^4 = 0.
-  [[nodiscard]] double squared_frequency(double n) const {
-    const double n2 = n * n, sum = 1.0 + (r2_ + s2_) * n2;
-    return 2.0 * n2 * n2 / (sum + std::sqrt(1.0 + 2.0 * (r2_ + s2_) * n2 + std::pow((r2_ - s2_) * n2, 2)));
+/// The numbers of the header, and its formulas over B, real or complex.
+class TimoshenkoBeam {
+ public:
+  explicit TimoshenkoBeam(const data::Beam& beam)
+      : r2_(beam.second_moment_of_area() / (beam.area() * beam.length() * beam.length())),
+        s2_(shear_flexibility(beam)),
+        z_(axial_load_factor(beam)),
+        e_(1.0 - z_ * s2_),
+        follower_(1.0 - beam.axial_direction()) {}
+
+  [[nodiscard]] double cutoff() const { return 1.0 / (r2_ * s2_); }
+
+  /// f L^3/EI as numerator over determinant.
+  template <class Number>
+  struct Force {
+    Number numerator, determinant;
+  };
+
+  template <class Number>
+  [[nodiscard]] Force<Number> force(Number b) const {
+    const Number half = 0.5 * (b * s2_ + z_ + b * r2_ * e_) / e_, product = b * (1.0 - b * r2_ * s2_) / e_;
+    const Number root = std::sqrt(half * half + product);
+    const bool negative_is_larger = real_part(half) > 0.0;
+    const Number larger = negative_is_larger ? half + root : root - half;
+    const Number q1 = negative_is_larger ? product / larger : larger;
+    const Number q2 = negative_is_larger ? -larger : -product / larger;
+    const Number a1 = e_ * q1 + b * s2_, a2 = e_ * q2 + b * s2_;
+    const auto first = functions_of(q1), second = functions_of(q2);
+    const Number c1 = first.cosh * second.scale, c2 = second.cosh * first.scale;
+    return {b * (a1 * c1 - a2 * c2) + follower_ * z_ * a1 * a2 * (c2 - c1),
+            q1 * first.sinh_over_root * a2 * second.cosh - q2 * second.sinh_over_root * a1 * first.cosh};
   }
 
-  /// n at the cut-off frequency, where B r^2 s^2 = 1.
-  [[nodiscard]] double cutoff() const { return std::sqrt((r2_ + s2_) / (r2_ * s2_)); }
+  [[nodiscard]] double static_force() const {
+    const double q = z_ / e_, c0 = stumpff(0, q);
+    return e_ * e_ * (1.0 - (1.0 - follower_) * (1.0 - c0)) / (stumpff(2, q) - stumpff(3, q) + s2_ * e_ * c0);
+  }
 
-  double operator()(double n) const {
-    const double b = squared_frequency(n), m = std::sqrt(std::max(b * (1.0 - b * r2_ * s2_), 0.0)) / n;
-    const double a = m * m + b * s2_, c = b / a;
-    if (tip_ == TipSupport::held) return a * std::sin(n) - c * m / n * std::cos(n) * std::tanh(m);
-    const double decaying = std::exp(-m), inverse_cosh = 2.0 * decaying / (1.0 + decaying * decaying);
-    const double tanh_over_m = m == 0.0 ? 1.0 : std::tanh(m) / m;
-    return 2.0 * inverse_cosh + (a / c + c / a) * std::cos(n) + (m * m / n - n) * tanh_over_m * std::sin(n);
+  /// Residue of the force at a root B of the determinant, over B.
+  [[nodiscard]] double share(double b) const {
+    const double step = 1e-30 * b;
+    const double slope = force(Complex(b, step)).determinant.imag() / step;
+    return force(b).numerator / (b * slope);
+  }
+
+  /// The first `count` values of B with the tip held.
+  [[nodiscard]] std::vector<double> held(int count) const {
+    std::vector<double> pinned{cutoff()}, found;
+    for (int j = 1; j <= count + 1; ++j) {
+      const double n2 = j * pi * j * pi, sum = 1.0 + n2 * (s2_ + r2_ * e_);
+      const double root = std::sqrt(sum * sum - 4.0 * r2_ * s2_ * n2 * (e_ * n2 - z_));
+      pinned.push_back(2.0 * n2 * (e_ * n2 - z_) / (sum + root));
+      pinned.push_back(0.5 * (sum + root) / (r2_ * s2_));
+    }
+    std::ranges::sort(pinned);
+    pinned.front() =
+        std::max(pinned.front(), 1e-12 * pinned[1]);  // below 0 over the buckling load of that beam
+    const auto determinant = [this](double b) { return force(b).determinant; };
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+      const double lower = pinned[i], upper = pinned[i + 1];
+      if (determinant(lower) * determinant(upper) < 0.0)
+        found.push_back(brent_root(as_gsl_function(determinant), {lower, upper}, root_tolerance));
+      else if (upper - lower < 1e-9 * upper)  // a bracket within rounding
+        found.push_back(std::midpoint(lower, upper));
+      else
+        throw std::runtime_error("a bracket holds no frequency of the beam with shear");
+    }
+    return found;
+  }
+
+  /// The first values of B with the tip free and P = 0, up to the cut-off, by m^2 = q_1 and n^2 = -q_2: a root of
+  /// 2 + (a/c + c/a) cosh(m) cos(n) + (m/n - n/m) sinh(m) sin(n) = 0, a = a_1, c = -a_2 = B/a, in each
+  /// (j - 1) pi < n < j pi.
+  [[nodiscard]] std::vector<double> free(int count) const {
+    const auto squared = [this](double n) {
+      const double n2 = n * n, sum = 1.0 + (r2_ + s2_) * n2;
+      return 2.0 * n2 * n2 / (sum + std::sqrt(1.0 + 2.0 * (r2_ + s2_) * n2 + std::pow((r2_ - s2_) * n2, 2)));
+    };
+    const auto equation = [&](double n) {  // over cosh(m)
+      const double b = squared(n), m = std::sqrt(std::max(b * (1.0 - b * r2_ * s2_), 0.0)) / n;
+      const double a = m * m + b * s2_, c = b / a;
+      const double decaying = std::exp(-m), inverse_cosh = 2.0 * decaying / (1.0 + decaying * decaying);
+      const double tanh_over_m = m == 0.0 ? 1.0 : std::tanh(m) / m;
+      return 2.0 * inverse_cosh + (a / c + c / a) * std::cos(n) + (m * m / n - n) * tanh_over_m * std::sin(n);
+    };
+    const double last = std::sqrt((r2_ + s2_) / (r2_ * s2_));  // n at the cut-off
+    std::vector<double> found;
+    for (int j = 1; j <= count; ++j) {
+      const double lower = std::max(j - 1.0, 1e-3) * pi, upper = std::min(j * pi, last);
+      if (lower >= upper || equation(lower) * equation(upper) > 0.0) break;
+      found.push_back(squared(brent_root(as_gsl_function(equation), {lower, upper}, root_tolerance)));
+    }
+    return found;
   }
 
  private:
-  double r2_, s2_;
-  TipSupport tip_;
+  double r2_, s2_, z_, e_, follower_;
 };
+
+/// omega^2 at B = 1.
+double squared_unit(const data::Beam& beam) {
+  return bending_stiffness(beam) / (mass_per_length(beam) * std::pow(beam.length(), 4));
+}
+
+/// EI/L^3.
+double force_unit(const data::Beam& beam) { return bending_stiffness(beam) / std::pow(beam.length(), 3); }
+
+TimoshenkoBeam checked(const data::Beam& beam) {
+  require_positive("beam.shear_stiffness", beam.shear_stiffness());
+  require_unbuckled(beam);
+  return TimoshenkoBeam(beam);
+}
 
 }  // namespace
 
-double shear_flexibility(const data::Beam& beam, const ShearProperties& shear) {
-  require_positive("shear.shear_coefficient", shear.shear_coefficient);
-  if (!(shear.poisson_ratio > -1.0 && shear.poisson_ratio < 0.5))
-    throw data::FieldError("shear.poisson_ratio", shear.poisson_ratio, "above -1 and below 0.5");
-  return squared_slenderness(beam) * 2.0 * (1.0 + shear.poisson_ratio) / shear.shear_coefficient;
-}
-
-double timoshenko_cutoff(const data::Beam& beam, const ShearProperties& shear) {
-  const double length = beam.length();
-  return std::sqrt(bending_stiffness(beam) /
-                   (mass_per_length(beam) * squared_slenderness(beam) * shear_flexibility(beam, shear))) /
-         (length * length);
-}
-
-std::vector<double> timoshenko_frequencies(const data::Beam& beam, const ShearProperties& shear,
-                                           TipSupport tip, int count) {
-  constexpr double tolerance = 4.0 * std::numeric_limits<double>::epsilon();
-  if (beam.axial_force() != 0.0) throw data::FieldError("beam.axial_force", beam.axial_force(), "0");
-  const TimoshenkoEquation equation(squared_slenderness(beam), shear_flexibility(beam, shear), tip);
-  const double unit =
-      std::sqrt(bending_stiffness(beam) / mass_per_length(beam)) / (beam.length() * beam.length());
-  std::vector<double> frequencies;
-  for (int mode = 1; mode <= count; ++mode) {
-    const double lower = (tip == TipSupport::held ? mode : std::max(mode - 1.0, 1e-3)) * pi;
-    const double upper = std::min((tip == TipSupport::held ? mode + 0.5 : mode) * pi, equation.cutoff());
-    if (lower >= upper || equation(lower) * equation(upper) > 0.0) break;
-    const double n = brent_root(as_gsl_function(equation), {lower, upper}, tolerance);
-    frequencies.push_back(unit * std::sqrt(equation.squared_frequency(n)));
-  }
-  if (count < 1 || static_cast<int>(frequencies.size()) < count)
+std::vector<double> timoshenko_frequencies(const data::Beam& beam, TipSupport tip, int count) {
+  if (count < 1 || count > 1000) throw data::FieldError("numerics.modes", count, "1 ... 1000");
+  const TimoshenkoBeam timoshenko = checked(beam);
+  if (tip == TipSupport::free && beam.axial_force() != 0.0)
+    throw data::FieldError("beam.axial_force", beam.axial_force(),
+                           "0 for the closed form with shear of a tip that slides");
+  std::vector<double> frequencies = tip == TipSupport::held ? timoshenko.held(count) : timoshenko.free(count);
+  if (static_cast<int>(frequencies.size()) < count)
     throw data::FieldError("numerics.modes", count,
-                           count < 1 ? std::string("1 or more")
-                                     : "at most " + std::to_string(frequencies.size()) +
-                                           ", the number of modes below the cut-off frequency");
+                           "at most " + std::to_string(frequencies.size()) +
+                               ", the number of modes below the cut-off frequency");
+  for (double& value : frequencies) value = std::sqrt(value * squared_unit(beam));
   return frequencies;
+}
+
+double timoshenko_cutoff(const data::Beam& beam) {
+  return std::sqrt(checked(beam).cutoff() * squared_unit(beam));
+}
+
+ModalReaction timoshenko_reaction(const data::Beam& beam, int modes) {
+  const TimoshenkoBeam timoshenko = checked(beam);
+  if (modes < 1 || modes > 1000) throw data::FieldError("numerics.modes", modes, "1 ... 1000");
+  ModalReaction reaction{.quasi_static = force_unit(beam) * timoshenko.static_force(), .modes = {}};
+  for (const double b : timoshenko.held(modes))
+    reaction.modes.push_back({std::sqrt(b * squared_unit(beam)), force_unit(beam) * timoshenko.share(b)});
+  return reaction;
+}
+
+/// What the exact steady amplitude has beyond the sum over modes is analytic in Omega up to the first omitted
+/// frequency: its mean over a circle round Omega, as in StickResponse::steady_remainder().
+ModalReaction timoshenko_reaction(const data::Beam& beam, int modes, double omega) {
+  ModalReaction reaction = timoshenko_reaction(beam, modes);
+  if (reaction.modes.back().angular_frequency < 2.0 * omega)
+    throw data::FieldError("numerics.modes", modes,
+                           "so large that one of them has twice the excitation frequency or more");
+  const TimoshenkoBeam timoshenko(beam);
+  constexpr int nodes = 16;
+  const double radius = 0.25 * std::max(omega, reaction.modes.front().angular_frequency);
+  double mean = 0.0;
+  for (int j = 0; j < nodes; ++j) {
+    const Complex frequency = omega + std::polar(radius, pi * (j + 0.5) / nodes),
+                  squared = frequency * frequency;
+    const auto exact = timoshenko.force(squared / squared_unit(beam));
+    Complex remainder = force_unit(beam) * exact.numerator / exact.determinant - reaction.quasi_static;
+    for (const auto& [natural, coefficient] : reaction.modes)
+      remainder -= coefficient * squared / (squared - natural * natural);
+    mean += remainder.real() / nodes;
+  }
+  reaction.quasi_static += mean;
+  return reaction;
+}
+
+double timoshenko_steady_force(const data::Beam& beam, double omega) {
+  const auto force = checked(beam).force(omega * omega / squared_unit(beam));
+  return force_unit(beam) * force.numerator / force.determinant;
+}
+
+double timoshenko_omitted_transient(const ModalReaction& reaction, double omega) {
+  const std::size_t count = reaction.modes.size();
+  double largest = 0.0;
+  for (std::size_t i = count - std::min<std::size_t>(count, 4); i < count; ++i) {
+    const auto& [natural, coefficient] = reaction.modes[i];
+    if (natural <= omega) return std::numeric_limits<double>::infinity();
+    largest = std::max(largest, std::abs(coefficient * std::pow(omega, 3) /
+                                         ((natural - omega) * (natural + omega) * natural)));
+  }
+  return largest * static_cast<double>(count);
 }
 
 }  // namespace stickslip::analytic

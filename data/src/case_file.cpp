@@ -68,6 +68,8 @@ constexpr std::array keys{
         Magnitudes{1e-18, 1e18, "N"}},
     Key{"beam", "axial_direction", member<&Draft::beam, &BeamProperties::axial_direction>,
         Magnitudes{1e-9, 1.0, ""}, Presence::optional},
+    Key{"beam", "shear_stiffness", member<&Draft::beam, &BeamProperties::shear_stiffness>,
+        Magnitudes{1e-18, 1e24, "N"}, Presence::optional},
     Key{"friction", "static_coefficient", member<&Draft::friction, &FrictionCoefficients::static_coefficient>,
         Magnitudes{1e-9, 1e6, ""}},
     Key{"friction", "kinetic_coefficient",

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "stickslip/data/case_file.hpp"
@@ -15,15 +17,16 @@ namespace stickslip::data {
 
 namespace {
 
-constexpr std::array<std::string_view, 9> shorthand{"section.shape",
-                                                    "section.width",
-                                                    "section.height",
-                                                    "section.diameter",
-                                                    "section.wall_thickness",
-                                                    "beam.material",
-                                                    "excitation.velocity_amplitude",
-                                                    "excitation.acceleration_amplitude",
-                                                    "numerics.duration"};
+constexpr std::array<std::string_view, 10> shorthand{"section.shape",
+                                                     "section.width",
+                                                     "section.height",
+                                                     "section.diameter",
+                                                     "section.wall_thickness",
+                                                     "beam.material",
+                                                     "beam.poissons_ratio",
+                                                     "excitation.velocity_amplitude",
+                                                     "excitation.acceleration_amplitude",
+                                                     "numerics.duration"};
 
 constexpr std::array<std::string_view, 3> amplitudes{"excitation.amplitude", "excitation.velocity_amplitude",
                                                      "excitation.acceleration_amplitude"};
@@ -55,19 +58,23 @@ double side(const Entries& entries, std::string_view key, std::string_view shape
   return value;
 }
 
+// Shear coefficients k of a Poisson's ratio nu: Cowper, J. Appl. Mech. 33, 335-340 (1966).
 struct Section {
   double area{}, second_moment_of_area{};  // m^2, m^4
+  std::function<double(double)> shear_coefficient;
 };
 
 Section rectangle(const Entries& entries) {
   const double width = side(entries, "section.width", "rectangle");
   const double height = side(entries, "section.height", "rectangle");
-  return {width * height, width * height * height * height / 12.0};
+  return {width * height, width * height * height * height / 12.0,
+          [](double nu) { return 10.0 * (1.0 + nu) / (12.0 + 11.0 * nu); }};
 }
 
 Section circle(const Entries& entries) {
   const double d = side(entries, "section.diameter", "circle");
-  return {std::numbers::pi * d * d / 4.0, std::numbers::pi * d * d * d * d / 64.0};
+  return {std::numbers::pi * d * d / 4.0, std::numbers::pi * d * d * d * d / 64.0,
+          [](double nu) { return 6.0 * (1.0 + nu) / (7.0 + 6.0 * nu); }};
 }
 
 // With the inner diameter b = d - 2 t: d^4 - b^4 = (d^2 - b^2) (d^2 + b^2), without a difference of near numbers.
@@ -78,8 +85,11 @@ Section tube(const Entries& entries) {
     throw FieldError("section.wall_thickness", t,
                      "at most half of section.diameter, which is " + shortest_text(d));
   const double b = d - 2.0 * t;
-  const double area = std::numbers::pi * t * (d - t);
-  return {area, area * (d * d + b * b) / 16.0};
+  const double area = std::numbers::pi * t * (d - t), ratio = b * b / (d * d);
+  return {area, area * (d * d + b * b) / 16.0, [ratio](double nu) {
+            const double sum = (1.0 + ratio) * (1.0 + ratio);
+            return 6.0 * (1.0 + nu) * sum / ((7.0 + 6.0 * nu) * sum + (20.0 + 12.0 * nu) * ratio);
+          }};
 }
 
 struct Shape {
@@ -95,10 +105,11 @@ const std::vector<Shape>& shapes() {
   return all;
 }
 
-void expand_section(Entries& entries) {
+// The section, if its shape is given.
+std::optional<Section> expand_section(Entries& entries) {
   const auto first =
       std::ranges::find_if(entries, [](const auto& entry) { return entry.first.starts_with("section."); });
-  if (first == entries.end()) return;
+  if (first == entries.end()) return std::nullopt;
   std::vector<std::string> names;
   for (const Shape& shape : shapes()) names.emplace_back(shape.name);
   const Entry* given = find(entries, "section.shape");
@@ -110,10 +121,29 @@ void expand_section(Entries& entries) {
         std::ranges::find(shape.sides, key) == shape.sides.end())
       throw InputError(entry.place + ": " + key + " is " + entry.description + ", but a " +
                        std::string(shape.name) + " does not have it");
-  const Section section = shape.section(entries);
+  Section section = shape.section(entries);
   supply(entries, "beam.area", section.area, "section.shape");
   supply(entries, "beam.second_moment_of_area", section.second_moment_of_area, "section.shape");
   std::erase_if(entries, [](const auto& entry) { return entry.first.starts_with("section."); });
+  return section;
+}
+
+// k G A with G = E/(2 (1 + nu)).
+void expand_poissons_ratio(const std::optional<Section>& section, Entries& entries) {
+  constexpr std::string_view key = "beam.poissons_ratio";
+  const Entry* given = find(entries, key);
+  if (given == nullptr) return;
+  const double nu = number_of(key, {1e-9, 1.0, ""}, *given);
+  if (!(nu > -1.0 && nu < 0.5)) throw FieldError(key, shortest_text(nu), "a number above -1 and below 0.5");
+  const Entry* modulus = find(entries, "beam.youngs_modulus");
+  if (!section || modulus == nullptr)
+    throw InputError(given->place + ": beam.poissons_ratio is " + given->description + ", but needs " +
+                     (section ? "beam.youngs_modulus or beam.material" : "section.shape") +
+                     "; otherwise give beam.shear_stiffness");
+  const double youngs_modulus = number_of("beam.youngs_modulus", {1e-3, 1e18, "Pa"}, *modulus);
+  supply(entries, "beam.shear_stiffness",
+         section->shear_coefficient(nu) * section->area * youngs_modulus / (2.0 * (1.0 + nu)), key);
+  entries.erase(std::string(key));
 }
 
 void expand_material(Entries& entries) {
@@ -171,16 +201,19 @@ std::span<const std::string_view> shorthand_keys() { return shorthand; }
 
 void erase_alternatives(std::string_view key, Entries& entries) {
   constexpr std::array<std::string_view, 2> durations{"excitation.duration", "numerics.duration"};
+  constexpr std::array<std::string_view, 2> shears{"beam.shear_stiffness", "beam.poissons_ratio"};
   for (const std::span<const std::string_view> group :
-       {std::span<const std::string_view>(amplitudes), std::span<const std::string_view>(durations)})
+       {std::span<const std::string_view>(amplitudes), std::span<const std::string_view>(durations),
+        std::span<const std::string_view>(shears)})
     if (std::ranges::find(group, key) != group.end())
       for (const std::string_view other : group)
         if (other != key) entries.erase(std::string(other));
 }
 
 void expand_shorthand(Entries& entries) {
-  expand_section(entries);
+  const auto section = expand_section(entries);
   expand_material(entries);
+  expand_poissons_ratio(section, entries);
   expand_amplitude(entries);
   expand_duration(entries);
   expand_friction(entries);

@@ -40,6 +40,7 @@ Beam::Beam(const BeamProperties& properties) : properties_(properties) {
   if (!(axial_direction() >= 0.0 && axial_direction() <= 1.0))
     throw FieldError("beam.axial_direction", shortest_text(axial_direction()),
                      "a number from 0 (follows the tip) to 1 (keeps its direction)");
+  require_not_negative("beam.shear_stiffness", shear_stiffness(), " (N; 0: rigid in shear)");
 }
 
 FrictionLaw::FrictionLaw(const FrictionCoefficients& coefficients) : coefficients_(coefficients) {

@@ -22,6 +22,7 @@
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/damped_steady_state.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/analytic/timoshenko_modes.hpp"
 #include "studies/common/parallel.hpp"
 
 namespace stickslip::cli {
@@ -49,14 +50,22 @@ analytic::Criterion criterion_of(const data::Case& problem, const data::Harmonic
                                       modes, steady_part, width, problem.damping);
 }
 
-// The criterion without truncation: exact steady part, kept_modes() free vibrations, and the bound of what the
-// others can add to the undamped reaction. Evaluated at an amplitude of 1 m and scaled, since the reaction is
-// proportional to the amplitude.
+// The bound of what the modes that are not kept can add to the undamped reaction.
+double omitted_transient_bound(const data::Case& problem, const data::HarmonicExcitation& unit) {
+  const int modes = kept_modes(problem);
+  if (problem.beam.shear_stiffness() > 0.0)
+    return analytic::timoshenko_omitted_transient(analytic::timoshenko_reaction(problem.beam, modes),
+                                                  studies::angular_frequency(unit));
+  return analytic::StickResponse(problem.beam, unit, modes, analytic::SteadyPart::exact)
+      .omitted_transient_bound();
+}
+
+// The criterion without truncation: exact steady part, kept_modes() free vibrations, and omitted_transient_bound().
+// Evaluated at an amplitude of 1 m and scaled, since the reaction is proportional to the amplitude.
 analytic::Criterion with_all_modes(const data::Case& problem) {
   const data::HarmonicExcitation unit = unit_excitation(problem);
   const int modes = kept_modes(problem);
-  const double omitted = analytic::StickResponse(problem.beam, unit, modes, analytic::SteadyPart::exact)
-                             .omitted_transient_bound();
+  const double omitted = omitted_transient_bound(problem, unit);
   const auto criterion = criterion_of(problem, unit, modes, analytic::SteadyPart::exact);
   const analytic::Bounds unit_force{std::max(0.0, criterion.force_max.lower - omitted),
                                     criterion.force_max.upper + omitted};
@@ -83,6 +92,8 @@ double unit_steady_force(const data::Case& problem) {
                                                            analytic::SteadyPart::exact),
                                  studies::angular_frequency(unit), problem.numerics.duration())
         .steady_amplitude();
+  if (problem.beam.shear_stiffness() > 0.0 && problem.damping.kelvin_voigt() == 0.0)
+    return std::abs(analytic::timoshenko_steady_force(problem.beam, studies::angular_frequency(unit)));
   if (problem.damping.kelvin_voigt() == 0.0)
     return std::abs(
         analytic::StickResponse(problem.beam, unit, kept_modes(problem), analytic::SteadyPart::exact)
@@ -123,8 +134,8 @@ struct NaturalFrequency {
 std::optional<NaturalFrequency> next_natural_frequency(const data::Case& problem) {
   constexpr int most_modes = 200;
   int mode = 0;
-  for (const analytic::StickMode& shape : analytic::stick_modes(problem.beam, most_modes)) {
-    const double hz = shape.angular_frequency() / (2.0 * std::numbers::pi);
+  for (const analytic::ModalForce& share : analytic::modal_forces(problem.beam, most_modes)) {
+    const double hz = share.angular_frequency / (2.0 * std::numbers::pi);
     ++mode;
     if (hz > problem.excitation.frequency_hz()) return NaturalFrequency{mode, hz};
   }
@@ -147,6 +158,7 @@ Change best_change(const data::Case& problem) {
     for (const double factor : {0.9, 1.1}) {
       auto numbers = data::numbers_of(problem);
       numbers.at(std::string(key)) *= factor;
+      if (key == "beam.youngs_modulus") numbers.at("beam.shear_stiffness") *= factor;
       numbers.at("friction.kinetic_coefficient") = 0.0;  // which has no part in the criterion
       const data::Case changed = data::case_with(problem.name, numbers);
       if (changed.beam.axial_force() >= analytic::stick_buckling_load(changed.beam)) continue;

@@ -16,6 +16,7 @@
 #include "render/figures.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/analytic/timoshenko_modes.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
 
 namespace stickslip::cli {
@@ -41,6 +42,13 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 std::vector<Frequency> closed_form_stick(const data::Beam& beam, int count) {
   std::vector<Frequency> frequencies;
+  if (beam.shear_stiffness() > 0.0) {
+    const double condition =
+        1.0 / (1.0 - std::max(0.0, beam.axial_force()) / analytic::stick_buckling_load(beam));
+    for (const double omega : analytic::timoshenko_frequencies(beam, analytic::TipSupport::held, count))
+      frequencies.push_back({omega / (2.0 * std::numbers::pi), 4.0 * epsilon * condition});
+    return frequencies;
+  }
   for (const auto& mode : analytic::stick_modes(beam, count))
     frequencies.push_back({mode.frequency_hz(), 4.0 * epsilon * mode.condition_number()});
   return frequencies;
@@ -67,12 +75,13 @@ std::vector<Frequency> closed_form_slip(const data::Beam& beam, int count) {
   return frequencies;
 }
 
-// Leading discretisation error of a frequency on Hermite elements of length l, (beta l)^4/1440 with
-// beta^4 = rho A omega^2/EI, which leaves the axial force out.
+// Leading discretisation error of a frequency on elements of length l, (beta l)^4/1440 with beta^4 = rho A omega^2/EI,
+// and with shear rho A omega^2 l^2/(24 k G A), which leaves the axial force out.
 double hermite_error(const data::Beam& beam, double omega, double l) {
   const double mass = beam.density() * beam.area();
   const double stiffness = beam.youngs_modulus() * beam.second_moment_of_area();
-  return mass * omega * omega / stiffness * std::pow(l, 4) / 1440.0;
+  const double shear = beam.shear_stiffness() > 0.0 ? 60.0 * stiffness / beam.shear_stiffness() : 0.0;  // m^2
+  return mass * omega * omega / stiffness * l * l * (l * l + shear) / 1440.0;
 }
 
 std::vector<Frequency> finite_element(const data::Case& problem, bool slip, int count) {

@@ -53,10 +53,15 @@ BeamModel::BeamModel(const data::Beam& beam, int elements) : beam_(beam), elemen
   const double element_length = beam.length() / elements;
   const double mass_per_length = beam.density() * beam.area();
   const double flexural_rigidity = beam.youngs_modulus() * beam.second_moment_of_area();
-
-  mass_ = assemble(consistent_mass(mass_per_length, element_length), elements);
-  elastic_ = assemble(bending_stiffness(flexural_rigidity, element_length), elements);
-  geometric_ = assemble(solver::geometric_stiffness(element_length), elements);
+  ElementMatrix mass = consistent_mass(mass_per_length, element_length);
+  if (beam.shear_stiffness() > 0.0) {
+    shear_parameter_ = 12.0 * flexural_rigidity / (beam.shear_stiffness() * element_length * element_length);
+    mass = consistent_mass(mass_per_length, element_length, shear_parameter_) +
+           rotary_mass(beam.density() * beam.second_moment_of_area(), element_length, shear_parameter_);
+  }
+  mass_ = assemble(mass, elements);
+  elastic_ = assemble(bending_stiffness(flexural_rigidity, element_length, shear_parameter_), elements);
+  geometric_ = assemble(solver::geometric_stiffness(element_length, shear_parameter_), elements);
   base_load_ = mass_per_length * assemble(consistent_load(element_length), elements);
 
   stick_stiffness_ = elastic_ - beam.axial_force() * geometric_;
@@ -75,7 +80,8 @@ Eigen::VectorXd BeamModel::interpolation(double x) const {
     throw data::FieldError("x", x, "on the beam, 0 ... " + data::shortest_text(beam_.length()) + " (m)");
   const double element_length = beam_.length() / elements_;
   const int element = std::min(static_cast<int>(x / element_length), elements_ - 1);
-  const ElementVector weights = shape_functions(x / element_length - element, element_length);
+  const ElementVector weights =
+      shape_functions(x / element_length - element, element_length, shear_parameter_);
   Eigen::VectorXd row = Eigen::VectorXd::Zero(degrees_of_freedom());
   for (Eigen::Index i = 0; i < 4; ++i)
     if (const Eigen::Index column = first_degree_of_freedom(element) + i; column >= 0)

@@ -65,6 +65,7 @@ data::Case with_value(const data::Case& problem, Parameter parameter, double val
       beam.axial_force = value;
       break;
     case Parameter::youngs_modulus:
+      beam.shear_stiffness *= value / beam.youngs_modulus;  // G is proportional to E
       beam.youngs_modulus = value;
       break;
     case Parameter::static_coefficient:
@@ -88,6 +89,19 @@ double angular_frequency(const data::HarmonicExcitation& excitation) {
 
 bool is_damped(const data::Case& problem) {
   return problem.damping.kelvin_voigt() > 0.0 || problem.damping.ratio() > 0.0;
+}
+
+data::Beam with_shear(const data::Beam& beam) {
+  data::BeamProperties properties = beam.properties();
+  if (properties.shear_stiffness == 0.0)
+    properties.shear_stiffness = beam.youngs_modulus() * beam.area() / shear_flexibility;
+  return data::Beam(properties);
+}
+
+data::Beam without_shear(const data::Beam& beam) {
+  data::BeamProperties properties = beam.properties();
+  properties.shear_stiffness = 0.0;
+  return data::Beam(properties);
 }
 
 void require_friction(const data::Case& problem) {

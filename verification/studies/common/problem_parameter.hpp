@@ -31,7 +31,7 @@ inline constexpr std::array all_parameters{Parameter::frequency,      Parameter:
 [[nodiscard]] double value_of(const data::Case& problem, Parameter parameter);
 
 /// A copy of the case with the parameter set to `value` (SI units); the cross section of the beam does not
-/// change. If the static coefficient falls below the kinetic one, the kinetic one is set to the same value.
+/// change, and its shear stiffness is proportional to Young's modulus. If the static coefficient falls below the kinetic one, the kinetic one is set to the same value.
 /// Throws data::FieldError if the field does not allow the value.
 [[nodiscard]] data::Case with_value(const data::Case& problem, Parameter parameter, double value);
 
@@ -40,6 +40,13 @@ inline constexpr std::array all_parameters{Parameter::frequency,      Parameter:
 
 /// Whether the case has Kelvin-Voigt damping or a damping ratio above 0.
 [[nodiscard]] bool is_damped(const data::Case& problem);
+
+/// E/(kappa G) of a rectangular section with kappa = 5/6 and Poisson's ratio 0.3.
+constexpr double shear_flexibility = 3.12;
+
+/// The beam with the shear stiffness E A/shear_flexibility unless it has one; and rigid in shear.
+[[nodiscard]] data::Beam with_shear(const data::Beam& beam);
+[[nodiscard]] data::Beam without_shear(const data::Beam& beam);
 
 /// Throws data::FieldError if the static coefficient is 0, because a force ratio or a margin divides by it.
 void require_friction(const data::Case& problem);

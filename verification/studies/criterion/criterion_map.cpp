@@ -74,6 +74,10 @@ class Forces {
         common_damped_ = analytic::damped_reaction(task.problem.beam, task.problem.damping, modes_);
       return;
     }
+    if (task.problem.beam.shear_stiffness() > 0.0) {  // whose modes depend on more than the load factor
+      if (!may_buckle(task)) common_ = analytic::modal_reaction(task.problem.beam, modes_);
+      return;
+    }
     double lowest = std::numeric_limits<double>::infinity(), highest = 0.0;
     for (const std::size_t j : ends_of(task.y))
       for (const std::size_t i : ends_of(task.x)) {

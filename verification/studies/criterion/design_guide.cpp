@@ -29,6 +29,9 @@ constexpr double last_share = 1.0 / 16.0;  // of that accuracy, at which the bis
 constexpr double below_buckling = 1.0 - 1e-6;
 
 void require_excitation(const data::Case& problem) {
+  if (problem.beam.shear_stiffness() > 0.0)
+    throw data::FieldError("beam.shear_stiffness", problem.beam.shear_stiffness(),
+                           "0 for a design over a band of frequencies; map and criterion have shear");
   if (problem.excitation.amplitude() > 0.0) return;
   throw data::FieldError(field_of(Parameter::amplitude), "0",
                          "above 0 (m): without excitation nothing slips");

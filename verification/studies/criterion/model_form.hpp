@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// The effect of a choice in the model: the axial force follows the tip in the paper (chi = 0), but the normal
-/// force of a flat wall keeps its direction (chi = 1).
+/// The effect of choices in the model. The axial force follows the tip in the paper (chi = 0), but the normal force of a
+/// flat wall keeps its direction (chi = 1). The beam of the paper has neither shear nor rotary inertia.
 
 #include <cstddef>
 #include <string>
@@ -35,9 +35,22 @@ struct AxialDirectionForce {
   double frequency_hz{}, ratio{};
 };
 
+/// The criterion over the same plane with shear and rotary inertia against without.
+struct ShearPlane {
+  std::string figures;
+  std::size_t cells{};                     ///< with a stick state in both models
+  std::size_t flipped{};                   ///< of these, with another verdict
+  double lowest_ratio{}, highest_ratio{};  ///< of |f_max|, over the cells
+  std::size_t buckled{};                   ///< cells that have a stick state without shear alone
+  [[nodiscard]] double flipped_share() const {
+    return static_cast<double>(flipped) / static_cast<double>(cells);
+  }
+};
+
 struct ModelForm {
   std::vector<AxialDirectionForce> forces;  ///< of the paper's beam at the frequencies of Fig. 12
   std::vector<AxialDirectionPlane> planes;  ///< Figs. 10 to 12, which share one plane, 13 and 14
+  std::vector<ShearPlane> shear;            ///< the same planes, with the shear stiffness of with_shear()
 };
 
 /// `paper`, `half_stiffness` and `flat_section` are the cases of Figs. 10 to 12, 13 and 14. The planes are the

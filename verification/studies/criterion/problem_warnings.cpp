@@ -8,9 +8,10 @@
 #include <numbers>
 
 #include "stickslip/analytic/beam_contact_model.hpp"
+#include "stickslip/analytic/criterion.hpp"
+#include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
-#include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/common/simpson.hpp"
@@ -56,6 +57,7 @@ double allowed_step(double spectral_radius, double omega) {
   return two_digits(lower / omega);
 }
 
+// The load is that without shear, which lowers it a little.
 void warn_of_instability(const data::Beam& beam, std::vector<Warning>& warnings) {
   const double load = analytic::slip_critical_load(beam);
   if (beam.axial_force() < load) return;
@@ -71,24 +73,26 @@ void warn_of_resonance(const data::Case& problem, std::vector<Warning>& warnings
   const double omega = angular_frequency(problem.excitation), duration = problem.numerics.duration();
   if (is_damped(problem) || problem.excitation.amplitude() == 0.0 || 0.5 * omega * duration < grown_response)
     return;
-  const auto modes = analytic::stick_modes(problem.beam, problem.numerics.modes());
+  const auto modes = analytic::modal_forces(problem.beam, problem.numerics.modes());
   const auto nearest = std::ranges::min_element(
-      modes, {}, [&](const auto& mode) { return std::abs(mode.angular_frequency() - omega); });
-  const double difference = std::abs(nearest->angular_frequency() - omega);
+      modes, {}, [&](const auto& mode) { return std::abs(mode.angular_frequency - omega); });
+  const double difference = std::abs(nearest->angular_frequency - omega);
+  const double nearest_hz = nearest->angular_frequency / (2.0 * pi);
   if (difference * duration > pi) return;
   const std::string end =
       difference * duration < 1e-6 ? "without end" : fmt::format("until {:.3g} s", pi / difference);
   warnings.push_back(
-      {Concern::resonance, problem.excitation.frequency_hz(), nearest->frequency_hz(),
+      {Concern::resonance, problem.excitation.frequency_hz(), nearest_hz,
        fmt::format(
            "excitation.frequency_hz is {}, next to natural frequency {} of the stick state, {:.7g} Hz: the "
            "reaction of the undamped beam grows with t, {}, so that its maximum depends on "
            "excitation.duration, {} s",
-           data::shortest_text(problem.excitation.frequency_hz()), nearest->number(), nearest->frequency_hz(),
+           data::shortest_text(problem.excitation.frequency_hz()), nearest - modes.begin() + 1, nearest_hz,
            end, data::shortest_text(duration))});
 }
 
 void warn_of_thickness(const data::Beam& beam, bool slip, int mode, std::vector<Warning>& warnings) {
+  if (beam.shear_stiffness() > 0.0) return;
   const double error = slip ? slip_model_error(beam, mode) : stick_model_error(beam, mode);
   if (error <= allowed_model_error) return;
   const double radius = std::sqrt(beam.second_moment_of_area() / beam.area());
@@ -100,7 +104,7 @@ void warn_of_thickness(const data::Beam& beam, bool slip, int mode, std::vector<
 }
 
 void warn_of_step(const data::Case& problem, int mode, std::vector<Warning>& warnings) {
-  const double natural = analytic::stick_modes(problem.beam, mode).back().angular_frequency();
+  const double natural = analytic::modal_forces(problem.beam, mode).back().angular_frequency;
   const double excitation = angular_frequency(problem.excitation);
   const double omega = std::max(natural, excitation), step = problem.numerics.time_step();
   const double error = step_error(problem.numerics.spectral_radius(), omega, step);
@@ -158,22 +162,28 @@ double step_error(double spectral_radius, double omega, double time_step) {
 
 int highest_mode_that_matters(const data::Case& problem) {
   constexpr int instants = 2048;
-  const data::HarmonicExcitation unit({.frequency_hz = problem.excitation.frequency_hz(), .amplitude = 1.0});
-  const analytic::StickResponse response(problem.beam, unit, problem.numerics.modes());
+  const double omega = angular_frequency(problem.excitation);
+  const auto reaction = analytic::modal_reaction(problem.beam, problem.numerics.modes());
   const double span = std::max({problem.numerics.duration(), 1.0 / problem.excitation.frequency_hz(),
-                                1.0 / response.modes().front().frequency_hz()});
+                                2.0 * pi / reaction.modes.front().angular_frequency});
+  const analytic::ForceMaximum force(reaction, omega, span);
   double largest = 0.0;
   for (int i = 1; i <= instants; ++i) {
     const double part = std::fmod(i * std::numbers::phi, 1.0);
-    largest = std::max(largest, std::abs(response.friction_force(part * span)));
+    largest = std::max(largest, std::abs(force.value(part * span)));
   }
-  const auto vibrations = response.transient_force();
-  for (std::size_t n = vibrations.size(); n > 1; --n)
-    if (std::abs(vibrations[n - 1].amplitude) > share_that_matters * largest) return static_cast<int>(n);
+  for (std::size_t n = reaction.modes.size(); n > 1; --n) {
+    const auto& [natural, coefficient] = reaction.modes[n - 1];
+    const double vibration =
+        coefficient * std::pow(omega, 3) / ((omega - natural) * (omega + natural) * natural);
+    if (std::abs(vibration) > share_that_matters * largest) return static_cast<int>(n);
+  }
   return 1;
 }
 
-std::vector<Warning> problem_warnings(const data::Case& problem, Inquiry inquiry, int frequencies) {
+namespace {
+
+std::vector<Warning> warnings_without_effect(const data::Case& problem, Inquiry inquiry, int frequencies) {
   std::vector<Warning> warnings;
   if (may_slip(inquiry)) warn_of_instability(problem.beam, warnings);
   if (inquiry == Inquiry::criterion || inquiry == Inquiry::closed_form_history)
@@ -181,6 +191,35 @@ std::vector<Warning> problem_warnings(const data::Case& problem, Inquiry inquiry
   const int mode = is_about_frequencies(inquiry) ? frequencies : highest_mode_that_matters(problem);
   warn_of_thickness(problem.beam, inquiry == Inquiry::slip_frequencies, mode, warnings);
   if (inquiry == Inquiry::stepped_history) warn_of_step(problem, mode, warnings);
+  return warnings;
+}
+
+}  // namespace
+
+std::string shear_effect(const data::Case& problem) {
+  data::Case sheared = problem;
+  sheared.beam = with_shear(problem.beam);
+  const std::string choice =
+      fmt::format("with beam.shear_stiffness = {:.3g} (k = 5/6, nu = 0.3)", sheared.beam.shear_stiffness());
+  if (problem.beam.axial_force() >= analytic::stick_buckling_load(sheared.beam))
+    return choice + " the beam buckles";
+  const auto criterion = [](const data::Case& of) {
+    return analytic::evaluate_criterion(of.beam, of.friction, of.excitation, of.numerics.duration(),
+                                        of.numerics.modes(), analytic::SteadyPart::modal_sum, 1e-4);
+  };
+  const auto without = criterion(problem), with = criterion(sheared);
+  return fmt::format("{} |f_max| is {:.4g} N instead of {:.4g} N, and the verdict is {}{}", choice,
+                     with.force_max.midpoint(), without.force_max.midpoint(), to_string(with.verdict),
+                     with.verdict == without.verdict
+                         ? " as well"
+                         : fmt::format(" instead of {}", to_string(without.verdict)));
+}
+
+std::vector<Warning> problem_warnings(const data::Case& problem, Inquiry inquiry, int frequencies) {
+  auto warnings = warnings_without_effect(problem, inquiry, frequencies);
+  const auto thick = std::ranges::find(warnings, Concern::thick_beam, &Warning::concern);
+  if (thick != warnings.end() && inquiry == Inquiry::criterion && !is_damped(problem))
+    thick->sentence += "; " + shear_effect(problem);
   return warnings;
 }
 
@@ -205,8 +244,9 @@ std::optional<Warning> growth_warning(const data::Case& problem, Inquiry inquiry
   const double allowed = allowed_growth / numerics.duration();
   if (grows_at_most(contact, kappa, allowed)) return std::nullopt;
   const double run_bound = growth_bound(contact, kappa);
-  const double beam_bound = beam_growth_bound(
-      problem.beam, problem.friction, data::Damping({.kelvin_voigt = problem.damping.kelvin_voigt()}));
+  const double beam_bound =
+      beam_growth_bound(without_shear(problem.beam), problem.friction,
+                        data::Damping({.kelvin_voigt = problem.damping.kelvin_voigt()}));
   const auto rate = [](double value) {
     return value < 100.0 ? fmt::format("{:.3g} 1/s", value) : fmt::format("{:.0f} 1/s", value);
   };
@@ -233,7 +273,7 @@ std::vector<Warning> warnings_common_to(const data::Case& problem, const std::ve
     return parameter != Parameter::amplitude && parameter != Parameter::static_coefficient &&
            parameter != Parameter::axial_direction;
   };
-  auto warnings = problem_warnings(problem, Inquiry::criterion);
+  auto warnings = warnings_without_effect(problem, Inquiry::criterion, 0);
   std::erase_if(warnings, [&](const Warning& warning) {
     return warning.concern == Concern::resonance
                ? std::ranges::any_of(varied, moves_a_frequency)
@@ -264,7 +304,8 @@ void require_feasible(const data::Case& problem, Inquiry inquiry) {
   }
   const bool is_event_driven = inquiry == Inquiry::event_driven_history;
   const double most_periods = is_event_driven ? 1e6 : 1e8;  // minutes of work
-  const double natural = analytic::stick_modes(problem.beam, problem.numerics.modes()).back().frequency_hz();
+  const double natural =
+      analytic::modal_forces(problem.beam, problem.numerics.modes()).back().angular_frequency / (2.0 * pi);
   const double highest = std::max(natural, problem.excitation.frequency_hz());
   if (problem.numerics.duration() * highest <= most_periods) return;
   throw data::FieldError("excitation.duration", data::shortest_text(problem.numerics.duration()),

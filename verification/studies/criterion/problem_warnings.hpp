@@ -48,13 +48,9 @@ constexpr double share_that_matters = 0.01;
 /// A resonant response gives a warning from this multiple of the quasi-static response on.
 constexpr double grown_response = 10.0;
 
-/// E/(kappa G) of a rectangular section with kappa = 5/6 and a Poisson ratio of 1/4. A case contains neither
-/// value.
-constexpr double shear_flexibility = 3.0;
-
 /// The relative amount by which Euler-Bernoulli theory overestimates a natural frequency of the stick or the
 /// slip state, for P much smaller than kappa G A. Rotary inertia adds rho I int U'^2 to the mass rho A int
-/// U^2, and shear adds (EI)^2 int U'''^2/(kappa G A) to the flexibility. With r^2 = I/A
+/// U^2, and shear adds (EI)^2 int U'''^2/(kappa G A) to the flexibility. With r^2 = I/A and E/(kappa G) = shear_flexibility
 ///
 ///     omega_EB/omega - 1 = sqrt(1 + r^2 [int U'^2/int U^2 + E/(kappa G) int U'''^2/int U''^2]) - 1.
 ///
@@ -80,13 +76,17 @@ constexpr double shear_flexibility = 3.0;
 ///   Omega that |f| grows over the whole duration T, |Omega - omega_n| T <= pi (half a beat), and reaches at
 ///   least grown_response times the quasi-static response, Omega T/2 >= grown_response.
 /// - thick beam: stick_model_error() of the highest relevant mode, or of the highest one asked for, is above
-///   allowed_model_error.
+///   allowed_model_error, and the beam has no shear stiffness. For the undamped criterion with shear_effect().
 /// - long step, for time integration: step_error() of the highest relevant mode, or of a vibration at Omega,
 ///   is above allowed_step_error. The limit is the largest allowed step, rounded down to two digits.
 ///
 /// `frequencies` is the number of natural frequencies asked for. Throws what stick_modes() throws.
 [[nodiscard]] std::vector<Warning> problem_warnings(const data::Case& problem, Inquiry inquiry,
                                                     int frequencies = 0);
+
+/// What shear and rotary inertia change in |f_max| and in the verdict, by the undamped criterion with with_shear(), as
+/// the end of a sentence. Throws what evaluate_criterion() throws.
+[[nodiscard]] std::string shear_effect(const data::Case& problem);
 
 /// The limit of sigma* T, at which exp(sigma* T) is about 1/eps of double precision.
 constexpr double allowed_growth = 36.0;
@@ -100,7 +100,7 @@ constexpr int most_undamped_for_growth = 200, most_damped_for_growth = 50;
 /// slower. `value` is sigma*, and `limit` is allowed_growth/T.
 ///
 /// The sentence also gives
-/// - sigma* of the beam, with Kelvin-Voigt damping but without damping.ratio;
+/// - sigma* of the beam, with Kelvin-Voigt damping but without damping.ratio and without shear;
 /// - if sigma* of the run is above 1.1 times that of the beam: settings with about the sigma* of the beam,
 ///   which are the spectral radius 0 and omega_max h = filtering_angle (history_convergence.hpp);
 /// - if sigma* T of the beam is also above allowed_growth and damping.ratio is 0: the time up to which the

@@ -193,23 +193,23 @@ DampedForce damped_force(const data::Case& damped) {
 }
 
 SlenderForce slender_force(const data::Case& paper) {
-  SlenderForce result{.frequency_hz = paper.excitation.frequency_hz(),
-                      .amplitude = paper.excitation.amplitude(),
-                      .model_errors = {}};
-  analytic::ModalReaction reaction = analytic::modal_reaction(paper.beam, paper.numerics.modes());
-  const auto force_max = [&] {
+  const analytic::ModalReaction slender = analytic::modal_reaction(paper.beam, paper.numerics.modes());
+  const analytic::ModalReaction sheared =
+      analytic::modal_reaction(with_shear(paper.beam), paper.numerics.modes());
+  const auto force_max = [&](const analytic::ModalReaction& reaction) {
     return paper.excitation.amplitude() *
            analytic::ForceMaximum(reaction, angular_frequency(paper.excitation), paper.numerics.duration())
                .refined_to(1e-7)
                .midpoint();
   };
-  result.force_max = force_max();
-  for (analytic::ModalForce& mode : reaction.modes) {
-    const int number = static_cast<int>(result.model_errors.size()) + 1;
-    result.model_errors.push_back(stick_model_error(paper.beam, number));
-    mode.angular_frequency /= 1.0 + result.model_errors.back();
-  }
-  result.shifted_force_max = force_max();
+  SlenderForce result{.frequency_hz = paper.excitation.frequency_hz(),
+                      .amplitude = paper.excitation.amplitude(),
+                      .model_errors = {},
+                      .force_max = force_max(slender),
+                      .shifted_force_max = force_max(sheared)};
+  for (std::size_t i = 0; i < slender.modes.size(); ++i)
+    result.model_errors.push_back(slender.modes[i].angular_frequency / sheared.modes[i].angular_frequency -
+                                  1.0);
   return result;
 }
 

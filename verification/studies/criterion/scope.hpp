@@ -54,11 +54,11 @@ struct DampedForce {
   double finite_element_max{};         ///< |f_max| of that run over numerics.duration(), start included, N
 };
 
-/// |f_max| with the natural frequencies of Euler-Bernoulli theory and with those that rotary inertia and
-/// shear leave (stick_model_error()).
+/// |f_max| of Euler-Bernoulli theory and with rotary inertia and shear (with_shear()).
 struct SlenderForce {
   double frequency_hz{}, amplitude{};
-  std::vector<double> model_errors;         ///< relative, of each natural frequency that is kept
+  std::vector<double>
+      model_errors;  ///< relative, of Euler-Bernoulli theory in each natural frequency that is kept
   double force_max{}, shifted_force_max{};  ///< N
 };
 

@@ -396,7 +396,7 @@ TEST_F(CaseFile, RefusesAnOverrideOfAnUnknownKey) {
       error_message(valid_case(), {{"beam.lenght", "1.8"}}),
       "override beam.lenght=1.8: unknown key beam.lenght (did you mean beam.length?) with the value 1.8 (a "
       "float), but [beam] has the keys length, area, second_moment_of_area, density, youngs_modulus, "
-      "axial_force, axial_direction, material");
+      "axial_force, axial_direction, shear_stiffness, material, poissons_ratio");
   EXPECT_TRUE(contains(error_message(valid_case(), {{"length", "1.8"}}), "but a case has the tables beam"));
 }
 

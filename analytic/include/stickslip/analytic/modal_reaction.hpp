@@ -24,7 +24,7 @@ struct ModalReaction {
   std::vector<ModalForce> modes;  ///< ascending
 };
 
-/// The first `modes` shares. Throws what stick_modes() throws.
+/// The first `modes` shares, with shear if the beam has it (timoshenko_modes.hpp). Throws what stick_modes() throws.
 [[nodiscard]] std::vector<ModalForce> modal_forces(const data::Beam& beam, int modes);
 [[nodiscard]] ModalReaction modal_reaction(const data::Beam& beam, int modes);
 

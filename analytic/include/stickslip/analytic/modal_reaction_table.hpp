@@ -22,7 +22,7 @@ class ModalReactionTable {
   ModalReactionTable(double lowest_load_factor, double highest_load_factor, int modes,
                      double axial_direction = 0.0);
 
-  /// Whether the beam's load factor is in the range, and its chi that of the table.
+  /// Whether the beam's load factor is in the range, its chi that of the table, and the beam rigid in shear.
   [[nodiscard]] bool holds(const data::Beam& beam) const;
 
   /// modal_reaction(beam, modes). Throws std::invalid_argument unless holds(beam).

@@ -14,7 +14,8 @@
 ///
 /// (Eqs. 22 and 23 rearranged). U vanishes with its curvature at x = L and with its value at x = 0 by
 /// construction; U'(0) = 0 is the characteristic equation. U''(0) = beta^2 + betabar^2, the paper's scale. No
-/// exponential grows with the mode number.
+/// exponential grows with the mode number. Shear: timoshenko_modes.hpp; what is declared here refuses it, but for the
+/// buckling load.
 ///
 /// The n-th root lies in n pi < bb < (n + 1/2) pi, and it is the only one there: tan(bb)/bb rises from 0 to
 /// infinity, while tanh(b)/b, with b^2 = bb^2 - p L^2, falls. In compression the bracket starts at b = 0 when
@@ -28,8 +29,12 @@
 namespace stickslip::analytic {
 
 /// Buckling load of the clamped-pinned beam, N: P_cr = (z/L)^2 EI with z the first positive root of tan z = z
-/// (z^2 = 20.190728556426629). Accurate to round-off.
+/// (z^2 = 20.190728556426629). With a shear stiffness, z is that of tan z = z/(1 + s^2 z^2) and P_cr = EI/L^2
+/// z^2/(1 + s^2 z^2), s^2 = EI/(k G A L^2). Accurate to round-off.
 [[nodiscard]] double stick_buckling_load(const data::Beam& beam);
+
+/// Throws data::FieldError, naming beam.axial_force, its value and the buckling load, if P >= P_cr.
+void require_unbuckled(const data::Beam& beam);
 
 /// S(x) of Eqs. (15)-(18): the deflection per unit base displacement of the massless beam whose tip stays at
 /// rest, S'''' + (P/EI) S'' = 0, S(0) = S'(0) = 0, S(L) = -1, S''(L) = 0. With z = P L^2/EI, xi = x/L,

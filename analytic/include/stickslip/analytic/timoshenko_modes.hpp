@@ -1,50 +1,64 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// Natural frequencies of the Timoshenko beam without axial force, clamped at x = 0, in closed form. With the
-/// deflection w, the rotation phi of the section, the shear modulus G and the shear coefficient k,
+/// The stick state of a beam with shear and rotary inertia in closed form (Timoshenko, Phil. Mag. 41, 1921; frequency
+/// equations without axial force: Huang, J. Appl. Mech. 28, 1961). With the rotation phi of the section, K = k G A and
+/// an axial force along the axis of the beam (Engesser's choice),
 ///
-///     rho A w_tt = k G A (w_xx - phi_x),       rho I phi_tt = EI phi_xx + k G A (w_x - phi),
+///     rho A w_tt = [K (w_x - phi) - P w_x]_x,       rho I phi_tt = EI phi_xx + K (w_x - phi),
 ///
-/// w = phi = 0 at x = 0, and at x = L w = phi_x = 0 (held, a pin) or phi_x = w_x - phi = 0 (free). (Timoshenko,
-/// Phil. Mag. 41, 1921; frequency equations: Huang, J. Appl. Mech. 28, 1961.) With
+/// w = phi = 0 at x = 0 and, at x = L, phi_x = 0 and w = 0 (held) or K (w_x - phi) - P w_x + (1 - chi) P phi = 0 (free).
+/// With
 ///
-///     r^2 = I/(A L^2),   s^2 = EI/(k G A L^2),   B = rho A L^4 omega^2/EI
+///     r^2 = I/(A L^2),  s^2 = EI/(K L^2),  z = P L^2/EI,  e = 1 - z s^2,  B = rho A L^4 omega^2/EI
 ///
-/// the solutions are sums of cosh, sinh(m x/L) and cos, sin(n x/L), where m^2 and -n^2 are the roots of
-/// q^2 + B (r^2 + s^2) q - B (1 - B r^2 s^2) = 0. With a = m^2 + B s^2 and c = n^2 - B s^2 = B/a the frequency
-/// equations are
+/// the solutions are sums of exp(+-sqrt(q) x/L) with the two roots q_1 > q_2 of
 ///
-///     held:  a sin(n) cosh(m) - c m/n cos(n) sinh(m) = 0,
-///     free:  2 + (a/c + c/a) cosh(m) cos(n) + (m/n - n/m) sinh(m) sin(n) = 0.
+///     e q^2 + [B s^2 + z + B r^2 e] q - B (1 - B r^2 s^2) = 0.
 ///
-/// r = s = 0 is the beam of Euler and Bernoulli. Below the cut-off frequency sqrt(k G A/(rho I)), where m = 0,
-/// mode j lies in j pi < n < (j + 1/2) pi (held) or (j - 1) pi < n < j pi (free): the left side changes its sign
-/// there. That there is no second root in between is not proven; the tests find none.
+/// q_2 < 0; q_1 is positive below the cut-off frequency sqrt(K/(rho I)) and negative above. Let a = e q + B s^2,
+/// C = cosh(sqrt q) and T = sinh(sqrt q)/sqrt(q), entire functions of q. The amplitude of the friction force f in the
+/// steady vibration with the tip held and a unit amplitude of the base is
+///
+///     f L^3/EI = {B [a_1 C_1 - a_2 C_2] + (1 - chi) z a_1 a_2 [C_2 - C_1]}/D,     D = q_1 T_1 a_2 C_2 - q_2 T_2 a_1 C_1,
+///
+/// D = 0 is the frequency equation, and the shares c_n of ModalReaction are the residues (EI/L^3) {...}/(B D'(B)), with
+/// D' by a complex step. At B = 0, f L^3/EI = e^2 [1 - chi (1 - c0)]/(c2 - c3 + s^2 e c0) with the Stumpff functions at
+/// z/e. r = s = 0 is the beam of Euler and Bernoulli.
+///
+/// No mode is missed: the clamped-pinned beam is the pinned-pinned one with one constraint, phi(0) = 0, so that their
+/// frequencies interlace, and those of the latter are known. With n = j pi, j = 1, 2, ... they are the two roots of
+/// r^2 s^2 B^2 - [1 + n^2 (s^2 + r^2 e)] B + e n^4 - z n^2 = 0, and the cut-off frequency.
 
 #include <vector>
 
 #include "stickslip/analytic/damped_steady_state.hpp"
+#include "stickslip/analytic/modal_reaction.hpp"
 #include "stickslip/data/problem.hpp"
 
 namespace stickslip::analytic {
 
-/// What a section does in shear.
-struct ShearProperties {
-  double shear_coefficient{5.0 / 6.0};  ///< k > 0: the share of the area that takes the shear force
-  double poisson_ratio{0.3};            ///< nu, -1 < nu < 0.5: G = E/(2 (1 + nu))
-};
+/// The first `count` natural frequencies, rad/s, ascending. Relative error: a few eps times the number of the mode and
+/// times P_cr/(P_cr - P). Throws data::FieldError, naming beam.shear_stiffness unless it is positive, beam.axial_force
+/// at the buckling load or over it and, with a free tip, unless it is 0, and numerics.modes unless 1 <= count <= 1000 and,
+/// with a free tip, all of them are below the cut-off frequency. That none is missed is not proven for a free tip.
+[[nodiscard]] std::vector<double> timoshenko_frequencies(const data::Beam& beam, TipSupport tip, int count);
 
-/// s^2 above, dimensionless. Throws data::FieldError for properties that are not allowed.
-[[nodiscard]] double shear_flexibility(const data::Beam& beam, const ShearProperties& shear);
+/// The cut-off frequency sqrt(k G A/(rho I)), rad/s. Throws as timoshenko_frequencies().
+[[nodiscard]] double timoshenko_cutoff(const data::Beam& beam);
 
-/// The cut-off frequency sqrt(k G A/(rho I)), rad/s. Throws as shear_flexibility().
-[[nodiscard]] double timoshenko_cutoff(const data::Beam& beam, const ShearProperties& shear);
+/// The reaction as a sum over the first `modes` modes. Throws as timoshenko_frequencies().
+[[nodiscard]] ModalReaction timoshenko_reaction(const data::Beam& beam, int modes);
 
-/// The first `count` natural frequencies, rad/s, ascending. Relative error: a few eps times the number of the
-/// mode. Throws data::FieldError, naming beam.axial_force unless it is 0, numerics.modes unless 1 <= count and
-/// all of them are below the cut-off frequency, and as shear_flexibility().
-[[nodiscard]] std::vector<double> timoshenko_frequencies(const data::Beam& beam, const ShearProperties& shear,
-                                                         TipSupport tip, int count);
+/// The same with the exact steady part at Omega, rad/s, as SteadyPart::exact. Throws data::FieldError, naming
+/// numerics.modes, unless the highest mode is at 2 Omega or above.
+[[nodiscard]] ModalReaction timoshenko_reaction(const data::Beam& beam, int modes, double omega);
+
+/// Amplitude of f in the steady vibration per unit amplitude of the base, N/m, signed as StickResponse's.
+[[nodiscard]] double timoshenko_steady_force(const data::Beam& beam, double omega);
+
+/// Estimate of what the free vibrations beyond those of `reaction` can add to |f|/A0, N/m. High frequencies rise as n,
+/// and amplitudes fall as n^-3 at the slowest: N/2 times the largest of the last four, doubled.
+[[nodiscard]] double timoshenko_omitted_transient(const ModalReaction& reaction, double omega);
 
 }  // namespace stickslip::analytic

@@ -13,6 +13,13 @@
 /// with u = u_x = 0 at x = 0 and, at x = L, u_xx = 0 and the friction force on the beam f_d = -(E I u_xxx +
 /// chi P u_x): the paper has chi = 0, an axial force that follows the tip.
 ///
+/// With a shear stiffness k G A (Timoshenko, Phil. Mag. 41, 1921) the section rotates by phi, and
+///
+///     rho A (u_tt + h_tt) = [k G A (u_x - phi) - P u_x]_x,  rho I phi_tt = E I phi_xx + k G A (u_x - phi)       (1b)
+///
+/// with u = phi = 0 at x = 0 and, at x = L, phi_x = 0 and f_d = k G A (u_x - phi) - P u_x + (1 - chi) P phi. P acts
+/// along the axis of the beam (Engesser), and the part of it that follows the tip follows its section.
+///
 /// Every quantity is in SI units. Derived quantities (E I, rho A, Omega, mu(v), h(t)) are left to each of the
 /// two implementations on purpose, so that a slip in one of them shows when they are compared.
 
@@ -33,9 +40,10 @@ struct BeamProperties {
   /// chi, 0 <= chi <= 1: P has the slope (1 - chi) u_x(L), 0 if it follows the tip (the paper), 1 if it keeps
   /// its direction (a dead load, the normal force of a flat wall)
   double axial_direction{};
+  double shear_stiffness{};  ///< k G A, N, >= 0; 0 for the beam of Euler and Bernoulli, rigid in shear
 };
 
-/// A uniform, slender beam. Cannot be built invalid.
+/// A uniform beam. Cannot be built invalid.
 class Beam {
  public:
   /// Throws FieldError.
@@ -48,6 +56,7 @@ class Beam {
   [[nodiscard]] double youngs_modulus() const noexcept { return properties_.youngs_modulus; }
   [[nodiscard]] double axial_force() const noexcept { return properties_.axial_force; }
   [[nodiscard]] double axial_direction() const noexcept { return properties_.axial_direction; }
+  [[nodiscard]] double shear_stiffness() const noexcept { return properties_.shear_stiffness; }
   [[nodiscard]] const BeamProperties& properties() const noexcept { return properties_; }
 
  private:

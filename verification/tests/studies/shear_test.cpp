@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: MIT
+/// Shear and rotary inertia by both implementations: frequencies, reactions, verdicts; and what they change in the paper.
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "stickslip/analytic/beam_contact_model.hpp"
+#include "stickslip/analytic/criterion.hpp"
+#include "stickslip/analytic/damped_reaction.hpp"
+#include "stickslip/analytic/force_maximum.hpp"
+#include "stickslip/analytic/slip_modes.hpp"
+#include "stickslip/analytic/timoshenko_modes.hpp"
+#include "stickslip/analytic/tip_mobility.hpp"
+#include "stickslip/data/case_file.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
+#include "stickslip/solver/modal_analysis.hpp"
+#include "studies/common/problem_parameter.hpp"
+#include "studies/criterion/criterion_map.hpp"
+#include "studies/criterion/design_guide.hpp"
+#include "studies/criterion/model_form.hpp"
+#include "studies/criterion/problem_warnings.hpp"
+#include "support/order.hpp"
+#include "support/requirements.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+// The square section of the paper with k = 5/6 and Poisson's ratio 0.3.
+data::Beam sheared_beam(double length, double axial_force, double axial_direction = 0.0) {
+  data::BeamProperties beam = data::load_case("paper").beam.properties();
+  beam.length = length;
+  beam.axial_force = axial_force;
+  beam.axial_direction = axial_direction;
+  return studies::with_shear(data::Beam(beam));
+}
+
+// Relative errors of a frequency: (beta l)^4/1440 and rho A omega^2 l^2/(24 k G A), the energy of an element whose nodes are
+// held under the inertia rho A omega^2 w over that of the motion.
+struct MeshError {
+  double bending{}, shear{};
+};
+
+MeshError mesh_error(const data::Beam& beam, double omega, double l) {
+  const double inertia = beam.density() * beam.area() * omega * omega;
+  return {inertia * std::pow(l, 4) / (1440.0 * beam.youngs_modulus() * beam.second_moment_of_area()),
+          inertia * l * l / (24.0 * beam.shear_stiffness())};
+}
+
+STICKSLIP_VERIFIES(ShearOrder, "X24");
+// Elements shorter than the section is high: of second order, with the bending error as next term, and rotary inertia,
+// 2 (beta r)^2 (k G A)/EI r^2 = 0.64 (beta r)^2 of the leading term.
+TEST(ShearOrder, OfFrequenciesIsTwoWhereElementsAreShorterThanTheSection) {
+  for (const auto& [tip_is_held, length] : {std::pair{true, 2.0}, {true, 0.5}, {false, 2.0}}) {
+    const data::Beam beam = sheared_beam(length, 0.0);
+    const double omega = analytic::timoshenko_frequencies(
+                             beam, tip_is_held ? analytic::TipSupport::held : analytic::TipSupport::free, 2)
+                             .back();
+    std::vector<OrderLevel> levels;
+    const double r2 = beam.second_moment_of_area() / beam.area();
+    const double beta2 = omega * std::sqrt(beam.density() * beam.area() /
+                                           (beam.youngs_modulus() * beam.second_moment_of_area()));
+    for (const int elements : {40, 60, 80, 120}) {
+      const double l = length / elements;
+      const solver::BeamModel model(beam, elements);
+      const auto modes = tip_is_held ? solver::stick_modes(model, 2) : solver::slip_modes(model, 2);
+      const MeshError predicted = mesh_error(beam, omega, l);
+      levels.push_back({l, modes.back().angular_frequency / omega - 1.0,
+                        predicted.bending / predicted.shear + beta2 * r2, 1e-12});
+    }
+    EXPECT_TRUE(order_is(levels, 2.0, mesh_error(beam, omega, 1.0).shear)) << length;
+  }
+}
+
+// A slender beam, whose elements are long: of fourth order, as without shear, with the shear error as next term.
+TEST(ShearOrder, OfFrequenciesIsFourWhereElementsAreLong) {
+  const data::Beam beam = sheared_beam(200.0, 0.0);
+  const double omega = analytic::timoshenko_frequencies(beam, analytic::TipSupport::held, 3).back();
+  std::vector<OrderLevel> levels;
+  for (const int elements : {12, 16, 24, 32}) {
+    const double l = beam.length() / elements;
+    const MeshError predicted = mesh_error(beam, omega, l);
+    const double bending_next = std::sqrt(1440.0 * predicted.bending) / 40.0;
+    const double found = solver::stick_modes(solver::BeamModel(beam, elements), 3).back().angular_frequency;
+    levels.push_back({l, found / omega - 1.0, bending_next + predicted.shear / predicted.bending, 1e-11});
+  }
+  EXPECT_TRUE(order_is(levels, 4.0, mesh_error(beam, omega, 1.0).bending));
+}
+
+STICKSLIP_VERIFIES(ShearReaction, "X24");
+// Frequencies, shares, quasi-static part and buckling load with axial force of either sign and both directions. Of second
+// order in the element length: two meshes give the error of the finer, and what they leave is the fourth order.
+TEST(ShearReaction, OfMeshesConvergesToTheClosedForm) {
+  const auto share = [](const solver::BeamModel& model, const solver::FiniteElementMode& mode) {
+    const Eigen::VectorXd row = model.slip_stiffness() * mode.shape -
+                                std::pow(mode.angular_frequency, 2) * (model.mass() * mode.shape);
+    const Eigen::VectorXd shape = model.unit_tip_deflection();
+    return row[model.tip_deflection()] * mode.shape.dot(model.base_load() - model.mass() * shape);
+  };
+  for (const auto& beam : {sheared_beam(2.0, 500.0), sheared_beam(2.0, 5e4, 1.0), sheared_beam(0.5, 3e5, 0.4),
+                           sheared_beam(0.5, -2e5, 1.0)}) {
+    const auto exact = analytic::timoshenko_reaction(beam, 4);
+    const auto extrapolated = [&](auto&& value) {
+      const double coarse = value(solver::BeamModel(beam, 100)), fine = value(solver::BeamModel(beam, 200));
+      return std::pair{fine + (fine - coarse) / 3.0, std::abs(fine - coarse)};
+    };
+    const auto expect = [&](auto&& value, double closed_form) {
+      const auto [found, change] = extrapolated(value);
+      EXPECT_TRUE(within(found, closed_form,
+                         discretisation(0.01 * change + 1e-8 * std::abs(closed_form), 1.0,
+                                        "the fourth order, and rounding")));
+    };
+    for (std::size_t n = 0; n < 4; ++n) {
+      const auto mode = [n](const solver::BeamModel& model) { return solver::stick_modes(model, 4)[n]; };
+      expect([&](const auto& model) { return mode(model).angular_frequency; },
+             exact.modes[n].angular_frequency);
+      expect([&](const auto& model) { return share(model, mode(model)); }, exact.modes[n].coefficient);
+    }
+    expect(
+        [](const auto& model) {
+          return (model.slip_stiffness() * model.unit_tip_deflection())[model.tip_deflection()];
+        },
+        exact.quasi_static);
+    expect([](const auto& model) { return solver::stick_buckling_load(model); },
+           analytic::stick_buckling_load(beam));
+  }
+}
+
+// f(t) and |f_max| of runs by time steps. A run of 160 elements and 1e-5 s has a tenth of the error of one of 80 elements and
+// 3e-5 s, so that their difference bounds it; the modes above the fortieth have less.
+TEST(ShearReaction, OfRunsIsThatOfTheClosedFormWithItsMaximum) {
+  data::Case problem = data::load_case("paper", {{"beam.length", "0.6"}, {"beam.axial_force", "5000"}});
+  problem.beam = studies::with_shear(problem.beam);
+  problem.excitation = data::HarmonicExcitation({.frequency_hz = 90.0, .amplitude = 1e-4});
+  const double duration = 0.05;
+  const analytic::ForceMaximum closed(
+      analytic::timoshenko_reaction(problem.beam, 40, studies::angular_frequency(problem.excitation)),
+      studies::angular_frequency(problem.excitation), duration);
+  const auto run = [&](int elements, double step) {
+    data::NumericalChoices choices = problem.numerics.choices();
+    choices.elements = elements;
+    choices.time_step = step;
+    choices.duration = duration;
+    solver::BeamSimulation simulation(problem.beam, problem.friction, problem.excitation,
+                                      data::NumericalSettings(choices),
+                                      {.contact = solver::TipContact::bonded});
+    std::vector<double> forces;
+    const int every = static_cast<int>(std::lround(6e-4 / step));
+    for (int n = 1; n <= 80 * every; ++n) {
+      simulation.step();
+      if (n % every == 0) forces.push_back(simulation.friction_force());
+    }
+    return forces;
+  };
+  const auto coarse = run(80, 3e-5), fine = run(160, 1e-5);
+  double change = 0.0;
+  for (std::size_t i = 0; i < fine.size(); ++i) change = std::max(change, std::abs(fine[i] - coarse[i]));
+  const double largest = closed.refined_to(1e-6).midpoint() * problem.excitation.amplitude();
+  EXPECT_LT(change, 0.02 * largest);
+  for (std::size_t i = 0; i < fine.size(); ++i)
+    EXPECT_TRUE(within(fine[i],
+                       problem.excitation.amplitude() * closed.value(6e-4 * static_cast<double>(i + 1)),
+                       discretisation(change, 0.5, "the change from a coarser run")))
+        << i;
+  data::NumericalChoices choices = problem.numerics.choices();
+  choices.elements = 160;
+  choices.time_step = 1e-5;
+  choices.duration = duration;
+  EXPECT_TRUE(
+      within(solver::max_abs_friction_force(problem.beam, problem.excitation,
+                                            data::NumericalSettings(choices), {}, solver::Coordinates::modal),
+             largest, discretisation(change, 0.5, "the change from a coarser run")));
+}
+
+STICKSLIP_VERIFIES(ShearScope, "X24");
+TEST(ShearScope, IsRefusedByNameWhereThereIsNoShear) {
+  data::Case problem = data::load_case("paper");
+  problem.beam = studies::with_shear(problem.beam);
+  const auto expect_refused = [](auto&& attempt) {
+    try {
+      attempt();
+      ADD_FAILURE() << "not refused";
+    } catch (const data::FieldError& error) {
+      EXPECT_EQ(error.field(), "beam.shear_stiffness");
+    }
+  };
+  const data::Damping damping({.kelvin_voigt = 1e-5});
+  expect_refused([&] { (void)analytic::stick_modes(problem.beam, 1); });
+  expect_refused([&] { (void)analytic::slip_modes(problem.beam, 1); });
+  expect_refused([&] { (void)analytic::StickResponse(problem.beam, problem.excitation); });
+  expect_refused([&] { (void)analytic::TipMobility(problem.beam, damping); });
+  expect_refused([&] { (void)analytic::damped_reaction(problem.beam, damping, 5); });
+  expect_refused([&] {
+    (void)analytic::DampedSteadyState(problem.beam, problem.excitation, damping, analytic::TipSupport::free);
+  });
+  expect_refused([&] {
+    (void)analytic::BeamContactModel(problem.beam, problem.friction, problem.excitation, damping, 5);
+  });
+  expect_refused([&] { (void)studies::band_margin(problem, {10.0, 20.0}); });
+}
+
+// A map over the frequency shares one reaction, one over the length does not; each cell is the criterion of its case.
+TEST(ShearScope, HoldsTheMapsOfTheCriterion) {
+  data::Case problem = data::load_case("paper");
+  problem.beam = studies::with_shear(problem.beam);
+  for (const auto parameter : {studies::Parameter::frequency, studies::Parameter::length}) {
+    const double value = studies::value_of(problem, parameter);
+    const auto map =
+        studies::criterion_map(problem, studies::map_axis(parameter, 0.7 * value, 0.8 * value, 2, false),
+                               studies::map_axis(studies::Parameter::amplitude, 1e-4, 1e-3, 2, false),
+                               studies::MapMethod::closed_form);
+    for (const auto& cell : map.cells) {
+      const data::Case at = studies::with_value(studies::with_value(problem, parameter, cell.x),
+                                                studies::Parameter::amplitude, cell.y);
+      const auto criterion = analytic::evaluate_criterion(at.beam, at.friction, at.excitation,
+                                                          at.numerics.duration(), at.numerics.modes());
+      EXPECT_TRUE(within(*cell.force_ratio, criterion.force_max.midpoint() / criterion.friction_limit,
+                         reference(2e-10 * *cell.force_ratio, "the width of the bounds")));
+    }
+  }
+}
+
+STICKSLIP_VERIFIES(ShearEffect, "X24");
+// The sentence of a thick beam is about the criterion with shear; a beam with shear is not thick.
+TEST(ShearEffect, IsInTheWarningOfAThickBeam) {
+  data::Case thick = data::load_case("paper", {{"beam.length", "0.8"}, {"excitation.frequency_hz", "120"}});
+  const auto thick_beam = [](const std::vector<studies::Warning>& warnings) {
+    for (const auto& warning : warnings)
+      if (warning.concern == studies::Concern::thick_beam) return warning.sentence;
+    return std::string();
+  };
+  const std::string sentence = thick_beam(studies::problem_warnings(thick, studies::Inquiry::criterion));
+  EXPECT_NE(sentence.find(studies::shear_effect(thick)), std::string::npos) << sentence;
+  data::Case sheared = thick;
+  sheared.beam = studies::with_shear(thick.beam);
+  const auto criterion = analytic::evaluate_criterion(sheared.beam, sheared.friction, sheared.excitation,
+                                                      sheared.numerics.duration(), sheared.numerics.modes());
+  EXPECT_NE(sentence.find(fmt::format("|f_max| is {:.4g} N", criterion.force_max.midpoint())),
+            std::string::npos)
+      << sentence;
+  EXPECT_EQ(thick_beam(studies::problem_warnings(sheared, studies::Inquiry::criterion)), "");
+  thick.damping = data::Damping({.ratio = 0.01});
+  EXPECT_EQ(thick_beam(studies::problem_warnings(thick, studies::Inquiry::criterion)).find("shear_stiffness"),
+            std::string::npos);
+}
+
+// Over the planes of the figures, closed form; coarse along the lengths of Fig. 14.
+TEST(ShearEffect, IsCountedOverThePlanesOfTheFigures) {
+  const auto form = studies::model_form(data::load_case("paper"), data::load_case("paper-half-stiffness"),
+                                        data::load_case("paper-figure14"), 5);
+  ASSERT_EQ(form.shear.size(), form.planes.size());
+  for (std::size_t i = 0; i < form.shear.size(); ++i) {
+    const auto& plane = form.shear[i];
+    EXPECT_EQ(plane.cells + plane.buckled, form.planes[i].cells);
+    EXPECT_GT(plane.flipped, 0u);
+    EXPECT_LT(plane.flipped_share(), 0.2) << plane.figures;
+    EXPECT_LT(plane.lowest_ratio, 1.0);
+    EXPECT_GT(plane.highest_ratio, 1.0);
+  }
+}
+
+}  // namespace
+}  // namespace stickslip::testing
