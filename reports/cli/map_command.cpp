@@ -32,6 +32,7 @@ namespace stickslip::cli {
 namespace {
 
 constexpr const char* verdict = "verdict";
+constexpr double usual_tolerance = 0.05;
 
 struct MapOptions {
   CaseOptions problem;
@@ -43,7 +44,7 @@ struct MapOptions {
   bool states_only{};
   std::string quantity = verdict;
   std::optional<double> transient;
-  double tolerance = 0.05;
+  std::optional<double> tolerance;
   bool dry_run{};
   std::optional<MapPart> shard;
   std::vector<std::string> merge;
@@ -161,10 +162,11 @@ void require_consistent(const MapOptions& options, bool has_quantities) {
                            options.quantity);
   if (has_quantities && options.method != closed_form_method)
     throw data::InputError("--method is an option of the verdict, but --quantity is " + options.quantity);
-  if (!has_quantities && options.transient)
-    throw data::InputError("--transient needs a --quantity of the motion, but it is verdict");
-  if (!(options.tolerance > 0.0 && options.tolerance < 1.0))
-    throw data::FieldError("--tolerance", options.tolerance, "above 0 and below 1");
+  if (!has_quantities && (options.transient || options.tolerance))
+    throw data::InputError(fmt::format("{} needs a --quantity of the motion, but it is verdict",
+                                       options.transient ? "--transient" : "--tolerance"));
+  if (options.tolerance && !(*options.tolerance > 0.0 && *options.tolerance < 1.0))
+    throw data::FieldError("--tolerance", *options.tolerance, "above 0 and below 1");
 }
 
 studies::MapTask task_of(const MapOptions& options) {
@@ -177,7 +179,7 @@ studies::MapTask task_of(const MapOptions& options) {
                                                                        : studies::MapMethod::finite_elements,
                         .states_only = options.states_only,
                         .quantities = quantities,
-                        .tolerance = options.tolerance};
+                        .tolerance = options.tolerance.value_or(usual_tolerance)};
   task.transient = options.transient.value_or(0.5 * task.problem.numerics.duration());
   return task;
 }
@@ -444,9 +446,8 @@ void add_map_command(CLI::App& app) {
       ->add_option(
           "--tolerance", options->tolerance,
           "Largest relative change of a quantity, with twice the time step and between the halves of the "
-          "record, with which it counts as converged")
-      ->check(number())
-      ->capture_default_str();
+          "record, with which it counts as converged (default: 0.05)")
+      ->check(number());
   command->add_flag("--dry-run", options->dry_run,
                     "Write no map, but time some evaluations and print what the map will take");
   command

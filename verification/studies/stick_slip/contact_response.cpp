@@ -24,20 +24,25 @@ double squared_distance(const Sample& a, const Sample& b) {
   return sum;
 }
 
-bool comes_back(std::span<const Sample> samples, std::size_t period, double squared_size) {
-  constexpr double relative = 1e-3;
+// The largest squared distance of a sample from the one so many later.
+double squared_return(std::span<const Sample> samples, std::size_t period) {
+  double largest = 0.0;
   for (std::size_t n = 0; n + period < samples.size(); ++n)
-    if (!(squared_distance(samples[n], samples[n + period]) <= relative * relative * squared_size))
-      return false;
-  return true;
+    largest = std::max(largest, squared_distance(samples[n], samples[n + period]));
+  return largest;
 }
 
 int period_among(std::span<const Sample> samples) {
   constexpr std::size_t longest = 16;
+  constexpr double of_the_size = 1e-3, of_the_difference = 1e-2;
   double size = 0.0;
   for (const Sample& sample : samples) size = std::max(size, squared_distance(sample, Sample(sample.size())));
-  for (std::size_t period = 1; period <= longest && 2 * period <= samples.size(); ++period)
-    if (comes_back(samples, period, size)) return static_cast<int>(period);
+  double allowed = of_the_size * of_the_size * size;
+  for (std::size_t period = 1; period <= longest && 2 * period <= samples.size(); ++period) {
+    const double distance = squared_return(samples, period);
+    if (distance <= allowed) return static_cast<int>(period);
+    if (period == 1) allowed = std::min(allowed, of_the_difference * of_the_difference * distance);
+  }
   return 0;
 }
 

@@ -62,14 +62,14 @@ struct ResponseGrid {
 /// analytic::BeamContactModel throws.
 [[nodiscard]] analytic::ContactModel response_model(const data::Case& problem);
 
-/// Runs a case from the quasi-static start by analytic::ModalContactRun, twice. A motion has the period p if the amplitudes of all
-/// modes come back after p periods of the base motion, at each one of the record, to 1e-3 of their largest norm. `modes`, if given, are those of response_model(). Throws what response_grid(), response_model() and
+/// Runs a case from the quasi-static start by analytic::ModalContactRun, twice. Its period is that of the amplitudes of all modes at the ends of the periods of the base motion (period_of()). `modes`, if given, are those of response_model(). Throws what response_grid(), response_model() and
 /// ModalContactRun throw.
 [[nodiscard]] ContactResponse contact_response(const data::Case& problem, double transient,
                                                const analytic::ContactModes* modes = nullptr);
 
-/// The smallest p from 1 to 16 such that each sample is the same as the one p later, to 1e-3 of the largest norm of all
-/// samples; 0 if there is none, or if there are fewer than 2 p samples.
+/// The smallest p from 1 to 16 such that each sample is the same as the one p later, to 1e-3 of the largest norm of
+/// all samples and, for p > 1, to 1e-2 of the largest difference of two successive ones: a free vibration
+/// that has not decayed yet may come back after some periods, but not so exactly. 0 if there is none, or if there are fewer than 2 p samples.
 [[nodiscard]] int period_of(const std::vector<std::vector<std::complex<double>>>& samples);
 
 }  // namespace stickslip::studies
