@@ -148,9 +148,10 @@ std::vector<studies::MotionQuantity> quantities_of(const std::string& text) {
     begin = end + 1;
     const auto known = quantity_names();
     if (names.back() == verdict || std::ranges::find(known, names.back()) == known.end())
-      throw data::FieldError("--quantity", fmt::format("'{}'", data::printable(names.back())),
-                             fmt::format("one of {}{}, or some of the others with commas between them",
-                                         data::joined(known), data::suggestion(names.back(), known)));
+      throw data::FieldError(
+          "--quantity", fmt::format("'{}'", data::printable(names.back())),
+          fmt::format("one of {}, or some of those after the first with commas between them{}",
+                      data::joined(known), data::suggestion(names.back(), known)));
   }
   return quantities_named(names);
 }

@@ -332,8 +332,9 @@ TEST(ParameterSweep, ShowsHysteresis) {
   for (const std::size_t up : {0, 1, 2, 3}) {
     EXPECT_TRUE(points[up].up);
     EXPECT_EQ(slides(points[up]), up == 3) << up;
-    if (up < 3) {
-      EXPECT_EQ(points[up].section.front().displacement, points[up].section.back().displacement) << up;
+    if (up < 3) {  // in a step of a stick the velocity is zero at the ends only
+      EXPECT_NEAR(points[up].section.front().displacement, points[up].section.back().displacement, 1e-8)
+          << up;
     }
     EXPECT_EQ(points[7 - up].value, points[up].value);
     EXPECT_EQ(slides(points[7 - up]), up > 0) << up;
