@@ -24,8 +24,11 @@ void add_animate_command(CLI::App& app);
 /// `criterion`: |f_max| against mu_s P, the critical amplitude, the verdict.
 void add_criterion_command(CLI::App& app);
 
-/// `map`: the criterion over two parameters, as CSV and as a figure.
+/// `map`: the criterion or the motion over two parameters, as CSV and as a figure.
 void add_map_command(CLI::App& app);
+
+/// `sweep`: the motion over one parameter, up and down: Poincare section, period, hysteresis.
+void add_sweep_command(CLI::App& app);
 
 /// `design`: the margin to slipping over a band of frequencies; lengths and axial forces that keep it.
 void add_design_command(CLI::App& app);

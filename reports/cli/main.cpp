@@ -30,6 +30,7 @@ void add_commands(CLI::App& app) {
   add_animate_command(app);
   add_criterion_command(app);
   add_map_command(app);
+  add_sweep_command(app);
   add_design_command(app);
   add_uncertainty_command(app);
   add_reference_command(app);

@@ -24,10 +24,15 @@
 #include "render/interruption.hpp"
 #include "render/progress.hpp"
 #include "render/report.hpp"
+#include "stickslip/data/input_text.hpp"
+#include "studies/criterion/map_estimate.hpp"
 
 namespace stickslip::cli {
 
 namespace {
+
+constexpr const char* verdict = "verdict";
+constexpr double usual_tolerance = 0.05;
 
 struct MapOptions {
   CaseOptions problem;
@@ -37,6 +42,10 @@ struct MapOptions {
   std::string method = "closed-form";
   std::optional<double> duration;
   bool states_only{};
+  std::string quantity = verdict;
+  std::optional<double> transient;
+  std::optional<double> tolerance;
+  bool dry_run{};
   std::optional<MapPart> shard;
   std::vector<std::string> merge;
   std::string output = "-";
@@ -62,21 +71,39 @@ auto cells_in(const studies::CriterionMap& map, studies::CellState state) {
   return std::ranges::count(map.cells, state, &studies::CriterionMap::Cell::state);
 }
 
+// Cells with a value of each quantity.
+std::ptrdiff_t converged_cells(const studies::CriterionMap& map) {
+  return std::ranges::count_if(map.cells, [&](const studies::CriterionMap::Cell& cell) {
+    return !cell.response.empty() &&
+           std::ranges::all_of(cell.response, [&](const studies::ResponseValue& value) {
+             return value.change <= map.tolerance;
+           });
+  });
+}
+
 void print_summary(const studies::CriterionMap& map, const MapOptions& options) {
   std::string counts;
   for (const auto state : states)
     counts +=
         fmt::format("{}{} {}", counts.empty() ? "" : ", ", cells_in(map, state), report::to_string(state));
+  if (!map.quantities.empty()) counts += fmt::format("; {} converged", converged_cells(map));
   fmt::print("{} cells written to {}: {}\n", map.cells.size(), options.output, counts);
   if (!options.figure.empty()) fmt::print("Drawn in {}\n", options.figure);
 }
 
 Json to_json(const studies::MapTask& task, const MapOptions& options) {
-  return {{"case", task.problem.name},
-          {"method", task.method == studies::MapMethod::closed_form ? closed_form_method : "fe"},
-          {"x", axis_text(task.x)},
-          {"y", axis_text(task.y)},
-          {"output", options.output}};
+  Json object{{"case", task.problem.name}};
+  if (task.quantities.empty()) {
+    object["method"] = task.method == studies::MapMethod::closed_form ? closed_form_method : "fe";
+  } else {
+    for (const auto quantity : task.quantities) object["quantities"].push_back(report::to_string(quantity));
+    object["transient_s"] = task.transient;
+    object["tolerance"] = task.tolerance;
+  }
+  object["x"] = axis_text(task.x);
+  object["y"] = axis_text(task.y);
+  object["output"] = options.output;
+  return object;
 }
 
 Json to_json(const studies::MapTask& task, const studies::CriterionMap& map,
@@ -85,6 +112,7 @@ Json to_json(const studies::MapTask& task, const studies::CriterionMap& map,
   object["figure"] = options.figure.empty() ? Json() : Json(options.figure);
   object["cells"] = map.cells.size();
   for (const auto state : states) object["states"][report::to_string(state)] = cells_in(map, state);
+  if (!map.quantities.empty()) object["converged"] = converged_cells(map);
   object["warnings"] = warnings;
   return object;
 }
@@ -104,13 +132,56 @@ studies::MapAxis axis_of(const std::string& option, const std::string& text) {
   return axis;
 }
 
+std::vector<std::string> quantity_names() {
+  std::vector<std::string> names{verdict};
+  for (const auto quantity : studies::all_motion_quantities) names.push_back(report::to_string(quantity));
+  return names;
+}
+
+// NAME or NAME,NAME...; none for the verdict.
+std::vector<studies::MotionQuantity> quantities_of(const std::string& text) {
+  if (text == verdict) return {};
+  std::vector<std::string> names;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    names.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+    const auto known = quantity_names();
+    if (names.back() == verdict || std::ranges::find(known, names.back()) == known.end())
+      throw data::FieldError(
+          "--quantity", fmt::format("'{}'", data::printable(names.back())),
+          fmt::format("one of {}, or some of those after the first with commas between them{}",
+                      data::joined(known), data::suggestion(names.back(), known)));
+  }
+  return quantities_named(names);
+}
+
+// What a map of quantities rules out, or what it needs.
+void require_consistent(const MapOptions& options, bool has_quantities) {
+  if (has_quantities && options.states_only)
+    throw data::InputError("--states-only is an option of the verdict, but --quantity is " +
+                           options.quantity);
+  if (has_quantities && options.method != closed_form_method)
+    throw data::InputError("--method is an option of the verdict, but --quantity is " + options.quantity);
+  if (!has_quantities && (options.transient || options.tolerance))
+    throw data::InputError(fmt::format("{} needs a --quantity of the motion, but it is verdict",
+                                       options.transient ? "--transient" : "--tolerance"));
+  if (options.tolerance && !(*options.tolerance > 0.0 && *options.tolerance < 1.0))
+    throw data::FieldError("--tolerance", *options.tolerance, "above 0 and below 1");
+}
+
 studies::MapTask task_of(const MapOptions& options) {
+  const auto quantities = quantities_of(options.quantity);
+  require_consistent(options, !quantities.empty());
   studies::MapTask task{.problem = load_case(options.problem, options.excitation, options.duration),
                         .x = axis_of("--x", options.x),
                         .y = axis_of("--y", options.y),
                         .method = options.method == closed_form_method ? studies::MapMethod::closed_form
                                                                        : studies::MapMethod::finite_elements,
-                        .states_only = options.states_only};
+                        .states_only = options.states_only,
+                        .quantities = quantities,
+                        .tolerance = options.tolerance.value_or(usual_tolerance)};
+  task.transient = options.transient.value_or(0.5 * task.problem.numerics.duration());
   return task;
 }
 
@@ -264,7 +335,34 @@ class Run {
   std::optional<report::Interruption> interruption_;
 };
 
+void print_estimate(const studies::MapTask& task, const MapOptions& options) {
+  const auto numbers =
+      studies::share_of(studies::evaluation_count(task), options.shard.value_or(MapPart()).part,
+                        options.shard.value_or(MapPart()).parts);
+  if (numbers.empty())
+    throw data::InputError("--shard has no evaluation of this map, which has fewer than parts");
+  const studies::MapEstimate estimate = studies::map_estimate(task, numbers);
+  const std::size_t cells = task.x.values.size() * task.y.values.size();
+  if (options.problem.json)
+    return print_json({{"cells", cells},
+                       {"evaluations", estimate.evaluations},
+                       {"sample", estimate.sample},
+                       {"milliseconds_each", 1e3 * estimate.seconds_each},
+                       {"core_hours", estimate.core_hours()},
+                       {"threads", estimate.threads},
+                       {"speedup", estimate.speedup},
+                       {"hours", estimate.hours()}});
+  fmt::print("{} cells, {} evaluations, of which {} were timed\n", cells, estimate.evaluations,
+             estimate.sample);
+  fmt::print("one thread   {:.3g} ms for each, {:.3g} core hours in all\n", 1e3 * estimate.seconds_each,
+             estimate.core_hours());
+  if (estimate.threads > 1)
+    fmt::print("{} threads    {:.2f} times as fast, {:.3g} hours in all\n", estimate.threads,
+               estimate.speedup, estimate.hours());
+}
+
 void run(const MapOptions& options) {
+  if (options.dry_run) return print_estimate(task_of(options), options);
   require_output_file(options);
   if (!options.merge.empty()) {
     const MergedMap map = merged(options.merge);
@@ -298,15 +396,17 @@ void add_shard_options(CLI::App& command, MapOptions& options) {
                     ->type_name("FILE...");
   shard->excludes(command.get_option("--figure"));
   for (CLI::Option* option : command.get_options())
-    for (const std::string name : {"CASE", "--set", "--hz", "--amplitude", "--x", "--y", "--method",
-                                   "--duration", "--states-only", "--shard"})
+    for (const std::string name :
+         {"CASE", "--set", "--hz", "--amplitude", "--x", "--y", "--method", "--duration", "--states-only",
+          "--quantity", "--transient", "--tolerance", "--dry-run", "--shard"})
       if (option->check_name(name)) merge->excludes(option);
 }
 
 }  // namespace
 
 void add_map_command(CLI::App& app) {
-  auto* command = app.add_subcommand("map", "The criterion over two parameters, as CSV and as a figure");
+  auto* command =
+      app.add_subcommand("map", "The criterion or the motion over two parameters, as CSV and as a figure");
   auto options = std::make_shared<MapOptions>();
   add_case_options(*command, options->problem);
   add_excitation_options(*command, options->excitation);
@@ -314,7 +414,8 @@ void add_map_command(CLI::App& app) {
       "PARAMETER=FROM:TO:COUNT, in equal steps, or PARAMETER=FROM:TO:COUNT:log, in equal ratios; PARAMETER "
       "is "
       "frequency (Hz), amplitude (m), length (m), force (P, N), stiffness (Young's modulus, Pa), friction "
-      "(static coefficient) or direction (of P, chi)";
+      "(static coefficient), kinetic (coefficient), decay (s/m), damping (ratio), kelvin-voigt (s) or "
+      "direction (of P, chi)";
   command->add_option("--x", options->x, axis)->type_name("AXIS")->capture_default_str();
   command->add_option("--y", options->y, "As --x, another parameter")
       ->type_name("AXIS")
@@ -329,6 +430,28 @@ void add_map_command(CLI::App& app) {
   command->add_flag("--states-only", options->states_only,
                     "Leave out the force ratio: only whether each cell sticks or slips");
   command
+      ->add_option(
+          "--quantity", options->quantity,
+          "What to map: the verdict of the criterion, or of the motion slip-share (of the time), peak-speed "
+          "and rms-speed (of sliding, m/s), travel (m) and work (of friction, J) in a period of the base, "
+          "largest-force (N), sticks (in a period) or period (of the motion, in periods of the base; 0 if "
+          "none up to 16); some with commas between them give a column each")
+      ->type_name("NAME")
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--transient", options->transient,
+          "What a quantity of the motion leaves out from the start, s (default: half of the duration)")
+      ->check(time());
+  command
+      ->add_option(
+          "--tolerance", options->tolerance,
+          "Largest relative change of a quantity, with twice the time step and between the halves of the "
+          "record, with which it counts as converged (default: 0.05)")
+      ->check(number());
+  command->add_flag("--dry-run", options->dry_run,
+                    "Write no map, but time some evaluations and print what the map will take");
+  command
       ->add_option("--output", options->output,
                    "CSV file, '-' for standard output; what is finished of a long map is kept in "
                    "FILE.partial, from which "
@@ -340,8 +463,11 @@ void add_map_command(CLI::App& app) {
       ->check(file_name());
   add_shard_options(*command, *options);
   add_threads_option(*command);
-  add_examples(*command, {"stickslip map paper --x frequency=10:40:31 --y amplitude=1e-4:1e-3:10:log "
-                          "--output map.csv --figure map.svg"});
+  add_examples(*command,
+               {"stickslip map paper --x frequency=10:40:31 --y amplitude=1e-4:1e-3:10:log "
+                "--output map.csv --figure map.svg",
+                "stickslip map damped --set numerics.time_step=1e-4 --duration 2 --x frequency=20:30:6 "
+                "--y damping=0.002:0.02:3 --quantity work,period --output motion.csv"});
   command->callback([options] { run(*options); });
 }
 

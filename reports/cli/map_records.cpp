@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 #include <system_error>
 #include <utility>
 
@@ -41,6 +42,12 @@ std::map<std::string, double> numbers_of(const Json& json) {
   return numbers;
 }
 
+std::vector<std::string> names_of(const std::vector<studies::MotionQuantity>& quantities) {
+  std::vector<std::string> names;
+  for (const auto quantity : quantities) names.push_back(report::to_string(quantity));
+  return names;
+}
+
 Json to_json(const studies::MapTask& task, const MapPart& part) {
   return {
       {"program", program()},
@@ -50,6 +57,9 @@ Json to_json(const studies::MapTask& task, const MapPart& part) {
       {"y", axis_text(task.y)},
       {"method", task.method == studies::MapMethod::closed_form ? closed_form_method : finite_element_method},
       {"states_only", task.states_only},
+      {"quantities", names_of(task.quantities)},
+      {"transient", task.transient},
+      {"tolerance", task.tolerance},
       {"parts", part.parts},
       {"part", part.part}};
 }
@@ -60,7 +70,10 @@ studies::MapTask task_of(const Json& json) {
           .y = parse_axis("y", json.at("y").get<std::string>()),
           .method = json.at("method") == closed_form_method ? studies::MapMethod::closed_form
                                                             : studies::MapMethod::finite_elements,
-          .states_only = json.at("states_only")};
+          .states_only = json.at("states_only"),
+          .quantities = quantities_named(json.at("quantities").get<std::vector<std::string>>()),
+          .transient = json.at("transient"),
+          .tolerance = json.at("tolerance")};
 }
 
 constexpr std::size_t largest_shard = 500'000'000;  // bytes, more than the largest map takes
@@ -80,8 +93,12 @@ std::string header_line(const studies::MapTask& task, const MapPart& part) {
 }
 
 std::string record(std::size_t number, const studies::MapEvaluation& evaluation, std::string_view header) {
-  if (!evaluation.unit_force)
-    return checked(fmt::format("{},{}", number, report::to_string(evaluation.state)), header);
+  if (!evaluation.unit_force) {
+    std::string text = fmt::format("{},{}", number, report::to_string(evaluation.state));
+    for (const auto& [value, change] : evaluation.response)
+      text += fmt::format(",{},{}", data::shortest_text(value), data::shortest_text(change));
+    return checked(text, header);
+  }
   return checked(fmt::format("{},{},{}", number, data::shortest_text(evaluation.unit_force->lower),
                              data::shortest_text(evaluation.unit_force->upper)),
                  header);
@@ -101,6 +118,27 @@ struct Record {
   studies::MapEvaluation evaluation;
 };
 
+// What follows the state: ",VALUE,CHANGE" for each quantity.
+std::optional<std::vector<studies::ResponseValue>> parse_response(std::string_view text,
+                                                                  std::string_view state) {
+  if (!text.starts_with(state)) return std::nullopt;
+  text.remove_prefix(state.size());
+  std::vector<double> numbers;
+  while (!text.empty()) {
+    if (text.front() != ',') return std::nullopt;
+    text.remove_prefix(1);
+    const std::string_view word = text.substr(0, text.find(','));
+    const auto number = parse<double>(word);
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
+    text.remove_prefix(word.size());
+  }
+  if (numbers.size() % 2 != 0) return std::nullopt;
+  std::vector<studies::ResponseValue> response;
+  for (std::size_t i = 0; i < numbers.size(); i += 2) response.push_back({numbers[i], numbers[i + 1]});
+  return response;
+}
+
 std::optional<Record> parse_record(std::string_view content) {
   const std::size_t comma = content.find(',');
   const auto number = parse<std::size_t>(content.substr(0, comma));
@@ -108,7 +146,8 @@ std::optional<Record> parse_record(std::string_view content) {
   const std::string_view rest = content.substr(comma + 1);
   for (const auto state :
        {studies::CellState::stick, studies::CellState::stick_slip, studies::CellState::no_stick_state})
-    if (rest == report::to_string(state)) return Record{*number, {.unit_force = {}, .state = state}};
+    if (auto response = parse_response(rest, report::to_string(state)))
+      return Record{*number, {.unit_force = {}, .state = state, .response = *std::move(response)}};
   const std::size_t second = rest.find(',');
   if (second == std::string_view::npos) return std::nullopt;
   const auto lower = parse<double>(rest.substr(0, second)), upper = parse<double>(rest.substr(second + 1));
@@ -178,6 +217,19 @@ void require_all(const std::vector<std::string>& file_of_part, const std::string
 }
 
 }  // namespace
+
+std::vector<studies::MotionQuantity> quantities_named(const std::vector<std::string>& names) {
+  std::vector<studies::MotionQuantity> quantities;
+  for (const std::string& name : names) {
+    const auto named =
+        std::ranges::find(studies::all_motion_quantities, name,
+                          [](studies::MotionQuantity quantity) { return report::to_string(quantity); });
+    if (named == studies::all_motion_quantities.end())
+      throw std::invalid_argument("there is no quantity " + name);
+    if (std::ranges::count(quantities, *named) == 0) quantities.push_back(*named);
+  }
+  return quantities;
+}
 
 MapPart parse_part(std::string_view text) {
   constexpr std::size_t most_parts = 1'000'000;

@@ -5,7 +5,7 @@
 ///
 /// The first line is a JSON object that says which map it is (the case, the axes, the method, the program)
 /// and which part of it; each further line is an evaluation: its number and the bounds of |f_max| per metre
-/// of amplitude, with the digits that read back exactly, or its state. Every line ends with a check of itself
+/// of amplitude, with the digits that read back exactly, or its state and each quantity with its change. Every line ends with a check of itself
 /// and of the first line, 16 hexadecimal digits.
 
 #include <cstddef>
@@ -31,6 +31,9 @@ struct MapPart {
 
 /// "K/M". Throws data::InputError, naming the option --shard, unless 1 <= K <= M <= 1000000.
 [[nodiscard]] MapPart parse_part(std::string_view text);
+
+/// The quantities with these names (report::to_string), each once. Throws std::invalid_argument for another name.
+[[nodiscard]] std::vector<studies::MotionQuantity> quantities_named(const std::vector<std::string>& names);
 
 /// The text of a file with all evaluations of a part.
 [[nodiscard]] std::string shard_text(const studies::MapTask& task, const MapPart& part,

@@ -21,14 +21,18 @@ using studies::ParameterRange;
 
 constexpr int most_values = 2000;  // along one axis
 
-constexpr std::array<std::pair<std::string_view, studies::Parameter>, 7> parameters{
+constexpr std::array<std::pair<std::string_view, studies::Parameter>, 11> parameters{
     {{"frequency", studies::Parameter::frequency},
      {"amplitude", studies::Parameter::amplitude},
      {"length", studies::Parameter::length},
      {"force", studies::Parameter::axial_force},
      {"stiffness", studies::Parameter::youngs_modulus},
      {"friction", studies::Parameter::static_coefficient},
-     {"direction", studies::Parameter::axial_direction}}};
+     {"direction", studies::Parameter::axial_direction},
+     {"kinetic", studies::Parameter::kinetic_coefficient},
+     {"decay", studies::Parameter::decay},
+     {"damping", studies::Parameter::damping_ratio},
+     {"kelvin-voigt", studies::Parameter::kelvin_voigt}}};
 
 [[noreturn]] void fail_unless(std::string_view allowed, std::string_view option, std::string_view part,
                               std::string_view value) {
@@ -61,6 +65,20 @@ ParameterRange from_to(std::string_view option, std::string_view text, bool equa
   const auto parts = split_at_colons(text);
   if (parts.size() != 2) fail_unless("FROM:TO", option, "the range", text);
   return range_of(option, parts[0], parts[1], false, equal);
+}
+
+bool may_be_zero(studies::Parameter parameter) {
+  switch (parameter) {
+    case studies::Parameter::amplitude:
+    case studies::Parameter::axial_direction:
+    case studies::Parameter::kinetic_coefficient:
+    case studies::Parameter::decay:
+    case studies::Parameter::damping_ratio:
+    case studies::Parameter::kelvin_voigt:
+      return true;
+    default:
+      return false;
+  }
 }
 
 studies::Parameter parameter_of(std::string_view option, std::string_view name) {
@@ -98,9 +116,7 @@ studies::MapAxis parse_axis(std::string_view option, std::string_view text) {
   if (equals == std::string_view::npos || (parts.size() != 3 && !logarithmic))
     fail_unless("PARAMETER=FROM:TO:COUNT or PARAMETER=FROM:TO:COUNT:log", option, "the axis", text);
   const studies::Parameter parameter = parameter_of(option, text.substr(0, equals));
-  const bool may_be_zero =
-      parameter == studies::Parameter::amplitude || parameter == studies::Parameter::axial_direction;
-  const bool zero = may_be_zero && !logarithmic;
+  const bool zero = may_be_zero(parameter) && !logarithmic;
   const ParameterRange range = range_of(option, parts[0], parts[1], zero, false);
   if (logarithmic && !std::isfinite(range.to / range.from))
     fail_unless(fmt::format("at most 1e308 times FROM, {}", parts[0]), option, "TO", parts[1]);

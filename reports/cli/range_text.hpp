@@ -17,7 +17,7 @@ namespace stickslip::cli {
 [[nodiscard]] studies::ParameterRange parse_band(std::string_view option, std::string_view text);
 
 /// "PARAMETER=FROM:TO:COUNT" in equal steps, or "PARAMETER=FROM:TO:COUNT:log" in equal ratios; FROM may be 0
-/// for an amplitude in equal steps.
+/// in equal steps, but not for a frequency, length, force, stiffness or static coefficient.
 [[nodiscard]] studies::MapAxis parse_axis(std::string_view option, std::string_view text);
 
 /// What parse_axis() makes the same axis from.

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "case_options.hpp"
 #include "commands.hpp"
@@ -18,6 +19,7 @@
 #include "render/drawing.hpp"
 #include "render/figures.hpp"
 #include "render/interruption.hpp"
+#include "stickslip/analytic/amplitude_spectrum.hpp"
 #include "stickslip/analytic/beam_boundary_integral.hpp"
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/event_driven.hpp"
@@ -38,6 +40,7 @@ struct RespondOptions {
   std::optional<double> duration;
   std::string output = "-";
   std::string events;
+  std::string spectrum;
   std::string figure;
   long every = 1;
 };
@@ -88,18 +91,24 @@ struct Summary {
   double largest_force{};            // max |f| over the rows, N
   std::optional<double> first_slip;  // s; closed form: of the first row with |f| > mu_s P
   std::vector<EventRow> events;
+  std::vector<double> tip_displacements, friction_forces;  // of the rows, if there is to be a spectrum
   std::optional<double> step_effect;  // boundary integral: largest change of y(L) on twice the step, m
 };
 
 class Writer {
  public:
-  Writer(const std::string& path, bool keeps_text) : file_(path), keeps_text_(keeps_text) {}
+  Writer(const std::string& path, bool keeps_text, bool keeps_values)
+      : file_(path), keeps_text_(keeps_text), keeps_values_(keeps_values) {}
 
   // The header goes before the first row, so that an error in the problem writes nothing.
   void write(const Row& row) {
     require_finite_row(row);
     if (summary_.rows == 0) put(header);
     put(csv_line(row));
+    if (keeps_values_) {
+      summary_.tip_displacements.push_back(row.tip_displacement);
+      summary_.friction_forces.push_back(row.friction_force);
+    }
     time_ = row.time;
     ++summary_.rows;
     summary_.largest_force = std::max(summary_.largest_force, std::abs(row.friction_force));
@@ -127,7 +136,7 @@ class Writer {
   }
 
   OutputFile file_;
-  bool keeps_text_;
+  bool keeps_text_, keeps_values_;
   std::string text_;
   Summary summary_;
   std::atomic<double> time_{};
@@ -320,6 +329,43 @@ void write_events(OutputFile& file, const std::vector<EventRow>& events) {
   file.commit();
 }
 
+// The last rows that the spectrum is that of: as many whole periods of the base motion as the second half of the duration has.
+struct SpectrumWindow {
+  std::size_t rows{};
+  double length{};  // s
+};
+
+SpectrumWindow spectrum_window(const data::Case& problem, long every) {
+  constexpr double rounding = 1e-9;
+  const double row_step = static_cast<double>(every) * problem.numerics.time_step(),
+               period = 1.0 / problem.excitation.frequency_hz();
+  const double periods = std::floor(0.5 * problem.numerics.duration() / period + rounding);
+  const auto rows = std::llround(periods * period / row_step);
+  if (periods < 1.0)
+    throw data::FieldError(
+        "excitation.duration", problem.numerics.duration(),
+        fmt::format("at least two periods of the base motion, {} s, where --spectrum is given",
+                    data::shortest_text(2.0 * period)));
+  if (static_cast<double>(rows) < 2.0 * periods)
+    throw data::FieldError(
+        "--every", static_cast<double>(every),
+        "small enough for two rows in a period of the base motion where --spectrum is given");
+  return {static_cast<std::size_t>(rows), static_cast<double>(rows) * row_step};
+}
+
+void write_spectrum(OutputFile& file, const SpectrumWindow& window, const Summary& summary) {
+  const auto spectrum = [&](const std::vector<double>& values) {
+    return analytic::amplitude_spectrum(
+        {values.end() - static_cast<std::ptrdiff_t>(window.rows), values.end()});
+  };
+  const auto tip = spectrum(summary.tip_displacements), force = spectrum(summary.friction_forces);
+  file.write("frequency_Hz,tip_displacement_m,friction_force_N\n");
+  for (std::size_t k = 0; k < tip.size(); ++k)
+    file.write(fmt::format("{},{},{}\n", data::shortest_text(static_cast<double>(k) / window.length),
+                           data::shortest_text(tip[k]), data::shortest_text(force[k])));
+  file.commit();
+}
+
 std::string warning_of_slip(const data::Case& problem, double time) {
   return fmt::format(
       "the closed form holds while the tip sticks, but |f| exceeds mu_s P = {} N first at {} s; --method fe "
@@ -360,9 +406,13 @@ void require_consistent(const RespondOptions& options) {
     throw data::InputError("--json and --output - both want standard output, but --json needs --output FILE");
   if (!to_standard_output && options.output == options.events)
     throw data::FieldError("--events", data::printable(options.events), "another file than --output");
-  if (!options.figure.empty() && (options.figure == options.output || options.figure == options.events))
-    throw data::FieldError("--figure", data::printable(options.figure),
+  if (!options.spectrum.empty() && (options.spectrum == options.output || options.spectrum == options.events))
+    throw data::FieldError("--spectrum", data::printable(options.spectrum),
                            "another file than --output and --events");
+  if (!options.figure.empty() && (options.figure == options.output || options.figure == options.events ||
+                                  options.figure == options.spectrum))
+    throw data::FieldError("--figure", data::printable(options.figure),
+                           "another file than --output, --events and --spectrum");
   if (options.initial_velocity == "zero" && options.method != "fe" && options.method != "event-driven")
     throw data::FieldError(
         "--initial-velocity", "zero",
@@ -406,14 +456,18 @@ void run(const RespondOptions& options) {
   studies::require_feasible(problem, method.inquiry);
   const bool to_standard_output = options.output == "-";
   if (!options.figure.empty()) (void)figure_format(options.figure);
-  Writer writer(options.output, !options.figure.empty());
-  std::optional<OutputFile> events, figure;
+  const bool has_spectrum = !options.spectrum.empty();
+  const SpectrumWindow window = has_spectrum ? spectrum_window(problem, options.every) : SpectrumWindow{};
+  Writer writer(options.output, !options.figure.empty(), has_spectrum);
+  std::optional<OutputFile> events, figure, spectrum;
+  if (has_spectrum) spectrum.emplace(options.spectrum);
   if (!options.events.empty()) events.emplace(options.events);  // throws now rather than after the run
   if (!options.figure.empty()) figure.emplace(options.figure);
   const report::Interruption interruption([&] {
     writer.discard();
     if (events) events->discard();
     if (figure) figure->discard();
+    if (spectrum) spectrum->discard();
     return fmt::format(
         "interrupted at {} s of {} s; {}", data::shortest_text(writer.time()),
         data::shortest_text(problem.numerics.duration()),
@@ -422,6 +476,7 @@ void run(const RespondOptions& options) {
   method.write(problem, options, writer);
   const Summary summary = writer.finish();
   if (events) write_events(*events, summary.events);
+  if (spectrum) write_spectrum(*spectrum, window, summary);
   if (figure) write_figure(problem, options, writer.text(), *figure);
   const auto warnings = warnings_after(problem, options, summary);
   print_warnings(warnings);
@@ -463,6 +518,12 @@ void add_respond_command(CLI::App& app) {
       ->check(file_name())
       ->capture_default_str();
   command->add_option("--events", options->events, "CSV file for the changes of contact")->check(file_name());
+  command
+      ->add_option(
+          "--spectrum", options->spectrum,
+          "CSV file for the amplitude spectra of tip and friction force, over the whole periods of the base "
+          "motion in the second half of the duration")
+      ->check(file_name());
   command
       ->add_option("--figure", options->figure, "Figure to draw, a .png, .pdf or .svg file (needs gnuplot)")
       ->check(file_name());

@@ -2,16 +2,14 @@
 # The criterion over two parameters: |f_max|/(mu_s P) by colour and its contour 1, from a table of x, y, ratio and
 # state. Which parameter an axis has is x_parameter or y_parameter; its values follow each other in equal steps, or in
 # equal ratios where x_log or y_log is 1. Blue sticks, orange slips, the lighter the larger the force; hatched has no stick state.
-# Where states_only is 1 the table has no ratio, and the regions have one colour each.
+# Where states_only is 1 the table has no ratio, and the regions have one colour each. Where quantity is not 0 the table has
+# the value and the change of as many quantities as `quantities` says, and the first one is drawn: hatched where it has not converged.
 width = 16
 height = 10
 load 'style.gp'
 values = folder.'map-values.csv'
 load 'values.gp'
-array names[7] = ['excitation frequency / Hz', 'excitation amplitude A_0 / mm', 'beam length L / m', \
-    'axial force P / N', "Young's modulus E / GPa", 'static friction coefficient μ_s', \
-    'direction of the axial force χ']
-array scales[7] = [1, 1e3, 1, 1, 1e-9, 1, 1]
+load 'parameters.gp'
 x_label = names[int(x_parameter)]
 y_label = names[int(y_parameter)]
 x_scale = scales[int(x_parameter)]
@@ -21,25 +19,33 @@ file = folder.'map.csv'
 x_of(x) = x_log ? log10(x_scale * x) : x_scale * x
 y_of(y) = y_log ? log10(y_scale * y) : y_scale * y
 region(text) = text eq 'stick' ? -0.75 : text eq 'stick-slip' ? 0.75 : NaN
-ratio(text) = states_only ? region(text) : text eq '' ? NaN : log10(real(text))
+array quantity_names[8] = ['share of the time in slip', 'largest sliding speed / (m/s)', \
+    'rms sliding speed / (m/s)', 'travel in a period / m', 'work of friction in a period / J', 'largest |f| / N', \
+    'sticks in a period', 'period of the motion (0: none)']
+ratio(text) = states_only ? region(text) : text eq '' ? NaN : quantity ? real(text) : log10(real(text))
+state_column = quantity ? 3 + 2 * int(quantities) : 4 - int(states_only)
+# Whether a cell is left empty.
+empty(text) = quantity ? text eq '' : text eq 'no stick state'
 stats file using (x_of($1)):(y_of($2)) name 'axis' nooutput
-stats file using (strcol(4 - int(states_only)) eq 'no stick state' ? 1 : 0) name 'buckled' nooutput
+stats file using (empty(strcol(quantity ? 3 : state_column)) ? 1 : 0) name 'buckled' nooutput
 limit = 'NaN'
 cells = 'NaN'
 if (buckled_min == 0) {
-  set contour base
-  unset surface
-  set cntrparam levels discrete 0
-  set table $limit
-  splot file using (x_of($1)):(y_of($2)):(ratio(strcol(3)))
-  unset contour
-  set surface
+  if (!quantity) {
+    set contour base
+    unset surface
+    set cntrparam levels discrete 0
+    set table $limit
+    splot file using (x_of($1)):(y_of($2)):(ratio(strcol(3)))
+    unset contour
+    set surface
+  }
   # A contour's table has blanks between its columns, so that of the cells gets them, too.
   set table $cells
   plot file using (x_of($1)):(y_of($2)):(ratio(strcol(3))) with table
   unset table
   cells = '$cells using 1:2:3 with image'
-  if (!states_only && |$limit| > 4) { limit = '$limit using 1:2' }  # there are four lines of comment where there is no contour
+  if (!quantity) { if (!states_only && |$limit| > 4) { limit = '$limit using 1:2' } }  # there are four lines of comment where there is no contour
 }
 set datafile separator whitespace
 unset datafile columnheaders
@@ -65,17 +71,23 @@ set xlabel x_label
 set ylabel y_label
 set xrange [axis_min_x:axis_max_x]
 set yrange [axis_min_y:axis_max_y]
-eval ratio_palette
-set cbrange [-1.5:1.5]
-set cbtics ('≤ 1/30' -1.5, '1/10' -1, '1/3' log10(1/3.0), '1' 0, '3' log10(3), '10' 1, '≥ 30' 1.5)
-set cblabel '|f_{max}| / (μ_sP)' offset -0.5
+if (quantity) {
+  set palette defined (0 '#08306B', 1 '#2171B5', 2 '#7FB8DE', 3 '#EE9A33', 4 '#FDCB75')
+  set cbrange [*:*]
+  set cblabel quantity_names[int(quantity)] offset -0.5
+} else {
+  eval ratio_palette
+  set cbrange [-1.5:1.5]
+  set cbtics ('≤ 1/30' -1.5, '1/10' -1, '1/3' log10(1/3.0), '1' 0, '3' log10(3), '10' 1, '≥ 30' 1.5)
+  set cblabel '|f_{max}| / (μ_sP)' offset -0.5
+}
 set key above horizontal center samplen 3
 set margins screen 0.105, screen 0.83, screen 0.125, screen 0.90
 if (states_only) { unset colorbox; set rmargin at screen 0.97 }
 set object 1 rectangle from graph 0, graph 0 to graph 1, graph 1 behind fillcolor rgb grey \
     fillstyle pattern 4 noborder
 limit_title = limit eq 'NaN' ? '' : '|f_{max}| = μ_sP'
-buckled_title = 'no stick state (buckled)'
+buckled_title = quantity ? 'not converged, or no stick state' : 'no stick state (buckled)'
 plot @cells notitle, \
      @limit with lines linecolor rgb black linewidth 1.2 title limit_title, \
      for [i = 1:states_only] keyentry with boxes linecolor rgb '#2171B5' fillstyle solid title 'stick', \

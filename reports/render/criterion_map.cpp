@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "render/drawing.hpp"
@@ -13,6 +16,78 @@
 namespace stickslip::report {
 
 namespace {
+
+struct QuantityText {
+  std::string_view name;
+  const char *column, *unit;
+};
+
+// In the order of MotionQuantity.
+constexpr std::array<QuantityText, studies::all_motion_quantities.size()> quantity_texts{
+    {{"slip-share", "slip_share", "1"},
+     {"peak-speed", "peak_speed_m_per_s", "m/s"},
+     {"rms-speed", "rms_speed_m_per_s", "m/s"},
+     {"travel", "travel_m", "m"},
+     {"work", "work_J", "J"},
+     {"largest-force", "largest_force_N", "N"},
+     {"sticks", "sticks", "1"},
+     {"period", "period", "1"}}};
+
+const QuantityText& text_of(studies::MotionQuantity quantity) {
+  return quantity_texts[static_cast<std::size_t>(quantity)];
+}
+
+// What the axis `name` (x or y) shows, counted from 1, and whether its values are in equal ratios.
+void add_axis(const std::string& name, const studies::MapAxis& axis, std::vector<FigureData::Value>& values) {
+  values.push_back({name + "_parameter", static_cast<double>(axis.parameter) + 1.0, "1"});
+  values.push_back({name + "_log", axis.logarithmic ? 1.0 : 0.0, "1"});
+}
+
+std::vector<FigureData::Value> values_of(const studies::CriterionMap& map) {
+  std::vector<FigureData::Value> values;
+  add_axis("x", map.x, values);
+  add_axis("y", map.y, values);
+  values.push_back({"states_only", map.states_only ? 1.0 : 0.0, "1"});
+  values.push_back(
+      {"quantity", map.quantities.empty() ? 0.0 : static_cast<double>(map.quantities.front()) + 1.0, "1"});
+  values.push_back({"quantities", static_cast<double>(map.quantities.size()), "1"});
+  return values;
+}
+
+// The texts of the values along an axis, which many cells share.
+std::vector<CsvText> texts_of(const studies::MapAxis& axis) {
+  std::vector<CsvText> texts;
+  for (const double value : axis.values) texts.emplace_back(csv_number(value));
+  return texts;
+}
+
+constexpr std::size_t longest_usual_row = 72;  // three numbers of 20 characters and a state
+
+// The value, if there is one and it has converged, and the change.
+void add(CsvTable& table, const studies::CriterionMap::Cell& cell, std::size_t quantity, double tolerance) {
+  std::optional<double> value, change;
+  if (quantity < cell.response.size()) {
+    change = cell.response[quantity].change;
+    if (*change <= tolerance) value = cell.response[quantity].value;
+  }
+  table.add(value).add(change);
+}
+
+}  // namespace
+
+std::string to_string(studies::CellState state) {
+  switch (state) {
+    case studies::CellState::stick:
+      return "stick";
+    case studies::CellState::stick_slip:
+      return "stick-slip";
+    case studies::CellState::no_stick_state:
+      return "no stick state";
+  }
+  return {};
+}
+
+std::string to_string(studies::MotionQuantity quantity) { return std::string(text_of(quantity).name); }
 
 CsvColumn column_of(studies::Parameter parameter) {
   switch (parameter) {
@@ -30,52 +105,33 @@ CsvColumn column_of(studies::Parameter parameter) {
       return {"static_coefficient", "1"};
     case studies::Parameter::axial_direction:
       return {"axial_direction", "1"};
-  }
-  return {};
-}
-
-// What the axis `name` (x or y) shows, counted from 1, and whether its values are in equal ratios.
-void add_axis(const std::string& name, const studies::MapAxis& axis, std::vector<FigureData::Value>& values) {
-  values.push_back({name + "_parameter", static_cast<double>(axis.parameter) + 1.0, "1"});
-  values.push_back({name + "_log", axis.logarithmic ? 1.0 : 0.0, "1"});
-}
-
-std::vector<FigureData::Value> values_of(const studies::CriterionMap& map) {
-  std::vector<FigureData::Value> values;
-  add_axis("x", map.x, values);
-  add_axis("y", map.y, values);
-  values.push_back({"states_only", map.states_only ? 1.0 : 0.0, "1"});
-  return values;
-}
-
-// The texts of the values along an axis, which many cells share.
-std::vector<CsvText> texts_of(const studies::MapAxis& axis) {
-  std::vector<CsvText> texts;
-  for (const double value : axis.values) texts.emplace_back(csv_number(value));
-  return texts;
-}
-
-constexpr std::size_t longest_usual_row = 72;  // three numbers of 20 characters and a state
-
-}  // namespace
-
-std::string to_string(studies::CellState state) {
-  switch (state) {
-    case studies::CellState::stick:
-      return "stick";
-    case studies::CellState::stick_slip:
-      return "stick-slip";
-    case studies::CellState::no_stick_state:
-      return "no stick state";
+    case studies::Parameter::kinetic_coefficient:
+      return {"kinetic_coefficient", "1"};
+    case studies::Parameter::decay:
+      return {"decay_s_per_m", "s/m"};
+    case studies::Parameter::damping_ratio:
+      return {"damping_ratio", "1"};
+    case studies::Parameter::kelvin_voigt:
+      return {"kelvin_voigt_s", "s"};
   }
   return {};
 }
 
 CsvTable table_of(const data::Case& problem, const studies::CriterionMap& map) {
   std::vector<CsvColumn> columns{column_of(map.x.parameter), column_of(map.y.parameter)};
-  if (!map.states_only) columns.push_back({"force_ratio", "1"});
+  const bool has_ratio = !map.states_only && map.quantities.empty();
+  if (has_ratio) columns.push_back({"force_ratio", "1"});
+  for (const studies::MotionQuantity quantity : map.quantities) {
+    columns.push_back({text_of(quantity).column, text_of(quantity).unit});
+    std::string change = to_string(quantity) + "_change";
+    std::ranges::replace(change, '-', '_');
+    columns.push_back({change, "1"});
+  }
   columns.push_back({"state", "-"});
-  CsvTable table(fmt::format("Criterion of stick-slip for the case {}", problem.name), columns);
+  CsvTable table(
+      fmt::format("{} for the case {}",
+                  map.quantities.empty() ? "Criterion of stick-slip" : "Stick-slip motion", problem.name),
+      columns);
   table.reserve(map.cells.size() * longest_usual_row);
 
   const std::vector<CsvText> x = texts_of(map.x), y = texts_of(map.y);
@@ -86,7 +142,8 @@ CsvTable table_of(const data::Case& problem, const studies::CriterionMap& map) {
   for (const CsvText& at_y : y) {
     for (const CsvText& at_x : x) {
       table.add(at_x).add(at_y);
-      if (!map.states_only) table.add(cell->force_ratio);
+      if (has_ratio) table.add(cell->force_ratio);
+      for (std::size_t q = 0; q < map.quantities.size(); ++q) add(table, *cell, q, map.tolerance);
       table.add(states[static_cast<std::size_t>(cell->state)]).end_row();
       ++cell;
     }

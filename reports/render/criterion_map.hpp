@@ -12,7 +12,14 @@ namespace stickslip::report {
 /// "stick", "stick-slip" or "no stick state".
 [[nodiscard]] std::string to_string(studies::CellState state);
 
-/// One row per cell, with a force ratio only where there is a stick state; an empty line after each y.
+/// "slip-share" and the like, as the command line has them.
+[[nodiscard]] std::string to_string(studies::MotionQuantity quantity);
+
+/// The column and the unit of a parameter.
+[[nodiscard]] CsvColumn column_of(studies::Parameter parameter);
+
+/// One row per cell, with a force ratio only where there is a stick state; an empty line after each y. A
+/// quantity has a column with its value, where that has converged, and one with its change.
 [[nodiscard]] CsvTable table_of(const data::Case& problem, const studies::CriterionMap& map);
 
 /// The map drawn by gnuplot (figures/map.gp) from its table, as the bytes of a file. `format` is "pdf", "png"

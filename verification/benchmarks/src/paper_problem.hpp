@@ -23,13 +23,13 @@ inline data::HarmonicExcitation shaking(double hz, double amplitude) {
   return data::HarmonicExcitation({.frequency_hz = hz, .amplitude = amplitude});
 }
 
-/// The settings of the paper with another number of elements and another duration (s).
-inline data::NumericalSettings settings(int elements, double duration = ten_seconds) {
+/// The settings of the paper with another number of elements, another duration (s) and other modes.
+inline data::NumericalSettings settings(int elements, double duration = ten_seconds, int modes = 10) {
   return data::NumericalSettings({.elements = elements,
                                   .time_step = 1e-4,
                                   .spectral_radius = 0.9,
                                   .velocity_threshold = 1e-4,
-                                  .modes = 10,
+                                  .modes = modes,
                                   .duration = duration});
 }
 

@@ -21,6 +21,7 @@
 #include "stickslip/solver/modal_stick_run.hpp"
 #include "studies/criterion/criterion_map.hpp"
 #include "studies/criterion/critical_amplitude.hpp"
+#include "studies/stick_slip/contact_response.hpp"
 
 namespace stickslip::benchmarks {
 namespace {
@@ -125,6 +126,29 @@ void stick_slip_run(benchmark::State& state, Coordinates coordinates) {
 }
 BENCHMARK_CAPTURE(stick_slip_run, nodal, Coordinates::nodal)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(stick_slip_run, modal, Coordinates::modal)->Unit(benchmark::kMillisecond);
+
+// The same ten seconds in fixed steps on 20 modes, as a cell of a map of the motion has them, and such a cell: the run, a
+// second one with twice the step, and all that is set up for one beam. Against stick_slip_run/modal.
+void fixed_step_run(benchmark::State& state) {
+  data::Case problem = paper_case();
+  problem.numerics = settings(20, ten_seconds, 20);
+  const analytic::ContactModel model = studies::response_model(problem);
+  const analytic::ContactModes modes(model);
+  analytic::ModalContactRun run(modes, model, studies::steps_per_period(problem));
+  for (auto _ : state) {
+    run.start_stuck();
+    while (run.steps() < static_cast<std::size_t>(steps)) run.step();
+    benchmark::DoNotOptimize(run.sliding_velocity());
+  }
+}
+BENCHMARK(fixed_step_run)->Unit(benchmark::kMillisecond);
+
+void motion_map_cell(benchmark::State& state) {
+  data::Case problem = paper_case();
+  problem.numerics = settings(20, ten_seconds, 20);
+  for (auto _ : state) benchmark::DoNotOptimize(studies::contact_response(problem, 0.5 * ten_seconds));
+}
+BENCHMARK(motion_map_cell)->Unit(benchmark::kMillisecond);
 
 // A hundredth of a second of the plain stick run. Time and memory are proportional to the number of elements.
 void elements(benchmark::State& state) {

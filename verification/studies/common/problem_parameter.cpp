@@ -22,6 +22,14 @@ std::string_view field_of(Parameter parameter) {
       return "friction.static_coefficient";
     case Parameter::axial_direction:
       return "beam.axial_direction";
+    case Parameter::kinetic_coefficient:
+      return "friction.kinetic_coefficient";
+    case Parameter::decay:
+      return "friction.decay";
+    case Parameter::damping_ratio:
+      return "damping.ratio";
+    case Parameter::kelvin_voigt:
+      return "damping.kelvin_voigt";
   }
   return {};
 }
@@ -42,6 +50,14 @@ double value_of(const data::Case& problem, Parameter parameter) {
       return problem.friction.static_coefficient();
     case Parameter::axial_direction:
       return problem.beam.axial_direction();
+    case Parameter::kinetic_coefficient:
+      return problem.friction.kinetic_coefficient();
+    case Parameter::decay:
+      return problem.friction.decay();
+    case Parameter::damping_ratio:
+      return problem.damping.ratio();
+    case Parameter::kelvin_voigt:
+      return problem.damping.kelvin_voigt();
   }
   return {};
 }
@@ -51,6 +67,8 @@ data::Case with_value(const data::Case& problem, Parameter parameter, double val
   data::HarmonicMotion motion{.frequency_hz = problem.excitation.frequency_hz(),
                               .amplitude = problem.excitation.amplitude()};
   data::FrictionCoefficients friction = problem.friction.coefficients();
+  data::DampingProperties damping{.kelvin_voigt = problem.damping.kelvin_voigt(),
+                                  .ratio = problem.damping.ratio()};
   switch (parameter) {
     case Parameter::frequency:
       motion.frequency_hz = value;
@@ -75,11 +93,24 @@ data::Case with_value(const data::Case& problem, Parameter parameter, double val
     case Parameter::axial_direction:
       beam.axial_direction = value;
       break;
+    case Parameter::kinetic_coefficient:
+      friction.kinetic_coefficient = value;
+      break;
+    case Parameter::decay:
+      friction.decay = value;
+      break;
+    case Parameter::damping_ratio:
+      damping.ratio = value;
+      break;
+    case Parameter::kelvin_voigt:
+      damping.kelvin_voigt = value;
+      break;
   }
   data::Case changed = problem;
   changed.beam = data::Beam(beam);
   changed.excitation = data::HarmonicExcitation(motion);
   changed.friction = data::FrictionLaw(friction);
+  changed.damping = data::Damping(damping);
   return changed;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <string_view>
 
 #include "stickslip/data/problem.hpp"
@@ -16,13 +15,12 @@ enum class Parameter {
   axial_force,
   youngs_modulus,
   static_coefficient,
-  axial_direction
+  axial_direction,
+  kinetic_coefficient,
+  decay,
+  damping_ratio,
+  kelvin_voigt
 };
-
-inline constexpr std::array all_parameters{Parameter::frequency,      Parameter::amplitude,
-                                           Parameter::length,         Parameter::axial_force,
-                                           Parameter::youngs_modulus, Parameter::static_coefficient,
-                                           Parameter::axial_direction};
 
 /// The name of the parameter's field in a case file, such as "beam.length".
 [[nodiscard]] std::string_view field_of(Parameter parameter);

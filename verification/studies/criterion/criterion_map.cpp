@@ -40,14 +40,23 @@ bool may_buckle(const MapTask& task) {
   return moves_the_buckling_load_ratio(task.x.parameter) || moves_the_buckling_load_ratio(task.y.parameter);
 }
 
+bool is_damping(Parameter parameter) {
+  return parameter == Parameter::damping_ratio || parameter == Parameter::kelvin_voigt;
+}
+
+// Whether some cells of the map may be damped and others not, or otherwise.
+bool changes_damping(const MapTask& task) {
+  return is_damping(task.x.parameter) || is_damping(task.y.parameter);
+}
+
 // Whether the reactions of the cells belong to different directions of the axial force.
 bool turns_the_axial_force(const MapTask& task) {
   return task.x.parameter == Parameter::axial_direction || task.y.parameter == Parameter::axial_direction;
 }
 
 // How many values of an axis need separate evaluations of the force.
-std::size_t evaluations_along(const MapAxis& axis) {
-  return is_a_factor(axis.parameter) ? 1 : axis.values.size();
+std::size_t evaluations_along(const MapTask& task, const MapAxis& axis) {
+  return is_a_factor(axis.parameter) && task.quantities.empty() ? 1 : axis.values.size();
 }
 
 // The load factor P L^2/EI, which determines the buckling state and the modes of the stick state.
@@ -68,7 +77,7 @@ data::Case case_at(const MapTask& task, std::size_t i, std::size_t j) {
 class Forces {
  public:
   explicit Forces(const MapTask& task) : method_(task.method), modes_(task.problem.numerics.modes()) {
-    if (method_ != MapMethod::closed_form || turns_the_axial_force(task)) return;
+    if (method_ != MapMethod::closed_form || turns_the_axial_force(task) || changes_damping(task)) return;
     if (is_damped(task.problem)) {
       if (!may_buckle(task))
         common_damped_ = analytic::damped_reaction(task.problem.beam, task.problem.damping, modes_);
@@ -140,6 +149,34 @@ class Forces {
   std::optional<analytic::DampedReaction> common_damped_;
 };
 
+// The quantities of the motion at the points of one map. The modes are computed once if all points have the same beam.
+class Responses {
+ public:
+  explicit Responses(const MapTask& task) : task_(task) {
+    if (may_buckle(task) || turns_the_axial_force(task) || changes_damping(task)) return;
+    const data::Case point = case_at(task, 0, 0);
+    if (!is_buckled(point.beam)) common_.emplace(response_model(point));
+  }
+
+  [[nodiscard]] MapEvaluation at(const data::Case& point) const {
+    MapEvaluation evaluation{.unit_force = {}, .state = CellState::stick};
+    try {
+      const ContactResponse response =
+          contact_response(point, task_.transient, common_ ? &*common_ : nullptr);
+      if (response.slips) evaluation.state = CellState::stick_slip;
+      for (const MotionQuantity quantity : task_.quantities)
+        evaluation.response.push_back(response[quantity]);
+    } catch (const analytic::InseparableModes&) {
+      evaluation.response.assign(task_.quantities.size(), {.value = 0.0, .change = 1.0});
+    }
+    return evaluation;
+  }
+
+ private:
+  const MapTask& task_;
+  std::optional<analytic::ContactModes> common_;
+};
+
 // The quantities of a cell that |f_max| per metre of amplitude is compared with.
 struct Factors {
   double amplitude{}, static_coefficient{}, axial_force{};
@@ -154,6 +191,7 @@ struct Factors {
 void complete(CriterionMap::Cell& cell, const MapEvaluation& evaluation, const Factors& factors,
               bool states_only) {
   cell.state = evaluation.state;
+  cell.response = evaluation.response;
   if (!evaluation.unit_force) return;
   const double limit = factors.static_coefficient * factors.axial_force;
   const double ratio = factors.amplitude * evaluation.unit_force->midpoint() / limit;
@@ -175,14 +213,18 @@ MapAxis map_axis(Parameter parameter, double from, double to, int count, bool lo
 }
 
 std::size_t evaluation_count(const MapTask& task) {
-  const auto& [problem, x, y, method, states_only] = task;
+  const data::Case& problem = task.problem;
+  const MapAxis &x = task.x, &y = task.y;
   if (x.parameter == y.parameter)
     throw data::InputError("both axes of the map are " + std::string(field_of(x.parameter)) +
                            ", but must be two parameters");
   for (const double value : x.values) (void)with_value(problem, x.parameter, value);
   for (const double value : y.values) (void)with_value(problem, y.parameter, value);
-  require_friction(case_at(task, 0, 0));
-  return evaluations_along(x) * evaluations_along(y);
+  if (task.quantities.empty())
+    require_friction(case_at(task, 0, 0));
+  else  // the lowest frequency has the longest period
+    (void)response_grid(case_at(task, 0, 0), task.transient);
+  return evaluations_along(task, x) * evaluations_along(task, y);
 }
 
 std::vector<std::size_t> share_of(std::size_t evaluations, std::size_t part, std::size_t parts) {
@@ -202,7 +244,7 @@ std::vector<std::size_t> share_of(std::size_t evaluations, std::size_t part, std
 
 void evaluate(const MapTask& task, std::span<const std::size_t> numbers, MapEvaluations& evaluations,
               const std::function<void(std::span<const std::size_t>)>& settled) {
-  const std::size_t columns = evaluations_along(task.x);
+  const std::size_t columns = evaluations_along(task, task.x);
   if (evaluations.size() != evaluation_count(task))
     throw std::invalid_argument(
         fmt::format("the vector of evaluations has the size {}, but must have the size {}",
@@ -210,15 +252,21 @@ void evaluate(const MapTask& task, std::span<const std::size_t> numbers, MapEval
   const bool may_be_buckled = may_buckle(task);
   const bool decide_only =
       task.states_only && !is_a_factor(task.x.parameter) && !is_a_factor(task.y.parameter);
-  const Forces forces(task);
+  std::optional<Forces> forces;
+  std::optional<Responses> responses;
+  if (task.quantities.empty())
+    forces.emplace(task);
+  else
+    responses.emplace(task);
   const auto evaluation_at = [&](std::size_t number) -> MapEvaluation {
     const data::Case point = case_at(task, number % columns, number / columns);
     if (may_be_buckled && is_buckled(point.beam))
       return {.unit_force = {}, .state = CellState::no_stick_state};
     analytic::require_contact(point.beam);
+    if (responses) return responses->at(point);
     if (decide_only)
-      return {.unit_force = {}, .state = forces.slips(point) ? CellState::stick_slip : CellState::stick};
-    return {.unit_force = forces.unit_force(point), .state = CellState::stick};
+      return {.unit_force = {}, .state = forces->slips(point) ? CellState::stick_slip : CellState::stick};
+    return {.unit_force = forces->unit_force(point), .state = CellState::stick};
   };
   in_parallel_settling(
       numbers.size(), [&](std::size_t i) { evaluations[numbers[i]] = evaluation_at(numbers[i]); },
@@ -229,11 +277,16 @@ void evaluate(const MapTask& task, std::span<const std::size_t> numbers, MapEval
 
 CriterionMap criterion_map(const MapTask& task, const MapEvaluations& evaluations) {
   const MapAxis &x = task.x, &y = task.y;
-  const std::size_t columns = evaluations_along(x), rows = evaluations_along(y);
+  const std::size_t columns = evaluations_along(task, x), rows = evaluations_along(task, y);
   if (evaluations.size() != columns * rows ||
       !std::ranges::all_of(evaluations, &MapEvaluations::value_type::has_value))
     throw std::invalid_argument("evaluations of the map are missing");
-  CriterionMap map{.x = x, .y = y, .states_only = task.states_only, .cells = {}};
+  CriterionMap map{.x = x,
+                   .y = y,
+                   .states_only = task.states_only,
+                   .quantities = task.quantities,
+                   .tolerance = task.tolerance,
+                   .cells = {}};
   map.cells.resize(x.values.size() * y.values.size());
   Factors factors{.amplitude = task.problem.excitation.amplitude(),
                   .static_coefficient = task.problem.friction.static_coefficient(),

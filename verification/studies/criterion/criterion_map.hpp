@@ -10,6 +10,7 @@
 #include "stickslip/analytic/bounds.hpp"
 #include "stickslip/data/problem.hpp"
 #include "studies/common/problem_parameter.hpp"
+#include "studies/stick_slip/contact_response.hpp"
 
 namespace stickslip::studies {
 
@@ -40,10 +41,14 @@ struct CriterionMap {
     double x{}, y{};
     /// |f_max| / (mu_s P); empty without a stick state or if not asked for.
     std::optional<double> force_ratio;
-    CellState state{};  ///< stick_slip if the ratio is above 1
+    CellState
+        state{};  ///< stick_slip if the ratio is above 1 or, with quantities, if the tip slips after the transient
+    std::vector<ResponseValue> response;  ///< of the quantities; empty without a stick state
   };
   MapAxis x, y;
   bool states_only{};
+  std::vector<MotionQuantity> quantities;
+  double tolerance{};
   std::vector<Cell> cells;  ///< x varies fastest
 };
 
@@ -53,12 +58,17 @@ struct MapTask {
   MapAxis x, y;
   MapMethod method{};
   bool states_only{};  ///< compute the states only, without the force ratio
+  /// What to map in place of the criterion; empty for the criterion.
+  std::vector<MotionQuantity> quantities{};
+  double transient{};  ///< that the quantities leave out, s
+  double tolerance{};  ///< the largest ResponseValue::change of a value that counts as converged
 };
 
 /// The result of one evaluation of the force, for all cells that share it.
 struct MapEvaluation {
   std::optional<analytic::Bounds> unit_force;  ///< |f_max| per metre of amplitude, N/m
   CellState state{};                           ///< of the single cell, if the force is not computed
+  std::vector<ResponseValue> response{};       ///< of the quantities
 };
 
 /// The evaluations of a map by their number. An element is empty until its evaluation is done.
@@ -69,7 +79,7 @@ using MapEvaluations = std::vector<std::optional<MapEvaluation>>;
 [[nodiscard]] MapAxis map_axis(Parameter parameter, double from, double to, int count, bool logarithmic);
 
 /// The number of evaluations that a map needs. |f_max| is proportional to the amplitude and does not depend
-/// on mu_s, so that an axis of either parameter needs no additional evaluation. Throws for axes that are not
+/// on mu_s, so that an axis of either parameter needs no additional evaluation; a quantity has one for each cell. Throws for axes that are not
 /// allowed, as criterion_map() does.
 [[nodiscard]] std::size_t evaluation_count(const MapTask& task);
 

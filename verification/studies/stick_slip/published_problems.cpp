@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "stickslip/analytic/event_driven.hpp"
+#include "stickslip/analytic/modal_contact_run.hpp"
 #include "stickslip/solver/stick_slip_integrator.hpp"
 
 namespace stickslip::studies {
@@ -217,6 +218,30 @@ History stepped(const MassProblem& problem, const std::vector<double>& times, do
   return history;
 }
 
+// About so long steps: a whole number in a period.
+History fixed_steps(const MassProblem& problem, double end, double h) {
+  const analytic::ContactModel model = contact_model(problem);
+  const analytic::ContactModes modes(model);
+  analytic::ModalContactRun run(modes, model, static_cast<int>(std::lround(2.0 * pi / problem.rate / h)));
+  run.start({.amplitudes = {},
+             .rates = {},
+             .displacement = problem.position,
+             .velocity = problem.velocity.value_or(0.0)});
+  const auto direction = [&] { return run.slips() ? std::copysign(1.0, run.sliding_velocity()) : 0.0; };
+  History history;
+  while (run.time() < end) {
+    const double before = direction(), position = run.contact_position();
+    run.step();
+    if (direction() == before) continue;
+    if (before == 0.0)
+      history.changes.push_back({"onset", run.time() - run.time_step(), position});
+    else
+      history.changes.push_back(
+          {direction() == 0.0 ? "capture" : "reversal", run.time(), run.contact_position()});
+  }
+  return history;
+}
+
 /// The rows of a problem.
 struct Rows {
   std::vector<std::string> change;
@@ -257,6 +282,9 @@ PublishedProblem solved(const std::string& name, const Rows& rows) {
     result.time_step[level] = problem.time_step / std::pow(2.0, level);
     result.stepped[level] = errors_of(stepped(problem, times, result.time_step[level]), rows);
   }
+  result.has_spring = !problem.is_pair && problem.stiffness > 0.0;
+  for (std::size_t level = 0; result.has_spring && level < 3; ++level)
+    result.fixed_steps[level] = errors_of(fixed_steps(problem, times.back(), result.time_step[level]), rows);
   return result;
 }
 

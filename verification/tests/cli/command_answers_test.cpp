@@ -376,6 +376,75 @@ TEST_F(CommandAnswers, MapLeavesOutTheRatioWhereOnlyStatesAreAskedFor) {
   }
 }
 
+TEST_F(CommandAnswers, MapWritesAValueWhereItHasConvergedOnly) {
+  const std::string command =
+      "map damped --set numerics.time_step=1e-4 --duration 0.8 --x frequency=24:36:3 --y kinetic=0.2:0.6:2 "
+      "--quantity work,sticks --tolerance 0.1 --output '" +
+      path("map.csv") + "' ";
+  const auto answer = json(command);
+  EXPECT_EQ(answer["quantities"], nlohmann::json({"work", "sticks"}));
+  EXPECT_EQ(answer["transient_s"], 0.4);
+  int converged = 0, rows = 0;
+  for (const auto& row : csv(contents(path("map.csv")))) {
+    if (row.size() != 7 || row[6] == "state" || row[0].starts_with('#')) continue;
+    ++rows;
+    EXPECT_EQ(row[2].empty(), std::stod(row[3]) > 0.1);
+    EXPECT_EQ(row[4].empty(), std::stod(row[5]) > 0.1);
+    converged += !row[2].empty() && !row[4].empty() ? 1 : 0;
+  }
+  EXPECT_EQ(rows, 6);
+  EXPECT_EQ(answer["converged"], converged);
+  const auto estimate = json(command + "--dry-run");
+  EXPECT_EQ(estimate["cells"], 6);
+  EXPECT_EQ(estimate["evaluations"], 6);
+  EXPECT_GT(estimate["core_hours"], 0.0);
+  EXPECT_GT(estimate["speedup"], 0.0);
+}
+
+// --- sweep
+
+TEST_F(CommandAnswers, SweepHasTheSectionOfEachValue) {
+  const std::string command =
+      "sweep damped --set numerics.time_step=1e-4 --hz 35 --parameter amplitude=1e-3:1.4e-3:3 --settle 5 "
+      "--periods 4 "
+      "--output '" +
+      path("sweep.csv") + "' ";
+  const auto answer = json(command);
+  ASSERT_EQ(answer["points"].size(), 6u);
+  EXPECT_EQ(answer["points"][0]["direction"], "up");
+  EXPECT_EQ(answer["points"][5]["direction"], "down");
+  EXPECT_EQ(answer["points"][5]["value"], 1e-3);
+  EXPECT_EQ(csv(contents(path("sweep.csv"))).size(), 3u + 6u * 4u);
+  EXPECT_EQ(run(command + "--direction down").output, "3 points written to " + path("sweep.csv") + "\n");
+}
+
+// --- respond --spectrum
+
+// In stick the response is a sum of sinusoids; with damping only that of the base is left after some time.
+TEST_F(CommandAnswers, RespondHasTheSpectrumOfItsRows) {
+  const std::string command =
+      "respond damped --set damping.ratio=0.05 --set numerics.time_step=1e-3 --amplitude 1e-4 --hz 25 "
+      "--duration 8 "
+      "--method event-driven --output '" +
+      path("run.csv") + "' --spectrum '" + path("spectrum.csv") + "'";
+  ASSERT_EQ(run(command).status, 0);
+  const auto rows = csv(contents(path("spectrum.csv")));
+  ASSERT_EQ(rows.size(), 2002u);  // 4 s at 1 kHz, and a header
+  double largest = 0.0;
+  const auto history = csv(contents(path("run.csv")));
+  for (std::size_t n = history.size() - 40; n < history.size(); ++n)
+    largest = std::max(largest, std::abs(std::stod(history[n][5])));
+  for (std::size_t k = 1; k < rows.size(); ++k) {
+    const double frequency = std::stod(rows[k][0]), force = std::stod(rows[k][2]);
+    EXPECT_DOUBLE_EQ(frequency, static_cast<double>(k - 1) / 4.0);
+    if (frequency == 25.0)
+      EXPECT_NEAR(force, largest,
+                  (1.0 - std::cos(std::numbers::pi / 40.0)) * largest);  // the peak between rows
+    else
+      EXPECT_LT(force, 1e-3 * largest) << frequency;
+  }
+}
+
 TEST_F(CommandAnswers, MapSaysWhatAShardHolds) {
   const std::string command =
       "map paper-figure14 --duration 0.5 --x length=0.8:2.8:3 --y force=200:800:3 --hz 20 --shard 2/4 "

@@ -133,7 +133,8 @@ constexpr Exception exceptions[] = {
 
     {"option", "@(stickslip|reference) --help", "!(unknown)", "help is given"},
     {"option", "* CASE", "missing", "a case of the paper stands for none"},
-    {"option", "@(respond|animate|criterion|map) --amplitude", "zero", "nothing moves"},
+    {"option", "@(respond|animate|criterion|map|sweep) --amplitude", "zero", "nothing moves"},
+    {"option", "sweep --settle", "zero", "nothing passes before the section"},
     {"option", "uncertainty --seed", "zero", "any seed will do"},
     {"option", "@(criterion --set|uncertainty --set|compare --tolerance|report --only)", "duplicate",
      "it may be given several times"},
@@ -147,8 +148,9 @@ constexpr Exception exceptions[] = {
      "@(unknown|negative|denormal|huge|infinity|not UTF-8|not a number|wrong type|zero)",
      "a file may have that name"},
     {"option", "compare --json", "@(missing|duplicate)", ""},
-    {"option", "@(* --json|* --quiet|* --states-only|* --version)", "missing", "a flag has no value"},
-    {"option", "@(* --json|* --quiet|* --states-only|* --version)", "duplicate",
+    {"option", "@(* --json|* --quiet|* --states-only|* --dry-run|* --version)", "missing",
+     "a flag has no value"},
+    {"option", "@(* --json|* --quiet|* --states-only|* --dry-run|* --version)", "duplicate",
      "said twice it means the same"},
 };
 
@@ -725,6 +727,12 @@ std::vector<Command> commands() {
             {"--y", "amplitude=1e-4:1e-3:2"},
             {"--duration", "0.1"},
             {"--output", "FOLDER/out.csv"}}},
+          {"sweep",
+           {{"CASE", "paper"},
+            {"--parameter", "amplitude=1e-4:2e-4:2"},
+            {"--settle", "1"},
+            {"--periods", "1"},
+            {"--output", "FOLDER/out.csv"}}},
           {"design",
            {{"CASE", "paper"},
             {"--band", "20:20"},
@@ -969,6 +977,20 @@ TEST_F(OptionInput, ThatHasNoValueOrTwoIsNamed) {
                  "a hundred million periods of natural frequency 10");
   expect_refused("map --threads 1e9", "--threads is 1e9, but must be an integer from 1 to 1024");
   expect_refused("map --threads 0", "--threads is 0, but must be an integer from 1 to 1024");
+  expect_refused("map --quantity works", "(did you mean work?)");
+  expect_refused("map --quantity work,verdict", "--quantity is 'verdict', but must be one of");
+  expect_refused("map --quantity work --states-only",
+                 "--states-only is an option of the verdict, but --quantity is work");
+  expect_refused("map --quantity work --method fe",
+                 "--method is an option of the verdict, but --quantity is work");
+  expect_refused("map --transient 1", "--transient needs a --quantity of the motion, but it is verdict");
+  expect_refused("map --tolerance 0.1", "--tolerance needs a --quantity of the motion, but it is verdict");
+  expect_refused("map --quantity work --tolerance 0", "--tolerance is 0, but must be above 0 and below 1");
+  expect_refused("map --quantity work --transient 10",
+                 "excitation.duration is 10, but must be long enough for the transient and two periods");
+  expect_refused("respond --duration 0.01 --spectrum a",
+                 "excitation.duration is 0.01, but must be at least two periods of the base motion");
+  expect_refused("sweep --parameter density=1:2:3", "--parameter: PARAMETER is 'density'");
   expect_refused("map --x length=1e-300:1:2",
                  "--x: beam.length is 1e-300, but must be from 1e-09 to 1e+06 (m)");
   expect_refused("map --shard 0/3 --output a", "--shard is '0/3', but must be K/M with integers 1 <= K <= M");

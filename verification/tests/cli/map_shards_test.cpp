@@ -33,6 +33,10 @@ class MapShards : public SignalledRun {
       "map paper-figure14 --duration 0.5 --x length=0.8:3:5 --y force=200:800:3 ";
   static constexpr const char* finite_elements =
       "map paper-figure14 --duration 0.1 --method fe --x frequency=10:50:3 --y friction=0.3:0.6:4 ";
+  static constexpr const char* motion =
+      "map paper-figure14 --set numerics.time_step=1e-3 --duration 0.5 --quantity work,period --transient "
+      "0.2 "
+      "--x amplitude=1e-3:3e-3:3 --y damping=0:0.02:2 ";
   // A third of a second on one thread: what is damped steps in nodal coordinates.
   static constexpr const char* longer =
       "map paper-figure14 --set damping.kelvin_voigt=1e-5 --duration 0.3 --method fe --threads 1 "
@@ -96,7 +100,7 @@ class MapShards : public SignalledRun {
 
 STICKSLIP_VERIFIES(MapShards, "U10");
 TEST_F(MapShards, AreTheSameMapOnAnyNumberOfThreads) {
-  for (const std::string map : {closed_form, finite_elements}) {
+  for (const std::string map : {closed_form, finite_elements, motion}) {
     const std::string one = made(map + "--threads 1 ", "map.csv");
     for (const std::string threads : {"2", "3", "7"})
       EXPECT_EQ(made(map + "--threads " + threads + " ", "map.csv"), one) << threads;
@@ -105,7 +109,8 @@ TEST_F(MapShards, AreTheSameMapOnAnyNumberOfThreads) {
 
 TEST_F(MapShards, MergeToTheBytesOfTheWholeMap) {
   const std::string with_a_jump = closed_form + std::string("--set friction.decay=inf ");
-  for (const std::string& map : {std::string(closed_form), std::string(finite_elements), with_a_jump}) {
+  for (const std::string& map :
+       {std::string(closed_form), std::string(finite_elements), with_a_jump, std::string(motion)}) {
     const std::string whole = made(map, "whole.csv");
     for (const int parts : {1, 2, 3, 7}) {  // the second map has three evaluations
       make_shards(map, parts);

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// Stick-slip in fixed steps, fast: for maps of many long runs.
+///
+/// The equations of a ContactModel with its contact free are one linear system, whose eigenvectors separate it,
+/// damped or not. With the complex amplitudes z_k scaled to the velocity of the contact,
+///
+///     z_k_t = lambda_k z_k + g_k (f_d + F_c) + b_k sin(Omega t),        u_c_t = Re sum_k z_k.
+///
+/// A step h = 2 pi/(Omega n) propagates each z_k exactly under the load and a friction force that is constant
+/// over the step. Then the sliding velocity at its end is v_1 = p + W f_d with one number W = Re sum g_k
+/// (exp(lambda_k h) - 1)/lambda_k, and the law of friction is a scalar one:
+///
+///     stick:  v_1 = 0,   |f_d| <= mu_s N        slip:  f_d = -sgn(v_1) N mu(|v_0 + v_1|/2).
+///
+/// A contact that slips goes on in its direction if that has a solution; else it sticks if it can, or turns
+/// round. The mean of the two velocities in the law makes slip of second order in h. A contact that is caught
+/// ends its step at rest, wherever in the step it came to rest, which costs a displacement of order h^2: so
+/// changes of contact are not located, and the motion is of second order nevertheless.
+///
+/// Friction takes the work -h f_d (v_0 + v_1)/2 in a step, and stays passive, only while |lambda_k| h < pi. A mode
+/// with |lambda_k| h > 2 is one that the step does not resolve: the trapezoidal rule propagates it, which is passive at
+/// any step.
+
+#include <array>
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+#include "stickslip/analytic/contact_dynamics.hpp"
+#include "stickslip/data/input_error.hpp"
+
+namespace stickslip::analytic {
+
+/// Two eigenvectors are too nearly parallel.
+class InseparableModes : public data::InputError {
+ public:
+  using InputError::InputError;
+};
+
+/// The eigenvectors of a ContactModel with its contact free. They do not depend on load, wall and friction.
+class ContactModes {
+ public:
+  /// Throws InseparableModes if two eigenvectors are too nearly parallel for nine digits, as next to critical
+  /// damping or to flutter, and std::invalid_argument as require_consistent().
+  explicit ContactModes(const ContactModel& model);
+
+  using Complex = std::complex<double>;
+
+  /// lambda_k, rad/s, one of each complex pair.
+  [[nodiscard]] const std::vector<Complex>& eigenvalues() const noexcept { return eigenvalue_; }
+
+ private:
+  friend class ModalContactRun;
+  void require_separated(const std::vector<double>& matrix, double unit) const;
+
+  std::size_t size_{};         // 2 (m + 1)
+  std::vector<double> scale_;  // coordinates (T, u_c) times these, and their rates, are Re(Z z)
+  std::vector<Complex> eigenvalue_;
+  std::vector<Complex> shape_;    // Z, eigenvalue_.size() columns of size_
+  std::vector<Complex> inverse_;  // z = W y, eigenvalue_.size() rows of size_
+};
+
+/// A run of a ContactModel.
+class ModalContactRun {
+ public:
+  /// `modes`: of this model, whatever its load, wall and friction were; `steps_per_period`: n >= 4. Throws
+  /// data::InputError, naming numerics.time_step, unless kappa W < 2, so that each step has one solution.
+  ModalContactRun(const ContactModes& modes, const ContactModel& model, int steps_per_period);
+
+  /// Starts at t = 0. The contact sticks if its velocity is that of the wall, to rounding.
+  void start(const ContactKinematics& state);
+  /// The quasi-static start of EventDriven::start_stuck({}, {}).
+  void start_stuck();
+
+  void step();
+
+  [[nodiscard]] double time_step() const noexcept { return time_step_; }  ///< h, s
+  [[nodiscard]] std::size_t steps() const noexcept { return steps_; }     ///< since the start
+  [[nodiscard]] double time() const noexcept { return static_cast<double>(steps_) * time_step_; }
+  [[nodiscard]] bool slips() const noexcept { return slips_; }                          ///< in the last step
+  [[nodiscard]] double sliding_velocity() const noexcept { return sliding_velocity_; }  ///< v_s, m/s
+  [[nodiscard]] double friction_force() const noexcept {
+    return friction_force_;
+  }                                               ///< f_d of the last step, N
+  [[nodiscard]] double contact_position() const;  ///< u_c - w, m
+  [[nodiscard]] ContactKinematics state() const;
+  /// z_k, m/s.
+  [[nodiscard]] std::vector<std::complex<double>> amplitudes() const;
+
+ private:
+  using Complex = std::complex<double>;
+  struct Slip {
+    double speed{}, force{};
+  };
+  [[nodiscard]] double falling_force(double speed);
+  [[nodiscard]] Slip slip(double free_speed, double speed_before);
+  void set_friction();
+  void decide(double free_velocity);
+  void advance(double force);
+  double add(std::size_t mode, Complex value);
+  void add_load();
+
+  // Four modes beside each other, so that a compiler takes them at once.
+  static constexpr std::size_t lanes = 4;
+  struct Part {
+    std::array<double, lanes> real{}, imaginary{};
+  };
+  struct Block {
+    Part turn, input,
+        amplitude;  // exp(lambda h), what a unit of force adds in a step, z_k without its steady part
+  };
+  // The part of the load in z_k as sine sin(Omega t) + cosine cos(Omega t): the steady vibration of a mode
+  // or, next to resonance, what a step from t adds.
+  struct Drive {
+    std::size_t mode{};
+    Complex sine, cosine;
+  };
+  void drive(std::size_t mode, Complex load);
+
+  const ContactModes* modes_;
+  ContactModel model_;
+  std::size_t period_;  // n
+  double time_step_{};
+  std::vector<Block> blocks_;
+  std::vector<Drive> steady_, resonant_;
+  std::vector<double> sine_, cosine_;  // of Omega t at the steps of a period
+  std::vector<double> offset_;  // steady velocity of the contact without friction, less that of the wall
+  double weight_{};             // W
+  double held_{}, kinetic_{}, falling_{}, decay_{}, viscous_{};  // the law, N and N s/m
+  double known_speed_{}, known_force_{};                         // a value of the falling part
+  std::size_t steps_{}, phase_{};  // since the start, and since the begin of a period
+  double free_velocity_{};         // p
+  double sliding_velocity_{}, friction_force_{};
+  bool slips_{};
+};
+
+}  // namespace stickslip::analytic

@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: MIT
+#include "stickslip/analytic/modal_contact_run.hpp"
+
+#include <gsl/gsl_linalg.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include "arguments.hpp"
+#include "exponential_difference.hpp"
+#include "gsl_handles.hpp"
+#include "gsl_status.hpp"
+
+namespace stickslip::analytic {
+namespace {
+
+using Complex = std::complex<double>;
+
+Complex from_gsl(gsl_complex value) { return {GSL_REAL(value), GSL_IMAG(value)}; }
+
+void accelerate(const ContactDynamics& dynamics, const ContactKinematics& state, double s, double f,
+                std::vector<double>& accelerations) {
+  accelerations.back() =
+      dynamics.accelerate(view(state), s, f, std::span(accelerations).first(dynamics.modes()));
+}
+
+// y_t = A y of y = (scale T, scale u_c, T_t, u_c_t), over `unit`, row by row.
+std::vector<double> first_order_matrix(const ContactDynamics& dynamics, const std::vector<double>& scale,
+                                       double unit) {
+  const std::size_t m = dynamics.modes(), half = m + 1, size = 2 * half;
+  std::vector<double> matrix(size * size), column(half);
+  for (std::size_t j = 0; j < size; ++j) {
+    ContactKinematics state{.amplitudes = std::vector<double>(m), .rates = std::vector<double>(m)};
+    const double value = j < half ? 1.0 / scale[j] : 1.0;
+    if (j % half < m)
+      (j < half ? state.amplitudes : state.rates)[j % half] = value;
+    else
+      (j < half ? state.displacement : state.velocity) = value;
+    accelerate(dynamics, state, 0.0, 0.0, column);
+    for (std::size_t i = 0; i < half; ++i) matrix[(half + i) * size + j] = column[i] / unit;
+    if (j >= half) matrix[(j - half) * size + j] = scale[j - half] / unit;
+  }
+  return matrix;
+}
+
+}  // namespace
+
+ContactModes::ContactModes(const ContactModel& model) {
+  const ContactDynamics dynamics(model);
+  const std::size_t m = model.modes();
+  size_ = 2 * (m + 1);
+  scale_ = model.angular_frequency;
+  const double single = std::sqrt(std::abs(model.contact_stiffness) / model.contact_mass);
+  scale_.push_back(m > 0 ? std::ranges::min(scale_) : single > 0.0 ? single : model.load_angular_frequency);
+  // Without dimension: GSL rounds the eigenvalues otherwise in other units.
+  const double unit = std::ranges::max(scale_);
+  const std::vector<double> entries = first_order_matrix(dynamics, scale_, unit);
+
+  const StatusInsteadOfAbort guard;
+  const auto matrix = owned(gsl_matrix_alloc(size_, size_));
+  for (std::size_t i = 0; i < size_; ++i)
+    for (std::size_t j = 0; j < size_; ++j) gsl_matrix_set(matrix.get(), i, j, entries[i * size_ + j]);
+  const auto values = owned(gsl_vector_complex_alloc(size_));
+  const auto vectors = owned(gsl_matrix_complex_alloc(size_, size_)),
+             factors = owned(gsl_matrix_complex_alloc(size_, size_)),
+             inverse = owned(gsl_matrix_complex_alloc(size_, size_));
+  const auto workspace = owned(gsl_eigen_nonsymmv_alloc(size_));
+  gsl_eigen_nonsymmv_params(1, workspace.get());
+  require_success(gsl_eigen_nonsymmv(matrix.get(), values.get(), vectors.get(), workspace.get()),
+                  "eigenvalues of the structure with its contact free");
+  const auto permutation = owned(gsl_permutation_alloc(size_));
+  int sign = 0;
+  gsl_matrix_complex_memcpy(factors.get(), vectors.get());
+  require_success(gsl_linalg_complex_LU_decomp(factors.get(), permutation.get(), &sign), "eigenvectors");
+  if (gsl_linalg_complex_LU_invert(factors.get(), permutation.get(), inverse.get()) != GSL_SUCCESS)
+    gsl_matrix_complex_set_zero(inverse.get());  // which does not separate
+
+  for (std::size_t k = 0; k < size_; ++k) {
+    const Complex value = from_gsl(gsl_vector_complex_get(values.get(), k));
+    if (value.imag() < 0.0) continue;
+    const double weight = value.imag() > 0.0 ? 2.0 : 1.0;
+    const Complex contact = weight * from_gsl(gsl_matrix_complex_get(vectors.get(), size_ - 1, k));
+    eigenvalue_.push_back(value * unit);
+    for (std::size_t i = 0; i < size_; ++i) {
+      shape_.push_back(weight * from_gsl(gsl_matrix_complex_get(vectors.get(), i, k)) / contact);
+      inverse_.push_back(from_gsl(gsl_matrix_complex_get(inverse.get(), k, i)) * contact);
+    }
+  }
+  require_separated(entries, unit);
+}
+
+// Z lambda W must be the matrix again, to nine digits.
+void ContactModes::require_separated(const std::vector<double>& matrix, double unit) const {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < size_; ++i)
+    for (std::size_t j = 0; j < size_; ++j) {
+      double rebuilt = 0.0;
+      for (std::size_t k = 0; k < eigenvalue_.size(); ++k)
+        rebuilt += (shape_[k * size_ + i] * eigenvalue_[k] * inverse_[k * size_ + j]).real() / unit;
+      largest = std::max(largest, std::isfinite(rebuilt) ? std::abs(rebuilt - matrix[i * size_ + j])
+                                                         : std::numeric_limits<double>::infinity());
+    }
+  const auto [low, high] = std::ranges::minmax(matrix);
+  if (!(largest <= 1e-9 * std::max(high, -low)))
+    throw InseparableModes(
+        "a mode of the sliding beam cannot be separated from the others: it is too near to critical damping "
+        "or "
+        "to flutter");
+}
+
+ModalContactRun::ModalContactRun(const ContactModes& modes, const ContactModel& model, int steps_per_period)
+    : modes_(&modes), model_(model), period_(static_cast<std::size_t>(steps_per_period)) {
+  if (steps_per_period < 4) throw wrong_argument("steps_per_period", steps_per_period, "4 or more");
+  const double omega = model.load_angular_frequency, angle = 2.0 * std::numbers::pi / steps_per_period;
+  const double h = time_step_ = angle / omega;
+  constexpr double resolved = 2.0;
+  constexpr Complex i{0.0, 1.0};
+  const ContactDynamics dynamics(model);
+  const std::size_t m = model.modes(), half = m + 1;
+  const ContactKinematics rest{.amplitudes = std::vector<double>(m), .rates = std::vector<double>(m)};
+  std::vector<double> by_force(half), by_load(half);
+  accelerate(dynamics, rest, 0.0, 1.0, by_force);
+  accelerate(dynamics, rest, 1.0, 0.0, by_load);
+  for (std::size_t k = 0; k < modes.eigenvalue_.size(); ++k) {
+    Complex force, load;  // g_k, b_k
+    for (std::size_t n = 0; n < half; ++n) {
+      const Complex row = modes.inverse_[k * modes.size_ + half + n];
+      force += row * by_force[n];
+      load += row * by_load[n];
+    }
+    const Complex lambda = modes.eigenvalue_[k];
+    Complex turn = std::exp(lambda * h), share = exponential_difference(lambda, 0.0, h);
+    if (std::abs(lambda) * h > resolved) {
+      turn = (1.0 + 0.5 * lambda * h) / (1.0 - 0.5 * lambda * h);
+      share = h / (1.0 - 0.5 * lambda * h);
+    }
+    Block& block = k % lanes == 0 ? blocks_.emplace_back() : blocks_.back();
+    const auto set = [lane = k % lanes](Part& part, Complex value) {
+      part.real[lane] = value.real();
+      part.imaginary[lane] = value.imag();
+    };
+    set(block.turn, turn);
+    set(block.input, share * force);
+    weight_ += (share * force).real();
+    drive(k, load);
+  }
+  for (std::size_t n = 0; n <= period_; ++n) {
+    sine_.push_back(std::sin(angle * static_cast<double>(n)));
+    cosine_.push_back(std::cos(angle * static_cast<double>(n)));
+    offset_.push_back(-model.wall_amplitude * omega * cosine_.back());
+    for (const Drive& steady : steady_)
+      offset_.back() += steady.sine.real() * sine_.back() + steady.cosine.real() * cosine_.back();
+  }
+  set_friction();
+}
+
+void ModalContactRun::drive(std::size_t mode, Complex load) {
+  const double omega = model_.load_angular_frequency;
+  const Complex lambda = modes_->eigenvalue_[mode], i{0.0, 1.0};
+  const double distance = std::min(std::abs(i * omega - lambda), std::abs(i * omega + lambda));
+  constexpr double resonance = 0.01;  // takes two digits of a steady part
+  const bool is_resonant = distance < resonance * omega;
+  const Complex plus = is_resonant ? exponential_difference(i * omega, lambda, time_step_)
+                                   : 1.0 / (i * omega - lambda),
+                minus = is_resonant ? exponential_difference(-i * omega, lambda, time_step_)
+                                    : 1.0 / (-i * omega - lambda);
+  (is_resonant ? resonant_ : steady_)
+      .push_back({mode, 0.5 * (plus + minus) * load, (plus - minus) / (2.0 * i) * load});
+}
+
+void ModalContactRun::set_friction() {
+  const double normal = model_.normal_force;
+  const data::FrictionLaw law = model_.friction.in_slip();
+  held_ = model_.friction.static_coefficient() * normal;
+  kinetic_ = law.kinetic_coefficient() * normal;
+  falling_ = law.static_coefficient() * normal - kinetic_;
+  decay_ = falling_ > 0.0 ? law.decay() : 0.0;
+  viscous_ = law.viscous() * normal;
+  if (!(weight_ > 0.0 && 0.5 * decay_ * falling_ * weight_ < 1.0))
+    throw data::InputError(
+        "numerics.time_step is too long: a step has one solution only if (mu_s - mu_m) alpha N W is below 2, "
+        "but "
+        "it is " +
+        data::shortest_text(decay_ * falling_ * weight_));
+}
+
+void ModalContactRun::start_stuck() {
+  start({.amplitudes = std::vector<double>(model_.modes()),
+         .rates = std::vector<double>(model_.modes()),
+         .displacement = 0.0,
+         .velocity = model_.wall_amplitude * model_.load_angular_frequency});
+}
+
+void ModalContactRun::start(const ContactKinematics& state) {
+  const std::size_t m = model_.modes(), half = m + 1;
+  std::vector<double> y(modes_->size_);
+  for (std::size_t n = 0; n < m; ++n) {
+    y[n] = modes_->scale_[n] * state.amplitudes[n];
+    y[half + n] = state.rates[n];
+  }
+  y[m] = modes_->scale_[m] * state.displacement;
+  y[half + m] = state.velocity;
+  for (Block& block : blocks_) block.amplitude = {};
+  free_velocity_ = 0.0;
+  for (std::size_t k = 0; k < modes_->eigenvalue_.size(); ++k) {
+    Complex z;
+    for (std::size_t i = 0; i < y.size(); ++i) z += modes_->inverse_[k * modes_->size_ + i] * y[i];
+    free_velocity_ += add(k, z);
+  }
+  for (const Drive& steady : steady_) free_velocity_ += add(steady.mode, -steady.cosine);
+  steps_ = phase_ = 0;
+  friction_force_ = 0.0;
+  const double wall = model_.wall_amplitude * model_.load_angular_frequency;
+  sliding_velocity_ = state.velocity - wall;
+  if (std::abs(sliding_velocity_) <= 4.0 * std::numeric_limits<double>::epsilon() * std::abs(wall))
+    sliding_velocity_ = 0.0;
+  slips_ = sliding_velocity_ != 0.0;
+  add_load();
+}
+
+// To the end of the step, with the force that acts on the contact in it.
+void ModalContactRun::advance(double force) {
+  std::array<double, lanes> sums{};
+  for (Block& block : blocks_) {
+    const Part turn = block.turn, input = block.input, z = block.amplitude;
+    Part next;
+    for (std::size_t l = 0; l < lanes; ++l)
+      next.real[l] = turn.real[l] * z.real[l] - turn.imaginary[l] * z.imaginary[l] + input.real[l] * force;
+    for (std::size_t l = 0; l < lanes; ++l)
+      next.imaginary[l] =
+          turn.real[l] * z.imaginary[l] + turn.imaginary[l] * z.real[l] + input.imaginary[l] * force;
+    for (std::size_t l = 0; l < lanes; ++l)
+      sums[l] += turn.real[l] * next.real[l] - turn.imaginary[l] * next.imaginary[l];
+    block.amplitude = next;
+  }
+  free_velocity_ = (sums[0] + sums[1]) + (sums[2] + sums[3]);
+  for (const Drive& at : resonant_)
+    free_velocity_ += add(at.mode, at.sine * sine_[phase_] + at.cosine * cosine_[phase_]);
+  ++steps_;
+  if (++phase_ == period_) phase_ = 0;
+  add_load();
+}
+
+// Adds to an amplitude, and returns what that adds to the free velocity of the next step.
+double ModalContactRun::add(std::size_t mode, Complex value) {
+  Block& block = blocks_[mode / lanes];
+  const std::size_t l = mode % lanes;
+  block.amplitude.real[l] += value.real();
+  block.amplitude.imaginary[l] += value.imag();
+  return block.turn.real[l] * value.real() - block.turn.imaginary[l] * value.imag();
+}
+
+// What does not depend on the amplitudes.
+void ModalContactRun::add_load() {
+  free_velocity_ += offset_[phase_ + 1] + weight_ * model_.contact_force;
+  for (const Drive& at : resonant_)
+    free_velocity_ += at.sine.real() * sine_[phase_] + at.cosine.real() * cosine_[phase_];
+}
+
+// Next to a value that is known, by the series of the exponential function, to round-off.
+double ModalContactRun::falling_force(double speed) {
+  if (falling_ == 0.0) return 0.0;
+  const double x = decay_ * (known_speed_ - speed);
+  constexpr double short_enough = 1e-2;
+  if (known_force_ > 0.0 && std::abs(x) < short_enough)
+    return known_force_ *
+           (1.0 + x * (1.0 + x * (1.0 / 2.0 + x * (1.0 / 6.0 + x * (1.0 / 24.0 + x * (1.0 / 120.0))))));
+  known_speed_ = speed;
+  return known_force_ = falling_ * std::exp(-decay_ * speed);
+}
+
+// The V with V + W N mu((V + V_0)/2) = P, by Newton's method on a convex, rising function.
+ModalContactRun::Slip ModalContactRun::slip(double free_speed, double speed_before) {
+  constexpr int most_iterations = 50;
+  double speed = std::max(free_speed - weight_ * std::abs(friction_force_), 0.0), force = 0.0;
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    const double mean = 0.5 * (speed + speed_before);
+    const double exponential = falling_force(mean);
+    const double slope = 0.5 * (viscous_ - decay_ * exponential);
+    force = kinetic_ + exponential + viscous_ * mean;
+    const double change = (free_speed - speed - weight_ * force) / (1.0 + weight_ * slope);
+    speed += change;
+    force += slope * change;
+    // What is left is below decay^2 change^2/8 of the falling part, 1e-11.
+    if (decay_ * std::abs(change) < 1e-5) break;
+  }
+  return {speed, force};
+}
+
+void ModalContactRun::decide(double free_velocity) {
+  if (slips_ && sliding_velocity_ != 0.0) {
+    const double direction = std::copysign(1.0, sliding_velocity_);
+    const Slip on = slip(direction * free_velocity, std::abs(sliding_velocity_));
+    if (on.speed > 0.0) {
+      sliding_velocity_ = direction * on.speed;
+      friction_force_ = -direction * on.force;
+      return;
+    }
+  }
+  slips_ = std::abs(free_velocity) > weight_ * held_;
+  if (!slips_) {
+    sliding_velocity_ = 0.0;
+    friction_force_ = -free_velocity / weight_;
+    return;
+  }
+  const double direction = std::copysign(1.0, free_velocity);
+  const Slip away = slip(std::abs(free_velocity), 0.0);
+  sliding_velocity_ = direction * away.speed;
+  friction_force_ = -direction * away.force;
+}
+
+void ModalContactRun::step() {
+  decide(free_velocity_);
+  advance(friction_force_ + model_.contact_force);
+}
+
+std::vector<Complex> ModalContactRun::amplitudes() const {
+  std::vector<Complex> values(modes_->eigenvalue_.size());
+  for (std::size_t k = 0; k < values.size(); ++k)
+    values[k] = {blocks_[k / lanes].amplitude.real[k % lanes],
+                 blocks_[k / lanes].amplitude.imaginary[k % lanes]};
+  const std::size_t n = phase_;
+  for (const Drive& steady : steady_)
+    values[steady.mode] += steady.sine * sine_[n] + steady.cosine * cosine_[n];
+  return values;
+}
+
+ContactKinematics ModalContactRun::state() const {
+  const std::size_t m = model_.modes(), half = m + 1;
+  const std::vector<Complex> z = amplitudes();
+  std::vector<double> y(modes_->size_);
+  for (std::size_t k = 0; k < z.size(); ++k)
+    for (std::size_t i = 0; i < y.size(); ++i) y[i] += (modes_->shape_[k * modes_->size_ + i] * z[k]).real();
+  ContactKinematics state{.amplitudes = std::vector<double>(m), .rates = std::vector<double>(m)};
+  for (std::size_t n = 0; n < m; ++n) {
+    state.amplitudes[n] = y[n] / modes_->scale_[n];
+    state.rates[n] = y[half + n];
+  }
+  state.displacement = y[m] / modes_->scale_[m];
+  state.velocity = sliding_velocity_ + model_.wall_amplitude * model_.load_angular_frequency *
+                                           cosine_[phase_];  // in stick exactly that of the wall
+  return state;
+}
+
+double ModalContactRun::contact_position() const {
+  const std::size_t m = model_.modes();
+  const std::vector<Complex> z = amplitudes();
+  double position = 0.0;
+  for (std::size_t k = 0; k < z.size(); ++k)
+    position += (modes_->shape_[k * modes_->size_ + m] * z[k]).real();
+  return position / modes_->scale_[m] - model_.wall_amplitude * sine_[phase_];
+}
+
+}  // namespace stickslip::analytic

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "case_options.hpp"
+#include "commands.hpp"
+#include "figure_format.hpp"
+#include "long_work.hpp"
+#include "output_file.hpp"
+#include "range_text.hpp"
+#include "render/criterion_map.hpp"
+#include "render/drawing.hpp"
+#include "render/figures.hpp"
+#include "render/interruption.hpp"
+#include "render/progress.hpp"
+#include "studies/stick_slip/parameter_sweep.hpp"
+
+namespace stickslip::cli {
+
+namespace {
+
+struct SweepOptions {
+  CaseOptions problem;
+  ExcitationOptions excitation;
+  std::string parameter = "amplitude=1e-4:1e-3:91";
+  std::string direction = "both";
+  int settle = 100;
+  int periods = 32;
+  std::string output = "-";
+  std::string figure;
+};
+
+const std::map<std::string, studies::SweepDirection> directions{{"up", studies::SweepDirection::up},
+                                                                {"down", studies::SweepDirection::down},
+                                                                {"both", studies::SweepDirection::both}};
+
+report::CsvTable table_of(const studies::SweepTask& task, const std::vector<studies::SweepPoint>& points) {
+  report::CsvTable table("Poincare section of the tip for the case " + task.problem.name,
+                         {{"direction", "-"},
+                          report::column_of(task.parameter),
+                          {"tip_displacement_m", "m"},
+                          {"tip_velocity_m_per_s", "m/s"},
+                          {"friction_force_N", "N"},
+                          {"period", "1"}});
+  for (const studies::SweepPoint& point : points)
+    for (const studies::SectionPoint& at : point.section) {
+      for (const double value : {at.displacement, at.velocity, at.friction_force})
+        if (!std::isfinite(value))
+          data::throw_overflow(fmt::format("the motion at {} = {} is not finite", field_of(task.parameter),
+                                           data::shortest_text(point.value)));
+      table.add_row({point.up ? "up" : "down", report::csv_number(point.value),
+                     report::csv_number(at.displacement), report::csv_number(at.velocity + 0.0),
+                     report::csv_number(at.friction_force + 0.0), std::to_string(point.period)});
+    }
+  return table;
+}
+
+std::string drawn(const report::CsvTable& table, const studies::SweepTask& task, const std::string& format) {
+  const std::vector<report::FigureData::Value> values{
+      {"parameter", static_cast<double>(task.parameter) + 1.0, "1"}};
+  return report::drawing_of(
+      "sweep", format,
+      {{"sweep.csv", table.text()}, {"sweep-values.csv", report::values_table(values).text()}});
+}
+
+// The values at which up and down have other sections: as many as the smaller side of the two.
+std::size_t values_with_hysteresis(const std::vector<studies::SweepPoint>& points) {
+  const auto extent = [](const studies::SweepPoint& point) {
+    return std::ranges::minmax(point.section, {}, &studies::SectionPoint::friction_force);
+  };
+  constexpr double apart = 0.01;  // of the larger force
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < points.size() / 2; ++i) {
+    const auto up = extent(points[i]), down = extent(points[points.size() - 1 - i]);
+    const double scale = std::max({std::abs(up.min.friction_force), std::abs(up.max.friction_force),
+                                   std::abs(down.min.friction_force), std::abs(down.max.friction_force)});
+    if (std::abs(up.min.friction_force - down.min.friction_force) > apart * scale ||
+        std::abs(up.max.friction_force - down.max.friction_force) > apart * scale)
+      ++count;
+  }
+  return count;
+}
+
+studies::SweepTask task_of(const SweepOptions& options) {
+  const studies::MapAxis axis = parse_axis("--parameter", options.parameter);
+  for (const double end : {axis.values.front(), axis.values.back()})
+    data::require_magnitude(studies::field_of(axis.parameter), end, "--parameter");
+  return {.problem = load_case(options.problem, options.excitation, {}),
+          .parameter = axis.parameter,
+          .values = axis.values,
+          .direction = directions.at(options.direction),
+          .settle = options.settle,
+          .periods = options.periods};
+}
+
+void run(const SweepOptions& options) {
+  const bool to_standard_output = options.output == "-";
+  if (options.problem.json && to_standard_output)
+    throw data::InputError("--json and --output - both want standard output, but --json needs --output FILE");
+  const studies::SweepTask task = task_of(options);
+  if (!options.figure.empty() && options.figure == options.output)
+    throw data::FieldError("--figure", data::printable(options.figure), "another file than --output");
+  if (!options.figure.empty()) (void)figure_format(options.figure);
+  OutputFile output(options.output);
+  std::optional<OutputFile> figure;
+  if (!options.figure.empty()) figure.emplace(options.figure);
+  report::Progress progress("stickslip sweep", progress_surroundings());
+  const report::Interruption interruption([&] {
+    progress.finish();
+    output.discard();
+    if (figure) figure->discard();
+    return std::string("interrupted; nothing is kept");
+  });
+  const auto points = studies::parameter_sweep(task, [&](double share) { progress(share); });
+  progress.finish();
+  const report::CsvTable table = table_of(task, points);
+  output.write(table.text());
+  output.commit();
+  if (figure) {
+    figure->write(drawn(table, task, figure_format(options.figure)));
+    figure->commit();
+  }
+  const auto warnings = sentences_of(studies::warnings_common_to(task.problem, {task.parameter}));
+  print_warnings(warnings);
+  const std::size_t hysteresis =
+      task.direction == studies::SweepDirection::both ? values_with_hysteresis(points) : 0;
+  if (options.problem.json) {
+    Json object{{"case", task.problem.name},
+                {"parameter", axis_text({task.parameter, task.values})},
+                {"direction", options.direction},
+                {"settle_periods", task.settle},
+                {"periods", task.periods},
+                {"output", options.output},
+                {"figure", options.figure.empty() ? Json() : Json(options.figure)}};
+    for (const auto& point : points)
+      object["points"].push_back(
+          {{"direction", point.up ? "up" : "down"}, {"value", point.value}, {"period", point.period}});
+    object["values_with_hysteresis"] = hysteresis;
+    object["warnings"] = warnings;
+    print_json(object);
+  } else if (!to_standard_output) {
+    fmt::print("{} points written to {}", points.size(), options.output);
+    if (task.direction == studies::SweepDirection::both)
+      fmt::print("; up and down differ at {} of {} values", hysteresis, task.values.size());
+    fmt::print("\n");
+  }
+}
+
+}  // namespace
+
+void add_sweep_command(CLI::App& app) {
+  auto* command =
+      app.add_subcommand("sweep", "The motion as one parameter rises and falls: bifurcations and hysteresis");
+  auto options = std::make_shared<SweepOptions>();
+  add_case_options(*command, options->problem);
+  add_excitation_options(*command, options->excitation);
+  command
+      ->add_option("--parameter", options->parameter,
+                   "PARAMETER=FROM:TO:COUNT, in equal steps, or with :log in equal ratios, as an axis of map")
+      ->type_name("AXIS")
+      ->capture_default_str();
+  command
+      ->add_option("--direction", options->direction,
+                   "up, down, or both: up and then down; each value starts from the end of the one before")
+      ->check(one_of({"up", "down", "both"}))
+      ->capture_default_str();
+  command
+      ->add_option("--settle", options->settle,
+                   "Periods of the base motion that pass at each value before the section")
+      ->check(integer_between(0, 1'000'000))
+      ->capture_default_str();
+  command->add_option("--periods", options->periods, "Periods at whose ends the section is taken")
+      ->check(integer_between(1, 100'000))
+      ->capture_default_str();
+  command->add_option("--output", options->output, "CSV file, '-' for standard output")
+      ->check(file_name())
+      ->capture_default_str();
+  command
+      ->add_option("--figure", options->figure, "Figure to draw, a .png, .pdf or .svg file (needs gnuplot)")
+      ->check(file_name());
+  add_examples(*command,
+               {"stickslip sweep damped --set numerics.time_step=1e-4 --hz 35 --parameter "
+                "amplitude=5e-4:1.5e-3:11 --settle 30 --periods 8 --output section.csv --figure sweep.svg"});
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace stickslip::cli

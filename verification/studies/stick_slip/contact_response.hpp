@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "stickslip/analytic/modal_contact_run.hpp"
+#include "stickslip/data/problem.hpp"
+
+namespace stickslip::studies {
+
+/// A number that says something about a whole motion.
+enum class MotionQuantity {
+  slip_share,     ///< share of the time in slip
+  peak_speed,     ///< largest sliding speed, m/s
+  rms_speed,      ///< root of the mean square of the sliding speed over all the time, m/s
+  travel,         ///< distance slid in a period of the base motion, m
+  work,           ///< energy that friction dissipates in a period, J
+  largest_force,  ///< largest |f|, N
+  sticks,         ///< number of times in a period that the tip comes to stick
+  period          ///< of the motion in periods of the base motion, 1 ... 16; 0 if it has none of these
+};
+
+inline constexpr std::array all_motion_quantities{MotionQuantity::slip_share, MotionQuantity::peak_speed,
+                                                  MotionQuantity::rms_speed,  MotionQuantity::travel,
+                                                  MotionQuantity::work,       MotionQuantity::largest_force,
+                                                  MotionQuantity::sticks,     MotionQuantity::period};
+
+/// A quantity with its convergence check.
+struct ResponseValue {
+  double value{};
+  /// The spread of four values over the largest of them, 0 ... 1: of the record, of each half of it, and of the
+  /// record with twice the time step. For a period 0 if all four are the same, else 1. 1 if the motion is not finite.
+  double change{};
+};
+
+struct ContactResponse {
+  bool slips{};  ///< after the transient
+  std::array<ResponseValue, all_motion_quantities.size()> values;
+
+  [[nodiscard]] const ResponseValue& operator[](MotionQuantity quantity) const {
+    return values[static_cast<std::size_t>(quantity)];
+  }
+};
+
+/// How a response is cut into periods of the base motion.
+struct ResponseGrid {
+  int steps_per_period{};
+  int transient{};  ///< periods that do not count
+  int recorded{};   ///< periods that do, an even number
+};
+
+/// An even number, at least 32, such that the step is at most numerics.time_step. Throws data::FieldError, naming that, for more than
+/// 2e8.
+[[nodiscard]] int steps_per_period(const data::Case& problem);
+
+/// Throws as steps_per_period(), and data::FieldError, naming excitation.duration, unless it holds the transient (s) and two more periods.
+[[nodiscard]] ResponseGrid response_grid(const data::Case& problem, double transient);
+
+/// The model of the beam for a ModalContactRun, with numerics.modes() modes of the held tip. Throws what
+/// analytic::BeamContactModel throws.
+[[nodiscard]] analytic::ContactModel response_model(const data::Case& problem);
+
+/// Runs a case from the quasi-static start by analytic::ModalContactRun, twice. Its period is that of the amplitudes of all modes at the ends of the periods of the base motion (period_of()). `modes`, if given, are those of response_model(). Throws what response_grid(), response_model() and
+/// ModalContactRun throw.
+[[nodiscard]] ContactResponse contact_response(const data::Case& problem, double transient,
+                                               const analytic::ContactModes* modes = nullptr);
+
+/// The smallest p from 1 to 16 such that each sample is the same as the one p later, to 1e-3 of the largest norm of
+/// all samples and, for p > 1, to 1e-2 of the largest difference of two successive ones: a free vibration
+/// that has not decayed yet may come back after some periods, but not so exactly. 0 if there is none, or if there are fewer than 2 p samples.
+[[nodiscard]] int period_of(const std::vector<std::vector<std::complex<double>>>& samples);
+
+}  // namespace stickslip::studies

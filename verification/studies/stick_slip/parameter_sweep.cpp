@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "studies/stick_slip/parameter_sweep.hpp"
+
+#include <algorithm>
+#include <complex>
+#include <optional>
+
+#include "stickslip/analytic/modal_contact_run.hpp"
+#include "studies/stick_slip/contact_response.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+struct EndState {
+  analytic::ContactKinematics state;
+  double sliding_velocity{};
+};
+
+double wall_velocity(const analytic::ContactModel& model) {
+  return model.wall_amplitude * model.load_angular_frequency;
+}
+
+// Runs one value, and leaves its end for the next one.
+SweepPoint point_at(const SweepTask& task, double value, bool up, std::optional<EndState>& last) {
+  const data::Case problem = with_value(task.problem, task.parameter, value);
+  const analytic::ContactModel model = response_model(problem);
+  const analytic::ContactModes modes(model);
+  const int steps = steps_per_period(problem);
+  analytic::ModalContactRun run(modes, model, steps);
+  if (last) {
+    last->state.velocity = last->sliding_velocity + wall_velocity(model);
+    run.start(last->state);
+  } else {
+    run.start_stuck();
+  }
+  const auto pass_period = [&] {
+    for (int n = 0; n < steps; ++n) run.step();
+  };
+  for (int period = 0; period < task.settle; ++period) pass_period();
+  SweepPoint point{.up = up, .value = value};
+  std::vector<std::vector<std::complex<double>>> samples;
+  for (int period = 0; period < task.periods; ++period) {
+    pass_period();
+    point.section.push_back({run.contact_position(), run.sliding_velocity(), -run.friction_force()});
+    samples.push_back(run.amplitudes());
+  }
+  point.period = period_of(samples);
+  last = EndState{run.state(), run.sliding_velocity()};
+  return point;
+}
+
+}  // namespace
+
+std::vector<SweepPoint> parameter_sweep(const SweepTask& task, const std::function<void(double)>& progress) {
+  for (const double value : task.values) (void)with_value(task.problem, task.parameter, value);
+  std::vector<std::pair<double, bool>> way;
+  if (task.direction != SweepDirection::down)
+    for (const double value : task.values) way.emplace_back(value, true);
+  if (task.direction != SweepDirection::up)
+    for (auto value = task.values.rbegin(); value != task.values.rend(); ++value)
+      way.emplace_back(*value, false);
+  std::optional<EndState> last;
+  std::vector<SweepPoint> points;
+  for (const auto& [value, up] : way) {
+    points.push_back(point_at(task, value, up, last));
+    if (progress) progress(static_cast<double>(points.size()) / static_cast<double>(way.size()));
+  }
+  return points;
+}
+
+}  // namespace stickslip::studies

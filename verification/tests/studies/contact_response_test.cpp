@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: MIT
+/// The fast contact run in fixed steps against converged histories, its law and energy, and what maps and sweeps
+/// say of a motion.
+
+#include "studies/stick_slip/contact_response.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "stickslip/analytic/damped_reaction.hpp"
+#include "stickslip/analytic/event_driven.hpp"
+#include "stickslip/data/case_file.hpp"
+#include "stickslip/data/reference.hpp"
+#include "studies/criterion/criterion_map.hpp"
+#include "studies/stick_slip/parameter_sweep.hpp"
+#include "support/requirements.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+using analytic::ContactModes;
+using analytic::ModalContactRun;
+using studies::MotionQuantity;
+
+data::Case case_with_step(const std::string& name, double frequency_hz, double amplitude, double step,
+                          double duration, int modes) {
+  data::Case problem = data::load_case(name);
+  problem.excitation = data::HarmonicExcitation({.frequency_hz = frequency_hz, .amplitude = amplitude});
+  problem.numerics = data::NumericalSettings({.elements = problem.numerics.elements(),
+                                              .time_step = step,
+                                              .spectral_radius = problem.numerics.spectral_radius(),
+                                              .modes = modes,
+                                              .duration = duration});
+  return problem;
+}
+
+// The largest error of y(L) at the times of a published history up to `end`, over its range. Between steps the motion is
+// interpolated, with an error of y_tt h^2/8.
+double error_against(const data::ReferenceTable& table, const data::Case& problem, double end) {
+  const analytic::ContactModel model = studies::response_model(problem);
+  const ContactModes modes(model);
+  ModalContactRun run(modes, model, studies::steps_per_period(problem));
+  run.start_stuck();
+  const auto& time = table.column("time").values;
+  const auto& tip = table.column("tip_displacement").values;
+  const auto [lowest, highest] = std::ranges::minmax(tip);
+  double error = 0.0, before = 0.0, position = 0.0;
+  for (std::size_t i = 0; i < time.size() && time[i] <= end; ++i) {
+    while (run.time() < time[i]) {
+      run.step();
+      before = position;
+      position = run.contact_position();
+    }
+    const double share = (run.time() - time[i]) / run.time_step();
+    error = std::max(error, std::abs(std::lerp(position, before, share) - tip[i]));
+  }
+  return error / (highest - lowest);
+}
+
+STICKSLIP_VERIFIES(FixedSteps, "D5");
+// A step of second order: the error falls to a quarter from one step to its half. Changes of contact fall somewhere in
+// a step, so that one ratio scatters; that over three halvings is 64, to the factor 2 of an event at one end.
+TEST(FixedSteps, ConvergeToTheDampedHistoryAtSecondOrder) {
+  const auto table = data::read_table(data::load_reference(), "stick-slip-history");
+  std::vector<double> errors;
+  for (const double step : {1e-4, 5e-5, 2.5e-5, 1.25e-5})
+    errors.push_back(error_against(table, case_with_step("damped", 25.0, 1e-3, step, 0.5, 40), 0.5));
+  EXPECT_GT(errors[0] / errors[3], 32.0);
+  EXPECT_LT(errors[0] / errors[3], 128.0);
+  // What a map has: 20 modes at 1e-4 s.
+  EXPECT_TRUE(within(error_against(table, case_with_step("damped", 25.0, 1e-3, 1e-4, 0.5, 20), 0.5), 0.0,
+                     discretisation(2e-3, 1.5, "measured when the scheme was chosen"),
+                     "error of the fast contact run, damped history"));
+}
+
+// Without damping changes of contact do not converge; the motion does, slowly. Error over the first tenth
+// of a second, and over half a second.
+TEST(FixedSteps, FollowTheUndampedHistories) {
+  const struct {
+    const char* set;
+    double frequency_hz, early, late;
+  } histories[] = {{"undamped-history-25", 25.0, 1e-3, 8e-2},
+                   {"undamped-history-35", 35.0, 4e-3, 5e-3},
+                   {"undamped-history-70", 70.0, 2e-2, 8e-2}};
+  const auto package = data::load_reference();
+  for (const auto& [set, frequency_hz, early, late] : histories) {
+    SCOPED_TRACE(set);
+    const auto table = data::read_table(package, set);
+    const data::Case problem = case_with_step("paper", frequency_hz, 1e-3, 1e-4, 0.5, 20);
+    EXPECT_TRUE(within(error_against(table, problem, 0.1), 0.0, discretisation(early, 1.5, "measured"),
+                       std::string("error of the fast contact run, ") + set + ", 0.1 s"));
+    EXPECT_TRUE(within(error_against(table, problem, 0.5), 0.0, discretisation(late, 1.5, "measured"),
+                       std::string("error of the fast contact run, ") + set + ", 0.5 s"));
+  }
+}
+
+TEST(FixedSteps, ObeyTheLawOfFrictionInEachStep) {
+  for (const double decay : {1.0, std::numeric_limits<double>::infinity()})
+    for (const double viscous : {0.0, 0.1}) {
+      data::Case problem = case_with_step("damped", 25.0, 1e-3, 1e-4, 0.5, 20);
+      problem.friction = data::FrictionLaw(
+          {.static_coefficient = 0.6, .kinetic_coefficient = 0.3, .decay = decay, .viscous = viscous});
+      const analytic::ContactModel model = studies::response_model(problem);
+      const ContactModes modes(model);
+      ModalContactRun run(modes, model, 400);
+      run.start_stuck();
+      int slips = 0, sticks = 0;
+      for (int n = 0; n < 5000; ++n) {
+        const double before = run.sliding_velocity();
+        run.step();
+        const double after = run.sliding_velocity(), force = run.friction_force();
+        if (!run.slips()) {
+          ++sticks;
+          ASSERT_EQ(after, 0.0);
+          ASSERT_LE(std::abs(force), 300.0);
+          continue;
+        }
+        ++slips;
+        const double mean = 0.5 * std::abs((before * after > 0.0 ? before : 0.0) + after);
+        const double coefficient =
+            0.3 + (std::isinf(decay) ? 0.0 : 0.3 * std::exp(-decay * mean)) + viscous * mean;
+        // Newton's method leaves 1e-11 of the falling part, and the series of the exponential rounding.
+        ASSERT_NEAR(force, -std::copysign(500.0 * coefficient, after), 150.0 * 1e-10);
+      }
+      EXPECT_GT(slips, 1000);
+      EXPECT_GT(sticks, 1000);
+    }
+}
+
+// What the base puts in is stored, or lost to damping and friction. The works are sums over steps, of second order.
+TEST(FixedSteps, KeepTheEnergyAtSecondOrder) {
+  std::vector<double> missing;
+  double work = 0.0;
+  for (const int steps : {400, 800, 1600}) {
+    const data::Case problem = case_with_step("damped", 25.0, 1e-3, 0.04 / steps, 0.5, 10);
+    const analytic::ContactModel model = studies::response_model(problem);
+    const analytic::ContactDynamics dynamics(model);
+    const ContactModes modes(model);
+    ModalContactRun run(modes, model, steps);
+    run.start_stuck();
+    auto state = run.state();
+    const double start =
+        dynamics.kinetic_energy(analytic::view(state)) + dynamics.potential_energy(analytic::view(state));
+    double balance = 0.0;
+    work = 0.0;
+    while (run.time() < 0.2) {
+      const double time = run.time(), before = run.sliding_velocity();
+      run.step();
+      const auto next = run.state();
+      const auto add_half = [&](const analytic::ContactKinematics& at, double t) {
+        const auto powers = dynamics.powers(analytic::view(at), t, run.friction_force());
+        balance += 0.5 * run.time_step() * (powers.base + powers.follower - powers.damping);
+      };
+      add_half(state, time);
+      add_half(next, run.time());
+      const double friction =
+          -run.time_step() * run.friction_force() * 0.5 * (before + run.sliding_velocity());
+      work += friction;
+      balance -= friction;
+      state = next;
+    }
+    const double end =
+        dynamics.kinetic_energy(analytic::view(state)) + dynamics.potential_energy(analytic::view(state));
+    missing.push_back(std::abs(end - start - balance));
+  }
+  EXPECT_GT(work, 1.0);
+  EXPECT_LT(missing[0], 1e-2 * work);
+  EXPECT_LT(missing[2],
+            missing[0] / 8.0);  // a quarter at each halving, and a factor 2 for where the events fall
+}
+
+STICKSLIP_VERIFIES(MotionQuantities, "D5");
+// Event by event, over the same eight periods.
+TEST(MotionQuantities, AreThoseOfTheEventDrivenMotion) {
+  const data::Case problem = case_with_step("damped", 25.0, 1e-3, 2.5e-5, 0.4, 20);
+  const studies::ContactResponse response = studies::contact_response(problem, 0.08);
+  analytic::EventDriven run(studies::response_model(problem), {.keep_energy_balance = true});
+  run.start_stuck({}, {});
+  run.advance_to(0.08);
+  const double work = run.energy_balance().friction_loss;
+  const std::size_t events = run.events().size();
+  constexpr int samples = 32000;
+  double squares = 0.0, peak = 0.0, travel = 0.0, slip = 0.0, force = 0.0;
+  for (int n = 1; n <= samples; ++n) {
+    run.advance_to(0.08 + 0.32 * n / samples);
+    const double speed = std::abs(run.sliding_velocity());
+    squares += speed * speed / samples;
+    peak = std::max(peak, speed);
+    travel += speed * 0.04 / samples;
+    slip += speed > 0.0 ? 1.0 / samples : 0.0;
+    force = std::max(force, std::abs(run.friction_force()));
+  }
+  int captures = 0;
+  for (std::size_t i = events; i < run.events().size(); ++i)
+    captures += run.events()[i].change == analytic::ContactChange::capture ? 1 : 0;
+  const auto expect = [&](MotionQuantity quantity, double expected, double relative) {
+    EXPECT_TRUE(within(response[quantity].value, expected,
+                       discretisation(relative * expected, 1.0, "the scheme at 2.5e-5 s")))
+        << static_cast<int>(quantity);
+  };
+  EXPECT_TRUE(response.slips);
+  expect(MotionQuantity::slip_share, slip, 2e-3);  // each change is off by up to a step
+  expect(MotionQuantity::peak_speed, peak, 1e-3);
+  expect(MotionQuantity::rms_speed, std::sqrt(squares), 1e-3);
+  expect(MotionQuantity::travel, travel, 1e-3);
+  expect(MotionQuantity::work, (run.energy_balance().friction_loss - work) / 8.0, 1e-3);
+  expect(MotionQuantity::largest_force, force, 1e-3);
+  EXPECT_DOUBLE_EQ(response[MotionQuantity::sticks].value, captures / 8.0);
+}
+
+TEST(MotionQuantities, TellPeriodsApart) {
+  const auto samples = [](const std::vector<double>& cycle) {
+    std::vector<std::vector<std::complex<double>>> result;
+    for (int n = 0; n < 48; ++n) result.push_back({cycle[static_cast<std::size_t>(n) % cycle.size()], 1.0});
+    return result;
+  };
+  EXPECT_EQ(studies::period_of(samples({1.0})), 1);
+  EXPECT_EQ(studies::period_of(samples({1.0, 1.1})), 2);
+  EXPECT_EQ(studies::period_of(samples({1.0, 1.1, 1.0, 1.2})), 4);
+  EXPECT_EQ(studies::period_of(samples({1.0, 1.0005})), 1);
+  // A free vibration of 5/7 of the frequency that loses 5 % in 7 periods is none of period 7.
+  std::vector<std::vector<std::complex<double>>> decaying;
+  for (int n = 0; n < 48; ++n)
+    decaying.push_back({1.0 + 5e-3 * std::exp(std::complex(-0.05 / 7.0, 2.0 * std::numbers::pi * 5.0 / 7.0) *
+                                              static_cast<double>(n))});
+  EXPECT_EQ(studies::period_of(decaying), 0);
+  EXPECT_EQ(studies::period_of(samples({1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17})), 0);
+}
+
+TEST(MotionQuantities, NeedTheTransientAndTwoPeriods) {
+  const data::Case problem = case_with_step("damped", 25.0, 1e-3, 1e-4, 0.2, 10);
+  const studies::ResponseGrid grid = studies::response_grid(problem, 0.05);
+  EXPECT_EQ(grid.steps_per_period, 400);
+  EXPECT_EQ(grid.transient, 2);
+  EXPECT_EQ(grid.recorded, 2);
+  EXPECT_THROW((void)studies::response_grid(problem, 0.13), data::FieldError);
+}
+
+// Without damping stick and slip alternate ever faster the shorter the step is: the number of sticks has no limit, and
+// the map says so.
+TEST(MotionQuantities, SayThatTheyHaveNotConverged) {
+  const auto response = studies::contact_response(case_with_step("paper", 25.0, 1e-3, 1e-4, 2.0, 20), 1.0);
+  EXPECT_GT(response[MotionQuantity::sticks].change, 0.05);
+  EXPECT_EQ(response[MotionQuantity::period].value, 0.0);
+}
+
+TEST(MotionQuantities, AreMappedWhereThereIsAStickState) {
+  studies::MapTask task{.problem = case_with_step("damped", 25.0, 1e-3, 1e-4, 0.2, 10),
+                        .x = studies::map_axis(studies::Parameter::axial_force, 500.0, 1e5, 2, false),
+                        .y = studies::map_axis(studies::Parameter::damping_ratio, 0.0, 0.02, 3, false),
+                        .quantities = {MotionQuantity::work},
+                        .transient = 0.08,
+                        .tolerance = 0.05};
+  studies::MapEvaluations evaluations(studies::evaluation_count(task));
+  studies::evaluate(task, studies::share_of(evaluations.size(), 1, 1), evaluations);
+  const auto map = studies::criterion_map(task, evaluations);
+  ASSERT_EQ(map.cells.size(), 6u);
+  for (const auto& cell : map.cells) {
+    if (cell.x > 500.0) {
+      EXPECT_EQ(cell.state, studies::CellState::no_stick_state);
+      EXPECT_TRUE(cell.response.empty());
+      continue;
+    }
+    data::Case point = studies::with_value(task.problem, studies::Parameter::damping_ratio, cell.y);
+    EXPECT_EQ(cell.response.at(0).value, studies::contact_response(point, 0.08)[MotionQuantity::work].value);
+    EXPECT_EQ(cell.state, studies::CellState::stick_slip);
+  }
+}
+
+data::Case damped_at(double frequency_hz, double amplitude) {
+  return case_with_step("damped", frequency_hz, amplitude, 1e-4, 10.0, 10);
+}
+
+STICKSLIP_VERIFIES(ParameterSweep, "D5");
+// At 25 Hz the base meets the first held mode, and a small amplitude makes the tip slip with three times the period. The
+// event-driven run, which shares nothing of the scheme, has the same three points.
+TEST(ParameterSweep, FindsAMotionOfPeriodThree) {
+  const studies::SweepTask task{.problem = damped_at(25.0, 3e-4),
+                                .parameter = studies::Parameter::amplitude,
+                                .values = {3e-4},
+                                .direction = studies::SweepDirection::up,
+                                .settle = 120,
+                                .periods = 30};
+  const auto points = studies::parameter_sweep(task);
+  ASSERT_EQ(points.size(), 1u);
+  EXPECT_EQ(points[0].period, 3);
+  analytic::EventDriven run(studies::response_model(task.problem));
+  run.start_stuck({}, {});
+  std::vector<double> positions;
+  for (int n = 121; n <= 126; ++n) {
+    run.advance_to(0.04 * n);
+    positions.push_back(run.contact_position());
+  }
+  const auto [lowest, highest] = std::ranges::minmax(positions);
+  EXPECT_GT(highest - lowest, 1e-4);
+  for (std::size_t n = 0; n < 3; ++n) {
+    EXPECT_NEAR(positions[n + 3], positions[n], 1e-3 * (highest - lowest));
+    EXPECT_TRUE(within(points[0].section[n].displacement, positions[n],
+                       discretisation(2e-3 * (highest - lowest), 5.0, "the error at 1e-4 s")));
+  }
+}
+
+// The tip that sticks goes on to stick until its steady force reaches mu_s P, at 1.34 mm, and begins to slide soon after. The
+// one that slides goes on at a smaller amplitude, because friction falls with the velocity.
+TEST(ParameterSweep, ShowsHysteresis) {
+  const data::Case problem = damped_at(35.0, 1e-3);
+  const double limit = problem.friction.static_coefficient() * problem.beam.axial_force();
+  const double largest_stuck =
+      limit / analytic::DampedForce(
+                  analytic::damped_reaction(problem.beam, problem.damping, 10, analytic::SteadyPart::exact),
+                  2.0 * std::numbers::pi * 35.0, 10.0)
+                  .steady_amplitude();
+  const studies::SweepTask task{.problem = problem,
+                                .parameter = studies::Parameter::amplitude,
+                                .values = {1.1e-3, 1.25e-3, 0.97 * largest_stuck, 1.1 * largest_stuck},
+                                .direction = studies::SweepDirection::both,
+                                .settle = 150,
+                                .periods = 16};
+  const auto points = studies::parameter_sweep(task);
+  ASSERT_EQ(points.size(), 8u);
+  const auto slides = [](const studies::SweepPoint& point) {
+    return point.section.back().displacement > 5e-3;
+  };
+  for (const std::size_t up : {0, 1, 2, 3}) {
+    EXPECT_TRUE(points[up].up);
+    EXPECT_EQ(slides(points[up]), up == 3) << up;
+    if (up < 3) {  // in a step of a stick the velocity is zero at the ends only
+      EXPECT_NEAR(points[up].section.front().displacement, points[up].section.back().displacement, 1e-8)
+          << up;
+    }
+    EXPECT_EQ(points[7 - up].value, points[up].value);
+    EXPECT_EQ(slides(points[7 - up]), up > 0) << up;
+  }
+  for (const std::size_t down : {4, 5, 6}) EXPECT_EQ(points[down].period, 1);
+}
+
+}  // namespace
+}  // namespace stickslip::testing
