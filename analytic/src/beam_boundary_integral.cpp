@@ -155,7 +155,8 @@ std::vector<double> held_displacement(const data::Beam& beam, const data::Harmon
 
 BeamBoundaryIntegral::BeamBoundaryIntegral(const data::Beam& beam, const data::FrictionLaw& friction,
                                            const data::HarmonicExcitation& excitation,
-                                           const data::Damping& damping, const TimeGrid& grid, int stages)
+                                           const data::Damping& damping, const TimeGrid& grid, int stages,
+                                           const data::TangentialContact& tangential)
     : beam_(beam), excitation_(excitation), damping_(damping), grid_(grid), stages_(stages) {
   if (!(beam.axial_force() > 0.0))
     throw data::FieldError("beam.axial_force", beam.axial_force(),
@@ -163,7 +164,7 @@ BeamBoundaryIntegral::BeamBoundaryIntegral(const data::Beam& beam, const data::F
   const TipMobility mobility(beam, damping);
   holding_force_ = holding_force(beam, excitation, damping, grid);
   steps_ = contact_steps(mobility_weights(mobility, grid.time_step, grid.steps, stages),
-                         {beam.axial_force(), friction}, holding_force_);
+                         {beam.axial_force(), friction, tangential, grid.time_step}, holding_force_);
 }
 
 std::vector<double> BeamBoundaryIntegral::tip_displacement(std::size_t every) const {

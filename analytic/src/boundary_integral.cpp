@@ -133,6 +133,7 @@ void require_unique_step(const ContactLaw& law, double first_weight) {
                            "finite (s/m) here: with a jump a step can both stick and slip");
   const double weakening = (law.friction.static_coefficient() - law.friction.kinetic_coefficient()) *
                            law.friction.decay() * law.normal_force;
+  if (law.tangential.has_spring()) require_positive("time_step", law.time_step);
   if (!(weakening * first_weight < 1.0))
     throw data::InputError(
         "time_step is too long: the sliding velocity of a step has one solution only if (mu_s - mu_m) alpha "
@@ -141,24 +142,87 @@ void require_unique_step(const ContactLaw& law, double first_weight) {
         data::shortest_text(weakening * first_weight));
 }
 
-ContactStep solve_contact(const ContactLaw& law, double free_velocity, double weight) {
+namespace {
+
+// N mu(speed), N.
+double resistance(const ContactLaw& law, double speed) {
+  const double held = law.friction.static_coefficient() * law.normal_force,
+               kinetic = law.friction.kinetic_coefficient() * law.normal_force,
+               viscous = law.friction.viscous() * law.normal_force;
+  return kinetic + (held - kinetic) * std::exp(-law.friction.decay() * speed) + viscous * speed;
+}
+
+// w + W N mu(w) = p for p > W N mu(0): convex, rising, and negative at zero, so that Newton's method comes down to
+// the root after its first step.
+double sliding_speed(const ContactLaw& law, double free_speed, double weight) {
   const double held = law.friction.static_coefficient() * law.normal_force;
-  if (std::abs(free_velocity) <= weight * held) return {0.0, -free_velocity / weight};
-  // |v| - |p| + W N mu(|v|) = 0: convex, rising, and negative at zero, so that Newton's method comes down to
-  // the root after its first step.
   const double kinetic = law.friction.kinetic_coefficient() * law.normal_force,
                viscous = law.friction.viscous() * law.normal_force;
   double speed = 0.0;
   constexpr int most_iterations = 100;
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     const double falling = (held - kinetic) * std::exp(-law.friction.decay() * speed);
-    const double residual = speed - std::abs(free_velocity) + weight * (kinetic + falling + viscous * speed);
+    const double residual = speed - free_speed + weight * (kinetic + falling + viscous * speed);
     const double change = residual / (1.0 - weight * law.friction.decay() * falling + weight * viscous);
     speed -= change;
     if (std::abs(change) <= 4.0 * epsilon * speed) break;
   }
-  const double force = kinetic + (held - kinetic) * std::exp(-law.friction.decay() * speed) + viscous * speed;
-  return {std::copysign(speed, free_velocity), -std::copysign(force, free_velocity)};
+  return speed;
+}
+
+}  // namespace
+
+ContactStep solve_contact(const ContactLaw& law, double free_velocity, double weight) {
+  const double held = law.friction.static_coefficient() * law.normal_force;
+  if (std::abs(free_velocity) <= weight * held) return {0.0, -free_velocity / weight, false};
+  const double speed = sliding_speed(law, std::abs(free_velocity), weight);
+  return {std::copysign(speed, free_velocity), -std::copysign(resistance(law, speed), free_velocity), true};
+}
+
+ContactStep ContactElement::step(double free_velocity, double weight) {
+  if (law_.tangential.has_spring()) return spring_step(free_velocity, weight);
+  if (law_.tangential.is_smooth()) return smooth_step(free_velocity, weight);
+  return solve_contact(law_, free_velocity, weight);
+}
+
+// |v| + W N mu(|v|) tanh(|v|/v_r) = |p|: rising if kappa W < 1, so that the root stays bracketed.
+ContactStep ContactElement::smooth_step(double free_velocity, double weight) const {
+  const double width = law_.tangential.regularisation_velocity(), free_speed = std::abs(free_velocity);
+  double low = 0.0, high = free_speed, speed = 0.0;
+  constexpr int most_iterations = 200;
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    const double share = std::tanh(speed / width), force = resistance(law_, speed);
+    const double residual = speed + weight * force * share - free_speed;
+    (residual < 0.0 ? low : high) = speed;
+    const double fall = law_.friction.decay() * (law_.friction.static_coefficient() - law_.friction.kinetic_coefficient()) *
+                        law_.normal_force * std::exp(-law_.friction.decay() * speed);
+    const double slope = 1.0 + weight * (force * (1.0 - share * share) / width +
+                                         (law_.friction.viscous() * law_.normal_force - fall) * share);
+    double next = speed - residual / slope;
+    if (!(next > low && next < high)) next = 0.5 * (low + high);
+    const bool is_done = std::abs(next - speed) <= 4.0 * epsilon * next;
+    speed = next;
+    if (is_done) break;
+  }
+  // Not from the law, which would multiply the rounding of the speed.
+  return {std::copysign(speed, free_velocity), (std::copysign(speed, free_velocity) - free_velocity) / weight, true};
+}
+
+ContactStep ContactElement::spring_step(double free_velocity, double weight) {
+  const double half_step = 0.5 * law_.tangential.tangential_stiffness() * law_.time_step;
+  ContactStep result{.sliding_velocity = (free_velocity + weight * spring_force_) / (1.0 + weight * half_step)};
+  result.friction_force = spring_force_ - half_step * result.sliding_velocity;
+  const double direction = -std::copysign(1.0, result.friction_force);
+  const double forward = std::max(direction * result.sliding_velocity, 0.0);
+  result.slides = std::abs(result.friction_force) > resistance(law_, forward);
+  if (result.slides) {
+    const double held = weight * resistance(law_, 0.0), free_speed = direction * free_velocity;
+    const double speed = free_speed > held ? sliding_speed(law_, free_speed, weight) : free_speed - held;
+    result.sliding_velocity = direction * speed;
+    result.friction_force = -direction * resistance(law_, std::max(speed, 0.0));
+  }
+  spring_force_ = result.friction_force - half_step * result.sliding_velocity;
+  return result;
 }
 
 /// Sums within a block of the latest values are direct. When the blocks of values up to n fill 2^i blocks,
@@ -256,11 +320,12 @@ std::vector<ContactStep> contact_steps(const std::vector<double>& weights, const
                                        const std::vector<double>& holding_force) {
   const double first = weights.front();
   require_unique_step(law, first);
+  ContactElement contact(law);
   OnlineConvolution convolution(weights);
   std::vector<ContactStep> steps;
   steps.reserve(holding_force.size());
   for (const double held : holding_force) {
-    steps.push_back(solve_contact(law, convolution.history() - first * held, first));
+    steps.push_back(contact.step(convolution.history() - first * held, first));
     convolution.append(steps.back().friction_force - held);
   }
   return steps;

@@ -10,6 +10,8 @@
 
 #include "arguments.hpp"
 #include "exponential_difference.hpp"
+#include "first_order_modes.hpp"
+#include "gsl_handles.hpp"
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/contact_dynamics.hpp"
 #include "stickslip/analytic/force_maximum.hpp"
@@ -18,6 +20,8 @@
 
 namespace stickslip::analytic {
 namespace {
+
+using Complex = std::complex<double>;
 
 constexpr double kUnitRoundoff = 0.5 * std::numeric_limits<double>::epsilon();
 constexpr double kMostPieces = 1e8;
@@ -48,7 +52,61 @@ DampedReaction damped_reaction(const data::Beam& beam, const data::Damping& damp
     reaction.inertia = -(force.sine + reaction.quasi_static) / (omega * omega);
   reaction.rate = -force.cosine / omega;
   for (const auto& share : StickPropagator(dynamics).force_shares())
-    reaction.shares.push_back({share.eigenvalue, -share.sine / (omega * omega), -share.cosine / omega});
+    reaction.shares.push_back({share.eigenvalue, -share.sine / (omega * omega), -share.cosine / omega, {}});
+  return reaction;
+}
+
+DampedReaction compliant_reaction(const data::Beam& beam, const data::Damping& damping,
+                                  double tangential_stiffness, int modes) {
+  const data::HarmonicExcitation unit({.frequency_hz = 0.5 / std::numbers::pi, .amplitude = 1.0});
+  const BeamContactModel structure(beam, data::FrictionLaw({}), unit, damping, modes);
+  const ContactDynamics dynamics(structure.model());
+  const std::size_t m = dynamics.modes(), size = m + 1;
+  const double scale = dynamics.fastest();
+  // Accelerations of the beam on its spring at a state (X, X_t) and a load, 1 rad/s.
+  std::vector<double> state(2 * size);
+  const auto accelerations = [&](double load) {
+    const std::span<const double> values(state);
+    std::vector<double> result(size);
+    result[m] = dynamics.accelerate({values.first(m), values.subspan(size, m), state[m], state[size + m]}, load,
+                                    -tangential_stiffness * state[m], std::span(result).first(m));
+    return result;
+  };
+  // y_t = scale A y of y = (scale X, X_t).
+  const auto matrix = owned(gsl_matrix_calloc(2 * size, 2 * size));
+  for (std::size_t column = 0; column < 2 * size; ++column) {
+    state[column] = column < size ? 1.0 / scale : 1.0;
+    const std::vector<double> result = accelerations(0.0);
+    for (std::size_t row = 0; row < size; ++row)
+      gsl_matrix_set(matrix.get(), size + row, column, result[row] / scale);
+    state[column] = 0.0;
+    if (column >= size) gsl_matrix_set(matrix.get(), column - size, column, 1.0);
+  }
+  const double held = tangential_stiffness / (dynamics.held_stiffness() + tangential_stiffness);  // 1 - x_s
+  std::vector<double> sine = accelerations(1.0);
+  sine[m] -= held;
+  state[size + m] = -held;
+  const std::vector<double> cosine = accelerations(0.0);
+
+  DampedReaction reaction;
+  reaction.quasi_static = dynamics.held_stiffness() * held;
+  const auto [eigenvalue, shape, inverse] = first_order_modes(*matrix, "the beam on its contact spring");
+  for (std::size_t k = 0; k < eigenvalue.size(); ++k) {
+    constexpr double rounding = 1e-9;
+    if (eigenvalue[k].real() > rounding || (eigenvalue[k].imag() == 0.0 && eigenvalue[k].real() > -rounding))
+      throw data::FieldError("contact.tangential_stiffness", tangential_stiffness,
+                             "so large that the beam on its contact spring neither buckles nor flutters");
+    const Complex weight = tangential_stiffness / scale * shape[m * eigenvalue.size() + k];
+    const Complex* to_coordinate = &inverse[k * 2 * size + size];
+    DampedReaction::Share share;
+    share.eigenvalue = scale * Complex(std::min(eigenvalue[k].real(), 0.0), eigenvalue[k].imag());
+    share.start = -(1.0 - held) * weight * to_coordinate[m];
+    for (std::size_t n = 0; n < size; ++n) {
+      share.sine += weight * to_coordinate[n] * sine[n];
+      share.cosine += weight * to_coordinate[n] * cosine[n];
+    }
+    reaction.shares.push_back(share);
+  }
   return reaction;
 }
 
@@ -63,8 +121,8 @@ DampedForce::DampedForce(const DampedReaction& reaction, double angular_frequenc
   Complex apart = steady;  // without what is in the beats
   double cancelled = std::abs(steady);
   terms_.push_back({0.0, i * omega});
-  for (const auto& [eigenvalue, sine, cosine] : reaction.shares) {
-    Complex transient = 0.0;
+  for (const auto& [eigenvalue, sine, cosine, start] : reaction.shares) {
+    Complex transient = start * omega;
     for (const double sign : {1.0, -1.0}) {
       const Complex amplitude = 0.5 * omega * (cosine - sign * i * omega * sine), pole = sign * i * omega;
       const Complex share = amplitude / (pole - eigenvalue);

@@ -35,7 +35,7 @@ std::vector<FreeMode> free_modes(const data::Beam& beam, int count) {
 }
 
 FreeModeRun::FreeModeRun(const std::vector<FreeMode>& modes, const ContactLaw& law, double time_step)
-    : law_(law), time_step_(time_step) {
+    : contact_(law), time_step_(time_step) {
   require_positive("time_step", time_step);
   for (const auto& [omega, input] : modes) {
     const double angle = omega * time_step, half = sinc(0.5 * angle);
@@ -54,7 +54,7 @@ FreeModeRun::FreeModeRun(const std::vector<FreeMode>& modes, const ContactLaw& l
 
 ContactStep FreeModeRun::step(double holding_force) {
   const ContactStep result =
-      solve_contact(law_, increment_ / time_step_ - first_weight_ * holding_force, first_weight_);
+      contact_.step(increment_ / time_step_ - first_weight_ * holding_force, first_weight_);
   const double force = result.friction_force - holding_force;
   // The increments of the next step are summed in four rows, which a compiler can take at once.
   std::array<double, 4> sums{};

@@ -61,6 +61,36 @@ FrictionLaw FrictionLaw::in_slip() const {
                       .viscous = viscous()});
 }
 
+TangentialContact::TangentialContact(const ContactProperties& properties) : properties_(properties) {
+  if (!(tangential_stiffness() > 0.0))
+    throw FieldError("contact.tangential_stiffness", tangential_stiffness(),
+                     "a number above 0 (N/m), or inf for a rigid contact");
+  require_not_negative("contact.regularisation_velocity", regularisation_velocity(), " (m/s)");
+  if (has_spring() && is_smooth())
+    throw FieldError("contact.regularisation_velocity", regularisation_velocity(),
+                     "0 with a finite contact.tangential_stiffness: a spring in series with a smooth law that falls "
+                     "with the velocity has no motion");
+}
+
+bool TangentialContact::has_spring() const noexcept { return std::isfinite(tangential_stiffness()); }
+
+void require_rigid(const TangentialContact& contact, std::string_view what) {
+  if (contact.has_spring())
+    throw FieldError("contact.tangential_stiffness", contact.tangential_stiffness(),
+                     "inf (a rigid contact) for " + std::string(what));
+  if (contact.is_smooth())
+    throw FieldError("contact.regularisation_velocity", contact.regularisation_velocity(),
+                     "0 (the set-valued law) for " + std::string(what));
+}
+
+void require_usable(const FrictionLaw& friction, const TangentialContact& contact) {
+  if (contact.is_rigid() || std::isfinite(friction.decay())) return;
+  throw FieldError("friction.decay", friction.decay(),
+                   std::string("finite (s/m) with ") +
+                       (contact.has_spring() ? "contact.tangential_stiffness" : "contact.regularisation_velocity") +
+                       ": a contact that moves at rest would never feel friction.static_coefficient");
+}
+
 HarmonicExcitation::HarmonicExcitation(const HarmonicMotion& motion) : motion_(motion) {
   require_positive("excitation.frequency_hz", frequency_hz(), " (Hz)");
   require_not_negative("excitation.amplitude", amplitude(), " (m)");

@@ -34,6 +34,7 @@ data::Case case_of(const AnimateOptions& options) {
 
 void run(const AnimateOptions& options) {
   const data::Case problem = case_of(options);
+  data::require_rigid(problem.contact, "the command animate; respond takes it");
   const double duration = problem.numerics.duration();
   if (options.frames - 1 > duration / problem.numerics.time_step() * (1.0 + 1e-12))
     throw data::FieldError(

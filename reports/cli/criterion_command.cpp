@@ -304,6 +304,7 @@ Json to_json(const data::Case& problem, const analytic::Criterion& paper, const 
 void run(const CriterionOptions& options) {
   const data::Case problem =
       data::load_case(options.problem.name, overrides_of(options.problem, options.excitation));
+  data::require_rigid(problem.contact, "the criterion, whose tip is held; respond takes it");
   analytic::require_contact(problem.beam);
   studies::require_feasible(problem, studies::Inquiry::criterion);
   std::optional<OutputFile> figure;

@@ -187,6 +187,7 @@ Json to_json(const data::Case& problem, const studies::Design& design,
 void run(const DesignOptions& options) {
   const data::Case problem =
       load_case(options.problem, {.frequency_hz = {}, .amplitude = options.amplitude}, options.duration);
+  data::require_rigid(problem.contact, "the design guide, whose tip is held; respond takes it");
   require_undamped(problem, "the design guide");
   analytic::require_contact(problem.beam);
   const Ranges ranges = ranges_of(problem, options);

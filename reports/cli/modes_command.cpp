@@ -180,6 +180,7 @@ Json to_json(const data::Case& problem, const ModesOptions& options,
 
 void run(const ModesOptions& options) {
   const data::Case problem = data::load_case(options.problem.name, overrides_of(options.problem));
+  data::require_rigid(problem.contact, "the modes, whose tip is held or free; respond takes it");
   std::optional<OutputFile> figure;
   if (!options.figure.empty()) {
     (void)figure_format(options.figure);

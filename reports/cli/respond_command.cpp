@@ -189,7 +189,8 @@ void write_finite_element(const data::Case& problem, const RespondOptions& optio
                                     {.initial_velocity = initial_velocity,
                                      .damping = problem.damping,
                                      .scheme = schemes.at(options.scheme.value_or("located")),
-                                     .coordinates = solver::Coordinates::fastest});
+                                     .coordinates = solver::Coordinates::fastest,
+                                     .tangential = problem.contact});
   const long steps = steps_of(problem);
   for (long n = 0; n <= steps; ++n) {
     if (n > 0) simulation.step();
@@ -240,7 +241,9 @@ analytic::BeamBoundaryIntegral boundary_integral_of(const data::Case& problem, s
           problem.friction,
           problem.excitation,
           problem.damping,
-          {problem.numerics.time_step() / static_cast<double>(steps_per_row), rows * steps_per_row}};
+          {problem.numerics.time_step() / static_cast<double>(steps_per_row), rows * steps_per_row},
+          3,
+          problem.contact};
 }
 
 // Velocity and force are means over steps; at a row, the mean of the steps before and after it. The force of
@@ -248,11 +251,11 @@ analytic::BeamBoundaryIntegral boundary_integral_of(const data::Case& problem, s
 Row contact_at(const std::vector<analytic::ContactStep>& steps, std::size_t step) {
   const auto& before = steps[step == 0 ? 0 : step - 1];
   const auto& after = steps[step == steps.size() ? steps.size() - 1 : step];
-  const bool sticks = before.sliding_velocity == 0.0;
+  const bool sticks = !before.slides;
   const double force = step == 0 && steps.size() > 1
                            ? 1.5 * steps[0].friction_force - 0.5 * steps[1].friction_force
                            : 0.5 * (before.friction_force + after.friction_force);
-  return {.sliding_velocity = sticks ? 0.0 : 0.5 * (before.sliding_velocity + after.sliding_velocity),
+  return {.sliding_velocity = before.sliding_velocity == 0.0 ? 0.0 : 0.5 * (before.sliding_velocity + after.sliding_velocity),
           .friction_force = -force,
           .state = sticks ? "stick" : "slip"};
 }
@@ -263,7 +266,7 @@ std::vector<EventRow> events_of(const analytic::BeamBoundaryIntegral& run) {
   double position = 0.0, direction = 0.0;
   for (std::size_t n = 0; n < run.steps().size(); ++n) {
     const double velocity = run.steps()[n].sliding_velocity;
-    const double next = velocity == 0.0 ? 0.0 : std::copysign(1.0, velocity);
+    const double next = run.steps()[n].slides ? std::copysign(1.0, velocity) : 0.0;
     if (next != direction)
       events.push_back({static_cast<double>(n) * run.grid().time_step,
                         direction == 0.0 ? "onset"
@@ -294,7 +297,7 @@ void write_boundary_integral(const data::Case& problem, const RespondOptions& op
     writer.write(row);
   }
   Summary& summary = writer.summary();
-  summary.events = events_of(run);
+  if (!problem.contact.is_smooth()) summary.events = events_of(run);  // a smooth law has no stick
   if (!summary.events.empty()) summary.first_slip = summary.events.front().time;
   if (every == 1) return;
   const std::vector<double> coarser = boundary_integral_of(problem, every / 2).tip_displacement(every / 2);
@@ -453,6 +456,10 @@ void run(const RespondOptions& options) {
   require_consistent(options);
   const Method& method = methods.at(options.method);
   if (options.method == "closed-form") require_undamped(problem, "the closed form");
+  if (options.method == "closed-form" || options.method == "event-driven")
+    data::require_rigid(problem.contact, "--method " + options.method + "; fe and boundary-integral take it");
+  if (options.scheme && *options.scheme != "located")
+    data::require_rigid(problem.contact, "--scheme " + *options.scheme);
   studies::require_feasible(problem, method.inquiry);
   const bool to_standard_output = options.output == "-";
   if (!options.figure.empty()) (void)figure_format(options.figure);

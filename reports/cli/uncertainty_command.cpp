@@ -162,9 +162,13 @@ void run(UncertaintyOptions options) {
   const auto overrides = overrides_of(options.problem, options.excitation);
   const auto file = data::find_case(options.problem.name);
   const data::Case problem = data::read_case(file, overrides);
+  data::require_rigid(problem.contact, "the probability of slip, whose tip is held; respond takes it");
   std::vector<std::string> fixed;
   for (const auto& replacement : overrides) fixed.push_back(replacement.key);
   const data::Uncertainty uncertainty = studies::without(data::read_uncertainty(file), fixed);
+  for (const auto& key : uncertainty.keys)
+    if (key.key.starts_with("contact."))
+      throw data::FieldError("[uncertainty]", key.key, "a key of another table: here the tip is held or slides");
   if (options.band) {
     const auto band = parse_band("--band", *options.band);
     options.sampling.band = analytic::FrequencyBand{band.from, band.to};

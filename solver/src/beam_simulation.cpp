@@ -139,6 +139,7 @@ BeamSimulation::BeamSimulation(const data::Beam& beam, const data::FrictionLaw& 
     basis_ << basis.modes, basis.static_shape;
     velocity = modal_coordinates(model_, basis, velocity);
   }
+  system.tangential = run.tangential;
   if (run.contact == TipContact::bonded) system.normal_force = bonding_force;
   integrator_ = std::make_unique<StickSlipIntegrator>(std::move(system), settings);
   midspan_ = weights_at(0.5 * beam.length());

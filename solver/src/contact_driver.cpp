@@ -86,9 +86,25 @@ class SchemeOfThePaper final : public ContactDriver {
   }
 };
 
+// Whole steps: in a contact that yields there is nothing to locate.
+class YieldingContact final : public ContactDriver {
+ public:
+  void advance(ContactMotion& motion, double end_time) const override {
+    motion.compute_trial_step(end_time);
+    motion.accept_trial_step(end_time);
+    motion.move_slider();
+  }
+};
+
 }  // namespace
 
-std::unique_ptr<const ContactDriver> make_driver(ContactScheme scheme) {
+std::unique_ptr<const ContactDriver> make_driver(const ContactMotion& motion) {
+  const ContactScheme scheme = motion.settings().scheme;
+  if (motion.yields()) {
+    if (scheme != ContactScheme::located)
+      data::require_rigid(motion.system().tangential, "another contact scheme than located");
+    return std::make_unique<YieldingContact>();
+  }
   switch (scheme) {
     case ContactScheme::located:
       return std::make_unique<LocatedChanges>();

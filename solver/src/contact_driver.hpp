@@ -16,6 +16,6 @@ class ContactDriver {
   virtual void advance(ContactMotion& motion, double end_time) const = 0;
 };
 
-[[nodiscard]] std::unique_ptr<const ContactDriver> make_driver(ContactScheme scheme);
+[[nodiscard]] std::unique_ptr<const ContactDriver> make_driver(const ContactMotion& motion);
 
 }  // namespace stickslip::solver

@@ -35,6 +35,7 @@ ContactSystem consistent(ContactSystem system) {
                                 ", but must be a degree of freedom, 0 ... " + std::to_string(n - 1));
   if (!(system.normal_force >= 0.0))
     throw data::FieldError("normal_force", system.normal_force, "a number of 0 or more (N)");
+  if (system.normal_force == bonding_force) data::require_rigid(system.tangential, "a bonded contact");
   return system;
 }
 
@@ -75,6 +76,7 @@ void ContactMotion::start(const Eigen::VectorXd& displacement, const Eigen::Vect
 void ContactMotion::start_stuck(const Eigen::VectorXd& displacement, const Eigen::VectorXd& velocity) {
   start(displacement, velocity);
   now_.velocity[system_.contact] = system_.wall.velocity(0.0);
+  if (yields()) return begin_yielding();
   begin_stick();
   if (excess_force() > 0.0) leave_stick();
 }
@@ -82,6 +84,7 @@ void ContactMotion::start_stuck(const Eigen::VectorXd& displacement, const Eigen
 void ContactMotion::start_slipping(const Eigen::VectorXd& displacement, const Eigen::VectorXd& velocity) {
   if (contact_.is_bonded()) throw std::logic_error("a bonded contact cannot start in slip");
   start(displacement, velocity);
+  if (yields()) return begin_yielding();
   const double sliding = sliding_velocity();
   begin_slip(sliding != 0.0 ? sign(sliding) : -sign(holding_force()));
 }
@@ -99,7 +102,12 @@ void ContactMotion::end_step() {
   throw std::runtime_error(text.str());
 }
 
+double ContactMotion::position() const {
+  return now_.displacement[system_.contact] - system_.wall.displacement(time_);
+}
+
 double ContactMotion::friction_force() const {
+  if (yields()) return contact_.yielding_force(phase_.wall_offset, position(), sliding_velocity());
   return is_stuck() ? holding_force() : contact_.force(phase_.direction, sliding_velocity());
 }
 
@@ -124,9 +132,28 @@ void ContactMotion::accept_trial_step(double new_time) {
 
 void ContactMotion::begin_stick() {
   held_contact_.remove_sliding_velocity(now_, time_);
-  const double offset = now_.displacement[system_.contact] - system_.wall.displacement(time_);
-  phase_ = {.state = ContactState::stick, .wall_offset = offset};
+  phase_ = {.state = ContactState::stick, .wall_offset = position()};
   kernel_->restart(phase_, time_, now_);
+}
+
+// The spring has no force, and a smooth law none at rest.
+void ContactMotion::begin_yielding() {
+  const bool is_smooth = system_.tangential.is_smooth();
+  phase_ = {.state = is_smooth ? ContactState::slip : ContactState::stick, .wall_offset = position()};
+  if (is_smooth && sliding_velocity() != 0.0) phase_.direction = 1.0;
+  kernel_->restart(phase_, time_, now_);
+}
+
+void ContactMotion::move_slider() {
+  const auto [slider, direction] = contact_.moved(phase_.wall_offset, position(), sliding_velocity());
+  phase_.wall_offset = slider;
+  if (system_.tangential.is_smooth() || direction == (is_stuck() ? 0.0 : phase_.direction)) return;
+  record(is_stuck() ? ContactEvent::Kind::onset
+         : direction == 0.0 ? ContactEvent::Kind::capture
+                            : ContactEvent::Kind::reversal);
+  phase_.state = direction == 0.0 ? ContactState::stick : ContactState::slip;
+  phase_.direction = direction;
+  notify();
 }
 
 void ContactMotion::begin_slip(double direction) {
@@ -155,10 +182,8 @@ void ContactMotion::settle_at_rest() {
 
 void ContactMotion::overwrite_sliding_velocity() {
   record(ContactEvent::Kind::capture);
-  const Eigen::Index c = system_.contact;
-  now_.velocity[c] = system_.wall.velocity(time_);
-  phase_ = {.state = ContactState::stick,
-            .wall_offset = now_.displacement[c] - system_.wall.displacement(time_)};
+  now_.velocity[system_.contact] = system_.wall.velocity(time_);
+  phase_ = {.state = ContactState::stick, .wall_offset = position()};
   notify();
 }
 
@@ -169,8 +194,7 @@ void ContactMotion::turn_to(double direction) {
 }
 
 void ContactMotion::record(ContactEvent::Kind kind) {
-  const double position = now_.displacement[system_.contact] - system_.wall.displacement(time_);
-  events_.push_back({kind, time_, position, sliding_velocity()});
+  events_.push_back({kind, time_, position(), sliding_velocity()});
   if (++events_in_step_ <= max_events_per_step) return;
   std::ostringstream text;
   text << "more than " << max_events_per_step << " contact events in the step that ends at t = "

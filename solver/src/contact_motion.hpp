@@ -33,6 +33,7 @@ class ContactMotion {
   [[nodiscard]] long steps() const noexcept { return steps_; }
   [[nodiscard]] const Kinematics& now() const noexcept { return now_; }
   [[nodiscard]] const StepPhase& phase() const noexcept { return phase_; }
+  [[nodiscard]] bool yields() const noexcept { return contact_.yields(); }
   [[nodiscard]] bool is_stuck() const noexcept { return phase_.state == ContactState::stick; }
   [[nodiscard]] const ContactSystem& system() const noexcept { return system_; }
   [[nodiscard]] const HeldContact& held_contact() const noexcept { return held_contact_; }
@@ -61,14 +62,19 @@ class ContactMotion {
   void leave_stick();
   /// The contact is at rest on the wall, up to what the location left: stick if it can be held, else slip.
   void settle_at_rest();
+  /// Of a contact that yields, after a step: the slider follows, and a change is recorded. f_d has no jump, so that
+  /// a kink of it inside a step costs no order and is not located.
+  void move_slider();
   /// The changes of ContactScheme::paper: no impulse, no restart.
   void overwrite_sliding_velocity();
   void turn_to(double direction);
 
  private:
   void start(const Eigen::VectorXd& displacement, const Eigen::VectorXd& velocity);
+  void begin_yielding();
   void begin_stick();
   void begin_slip(double direction);
+  [[nodiscard]] double position() const;  // q[c] - w
   void record(ContactEvent::Kind kind);
   void notify() const;
 

@@ -5,6 +5,9 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "bracketed_root.hpp"
+#include "sign.hpp"
+
 namespace stickslip::solver {
 
 double friction_coefficient(const data::FrictionLaw& law, double sliding_velocity) {
@@ -16,9 +19,12 @@ double friction_coefficient(const data::FrictionLaw& law, double sliding_velocit
 
 FrictionContact::FrictionContact(const ContactSystem& system)
     : law_(system.friction.in_slip()),
+      tangential_(system.tangential),
       normal_force_(system.normal_force),
       limit_(normal_force_ == bonding_force ? bonding_force
-                                            : system.friction.static_coefficient() * normal_force_) {}
+                                            : system.friction.static_coefficient() * normal_force_) {
+  data::require_usable(system.friction, tangential_);
+}
 
 double FrictionContact::force(double direction, double sliding_velocity) const {
   return -direction * friction_coefficient(law_, sliding_velocity) * normal_force_;
@@ -43,6 +49,38 @@ double FrictionContact::alpha_level_force(double direction, double free_velocity
     w = next;
   }
   return force(direction, w);
+}
+
+double FrictionContact::yielding_force(double slider, double position, double sliding_velocity) const {
+  if (tangential_.is_smooth())
+    return force(std::tanh(sliding_velocity / tangential_.regularisation_velocity()), sliding_velocity);
+  const double elastic = tangential_.tangential_stiffness() * (slider - position);
+  const double direction = -sign(elastic);
+  const double bound = force(direction, std::max(direction * sliding_velocity, 0.0));
+  return std::abs(elastic) <= std::abs(bound) ? elastic : bound;
+}
+
+// v = v_free + mobility f(v) has one root: f falls with v, but for the weakening of the law. It is sought in v, and
+// the force follows from the motion: a stiff law would multiply the rounding of v.
+double FrictionContact::yielding_force(double slider, const Response& response) const {
+  const double reach = response.flexibility / response.mobility;
+  const auto residual = [&](double v) {
+    const double position = response.position + reach * (v - response.velocity);
+    return v - response.velocity - response.mobility * yielding_force(slider, position, v);
+  };
+  double width = response.mobility * (limit_ + law_.viscous() * normal_force_ * std::abs(response.velocity));
+  if (width == 0.0) return 0.0;
+  while (residual(response.velocity - width) >= 0.0 || residual(response.velocity + width) < 0.0) width *= 2.0;
+  const double low = response.velocity - width, high = response.velocity + width;
+  const double v = bracketed_root(residual, low, residual(low), high, residual(high), 1e-15 * width);
+  return (v - response.velocity) / response.mobility;
+}
+
+FrictionContact::Slider FrictionContact::moved(double slider, double position, double sliding_velocity) const {
+  if (tangential_.is_smooth()) return {position, sign(sliding_velocity)};
+  const double f = yielding_force(slider, position, sliding_velocity);
+  const bool moves = f != tangential_.tangential_stiffness() * (slider - position);
+  return moves ? Slider{position + f / tangential_.tangential_stiffness(), -sign(f)} : Slider{slider, 0.0};
 }
 
 void FrictionContact::require_unique_force(double mobility, double time, double time_step) const {

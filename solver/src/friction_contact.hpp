@@ -26,6 +26,29 @@ class FrictionContact {
   /// The only solution if require_unique_force() does not throw.
   [[nodiscard]] double alpha_level_force(double direction, double free_velocity, double mobility) const;
 
+  /// Whether a spring or a smooth law holds the contact: it moves in stick, and has the equations of slip all the time.
+  [[nodiscard]] bool yields() const noexcept { return !tangential_.is_rigid(); }
+
+  /// f_d, N, of a contact that yields, at a position on the wall and a sliding velocity; the slider is where the
+  /// spring has no force.
+  [[nodiscard]] double yielding_force(double slider, double position, double sliding_velocity) const;
+
+  /// Sliding velocity and position on the wall at the alpha level of a step without f_d, and what a unit f_d adds.
+  struct Response {
+    double velocity{}, position{};
+    double mobility{}, flexibility{};
+  };
+  /// The f_d, N, at the alpha level that is yielding_force() of the motion it causes. The only solution if
+  /// require_unique_force() does not throw.
+  [[nodiscard]] double yielding_force(double slider, const Response& response) const;
+
+  /// Where the slider is after a step to the position and velocity given, and whether it has moved, in the direction
+  /// +1 or -1; else 0. A smooth law has no slider and always slides.
+  struct Slider {
+    double position{}, direction{};
+  };
+  [[nodiscard]] Slider moved(double slider, double position, double sliding_velocity) const;
+
   /// Throws std::runtime_error, naming the time and the longest possible step, unless mobility N (mu_s -
   /// mu_m) alpha < 1: the friction law would fall faster than a step can follow.
   void require_unique_force(double mobility, double time, double time_step) const;
@@ -34,6 +57,7 @@ class FrictionContact {
   [[nodiscard]] double weakening() const noexcept;
 
   data::FrictionLaw law_;        // in slip
+  data::TangentialContact tangential_;
   double normal_force_, limit_;  // N, mu_s N
 };
 

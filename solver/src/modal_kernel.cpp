@@ -49,7 +49,7 @@ class ModalKernel final : public StepKernel {
  private:
   void take_stick_step(const StepFactors& step, double wall_offset, const Kinematics& now, double time,
                        double end_time, Kinematics& next) const;
-  void take_slip_step(const StepFactors& step, double direction, const Kinematics& now, double time,
+  void take_slip_step(const StepFactors& step, const StepPhase& phase, const Kinematics& now, double time,
                       Kinematics& next);
   const StepFactors& factors_of(double length);
   void prepare(StepFactors& step, double length) const;
@@ -108,10 +108,10 @@ const StepFactors& ModalKernel::factors_of(double length) {
 void ModalKernel::take_step(const StepPhase& phase, const Kinematics& now, double time, double end_time,
                             Kinematics& next) {
   const StepFactors& step = factors_of(end_time - time);
-  if (phase.state == ContactState::stick) {
+  if (phase.state == ContactState::stick && !contact_.yields()) {
     take_stick_step(step, phase.wall_offset, now, time, end_time, next);
   } else {
-    take_slip_step(step, phase.direction, now, time, next);
+    take_slip_step(step, phase, now, time, next);
   }
 }
 
@@ -136,7 +136,7 @@ void ModalKernel::take_stick_step(const StepFactors& step, double wall_offset, c
 }
 
 // The modes with the contact's acceleration eliminated, then that from its own row, friction included.
-void ModalKernel::take_slip_step(const StepFactors& step, double direction, const Kinematics& now,
+void ModalKernel::take_slip_step(const StepFactors& step, const StepPhase& phase, const Kinematics& now,
                                  double time, Kinematics& next) {
   const double h = step.length, share = 1.0 - method_.alpha_f(), beta = method_.beta(),
                gamma = method_.gamma();
@@ -159,7 +159,15 @@ void ModalKernel::take_slip_step(const StepFactors& step, double direction, cons
                                system_.wall.velocity(load_time);
   const double mobility = velocity_factor * step.contact_acceleration;
   contact_.require_unique_force(mobility, time, time_step_);
-  const double friction = contact_.alpha_level_force(direction, free_velocity, mobility);
+  const double displacement_factor = method_.stiffness_factor(h);
+  const double friction =
+      contact_.yields()
+          ? contact_.yielding_force(phase.wall_offset,
+                                    {free_velocity,
+                                     alpha_qc + displacement_factor * free_acceleration -
+                                         alpha_level_wall(system_, method_, time, h),
+                                     mobility, displacement_factor * step.contact_acceleration})
+          : contact_.alpha_level_force(phase.direction, free_velocity, mobility);
   const double new_ac = free_acceleration + friction * step.contact_acceleration;
 
   auto new_a = next.acceleration.head(modes_).array();

@@ -44,7 +44,7 @@ class SparseKernel final : public StepKernel {
  private:
   void take_stick_step(StepMatrices& step, double wall_offset, double time, double end_time,
                        Kinematics& state);
-  void take_slip_step(StepMatrices& step, double direction, double time, Kinematics& state);
+  void take_slip_step(StepMatrices& step, const StepPhase& phase, double time, Kinematics& state);
   StepMatrices& matrices_of(double length);
   const SparseCholesky& stick_matrix(StepMatrices& step) const;
   const SparseLu& slip_matrix(StepMatrices& step) const;
@@ -122,10 +122,10 @@ void SparseKernel::take_step(const StepPhase& phase, const Kinematics& now, doub
                              Kinematics& next) {
   next = now;
   StepMatrices& step = matrices_of(end_time - time);
-  if (phase.state == ContactState::stick) {
+  if (phase.state == ContactState::stick && !contact_.yields()) {
     take_stick_step(step, phase.wall_offset, time, end_time, next);
   } else {
-    take_slip_step(step, phase.direction, time, next);
+    take_slip_step(step, phase, time, next);
   }
 }
 
@@ -146,7 +146,7 @@ void SparseKernel::take_stick_step(StepMatrices& step, double wall_offset, doubl
   add_static_shape(state, wall_offset, end_time, 1.0);
 }
 
-void SparseKernel::take_slip_step(StepMatrices& step, double direction, double time, Kinematics& state) {
+void SparseKernel::take_slip_step(StepMatrices& step, const StepPhase& phase, double time, Kinematics& state) {
   const double h = step.length;
   const Eigen::Index c = system_.contact;
   const double load_time = method_.load_time(time, h);
@@ -161,7 +161,17 @@ void SparseKernel::take_slip_step(StepMatrices& step, double direction, double t
       alpha_level_.velocity[c] + velocity_factor * new_acceleration_[c] - system_.wall.velocity(load_time);
   const double mobility = velocity_factor * step.mobility[c];
   contact_.require_unique_force(mobility, time, time_step_);
-  new_acceleration_ += contact_.alpha_level_force(direction, free_velocity, mobility) * step.mobility;
+  if (!contact_.yields()) {
+    new_acceleration_ += contact_.alpha_level_force(phase.direction, free_velocity, mobility) * step.mobility;
+  } else {
+    const double displacement_factor = method_.stiffness_factor(h);
+    const double free_position = alpha_level_.displacement[c] + displacement_factor * new_acceleration_[c] -
+                                 alpha_level_wall(system_, method_, time, h);
+    new_acceleration_ +=
+        contact_.yielding_force(phase.wall_offset, {free_velocity, free_position, mobility,
+                                                    displacement_factor * step.mobility[c]}) *
+        step.mobility;
+  }
   method_.update(state, h, new_acceleration_);
 }
 
@@ -170,7 +180,7 @@ void SparseKernel::restart(const StepPhase& phase, double time, Kinematics& now)
   alpha_level_ = now;
   alpha_level_.acceleration.setZero();
   residual_.noalias() = system_.load_history(time) * system_.load_shape;
-  if (phase.state == ContactState::slip) {
+  if (phase.state == ContactState::slip || contact_.yields()) {
     const Eigen::Index c = system_.contact;
     subtract_internal_forces(system_.slip_stiffness);
     residual_[c] += contact_.force(phase.direction, now.velocity[c] - system_.wall.velocity(time));

@@ -13,7 +13,7 @@ namespace stickslip::solver {
 struct StepPhase {
   ContactState state{ContactState::stick};
   double direction{};    ///< in slip: d = +1 or -1
-  double wall_offset{};  ///< in stick: q[c] - w, m
+  double wall_offset{};  ///< in stick: q[c] - w, m; of a contact that yields, the slider's, always
 };
 
 /// The equations of one step of the generalised-alpha method in a phase of the contact.
@@ -38,6 +38,14 @@ class StepKernel {
 [[nodiscard]] std::unique_ptr<StepKernel> make_modal_kernel(const ContactSystem& system,
                                                             const FrictionContact& contact,
                                                             const GeneralizedAlpha& method, double time_step);
+
+/// w at the alpha level of a step, weighted as displacements are and not at t_star: what a spring to the wall feels is
+/// then the weighted position of the contact.
+[[nodiscard]] inline double alpha_level_wall(const ContactSystem& system, const GeneralizedAlpha& method, double time,
+                                             double length) {
+  return (1.0 - method.alpha_f()) * system.wall.displacement(time + length) +
+         method.alpha_f() * system.wall.displacement(time);
+}
 
 /// The end of a step is n h and not a sum, so that the length of a whole step is h only up to round-off.
 [[nodiscard]] inline bool is_whole_step(double length, double time_step) {

@@ -10,7 +10,7 @@ namespace stickslip::solver {
 
 StickSlipIntegrator::StickSlipIntegrator(ContactSystem system, const IntegratorSettings& settings)
     : motion_(std::make_unique<ContactMotion>(std::move(system), settings)),
-      driver_(make_driver(settings.scheme)) {}
+      driver_(make_driver(*motion_)) {}
 
 StickSlipIntegrator::~StickSlipIntegrator() = default;
 
@@ -42,7 +42,7 @@ const Eigen::VectorXd& StickSlipIntegrator::displacement() const noexcept {
 }
 const Eigen::VectorXd& StickSlipIntegrator::velocity() const noexcept { return motion_->now().velocity; }
 double StickSlipIntegrator::sliding_velocity() const {
-  return motion_->is_stuck() ? 0.0 : motion_->sliding_velocity();
+  return motion_->is_stuck() && !motion_->yields() ? 0.0 : motion_->sliding_velocity();
 }
 double StickSlipIntegrator::friction_force() const { return motion_->friction_force(); }
 double StickSlipIntegrator::holding_force() const { return motion_->holding_force(); }

@@ -2,10 +2,14 @@
 #include "studies/criterion/model_form.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
+#include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
+#include "studies/common/parallel.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/criterion/classification.hpp"
 #include "studies/criterion/criterion_map.hpp"
@@ -89,6 +93,85 @@ ModelForm model_form(const data::Case& paper, const data::Case& half_stiffness,
     result.forces.push_back(
         {follower.cells[i].x, *dead.cells[i].force_ratio / *follower.cells[i].force_ratio});
   return result;
+}
+
+namespace {
+
+// |f_max| per metre of amplitude, N/m, or nothing if no state of stick is stable.
+std::optional<double> unit_force(const data::Case& problem, const ModelVariant& variant) {
+  constexpr double width = 1e-6;
+  const data::Beam& beam = problem.beam;
+  const data::Damping damping({.ratio = variant.damping_ratio});
+  const double omega = angular_frequency(problem.excitation), duration = problem.numerics.duration();
+  const int modes = problem.numerics.modes();
+  if (!std::isfinite(variant.stiffness_ratio))
+    return analytic::largest_unit_force(beam, damping, problem.excitation.frequency_hz(), duration, modes,
+                                        analytic::SteadyPart::exact, width)
+        .midpoint();
+  const double stiffness = variant.stiffness_ratio * 3.0 * beam.youngs_modulus() * beam.second_moment_of_area() /
+                           std::pow(beam.length(), 3);
+  try {
+    return analytic::DampedForce(analytic::compliant_reaction(beam, damping, stiffness, modes), omega, duration)
+        .refined_to(width)
+        .midpoint();
+  } catch (const data::FieldError& error) {
+    if (error.field() == "contact.tangential_stiffness") return std::nullopt;
+    throw;
+  }
+}
+
+VariantPlane variant_plane(std::string figures, const ModelVariant& variant, const data::Case& problem, const MapAxis& x,
+                           const MapAxis& y) {
+  VariantPlane plane{.figures = std::move(figures),
+                     .variant = variant,
+                     .lowest_ratio = std::numeric_limits<double>::infinity()};
+  const bool y_is_factor = y.parameter == Parameter::amplitude;
+  const std::size_t rows = y_is_factor ? 1 : y.values.size(), columns = x.values.size();
+  struct ForcePair {
+    std::optional<double> without, with;
+  };
+  std::vector<ForcePair> forces(rows * columns);
+  const auto case_at = [&](std::size_t i, std::size_t j) {
+    return with_value(with_value(problem, x.parameter, x.values[i]), y.parameter, y.values[j]);
+  };
+  in_parallel(forces.size(), [&](std::size_t index) {
+    const data::Case cell = case_at(index % columns, index / columns);
+    if (cell.beam.axial_force() >= analytic::stick_buckling_load(cell.beam)) return;
+    forces[index] = {unit_force(cell, {}), unit_force(cell, variant)};
+  });
+  for (std::size_t j = 0; j < y.values.size(); ++j)
+    for (std::size_t i = 0; i < columns; ++i) {
+      const auto& [without, with] = forces[(y_is_factor ? 0 : j) * columns + i];
+      if (!without) continue;
+      ++plane.cells;
+      if (!with) {
+        ++plane.unstable;
+        continue;
+      }
+      const data::Case cell = case_at(i, j);
+      const double limit = cell.friction.static_coefficient() * cell.beam.axial_force() / cell.excitation.amplitude();
+      if (*without > limit && *with <= limit) ++plane.to_stick;
+      if (*without <= limit && *with > limit) ++plane.to_slip;
+      plane.lowest_ratio = std::min(plane.lowest_ratio, *with / *without);
+      plane.highest_ratio = std::max(plane.highest_ratio, *with / *without);
+    }
+  return plane;
+}
+
+}  // namespace
+
+std::vector<VariantPlane> variant_planes(const ModelVariant& variant, const data::Case& paper,
+                                         const data::Case& half_stiffness, const data::Case& flat_section, int lengths,
+                                         std::size_t stride) {
+  const MapAxis frequencies = axis_of(Parameter::frequency, figure12_frequencies());
+  const MapAxis amplitudes = axis_of(Parameter::amplitude, figure12_amplitudes());
+  std::vector<double> axial_forces;
+  for (std::size_t i = 0; i < figure14_axial_forces().size(); i += stride)
+    axial_forces.push_back(figure14_axial_forces()[i]);
+  return {variant_plane("10 to 12", variant, paper, frequencies, amplitudes),
+          variant_plane("13", variant, half_stiffness, frequencies, amplitudes),
+          variant_plane("14", variant, flat_section, map_axis(Parameter::length, 0.4, 2.0, lengths, false),
+                        axis_of(Parameter::axial_force, axial_forces))};
 }
 
 }  // namespace stickslip::studies

@@ -2,9 +2,11 @@
 #pragma once
 
 /// The effect of choices in the model. The axial force follows the tip in the paper (chi = 0), but the normal force of a
-/// flat wall keeps its direction (chi = 1). The beam of the paper has neither shear nor rotary inertia.
+/// flat wall keeps its direction (chi = 1). The beam of the paper has neither shear nor rotary inertia nor damping, and its
+/// contact is rigid; beams have damping, and contacts a tangential stiffness.
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -57,5 +59,34 @@ struct ModelForm {
 /// excitations of Fig. 12 and, for Fig. 14, `lengths` from 0.4 to 2 m (at least 2) by figure14_axial_forces().
 [[nodiscard]] ModelForm model_form(const data::Case& paper, const data::Case& half_stiffness,
                                    const data::Case& flat_section, int lengths);
+
+/// What takes the place of the rigid contact and the undamped beam.
+struct ModelVariant {
+  /// k_t over 3 EI/L^3, the stiffness of the cantilever at its tip; infinite for a rigid contact
+  double stiffness_ratio{std::numeric_limits<double>::infinity()};
+  double damping_ratio{};  ///< damping.ratio
+};
+
+/// The criterion |f_max| <= mu_s P over the plane of a figure of the paper with a variant against without, closed form,
+/// both with the exact steady part of the rigid contact. A law that falls with the velocity lets a compliant contact slip
+/// at less than mu_s P: that is not in here.
+struct VariantPlane {
+  std::string figures;
+  ModelVariant variant;
+  std::size_t cells{};     ///< with a stick state, rigid and undamped
+  std::size_t to_stick{};  ///< of these, slipping without the variant and sticking with it
+  std::size_t to_slip{};   ///< the other way round
+  std::size_t unstable{};  ///< of these, without a stable state on the contact spring; in neither of the two
+  /// |f_max| with the variant over that without, over the cells.
+  double lowest_ratio{}, highest_ratio{};
+  [[nodiscard]] double flipped_share() const {
+    return static_cast<double>(to_stick + to_slip) / static_cast<double>(cells);
+  }
+};
+
+/// The variant on the planes of model_form(). Of Fig. 14 every `stride`-th axial force is taken.
+[[nodiscard]] std::vector<VariantPlane> variant_planes(const ModelVariant& variant, const data::Case& paper,
+                                                       const data::Case& half_stiffness, const data::Case& flat_section,
+                                                       int lengths, std::size_t stride = 1);
 
 }  // namespace stickslip::studies

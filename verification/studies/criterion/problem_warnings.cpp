@@ -227,6 +227,7 @@ std::optional<Warning> growth_warning(const data::Case& problem, Inquiry inquiry
   const data::NumericalSettings& numerics = problem.numerics;
   const bool stepped = inquiry == Inquiry::stepped_history;
   if (!stepped && inquiry != Inquiry::event_driven_history) return std::nullopt;
+  if (problem.contact.has_spring()) return std::nullopt;  // sigma* is that of a law without memory
   if ((stepped ? numerics.elements() : numerics.modes()) >
       (is_damped(problem) ? most_damped_for_growth : most_undamped_for_growth))
     return std::nullopt;

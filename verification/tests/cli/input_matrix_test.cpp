@@ -92,6 +92,8 @@ struct Exception {
 
 constexpr Exception exceptions[] = {
     {"case file", "damping.*", "@(missing|zero)", "the beam has no such damping"},
+    {"case file", "contact.tangential_stiffness", "@(missing|infinity)", "the contact is rigid"},
+    {"case file", "contact.regularisation_velocity", "@(missing|zero)", "the law is set-valued"},
     {"case file", "@(numerics.*|excitation.duration)", "missing", "the program chooses the setting"},
     {"case file", "friction.kinetic_coefficient", "missing", "the friction is that of Coulomb"},
     {"case file", "beam.axial_force", "@(negative|zero)",
@@ -224,6 +226,8 @@ const std::vector<CaseLine>& case_lines() {
     }
     result.push_back({"damping", "kelvin_voigt", "6.4e-5"});
     result.push_back({"damping", "ratio", "0.01"});
+    result.push_back({"contact", "tangential_stiffness", "1e6"});
+    result.push_back({"contact", "regularisation_velocity", "0.0"});
     return result;
   }();
   return lines;
@@ -321,10 +325,11 @@ TEST_F(CaseFileInput, ThatIsReadGivesFiniteNumbers) {
     SCOPED_TRACE(row.item + ", " + row.defect);
     (void)write_case(row);
     const std::string name = in_quotes(path("case.toml")) + " ";
-    expect_finite("modes " + name + "--count 2");
+    const std::string rigid = "--set contact.tangential_stiffness=inf ";
+    expect_finite("modes " + name + rigid + "--count 2");
     if (row.item == "beam.axial_force") continue;
     expect_finite("respond " + name + "--duration 0.002");
-    expect_finite("criterion " + name +
+    expect_finite("criterion " + name + rigid +
                   "--set damping.ratio=0 --set damping.kelvin_voigt=0 --set excitation.duration=0.1");
   }
 }

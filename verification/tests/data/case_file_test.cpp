@@ -29,7 +29,7 @@ struct Line {
   [[nodiscard]] std::string path() const { return table + "." + key; }
   [[nodiscard]] bool is_integer() const { return key == "elements" || key == "modes"; }
   [[nodiscard]] bool is_optional() const {
-    return table == "damping" || table == "numerics" || key == "viscous" || key == "kinetic_coefficient" ||
+    return table == "damping" || table == "contact" || table == "numerics" || key == "viscous" || key == "kinetic_coefficient" ||
            key == "duration" || key == "axial_direction";
   }
 };
@@ -60,7 +60,9 @@ const std::vector<Line>& valid_lines() {
                                        {"numerics", "modes", "10"},
                                        {"damping", "", ""},
                                        {"damping", "kelvin_voigt", "6.4e-5"},
-                                       {"damping", "ratio", "0.01"}};
+                                       {"damping", "ratio", "0.01"},
+                                       {"contact", "", ""},
+                                       {"contact", "tangential_stiffness", "1e6"}};
   return lines;
 }
 
@@ -240,11 +242,36 @@ TEST_F(CaseFile, RefusesAMisspeltKeyAndSuggestsTheRightOne) {
   }
 }
 
+TEST_F(CaseFile, TakesAContactThatYieldsInOneWay) {
+  const data::Case rigid = data::load_case("paper");
+  EXPECT_TRUE(rigid.contact.is_rigid());
+  EXPECT_EQ(rigid.contact.tangential_stiffness(), std::numeric_limits<double>::infinity());
+  const data::Case sprung = data::load_case("paper", {{"contact.tangential_stiffness", "2 kN/mm"}});
+  EXPECT_EQ(sprung.contact.tangential_stiffness(), 2e6);
+  EXPECT_TRUE(sprung.contact.has_spring() && !sprung.contact.is_smooth());
+  const data::Case smooth = data::load_case("paper", {{"contact.regularisation_velocity", "1 mm/s"}});
+  EXPECT_EQ(smooth.contact.regularisation_velocity(), 1e-3);
+  EXPECT_TRUE(smooth.contact.is_smooth() && !smooth.contact.has_spring());
+  EXPECT_TRUE(data::load_case("paper", {{"contact.tangential_stiffness", "inf"}}).contact.is_rigid());
+  const std::string rigid_text = case_without_table("contact");
+  EXPECT_EQ(error_message(rigid_text, {{"contact.tangential_stiffness", "0"}}),
+            "override contact.tangential_stiffness=0: contact.tangential_stiffness is 0, but must be a number above 0 "
+            "(N/m), or inf for a rigid contact");
+  EXPECT_EQ(error_message(rigid_text, {{"contact.regularisation_velocity", "-1"}}),
+            "override contact.regularisation_velocity=-1: contact.regularisation_velocity is -1, but must be a finite "
+            "number of 0 or more (m/s)");
+  EXPECT_EQ(error_message(rigid_text,
+                          {{"contact.tangential_stiffness", "1e6"}, {"contact.regularisation_velocity", "0.1"}}),
+            "override contact.regularisation_velocity=0.1: contact.regularisation_velocity is 0.1, but must be 0 with a "
+            "finite contact.tangential_stiffness: a spring in series with a smooth law that falls with the velocity has "
+            "no motion");
+}
+
 // What a record of a map keeps of its case.
 TEST_F(CaseFile, IsTheSameAgainFromItsNumbers) {
   std::vector<data::Override> overrides;
   for (const char* text : {"friction.viscous=0.02", "damping.ratio=0.01", "damping.kelvin_voigt=1e-5",
-                           "beam.axial_direction=0.25"})
+                           "beam.axial_direction=0.25", "contact.tangential_stiffness=1e7"})
     overrides.push_back(data::Override::parse(text));
   const data::Case original = data::load_case("damped", overrides);
   const auto numbers = data::numbers_of(original);
@@ -253,27 +280,28 @@ TEST_F(CaseFile, IsTheSameAgainFromItsNumbers) {
   const data::Case again = data::case_with(original.name, numbers);
   EXPECT_EQ(again.friction.coefficients().viscous, 0.02);
   EXPECT_EQ(again.beam.axial_direction(), 0.25);
+  EXPECT_EQ(again.contact.tangential_stiffness(), 1e7);
   EXPECT_EQ(data::numbers_of(again), numbers);
 }
 
 TEST_F(CaseFile, SuggestsNothingForAKeyLikeNoOther) {
   const std::string sentence = error_message(valid_case() + "colour_of_the_paint = 'red'\n");
   EXPECT_EQ(sentence,
-            "bar.toml:27: unknown key damping.colour_of_the_paint with the value 'red' (a string), but "
-            "[damping] has the keys kelvin_voigt, ratio");
+            "bar.toml:29: unknown key contact.colour_of_the_paint with the value 'red' (a string), but "
+            "[contact] has the keys tangential_stiffness, regularisation_velocity");
 }
 
 TEST_F(CaseFile, RefusesAMisspeltTable) {
   EXPECT_EQ(
       error_message(valid_case() + "[beem]\nlength = 2\n"),
-      "bar.toml:27: unknown table [beem] (did you mean beam?), but a case has the tables beam, friction, "
-      "excitation, numerics, damping, section, uncertainty");
+      "bar.toml:29: unknown table [beem] (did you mean beam?), but a case has the tables beam, friction, "
+      "excitation, numerics, damping, contact, section, uncertainty");
 }
 
 TEST_F(CaseFile, RefusesAKeyOutsideEveryTable) {
   EXPECT_EQ(error_message("length = 2\n" + valid_case()),
             "bar.toml:1: unknown key length with the value 2 (an integer), but a case has the tables beam, "
-            "friction, excitation, numerics, damping, section, uncertainty");
+            "friction, excitation, numerics, damping, contact, section, uncertainty");
   EXPECT_EQ(error_message("beam = 3\n"), "bar.toml:1: beam is 3 (an integer), but must be a table");
   EXPECT_EQ(error_message("damping = 0.01\n"), "bar.toml:1: damping is 0.01 (a float), but must be a table");
   EXPECT_EQ(error_message("[[beam]]\nlength = 2\n"), "bar.toml:1: beam is an array, but must be a table");

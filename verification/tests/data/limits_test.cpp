@@ -52,7 +52,10 @@ TEST(InputLimits, OfEachKeyAreAllowedThemselves) {
                                                                   {"numerics.velocity_threshold", 1e-18, 1e9},
                                                                   {"excitation.duration", 1e-15, 1e15},
                                                                   {"damping.kelvin_voigt", 1e-18, 1e6},
-                                                                  {"damping.ratio", 1e-9, 1.0}}) {
+                                                                  {"damping.ratio", 1e-9, 1.0},
+                                                                  {"contact.tangential_stiffness", 1e-18, 1e24},
+                                                                  {"contact.regularisation_velocity", 1e-18,
+                                                                   1e9}}) {
     for (const double value : {smallest, largest, -smallest, -largest, 0.0})
       EXPECT_FALSE(is_refused(key, value)) << key;
     for (const double sign : {1.0, -1.0}) {
@@ -103,6 +106,7 @@ TEST(InputLimits, HasTheUnitsOfEveryQuantity) {
   EXPECT_FALSE(data::unit_named("hz").has_value());
   EXPECT_EQ(data::units_convertible_to("m/s"), "m/s, cm/s, mm/s");
   EXPECT_EQ(data::units_convertible_to("J"), "J, mJ");
+  EXPECT_EQ(data::units_convertible_to("N/m"), "N/m, kN/m, MN/m, N/mm");
   EXPECT_EQ(data::units_convertible_to("kg"), "kg");
 }
 

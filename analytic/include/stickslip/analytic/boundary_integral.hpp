@@ -58,21 +58,44 @@ constexpr int most_stages = 4;
 struct ContactLaw {
   double normal_force{};  ///< N, newton, >= 0
   data::FrictionLaw friction{{}};
+  data::TangentialContact tangential{};
+  double time_step{};  ///< h, s, > 0; only a spring needs it
 };
 
 /// Throws data::InputError, naming time_step, unless kappa first_weight < 1: only then does every step
-/// have one solution.
+/// have one solution; naming friction.decay, if that is infinite.
 void require_unique_step(const ContactLaw& law, double first_weight);
 
 /// One step of the contact.
 struct ContactStep {
   double sliding_velocity{};  ///< v, mean over the step, m/s; exactly zero in stick
   double friction_force{};    ///< f_d, N
+  bool slides{};              ///< else it sticks: rigid, at rest; with a spring, the slider is at rest
 };
 
 /// The solution of v = free_velocity + weight f with f in -N mu(|v|) Sgn(v), to round-off; the only one if
 /// kappa weight < 1. weight > 0 in m/(N s).
 [[nodiscard]] ContactStep solve_contact(const ContactLaw& law, double free_velocity, double weight);
+
+/// The contact of data::TangentialContact, step by step, with the memory of its spring.
+///
+/// A smooth law takes f(v) in place of the set-valued law. The spring is taken in the middle of the step, x + h v/2,
+/// that is f = k_t (z - x - h v/2), cut to the bound at v; z then follows. With a passive mobility this is the
+/// midpoint rule: stable for any k_t h, and of second order in h.
+class ContactElement {
+ public:
+  explicit ContactElement(const ContactLaw& law) : law_(law) {}
+
+  /// The next step, where v = free_velocity + weight f: as solve_contact().
+  ContactStep step(double free_velocity, double weight);
+
+ private:
+  [[nodiscard]] ContactStep smooth_step(double free_velocity, double weight) const;
+  ContactStep spring_step(double free_velocity, double weight);
+
+  ContactLaw law_;
+  double spring_force_{};  // k_t (z - x) at the beginning of the step, N
+};
 
 /// sum_(j < n) W_(n-j) x_j for n = 0, 1, ... while the x_j become known one by one, in O(N log^2 N)
 /// operations (Hairer, Lubich & Schlichte, SIAM J. Sci. Stat. Comput. 6, 532-541, 1985).

@@ -30,6 +30,7 @@ struct DampedReaction {
   struct Share {
     std::complex<double> eigenvalue;    ///< lambda_k, rad/s, Re <= 0; one of each complex pair
     std::complex<double> sine, cosine;  ///< u_k, N s/m; v_k, N/m
+    std::complex<double> start;         ///< z_k(0)/Omega, N s/m: 0 if the tip is held
   };
   double quasi_static{};  ///< s = EI S'''(L), N/m
   double inertia{};       ///< m, N s^2/m; that of what is not in the N modes, 0 for SteadyPart::modal_sum
@@ -44,6 +45,18 @@ struct DampedReaction {
 /// DampedForce::rounding() says so.
 [[nodiscard]] DampedReaction damped_reaction(const data::Beam& beam, const data::Damping& damping, int modes,
                                              SteadyPart steady_part = SteadyPart::modal_sum);
+
+/// The same for a tip that a spring k_t holds to the wall (data::TangentialContact), as long as its slider rests: the
+/// force in the spring, f = k_t x, x = u_L - w. With X = (T, x) and the equations of contact_model.hpp
+///
+///     M X_tt + C X_t + (K + k_t e e^T) X = F(t),       X(0) = X_t(0) = 0,
+///
+/// and the static part x_s = s/(s + k_t) of X, s = R[S], is taken out. The rest starts with X_t(0) = -x_s Omega e. For
+/// large k_t it tends to SteadyPart::exact of the held tip; the static part differs by the factor k_t/(s + k_t). Throws
+/// data::FieldError, naming contact.tangential_stiffness, if the beam on its spring buckles or flutters; and what
+/// BeamContactModel throws.
+[[nodiscard]] DampedReaction compliant_reaction(const data::Beam& beam, const data::Damping& damping,
+                                                double tangential_stiffness, int modes);
 
 /// The reaction to one excitation frequency over 0 <= t <= duration, per unit amplitude.
 class DampedForce {

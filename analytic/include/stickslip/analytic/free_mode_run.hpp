@@ -40,7 +40,7 @@ class FreeModeRun {
   [[nodiscard]] const std::vector<double>& amplitudes() const noexcept { return displacement_; }
 
  private:
-  ContactLaw law_;
+  ContactElement contact_;
   double time_step_;
   double first_weight_{};  // W_0
   // With a = omega_k h: cos a, sin(a)/a and a sin a turn q_k and h q_k_t.

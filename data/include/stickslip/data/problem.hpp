@@ -23,7 +23,9 @@
 /// Every quantity is in SI units. Derived quantities (E I, rho A, Omega, mu(v), h(t)) are left to each of the
 /// two implementations on purpose, so that a slip in one of them shows when they are compared.
 
+#include <limits>
 #include <string>
+#include <string_view>
 
 #include "stickslip/data/input_error.hpp"
 
@@ -93,6 +95,49 @@ class FrictionLaw {
  private:
   FrictionCoefficients coefficients_;
 };
+
+/// What a TangentialContact is built from; field names are the keys of the table [contact].
+struct ContactProperties {
+  double tangential_stiffness{std::numeric_limits<double>::infinity()};  ///< k_t, N/m, > 0; infinite: rigid
+  double regularisation_velocity{};  ///< v_r, m/s, >= 0; 0: the set-valued law
+};
+
+/// What stands between the contact and its friction law; nothing by default: friction at rest is whatever holds the
+/// contact, up to mu_s N (the set-valued law). Cannot be built invalid. Either of these, but not both:
+///
+/// - A spring k_t in series with friction (Jenkins element). With the position z of the slider and x of the contact
+///
+///       f_d = k_t (z - x),     |f_d| <= mu(max(d v_s, 0)) N,     d = -sgn(f_d),
+///
+///   and z moves only to keep the bound, in the direction d. The coefficient is that of the sliding velocity v_s = x_t
+///   of the contact, as a spring without mass cannot follow a law that falls with the velocity of the slider.
+/// - A smooth law, f_d = -mu(|v_s|) N tanh(v_s/v_r): a contact that creeps and never sticks.
+class TangentialContact {
+ public:
+  TangentialContact() = default;
+  /// Throws FieldError.
+  explicit TangentialContact(const ContactProperties& properties);
+
+  [[nodiscard]] double tangential_stiffness() const noexcept { return properties_.tangential_stiffness; }
+  [[nodiscard]] double regularisation_velocity() const noexcept {
+    return properties_.regularisation_velocity;
+  }
+  [[nodiscard]] const ContactProperties& properties() const noexcept { return properties_; }
+  [[nodiscard]] bool has_spring() const noexcept;
+  [[nodiscard]] bool is_smooth() const noexcept { return regularisation_velocity() > 0.0; }
+  /// Neither: the set-valued law.
+  [[nodiscard]] bool is_rigid() const noexcept { return !has_spring() && !is_smooth(); }
+
+ private:
+  ContactProperties properties_;
+};
+
+/// Throws FieldError, naming the key of [contact], unless the contact is rigid; `what` needs it to be.
+void require_rigid(const TangentialContact& contact, std::string_view what);
+
+/// Throws FieldError, naming friction.decay, for a jump of the friction law with a contact that is not rigid: as it
+/// never is quite at rest, the static coefficient would not act.
+void require_usable(const FrictionLaw& friction, const TangentialContact& contact);
 
 /// What a HarmonicExcitation is built from; field names are the keys of the table [excitation].
 struct HarmonicMotion {
@@ -171,6 +216,7 @@ struct Case {
   HarmonicExcitation excitation;
   NumericalSettings numerics;
   Damping damping{};
+  TangentialContact contact{};
 };
 
 }  // namespace stickslip::data

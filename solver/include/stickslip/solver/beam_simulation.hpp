@@ -37,6 +37,7 @@ struct BeamRun {
   data::Damping damping{};  ///< see damping_matrix()
   ContactScheme scheme{ContactScheme::located};
   Coordinates coordinates{Coordinates::nodal};
+  data::TangentialContact tangential{};
 };
 
 /// Modal wherever the numbers are those of the nodal coordinates and come sooner: undamped, not by
@@ -81,7 +82,8 @@ class BeamSimulation {
   /// data::FieldError, naming beam.axial_force, if P is at or over the buckling load, or if P <= 0 with
   /// TipContact::friction: without compression there is no contact; and what damping_matrix() throws. Throws
   /// data::FieldError if ContactScheme::paper has no velocity threshold, or if Coordinates::modal has
-  /// damping; std::logic_error for Coordinates::modal with ContactScheme::paper.
+  /// damping, or if a contact that is not rigid has a jump of the friction law, another scheme than located or
+  /// TipContact::bonded; std::logic_error for Coordinates::modal with ContactScheme::paper.
   BeamSimulation(const data::Beam& beam, const data::FrictionLaw& friction,
                  const data::HarmonicExcitation& excitation, const data::NumericalSettings& numerics,
                  const BeamRun& run = {});

@@ -39,6 +39,7 @@ struct ContactSystem {
   PrescribedMotion wall;                       ///< w
   double normal_force{};                       ///< N, newton, >= 0; or bonding_force
   data::FrictionLaw friction;
+  data::TangentialContact tangential{};  ///< a spring or a smooth law takes the place of stick
 };
 
 /// mu(v) = mu_m + (mu_s - mu_m) exp(-alpha |v|) + beta |v|, Eq. (7) with a viscous term, v in m/s. alpha must be

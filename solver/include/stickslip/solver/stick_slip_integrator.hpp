@@ -87,6 +87,12 @@ class ContactDriver;
 /// M-orthogonal, so that kinetic energy in the frame of the wall falls by m_c v_s^2 / 2 and never rises. At a
 /// reversal no velocity is reset. That is ContactScheme::located; the other schemes say what they do instead.
 ///
+/// A contact that yields (data::TangentialContact): a spring or a smooth law. There is no stick phase. Every step has
+/// the equations of slip, with f_d at the alpha level the root of one scalar equation in the weighted velocity and
+/// position of the contact; the slider follows at the end of the step. f_d is continuous, so that changes need no
+/// location, and q and v are of second order. state() is stick while the slider rests; a smooth law always slips and
+/// has no events. Only ContactScheme::located.
+///
 /// Restart. After a change (and at t = 0) the method's acceleration is a = (1 - alpha_m) A^-1 r with the
 /// residual r = p s - C v - K q + contact force and the matrix A of a whole step, that is (M + theta h^2
 /// K)^-1 r with theta = (1 - alpha_f) beta/(1 - alpha_m): the balance up to (omega h)^2 for what the step
@@ -129,7 +135,7 @@ class StickSlipIntegrator {
   [[nodiscard]] ContactState state() const noexcept;
   [[nodiscard]] const Eigen::VectorXd& displacement() const noexcept;
   [[nodiscard]] const Eigen::VectorXd& velocity() const noexcept;
-  /// v_s, m/s; zero in stick.
+  /// v_s, m/s; zero in stick, unless the contact yields.
   [[nodiscard]] double sliding_velocity() const;
   /// f_d on the system, N, at time().
   [[nodiscard]] double friction_force() const;

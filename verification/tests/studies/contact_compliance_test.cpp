@@ -1,0 +1,433 @@
+// SPDX-License-Identifier: MIT
+/// A contact spring and a smooth law of friction in both implementations: against closed forms of a single mass, one
+/// against the other on the beam, and on their way to the set-valued law.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "stickslip/analytic/beam_boundary_integral.hpp"
+#include "stickslip/analytic/damped_reaction.hpp"
+#include "stickslip/data/case_file.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
+#include "studies/criterion/model_form.hpp"
+#include "studies/stick_slip/regularisation.hpp"
+#include "support/order.hpp"
+#include "support/requirements.hpp"
+#include "support/single_mass.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+namespace compliance {  // short names that other files have, too
+
+using std::numbers::pi;
+
+data::TangentialContact spring(double stiffness) {
+  return data::TangentialContact({.tangential_stiffness = stiffness});
+}
+
+data::TangentialContact smooth(double width) {
+  data::ContactProperties properties;
+  properties.regularisation_velocity = width;
+  return data::TangentialContact(properties);
+}
+
+// One mass of 1 kg, mu N = 1 N, on a contact spring; the wall is shaken by w_tt = A sin(2 pi t). In the frame of the wall
+// x'' = -k_t (x - z) - A sin or x'' = -d mu N - A sin: harmonic, or a parabola, and a sine.
+class ExactMassOnASpring {
+ public:
+  ExactMassOnASpring(double stiffness, double amplitude) : stiffness_(stiffness), amplitude_(amplitude) {}
+
+  // To time t, with the changes by bisection between instants 1e-4 s apart: none is shorter here.
+  void advance_to(double t) {
+    constexpr double look = 1e-4;
+    while (start_ < t) {
+      double low = start_, high = std::min(t, low + look);
+      while (high < t && indicator(high) <= 0.0) low = high, high = std::min(t, high + look);
+      if (indicator(high) <= 0.0) return move_to(t);
+      for (int i = 0; i < 60; ++i) (indicator(0.5 * (low + high)) > 0.0 ? high : low) = 0.5 * (low + high);
+      move_to(high);
+      direction_ == 0.0 ? direction_ = -std::copysign(1.0, slider_ - position_) : direction_ = 0.0;
+      if (direction_ == 0.0) slider_ = position_ - last_direction_ / stiffness_;
+      last_direction_ = direction_ == 0.0 ? 0.0 : direction_;
+      ++changes_;
+    }
+  }
+
+  [[nodiscard]] double position() const { return position_; }
+  [[nodiscard]] int changes() const { return changes_; }
+
+ private:
+  struct State {
+    double x{}, v{};
+  };
+
+  [[nodiscard]] State at(double t) const {
+    const double big = 2.0 * pi, tau = t - start_;
+    if (direction_ != 0.0) {
+      const double drift = amplitude_ / big * (std::cos(big * t) - std::cos(big * start_));
+      return {position_ + (velocity_ - amplitude_ / big * std::cos(big * start_)) * tau -
+                  0.5 * direction_ * tau * tau +
+                  amplitude_ / (big * big) * (std::sin(big * t) - std::sin(big * start_)),
+              velocity_ - direction_ * tau + drift};
+    }
+    const double omega = std::sqrt(stiffness_), forced = -amplitude_ / (omega * omega - big * big);
+    const double c = position_ - slider_ - forced * std::sin(big * start_),
+                 d = (velocity_ - forced * big * std::cos(big * start_)) / omega;
+    return {slider_ + c * std::cos(omega * tau) + d * std::sin(omega * tau) + forced * std::sin(big * t),
+            omega * (d * std::cos(omega * tau) - c * std::sin(omega * tau)) + forced * big * std::cos(big * t)};
+  }
+
+  // Above zero once the phase has ended: the spring exceeds mu N, or the mass turns.
+  [[nodiscard]] double indicator(double t) const {
+    const State state = at(t);
+    return direction_ == 0.0 ? stiffness_ * std::abs(state.x - slider_) - 1.0 : -direction_ * state.v;
+  }
+
+  void move_to(double t) {
+    const State state = at(t);
+    position_ = state.x, velocity_ = state.v, start_ = t;
+  }
+
+  double stiffness_, amplitude_;
+  double start_{}, position_{}, velocity_{}, slider_{}, direction_{}, last_direction_{};
+  int changes_{};
+};
+
+constexpr double stiffness = 400.0, shaking = 2.0, until = 2.0;
+
+double stepped_error(double h) {
+  solver::ContactSystem system =
+      contact_system({.normal_force = 10.0, .friction = coulomb}, shaken(shaking, 1.0));
+  system.tangential = spring(stiffness);
+  solver::StickSlipIntegrator stepped(system, {.time_step = h, .spectral_radius = 0.9});
+  stepped.start_stuck(scalar(0.0), scalar(0.0));
+  ExactMassOnASpring exact(stiffness, shaking);
+  double largest = 0.0;
+  while (stepped.time() < until - 0.5 * h) {
+    stepped.step();
+    exact.advance_to(stepped.time());
+    const double wall = system.wall.displacement(stepped.time());
+    largest = std::max(largest, std::abs(stepped.displacement()[0] - wall - exact.position()));
+  }
+  EXPECT_EQ(stepped.events().size(), static_cast<std::size_t>(exact.changes())) << h;
+  return largest;
+}
+
+// Weights of the mobility 1/(m s) of a free mass.
+std::vector<double> mass_weights(double h, std::size_t count) {
+  return analytic::mobility_weights([](std::complex<double> s) { return 1.0 / s; }, h, count, 3);
+}
+
+double integral_error(double h) {
+  const auto count = static_cast<std::size_t>(std::lround(until / h));
+  std::vector<double> held(count);
+  for (std::size_t n = 0; n < count; ++n) {
+    const double from = static_cast<double>(n) * h;
+    held[n] = shaking * (std::cos(2.0 * pi * from) - std::cos(2.0 * pi * (from + h))) / (2.0 * pi * h);
+  }
+  const auto steps = analytic::contact_steps(
+      mass_weights(h, count), {10.0, data::FrictionLaw(coulomb), spring(stiffness), h}, held);
+  ExactMassOnASpring exact(stiffness, shaking);
+  double position = 0.0, largest = 0.0;
+  for (std::size_t n = 0; n < count; ++n) {
+    position += h * steps[n].sliding_velocity;
+    exact.advance_to(static_cast<double>(n + 1) * h);
+    largest = std::max(largest, std::abs(position - exact.position()));
+  }
+  return largest;
+}
+
+// A kink of the force inside a step costs h^2 times a factor that depends on where in the step it is.
+void expect_second_order(const std::function<double(double)>& error) {
+  std::vector<OrderLevel> levels;
+  for (int i = 0; i < 8; ++i) {
+    const double h = 0.25 / std::round(62.5 * std::pow(2.0, 0.5 * i));
+    levels.push_back({.step = h, .error = error(h), .next_term = 0.1, .floor = 1e-11, .scatter = 0.25});
+  }
+  EXPECT_TRUE(order_is(levels, 2.0));
+}
+
+STICKSLIP_VERIFIES(ContactSpring, "X24");
+TEST(ContactSpring, CarriesAMassAsTheExactSolutionSaysAtSecondOrderInBothImplementations) {
+  ExactMassOnASpring exact(stiffness, shaking);
+  exact.advance_to(until);
+  ASSERT_GE(exact.changes(), 6);
+  expect_second_order(stepped_error);
+  expect_second_order(integral_error);
+}
+
+// A mass that turns under F > mu N: the spring is unloaded and loaded over 2 mu N/k_t, in the time theta/omega with cos
+// theta = 1 - 2 mu N/(F + mu N), and the mass leaves with the velocity (F + mu N) sin(theta)/omega. Set-valued friction
+// turns at once. Behind the turn they differ by t [(F + mu N) sin(theta) - (F - mu N) theta]/omega: of the order 1/2 in
+// 1/k_t. The next term is smaller by some theta/(omega t).
+TEST(ContactSpring, TendsToTheSetValuedLawAtHalfOrderWhereAMassTurnsInSlip) {
+  constexpr double force = 3.0, start = 2.0, after = 1.0;
+  const double turn = start / (force + 1.0), theta = std::acos(1.0 - 2.0 / (force + 1.0));
+  const double leading = (force + 1.0) * std::sin(theta) - (force - 1.0) * theta;
+  std::vector<OrderLevel> levels;
+  for (const double k : {1e4, 4e4, 1.6e5, 6.4e5}) {
+    solver::ContactSystem system = contact_system({.normal_force = 10.0, .friction = coulomb});
+    system.load_shape = scalar(1.0);
+    system.load_history = [](double) { return -force; };
+    system.tangential = spring(k);
+    const double h = 1e-4 / std::sqrt(k / 1e4);
+    solver::StickSlipIntegrator stepped(system, {.time_step = h, .spectral_radius = 0.9});
+    stepped.start_slipping(scalar(0.0), scalar(start));
+    while (stepped.time() < turn + after) stepped.step();
+    const double t = stepped.time() - turn;
+    // The spring has no force at the start: it slips from 1/k on, a little later.
+    const double rigid = 0.5 * start * turn - 0.5 * (force - 1.0) * t * t;
+    levels.push_back({.step = 1.0 / std::sqrt(k),
+                      .error = std::abs(stepped.displacement()[0] - rigid) / (leading * after),
+                      .next_term = 3.0 / std::sqrt(k),
+                      .floor = 1e-6});
+  }
+  EXPECT_TRUE(order_is(levels, 1.0, 1.0));
+}
+
+// m v' = F - mu N tanh(v/v_r) from rest, u = v/v_r: t = m v_r [F u + ln(cosh u - sinh(u)/F)]/(F^2 - 1) with mu N = 1.
+double time_of(double velocity, double force, double width) {
+  const double u = velocity / width;
+  return width * (force * u + std::log(std::cosh(u) - std::sinh(u) / force)) / (force * force - 1.0);
+}
+
+constexpr double push = 1.5, width_of_law = 0.2;
+
+solver::StickSlipIntegrator pushed_mass(double force, double width, double h) {
+  solver::ContactSystem system = contact_system({.normal_force = 10.0, .friction = coulomb});
+  system.load_shape = scalar(1.0);
+  system.load_history = [force](double) { return force; };
+  system.tangential = smooth(width);
+  return {system, {.time_step = h, .spectral_radius = 0.9}};
+}
+
+STICKSLIP_VERIFIES(SmoothLaw, "X24");
+TEST(SmoothLaw, AcceleratesAMassAsTheClosedFormSaysAtSecondOrderInBothImplementations) {
+  const auto stepped = [](double h) {
+    auto mass = pushed_mass(push, width_of_law, h);
+    mass.start_stuck(scalar(0.0), scalar(0.0));
+    while (mass.time() < 1.0 - 0.5 * h) mass.step();
+    return std::abs(time_of(mass.velocity()[0], push, width_of_law) - mass.time());
+  };
+  const auto integral = [](double h) {
+    const auto count = static_cast<std::size_t>(std::lround(1.0 / h));
+    const auto steps = analytic::contact_steps(mass_weights(h, count),
+                                               {10.0, data::FrictionLaw(coulomb), smooth(width_of_law)},
+                                               std::vector(count, -push));
+    return std::abs(time_of(steps.back().sliding_velocity, push, width_of_law) - (1.0 - 0.5 * h));
+  };
+  for (const auto& error : {std::function<double(double)>(stepped), std::function<double(double)>(integral)}) {
+    std::vector<OrderLevel> levels;
+    for (const double h : {0.02, 0.01, 0.005, 0.0025})
+      levels.push_back({.step = h, .error = error(h), .next_term = 3.0 * h, .floor = 1e-12});
+    EXPECT_TRUE(order_is(levels, 2.0));
+  }
+}
+
+// Below the limit it does not hold: v = v_r artanh(F/(mu N)).
+TEST(SmoothLaw, CreepsUnderAForceThatFrictionCouldHold) {
+  constexpr double force = 0.5, width = 1e-3, h = 1e-3;
+  const double creep = width * std::atanh(force);
+  auto mass = pushed_mass(force, width, h);
+  mass.start_stuck(scalar(0.0), scalar(0.0));
+  while (mass.time() < 1.0) mass.step();
+  const auto steps = analytic::contact_steps(mass_weights(h, 1000), {10.0, data::FrictionLaw(coulomb), smooth(width)},
+                                             std::vector(1000, -force));
+  // What is left of the start falls by 0.9 or faster a step.
+  EXPECT_TRUE(within(mass.sliding_velocity(), creep, round_off(1e4, 1, creep)));
+  EXPECT_TRUE(within(steps.back().sliding_velocity, creep, round_off(1e4, 1, creep)));
+  EXPECT_TRUE(mass.events().empty());
+  EXPECT_EQ(mass.state(), solver::ContactState::slip);
+}
+
+// --- The beam
+
+data::Case damped_case(const data::TangentialContact& contact, double duration) {
+  data::Case problem = data::load_case("damped");
+  data::NumericalChoices choices = problem.numerics.choices();
+  choices.duration = duration;
+  choices.time_step = 2e-5;
+  problem.numerics = data::NumericalSettings(choices);
+  problem.contact = contact;
+  return problem;
+}
+
+std::vector<double> stepped_tip(const data::Case& problem, int elements, int divisor) {
+  data::NumericalChoices choices = problem.numerics.choices();
+  choices.elements = elements;
+  choices.time_step /= divisor;
+  solver::BeamSimulation simulation(problem.beam, problem.friction, problem.excitation,
+                                    data::NumericalSettings(choices),
+                                    {.damping = problem.damping, .tangential = problem.contact});
+  std::vector<double> tip{0.0};
+  for (long n = solver::step_count(choices.duration, problem.numerics.time_step()); n > 0; --n) {
+    for (int i = 0; i < divisor; ++i) simulation.step();
+    tip.push_back(simulation.tip_displacement());
+  }
+  return tip;
+}
+
+class YieldingContact : public ::testing::TestWithParam<const char*> {
+ protected:
+  [[nodiscard]] static data::TangentialContact contact() {
+    const std::string name = GetParam();
+    return name == "spring" ? spring(1e6) : name == "softspring" ? spring(1e5) : smooth(1e-2);
+  }
+};
+
+// Both errors of finite elements by Richardson, time of order 2 and mesh of order 4; the boundary integral steps 16 times
+// as often and has no mesh.
+STICKSLIP_VERIFIES(YieldingContact, "X24");
+TEST_P(YieldingContact, MovesTheBeamAlikeInBothImplementations) {
+  const data::Case problem = damped_case(contact(), 0.1);
+  const double h = problem.numerics.time_step();
+  const analytic::BeamBoundaryIntegral integral(problem.beam, problem.friction, problem.excitation, problem.damping,
+                                                {h / 16.0, 16 * 5000}, 3, problem.contact);
+  const std::vector<double> reference = integral.tip_displacement(16), tip = stepped_tip(problem, 40, 1);
+  const double in_time = 4.0 / 3.0 * studies::largest_difference(tip, stepped_tip(problem, 40, 2));
+  const double by_mesh = studies::largest_difference(tip, stepped_tip(problem, 20, 1)) / 15.0;
+  EXPECT_LT(studies::largest_difference(tip, reference), 1.5 * (in_time + by_mesh));
+  EXPECT_LT(in_time + by_mesh, 1e-6);  // of 2.5 mm
+}
+
+// In the coordinates of the held tip the same steps are taken, without damping.
+TEST_P(YieldingContact, StepsAlikeInModalCoordinates) {
+  const data::Case problem = damped_case(contact(), 0.1);
+  const auto tip = [&](solver::Coordinates coordinates) {
+    solver::BeamSimulation simulation(problem.beam, problem.friction, problem.excitation, problem.numerics,
+                                      {.coordinates = coordinates, .tangential = problem.contact});
+    std::vector<double> values;
+    for (int n = 0; n < 5000; ++n) simulation.step(), values.push_back(simulation.tip_displacement());
+    return values;
+  };
+  EXPECT_LT(studies::largest_difference(tip(solver::Coordinates::nodal), tip(solver::Coordinates::modal)), 1e-10);
+}
+
+INSTANTIATE_TEST_SUITE_P(Contact, YieldingContact, ::testing::Values("spring", "softspring", "smooth"),
+                         [](const auto& row) { return std::string(row.param); });
+
+// --- On the way to the set-valued law
+
+const studies::RegularisationRate& rate(const std::vector<studies::RegularisationRate>& rates, const std::string& quantity) {
+  return *std::ranges::find(rates, quantity, &studies::RegularisationRate::quantity);
+}
+
+// Stated before it was measured: the spring moves the tip by f/k_t while it sticks, which changes the forces by O(1/k_t)
+// and the onset by (kappa + ...)/k_t; a creep at v_r moves it by O(v_r). `damped` does not turn in slip. The set-valued
+// force jumps at a capture. The spring takes a time tau for that, k_t Y(1/tau) tau = 1 with Y ~ s^-1/2 of the undamped and
+// s^-3/4 of the Kelvin-Voigt beam: tau ~ k_t^-2/3 to k_t^-4/7, so that the mean of |delta f| lies between that and 1/k_t.
+STICKSLIP_VERIFIES(Regularisation, "X24");
+TEST(Regularisation, TendsToTheSetValuedLawAtFirstOrderInMotionAndOnset) {
+  const data::Case problem = damped_case({}, 0.08);
+  std::vector<data::ContactProperties> stiffer, narrower;
+  for (const double k : {3.2e7, 1.28e8, 5.12e8, 2.048e9}) stiffer.push_back({.tangential_stiffness = k});
+  for (const double width : {4e-4, 1e-4, 2.5e-5, 6.25e-6}) narrower.push_back(smooth(width).properties());
+  const auto springs = studies::regularisation_rates(problem, stiffer, 4e-6);
+  const auto laws = studies::regularisation_rates(problem, narrower, 4e-6);
+  for (const auto& rates : {springs, laws})
+    for (const char* quantity : {"first slip", "position"}) {
+      EXPECT_NEAR(rate(rates, quantity).order, 1.0, 0.05) << quantity;
+    }
+  EXPECT_NEAR(rate(springs, "travel").order, 1.0, 0.05);
+  EXPECT_NEAR(rate(laws, "travel").order, 1.0, 0.15);  // log(1/v_r): |v_s| reaches v_r artanh(f/mu N) before an onset
+  EXPECT_GT(rate(springs, "friction force").order, 4.0 / 7.0);
+  EXPECT_LT(rate(springs, "friction force").order, 1.0);
+  EXPECT_NEAR(rate(laws, "friction force").order, 1.0, 0.05);
+}
+
+// --- The criterion on a contact spring
+
+STICKSLIP_VERIFIES(CompliantReaction, "X24");
+TEST(CompliantReaction, IsThatOfFiniteElementsWhoseSliderRests) {
+  const data::Case paper = data::load_case("damped");
+  const data::FrictionLaw strong({.static_coefficient = 1e6, .kinetic_coefficient = 1e6});
+  for (const double k : {6e4, 1e6}) {
+    const analytic::DampedForce closed(analytic::compliant_reaction(paper.beam, paper.damping, k, 20),
+                                       2.0 * pi * paper.excitation.frequency_hz(), 1.0);
+    data::NumericalChoices choices = paper.numerics.choices();
+    const auto largest_error = [&](double h) {
+      choices.time_step = h;
+      solver::BeamSimulation simulation(paper.beam, strong, paper.excitation, data::NumericalSettings(choices),
+                                        {.damping = paper.damping, .tangential = spring(k)});
+      double largest = 0.0;
+      while (simulation.time() < 0.1) {
+        simulation.step();
+        largest = std::max(largest, std::abs(simulation.friction_force() -
+                                             paper.excitation.amplitude() * closed.value(simulation.time())));
+      }
+      return largest;
+    };
+    const double coarse = largest_error(4e-5), fine = largest_error(2e-5);
+    EXPECT_GT(coarse / fine, 3.0) << k;  // 4 with the step alone
+    EXPECT_LT(coarse / fine, 5.0) << k;
+  }
+}
+
+// A start with the tip at rest strikes the spring: x_t(0) misses that of the static part by x_s Omega = s Omega/k_t, which the
+// mass m of a finite number of modes turns into a force s Omega (m/k_t)^1/2. The steady part is of first order.
+TEST(CompliantReaction, TendsToThatOfTheHeldTipAtFirstOrderButForTheStart) {
+  const data::Case paper = data::load_case("paper");
+  const double omega = 2.0 * pi * 35.0;
+  const double held =
+      analytic::DampedForce(analytic::damped_reaction(paper.beam, {}, 10, analytic::SteadyPart::exact), omega, 1.0)
+          .steady_amplitude();
+  std::vector<OrderLevel> steady, start;
+  for (const double k : {1e9, 4e9, 1.6e10, 6.4e10}) {
+    const analytic::DampedReaction reaction = analytic::compliant_reaction(paper.beam, {}, k, 10);
+    double strike = 0.0;
+    for (const auto& share : reaction.shares) strike = std::max(strike, std::abs(share.start));
+    start.push_back({.step = 1.0 / k, .error = strike, .next_term = 0.05});
+    steady.push_back({.step = 1.0 / k,
+                      .error = std::abs(analytic::DampedForce(reaction, omega, 1.0).steady_amplitude() - held),
+                      .next_term = 0.05,
+                      .floor = 1e-10 * held});
+  }
+  EXPECT_TRUE(order_is(start, 0.5));
+  EXPECT_TRUE(order_is(steady, 1.0));
+}
+
+std::vector<studies::VariantPlane> planes(const studies::ModelVariant& variant) {
+  return studies::variant_planes(variant, data::load_case("paper"), data::load_case("paper-half-stiffness"),
+                                 data::load_case("paper-figure14"), 17, 5);
+}
+
+constexpr double rigid = std::numeric_limits<double>::infinity();
+
+// The counts themselves are a record of what was found, not of what theory predicts.
+STICKSLIP_VERIFIES(ModelVariants, "X24");
+TEST(ModelVariants, FlipTheVerdictsOfTheFiguresAsOftenAsRecorded) {
+  struct Row {
+    studies::ModelVariant variant;
+    std::vector<std::size_t> flipped;  // Figs. 10 to 12, 13, 14
+  };
+  for (const auto& [variant, flipped] : std::vector<Row>{{{10.0, 0.0}, {172, 240, 48}},
+                                                         {{100.0, 0.0}, {41, 59, 19}},
+                                                         {{1000.0, 0.0}, {8, 11, 0}},
+                                                         {{1e6, 0.0}, {0, 0, 0}},
+                                                         {{rigid, 0.005}, {9, 13, 4}},
+                                                         {{rigid, 0.02}, {20, 28, 9}},
+                                                         {{rigid, 0.0}, {0, 0, 0}}}) {
+    const auto found = planes(variant);
+    for (std::size_t i = 0; i < flipped.size(); ++i) {
+      EXPECT_EQ(found[i].to_stick + found[i].to_slip, flipped[i]) << variant.stiffness_ratio << found[i].figures;
+      EXPECT_EQ(found[i].unstable, 0u);
+      // Damping takes from every maximum; a spring moves resonances both ways.
+      if (variant.damping_ratio > 0.0) {
+        EXPECT_EQ(found[i].to_slip, 0u);
+        EXPECT_LT(found[i].highest_ratio, 1.0);
+      }
+    }
+  }
+}
+
+}  // namespace compliance
+}  // namespace
+}  // namespace stickslip::testing
