@@ -33,6 +33,7 @@ struct Draft {
   HarmonicMotion excitation;
   NumericalChoices numerics;
   DampingProperties damping;
+  WallProperties wall;
 };
 
 using Target = std::variant<double*, int*>;
@@ -100,6 +101,8 @@ constexpr std::array keys{
     Key{"damping", "kelvin_voigt", member<&Draft::damping, &DampingProperties::kelvin_voigt>,
         Magnitudes{1e-18, 1e6, "s"}, Presence::optional},
     Key{"damping", "ratio", member<&Draft::damping, &DampingProperties::ratio>, Magnitudes{1e-9, 1.0, ""},
+        Presence::optional},
+    Key{"wall", "speed", member<&Draft::wall, &WallProperties::speed>, Magnitudes{1e-15, 1e9, "m/s"},
         Presence::optional},
 };
 
@@ -239,7 +242,7 @@ void fill_table(const std::filesystem::path& file, const Entries& entries, std::
 Draft draft_of(const std::filesystem::path& file, const Entries& entries) {
   Draft draft;
   draft.numerics.duration = default_duration;
-  for (const std::string_view table : {"beam", "friction", "excitation", "damping"})
+  for (const std::string_view table : {"beam", "friction", "excitation", "damping", "wall"})
     fill_table(file, entries, table, draft);
   draft.numerics =
       default_numerics(Beam(draft.beam), HarmonicExcitation(draft.excitation), draft.numerics.duration);
@@ -253,7 +256,8 @@ Case case_of(const std::string& name, const Draft& draft) {
           .friction = FrictionLaw(draft.friction),
           .excitation = HarmonicExcitation(draft.excitation),
           .numerics = NumericalSettings(draft.numerics),
-          .damping = Damping(draft.damping)};
+          .damping = Damping(draft.damping),
+          .wall = Wall(draft.wall)};
 }
 
 // What is missing has its mean.
@@ -352,12 +356,13 @@ Case load_case(const std::string& name_or_path, const std::vector<Override>& ove
 }
 
 std::map<std::string, double> numbers_of(const Case& problem) {
-  const auto& [name, beam, friction, excitation, numerics, damping] = problem;
+  const auto& [name, beam, friction, excitation, numerics, damping, wall] = problem;
   Draft draft{.beam = beam.properties(),
               .friction = friction.coefficients(),
               .excitation = {excitation.frequency_hz(), excitation.amplitude()},
               .numerics = numerics.choices(),
-              .damping = {damping.kelvin_voigt(), damping.ratio()}};
+              .damping = {damping.kelvin_voigt(), damping.ratio()},
+              .wall = {wall.speed()}};
   std::map<std::string, double> numbers;
   for (const auto& key : keys)
     std::visit([&](const auto* field) { numbers[key.path()] = *field; }, key.target(draft));

@@ -111,6 +111,7 @@ studies::MapTask task_of(const MapOptions& options) {
                         .method = options.method == closed_form_method ? studies::MapMethod::closed_form
                                                                        : studies::MapMethod::finite_elements,
                         .states_only = options.states_only};
+  studies::require_resting_wall(task.problem);
   return task;
 }
 

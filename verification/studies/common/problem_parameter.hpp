@@ -41,6 +41,10 @@ inline constexpr std::array all_parameters{Parameter::frequency,      Parameter:
 /// Whether the case has Kelvin-Voigt damping or a damping ratio above 0.
 [[nodiscard]] bool is_damped(const data::Case& problem);
 
+/// Throws data::FieldError if wall.speed is not 0: no criterion and no closed form of the stick state holds then, because
+/// the wall bends the beam until it slips.
+void require_resting_wall(const data::Case& problem);
+
 /// Throws data::FieldError if the static coefficient is 0, because a force ratio or a margin divides by it.
 void require_friction(const data::Case& problem);
 
