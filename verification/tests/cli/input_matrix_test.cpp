@@ -92,6 +92,7 @@ struct Exception {
 
 constexpr Exception exceptions[] = {
     {"case file", "damping.*", "@(missing|zero)", "the beam has no such damping"},
+    {"case file", "wall.speed", "@(missing|zero|negative)", "the wall may rest, or move either way"},
     {"case file", "@(numerics.*|excitation.duration)", "missing", "the program chooses the setting"},
     {"case file", "friction.kinetic_coefficient", "missing", "the friction is that of Coulomb"},
     {"case file", "beam.axial_force", "@(negative|zero)",
@@ -133,14 +134,16 @@ constexpr Exception exceptions[] = {
 
     {"option", "@(stickslip|reference) --help", "!(unknown)", "help is given"},
     {"option", "* CASE", "missing", "a case of the paper stands for none"},
-    {"option", "@(respond|animate|criterion|map) --amplitude", "zero", "nothing moves"},
+    {"option", "@(respond|animate|criterion|map|periodic) --amplitude", "zero", "nothing moves"},
     {"option", "uncertainty --seed", "zero", "any seed will do"},
-    {"option", "@(criterion --set|uncertainty --set|compare --tolerance|report --only)", "duplicate",
-     "it may be given several times"},
+    {"option",
+     "@(criterion --set|uncertainty --set|squeal --set|periodic --set|compare --tolerance|report --only)",
+     "duplicate", "it may be given several times"},
     {"option", "compare --tolerance", "@(denormal|huge|zero)", "any finite tolerance may be asked for"},
     {"option", "compare --until", "@(denormal|huge|zero)",
      "a comparison may end at its start or go on to the end of the data"},
-    {"option", "@(* --output|respond --events|compare --json|compare --junit)",
+    {"option", "squeal --speed", "negative", "the wall may move either way"},
+    {"option", "@(* --output|respond --events|squeal --map|compare --json|compare --junit)",
      "@(denormal|huge|infinity|negative|not UTF-8|not a number|wrong type|zero)",
      "a file may have that name"},
     {"option", "new FILE",
@@ -222,6 +225,7 @@ const std::vector<CaseLine>& case_lines() {
     }
     result.push_back({"damping", "kelvin_voigt", "6.4e-5"});
     result.push_back({"damping", "ratio", "0.01"});
+    result.push_back({"wall", "speed", "0.1"});
     return result;
   }();
   return lines;
@@ -281,7 +285,7 @@ std::vector<BadInput> case_inputs() {
 }
 
 STICKSLIP_VERIFIES(CaseFileInput, "U2");
-TEST_F(CaseFileInput, IsTriedWithEveryKey) { EXPECT_EQ(case_lines().size(), 19u); }
+TEST_F(CaseFileInput, IsTriedWithEveryKey) { EXPECT_EQ(case_lines().size(), 20u); }
 
 TEST_F(CaseFileInput, IsRefusedInOneSentenceOrRead) {
   const auto inputs = case_inputs();
@@ -323,7 +327,8 @@ TEST_F(CaseFileInput, ThatIsReadGivesFiniteNumbers) {
     if (row.item == "beam.axial_force") continue;
     expect_finite("respond " + name + "--duration 0.002");
     expect_finite("criterion " + name +
-                  "--set damping.ratio=0 --set damping.kelvin_voigt=0 --set excitation.duration=0.1");
+                  "--set damping.ratio=0 --set damping.kelvin_voigt=0 --set excitation.duration=0.1 --set "
+                  "wall.speed=0");
   }
 }
 
@@ -732,6 +737,15 @@ std::vector<Command> commands() {
             {"--force", "499:500"},
             {"--duration", "0.1"}}},
           {"uncertainty", {{"CASE", "uncertain"}, {"--samples", "20"}, {"--set", "excitation.duration=0.1"}}},
+          {"squeal",
+           {{"CASE", "reed"},
+            {"--set", "numerics.modes=2"},
+            {"--settle", "5"},
+            {"--map", "FOLDER/out.csv"},
+            {"--speeds", "0.1:0.5"},
+            {"--ratios", "0.01:0.02"},
+            {"--count", "2"}}},
+          {"periodic", {{"CASE", "reed"}, {"--set", "numerics.modes=2"}, {"--settle", "20"}}},
           {"reference list", {{"--package", fixture}}},
           {"reference show", {{"NAME", set}, {"--package", fixture}}},
           {"reference export", {{"NAME", set}, {"--package", fixture}, {"--output", "FOLDER/out.csv"}}},
