@@ -296,6 +296,10 @@ bool solve(const Matrix& a, std::vector<double>& b) {
          std::ranges::all_of(b, [](double value) { return std::isfinite(value); });
 }
 
+bool is_finite(const Matrix& matrix) {
+  return std::ranges::all_of(matrix.values(), [](double value) { return std::isfinite(value); });
+}
+
 // Each coordinate in units of its size over the motion, at least a thousandth of the largest of its kind.
 std::vector<double> units_of(const ContactStart& start, const std::vector<double>& rate, double period) {
   const std::vector<double> x = flat(start.kinematics);
@@ -319,6 +323,7 @@ class Shooting {
       const PoincareImage image = poincare_map(model_, start_, period_);
       if (image.end.phase != start_.phase) return std::nullopt;
       const double residual = residual_of(image);
+      if (!std::isfinite(residual) || !is_finite(image.derivative)) return std::nullopt;  // a graze
       // The tolerance of the run, or what its rounding leaves.
       if (residual < 1e-12 || (residual < 1e-9 && residual >= 0.3 * last))
         return PeriodicMotion{start_,   period_,  image.events, eigenvalues(image.derivative),

@@ -56,8 +56,8 @@ void print_modes(const studies::Squeal& squeal) {
   int number = 0;
   for (const auto& mode : squeal.modes)
     fmt::print("{:<5}{:<13.7g}{:<12.4g}{:<18}{:<18}{:<16.6g}{:<16}{}\n", ++number, mode.frequency_hz,
-               mode.damping_ratio + 0.0, growth_text(mode.root), growth_text(mode.finite_element_root),
-               mode.one_mode_slope + 0.0, text_of(mode.critical_slope), text_of(mode.critical_speed));
+               mode.damping_ratio, growth_text(mode.root), growth_text(mode.finite_element_root),
+               mode.one_mode_slope, text_of(mode.critical_slope), text_of(mode.critical_speed));
 }
 
 void print_table(const data::Case& problem, const studies::Squeal& squeal, const studies::Cycle& cycle) {

@@ -40,19 +40,19 @@ solver::ContactSystem mesh_of(const data::Case& problem) {
 
 SquealMode mode_of(const data::Case& problem, const analytic::SlidingMode& mode,
                    const std::vector<Complex>& eigenvalues) {
+  const double ratio = -mode.free_root.real() / std::abs(mode.free_root);
+  const bool holds = std::abs(ratio) > 1e-12;  // what rounding leaves of an undamped mode holds nothing
   SquealMode result{.frequency_hz = mode.free_root.imag() / (2.0 * std::numbers::pi),
-                    .damping_ratio = -mode.free_root.real() / std::abs(mode.free_root),
-                    .one_mode_slope = mode.one_mode_slope,
+                    .damping_ratio = holds ? ratio : 0.0,
+                    .one_mode_slope = holds ? mode.one_mode_slope : 0.0,
                     .critical_slope = {},
                     .critical_speed = {},
                     .root = mode.root,
                     .finite_element_root = {}};
   if (mode.hopf) {
-    result.critical_slope = mode.hopf->slope;
-    // What rounding leaves of an undamped mode holds nothing.
-    const bool holds = result.damping_ratio > 1e-12;
-    result.critical_speed = analytic::speed_of_slope(problem.friction, problem.beam.axial_force(),
-                                                     holds ? mode.hopf->slope : 0.0);
+    result.critical_slope = holds ? mode.hopf->slope : 0.0;
+    result.critical_speed =
+        analytic::speed_of_slope(problem.friction, problem.beam.axial_force(), *result.critical_slope);
   }
   if (mode.root)
     result.finite_element_root =

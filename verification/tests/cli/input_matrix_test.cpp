@@ -740,6 +740,7 @@ std::vector<Command> commands() {
           {"squeal",
            {{"CASE", "reed"},
             {"--set", "numerics.modes=2"},
+            {"--set", "numerics.elements=4"},
             {"--settle", "5"},
             {"--map", "FOLDER/out.csv"},
             {"--speeds", "0.1:0.5"},
