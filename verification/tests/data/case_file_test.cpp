@@ -267,13 +267,19 @@ TEST_F(CaseFile, RefusesAMisspeltTable) {
   EXPECT_EQ(
       error_message(valid_case() + "[beem]\nlength = 2\n"),
       "bar.toml:27: unknown table [beem] (did you mean beam?), but a case has the tables beam, friction, "
-      "excitation, numerics, damping, section, uncertainty");
+      "excitation, numerics, damping, wall, section, uncertainty");
+}
+
+TEST_F(CaseFile, HoldsAWallThatMovesEitherWay) {
+  EXPECT_EQ(data::read_case(write(valid_case())).wall.speed(), 0.0);
+  EXPECT_EQ(data::read_case(write(valid_case() + "[wall]\nspeed = '-30 mm/s'\n")).wall.speed(), -0.03);
+  EXPECT_EQ(data::numbers_of(data::read_case(file())).at("wall.speed"), -0.03);
 }
 
 TEST_F(CaseFile, RefusesAKeyOutsideEveryTable) {
   EXPECT_EQ(error_message("length = 2\n" + valid_case()),
             "bar.toml:1: unknown key length with the value 2 (an integer), but a case has the tables beam, "
-            "friction, excitation, numerics, damping, section, uncertainty");
+            "friction, excitation, numerics, damping, wall, section, uncertainty");
   EXPECT_EQ(error_message("beam = 3\n"), "bar.toml:1: beam is 3 (an integer), but must be a table");
   EXPECT_EQ(error_message("damping = 0.01\n"), "bar.toml:1: damping is 0.01 (a float), but must be a table");
   EXPECT_EQ(error_message("[[beam]]\nlength = 2\n"), "bar.toml:1: beam is an array, but must be a table");
@@ -631,8 +637,8 @@ TEST(PublishedCases, AMisspeltNameIsRefusedWithTheNamesThereAre) {
   } catch (const data::InputError& error) {
     EXPECT_STREQ(error.what(),
                  "case papr is unknown (did you mean paper?), but must be a file or one of damped, "
-                 "near-buckling, paper, paper-figure14, paper-figure9, paper-half-stiffness, soft-short, "
-                 "steel-strip, tension, uncertain");
+                 "near-buckling, paper, paper-figure14, paper-figure9, paper-half-stiffness, reed, "
+                 "soft-short, steel-strip, tension, uncertain");
   }
 }
 
