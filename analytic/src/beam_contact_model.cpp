@@ -90,7 +90,7 @@ void require_contact(const data::Beam& beam) {
 
 BeamContactModel::BeamContactModel(const data::Beam& beam, const data::FrictionLaw& friction,
                                    const data::HarmonicExcitation& excitation, const data::Damping& damping,
-                                   int modes)
+                                   int modes, const data::Wall& wall)
     : modes_(stick_modes(beam, modes)), static_shape_(beam) {
   require_contact(beam);
   const double length = beam.length(), follower = follower_force(beam);
@@ -123,6 +123,7 @@ BeamContactModel::BeamContactModel(const data::Beam& beam, const data::FrictionL
                              beam.axial_force() * static_shape_.slope(length);
   model_.load_angular_frequency = omega;
   model_.wall_amplitude = -excitation.amplitude();
+  model_.wall_speed = wall.speed();
   model_.normal_force = beam.axial_force();
   model_.friction = friction;
   if (damping.kelvin_voigt() > 0.0 || damping.ratio() > 0.0) add_damping(beam, damping, mass);
@@ -157,9 +158,9 @@ std::vector<double> BeamContactModel::shapes(double x) const {
 }
 
 double absolute_displacement(const std::vector<double>& shapes, const EventDriven& run) {
-  // In the frame of the base the wall moves by -h.
+  // In the frame of the base the wall moves by V t - h.
   return std::inner_product(run.amplitudes().begin(), run.amplitudes().end(), shapes.begin(),
-                            shapes.back() * run.contact_displacement() - run.wall_displacement());
+                            shapes.back() * run.contact_displacement() - run.drive_displacement());
 }
 
 std::vector<double> free_contact_frequencies(const ContactModel& model, int count) {

@@ -50,7 +50,8 @@ void require_consistent(const ContactModel& model) {
                                      {std::span(&model.contact_stiffness, 1), "contact_stiffness"},
                                      {std::span(&model.contact_follower, 1), "contact_follower"},
                                      {std::span(&model.contact_force, 1), "contact_force"},
-                                     {std::span(&model.wall_amplitude, 1), "wall_amplitude"}})
+                                     {std::span(&model.wall_amplitude, 1), "wall_amplitude"},
+                                     {std::span(&model.wall_speed, 1), "wall_speed"}})
     require_finite(values, name);
   const double free_mass = model.contact_mass - dot(model.mass_coupling, model.mass_coupling);
   require(std::isfinite(free_mass) && free_mass > 0.0, "contact_mass - mass_coupling . mass_coupling",
@@ -78,16 +79,20 @@ double ContactDynamics::load_rate(double t) const {
   return model_.load_angular_frequency * std::cos(model_.load_angular_frequency * t);
 }
 
-double ContactDynamics::wall_displacement(double t) const { return model_.wall_amplitude * load(t); }
+double ContactDynamics::wall_displacement(double t) const {
+  return model_.wall_amplitude * load(t) + model_.wall_speed * t;
+}
 
-double ContactDynamics::wall_velocity(double t) const { return model_.wall_amplitude * load_rate(t); }
+double ContactDynamics::wall_velocity(double t) const {
+  return model_.wall_amplitude * load_rate(t) + model_.wall_speed;
+}
 
 double ContactDynamics::wall_acceleration(double t) const {
-  return -std::pow(model_.load_angular_frequency, 2) * wall_displacement(t);
+  return -std::pow(model_.load_angular_frequency, 2) * (model_.wall_amplitude * load(t));
 }
 
 double ContactDynamics::wall_jerk(double t) const {
-  return -std::pow(model_.load_angular_frequency, 2) * wall_velocity(t);
+  return -std::pow(model_.load_angular_frequency, 2) * (model_.wall_amplitude * load_rate(t));
 }
 
 double ContactDynamics::accelerate(const KinematicsView& state, double s, double f,
@@ -149,7 +154,8 @@ double ContactDynamics::potential_energy(const KinematicsView& state) const {
 Harmonic ContactDynamics::held_load(std::size_t mode) const {
   const double omega = model_.load_angular_frequency, wall = model_.wall_amplitude;
   return {.sine = model_.load[mode] + model_.mass_coupling[mode] * omega * omega * wall,
-          .cosine = -damping(mode, modes()) * omega * wall};
+          .cosine = -damping(mode, modes()) * omega * wall,
+          .constant = -damping(mode, modes()) * model_.wall_speed};
 }
 
 std::vector<double> ContactDynamics::held_force_row() const {
@@ -171,7 +177,9 @@ Harmonic ContactDynamics::held_force() const {
   for (std::size_t k = 0; k < m; ++k) damping_at_contact -= model_.mass_coupling[k] * damping(k, m);
   const double load = dot(model_.mass_coupling, std::span(model_.load).first(m)) - model_.load[m];
   return {.sine = (held_stiffness() - free_mass_ * omega * omega) * wall + load,
-          .cosine = damping_at_contact * omega * wall};
+          .cosine = damping_at_contact * omega * wall,
+          .constant = damping_at_contact * model_.wall_speed,
+          .rate = held_stiffness() * model_.wall_speed};
 }
 
 }  // namespace stickslip::analytic

@@ -132,6 +132,9 @@ class EventDriven::Engine {
   }
 
   [[nodiscard]] double wall_displacement() const { return dynamics_.wall_displacement(time_); }
+  [[nodiscard]] double drive_displacement() const {
+    return dynamics_.model().wall_amplitude * dynamics_.load(time_);
+  }
   [[nodiscard]] double time() const { return time_; }
   [[nodiscard]] ContactPhase state() const { return state_; }
   [[nodiscard]] const ContactKinematics& now() const { return now_; }
@@ -145,7 +148,7 @@ class EventDriven::Engine {
       const double omega = model.load_angular_frequency;
       double modal_load = 0.0;
       for (std::size_t n = 0; n < model.modes(); ++n) modal_load += std::pow(model.load[n], 2);
-      speed = std::max({std::abs(model.wall_amplitude) * omega,
+      speed = std::max({std::abs(model.wall_amplitude) * omega, std::abs(model.wall_speed),
                         std::sqrt(modal_load / model.contact_mass) / omega,
                         std::abs(model.load.back()) / (model.contact_mass * omega),
                         std::abs(model.contact_force) / (model.contact_mass * omega),
@@ -281,6 +284,7 @@ const std::vector<double>& EventDriven::rates() const { return engine_->now().ra
 double EventDriven::contact_displacement() const { return engine_->now().displacement; }
 double EventDriven::contact_velocity() const { return engine_->now().velocity; }
 double EventDriven::wall_displacement() const { return engine_->wall_displacement(); }
+double EventDriven::drive_displacement() const { return engine_->drive_displacement(); }
 double EventDriven::contact_position() const {
   return engine_->now().displacement - engine_->wall_displacement();
 }

@@ -70,16 +70,18 @@ void StickPropagator::set_forcing() {
   const std::vector<double> row = dynamics_.held_force_row();
   force_harmonic_ = dynamics_.held_force();
   for (std::size_t k = 0; k < count; ++k) {
-    Complex sine, cosine, weight;
+    Complex sine, cosine, constant, weight;
     for (std::size_t n = 0; n < m; ++n) {
       const Harmonic load = dynamics_.held_load(n);
       sine += inverse_[k * 2 * m + m + n] * load.sine;
       cosine += inverse_[k * 2 * m + m + n] * load.cosine;
+      constant += inverse_[k * 2 * m + m + n] * load.constant;
       weight += row[n] / dynamics_.model().angular_frequency[n] * shape_[n * count + k] +
                 row[m + n] * shape_[(m + n) * count + k];
     }
     sine_.push_back(sine);
     cosine_.push_back(cosine);
+    constant_.push_back(constant);
     force_weight_.push_back(weight);
   }
 }
@@ -107,14 +109,16 @@ StickPropagator::Complex StickPropagator::coordinate(std::size_t k, double t) co
   const Complex i(0.0, 1.0), lambda = eigenvalue_[k];
   const double tau = t - begin_;
   const Complex turn = std::polar(1.0, omega_ * begin_);
-  return std::exp(lambda * tau) * initial_[k] +
+  const Complex by_the_speed =
+      constant_[k] == 0.0 ? 0.0 : constant_[k] * exponential_difference(0.0, lambda, tau);
+  return by_the_speed + std::exp(lambda * tau) * initial_[k] +
          0.5 * (cosine_[k] - i * sine_[k]) * turn * exponential_difference(i * omega_, lambda, tau) +
          0.5 * (cosine_[k] + i * sine_[k]) * std::conj(turn) *
              exponential_difference(-i * omega_, lambda, tau);
 }
 
 StickPropagator::Complex StickPropagator::forcing(std::size_t k, double t) const {
-  return sine_[k] * std::sin(omega_ * t) + cosine_[k] * std::cos(omega_ * t);
+  return sine_[k] * std::sin(omega_ * t) + cosine_[k] * std::cos(omega_ * t) + constant_[k];
 }
 
 ContactKinematics StickPropagator::state(double t) const {
@@ -133,14 +137,16 @@ ContactKinematics StickPropagator::state(double t) const {
 
 double StickPropagator::force(double t) const {
   double force = dynamics_.held_stiffness() * position_ - dynamics_.model().contact_force +
-                 force_harmonic_.sine * std::sin(omega_ * t) + force_harmonic_.cosine * std::cos(omega_ * t);
+                 force_harmonic_.sine * std::sin(omega_ * t) + force_harmonic_.cosine * std::cos(omega_ * t) +
+                 force_harmonic_.constant + force_harmonic_.rate * t;
   for (std::size_t k = 0; k < eigenvalue_.size(); ++k) force += (force_weight_[k] * coordinate(k, t)).real();
   return force;
 }
 
 double StickPropagator::force_rate(double t) const {
   double rate =
-      omega_ * (force_harmonic_.sine * std::cos(omega_ * t) - force_harmonic_.cosine * std::sin(omega_ * t));
+      omega_ * (force_harmonic_.sine * std::cos(omega_ * t) - force_harmonic_.cosine * std::sin(omega_ * t)) +
+      force_harmonic_.rate;
   for (std::size_t k = 0; k < eigenvalue_.size(); ++k)
     rate += (force_weight_[k] * (eigenvalue_[k] * coordinate(k, t) + forcing(k, t))).real();
   return rate;
@@ -152,8 +158,9 @@ double StickPropagator::curvature_bound(double t, double length) const {
   for (std::size_t k = 0; k < eigenvalue_.size(); ++k) {
     const double rate = std::abs(eigenvalue_[k]);
     const double load = std::abs(sine_[k]) + std::abs(cosine_[k]);
-    const double reach = std::abs(coordinate(k, t)) + length * load;
-    bound += std::abs(force_weight_[k]) * (rate * rate * reach + (rate + omega_) * load);
+    const double reach = std::abs(coordinate(k, t)) + length * (load + std::abs(constant_[k]));
+    bound += std::abs(force_weight_[k]) *
+             (rate * rate * reach + (rate + omega_) * load + rate * std::abs(constant_[k]));
   }
   return bound;
 }

@@ -34,6 +34,7 @@ struct Draft {
   NumericalChoices numerics;
   DampingProperties damping;
   ContactProperties contact;
+  WallProperties wall;
 };
 
 using Target = std::variant<double*, int*>;
@@ -108,6 +109,8 @@ constexpr std::array keys{
         Magnitudes{1e-18, 1e24, "N/m"}, Presence::optional},
     Key{"contact", "regularisation_velocity",
         member<&Draft::contact, &ContactProperties::regularisation_velocity>, Magnitudes{1e-18, 1e9, "m/s"},
+        Presence::optional},
+    Key{"wall", "speed", member<&Draft::wall, &WallProperties::speed>, Magnitudes{1e-15, 1e9, "m/s"},
         Presence::optional},
 };
 
@@ -247,7 +250,7 @@ void fill_table(const std::filesystem::path& file, const Entries& entries, std::
 Draft draft_of(const std::filesystem::path& file, const Entries& entries) {
   Draft draft;
   draft.numerics.duration = default_duration;
-  for (const std::string_view table : {"beam", "friction", "excitation", "damping", "contact"})
+  for (const std::string_view table : {"beam", "friction", "excitation", "damping", "contact", "wall"})
     fill_table(file, entries, table, draft);
   draft.numerics =
       default_numerics(Beam(draft.beam), HarmonicExcitation(draft.excitation), draft.numerics.duration);
@@ -262,7 +265,9 @@ Case case_of(const std::string& name, const Draft& draft) {
           .excitation = HarmonicExcitation(draft.excitation),
           .numerics = NumericalSettings(draft.numerics),
           .damping = Damping(draft.damping),
-          .contact = TangentialContact(draft.contact)};
+          .contact = TangentialContact(draft.contact),
+
+          .wall = Wall(draft.wall)};
 }
 
 // What is missing has its mean.
@@ -361,13 +366,15 @@ Case load_case(const std::string& name_or_path, const std::vector<Override>& ove
 }
 
 std::map<std::string, double> numbers_of(const Case& problem) {
-  const auto& [name, beam, friction, excitation, numerics, damping, contact] = problem;
+  const auto& [name, beam, friction, excitation, numerics, damping, contact, wall] = problem;
   Draft draft{.beam = beam.properties(),
               .friction = friction.coefficients(),
               .excitation = {excitation.frequency_hz(), excitation.amplitude()},
               .numerics = numerics.choices(),
               .damping = {damping.kelvin_voigt(), damping.ratio()},
-              .contact = contact.properties()};
+              .contact = contact.properties(),
+
+              .wall = {wall.speed()}};
   std::map<std::string, double> numbers;
   for (const auto& key : keys)
     std::visit([&](const auto* field) { numbers[key.path()] = *field; }, key.target(draft));

@@ -36,6 +36,12 @@ void add_design_command(CLI::App& app);
 /// `uncertainty`: the probability of slip with uncertain keys, and which of them it hangs on.
 void add_uncertainty_command(CLI::App& app);
 
+/// `squeal`: steady sliding on a wall that moves, its stability, and the limit cycle.
+void add_squeal_command(CLI::App& app);
+
+/// `periodic`: a periodic motion with its Floquet multipliers.
+void add_periodic_command(CLI::App& app);
+
 /// `report`: the figures and the V&V report.
 void add_report_command(CLI::App& app);
 

@@ -33,6 +33,8 @@ void add_commands(CLI::App& app) {
   add_sweep_command(app);
   add_design_command(app);
   add_uncertainty_command(app);
+  add_squeal_command(app);
+  add_periodic_command(app);
   add_reference_command(app);
   add_compare_command(app);
   add_report_command(app);

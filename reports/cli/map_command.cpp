@@ -183,6 +183,7 @@ studies::MapTask task_of(const MapOptions& options) {
                         .tolerance = options.tolerance.value_or(usual_tolerance)};
   task.transient = options.transient.value_or(0.5 * task.problem.numerics.duration());
   data::require_rigid(task.problem.contact, "a map, whose tip is held or slides; respond takes it");
+  studies::require_resting_wall(task.problem);
   return task;
 }
 

@@ -190,7 +190,9 @@ void write_finite_element(const data::Case& problem, const RespondOptions& optio
                                      .damping = problem.damping,
                                      .scheme = schemes.at(options.scheme.value_or("located")),
                                      .coordinates = solver::Coordinates::fastest,
-                                     .tangential = problem.contact});
+                                     .tangential = problem.contact,
+
+                                     .wall = problem.wall});
   const long steps = steps_of(problem);
   for (long n = 0; n <= steps; ++n) {
     if (n > 0) simulation.step();
@@ -198,22 +200,22 @@ void write_finite_element(const data::Case& problem, const RespondOptions& optio
   }
   const auto& events = simulation.integrator().events();
   for (const auto& event : events)
-    writer.summary().events.push_back(
-        {event.time, change_names.at(static_cast<std::size_t>(event.kind)), event.displacement});
+    writer.summary().events.push_back({event.time, change_names.at(static_cast<std::size_t>(event.kind)),
+                                       event.displacement + problem.wall.speed() * event.time});
   if (!events.empty()) writer.summary().first_slip = events.front().time;
 }
 
 void write_event_driven(const data::Case& problem, const RespondOptions& options, Writer& writer) {
   const double length = problem.beam.length();
   const analytic::BeamContactModel beam(problem.beam, problem.friction, problem.excitation, problem.damping,
-                                        problem.numerics.modes());
+                                        problem.numerics.modes(), problem.wall);
   const analytic::ContactModel& model = beam.model();
   analytic::EventDriven run(model);
   // u_t = sigma w_t + sum U_n T_n_t: zero rates are the quasi-static start, and -a_n w_t a beam at rest.
   std::vector<double> rates;
   if (options.initial_velocity == "zero")
     for (const double coupling : model.mass_coupling)
-      rates.push_back(-coupling * model.wall_amplitude * model.load_angular_frequency);
+      rates.push_back(-coupling * (model.wall_amplitude * model.load_angular_frequency + model.wall_speed));
   run.start_stuck({}, rates);
 
   const std::vector<double> midspan = beam.shapes(length / 2.0);
@@ -221,16 +223,16 @@ void write_event_driven(const data::Case& problem, const RespondOptions& options
   for (long n = 0; n <= steps; n += options.every) {
     run.advance_to(static_cast<double>(n) * problem.numerics.time_step());
     writer.write({.time = run.time(),
-                  .base_displacement = -run.wall_displacement(),
-                  .tip_displacement = run.contact_position(),
+                  .base_displacement = -run.drive_displacement(),
+                  .tip_displacement = run.contact_displacement() - run.drive_displacement(),
                   .midspan_displacement = analytic::absolute_displacement(midspan, run),
                   .sliding_velocity = run.sliding_velocity(),
                   .friction_force = -run.friction_force(),
                   .state = run.state() == analytic::ContactPhase::stick ? "stick" : "slip"});
   }
   for (const auto& event : run.events())
-    writer.summary().events.push_back(
-        {event.time, change_names.at(static_cast<std::size_t>(event.change)), event.position});
+    writer.summary().events.push_back({event.time, change_names.at(static_cast<std::size_t>(event.change)),
+                                       event.position + model.wall_speed * event.time});
   if (!run.events().empty()) writer.summary().first_slip = run.events().front().time;
 }
 
@@ -255,7 +257,8 @@ Row contact_at(const std::vector<analytic::ContactStep>& steps, std::size_t step
   const double force = step == 0 && steps.size() > 1
                            ? 1.5 * steps[0].friction_force - 0.5 * steps[1].friction_force
                            : 0.5 * (before.friction_force + after.friction_force);
-  return {.sliding_velocity = before.sliding_velocity == 0.0 ? 0.0 : 0.5 * (before.sliding_velocity + after.sliding_velocity),
+  return {.sliding_velocity =
+              before.sliding_velocity == 0.0 ? 0.0 : 0.5 * (before.sliding_velocity + after.sliding_velocity),
           .friction_force = -force,
           .state = sticks ? "stick" : "slip"};
 }

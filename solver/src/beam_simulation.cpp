@@ -58,7 +58,8 @@ SparseMatrix damping_matrix(const BeamModel& model, const data::Damping& damping
 }
 
 ContactSystem beam_contact_system(const BeamModel& model, const data::FrictionLaw& friction,
-                                  const PrescribedMotion& base, const data::Damping& damping) {
+                                  const PrescribedMotion& base, const data::Damping& damping,
+                                  const data::Wall& wall) {
   return {.mass = model.mass(),
           .damping = damping_matrix(model, damping),
           .stick_stiffness = model.stick_stiffness(),
@@ -66,8 +67,8 @@ ContactSystem beam_contact_system(const BeamModel& model, const data::FrictionLa
           .load_shape = -model.base_load(),
           .load_history = base.acceleration,
           .contact = model.tip_deflection(),
-          .wall = {.displacement = [base](double t) { return -base.displacement(t); },
-                   .velocity = [base](double t) { return -base.velocity(t); },
+          .wall = {.displacement = [base, v = wall.speed()](double t) { return v * t - base.displacement(t); },
+                   .velocity = [base, v = wall.speed()](double t) { return v - base.velocity(t); },
                    .acceleration = [base](double t) { return -base.acceleration(t); }},
           .normal_force = std::max(model.beam().axial_force(), 0.0),
           .friction = friction};
@@ -128,13 +129,13 @@ BeamSimulation::BeamSimulation(const data::Beam& beam, const data::FrictionLaw& 
   const Coordinates coordinates = coordinates_of(run, numerics.elements());
   const IntegratorSettings settings = integrator_settings(numerics, run, coordinates);
   const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(model_.degrees_of_freedom());
-  Eigen::VectorXd velocity = -base_.velocity(0.0) * model_.unit_tip_deflection();
+  Eigen::VectorXd velocity = (run.wall.speed() - base_.velocity(0.0)) * model_.unit_tip_deflection();
   if (run.initial_velocity == InitialVelocity::zero)
     velocity.head(model_.tip_deflection()).setZero(), velocity[model_.tip_rotation()] = 0.0;
-  ContactSystem system = beam_contact_system(model_, friction, base_, run.damping);
+  ContactSystem system = beam_contact_system(model_, friction, base_, run.damping, run.wall);
   if (coordinates == Coordinates::modal) {
     const HeldTipBasis basis = held_tip_basis(model_);
-    system = modal_contact_system(model_, basis, friction, base_);
+    system = modal_contact_system(model_, basis, friction, base_, run.wall);
     basis_.resize(model_.degrees_of_freedom(), model_.degrees_of_freedom());
     basis_ << basis.modes, basis.static_shape;
     velocity = modal_coordinates(model_, basis, velocity);

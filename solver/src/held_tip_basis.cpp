@@ -48,8 +48,9 @@ Eigen::VectorXd modal_coordinates(const BeamModel& model, const HeldTipBasis& ba
 }
 
 ContactSystem modal_contact_system(const BeamModel& model, const HeldTipBasis& basis,
-                                   const data::FrictionLaw& friction, const PrescribedMotion& base) {
-  const ContactSystem full = beam_contact_system(model, friction, base);
+                                   const data::FrictionLaw& friction, const PrescribedMotion& base,
+                                   const data::Wall& wall) {
+  const ContactSystem full = beam_contact_system(model, friction, base, {}, wall);
   const Eigen::Index modes = basis.modes.cols(), tip = modes;
   const Eigen::VectorXd &sigma = basis.static_shape, inertia = model.mass() * sigma;
   const Eigen::VectorXd coupling = basis.modes.transpose() * inertia;

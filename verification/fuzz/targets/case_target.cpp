@@ -18,7 +18,7 @@ std::vector<data::Override> overrides_of(const data::Case& problem) {
     return data::Override{key, text};
   };
   const auto integer = [](const char* key, int value) { return data::Override{key, std::to_string(value)}; };
-  const auto& [name, beam, friction, excitation, numerics, damping, contact] = problem;
+  const auto& [name, beam, friction, excitation, numerics, damping, contact, wall] = problem;
   return {number("beam.length", beam.length()),
           number("beam.area", beam.area()),
           number("beam.second_moment_of_area", beam.second_moment_of_area()),
@@ -40,7 +40,9 @@ std::vector<data::Override> overrides_of(const data::Case& problem) {
           number("damping.kelvin_voigt", damping.kelvin_voigt()),
           number("damping.ratio", damping.ratio()),
           number("contact.tangential_stiffness", contact.tangential_stiffness()),
-          number("contact.regularisation_velocity", contact.regularisation_velocity())};
+          number("contact.regularisation_velocity", contact.regularisation_velocity()),
+
+          number("wall.speed", wall.speed())};
 }
 
 void require_the_same_again(const data::Case& problem, MemoryFile& file) {

@@ -98,7 +98,7 @@ double cost_of(const analytic::ContactModel& model, const data::Case& problem) {
 
 void follow_event_by_event(const data::Case& problem) {
   const analytic::BeamContactModel beam(problem.beam, problem.friction, problem.excitation, problem.damping,
-                                        problem.numerics.modes());
+                                        problem.numerics.modes(), problem.wall);
   constexpr double most = 300.0;  // runs above this cost would only take time
   if (cost_of(beam.model(), problem) > most) return;
   analytic::EventDriven run(beam.model());

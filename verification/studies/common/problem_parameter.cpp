@@ -135,6 +135,14 @@ data::Beam without_shear(const data::Beam& beam) {
   return data::Beam(properties);
 }
 
+void require_resting_wall(const data::Case& problem) {
+  if (problem.wall.speed() == 0.0) return;
+  throw data::FieldError(
+      "wall.speed", data::shortest_text(problem.wall.speed()),
+      "0 here: a wall that moves bends the beam until it slips; respond (by finite elements or "
+      "event-driven), animate, squeal and periodic follow it");
+}
+
 void require_friction(const data::Case& problem) {
   if (problem.friction.static_coefficient() > 0.0) return;
   throw data::FieldError(field_of(Parameter::static_coefficient), "0",

@@ -45,6 +45,9 @@ constexpr double shear_flexibility = 3.12;
 /// The beam with the shear stiffness E A/shear_flexibility unless it has one; and rigid in shear.
 [[nodiscard]] data::Beam with_shear(const data::Beam& beam);
 [[nodiscard]] data::Beam without_shear(const data::Beam& beam);
+/// Throws data::FieldError if wall.speed is not 0: no criterion and no closed form of the stick state holds then, because
+/// the wall bends the beam until it slips.
+void require_resting_wall(const data::Case& problem);
 
 /// Throws data::FieldError if the static coefficient is 0, because a force ratio or a margin divides by it.
 void require_friction(const data::Case& problem);

@@ -294,6 +294,7 @@ double boundary_integral_step(const data::Case& problem) {
 
 void require_feasible(const data::Case& problem, Inquiry inquiry) {
   if (is_about_frequencies(inquiry) || inquiry == Inquiry::stepped_history) return;
+  if (inquiry != Inquiry::event_driven_history) require_resting_wall(problem);
   if (inquiry == Inquiry::boundary_integral_history) {
     if (problem.damping.ratio() != 0.0)
       throw data::FieldError("damping.ratio", data::shortest_text(problem.damping.ratio()),

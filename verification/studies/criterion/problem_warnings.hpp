@@ -120,7 +120,8 @@ constexpr int most_undamped_for_growth = 200, most_damped_for_growth = 50;
 /// throws.
 [[nodiscard]] double boundary_integral_step(const data::Case& problem);
 
-/// Throws data::FieldError for a computation that would take more than minutes. It names excitation.duration if
+/// Throws data::FieldError for a wall that moves, unless the inquiry is about frequencies or a history that follows it
+/// (require_resting_wall()), and for a computation that would take more than minutes. It names excitation.duration if
 /// a closed form needs more than 1e8 periods of the highest natural frequency or of the excitation, an
 /// event-driven history more than 1e6 periods, or a boundary integral more than 2^24 steps. It names
 /// damping.ratio for a boundary integral, because its mobility is known in closed form with Kelvin-Voigt

@@ -66,7 +66,8 @@ BeamMotion finite_element_motion(const data::Case& problem, const MotionGrid& gr
   BeamMotion motion{positions(problem, grid), {}};
   solver::BeamSimulation simulation(
       problem.beam, problem.friction, problem.excitation, problem.numerics,
-      {.damping = problem.damping, .coordinates = solver::Coordinates::fastest});
+      {.damping = problem.damping, .coordinates = solver::Coordinates::fastest,
+       .wall = problem.wall});
   long done = 0;
   for (const long step : snapshot_steps(grid, problem.numerics.time_step())) {
     for (; done < step; ++done) simulation.step();
@@ -83,7 +84,7 @@ BeamMotion finite_element_motion(const data::Case& problem, const MotionGrid& gr
 BeamMotion event_driven_motion(const data::Case& problem, const MotionGrid& grid) {
   BeamMotion motion{positions(problem, grid), {}};
   const analytic::BeamContactModel beam(problem.beam, problem.friction, problem.excitation, problem.damping,
-                                        problem.numerics.modes());
+                                        problem.numerics.modes(), problem.wall);
   std::vector<std::vector<double>> shapes;
   for (const double x : motion.position) shapes.push_back(beam.shapes(x));
   analytic::EventDriven run(beam.model());

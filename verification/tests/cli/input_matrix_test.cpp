@@ -94,6 +94,7 @@ constexpr Exception exceptions[] = {
     {"case file", "damping.*", "@(missing|zero)", "the beam has no such damping"},
     {"case file", "contact.tangential_stiffness", "@(missing|infinity)", "the contact is rigid"},
     {"case file", "contact.regularisation_velocity", "@(missing|zero)", "the law is set-valued"},
+    {"case file", "wall.speed", "@(missing|zero|negative)", "the wall may rest, or move either way"},
     {"case file", "@(numerics.*|excitation.duration)", "missing", "the program chooses the setting"},
     {"case file", "friction.kinetic_coefficient", "missing", "the friction is that of Coulomb"},
     {"case file", "beam.axial_force", "@(negative|zero)",
@@ -135,15 +136,17 @@ constexpr Exception exceptions[] = {
 
     {"option", "@(stickslip|reference) --help", "!(unknown)", "help is given"},
     {"option", "* CASE", "missing", "a case of the paper stands for none"},
-    {"option", "@(respond|animate|criterion|map|sweep) --amplitude", "zero", "nothing moves"},
+    {"option", "@(respond|animate|criterion|map|sweep|periodic) --amplitude", "zero", "nothing moves"},
     {"option", "sweep --settle", "zero", "nothing passes before the section"},
     {"option", "uncertainty --seed", "zero", "any seed will do"},
-    {"option", "@(criterion --set|uncertainty --set|compare --tolerance|report --only)", "duplicate",
-     "it may be given several times"},
+    {"option",
+     "@(criterion --set|uncertainty --set|squeal --set|periodic --set|compare --tolerance|report --only)",
+     "duplicate", "it may be given several times"},
     {"option", "compare --tolerance", "@(denormal|huge|zero)", "any finite tolerance may be asked for"},
     {"option", "compare --until", "@(denormal|huge|zero)",
      "a comparison may end at its start or go on to the end of the data"},
-    {"option", "@(* --output|respond --events|compare --json|compare --junit)",
+    {"option", "squeal --speed", "negative", "the wall may move either way"},
+    {"option", "@(* --output|respond --events|squeal --map|compare --json|compare --junit)",
      "@(denormal|huge|infinity|negative|not UTF-8|not a number|wrong type|zero)",
      "a file may have that name"},
     {"option", "new FILE",
@@ -228,6 +231,7 @@ const std::vector<CaseLine>& case_lines() {
     result.push_back({"damping", "ratio", "0.01"});
     result.push_back({"contact", "tangential_stiffness", "1e6"});
     result.push_back({"contact", "regularisation_velocity", "0.0"});
+    result.push_back({"wall", "speed", "0.1"});
     return result;
   }();
   return lines;
@@ -287,7 +291,7 @@ std::vector<BadInput> case_inputs() {
 }
 
 STICKSLIP_VERIFIES(CaseFileInput, "U2");
-TEST_F(CaseFileInput, IsTriedWithEveryKey) { EXPECT_EQ(case_lines().size(), 19u); }
+TEST_F(CaseFileInput, IsTriedWithEveryKey) { EXPECT_EQ(case_lines().size(), 20u); }
 
 TEST_F(CaseFileInput, IsRefusedInOneSentenceOrRead) {
   const auto inputs = case_inputs();
@@ -330,7 +334,8 @@ TEST_F(CaseFileInput, ThatIsReadGivesFiniteNumbers) {
     if (row.item == "beam.axial_force") continue;
     expect_finite("respond " + name + "--duration 0.002");
     expect_finite("criterion " + name + rigid +
-                  "--set damping.ratio=0 --set damping.kelvin_voigt=0 --set excitation.duration=0.1");
+                  "--set damping.ratio=0 --set damping.kelvin_voigt=0 --set excitation.duration=0.1 --set "
+                  "wall.speed=0");
   }
 }
 
@@ -745,6 +750,16 @@ std::vector<Command> commands() {
             {"--force", "499:500"},
             {"--duration", "0.1"}}},
           {"uncertainty", {{"CASE", "uncertain"}, {"--samples", "20"}, {"--set", "excitation.duration=0.1"}}},
+          {"squeal",
+           {{"CASE", "reed"},
+            {"--set", "numerics.modes=2"},
+            {"--set", "numerics.elements=4"},
+            {"--settle", "5"},
+            {"--map", "FOLDER/out.csv"},
+            {"--speeds", "0.1:0.5"},
+            {"--ratios", "0.01:0.02"},
+            {"--count", "2"}}},
+          {"periodic", {{"CASE", "reed"}, {"--set", "numerics.modes=2"}, {"--settle", "20"}}},
           {"reference list", {{"--package", fixture}}},
           {"reference show", {{"NAME", set}, {"--package", fixture}}},
           {"reference export", {{"NAME", set}, {"--package", fixture}, {"--output", "FOLDER/out.csv"}}},

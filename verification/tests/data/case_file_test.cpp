@@ -29,8 +29,8 @@ struct Line {
   [[nodiscard]] std::string path() const { return table + "." + key; }
   [[nodiscard]] bool is_integer() const { return key == "elements" || key == "modes"; }
   [[nodiscard]] bool is_optional() const {
-    return table == "damping" || table == "contact" || table == "numerics" || key == "viscous" || key == "kinetic_coefficient" ||
-           key == "duration" || key == "axial_direction";
+    return table == "damping" || table == "contact" || table == "numerics" || key == "viscous" ||
+           key == "kinetic_coefficient" || key == "duration" || key == "axial_direction";
   }
 };
 
@@ -255,15 +255,19 @@ TEST_F(CaseFile, TakesAContactThatYieldsInOneWay) {
   EXPECT_TRUE(data::load_case("paper", {{"contact.tangential_stiffness", "inf"}}).contact.is_rigid());
   const std::string rigid_text = case_without_table("contact");
   EXPECT_EQ(error_message(rigid_text, {{"contact.tangential_stiffness", "0"}}),
-            "override contact.tangential_stiffness=0: contact.tangential_stiffness is 0, but must be a number above 0 "
+            "override contact.tangential_stiffness=0: contact.tangential_stiffness is 0, but must be a "
+            "number above 0 "
             "(N/m), or inf for a rigid contact");
   EXPECT_EQ(error_message(rigid_text, {{"contact.regularisation_velocity", "-1"}}),
-            "override contact.regularisation_velocity=-1: contact.regularisation_velocity is -1, but must be a finite "
+            "override contact.regularisation_velocity=-1: contact.regularisation_velocity is -1, but must be "
+            "a finite "
             "number of 0 or more (m/s)");
-  EXPECT_EQ(error_message(rigid_text,
-                          {{"contact.tangential_stiffness", "1e6"}, {"contact.regularisation_velocity", "0.1"}}),
-            "override contact.regularisation_velocity=0.1: contact.regularisation_velocity is 0.1, but must be 0 with a "
-            "finite contact.tangential_stiffness: a spring in series with a smooth law that falls with the velocity has "
+  EXPECT_EQ(error_message(rigid_text, {{"contact.tangential_stiffness", "1e6"},
+                                       {"contact.regularisation_velocity", "0.1"}}),
+            "override contact.regularisation_velocity=0.1: contact.regularisation_velocity is 0.1, but must "
+            "be 0 with a "
+            "finite contact.tangential_stiffness: a spring in series with a smooth law that falls with the "
+            "velocity has "
             "no motion");
 }
 
@@ -295,13 +299,19 @@ TEST_F(CaseFile, RefusesAMisspeltTable) {
   EXPECT_EQ(
       error_message(valid_case() + "[beem]\nlength = 2\n"),
       "bar.toml:29: unknown table [beem] (did you mean beam?), but a case has the tables beam, friction, "
-      "excitation, numerics, damping, contact, section, uncertainty");
+      "excitation, numerics, damping, contact, wall, section, uncertainty");
+}
+
+TEST_F(CaseFile, HoldsAWallThatMovesEitherWay) {
+  EXPECT_EQ(data::read_case(write(valid_case())).wall.speed(), 0.0);
+  EXPECT_EQ(data::read_case(write(valid_case() + "[wall]\nspeed = '-30 mm/s'\n")).wall.speed(), -0.03);
+  EXPECT_EQ(data::numbers_of(data::read_case(file())).at("wall.speed"), -0.03);
 }
 
 TEST_F(CaseFile, RefusesAKeyOutsideEveryTable) {
   EXPECT_EQ(error_message("length = 2\n" + valid_case()),
             "bar.toml:1: unknown key length with the value 2 (an integer), but a case has the tables beam, "
-            "friction, excitation, numerics, damping, contact, section, uncertainty");
+            "friction, excitation, numerics, damping, contact, wall, section, uncertainty");
   EXPECT_EQ(error_message("beam = 3\n"), "bar.toml:1: beam is 3 (an integer), but must be a table");
   EXPECT_EQ(error_message("damping = 0.01\n"), "bar.toml:1: damping is 0.01 (a float), but must be a table");
   EXPECT_EQ(error_message("[[beam]]\nlength = 2\n"), "bar.toml:1: beam is an array, but must be a table");
@@ -659,8 +669,8 @@ TEST(PublishedCases, AMisspeltNameIsRefusedWithTheNamesThereAre) {
   } catch (const data::InputError& error) {
     EXPECT_STREQ(error.what(),
                  "case papr is unknown (did you mean paper?), but must be a file or one of damped, "
-                 "near-buckling, paper, paper-figure14, paper-figure9, paper-half-stiffness, soft-short, "
-                 "steel-strip, tension, uncertain");
+                 "near-buckling, paper, paper-figure14, paper-figure9, paper-half-stiffness, reed, "
+                 "soft-short, steel-strip, tension, uncertain");
   }
 }
 

@@ -13,7 +13,7 @@ namespace stickslip::analytic {
 /// The beam of the paper as a ContactModel without a mesh: its clamped-pinned modes U_n, mass-normalised, and
 /// the static shape sigma(x) = -S(x) of a unit tip deflection, all in closed form. In the frame of the base
 ///
-///     u(x,t) = sigma(x) u_L(t) + sum_n U_n(x) T_n(t),     w(t) = -h(t),     y = h + u,
+///     u(x,t) = sigma(x) u_L(t) + sum_n U_n(x) T_n(t),     w(t) = V t - h(t),     y = h + u,
 ///
 /// and, by Galerkin's method on rho A u_tt + EI (u + eta u_t)_xxxx + P u_xx = -rho A h_tt with the follower
 /// condition EI (u + eta u_t)'''(L) = -f_d,
@@ -38,7 +38,8 @@ class BeamContactModel {
   /// Throws data::FieldError, naming beam.axial_force, unless 0 < P < P_cr, and what stick_modes()
   /// throws.
   BeamContactModel(const data::Beam& beam, const data::FrictionLaw& friction,
-                   const data::HarmonicExcitation& excitation, const data::Damping& damping, int modes);
+                   const data::HarmonicExcitation& excitation, const data::Damping& damping, int modes,
+                   const data::Wall& wall = {});
 
   [[nodiscard]] const ContactModel& model() const noexcept { return model_; }
 

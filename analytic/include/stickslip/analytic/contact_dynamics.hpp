@@ -30,10 +30,12 @@ struct KinematicsView {
   return {state.amplitudes, state.rates, state.displacement, state.velocity};
 }
 
-/// A harmonic function sine * sin(Omega t) + cosine * cos(Omega t).
+/// The function sine sin(Omega t) + cosine cos(Omega t) + constant + rate t. The last two come from the speed of the wall.
 struct Harmonic {
   double sine{};
   double cosine{};
+  double constant{};
+  double rate{};
 };
 
 /// Rates at which the works of EventDrivenEnergy grow, W.
@@ -69,7 +71,7 @@ class ContactDynamics {
   [[nodiscard]] double potential_energy(const KinematicsView& state) const;
 
   /// The force T_n sees per unit load factor and unit wall motion while the contact is held, as it stands in
-  /// T_n_tt + (C T_t)_n + omega_n^2 T_n = sine sin(Omega t) + cosine cos(Omega t).
+  /// T_n_tt + (C T_t)_n + omega_n^2 T_n = held_load.
   [[nodiscard]] Harmonic held_load(std::size_t mode) const;
 
   /// holding_force = sum rho_n T_n + sum rho_(m+n) T_n_t + held_stiffness() (u_c - w) - F_c + held_force().

@@ -16,7 +16,7 @@
 ///     a . T_tt + m_c u_c_tt + (C x_t)_c + k_c u_c + (l . T + l_c u_c)          = b_c s(t) + F_c + f_d
 ///
 /// with x = (T, u_c), s(t) = sin(Omega t), a constant force F_c on the contact (one on the rest shifts T and u_c and
-/// leaves its part on the contact), the wall's motion w(t) = W sin(Omega t), and the nonconservative
+/// leaves its part on the contact), the wall's motion w(t) = W sin(Omega t) + V t, and the nonconservative
 /// (follower) force l . T + l_c u_c, which acts on the contact alone. Stick: u_c - w is constant and the last
 /// row yields f_d. Slip: f_d = -sgn(v_s) mu(|v_s|) N, v_s = u_c_t - w_t.
 
@@ -62,6 +62,7 @@ struct ContactModel {
   double contact_force{};                 ///< F_c, N
   double load_angular_frequency{};        ///< Omega > 0, rad/s
   double wall_amplitude{};                ///< W, m
+  double wall_speed{};                    ///< V, m/s
   double normal_force{};                  ///< N >= 0, newton
   data::FrictionLaw friction{{}};
 

@@ -54,7 +54,7 @@ struct EventDrivenEnergy {
 struct EventDrivenSettings {
   /// Error allowed per step of the slip phases, relative to each coordinate and to the reference velocity.
   double tolerance{1e-12};
-  /// Speed that is small motion's measure, m/s: absolute errors are tolerance times it. 0: max(W Omega, that
+  /// Speed that is small motion's measure, m/s: absolute errors are tolerance times it. 0: max(W Omega, V, that
   /// of the held structure under the load alone, the sliding velocity of the start) or, where none of these
   /// moves, what the energy of the start would give the contact's mass.
   double reference_velocity{};
@@ -92,6 +92,7 @@ class EventDriven {
   [[nodiscard]] double contact_displacement() const;            ///< u_c, m
   [[nodiscard]] double contact_velocity() const;                ///< u_c_t, m/s
   [[nodiscard]] double wall_displacement() const;               ///< w, m
+  [[nodiscard]] double drive_displacement() const;              ///< W sin(Omega t) = w - V t, m
   [[nodiscard]] double contact_position() const;                ///< u_c - w, m
   [[nodiscard]] double sliding_velocity() const;                ///< v_s, m/s; zero in stick
   [[nodiscard]] double friction_force() const;                  ///< f_d, N

@@ -11,7 +11,7 @@
 namespace stickslip::analytic {
 
 /// A stick phase, exactly: with y = (omega_n T_n, T_n_t) = Re(Z z), every z_k_t = lambda_k z_k + F_k(t) with
-/// Re lambda_k <= 0 and F_k sinusoidal at Omega, so that
+/// Re lambda_k <= 0 and F_k sinusoidal at Omega, plus a constant where the wall has a speed, so that
 ///
 ///     z_k(t0 + tau) = exp(lambda_k tau) z_k(t0) + sum over +-Omega of P (exp(+-i Omega tau) -
 ///                     exp(lambda_k tau))/(+-i Omega - lambda_k) exp(+-i Omega t0),
@@ -61,7 +61,7 @@ class StickPropagator {
   std::vector<Complex> eigenvalue_;     // lambda_k
   std::vector<Complex> shape_;          // Z, 2 m rows of eigenvalue_.size()
   std::vector<Complex> inverse_;        // z = W y, eigenvalue_.size() rows of 2 m
-  std::vector<Complex> sine_, cosine_;  // F_k = sine sin(Omega t) + cosine cos(Omega t)
+  std::vector<Complex> sine_, cosine_, constant_;  // F_k = sine sin(Omega t) + cosine cos(Omega t) + constant
   std::vector<Complex> force_weight_;   // f_d = Re sum weight z + ...
   Harmonic force_harmonic_;
 

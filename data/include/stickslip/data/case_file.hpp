@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// Cases as TOML files: the tables [beam], [friction], [excitation], [numerics] and [damping], whose keys are
+/// Cases as TOML files: the tables [beam], [friction], [excitation], [numerics], [damping] and [wall], whose keys are
 /// the field names of problem.hpp. A value is a number in SI units, or a text of a number and a unit ("1.5 mm").
-/// These keys may be missing: those of [damping], friction.viscous and beam.axial_direction are then 0, those of [numerics] have the
+/// These keys may be missing: those of [damping] and [wall], friction.viscous and beam.axial_direction are then 0, those of [numerics] have the
 /// values of default_numerics(), excitation.duration is default_duration, and without friction.kinetic_coefficient the friction is Coulomb's, with the
 /// static coefficient. In place of some keys a file may hold others:
 ///   [section] shape = "rectangle" (width; height, in the direction of the vibration), "circle" (diameter) or

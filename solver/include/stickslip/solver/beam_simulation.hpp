@@ -38,6 +38,7 @@ struct BeamRun {
   ContactScheme scheme{ContactScheme::located};
   Coordinates coordinates{Coordinates::nodal};
   data::TangentialContact tangential{};
+  data::Wall wall{};
 };
 
 /// Modal wherever the numbers are those of the nodal coordinates and come sooner: undamped, not by
@@ -67,11 +68,12 @@ struct BeamRun {
 [[nodiscard]] SparseMatrix damping_matrix(const BeamModel& model, const data::Damping& damping);
 
 /// The beam on a base that moves by h(t), as a system with one contact at the tip. In coordinates that move
-/// with the base the wall moves by -h(t) and the load is -b h_tt. The normal force is P, or zero in tension.
+/// with the base the wall moves by V t - h(t) and the load is -b h_tt. The normal force is P, or zero in tension.
 /// Throws what damping_matrix() throws.
 [[nodiscard]] ContactSystem beam_contact_system(const BeamModel& model, const data::FrictionLaw& friction,
                                                 const PrescribedMotion& base,
-                                                const data::Damping& damping = {});
+                                                const data::Damping& damping = {},
+                                                const data::Wall& wall = {});
 
 /// The beam of the paper by finite elements: built, started with its tip at rest and stepped through
 /// time. Displacements are absolute (y = h + u); friction_force() has the sign of Eq. (28), f = EI u'''(L) =

@@ -1,0 +1,483 @@
+// SPDX-License-Identifier: MIT
+#include "stickslip/analytic/periodic_motion.hpp"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_linalg.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <stdexcept>
+
+#include "arguments.hpp"
+#include "gsl_handles.hpp"
+#include "gsl_status.hpp"
+#include "stickslip/analytic/steady_sliding.hpp"
+#include "stickslip/analytic/stick_propagator.hpp"
+
+namespace stickslip::analytic {
+namespace {
+
+// The same structure without load and wall: what differences of motions in stick obey.
+ContactModel unloaded(ContactModel model) {
+  std::ranges::fill(model.load, 0.0);
+  model.wall_amplitude = model.wall_speed = model.contact_force = 0.0;
+  return model;
+}
+
+KinematicsView view_of(const double* x, std::size_t modes) {
+  return {{x, modes}, {x + modes + 1, modes}, x[modes], x[2 * modes + 1]};
+}
+
+std::vector<double> flat(const ContactKinematics& state) {
+  std::vector<double> x(state.amplitudes);
+  x.push_back(state.displacement);
+  x.insert(x.end(), state.rates.begin(), state.rates.end());
+  x.push_back(state.velocity);
+  return x;
+}
+
+ContactKinematics kinematics_of(const std::vector<double>& x, std::size_t modes) {
+  const KinematicsView state = view_of(x.data(), modes);
+  return {{state.amplitudes.begin(), state.amplitudes.end()},
+          {state.rates.begin(), state.rates.end()},
+          state.displacement,
+          state.velocity};
+}
+
+/// The flow with its derivative, phase by phase.
+class Variation {
+ public:
+  Variation(const ContactModel& model, const ContactStart& start)
+      : dynamics_(model),
+        differences_(unloaded(model)),
+        stick_(dynamics_),
+        stick_of_differences_(differences_),
+        law_(model.friction.in_slip()),
+        modes_(model.modes()),
+        n_(2 * (modes_ + 1)),
+        x_(flat(start.kinematics)),
+        phi_(n_ * n_) {
+    for (std::size_t i = 0; i < n_; ++i) phi_[i * n_ + i] = 1.0;
+    set_scale();
+  }
+
+  void begin_stick() {
+    sticks_ = true;
+    x_.back() = dynamics_.wall_velocity(time_);
+    for (std::size_t j = 0; j < n_; ++j) phi_[(n_ - 1) * n_ + j] = 0.0;
+    stick_.begin(time_, kinematics_of(x_, modes_));
+  }
+
+  void begin_slip(double direction) {
+    sticks_ = false;
+    direction_ = direction;
+  }
+
+  // In stick, at the start of the whole flow, the velocity of the contact cannot be chosen.
+  void hold_velocity() {
+    for (std::size_t i = 0; i < n_; ++i) phi_[i * n_ + n_ - 1] = 0.0;
+  }
+
+  void advance_to(double t) {
+    if (t > time_) sticks_ ? advance_stick(t) : advance_slip(t);
+    time_ = t;
+  }
+
+  [[nodiscard]] std::vector<double> rate() const {
+    std::vector<double> rate(n_);
+    std::copy_n(x_.begin() + static_cast<std::ptrdiff_t>(modes_) + 1, modes_ + 1, rate.begin());
+    const KinematicsView state = view_of(x_.data(), modes_);
+    const double friction = sticks_ ? dynamics_.holding_force(state, time_)
+                                    : force(state.velocity - dynamics_.wall_velocity(time_));
+    rate[n_ - 1] =
+        dynamics_.accelerate(state, dynamics_.load(time_), friction + dynamics_.model().contact_force,
+                             {rate.data() + modes_ + 1, modes_});
+    return rate;
+  }
+
+  void change(const ChangeOfContact& event) {
+    advance_to(event.time);
+    if (event.change == ContactChange::graze) return;
+    const std::vector<double> before = rate();
+    std::vector<double> gradient(n_);
+    double passage = 0.0;
+    if (event.change == ContactChange::onset) {
+      gradient = force_gradient();
+      passage = stick_.force_rate(time_);
+      begin_slip(dynamics_.holding_force(view_of(x_.data(), modes_), time_) > 0.0 ? -1.0 : 1.0);
+    } else {
+      gradient.back() = 1.0;
+      passage = before.back() - dynamics_.wall_acceleration(time_);
+      x_.back() = dynamics_.wall_velocity(time_);
+      if (event.change == ContactChange::reversal) begin_slip(-direction_);
+    }
+    const bool captured = event.change == ContactChange::capture;
+    if (captured) sticks_ = true;
+    jump(before, rate(), gradient, passage);
+    if (captured) begin_stick();
+  }
+
+  [[nodiscard]] ContactStart state() const {
+    return {kinematics_of(x_, modes_), sticks_ ? ContactPhase::stick : ContactPhase::slip};
+  }
+
+  [[nodiscard]] Matrix derivative() const {
+    Matrix matrix(n_, n_);
+    for (std::size_t i = 0; i < n_; ++i)
+      for (std::size_t j = 0; j < n_; ++j) matrix(i, j) = phi_[i * n_ + j];
+    return matrix;
+  }
+
+ private:
+  // Velocities of the order of the motion, and the time in which they turn.
+  void set_scale() {
+    const ContactModel& model = dynamics_.model();
+    const double mass = model.contact_mass;
+    const double omega =
+        std::max(std::sqrt(std::abs(dynamics_.held_stiffness()) / mass), 1e-3 * dynamics_.fastest());
+    double speed =
+        std::max(std::abs(model.wall_speed), std::abs(model.wall_amplitude) * model.load_angular_frequency);
+    speed = std::max({speed, std::abs(x_.back()), omega * std::abs(x_[modes_]),
+                      model.normal_force * model.friction.static_coefficient() / (mass * omega), 1e-30});
+    scale_.assign(n_, speed);
+    for (std::size_t i = 0; i < modes_; ++i) scale_[modes_ + 1 + i] = speed * std::sqrt(mass);
+    for (std::size_t i = 0; i <= modes_; ++i) scale_[i] = scale_[modes_ + 1 + i] / omega;
+  }
+
+  // f_d, analytic through v_s = 0.
+  [[nodiscard]] double force(double sliding) const {
+    const double weakening = law_.static_coefficient() - law_.kinetic_coefficient();
+    const double v = direction_ * sliding;
+    return -direction_ * dynamics_.model().normal_force *
+           (law_.kinetic_coefficient() + weakening * std::exp(-law_.decay() * v) + law_.viscous() * v);
+  }
+
+  // d f_d/d v_s.
+  [[nodiscard]] double slope(double sliding) const {
+    const double weakening = law_.static_coefficient() - law_.kinetic_coefficient();
+    return dynamics_.model().normal_force *
+           (weakening * law_.decay() * std::exp(-law_.decay() * direction_ * sliding) - law_.viscous());
+  }
+
+  [[nodiscard]] std::vector<double> force_gradient() const {
+    const std::vector<double> row = dynamics_.held_force_row();  // of T and T_t
+    std::vector<double> gradient(n_);
+    for (std::size_t i = 0; i < modes_; ++i) {
+      gradient[i] = row[i];
+      gradient[modes_ + 1 + i] = row[modes_ + i];
+    }
+    gradient[modes_] = dynamics_.held_stiffness();
+    return gradient;
+  }
+
+  void advance_stick(double t) {
+    x_ = flat(stick_.state(t));
+    for (std::size_t j = 0; j < n_; ++j) {
+      std::vector<double> column(n_);
+      for (std::size_t i = 0; i < n_; ++i) column[i] = phi_[i * n_ + j];
+      stick_of_differences_.begin(time_, kinematics_of(column, modes_));
+      column = flat(stick_of_differences_.state(t));
+      for (std::size_t i = 0; i < n_; ++i) phi_[i * n_ + j] = column[i];
+    }
+  }
+
+  // y: x and the columns of Phi, all in units of scale_.
+  static int right_side(double t, const double y[], double rate[], void* self) {
+    static_cast<const Variation*>(self)->evaluate(t, y, rate);
+    return GSL_SUCCESS;
+  }
+
+  void evaluate(double t, const double* y, double* rate) const {
+    std::vector<double> x(n_), modal(modes_);
+    double friction_slope = 0.0;
+    for (std::size_t column = 0; column <= n_; ++column) {
+      for (std::size_t i = 0; i < n_; ++i) x[i] = scale_[i] * y[column * n_ + i];
+      const KinematicsView state = view_of(x.data(), modes_);
+      double acceleration = 0.0;
+      if (column == 0) {
+        const double sliding = state.velocity - dynamics_.wall_velocity(t);
+        friction_slope = slope(sliding);
+        acceleration = dynamics_.accelerate(state, dynamics_.load(t),
+                                            force(sliding) + dynamics_.model().contact_force, modal);
+      } else {
+        acceleration = dynamics_.accelerate(state, 0.0, friction_slope * state.velocity, modal);
+      }
+      double* out = rate + column * n_;
+      for (std::size_t i = 0; i <= modes_; ++i) out[i] = x[modes_ + 1 + i] / scale_[i];
+      for (std::size_t i = 0; i < modes_; ++i) out[modes_ + 1 + i] = modal[i] / scale_[modes_ + 1 + i];
+      out[n_ - 1] = acceleration / scale_[n_ - 1];
+    }
+  }
+
+  void advance_slip(double end) {
+    const StatusInsteadOfAbort guard;
+    const std::size_t size = n_ * (n_ + 1);
+    std::vector<double> y(size), before, error(size), rate(size);
+    for (std::size_t i = 0; i < n_; ++i) {
+      y[i] = x_[i] / scale_[i];
+      for (std::size_t j = 0; j < n_; ++j) y[(j + 1) * n_ + i] = phi_[i * n_ + j] * scale_[j] / scale_[i];
+    }
+    gsl_odeiv2_system system{&Variation::right_side, nullptr, size, this};
+    const auto step = owned(gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, size));
+    const auto control = owned(gsl_odeiv2_control_standard_new(1e-13, 1e-13, 1.0, 0.0));
+    const double longest = 1.0 / dynamics_.fastest();
+    double t = time_, length = 0.05 * longest;
+    while (t < end) {
+      length = std::min({length, longest, end - t});
+      before = y;
+      const int status =
+          gsl_odeiv2_step_apply(step.get(), t, length, y.data(), error.data(), nullptr, rate.data(), &system);
+      double suggested = length;
+      const bool shorter = status != GSL_SUCCESS ||
+                           gsl_odeiv2_control_hadjust(control.get(), step.get(), y.data(), error.data(),
+                                                      rate.data(), &suggested) == GSL_ODEIV_HADJ_DEC;
+      if (shorter && length > 1e-9 * longest) {
+        y = before;
+        length = status == GSL_SUCCESS ? suggested : 0.25 * length;
+        continue;
+      }
+      t = end - t <= length ? end : t + length;
+      length = suggested;
+    }
+    for (std::size_t i = 0; i < n_; ++i) {
+      x_[i] = y[i] * scale_[i];
+      for (std::size_t j = 0; j < n_; ++j) phi_[i * n_ + j] = y[(j + 1) * n_ + i] * scale_[i] / scale_[j];
+    }
+  }
+
+  // Phi <- Phi + (after - before) (gradient . Phi)/passage.
+  void jump(const std::vector<double>& before, const std::vector<double>& after,
+            const std::vector<double>& gradient, double passage) {
+    for (std::size_t j = 0; j < n_; ++j) {
+      double difference = 0.0;
+      for (std::size_t i = 0; i < n_; ++i) difference += gradient[i] * phi_[i * n_ + j];
+      for (std::size_t i = 0; i < n_; ++i) phi_[i * n_ + j] += (after[i] - before[i]) * difference / passage;
+    }
+  }
+
+  ContactDynamics dynamics_, differences_;
+  StickPropagator stick_, stick_of_differences_;
+  data::FrictionLaw law_;
+  std::size_t modes_, n_;
+  std::vector<double> x_, phi_, scale_;
+  double time_{}, direction_{};
+  bool sticks_{};
+};
+
+void begin(EventDriven& run, const ContactModel& model, const ContactStart& start) {
+  const ContactKinematics& state = start.kinematics;
+  if (start.phase == ContactPhase::stick)
+    return run.start_stuck(state.amplitudes, state.rates, state.displacement);
+  const ContactDynamics dynamics(model);
+  run.start_slipping(state.amplitudes, state.rates, state.displacement,
+                     state.velocity - dynamics.wall_velocity(0.0));
+}
+
+ContactStart state_of(const EventDriven& run) {
+  return {{run.amplitudes(), run.rates(), run.contact_displacement(), run.contact_velocity()}, run.state()};
+}
+
+// x with A x = b, in place of b; false if A is singular.
+bool solve(const Matrix& a, std::vector<double>& b) {
+  const StatusInsteadOfAbort guard;
+  const std::size_t size = b.size();
+  const auto matrix = owned(gsl_matrix_alloc(size, size));
+  for (std::size_t i = 0; i < size; ++i)
+    for (std::size_t j = 0; j < size; ++j) gsl_matrix_set(matrix.get(), i, j, a(i, j));
+  const auto permutation = owned(gsl_permutation_alloc(size));
+  int sign = 0;
+  gsl_vector_view right = gsl_vector_view_array(b.data(), size);
+  return gsl_linalg_LU_decomp(matrix.get(), permutation.get(), &sign) == GSL_SUCCESS &&
+         gsl_linalg_LU_svx(matrix.get(), permutation.get(), &right.vector) == GSL_SUCCESS &&
+         std::ranges::all_of(b, [](double value) { return std::isfinite(value); });
+}
+
+bool is_finite(const Matrix& matrix) {
+  return std::ranges::all_of(matrix.values(), [](double value) { return std::isfinite(value); });
+}
+
+// Each coordinate in units of its size over the motion, at least a thousandth of the largest of its kind.
+std::vector<double> units_of(const ContactStart& start, const std::vector<double>& rate, double period) {
+  const std::vector<double> x = flat(start.kinematics);
+  const std::size_t half = x.size() / 2;
+  const double speed = std::max(std::abs(x.back()), std::abs(rate.back()) * period) + 1e-300;
+  std::vector<double> units(x.size(), speed);
+  for (std::size_t i = 0; i < x.size(); ++i) units[i] = speed * (i < half ? period : 1.0);
+  return units;
+}
+
+/// Newton's method for x(T) = x(0); with a free period, T is an unknown and the velocity of the contact at the start is
+/// kept.
+class Shooting {
+ public:
+  Shooting(const ContactModel& model, ContactStart start, double period, bool free_period)
+      : model_(model), start_(std::move(start)), period_(period), free_period_(free_period) {}
+
+  [[nodiscard]] std::optional<PeriodicMotion> run() {
+    double last = std::numeric_limits<double>::infinity();
+    for (int iteration = 0; iteration < 30; ++iteration) {
+      const PoincareImage image = poincare_map(model_, start_, period_);
+      if (image.end.phase != start_.phase) return std::nullopt;
+      const double residual = residual_of(image);
+      if (!std::isfinite(residual) || !is_finite(image.derivative)) return std::nullopt;  // a graze
+      // The tolerance of the run, or what its rounding leaves.
+      if (residual < 1e-12 || (residual < 1e-9 && residual >= 0.3 * last))
+        return PeriodicMotion{start_,   period_,  image.events, eigenvalues(image.derivative),
+                              residual, iteration};
+      if (!improve(image)) return std::nullopt;
+      last = residual;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] double residual_of(const PoincareImage& image) const {
+    const std::vector<double> x = flat(start_.kinematics), end = flat(image.end.kinematics),
+                              units = units_of(start_, image.rate, period_);
+    double largest = 0.0;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      largest = std::max(largest, std::abs(end[i] - x[i]) / units[i]);
+    return largest;
+  }
+
+  bool improve(const PoincareImage& image) {
+    std::vector<double> x = flat(start_.kinematics);
+    const std::vector<double> end = flat(image.end.kinematics), units = units_of(start_, image.rate, period_);
+    const std::size_t n = x.size(), size = n + (free_period_ ? 1 : 0);
+    Matrix jacobian(size, size);
+    std::vector<double> change(size);
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < n; ++j)
+        jacobian(i, j) = (image.derivative(i, j) - (i == j ? 1.0 : 0.0)) * units[j] / units[i];
+      change[i] = (x[i] - end[i]) / units[i];
+      if (free_period_) jacobian(i, n) = image.rate[i] * period_ / units[i];
+    }
+    if (free_period_) jacobian(n, n - 1) = 1.0;
+    if (!solve(jacobian, change)) return false;
+    for (std::size_t i = 0; i < n; ++i) x[i] += change[i] * units[i];
+    if (free_period_) period_ *= 1.0 + change[n];
+    start_.kinematics = kinematics_of(x, model_.modes());
+    return period_ > 0.0;
+  }
+
+  const ContactModel& model_;
+  ContactStart start_;
+  double period_;
+  bool free_period_;
+};
+
+}  // namespace
+
+PoincareImage poincare_map(const ContactModel& model, const ContactStart& start, double duration) {
+  EventDriven run(model);
+  begin(run, model, start);
+  run.advance_to(duration);
+  Variation variation(model, start);
+  std::vector<ChangeOfContact> events = run.events();
+  bool sticks = start.phase == ContactPhase::stick;
+  if (sticks && !events.empty() && events.front().time == 0.0) {
+    events.erase(events.begin());  // it never stuck
+    sticks = false;
+  }
+  if (sticks) {
+    variation.begin_stick();
+    variation.hold_velocity();
+  } else {
+    EventDriven first(model);
+    begin(first, model, start);
+    variation.begin_slip(first.friction_force() > 0.0 ? -1.0 : 1.0);
+  }
+  for (const ChangeOfContact& event : events) variation.change(event);
+  variation.advance_to(duration);
+  return {variation.state(), variation.derivative(), variation.rate(), events};
+}
+
+std::vector<std::complex<double>> eigenvalues(const Matrix& matrix) {
+  const StatusInsteadOfAbort guard;
+  const std::size_t size = matrix.rows();
+  const auto work = owned(gsl_matrix_alloc(size, size));
+  for (std::size_t i = 0; i < size; ++i)
+    for (std::size_t j = 0; j < size; ++j) gsl_matrix_set(work.get(), i, j, matrix(i, j));
+  const auto values = owned(gsl_vector_complex_alloc(size));
+  const auto workspace = owned(gsl_eigen_nonsymm_alloc(size));
+  gsl_eigen_nonsymm_params(0, 1, workspace.get());
+  require_success(gsl_eigen_nonsymm(work.get(), values.get(), workspace.get()), "eigenvalues");
+  std::vector<std::complex<double>> result;
+  for (std::size_t i = 0; i < size; ++i) {
+    const gsl_complex value = gsl_vector_complex_get(values.get(), i);
+    result.emplace_back(GSL_REAL(value), GSL_IMAG(value));
+  }
+  std::ranges::sort(result, std::greater(), [](std::complex<double> value) { return std::abs(value); });
+  return result;
+}
+
+PeriodicSearch forced_motion(const ContactModel& model, int periods, int settle) {
+  if (periods < 1) throw data::FieldError("periods", periods, "1 or more");
+  const double period = 2.0 * std::numbers::pi / model.load_angular_frequency;
+  EventDriven run(model);
+  run.start_stuck({}, {});
+  run.advance_to(settle * period);
+  const std::size_t events = run.events().size();
+  const ContactStart start = state_of(run);
+  run.advance_to((settle + periods) * period);
+  if (start.phase == ContactPhase::stick && run.events().size() == events) return {{}, NoMotion::sticks};
+  return {Shooting(model, start, periods * period, false).run(), NoMotion::unsettled};
+}
+
+namespace {
+
+// The upward crossings of u_c_t = 0 in a run that goes on, each with the sample behind it and its time.
+struct Crossing {
+  double time{};
+  ContactStart after;
+  double since{};  // from the crossing to the sample, s
+};
+
+}  // namespace
+
+PeriodicSearch self_excited_motion(const ContactModel& model, double settle, double sample) {
+  if (model.wall_speed == 0.0) throw wrong_argument("wall_speed", 0.0, "other than 0 (m/s)");
+  if (model.wall_amplitude != 0.0 || std::ranges::any_of(model.load, [](double load) { return load != 0.0; }))
+    throw wrong_argument("load", model.wall_amplitude, "0: a forced motion has the period of its load");
+  EventDriven run(model);
+  run.start_stuck({}, {});
+  run.advance_to(settle);
+  constexpr std::size_t most_cycles = 12;
+  std::vector<Crossing> crossings;
+  const double from = run.time();
+  double before = run.contact_velocity(), largest = 0.0;
+  const double direction = model.wall_speed > 0.0 ? 1.0 : -1.0;
+  for (long n = 1; crossings.size() <= most_cycles && static_cast<double>(n) * sample < 0.25 * settle; ++n) {
+    run.advance_to(from + static_cast<double>(n) * sample);
+    const double velocity = run.contact_velocity();
+    largest = std::max(largest, std::abs(velocity));
+    if (direction * before < 0.0 && direction * velocity >= 0.0) {
+      const double since = sample * velocity / (velocity - before);
+      crossings.push_back({run.time() - since, state_of(run), since});
+    }
+    before = velocity;
+  }
+  if (crossings.size() < 2)
+    return {{},
+            run.state() == ContactPhase::stick            ? NoMotion::sticks
+            : largest < 1e-2 * std::abs(model.wall_speed) ? NoMotion::steady
+                                                          : NoMotion::unsettled};
+  if (largest < 1e-2 * std::abs(model.wall_speed)) return {{}, NoMotion::steady};
+  for (std::size_t cycles = 1; cycles < crossings.size(); ++cycles) {
+    const ContactStart& start = crossings.front().after;
+    if (start.phase == ContactPhase::stick) return {{}, NoMotion::unsettled};
+    const double period = crossings[cycles].time - crossings.front().time;
+    const PoincareImage image = poincare_map(model, start, period);
+    const double miss = std::abs(image.end.kinematics.displacement - start.kinematics.displacement) +
+                        sample * std::abs(image.end.kinematics.velocity - start.kinematics.velocity);
+    if (miss > 0.05 * std::abs(model.wall_speed) * period) continue;
+    if (auto motion = Shooting(model, start, period, true).run()) return {motion, {}};
+  }
+  return {{}, NoMotion::unsettled};
+}
+
+}  // namespace stickslip::analytic

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "stickslip/analytic/steady_sliding.hpp"
+
+#include <gsl/gsl_complex_math.h>
+#include <gsl/gsl_linalg.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "beam_constants.hpp"
+#include "gsl_handles.hpp"
+#include "gsl_status.hpp"
+#include "stickslip/analytic/contact_dynamics.hpp"
+#include "stickslip/analytic/periodic_motion.hpp"
+#include "stumpff.hpp"
+
+namespace stickslip::analytic {
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+
+// d/ds of an analytic function, by Cauchy's formula with four nodes: what is left is (1e-3)^4.
+template <class Function>
+Complex derivative(const Function& function, Complex s) {
+  const double radius = 1e-3 * std::abs(s);
+  const Complex i(0.0, 1.0);
+  return (function(s + radius) - function(s - radius) -
+          i * (function(s + i * radius) - function(s - i * radius))) /
+         (4.0 * radius);
+}
+
+// A root of Z(s) = kappa in the upper half plane, by Newton's method from a guess.
+std::optional<Complex> root_near(const Mobility& mobility, double kappa, Complex guess) {
+  const auto excess = [&](Complex s) { return 1.0 / mobility(s) - kappa; };
+  Complex s = guess;
+  for (int i = 0; i < 40; ++i) {
+    const Complex change = excess(s) / derivative(excess, s);
+    s -= change;
+    if (!std::isfinite(std::abs(s)) || s.imag() <= 0.0) return std::nullopt;
+    if (std::abs(change) <= 16.0 * kEpsilon * std::abs(s)) return s;
+    // What rounding leaves of Z where its terms cancel.
+    if (i > 20 && std::abs(change) <= 1e-10 * std::abs(s)) return s;
+  }
+  return std::nullopt;
+}
+
+// Im Z(i omega) = 0 by Newton's method.
+std::optional<HopfPoint> hopf_near(const Mobility& mobility, double guess) {
+  const auto impedance = [&](Complex s) { return 1.0 / mobility(s); };
+  double omega = guess;
+  for (int i = 0; i < 60; ++i) {
+    const Complex s(0.0, omega);
+    const double change = impedance(s).imag() / derivative(impedance, s).real();
+    omega -= change;
+    if (!std::isfinite(omega) || omega <= 0.0) return std::nullopt;
+    if (std::abs(change) <= 16.0 * kEpsilon * omega || (i > 30 && std::abs(change) <= 1e-10 * omega))
+      return HopfPoint{impedance({0.0, omega}).real(), omega};
+  }
+  return std::nullopt;
+}
+
+// Followed from kappa = 0 in equal steps.
+std::optional<Complex> root_at(const Mobility& mobility, double kappa, Complex free_root) {
+  constexpr int steps = 16;
+  Complex root = free_root, before = free_root;
+  for (int i = 1; i <= steps; ++i) {
+    const auto next = root_near(mobility, kappa * i / steps, root + (root - before));
+    if (!next) return std::nullopt;
+    before = root;
+    root = *next;
+  }
+  return root;
+}
+
+gsl_complex to_gsl(Complex value) { return gsl_complex_rect(value.real(), value.imag()); }
+
+}  // namespace
+
+double falling_slope(const data::FrictionLaw& friction, double normal_force, double speed) {
+  const data::FrictionLaw law = friction.in_slip();
+  const double weakening = law.static_coefficient() - law.kinetic_coefficient();
+  return normal_force * (weakening * law.decay() * std::exp(-law.decay() * std::abs(speed)) - law.viscous());
+}
+
+double speed_of_slope(const data::FrictionLaw& friction, double normal_force, double slope) {
+  const data::FrictionLaw law = friction.in_slip();
+  const double at_rest = normal_force * (law.static_coefficient() - law.kinetic_coefficient()) * law.decay();
+  const double fallen = slope + law.viscous() * normal_force;
+  if (at_rest <= fallen || at_rest == 0.0) return 0.0;
+  return fallen > 0.0 ? std::log(at_rest / fallen) / law.decay() : std::numeric_limits<double>::infinity();
+}
+
+SteadySliding steady_sliding(const data::Beam& beam, const data::FrictionLaw& friction,
+                             const data::Wall& wall) {
+  const data::FrictionLaw law = friction.in_slip();
+  const double speed = std::abs(wall.speed()), length = beam.length(), z = axial_load_factor(beam);
+  const double mu = law.kinetic_coefficient() +
+                    (law.static_coefficient() - law.kinetic_coefficient()) * std::exp(-law.decay() * speed) +
+                    law.viscous() * speed;
+  const double force = std::copysign(mu * beam.axial_force(), wall.speed());
+  return {force, force * std::pow(length, 3) / bending_stiffness(beam) * (stumpff(2, z) - stumpff(3, z)) /
+                     (1.0 - beam.axial_direction() * z * stumpff(2, z))};
+}
+
+std::vector<Complex> sliding_eigenvalues(const ContactModel& model, double kappa) {
+  const ContactDynamics dynamics(model);
+  const std::size_t m = model.modes(), n = 2 * (m + 1);
+  // x_t = A x of x = (T, u_c, T_t/unit, u_c_t/unit), over the unit of frequency.
+  const double unit = dynamics.fastest();
+  Matrix matrix(n, n);
+  std::vector<double> x(n), modal(m);
+  for (std::size_t column = 0; column < n; ++column) {
+    x[column] = column <= m ? 1.0 : unit;
+    const KinematicsView state{{x.data(), m}, {x.data() + m + 1, m}, x[m], x[n - 1]};
+    const double contact = dynamics.accelerate(state, 0.0, kappa * x[n - 1], modal);
+    for (std::size_t i = 0; i <= m; ++i) matrix(i, column) = x[m + 1 + i] / unit;
+    for (std::size_t i = 0; i < m; ++i) matrix(m + 1 + i, column) = modal[i] / (unit * unit);
+    matrix(n - 1, column) = contact / (unit * unit);
+    x[column] = 0.0;
+  }
+  std::vector<Complex> roots = eigenvalues(matrix);
+  std::erase_if(roots, [](Complex s) { return s.imag() < 0.0; });
+  for (Complex& s : roots) s *= unit;
+  std::ranges::sort(roots, std::greater(), [](Complex s) { return s.real(); });
+  return roots;
+}
+
+Mobility contact_mobility(const ContactModel& model) {
+  require_consistent(model);
+  return [model](Complex s) {
+    const StatusInsteadOfAbort guard;
+    const std::size_t m = model.modes(), size = m + 1;
+    const auto matrix = owned(gsl_matrix_complex_alloc(size, size));
+    for (std::size_t i = 0; i < size; ++i) {
+      for (std::size_t j = 0; j < size; ++j) {
+        Complex entry = model.damping.empty() ? 0.0 : s * model.damping(i, j);
+        if (i == j)
+          entry += i < m ? s * s + std::pow(model.angular_frequency[i], 2)
+                         : s * s * model.contact_mass + model.contact_stiffness + model.contact_follower;
+        if (i < m && j == m) entry += s * s * model.mass_coupling[i];
+        if (i == m && j < m) entry += s * s * model.mass_coupling[j] + model.follower[j];
+        gsl_matrix_complex_set(matrix.get(), i, j, to_gsl(entry));
+      }
+    }
+    const auto permutation = owned(gsl_permutation_alloc(size));
+    const auto unit = owned(gsl_vector_complex_calloc(size));
+    gsl_vector_complex_set(unit.get(), m, gsl_complex_rect(1.0, 0.0));
+    int sign = 0;
+    require_success(gsl_linalg_complex_LU_decomp(matrix.get(), permutation.get(), &sign), "contact mobility");
+    require_success(gsl_linalg_complex_LU_svx(matrix.get(), permutation.get(), unit.get()),
+                    "contact mobility");
+    const gsl_complex flexibility = gsl_vector_complex_get(unit.get(), m);
+    return s * Complex(GSL_REAL(flexibility), GSL_IMAG(flexibility));
+  };
+}
+
+std::vector<SlidingMode> sliding_modes(const Mobility& mobility,
+                                       const std::vector<double>& angular_frequencies, double kappa) {
+  const auto impedance = [&](Complex s) { return 1.0 / mobility(s); };
+  std::vector<SlidingMode> modes;
+  for (const double omega : angular_frequencies) {
+    // Off the axis, on which Y may be infinite.
+    const auto free_root = root_near(mobility, 0.0, Complex(-1e-6, 1.0) * omega);
+    if (!free_root) break;
+    const Complex residue = 1.0 / derivative(impedance, *free_root);
+    modes.push_back({.free_root = *free_root,
+                     .one_mode_slope = -free_root->real() / residue.real(),
+                     .hopf = hopf_near(mobility, free_root->imag()),
+                     .root = root_at(mobility, kappa, *free_root)});
+  }
+  return modes;
+}
+
+}  // namespace stickslip::analytic

@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: MIT
+# Stability of steady sliding over the speed of the wall and the damping ratio: the growth rate by colour, its contour 0.
+width = 16
+height = 10
+load 'style.gp'
+file = folder.'squeal.csv'
+set contour base
+unset surface
+set cntrparam levels discrete 0
+set table $limit
+splot file using 1:2:3
+unset contour
+set surface
+# A contour's table has blanks between its columns, so that of the cells gets them, too.
+set table $cells
+plot file using 1:2:($3 > 0 ? 1 : 0) with table
+unset table
+set datafile separator whitespace
+unset datafile columnheaders
+set xlabel 'speed of the wall / (m/s)'
+set ylabel 'damping ratio ζ' offset 1
+set xrange [*:*] noextend
+set yrange [*:*] noextend
+set key above horizontal center samplen 3
+set margins screen 0.105, screen 0.97, screen 0.125, screen 0.90
+unset grid
+set tics out
+unset colorbox
+set cbrange [0:1]
+eval sprintf("set palette defined (0 '%s', 1 '%s')", stick_fill, slip_fill)
+limit = |$limit| > 4 ? '$limit using 1:2' : 'NaN'
+set label 1 'steady' at graph 0.97, graph 0.95 right front
+set label 2 'squeal' at graph 0.03, graph 0.05 left front
+plot $cells using 1:2:3 with image notitle, \
+     @limit with lines linecolor rgb black linewidth 1.2 title 'a disturbance neither grows nor decays'

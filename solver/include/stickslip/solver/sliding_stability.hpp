@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// Steady sliding of a ContactSystem on a wall of constant speed: its displacement and its small disturbances.
+/// With the falling slope kappa = -N mu'(v) (N s/m) of the friction force they obey
+///
+///     M q_tt + (C - kappa e_c e_c^T) q_t + K_slip q = 0.
+
+#include <complex>
+#include <vector>
+
+#include "stickslip/solver/contact_system.hpp"
+
+namespace stickslip::solver {
+
+/// q[c] under the constant force f_d (N) on the contact: [K_slip^-1 e_c]_c f_d, m.
+[[nodiscard]] double steady_contact_displacement(const ContactSystem& system, double friction_force);
+
+/// kappa of steady sliding at the speed of the wall at t = 0, N s/m.
+[[nodiscard]] double falling_slope(const ContactSystem& system);
+
+/// All eigenvalues s of the equation above with Im s >= 0, by modulus, 1/s. From 1/s as eigenvalue of the inverse first-order
+/// system, so that round-off is relative to the lowest: eps times (omega_n/omega_1)^2 for mode n. n^3 operations on dense
+/// matrices of twice the degrees of freedom.
+[[nodiscard]] std::vector<std::complex<double>> sliding_eigenvalues(const ContactSystem& system,
+                                                                    double slope);
+
+/// The slope at which the eigenvalue near i `angular_frequency` crosses the imaginary axis, by the secant method on its
+/// real part from 0 and `guess` (N s/m). Throws std::runtime_error if it does not converge.
+[[nodiscard]] double critical_slope(const ContactSystem& system, double angular_frequency, double guess);
+
+}  // namespace stickslip::solver

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "studies/stick_slip/squeal.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "stickslip/analytic/beam_contact_model.hpp"
+#include "stickslip/analytic/slip_modes.hpp"
+#include "stickslip/analytic/steady_sliding.hpp"
+#include "stickslip/analytic/tip_mobility.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
+#include "stickslip/solver/sliding_stability.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+void require_moving_wall(const data::Case& problem) {
+  if (problem.wall.speed() != 0.0) return;
+  throw data::FieldError("wall.speed", "0", "other than 0 (m/s), or nothing slides steadily");
+}
+
+analytic::ContactModel modal_model(const data::Case& problem) {
+  return analytic::BeamContactModel(problem.beam, problem.friction, problem.excitation, problem.damping,
+                                    problem.numerics.modes(), problem.wall)
+      .model();
+}
+
+// The slip state as it slides.
+solver::ContactSystem mesh_of(const data::Case& problem) {
+  return solver::beam_contact_system(
+      solver::BeamModel(problem.beam, problem.numerics.elements()), problem.friction,
+      solver::harmonic_motion(
+          data::HarmonicExcitation({.frequency_hz = problem.excitation.frequency_hz(), .amplitude = 0.0})),
+      problem.damping, problem.wall);
+}
+
+SquealMode mode_of(const data::Case& problem, const analytic::SlidingMode& mode,
+                   const std::vector<Complex>& eigenvalues) {
+  const double ratio = -mode.free_root.real() / std::abs(mode.free_root);
+  const bool holds = std::abs(ratio) > 1e-12;  // what rounding leaves of an undamped mode holds nothing
+  SquealMode result{.frequency_hz = mode.free_root.imag() / (2.0 * std::numbers::pi),
+                    .damping_ratio = holds ? ratio : 0.0,
+                    .one_mode_slope = holds ? mode.one_mode_slope : 0.0,
+                    .critical_slope = {},
+                    .critical_speed = {},
+                    .root = mode.root,
+                    .finite_element_root = {}};
+  if (mode.hopf) {
+    result.critical_slope = holds ? mode.hopf->slope : 0.0;
+    result.critical_speed =
+        analytic::speed_of_slope(problem.friction, problem.beam.axial_force(), *result.critical_slope);
+  }
+  if (mode.root)
+    result.finite_element_root =
+        *std::ranges::min_element(eigenvalues, {}, [&](Complex s) { return std::abs(s - *mode.root); });
+  return result;
+}
+
+}  // namespace
+
+Squeal squeal_of(const data::Case& problem, int modes) {
+  require_moving_wall(problem);
+  const analytic::ContactModel model = modal_model(problem);
+  std::vector<double> frequencies;
+  for (const auto& mode : analytic::slip_modes(problem.beam, modes))
+    frequencies.push_back(mode.angular_frequency());
+  const auto steady = analytic::steady_sliding(problem.beam, problem.friction, problem.wall);
+  Squeal squeal{
+      .speed = problem.wall.speed(),
+      .slope = analytic::falling_slope(problem.friction, problem.beam.axial_force(), problem.wall.speed()),
+      .friction_force = steady.friction_force,
+      .tip_displacement = steady.tip_displacement,
+      .finite_element_displacement = {},
+      .all_modes = problem.damping.ratio() == 0.0,
+      .modes = {},
+      .fastest = {}};
+  const solver::ContactSystem mesh = mesh_of(problem);
+  squeal.finite_element_displacement = solver::steady_contact_displacement(mesh, steady.friction_force);
+  const auto eigenvalues = solver::sliding_eigenvalues(mesh, solver::falling_slope(mesh));
+  squeal.fastest = *std::ranges::max_element(eigenvalues, {}, [](Complex s) { return s.real(); });
+  const analytic::Mobility mobility =
+      squeal.all_modes ? analytic::Mobility(analytic::TipMobility(problem.beam, problem.damping))
+                       : analytic::contact_mobility(model);
+  for (const auto& mode : analytic::sliding_modes(mobility, frequencies, squeal.slope))
+    squeal.modes.push_back(mode_of(problem, mode, eigenvalues));
+  return squeal;
+}
+
+SquealMap squeal_map(const data::Case& problem, const std::vector<double>& speeds,
+                     const std::vector<double>& ratios) {
+  SquealMap map;
+  data::Case changed = problem;
+  for (const double ratio : ratios) {
+    changed.damping = data::Damping({.kelvin_voigt = problem.damping.kelvin_voigt(), .ratio = ratio});
+    const analytic::ContactModel model = modal_model(changed);
+    for (const double speed : speeds) {
+      const double slope = analytic::falling_slope(problem.friction, problem.beam.axial_force(), speed);
+      map.rows.push_back({speed, ratio, analytic::sliding_eigenvalues(model, slope).front().real()});
+    }
+  }
+  return map;
+}
+
+namespace {
+
+// One period once more, for what a reader asks of it.
+void measure(const analytic::ContactModel& model, const analytic::PeriodicMotion& motion, Cycle& cycle) {
+  analytic::EventDriven run(model);
+  const auto& [state, phase] = motion.start;
+  const analytic::ContactDynamics dynamics(model);
+  if (phase == analytic::ContactPhase::stick)
+    run.start_stuck(state.amplitudes, state.rates, state.displacement);
+  else
+    run.start_slipping(state.amplitudes, state.rates, state.displacement,
+                       state.velocity - dynamics.wall_velocity(0.0));
+  constexpr int samples = 2000;
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  int stuck = 0;
+  for (int i = 1; i <= samples; ++i) {
+    run.advance_to(motion.period * i / samples);
+    const double tip = run.contact_displacement() - run.drive_displacement();
+    lowest = std::min(lowest, tip);
+    highest = std::max(highest, tip);
+    cycle.largest_sliding = std::max(cycle.largest_sliding, std::abs(run.sliding_velocity()));
+    stuck += run.state() == analytic::ContactPhase::stick ? 1 : 0;
+  }
+  cycle.peak_to_peak = highest - lowest;
+  cycle.stick_share = static_cast<double>(stuck) / samples;
+}
+
+}  // namespace
+
+Cycle cycle_of(const data::Case& problem, int periods, int settle) {
+  const analytic::ContactModel model = modal_model(problem);
+  Cycle cycle{.search = {},
+              .forced = problem.excitation.amplitude() > 0.0,
+              .peak_to_peak = {},
+              .largest_sliding = {},
+              .stick_share = {}};
+  if (cycle.forced) {
+    cycle.search = analytic::forced_motion(model, periods, settle);
+  } else {
+    if (problem.wall.speed() == 0.0)
+      throw data::FieldError("excitation.amplitude", "0", "above 0 (m) where wall.speed is 0: nothing moves");
+    const double period =
+        2.0 * std::numbers::pi / analytic::slip_modes(problem.beam, 1).front().angular_frequency();
+    cycle.search = analytic::self_excited_motion(model, settle * period, period / 200.0);
+  }
+  if (cycle.search.motion) measure(model, *cycle.search.motion, cycle);
+  return cycle;
+}
+
+bool is_stable(const Cycle& cycle) {
+  const auto& multipliers = cycle.search.motion->multipliers;
+  // The multiplier 1 of a shift in time is known to the accuracy of the motion.
+  std::size_t outside = 0;
+  for (const Complex multiplier : multipliers)
+    if (std::abs(multiplier) > 1.0 && !(!cycle.forced && std::abs(multiplier - 1.0) < 1e-6)) ++outside;
+  return outside == 0;
+}
+
+}  // namespace stickslip::studies

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// Steady sliding on a wall that moves, its stability by both implementations, and the vibration that follows from rest:
+/// friction-induced vibration, or squeal.
+
+#include <complex>
+#include <optional>
+#include <vector>
+
+#include "stickslip/analytic/periodic_motion.hpp"
+#include "stickslip/data/problem.hpp"
+
+namespace stickslip::studies {
+
+/// One mode of the sliding beam.
+struct SquealMode {
+  double frequency_hz{};                 ///< without falling friction
+  double damping_ratio{};                ///< of critical, without falling friction
+  double one_mode_slope{};               ///< kappa_k that the mode alone holds, N s/m (steady_sliding.hpp)
+  std::optional<double> critical_slope;  ///< kappa at the Hopf point, N s/m; nothing if there is none
+  std::optional<double> critical_speed;  ///< above it the mode is stable, m/s; infinite if it never is
+  std::optional<std::complex<double>> root;  ///< s at the speed of the wall, 1/s, characteristic equation
+  std::optional<std::complex<double>> finite_element_root;  ///< the eigenvalue of the mesh next to it, 1/s
+};
+
+/// Steady sliding of a case.
+struct Squeal {
+  double speed{};                        ///< V, m/s
+  double slope{};                        ///< kappa(V), N s/m
+  double friction_force{};               ///< on the beam, N
+  double tip_displacement{};             ///< relative to the base, closed form, m
+  double finite_element_displacement{};  ///< the same by the mesh, m
+  bool all_modes{};  ///< the characteristic equation is that of the continuous beam; else of numerics.modes
+  std::vector<SquealMode> modes;
+  std::complex<double> fastest;  ///< the eigenvalue of the mesh with the largest real part, 1/s
+
+  /// No eigenvalue of the mesh grows, up to what rounding leaves of it, 1e-9 of its modulus.
+  [[nodiscard]] bool is_stable() const { return fastest.real() <= 1e-9 * std::abs(fastest); }
+};
+
+/// Throws data::FieldError if wall.speed is 0, if P <= 0, or if the sliding beam has no `modes` natural frequencies (flutter or
+/// buckling).
+[[nodiscard]] Squeal squeal_of(const data::Case& problem, int modes);
+
+/// The largest real part of the eigenvalues of sliding over speeds and damping ratios, 1/s; numerics.modes modes.
+struct SquealMap {
+  struct Row {
+    double speed{}, ratio{}, growth{};
+  };
+  std::vector<Row> rows;  ///< speeds within ratios
+};
+[[nodiscard]] SquealMap squeal_map(const data::Case& problem, const std::vector<double>& speeds,
+                                   const std::vector<double>& ratios);
+
+/// A periodic motion of a case by shooting, with numerics.modes modes.
+struct Cycle {
+  analytic::PeriodicSearch search;
+  bool forced{};             ///< by the base; else self-excited by the wall
+  double peak_to_peak{};     ///< of the tip, absolute, m
+  double largest_sliding{};  ///< max |v_s|, m/s
+  double stick_share{};      ///< of the period
+};
+
+/// The motion after `settle` periods of the base or, if that does not move, of the first mode of the sliding beam; of `periods`
+/// periods of the base. Throws data::FieldError if neither base nor wall moves, and what EventDriven throws.
+[[nodiscard]] Cycle cycle_of(const data::Case& problem, int periods, int settle);
+
+/// No multiplier but the one of a shift in time is outside of the unit circle.
+[[nodiscard]] bool is_stable(const Cycle& cycle);
+
+}  // namespace stickslip::studies

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: MIT
+/// A wall that moves, and periodic motions with their Floquet multipliers, where they are known in closed form: one mass.
+
+#include "stickslip/analytic/periodic_motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "stickslip/analytic/beam_contact_model.hpp"
+#include "stickslip/analytic/steady_sliding.hpp"
+#include "support/contact_models.hpp"
+#include "support/requirements.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+using std::numbers::pi;
+using Complex = std::complex<double>;
+
+// A mass of 2 kg on a spring of 50 N/m, pressed with 10 N on a belt of 0.3 m/s. Without damping.
+struct Belt {
+  double mass = 2.0, stiffness = 50.0, normal_force = 10.0, speed = 0.3, static_coefficient = 0.6,
+         kinetic_coefficient = 0.4;
+
+  [[nodiscard]] double omega() const { return std::sqrt(stiffness / mass); }
+  // How far the spring is stretched beyond the equilibrium of sliding when the slip begins, m.
+  [[nodiscard]] double excess() const {
+    return (static_coefficient - kinetic_coefficient) * normal_force / stiffness;
+  }
+  // The mass slides on the arc of a circle in (x, v/omega) and comes back to the speed of the belt by symmetry.
+  [[nodiscard]] double slip_time() const {
+    return 2.0 / omega() * (pi - std::atan(omega() * excess() / speed));
+  }
+  [[nodiscard]] double stick_time() const { return 2.0 * excess() / speed; }
+  [[nodiscard]] double first_onset() const { return static_coefficient * normal_force / stiffness / speed; }
+};
+
+analytic::ContactModel jumping_belt(const Belt& belt) {
+  analytic::ContactModel model =
+      contact_model({.mass = belt.mass,
+                     .stiffness = belt.stiffness,
+                     .normal_force = belt.normal_force,
+                     .friction = {.static_coefficient = belt.static_coefficient,
+                                  .kinetic_coefficient = belt.kinetic_coefficient,
+                                  .decay = std::numeric_limits<double>::infinity()}});
+  model.wall_speed = belt.speed;
+  return model;
+}
+
+STICKSLIP_VERIFIES(MovingWall, "W1");
+TEST(MovingWall, CarriesAMassFromStickToSlipAsTheClosedFormSays) {
+  const Belt belt;
+  analytic::EventDriven run(jumping_belt(belt));
+  run.advance_to(6.0);
+  const auto& events = run.events();
+  ASSERT_GE(events.size(), 6u);
+  double time = belt.first_onset();
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    const bool onset = i % 2 == 0;
+    EXPECT_EQ(events[i].change, onset ? analytic::ContactChange::onset : analytic::ContactChange::capture);
+    // 1e-12 of the state in each of some 100 steps.
+    EXPECT_TRUE(within(events[i].time, time, discretisation(1e-10, 1.0, "1e-12 a step")));
+    time += onset ? belt.slip_time() : belt.stick_time();
+  }
+}
+
+TEST(MovingWall, IsLeftBehindByAMassThatSlidesSteadily) {
+  const Belt belt;
+  analytic::ContactModel model = jumping_belt(belt);
+  analytic::EventDriven run(model);
+  const double rest = belt.kinetic_coefficient * belt.normal_force / belt.stiffness;
+  run.start_slipping({}, {}, rest, -belt.speed);
+  run.advance_to(3.0);
+  EXPECT_TRUE(within(run.contact_displacement(), rest, round_off(1000, 1, rest)));
+  EXPECT_TRUE(within(run.contact_position(), rest - 3.0 * belt.speed, round_off(1000, 1, 1.0)));
+  EXPECT_TRUE(within(run.sliding_velocity(), -belt.speed, round_off(1000, 1, belt.speed)));
+}
+
+// With A0 = 0 both directions are the same motion but for the sign.
+TEST(MovingWall, GivesTheMirroredMotionInTheOtherDirection) {
+  Belt belt;
+  analytic::EventDriven plus(jumping_belt(belt));
+  belt.speed = -belt.speed;
+  analytic::EventDriven minus(jumping_belt(belt));
+  for (double t = 0.1; t < 3.0; t += 0.1) {
+    plus.advance_to(t);
+    minus.advance_to(t);
+    ASSERT_EQ(plus.contact_displacement(), -minus.contact_displacement());
+    ASSERT_EQ(plus.friction_force(), -minus.friction_force());
+  }
+}
+
+TEST(MovingWall, LeavesNothingUnexplainedInTheEnergyBalance) {
+  const Belt belt;
+  analytic::EventDriven run(jumping_belt(belt), {.keep_energy_balance = true});
+  run.advance_to(5.0);
+  const auto energy = run.energy_balance();
+  const double change = energy.kinetic + energy.potential - 0.5 * belt.mass * belt.speed * belt.speed;
+  EXPECT_GT(energy.base_work, 1.0);
+  EXPECT_TRUE(within(change, energy.base_work - energy.friction_loss,
+                     discretisation(1e-9 * energy.base_work, 1.0, "1e-12 a step")));
+}
+
+// --- Multipliers
+
+void expect_multipliers(const std::vector<Complex>& computed, const std::vector<Complex>& expected,
+                        const Tolerance& tolerance) {
+  ASSERT_EQ(computed.size(), expected.size());
+  for (const Complex value : expected) {
+    const auto nearest =
+        *std::ranges::min_element(computed, {}, [&](Complex z) { return std::abs(z - value); });
+    EXPECT_TRUE(within(std::abs(nearest - value), 0.0, tolerance))
+        << value << " is not there, but " << nearest;
+  }
+}
+
+STICKSLIP_VERIFIES(PeriodicMotion, "W3");
+TEST(PeriodicMotion, OfAMassOnABeltHasThePeriodInClosedFormAndIsSuperstable) {
+  const Belt belt;
+  const auto [motion, reason] = analytic::self_excited_motion(jumping_belt(belt), 20.0, 0.01);
+  ASSERT_TRUE(motion);
+  EXPECT_TRUE(within(motion->period, belt.slip_time() + belt.stick_time(),
+                     discretisation(1e-10, 1.0, "1e-12 a step")));
+  EXPECT_EQ(motion->events.size(), 2u);
+  // A shift in time stays, and a stop forgets everything else.
+  expect_multipliers(motion->multipliers, {1.0, 0.0}, discretisation(1e-10, 1.0, "1e-12 a step"));
+}
+
+// A mass with a damper that slides with falling friction is linear but for the change of the slope.
+TEST(PeriodicMotion, HasTheMultipliersOfTheLinearSystemInSteadySliding) {
+  const double mass = 2.0, stiffness = 50.0, damping = 0.7, speed = 0.4;
+  analytic::ContactModel model =
+      contact_model({.mass = mass,
+                     .stiffness = stiffness,
+                     .normal_force = 10.0,
+                     .friction = {.static_coefficient = 0.6, .kinetic_coefficient = 0.4, .decay = 2.0}});
+  model.wall_speed = speed;
+  model.damping = analytic::Matrix(1, 1);
+  model.damping(0, 0) = damping;
+  const double mu = 0.4 + 0.2 * std::exp(-2.0 * speed), slope = 10.0 * 0.4 * std::exp(-2.0 * speed);
+  EXPECT_TRUE(within(analytic::falling_slope(model.friction, 10.0, speed), slope, round_off(5, 1, slope)));
+  const analytic::ContactStart start{{{}, {}, mu * 10.0 / stiffness, 0.0}, analytic::ContactPhase::slip};
+  const double duration = 0.8, decay = 0.5 * (damping - slope) / mass;
+  const Complex root(-decay, std::sqrt(stiffness / mass - decay * decay));
+  const auto image = analytic::poincare_map(model, start, duration);
+  expect_multipliers(analytic::eigenvalues(image.derivative),
+                     {std::exp(root * duration), std::exp(std::conj(root) * duration)},
+                     discretisation(1e-11, 1.0, "1e-13 a step"));
+}
+
+// Den Hartog (1931): a mass between two stops of velocity, m = k = 1, force F sin(beta t), friction f, no halt. With
+// theta = pi/beta: x0 is the amplitude, r the ratio of the accelerations after and before a reversal, and half a period,
+// mirrored, is diag(1, r) times the rotation by theta.
+TEST(PeriodicMotion, OfDenHartogHasTheMultipliersInClosedForm) {
+  for (const double beta : {0.7, 0.85, 1.3}) {
+    SCOPED_TRACE(beta);
+    const double force = 1.0, friction = 0.1, theta = pi / beta;
+    const double gain = force / (1.0 - beta * beta),
+                 loss = std::sin(theta) / (beta * (1.0 + std::cos(theta)));
+    const double amplitude = std::sqrt(gain * gain - std::pow(friction * loss, 2));
+    const double inertia = beta * beta * amplitude, ratio = (inertia - friction) / (inertia + friction);
+    const Complex half = 0.5 * (1.0 + ratio) * std::cos(theta);
+    const Complex root = std::sqrt(half * half - ratio);
+    analytic::ContactModel model = contact_model(
+        {.mass = 1.0,
+         .stiffness = 1.0,
+         .normal_force = 1.0,
+         .friction = {.static_coefficient = friction, .kinetic_coefficient = friction, .decay = 0.0},
+         .omega = beta});
+    model.load = {force};
+    const auto [motion, reason] = analytic::forced_motion(model, 1, 60);
+    ASSERT_TRUE(motion);
+    ASSERT_EQ(motion->events.size(), 2u);
+    EXPECT_EQ(motion->events.front().change, analytic::ContactChange::reversal);
+    EXPECT_TRUE(within(std::abs(motion->events.front().position), amplitude,
+                       discretisation(1e-10, 1.0, "1e-12 a step")));
+    expect_multipliers(motion->multipliers, {std::pow(half + root, 2), std::pow(half - root, 2)},
+                       discretisation(1e-9, 1.0, "1e-12 a step"));
+  }
+}
+
+// --- Two modes against finite differences
+
+struct Flow {
+  analytic::ContactModel model;
+  double duration{};
+
+  [[nodiscard]] std::vector<double> operator()(const analytic::ContactStart& start) const {
+    analytic::EventDriven run(model, {.tolerance = 1e-14});
+    if (start.phase == analytic::ContactPhase::stick)
+      run.start_stuck(start.kinematics.amplitudes, start.kinematics.rates, start.kinematics.displacement);
+    else
+      run.start_slipping(start.kinematics.amplitudes, start.kinematics.rates, start.kinematics.displacement,
+                         start.kinematics.velocity - analytic::ContactDynamics(model).wall_velocity(0.0));
+    run.advance_to(duration);
+    return {run.amplitudes()[0], run.contact_displacement(), run.rates()[0], run.contact_velocity()};
+  }
+};
+
+double& coordinate(analytic::ContactStart& start, std::size_t i) {
+  analytic::ContactKinematics& state = start.kinematics;
+  return i == 0   ? state.amplitudes[0]
+         : i == 1 ? state.displacement
+         : i == 2 ? state.rates[0]
+                  : state.velocity;
+}
+
+void expect_derivative_of_differences(const analytic::ContactModel& model,
+                                      const analytic::ContactStart& start, double duration) {
+  const auto image = analytic::poincare_map(model, start, duration);
+  const Flow flow{model, duration};
+  constexpr double step = 1e-5;
+  for (std::size_t j = 0; j < 4; ++j) {
+    if (j == 3 && start.phase == analytic::ContactPhase::stick) continue;
+    analytic::ContactStart ahead = start, behind = start;
+    coordinate(ahead, j) += step;
+    coordinate(behind, j) -= step;
+    const auto after = flow(ahead), before = flow(behind);
+    // A central difference: rounding 1e-12/step, and the third derivative times step^2/6, about 1 here.
+    for (std::size_t i = 0; i < 4; ++i)
+      EXPECT_TRUE(within(image.derivative(i, j), (after[i] - before[i]) / (2.0 * step),
+                         discretisation(1e-12 / step + step * step, 10.0, "rounding and step^2")))
+          << i << j;
+  }
+}
+
+// The pair of exact_pair.hpp on a moving wall with a falling law: stops, onsets and reversals.
+TEST(PeriodicMotion, HasTheDerivativeOfFiniteDifferencesThroughAllChanges) {
+  analytic::ContactModel model = contact_model(ForcedPair());
+  for (const double decay : {1.5, std::numeric_limits<double>::infinity()}) {
+    model.friction =
+        data::FrictionLaw({.static_coefficient = 0.2, .kinetic_coefficient = 0.12, .decay = decay});
+    model.wall_speed = 0.05;
+    std::set<analytic::ContactChange> seen;
+    for (const auto& [phase, velocity] :
+         {std::pair{analytic::ContactPhase::slip, 0.9}, {analytic::ContactPhase::stick, 0.0}}) {
+      const analytic::ContactStart start{{{0.1}, {-0.2}, 0.05, velocity}, phase};
+      for (const double duration : {0.7, 2.1, 4.2}) {
+        SCOPED_TRACE(duration);
+        expect_derivative_of_differences(model, start, duration);
+        for (const auto& event : analytic::poincare_map(model, start, duration).events)
+          seen.insert(event.change);
+      }
+    }
+    EXPECT_EQ(seen.size(), 3u);
+  }
+}
+
+TEST(PeriodicMotion, OfAForcedPairReturnsAndForgetsWhatTheStopsTake) {
+  analytic::ContactModel model = contact_model(ForcedPair());
+  const auto [motion, reason] = analytic::forced_motion(model, 1, 20);
+  ASSERT_TRUE(motion);
+  const Flow flow{model, motion->period};
+  auto start = motion->start;
+  const auto end = flow(start);
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_TRUE(within(end[i], coordinate(start, i), discretisation(1e-10, 1.0, "1e-12 a step")));
+  EXPECT_LT(std::abs(motion->multipliers.front()), 1.0);
+  EXPECT_TRUE(within(std::abs(motion->multipliers.back()), 0.0, discretisation(1e-12, 1.0, "1e-13 a step")));
+}
+
+TEST(PeriodicMotion, IsNotFoundWhereTheContactNeverSlips) {
+  analytic::ContactModel model = contact_model(ForcedPair());
+  model.normal_force = 1e3;
+  EXPECT_EQ(analytic::forced_motion(model, 1, 5).reason, analytic::NoMotion::sticks);
+}
+
+}  // namespace
+}  // namespace stickslip::testing

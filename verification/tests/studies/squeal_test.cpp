@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: MIT
+/// Steady sliding on a wall that moves, and what follows from rest, by both implementations.
+
+#include "studies/stick_slip/squeal.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "stickslip/analytic/beam_contact_model.hpp"
+#include "stickslip/analytic/free_mode_run.hpp"
+#include "stickslip/analytic/slip_modes.hpp"
+#include "stickslip/analytic/steady_sliding.hpp"
+#include "stickslip/analytic/tip_mobility.hpp"
+#include "stickslip/data/case_file.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
+#include "stickslip/solver/contact_mobility.hpp"
+#include "stickslip/solver/sliding_stability.hpp"
+#include "support/beams.hpp"
+#include "support/contact_models.hpp"
+#include "support/requirements.hpp"
+#include "support/single_mass.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+using Complex = std::complex<double>;
+
+data::Case reed(const std::vector<data::Override>& overrides = {}) {
+  return data::load_case("reed", overrides);
+}
+
+// The reed with Kelvin-Voigt damping of 1 % of critical in its first mode: the closed form knows all modes.
+data::Case viscous_reed() { return reed({{"damping.ratio", "0.0"}, {"damping.kelvin_voigt", "1.27e-5"}}); }
+
+solver::ContactSystem mesh_of(const data::Case& problem, int elements) {
+  return solver::beam_contact_system(solver::BeamModel(problem.beam, elements), problem.friction,
+                                     solver::harmonic_motion(problem.excitation), problem.damping,
+                                     problem.wall);
+}
+
+std::vector<double> free_frequencies(const data::Case& problem, int count) {
+  std::vector<double> frequencies;
+  for (const auto& mode : analytic::slip_modes(problem.beam, count))
+    frequencies.push_back(mode.angular_frequency());
+  return frequencies;
+}
+
+STICKSLIP_VERIFIES(SteadySliding, "W2");
+TEST(SteadySliding, HasTheDeflectionOfTheMeshInEveryDirectionOfTheForce) {
+  for (const double direction : {0.0, 0.4, 1.0}) {
+    data::BeamProperties properties = paper_beam().properties();
+    properties.axial_force = 4000.0;  // almost half of Euler's load
+    properties.axial_direction = direction;
+    const data::Beam beam(properties);
+    const data::Wall wall({.speed = -0.2});
+    const auto steady = analytic::steady_sliding(beam, paper_friction(), wall);
+    EXPECT_TRUE(
+        within(steady.friction_force, -4000.0 * (0.3 + 0.3 * std::exp(-0.2)), round_off(5, 1, 4000.0)));
+    std::vector<double> errors;
+    for (const int elements : {4, 8}) {
+      const auto system = solver::beam_contact_system(solver::BeamModel(beam, elements), paper_friction(),
+                                                      at_rest(), {}, wall);
+      errors.push_back(std::abs(solver::steady_contact_displacement(system, steady.friction_force) /
+                                    steady.tip_displacement -
+                                1.0));
+    }
+    EXPECT_LT(errors[1], 1e-5);
+    // Order 4 of the mesh.
+    EXPECT_GT(errors[0] / errors[1], 14.0);
+    EXPECT_LT(errors[0] / errors[1], 18.0);
+    // The limit of Y(s)/s.
+    const analytic::TipMobility mobility(beam);
+    EXPECT_TRUE(within((mobility(1e-4) / 1e-4).real() * steady.friction_force / steady.tip_displacement, 1.0,
+                       discretisation(1e-8 / 100.0, 10.0, "(s/omega_1)^2")));
+  }
+}
+
+TEST(SteadySliding, OfAMassLosesItsStabilityWhereTheDamperEqualsTheSlope) {
+  analytic::ContactModel model = contact_model({.mass = 2.0, .stiffness = 50.0});
+  model.damping = analytic::Matrix(1, 1);
+  model.damping(0, 0) = 0.7;
+  const auto modes = analytic::sliding_modes(analytic::contact_mobility(model), {5.0}, 1.5);
+  ASSERT_EQ(modes.size(), 1u);
+  EXPECT_TRUE(within(modes[0].one_mode_slope, 0.7, discretisation(1e-10, 1.0, "difference quotient of Z")));
+  EXPECT_TRUE(within(modes[0].hopf->slope, 0.7, round_off(100, 1, 0.7)));
+  EXPECT_TRUE(within(modes[0].hopf->angular_frequency, 5.0, round_off(100, 1, 5.0)));
+  EXPECT_TRUE(within(modes[0].root->real(), 0.5 * (1.5 - 0.7) / 2.0, round_off(100, 1, 5.0)));
+  const data::FrictionLaw law(
+      {.static_coefficient = 0.6, .kinetic_coefficient = 0.4, .decay = 2.0, .viscous = 0.01});
+  const double speed = analytic::speed_of_slope(law, 10.0, 0.7);
+  EXPECT_TRUE(within(analytic::falling_slope(law, 10.0, speed), 0.7, round_off(10, 1, 4.0)));
+  EXPECT_EQ(analytic::speed_of_slope(law, 10.0, 4.0), 0.0);
+  EXPECT_EQ(analytic::speed_of_slope(data::FrictionLaw({0.6, 0.4, 2.0, 0.0}), 10.0, 0.0),
+            std::numeric_limits<double>::infinity());
+}
+
+// Eigenvalues of matrices on one side, the characteristic equation of the mobility on the other: the same mesh.
+TEST(SteadySliding, CrossesTheAxisInEigenvaluesWhereTheMobilityOfTheSameMeshSays) {
+  const data::Case problem = viscous_reed();
+  const auto mesh = mesh_of(problem, 8);
+  const solver::ContactMobility mobility(mesh);
+  const auto modes =
+      analytic::sliding_modes([&](Complex s) { return mobility(s); }, free_frequencies(problem, 2), 2.0);
+  ASSERT_EQ(modes.size(), 2u);
+  const auto eigenvalues = solver::sliding_eigenvalues(mesh, 2.0);
+  for (const auto& mode : modes) {
+    const double slope = solver::critical_slope(mesh, mode.hopf->angular_frequency, mode.one_mode_slope);
+    // Round-off of an eigenvalue relative to its modulus, over the damping ratio of 1 % and more.
+    EXPECT_TRUE(within(slope, mode.hopf->slope, round_off(100, 1.0 / 0.01, slope)));
+    const auto nearest =
+        *std::ranges::min_element(eigenvalues, {}, [&](Complex s) { return std::abs(s - *mode.root); });
+    EXPECT_TRUE(within(std::abs(nearest - *mode.root), 0.0, round_off(1e4, 1, std::abs(nearest))));
+  }
+}
+
+TEST(SteadySliding, OfTheMeshConvergesToTheClosedFormWithOrderFour) {
+  const data::Case problem = viscous_reed();
+  const auto exact = analytic::sliding_modes(analytic::TipMobility(problem.beam, problem.damping),
+                                             free_frequencies(problem, 2), 2.0);
+  ASSERT_EQ(exact.size(), 2u);
+  for (const auto& mode : exact) {
+    std::vector<double> errors;
+    for (const int elements : {5, 10}) {
+      const double slope = solver::critical_slope(mesh_of(problem, elements), mode.hopf->angular_frequency,
+                                                  mode.one_mode_slope);
+      errors.push_back(std::abs(slope / mode.hopf->slope - 1.0));
+    }
+    EXPECT_GT(errors[0] / errors[1], 12.0);
+    EXPECT_LT(errors[0] / errors[1], 20.0);
+  }
+}
+
+// kappa g_k/2 = zeta_k omega_k, with the g_k of the modes without damping. The contact couples the modes: the slope that all
+// of them hold differs from it by a term of second order in the damping.
+TEST(SteadySliding, HoldsInOneModeWhatTheFormulaOfNegativeDampingSays) {
+  std::vector<double> coupling;
+  for (const std::string damping : {"4e-6", "2e-6"}) {
+    const data::Case problem = reed({{"damping.ratio", "0.0"}, {"damping.kelvin_voigt", damping}});
+    const auto mode = analytic::sliding_modes(analytic::TipMobility(problem.beam, problem.damping),
+                                              free_frequencies(problem, 1), 0.0)
+                          .front();
+    const double input = analytic::free_modes(problem.beam, 1).front().input;
+    EXPECT_TRUE(within(mode.one_mode_slope * input / 2.0, -mode.free_root.real(),
+                       discretisation(-1e-12 * mode.free_root.real(), 5.0, "(1e-3)^4 of the derivative")));
+    coupling.push_back(mode.hopf->slope / mode.one_mode_slope - 1.0);
+  }
+  EXPECT_LT(std::abs(coupling[0]), 1e-5);
+  EXPECT_GT(coupling[0] / coupling[1], 3.9);
+  EXPECT_LT(coupling[0] / coupling[1], 4.1);
+}
+
+// The flow of the event-driven method about steady sliding, and the roots of the characteristic equation.
+TEST(SteadySliding, HasMultipliersThatAreTheExponentialsOfItsRoots) {
+  const data::Case problem = reed();
+  const auto model = analytic::BeamContactModel(problem.beam, problem.friction, problem.excitation,
+                                                problem.damping, 3, problem.wall)
+                         .model();
+  const double slope = analytic::falling_slope(problem.friction, 10.0, 0.3);
+  const auto roots = analytic::sliding_eigenvalues(model, slope);
+  const auto steady = analytic::steady_sliding(problem.beam, problem.friction, problem.wall);
+  // Of these modes: K x = f_d e_c.
+  analytic::ContactKinematics rest{std::vector<double>(3), std::vector<double>(3),
+                                   steady.friction_force / (model.contact_stiffness + model.contact_follower),
+                                   0.0};
+  const double period = 0.004;
+  const auto image = analytic::poincare_map(model, {rest, analytic::ContactPhase::slip}, period);
+  const auto multipliers = analytic::eigenvalues(image.derivative);
+  for (const Complex root : roots) {
+    const Complex expected = std::exp(root * period);
+    const auto nearest =
+        *std::ranges::min_element(multipliers, {}, [&](Complex z) { return std::abs(z - expected); });
+    EXPECT_TRUE(within(std::abs(nearest - expected), 0.0, discretisation(1e-10, 10.0, "1e-13 a step")));
+  }
+}
+
+TEST(SteadySliding, IsMappedOverSpeedAndDampingWithTheBoundaryOfTheHopfPoint) {
+  const data::Case problem = reed();
+  const auto squeal = studies::squeal_of(problem, 3);
+  const double speed = *squeal.modes.front().critical_speed;
+  const auto map = studies::squeal_map(problem, {speed * (1.0 - 1e-6), speed * (1.0 + 1e-6)}, {0.01});
+  EXPECT_GT(map.rows[0].growth, 0.0);
+  EXPECT_LT(map.rows[1].growth, 0.0);
+  EXPECT_FALSE(squeal.is_stable());
+  EXPECT_TRUE(studies::squeal_of(reed({{"wall.speed", "0.7"}}), 3).is_stable());
+  EXPECT_THROW((void)studies::squeal_of(reed({{"wall.speed", "0.0"}}), 3), data::FieldError);
+}
+
+// --- The wall that moves in the time stepper
+
+STICKSLIP_VERIFIES(MovingWallOfTheMesh, "W1");
+TEST(MovingWallOfTheMesh, CarriesAMassOnABeltAtSecondOrder) {
+  const double speed = 0.3, stiffness = 50.0, mass = 2.0, excess = 0.04, omega = 5.0;
+  const solver::PrescribedMotion belt{[=](double t) { return speed * t; }, [=](double) { return speed; },
+                                      [](double) { return 0.0; }};
+  const auto system = contact_system({.mass = mass,
+                                      .stiffness = stiffness,
+                                      .normal_force = 10.0,
+                                      .friction = {.static_coefficient = 0.6,
+                                                   .kinetic_coefficient = 0.4,
+                                                   .decay = std::numeric_limits<double>::infinity()}},
+                                     belt);
+  const double slip = 2.0 / omega * (std::numbers::pi - std::atan(omega * excess / speed));
+  std::vector<double> errors;
+  for (const double step : {2e-3, 1e-3, 5e-4}) {
+    solver::StickSlipIntegrator run(system, {.time_step = step, .spectral_radius = 0.9});
+    run.start_stuck(scalar(0.0), scalar(0.0));
+    while (run.time() < 5.0) run.step();
+    double time = 0.6 * 10.0 / stiffness / speed, largest = 0.0;
+    ASSERT_GE(run.events().size(), 4u);
+    for (std::size_t i = 0; i < 4; ++i) {
+      largest = std::max(largest, std::abs(run.events()[i].time - time));
+      time += i % 2 == 0 ? slip : 2.0 * excess / speed;
+    }
+    errors.push_back(largest);
+  }
+  for (std::size_t i : {1u, 2u}) {
+    EXPECT_GT(errors[i - 1] / errors[i], 3.5);
+    EXPECT_LT(errors[i - 1] / errors[i], 4.5);
+  }
+}
+
+TEST(MovingWallOfTheMesh, HasTheChangesOfTheEventDrivenRun) {
+  const data::Case problem = viscous_reed();
+  analytic::EventDriven exact(analytic::BeamContactModel(problem.beam, problem.friction, problem.excitation,
+                                                         problem.damping, 12, problem.wall)
+                                  .model());
+  exact.advance_to(0.01);
+  std::vector<double> errors;
+  for (const double step : {4e-6, 2e-6}) {
+    data::NumericalChoices choices = problem.numerics.choices();
+    choices.elements = 12;
+    choices.time_step = step;
+    solver::BeamSimulation run(problem.beam, problem.friction, problem.excitation,
+                               data::NumericalSettings(choices),
+                               {.damping = problem.damping, .wall = problem.wall});
+    while (run.time() < 0.01) run.step();
+    const auto& events = run.integrator().events();
+    ASSERT_EQ(events.size(), exact.events().size());
+    double largest = 0.0;
+    for (std::size_t i = 0; i < events.size(); ++i)
+      largest = std::max(largest, std::abs(events[i].time - exact.events()[i].time));
+    errors.push_back(largest);
+  }
+  // Second order, down to what mesh and modes leave.
+  EXPECT_GT(errors[0] / errors[1], 3.5);
+  EXPECT_LT(errors[1], 1e-8);
+}
+
+// --- From rest
+
+STICKSLIP_VERIFIES(Cycles, "W3");
+TEST(Cycles, OfTheReedAreTheSameForBothDirectionsOfTheWallAndEveryLaterSettling) {
+  const auto cycle = studies::cycle_of(reed({{"numerics.modes", "4"}}), 1, 60);
+  ASSERT_TRUE(cycle.search.motion);
+  EXPECT_TRUE(studies::is_stable(cycle));
+  EXPECT_GT(cycle.stick_share, 0.05);
+  for (const auto& [speed, settle] : {std::pair{"0.3", 100}, {"-0.3", 60}}) {
+    const auto other = studies::cycle_of(reed({{"numerics.modes", "4"}, {"wall.speed", speed}}), 1, settle);
+    ASSERT_TRUE(other.search.motion);
+    EXPECT_TRUE(within(other.search.motion->period, cycle.search.motion->period,
+                       discretisation(1e-12, 100.0, "1e-12 a step")));
+  }
+}
+
+TEST(Cycles, AreNotFoundWhereTheReedSlidesSteadilyOrNothingMoves) {
+  const auto cycle = studies::cycle_of(reed({{"wall.speed", "4.0"}, {"numerics.modes", "2"}}), 1, 200);
+  EXPECT_FALSE(cycle.search.motion);
+  EXPECT_EQ(cycle.search.reason, analytic::NoMotion::steady);
+  EXPECT_THROW((void)studies::cycle_of(reed({{"wall.speed", "0.0"}}), 1, 10), data::FieldError);
+}
+
+// Converged in the modes (1.2414 with 10 and 20), a pair of multipliers is outside of the unit circle: the history of this case
+// does not settle to its period.
+TEST(Cycles, OfTheDampedBeamOnAShakingBaseReturnButAreUnstable) {
+  const data::Case problem = data::load_case("damped", {{"numerics.modes", "3"}});
+  const auto cycle = studies::cycle_of(problem, 1, 200);
+  ASSERT_TRUE(cycle.search.motion);
+  const analytic::PeriodicMotion& motion = *cycle.search.motion;
+  EXPECT_TRUE(cycle.forced);
+  EXPECT_FALSE(studies::is_stable(cycle));
+  EXPECT_LT(motion.residual, 1e-9);
+  const double modulus = std::abs(motion.multipliers.front());
+  EXPECT_GT(modulus, 1.2);
+  EXPECT_LT(std::abs(motion.multipliers.back()), 1e-12);
+  // Of two periods they are the squares.
+  const auto model =
+      analytic::BeamContactModel(problem.beam, problem.friction, problem.excitation, problem.damping, 3)
+          .model();
+  const auto twice =
+      analytic::eigenvalues(analytic::poincare_map(model, motion.start, 2.0 * motion.period).derivative);
+  EXPECT_TRUE(
+      within(std::abs(twice.front()), modulus * modulus,
+             discretisation(motion.residual, 1e4, "of x(T) = x(0), times the curvature of the flow")));
+}
+
+}  // namespace
+}  // namespace stickslip::testing
