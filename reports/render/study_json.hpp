@@ -147,8 +147,10 @@ STICKSLIP_JSON(Scope, friction_limit, steady, damped, slender, softer, late_slip
 STICKSLIP_JSON(AxialDirectionPlane, figures, problem, cells, flipped, lowest_ratio, highest_ratio, buckled,
                slip_buckling_load, flipped_share(), buckled_share())
 STICKSLIP_JSON(AxialDirectionForce, frequency_hz, ratio)
-STICKSLIP_JSON(ShearPlane, figures, cells, flipped, lowest_ratio, highest_ratio, buckled)
+STICKSLIP_JSON(ShearPlane, figures, cells, flipped, lowest_ratio, highest_ratio, buckled, flipped_share())
 STICKSLIP_JSON(ModelForm, forces, planes, shear)
+STICKSLIP_JSON(ModelVariant, stiffness_ratio, damping_ratio)
+STICKSLIP_JSON(VariantPlane, figures, variant, cells, to_stick, to_slip, flipped_share())
 STICKSLIP_JSON(PrintedCheck, printed, computed, method, allowed, because, left_open, error(), verdict(),
                agrees())
 STICKSLIP_JSON(ErratumEvidence, erratum, quantity, unit, as_printed, corrected, reference, tolerance,

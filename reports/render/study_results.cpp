@@ -2,6 +2,7 @@
 #include "render/study_results.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "render/study_json.hpp"
 #include "render/text_file.hpp"
@@ -104,6 +105,7 @@ void StudyResults::run_all() {
   design_example();
   scope();
   model_form();
+  model_variants();
   errata_evidence();
   history_refinements();
 }
@@ -378,6 +380,20 @@ const studies::ModelForm& StudyResults::model_form() {
   return once("model_form", "criterion with an axial force of fixed direction", [&] {
     constexpr int lengths = 81;  // every 2 cm
     return studies::model_form(paper_, half_stiffness_, flat_section_, lengths);
+  });
+}
+
+const std::vector<std::vector<studies::VariantPlane>>& StudyResults::model_variants() {
+  return once("model_variants", "criterion with contact compliance and with damping", [&] {
+    constexpr int lengths = 17;        // every 10 cm
+    constexpr std::size_t stride = 5;  // of the axial forces
+    constexpr double rigid = std::numeric_limits<double>::infinity();
+    std::vector<std::vector<studies::VariantPlane>> rows;
+    for (const studies::ModelVariant& variant :
+         {studies::ModelVariant{10.0, 0.0}, {100.0, 0.0}, {1000.0, 0.0}, {rigid, 0.005}, {rigid, 0.02}})
+      rows.push_back(
+          studies::variant_planes(variant, paper_, half_stiffness_, flat_section_, lengths, stride));
+    return rows;
   });
 }
 

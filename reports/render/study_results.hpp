@@ -90,7 +90,9 @@ class StudyResults {
   stiffness_map();                          ///< frequency and Young's modulus, at the amplitude of Fig. 4
   const studies::Design& design_example();  ///< the section of Fig. 14 over a band around its frequency
   const studies::Scope& scope();            ///< of the criterion: its horizon, damping, slenderness
-  const studies::ModelForm& model_form();   ///< what an axial force of fixed direction changes
+  const studies::ModelForm& model_form();   ///< what an axial force of fixed direction, and shear, change
+  const std::vector<std::vector<studies::VariantPlane>>&
+  model_variants();  ///< what compliance and damping change
   const std::vector<studies::PrintedCheck>& printed_checks();
   const std::vector<studies::ErratumEvidence>& errata_evidence();
 
