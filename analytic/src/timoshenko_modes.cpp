@@ -171,7 +171,8 @@ std::vector<double> timoshenko_frequencies(const data::Beam& beam, TipSupport ti
   const TimoshenkoBeam timoshenko = checked(beam);
   if (tip == TipSupport::free && beam.axial_force() != 0.0)
     throw data::FieldError("beam.axial_force", beam.axial_force(),
-                           "0 for the closed form with shear of a tip that slides");
+                           "0 for the closed form of a tip that slides, with a beam.shear_stiffness; finite "
+                           "elements (--method fe) have both");
   std::vector<double> frequencies = tip == TipSupport::held ? timoshenko.held(count) : timoshenko.free(count);
   if (static_cast<int>(frequencies.size()) < count)
     throw data::FieldError("numerics.modes", count,
