@@ -40,15 +40,17 @@ struct Frequency {
 constexpr int most_drawn = 8;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
+std::vector<Frequency> closed_form_with_shear(const data::Beam& beam, analytic::TipSupport tip, int count) {
+  std::vector<Frequency> frequencies;
+  const auto found = analytic::timoshenko_frequencies(beam, tip, count);
+  const double load_share = std::max(0.0, beam.axial_force()) / analytic::stick_buckling_load(beam);
+  for (const double omega : found)
+    frequencies.push_back({omega / (2.0 * std::numbers::pi), 4.0 * epsilon / (1.0 - load_share)});
+  return frequencies;
+}
+
 std::vector<Frequency> closed_form_stick(const data::Beam& beam, int count) {
   std::vector<Frequency> frequencies;
-  if (beam.shear_stiffness() > 0.0) {
-    const double condition =
-        1.0 / (1.0 - std::max(0.0, beam.axial_force()) / analytic::stick_buckling_load(beam));
-    for (const double omega : analytic::timoshenko_frequencies(beam, analytic::TipSupport::held, count))
-      frequencies.push_back({omega / (2.0 * std::numbers::pi), 4.0 * epsilon * condition});
-    return frequencies;
-  }
   for (const auto& mode : analytic::stick_modes(beam, count))
     frequencies.push_back({mode.frequency_hz(), 4.0 * epsilon * mode.condition_number()});
   return frequencies;
@@ -97,6 +99,9 @@ std::vector<Frequency> finite_element(const data::Case& problem, bool slip, int 
 std::vector<Frequency> frequencies_of(const data::Case& problem, const ModesOptions& options) {
   const bool slip = options.state == "slip";
   if (options.method == "fe") return finite_element(problem, slip, options.count);
+  if (problem.beam.shear_stiffness() > 0.0)
+    return closed_form_with_shear(
+        problem.beam, slip ? analytic::TipSupport::free : analytic::TipSupport::held, options.count);
   return slip ? closed_form_slip(problem.beam, options.count)
               : closed_form_stick(problem.beam, options.count);
 }

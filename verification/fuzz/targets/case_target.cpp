@@ -26,6 +26,7 @@ std::vector<data::Override> overrides_of(const data::Case& problem) {
           number("beam.youngs_modulus", beam.youngs_modulus()),
           number("beam.axial_force", beam.axial_force()),
           number("beam.axial_direction", beam.axial_direction()),
+          number("beam.shear_stiffness", beam.shear_stiffness()),
           number("friction.static_coefficient", friction.static_coefficient()),
           number("friction.kinetic_coefficient", friction.kinetic_coefficient()),
           number("friction.decay", friction.decay()),

@@ -204,6 +204,22 @@ TEST(TimoshenkoModes, RefuseWhatHasNoSuchForm) {
   refuses(slender, TipSupport::free, 1000);
 }
 
+// A shear beam, s^2 = 400 and r^2 = 1e-9: the clamp of the sections is lost in rounding, and omega = n pi sqrt(K/(rho A))/L.
+TEST(TimoshenkoModes, AreThoseOfAStringWhereShearIsAll) {
+  const data::Beam string({.length = 1.0,
+                           .area = 1e9,
+                           .second_moment_of_area = 1.0,
+                           .density = 1e-9,
+                           .youngs_modulus = 1.0,
+                           .axial_force = 0.0,
+                           .shear_stiffness = 1.0 / 400.0});
+  const Values found = analytic::timoshenko_frequencies(string, TipSupport::held, 20);
+  for (std::size_t n = 0; n < 20; ++n) {
+    const double exact = (static_cast<double>(n) + 1.0) * std::numbers::pi / 20.0;
+    EXPECT_TRUE(within(found[n], exact, discretisation(exact / 400.0, 1.0, "the bending stiffness, 1/s^2")));
+  }
+}
+
 STICKSLIP_VERIFIES(TimoshenkoReaction, "A12");
 // Rotary inertia and shear leave (r^2 + s^2) n^2/2 < 1e-12 in the frequencies of twenty modes, and a few times that in the
 // shares.

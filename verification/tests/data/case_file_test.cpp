@@ -30,7 +30,8 @@ struct Line {
   [[nodiscard]] bool is_integer() const { return key == "elements" || key == "modes"; }
   [[nodiscard]] bool is_optional() const {
     return table == "damping" || table == "contact" || table == "numerics" || key == "viscous" ||
-           key == "kinetic_coefficient" || key == "duration" || key == "axial_direction";
+           key == "kinetic_coefficient" || key == "duration" || key == "axial_direction" ||
+           key == "shear_stiffness";
   }
 };
 
@@ -43,6 +44,7 @@ const std::vector<Line>& valid_lines() {
                                        {"beam", "youngs_modulus", "2e9"},
                                        {"beam", "axial_force", "500.0"},
                                        {"beam", "axial_direction", "0.5"},
+                                       {"beam", "shear_stiffness", "6e6"},
                                        {"friction", "", ""},
                                        {"friction", "static_coefficient", "0.6"},
                                        {"friction", "kinetic_coefficient", "0.3"},
@@ -157,6 +159,7 @@ TEST_F(CaseFile, IsReadKeyByKey) {
   EXPECT_EQ(problem.beam.youngs_modulus(), 2e9);
   EXPECT_EQ(problem.beam.axial_force(), 500.0);
   EXPECT_EQ(problem.beam.axial_direction(), 0.5);
+  EXPECT_EQ(problem.beam.shear_stiffness(), 6e6);
   EXPECT_EQ(problem.friction.static_coefficient(), 0.6);
   EXPECT_EQ(problem.friction.kinetic_coefficient(), 0.3);
   EXPECT_EQ(problem.friction.decay(), 1.0);
@@ -275,7 +278,7 @@ TEST_F(CaseFile, TakesAContactThatYieldsInOneWay) {
 TEST_F(CaseFile, IsTheSameAgainFromItsNumbers) {
   std::vector<data::Override> overrides;
   for (const char* text : {"friction.viscous=0.02", "damping.ratio=0.01", "damping.kelvin_voigt=1e-5",
-                           "beam.axial_direction=0.25", "contact.tangential_stiffness=1e7"})
+                           "beam.axial_direction=0.25", "beam.shear_stiffness=5e6", "contact.tangential_stiffness=1e7"})
     overrides.push_back(data::Override::parse(text));
   const data::Case original = data::load_case("damped", overrides);
   const auto numbers = data::numbers_of(original);
@@ -285,20 +288,21 @@ TEST_F(CaseFile, IsTheSameAgainFromItsNumbers) {
   EXPECT_EQ(again.friction.coefficients().viscous, 0.02);
   EXPECT_EQ(again.beam.axial_direction(), 0.25);
   EXPECT_EQ(again.contact.tangential_stiffness(), 1e7);
+  EXPECT_EQ(again.beam.shear_stiffness(), 5e6);
   EXPECT_EQ(data::numbers_of(again), numbers);
 }
 
 TEST_F(CaseFile, SuggestsNothingForAKeyLikeNoOther) {
   const std::string sentence = error_message(valid_case() + "colour_of_the_paint = 'red'\n");
   EXPECT_EQ(sentence,
-            "bar.toml:29: unknown key contact.colour_of_the_paint with the value 'red' (a string), but "
+            "bar.toml:30: unknown key contact.colour_of_the_paint with the value 'red' (a string), but "
             "[contact] has the keys tangential_stiffness, regularisation_velocity");
 }
 
 TEST_F(CaseFile, RefusesAMisspeltTable) {
   EXPECT_EQ(
       error_message(valid_case() + "[beem]\nlength = 2\n"),
-      "bar.toml:29: unknown table [beem] (did you mean beam?), but a case has the tables beam, friction, "
+      "bar.toml:30: unknown table [beem] (did you mean beam?), but a case has the tables beam, friction, "
       "excitation, numerics, damping, contact, wall, section, uncertainty");
 }
 
@@ -495,6 +499,52 @@ TEST_F(CaseShorthand, KnowsCirclesAndTubes) {
               2.2e-6 * thin.second_moment_of_area());
 }
 
+// Shear coefficients of Cowper (1966): at nu = 0 those of a rectangle, a circle and a thin tube are 5/6, 6/7 and 1/2; at
+// nu = 0.3 the same formulas by hand. A tube whose wall is half of its diameter is a circle.
+TEST_F(CaseShorthand, SuppliesTheShearStiffnessOfPoissonsRatio) {
+  const auto coefficient = [&](const std::string& section, const std::string& ratio) {
+    const data::Beam beam =
+        data::read_case(write(workshop_case(section, "amplitude = 1e-3\n")), {{"beam.poissons_ratio", ratio}})
+            .beam;
+    const double shear_modulus = beam.youngs_modulus() / (2.0 + 2.0 * std::stod(ratio));
+    return beam.shear_stiffness() / (shear_modulus * beam.area());
+  };
+  const std::string circle = "shape = 'circle'\ndiameter = 0.02\n",
+                    tube = "shape = 'tube'\ndiameter = 0.02\n";
+  EXPECT_NEAR(coefficient(strip, "0.0"), 5.0 / 6.0, 1e-15);
+  EXPECT_NEAR(coefficient(strip, "0.3"), 13.0 / 15.3, 1e-15);
+  EXPECT_NEAR(coefficient(circle, "0.0"), 6.0 / 7.0, 1e-15);
+  EXPECT_NEAR(coefficient(circle, "0.3"), 7.8 / 8.8, 1e-15);
+  EXPECT_NEAR(coefficient(tube + "wall_thickness = 0.01\n", "0.3"), 7.8 / 8.8, 1e-15);
+  // (2 t/d)^2 of itself.
+  EXPECT_NEAR(coefficient(tube + "wall_thickness = 1e-7\n", "0.0"), 0.5, 1e-9);
+  EXPECT_NEAR(coefficient(tube + "wall_thickness = 1e-7\n", "0.3"), 2.6 / 4.9, 1e-9);
+}
+
+TEST_F(CaseShorthand, RefusesAPoissonsRatioWithoutASectionOrTwoShearStiffnesses) {
+  const auto message = [&](const std::vector<data::Override>& overrides) {
+    return error_message(workshop_case(strip, "amplitude = 1e-3\n"), overrides);
+  };
+  EXPECT_EQ(
+      message({{"beam.poissons_ratio", "0.5"}}),
+      "override beam.poissons_ratio=0.5: beam.poissons_ratio is 0.5, but must be a number above -1 and below "
+      "0.5");
+  EXPECT_EQ(
+      error_message(valid_case(), {{"beam.poissons_ratio", "0.3"}}),
+      "override beam.poissons_ratio=0.3: beam.poissons_ratio is 0.3 (a float), but needs section.shape; "
+      "otherwise give beam.shear_stiffness");
+  // The later of two overrides counts, in a file both are too many.
+  EXPECT_EQ(data::read_case(write(workshop_case(strip, "amplitude = 1e-3\n")),
+                            {{"beam.poissons_ratio", "0.3"}, {"beam.shear_stiffness", "7.0"}})
+                .beam.shear_stiffness(),
+            7.0);
+  EXPECT_EQ(
+      error_message("[beam]\npoissons_ratio = 0.3\nshear_stiffness = 7.0\n" +
+                    workshop_case(strip, "amplitude = 1e-3\n").substr(7)),
+      "bar.toml:3: beam.shear_stiffness is 7 (a float), but must be missing where beam.poissons_ratio is "
+      "given");
+}
+
 // h = A0 sin(Omega t) with Omega = 60 pi rad/s.
 TEST_F(CaseShorthand, TakesTheAmplitudeOfVelocityOrAcceleration) {
   const auto amplitude = [&](const std::string& line, const std::vector<data::Override>& overrides = {}) {
@@ -549,7 +599,7 @@ TEST_F(CaseShorthand, TakesADurationAmongTheNumericsOnce) {
   EXPECT_EQ(data::read_case(write(case_with("excitation.duration", ""))).numerics.duration(), 10.0);
   const std::string older = "modes = 10\nduration = 3\n";
   EXPECT_EQ(error_message(case_with("numerics.modes", older)),
-            "bar.toml:17: excitation.duration is 8 (a float), but must be missing where numerics.duration is "
+            "bar.toml:18: excitation.duration is 8 (a float), but must be missing where numerics.duration is "
             "given");
   const auto file = write(case_with("numerics.modes", older));
   EXPECT_EQ(data::read_case(file, {{"excitation.duration", "2 s"}}).numerics.duration(), 2.0);

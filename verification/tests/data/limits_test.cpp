@@ -43,6 +43,7 @@ TEST(InputLimits, OfEachKeyAreAllowedThemselves) {
                                                                   {"beam.youngs_modulus", 1e-3, 1e18},
                                                                   {"beam.axial_force", 1e-18, 1e18},
                                                                   {"beam.axial_direction", 1e-9, 1.0},
+                                                                  {"beam.shear_stiffness", 1e-18, 1e24},
                                                                   {"friction.static_coefficient", 1e-9, 1e6},
                                                                   {"friction.kinetic_coefficient", 1e-9, 1e6},
                                                                   {"friction.decay", 1e-15, 1e15},

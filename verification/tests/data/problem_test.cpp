@@ -85,7 +85,8 @@ std::vector<Field> non_negative_fields() {
           friction_field("viscous", &data::FrictionCoefficients::viscous),
           excitation_field("amplitude", &data::HarmonicMotion::amplitude),
           numerics_field("velocity_threshold", &data::NumericalChoices::velocity_threshold),
-          damping_field("kelvin_voigt", &data::DampingProperties::kelvin_voigt)};
+          damping_field("kelvin_voigt", &data::DampingProperties::kelvin_voigt),
+          beam_field("shear_stiffness", &data::BeamProperties::shear_stiffness)};
 }
 
 // The sentence of the error, or "accepted".

@@ -16,13 +16,13 @@
 ///
 ///     e q^2 + [B s^2 + z + B r^2 e] q - B (1 - B r^2 s^2) = 0.
 ///
-/// q_2 < 0; q_1 is positive below the cut-off frequency sqrt(K/(rho I)) and negative above. Let a = e q + B s^2,
-/// C = cosh(sqrt q) and T = sinh(sqrt q)/sqrt(q), entire functions of q. The amplitude of the friction force f in the
-/// steady vibration with the tip held and a unit amplitude of the base is
+/// q_2 < 0; q_1 is positive below the cut-off frequency sqrt(K/(rho I)) and negative above. Let a = e q + B s^2, so that
+/// a_1 a_2 = -B, and C = cosh(sqrt q), T = sinh(sqrt q)/sqrt(q), entire functions of q. The amplitude of the friction force
+/// f in the steady vibration with the tip held and a unit amplitude of the base is
 ///
-///     f L^3/EI = {B [a_1 C_1 - a_2 C_2] + (1 - chi) z a_1 a_2 [C_2 - C_1]}/D,     D = q_1 T_1 a_2 C_2 - q_2 T_2 a_1 C_1,
+///     f L^3/EI = B {[a_1 + (1 - chi) z] C_1 - [a_2 + (1 - chi) z] C_2}/D,     D = q_1 T_1 a_2 C_2 - q_2 T_2 a_1 C_1,
 ///
-/// D = 0 is the frequency equation, and the shares c_n of ModalReaction are the residues (EI/L^3) {...}/(B D'(B)), with
+/// D = 0 is the frequency equation, and the shares c_n of ModalReaction are the residues (EI/L^3) {...}/D'(B), with
 /// D' by a complex step. At B = 0, f L^3/EI = e^2 [1 - chi (1 - c0)]/(c2 - c3 + s^2 e c0) with the Stumpff functions at
 /// z/e. r = s = 0 is the beam of Euler and Bernoulli.
 ///
