@@ -246,7 +246,8 @@ Row contact_at(const std::vector<analytic::ContactStep>& steps, std::size_t step
   const double force = step == 0 && steps.size() > 1
                            ? 1.5 * steps[0].friction_force - 0.5 * steps[1].friction_force
                            : 0.5 * (before.friction_force + after.friction_force);
-  return {.sliding_velocity = before.sliding_velocity == 0.0 ? 0.0 : 0.5 * (before.sliding_velocity + after.sliding_velocity),
+  return {.sliding_velocity =
+              before.sliding_velocity == 0.0 ? 0.0 : 0.5 * (before.sliding_velocity + after.sliding_velocity),
           .friction_force = -force,
           .state = sticks ? "stick" : "slip"};
 }
