@@ -194,7 +194,8 @@ ContactStep ContactElement::smooth_step(double free_velocity, double weight) con
     const double share = std::tanh(speed / width), force = resistance(law_, speed);
     const double residual = speed + weight * force * share - free_speed;
     (residual < 0.0 ? low : high) = speed;
-    const double fall = law_.friction.decay() * (law_.friction.static_coefficient() - law_.friction.kinetic_coefficient()) *
+    const double fall = law_.friction.decay() *
+                        (law_.friction.static_coefficient() - law_.friction.kinetic_coefficient()) *
                         law_.normal_force * std::exp(-law_.friction.decay() * speed);
     const double slope = 1.0 + weight * (force * (1.0 - share * share) / width +
                                          (law_.friction.viscous() * law_.normal_force - fall) * share);
@@ -205,12 +206,14 @@ ContactStep ContactElement::smooth_step(double free_velocity, double weight) con
     if (is_done) break;
   }
   // Not from the law, which would multiply the rounding of the speed.
-  return {std::copysign(speed, free_velocity), (std::copysign(speed, free_velocity) - free_velocity) / weight, true};
+  return {std::copysign(speed, free_velocity), (std::copysign(speed, free_velocity) - free_velocity) / weight,
+          true};
 }
 
 ContactStep ContactElement::spring_step(double free_velocity, double weight) {
   const double half_step = 0.5 * law_.tangential.tangential_stiffness() * law_.time_step;
-  ContactStep result{.sliding_velocity = (free_velocity + weight * spring_force_) / (1.0 + weight * half_step)};
+  ContactStep result{.sliding_velocity =
+                         (free_velocity + weight * spring_force_) / (1.0 + weight * half_step)};
   result.friction_force = spring_force_ - half_step * result.sliding_velocity;
   const double direction = -std::copysign(1.0, result.friction_force);
   const double forward = std::max(direction * result.sliding_velocity, 0.0);

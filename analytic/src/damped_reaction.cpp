@@ -68,8 +68,8 @@ DampedReaction compliant_reaction(const data::Beam& beam, const data::Damping& d
   const auto accelerations = [&](double load) {
     const std::span<const double> values(state);
     std::vector<double> result(size);
-    result[m] = dynamics.accelerate({values.first(m), values.subspan(size, m), state[m], state[size + m]}, load,
-                                    -tangential_stiffness * state[m], std::span(result).first(m));
+    result[m] = dynamics.accelerate({values.first(m), values.subspan(size, m), state[m], state[size + m]},
+                                    load, -tangential_stiffness * state[m], std::span(result).first(m));
     return result;
   };
   // y_t = scale A y of y = (scale X, X_t).

@@ -47,8 +47,8 @@ Eigensystem eigensystem_of(const gsl_matrix& matrix) {
 }
 
 // Z lambda W must be the matrix again, to nine digits.
-bool is_separated(const gsl_matrix& matrix, const std::vector<Complex>& eigenvalue, const std::vector<Complex>& shape,
-                  const std::vector<Complex>& inverse) {
+bool is_separated(const gsl_matrix& matrix, const std::vector<Complex>& eigenvalue,
+                  const std::vector<Complex>& shape, const std::vector<Complex>& inverse) {
   const std::size_t size = matrix.size1, count = eigenvalue.size();
   double largest = 0.0, scale = 0.0;
   for (std::size_t i = 0; i < size; ++i) {

@@ -67,9 +67,10 @@ TangentialContact::TangentialContact(const ContactProperties& properties) : prop
                      "a number above 0 (N/m), or inf for a rigid contact");
   require_not_negative("contact.regularisation_velocity", regularisation_velocity(), " (m/s)");
   if (has_spring() && is_smooth())
-    throw FieldError("contact.regularisation_velocity", regularisation_velocity(),
-                     "0 with a finite contact.tangential_stiffness: a spring in series with a smooth law that falls "
-                     "with the velocity has no motion");
+    throw FieldError(
+        "contact.regularisation_velocity", regularisation_velocity(),
+        "0 with a finite contact.tangential_stiffness: a spring in series with a smooth law that falls "
+        "with the velocity has no motion");
 }
 
 bool TangentialContact::has_spring() const noexcept { return std::isfinite(tangential_stiffness()); }
@@ -85,10 +86,11 @@ void require_rigid(const TangentialContact& contact, std::string_view what) {
 
 void require_usable(const FrictionLaw& friction, const TangentialContact& contact) {
   if (contact.is_rigid() || std::isfinite(friction.decay())) return;
-  throw FieldError("friction.decay", friction.decay(),
-                   std::string("finite (s/m) with ") +
-                       (contact.has_spring() ? "contact.tangential_stiffness" : "contact.regularisation_velocity") +
-                       ": a contact that moves at rest would never feel friction.static_coefficient");
+  throw FieldError(
+      "friction.decay", friction.decay(),
+      std::string("finite (s/m) with ") +
+          (contact.has_spring() ? "contact.tangential_stiffness" : "contact.regularisation_velocity") +
+          ": a contact that moves at rest would never feel friction.static_coefficient");
 }
 
 HarmonicExcitation::HarmonicExcitation(const HarmonicMotion& motion) : motion_(motion) {

@@ -168,7 +168,8 @@ void run(UncertaintyOptions options) {
   const data::Uncertainty uncertainty = studies::without(data::read_uncertainty(file), fixed);
   for (const auto& key : uncertainty.keys)
     if (key.key.starts_with("contact."))
-      throw data::FieldError("[uncertainty]", key.key, "a key of another table: here the tip is held or slides");
+      throw data::FieldError("[uncertainty]", key.key,
+                             "a key of another table: here the tip is held or slides");
   if (options.band) {
     const auto band = parse_band("--band", *options.band);
     options.sampling.band = analytic::FrequencyBand{band.from, band.to};

@@ -148,7 +148,7 @@ void ContactMotion::move_slider() {
   const auto [slider, direction] = contact_.moved(phase_.wall_offset, position(), sliding_velocity());
   phase_.wall_offset = slider;
   if (system_.tangential.is_smooth() || direction == (is_stuck() ? 0.0 : phase_.direction)) return;
-  record(is_stuck() ? ContactEvent::Kind::onset
+  record(is_stuck()         ? ContactEvent::Kind::onset
          : direction == 0.0 ? ContactEvent::Kind::capture
                             : ContactEvent::Kind::reversal);
   phase_.state = direction == 0.0 ? ContactState::stick : ContactState::slip;

@@ -70,13 +70,15 @@ double FrictionContact::yielding_force(double slider, const Response& response) 
   };
   double width = response.mobility * (limit_ + law_.viscous() * normal_force_ * std::abs(response.velocity));
   if (width == 0.0) return 0.0;
-  while (residual(response.velocity - width) >= 0.0 || residual(response.velocity + width) < 0.0) width *= 2.0;
+  while (residual(response.velocity - width) >= 0.0 || residual(response.velocity + width) < 0.0)
+    width *= 2.0;
   const double low = response.velocity - width, high = response.velocity + width;
   const double v = bracketed_root(residual, low, residual(low), high, residual(high), 1e-15 * width);
   return (v - response.velocity) / response.mobility;
 }
 
-FrictionContact::Slider FrictionContact::moved(double slider, double position, double sliding_velocity) const {
+FrictionContact::Slider FrictionContact::moved(double slider, double position,
+                                               double sliding_velocity) const {
   if (tangential_.is_smooth()) return {position, sign(sliding_velocity)};
   const double f = yielding_force(slider, position, sliding_velocity);
   const bool moves = f != tangential_.tangential_stiffness() * (slider - position);

@@ -56,7 +56,7 @@ class FrictionContact {
  private:
   [[nodiscard]] double weakening() const noexcept;
 
-  data::FrictionLaw law_;        // in slip
+  data::FrictionLaw law_;  // in slip
   data::TangentialContact tangential_;
   double normal_force_, limit_;  // N, mu_s N
 };

@@ -161,13 +161,12 @@ void ModalKernel::take_slip_step(const StepFactors& step, const StepPhase& phase
   contact_.require_unique_force(mobility, time, time_step_);
   const double displacement_factor = method_.stiffness_factor(h);
   const double friction =
-      contact_.yields()
-          ? contact_.yielding_force(phase.wall_offset,
-                                    {free_velocity,
-                                     alpha_qc + displacement_factor * free_acceleration -
-                                         alpha_level_wall(system_, method_, time, h),
-                                     mobility, displacement_factor * step.contact_acceleration})
-          : contact_.alpha_level_force(phase.direction, free_velocity, mobility);
+      contact_.yields() ? contact_.yielding_force(phase.wall_offset,
+                                                  {free_velocity,
+                                                   alpha_qc + displacement_factor * free_acceleration -
+                                                       alpha_level_wall(system_, method_, time, h),
+                                                   mobility, displacement_factor * step.contact_acceleration})
+                        : contact_.alpha_level_force(phase.direction, free_velocity, mobility);
   const double new_ac = free_acceleration + friction * step.contact_acceleration;
 
   auto new_a = next.acceleration.head(modes_).array();

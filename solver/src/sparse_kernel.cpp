@@ -146,7 +146,8 @@ void SparseKernel::take_stick_step(StepMatrices& step, double wall_offset, doubl
   add_static_shape(state, wall_offset, end_time, 1.0);
 }
 
-void SparseKernel::take_slip_step(StepMatrices& step, const StepPhase& phase, double time, Kinematics& state) {
+void SparseKernel::take_slip_step(StepMatrices& step, const StepPhase& phase, double time,
+                                  Kinematics& state) {
   const double h = step.length;
   const Eigen::Index c = system_.contact;
   const double load_time = method_.load_time(time, h);

@@ -41,8 +41,8 @@ class StepKernel {
 
 /// w at the alpha level of a step, weighted as displacements are and not at t_star: what a spring to the wall feels is
 /// then the weighted position of the contact.
-[[nodiscard]] inline double alpha_level_wall(const ContactSystem& system, const GeneralizedAlpha& method, double time,
-                                             double length) {
+[[nodiscard]] inline double alpha_level_wall(const ContactSystem& system, const GeneralizedAlpha& method,
+                                             double time, double length) {
   return (1.0 - method.alpha_f()) * system.wall.displacement(time + length) +
          method.alpha_f() * system.wall.displacement(time);
 }

@@ -9,8 +9,7 @@
 namespace stickslip::solver {
 
 StickSlipIntegrator::StickSlipIntegrator(ContactSystem system, const IntegratorSettings& settings)
-    : motion_(std::make_unique<ContactMotion>(std::move(system), settings)),
-      driver_(make_driver(*motion_)) {}
+    : motion_(std::make_unique<ContactMotion>(std::move(system), settings)), driver_(make_driver(*motion_)) {}
 
 StickSlipIntegrator::~StickSlipIntegrator() = default;
 

@@ -108,10 +108,11 @@ std::optional<double> unit_force(const data::Case& problem, const ModelVariant& 
     return analytic::largest_unit_force(beam, damping, problem.excitation.frequency_hz(), duration, modes,
                                         analytic::SteadyPart::exact, width)
         .midpoint();
-  const double stiffness = variant.stiffness_ratio * 3.0 * beam.youngs_modulus() * beam.second_moment_of_area() /
-                           std::pow(beam.length(), 3);
+  const double stiffness = variant.stiffness_ratio * 3.0 * beam.youngs_modulus() *
+                           beam.second_moment_of_area() / std::pow(beam.length(), 3);
   try {
-    return analytic::DampedForce(analytic::compliant_reaction(beam, damping, stiffness, modes), omega, duration)
+    return analytic::DampedForce(analytic::compliant_reaction(beam, damping, stiffness, modes), omega,
+                                 duration)
         .refined_to(width)
         .midpoint();
   } catch (const data::FieldError& error) {
@@ -120,8 +121,8 @@ std::optional<double> unit_force(const data::Case& problem, const ModelVariant& 
   }
 }
 
-VariantPlane variant_plane(std::string figures, const ModelVariant& variant, const data::Case& problem, const MapAxis& x,
-                           const MapAxis& y) {
+VariantPlane variant_plane(std::string figures, const ModelVariant& variant, const data::Case& problem,
+                           const MapAxis& x, const MapAxis& y) {
   VariantPlane plane{.figures = std::move(figures),
                      .variant = variant,
                      .lowest_ratio = std::numeric_limits<double>::infinity()};
@@ -149,7 +150,8 @@ VariantPlane variant_plane(std::string figures, const ModelVariant& variant, con
         continue;
       }
       const data::Case cell = case_at(i, j);
-      const double limit = cell.friction.static_coefficient() * cell.beam.axial_force() / cell.excitation.amplitude();
+      const double limit =
+          cell.friction.static_coefficient() * cell.beam.axial_force() / cell.excitation.amplitude();
       if (*without > limit && *with <= limit) ++plane.to_stick;
       if (*without <= limit && *with > limit) ++plane.to_slip;
       plane.lowest_ratio = std::min(plane.lowest_ratio, *with / *without);
@@ -161,8 +163,8 @@ VariantPlane variant_plane(std::string figures, const ModelVariant& variant, con
 }  // namespace
 
 std::vector<VariantPlane> variant_planes(const ModelVariant& variant, const data::Case& paper,
-                                         const data::Case& half_stiffness, const data::Case& flat_section, int lengths,
-                                         std::size_t stride) {
+                                         const data::Case& half_stiffness, const data::Case& flat_section,
+                                         int lengths, std::size_t stride) {
   const MapAxis frequencies = axis_of(Parameter::frequency, figure12_frequencies());
   const MapAxis amplitudes = axis_of(Parameter::amplitude, figure12_amplitudes());
   std::vector<double> axial_forces;

@@ -86,7 +86,8 @@ struct VariantPlane {
 
 /// The variant on the planes of model_form(). Of Fig. 14 every `stride`-th axial force is taken.
 [[nodiscard]] std::vector<VariantPlane> variant_planes(const ModelVariant& variant, const data::Case& paper,
-                                                       const data::Case& half_stiffness, const data::Case& flat_section,
-                                                       int lengths, std::size_t stride = 1);
+                                                       const data::Case& half_stiffness,
+                                                       const data::Case& flat_section, int lengths,
+                                                       std::size_t stride = 1);
 
 }  // namespace stickslip::studies

@@ -94,7 +94,8 @@ std::vector<CodeSetting> code_settings(const data::Case& problem) {
 }
 
 std::vector<RegularisationRate> regularisation_rates(const data::Case& problem,
-                                                     const std::vector<data::ContactProperties>& refined, double step) {
+                                                     const std::vector<data::ContactProperties>& refined,
+                                                     double step) {
   const bool smooth = refined.front().regularisation_velocity > 0.0;
   const double sliding = smooth ? 0.01 : 0.0;
   const Steps rigid = run(problem, {}, step);
@@ -107,13 +108,17 @@ std::vector<RegularisationRate> regularisation_rates(const data::Case& problem,
     const Steps steps = run(problem, contact, step);
     double force = 0.0;
     for (std::size_t n = 0; n < steps.size(); ++n)
-      force += std::abs(steps[n].friction_force - rigid[n].friction_force) / static_cast<double>(steps.size());
-    const double errors[] = {std::abs(first_slip(problem, steps, step, sliding) - first_slip(problem, rigid, step, sliding)),
-                             largest_difference(positions(steps, step), rigid_position),
-                             std::abs(travel(steps, 0, step, contact.tangential_stiffness) -
-                                      travel(rigid, 0, step, problem.contact.tangential_stiffness())), force};
+      force +=
+          std::abs(steps[n].friction_force - rigid[n].friction_force) / static_cast<double>(steps.size());
+    const double errors[] = {
+        std::abs(first_slip(problem, steps, step, sliding) - first_slip(problem, rigid, step, sliding)),
+        largest_difference(positions(steps, step), rigid_position),
+        std::abs(travel(steps, 0, step, contact.tangential_stiffness) -
+                 travel(rigid, 0, step, problem.contact.tangential_stiffness())),
+        force};
     for (std::size_t i = 0; i < rates.size(); ++i) {
-      rates[i].parameter.push_back(smooth ? contact.regularisation_velocity : 1.0 / contact.tangential_stiffness);
+      rates[i].parameter.push_back(smooth ? contact.regularisation_velocity
+                                          : 1.0 / contact.tangential_stiffness);
       rates[i].error.push_back(errors[i]);
     }
   }

@@ -48,8 +48,7 @@ struct RegularisationRate {
 /// First slip (s), largest distance of the position of the tip on the wall (m), its travel (m) and the mean distance of
 /// the friction force (N), over numerics.duration(). The first slip with a smooth law is taken at |v_s| = 10 mm/s here, in
 /// both runs.
-[[nodiscard]] std::vector<RegularisationRate> regularisation_rates(const data::Case& problem,
-                                                                   const std::vector<data::ContactProperties>& refined,
-                                                                   double step);
+[[nodiscard]] std::vector<RegularisationRate> regularisation_rates(
+    const data::Case& problem, const std::vector<data::ContactProperties>& refined, double step);
 
 }  // namespace stickslip::studies

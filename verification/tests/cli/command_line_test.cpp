@@ -324,9 +324,11 @@ TEST_F(CommandLine, FiniteElementsFollowTheDampingOfTheCase) {
 }
 
 TEST_F(CommandLine, HistoriesFollowAContactThatYieldsAndOtherCommandsRefuseIt) {
-  const std::string spring = " --set contact.tangential_stiffness=1e6 ", smooth = " --set contact.regularisation_velocity=0.01 ";
+  const std::string spring = " --set contact.tangential_stiffness=1e6 ",
+                    smooth = " --set contact.regularisation_velocity=0.01 ";
   const auto history = [&](const std::string& method, const std::string& contact) {
-    return json("respond damped --duration 0.1 --method " + method + contact + "--output '" + path("run.csv") + "'");
+    return json("respond damped --duration 0.1 --method " + method + contact + "--output '" +
+                path("run.csv") + "'");
   };
   const double by_elements = history("fe", spring)["first_slip_s"],
                by_integral = history("boundary-integral", spring)["first_slip_s"];
@@ -339,15 +341,18 @@ TEST_F(CommandLine, HistoriesFollowAContactThatYieldsAndOtherCommandsRefuseIt) {
     EXPECT_EQ(creeping["changes_of_contact"], 0);
     EXPECT_LT(creeping["largest_friction_force_N"], 300.0);
   }
-  for (const char* command : {"criterion", "modes", "animate --output film", "design --band 20:30",
-                              "uncertainty uncertain", "map --x frequency=15:35:3 --y amplitude=1e-4:1e-3:3",
-                              "respond --method closed-form", "respond --method event-driven",
-                              "respond --scheme paper"}) {
-    expect_refused(command + spring, "contact.tangential_stiffness is 1e+06, but must be inf (a rigid contact) for ");
-    expect_refused(command + smooth, "contact.regularisation_velocity is 0.01, but must be 0 (the set-valued law) for ");
+  for (const char* command :
+       {"criterion", "modes", "animate --output film", "design --band 20:30", "uncertainty uncertain",
+        "map --x frequency=15:35:3 --y amplitude=1e-4:1e-3:3", "respond --method closed-form",
+        "respond --method event-driven", "respond --scheme paper"}) {
+    expect_refused(command + spring,
+                   "contact.tangential_stiffness is 1e+06, but must be inf (a rigid contact) for ");
+    expect_refused(command + smooth,
+                   "contact.regularisation_velocity is 0.01, but must be 0 (the set-valued law) for ");
   }
   for (const char* method : {"fe", "boundary-integral"})
-    expect_refused("respond --set friction.decay=inf --method " + (method + spring), "friction.decay is inf, but must be finite");
+    expect_refused("respond --set friction.decay=inf --method " + (method + spring),
+                   "friction.decay is inf, but must be finite");
 }
 
 TEST_F(CommandLine, TheClosedFormHistoryRefusesADampedCase) {

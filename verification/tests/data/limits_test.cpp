@@ -36,27 +36,26 @@ TEST(InputLimits, OfEachKeyAreAllowedThemselves) {
     std::string key;
     double smallest, largest;
   };
-  for (const auto& [key, smallest, largest] : std::vector<Limits>{{"beam.length", 1e-9, 1e6},
-                                                                  {"beam.area", 1e-18, 1e12},
-                                                                  {"beam.second_moment_of_area", 1e-36, 1e24},
-                                                                  {"beam.density", 1e-6, 1e9},
-                                                                  {"beam.youngs_modulus", 1e-3, 1e18},
-                                                                  {"beam.axial_force", 1e-18, 1e18},
-                                                                  {"beam.axial_direction", 1e-9, 1.0},
-                                                                  {"beam.shear_stiffness", 1e-18, 1e24},
-                                                                  {"friction.static_coefficient", 1e-9, 1e6},
-                                                                  {"friction.kinetic_coefficient", 1e-9, 1e6},
-                                                                  {"friction.decay", 1e-15, 1e15},
-                                                                  {"excitation.frequency_hz", 1e-9, 1e12},
-                                                                  {"excitation.amplitude", 1e-18, 1e6},
-                                                                  {"numerics.time_step", 1e-15, 1e9},
-                                                                  {"numerics.velocity_threshold", 1e-18, 1e9},
-                                                                  {"excitation.duration", 1e-15, 1e15},
-                                                                  {"damping.kelvin_voigt", 1e-18, 1e6},
-                                                                  {"damping.ratio", 1e-9, 1.0},
-                                                                  {"contact.tangential_stiffness", 1e-18, 1e24},
-                                                                  {"contact.regularisation_velocity", 1e-18,
-                                                                   1e9}}) {
+  for (const auto& [key, smallest, largest] :
+       std::vector<Limits>{{"beam.length", 1e-9, 1e6},
+                           {"beam.area", 1e-18, 1e12},
+                           {"beam.second_moment_of_area", 1e-36, 1e24},
+                           {"beam.density", 1e-6, 1e9},
+                           {"beam.youngs_modulus", 1e-3, 1e18},
+                           {"beam.axial_force", 1e-18, 1e18},
+                           {"beam.axial_direction", 1e-9, 1.0},
+                           {"friction.static_coefficient", 1e-9, 1e6},
+                           {"friction.kinetic_coefficient", 1e-9, 1e6},
+                           {"friction.decay", 1e-15, 1e15},
+                           {"excitation.frequency_hz", 1e-9, 1e12},
+                           {"excitation.amplitude", 1e-18, 1e6},
+                           {"numerics.time_step", 1e-15, 1e9},
+                           {"numerics.velocity_threshold", 1e-18, 1e9},
+                           {"excitation.duration", 1e-15, 1e15},
+                           {"damping.kelvin_voigt", 1e-18, 1e6},
+                           {"damping.ratio", 1e-9, 1.0},
+                           {"contact.tangential_stiffness", 1e-18, 1e24},
+                           {"contact.regularisation_velocity", 1e-18, 1e9}}) {
     for (const double value : {smallest, largest, -smallest, -largest, 0.0})
       EXPECT_FALSE(is_refused(key, value)) << key;
     for (const double sign : {1.0, -1.0}) {

@@ -81,8 +81,9 @@ class ExactMassOnASpring {
     const double omega = std::sqrt(stiffness_), forced = -amplitude_ / (omega * omega - big * big);
     const double c = position_ - slider_ - forced * std::sin(big * start_),
                  d = (velocity_ - forced * big * std::cos(big * start_)) / omega;
-    return {slider_ + c * std::cos(omega * tau) + d * std::sin(omega * tau) + forced * std::sin(big * t),
-            omega * (d * std::cos(omega * tau) - c * std::sin(omega * tau)) + forced * big * std::cos(big * t)};
+    return {
+        slider_ + c * std::cos(omega * tau) + d * std::sin(omega * tau) + forced * std::sin(big * t),
+        omega * (d * std::cos(omega * tau) - c * std::sin(omega * tau)) + forced * big * std::cos(big * t)};
   }
 
   // Above zero once the phase has ended: the spring exceeds mu N, or the mass turns.
@@ -133,8 +134,8 @@ double integral_error(double h) {
     const double from = static_cast<double>(n) * h;
     held[n] = shaking * (std::cos(2.0 * pi * from) - std::cos(2.0 * pi * (from + h))) / (2.0 * pi * h);
   }
-  const auto steps = analytic::contact_steps(
-      mass_weights(h, count), {10.0, data::FrictionLaw(coulomb), spring(stiffness), h}, held);
+  const auto steps = analytic::contact_steps(mass_weights(h, count),
+                                             {10.0, data::FrictionLaw(coulomb), spring(stiffness), h}, held);
   ExactMassOnASpring exact(stiffness, shaking);
   double position = 0.0, largest = 0.0;
   for (std::size_t n = 0; n < count; ++n) {
@@ -224,7 +225,8 @@ TEST(SmoothLaw, AcceleratesAMassAsTheClosedFormSaysAtSecondOrderInBothImplementa
                                                std::vector(count, -push));
     return std::abs(time_of(steps.back().sliding_velocity, push, width_of_law) - (1.0 - 0.5 * h));
   };
-  for (const auto& error : {std::function<double(double)>(stepped), std::function<double(double)>(integral)}) {
+  for (const auto& error :
+       {std::function<double(double)>(stepped), std::function<double(double)>(integral)}) {
     std::vector<OrderLevel> levels;
     for (const double h : {0.02, 0.01, 0.005, 0.0025})
       levels.push_back({.step = h, .error = error(h), .next_term = 3.0 * h, .floor = 1e-12});
@@ -239,8 +241,8 @@ TEST(SmoothLaw, CreepsUnderAForceThatFrictionCouldHold) {
   auto mass = pushed_mass(force, width, h);
   mass.start_stuck(scalar(0.0), scalar(0.0));
   while (mass.time() < 1.0) mass.step();
-  const auto steps = analytic::contact_steps(mass_weights(h, 1000), {10.0, data::FrictionLaw(coulomb), smooth(width)},
-                                             std::vector(1000, -force));
+  const auto steps = analytic::contact_steps(
+      mass_weights(h, 1000), {10.0, data::FrictionLaw(coulomb), smooth(width)}, std::vector(1000, -force));
   // What is left of the start falls by 0.9 or faster a step.
   EXPECT_TRUE(within(mass.sliding_velocity(), creep, round_off(1e4, 1, creep)));
   EXPECT_TRUE(within(steps.back().sliding_velocity, creep, round_off(1e4, 1, creep)));
@@ -289,8 +291,8 @@ STICKSLIP_VERIFIES(YieldingContact, "X24");
 TEST_P(YieldingContact, MovesTheBeamAlikeInBothImplementations) {
   const data::Case problem = damped_case(contact(), 0.1);
   const double h = problem.numerics.time_step();
-  const analytic::BeamBoundaryIntegral integral(problem.beam, problem.friction, problem.excitation, problem.damping,
-                                                {h / 16.0, 16 * 5000}, 3, problem.contact);
+  const analytic::BeamBoundaryIntegral integral(problem.beam, problem.friction, problem.excitation,
+                                                problem.damping, {h / 16.0, 16 * 5000}, 3, problem.contact);
   const std::vector<double> reference = integral.tip_displacement(16), tip = stepped_tip(problem, 40, 1);
   const double in_time = 4.0 / 3.0 * studies::largest_difference(tip, stepped_tip(problem, 40, 2));
   const double by_mesh = studies::largest_difference(tip, stepped_tip(problem, 20, 1)) / 15.0;
@@ -308,7 +310,8 @@ TEST_P(YieldingContact, StepsAlikeInModalCoordinates) {
     for (int n = 0; n < 5000; ++n) simulation.step(), values.push_back(simulation.tip_displacement());
     return values;
   };
-  EXPECT_LT(studies::largest_difference(tip(solver::Coordinates::nodal), tip(solver::Coordinates::modal)), 1e-10);
+  EXPECT_LT(studies::largest_difference(tip(solver::Coordinates::nodal), tip(solver::Coordinates::modal)),
+            1e-10);
 }
 
 INSTANTIATE_TEST_SUITE_P(Contact, YieldingContact, ::testing::Values("spring", "softspring", "smooth"),
@@ -316,7 +319,8 @@ INSTANTIATE_TEST_SUITE_P(Contact, YieldingContact, ::testing::Values("spring", "
 
 // --- On the way to the set-valued law
 
-const studies::RegularisationRate& rate(const std::vector<studies::RegularisationRate>& rates, const std::string& quantity) {
+const studies::RegularisationRate& rate(const std::vector<studies::RegularisationRate>& rates,
+                                        const std::string& quantity) {
   return *std::ranges::find(rates, quantity, &studies::RegularisationRate::quantity);
 }
 
@@ -337,10 +341,36 @@ TEST(Regularisation, TendsToTheSetValuedLawAtFirstOrderInMotionAndOnset) {
       EXPECT_NEAR(rate(rates, quantity).order, 1.0, 0.05) << quantity;
     }
   EXPECT_NEAR(rate(springs, "travel").order, 1.0, 0.05);
-  EXPECT_NEAR(rate(laws, "travel").order, 1.0, 0.15);  // log(1/v_r): |v_s| reaches v_r artanh(f/mu N) before an onset
+  EXPECT_NEAR(rate(laws, "travel").order, 1.0,
+              0.15);  // log(1/v_r): |v_s| reaches v_r artanh(f/mu N) before an onset
   EXPECT_GT(rate(springs, "friction force").order, 4.0 / 7.0);
   EXPECT_LT(rate(springs, "friction force").order, 1.0);
   EXPECT_NEAR(rate(laws, "friction force").order, 1.0, 0.05);
+}
+
+// The table of the user guide, with steps twice as long; it says what half the step changes.
+TEST(Regularisation, ChangesFirstSlipTravelAndWorkAsTheManualSays) {
+  data::Case problem = data::load_case(
+      "paper",
+      {{"excitation.frequency_hz", "70"}, {"excitation.amplitude", "1e-3"}, {"excitation.duration", "0.4"}});
+  struct Row {
+    std::string name;
+    double first_slip, travel, work;
+  };
+  const auto settings = studies::code_settings(problem);
+  for (const Row& row : std::vector<Row>{{"set-valued law", 9.48e-3, 3.087e-3, 0.777},
+                                         {"elastic slip 0.005 of a face", 10.87e-3, 3.684e-3, 0.809},
+                                         {"transition at 100 mm/s", 9.90e-3, 3.267e-3, 0.813}}) {
+    const auto setting = std::ranges::find(settings, row.name, &studies::CodeSetting::name);
+    ASSERT_NE(setting, settings.end()) << row.name;
+    problem.contact = data::TangentialContact(setting->contact);
+    const studies::ContactSummary summary = studies::contact_summary(problem, 8e-6);
+    EXPECT_NEAR(summary.first_slip, row.first_slip, 1e-5)
+        << row.name;  // two digits behind the point of a ms, and a step
+    EXPECT_TRUE(within(summary.travel, row.travel, discretisation(row.travel * 3e-4, 10.0, "half the step")));
+    EXPECT_TRUE(within(summary.work, row.work, discretisation(row.work * 3e-4, 10.0, "half the step")));
+    EXPECT_LE(summary.largest_force, 300.0 * (1.0 + 1e-12));
+  }
 }
 
 // --- The criterion on a contact spring
@@ -355,7 +385,8 @@ TEST(CompliantReaction, IsThatOfFiniteElementsWhoseSliderRests) {
     data::NumericalChoices choices = paper.numerics.choices();
     const auto largest_error = [&](double h) {
       choices.time_step = h;
-      solver::BeamSimulation simulation(paper.beam, strong, paper.excitation, data::NumericalSettings(choices),
+      solver::BeamSimulation simulation(paper.beam, strong, paper.excitation,
+                                        data::NumericalSettings(choices),
                                         {.damping = paper.damping, .tangential = spring(k)});
       double largest = 0.0;
       while (simulation.time() < 0.1) {
@@ -377,7 +408,8 @@ TEST(CompliantReaction, TendsToThatOfTheHeldTipAtFirstOrderButForTheStart) {
   const data::Case paper = data::load_case("paper");
   const double omega = 2.0 * pi * 35.0;
   const double held =
-      analytic::DampedForce(analytic::damped_reaction(paper.beam, {}, 10, analytic::SteadyPart::exact), omega, 1.0)
+      analytic::DampedForce(analytic::damped_reaction(paper.beam, {}, 10, analytic::SteadyPart::exact), omega,
+                            1.0)
           .steady_amplitude();
   std::vector<OrderLevel> steady, start;
   for (const double k : {1e9, 4e9, 1.6e10, 6.4e10}) {
@@ -385,10 +417,11 @@ TEST(CompliantReaction, TendsToThatOfTheHeldTipAtFirstOrderButForTheStart) {
     double strike = 0.0;
     for (const auto& share : reaction.shares) strike = std::max(strike, std::abs(share.start));
     start.push_back({.step = 1.0 / k, .error = strike, .next_term = 0.05});
-    steady.push_back({.step = 1.0 / k,
-                      .error = std::abs(analytic::DampedForce(reaction, omega, 1.0).steady_amplitude() - held),
-                      .next_term = 0.05,
-                      .floor = 1e-10 * held});
+    steady.push_back(
+        {.step = 1.0 / k,
+         .error = std::abs(analytic::DampedForce(reaction, omega, 1.0).steady_amplitude() - held),
+         .next_term = 0.05,
+         .floor = 1e-10 * held});
   }
   EXPECT_TRUE(order_is(start, 0.5));
   EXPECT_TRUE(order_is(steady, 1.0));
@@ -417,7 +450,8 @@ TEST(ModelVariants, FlipTheVerdictsOfTheFiguresAsOftenAsRecorded) {
                                                          {{rigid, 0.0}, {0, 0, 0}}}) {
     const auto found = planes(variant);
     for (std::size_t i = 0; i < flipped.size(); ++i) {
-      EXPECT_EQ(found[i].to_stick + found[i].to_slip, flipped[i]) << variant.stiffness_ratio << found[i].figures;
+      EXPECT_EQ(found[i].to_stick + found[i].to_slip, flipped[i])
+          << variant.stiffness_ratio << found[i].figures;
       EXPECT_EQ(found[i].unstable, 0u);
       // Damping takes from every maximum; a spring moves resonances both ways.
       if (variant.damping_ratio > 0.0) {

@@ -41,8 +41,7 @@ class BeamBoundaryIntegral {
   /// TipMobility, mobility_weights() and contact_steps() throw.
   BeamBoundaryIntegral(const data::Beam& beam, const data::FrictionLaw& friction,
                        const data::HarmonicExcitation& excitation, const data::Damping& damping,
-                       const TimeGrid& grid, int stages = 3,
-                       const data::TangentialContact& tangential = {});
+                       const TimeGrid& grid, int stages = 3, const data::TangentialContact& tangential = {});
 
   [[nodiscard]] const TimeGrid& grid() const noexcept { return grid_; }
   /// Sliding velocity y_t(L) (mean) and friction force f_d on the beam of each step; Eq. (28) has f = -f_d.
