@@ -213,7 +213,7 @@ void ModalContactRun::start(const ContactKinematics& state) {
   }
   for (const Drive& steady : steady_) free_velocity_ += add(steady.mode, -steady.cosine);
   steps_ = phase_ = 0;
-  friction_force_ = 0.0;
+  friction_force_ = force_before_ = 0.0;
   const double wall = model_.wall_amplitude * model_.load_angular_frequency;
   sliding_velocity_ = state.velocity - wall;
   if (std::abs(sliding_velocity_) <= 4.0 * std::numeric_limits<double>::epsilon() * std::abs(wall))
@@ -273,10 +273,10 @@ double ModalContactRun::falling_force(double speed) {
   return known_force_ = falling_ * std::exp(-decay_ * speed);
 }
 
-// The V with V + W N mu((V + V_0)/2) = P, by Newton's method on a convex, rising function.
-ModalContactRun::Slip ModalContactRun::slip(double free_speed, double speed_before) {
+// The V with V + W N mu((V + V_0)/2) = P, by Newton's method on a convex, rising function, from an expected force.
+ModalContactRun::Slip ModalContactRun::slip(double free_speed, double speed_before, double expected_force) {
   constexpr int most_iterations = 50;
-  double speed = std::max(free_speed - weight_ * std::abs(friction_force_), 0.0), force = 0.0;
+  double speed = std::max(free_speed - weight_ * expected_force, 0.0), force = 0.0;
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     const double mean = 0.5 * (speed + speed_before);
     const double exponential = falling_force(mean);
@@ -285,8 +285,8 @@ ModalContactRun::Slip ModalContactRun::slip(double free_speed, double speed_befo
     const double change = (free_speed - speed - weight_ * force) / (1.0 + weight_ * slope);
     speed += change;
     force += slope * change;
-    // What is left is below decay^2 change^2/8 of the falling part, 1e-11.
-    if (decay_ * std::abs(change) < 1e-5) break;
+    // What is left is below decay^2 change^2/8 of the falling part, 1.25e-9.
+    if (decay_ * std::abs(change) < 1e-4) break;
   }
   return {speed, force};
 }
@@ -294,8 +294,10 @@ ModalContactRun::Slip ModalContactRun::slip(double free_speed, double speed_befo
 void ModalContactRun::decide(double free_velocity) {
   if (slips_ && sliding_velocity_ != 0.0) {
     const double direction = std::copysign(1.0, sliding_velocity_);
-    const Slip on = slip(direction * free_velocity, std::abs(sliding_velocity_));
+    const double force = std::abs(friction_force_);
+    const Slip on = slip(direction * free_velocity, std::abs(sliding_velocity_), 2.0 * force - force_before_);
     if (on.speed > 0.0) {
+      force_before_ = force;
       sliding_velocity_ = direction * on.speed;
       friction_force_ = -direction * on.force;
       return;
@@ -308,9 +310,10 @@ void ModalContactRun::decide(double free_velocity) {
     return;
   }
   const double direction = std::copysign(1.0, free_velocity);
-  const Slip away = slip(std::abs(free_velocity), 0.0);
+  const Slip away = slip(std::abs(free_velocity), 0.0, held_);
   sliding_velocity_ = direction * away.speed;
   friction_force_ = -direction * away.force;
+  force_before_ = held_;
 }
 
 void ModalContactRun::step() {

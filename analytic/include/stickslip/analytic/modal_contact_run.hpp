@@ -95,7 +95,7 @@ class ModalContactRun {
     double speed{}, force{};
   };
   [[nodiscard]] double falling_force(double speed);
-  [[nodiscard]] Slip slip(double free_speed, double speed_before);
+  [[nodiscard]] Slip slip(double free_speed, double speed_before, double expected_force);
   void set_friction();
   void decide(double free_velocity);
   void advance(double force);
@@ -132,7 +132,7 @@ class ModalContactRun {
   double known_speed_{}, known_force_{};                         // a value of the falling part
   std::size_t steps_{}, phase_{};  // since the start, and since the begin of a period
   double free_velocity_{};         // p
-  double sliding_velocity_{}, friction_force_{};
+  double sliding_velocity_{}, friction_force_{}, force_before_{};
   bool slips_{};
 };
 
