@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "stickslip/analytic/stick_propagator.hpp"
 
-#include <gsl/gsl_complex_math.h>
-#include <gsl/gsl_linalg.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "exponential_difference.hpp"
-#include "gsl_handles.hpp"
-#include "gsl_status.hpp"
 #include "root_finding.hpp"
+#include "separated_system.hpp"
 
 namespace stickslip::analytic {
 namespace {
@@ -21,46 +18,16 @@ using Complex = std::complex<double>;
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
-Complex from_gsl(gsl_complex value) { return {GSL_REAL(value), GSL_IMAG(value)}; }
-
-struct Eigensystem {
-  OwnedHandle<gsl_vector_complex> values;
-  OwnedHandle<gsl_matrix_complex> vectors, inverse;  // by columns, and by rows
-};
-
-// y_t = A y of y = (omega_n T_n, T_n_t), over `unit`.
-OwnedHandle<gsl_matrix> first_order_matrix(const ContactModel& model, double unit) {
-  const std::size_t m = model.modes();
-  auto matrix = owned(gsl_matrix_calloc(2 * m, 2 * m));
+// y_t = A y of y = (omega_n T_n, T_n_t), over `unit`, row by row.
+std::vector<double> first_order_matrix(const ContactModel& model, double unit) {
+  const std::size_t m = model.modes(), size = 2 * m;
+  std::vector<double> matrix(size * size);
   for (std::size_t n = 0; n < m; ++n) {
-    gsl_matrix_set(matrix.get(), n, m + n, model.angular_frequency[n] / unit);
-    gsl_matrix_set(matrix.get(), m + n, n, -model.angular_frequency[n] / unit);
-    for (std::size_t k = 0; k < m; ++k)
-      gsl_matrix_set(matrix.get(), m + n, m + k, -model.damping(n, k) / unit);
+    matrix[n * size + m + n] = model.angular_frequency[n] / unit;
+    matrix[(m + n) * size + n] = -model.angular_frequency[n] / unit;
+    for (std::size_t k = 0; k < m; ++k) matrix[(m + n) * size + m + k] = -model.damping(n, k) / unit;
   }
   return matrix;
-}
-
-Eigensystem eigensystem_of(const gsl_matrix& matrix) {
-  const StatusInsteadOfAbort guard;
-  const std::size_t size = matrix.size1;
-  const auto work = owned(gsl_matrix_alloc(size, size));
-  gsl_matrix_memcpy(work.get(), &matrix);
-  Eigensystem result{owned(gsl_vector_complex_alloc(size)), owned(gsl_matrix_complex_alloc(size, size)),
-                     owned(gsl_matrix_complex_alloc(size, size))};
-  const auto workspace = owned(gsl_eigen_nonsymmv_alloc(size));
-  gsl_eigen_nonsymmv_params(1, workspace.get());
-  require_success(gsl_eigen_nonsymmv(work.get(), result.values.get(), result.vectors.get(), workspace.get()),
-                  "eigenvalues of the damped, held structure");
-
-  const auto factors = owned(gsl_matrix_complex_alloc(size, size));
-  const auto permutation = owned(gsl_permutation_alloc(size));
-  int sign = 0;
-  gsl_matrix_complex_memcpy(factors.get(), result.vectors.get());
-  require_success(gsl_linalg_complex_LU_decomp(factors.get(), permutation.get(), &sign), "eigenvectors");
-  require_success(gsl_linalg_complex_LU_invert(factors.get(), permutation.get(), result.inverse.get()),
-                  "eigenvectors of the damped, held structure");
-  return result;
 }
 
 }  // namespace
@@ -90,46 +57,15 @@ void StickPropagator::set_undamped() {
 }
 
 void StickPropagator::set_damped() {
-  // Without dimension: GSL rounds the eigenvalues otherwise in other units.
   const double unit = std::ranges::max(dynamics_.model().angular_frequency);
-  const auto matrix = first_order_matrix(dynamics_.model(), unit);
-  const Eigensystem modes = eigensystem_of(*matrix);
-  const std::size_t size = matrix->size1;
-
-  std::vector<std::size_t> kept;
-  for (std::size_t k = 0; k < size; ++k)
-    if (GSL_IMAG(gsl_vector_complex_get(modes.values.get(), k)) >= 0.0) kept.push_back(k);
-  shape_.resize(size * kept.size());
-  for (std::size_t j = 0; j < kept.size(); ++j) {
-    const Complex value = from_gsl(gsl_vector_complex_get(modes.values.get(), kept[j]));
-    eigenvalue_.push_back(value);
-    const double weight = value.imag() > 0.0 ? 2.0 : 1.0;
-    for (std::size_t i = 0; i < size; ++i) {
-      shape_[i * kept.size() + j] =
-          weight * from_gsl(gsl_matrix_complex_get(modes.vectors.get(), i, kept[j]));
-      inverse_.push_back(from_gsl(gsl_matrix_complex_get(modes.inverse.get(), kept[j], i)));
-    }
-  }
-  require_separated(*matrix);
-  for (Complex& value : eigenvalue_) value *= unit;
-}
-
-// Z lambda W must be the matrix again, to nine digits.
-void StickPropagator::require_separated(const gsl_matrix& matrix) const {
-  const std::size_t size = matrix.size1, count = eigenvalue_.size();
-  double largest = 0.0, scale = 0.0;
-  for (std::size_t i = 0; i < size; ++i) {
-    for (std::size_t j = 0; j < size; ++j) {
-      double rebuilt = 0.0;
-      for (std::size_t k = 0; k < count; ++k)
-        rebuilt += (shape_[i * count + k] * eigenvalue_[k] * inverse_[k * size + j]).real();
-      const double entry = gsl_matrix_get(&matrix, i, j);
-      largest = std::max(largest, std::abs(rebuilt - entry));
-      scale = std::max(scale, std::abs(entry));
-    }
-  }
-  if (!(largest <= 1e-9 * scale))
+  SeparatedSystem modes = separated_system(first_order_matrix(dynamics_.model(), unit), 2 * dynamics_.modes(),
+                                           "eigenvalues of the damped, held structure");
+  if (!(modes.error <= 1e-9))  // nine digits
     throw std::runtime_error("a mode of the held structure is too nearly critically damped to be separated.");
+  eigenvalue_ = std::move(modes.eigenvalue);
+  shape_ = std::move(modes.shape);
+  inverse_ = std::move(modes.inverse);
+  for (Complex& value : eigenvalue_) value *= unit;
 }
 
 void StickPropagator::set_forcing() {

@@ -53,12 +53,11 @@ class ContactModes {
 
  private:
   friend class ModalContactRun;
-  void require_separated(const std::vector<double>& matrix, double unit) const;
 
   std::size_t size_{};         // 2 (m + 1)
   std::vector<double> scale_;  // coordinates (T, u_c) times these, and their rates, are Re(Z z)
   std::vector<Complex> eigenvalue_;
-  std::vector<Complex> shape_;    // Z, eigenvalue_.size() columns of size_
+  std::vector<Complex> shape_;    // Z, size_ rows of eigenvalue_.size()
   std::vector<Complex> inverse_;  // z = W y, eigenvalue_.size() rows of size_
 };
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <gsl/gsl_matrix.h>
-
 #include <complex>
 #include <optional>
 #include <span>
@@ -54,7 +52,6 @@ class StickPropagator {
 
   void set_undamped();
   void set_damped();
-  void require_separated(const gsl_matrix& matrix) const;
   void set_forcing();
   [[nodiscard]] Complex coordinate(std::size_t k, double t) const;
   [[nodiscard]] Complex forcing(std::size_t k, double t) const;
