@@ -252,6 +252,18 @@ ModalContactRun::Slip ModalContactRun::slip(double free_speed, double speed_befo
   return {speed, force};
 }
 
+// A sliding velocity that would go on to `further`, which is not in its direction. It passes zero after a share of the step, from
+// which on friction acts the other way, if that does not hold the contact.
+bool ModalContactRun::turns_round(double free_velocity, double further) {
+  if (std::abs(free_velocity - sliding_velocity_) <= weight_ * held_) return false;
+  const double direction = std::copysign(1.0, sliding_velocity_), speed = std::abs(sliding_velocity_);
+  const double share = speed / (speed - further);
+  friction_force_ = -direction * (2.0 * share - 1.0) * (kinetic_ + falling_);
+  force_before_ = std::abs(friction_force_);
+  sliding_velocity_ = free_velocity + weight_ * friction_force_;
+  return true;
+}
+
 void ModalContactRun::decide(double free_velocity) {
   if (slips_ && sliding_velocity_ != 0.0) {
     const double direction = std::copysign(1.0, sliding_velocity_);
@@ -263,6 +275,7 @@ void ModalContactRun::decide(double free_velocity) {
       friction_force_ = -direction * on.force;
       return;
     }
+    if (turns_round(free_velocity, on.speed)) return;
   }
   slips_ = std::abs(free_velocity) > weight_ * held_;
   if (!slips_) {

@@ -341,6 +341,7 @@ void print_estimate(const studies::MapTask& task, const MapOptions& options) {
                         options.shard.value_or(MapPart()).parts);
   if (numbers.empty())
     throw data::InputError("--shard has no evaluation of this map, which has fewer than parts");
+  const report::Interruption interruption([] { return std::string("interrupted; nothing is written"); });
   const studies::MapEstimate estimate = studies::map_estimate(task, numbers);
   const std::size_t cells = task.x.values.size() * task.y.values.size();
   if (options.problem.json)
