@@ -10,8 +10,8 @@
 
 #include "arguments.hpp"
 #include "exponential_difference.hpp"
-#include "first_order_modes.hpp"
 #include "gsl_handles.hpp"
+#include "separated_system.hpp"
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/contact_dynamics.hpp"
 #include "stickslip/analytic/force_maximum.hpp"
@@ -73,14 +73,14 @@ DampedReaction compliant_reaction(const data::Beam& beam, const data::Damping& d
     return result;
   };
   // y_t = scale A y of y = (scale X, X_t).
-  const auto matrix = owned(gsl_matrix_calloc(2 * size, 2 * size));
+  std::vector<double> matrix(4 * size * size);
   for (std::size_t column = 0; column < 2 * size; ++column) {
     state[column] = column < size ? 1.0 / scale : 1.0;
     const std::vector<double> result = accelerations(0.0);
     for (std::size_t row = 0; row < size; ++row)
-      gsl_matrix_set(matrix.get(), size + row, column, result[row] / scale);
+      matrix[(size + row) * 2 * size + column] = result[row] / scale;
     state[column] = 0.0;
-    if (column >= size) gsl_matrix_set(matrix.get(), column - size, column, 1.0);
+    if (column >= size) matrix[(column - size) * 2 * size + column] = 1.0;
   }
   const double held = tangential_stiffness / (dynamics.held_stiffness() + tangential_stiffness);  // 1 - x_s
   std::vector<double> sine = accelerations(1.0);
@@ -90,7 +90,11 @@ DampedReaction compliant_reaction(const data::Beam& beam, const data::Damping& d
 
   DampedReaction reaction;
   reaction.quasi_static = dynamics.held_stiffness() * held;
-  const auto [eigenvalue, shape, inverse] = first_order_modes(*matrix, "the beam on its contact spring");
+  const auto [eigenvalue, shape, inverse, error] =
+      separated_system(matrix, 2 * size, "eigenvalues of the beam on its contact spring");
+  if (!(error <= 1e-9))  // nine digits
+    throw std::runtime_error(
+        "a mode of the beam on its contact spring is too nearly critically damped to be separated.");
   for (std::size_t k = 0; k < eigenvalue.size(); ++k) {
     constexpr double rounding = 1e-9;
     if (eigenvalue[k].real() > rounding || (eigenvalue[k].imag() == 0.0 && eigenvalue[k].real() > -rounding))

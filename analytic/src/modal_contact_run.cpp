@@ -1,26 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "stickslip/analytic/modal_contact_run.hpp"
 
-#include <gsl/gsl_linalg.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "arguments.hpp"
 #include "exponential_difference.hpp"
-#include "gsl_handles.hpp"
-#include "gsl_status.hpp"
+#include "separated_system.hpp"
 
 namespace stickslip::analytic {
 namespace {
 
 using Complex = std::complex<double>;
-
-Complex from_gsl(gsl_complex value) { return {GSL_REAL(value), GSL_IMAG(value)}; }
 
 void accelerate(const ContactDynamics& dynamics, const ContactKinematics& state, double s, double f,
                 std::vector<double>& accelerations) {
@@ -56,60 +52,25 @@ ContactModes::ContactModes(const ContactModel& model) {
   scale_ = model.angular_frequency;
   const double single = std::sqrt(std::abs(model.contact_stiffness) / model.contact_mass);
   scale_.push_back(m > 0 ? std::ranges::min(scale_) : single > 0.0 ? single : model.load_angular_frequency);
-  // Without dimension: GSL rounds the eigenvalues otherwise in other units.
   const double unit = std::ranges::max(scale_);
-  const std::vector<double> entries = first_order_matrix(dynamics, scale_, unit);
-
-  const StatusInsteadOfAbort guard;
-  const auto matrix = owned(gsl_matrix_alloc(size_, size_));
-  for (std::size_t i = 0; i < size_; ++i)
-    for (std::size_t j = 0; j < size_; ++j) gsl_matrix_set(matrix.get(), i, j, entries[i * size_ + j]);
-  const auto values = owned(gsl_vector_complex_alloc(size_));
-  const auto vectors = owned(gsl_matrix_complex_alloc(size_, size_)),
-             factors = owned(gsl_matrix_complex_alloc(size_, size_)),
-             inverse = owned(gsl_matrix_complex_alloc(size_, size_));
-  const auto workspace = owned(gsl_eigen_nonsymmv_alloc(size_));
-  gsl_eigen_nonsymmv_params(1, workspace.get());
-  require_success(gsl_eigen_nonsymmv(matrix.get(), values.get(), vectors.get(), workspace.get()),
-                  "eigenvalues of the structure with its contact free");
-  const auto permutation = owned(gsl_permutation_alloc(size_));
-  int sign = 0;
-  gsl_matrix_complex_memcpy(factors.get(), vectors.get());
-  require_success(gsl_linalg_complex_LU_decomp(factors.get(), permutation.get(), &sign), "eigenvectors");
-  if (gsl_linalg_complex_LU_invert(factors.get(), permutation.get(), inverse.get()) != GSL_SUCCESS)
-    gsl_matrix_complex_set_zero(inverse.get());  // which does not separate
-
-  for (std::size_t k = 0; k < size_; ++k) {
-    const Complex value = from_gsl(gsl_vector_complex_get(values.get(), k));
-    if (value.imag() < 0.0) continue;
-    const double weight = value.imag() > 0.0 ? 2.0 : 1.0;
-    const Complex contact = weight * from_gsl(gsl_matrix_complex_get(vectors.get(), size_ - 1, k));
-    eigenvalue_.push_back(value * unit);
-    for (std::size_t i = 0; i < size_; ++i) {
-      shape_.push_back(weight * from_gsl(gsl_matrix_complex_get(vectors.get(), i, k)) / contact);
-      inverse_.push_back(from_gsl(gsl_matrix_complex_get(inverse.get(), k, i)) * contact);
-    }
-  }
-  require_separated(entries, unit);
-}
-
-// Z lambda W must be the matrix again, to nine digits.
-void ContactModes::require_separated(const std::vector<double>& matrix, double unit) const {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < size_; ++i)
-    for (std::size_t j = 0; j < size_; ++j) {
-      double rebuilt = 0.0;
-      for (std::size_t k = 0; k < eigenvalue_.size(); ++k)
-        rebuilt += (shape_[k * size_ + i] * eigenvalue_[k] * inverse_[k * size_ + j]).real() / unit;
-      largest = std::max(largest, std::isfinite(rebuilt) ? std::abs(rebuilt - matrix[i * size_ + j])
-                                                         : std::numeric_limits<double>::infinity());
-    }
-  const auto [low, high] = std::ranges::minmax(matrix);
-  if (!(largest <= 1e-9 * std::max(high, -low)))
+  SeparatedSystem system = separated_system(first_order_matrix(dynamics, scale_, unit), size_,
+                                            "eigenvalues of the structure with its contact free");
+  if (!(system.error <= 1e-9))  // nine digits
     throw InseparableModes(
         "a mode of the sliding beam cannot be separated from the others: it is too near to critical damping "
-        "or "
-        "to flutter");
+        "or to flutter");
+  eigenvalue_ = std::move(system.eigenvalue);
+  shape_ = std::move(system.shape);
+  inverse_ = std::move(system.inverse);
+  const std::size_t count = eigenvalue_.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    eigenvalue_[k] *= unit;
+    const Complex contact = shape_[(size_ - 1) * count + k];
+    for (std::size_t i = 0; i < size_; ++i) {
+      shape_[i * count + k] /= contact;
+      inverse_[k * size_ + i] *= contact;
+    }
+  }
 }
 
 ModalContactRun::ModalContactRun(const ContactModes& modes, const ContactModel& model, int steps_per_period)
@@ -213,7 +174,7 @@ void ModalContactRun::start(const ContactKinematics& state) {
   }
   for (const Drive& steady : steady_) free_velocity_ += add(steady.mode, -steady.cosine);
   steps_ = phase_ = 0;
-  friction_force_ = 0.0;
+  friction_force_ = force_before_ = 0.0;
   const double wall = model_.wall_amplitude * model_.load_angular_frequency;
   sliding_velocity_ = state.velocity - wall;
   if (std::abs(sliding_velocity_) <= 4.0 * std::numeric_limits<double>::epsilon() * std::abs(wall))
@@ -273,10 +234,10 @@ double ModalContactRun::falling_force(double speed) {
   return known_force_ = falling_ * std::exp(-decay_ * speed);
 }
 
-// The V with V + W N mu((V + V_0)/2) = P, by Newton's method on a convex, rising function.
-ModalContactRun::Slip ModalContactRun::slip(double free_speed, double speed_before) {
+// The V with V + W N mu((V + V_0)/2) = P, by Newton's method on a convex, rising function, from an expected force.
+ModalContactRun::Slip ModalContactRun::slip(double free_speed, double speed_before, double expected_force) {
   constexpr int most_iterations = 50;
-  double speed = std::max(free_speed - weight_ * std::abs(friction_force_), 0.0), force = 0.0;
+  double speed = std::max(free_speed - weight_ * expected_force, 0.0), force = 0.0;
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     const double mean = 0.5 * (speed + speed_before);
     const double exponential = falling_force(mean);
@@ -285,21 +246,36 @@ ModalContactRun::Slip ModalContactRun::slip(double free_speed, double speed_befo
     const double change = (free_speed - speed - weight_ * force) / (1.0 + weight_ * slope);
     speed += change;
     force += slope * change;
-    // What is left is below decay^2 change^2/8 of the falling part, 1e-11.
-    if (decay_ * std::abs(change) < 1e-5) break;
+    // What is left is below decay^2 change^2/8 of the falling part, 1.25e-9.
+    if (decay_ * std::abs(change) < 1e-4) break;
   }
   return {speed, force};
+}
+
+// A sliding velocity that would go on to `further`, which is not in its direction. It passes zero after a share of the step, from
+// which on friction acts the other way, if that does not hold the contact.
+bool ModalContactRun::turns_round(double free_velocity, double further) {
+  if (std::abs(free_velocity - sliding_velocity_) <= weight_ * held_) return false;
+  const double direction = std::copysign(1.0, sliding_velocity_), speed = std::abs(sliding_velocity_);
+  const double share = speed / (speed - further);
+  friction_force_ = -direction * (2.0 * share - 1.0) * (kinetic_ + falling_);
+  force_before_ = std::abs(friction_force_);
+  sliding_velocity_ = free_velocity + weight_ * friction_force_;
+  return true;
 }
 
 void ModalContactRun::decide(double free_velocity) {
   if (slips_ && sliding_velocity_ != 0.0) {
     const double direction = std::copysign(1.0, sliding_velocity_);
-    const Slip on = slip(direction * free_velocity, std::abs(sliding_velocity_));
+    const double force = std::abs(friction_force_);
+    const Slip on = slip(direction * free_velocity, std::abs(sliding_velocity_), 2.0 * force - force_before_);
     if (on.speed > 0.0) {
+      force_before_ = force;
       sliding_velocity_ = direction * on.speed;
       friction_force_ = -direction * on.force;
       return;
     }
+    if (turns_round(free_velocity, on.speed)) return;
   }
   slips_ = std::abs(free_velocity) > weight_ * held_;
   if (!slips_) {
@@ -308,9 +284,10 @@ void ModalContactRun::decide(double free_velocity) {
     return;
   }
   const double direction = std::copysign(1.0, free_velocity);
-  const Slip away = slip(std::abs(free_velocity), 0.0);
+  const Slip away = slip(std::abs(free_velocity), 0.0, held_);
   sliding_velocity_ = direction * away.speed;
   friction_force_ = -direction * away.force;
+  force_before_ = held_;
 }
 
 void ModalContactRun::step() {
@@ -334,7 +311,7 @@ ContactKinematics ModalContactRun::state() const {
   const std::vector<Complex> z = amplitudes();
   std::vector<double> y(modes_->size_);
   for (std::size_t k = 0; k < z.size(); ++k)
-    for (std::size_t i = 0; i < y.size(); ++i) y[i] += (modes_->shape_[k * modes_->size_ + i] * z[k]).real();
+    for (std::size_t i = 0; i < y.size(); ++i) y[i] += (modes_->shape_[i * z.size() + k] * z[k]).real();
   ContactKinematics state{.amplitudes = std::vector<double>(m), .rates = std::vector<double>(m)};
   for (std::size_t n = 0; n < m; ++n) {
     state.amplitudes[n] = y[n] / modes_->scale_[n];
@@ -350,8 +327,7 @@ double ModalContactRun::contact_position() const {
   const std::size_t m = model_.modes();
   const std::vector<Complex> z = amplitudes();
   double position = 0.0;
-  for (std::size_t k = 0; k < z.size(); ++k)
-    position += (modes_->shape_[k * modes_->size_ + m] * z[k]).real();
+  for (std::size_t k = 0; k < z.size(); ++k) position += (modes_->shape_[m * z.size() + k] * z[k]).real();
   return position / modes_->scale_[m] - model_.wall_amplitude * sine_[phase_];
 }
 

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
+#include <stdexcept>
+#include <utility>
 
 #include "exponential_difference.hpp"
-#include "first_order_modes.hpp"
-#include "gsl_handles.hpp"
 #include "root_finding.hpp"
+#include "separated_system.hpp"
 
 namespace stickslip::analytic {
 namespace {
@@ -18,15 +18,14 @@ using Complex = std::complex<double>;
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
-// y_t = A y of y = (omega_n T_n, T_n_t), over `unit`.
-OwnedHandle<gsl_matrix> first_order_matrix(const ContactModel& model, double unit) {
-  const std::size_t m = model.modes();
-  auto matrix = owned(gsl_matrix_calloc(2 * m, 2 * m));
+// y_t = A y of y = (omega_n T_n, T_n_t), over `unit`, row by row.
+std::vector<double> first_order_matrix(const ContactModel& model, double unit) {
+  const std::size_t m = model.modes(), size = 2 * m;
+  std::vector<double> matrix(size * size);
   for (std::size_t n = 0; n < m; ++n) {
-    gsl_matrix_set(matrix.get(), n, m + n, model.angular_frequency[n] / unit);
-    gsl_matrix_set(matrix.get(), m + n, n, -model.angular_frequency[n] / unit);
-    for (std::size_t k = 0; k < m; ++k)
-      gsl_matrix_set(matrix.get(), m + n, m + k, -model.damping(n, k) / unit);
+    matrix[n * size + m + n] = model.angular_frequency[n] / unit;
+    matrix[(m + n) * size + n] = -model.angular_frequency[n] / unit;
+    for (std::size_t k = 0; k < m; ++k) matrix[(m + n) * size + m + k] = -model.damping(n, k) / unit;
   }
   return matrix;
 }
@@ -58,10 +57,14 @@ void StickPropagator::set_undamped() {
 }
 
 void StickPropagator::set_damped() {
-  // Without dimension: GSL rounds the eigenvalues otherwise in other units.
   const double unit = std::ranges::max(dynamics_.model().angular_frequency);
-  const auto matrix = first_order_matrix(dynamics_.model(), unit);
-  std::tie(eigenvalue_, shape_, inverse_) = first_order_modes(*matrix, "the held structure");
+  SeparatedSystem modes = separated_system(first_order_matrix(dynamics_.model(), unit), 2 * dynamics_.modes(),
+                                           "eigenvalues of the damped, held structure");
+  if (!(modes.error <= 1e-9))  // nine digits
+    throw std::runtime_error("a mode of the held structure is too nearly critically damped to be separated.");
+  eigenvalue_ = std::move(modes.eigenvalue);
+  shape_ = std::move(modes.shape);
+  inverse_ = std::move(modes.inverse);
   for (Complex& value : eigenvalue_) value *= unit;
 }
 

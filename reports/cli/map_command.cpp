@@ -343,6 +343,7 @@ void print_estimate(const studies::MapTask& task, const MapOptions& options) {
                         options.shard.value_or(MapPart()).parts);
   if (numbers.empty())
     throw data::InputError("--shard has no evaluation of this map, which has fewer than parts");
+  const report::Interruption interruption([] { return std::string("interrupted; nothing is written"); });
   const studies::MapEstimate estimate = studies::map_estimate(task, numbers);
   const std::size_t cells = task.x.values.size() * task.y.values.size();
   if (options.problem.json)
@@ -404,6 +405,29 @@ void add_shard_options(CLI::App& command, MapOptions& options) {
       if (option->check_name(name)) merge->excludes(option);
 }
 
+void add_motion_options(CLI::App& command, MapOptions& options) {
+  command
+      .add_option(
+          "--quantity", options.quantity,
+          "What to map: the verdict of the criterion, or of the motion slip-share (of the time), peak-speed "
+          "and rms-speed (of sliding, m/s), travel (m) and work (of friction, J) in a period of the base, "
+          "largest-force (N), sticks (in a period) or period (of the motion, in periods of the base; 0 if "
+          "none up to 16); some with commas between them give a column each")
+      ->type_name("NAME")
+      ->capture_default_str();
+  command
+      .add_option(
+          "--transient", options.transient,
+          "What a quantity of the motion leaves out from the start, s (default: half of the duration)")
+      ->check(time());
+  command
+      .add_option(
+          "--tolerance", options.tolerance,
+          "Largest relative change of a quantity, with twice the time step and between the halves of the "
+          "record, with which it counts as converged (default: 0.05)")
+      ->check(number());
+}
+
 }  // namespace
 
 void add_map_command(CLI::App& app) {
@@ -431,26 +455,7 @@ void add_map_command(CLI::App& app) {
       ->check(number());
   command->add_flag("--states-only", options->states_only,
                     "Leave out the force ratio: only whether each cell sticks or slips");
-  command
-      ->add_option(
-          "--quantity", options->quantity,
-          "What to map: the verdict of the criterion, or of the motion slip-share (of the time), peak-speed "
-          "and rms-speed (of sliding, m/s), travel (m) and work (of friction, J) in a period of the base, "
-          "largest-force (N), sticks (in a period) or period (of the motion, in periods of the base; 0 if "
-          "none up to 16); some with commas between them give a column each")
-      ->type_name("NAME")
-      ->capture_default_str();
-  command
-      ->add_option(
-          "--transient", options->transient,
-          "What a quantity of the motion leaves out from the start, s (default: half of the duration)")
-      ->check(time());
-  command
-      ->add_option(
-          "--tolerance", options->tolerance,
-          "Largest relative change of a quantity, with twice the time step and between the halves of the "
-          "record, with which it counts as converged (default: 0.05)")
-      ->check(number());
+  add_motion_options(*command, *options);
   command->add_flag("--dry-run", options->dry_run,
                     "Write no map, but time some evaluations and print what the map will take");
   command

@@ -5,7 +5,8 @@
 ///
 /// The first line is a JSON object that says which map it is (the case, the axes, the method, the program)
 /// and which part of it; each further line is an evaluation: its number and the bounds of |f_max| per metre
-/// of amplitude, with the digits that read back exactly, or its state and each quantity with its change. Every line ends with a check of itself
+/// of amplitude, with the digits that read back exactly, or its state and each quantity
+/// with its change. Every line ends with a check of itself
 /// and of the first line, 16 hexadecimal digits.
 
 #include <cstddef>

@@ -79,7 +79,8 @@ using MapEvaluations = std::vector<std::optional<MapEvaluation>>;
 [[nodiscard]] MapAxis map_axis(Parameter parameter, double from, double to, int count, bool logarithmic);
 
 /// The number of evaluations that a map needs. |f_max| is proportional to the amplitude and does not depend
-/// on mu_s, so that an axis of either parameter needs no additional evaluation; a quantity has one for each cell. Throws for axes that are not
+/// on mu_s, so that an axis of either parameter needs no additional evaluation; a quantity of the motion has one
+/// for each cell. Throws for axes that are not
 /// allowed, as criterion_map() does.
 [[nodiscard]] std::size_t evaluation_count(const MapTask& task);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <vector>
 
 #include "studies/common/thread_count.hpp"
@@ -23,12 +24,18 @@ class ThreadsForNow {
   unsigned before_;
 };
 
-double seconds_for(const MapTask& task, std::span<const std::size_t> numbers, unsigned threads) {
+struct Seconds {
+  double processor{}, wall{};
+};
+
+Seconds seconds_for(const MapTask& task, std::span<const std::size_t> numbers, unsigned threads) {
   const ThreadsForNow threads_for_now(threads);
   MapEvaluations evaluations(evaluation_count(task));
   const auto start = std::chrono::steady_clock::now();
+  const std::clock_t processor = std::clock();
   evaluate(task, numbers, evaluations);
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return {static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC,
+          std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
 }
 
 std::vector<std::size_t> sample_of(std::span<const std::size_t> numbers, std::size_t count) {
@@ -41,19 +48,20 @@ std::vector<std::size_t> sample_of(std::span<const std::size_t> numbers, std::si
 }  // namespace
 
 MapEstimate map_estimate(const MapTask& task, std::span<const std::size_t> numbers) {
-  constexpr double enough = 0.5;  // s
-  const double preparation = seconds_for(task, {}, 1);
-  MapEstimate estimate{.evaluations = numbers.size(), .threads = thread_count()};
+  constexpr double enough = 0.5, least = 1e-6;  // s
+  const Seconds preparation = seconds_for(task, {}, 1);
+  MapEstimate estimate{.evaluations = numbers.size(), .threads = thread_count(), .speedup = 1.0};
   for (std::size_t count = std::min<std::size_t>(numbers.size(), std::size_t{4} * thread_count());;
        count = std::min(2 * count, numbers.size())) {
     const auto sample = sample_of(numbers, count);
-    const double one = std::max(seconds_for(task, sample, 1) - preparation, 1e-9);
-    if (one < enough && sample.size() < numbers.size()) continue;
+    const Seconds one = seconds_for(task, sample, 1);
+    if (one.processor < enough && sample.size() < numbers.size()) continue;
+    const auto net = [&](double seconds, double prepared) { return std::max(seconds - prepared, least); };
     estimate.sample = sample.size();
-    estimate.seconds_each = one / static_cast<double>(sample.size());
-    estimate.speedup = thread_count() == 1
-                           ? 1.0
-                           : one / std::max(seconds_for(task, sample, thread_count()) - preparation, 1e-9);
+    estimate.seconds_each = net(one.processor, preparation.processor) / static_cast<double>(sample.size());
+    if (thread_count() > 1)
+      estimate.speedup = net(one.wall, preparation.wall) /
+                         net(seconds_for(task, sample, thread_count()).wall, preparation.wall);
     return estimate;
   }
 }

@@ -36,7 +36,7 @@ int period_among(std::span<const Sample> samples) {
   constexpr std::size_t longest = 16;
   constexpr double of_the_size = 1e-3, of_the_difference = 1e-2;
   double size = 0.0;
-  for (const Sample& sample : samples) size = std::max(size, squared_distance(sample, Sample(sample.size())));
+  for (const Sample& z : samples) size = std::max(size, squared_distance(z, Sample(z.size())));
   double allowed = of_the_size * of_the_size * size;
   for (std::size_t period = 1; period <= longest && 2 * period <= samples.size(); ++period) {
     const double distance = squared_return(samples, period);

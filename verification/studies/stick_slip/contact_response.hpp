@@ -51,25 +51,28 @@ struct ResponseGrid {
   int recorded{};   ///< periods that do, an even number
 };
 
-/// An even number, at least 32, such that the step is at most numerics.time_step. Throws data::FieldError, naming that, for more than
-/// 2e8.
+/// An even number, at least 32, such that the step is at most numerics.time_step. Throws data::FieldError,
+/// naming that, for more than 2e8.
 [[nodiscard]] int steps_per_period(const data::Case& problem);
 
-/// Throws as steps_per_period(), and data::FieldError, naming excitation.duration, unless it holds the transient (s) and two more periods.
+/// Throws as steps_per_period(), and data::FieldError, naming excitation.duration, unless that holds the
+/// transient (s) and two more periods.
 [[nodiscard]] ResponseGrid response_grid(const data::Case& problem, double transient);
 
 /// The model of the beam for a ModalContactRun, with numerics.modes() modes of the held tip. Throws what
 /// analytic::BeamContactModel throws.
 [[nodiscard]] analytic::ContactModel response_model(const data::Case& problem);
 
-/// Runs a case from the quasi-static start by analytic::ModalContactRun, twice. Its period is that of the amplitudes of all modes at the ends of the periods of the base motion (period_of()). `modes`, if given, are those of response_model(). Throws what response_grid(), response_model() and
-/// ModalContactRun throw.
+/// Runs a case from the quasi-static start by analytic::ModalContactRun, twice. The period is that of the
+/// amplitudes of all modes at the ends of the periods of the base motion (period_of()). `modes`, if given, are those
+/// of response_model(). Throws what response_grid(), response_model() and ModalContactRun throw.
 [[nodiscard]] ContactResponse contact_response(const data::Case& problem, double transient,
                                                const analytic::ContactModes* modes = nullptr);
 
-/// The smallest p from 1 to 16 such that each sample is the same as the one p later, to 1e-3 of the largest norm of
-/// all samples and, for p > 1, to 1e-2 of the largest difference of two successive ones: a free vibration
-/// that has not decayed yet may come back after some periods, but not so exactly. 0 if there is none, or if there are fewer than 2 p samples.
+/// The smallest p from 1 to 16 such that each sample is the same as the one p later, to 1e-3 of the largest
+/// norm of all samples and, for p > 1, to 1e-2 of the largest difference of two successive ones: a free
+/// vibration that has not decayed yet may come back after some periods, but not so exactly. 0 if there is none,
+/// or if there are fewer than 2 p samples.
 [[nodiscard]] int period_of(const std::vector<std::vector<std::complex<double>>>& samples);
 
 }  // namespace stickslip::studies

@@ -38,7 +38,7 @@ SweepPoint point_at(const SweepTask& task, double value, bool up, std::optional<
     for (int n = 0; n < steps; ++n) run.step();
   };
   for (int period = 0; period < task.settle; ++period) pass_period();
-  SweepPoint point{.up = up, .value = value};
+  SweepPoint point{.up = up, .value = value, .section = {}, .period = 0};
   std::vector<std::vector<std::complex<double>>> samples;
   for (int period = 0; period < task.periods; ++period) {
     pass_period();

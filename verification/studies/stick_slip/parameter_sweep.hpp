@@ -37,8 +37,10 @@ struct SweepTask {
 };
 
 /// Follows the motion over the values of one parameter, up, down, or up and then down. The first value starts
-/// quasi-statically, each other one from the end of the one before, between two periods: the amplitudes of the held modes, their rates, the position of the tip on the wall and its sliding velocity go on. What up and down differ in is hysteresis. `progress`, if
-/// given, receives the share done. Throws data::FieldError for a value that its field refuses, and what response_model() and ModalContactRun throw.
+/// quasi-statically, each other one from the end of the one before, between two periods: the amplitudes of the
+/// held modes, their rates, the position of the tip on the wall and its sliding velocity go on. What up and
+/// down differ in is hysteresis. `progress`, if given, receives the share done. Throws data::FieldError for a
+/// value that its field refuses, and what response_model() and ModalContactRun throw.
 [[nodiscard]] std::vector<SweepPoint> parameter_sweep(const SweepTask& task,
                                                       const std::function<void(double)>& progress = {});
 

@@ -232,7 +232,8 @@ History fixed_steps(const MassProblem& problem, double end, double h) {
   while (run.time() < end) {
     const double before = direction(), position = run.contact_position();
     run.step();
-    if (direction() == before) continue;
+    const bool starts_to_slip = run.steps() == 1 && problem.velocity;  // which is no change
+    if (direction() == before || (starts_to_slip && before == 0.0)) continue;
     if (before == 0.0)
       history.changes.push_back({"onset", run.time() - run.time_step(), position});
     else

@@ -162,7 +162,7 @@ STICKSLIP_VERIFIES(ReportFigures, "U3");
 TEST(ReportFigures, HaveAScriptEach) {
   for (const std::string& name : report::figure_names())
     EXPECT_TRUE(fs::exists(report::templates_directory() / "figures" / (name + ".gp"))) << name;
-  for (const std::string script : {"animation.gp", "map.gp"})
+  for (const std::string script : {"animation.gp", "map.gp", "sweep.gp"})
     EXPECT_TRUE(fs::exists(report::templates_directory() / "figures" / script)) << script;
 }
 

@@ -14,8 +14,9 @@
 ///
 ///     stick:  v_1 = 0,   |f_d| <= mu_s N        slip:  f_d = -sgn(v_1) N mu(|v_0 + v_1|/2).
 ///
-/// A contact that slips goes on in its direction if that has a solution; else it sticks if it can, or turns
-/// round. The mean of the two velocities in the law makes slip of second order in h. A contact that is caught
+/// A contact that slips goes on in its direction if that has a solution. Else its velocity passes zero in the step: it turns
+/// round if |p - v_0| > W mu_s N, with the force of either direction for its share of the step, and is caught
+/// otherwise. The mean of the two velocities in the law makes slip of second order in h. A contact that is caught
 /// ends its step at rest, wherever in the step it came to rest, which costs a displacement of order h^2: so
 /// changes of contact are not located, and the motion is of second order nevertheless.
 ///
@@ -53,12 +54,11 @@ class ContactModes {
 
  private:
   friend class ModalContactRun;
-  void require_separated(const std::vector<double>& matrix, double unit) const;
 
   std::size_t size_{};         // 2 (m + 1)
   std::vector<double> scale_;  // coordinates (T, u_c) times these, and their rates, are Re(Z z)
   std::vector<Complex> eigenvalue_;
-  std::vector<Complex> shape_;    // Z, eigenvalue_.size() columns of size_
+  std::vector<Complex> shape_;    // Z, size_ rows of eigenvalue_.size()
   std::vector<Complex> inverse_;  // z = W y, eigenvalue_.size() rows of size_
 };
 
@@ -95,8 +95,9 @@ class ModalContactRun {
     double speed{}, force{};
   };
   [[nodiscard]] double falling_force(double speed);
-  [[nodiscard]] Slip slip(double free_speed, double speed_before);
+  [[nodiscard]] Slip slip(double free_speed, double speed_before, double expected_force);
   void set_friction();
+  [[nodiscard]] bool turns_round(double free_velocity, double further);
   void decide(double free_velocity);
   void advance(double force);
   double add(std::size_t mode, Complex value);
@@ -132,7 +133,7 @@ class ModalContactRun {
   double known_speed_{}, known_force_{};                         // a value of the falling part
   std::size_t steps_{}, phase_{};  // since the start, and since the begin of a period
   double free_velocity_{};         // p
-  double sliding_velocity_{}, friction_force_{};
+  double sliding_velocity_{}, friction_force_{}, force_before_{};
   bool slips_{};
 };
 
