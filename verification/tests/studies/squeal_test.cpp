@@ -269,6 +269,37 @@ TEST(Cycles, OfTheReedAreTheSameForBothDirectionsOfTheWallAndEveryLaterSettling)
   }
 }
 
+// A step lengthens the period of a vibration by (omega h)^2/12, to second order.
+TEST(Cycles, OfTheReedHaveThePeriodThatTheTimeStepperSettlesTo) {
+  data::NumericalChoices choices = viscous_reed().numerics.choices();
+  choices.elements = 10;
+  choices.modes = 5;
+  data::Case problem = viscous_reed();
+  problem.numerics = data::NumericalSettings(choices);
+  const auto cycle = studies::cycle_of(problem, 1, 40);
+  ASSERT_TRUE(cycle.search.motion);
+  const double period = cycle.search.motion->period;
+  ASSERT_EQ(cycle.search.motion->events.size(), 2u);
+  std::vector<double> errors;
+  for (const double step : {1e-5, 5e-6}) {
+    choices.time_step = step;
+    solver::BeamSimulation run(problem.beam, problem.friction, problem.excitation,
+                               data::NumericalSettings(choices),
+                               {.damping = problem.damping, .wall = problem.wall});
+    while (run.time() < 0.15) run.step();
+    std::vector<double> onsets;
+    for (const auto& event : run.integrator().events())
+      if (event.kind == solver::ContactEvent::Kind::onset) onsets.push_back(event.time);
+    ASSERT_GT(onsets.size(), 20u);
+    const double stepped = (onsets.back() - onsets[onsets.size() - 6]) / 5.0;
+    const double phase = 2.0 * std::numbers::pi * step / period;
+    EXPECT_TRUE(
+        within(stepped, period, discretisation(phase * phase / 12.0 * period, 1.0, "(omega h)^2/12")));
+    errors.push_back(std::abs(stepped - period));
+  }
+  EXPECT_GT(errors[0] / errors[1], 3.5);
+}
+
 TEST(Cycles, AreNotFoundWhereTheReedSlidesSteadilyOrNothingMoves) {
   const auto cycle = studies::cycle_of(reed({{"wall.speed", "4.0"}, {"numerics.modes", "2"}}), 1, 200);
   EXPECT_FALSE(cycle.search.motion);
