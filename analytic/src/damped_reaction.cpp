@@ -6,11 +6,11 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "arguments.hpp"
 #include "exponential_difference.hpp"
-#include "gsl_handles.hpp"
 #include "separated_system.hpp"
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/contact_dynamics.hpp"
