@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -113,6 +114,17 @@ IntegratorSettings integrator_settings(const data::NumericalSettings& numerics, 
           .algebra = coordinates == Coordinates::modal ? StepAlgebra::modal : StepAlgebra::sparse};
 }
 
+// A rounding of the tip's position, as large as the base motion, by the spring must stay far below the limit.
+void require_resolved_spring(const data::TangentialContact& contact, double limit, double amplitude) {
+  constexpr double share = 1e-4;
+  const double stiffest = share * limit / (std::numeric_limits<double>::epsilon() * amplitude);
+  if (!contact.has_spring() || limit == 0.0 || contact.tangential_stiffness() <= stiffest) return;
+  throw data::FieldError(
+      "contact.tangential_stiffness", contact.tangential_stiffness(),
+      "at most " + data::shortest_text(stiffest) +
+          " N/m by finite elements, whose rounding would move the force; inf for a rigid contact");
+}
+
 BeamModel checked_model(const data::Beam& beam, int elements, TipContact contact) {
   require_contact(beam, contact);
   BeamModel model(beam, elements);
@@ -140,6 +152,8 @@ BeamSimulation::BeamSimulation(const data::Beam& beam, const data::FrictionLaw& 
     basis_ << basis.modes, basis.static_shape;
     velocity = modal_coordinates(model_, basis, velocity);
   }
+  require_resolved_spring(run.tangential, friction.static_coefficient() * system.normal_force,
+                          excitation.amplitude());
   system.tangential = run.tangential;
   if (run.contact == TipContact::bonded) system.normal_force = bonding_force;
   integrator_ = std::make_unique<StickSlipIntegrator>(std::move(system), settings);

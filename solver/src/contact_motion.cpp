@@ -107,7 +107,7 @@ double ContactMotion::position() const {
 }
 
 double ContactMotion::friction_force() const {
-  if (yields()) return contact_.yielding_force(phase_.wall_offset, position(), sliding_velocity());
+  if (yields()) return yielding_force_;
   return is_stuck() ? holding_force() : contact_.force(phase_.direction, sliding_velocity());
 }
 
@@ -139,14 +139,24 @@ void ContactMotion::begin_stick() {
 // The spring has no force, and a smooth law none at rest.
 void ContactMotion::begin_yielding() {
   const bool is_smooth = system_.tangential.is_smooth();
+  yielding_force_ = alpha_level_force_ = contact_.yielding_force(position(), position(), sliding_velocity());
+  alpha_level_time_ = 0.0;
   phase_ = {.state = is_smooth ? ContactState::slip : ContactState::stick, .wall_offset = position()};
   if (is_smooth && sliding_velocity() != 0.0) phase_.direction = 1.0;
   kernel_->restart(phase_, time_, now_);
 }
 
-void ContactMotion::move_slider() {
+void ContactMotion::move_slider(double length) {
   const auto [slider, direction] = contact_.moved(phase_.wall_offset, position(), sliding_velocity());
   phase_.wall_offset = slider;
+  // By the line through the last two alpha levels, within the bound. The law itself would multiply what v and q ring with
+  // after a kink, which the alpha level does not have.
+  const double force = kernel_->yielding_force(), level = method_.load_time(time_ - length, length);
+  yielding_force_ =
+      contact_.bounded(force + (force - alpha_level_force_) * (time_ - level) / (level - alpha_level_time_),
+                       sliding_velocity());
+  alpha_level_force_ = force;
+  alpha_level_time_ = level;
   if (system_.tangential.is_smooth() || direction == (is_stuck() ? 0.0 : phase_.direction)) return;
   record(is_stuck()         ? ContactEvent::Kind::onset
          : direction == 0.0 ? ContactEvent::Kind::capture

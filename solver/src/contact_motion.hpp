@@ -62,9 +62,9 @@ class ContactMotion {
   void leave_stick();
   /// The contact is at rest on the wall, up to what the location left: stick if it can be held, else slip.
   void settle_at_rest();
-  /// Of a contact that yields, after a step: the slider follows, and a change is recorded. f_d has no jump, so that
+  /// Of a contact that yields, after a step of this length: the slider follows, and a change is recorded. f_d has no jump, so that
   /// a kink of it inside a step costs no order and is not located.
-  void move_slider();
+  void move_slider(double length);
   /// The changes of ContactScheme::paper: no impulse, no restart.
   void overwrite_sliding_velocity();
   void turn_to(double direction);
@@ -91,6 +91,8 @@ class ContactMotion {
   StepPhase phase_;
   int events_in_step_{};
   std::vector<ContactEvent> events_;
+  double yielding_force_{}, alpha_level_force_{},
+      alpha_level_time_{};  // f_d now, and at the last alpha level
   std::function<void()> observer_;
 };
 

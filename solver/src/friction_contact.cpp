@@ -54,7 +54,10 @@ double FrictionContact::alpha_level_force(double direction, double free_velocity
 double FrictionContact::yielding_force(double slider, double position, double sliding_velocity) const {
   if (tangential_.is_smooth())
     return force(std::tanh(sliding_velocity / tangential_.regularisation_velocity()), sliding_velocity);
-  const double elastic = tangential_.tangential_stiffness() * (slider - position);
+  return bounded(tangential_.tangential_stiffness() * (slider - position), sliding_velocity);
+}
+
+double FrictionContact::bounded(double elastic, double sliding_velocity) const {
   const double direction = -sign(elastic);
   const double bound = force(direction, std::max(direction * sliding_velocity, 0.0));
   return std::abs(elastic) <= std::abs(bound) ? elastic : bound;

@@ -33,6 +33,9 @@ class FrictionContact {
   /// spring has no force.
   [[nodiscard]] double yielding_force(double slider, double position, double sliding_velocity) const;
 
+  /// The force, N, cut to the bound of a contact that yields.
+  [[nodiscard]] double bounded(double force, double sliding_velocity) const;
+
   /// Sliding velocity and position on the wall at the alpha level of a step without f_d, and what a unit f_d adds.
   struct Response {
     double velocity{}, position{};

@@ -41,6 +41,7 @@ class ModalKernel final : public StepKernel {
 
   void take_step(const StepPhase& phase, const Kinematics& now, double time, double end_time,
                  Kinematics& next) override;
+  [[nodiscard]] double yielding_force() const override { return yielding_force_; }
   // Seldom, so that it need not be fast.
   void restart(const StepPhase& phase, double time, Kinematics& now) override {
     sparse_->restart(phase, time, now);
@@ -67,6 +68,7 @@ class ModalKernel final : public StepKernel {
   double contact_mass_entry_{}, contact_stiffness_{}, contact_load_{};
   StepFactors whole_step_, partial_step_;
   Eigen::ArrayXd alpha_displacement_, residual_;
+  double yielding_force_{};
 };
 
 ModalKernel::ModalKernel(const ContactSystem& system, const FrictionContact& contact,
@@ -167,6 +169,7 @@ void ModalKernel::take_slip_step(const StepFactors& step, const StepPhase& phase
                                                        alpha_level_wall(system_, method_, time, h),
                                                    mobility, displacement_factor * step.contact_acceleration})
                         : contact_.alpha_level_force(phase.direction, free_velocity, mobility);
+  yielding_force_ = friction;
   const double new_ac = free_acceleration + friction * step.contact_acceleration;
 
   auto new_a = next.acceleration.head(modes_).array();

@@ -39,6 +39,7 @@ class SparseKernel final : public StepKernel {
 
   void take_step(const StepPhase& phase, const Kinematics& now, double time, double end_time,
                  Kinematics& next) override;
+  [[nodiscard]] double yielding_force() const override { return yielding_force_; }
   void restart(const StepPhase& phase, double time, Kinematics& now) override;
 
  private:
@@ -62,6 +63,7 @@ class SparseKernel final : public StepKernel {
   StepMatrices whole_step_, partial_step_;
   Kinematics alpha_level_;
   Eigen::VectorXd residual_, new_acceleration_;
+  double yielding_force_{};
 };
 
 SparseKernel::SparseKernel(const ContactSystem& system, const FrictionContact& contact,
@@ -168,10 +170,9 @@ void SparseKernel::take_slip_step(StepMatrices& step, const StepPhase& phase, do
     const double displacement_factor = method_.stiffness_factor(h);
     const double free_position = alpha_level_.displacement[c] + displacement_factor * new_acceleration_[c] -
                                  alpha_level_wall(system_, method_, time, h);
-    new_acceleration_ +=
-        contact_.yielding_force(phase.wall_offset, {free_velocity, free_position, mobility,
-                                                    displacement_factor * step.mobility[c]}) *
-        step.mobility;
+    yielding_force_ = contact_.yielding_force(
+        phase.wall_offset, {free_velocity, free_position, mobility, displacement_factor * step.mobility[c]});
+    new_acceleration_ += yielding_force_ * step.mobility;
   }
   method_.update(state, h, new_acceleration_);
 }

@@ -25,6 +25,9 @@ class StepKernel {
   virtual void take_step(const StepPhase& phase, const Kinematics& now, double time, double end_time,
                          Kinematics& next) = 0;
 
+  /// f_d at the alpha level of the last step of a contact that yields, N.
+  [[nodiscard]] virtual double yielding_force() const = 0;
+
   /// Sets the acceleration of the method at the begin of a phase (StickSlipIntegrator, "Restart").
   virtual void restart(const StepPhase& phase, double time, Kinematics& now) = 0;
 };

@@ -314,6 +314,32 @@ TEST_P(YieldingContact, StepsAlikeInModalCoordinates) {
             1e-10);
 }
 
+STICKSLIP_VERIFIES(YieldingContactForce, "X24");
+// The force of a narrow law is that of its balance, and not the law at a rounded velocity.
+TEST(YieldingContactForce, ReportsTheForceOfANarrowLaw) {
+  const data::Case problem = damped_case(smooth(1e-8), 0.05);  // before the first slip
+  solver::BeamSimulation narrow(problem.beam, problem.friction, problem.excitation, problem.numerics,
+                                {.damping = problem.damping, .tangential = problem.contact});
+  solver::BeamSimulation held(problem.beam, problem.friction, problem.excitation, problem.numerics,
+                              {.damping = problem.damping});
+  for (int n = 0; n < 2500; ++n) {
+    narrow.step(), held.step();
+    // Both reactions are of second order, (omega_10 h)^2 of what the highest modes that matter add.
+    ASSERT_NEAR(narrow.friction_force(), held.friction_force(), 1.0) << narrow.time();
+  }
+}
+
+TEST(YieldingContactForce, RefusesASpringThatRoundingWouldLoad) {
+  const data::Case problem = damped_case(spring(1e24), 0.1);
+  try {
+    const solver::BeamSimulation simulation(problem.beam, problem.friction, problem.excitation,
+                                            problem.numerics, {.tangential = problem.contact});
+    FAIL() << "not refused";
+  } catch (const data::FieldError& error) {
+    EXPECT_EQ(error.field(), "contact.tangential_stiffness");
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Contact, YieldingContact, ::testing::Values("spring", "softspring", "smooth"),
                          [](const auto& row) { return std::string(row.param); });
 

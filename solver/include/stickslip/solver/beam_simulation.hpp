@@ -85,7 +85,7 @@ class BeamSimulation {
   /// TipContact::friction: without compression there is no contact; and what damping_matrix() throws. Throws
   /// data::FieldError if ContactScheme::paper has no velocity threshold, or if Coordinates::modal has
   /// damping, or if a contact that is not rigid has a jump of the friction law, another scheme than located or
-  /// TipContact::bonded; std::logic_error for Coordinates::modal with ContactScheme::paper.
+  /// TipContact::bonded, or a spring that rounding would load by more than 1e-4 of the limit; std::logic_error for Coordinates::modal with ContactScheme::paper.
   BeamSimulation(const data::Beam& beam, const data::FrictionLaw& friction,
                  const data::HarmonicExcitation& excitation, const data::NumericalSettings& numerics,
                  const BeamRun& run = {});

@@ -89,7 +89,8 @@ class ContactDriver;
 ///
 /// A contact that yields (data::TangentialContact): a spring or a smooth law. There is no stick phase. Every step has
 /// the equations of slip, with f_d at the alpha level the root of one scalar equation in the weighted velocity and
-/// position of the contact; the slider follows at the end of the step. f_d is continuous, so that changes need no
+/// position of the contact; the slider follows at the end of the step. friction_force() is on the line through f_d at the
+/// last two alpha levels, within the bound. f_d is continuous, so that changes need no
 /// location, and q and v are of second order. state() is stick while the slider rests; a smooth law always slips and
 /// has no events. Only ContactScheme::located.
 ///
