@@ -65,6 +65,7 @@ class Variation {
     set_scale();
   }
 
+  // The velocity of the contact is that of the wall, whatever the state was at the start.
   void begin_stick() {
     sticks_ = true;
     x_.back() = dynamics_.wall_velocity(time_);
@@ -75,11 +76,6 @@ class Variation {
   void begin_slip(double direction) {
     sticks_ = false;
     direction_ = direction;
-  }
-
-  // In stick, at the start of the whole flow, the velocity of the contact cannot be chosen.
-  void hold_velocity() {
-    for (std::size_t i = 0; i < n_; ++i) phi_[i * n_ + n_ - 1] = 0.0;
   }
 
   void advance_to(double t) {
@@ -382,7 +378,6 @@ PoincareImage poincare_map(const ContactModel& model, const ContactStart& from, 
   Variation variation(model, from);
   if (phase == ContactPhase::stick) {
     variation.begin_stick();
-    variation.hold_velocity();
   } else {
     variation.begin_slip(direction);
     std::erase_if(events, [](const ChangeOfContact& event) { return event.time == 0.0; });
