@@ -65,6 +65,7 @@ class Variation {
     set_scale();
   }
 
+  // The velocity of the contact is that of the wall, whatever the state was at the start.
   void begin_stick() {
     sticks_ = true;
     x_.back() = dynamics_.wall_velocity(time_);
@@ -75,11 +76,6 @@ class Variation {
   void begin_slip(double direction) {
     sticks_ = false;
     direction_ = direction;
-  }
-
-  // In stick, at the start of the whole flow, the velocity of the contact cannot be chosen.
-  void hold_velocity() {
-    for (std::size_t i = 0; i < n_; ++i) phi_[i * n_ + n_ - 1] = 0.0;
   }
 
   void advance_to(double t) {
@@ -268,15 +264,6 @@ class Variation {
   bool sticks_{};
 };
 
-void begin(EventDriven& run, const ContactModel& model, const ContactStart& start) {
-  const ContactKinematics& state = start.kinematics;
-  if (start.phase == ContactPhase::stick)
-    return run.start_stuck(state.amplitudes, state.rates, state.displacement);
-  const ContactDynamics dynamics(model);
-  run.start_slipping(state.amplitudes, state.rates, state.displacement,
-                     state.velocity - dynamics.wall_velocity(0.0));
-}
-
 ContactStart state_of(const EventDriven& run) {
   return {{run.amplitudes(), run.rates(), run.contact_displacement(), run.contact_velocity()}, run.state()};
 }
@@ -372,24 +359,28 @@ class Shooting {
 
 }  // namespace
 
-PoincareImage poincare_map(const ContactModel& model, const ContactStart& start, double duration) {
+void start(EventDriven& run, const ContactModel& model, const ContactStart& from) {
+  const ContactKinematics& state = from.kinematics;
+  if (from.phase == ContactPhase::stick)
+    run.start_stuck(state.amplitudes, state.rates, state.displacement);
+  else
+    run.start_slipping(state.amplitudes, state.rates, state.displacement,
+                       state.velocity - ContactDynamics(model).wall_velocity(0.0));
+}
+
+PoincareImage poincare_map(const ContactModel& model, const ContactStart& from, double duration) {
   EventDriven run(model);
-  begin(run, model, start);
+  start(run, model, from);
+  const ContactPhase phase = run.state();  // slip, if it cannot stick
+  const double direction = run.friction_force() > 0.0 ? -1.0 : 1.0;
   run.advance_to(duration);
-  Variation variation(model, start);
   std::vector<ChangeOfContact> events = run.events();
-  bool sticks = start.phase == ContactPhase::stick;
-  if (sticks && !events.empty() && events.front().time == 0.0) {
-    events.erase(events.begin());  // it never stuck
-    sticks = false;
-  }
-  if (sticks) {
+  Variation variation(model, from);
+  if (phase == ContactPhase::stick) {
     variation.begin_stick();
-    variation.hold_velocity();
   } else {
-    EventDriven first(model);
-    begin(first, model, start);
-    variation.begin_slip(first.friction_force() > 0.0 ? -1.0 : 1.0);
+    variation.begin_slip(direction);
+    std::erase_if(events, [](const ChangeOfContact& event) { return event.time == 0.0; });
   }
   for (const ChangeOfContact& event : events) variation.change(event);
   variation.advance_to(duration);

@@ -103,7 +103,7 @@ Json to_json(const data::Case& problem, const studies::Squeal& squeal, const stu
          {"unstable_at_every_speed", mode.critical_speed && !std::isfinite(*mode.critical_speed)}});
   return {{"case", problem.name},
           {"speed_m_per_s", squeal.speed},
-          {"friction_force_N", squeal.friction_force},
+          {"friction_force_on_beam_N", squeal.friction_force},
           {"tip_displacement_m", squeal.tip_displacement},
           {"finite_element_tip_displacement_m", squeal.finite_element_displacement},
           {"falling_slope_Ns_per_m", squeal.slope},

@@ -23,6 +23,13 @@ void require_moving_wall(const data::Case& problem) {
   throw data::FieldError("wall.speed", "0", "other than 0 (m/s), or nothing slides steadily");
 }
 
+void require_dense_mesh(const data::NumericalSettings& numerics) {
+  constexpr int most_elements = 200;
+  if (numerics.elements() <= most_elements) return;
+  throw data::FieldError("numerics.elements", numerics.elements(),
+                         "at most 200 here: the eigenvalues of sliding take full matrices");
+}
+
 analytic::ContactModel modal_model(const data::Case& problem) {
   return analytic::BeamContactModel(problem.beam, problem.friction, problem.excitation, problem.damping,
                                     problem.numerics.modes(), problem.wall)
@@ -64,6 +71,7 @@ SquealMode mode_of(const data::Case& problem, const analytic::SlidingMode& mode,
 
 Squeal squeal_of(const data::Case& problem, int modes) {
   require_moving_wall(problem);
+  require_dense_mesh(problem.numerics);
   const analytic::ContactModel model = modal_model(problem);
   std::vector<double> frequencies;
   for (const auto& mode : analytic::slip_modes(problem.beam, modes))
@@ -110,13 +118,7 @@ namespace {
 // One period once more, for what a reader asks of it.
 void measure(const analytic::ContactModel& model, const analytic::PeriodicMotion& motion, Cycle& cycle) {
   analytic::EventDriven run(model);
-  const auto& [state, phase] = motion.start;
-  const analytic::ContactDynamics dynamics(model);
-  if (phase == analytic::ContactPhase::stick)
-    run.start_stuck(state.amplitudes, state.rates, state.displacement);
-  else
-    run.start_slipping(state.amplitudes, state.rates, state.displacement,
-                       state.velocity - dynamics.wall_velocity(0.0));
+  analytic::start(run, model, motion.start);
   constexpr int samples = 2000;
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
   int stuck = 0;

@@ -39,7 +39,7 @@ struct Squeal {
   [[nodiscard]] bool is_stable() const { return fastest.real() <= 1e-9 * std::abs(fastest); }
 };
 
-/// Throws data::FieldError if wall.speed is 0, if P <= 0, or if the sliding beam has no `modes` natural frequencies (flutter or
+/// Throws data::FieldError if wall.speed is 0, if there are more than 200 elements, if P <= 0, or if the sliding beam has no `modes` natural frequencies (flutter or
 /// buckling).
 [[nodiscard]] Squeal squeal_of(const data::Case& problem, int modes);
 

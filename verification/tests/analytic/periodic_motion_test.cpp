@@ -194,11 +194,7 @@ struct Flow {
 
   [[nodiscard]] std::vector<double> operator()(const analytic::ContactStart& start) const {
     analytic::EventDriven run(model, {.tolerance = 1e-14});
-    if (start.phase == analytic::ContactPhase::stick)
-      run.start_stuck(start.kinematics.amplitudes, start.kinematics.rates, start.kinematics.displacement);
-    else
-      run.start_slipping(start.kinematics.amplitudes, start.kinematics.rates, start.kinematics.displacement,
-                         start.kinematics.velocity - analytic::ContactDynamics(model).wall_velocity(0.0));
+    analytic::start(run, model, start);
     run.advance_to(duration);
     return {run.amplitudes()[0], run.contact_displacement(), run.rates()[0], run.contact_velocity()};
   }

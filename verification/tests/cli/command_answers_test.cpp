@@ -616,6 +616,8 @@ TEST_F(CommandAnswers, CommandsThatNeedAWallAtRestSaySo) {
     expect_refused(command, part);
   expect_refused("squeal paper", "wall.speed is 0, but must be other than 0");
   expect_refused("periodic reed --set wall.speed=0", "excitation.amplitude is 0, but must be above 0");
+  expect_refused("squeal reed --set numerics.elements=201",
+                 "numerics.elements is 201, but must be at most 200 here");
   expect_refused("squeal reed --map m.csv", "--speeds");
   expect_refused("squeal reed --figure m.png", "--figure draws the map, but --map FILE is missing");
 }

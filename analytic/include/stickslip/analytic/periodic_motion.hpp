@@ -33,6 +33,9 @@ struct ContactStart {
   ContactPhase phase{};
 };
 
+/// Starts a run of the model there.
+void start(EventDriven& run, const ContactModel& model, const ContactStart& from);
+
 /// The flow over a time, from t = 0.
 struct PoincareImage {
   ContactStart end;
