@@ -315,7 +315,7 @@ UnfinishedMap::UnfinishedMap(fs::path file, const studies::MapTask& task, const 
     const auto found = header_of(text);
     const std::string why = !found
                                 ? "it is no beginning of a map"
-                                : difference(*found, to_json(task, part))
+                                : difference(*found, header_of(header_).value())  // as read: infinity is null
                                       .value_or(fmt::format("its part is {}, but must be {}",
                                                             found->value("part", Json()).dump(), part.part));
     throw data::InputError(

@@ -156,7 +156,7 @@ void expect_second_order(const std::function<double(double)>& error) {
   EXPECT_TRUE(order_is(levels, 2.0));
 }
 
-STICKSLIP_VERIFIES(ContactSpring, "X24");
+STICKSLIP_VERIFIES(ContactSpring, "X25");
 TEST(ContactSpring, CarriesAMassAsTheExactSolutionSaysAtSecondOrderInBothImplementations) {
   ExactMassOnASpring exact(stiffness, shaking);
   exact.advance_to(until);
@@ -210,7 +210,7 @@ solver::StickSlipIntegrator pushed_mass(double force, double width, double h) {
   return {system, {.time_step = h, .spectral_radius = 0.9}};
 }
 
-STICKSLIP_VERIFIES(SmoothLaw, "X24");
+STICKSLIP_VERIFIES(SmoothLaw, "X25");
 TEST(SmoothLaw, AcceleratesAMassAsTheClosedFormSaysAtSecondOrderInBothImplementations) {
   const auto stepped = [](double h) {
     auto mass = pushed_mass(push, width_of_law, h);
@@ -287,7 +287,7 @@ class YieldingContact : public ::testing::TestWithParam<const char*> {
 
 // Both errors of finite elements by Richardson, time of order 2 and mesh of order 4; the boundary integral steps 16 times
 // as often and has no mesh.
-STICKSLIP_VERIFIES(YieldingContact, "X24");
+STICKSLIP_VERIFIES(YieldingContact, "X25");
 TEST_P(YieldingContact, MovesTheBeamAlikeInBothImplementations) {
   const data::Case problem = damped_case(contact(), 0.1);
   const double h = problem.numerics.time_step();
@@ -314,7 +314,7 @@ TEST_P(YieldingContact, StepsAlikeInModalCoordinates) {
             1e-10);
 }
 
-STICKSLIP_VERIFIES(YieldingContactForce, "X24");
+STICKSLIP_VERIFIES(YieldingContactForce, "X25");
 // The force of a narrow law is that of its balance, and not the law at a rounded velocity.
 TEST(YieldingContactForce, ReportsTheForceOfANarrowLaw) {
   const data::Case problem = damped_case(smooth(1e-8), 0.05);  // before the first slip
@@ -354,7 +354,7 @@ const studies::RegularisationRate& rate(const std::vector<studies::Regularisatio
 // and the onset by (kappa + ...)/k_t; a creep at v_r moves it by O(v_r). `damped` does not turn in slip. The set-valued
 // force jumps at a capture. The spring takes a time tau for that, k_t Y(1/tau) tau = 1 with Y ~ s^-1/2 of the undamped and
 // s^-3/4 of the Kelvin-Voigt beam: tau ~ k_t^-2/3 to k_t^-4/7, so that the mean of |delta f| lies between that and 1/k_t.
-STICKSLIP_VERIFIES(Regularisation, "X24");
+STICKSLIP_VERIFIES(Regularisation, "X25");
 TEST(Regularisation, TendsToTheSetValuedLawAtFirstOrderInMotionAndOnset) {
   const data::Case problem = damped_case({}, 0.08);
   std::vector<data::ContactProperties> stiffer, narrower;
@@ -401,7 +401,7 @@ TEST(Regularisation, ChangesFirstSlipTravelAndWorkAsTheManualSays) {
 
 // --- The criterion on a contact spring
 
-STICKSLIP_VERIFIES(CompliantReaction, "X24");
+STICKSLIP_VERIFIES(CompliantReaction, "X25");
 TEST(CompliantReaction, IsThatOfFiniteElementsWhoseSliderRests) {
   const data::Case paper = data::load_case("damped");
   const data::FrictionLaw strong({.static_coefficient = 1e6, .kinetic_coefficient = 1e6});
@@ -461,7 +461,7 @@ std::vector<studies::VariantPlane> planes(const studies::ModelVariant& variant) 
 constexpr double rigid = std::numeric_limits<double>::infinity();
 
 // The counts themselves are a record of what was found, not of what theory predicts.
-STICKSLIP_VERIFIES(ModelVariants, "X24");
+STICKSLIP_VERIFIES(ModelVariants, "X25");
 TEST(ModelVariants, FlipTheVerdictsOfTheFiguresAsOftenAsRecorded) {
   struct Row {
     studies::ModelVariant variant;
