@@ -45,9 +45,9 @@ data::HarmonicExcitation unit_excitation(const data::Case& problem) {
 }
 
 analytic::Criterion criterion_of(const data::Case& problem, const data::HarmonicExcitation& excitation,
-                                 int modes, analytic::SteadyPart steady_part) {
+                                 int modes, analytic::SteadyPart steady_part, double relative_width = width) {
   return analytic::evaluate_criterion(problem.beam, problem.friction, excitation, problem.numerics.duration(),
-                                      modes, steady_part, width, problem.damping);
+                                      modes, steady_part, relative_width, problem.damping);
 }
 
 // The bound of what the modes that are not kept can add to the undamped reaction.
@@ -194,11 +194,10 @@ report::CsvTable critical_amplitudes(const data::Case& problem, const std::vecto
   std::ranges::sort(frequencies);
   std::vector<double> amplitudes(frequencies.size());
   studies::in_parallel(frequencies.size(), [&](std::size_t i) {
-    const double force = analytic::largest_unit_force(problem.beam, problem.damping, frequencies[i],
-                                                      problem.numerics.duration(), problem.numerics.modes(),
-                                                      analytic::SteadyPart::modal_sum, drawn_width)
-                             .midpoint();
-    amplitudes[i] = problem.friction.static_coefficient() * problem.beam.axial_force() / force;
+    const data::HarmonicExcitation unit({.frequency_hz = frequencies[i], .amplitude = 1.0});
+    amplitudes[i] =
+        criterion_of(problem, unit, problem.numerics.modes(), analytic::SteadyPart::modal_sum, drawn_width)
+            .critical_amplitude.midpoint();
   });
   report::CsvTable table("Critical amplitude of the case " + problem.name,
                          {{"frequency", "Hz"}, {"critical_amplitude", "m"}});
@@ -209,9 +208,9 @@ report::CsvTable critical_amplitudes(const data::Case& problem, const std::vecto
 void write_figure(const data::Case& problem, const std::string& figure, OutputFile& file) {
   std::vector<double> natural;
   report::CsvTable marks("Natural frequencies of the stick state", {{"frequency", "Hz"}});
-  for (const auto& mode : analytic::stick_modes(problem.beam, problem.numerics.modes())) {
-    natural.push_back(mode.frequency_hz());
-    marks.add_numbers({mode.frequency_hz()});
+  for (const auto& share : analytic::modal_forces(problem.beam, problem.numerics.modes())) {
+    natural.push_back(share.angular_frequency / (2.0 * std::numbers::pi));
+    marks.add_numbers({natural.back()});
   }
   const auto values = report::values_table({{"excitation_frequency", problem.excitation.frequency_hz(), "Hz"},
                                             {"excitation_amplitude", problem.excitation.amplitude(), "m"}});

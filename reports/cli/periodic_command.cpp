@@ -33,6 +33,7 @@ std::string_view reason_of(const studies::Cycle& cycle) {
 
 void run(const PeriodicOptions& options) {
   const data::Case problem = load_case(options.problem, options.excitation, std::nullopt);
+  data::require_rigid(problem.contact, "a periodic motion; respond takes it");
   const auto inquiry = studies::Inquiry::event_driven_history;
   studies::require_feasible(problem, inquiry);
   const report::Interruption interruption([] { return "interrupted before there was a result"; });

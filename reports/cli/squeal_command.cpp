@@ -183,6 +183,7 @@ void write_map(const data::Case& problem, const SquealOptions& options, Map& map
 void run(const SquealOptions& options) {
   require_consistent(options);
   const data::Case problem = case_of(options);
+  data::require_rigid(problem.contact, "squeal; respond takes it");
   const auto inquiry = studies::Inquiry::event_driven_history;
   const studies::Squeal squeal = studies::squeal_of(problem, options.modes);
   Map map(problem, options);

@@ -93,7 +93,10 @@ studies::SweepTask task_of(const SweepOptions& options) {
   const studies::MapAxis axis = parse_axis("--parameter", options.parameter);
   for (const double end : {axis.values.front(), axis.values.back()})
     data::require_magnitude(studies::field_of(axis.parameter), end, "--parameter");
-  return {.problem = load_case(options.problem, options.excitation, {}),
+  const data::Case problem = load_case(options.problem, options.excitation, {});
+  data::require_rigid(problem.contact, "a sweep; respond takes it");
+  studies::require_resting_wall(problem);
+  return {.problem = problem,
           .parameter = axis.parameter,
           .values = axis.values,
           .direction = directions.at(options.direction),

@@ -610,7 +610,9 @@ TEST_F(CommandAnswers, CommandsThatNeedAWallAtRestSaySo) {
   const std::string part = "wall.speed is 0.3, but must be 0 here";
   for (const std::string& command : std::vector<std::string>{
            "criterion reed", "map reed --output '" + path("map.csv") + "'",
-           "design reed --band 20:30 --set damping.ratio=0", "uncertainty uncertain --set wall.speed=0.3",
+           "map reed --quantity work --output '" + path("map.csv") + "'",
+           "sweep reed --parameter amplitude=1e-4:1e-3:3", "design reed --band 20:30 --set damping.ratio=0",
+           "uncertainty uncertain --set wall.speed=0.3",
            "respond reed --method boundary-integral --set damping.ratio=0",
            "respond reed --method closed-form --set damping.ratio=0"})
     expect_refused(command, part);

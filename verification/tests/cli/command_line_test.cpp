@@ -343,8 +343,9 @@ TEST_F(CommandLine, HistoriesFollowAContactThatYieldsAndOtherCommandsRefuseIt) {
   }
   for (const char* command :
        {"criterion", "modes", "animate --output film", "design --band 20:30", "uncertainty uncertain",
-        "map --x frequency=15:35:3 --y amplitude=1e-4:1e-3:3", "respond --method closed-form",
-        "respond --method event-driven", "respond --scheme paper"}) {
+        "map --x frequency=15:35:3 --y amplitude=1e-4:1e-3:3", "sweep --parameter amplitude=1e-4:1e-3:3",
+        "squeal reed", "periodic damped", "respond --method closed-form", "respond --method event-driven",
+        "respond --scheme paper"}) {
     expect_refused(command + spring,
                    "contact.tangential_stiffness is 1e+06, but must be inf (a rigid contact) for ");
     expect_refused(command + smooth,
