@@ -61,18 +61,19 @@ SparseMatrix damping_matrix(const BeamModel& model, const data::Damping& damping
 ContactSystem beam_contact_system(const BeamModel& model, const data::FrictionLaw& friction,
                                   const PrescribedMotion& base, const data::Damping& damping,
                                   const data::Wall& wall) {
-  return {.mass = model.mass(),
-          .damping = damping_matrix(model, damping),
-          .stick_stiffness = model.stick_stiffness(),
-          .slip_stiffness = model.slip_stiffness(),
-          .load_shape = -model.base_load(),
-          .load_history = base.acceleration,
-          .contact = model.tip_deflection(),
-          .wall = {.displacement = [base, v = wall.speed()](double t) { return v * t - base.displacement(t); },
-                   .velocity = [base, v = wall.speed()](double t) { return v - base.velocity(t); },
-                   .acceleration = [base](double t) { return -base.acceleration(t); }},
-          .normal_force = std::max(model.beam().axial_force(), 0.0),
-          .friction = friction};
+  return {
+      .mass = model.mass(),
+      .damping = damping_matrix(model, damping),
+      .stick_stiffness = model.stick_stiffness(),
+      .slip_stiffness = model.slip_stiffness(),
+      .load_shape = -model.base_load(),
+      .load_history = base.acceleration,
+      .contact = model.tip_deflection(),
+      .wall = {.displacement = [base, v = wall.speed()](double t) { return v * t - base.displacement(t); },
+               .velocity = [base, v = wall.speed()](double t) { return v - base.velocity(t); },
+               .acceleration = [base](double t) { return -base.acceleration(t); }},
+      .normal_force = std::max(model.beam().axial_force(), 0.0),
+      .friction = friction};
 }
 
 namespace {

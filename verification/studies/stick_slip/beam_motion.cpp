@@ -66,8 +66,7 @@ BeamMotion finite_element_motion(const data::Case& problem, const MotionGrid& gr
   BeamMotion motion{positions(problem, grid), {}};
   solver::BeamSimulation simulation(
       problem.beam, problem.friction, problem.excitation, problem.numerics,
-      {.damping = problem.damping, .coordinates = solver::Coordinates::fastest,
-       .wall = problem.wall});
+      {.damping = problem.damping, .coordinates = solver::Coordinates::fastest, .wall = problem.wall});
   long done = 0;
   for (const long step : snapshot_steps(grid, problem.numerics.time_step())) {
     for (; done < step; ++done) simulation.step();

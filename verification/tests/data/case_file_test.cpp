@@ -277,8 +277,9 @@ TEST_F(CaseFile, TakesAContactThatYieldsInOneWay) {
 // What a record of a map keeps of its case.
 TEST_F(CaseFile, IsTheSameAgainFromItsNumbers) {
   std::vector<data::Override> overrides;
-  for (const char* text : {"friction.viscous=0.02", "damping.ratio=0.01", "damping.kelvin_voigt=1e-5",
-                           "beam.axial_direction=0.25", "beam.shear_stiffness=5e6", "contact.tangential_stiffness=1e7"})
+  for (const char* text :
+       {"friction.viscous=0.02", "damping.ratio=0.01", "damping.kelvin_voigt=1e-5",
+        "beam.axial_direction=0.25", "beam.shear_stiffness=5e6", "contact.tangential_stiffness=1e7"})
     overrides.push_back(data::Override::parse(text));
   const data::Case original = data::load_case("damped", overrides);
   const auto numbers = data::numbers_of(original);

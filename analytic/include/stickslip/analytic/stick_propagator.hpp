@@ -57,12 +57,12 @@ class StickPropagator {
   [[nodiscard]] Complex forcing(std::size_t k, double t) const;
 
   const ContactDynamics& dynamics_;
-  double omega_;                        // Omega
-  std::vector<Complex> eigenvalue_;     // lambda_k
-  std::vector<Complex> shape_;          // Z, 2 m rows of eigenvalue_.size()
-  std::vector<Complex> inverse_;        // z = W y, eigenvalue_.size() rows of 2 m
+  double omega_;                                   // Omega
+  std::vector<Complex> eigenvalue_;                // lambda_k
+  std::vector<Complex> shape_;                     // Z, 2 m rows of eigenvalue_.size()
+  std::vector<Complex> inverse_;                   // z = W y, eigenvalue_.size() rows of 2 m
   std::vector<Complex> sine_, cosine_, constant_;  // F_k = sine sin(Omega t) + cosine cos(Omega t) + constant
-  std::vector<Complex> force_weight_;   // f_d = Re sum weight z + ...
+  std::vector<Complex> force_weight_;              // f_d = Re sum weight z + ...
   Harmonic force_harmonic_;
 
   double begin_{};

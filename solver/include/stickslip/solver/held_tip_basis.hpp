@@ -40,7 +40,6 @@ struct HeldTipBasis {
 /// takes.
 [[nodiscard]] ContactSystem modal_contact_system(const BeamModel& model, const HeldTipBasis& basis,
                                                  const data::FrictionLaw& friction,
-                                                 const PrescribedMotion& base,
-                                                 const data::Wall& wall = {});
+                                                 const PrescribedMotion& base, const data::Wall& wall = {});
 
 }  // namespace stickslip::solver
