@@ -268,16 +268,20 @@ ContactStart state_of(const EventDriven& run) {
   return {{run.amplitudes(), run.rates(), run.contact_displacement(), run.contact_velocity()}, run.state()};
 }
 
+OwnedHandle<gsl_matrix> gsl_copy_of(const Matrix& a) {
+  auto copy = owned(gsl_matrix_alloc(a.rows(), a.rows()));
+  for (std::size_t i = 0; i < a.rows(); ++i)
+    for (std::size_t j = 0; j < a.rows(); ++j) gsl_matrix_set(copy.get(), i, j, a(i, j));
+  return copy;
+}
+
 // x with A x = b, in place of b; false if A is singular.
 bool solve(const Matrix& a, std::vector<double>& b) {
   const StatusInsteadOfAbort guard;
-  const std::size_t size = b.size();
-  const auto matrix = owned(gsl_matrix_alloc(size, size));
-  for (std::size_t i = 0; i < size; ++i)
-    for (std::size_t j = 0; j < size; ++j) gsl_matrix_set(matrix.get(), i, j, a(i, j));
-  const auto permutation = owned(gsl_permutation_alloc(size));
+  const auto matrix = gsl_copy_of(a);
+  const auto permutation = owned(gsl_permutation_alloc(b.size()));
   int sign = 0;
-  gsl_vector_view right = gsl_vector_view_array(b.data(), size);
+  gsl_vector_view right = gsl_vector_view_array(b.data(), b.size());
   return gsl_linalg_LU_decomp(matrix.get(), permutation.get(), &sign) == GSL_SUCCESS &&
          gsl_linalg_LU_svx(matrix.get(), permutation.get(), &right.vector) == GSL_SUCCESS &&
          std::ranges::all_of(b, [](double value) { return std::isfinite(value); });
@@ -390,9 +394,7 @@ PoincareImage poincare_map(const ContactModel& model, const ContactStart& from, 
 std::vector<std::complex<double>> eigenvalues(const Matrix& matrix) {
   const StatusInsteadOfAbort guard;
   const std::size_t size = matrix.rows();
-  const auto work = owned(gsl_matrix_alloc(size, size));
-  for (std::size_t i = 0; i < size; ++i)
-    for (std::size_t j = 0; j < size; ++j) gsl_matrix_set(work.get(), i, j, matrix(i, j));
+  const auto work = gsl_copy_of(matrix);
   const auto values = owned(gsl_vector_complex_alloc(size));
   const auto workspace = owned(gsl_eigen_nonsymm_alloc(size));
   gsl_eigen_nonsymm_params(0, 1, workspace.get());

@@ -169,9 +169,7 @@ void add_compare_command(CLI::App& app) {
       ->check(file_name());
   command->add_option("--junit", options->junit, "XML file in JUnit's format, '-' for standard output")
       ->check(file_name());
-  command
-      ->add_option("--figure", options->figure, "Figure to draw, a .png, .pdf or .svg file (needs gnuplot)")
-      ->check(file_name());
+  add_figure_option(*command, options->figure);
   add_package_option(*command, options->package);
   command->add_flag("--quiet", options->quiet, "Print nothing");
   add_examples(*command, {"stickslip reference export stick-frequencies --output mine.csv",

@@ -465,9 +465,7 @@ void add_map_command(CLI::App& app) {
                    "the same command goes on")
       ->check(file_name())
       ->capture_default_str();
-  command
-      ->add_option("--figure", options->figure, "Figure to draw, a .png, .pdf or .svg file (needs gnuplot)")
-      ->check(file_name());
+  add_figure_option(*command, options->figure);
   add_shard_options(*command, *options);
   add_threads_option(*command);
   add_examples(*command,

@@ -534,9 +534,7 @@ void add_respond_command(CLI::App& app) {
           "CSV file for the amplitude spectra of tip and friction force, over the whole periods of the base "
           "motion in the second half of the duration")
       ->check(file_name());
-  command
-      ->add_option("--figure", options->figure, "Figure to draw, a .png, .pdf or .svg file (needs gnuplot)")
-      ->check(file_name());
+  add_figure_option(*command, options->figure);
   command->add_option("--every", options->every, "Write every N-th time step only")
       ->check(integer_between(1, 1'000'000'000))
       ->capture_default_str();

@@ -186,9 +186,7 @@ void add_sweep_command(CLI::App& app) {
   command->add_option("--output", options->output, "CSV file, '-' for standard output")
       ->check(file_name())
       ->capture_default_str();
-  command
-      ->add_option("--figure", options->figure, "Figure to draw, a .png, .pdf or .svg file (needs gnuplot)")
-      ->check(file_name());
+  add_figure_option(*command, options->figure);
   add_examples(*command,
                {"stickslip sweep damped --set numerics.time_step=1e-4 --hz 35 --parameter "
                 "amplitude=5e-4:1.5e-3:11 --settle 30 --periods 8 --output section.csv --figure sweep.svg"});
