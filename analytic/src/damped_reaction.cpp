@@ -11,6 +11,7 @@
 
 #include "arguments.hpp"
 #include "exponential_difference.hpp"
+#include "largest_parabola.hpp"
 #include "separated_system.hpp"
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/contact_dynamics.hpp"
@@ -25,13 +26,6 @@ using Complex = std::complex<double>;
 
 constexpr double kUnitRoundoff = 0.5 * std::numeric_limits<double>::epsilon();
 constexpr double kMostPieces = 1e8;
-
-/// The largest |a + b s + c s^2/2| over |s| <= r.
-double largest_parabola(double a, double b, double c, double r) {
-  const double at_ends = std::abs(a + 0.5 * c * r * r) + std::abs(b) * r;
-  if (std::abs(b) >= std::abs(c) * r) return at_ends;
-  return std::max(at_ends, std::abs(a - 0.5 * b * b / c));
-}
 
 double cubed(double x) { return x * x * x; }
 

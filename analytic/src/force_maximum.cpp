@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "arguments.hpp"
+#include "largest_parabola.hpp"
 #include "sinc.hpp"
 
 namespace stickslip::analytic {
@@ -18,13 +19,6 @@ constexpr double kMostGridPoints = 1e9;
 // leaves more pieces to the search behind it. Measured, flat between 0.1 and 0.3.
 constexpr double kGridExcess = 0.2;
 constexpr std::size_t kBlock = 64;  // grid points that share their sines; a power of 2
-
-/// The largest |a + b s + c s^2/2| over |s| <= r.
-double largest_parabola(double a, double b, double c, double r) {
-  const double at_ends = std::abs(a + 0.5 * c * r * r) + std::abs(b) * r;
-  if (std::abs(b) >= std::abs(c) * r) return at_ends;
-  return std::max(at_ends, std::abs(a - 0.5 * b * b / c));
-}
 
 /// A value per grid point of a block.
 using Row = std::array<double, kBlock>;

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
-#include <array>
 #include <cmath>
 
+#include "solver/element_integral.hpp"
 #include "stickslip/solver/beam_element.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
@@ -26,19 +26,10 @@ const ElementVector translation = nodal(1.0, 0.0, 1.0, 0.0);
 const ElementVector rotation = nodal(0.0, 1.0, length, 1.0);                   // w = x
 const ElementVector parabola = nodal(0.0, 0.0, length* length, 2.0 * length);  // w = x^2
 
-// int_0^l w_i w_j by the exact integral of the cubic shape functions, four-point Gauss rule (exact to degree
-// 7).
+// int_0^l w_i w_j by the exact integral of the cubic shape functions.
 ElementMatrix mass_by_quadrature(double mass_per_length) {
-  const double a = std::sqrt(3.0 / 7.0 - 2.0 / 7.0 * std::sqrt(6.0 / 5.0));
-  const double b = std::sqrt(3.0 / 7.0 + 2.0 / 7.0 * std::sqrt(6.0 / 5.0));
-  const double wa = (18.0 + std::sqrt(30.0)) / 36.0, wb = (18.0 - std::sqrt(30.0)) / 36.0;
-  ElementMatrix sum = ElementMatrix::Zero();
-  for (const auto& [point, weight] :
-       std::array<std::array<double, 2>, 4>{{{-b, wb}, {-a, wa}, {a, wa}, {b, wb}}}) {
-    const ElementVector n = solver::shape_functions(0.5 * (1.0 + point), length);
-    sum += 0.5 * length * weight * mass_per_length * n * n.transpose();
-  }
-  return sum;
+  return mass_per_length *
+         element_integral(length, [](double s) { return solver::shape_functions(s, length); });
 }
 
 void expect_close(const ElementMatrix& computed, const ElementMatrix& expected) {

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
-#include <array>
 #include <cmath>
 
+#include "solver/element_integral.hpp"
 #include "stickslip/solver/beam_element.hpp"
 #include "stickslip/solver/beam_model.hpp"
 #include "support/requirements.hpp"
@@ -47,21 +47,6 @@ ElementVector slopes(double s, double g) {
   return (4.0 * difference(d) - difference(2.0 * d)) / 3.0;
 }
 
-// Gauss's rule of four points.
-template <class Integrand>
-ElementMatrix integral(const Integrand& integrand) {
-  const double a = std::sqrt(3.0 / 7.0 - 2.0 / 7.0 * std::sqrt(6.0 / 5.0));
-  const double b = std::sqrt(3.0 / 7.0 + 2.0 / 7.0 * std::sqrt(6.0 / 5.0));
-  const double wa = (18.0 + std::sqrt(30.0)) / 36.0, wb = (18.0 - std::sqrt(30.0)) / 36.0;
-  ElementMatrix sum = ElementMatrix::Zero();
-  for (const auto& [point, weight] :
-       std::array<std::array<double, 2>, 4>{{{-b, wb}, {-a, wa}, {a, wa}, {b, wb}}}) {
-    const ElementVector value = integrand(0.5 * (1.0 + point));
-    sum += 0.5 * element_length * weight * value * value.transpose();
-  }
-  return sum;
-}
-
 void expect_equal(const ElementMatrix& computed, const ElementMatrix& expected) {
   for (Eigen::Index i = 0; i < 4; ++i)
     for (Eigen::Index j = 0; j < 4; ++j)
@@ -78,14 +63,17 @@ TEST(ShearElement, HasTheIntegralsOfItsShapeFunctions) {
       return (rotation(s + 0.25) - rotation(s - 0.25)) / (0.5 * element_length);
     };
     expect_equal(solver::consistent_mass(3.5, element_length, g),
-                 3.5 * integral([&](double s) { return solver::shape_functions(s, element_length, g); }));
-    expect_equal(solver::rotary_mass(0.3, element_length, g), 0.3 * integral(rotation));
+                 3.5 * element_integral(element_length, [&](double s) {
+                   return solver::shape_functions(s, element_length, g);
+                 }));
+    expect_equal(solver::rotary_mass(0.3, element_length, g),
+                 0.3 * element_integral(element_length, rotation));
     expect_equal(solver::geometric_stiffness(element_length, g),
-                 integral([&](double s) { return slopes(s, g); }));
-    ElementMatrix stiffness = 11.0 * integral(curvature);
+                 element_integral(element_length, [&](double s) { return slopes(s, g); }));
+    ElementMatrix stiffness = 11.0 * element_integral(element_length, curvature);
     if (g > 0.0)
-      stiffness +=
-          12.0 * 11.0 / (g * element_length * element_length) * integral([&](double) { return strain; });
+      stiffness += 12.0 * 11.0 / (g * element_length * element_length) *
+                   element_integral(element_length, [&](double) { return strain; });
     expect_equal(solver::bending_stiffness(11.0, element_length, g), stiffness);
     const ElementVector at_ends = rotation(0.0) + 2.0 * rotation(1.0);
     for (Eigen::Index i = 0; i < 4; ++i)
