@@ -4,18 +4,14 @@
 #include <gsl/gsl_eigen.h>
 #include <gsl/gsl_integration.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <numbers>
 #include <numeric>
-#include <stdexcept>
 #include <utility>
 
-#include "arguments.hpp"
 #include "beam_constants.hpp"
 #include "gsl_handles.hpp"
 #include "gsl_status.hpp"
@@ -161,40 +157,6 @@ double absolute_displacement(const std::vector<double>& shapes, const EventDrive
   // In the frame of the base the wall moves by V t - h.
   return std::inner_product(run.amplitudes().begin(), run.amplitudes().end(), shapes.begin(),
                             shapes.back() * run.contact_displacement() - run.drive_displacement());
-}
-
-std::vector<double> free_contact_frequencies(const ContactModel& model, int count) {
-  const ContactDynamics dynamics(model);
-  const StatusInsteadOfAbort guard;
-  const std::size_t m = model.modes(), size = m + 1;
-  if (count < 1 || static_cast<std::size_t>(count) > size)
-    throw wrong_argument("count", count, "1 ... " + std::to_string(size));
-  // M^-1 K, column by column: minus the accelerations that a unit of each coordinate causes.
-  const auto matrix = owned(gsl_matrix_alloc(size, size));
-  const std::vector<double> at_rest(m);
-  std::vector<double> unit(m), modal(m);
-  for (std::size_t column = 0; column < size; ++column) {
-    if (column < m) unit[column] = 1.0;
-    const double contact = dynamics.accelerate({unit, at_rest, column < m ? 0.0 : 1.0, 0.0}, 0.0, 0.0, modal);
-    for (std::size_t n = 0; n < m; ++n) gsl_matrix_set(matrix.get(), n, column, -modal[n]);
-    gsl_matrix_set(matrix.get(), m, column, -contact);
-    if (column < m) unit[column] = 0.0;
-  }
-  const auto values = owned(gsl_vector_complex_alloc(size));
-  const auto workspace = owned(gsl_eigen_nonsymm_alloc(size));
-  gsl_eigen_nonsymm_params(0, 1, workspace.get());
-  require_success(gsl_eigen_nonsymm(matrix.get(), values.get(), workspace.get()), "free contact frequencies");
-  std::vector<double> squares;
-  for (std::size_t k = 0; k < size; ++k) {
-    const gsl_complex value = gsl_vector_complex_get(values.get(), k);
-    if (GSL_IMAG(value) != 0.0 || GSL_REAL(value) < 0.0)
-      throw data::InputError("the free structure has a complex frequency: it flutters or buckles");
-    squares.push_back(GSL_REAL(value));
-  }
-  std::ranges::sort(squares);
-  std::vector<double> frequencies;
-  for (int k = 0; k < count; ++k) frequencies.push_back(std::sqrt(squares[static_cast<std::size_t>(k)]));
-  return frequencies;
 }
 
 }  // namespace stickslip::analytic

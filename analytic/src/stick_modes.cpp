@@ -201,12 +201,6 @@ double StickMode::load_integral() const {
   return length_ * (1.0 / (b_ * b_) + 1.0 / (bb_ * bb_)) / tanh_ratio(b_);
 }
 
-double StickMode::rayleigh_angular_frequency() const {
-  const double stiffness =
-      bending_stiffness_ * curvature_norm_squared() - axial_force_ * slope_norm_squared();
-  return std::sqrt(stiffness / (mass_per_length_ * norm_squared()));
-}
-
 double StickMode::condition_number() const {
   const double geometric = axial_force_ * slope_norm_squared();
   const double stiffness = bending_stiffness_ * curvature_norm_squared() - geometric;

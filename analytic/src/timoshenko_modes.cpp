@@ -184,10 +184,6 @@ std::vector<double> timoshenko_frequencies(const data::Beam& beam, TipSupport ti
   return frequencies;
 }
 
-double timoshenko_cutoff(const data::Beam& beam) {
-  return std::sqrt(checked(beam).cutoff() * squared_unit(beam));
-}
-
 ModalReaction timoshenko_reaction(const data::Beam& beam, int modes) {
   const TimoshenkoBeam timoshenko = checked(beam);
   if (modes < 1 || modes > 1000) throw data::FieldError("numerics.modes", modes, "1 ... 1000");

@@ -18,13 +18,6 @@ namespace stickslip::data {
 namespace {
 
 std::filesystem::path numbers_file() { return data_directory() / "paper" / "printed-numbers.toml"; }
-std::filesystem::path claims_file() { return data_directory() / "paper" / "claims.toml"; }
-std::filesystem::path errata_file() { return data_directory() / "paper" / "errata.toml"; }
-
-template <class Row>
-void require_unique_ids(const std::filesystem::path& file, const std::vector<Row>& rows) {
-  require_unique(file, rows, &Row::id, "id");
-}
 
 // A printed decimal: its value, and half a unit of its last digit.
 struct Decimal {
@@ -98,46 +91,6 @@ PrintedVerdict read_verdict(const Record& record) {
   return row;
 }
 
-ClaimVerdict read_claim_verdict(const Record& record) {
-  const std::string text = record.text("verdict");
-  for (const auto verdict : {ClaimVerdict::holds, ClaimVerdict::holds_with_correction,
-                             ClaimVerdict::does_not_hold, ClaimVerdict::not_determined})
-    if (text == to_string(verdict)) return verdict;
-  record.fail_unless("verdict", "holds, holds with correction, does not hold or not determined");
-}
-
-Claim read_claim(const Record& record) {
-  Claim row{.id = record.text("id"),
-            .place = record.text("place"),
-            .claim = record.text("claim"),
-            .how = record.text("how"),
-            .verdict = read_claim_verdict(record),
-            .correction = record.optional_text("correction"),
-            .figure = record.optional_text("figure"),
-            .erratum = record.optional_text("erratum")};
-  if (row.verdict == ClaimVerdict::holds && !row.correction.empty())
-    record.fail(row.id + " holds, but has a correction");
-  if (row.verdict != ClaimVerdict::holds && row.correction.empty())
-    record.fail(row.id + " " + std::string(to_string(row.verdict)) + ", but has no correction");
-  return row;
-}
-
-Erratum read_erratum(const Record& record) {
-  Erratum row{.id = record.text("id"),
-              .place = record.text("place"),
-              .printed = record.text("printed"),
-              .holds = record.text("holds"),
-              .established = record.text("established"),
-              .verdict = read_claim_verdict(record)};
-  if (row.verdict == ClaimVerdict::holds) record.fail(row.id + " is an erratum, but holds");
-  return row;
-}
-
-Unstated read_unstated(const Record& record) {
-  return {
-      .subject = record.text("subject"), .choice = record.text("choice"), .reason = record.text("reason")};
-}
-
 }  // namespace
 
 std::vector<PrintedNumber> printed_numbers() {
@@ -145,20 +98,13 @@ std::vector<PrintedNumber> printed_numbers() {
       numbers_file(), "number",
       {"id", "value", "unit", "printed", "printed_unit", "scale", "given", "place", "meaning", "erratum"},
       read_printed_number);
-  require_unique_ids(numbers_file(), rows);
+  require_unique(numbers_file(), rows, &PrintedNumber::id, "id");
   return rows;
 }
 
 std::vector<PrintedVerdict> printed_verdicts() {
   return read_all(numbers_file(), "verdict", {"frequency_hz", "amplitude", "verdict", "figure"},
                   read_verdict);
-}
-
-std::vector<Erratum> errata() {
-  auto rows = read_all(errata_file(), "erratum",
-                       {"id", "place", "printed", "holds", "established", "verdict"}, read_erratum);
-  require_unique_ids(errata_file(), rows);
-  return rows;
 }
 
 std::string_view to_string(ClaimVerdict verdict) noexcept {
@@ -173,27 +119,6 @@ std::string_view to_string(ClaimVerdict verdict) noexcept {
       return "not determined";
   }
   return "";
-}
-
-std::vector<Claim> claims() {
-  auto rows =
-      read_all(claims_file(), "claim",
-               {"id", "place", "claim", "how", "verdict", "correction", "figure", "erratum"}, read_claim);
-  require_unique_ids(claims_file(), rows);
-  const auto known = errata();
-  for (const auto& row : rows) {
-    if (row.erratum.empty()) continue;
-    const auto erratum = std::ranges::find(known, row.erratum, &Erratum::id);
-    const std::string message =
-        claims_file().string() + ": " + row.id + " names the erratum " + printable(row.erratum);
-    if (erratum == known.end()) throw InputError(message + ", which does not exist");
-    if (erratum->verdict != row.verdict) throw InputError(message + ", which has another verdict");
-  }
-  return rows;
-}
-
-std::vector<Unstated> unstated() {
-  return read_all(errata_file(), "unstated", {"subject", "choice", "reason"}, read_unstated);
 }
 
 PrintedNumber printed_number(const std::string& id) {

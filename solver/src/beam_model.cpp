@@ -69,12 +69,6 @@ BeamModel::BeamModel(const data::Beam& beam, int elements) : beam_(beam), elemen
   slip_stiffness_.coeffRef(tip_deflection(), tip_rotation()) += follower_force();
 }
 
-double BeamModel::elastic_energy(const Eigen::VectorXd& q) const { return 0.5 * q.dot(elastic_ * q); }
-
-double BeamModel::geometric_energy(const Eigen::VectorXd& q) const {
-  return -0.5 * beam_.axial_force() * q.dot(geometric_ * q);
-}
-
 Eigen::VectorXd BeamModel::interpolation(double x) const {
   if (!(x >= 0.0 && x <= beam_.length()))
     throw data::FieldError("x", x, "on the beam, 0 ... " + data::shortest_text(beam_.length()) + " (m)");

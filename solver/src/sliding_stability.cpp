@@ -4,7 +4,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 namespace stickslip::solver {
@@ -60,29 +59,6 @@ std::vector<std::complex<double>> sliding_eigenvalues(const ContactSystem& syste
     if (const std::complex<double> s = omega / mu; s.imag() >= 0.0) eigenvalues.push_back(s);
   std::ranges::sort(eigenvalues, {}, [](std::complex<double> s) { return std::abs(s); });
   return eigenvalues;
-}
-
-double critical_slope(const ContactSystem& system, double angular_frequency, double guess) {
-  std::complex<double> at(0.0, angular_frequency);
-  const auto growth = [&](double slope) {
-    const auto eigenvalues = sliding_eigenvalues(system, slope);
-    at = *std::ranges::min_element(eigenvalues, {}, [&](std::complex<double> s) { return std::abs(s - at); });
-    return at.real();
-  };
-  double before = 0.9 * guess, slope = guess, growth_before = growth(before);
-  double last = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 40; ++i) {
-    const double here = growth(slope);
-    if (here == growth_before) return slope;
-    const double change = here * (slope - before) / (here - growth_before);
-    // Rounding leaves changes that no longer fall.
-    if (std::abs(change) >= 0.5 * last && std::abs(change) < 1e-7 * std::abs(slope)) return slope;
-    before = slope;
-    growth_before = here;
-    slope -= change;
-    last = std::abs(change);
-  }
-  throw std::runtime_error("the critical slope of sliding did not converge");
 }
 
 }  // namespace stickslip::solver

@@ -17,6 +17,7 @@
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "support/beams.hpp"
+#include "support/contact_models.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
@@ -157,7 +158,7 @@ TEST(BeamContactModel, SlipFrequenciesConvergeToTheClosedFormWithTheThirdOrder) 
   for (std::size_t mode = 0; mode < exact.size(); ++mode) {
     std::vector<double> inverse, errors;
     for (const int n : {10, 20, 40, 80}) {
-      const auto computed = analytic::free_contact_frequencies(beam_model(n).model(), 3);
+      const auto computed = free_contact_frequencies(beam_model(n).model(), 3);
       inverse.push_back(1.0 / n);
       errors.push_back(std::abs(computed[mode] / exact[mode].angular_frequency() - 1.0));
     }
@@ -168,7 +169,7 @@ TEST(BeamContactModel, SlipFrequenciesConvergeToTheClosedFormWithTheThirdOrder) 
 
 TEST(BeamContactModel, SlipFrequenciesAreCantileversWithoutFollower) {
   // At P = 1 N the follower's share of the frequencies is below P L^2/EI = 2.4e-4, and 1e-7 of N^-5.
-  const auto computed = analytic::free_contact_frequencies(beam_model(40, {}, 1.0).model(), 3);
+  const auto computed = free_contact_frequencies(beam_model(40, {}, 1.0).model(), 3);
   const double unit = std::sqrt(bending_stiffness / density) / (length * length);
   const double classical[] = {1.875104068711961, 4.694091132974175, 7.854757438237613};
   for (std::size_t i = 0; i < 3; ++i)
@@ -308,17 +309,6 @@ TEST(BeamContactModel, RefusesABeamWithoutContactOrPastBuckling) {
     }
   }
   EXPECT_THROW(beam_model(0), std::invalid_argument);
-}
-
-STICKSLIP_VERIFIES(FreeContactFrequencies, "D2");
-TEST(FreeContactFrequencies, RefusesWhatItDoesNotHave) {
-  const ContactModel model = beam_model(5).model();
-  EXPECT_EQ(analytic::free_contact_frequencies(model, 6).size(), 6u);
-  for (const int count : {-1, 0, 7})
-    EXPECT_THROW((void)analytic::free_contact_frequencies(model, count), std::invalid_argument);
-  // Beck's column flutters at 20.05 EI/L^2 = 83.54 kN, below the stick state's 84.1 kN.
-  const ContactModel fluttering = beam_model(40, {}, 84e3).model();
-  EXPECT_THROW((void)analytic::free_contact_frequencies(fluttering, 3), data::InputError);
 }
 
 }  // namespace

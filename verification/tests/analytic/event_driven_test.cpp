@@ -634,7 +634,7 @@ TEST(EventDrivenBeam, HistoryDoesNotDependOnTheTimesAskedFor) {
 // Bad input.
 
 template <class Call>
-std::string refusal_of(Call call) {
+std::string error_message_of(Call call) {
   try {
     call();
   } catch (const std::invalid_argument& error) {
@@ -648,7 +648,7 @@ TEST(EventDriven, RefusesUnusableModels) {
   const auto refusal_with = [](const std::function<void(ContactModel&)>& spoil) {
     ContactModel model = contact_model(ForcedPair{});
     spoil(model);
-    return refusal_of([&] { EventDriven run(model); });
+    return error_message_of([&] { EventDriven run(model); });
   };
   const auto names = [](const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos ? ::testing::AssertionSuccess()

@@ -139,7 +139,8 @@ TEST(UnitChange, ByPowersOfTwoLeavesModesTheSameBitForBit) {
       const StickMode &a = modes[n], &b = other_modes[n];
       EXPECT_EQ(a.angular_frequency(), b.angular_frequency() * time);
       EXPECT_EQ(a.frequency_hz(), b.frequency_hz() * time);
-      EXPECT_EQ(a.rayleigh_angular_frequency(), b.rayleigh_angular_frequency() * time);
+      EXPECT_EQ(a.slope_norm_squared(), b.slope_norm_squared() * length);
+      EXPECT_EQ(a.curvature_norm_squared(), b.curvature_norm_squared() * std::pow(length, 3));
       EXPECT_EQ(a.condition_number(), b.condition_number());
       EXPECT_EQ(a.participation(), b.participation());
       EXPECT_EQ(a.shape(x), b.shape(x * length));

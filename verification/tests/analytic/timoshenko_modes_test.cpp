@@ -102,6 +102,11 @@ Values ritz_frequencies(const data::Beam& beam, TipSupport tip, int count) {
   return frequencies;
 }
 
+/// sqrt(k G A/(rho I)), rad/s.
+double cutoff_frequency(const data::Beam& beam) {
+  return std::sqrt(beam.shear_stiffness() / (beam.density() * beam.second_moment_of_area()));
+}
+
 STICKSLIP_VERIFIES(TimoshenkoModes, "A11");
 // With the tip held, with axial force of either sign and above the cut-off frequency; with it free, up to there.
 TEST(TimoshenkoModes, AreAllThoseOfASpectralDiscretisation) {
@@ -112,7 +117,7 @@ TEST(TimoshenkoModes, AreAllThoseOfASpectralDiscretisation) {
                                   {beam_of(2.0, -60e3), TipSupport::held},
                                   {beam_of(0.5, 4e5), TipSupport::held}}) {
     const Values ritz = ritz_frequencies(beam, tip, 60), fewer = ritz_frequencies(beam, tip, 56);
-    const double cutoff = analytic::timoshenko_cutoff(beam);
+    const double cutoff = cutoff_frequency(beam);
     std::size_t count = 0;
     while (ritz[count] < cutoff) ++count;
     ASSERT_GE(count, 3u);
@@ -157,7 +162,7 @@ TEST(TimoshenkoModes, AreThoseOfAPublishedTable) {
       EXPECT_TRUE(within(std::sqrt(found[i] * std::sqrt(12.0) / height), printed[i],
                          reference(printed[i] < 10.0 ? 1e-5 : 1e-4, "the last printed digit")))
           << height << " " << i;
-    EXPECT_EQ(found[3] > analytic::timoshenko_cutoff(half), height == 0.2);
+    EXPECT_EQ(found[3] > cutoff_frequency(half), height == 0.2);
   }
 }
 

@@ -121,10 +121,10 @@ class CaseFile : public ::testing::Test {
   // The sentence that refuses the text, without the folder, or "accepted".
   [[nodiscard]] std::string error_message(const std::string& text,
                                           const std::vector<data::Override>& overrides = {}) const {
-    return refusal_of([&] { static_cast<void>(data::read_case(write(text), overrides)); });
+    return error_message_of([&] { static_cast<void>(data::read_case(write(text), overrides)); });
   }
 
-  [[nodiscard]] std::string refusal_of(const std::function<void()>& action) const {
+  [[nodiscard]] std::string error_message_of(const std::function<void()>& action) const {
     try {
       action();
     } catch (const data::InputError& error) {
@@ -229,9 +229,9 @@ TEST_F(CaseFile, RefusesMagnitudesThatNoBeamHas) {
             "override damping.ratio=1e-10: damping.ratio is 1e-10, but must be from 1e-09 to 1 in magnitude");
   EXPECT_EQ(error_message(valid_case(), {{"beam.length", "1e7", "--length"}}),
             "--length: beam.length is 1e+07, but must be from 1e-09 to 1e+06 (m) in magnitude");
-  EXPECT_EQ(refusal_of([] { data::require_magnitude("friction.decay", 1e16, "--x"); }),
+  EXPECT_EQ(error_message_of([] { data::require_magnitude("friction.decay", 1e16, "--x"); }),
             "--x: friction.decay is 1e+16, but must be from 1e-15 to 1e+15 (s/m) in magnitude");
-  EXPECT_EQ(refusal_of([] { data::require_magnitude("friction.decay", 0.0, "--x"); }), "accepted");
+  EXPECT_EQ(error_message_of([] { data::require_magnitude("friction.decay", 0.0, "--x"); }), "accepted");
 }
 
 TEST_F(CaseFile, RefusesAMisspeltKeyAndSuggestsTheRightOne) {
@@ -394,11 +394,11 @@ TEST_F(CaseFile, RefusesWhatIsNoText) {
   EXPECT_TRUE(error_message("# \xC3\x28\n").starts_with("bar.toml:1: is not valid TOML: "));
   EXPECT_EQ(error_message(valid_case() + std::string(1'000'000, '#')),
             "bar.toml: is larger than the 1000000 bytes that are allowed");
-  EXPECT_EQ(refusal_of([&] { static_cast<void>(data::read_case(folder())); }),
+  EXPECT_EQ(error_message_of([&] { static_cast<void>(data::read_case(folder())); }),
             folder().string() + ": is a folder, not a file");
-  EXPECT_EQ(refusal_of([&] { static_cast<void>(data::read_case(folder() / "none.toml")); }),
+  EXPECT_EQ(error_message_of([&] { static_cast<void>(data::read_case(folder() / "none.toml")); }),
             "none.toml: cannot be opened for reading");
-  EXPECT_EQ(refusal_of([] { static_cast<void>(data::read_case("/dev/zero")); }),
+  EXPECT_EQ(error_message_of([] { static_cast<void>(data::read_case("/dev/zero")); }),
             "/dev/zero: is larger than the 1000000 bytes that are allowed");
 }
 
@@ -727,12 +727,12 @@ TEST(PublishedCases, AMisspeltNameIsRefusedWithTheNamesThereAre) {
 }
 
 TEST_F(CaseFile, TwoLettersOfItsNameInTheWrongOrderCountAsOneMistake) {
-  const auto refusal_of_name = [this](const std::string& name) {
-    return refusal_of([&] { static_cast<void>(data::load_case(name)); });
+  const auto error_message_of_name = [this](const std::string& name) {
+    return error_message_of([&] { static_cast<void>(data::load_case(name)); });
   };
-  EXPECT_TRUE(contains(refusal_of_name("papre"), "unknown (did you mean paper?)"));
-  EXPECT_TRUE(contains(refusal_of_name("tnesino"), "unknown (did you mean tension?)"));
-  const std::string of_another = refusal_of_name("repap");
+  EXPECT_TRUE(contains(error_message_of_name("papre"), "unknown (did you mean paper?)"));
+  EXPECT_TRUE(contains(error_message_of_name("tnesino"), "unknown (did you mean tension?)"));
+  const std::string of_another = error_message_of_name("repap");
   EXPECT_TRUE(contains(of_another, "case repap is unknown") && !contains(of_another, "did you mean"))
       << of_another;
 }
@@ -759,7 +759,7 @@ TEST_F(CaseFile, IsFoundInTheFolderThatTheEnvironmentNames) {
 TEST_F(CaseFile, AFolderWithoutCasesIsRefused) {
   const DataFolder chosen(folder().string());
   EXPECT_TRUE(
-      contains(refusal_of([] { static_cast<void>(data::list_cases()); }), "STICKSLIP_DATA must name"));
+      contains(error_message_of([] { static_cast<void>(data::list_cases()); }), "STICKSLIP_DATA must name"));
 }
 
 }  // namespace

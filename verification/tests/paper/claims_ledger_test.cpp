@@ -8,7 +8,7 @@
 #include <iterator>
 #include <string>
 
-#include "stickslip/data/paper.hpp"
+#include "support/ledgers.hpp"
 #include "support/requirements.hpp"
 
 namespace stickslip::testing {
@@ -23,7 +23,7 @@ TEST(LedgerOfClaims, RefersToFiguresAndTablesThatTheReportHas) {
       std::ifstream stream(file.path());
       latex.append(std::istreambuf_iterator<char>(stream), {});
     }
-  for (const auto& claim : data::claims())
+  for (const auto& claim : claims())
     EXPECT_TRUE(claim.figure.empty() || latex.find("\\label{" + claim.figure + "}") != std::string::npos)
         << claim.id << " refers to " << claim.figure;
 }

@@ -15,6 +15,7 @@
 #include "stickslip/solver/modal_analysis.hpp"
 #include "studies/paper/paper_checks.hpp"
 #include "support/beams.hpp"
+#include "support/ledgers.hpp"
 #include "support/paper_case.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
@@ -36,14 +37,14 @@ TEST(PaperCase, IsTheBeamOfSection3WithTheCorrectedSection) {
 
 STICKSLIP_VERIFIES(PrintedNumbers, "P3");
 TEST(PrintedNumbers, AllComeBackButThoseOfErrataWhichHaveTheVerdictOfTheErratum) {
-  const auto errata = data::errata();
+  const auto ledger = errata();
   std::set<std::string> numbers;
   for (const auto& check : studies::printed_checks(paper())) {
     const std::string what = check.printed.id + ", " + check.method;
     EXPECT_TRUE(numbers.insert(check.printed.id).second) << what << ": a number has one verdict";
-    const auto erratum = std::ranges::find(errata, check.printed.erratum, &data::Erratum::id);
+    const auto erratum = std::ranges::find(ledger, check.printed.erratum, &Erratum::id);
     // The natural frequencies that name E1 are what establishes it.
-    if (erratum == errata.end() || erratum->id == "E1") {
+    if (erratum == ledger.end() || erratum->id == "E1") {
       EXPECT_TRUE(within(check.computed, check.printed.value, reference(check.allowed, check.because), what));
     } else {
       EXPECT_EQ(to_string(check.verdict()), to_string(erratum->verdict))
@@ -82,8 +83,8 @@ TEST(Errata, CorrectedTextAgreesWhereThePrintedOneDoesNot) {
 TEST(Errata, EachHasEvidenceButThoseOfWordingAndTheUndeterminedForces) {
   std::set<std::string> with_evidence{"E6", "E7", "E12"};
   for (const auto& row : studies::errata_evidence(paper())) with_evidence.insert(row.erratum);
-  for (const auto& erratum : data::errata()) EXPECT_TRUE(with_evidence.contains(erratum.id)) << erratum.id;
-  EXPECT_EQ(with_evidence.size(), data::errata().size());
+  for (const auto& erratum : errata()) EXPECT_TRUE(with_evidence.contains(erratum.id)) << erratum.id;
+  EXPECT_EQ(with_evidence.size(), errata().size());
 }
 
 TEST(Errata, E1PrintedSectionBucklesWhenItsStiffnessIsHalved) {

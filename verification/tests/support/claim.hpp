@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-#include "stickslip/data/paper.hpp"
+#include "support/ledgers.hpp"
 #include "support/requirements.hpp"
 
 namespace stickslip::testing {
@@ -37,10 +37,10 @@ inline data::ClaimVerdict verdict(const Evidence& evidence) {
 /// nothing was shown to hold instead.
 inline void judge(const std::string& id, const Evidence& evidence, const std::string& finding) {
   record_requirement("V3");
-  const auto claims = data::claims();
-  const auto entry = std::ranges::find(claims, id, &data::Claim::id);
+  const auto ledger = claims();
+  const auto entry = std::ranges::find(ledger, id, &Claim::id);
   const data::ClaimVerdict found = verdict(evidence);
-  ASSERT_TRUE(entry != claims.end()) << "data/paper/claims.toml has no claim " << id << ": " << finding;
+  ASSERT_TRUE(entry != ledger.end()) << "data/paper/claims.toml has no claim " << id << ": " << finding;
   EXPECT_EQ(data::to_string(found), data::to_string(entry->verdict)) << entry->id << ": " << finding;
   EXPECT_TRUE(found != data::ClaimVerdict::does_not_hold || evidence.instead.value_or(false))
       << entry->id << ": nothing was shown to hold instead";

@@ -4,6 +4,8 @@
 /// The systems of single_mass.hpp and exact_pair.hpp once more, as the ContactModel of the event-driven
 /// engine: reduced by hand, so that they share nothing with the finite-element reduction of studies/.
 
+#include <vector>
+
 #include "stickslip/analytic/contact_model.hpp"
 #include "support/exact_pair.hpp"
 
@@ -30,5 +32,10 @@ struct MassModel {
 [[nodiscard]] double mode_shape(const ForcedPair& pair);
 
 [[nodiscard]] analytic::ContactModel contact_model(const ForcedPair& pair);
+
+/// The `count` lowest angular frequencies, rad/s, of a model whose contact is free and whose damping and friction are left out:
+/// for the beam, approximations of the clamped-free modes under follower load. From 1/omega^2 as eigenvalues of K^-1 M, so that
+/// round-off is relative to the lowest. Throws std::runtime_error if one of them is complex.
+[[nodiscard]] std::vector<double> free_contact_frequencies(const analytic::ContactModel& model, int count);
 
 }  // namespace stickslip::testing

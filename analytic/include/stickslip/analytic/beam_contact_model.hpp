@@ -59,10 +59,4 @@ class BeamContactModel {
 /// BeamContactModel::shapes(x).
 [[nodiscard]] double absolute_displacement(const std::vector<double>& shapes, const EventDriven& run);
 
-/// The `count` lowest angular frequencies, rad/s, of a ContactModel whose contact is free and whose damping
-/// and friction are left out: for the beam, approximations of the clamped-free modes under follower load.
-/// Throws data::InputError if one of them is complex (flutter), std::invalid_argument if count is not in 1
-/// ... modes + 1.
-[[nodiscard]] std::vector<double> free_contact_frequencies(const ContactModel& model, int count);
-
 }  // namespace stickslip::analytic

@@ -73,9 +73,6 @@ class StickMode {
   /// omega = sqrt(EI/(rho A)) beta betabar, rad/s. Relative error: a few eps times condition_number().
   [[nodiscard]] double angular_frequency() const noexcept { return angular_frequency_; }
   [[nodiscard]] double frequency_hz() const noexcept;  ///< omega / (2 pi)
-  /// omega from the Rayleigh quotient of Eq. (25), its integrals in closed form; a second route to the same
-  /// number.
-  [[nodiscard]] double rayleigh_angular_frequency() const;
   /// Relative change of omega per relative change of the data, 1 + |P| int U'^2 / (2 |EI int U''^2 - P int
   /// U'^2|): grows as 1/(P_cr - P) at the buckling load.
   [[nodiscard]] double condition_number() const;
@@ -87,6 +84,8 @@ class StickMode {
 
   /// int_0^L U^2 dx, m, in closed form. (The hyperbolic and the trigonometric part are orthogonal.)
   [[nodiscard]] double norm_squared() const;
+  [[nodiscard]] double slope_norm_squared() const;      ///< int_0^L U'^2 dx, 1/m, in closed form
+  [[nodiscard]] double curvature_norm_squared() const;  ///< int_0^L U''^2 dx, 1/m^3, in closed form
   /// int_0^L U (1 + S) dx, m, in closed form: -U'''(0)/k by two integrations by parts.
   [[nodiscard]] double load_integral() const;
   /// C_n = -int U (1 + S) dx / int U^2 dx of Eq. (25), dimensionless.
@@ -96,9 +95,7 @@ class StickMode {
   friend std::vector<StickMode> stick_modes(const data::Beam& beam, int count);
   StickMode(const data::Beam& beam, int number, double b, double bb);
 
-  [[nodiscard]] double trigonometric_norm() const;      // int_0^1 sin(bb eta)^2/sin(bb)^2 d(eta)
-  [[nodiscard]] double slope_norm_squared() const;      // int_0^L U'^2 dx, 1/m
-  [[nodiscard]] double curvature_norm_squared() const;  // int_0^L U''^2 dx, 1/m^3
+  [[nodiscard]] double trigonometric_norm() const;  // int_0^1 sin(bb eta)^2/sin(bb)^2 d(eta)
 
   int number_{};
   double length_{};

@@ -44,9 +44,6 @@ namespace stickslip::analytic {
 /// with a free tip, all of them are below the cut-off frequency. That none is missed is not proven for a free tip.
 [[nodiscard]] std::vector<double> timoshenko_frequencies(const data::Beam& beam, TipSupport tip, int count);
 
-/// The cut-off frequency sqrt(k G A/(rho I)), rad/s. Throws as timoshenko_frequencies().
-[[nodiscard]] double timoshenko_cutoff(const data::Beam& beam);
-
 /// The reaction as a sum over the first `modes` modes. Throws as timoshenko_frequencies().
 [[nodiscard]] ModalReaction timoshenko_reaction(const data::Beam& beam, int modes);
 

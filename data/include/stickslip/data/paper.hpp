@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// What Won, Lee and Chung (2018) print: every number with its digits and its place, the verdicts of Figs. 4
-/// and 5, every claim that can be tested with what became of it, the errata, and what the paper leaves
-/// unstated. Files: data/paper/printed-numbers.toml, data/paper/claims.toml and data/paper/errata.toml.
+/// What Won, Lee and Chung (2018) print: every number with its digits and its place, and the verdicts of Figs. 4 and 5, from
+/// data/paper/printed-numbers.toml. The claims and errata of the folder are read by the tests and the report.
 
 #include <string>
 #include <string_view>
@@ -44,51 +43,12 @@ enum class ClaimVerdict {
 /// "holds", "holds with correction", "does not hold" or "not determined".
 [[nodiscard]] std::string_view to_string(ClaimVerdict verdict) noexcept;
 
-/// One row of the errata ledger.
-struct Erratum {
-  std::string id;  ///< "E1"
-  std::string place;
-  std::string printed;
-  std::string holds;
-  std::string established;  ///< how
-  ClaimVerdict verdict{};   ///< of the printed text; never holds
-};
-
-/// Something that a recomputation needs and the paper does not say.
-struct Unstated {
-  std::string subject;
-  std::string choice;  ///< what is used here
-  std::string reason;
-};
-
-/// A statement of the paper that can be true or false.
-struct Claim {
-  std::string id;     ///< "fig6.generally-decreases"
-  std::string place;  ///< "Sect. 3, text on Fig. 6"
-  std::string claim;  ///< a short quotation or a close paraphrase
-  std::string how;    ///< one sentence: how it is tested, and what a qualitative word is taken to mean
-  ClaimVerdict verdict{};
-  std::string correction;  ///< what holds instead; empty if the claim holds
-  std::string figure;   ///< the report's figure or table that shows it, by its label, "fig:search", or empty
-  std::string erratum;  ///< id of the erratum about it ("E10"), or empty
-};
-
 /// In the order of the page. Throws InputError if the file is missing or malformed, an id stands twice, or a
 /// value is not what its printed digits say.
 [[nodiscard]] std::vector<PrintedNumber> printed_numbers();
 
 /// In the order of the figures. Throws InputError if the file is missing or malformed.
 [[nodiscard]] std::vector<PrintedVerdict> printed_verdicts();
-
-/// E1, E2, ... Throws InputError if the file is missing or malformed, or an id stands twice.
-[[nodiscard]] std::vector<Erratum> errata();
-
-/// In the order of the page. Throws InputError if the file is missing or malformed, an id stands twice, a
-/// correction is missing or not called for, or an erratum does not exist.
-[[nodiscard]] std::vector<Claim> claims();
-
-/// Throws InputError if the file is missing or malformed.
-[[nodiscard]] std::vector<Unstated> unstated();
 
 /// The printed number with this id. Throws std::out_of_range naming the id.
 [[nodiscard]] PrintedNumber printed_number(const std::string& id);

@@ -53,9 +53,6 @@ class BeamModel {
   }
   /// The same with the follower term.
   [[nodiscard]] const SparseMatrix& slip_stiffness() const noexcept { return slip_stiffness_; }
-  /// The two parts of 1/2 q^T K_stick q: 1/2 q^T K q of bending and -P/2 q^T K_G q of the axial force, J.
-  [[nodiscard]] double elastic_energy(const Eigen::VectorXd& q) const;
-  [[nodiscard]] double geometric_energy(const Eigen::VectorXd& q) const;
   /// b = rho A int N dx, kg (and kg m): the load is -b h_tt.
   [[nodiscard]] const Eigen::VectorXd& base_load() const noexcept { return base_load_; }
 

@@ -25,8 +25,4 @@ namespace stickslip::solver {
 [[nodiscard]] std::vector<std::complex<double>> sliding_eigenvalues(const ContactSystem& system,
                                                                     double slope);
 
-/// The slope at which the eigenvalue near i `angular_frequency` crosses the imaginary axis, by the secant method on its
-/// real part from 0 and `guess` (N s/m). Throws std::runtime_error if it does not converge.
-[[nodiscard]] double critical_slope(const ContactSystem& system, double angular_frequency, double guess);
-
 }  // namespace stickslip::solver
