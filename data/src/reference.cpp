@@ -176,6 +176,20 @@ ComparedValue compared_value_of(const JsonNode& node, const Resource& resource) 
   return value;
 }
 
+// The columns that a comparison of this kind works on.
+void require_columns(ComparisonKind kind, const JsonNode& node, const Resource& resource) {
+  if (kind == ComparisonKind::table && resource.primary_key.empty())
+    node.fail("is of the kind table, but the schema lacks a primaryKey");
+  const auto require = [&](const char* column) {
+    if (resource.field(column) == nullptr)
+      node.fail("is of the kind " + std::string(to_string(kind)) + ", but the schema lacks the field " +
+                column);
+  };
+  if (kind == ComparisonKind::events)
+    for (const char* column : {"change", "time"}) require(column);
+  if (kind == ComparisonKind::phases) require("phase");
+}
+
 ComparisonRule comparison_of(const JsonNode& node, const Resource& resource) {
   node.require_spelling(
       {"kind", "values", "abscissa", "interpolation", "events", "horizon", "shortest_phase"});
@@ -201,16 +215,7 @@ ComparisonRule comparison_of(const JsonNode& node, const Resource& resource) {
   if (rule.kind == ComparisonKind::phases) rule.events = node.at("events").text();
   if (const auto horizon = node.find("horizon")) rule.horizon = positive(*horizon);
   if (const auto shortest = node.find("shortest_phase")) rule.shortest_phase = not_negative(*shortest);
-  if (rule.kind == ComparisonKind::table && resource.primary_key.empty())
-    node.fail("is of the kind table, but the schema lacks a primaryKey");
-  const auto require = [&](const char* column) {
-    if (resource.field(column) == nullptr)
-      node.fail("is of the kind " + std::string(to_string(rule.kind)) + ", but the schema lacks the field " +
-                column);
-  };
-  if (rule.kind == ComparisonKind::events)
-    for (const char* column : {"change", "time"}) require(column);
-  if (rule.kind == ComparisonKind::phases) require("phase");
+  require_columns(rule.kind, node, resource);
   return rule;
 }
 

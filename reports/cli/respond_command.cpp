@@ -454,16 +454,20 @@ std::vector<std::string> warnings_after(const data::Case& problem, const Respond
   return warnings;
 }
 
-void run(const RespondOptions& options) {
-  const data::Case problem = load_case(options.problem, options.excitation, options.duration);
-  require_consistent(options);
-  const Method& method = methods.at(options.method);
+// What the method or scheme cannot do.
+void require_supported(const data::Case& problem, const RespondOptions& options) {
   if (options.method == "closed-form") require_undamped(problem, "the closed form");
   if (options.method == "closed-form" || options.method == "event-driven")
     data::require_rigid(problem.contact, "--method " + options.method + "; fe and boundary-integral take it");
   if (options.scheme && *options.scheme != "located")
     data::require_rigid(problem.contact, "--scheme " + *options.scheme);
-  studies::require_feasible(problem, method.inquiry);
+  studies::require_feasible(problem, methods.at(options.method).inquiry);
+}
+
+void run(const RespondOptions& options) {
+  const data::Case problem = load_case(options.problem, options.excitation, options.duration);
+  require_consistent(options);
+  require_supported(problem, options);
   const bool to_standard_output = options.output == "-";
   if (!options.figure.empty()) (void)figure_format(options.figure);
   const bool has_spectrum = !options.spectrum.empty();
@@ -483,7 +487,7 @@ void run(const RespondOptions& options) {
         data::shortest_text(problem.numerics.duration()),
         to_standard_output ? "standard output holds the history up to there at most" : "nothing is kept");
   });
-  method.write(problem, options, writer);
+  methods.at(options.method).write(problem, options, writer);
   const Summary summary = writer.finish();
   if (events) write_events(*events, summary.events);
   if (spectrum) write_spectrum(*spectrum, window, summary);

@@ -485,7 +485,7 @@ FigureData scatter(StudyResults& results) {
                                                               {"computed", "SI"},
                                                               {"expected", "SI"},
                                                               {"relative_difference", "1"}});
-  const auto values = compared_values(results);
+  const auto values = checked_results(results);
   for (const auto& value : values) {
     std::string what = value.what;
     std::ranges::replace(what, ',', ';');
@@ -494,10 +494,10 @@ FigureData scatter(StudyResults& results) {
   }
   FigureData data;
   for (const auto& [name, reference] : {std::pair{"printed", "printed"}, {"exact", "closed form"}}) {
-    const Agreement agreement = agreement_with(values, reference);
-    data.values.push_back({fmt::format("{}_count", name), static_cast<double>(agreement.count), "1"});
-    data.values.push_back({fmt::format("{}_bias", name), agreement.bias, "1"});
-    data.values.push_back({fmt::format("{}_spread", name), agreement.spread, "1"});
+    const Differences differences = differences_from(values, reference);
+    data.values.push_back({fmt::format("{}_count", name), static_cast<double>(differences.count), "1"});
+    data.values.push_back({fmt::format("{}_bias", name), differences.bias, "1"});
+    data.values.push_back({fmt::format("{}_spread", name), differences.spread, "1"});
   }
   data.tables.push_back({"scatter", std::move(table)});
   return data;

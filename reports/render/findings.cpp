@@ -215,19 +215,19 @@ json motion(const std::vector<studies::BeamMotionStudy>& motions) {
 }
 
 json agreement(StudyResults& results) {
-  const auto values = compared_values(results);
+  const auto values = checked_results(results);
   json found;
   for (const auto& [name, reference] : {std::pair{"printed", "printed"}, {"exact", "closed form"}}) {
-    const Agreement agreement = agreement_with(values, reference);
-    found[name] = {{"count", agreement.count}, {"bias", agreement.bias}, {"spread", agreement.spread}};
+    const Differences differences = differences_from(values, reference);
+    found[name] = {{"count", differences.count}, {"bias", differences.bias}, {"spread", differences.spread}};
   }
   return found;
 }
 
 }  // namespace
 
-std::vector<ComparedValue> compared_values(StudyResults& results) {
-  std::vector<ComparedValue> values;
+std::vector<CheckedResult> checked_results(StudyResults& results) {
+  std::vector<CheckedResult> values;
   for (const auto& check : results.printed_checks())
     values.push_back({.what = check.printed.id + " by " + check.method,
                       .reference = "printed",
@@ -242,20 +242,20 @@ std::vector<ComparedValue> compared_values(StudyResults& results) {
   return values;
 }
 
-Agreement agreement_with(const std::vector<ComparedValue>& values, const std::string& reference) {
-  Agreement agreement;
+Differences differences_from(const std::vector<CheckedResult>& values, const std::string& reference) {
+  Differences differences;
   double sum = 0.0, squares = 0.0;
-  for (const ComparedValue& value : values) {
+  for (const CheckedResult& value : values) {
     if (value.reference != reference || value.known_erratum) continue;
     const double difference = value.relative_difference();
-    ++agreement.count;
+    ++differences.count;
     sum += difference;
     squares += difference * difference;
   }
-  const auto count = static_cast<double>(agreement.count);
-  agreement.bias = sum / count;
-  agreement.spread = std::sqrt((squares - count * agreement.bias * agreement.bias) / (count - 1.0));
-  return agreement;
+  const auto count = static_cast<double>(differences.count);
+  differences.bias = sum / count;
+  differences.spread = std::sqrt((squares - count * differences.bias * differences.bias) / (count - 1.0));
+  return differences;
 }
 
 double buckling_coefficient(const data::Beam& beam) {

@@ -13,7 +13,7 @@
 namespace stickslip::report {
 
 /// A computed value beside what it is held against.
-struct ComparedValue {
+struct CheckedResult {
   std::string what;       ///< "frequency.stick.1, closed form"
   std::string reference;  ///< what it is held against: "printed" or "closed form"
   double computed{}, expected{};
@@ -23,16 +23,16 @@ struct ComparedValue {
 
 /// Every printed result against its recomputation, and every finite-element result of the solution
 /// verification against the closed form.
-[[nodiscard]] std::vector<ComparedValue> compared_values(StudyResults& results);
+[[nodiscard]] std::vector<CheckedResult> checked_results(StudyResults& results);
 
 /// Of the relative differences, errata apart.
-struct Agreement {
+struct Differences {
   std::size_t count{};
   double bias{};    ///< mean
   double spread{};  ///< standard deviation
 };
-[[nodiscard]] Agreement agreement_with(const std::vector<ComparedValue>& values,
-                                       const std::string& reference);
+[[nodiscard]] Differences differences_from(const std::vector<CheckedResult>& values,
+                                           const std::string& reference);
 
 /// Buckling load of the stick state in units of EI/L^2.
 [[nodiscard]] double buckling_coefficient(const data::Beam& beam);

@@ -138,7 +138,7 @@ STICKSLIP_JSON(Design, band, margin, lengths, forces)
 STICKSLIP_JSON(ForceHorizon, duration, force_max, critical_amplitude, finite_element, predicted_error)
 STICKSLIP_JSON(SteadyForce, frequency_hz, amplitude, steady, truncated, finite_element, predicted_error,
                ceiling, grows, horizons)
-STICKSLIP_JSON(DampedForce, frequency_hz, amplitude, kelvin_voigt, ratio, undamped_force_max, steady,
+STICKSLIP_JSON(SteadyDampedForce, frequency_hz, amplitude, kelvin_voigt, ratio, undamped_force_max, steady,
                finite_element, predicted_error, finite_element_max)
 STICKSLIP_JSON(SlenderForce, frequency_hz, amplitude, model_errors, force_max, shifted_force_max)
 STICKSLIP_JSON(SofterBeam, larger, all, lowest_ratio, at_hz)

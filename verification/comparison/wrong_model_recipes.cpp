@@ -475,8 +475,7 @@ Recipes of_the_discretisation() {
   };
 }
 
-// Damping and the friction law.
-Recipes of_damping_and_friction() {
+Recipes of_damping() {
   return {
       {.wrong_model = {"damping-added", "1 % of critical damping that the problem does not have", "Eq. (1)",
                        held_motion + stick_slip},
@@ -503,6 +502,11 @@ Recipes of_damping_and_friction() {
          const double omega = analytic::stick_modes(problem.beam, 1).front().angular_frequency();
          return with_damping(problem, data::Damping({.ratio = 0.5 * problem.damping.kelvin_voigt() * omega}));
        }},
+  };
+}
+
+Recipes of_the_friction_law() {
+  return {
       {.wrong_model = {"kinetic-coefficient-as-limit", "mu_m limits the static friction force", "Eq. (4)",
                        Quantities{critical_amplitude} + stick_slip},
        .inputs =
@@ -553,7 +557,7 @@ Recipes all_recipes() {
   Recipes all;
   for (const Recipes& group :
        {of_the_beam(), of_the_contact_force(), of_the_excitation(), of_the_modal_equations(),
-        of_the_response(), of_the_discretisation(), of_damping_and_friction()})
+        of_the_response(), of_the_discretisation(), of_damping(), of_the_friction_law()})
     all.insert(all.end(), group.begin(), group.end());
   return all;
 }

@@ -10,15 +10,15 @@ namespace stickslip::benchmarks {
 namespace {
 
 // One comparison of the record.
-struct Comparison {
+struct RatioOfTimes {
   std::string work;
   std::string plain_name, plain;  // name of the benchmark, and description
   std::string fast_name, fast;
   double repetitions{1.0};  // number of times the plain work is contained in the fast work
 };
 
-const std::vector<Comparison>& comparisons() {
-  static const std::vector<Comparison> table{
+const std::vector<RatioOfTimes>& comparisons() {
+  static const std::vector<RatioOfTimes> table{
       {.work = "Stick run, 10 s in 100000 steps, 20 elements",
        .plain_name = "eigen_loop/sparse_ldlt",
        .plain = "loop on Eigen's sparse LDLT",
@@ -115,7 +115,7 @@ SpeedRecord Recorder::record() const {
   const double peak_bytes = shortest("peak/cache").counters.at("bytes") / shortest("peak/cache").seconds;
   SpeedRecord record;
   record.processor = processor();
-  for (const Comparison& line : comparisons()) {
+  for (const RatioOfTimes& line : comparisons()) {
     const Shortest& fast = shortest(line.fast_name);
     record.comparisons.push_back({.work = line.work,
                                   .plain = line.plain,

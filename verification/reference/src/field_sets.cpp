@@ -63,7 +63,7 @@ std::vector<double> equal_times(double step, int count) {
   return times;
 }
 
-struct Quantity {
+struct FieldQuantity {
   std::string name, unit, description;
   double tolerance{}, least{};  // of the largest value; the least half-width
   std::function<double(const BeamState&)> value;
@@ -72,13 +72,13 @@ struct Quantity {
 // A history at equal times. The half-width is the difference between 40 and 28 modes, the largest in the phase of
 // stick or slip. Samples at which they are in different phases are left out.
 DataSet history_of(DataSet set, const data::Case& problem, double step, int count,
-                   const std::vector<Quantity>& quantities, bool has_energy = false) {
+                   const std::vector<FieldQuantity>& quantities, bool has_energy = false) {
   data::Resource& resource = set.resource;
   const bool slips = problem.name == "damped";
   resource.fields = {exact_number("time", "s", "since the start")};
   if (slips) resource.fields.push_back(word("phase", "of the contact", {"stick", "slip"}));
   std::vector<data::ComparedValue> compared;
-  for (const Quantity& quantity : quantities) {
+  for (const FieldQuantity& quantity : quantities) {
     add_value(resource.fields, quantity.name, quantity.unit, quantity.description, ValueClass::converged);
     compared.push_back({quantity.name, data::Norm::scale, quantity.tolerance});
   }
@@ -110,7 +110,7 @@ DataSet history_of(DataSet set, const data::Case& problem, double step, int coun
       Row row;
       row.text(fmt::format("{:.3f}", times[k]));
       if (slips) row.text(fine[k].is_stuck ? "stick" : "slip");
-      for (const Quantity& quantity : quantities) {
+      for (const FieldQuantity& quantity : quantities) {
         double radius = quantity.least;
         for (std::size_t i = first; i < end; ++i)
           if (coarse[i].is_stuck == fine[i].is_stuck)
@@ -202,7 +202,7 @@ DataSet stick_slip_velocities() {
 DataSet stick_slip_energy() {
   using Energy = analytic::EventDrivenEnergy;
   const auto quantity = [](std::string name, std::string description, double Energy::*member) {
-    return Quantity{
+    return FieldQuantity{
         std::move(name), "J", std::move(description), 2e-2, 1e-12, [member](const BeamState& state) {
           return state.energy.*member;
         }};

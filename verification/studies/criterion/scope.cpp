@@ -158,18 +158,19 @@ SteadyForce steady_force(const data::Case& paper, const std::vector<double>& dur
   return result;
 }
 
-DampedForce damped_force(const data::Case& damped) {
+SteadyDampedForce damped_force(const data::Case& damped) {
   const double omega = angular_frequency(damped.excitation), eta = damped.damping.kelvin_voigt();
   const analytic::StickMode first = analytic::stick_modes(damped.beam, 1).front();
-  DampedForce result{.frequency_hz = damped.excitation.frequency_hz(),
-                     .amplitude = damped.excitation.amplitude(),
-                     .kelvin_voigt = eta,
-                     .ratio = 0.5 * eta * first.angular_frequency(),
-                     .undamped_force_max = analytic::StickResponse(damped.beam, damped.excitation, kept_modes,
-                                                                   analytic::SteadyPart::exact)
-                                               .max_abs_friction_force(damped.numerics.duration(), 1e-7)
-                                               .midpoint(),
-                     .steady = damped_steady_force(damped)};
+  SteadyDampedForce result{
+      .frequency_hz = damped.excitation.frequency_hz(),
+      .amplitude = damped.excitation.amplitude(),
+      .kelvin_voigt = eta,
+      .ratio = 0.5 * eta * first.angular_frequency(),
+      .undamped_force_max =
+          analytic::StickResponse(damped.beam, damped.excitation, kept_modes, analytic::SteadyPart::exact)
+              .max_abs_friction_force(damped.numerics.duration(), 1e-7)
+              .midpoint(),
+      .steady = damped_steady_force(damped)};
   solver::BeamSimulation run(damped.beam, damped.friction, damped.excitation, damped.numerics,
                              {.contact = solver::TipContact::bonded, .damping = damped.damping});
   const double step = damped.numerics.time_step();

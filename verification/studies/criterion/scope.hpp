@@ -43,7 +43,7 @@ struct SteadyForce {
 };
 
 /// Steady force of a beam with Kelvin-Voigt damping and its tip held.
-struct DampedForce {
+struct SteadyDampedForce {
   double frequency_hz{}, amplitude{};  ///< Hz, m
   double kelvin_voigt{};               ///< eta, s
   double ratio{};                      ///< fraction of critical damping of stick mode 1, eta omega_1/2
@@ -83,7 +83,7 @@ inline constexpr double settled_share = 0.05;
 struct Scope {
   double friction_limit{};  ///< mu_s P, N
   std::vector<SteadyForce> steady;
-  std::vector<DampedForce> damped;
+  std::vector<SteadyDampedForce> damped;
   std::vector<SlenderForce> slender;
   SofterBeam softer;
   std::vector<LateSlips> late_slips;  ///< converged history first
@@ -91,7 +91,7 @@ struct Scope {
 
 /// The parts of the study, for the case of data/cases/paper.toml at its frequency and amplitude.
 [[nodiscard]] SteadyForce steady_force(const data::Case& paper, const std::vector<double>& durations);
-[[nodiscard]] DampedForce damped_force(const data::Case& damped);
+[[nodiscard]] SteadyDampedForce damped_force(const data::Case& damped);
 [[nodiscard]] SlenderForce slender_force(const data::Case& paper);
 /// 1 to `last_hz` by 1 Hz, closed form.
 [[nodiscard]] SofterBeam softer_beam(const data::Case& paper, int last_hz);

@@ -83,6 +83,30 @@ Estimate mean_with_interval(std::span<const double> values) {
   return {mean, mean - half, mean + half};
 }
 
+struct PlainIndex {
+  double first{}, total{};
+};
+
+// From rows f(A), f(B), f(AB_1), ...: of first order and total, by Jansen's estimates; 0 without variance.
+std::vector<PlainIndex> jansen_indices(const std::vector<std::vector<double>>& rows, std::size_t inputs) {
+  const auto count = static_cast<double>(rows.size());
+  double mean = 0.0, variance = 0.0;
+  for (const auto& row : rows) mean += 0.5 * (row[0] + row[1]) / count;
+  for (const auto& row : rows)
+    variance += 0.5 * ((row[0] - mean) * (row[0] - mean) + (row[1] - mean) * (row[1] - mean)) / count;
+  std::vector<PlainIndex> indices(inputs);
+  if (!(variance > 0.0)) return indices;
+  for (std::size_t i = 0; i < inputs; ++i) {
+    double first = 0.0, total = 0.0;
+    for (const auto& row : rows) {
+      first += (row[1] - row[i + 2]) * (row[1] - row[i + 2]) / count;
+      total += (row[0] - row[i + 2]) * (row[0] - row[i + 2]) / count;
+    }
+    indices[i] = {1.0 - 0.5 * first / variance, 0.5 * total / variance};
+  }
+  return indices;
+}
+
 }  // namespace
 
 double quantile(const data::Distribution& d, double p) {
@@ -215,19 +239,10 @@ Sensitivity sobol_indices(const Model& model, std::size_t inputs, std::size_t ro
         });
     result.evaluations += count * columns;
     result.dropped += std::erase_if(values, [&](const auto& row) { return row.size() < columns; });
-    const auto kept = static_cast<double>(values.size());
-    double mean = 0.0, variance = 0.0;
-    for (const auto& row : values) mean += 0.5 * (row[0] + row[1]) / kept;
-    for (const auto& row : values)
-      variance += 0.5 * ((row[0] - mean) * (row[0] - mean) + (row[1] - mean) * (row[1] - mean)) / kept;
+    const auto indices = jansen_indices(values, inputs);
     for (std::size_t i = 0; i < inputs; ++i) {
-      double first = 0.0, total = 0.0;
-      for (const auto& row : values) {
-        first += (row[1] - row[i + 2]) * (row[1] - row[i + 2]) / kept;
-        total += (row[0] - row[i + 2]) * (row[0] - row[i + 2]) / kept;
-      }
-      firsts[i].push_back(variance > 0.0 ? 1.0 - 0.5 * first / variance : 0.0);
-      totals[i].push_back(variance > 0.0 ? 0.5 * total / variance : 0.0);
+      firsts[i].push_back(indices[i].first);
+      totals[i].push_back(indices[i].total);
     }
   }
   for (std::size_t i = 0; i < inputs; ++i)

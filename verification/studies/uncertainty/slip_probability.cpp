@@ -29,7 +29,7 @@ constexpr double kMostTabulated = 0.999;  // of the buckling load, below which a
 constexpr std::array kProbabilities{0.05, 0.25, 0.5, 0.75, 0.95};
 
 // The result of one sample.
-struct Verdict {
+struct SampleResult {
   double critical_amplitude{}, margin{};
   bool slips{};
 };
@@ -79,7 +79,7 @@ class Verdicts {
   }
 
   // Throws data::InputError for values that no beam has.
-  [[nodiscard]] Verdict at(std::span<const double> values) const { return of(case_at(values)); }
+  [[nodiscard]] SampleResult at(std::span<const double> values) const { return of(case_at(values)); }
 
   // The verdict alone, which far from the limit is cheaper than the force.
   [[nodiscard]] bool slips_at(std::span<const double> values) const {
@@ -90,7 +90,7 @@ class Verdicts {
     return band_ ? search_of(problem).exceeds(limit) : search_of_force(problem).exceeds(limit);
   }
 
-  [[nodiscard]] Verdict of(const data::Case& problem) const {
+  [[nodiscard]] SampleResult of(const data::Case& problem) const {
     analytic::require_contact(problem.beam);
     const double limit = friction_limit(problem), amplitude = problem.excitation.amplitude();
     if (!(amplitude > 0.0)) throw data::FieldError("excitation.amplitude", amplitude, "above 0 (m)");
@@ -209,7 +209,7 @@ Count count_samples(const Verdicts& verdicts, const JointDistribution& joint, co
 std::vector<SlipUncertainty::Quantile> quantiles_of(const Verdicts& verdicts, const JointDistribution& joint,
                                                     const SlipSampling& sampling,
                                                     const std::function<void(double)>& progress) {
-  std::vector<std::optional<Verdict>> all(at_most(most_quantile_samples, sampling));
+  std::vector<std::optional<SampleResult>> all(at_most(most_quantile_samples, sampling));
   in_parallel(
       all.size(),
       [&](std::size_t index) {

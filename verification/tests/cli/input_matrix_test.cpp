@@ -909,24 +909,32 @@ class OptionInput : public Drawing {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.status, row.is_refused() ? 2 : 0) << arguments.substr(0, 300) << "\n"
                                                         << outcome.errors.substr(0, 300);
-    if (!row.is_refused()) {
+    if (row.is_refused()) {
+      expect_error_message(row, arguments, outcome);
+      expect_no_new_file(std::move(before));
+    } else {
       const bool repeats_a_name = row.reason == "a file may have that name";
       EXPECT_TRUE(repeats_a_name || !holds_no_number(outcome.output)) << outcome.output;
       for (const std::string& name : files())
         if (name != "tools" && name != "large" && name != "stdout" && name != "stderr")
           fs::remove_all(path(name));
-      return;
     }
-    EXPECT_EQ(outcome.output, "");
-    EXPECT_TRUE(outcome.errors.starts_with("stickslip: ") && outcome.errors.ends_with("\n"))
-        << outcome.errors;
-    if (!outcome.errors.empty()) expect_one_sentence(outcome.errors.substr(0, outcome.errors.size() - 1));
+  }
+
+  void expect_no_new_file(std::vector<std::string> before) const {
     auto after = files();
     std::erase(after, "stdout");
     std::erase(after, "stderr");
     std::erase(before, "stdout");
     std::erase(before, "stderr");
     EXPECT_EQ(after, before);
+  }
+
+  void expect_error_message(const BadInput& row, const std::string& arguments, const Outcome& outcome) const {
+    EXPECT_EQ(outcome.output, "");
+    EXPECT_TRUE(outcome.errors.starts_with("stickslip: ") && outcome.errors.ends_with("\n"))
+        << outcome.errors;
+    if (!outcome.errors.empty()) expect_one_sentence(outcome.errors.substr(0, outcome.errors.size() - 1));
     if (arguments.find(path("large")) != std::string::npos) {
       EXPECT_TRUE(contains(outcome.errors, path("large/"))) << outcome.errors;
     }

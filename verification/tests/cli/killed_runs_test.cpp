@@ -22,6 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+using Contents = std::map<std::string, std::string>;  // of files, by name
+
 class KilledRunLong : public SignalledRun {
  protected:
   /// Kills a command `kills` times while it works, each at a random moment of the time that it takes
@@ -30,7 +32,7 @@ class KilledRunLong : public SignalledRun {
   void kill(const std::string& what, int kills, const std::string& command,
             const std::vector<std::string>& outputs) {
     const double whole = seconds_of(command);
-    std::map<std::string, std::string> undisturbed;
+    Contents undisturbed;
     for (const std::string& name : outputs) {
       undisturbed[name] = contents(out(name));
       ASSERT_NE(undisturbed[name], "") << name;
@@ -55,13 +57,7 @@ class KilledRunLong : public SignalledRun {
         ++completed;
       }
       is_fresh = false;
-      for (const std::string& name : all_files(out()))
-        EXPECT_TRUE(undisturbed.contains(name) || name.starts_with('.') || name.ends_with(".partial"))
-            << name;
-      for (const auto& [name, text] : undisturbed)
-        if (fs::exists(out(name))) {
-          ASSERT_TRUE(contents(out(name)) == text) << name;
-        }
+      ASSERT_NO_FATAL_FAILURE(expect_only_whole(undisturbed));
     }
     const Outcome again = run(command);
     EXPECT_EQ(again.status, 0) << again.errors;
@@ -72,6 +68,16 @@ class KilledRunLong : public SignalledRun {
     RecordProperty(what + "_killed_as_they_went_on", resumed);
     RecordProperty(what + "_completed_before", completed);
     RecordProperty(what + "_undisturbed_ms", static_cast<int>(1e3 * whole));
+  }
+
+  /// The files that are there have the bytes of the undisturbed run, or the name of an unfinished one.
+  void expect_only_whole(const Contents& undisturbed) const {
+    for (const std::string& name : all_files(out()))
+      EXPECT_TRUE(undisturbed.contains(name) || name.starts_with('.') || name.ends_with(".partial")) << name;
+    for (const auto& [name, text] : undisturbed)
+      if (fs::exists(out(name))) {
+        ASSERT_TRUE(contents(out(name)) == text) << name;
+      }
   }
 
   /// What a whole run takes: the shortest of three, since other work may delay one.

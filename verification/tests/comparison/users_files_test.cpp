@@ -265,8 +265,8 @@ TEST(ComparedHistory, LeavesOutTheToleranceOfAnEventWithoutTheirs) {
 STICKSLIP_VERIFIES(ComparedCoverage, "X20");
 TEST(ComparedCoverage, OfARangeMustBeNineTenths) {
   // A sample covers a fortieth on either side: 0.875 + 0.025.
-  for (const auto& [last, agreement] : std::vector<std::pair<double, Agreement>>{
-           {0.4375, Agreement::agrees}, {0.437, Agreement::undecided}, {0.01, Agreement::undecided}}) {
+  for (const double last : {0.4375, 0.437, 0.01}) {
+    const Agreement agreement = last == 0.4375 ? Agreement::agrees : Agreement::undecided;
     auto mine = copy_of("undamped-history-25");
     const auto time = mine["time"];
     mine.keep([&](std::size_t row) { return time[row] <= last; });

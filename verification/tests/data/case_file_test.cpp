@@ -630,16 +630,20 @@ TEST(Override, IsRefusedWithoutBothSides) {
     EXPECT_THROW(static_cast<void>(data::Override::parse(text)), data::InputError) << text;
 }
 
+void expect_paper_numerics(const data::NumericalSettings& numerics) {
+  EXPECT_EQ(numerics.elements(), 20);
+  EXPECT_EQ(numerics.time_step(), 1e-4);
+  EXPECT_EQ(numerics.spectral_radius(), 0.9);
+  EXPECT_EQ(numerics.velocity_threshold(), 1e-4);
+  EXPECT_EQ(numerics.modes(), 10);
+  EXPECT_EQ(numerics.duration(), 10.0);
+}
+
 void expect_paper_friction_and_numerics(const data::Case& problem) {
   EXPECT_EQ(problem.friction.static_coefficient(), testing::paper_friction().static_coefficient());
   EXPECT_EQ(problem.friction.kinetic_coefficient(), testing::paper_friction().kinetic_coefficient());
   EXPECT_EQ(problem.friction.decay(), testing::paper_friction().decay());
-  EXPECT_EQ(problem.numerics.elements(), 20);
-  EXPECT_EQ(problem.numerics.time_step(), 1e-4);
-  EXPECT_EQ(problem.numerics.spectral_radius(), 0.9);
-  EXPECT_EQ(problem.numerics.velocity_threshold(), 1e-4);
-  EXPECT_EQ(problem.numerics.modes(), 10);
-  EXPECT_EQ(problem.numerics.duration(), 10.0);
+  expect_paper_numerics(problem.numerics);
 }
 
 void expect_beam(const data::Beam& beam, const data::BeamProperties& expected) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Shear and rotary inertia by both implementations: frequencies, reactions, verdicts; and what they change in the paper.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
