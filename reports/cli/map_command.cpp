@@ -342,7 +342,9 @@ void print_estimate(const studies::MapTask& task, const MapOptions& options) {
       studies::share_of(studies::evaluation_count(task), options.shard.value_or(MapPart()).part,
                         options.shard.value_or(MapPart()).parts);
   if (numbers.empty())
-    throw data::InputError("--shard has no evaluation of this map, which has fewer than parts");
+    throw data::FieldError(
+        "--shard", fmt::format("{}/{}", options.shard->part, options.shard->parts),
+        fmt::format("of at most {} parts, the evaluations of this map", studies::evaluation_count(task)));
   const report::Interruption interruption([] { return std::string("interrupted; nothing is written"); });
   const studies::MapEstimate estimate = studies::map_estimate(task, numbers);
   const std::size_t cells = task.x.values.size() * task.y.values.size();

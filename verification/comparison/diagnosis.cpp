@@ -181,10 +181,6 @@ Diagnosis diagnose(const ModelResults& model_results, const Observation& observa
   return diagnosis;
 }
 
-Diagnosis diagnose(const data::Case& problem, const Observation& observation) {
-  return diagnose(model_results(problem, observation.quantity, observation.abscissa), observation);
-}
-
 std::string sentence(const Diagnosis& diagnosis) {
   const std::string from_reference = percent(diagnosis.from_reference);
   switch (diagnosis.finding) {

@@ -177,7 +177,6 @@ struct Diagnosis {
 /// negative uncertainty, and std::invalid_argument if values or uncertainties differ in number from the
 /// abscissas, or quantity or abscissas from those of `model_results`.
 [[nodiscard]] Diagnosis diagnose(const ModelResults& model_results, const Observation& observation);
-[[nodiscard]] Diagnosis diagnose(const data::Case& problem, const Observation& observation);
 
 /// The diagnosis in one sentence, such as "like 'zero-initial-velocity' (...) to 0.3 %, while the reference
 /// is 41 % away". It names at most three wrong models.

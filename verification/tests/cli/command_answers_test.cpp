@@ -624,6 +624,46 @@ TEST_F(CommandAnswers, CommandsThatNeedAWallAtRestSaySo) {
   expect_refused("squeal reed --figure m.png", "--figure draws the map, but --map FILE is missing");
 }
 
+TEST_F(CommandAnswers, OutputsThatExcludeEachOtherAreRefused) {
+  expect_refused("respond paper --duration 0.1 --output h.csv --spectrum h.csv",
+                 "--spectrum is h.csv, but must be another file than --output and --events");
+  expect_refused("respond paper --duration 1 --every 1000 --output h.csv --spectrum s.csv",
+                 "--every is 1000, but must be small enough for two rows in a period");
+  const std::string squeal = "squeal reed --speeds 0.1:1:2 --ratios 0.01:0.02:2 ";
+  expect_refused(squeal + "--json --map -", "--json and --map - both want standard output");
+  expect_refused(squeal + "--map a.csv --figure a.csv",
+                 "--figure is a.csv, but must be another file than --map");
+  const std::string sweep = "sweep paper --parameter amplitude=1e-4:1e-3:3 ";
+  expect_refused(sweep + "--json --output -", "--json and --output - both want standard output");
+  expect_refused(sweep + "--output a.png --figure a.png",
+                 "--figure is a.png, but must be another file than --output");
+}
+
+TEST_F(CommandAnswers, WorkBeyondTheLimitsIsRefused) {
+  expect_refused("map paper --dry-run --x frequency=10:20:2 --y amplitude=1e-4:1e-3:2 --shard 5/50",
+                 "--shard is 5/50, but must be of at most 2 parts, the evaluations of this map");
+  const std::string integral = "respond paper --method boundary-integral --output h.csv ";
+  expect_refused(integral + "--set damping.ratio=0.01",
+                 "damping.ratio is 0.01, but must be 0 with the boundary");
+  // 2^24 steps of 1e-8 s are 0.16777 s.
+  expect_refused(integral + "--duration 0.1678 --set numerics.time_step=1e-8",
+                 "excitation.duration is 0.1678, but must be at most 0.168 s, 2^24 steps of 1e-08 s");
+}
+
+TEST_F(CommandAnswers, ColumnsOfAMapHaveTheNameAndTheUnitOfTheirParameter) {
+  const auto has = [&](const std::string& axes, const std::string& names) {
+    return run("map damped --duration 0.2 " + axes).output.find("\n" + names) != std::string::npos;
+  };
+  EXPECT_TRUE(has("--x direction=0:1:2 --y kelvin-voigt=1e-5:2e-5:2", "axial_direction,kelvin_voigt_s,"));
+  EXPECT_TRUE(has("--x stiffness=1e9:2e9:2 --y length=1:2:2", "youngs_modulus_Pa,length_m,"));
+  EXPECT_TRUE(
+      has("--quantity travel --x decay=1:2:2 --y kinetic=0.3:0.4:2", "decay_s_per_m,kinetic_coefficient,"));
+}
+
+TEST_F(CommandAnswers, ReferenceShowsWhichColumnsAreComparedAsWords) {
+  EXPECT_NE(run("reference show classification").output.find("verdict: word by word"), std::string::npos);
+}
+
 TEST_F(CommandAnswers, SquealNamesTheModeThatGrowsAndTheSpeedThatHoldsIt) {
   const std::string settings = " --set numerics.modes=4 --set numerics.elements=12 --settle 100";
   const auto answer = json("squeal reed" + settings);

@@ -249,6 +249,9 @@ TEST_F(CompareCommand, WritesATestCaseForEachQuantityAsJUnit) {
   const std::string text = contents(fixture + "/damped/events.csv");
   const auto agreeing = suite(text, "");
   EXPECT_STREQ(agreeing.first_child().attribute("name").value(), "damped-events");
+  EXPECT_STREQ(agreeing.select_node("//testcase").node().attribute("classname").value(), "damped-events");
+  const std::string log = agreeing.first_child().child("system-out").text().get();
+  EXPECT_TRUE(log.starts_with(path("mine.csv") + "\ndamped-events: ")) << log;
   EXPECT_EQ(agreeing.first_child().attribute("tests").as_int(), 4);
   EXPECT_EQ(agreeing.first_child().attribute("failures").as_int(), 0);
   EXPECT_TRUE(agreeing.select_nodes("//failure").empty());

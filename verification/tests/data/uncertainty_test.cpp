@@ -95,6 +95,8 @@ TEST_F(UncertaintyTable, IsRefusedInOneSentence) {
       key +
           ".distribution is 'norml' (a string) (did you mean normal?), but must be one of normal, lognormal, "
           "uniform, triangular, samples");
+  EXPECT_EQ(length("{ distribution = 'samples', file = 1, column = 'L' }"),
+            key + ".file is 1 (an integer), but must be a string that is not empty");
   EXPECT_EQ(length("{ distribution = 'normal', mean = 2 }"),
             key + ".standard_deviation is missing, but must be a finite number");
   EXPECT_EQ(length("{ distribution = 'normal', mean = '2 s' }"),
@@ -147,6 +149,8 @@ TEST_F(UncertaintyTable, IsRefusedForItsCorrelation) {
   const auto with = [&](const std::string& rows) { return refusal(keys + "correlation = [" + rows + "]\n"); };
   const std::string start = "bar.toml:30: uncertainty.correlation ";
   EXPECT_TRUE(with("1").starts_with(start + "has a row that is 1 (an integer)"));
+  EXPECT_EQ(refusal(keys + "correlation = 0.5\n"),
+            start + "is 0.5 (a float), but must be an array of rows [\"a.b\", \"c.d\", 0.5]");
   EXPECT_TRUE(
       with("['beam.length', 'beam.width', 0.1]").starts_with(start + "names 'beam.width' (a string), which"));
   EXPECT_TRUE(with("['beam.length', 'beam.length', 0.1]").starts_with(start + "names beam.length twice"));
