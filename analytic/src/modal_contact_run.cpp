@@ -79,7 +79,6 @@ ModalContactRun::ModalContactRun(const ContactModes& modes, const ContactModel& 
   const double omega = model.load_angular_frequency, angle = 2.0 * std::numbers::pi / steps_per_period;
   const double h = time_step_ = angle / omega;
   constexpr double resolved = 2.0;
-  constexpr Complex i{0.0, 1.0};
   const ContactDynamics dynamics(model);
   const std::size_t m = model.modes(), half = m + 1;
   const ContactKinematics rest{.amplitudes = std::vector<double>(m), .rates = std::vector<double>(m)};

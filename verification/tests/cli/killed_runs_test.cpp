@@ -29,8 +29,7 @@ class KilledRunLong : public SignalledRun {
   /// Kills a command `kills` times while it works, each at a random moment of the time that it takes
   /// undisturbed, and lets it go on from what is there; once its outputs are complete it begins anew. What is
   /// under the name of an output has the bytes of the undisturbed run, and nothing else is left in the end.
-  void kill(const std::string& what, int kills, const std::string& command,
-            const std::vector<std::string>& outputs) {
+  void kill(int kills, const std::string& command, const std::vector<std::string>& outputs) {
     const double whole = seconds_of(command);
     Contents undisturbed;
     for (const std::string& name : outputs) {
@@ -38,36 +37,30 @@ class KilledRunLong : public SignalledRun {
       ASSERT_NE(undisturbed[name], "") << name;
     }
     const std::vector<std::string> left = all_files(out());
-
-    std::uniform_real_distribution<double> moments(0.0, whole);
-    int runs = 0, completed = 0, resumed = 0;
-    bool is_fresh = false;
-    for (int killed = 0; killed < kills; ++runs) {
-      ASSERT_LT(runs, 6 * kills);
-      if (std::ranges::all_of(outputs, [&](const auto& name) { return fs::exists(out(name)); })) {
-        clear();
-        is_fresh = true;
-      }
-      const Ending ending = signalled(command, SIGKILL, std::chrono::duration<double>(moments(generator_)));
-      if (ending.status == 128 + SIGKILL) {
-        ++killed;
-        resumed += is_fresh ? 0 : 1;
-      } else {
-        ASSERT_EQ(ending.status, 0) << ending.errors;
-        ++completed;
-      }
-      is_fresh = false;
-      ASSERT_NO_FATAL_FAILURE(expect_only_whole(undisturbed));
-    }
+    ASSERT_NO_FATAL_FAILURE(kill_at_random(kills, command, undisturbed, whole));
     const Outcome again = run(command);
     EXPECT_EQ(again.status, 0) << again.errors;
     for (const auto& [name, text] : undisturbed) EXPECT_TRUE(contents(out(name)) == text) << name;
     EXPECT_EQ(all_files(out()), left);
-    RecordProperty(what + "_runs", runs);
-    RecordProperty(what + "_killed_while_working", kills);
-    RecordProperty(what + "_killed_as_they_went_on", resumed);
-    RecordProperty(what + "_completed_before", completed);
-    RecordProperty(what + "_undisturbed_ms", static_cast<int>(1e3 * whole));
+  }
+
+  /// The runs that are killed at moments up to `latest` seconds, and those that end before.
+  void kill_at_random(int kills, const std::string& command, const Contents& undisturbed, double latest) {
+    const auto is_complete = [&] {
+      return std::ranges::all_of(undisturbed, [&](const auto& file) { return fs::exists(out(file.first)); });
+    };
+    std::uniform_real_distribution<double> moments(0.0, latest);
+    for (int killed = 0, runs = 0; killed < kills; ++runs) {
+      ASSERT_LT(runs, 6 * kills);
+      if (is_complete()) clear();
+      const Ending ending = signalled(command, SIGKILL, std::chrono::duration<double>(moments(generator_)));
+      if (ending.status == 128 + SIGKILL) {
+        ++killed;
+      } else {
+        ASSERT_EQ(ending.status, 0) << ending.errors;
+      }
+      ASSERT_NO_FATAL_FAILURE(expect_only_whole(undisturbed));
+    }
   }
 
   /// The files that are there have the bytes of the undisturbed run, or the name of an unfinished one.
@@ -105,7 +98,7 @@ class KilledRunLong : public SignalledRun {
 
 STICKSLIP_VERIFIES(KilledRunLong, "U12");
 TEST_F(KilledRunLong, OfReportLeavesOnlyWhatIsWholeAtFiftyMoments) {
-  kill("report", 50, "report --quiet --only fig1,fig2,fig7 --output '" + out() + "'",
+  kill(50, "report --quiet --only fig1,fig2,fig7 --output '" + out() + "'",
        {"fig1.pdf", "fig1.png", "fig2.csv", "fig2-values.csv", "fig2.pdf", "fig2.png", "fig7.csv",
         "fig7-values.csv", "fig7.pdf", "fig7.png", "studies/mode_shapes.json"});
 }
@@ -115,11 +108,10 @@ TEST_F(KilledRunLong, OfMapLeavesOnlyWhatIsWholeAtFiftyMoments) {
       "map paper-figure14 --set damping.kelvin_voigt=1e-5 --duration 0.3 --method fe "
       "--x frequency=10:50:15 --y length=1:2:16 ";
   const std::string figure = out("map.png");
-  kill("map", 50, map + "--output '" + out("map.csv") + "' --figure '" + figure + "'",
-       {"map.csv", "map.png"});
+  kill(50, map + "--output '" + out("map.csv") + "' --figure '" + figure + "'", {"map.csv", "map.png"});
   const std::string whole = contents(out("map.csv"));
   for (const std::string part : {"1", "2"}) {
-    kill("shard_" + part, 25, map + "--shard " + part + "/2 --output '" + out("shard") + "'", {"shard"});
+    kill(25, map + "--shard " + part + "/2 --output '" + out("shard") + "'", {"shard"});
     fs::rename(out("shard"), path("shard-" + part));
   }
   EXPECT_EQ(run("map --merge '" + path("shard-1") + "' '" + path("shard-2") + "'").output, whole);

@@ -331,7 +331,7 @@ TEST(ParameterSweep, ShowsHysteresis) {
   const auto slides = [](const studies::SweepPoint& point) {
     return point.section.back().displacement > 5e-3;
   };
-  for (const std::size_t up : {0, 1, 2, 3}) {
+  for (std::size_t up = 0; up <= 3; ++up) {
     EXPECT_TRUE(points[up].up);
     EXPECT_EQ(slides(points[up]), up == 3) << up;
     if (up < 3) {  // in a step of a stick the velocity is zero at the ends only
@@ -341,7 +341,7 @@ TEST(ParameterSweep, ShowsHysteresis) {
     EXPECT_EQ(points[7 - up].value, points[up].value);
     EXPECT_EQ(slides(points[7 - up]), up > 0) << up;
   }
-  for (const std::size_t down : {4, 5, 6}) EXPECT_EQ(points[down].period, 1);
+  for (std::size_t down = 4; down <= 6; ++down) EXPECT_EQ(points[down].period, 1);
 }
 
 }  // namespace
