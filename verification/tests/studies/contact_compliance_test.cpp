@@ -399,6 +399,23 @@ TEST(Regularisation, ChangesFirstSlipTravelAndWorkAsTheManualSays) {
   }
 }
 
+// The slider dissipates mu N times its path. The window ends at other forces than it begins with, so that what the spring
+// stores counts: up to (300 N)^2/(2 k_t) = 0.075 J. The work is a sum over the ends of steps: of first order.
+TEST(Regularisation, WorkOfCoulombFrictionIsTheForceTimesThePathOfTheSlider) {
+  data::Case problem = data::load_case(
+      "damped",
+      {{"excitation.frequency_hz", "70"}, {"excitation.amplitude", "1e-3"}, {"excitation.duration", "0.09"}});
+  problem.friction = data::FrictionLaw({.static_coefficient = 0.6, .kinetic_coefficient = 0.6});
+  problem.contact = data::TangentialContact({.tangential_stiffness = 6e5});
+  const auto difference = [&](double step) {
+    const studies::ContactSummary summary = studies::contact_summary(problem, step);
+    return std::abs(summary.work / (300.0 * summary.travel) - 1.0);
+  };
+  const double coarse = difference(8e-6), fine = difference(4e-6);
+  EXPECT_LT(coarse, 1e-3);
+  EXPECT_NEAR(coarse / fine, 2.0, 0.1);
+}
+
 // --- The criterion on a contact spring
 
 STICKSLIP_VERIFIES(CompliantReaction, "X25");
