@@ -12,6 +12,8 @@ until one fails. Each mutant is a row of build/mutants/results.csv; a run that w
 row, and with that file deleted it begins anew. At the end the row of the part in verification/mutants/summary.csv is
 written.
 
+Keep the machine quiet: a test that takes ten times as long as usual, and twenty seconds more, counts as one that hangs.
+
 survivors.toml holds the mutants that no test can notice, each with the reason. mistakes.py makes the mutants.
 """
 
