@@ -15,7 +15,6 @@
 #include "beam_constants.hpp"
 #include "gsl_handles.hpp"
 #include "gsl_status.hpp"
-#include "stickslip/analytic/contact_dynamics.hpp"
 
 namespace stickslip::analytic {
 namespace {

@@ -109,11 +109,10 @@ std::string without_quotes(const std::string& value) {
 }
 
 void set(std::vector<Line>& lines, const data::Override& override) {
-  for (const auto& replacement : replacements)
-    if (replacement.first == override.key)
-      std::erase_if(lines, [&](const Line& line) {
-        return line.path() == replacement.second || line.table == replacement.second;
-      });
+  for (const auto& [key, replaced] : replacements)
+    if (key == override.key)
+      std::erase_if(
+          lines, [name = replaced](const Line& line) { return line.path() == name || line.table == name; });
   const std::string value = without_quotes(override.value);
   const auto line = std::ranges::find(lines, override.key, &Line::path);
   if (line != lines.end()) {

@@ -311,5 +311,12 @@ TEST(BeamContactModel, RefusesABeamWithoutContactOrPastBuckling) {
   EXPECT_THROW(beam_model(0), std::invalid_argument);
 }
 
+STICKSLIP_VERIFIES(FreeContactFrequencies, "D2");
+TEST(FreeContactFrequencies, AreComplexAboveTheFlutterLoad) {
+  // Beck's column flutters at 20.05 EI/L^2 = 83.54 kN, below the stick state's 84.1 kN.
+  EXPECT_EQ(free_contact_frequencies(beam_model(40, {}, 83e3).model(), 41).size(), 41u);
+  EXPECT_THROW((void)free_contact_frequencies(beam_model(40, {}, 84e3).model(), 3), std::runtime_error);
+}
+
 }  // namespace
 }  // namespace stickslip::testing

@@ -265,11 +265,11 @@ TEST(ComparedHistory, LeavesOutTheToleranceOfAnEventWithoutTheirs) {
 STICKSLIP_VERIFIES(ComparedCoverage, "X20");
 TEST(ComparedCoverage, OfARangeMustBeNineTenths) {
   // A sample covers a fortieth on either side: 0.875 + 0.025.
-  for (const double last : {0.4375, 0.437, 0.01}) {
-    const Agreement agreement = last == 0.4375 ? Agreement::agrees : Agreement::undecided;
+  for (const auto& [last, agreement] : std::vector<std::pair<double, Agreement>>{
+           {0.4375, Agreement::agrees}, {0.437, Agreement::undecided}, {0.01, Agreement::undecided}}) {
     auto mine = copy_of("undamped-history-25");
     const auto time = mine["time"];
-    mine.keep([&](std::size_t row) { return time[row] <= last; });
+    mine.keep([&, latest = last](std::size_t row) { return time[row] <= latest; });
     const Comparison comparison = mine.compared();
     EXPECT_EQ(comparison.agreement, agreement) << last;
     EXPECT_TRUE(within(comparison.coverage, last / 0.5 + 0.025, round_off(1e4, 1.0, 1.0))) << last;

@@ -77,8 +77,8 @@ std::vector<double> free_contact_frequencies(const analytic::ContactModel& model
   stiffness(m, m) = model.contact_stiffness + model.contact_follower;
   const Eigen::VectorXcd inverse_squares =
       Eigen::EigenSolver<Eigen::MatrixXd>(stiffness.partialPivLu().solve(mass), false).eigenvalues();
-  if (!inverse_squares.imag().isZero(0.0))
-    throw std::runtime_error("a frequency of the free contact is complex");
+  if (!inverse_squares.imag().isZero(0.0) || inverse_squares.real().minCoeff() <= 0.0)
+    throw std::runtime_error("a frequency of the free contact is complex: it flutters or buckles");
   std::vector<double> frequencies;
   for (const double value : inverse_squares.real()) frequencies.push_back(1.0 / std::sqrt(value));
   std::ranges::sort(frequencies);

@@ -1,47 +1,55 @@
 // SPDX-License-Identifier: MIT
 #include "support/ledgers.hpp"
 
-#include <toml++/toml.h>
-#include <stdexcept>
+#include <filesystem>
 
 #include "stickslip/data/case_file.hpp"
+#include "stickslip/data/toml_record.hpp"
 
 namespace stickslip::testing {
 namespace {
 
-template <class Row, class Read>
-std::vector<Row> rows_of(const char* file, const char* key, Read read) {
-  const toml::table ledger = toml::parse_file((data::data_directory() / "paper" / file).string());
-  std::vector<Row> rows;
-  for (const auto& node : *ledger[key].as_array())
-    rows.push_back(read([&](const char* name) { return (*node.as_table())[name].value_or(std::string()); }));
-  return rows;
-}
+using data::Record;
 
-data::ClaimVerdict verdict_of(const std::string& id, const std::string& text) {
+std::filesystem::path ledger(const char* file) { return data::data_directory() / "paper" / file; }
+
+data::ClaimVerdict verdict_of(const Record& record) {
   using enum data::ClaimVerdict;
+  const std::string text = record.text("verdict");
   for (const auto verdict : {holds, holds_with_correction, does_not_hold, not_determined})
     if (text == data::to_string(verdict)) return verdict;
-  throw std::runtime_error(id + " has the verdict '" + text + "'");
+  record.fail_unless("verdict", "holds, holds with correction, does not hold or not determined");
 }
 
 }  // namespace
 
 std::vector<Claim> claims() {
-  return rows_of<Claim>("claims.toml", "claim", [](const auto& text) {
-    return Claim{text("id"), verdict_of(text("id"), text("verdict")), text("correction"), text("figure"),
-                 text("erratum")};
-  });
+  return data::read_all(ledger("claims.toml"), "claim",
+                        {"id", "place", "claim", "how", "verdict", "correction", "figure", "erratum"},
+                        [](const Record& record) {
+                          for (const char* key : {"place", "claim", "how"}) (void)record.text(key);
+                          return Claim{record.text("id"), verdict_of(record),
+                                       record.optional_text("correction"), record.optional_text("figure"),
+                                       record.optional_text("erratum")};
+                        });
 }
 
 std::vector<Erratum> errata() {
-  return rows_of<Erratum>("errata.toml", "erratum", [](const auto& text) {
-    return Erratum{text("id"), verdict_of(text("id"), text("verdict"))};
-  });
+  return data::read_all(ledger("errata.toml"), "erratum",
+                        {"id", "place", "printed", "holds", "established", "verdict"},
+                        [](const Record& record) {
+                          for (const char* key : {"place", "printed", "holds", "established"})
+                            (void)record.text(key);
+                          return Erratum{record.text("id"), verdict_of(record)};
+                        });
 }
 
 std::vector<std::string> unstated_choices() {
-  return rows_of<std::string>("errata.toml", "unstated", [](const auto& text) { return text("choice"); });
+  return data::read_all(ledger("errata.toml"), "unstated", {"subject", "choice", "reason"},
+                        [](const Record& record) {
+                          for (const char* key : {"subject", "reason"}) (void)record.text(key);
+                          return record.text("choice");
+                        });
 }
 
 }  // namespace stickslip::testing

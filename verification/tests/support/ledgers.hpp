@@ -24,7 +24,8 @@ struct Erratum {
   data::ClaimVerdict verdict;  ///< of the printed text
 };
 
-/// In the order of the files. Throw std::runtime_error naming the id if a verdict is none of data::ClaimVerdict.
+/// In the order of the files. Throw data::InputError, naming file, line and key, for a key that is missing, empty or unknown
+/// and for a verdict that is none of data::ClaimVerdict.
 [[nodiscard]] std::vector<Claim> claims();
 [[nodiscard]] std::vector<Erratum> errata();
 
