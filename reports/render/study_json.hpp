@@ -62,8 +62,8 @@ STICKSLIP_JSON(StickHistoryLevel, elements, time_step, displacement_error, force
 STICKSLIP_JSON(StickHistoryStudy, displacement_peak, force_peak, levels, displacement_order, force_order,
                predicted_displacement_order, predicted_force_order, time, displacement, force,
                first_displacement, first_force)
-STICKSLIP_JSON(ForceMaximumStudy, frequency_hz, amplitude, sampled, truncated, converged, omitted_transient,
-               finite_element, predicted_finite_element, prediction_uncertainty)
+STICKSLIP_JSON(ForceMaximumStudy, frequency_hz, amplitude, sampled, truncated, converged, finite_element,
+               predicted_finite_element, prediction_uncertainty)
 STICKSLIP_JSON(CriticalAmplitudePoint, frequency_hz, critical_amplitude)
 STICKSLIP_JSON(CriticalAmplitudeSearch, frequency_hz, searched, runs, linear, stepped_linear, agree())
 STICKSLIP_JSON(ClassifiedPoint, frequency_hz, amplitude, closed_form_slips, finite_element_slips,
@@ -79,8 +79,8 @@ STICKSLIP_JSON(CriterionMap, cells)
 
 STICKSLIP_JSON(BeamMotion::Snapshot, time, sticks, friction_force, displacement)
 STICKSLIP_JSON(BeamMotion, position, snapshots)
-STICKSLIP_JSON(BeamMotionStudy, frequency_hz, amplitude, window, finite_element, reference, half_width,
-               first_slip, peak, stick_difference, predicted_stick_difference, difference)
+STICKSLIP_JSON(BeamMotionStudy, frequency_hz, amplitude, finite_element, reference, half_width, first_slip,
+               peak, stick_difference, predicted_stick_difference, difference)
 STICKSLIP_JSON(ConvergedStick, begin, end, position, begin_half_width, end_half_width, position_half_width)
 STICKSLIP_JSON(HistoryLevel, method, time_step, modes, changes, difference)
 STICKSLIP_JSON(ConvergedHistory, frequency_hz, amplitude, time, tip, midspan, tip_half_width,
@@ -113,17 +113,14 @@ STICKSLIP_JSON(SchemeRun, first_slip, events, plateaus, largest_tip_displacement
 STICKSLIP_JSON(WrongModel, name, mistake, place)
 STICKSLIP_JSON(WrongModelEffect, wrong_model, stick_frequency, slip_frequency, force_maximum, stick_force,
                stick_displacement, first_slip, tip_displacement)
-STICKSLIP_JSON(WrongModelStudy, frequency_hz, amplitude, stick_duration, contact_duration,
-               contact_uncertainty, effects)
 
 STICKSLIP_JSON(ForceRow, factor, setting, closed_form, left_open, force, change)
-STICKSLIP_JSON(InputSensitivity, input, relative, lowest_change, highest_change, at_half_digit_below,
-               at_half_digit_above)
+STICKSLIP_JSON(InputSensitivity, input, relative, lowest_change, highest_change)
 STICKSLIP_JSON(ForceRange, force, digits, holds_printed)
 STICKSLIP_JSON(ForceDigits, frequency_hz, printed, half_digit, formula, method, problem, uncertainty,
                verdict())
 STICKSLIP_JSON(SamplingTrial, modes, sampling_step, force, largest_difference, returned)
-STICKSLIP_JSON(SamplingSearch, most_modes, sampling_steps, returning_all, returning, closest, most_returned)
+STICKSLIP_JSON(SamplingSearch, most_modes, sampling_steps, returning_all, closest, most_returned)
 STICKSLIP_JSON(ForceSensitivity, frequency_hz, rows, inputs, digits, search)
 STICKSLIP_JSON(GridConvergence, observed_order, asymptotic, extrapolated, safety_factor, index)
 STICKSLIP_JSON(VerificationLevel, elements, time_step, value)
@@ -139,7 +136,7 @@ STICKSLIP_JSON(ForceHorizon, duration, force_max, critical_amplitude, finite_ele
 STICKSLIP_JSON(SteadyForce, frequency_hz, amplitude, steady, truncated, finite_element, predicted_error,
                ceiling, grows, horizons)
 STICKSLIP_JSON(SteadyDampedForce, frequency_hz, amplitude, kelvin_voigt, ratio, undamped_force_max, steady,
-               finite_element, predicted_error, finite_element_max)
+               finite_element, predicted_error)
 STICKSLIP_JSON(SlenderForce, frequency_hz, amplitude, model_errors, force_max, shifted_force_max)
 STICKSLIP_JSON(SofterBeam, larger, all, lowest_ratio, at_hz)
 STICKSLIP_JSON(LateSlips, method, duration, range, settled, later_range, last_onset)

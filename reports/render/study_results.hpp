@@ -81,10 +81,10 @@ class StudyResults {
   const std::vector<studies::HistoryRefinement>& history_growth();
   /// The filtering step with the spectral radii 0 and 0.5, at each frequency of converged_histories().
   const std::vector<studies::HistoryRefinement>& history_refinements();
-  const std::vector<studies::EnergyAudit>& energy_audits();  ///< damped, then undamped, 25 Hz
-  const std::vector<studies::SchemeRun>& schemes();          ///< paper's settings, 25 Hz, 1 mm
-  const studies::WrongModelStudy& wrong_models();            ///< of the damped benchmark, 25 Hz
-  const studies::ForceSensitivity& force_sensitivity();      ///< of the four printed |f_max|
+  const std::vector<studies::EnergyAudit>& energy_audits();      ///< damped, then undamped, 25 Hz
+  const std::vector<studies::SchemeRun>& schemes();              ///< paper's settings, 25 Hz, 1 mm
+  const std::vector<studies::WrongModelEffect>& wrong_models();  ///< of the damped benchmark, 25 Hz
+  const studies::ForceSensitivity& force_sensitivity();          ///< of the four printed |f_max|
   const studies::SolutionVerification& solution_verification();
   const studies::CriterionMap&
   stiffness_map();                          ///< frequency and Young's modulus, at the amplitude of Fig. 4

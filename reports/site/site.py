@@ -185,7 +185,7 @@ class Site:
         columns = ["stick_frequency", "slip_frequency", "force_maximum", "stick_force", "stick_displacement", "first_slip",
                    "tip_displacement"]
         rows = []
-        for effect in self.known["wrong_models"]["effects"]:
+        for effect in self.known["wrong_models"]:
             model = effect["wrong_model"]
             changes = [number(None if effect[name] is None else float(effect[name]), 3) for name in columns]
             rows.append(Row(model["name"], [Code(model["name"]), model["mistake"], model["place"], *changes]))

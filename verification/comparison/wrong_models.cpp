@@ -478,7 +478,8 @@ std::optional<double> distance_of(const ModelResults& model_results, const std::
 
 }  // namespace
 
-WrongModelStudy wrong_model_study(const data::Case& problem, double stick_duration, double contact_duration) {
+std::vector<WrongModelEffect> wrong_model_effects(const data::Case& problem, double stick_duration,
+                                                  double contact_duration) {
   const auto with_duration = [&](double duration) {
     data::NumericalChoices choices = problem.numerics.choices();
     choices.duration = duration;
@@ -497,22 +498,17 @@ WrongModelStudy wrong_model_study(const data::Case& problem, double stick_durati
                      displacement = model_results(held, stick_displacement, times_up_to(stick_duration)),
                      first_slip = model_results(sliding, contact_event, {1.0}),
                      tip = model_results(sliding, tip_displacement, times_up_to(contact_duration));
-  WrongModelStudy study{.frequency_hz = hz,
-                        .amplitude = problem.excitation.amplitude(),
-                        .stick_duration = stick_duration,
-                        .contact_duration = contact_duration,
-                        .contact_uncertainty = tip.reference_uncertainty,
-                        .effects = {}};
+  std::vector<WrongModelEffect> effects;
   for (const WrongModel& wrong_model : wrong_models())
-    study.effects.push_back({.wrong_model = wrong_model,
-                             .stick_frequency = relative_change(stick, wrong_model.name),
-                             .slip_frequency = relative_change(slip, wrong_model.name),
-                             .force_maximum = relative_change(largest, wrong_model.name),
-                             .stick_force = distance_of(force, wrong_model.name),
-                             .stick_displacement = distance_of(displacement, wrong_model.name),
-                             .first_slip = relative_change(first_slip, wrong_model.name),
-                             .tip_displacement = distance_of(tip, wrong_model.name)});
-  return study;
+    effects.push_back({.wrong_model = wrong_model,
+                       .stick_frequency = relative_change(stick, wrong_model.name),
+                       .slip_frequency = relative_change(slip, wrong_model.name),
+                       .force_maximum = relative_change(largest, wrong_model.name),
+                       .stick_force = distance_of(force, wrong_model.name),
+                       .stick_displacement = distance_of(displacement, wrong_model.name),
+                       .first_slip = relative_change(first_slip, wrong_model.name),
+                       .tip_displacement = distance_of(tip, wrong_model.name)});
+  return effects;
 }
 
 }  // namespace stickslip::studies

@@ -192,19 +192,11 @@ struct WrongModelEffect {
   std::optional<double> tip_displacement;                 ///< distance of the history
 };
 
-/// The effects of all wrong models on one case.
-struct WrongModelStudy {
-  double frequency_hz{}, amplitude{};  ///< of the case
-  double stick_duration{};             ///< of the histories of the held beam, s
-  double contact_duration{};           ///< of the stick-slip history, s
-  double contact_uncertainty{};        ///< reference_uncertainty of tip_displacement, as a distance
-  std::vector<WrongModelEffect> effects;
-};
-
-/// Computes the effects of all wrong models on one case: over `stick_duration` (s) with the tip held,
+/// The effects of all wrong models on one case: over `stick_duration` (s) with the tip held,
 /// including |f_max| and without the damping of the case, and over `contact_duration` (s) with stick-slip.
 /// Throws what model_results() throws.
-[[nodiscard]] WrongModelStudy wrong_model_study(const data::Case& problem, double stick_duration,
-                                                double contact_duration);
+[[nodiscard]] std::vector<WrongModelEffect> wrong_model_effects(const data::Case& problem,
+                                                                double stick_duration,
+                                                                double contact_duration);
 
 }  // namespace stickslip::studies

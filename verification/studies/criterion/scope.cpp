@@ -174,12 +174,8 @@ SteadyDampedForce damped_force(const data::Case& damped) {
   solver::BeamSimulation run(damped.beam, damped.friction, damped.excitation, damped.numerics,
                              {.contact = solver::TipContact::bonded, .damping = damped.damping});
   const double step = damped.numerics.time_step();
-  for (long n = solver::step_count(damped.numerics.duration(), step); n > 0; --n) {
-    run.step();
-    result.finite_element_max = std::max(result.finite_element_max, std::abs(run.friction_force()));
-  }
-  // Once more the same time, for the free vibrations to decay; then the part at Omega of a second.
-  for (long n = solver::step_count(damped.numerics.duration(), step); n > 0; --n) run.step();
+  // Twice the duration for the free vibrations to decay; then the part at Omega of a second.
+  for (long n = 2 * solver::step_count(damped.numerics.duration(), step); n > 0; --n) run.step();
   const long steps = solver::step_count(1.0, step);
   Complex sum{};
   for (long n = 0; n < steps; ++n) {

@@ -51,7 +51,6 @@ struct SteadyDampedForce {
   double steady{};                     ///< closed form (analytic::DampedSteadyState), N
   double finite_element{};             ///< steady amplitude of a run by time steps, N
   double predicted_error{};            ///< of finite_element, N: the frequency of mode 1 in the run
-  double finite_element_max{};         ///< |f_max| of that run over numerics.duration(), start included, N
 };
 
 /// |f_max| of Euler-Bernoulli theory and with rotary inertia and shear (with_shear()).

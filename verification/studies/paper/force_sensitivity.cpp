@@ -200,7 +200,7 @@ std::vector<InputSensitivity> input_sensitivities(const data::Case& paper, const
   const std::vector<Input> list = inputs(paper);
   const std::vector<double> empty(frequency_count);
   std::vector<InputSensitivity> sensitivities;
-  for (const Input& input : list) sensitivities.push_back({input.name, empty, empty, empty, empty, empty});
+  for (const Input& input : list) sensitivities.push_back({input.name, empty, empty, empty});
   in_parallel(list.size() * frequency_count, [&](std::size_t index) {
     const Input& input = list[index / frequency_count];
     InputSensitivity& sensitivity = sensitivities[index / frequency_count];
@@ -216,8 +216,6 @@ std::vector<InputSensitivity> input_sensitivities(const data::Case& paper, const
       sensitivity.lowest_change[i] = std::min(sensitivity.lowest_change[i], other);
       sensitivity.highest_change[i] = std::max(sensitivity.highest_change[i], other);
     }
-    sensitivity.at_half_digit_below[i] = per_cent(at(given.value - given.half_digit), force);
-    sensitivity.at_half_digit_above[i] = per_cent(at(given.value + given.half_digit), force);
   });
   return sensitivities;
 }
@@ -294,7 +292,6 @@ SamplingSearch sampling_search(const data::Case& paper) {
   // Another usual choice is a number of points that is a power of ten, with both ends included.
   for (const double points : {1e3, 1e4, 1e5})
     search.sampling_steps.push_back(paper.numerics.duration() / (points - 1.0));
-  search.returning.assign(frequency_count, 0);
   const std::size_t steps = search.sampling_steps.size();
   std::vector<std::vector<double>> maxima(steps * frequency_count);
   in_parallel(maxima.size(), [&](std::size_t index) {
@@ -312,7 +309,7 @@ SamplingSearch sampling_search(const data::Case& paper) {
         trial.force.push_back(maxima[k * frequency_count + i][static_cast<std::size_t>(modes - 1)]);
         const double difference = std::abs(trial.force.back() - printed.value) / printed.half_digit;
         trial.largest_difference = std::max(trial.largest_difference, difference);
-        if (difference <= 1.0) ++trial.returned, ++search.returning[i];
+        if (difference <= 1.0) ++trial.returned;
       }
       if (trial.returned == static_cast<int>(frequency_count)) ++search.returning_all;
       if (closer(trial, search.closest)) search.closest = trial;

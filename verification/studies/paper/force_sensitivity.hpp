@@ -40,9 +40,6 @@ struct InputSensitivity {
   std::vector<double> relative;  ///< d ln |f_max| / d ln input, one per frequency
   /// Change of |f_max| for changes of the input within 0.1 %: lowest and highest of 41 values, %.
   std::vector<double> lowest_change, highest_change;
-  /// Change of |f_max| if the input is half a unit of its last printed digit lower or higher, %. This is the
-  /// uncertainty if the printed inputs are rounded values and not exact ones.
-  std::vector<double> at_half_digit_below, at_half_digit_above;
 };
 
 /// A range of |f_max|, compared with the printed value.
@@ -86,7 +83,6 @@ struct SamplingSearch {
   int most_modes{};
   std::vector<double> sampling_steps;  ///< s
   int returning_all{};                 ///< number of trials that reproduce all printed values
-  std::vector<int> returning;          ///< number of trials that reproduce each of them
   SamplingTrial closest;               ///< the trial with the smallest largest_difference
   SamplingTrial most_returned;         ///< the trial that reproduces most values; of several, the closest
 };

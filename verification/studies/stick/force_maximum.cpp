@@ -26,7 +26,6 @@ ForceMaximumStudy force_maximum_study(const data::Beam& beam, const data::Harmon
           .sampled = truncated.sampled_max_abs_friction_force(duration, numerics.time_step()).lower,
           .truncated = truncated.max_abs_friction_force(duration),
           .converged = converged.max_abs_friction_force(duration, 1e-9),
-          .omitted_transient = converged.omitted_transient_bound(),
           .finite_element = solver::max_abs_friction_force(beam, excitation, numerics),
           .predicted_finite_element = predicted.max_abs(),
           .prediction_uncertainty = predicted.uncertainty()};

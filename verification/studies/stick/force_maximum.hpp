@@ -16,7 +16,6 @@ struct ForceMaximumStudy {
   analytic::Bounds truncated;  ///< N modes, bounds of the search over time
   analytic::Bounds
       converged;  ///< exact steady part and `reference_modes` free vibrations, bounds for these modes
-  double omitted_transient{};         ///< bound of the contribution of the other free vibrations, N
   double finite_element{};            ///< largest |f| over the time steps of a run with a bonded tip
   double predicted_finite_element{};  ///< PredictedForce::max_abs
   double prediction_uncertainty{};    ///< PredictedForce::uncertainty

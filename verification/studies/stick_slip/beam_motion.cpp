@@ -198,8 +198,8 @@ BeamMotionStudy beam_motion_study(const data::Case& problem, int snapshots, int 
   study.first_slip =
       closed_form_first_slip(problem.beam, problem.friction, problem.excitation, problem.numerics.duration());
   const double period = 1.0 / study.frequency_hz;
-  if (study.first_slip) study.window = std::max(0.0, *study.first_slip - 0.25 * period);
-  const MotionGrid grid{study.window, period, snapshots, positions};
+  const double start = study.first_slip ? std::max(0.0, *study.first_slip - 0.25 * period) : 0.0;
+  const MotionGrid grid{start, period, snapshots, positions};
   study.finite_element = finite_element_motion(problem, grid);
   constexpr int fine = 128, coarse = 64;  // steps per time step of the finite elements
   study.reference = study.first_slip ? free_mode_motion(problem, grid, fine)

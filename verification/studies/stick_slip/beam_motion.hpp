@@ -66,7 +66,6 @@ struct BeamMotion {
 struct BeamMotionStudy {
   double frequency_hz{};
   double amplitude{};  ///< m
-  double window{};     ///< start of the period that is drawn, s
   BeamMotion finite_element;
   BeamMotion reference;              ///< closed form if the tip always sticks, otherwise free modes
   double half_width{};               ///< of the reference, m: twice its change when the step is doubled
