@@ -268,6 +268,53 @@ INSTANTIATE_TEST_SUITE_P(Cases, WrongModelsIn,
                            return std::string(std::get<const char*>(instance.param)) + "_" + name;
                          });
 
+STICKSLIP_VERIFIES(WrongModelEffects, "X17");
+TEST(WrongModelEffects, AreThoseOfTheUndampedHeldBeamAndOfTheDampedSlidingOne) {
+  data::Case problem = paper_case(10.0);
+  problem.damping = data::Damping({.kelvin_voigt = 6e-5});
+  const auto effects = studies::wrong_model_effects(problem, 0.1, 0.07);
+  ASSERT_EQ(effects.size(), studies::wrong_models().size());
+  const auto of = [&](const char* name) {
+    return *std::ranges::find(effects, name, [](const auto& effect) { return effect.wrong_model.name; });
+  };
+  // The frequency is that of the beam under tension; f has the other sign.
+  data::BeamProperties stretched = problem.beam.properties();
+  stretched.axial_force *= -1.0;
+  EXPECT_DOUBLE_EQ(of("tension").stick_frequency.value(),
+                   analytic::stick_modes(data::Beam(stretched), 1).front().frequency_hz() /
+                           analytic::stick_modes(problem.beam, 1).front().frequency_hz() -
+                       1.0);
+  EXPECT_DOUBLE_EQ(of("force-sign").stick_force.value(), 2.0);
+  // Half the motion of the base is half of everything while the tip is held, and too little to slip.
+  EXPECT_DOUBLE_EQ(of("peak-to-peak-amplitude").force_maximum.value(), -0.5);
+  EXPECT_DOUBLE_EQ(of("peak-to-peak-amplitude").stick_displacement.value(), 0.5);
+  EXPECT_TRUE(std::isinf(of("peak-to-peak-amplitude").first_slip.value()));
+  // The held beam is undamped, so that its damping cannot be left out, and it has no friction law.
+  EXPECT_FALSE(of("damping-left-out").stick_frequency || of("damping-left-out").stick_displacement);
+  EXPECT_GT(of("damping-left-out").tip_displacement.value(), 0.1);
+  EXPECT_EQ(of("one-friction-coefficient").stick_force.value(), 0.0);
+  EXPECT_EQ(of("one-friction-coefficient").first_slip.value(), 0.0);
+  EXPECT_GT(of("one-friction-coefficient").tip_displacement.value(), 0.1);
+  // u = y - h leaves out h, over the two durations.
+  const auto share_of_base = [&](Quantity quantity, double duration) {
+    data::Case undamped = problem;
+    if (quantity == Quantity::stick_displacement) undamped.damping = {};
+    const Values times = steps_to(duration, 200);
+    const Values y = studies::reference_result(undamped, quantity, times);
+    double base = 0.0, all = 0.0;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      const double h = 1e-3 * std::sin(2.0 * std::numbers::pi * 25.0 * times[i]);
+      base += h * h;
+      all += y[i] * y[i];
+    }
+    return std::sqrt(base / all);
+  };
+  EXPECT_TRUE(within(of("relative-displacement").stick_displacement.value(),
+                     share_of_base(Quantity::stick_displacement, 0.1), round_off(1e3, 1.0, 1.0)));
+  EXPECT_TRUE(within(of("relative-displacement").tip_displacement.value(),
+                     share_of_base(Quantity::tip_displacement, 0.07), round_off(1e3, 1.0, 1.0)));
+}
+
 // --- each mistake is the one that its name says
 
 data::Case with_excitation(data::Case problem, double hz, double amplitude) {
