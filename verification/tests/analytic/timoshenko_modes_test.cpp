@@ -207,6 +207,10 @@ TEST(TimoshenkoModes, RefuseWhatHasNoSuchForm) {
   refuses(slender, TipSupport::held, 0);
   refuses(slender, TipSupport::held, 1001);
   refuses(slender, TipSupport::free, 1000);
+  for (const int count : {0, 1001})
+    EXPECT_THROW((void)analytic::timoshenko_reaction(slender, count), data::FieldError) << count;
+  EXPECT_EQ(analytic::timoshenko_frequencies(slender, TipSupport::held, 1000).size(), 1000U);
+  EXPECT_EQ(analytic::timoshenko_reaction(slender, 1000).modes.size(), 1000U);
 }
 
 // A shear beam, s^2 = 400 and r^2 = 1e-9: the clamp of the sections is lost in rounding, and omega = n pi sqrt(K/(rho A))/L.
