@@ -720,6 +720,11 @@ TEST_F(DesignCommand, RefusesWhatItCannotAnswer) {
   expect_refused("design --band 20:30 --length 2:2",
                  "--length: TO is '2', but must be a finite number above FROM, 2");
   expect_refused("design --band 20:30 --force -5:2", "--force: FROM is '-5'");
+  // An end of a range is what --set would take.
+  expect_refused("design --band 20:1e40", "--band: excitation.frequency_hz is 1e+40, but must be from 1e-09");
+  expect_refused("design --band 20:30 --length 1:1e40", "--length: beam.length is 1e+40, but must be from");
+  expect_refused("design --band 20:30 --force 1e-30:1",
+                 "--force: beam.axial_force is 1e-30, but must be from");
   expect_refused("design --band 20:30 --amplitude 0", "excitation.amplitude is 0, but must be above 0");
   expect_refused("design --band 20:30 --set beam.axial_force=0",
                  "beam.axial_force is 0, but must be positive");
