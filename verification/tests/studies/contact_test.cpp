@@ -140,7 +140,7 @@ TEST(PracticeRuns, AreComparedWithTheConvergedHistory) {
   }
   // Empirical: the scheme of the paper captures a tip that still moves, 71 times in 0.1 s; its error is 12 % of
   // the range. The changes that are located in the step are 9 to 11, and the error is below 0.5 %.
-  for (int located = 1; located <= 3; ++located) {
+  for (std::size_t located = 1; located <= 3; ++located) {
     EXPECT_GT(runs[0].changes, 3 * runs[located].changes);
     EXPECT_GT(runs[0].largest_error, 10.0 * runs[located].largest_error);
   }
