@@ -397,8 +397,14 @@ TEST(GrowthWarning, CountsTheModesOfAnEventDrivenRun) {
 }
 
 TEST(GrowthWarning, IsSilentOnWhatItDoesNotCompute) {
-  EXPECT_FALSE(warning({{"numerics.elements", "201"}}));
-  EXPECT_FALSE(warning({{"numerics.elements", "51"}, {"damping.kelvin_voigt", "6.4e-5"}}));
+  // A damping of 1e-12 s leaves the growth as it is.
+  const std::pair<const char*, int> largest[] = {{"0", 200}, {"1e-12", 50}};
+  for (const auto& [damping, most] : largest)
+    for (const int elements : {most, most + 1})
+      EXPECT_EQ(warning({{"numerics.elements", std::to_string(elements)}, {"damping.kelvin_voigt", damping}})
+                    .has_value(),
+                elements == most)
+          << elements;
   for (const auto inquiry : {studies::Inquiry::closed_form_history, studies::Inquiry::criterion,
                              studies::Inquiry::boundary_integral_history})
     EXPECT_FALSE(warning({}, inquiry));
