@@ -45,6 +45,18 @@ TEST(SampledMaximum, HoldsTheSampleAtTheEnd) {
   EXPECT_TRUE(within(response.sampled_max_abs_friction_force(3e-3, 2e-3).lower, end, round_off(10, 1, end)));
 }
 
+TEST(SampledMaximum, HoldsTheLastSampleOfTheGridBeforeAShorterStep) {
+  // The largest value of one second is the fifth sample; the sixth would lie behind the end.
+  const StickResponse response = response_at(35.0);
+  double peak = 0.0;
+  for (int i = 1; i <= 20000; ++i)
+    if (std::abs(response.friction_force(i / 2e4)) > std::abs(response.friction_force(peak))) peak = i / 2e4;
+  const double step = 0.25 * peak, largest = std::abs(response.friction_force(peak));
+  ASSERT_LT(std::abs(response.friction_force(peak + 0.9 * step)), 0.9 * largest);
+  EXPECT_TRUE(within(response.sampled_max_abs_friction_force(peak + 0.9 * step, step).lower, largest,
+                     round_off(10, 1, largest)));
+}
+
 TEST(SampledMaximum, UpperBoundHoldsBetweenSamplesFarApart) {
   for (const double hz : {3.0, 40.0, 300.0})
     for (const int modes : {1, 3}) {
