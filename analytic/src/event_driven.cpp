@@ -60,8 +60,7 @@ class EventDriven::Engine {
   void start(const std::vector<double>& amplitudes, const std::vector<double>& rates, double position) {
     const std::size_t m = dynamics_.modes();
     now_ = {filled(amplitudes, m, "amplitudes"), filled(rates, m, "rates"),
-            checked_finite(position, "position") + dynamics_.wall_displacement(0.0),
-            dynamics_.wall_velocity(0.0)};
+            checked_finite(position, "position"), dynamics_.wall_velocity(0.0)};
     time_ = works_until_ = 0.0;
     events_.clear();
     works_ = works_before_phase_ = {};

@@ -70,7 +70,7 @@ class EventDriven {
   EventDriven(EventDriven&&) noexcept;
   EventDriven& operator=(EventDriven&&) noexcept;
 
-  /// Starts at t = 0 with the contact held at u_c = `position` + w(0), moving with the wall. If holding it
+  /// Starts at t = 0 with the contact held at u_c = `position`, where w(0) = 0, moving with the wall. If holding it
   /// takes more than mu_s N it slips from the start. Empty vectors are zeros.
   void start_stuck(const std::vector<double>& amplitudes, const std::vector<double>& rates,
                    double position = 0.0);
