@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "stickslip/data/case_file.hpp"
@@ -95,6 +96,13 @@ TEST(DefaultNumerics, FollowTheHighestModeThatMatters) {
   EXPECT_EQ(at(500.0, 10.0).elements, 44);
   EXPECT_EQ(at(25.0, 2e-6).time_step, 2e-6);
   EXPECT_EQ(at(1e9, 10.0).modes, 200);
+  // 1/(50 f_10) grows with the square of the length: 1.90e-5 s and 2.10e-5 s.
+  for (const auto& [length, step] : {std::pair{"2.53", 1e-5}, {"2.66", 2e-5}})
+    EXPECT_EQ(data::default_numerics(data::load_case("paper", {{"beam.length", length}}).beam,
+                                     paper.excitation, 10.0)
+                  .time_step,
+              step)
+        << length;
 }
 
 class DefaultRuns : public CommandLine {};
