@@ -3,17 +3,21 @@
 /// tolerance, a time equal to the horizon or to that of an event.
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <limits>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "comparison/groups.hpp"
 #include "own_copy.hpp"
+#include "stickslip/data/sha256.hpp"
 #include "support/requirements.hpp"
 
 namespace stickslip::testing {
@@ -22,6 +26,8 @@ namespace {
 using studies::Agreement;
 using studies::Comparison;
 using studies::ComparisonSettings;
+
+namespace fs = std::filesystem;
 
 const data::ReferencePackage& small_package() {
   static const auto fixture = data::load_reference(std::filesystem::path(STICKSLIP_SOURCE_DIRECTORY) /
@@ -111,6 +117,49 @@ TEST(ComparedVerdict, AQuantityOfWhichNothingIsComparedIsUndecided) {
   EXPECT_EQ(mine.compared("sequence", settings).agreement, Agreement::undecided);
   EXPECT_EQ(mine.compared("tip_displacement", settings).agreement, Agreement::agrees);
   EXPECT_EQ(mine.compared(settings).agreement, Agreement::undecided);
+}
+
+// A package in which the data set has no value for one row.
+class ComparedPackage : public ::testing::Test {
+ protected:
+  void SetUp() override { fs::copy(small_package().folder, folder_, fs::copy_options::recursive); }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] data::ReferencePackage without(const std::string& cells) const {
+    const auto read = [](const fs::path& file) {
+      std::ostringstream text;
+      text << std::ifstream(file).rdbuf();
+      return text.str();
+    };
+    const auto replace = [](std::string& text, const std::string& from, const std::string& to) {
+      text.replace(text.find(from), from.size(), to);
+    };
+    const fs::path table = folder_ / "frequencies/stick.csv", description = folder_ / "datapackage.json";
+    std::string rows = read(table), package = read(description);
+    const std::string size = std::to_string(rows.size()), digest = data::sha256(rows);
+    replace(rows, cells, ",");
+    replace(package, size, std::to_string(rows.size()));
+    replace(package, digest, data::sha256(rows));
+    std::ofstream(table) << rows;
+    std::ofstream(description) << package;
+    return data::load_reference(folder_);
+  }
+
+ private:
+  fs::path folder_ = fs::temp_directory_path() / ("stickslip-edges-" + std::to_string(::getpid()));
+};
+
+STICKSLIP_VERIFIES(ComparedPackage, "X20");
+TEST_F(ComparedPackage, WithoutAValueLeavesThatRowOutAndSaysSo) {
+  const OwnCopy mine = own_copy("stick-frequencies");
+  const auto package = without("81.0776217337938678485966312174,1e-27");
+  ComparisonSettings settings;
+  settings.diagnose = false;
+  const auto comparison = studies::compare(package, "stick-frequencies", mine.table, settings);
+  const auto& frequency = comparison.quantities.at(0);
+  EXPECT_EQ(frequency.compared, mine.reference().rows() - 1);
+  EXPECT_EQ(skipped_for(frequency, "without a value in the data set"), 1u);
+  EXPECT_EQ(frequency.agreement, Agreement::agrees);
 }
 
 // --- keys
