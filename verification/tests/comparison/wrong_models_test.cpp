@@ -667,6 +667,26 @@ TEST(Diagnosis, AddsTheUncertaintiesAndMeasuresTheDimensionByAngles) {
   EXPECT_TRUE(within(diagnosis.required_ratio, ratio, round_off(30, 5.0, ratio)));
 }
 
+// One number, whose uncertainty is 0.25 of the reference: all distances are exact.
+TEST(Diagnosis, CountsADistanceEqualToTheUncertaintyAsWithinIt) {
+  const auto of = [](double value, const std::vector<ModelResults::Member>& wrong_models) {
+    ModelResults results{.quantity = Quantity::participation,
+                         .abscissa = {1.0},
+                         .reference = {1.0},
+                         .reference_uncertainty = 0.0,
+                         .wrong_models = wrong_models,
+                         .missing = {}};
+    return studies::diagnose(results, {results.quantity, {1.0}, {value}, {0.25}});
+  };
+  const auto correct = of(1.25, {{"within", {1.5}, 0.5}, {"outside", {std::nextafter(1.5, 2.0)}, 0.5}});
+  EXPECT_EQ(correct.finding, Finding::correct);
+  EXPECT_EQ(correct.named, std::vector<std::string>{"within"});
+  // A mistake that changes no more than the uncertainty explains nothing, and does not count among the K.
+  const auto unexplained = of(1.25 + 1e-9, {{"dead-load", {1.25}, 0.25}});
+  EXPECT_EQ(unexplained.finding, Finding::unexplained);
+  EXPECT_EQ(unexplained.required_ratio, 3.0);
+}
+
 TEST(Diagnosis, NamesThoseTogetherThatTheObservationCannotTellApart) {
   const data::Case problem = strip_case(0.5);
   ModelResults model_results = model_results_of(problem, Quantity::stick_force);
