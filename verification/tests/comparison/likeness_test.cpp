@@ -88,6 +88,16 @@ class File {
     }
   }
 
+  // Ends with the last row once more, with another number in one column.
+  void repeat_last_row(const std::string& name, double number) {
+    for (data::Column& one : table_.columns) {
+      const bool is_other = one.field.name == name;
+      one.text.push_back(is_other ? data::shortest_text(number) : one.text.back());
+      one.values.push_back(is_other ? number : one.values.back());
+    }
+    table_.lines.push_back(table_.lines.back() + 1);
+  }
+
   [[nodiscard]] Comparison compared() const { return studies::compare(package(), set_, table_); }
 
   // All that is said of it, a line for each group.
@@ -357,6 +367,11 @@ TEST(LikenessOfNumbers, IsAShift) {
   File events("stick-slip-events", "time");
   for (double& time : events.values()) time += 5e-4;
   EXPECT_TRUE(looks(events, "all events are 0.0005 s late"));
+  // So late that no event has its match: then they are taken in sequence, as many as both have.
+  File more("stick-slip-events", "time");
+  more.repeat_last_row("index", static_cast<double>(more.values().size() + 1));
+  for (double& time : more.values()) time += 0.3;
+  EXPECT_TRUE(looks(more, "all events are 0.3 s late")) << more.likeness();
 }
 
 TEST(LikenessOfNumbers, IsTheNodeBesideTheMiddle) {
