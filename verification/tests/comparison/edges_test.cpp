@@ -7,16 +7,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "comparison/groups.hpp"
 #include "own_copy.hpp"
+#include "stickslip/data/input_text.hpp"
 #include "stickslip/data/sha256.hpp"
 #include "support/requirements.hpp"
 
@@ -126,16 +127,12 @@ class ComparedPackage : public ::testing::Test {
   void TearDown() override { fs::remove_all(folder_); }
 
   [[nodiscard]] data::ReferencePackage without(const std::string& cells) const {
-    const auto read = [](const fs::path& file) {
-      std::ostringstream text;
-      text << std::ifstream(file).rdbuf();
-      return text.str();
-    };
     const auto replace = [](std::string& text, const std::string& from, const std::string& to) {
       text.replace(text.find(from), from.size(), to);
     };
     const fs::path table = folder_ / "frequencies/stick.csv", description = folder_ / "datapackage.json";
-    std::string rows = read(table), package = read(description);
+    constexpr std::size_t most = 1 << 20;
+    std::string rows = data::read_bounded(table, most), package = data::read_bounded(description, most);
     const std::string size = std::to_string(rows.size()), digest = data::sha256(rows);
     replace(rows, cells, ",");
     replace(package, size, std::to_string(rows.size()));

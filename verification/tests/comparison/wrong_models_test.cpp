@@ -268,6 +268,11 @@ INSTANTIATE_TEST_SUITE_P(Cases, WrongModelsIn,
                            return std::string(std::get<const char*>(instance.param)) + "_" + name;
                          });
 
+double base_motion(const data::Case& problem, double t) {
+  return problem.excitation.amplitude() *
+         std::sin(2.0 * std::numbers::pi * problem.excitation.frequency_hz() * t);
+}
+
 STICKSLIP_VERIFIES(WrongModelEffects, "X17");
 TEST(WrongModelEffects, AreThoseOfTheUndampedHeldBeamAndOfTheDampedSlidingOne) {
   data::Case problem = paper_case(10.0);
@@ -303,7 +308,7 @@ TEST(WrongModelEffects, AreThoseOfTheUndampedHeldBeamAndOfTheDampedSlidingOne) {
     const Values y = studies::reference_result(undamped, quantity, times);
     double base = 0.0, all = 0.0;
     for (std::size_t i = 0; i < times.size(); ++i) {
-      const double h = 1e-3 * std::sin(2.0 * std::numbers::pi * 25.0 * times[i]);
+      const double h = base_motion(problem, times[i]);
       base += h * h;
       all += y[i] * y[i];
     }
@@ -320,11 +325,6 @@ TEST(WrongModelEffects, AreThoseOfTheUndampedHeldBeamAndOfTheDampedSlidingOne) {
 data::Case with_excitation(data::Case problem, double hz, double amplitude) {
   problem.excitation = data::HarmonicExcitation({.frequency_hz = hz, .amplitude = amplitude});
   return problem;
-}
-
-double base_motion(const data::Case& problem, double t) {
-  return problem.excitation.amplitude() *
-         std::sin(2.0 * std::numbers::pi * problem.excitation.frequency_hz() * t);
 }
 
 // What 60 terms leave out of the steady force, and the free vibrations behind them, relative to the
