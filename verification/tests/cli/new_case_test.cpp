@@ -92,12 +92,18 @@ TEST(DefaultNumerics, FollowTheHighestModeThatMatters) {
   EXPECT_EQ(at(25.0, 10.0).elements, 40);
   EXPECT_EQ(at(25.0, 10.0).time_step, 1e-5);
   EXPECT_EQ(at(25.0, 10.0).modes, 10);
+  EXPECT_EQ(at(25.0, 10.0).spectral_radius, 0.9);
+  EXPECT_EQ(at(25.0, 10.0).velocity_threshold, 0.0);
+  EXPECT_EQ(at(25.0, 10.0).duration, 10.0);
+  EXPECT_EQ(at(421.0, 10.0).modes, 10);  // f_10/4 = 421.09 Hz
+  EXPECT_EQ(at(421.2, 10.0).modes, 11);
   EXPECT_EQ(at(500.0, 10.0).modes, 11);
   EXPECT_EQ(at(500.0, 10.0).elements, 44);
   EXPECT_EQ(at(25.0, 2e-6).time_step, 2e-6);
   EXPECT_EQ(at(1e9, 10.0).modes, 200);
-  // 1/(50 f_10) grows with the square of the length: 1.90e-5 s and 2.10e-5 s.
-  for (const auto& [length, step] : {std::pair{"2.53", 1e-5}, {"2.66", 2e-5}})
+  // 1/(50 f_10) grows with the square of the length: 1.90e-5 s, 2.10e-5 s, 4.87e-5 s and 5.24e-5 s.
+  for (const auto& [length, step] :
+       {std::pair{"2.53", 1e-5}, {"2.66", 2e-5}, {"4.05", 2e-5}, {"4.2", 5e-5}, {"1e5", 10.0}})
     EXPECT_EQ(data::default_numerics(data::load_case("paper", {{"beam.length", length}}).beam,
                                      paper.excitation, 10.0)
                   .time_step,

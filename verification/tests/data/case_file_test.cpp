@@ -326,6 +326,8 @@ TEST_F(CaseFile, RefusesAKeyOutsideEveryTable) {
             "bar.toml:1: unknown key length with the value 2 (an integer), but a case has the tables beam, "
             "friction, excitation, numerics, damping, contact, wall, section, uncertainty");
   EXPECT_EQ(error_message("beam = 3\n"), "bar.toml:1: beam is 3 (an integer), but must be a table");
+  EXPECT_EQ(error_message("uncertainty = 3\n" + valid_case()),
+            "bar.toml:1: uncertainty is 3 (an integer), but must be a table");
   EXPECT_EQ(error_message("damping = 0.01\n"), "bar.toml:1: damping is 0.01 (a float), but must be a table");
   EXPECT_EQ(error_message("[[beam]]\nlength = 2\n"), "bar.toml:1: beam is an array, but must be a table");
 }
@@ -456,6 +458,10 @@ TEST_F(CaseFile, RefusesAnOverrideThatIsNoSingleTomlValue) {
   const std::string allowed = "but must be a number (m) or a text of a number and a unit: m, cm, mm, um, nm";
   EXPECT_EQ(error_message(valid_case(), {{"beam.length", "long"}}),
             "override beam.length=long: beam.length is long, " + allowed);
+  EXPECT_EQ(error_message(valid_case(), {{"beam.length", "mm"}}),
+            "override beam.length=mm: beam.length is mm, " + allowed);
+  EXPECT_EQ(error_message(valid_case(), {{"damping.ratio", "low"}}),
+            "override damping.ratio=low: damping.ratio is low, but must be a number");
   EXPECT_EQ(error_message(valid_case(), {{"beam.length", "1\nbeam.area = 2"}}),
             "override beam.length=1?beam.area = 2: the value has several lines, but must be one TOML value "
             "on one line");
@@ -465,8 +471,13 @@ TEST_F(CaseFile, RefusesAnOverrideThatIsNoSingleTomlValue) {
 
 // The lines of a case with a section, a material and an acceleration, in the units of a workshop.
 std::string workshop_case(const std::string& section, const std::string& amplitude) {
-  return "[beam]\nlength = '400 mm'\nmaterial = 'steel'\naxial_force = '0.04 kN'\n[section]\n" + section +
+  return "[beam]\nlength = ' 400 mm '\nmaterial = 'steel'\naxial_force = '0.04 kN'\n[section]\n" + section +
          "[friction]\nstatic_coefficient = '50 %'\n[excitation]\nfrequency_hz = '30 Hz'\n" + amplitude;
+}
+
+std::string without_line(std::string text, const std::string& beginning) {
+  const auto begin = text.find("\n" + beginning);
+  return text.erase(begin, text.find('\n', begin + 1) - begin);
 }
 
 constexpr const char* strip = "shape = 'rectangle'\nwidth = '30 mm'\nheight = '1.5 mm'\n";
@@ -539,6 +550,17 @@ TEST_F(CaseShorthand, RefusesAPoissonsRatioWithoutASectionOrTwoShearStiffnesses)
       message({{"beam.poissons_ratio", "0.5"}}),
       "override beam.poissons_ratio=0.5: beam.poissons_ratio is 0.5, but must be a number above -1 and below "
       "0.5");
+  EXPECT_EQ(message({{"beam.poissons_ratio", "-1"}}),
+            "override beam.poissons_ratio=-1: beam.poissons_ratio is -1, but must be a number above -1 and "
+            "below 0.5");
+  EXPECT_EQ(
+      message({{"beam.poissons_ratio", "1e-10"}}),
+      "override beam.poissons_ratio=1e-10: beam.poissons_ratio is 1e-10, but must be from 1e-09 to 1 in "
+      "magnitude");
+  EXPECT_EQ(error_message(without_line(workshop_case(strip, "amplitude = 1e-3\n"), "material"),
+                          {{"beam.poissons_ratio", "0.3"}}),
+            "override beam.poissons_ratio=0.3: beam.poissons_ratio is 0.3 (a float), but needs "
+            "beam.youngs_modulus or beam.material; otherwise give beam.shear_stiffness");
   EXPECT_EQ(
       error_message(valid_case(), {{"beam.poissons_ratio", "0.3"}}),
       "override beam.poissons_ratio=0.3: beam.poissons_ratio is 0.3 (a float), but needs section.shape; "
@@ -562,6 +584,7 @@ TEST_F(CaseShorthand, TakesTheAmplitudeOfVelocityOrAcceleration) {
   };
   constexpr double omega = 60.0 * std::numbers::pi;
   EXPECT_NEAR(amplitude("velocity_amplitude = '94 mm/s'\n"), 0.094 / omega, 1e-18);
+  EXPECT_EQ(amplitude("velocity_amplitude = 0\n"), 0.0);
   EXPECT_NEAR(amplitude("acceleration_amplitude = '2 g'\n"), 2.0 * 9.80665 / (omega * omega), 1e-18);
   EXPECT_EQ(amplitude("acceleration_amplitude = '2 g'\n", {{"excitation.amplitude", "1e-3"}}), 1e-3);
   EXPECT_NEAR(amplitude("amplitude = 1e-3\n", {{"excitation.velocity_amplitude", "94mm/s"}}), 0.094 / omega,
@@ -586,6 +609,15 @@ TEST_F(CaseShorthand, IsRefusedWhereItIsIncompleteOrGivenTwice) {
   EXPECT_EQ(
       message(strip, {{"section.height", "-1 mm"}}),
       "override section.height=-1 mm: section.height is -0.001, but must be a finite number above 0 (m)");
+  EXPECT_EQ(message(strip, {{"section.height", "inf"}}),
+            "override section.height=inf: section.height is inf, but must be a finite number above 0 (m)");
+  EXPECT_EQ(
+      message(strip, {{"section.width", "1e7"}}),
+      "override section.width=1e7: section.width is 1e+07, but must be from 1e-09 to 1e+06 (m) in magnitude");
+  EXPECT_EQ(
+      message(strip, {{"section.shape", "3"}}),
+      "override section.shape=3: section.shape is 3 (an integer), but must be one of rectangle, circle, "
+      "tube");
   EXPECT_EQ(message(strip, {{"beam.area", "3"}}),
             "override beam.area=3: beam.area is 3 (an integer), but must be missing where section.shape is "
             "given");
@@ -600,6 +632,14 @@ TEST_F(CaseShorthand, IsRefusedWhereItIsIncompleteOrGivenTwice) {
   EXPECT_EQ(
       error_message(workshop_case(strip, "velocity_amplitude = -1\n")),
       "bar.toml:13: excitation.velocity_amplitude is -1, but must be a finite number of 0 or more (m/s)");
+  EXPECT_EQ(error_message(workshop_case(strip, "acceleration_amplitude = inf\n")),
+            "bar.toml:13: excitation.acceleration_amplitude is inf, but must be a finite number of 0 or more "
+            "(m/s^2)");
+  EXPECT_EQ(error_message(workshop_case(strip, "velocity_amplitude = 2e18\n")),
+            "bar.toml:13: excitation.velocity_amplitude is 2e+18, but must be from 1e-18 to 1e+18 (m/s) in "
+            "magnitude");
+  EXPECT_EQ(error_message(without_line(workshop_case(strip, "velocity_amplitude = 1\n"), "frequency_hz")),
+            "bar.toml: excitation.frequency_hz is missing, but a case must hold it");
   EXPECT_EQ(error_message(workshop_case(strip, "velocity_amplitude = 1\namplitude = 1\n")),
             "bar.toml:14: excitation.amplitude is 1 (an integer), but must be missing where "
             "excitation.velocity_amplitude is given");
@@ -614,6 +654,12 @@ TEST_F(CaseShorthand, TakesADurationAmongTheNumericsOnce) {
   const auto file = write(case_with("numerics.modes", older));
   EXPECT_EQ(data::read_case(file, {{"excitation.duration", "2 s"}}).numerics.duration(), 2.0);
   EXPECT_EQ(data::read_case(file, {{"numerics.duration", "2000 ms"}}).numerics.duration(), 2.0);
+  EXPECT_EQ(
+      error_message(valid_case(), {{"numerics.duration", "1e16"}}),
+      "override numerics.duration=1e16: numerics.duration is 1e+16, but must be from 1e-15 to 1e+15 (s) "
+      "in magnitude");
+  EXPECT_EQ(error_message(case_with("excitation.duration", ""), {{"numerics.time_step", "20"}}),
+            "bar.toml: excitation.duration is 10, but must be at least numerics.time_step, which is 20");
 }
 
 TEST_F(CaseShorthand, HasAMaterialOnlyWithASource) {
@@ -724,6 +770,8 @@ TEST(PublishedCases, AreListedByNameWithATitleAndAllLoad) {
 TEST_F(CaseFile, IsFoundByPath) {
   static_cast<void>(write(valid_case()));
   EXPECT_EQ(data::find_case(file().string()), file());
+  for (const auto& none : {folder(), folder() / "bar"})
+    EXPECT_THROW(static_cast<void>(data::find_case(none.string())), data::InputError) << none;
 }
 
 TEST(PublishedCases, AMisspeltNameIsRefusedWithTheNamesThereAre) {
@@ -760,12 +808,17 @@ class DataFolder {
 
 TEST_F(CaseFile, IsFoundInTheFolderThatTheEnvironmentNames) {
   std::filesystem::create_directory(folder() / "cases");
-  std::ofstream(folder() / "cases" / "mine.toml") << "# A beam of my own\n" << valid_case();
+  std::ofstream(folder() / "cases" / "mine.toml") << "\n# A beam of my own\n#\n" << valid_case();
   const DataFolder chosen(folder().string());
   ASSERT_EQ(data::list_cases().size(), 1U);
   EXPECT_EQ(data::list_cases()[0].name, "mine");
   EXPECT_EQ(data::list_cases()[0].title, "A beam of my own");
   EXPECT_EQ(data::load_case("mine").beam.second_moment_of_area(), 8.25e-6);
+}
+
+TEST_F(CaseFile, IsFoundInTheUsualFolderIfTheEnvironmentNamesNone) {
+  const DataFolder chosen("");
+  EXPECT_EQ(data::load_case("paper").name, "paper");
 }
 
 TEST_F(CaseFile, AFolderWithoutCasesIsRefused) {

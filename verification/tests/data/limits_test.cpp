@@ -44,9 +44,11 @@ TEST(InputLimits, OfEachKeyAreAllowedThemselves) {
                            {"beam.youngs_modulus", 1e-3, 1e18},
                            {"beam.axial_force", 1e-18, 1e18},
                            {"beam.axial_direction", 1e-9, 1.0},
+                           {"beam.shear_stiffness", 1e-18, 1e24},
                            {"friction.static_coefficient", 1e-9, 1e6},
                            {"friction.kinetic_coefficient", 1e-9, 1e6},
                            {"friction.decay", 1e-15, 1e15},
+                           {"friction.viscous", 1e-15, 1e15},
                            {"excitation.frequency_hz", 1e-9, 1e12},
                            {"excitation.amplitude", 1e-18, 1e6},
                            {"numerics.time_step", 1e-15, 1e9},
@@ -55,7 +57,8 @@ TEST(InputLimits, OfEachKeyAreAllowedThemselves) {
                            {"damping.kelvin_voigt", 1e-18, 1e6},
                            {"damping.ratio", 1e-9, 1.0},
                            {"contact.tangential_stiffness", 1e-18, 1e24},
-                           {"contact.regularisation_velocity", 1e-18, 1e9}}) {
+                           {"contact.regularisation_velocity", 1e-18, 1e9},
+                           {"wall.speed", 1e-15, 1e9}}) {
     for (const double value : {smallest, largest, -smallest, -largest, 0.0})
       EXPECT_FALSE(is_refused(key, value)) << key;
     for (const double sign : {1.0, -1.0}) {
@@ -83,6 +86,12 @@ TEST(InputLimits, HasTheUnitsOfEveryQuantity) {
   };
   for (const auto& [name, si, value] : std::vector<Spelling>{{"Hz", "Hz", 1.0},
                                                              {"rad/s", "Hz", 0.5 / std::numbers::pi},
+                                                             {"cm^2", "m^2", 1e-4},
+                                                             {"mm^2", "m^2", 1e-6},
+                                                             {"cm^4", "m^4", 1e-8},
+                                                             {"mm^4", "m^4", 1e-12},
+                                                             {"kN/m", "N/m", 1e3},
+                                                             {"N/mm", "N/m", 1e3},
                                                              {"m/s", "m/s", 1.0},
                                                              {"cm/s", "m/s", 1e-2},
                                                              {"mm/s", "m/s", 1e-3},
@@ -142,6 +151,8 @@ TEST(InputLimits, IsCutOffInMessagesWhereItIsTooLong) {
   EXPECT_EQ(data::printable("abcdefg", 6), "abcdef...");
   EXPECT_EQ(data::printable("abcde\u00e9", 7), "abcde\u00e9");
   EXPECT_EQ(data::printable("abcde\u00e9", 6), "abcde...");  // no half of a character
+  EXPECT_EQ(data::printable(std::string(60, 'a')), std::string(60, 'a'));
+  EXPECT_EQ(data::printable(std::string(61, 'a')), std::string(60, 'a') + "...");
 }
 
 TEST(InputLimits, IsLikenedToANameOfWhichAThirdOfTheLettersDiffers) {

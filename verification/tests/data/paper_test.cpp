@@ -214,6 +214,9 @@ TEST_F(MalformedPaperFile, IsDerivedFromAWellFormedOne) {
 TEST_F(MalformedPaperFile, MayNotContradictThePrintedDigits) {
   expect_refused(number("2.5", "2.6"), "a has the value 2.5, but its printed digits give 2.6");
   expect_refused(number("2.5", "2.5", "scale = 1e-3\n"), "printed digits give 0.0025");
+  // Four roundings of 2.2e-16 are allowed.
+  EXPECT_EQ(error_message(number("2.5", "2.500000000000002")), "accepted");
+  expect_refused(number("2.5", "2.500000000000003"), "a has the value 2.5, but its printed digits give 2.5");
 }
 
 TEST_F(MalformedPaperFile, MayNotNameAnIdTwice) {
@@ -223,12 +226,15 @@ TEST_F(MalformedPaperFile, MayNotNameAnIdTwice) {
 TEST_F(MalformedPaperFile, MayNotHaveUnreadableDigits) {
   for (const std::string printed : {"two", "2.5 m", "2.5x10^0", "(2.5)", "(5/two)", "2.5 x 10^y"})
     EXPECT_NE(error_message(number("2.5", printed)), "accepted") << printed;
+  expect_refused(number("nan", "2.5"), "value is nan (a float), but must be a finite number");
 }
 
 TEST_F(MalformedPaperFile, MayNotLackOrAddAKey) {
   expect_refused("[[number]]\nid = 'a'\nvalue = 2\n", "must be");
   expect_refused(number("2.5", "2.5", "eratum = 'E1'\n"), "unknown key eratum (did you mean erratum?)");
+  expect_refused("[[number]]\nid = ''\n", "id is '' (a string), but must be a string that is not empty");
   expect_refused("[number]\nid = 'a'\n", "must hold tables [[number]]");
+  expect_refused("number = [1]\n", "must hold tables [[number]]");
 }
 
 }  // namespace

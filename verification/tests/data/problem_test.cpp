@@ -151,6 +151,32 @@ TEST(ProblemTypes, RefuseNotANumberAndInfinityEverywhere) {
   }
 }
 
+TEST(ProblemTypes, SayTheUnitOfWhatMustBeFinite) {
+  EXPECT_EQ(error_message(beam_field("axial_force", &data::BeamProperties::axial_force), infinity),
+            "beam.axial_force is inf, but must be a finite number (N, compression positive)");
+}
+
+TEST(ProblemTypes, RefuseAJumpOfFrictionUnlessTheContactIsRigid) {
+  const data::FrictionLaw jump(
+      {.static_coefficient = 0.3, .kinetic_coefficient = 0.2, .decay = infinity, .viscous = 0.1});
+  const Field friction{"friction.decay", [&](double stiffness) {
+                         require_usable(jump, data::TangentialContact({.tangential_stiffness = stiffness}));
+                       }};
+  const Field smooth{"friction.decay", [&](double velocity) {
+                       require_usable(jump, data::TangentialContact({.regularisation_velocity = velocity}));
+                     }};
+  EXPECT_EQ(error_message(friction, infinity), "accepted");
+  EXPECT_EQ(
+      error_message(friction, 1e6),
+      "friction.decay is inf, but must be finite (s/m) with contact.tangential_stiffness: a contact that "
+      "moves at rest would never feel friction.static_coefficient");
+  EXPECT_EQ(error_message(smooth, 0.01),
+            "friction.decay is inf, but must be finite (s/m) with contact.regularisation_velocity: a contact "
+            "that moves at rest would never feel friction.static_coefficient");
+  EXPECT_EQ(jump.in_slip().static_coefficient(), 0.2);
+  EXPECT_EQ(jump.in_slip().viscous(), 0.1);
+}
+
 TEST(ProblemTypes, AcceptAnyMagnitudeSinceTheyKnowNoUnits) {
   for (auto fields : {positive_fields(), non_negative_fields()})
     for (const auto& field : fields)

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
@@ -36,11 +37,12 @@ json valid_package() {
    "title": "A history", "description": "Of a tip",
    "schema": {"fields": [{"name": "t", "type": "number", "unit": "s"},
                          {"name": "phase", "type": "string", "constraints": {"required": true, "enum": ["stick", "slip"]}},
-                         {"name": "y", "type": "number", "unit": "m", "class": "converged"},
+                         {"name": "y", "type": "number", "unit": "m", "class": "converged", "description": "of the tip"},
                          {"name": "y_radius", "type": "number", "unit": "m"}],
               "primaryKey": ["t"],
               "foreignKeys": [{"fields": "t", "reference": {"resource": "events", "fields": "time"}}]},
-   "problem": {"beam": "paper", "tip": "friction", "excitation": {"frequency_hz": {"column": "t"}}, "duration": 0.4},
+   "problem": {"beam": "paper", "tip": "friction", "excitation": {"frequency_hz": {"column": "t"}, "amplitude": 1e-3},
+               "duration": 0.4},
    "comparison": {"kind": "phases", "values": [{"field": "y", "norm": "scale", "tolerance": 1e-3}], "abscissa": "t",
                   "interpolation": {"order": 3, "error": {"y": 1e-9}}, "events": "events", "horizon": 0.4},
    "diagnosis": {"quantity": "tip displacement", "case": "damped", "abscissa": "t", "value": "y"},
@@ -128,6 +130,7 @@ TEST_F(ReferenceReader, ReturnsWhatAPackageSays) {
   EXPECT_EQ(history.description, "Of a tip");
   ASSERT_EQ(history.fields.size(), 4u);
   EXPECT_EQ(history.field("y")->unit, "m");
+  EXPECT_EQ(history.field("y")->description, "of the tip");
   EXPECT_EQ(history.field("y")->value_class, data::ValueClass::converged);
   EXPECT_FALSE(history.field("y_radius")->value_class.has_value());
   EXPECT_EQ(history.field("phase")->type, data::FieldType::string);
@@ -139,6 +142,9 @@ TEST_F(ReferenceReader, ReturnsWhatAPackageSays) {
   EXPECT_EQ(history.foreign_keys[0].resource, "events");
   EXPECT_EQ(history.foreign_keys[0].reference_column, "time");
   EXPECT_EQ(json::parse(history.problem)["tip"], "friction");
+  EXPECT_EQ(history.stated.beam, "paper");
+  EXPECT_EQ(history.stated.tip, "friction");
+  EXPECT_EQ(history.stated.numbers, (std::map<std::string, double>{{"excitation.amplitude", 1e-3}}));
   EXPECT_EQ(package.resource("events").problem, "");
   EXPECT_EQ(history.field("z"), nullptr);
   EXPECT_EQ(history.primary_key, std::vector<std::string>{"t"});
@@ -156,6 +162,8 @@ TEST_F(ReferenceReader, ReturnsWhatAPackageSays) {
   EXPECT_EQ(history.diagnosis.value().quantity, "tip displacement");
   EXPECT_EQ(history.diagnosis.value().case_name, "damped");
   EXPECT_EQ(history.diagnosis.value().case_column, "");
+  EXPECT_EQ(history.diagnosis.value().abscissa, "t");
+  EXPECT_EQ(history.diagnosis.value().value, "y");
   EXPECT_EQ(history.provenance.value_class, data::ValueClass::converged);
   EXPECT_EQ(history.provenance.method, "by hand");
   EXPECT_EQ(history.provenance.settings, R"({"modes":3})");
@@ -209,6 +217,12 @@ TEST_F(ReferenceReader, NamesTheValueThatIsWrong) {
   EXPECT_TRUE(
       error_message().starts_with("datapackage.json: is not valid JSON: parse error at line 2, column 17: "))
       << error_message();
+  write("datapackage.json", "{\"name\": {}}");
+  EXPECT_EQ(error_message(), "datapackage.json: name is an object, but must be a string that is not empty");
+  write("datapackage.json", std::string(100, '[') + "1" + std::string(100, ']'));
+  EXPECT_EQ(error_message(), "datapackage.json: the package is an array, but must be an object");
+  write("datapackage.json", std::string(101, '[') + "1" + std::string(101, ']'));
+  EXPECT_EQ(error_message(), "datapackage.json: is nested deeper than the 100 levels that are allowed");
   write("datapackage.json", "[]");
   EXPECT_EQ(error_message(), "datapackage.json: the package is an array, but must be an object");
   std::filesystem::remove(folder() / "datapackage.json");
@@ -490,6 +504,12 @@ TEST_F(ReferenceReader, RefusesEveryDefectOfAPackageAtItsPlace) {
   write_package(valid_package());
   ASSERT_EQ(error_message("history"), "accepted");
   ASSERT_EQ(error_message("events"), "accepted");
+  for (const int order : {1, 9}) {
+    json package = valid_package();
+    rule_of(package)["interpolation"]["order"] = order;
+    write_package(package);
+    EXPECT_EQ(error_message(), "accepted") << order;
+  }
   for (const Defect& defect : defects()) {
     json package = valid_package();
     defect.spoil(package);

@@ -57,15 +57,17 @@ const std::string mu = "\"friction.static_coefficient\" = " + normal + "\n";
 
 STICKSLIP_VERIFIES(UncertaintyTable, "P7");
 TEST_F(UncertaintyTable, IsReadAsItStands) {
-  std::ofstream(folder_ / "e.csv") << "E_Pa,n\n2.1e9,1\n1.9e9,2\n2.0e9,3\n";
+  std::ofstream(folder_ / "e.csv") << "E_Pa,n\n2.1e9,1\n1.9e9,2\n";
   const auto read = data::read_uncertainty(
       write(mu + R"("beam.length" = { distribution = "uniform", lower = "1900 mm", upper = 2 }
 "beam.area" = { distribution = "lognormal", mean = 0.01, standard_deviation = 1e-4 }
 "beam.axial_force" = { distribution = "triangular", lower = 400, mode = 500, upper = 700 }
+"beam.density" = { distribution = "triangular", lower = 1000, mode = 1000, upper = 1300 }
+"beam.shear_stiffness" = { distribution = "triangular", lower = 1e6, mode = 4e6, upper = 4e6 }
 "beam.youngs_modulus" = { distribution = "samples", file = "e.csv", column = "E_Pa" }
 correlation = [["beam.length", "beam.area", 0.25]]
 )"));
-  ASSERT_EQ(read.keys.size(), 5u);
+  ASSERT_EQ(read.keys.size(), 7u);
   const auto of = [&](const std::string& key) {
     return std::ranges::find(read.keys, key, &data::UncertainKey::key)->distribution;
   };
@@ -75,9 +77,12 @@ correlation = [["beam.length", "beam.area", 0.25]]
   EXPECT_EQ(of("beam.length").mean_value(), 1.95);
   EXPECT_EQ(of("beam.area").kind, data::DistributionKind::lognormal);
   EXPECT_DOUBLE_EQ(of("beam.axial_force").mean_value(), 1600.0 / 3.0);
-  EXPECT_EQ(of("beam.youngs_modulus").samples, (std::vector{1.9e9, 2.0e9, 2.1e9}));
+  EXPECT_EQ(of("beam.density").mean_value(), 1100.0);
+  EXPECT_EQ(of("beam.shear_stiffness").mean_value(), 3e6);
+  EXPECT_EQ(of("beam.youngs_modulus").samples, (std::vector{1.9e9, 2.1e9}));
+  EXPECT_EQ(of("beam.youngs_modulus").mean_value(), 2e9);
   EXPECT_EQ(std::ranges::count(read.correlation, 0.25), 2);
-  EXPECT_EQ(std::ranges::count(read.correlation, 1.0), 5);
+  EXPECT_EQ(std::ranges::count(read.correlation, 1.0), 7);
   EXPECT_TRUE(data::read_uncertainty(data::find_case("paper")).keys.empty());
 }
 
@@ -107,9 +112,11 @@ TEST_F(UncertaintyTable, IsRefusedInOneSentence) {
             key + ".standard_deviation is 0 (an integer), but must be above 0");
   EXPECT_EQ(length("{ distribution = 'normal', mean = nan, standard_deviation = 1 }"),
             key + ".mean is nan (a float), but must be a finite number");
-  EXPECT_EQ(length("{ distribution = 'lognormal', mean = -2, standard_deviation = 1 }"),
-            key + ".mean is -2 (an integer), but must be above 0 for lognormal");
+  EXPECT_EQ(length("{ distribution = 'lognormal', mean = 0, standard_deviation = 1 }"),
+            key + ".mean is 0 (an integer), but must be above 0 for lognormal");
   EXPECT_EQ(length("{ distribution = 'uniform', lower = 2, upper = 2 }"),
+            key + ".upper is 2 (an integer), but must be above lower");
+  EXPECT_EQ(length("{ distribution = 'triangular', lower = 2, mode = 2, upper = 2 }"),
             key + ".upper is 2 (an integer), but must be above lower");
   EXPECT_EQ(length("{ distribution = 'triangular', lower = 1, mode = 4, upper = 3 }"),
             key + ".mode is 4 (an integer), but must be from lower to upper");
@@ -139,6 +146,8 @@ TEST_F(UncertaintyTable, IsRefusedForItsSamples) {
       samples("M\n1\n2\n"),
       "bar.toml:27: uncertainty.\"beam.length\".column is L, but must be a column of l.csv, which has M");
   EXPECT_EQ(samples("L\n1\n"), "l.csv: has 1 rows, but must have at least 2");
+  EXPECT_EQ(samples("L\n1\n1e9\n"),
+            "bar.toml:27: beam.length is 1e+09, but must be from 1e-09 to 1e+06 (m) in magnitude");
   EXPECT_EQ(samples("L,M\n1,1\nlong,2\n"),
             "l.csv:3, column 1 (L): long stands there, but must be a finite number");
 }
@@ -149,17 +158,22 @@ TEST_F(UncertaintyTable, IsRefusedForItsCorrelation) {
   const auto with = [&](const std::string& rows) { return refusal(keys + "correlation = [" + rows + "]\n"); };
   const std::string start = "bar.toml:30: uncertainty.correlation ";
   EXPECT_TRUE(with("1").starts_with(start + "has a row that is 1 (an integer)"));
+  EXPECT_TRUE(
+      with("['beam.length', 'beam.area']").starts_with(start + "has a row that is an array of another"));
   EXPECT_EQ(refusal(keys + "correlation = 0.5\n"),
             start + "is 0.5 (a float), but must be an array of rows [\"a.b\", \"c.d\", 0.5]");
   EXPECT_TRUE(
       with("['beam.length', 'beam.width', 0.1]").starts_with(start + "names 'beam.width' (a string), which"));
   EXPECT_TRUE(with("['beam.length', 'beam.length', 0.1]").starts_with(start + "names beam.length twice"));
   EXPECT_TRUE(with("['beam.length', 'beam.area', 1]").starts_with(start + "has the coefficient 1"));
+  EXPECT_TRUE(with("['beam.length', 'beam.area', -2]").starts_with(start + "has the coefficient -2"));
   EXPECT_TRUE(with("['beam.length', 'beam.area', 0.1], ['beam.area', 'beam.length', 0.1]")
                   .starts_with(start + "has two rows of beam.area and beam.length"));
   EXPECT_EQ(with("['beam.length', 'beam.area', 0.9], ['beam.area', 'friction.static_coefficient', 0.9], "
                  "['beam.length', 'friction.static_coefficient', -0.9]"),
             start + "is contradictory, but must be a positive definite matrix");
+  EXPECT_TRUE(data::cholesky_factor({1e-12}, 1).empty());
+  EXPECT_EQ(data::cholesky_factor({1.5e-12}, 1).size(), 1u);
 }
 
 }  // namespace

@@ -97,13 +97,15 @@ TEST_F(UserTable, IsTheSameHoweverItIsSpelled) {
       "beam;mode;frequency;remark\npaper;1;25;a,b\npaper;2;81.5;c\n",
       "beam,mode,frequency,\"a; b\"\npaper,1,25,a\npaper,2,81.5,b\n",
       "beam,mode,frequency\rpaper,1,25\rpaper,2,81.5\r",
-      "  beam   mode  frequency\n paper  1\t 2.5E+01 \n paper  2  8.15D+01\n",
+      "  beam   mode  frequency\n paper  1\t 2.5d+01 \n paper  2  8.15D+01\n",
       "# beam mode frequency\npaper 1 2.5e+01\npaper 2 8.15e+01\n",
       "# made today\n#beam,mode,frequency\n# - - -\n# end\npaper,1,25\npaper,2,81.5\n",
+      "# made by hand\n# beam mode frequency\npaper 1 25\npaper 2 81.5\n",
       "# beam mode frequency\n# - - kHz\npaper 1 0.025\npaper 2 0.0815\n",
       "beam mode frequency [kHz]\npaper 1 0.025\npaper 2 0.0815\n",
       "beam mode frequency ( kHz )\npaper 1 0.025\npaper 2 0.0815\n",
       "beam,mode,frequency\n,,[kHz]\npaper,1,0.025\npaper,2,0.0815\n",
+      "beam,mode,frequency\n,,(kHz)\npaper,1,0.025\npaper,2,0.0815\n",
       "% by hand\nbeam;mode;frequency\n-;1;kHz\npaper;1;0,025\npaper;2;0,0815\n",
       "\"beam\" \"mode\" \"frequency\"\n\"1\" \"paper\" 1 25\n\"2\" \"paper\" 2 81.5\n",
       gzip("beam,mode,frequency\npaper,1,25\npaper,2,81.5\n"),
@@ -123,6 +125,8 @@ TEST_F(UserTable, KnowsTheLineOfEachRow) {
   const auto table = read("stick-frequencies", "# a\nbeam,mode,frequency\n\npaper,1,25\n#b\npaper,2,81\n");
   EXPECT_EQ(table.lines, (std::vector<std::size_t>{4, 6}));
   EXPECT_EQ(table.place(1), file().string() + ":6");
+  // The 1 is a number there, and no unit.
+  EXPECT_EQ(read("stick-frequencies", "beam,mode,frequency\npaper,1,1\npaper,2,25\n").rows(), 2u);
 }
 
 TEST_F(UserTable, ConvertsAUnitWhereverItStands) {
@@ -196,7 +200,8 @@ TEST_F(UserTable, NeedsNoKeyThatHasOneValueAndNoNumberOfEvents) {
   EXPECT_EQ(events.column("index"), nullptr);
   EXPECT_EQ(events.column("time")->values, (std::vector<double>{0.055, 0.068}));
   EXPECT_EQ(events.column("change")->text, (std::vector<std::string>{"onset", "capture"}));
-  EXPECT_EQ(read("damped-events", "time,change\n0.1,onset\n0.1,capture\n").rows(), 2u);  // may coincide
+  EXPECT_EQ(read("damped-events", "time,change\n0.1,onset\n0.1,capture\n").rows(), 2u);    // may coincide
+  EXPECT_EQ(read("damped-events", "# time change\n0.1 onset\n0.2 capture\n").rows(), 2u);  // half are numbers
   EXPECT_EQ(read("stick-force", "t,friction_force\n0,1\n0.001,2\n0.001,3\n").rows(), 3u);
 }
 
@@ -266,6 +271,19 @@ TEST_F(UserTable, RefusesWhatCannotBeUsedInOneSentence) {
       {frequencies, header + ",,mm\npaper,1,25\n",
        "mine.csv:1, column 3 (frequency [mm]): the unit of frequency is 'mm', but must be one of Hz, mHz, "
        "kHz, MHz, rad/s"},
+      {frequencies, header + ",kHz\n",
+       "mine.csv:2: the line has 2 cells, but must have 3 as the line of names has"},
+      {frequencies, header + "-,1,kHz\n,1,25\n",
+       "mine.csv:3, column 1 (beam): beam is '', but must be a word"},
+      {frequencies, header + "-,1,kHz\npaper,1.5,25\n",
+       "mine.csv:3, column 2 (mode): mode is '1.5', but must be an integer"},
+      {frequencies, "# a\n# beam mode f\npaper 1 25\n",
+       "mine.csv:2: the column frequency is missing; the file has beam, mode, f (--column REFERENCE=THEIRS "
+       "says "
+       "which is which)"},
+      {frequencies, "beam,mode,frequency [MHz]\npaper,1,1e308\n",
+       "mine.csv:2, column 3 (frequency [MHz]): frequency is '1e308', but must be a number that is finite in "
+       "Hz"},
       {frequencies, header + "paper,1,NaN\n",
        "mine.csv:2, column 3 (frequency): frequency is 'NaN', but must be a finite number, as 0.025 or "
        "2.5e-2"},
@@ -295,6 +313,7 @@ TEST_F(UserTable, RefusesWhatCannotBeUsedInOneSentence) {
       {events, "index,time,change\n1,0.1,onset\n1,0.2,capture\n",
        "mine.csv:3: index = 1 stands in line 2 already, but must stand once"},
       {frequencies, std::string("\xFF\xFE") + "b", "mine.csv: is no text in UTF-8"},
+      {frequencies, std::string("\xFE\xFF") + "b", "mine.csv: is no text in UTF-8"},
       {frequencies, std::string("beam\0\n", 6), "mine.csv: is no text in UTF-8"},
       {frequencies, "\x89HDF\r\n",
        "mine.csv: is a file in HDF5 format (as MATLAB's -v7.3), but must be a table in text, as CSV"},
@@ -304,6 +323,8 @@ TEST_F(UserTable, RefusesWhatCannotBeUsedInOneSentence) {
       {frequencies, "\x93NUMPY", "mine.csv: is a NumPy file, but must be a table in text, as CSV"},
       {frequencies, gzip(header + "paper,1,25\n").substr(0, 20),
        "mine.csv: is no complete file in gzip's format"},
+      {frequencies, gzip(std::string(data::largest_table, ' ')),
+       "mine.csv:1: there is no line with the names of the columns"},
       {frequencies, gzip(std::string(data::largest_table + 1, ' ')),
        "mine.csv: holds more than the 50000000 bytes that are allowed"},
       {"beams", "beam\npaper\n", "the data set beams says nothing of how to compare with it"}};
@@ -334,6 +355,7 @@ TEST(ColumnMapping, NamesTheirsAndTheUnit) {
   EXPECT_EQ(mapping.theirs, "f 1");
   EXPECT_EQ(mapping.unit, "rad/s");
   EXPECT_EQ(data::ColumnMapping::parse("a=b").unit, "");
+  EXPECT_EQ(data::ColumnMapping::parse("a=b:1:kHz").theirs, "b:1");
   for (const char* text : {"", "=", "a", "a=", "=b", "a=:kHz", " = "})
     EXPECT_THROW(static_cast<void>(data::ColumnMapping::parse(text)), data::InputError) << text;
 }
