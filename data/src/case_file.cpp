@@ -3,12 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdint>
 #include <fstream>
-#include <limits>
 #include <map>
-#include <optional>
 #include <system_error>
 #include <type_traits>
 #include <utility>
@@ -266,7 +262,6 @@ Case case_of(const std::string& name, const Draft& draft) {
           .numerics = NumericalSettings(draft.numerics),
           .damping = Damping(draft.damping),
           .contact = TangentialContact(draft.contact),
-
           .wall = Wall(draft.wall)};
 }
 
@@ -324,7 +319,7 @@ std::filesystem::path data_directory() {
 }
 
 std::filesystem::path find_case(const std::string& name_or_path) {
-  const bool is_name = name_or_path.find('/') == std::string::npos && !name_or_path.empty();
+  const bool is_name = name_or_path.find('/') == std::string::npos;
   if (is_name && is_file(published_case(name_or_path))) return published_case(name_or_path);
   if (is_file(name_or_path)) return name_or_path;
   std::vector<std::string> names;
@@ -373,7 +368,6 @@ std::map<std::string, double> numbers_of(const Case& problem) {
               .numerics = numerics.choices(),
               .damping = {damping.kelvin_voigt(), damping.ratio()},
               .contact = contact.properties(),
-
               .wall = {wall.speed()}};
   std::map<std::string, double> numbers;
   for (const auto& key : keys)

@@ -124,7 +124,6 @@ std::optional<Section> expand_section(Entries& entries) {
   Section section = shape.section(entries);
   supply(entries, "beam.area", section.area, "section.shape");
   supply(entries, "beam.second_moment_of_area", section.second_moment_of_area, "section.shape");
-  std::erase_if(entries, [](const auto& entry) { return entry.first.starts_with("section."); });
   return section;
 }
 
@@ -140,10 +139,9 @@ void expand_poissons_ratio(const std::optional<Section>& section, Entries& entri
     throw InputError(given->place + ": beam.poissons_ratio is " + given->description + ", but needs " +
                      (section ? "beam.youngs_modulus or beam.material" : "section.shape") +
                      "; otherwise give beam.shear_stiffness");
-  const double youngs_modulus = number_of("beam.youngs_modulus", {1e-3, 1e18, "Pa"}, *modulus);
+  const double youngs_modulus = number_of("beam.youngs_modulus", {.unit = "Pa"}, *modulus);
   supply(entries, "beam.shear_stiffness",
          section->shear_coefficient(nu) * section->area * youngs_modulus / (2.0 * (1.0 + nu)), key);
-  entries.erase(std::string(key));
 }
 
 void expand_material(Entries& entries) {
@@ -156,7 +154,6 @@ void expand_material(Entries& entries) {
       *std::ranges::find(materials, name_of("beam.material", *given, names), &Material::name);
   supply(entries, "beam.density", material.density, "beam.material");
   supply(entries, "beam.youngs_modulus", material.youngs_modulus, "beam.material");
-  entries.erase("beam.material");
 }
 
 // h = A0 sin(Omega t) has the velocity amplitude A0 Omega and the acceleration amplitude A0 Omega^2.
@@ -170,10 +167,8 @@ void expand_amplitude(Entries& entries) {
     const double value = number_of(key, {1e-18, 1e18, units.at(order)}, *given);
     if (!(value >= 0.0) || !std::isfinite(value))
       throw FieldError(key, value, "a finite number of 0 or more (" + std::string(units.at(order)) + ")");
-    const double omega =
-        2.0 * std::numbers::pi * number_of("excitation.frequency_hz", {1e-9, 1e12, "Hz"}, *hz);
+    const double omega = 2.0 * std::numbers::pi * number_of("excitation.frequency_hz", {.unit = "Hz"}, *hz);
     supply(entries, "excitation.amplitude", value / std::pow(omega, static_cast<double>(order)), key);
-    entries.erase(std::string(key));
   }
 }
 
@@ -183,7 +178,6 @@ void expand_duration(Entries& entries) {
   if (given == nullptr) return;
   const double duration = number_of("numerics.duration", {1e-15, 1e15, "s"}, *given);
   supply(entries, "excitation.duration", duration, "numerics.duration");
-  entries.erase("numerics.duration");
 }
 
 // Without a kinetic coefficient the friction does not fall: Coulomb's law. The exponential then has no

@@ -14,9 +14,8 @@ namespace stickslip::data {
 /// "section.shape", ...; in the order of the manual.
 [[nodiscard]] std::span<const std::string_view> shorthand_keys();
 
-/// Replaces the shorthand by beam.area, beam.second_moment_of_area, beam.density, beam.youngs_modulus,
-/// beam.shear_stiffness, excitation.amplitude, excitation.duration and friction.kinetic_coefficient. Throws FieldError, naming the shorthand, for a value
-/// that it does not allow, InputError if a quantity is given in two ways or a key of a shape is missing.
+/// Adds what the shorthand stands for. Throws FieldError, naming the shorthand, for a value that it does not allow,
+/// InputError if a quantity is given in two ways or a key of a shape is missing.
 void expand_shorthand(Entries& entries);
 
 /// Takes out of the entries what the key replaces: of the amplitudes of displacement, velocity and

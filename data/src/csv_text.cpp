@@ -92,8 +92,8 @@ std::vector<std::string> with_units_joined(const std::vector<std::string>& words
 
 // A unit without its brackets.
 std::string_view bare_unit(std::string_view cell) {
-  const bool is_bracketed = cell.size() > 1 && ((cell.front() == '[' && cell.back() == ']') ||
-                                                (cell.front() == '(' && cell.back() == ')'));
+  const bool is_bracketed =
+      (cell.starts_with('[') && cell.ends_with(']')) || (cell.starts_with('(') && cell.ends_with(')'));
   return is_bracketed ? trimmed(cell.substr(1, cell.size() - 2)) : cell;
 }
 

@@ -30,6 +30,14 @@ std::string with_article(const toml::node& node) {
   }
 }
 
+// What is wrong, on one line: toml++ quotes a line break as it is.
+std::string description_of(const toml::parse_error& error) {
+  std::string text(error.description());
+  std::ranges::replace_if(
+      text, [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == '\x7f'; }, '?');
+  return text;
+}
+
 }  // namespace
 
 toml::table read_toml(const std::filesystem::path& file) {
@@ -44,13 +52,6 @@ toml::table parse_toml(const std::filesystem::path& file, const std::string& tex
     throw InputError(file.string() + ":" + std::to_string(error.source().begin.line) +
                      ": is not valid TOML: " + description_of(error));
   }
-}
-
-std::string description_of(const toml::parse_error& error) {
-  std::string text(error.description());
-  std::ranges::replace_if(
-      text, [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == '\x7f'; }, '?');
-  return text;
 }
 
 std::string place_of(const std::filesystem::path& file, const toml::node& node) {

@@ -42,7 +42,6 @@ std::vector<data::Override> overrides_of(const data::Case& problem) {
           number("damping.ratio", damping.ratio()),
           number("contact.tangential_stiffness", contact.tangential_stiffness()),
           number("contact.regularisation_velocity", contact.regularisation_velocity()),
-
           number("wall.speed", wall.speed())};
 }
 

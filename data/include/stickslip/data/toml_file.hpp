@@ -16,9 +16,6 @@ namespace stickslip::data {
 /// Parses a TOML file of at most 1 MB. Throws InputError, naming the file and, for a syntax error, the line.
 [[nodiscard]] toml::table read_toml(const std::filesystem::path& file);
 
-/// What is wrong, on one line: toml++ quotes a line break as it is.
-[[nodiscard]] std::string description_of(const toml::parse_error& error);
-
 /// The same from the text of the file.
 [[nodiscard]] toml::table parse_toml(const std::filesystem::path& file, const std::string& text);
 
