@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <numbers>
+#include <string>
+
+#include "stickslip/data/case_file.hpp"
 
 namespace stickslip::studies {
 
@@ -35,31 +38,7 @@ std::string_view field_of(Parameter parameter) {
 }
 
 double value_of(const data::Case& problem, Parameter parameter) {
-  switch (parameter) {
-    case Parameter::frequency:
-      return problem.excitation.frequency_hz();
-    case Parameter::amplitude:
-      return problem.excitation.amplitude();
-    case Parameter::length:
-      return problem.beam.length();
-    case Parameter::axial_force:
-      return problem.beam.axial_force();
-    case Parameter::youngs_modulus:
-      return problem.beam.youngs_modulus();
-    case Parameter::static_coefficient:
-      return problem.friction.static_coefficient();
-    case Parameter::axial_direction:
-      return problem.beam.axial_direction();
-    case Parameter::kinetic_coefficient:
-      return problem.friction.kinetic_coefficient();
-    case Parameter::decay:
-      return problem.friction.decay();
-    case Parameter::damping_ratio:
-      return problem.damping.ratio();
-    case Parameter::kelvin_voigt:
-      return problem.damping.kelvin_voigt();
-  }
-  return {};
+  return data::numbers_of(problem).at(std::string(field_of(parameter)));
 }
 
 data::Case with_value(const data::Case& problem, Parameter parameter, double value) {

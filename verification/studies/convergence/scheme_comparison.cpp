@@ -41,7 +41,6 @@ std::vector<SchemeRun> compare_schemes(const data::Beam& beam, const data::Frict
     solver::EnergyRecorder recorder(simulation.integrator());
     simulation.observe([&recorder](const solver::StickSlipIntegrator& now) { recorder.record(now); });
     SchemeRun run;
-    run.scheme = scheme;
     for (long n = solver::step_count(numerics.duration(), numerics.time_step()); n > 0; --n) {
       simulation.step();
       run.largest_tip_displacement =

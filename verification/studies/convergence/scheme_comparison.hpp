@@ -22,7 +22,6 @@ struct Plateau {
 
 /// The result of one contact scheme.
 struct SchemeRun {
-  solver::ContactScheme scheme{};
   std::optional<double> first_slip;                ///< s
   std::size_t events{};                            ///< number of changes of the contact state
   std::vector<Plateau> plateaus;                   ///< at least shortest_plateau long, begin within 0.2 s

@@ -247,7 +247,7 @@ void add_sign_and_scaling_errata(const data::Case& paper, std::vector<ErratumEvi
 
 data::ClaimVerdict verdict_on(double printed, const analytic::Bounds& found, double allowed) {
   const double below = printed - found.lower, above = found.upper - printed;
-  if (std::max(std::abs(below), std::abs(above)) <= allowed) return data::ClaimVerdict::holds;
+  if (std::max(below, above) <= allowed) return data::ClaimVerdict::holds;
   return std::min(below, above) >= -allowed ? data::ClaimVerdict::not_determined
                                             : data::ClaimVerdict::does_not_hold;
 }

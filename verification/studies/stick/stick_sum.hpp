@@ -46,8 +46,7 @@ struct StickSum {
 /// The sum over all modes of a mesh with the matrices of `system`, driven as in beam_contact_system(). The
 /// force f is the contact row of the slip-state balance or, if `force_row` is not empty, the product of
 /// `force_row` with the displacements. There is no error of time integration. follower_force and
-/// rigid_participation are not set. Throws std::domain_error if the stick stiffness or the mass is not
-/// positive definite.
+/// rigid_participation are not set. Throws data::FieldError if the stick stiffness is not positive definite.
 [[nodiscard]] StickSum stick_sum(const solver::BeamModel& mesh, const solver::ContactSystem& system,
                                  const Eigen::RowVectorXd& force_row = {});
 

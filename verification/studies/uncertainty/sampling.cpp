@@ -36,7 +36,6 @@ double inverse(double p, const std::function<double(double)>& cumulative) {
   double low = 0.0, high = 1.0;
   while (high - low > 1e-15 * high) {
     const double middle = 0.5 * (low + high);
-    if (middle <= low || middle >= high) break;
     (cumulative(middle) < p ? low : high) = middle;
   }
   return 0.5 * (low + high);
@@ -194,7 +193,7 @@ Estimate probability_of(std::size_t hits, std::size_t count) {
 Estimate quantile_of(std::span<const double> sorted, double p) {
   const std::size_t count = sorted.size();
   const auto n = static_cast<unsigned>(count);
-  const auto rank = std::min(static_cast<std::size_t>(p * static_cast<double>(count)), count - 1);
+  const auto rank = static_cast<std::size_t>(p * static_cast<double>(count));
   // The number B of samples below the quantile is binomial. x_(l) <= q <= x_(u) holds if l <= B < u, counted from
   // 1: l the largest with P(B < l) <= 2.5 %, u the smallest with P(B >= u) <= 2.5 %.
   std::size_t low = 0, high = count + 1;
@@ -208,14 +207,11 @@ Estimate quantile_of(std::span<const double> sorted, double p) {
   return {sorted[rank], low == 0 ? -infinity : sorted[low - 1], high > count ? infinity : sorted[high - 1]};
 }
 
-std::size_t rows_per_replication(std::size_t rows) {
-  return std::bit_ceil(std::clamp<std::size_t>(rows / kReplications, 4, std::size_t{1} << 20U));
-}
-
 Sensitivity sobol_indices(const Model& model, std::size_t inputs, std::size_t rows, std::uint64_t seed,
                           const std::function<void(double)>& progress) {
   if (inputs < 1 || inputs > 20) throw std::invalid_argument("indices need 1 to 20 inputs");
-  const std::size_t count = rows_per_replication(rows), columns = inputs + 2;
+  const std::size_t count = std::bit_ceil(std::max<std::size_t>(rows / kReplications, 4)),
+                    columns = inputs + 2;
   std::vector<std::vector<double>> firsts(inputs), totals(inputs);
   Sensitivity result;
   for (std::size_t replication = 0; replication < kReplications; ++replication) {

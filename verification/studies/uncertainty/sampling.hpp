@@ -53,7 +53,7 @@ struct Estimate {
 /// Pearson (Biometrika 26, 404-413, 1934), which has at least its nominal coverage for every probability.
 [[nodiscard]] Estimate probability_of(std::size_t hits, std::size_t count);
 
-/// The p-quantile of independent samples in ascending order, with the interval between two of them by the
+/// The p-quantile, 0 < p < 1, of independent samples in ascending order, with the interval between two of them by the
 /// binomial distribution of how many lie below it, which has at least its nominal coverage; an end for which
 /// there are too few samples is infinite.
 [[nodiscard]] Estimate quantile_of(std::span<const double> sorted, double p);
@@ -72,15 +72,13 @@ struct Sensitivity {
 /// A model of independent uniform inputs; empty where it has no value. Called from several threads.
 using Model = std::function<std::optional<double>(std::span<const double>)>;
 
-/// The number of rows of each of the 16 replications, a power of two: about `rows` in all.
-[[nodiscard]] std::size_t rows_per_replication(std::size_t rows);
-
 /// First and total indices by Jansen's estimators (Comput. Phys. Commun. 117, 35-43, 1999), with rows A and B of a
 /// scrambled Sobol sequence in twice the dimensions, and AB_i, which is A but for input i of B:
 ///
 ///     S_i = 1 - mean (f(B) - f(AB_i))^2/(2 V),     T_i = mean (f(A) - f(AB_i))^2/(2 V),     V = var f.
 ///
-/// The mean of 16 independent replications is the estimate, and Student's t gives its interval. A row without a
+/// The mean of 16 independent replications is the estimate, and Student's t gives its interval. Each has a sixteenth of
+/// `rows`, at least 4, at the next power of two. A row without a
 /// value somewhere counts nowhere. Where V is 0 all indices are 0. At most 20 inputs
 /// (std::invalid_argument). The result does not depend on the number of threads.
 [[nodiscard]] Sensitivity sobol_indices(const Model& model, std::size_t inputs, std::size_t rows,
