@@ -79,6 +79,7 @@ TEST(OrderEstimate, NeedsPositiveLevelsInPairs) {
   EXPECT_THROW((void)order_estimate({1.0}, {1.0}), std::invalid_argument);
   EXPECT_THROW((void)order_estimate({1.0, 2.0}, {1.0}), std::invalid_argument);
   EXPECT_THROW((void)order_estimate({1.0, 2.0}, {1.0, 0.0}), std::invalid_argument);
+  EXPECT_THROW((void)order_estimate({1.0, 0.0}, {1.0, 2.0}), std::invalid_argument);
 }
 
 // Levels h^3 (1 + c_i) with |c_i| <= 0.2 h_i; the lowest bits of `signs` say which c_i are positive.

@@ -8,12 +8,15 @@
 #include <cstddef>
 #include <set>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/data/case_file.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
+#include "studies/common/problem_parameter.hpp"
 #include "studies/convergence/discretisation.hpp"
 #include "studies/criterion/criterion_map.hpp"
 #include "support/flat_beam.hpp"
@@ -45,6 +48,28 @@ TEST(MapAxis, HasItsEndsAndEqualStepsOrRatiosBetween) {
   EXPECT_EQ(ratios.front(), 7.0);
   EXPECT_EQ(ratios.back(), 700.0);
   EXPECT_DOUBLE_EQ(ratios[1], 70.0);
+}
+
+TEST(MapAxis, ChangesTheFieldOfItsParameterAndNoOther) {
+  data::Case problem = flat_case();
+  const auto before = data::numbers_of(problem);
+  for (int i = 0; i <= static_cast<int>(Parameter::kelvin_voigt); ++i) {
+    const auto parameter = static_cast<Parameter>(i);
+    auto expected = before;
+    expected.at(std::string(field_of(parameter))) = 0.35;
+    const data::Case changed = with_value(problem, parameter, 0.35);
+    EXPECT_EQ(data::numbers_of(changed), expected) << field_of(parameter);
+    EXPECT_EQ(value_of(changed, parameter), 0.35) << field_of(parameter);
+  }
+  const auto kinetic = [&](double value) {
+    return with_value(problem, Parameter::static_coefficient, value).friction.kinetic_coefficient();
+  };
+  EXPECT_EQ(kinetic(0.2), 0.2);
+  EXPECT_EQ(kinetic(0.0), 0.0);
+  problem.beam = studies::with_shear(problem.beam);
+  EXPECT_DOUBLE_EQ(with_value(problem, Parameter::youngs_modulus, 3e9).beam.shear_stiffness(),
+                   3e9 * problem.beam.area() / 3.12);
+  EXPECT_EQ(studies::without_shear(problem.beam).shear_stiffness(), 0.0);
 }
 
 STICKSLIP_VERIFIES(CriterionMap, "X7");

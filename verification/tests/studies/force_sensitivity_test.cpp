@@ -83,6 +83,30 @@ void longer_histories_have_larger_maxima() {
   }
 }
 
+void changes_are_those_from_the_unchanged_row_of_the_method() {
+  for (const auto& changed : study().rows)
+    for (std::size_t i = 0; i < study().frequency_hz.size(); ++i) {
+      const auto& unchanged = changed.closed_form ? closed_form() : row("finite elements", "20");
+      const double ratio = changed.force[i] / unchanged.force[i];
+      EXPECT_NEAR(changed.change[i], 100.0 * (ratio - 1.0), 1e-12 * ratio) << changed.factor;
+    }
+  EXPECT_FALSE(row("elements", "40").closed_form);
+  // A thousandth more and less of the length are among what the range covers.
+  for (std::size_t i = 0; i < study().frequency_hz.size(); ++i)
+    for (const double share : {0.999, 1.001}) {
+      auto beam = paper_beam_properties();
+      beam.length *= share;
+      const double force =
+          StickResponse(data::Beam(beam), excitation(i), 10).max_abs_friction_force(ten_seconds).midpoint();
+      const double change = 100.0 * (force / closed_form().force[i] - 1.0);
+      EXPECT_GE(change, study().inputs[3].lowest_change[i] - 2e-5);  // widths of 1e-7
+      EXPECT_LE(change, study().inputs[3].highest_change[i] + 2e-5);
+      // Next to the first resonance the longest beam, which is farthest from it, has the least force.
+      if (study().frequency_hz[i] == 25.0 && share > 1.0)
+        EXPECT_NEAR(change, study().inputs[3].lowest_change[i], 2e-5);
+    }
+}
+
 void derivatives_obey_the_dimensions() {
   // f = A0 EI/L^3 times a function of P L^2/EI and rho A L^4 Omega^2/EI at fixed Omega and duration. Scaling
   // E, rho and P alike scales f alike; and L enters through the two groups and the factor.
@@ -154,6 +178,16 @@ void no_trial_returns_all_printed_digits() {
   EXPECT_LT(search.most_returned.returned, 4);
   EXPECT_LE(search.closest.largest_difference, search.most_returned.largest_difference);
   for (const auto* trial : {&search.closest, &search.most_returned}) {
+    int returned = 0;
+    double largest = 0.0;
+    for (std::size_t i = 0; i < trial->force.size(); ++i) {
+      const auto& digits = study().digits[i];
+      const double difference = std::abs(trial->force[i] - digits.printed) / digits.half_digit;
+      returned += difference <= 1.0 ? 1 : 0;
+      largest = std::max(largest, difference);
+    }
+    EXPECT_EQ(trial->returned, returned);
+    EXPECT_EQ(trial->largest_difference, largest);
     for (std::size_t i = 0; i < study().frequency_hz.size(); ++i) {
       const double again = StickResponse(paper_beam(), excitation(i), trial->modes)
                                .sampled_max_abs_friction_force(ten_seconds, trial->sampling_step)
@@ -170,6 +204,7 @@ TEST(ForceSensitivity, IsWhatTheoryAllowsEachFactorAndThePrintedDigitsAreTheMeth
   truncation_moves_the_maximum_by_no_more_than_what_it_leaves_out();
   sampling_loses_no_more_than_the_curvature_allows();
   longer_histories_have_larger_maxima();
+  changes_are_those_from_the_unchanged_row_of_the_method();
   derivatives_obey_the_dimensions();
   ranges_are_those_of_the_rows_left_open();
   printed_digits_are_the_methods_and_not_the_problems();

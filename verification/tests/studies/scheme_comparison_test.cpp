@@ -72,6 +72,16 @@ TEST(ContactSchemes, WithoutLocationFindThePlateausOfACoarseDampedBeam) {
   for (std::size_t i = 0; i < 7; ++i)
     EXPECT_TRUE(within(late[i].tip_displacement, located[i].tip_displacement,
                        discretisation(static_cast<double>(i + 1) * back, 1.0, "d h^2/2 a slip")));
+  for (std::size_t i = 0; i < 7; ++i) {
+    EXPECT_GE(located[i].end - located[i].begin, studies::shortest_plateau);
+    EXPECT_GE(located[i].begin, i == 0 ? runs[0].first_slip.value() : located[i - 1].end);
+  }
+  // A run that ends in a stick phase has its part of it.
+  const double end = 1e-4 * std::round(1e4 * located[3].end) - 1e-4;
+  const auto shorter = compare({damped, 10, 0.9, 1e-4, end})[0].plateaus;
+  ASSERT_EQ(shorter.size(), 4u);
+  EXPECT_EQ(shorter[3].begin, located[3].begin);
+  EXPECT_NEAR(shorter[3].end, end, 1e-12);
 }
 
 TEST(ContactSchemes, ByTheLetterOfThePaperFindNoPlateauAtItsStep) {
@@ -101,6 +111,7 @@ TEST(ContactSchemes, ByTheLetterOfThePaperLeaveMoreEnergyUnexplained) {
     for (const int elements : {10, 20})
       for (const double radius : {0.9, 1.0}) {
         const auto runs = compare({damping, elements, radius, 1e-4, 0.5});
+        EXPECT_EQ(runs[0].relative_residual(), runs[0].energy.residual() / runs[0].energy.base_work);
         EXPECT_LT(std::abs(runs[0].relative_residual()), 5e-4);
         EXPECT_GT(std::abs(runs[2].relative_residual()), 5.0 * std::abs(runs[0].relative_residual()));
       }

@@ -46,12 +46,19 @@ TEST(GridConvergenceIndex, TreblesWhereTheLevelsDoNotModelResults) {
   const GridConvergence oscillating = grid_convergence({1.0, 1.3, 0.9}, 2.0, 2.0);
   EXPECT_FALSE(oscillating.asymptotic || oscillating.observed_order);
   EXPECT_TRUE(within(oscillating.index, 3.0 * 0.3 * 4.0 / 3.0, round_off(10, 10, 1)));
+  EXPECT_TRUE(within(oscillating.extrapolated, 0.9 - 0.4 / 3.0, round_off(10, 10, 1)));
+  EXPECT_EQ(oscillating.safety_factor, 3.0);
   const GridConvergence drifting = grid_convergence({1.0, 1.1, 0.6}, 2.0, 2.0);
   EXPECT_TRUE(within(drifting.index, 3.0 * 0.4 * 4.0 / 3.0, round_off(10, 10, 1)));
   const GridConvergence too_fast = grid_convergence({16.0, 1.0, 0.0625}, 2.0, 2.0);
   EXPECT_FALSE(too_fast.asymptotic);
   EXPECT_TRUE(within(too_fast.observed_order.value(), 4.0, round_off(10, 1, 4)));
   EXPECT_TRUE(within(too_fast.index, 3.0 * 15.9375 * 4.0 / 3.0, round_off(10, 1, 60)));
+  // A tenth of the order on either side: values 2^(-p k) have the order p.
+  for (const double order : {1.0, 1.78, 1.82, 2.18, 2.22})
+    EXPECT_EQ(grid_convergence({1.0, std::pow(2.0, -order), std::pow(4.0, -order)}, 2.0, 2.0).asymptotic,
+              std::abs(order - 2.0) < 0.2)
+        << order;
   EXPECT_FALSE(grid_convergence({2.0, 2.0, 2.0}, 2.0, 2.0).observed_order);
   EXPECT_EQ(grid_convergence({2.0, 2.0, 2.0}, 2.0, 2.0).index, 0.0);
 }
@@ -83,6 +90,7 @@ void uncertainties_cover_the_true_errors() {
     EXPECT_LE(std::abs(r.true_error), r.uncertainty) << r.quantity << ", " << r.obtained;
     if (r.convergence.asymptotic) {
       EXPECT_TRUE(r.covered) << r.quantity;
+      EXPECT_EQ(r.obtained, "grid convergence index");
       EXPECT_EQ(r.uncertainty, r.convergence.index);
       EXPECT_LE(std::abs(r.levels.back().value - r.reference), 0.1 * std::abs(r.true_error))
           << r.quantity << ": (1/1.5)^8 = 0.04 of the error should be left";
@@ -143,6 +151,9 @@ void printed_results_are_those_of_the_paper() {
   EXPECT_FALSE(result("figure9.force_peak").printed);
   EXPECT_EQ(result("frequency.stick.1").levels.front().time_step, 0.0);
   EXPECT_EQ(result("force_max.15").levels.front().time_step, 1e-4);
+  EXPECT_EQ(result("force_max.15").levels[2].elements, 45);
+  EXPECT_DOUBLE_EQ(result("force_max.15").levels[2].time_step, 1e-4 / std::pow(1.5, 4));
+  EXPECT_EQ(result("figure5c.first_stick").obtained, "grid convergence index outside its range, an estimate");
 }
 
 STICKSLIP_VERIFIES(SolutionVerification, "X16");

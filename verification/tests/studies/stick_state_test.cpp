@@ -70,6 +70,13 @@ TEST(Figure9Refined, DisplacementIsWithin1em5AndForceWithin5em4OfThePeak) {
   EXPECT_LT(study.levels.back().displacement_error, 1e-5 * study.displacement_peak);
   EXPECT_LT(study.levels.back().force_error, 5e-4 * study.force_peak);
   EXPECT_LT(study.levels.back().force_error, 1.1 * study.levels.back().predicted_force_error);
+  // The histories that are drawn: those of the first level, with its errors.
+  EXPECT_EQ(study.time.back(), 1.0);
+  EXPECT_EQ(studies::largest_difference(study.first_displacement, study.displacement),
+            study.levels[0].displacement_error);
+  EXPECT_EQ(studies::largest_difference(study.first_force, study.force), study.levels[0].force_error);
+  EXPECT_EQ(studies::largest_difference(study.force, std::vector<double>(study.force.size())),
+            study.force_peak);
 
   // Force: amplitudes n^-4 and drifts n^6 h^2 make a sum of n^-4 min(2, drift) whose largest terms sit at n*,
   // where the drift reaches a turn, 2 = omega T (omega h)^2/12: n* ~ h^(-1/3), and the sum falls as h. It is
@@ -110,6 +117,11 @@ TEST_P(ForceMaximumAt, FiniteElementsReturnThePredictedMaximum) {
     EXPECT_LT(study.prediction_uncertainty, 0.01 * study.finite_element);
     EXPECT_TRUE(within(study.finite_element, study.converged.midpoint(),
                        reference(0.01 * study.converged.midpoint(), "the printed values")));
+    EXPECT_EQ(study.frequency_hz, GetParam());
+    EXPECT_EQ(study.amplitude, 0.5e-3);
+    const analytic::StickResponse ten(paper_beam(), data::HarmonicExcitation({GetParam(), 0.5e-3}), 10);
+    EXPECT_EQ(study.sampled, ten.sampled_max_abs_friction_force(10.0, 1e-4).lower);
+    EXPECT_GE(study.truncated.upper, study.sampled);
   }
 }
 
@@ -290,7 +302,51 @@ TEST(StickState, ModeShapesOfBothImplementationsAreTheSame) {
     EXPECT_TRUE(within(curve.largest_difference, 0.0,
                        discretisation(std::pow(beta / 20.0, 4) / 384.0, 4.0, "(beta l)^4/384")))
         << "mode " << curve.mode << (curve.slip ? " slip" : " stick");
+    for (const auto* shape : {&curve.closed_form, &curve.finite_element}) {
+      const auto [least, most] = std::ranges::minmax(*shape);
+      EXPECT_DOUBLE_EQ(std::max(-least, most), 1.0);
+      EXPECT_GT((*shape)[1], 0.0);
+    }
   }
+}
+
+TEST(StickState, DriftIsBoundedByPhaseAndDecayAndTwiceTheAmplitude) {
+  const auto numerics = settings(1.0, 0.0);
+  const auto mode = analytic::stick_modes(paper_beam(), 1);
+  const auto bound = [&](double duration) {
+    return studies::drift_bound(paper_beam(), mode, {{-3.0, 0.0}}, numerics, duration);
+  };
+  const auto [frequency, decay] = studies::discrete_oscillation(paper_beam(), mode[0], numerics);
+  const double phase = std::abs(frequency - mode[0].angular_frequency()) * 0.1;
+  EXPECT_NEAR(bound(0.1), 3.0 * (phase + 1.0 - std::exp(-0.1 * decay)), 1e-14);
+  EXPECT_EQ(bound(1e9), 6.0);
+}
+
+// What its documentation says, term by term.
+TEST(StickState, PredictedForceIsUncertainByTheSumOfItsThreeRows) {
+  const auto numerics = settings(2.0);
+  const int modes = 4;
+  const studies::PredictedForce predicted(paper_beam(), figure9, numerics, modes);
+  const analytic::StickResponse exact(paper_beam(), figure9, 3 * modes, analytic::SteadyPart::exact);
+  const double omega = 2.0 * std::numbers::pi * 15.0, l = 2.0 / numerics.elements();
+  double expected = exact.omitted_transient_bound(), remainder = exact.steady_force_amplitude();
+  for (std::size_t n = 0; n < 12; ++n) {
+    const auto& mode = exact.modes()[n];
+    const double w = mode.angular_frequency(), amplitude = std::abs(exact.transient_force()[n].amplitude);
+    const double error = studies::hermite_eigenvalue_error(paper_beam(), mode, l);
+    const double phase = w * 2.0 * error * std::pow(mode.trigonometric_wave_number() * l, 2) / 80.0;
+    expected += amplitude * (n < modes ? std::min(2.0, phase + error) : 2.0);
+    if (n < modes)
+      remainder -=
+          figure9.amplitude() * exact.reaction().modes[n].coefficient / (1.0 - std::pow(w / omega, 2));
+  }
+  expected += std::abs(remainder) * std::pow(omega * numerics.time_step(), 2) / 8.0;
+  EXPECT_NEAR(predicted.uncertainty(), expected, 1e-9 * expected);
+  // Of a single step the force is that at its end.
+  const studies::PredictedForce first(paper_beam(), figure9, settings(1e-4), 20);
+  EXPECT_TRUE(within(first.max_abs(), solver::max_abs_friction_force(paper_beam(), figure9, settings(1e-4)),
+                     discretisation(first.uncertainty(), 1.0, "PredictedForce::uncertainty")));
+  EXPECT_LT(first.uncertainty(), 0.1 * first.max_abs());
 }
 
 }  // namespace

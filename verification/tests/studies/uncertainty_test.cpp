@@ -11,6 +11,8 @@
 #include <functional>
 #include <numbers>
 #include <numeric>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -97,6 +99,11 @@ TEST(ConfidenceIntervals, OfAProbabilityHoldItAtLeastSoOften) {
   const Estimate none = studies::probability_of(0, 100);
   EXPECT_EQ(none.lower, 0.0);
   EXPECT_NEAR(none.upper, 1.0 - std::pow(0.025, 0.01), 1e-14);
+  // One of a hundred: above 1 - (1 - p)^100 = 0.025. All but one: the mirror image.
+  EXPECT_NEAR(studies::probability_of(1, 100).lower, 1.0 - std::pow(0.975, 0.01), 1e-14);
+  EXPECT_NEAR(studies::probability_of(99, 100).upper, std::pow(0.975, 0.01), 1e-14);
+  EXPECT_NEAR(studies::probability_of(100, 100).lower, std::pow(0.025, 0.01), 1e-14);
+  EXPECT_EQ(studies::probability_of(100, 100).upper, 1.0);
 }
 
 // Of ranks: with x_i = i the interval says between which ranks the quantile lies.
@@ -106,6 +113,7 @@ TEST(ConfidenceIntervals, OfAQuantileHoldItAtLeastSoOften) {
       std::vector<double> ranks(count);
       std::iota(ranks.begin(), ranks.end(), 1.0);
       const Estimate interval = studies::quantile_of(ranks, p);
+      EXPECT_EQ(interval.value, std::floor(p * count) + 1.0);
       const auto missed = [&](double least, double most) {  // B < least or B >= most
         double sum = 0.0;
         for (unsigned b = 0; b <= count; ++b)
@@ -140,6 +148,9 @@ TEST(SobolPoints, AreEvenlySpreadAndScrambledBySeed) {
   EXPECT_NE(points, studies::scrambled_sobol_points(dimensions, count, 8));
   EXPECT_THROW((void)studies::scrambled_sobol_points(41, 2, 0), std::invalid_argument);
   EXPECT_THROW((void)studies::scrambled_sobol_points(2, 3, 0), std::invalid_argument);
+  EXPECT_THROW((void)studies::scrambled_sobol_points(0, 2, 0), std::invalid_argument);
+  EXPECT_THROW((void)studies::scrambled_sobol_points(1, 1U << 21U, 0), std::invalid_argument);
+  EXPECT_EQ(studies::scrambled_sobol_points(1, 1U << 20U, 0).size(), 1U << 20U);
 }
 
 // Within 2.5 half-widths of the interval, which are 5.3 standard errors: one in 10000 with 15 degrees of freedom.
@@ -190,13 +201,44 @@ TEST(SobolIndices, OfASumAreTheSharesOfItsTermsAndDoNotDependOnThreads) {
   EXPECT_EQ(result.indices[1].total.upper, again.indices[1].total.upper);
 }
 
+// Of one input f(B) - f(AB) vanishes. T of each replication comes from the values of the model in their order.
+TEST(SobolIndices, AreTheMeanOfTheReplicationsWithStudentsInterval) {
+  std::vector<double> f;
+  const auto model = [&f](std::span<const double> u) { return std::optional(f.emplace_back(u[0] * u[0])); };
+  const unsigned threads = studies::thread_count();
+  studies::set_thread_count(1);
+  const auto result = studies::sobol_indices(model, 1, 100, 1);
+  studies::set_thread_count(threads);
+  ASSERT_EQ(f.size(), 16u * 8u * 3u);  // 100/16 rows, at the next power of two
+  EXPECT_EQ(result.evaluations, f.size());
+  std::vector<double> totals;
+  for (auto row = f.begin(); row != f.end();) {
+    double sum = 0.0, squares = 0.0, changes = 0.0;
+    for (int i = 0; i < 8; ++i, row += 3) {
+      sum += row[0] + row[1];
+      squares += row[0] * row[0] + row[1] * row[1];
+      changes += 0.5 * std::pow(row[0] - row[2], 2) / 8.0;
+    }
+    totals.push_back(changes / (squares / 16.0 - std::pow(sum / 16.0, 2)));
+  }
+  double mean = 0.0, variance = 0.0;
+  for (const double total : totals) mean += total / 16.0;
+  for (const double total : totals) variance += std::pow(total - mean, 2) / 15.0;
+  const double half = 2.131449545559323 * std::sqrt(variance / 16.0);  // t for 15 degrees of freedom
+  EXPECT_NEAR(result.indices[0].total.value, mean, 1e-13);
+  EXPECT_NEAR(result.indices[0].total.lower, mean - half, 1e-10);
+  EXPECT_NEAR(result.indices[0].total.upper, mean + half, 1e-10);
+  EXPECT_NEAR(result.indices[0].first.value, 1.0, 1e-13);
+}
+
 TEST(SobolIndices, CountTheRowsThatHaveNoValue) {
   const auto model = [](std::span<const double> u) {
     return u[0] < 0.25 ? std::nullopt : std::optional(1.0);
   };
   const auto result = studies::sobol_indices(model, 1, 1024, 1);
   EXPECT_TRUE(within(static_cast<double>(result.dropped) / 1024.0, 1.0 - 0.75 * 0.75, sampling(0.44, 1024)));
-  EXPECT_EQ(result.indices[0].total.value, 0.0);  // constant
+  EXPECT_EQ(result.indices[0].total.value, 0.0);                                   // constant
+  EXPECT_EQ(studies::sobol_indices(model, 20, 1, 1).evaluations, 16u * 4u * 22u);  // the fewest rows are four
   EXPECT_THROW((void)studies::sobol_indices(model, 21, 1024, 1), std::invalid_argument);
 }
 
@@ -231,6 +273,16 @@ double force_per_metre(const data::Case& of) {
   return analytic::largest_unit_force(of.beam, of.damping, of.excitation.frequency_hz(), 10.0, 10).midpoint();
 }
 
+std::string refused_because(const data::Uncertainty& uncertainty,
+                            const std::optional<analytic::FrequencyBand>& band = {}) {
+  try {
+    (void)studies::slip_uncertainty(problem(), uncertainty, {.samples = 100, .band = band});
+  } catch (const data::InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
 // mu_s alone: A_c is proportional to it, and the tip slips below mu_c = A_0 |f_max|/(A_0 P).
 STICKSLIP_VERIFIES(SlipProbability, "Q2");
 TEST(SlipProbability, OfAnUncertainCoefficientIsThatOfItsDistribution) {
@@ -246,6 +298,9 @@ TEST(SlipProbability, OfAnUncertainCoefficientIsThatOfItsDistribution) {
     EXPECT_EQ(result.valid, 20000u);
     EXPECT_TRUE(result.invalid.empty());
     EXPECT_NEAR(result.nominal_margin, 0.6 / critical, 1e-7);
+    std::vector<double> probabilities;
+    for (const auto& quantile : result.quantiles) probabilities.push_back(quantile.probability);
+    EXPECT_EQ(probabilities, (std::vector{0.05, 0.25, 0.5, 0.75, 0.95}));
     for (const auto& [p, amplitude, margin] : result.quantiles) {
       const auto share_below = [&](double a) {
         return gsl_cdf_ugaussian_P((a * unit / 500.0 - 0.55) / 0.05);
@@ -255,7 +310,12 @@ TEST(SlipProbability, OfAnUncertainCoefficientIsThatOfItsDistribution) {
       EXPECT_LT(amplitude.value, amplitude.upper);
       EXPECT_NEAR(margin.value, amplitude.value / 0.5e-3, 1e-12);
     }
-    EXPECT_NEAR(result.tornado[0].margin_low.value(), (0.55 - 1.6448536269514722 * 0.05) / critical, 1e-7);
+    const double off = 1.6448536269514722 * 0.05;
+    EXPECT_NEAR(result.tornado[0].low, 0.55 - off, 1e-9);
+    EXPECT_NEAR(result.tornado[0].high, 0.55 + off, 1e-9);
+    EXPECT_NEAR(result.tornado[0].margin_low.value(), (0.55 - off) / critical, 1e-7);
+    EXPECT_NEAR(result.tornado[0].margin_high.value(), (0.55 + off) / critical, 1e-7);
+    EXPECT_EQ(result.sensitivity->evaluations, 4096u * 3u);
     expect_index(result.sensitivity->indices[0].total, 1.0);
     const double halved = gsl_cdf_ugaussian_P((critical - 0.55) / 0.025);
     EXPECT_TRUE(within(result.probability_with_half_spread.value, halved, sampling(halved, 20000)));
@@ -283,6 +343,8 @@ TEST(SlipProbability, OfCorrelatedKeysIsThatOfTheirQuotient) {
         std::log(0.6 * 500.0 / (0.55e-3 * force_per_metre(problem()))) - 0.5 * s * s + 0.5 * t * t;
     const double expected = gsl_cdf_ugaussian_P(-mean / std::sqrt(s * s + t * t - 2.0 * rho * s * t));
     EXPECT_TRUE(within(result.probability_of_slip.value, expected, sampling(expected, 20000))) << rho;
+    const double halved = gsl_cdf_ugaussian_P(-mean / std::sqrt(s * s + 0.25 * t * t - rho * s * t));
+    EXPECT_TRUE(within(result.probability_with_half_spread.value, halved, sampling(halved, 20000))) << rho;
     EXPECT_EQ(result.sensitivity.has_value(), rho == 0.0);
     EXPECT_EQ(uncertainty.keys[result.decisive].key, "excitation.amplitude");
     if (rho == 0.0) expect_index(result.sensitivity->indices[0].first, s * s / (s * s + t * t));
@@ -317,9 +379,45 @@ TEST(SlipProbability, CountsWhatIsNoBeam) {
   EXPECT_TRUE(within(lost("beam.axial_force"), 0.075, sampling(0.075, 2000)));
   EXPECT_EQ(result.valid, 2000u - result.invalid.at("beam.length") - result.invalid.at("beam.axial_force"));
   EXPECT_GT(result.sensitivity->dropped, 0u);
-  EXPECT_THROW((void)studies::slip_uncertainty(problem(), independent({{"beam.length", uniform(-2.0, -1.0)}}),
-                                               {.samples = 10}),
-               data::InputError);
+  EXPECT_EQ(refused_because(independent(
+                {{"beam.axial_force", uniform(-9.0, -1.0)}, {"beam.length", uniform(-9.0, 3.0)}})),
+            "no sample is a beam with a verdict, but one or more must be; most have no valid beam.length");
+}
+
+// A key that loses the beam is the widest, beside one that changes the margin fourfold.
+TEST(SlipProbability, HangsMostOnTheKeyThatLosesTheBeam) {
+  auto uncertainty =
+      independent({{"friction.static_coefficient", uniform(0.1, 0.5)}, {"beam.length", uniform(-1.0, 2.0)}});
+  uncertainty.correlation[1] = uncertainty.correlation[2] = 0.1;
+  const auto result = studies::slip_uncertainty(problem(), uncertainty, {.samples = 20});
+  EXPECT_FALSE(result.tornado[1].margin_low);
+  EXPECT_TRUE(result.tornado[1].margin_high);
+  EXPECT_EQ(result.decisive, 1u);
+}
+
+// The kinetic coefficient of the case is 0.3: it follows a smaller static one unless it is uncertain itself.
+TEST(SlipProbability, LetsACertainKineticCoefficientFollowTheStaticOne) {
+  const std::pair<std::string, Distribution> coefficient{"friction.static_coefficient", uniform(0.1, 0.5)};
+  EXPECT_EQ(studies::slip_uncertainty(problem(), independent({coefficient}), {.samples = 1000}).valid, 1000u);
+  const auto both = studies::slip_uncertainty(
+      problem(), independent({coefficient, {"friction.kinetic_coefficient", uniform(0.2999, 0.3001)}}),
+      {.samples = 1000});
+  EXPECT_TRUE(within(static_cast<double>(both.valid) / 1000.0, 0.5, sampling(0.5, 1000)));
+}
+
+TEST(SlipProbability, HasIndicesOfUpToTwentyKeysAndTellsAShareThatGrowsToOne) {
+  for (const std::size_t count : {20u, 21u}) {
+    const std::vector<std::pair<std::string, Distribution>> keys(
+        count, {"friction.static_coefficient", uniform(0.4, 0.5)});
+    double last = 0.0;
+    const auto result =
+        studies::slip_uncertainty(problem(), independent(keys), {.samples = 20}, [&](double share) {
+          EXPECT_GE(share, last);
+          last = share;
+        });
+    EXPECT_NEAR(last, 1.0, 1e-14);
+    EXPECT_EQ(result.sensitivity.has_value(), count == 20u);
+  }
 }
 
 TEST(SlipProbability, OverABandIsThatOfItsWorstFrequency) {
@@ -338,10 +436,10 @@ TEST(SlipProbability, OverABandIsThatOfItsWorstFrequency) {
   damped.damping = data::Damping({.ratio = 0.01});
   EXPECT_THROW((void)studies::slip_uncertainty(damped, coefficient, {.samples = 10, .band = band}),
                data::InputError);
-  EXPECT_THROW(
-      (void)studies::slip_uncertainty(problem(), independent({{"excitation.frequency_hz", uniform(1, 2)}}),
-                                      {.samples = 10, .band = band}),
-      data::InputError);
+  for (const std::string key : {"excitation.frequency_hz", "damping.ratio"})
+    EXPECT_EQ(refused_because(independent({{key, uniform(0.1, 0.2)}}), band),
+              ": " + key + " is uncertain, but must be certain with a band");
+  EXPECT_EQ(result.sensitivity->evaluations, 256u * 3u);  // a sixteenth of the rows without a band
 }
 
 TEST(SlipProbability, LeavesOutKeysThatAreGiven) {
