@@ -77,10 +77,9 @@ using Model = std::function<std::optional<double>(std::span<const double>)>;
 ///
 ///     S_i = 1 - mean (f(B) - f(AB_i))^2/(2 V),     T_i = mean (f(A) - f(AB_i))^2/(2 V),     V = var f.
 ///
-/// The mean of 16 independent replications is the estimate, and Student's t gives its interval. Each has a sixteenth of
-/// `rows`, at least 4, at the next power of two. A row without a
-/// value somewhere counts nowhere. Where V is 0 all indices are 0. At most 20 inputs
-/// (std::invalid_argument). The result does not depend on the number of threads.
+/// The mean of 16 independent replications, each of a sixteenth of `rows` or the next power of two, at least 4, is the
+/// estimate, and Student's t gives its interval. A row without a value somewhere counts nowhere. Where V is 0 all
+/// indices are 0. At most 20 inputs (std::invalid_argument). The result does not depend on the number of threads.
 [[nodiscard]] Sensitivity sobol_indices(const Model& model, std::size_t inputs, std::size_t rows,
                                         std::uint64_t seed, const std::function<void(double)>& progress = {});
 
