@@ -119,7 +119,8 @@ Json to_json(const data::Case& problem, const studies::Squeal& squeal, const stu
 std::vector<double> values_of(const std::string& option, const std::string& text, int count) {
   const studies::ParameterRange range = parse_range(option, text);
   std::vector<double> values;
-  for (int i = 0; i < count; ++i) values.push_back(range.from + (range.to - range.from) * i / (count - 1));
+  for (int i = 0; i < count; ++i)
+    values.push_back(std::lerp(range.from, range.to, static_cast<double>(i) / (count - 1)));
   return values;
 }
 
@@ -130,6 +131,14 @@ void require_consistent(const SquealOptions& options) {
     throw data::InputError("--json and --map - both want standard output, but --json needs --map FILE");
   if (!options.map.empty() && options.map == options.figure)
     throw data::FieldError("--figure", data::printable(options.figure), "another file than --map");
+}
+
+// A damping ratio is that of the modes of the case, which with the deflection of the tip have one root more.
+void require_modes(const data::Case& problem, int modes) {
+  const int most = problem.numerics.modes() + 1;
+  if (problem.damping.ratio() > 0.0 && modes > most)
+    throw data::FieldError(
+        "--modes", modes, fmt::format("at most {} with a damping.ratio: one more than numerics.modes", most));
 }
 
 // The map that is asked for, if any: checked, and its files opened, before the work begins.
@@ -185,6 +194,7 @@ void run(const SquealOptions& options) {
   require_consistent(options);
   const data::Case problem = case_of(options);
   data::require_rigid(problem.contact, "squeal; respond takes it");
+  require_modes(problem, options.modes);
   const auto inquiry = studies::Inquiry::event_driven_history;
   const studies::Squeal squeal = studies::squeal_of(problem, options.modes);
   Map map(problem, options);

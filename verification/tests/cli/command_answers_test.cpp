@@ -680,5 +680,18 @@ TEST_F(CommandAnswers, SquealNamesTheModeThatGrowsAndTheSpeedThatHoldsIt) {
   EXPECT_EQ(json("periodic reed" + settings)["period_s"], answer["cycle"]["period_s"]);
 }
 
+// Two modes and the tip have three roots; without a damping ratio the modes are those of the continuous beam.
+TEST_F(CommandAnswers, SquealHasAsManyModesAsItsModel) {
+  const std::string reed = "squeal reed --set numerics.modes=2 --set numerics.elements=4 --settle 1 --modes ";
+  const auto modes = json(reed + "3")["modes"];
+  ASSERT_EQ(modes.size(), 3u);
+  EXPECT_GT(modes[2]["frequency_hz"], modes[1]["frequency_hz"]);
+  expect_refused(reed + "4",
+                 "--modes is 4, but must be at most 3 with a damping.ratio: one more than numerics.modes");
+  EXPECT_EQ(json(reed + "4 --set damping.ratio=0")["modes"].size(), 4u);
+  expect_refused("squeal reed --map a.csv --speeds 0.1:1 --ratios 0.01:2",
+                 "damping.ratio is 2, but must be a number from 0 to below 1");
+}
+
 }  // namespace
 }  // namespace stickslip::testing

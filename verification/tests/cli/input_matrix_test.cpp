@@ -755,6 +755,7 @@ std::vector<Command> commands() {
            {{"CASE", "reed"},
             {"--set", "numerics.modes=2"},
             {"--set", "numerics.elements=4"},
+            {"--modes", "3"},
             {"--settle", "5"},
             {"--map", "FOLDER/out.csv"},
             {"--speeds", "0.1:0.5"},
