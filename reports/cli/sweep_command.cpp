@@ -71,7 +71,7 @@ std::string drawn(const report::CsvTable& table, const studies::SweepTask& task,
       {{"sweep.csv", table.text()}, {"sweep-values.csv", report::values_table(values).text()}});
 }
 
-// The values at which up and down have other sections: as many as the smaller side of the two.
+// The number of values at which up and down have other sections.
 std::size_t values_with_hysteresis(const std::vector<studies::SweepPoint>& points) {
   const auto extent = [](const studies::SweepPoint& point) {
     return std::ranges::minmax(point.section, {}, &studies::SectionPoint::friction_force);

@@ -152,6 +152,7 @@ TEST_F(CommandAnswers, RespondByTheBoundaryIntegralWritesTheRunAndItsStepEffect)
   for (std::size_t n = 0; n < tip.size(); ++n) change = std::max(change, std::abs(tip[n] - coarser[n]));
   EXPECT_EQ(answer["largest_change_on_twice_the_step_m"], change);
   EXPECT_GT(change, 0.0);
+  EXPECT_LT(change, 1e-5);  // a hundredth of the amplitude
 
   const auto history = rows();
   ASSERT_EQ(history.size(), 81u);
@@ -255,9 +256,7 @@ TEST_F(CommandAnswers, ModesPrintsDigitsOfTheClosedFormThatAreTrue) {
             std::abs(static_cast<long double>(answer["frequencies_hz"][n].get<double>()) / reference[n] -
                      1.0L),
             static_cast<long double>(estimate));
-        if (beam != "near-buckling") {
-          EXPECT_LT(estimate, 1e-14) << beam << " " << state << " " << n + 1;
-        }
+        EXPECT_LT(estimate, beam == "near-buckling" ? 1e-12 : 1e-14) << beam << " " << state << " " << n + 1;
       }
     }
 }
@@ -560,7 +559,6 @@ TEST_F(CommandAnswers, LimitsThemselvesAreAllowed) {
   expect_refused(map + "--x length=0.5:1:2001", "COUNT is '2001', but must be an integer from 2 to 2000");
   EXPECT_EQ(run(map + "--threads 1024 --x length=0.5:1:2").status, 0);
   expect_refused(map + "--threads 1025 --x length=0.5:1:2", "is 1025, but must be an integer from 1 to 1024");
-  expect_refused("animate --frames 10000", "is 10000, but must be an integer from 2 to 9999");
 }
 
 TEST_F(CommandAnswers, MapAxesHaveEqualStepsOrRatios) {
