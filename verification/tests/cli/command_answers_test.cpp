@@ -7,13 +7,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "stickslip/analytic/beam_boundary_integral.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/data/reference.hpp"
 #include "support/command_line.hpp"
@@ -264,9 +267,11 @@ TEST_F(CommandAnswers, ModesPrintsDigitsOfTheClosedFormThatAreTrue) {
 TEST_F(CommandAnswers, ModesEstimatesTheErrorOfFiniteElementsToATenth) {
   // The estimate is the leading error, (beta l)^4/1440; on 40 elements the next one is below 1 % for these
   // modes, and so is the axial force that it leaves out.
-  for (const std::string state : {"stick", "slip"}) {
-    const auto exact = json("modes --count 5 --state " + state);
-    const auto mesh = json("modes --count 5 --method fe --set numerics.elements=40 --state " + state);
+  const std::string shear = " --set beam.shear_stiffness=6.41e6";
+  for (const auto& [state, beam] : std::vector<std::pair<std::string, std::string>>{
+           {"stick", ""}, {"slip", ""}, {"stick", shear}, {"slip", shear + " --set beam.axial_force=0"}}) {
+    const auto exact = json("modes --count 5 --state " + state + beam);
+    const auto mesh = json("modes --count 5 --method fe --set numerics.elements=40 --state " + state + beam);
     EXPECT_EQ(mesh["elements"], 40);
     EXPECT_FALSE(exact.contains("elements"));
     EXPECT_EQ(mesh["state"], state);
@@ -277,12 +282,35 @@ TEST_F(CommandAnswers, ModesEstimatesTheErrorOfFiniteElementsToATenth) {
       const double error =
           mesh["frequencies_hz"][n].get<double>() / exact["frequencies_hz"][n].get<double>() - 1.0;
       EXPECT_NEAR(error / mesh["relative_error_estimates"][n].get<double>(), 1.0, 0.1)
-          << state << " " << n + 1;
+          << state << beam << " " << n + 1;
     }
   }
   EXPECT_TRUE(run("modes --method fe --set numerics.elements=40")
                   .output.starts_with("paper: stick state, 40 finite elements\n"));
   EXPECT_TRUE(run("modes --state slip").output.starts_with("paper: slip state, closed form\n"));
+}
+
+// Without axial force the stick frequencies are as accurate as the data, and b of a clamped-free beam is a root of C =
+// 2 b^4 (1/cosh b + cos b). Half the buckling load doubles the error with shear; tension does not.
+TEST_F(CommandAnswers, ModesEstimatesTheRoundingOfTheClosedForm) {
+  const auto units = [&](const std::string& options) {
+    std::vector<double> errors = json("modes --set beam.axial_force=" + options)["relative_error_estimates"];
+    for (double& error : errors) error /= 4.0 * std::numeric_limits<double>::epsilon();
+    return errors;
+  };
+  EXPECT_EQ(units("0"), std::vector<double>(3, 1.0));
+  const auto slip = units("0 --state slip");
+  const std::vector<double> roots{1.8751040687119611, 4.694091132974175, 7.854757438237612};
+  for (std::size_t n = 0; n < roots.size(); ++n) {
+    const double b = roots[n], shape = 1.0 / std::cosh(b);
+    const double slope = b * std::abs(std::sin(b) + shape * std::tanh(b));  // (b/2) dC/db over 2 b^4, times 2
+    EXPECT_NEAR(slip[n], 1.0 + 2.0 * (1.0 + shape) / slope, 1e-8) << n + 1;  // a difference of steps of 1e-6
+  }
+  const std::string shear = " --set beam.shear_stiffness=6.41e6";
+  const double load = analytic::stick_buckling_load(
+      data::load_case("paper", {{"beam.shear_stiffness", "6.41e6", "--set"}}).beam);
+  EXPECT_NEAR(units(fmt::format("{}{}", 0.5 * load, shear))[0], 2.0, 1e-12);
+  EXPECT_EQ(units(fmt::format("{}{}", -0.5 * load, shear))[0], 1.0);
 }
 
 // --- criterion
@@ -402,19 +430,47 @@ TEST_F(CommandAnswers, MapWritesAValueWhereItHasConvergedOnly) {
 
 // --- sweep
 
+// Up and down differ where the smallest or the largest force does by more than 1 % of the largest of them.
 TEST_F(CommandAnswers, SweepHasTheSectionOfEachValue) {
+  install_gnuplot("cat \"${folder}sweep.csv\" \"${folder}sweep-values.csv\" > $output\n");
+  const std::string file = path("sweep.csv");
   const std::string command =
-      "sweep damped --set numerics.time_step=1e-4 --hz 35 --parameter amplitude=1e-3:1.4e-3:3 --settle 5 "
-      "--periods 4 "
-      "--output '" +
-      path("sweep.csv") + "' ";
+      "sweep damped --set numerics.time_step=1e-3 --hz 25 --settle 5 --periods 2 "
+      "--parameter amplitude=1e-4:5e-4:9 --output '" +
+      file + "' ";
   const auto answer = json(command);
-  ASSERT_EQ(answer["points"].size(), 6u);
+  ASSERT_EQ(answer["points"].size(), 18u);
   EXPECT_EQ(answer["points"][0]["direction"], "up");
-  EXPECT_EQ(answer["points"][5]["direction"], "down");
-  EXPECT_EQ(answer["points"][5]["value"], 1e-3);
-  EXPECT_EQ(csv(contents(path("sweep.csv"))).size(), 3u + 6u * 4u);
-  EXPECT_EQ(run(command + "--direction down").output, "3 points written to " + path("sweep.csv") + "\n");
+  EXPECT_EQ(answer["points"][17], nlohmann::json({{"direction", "down"}, {"value", 1e-4}, {"period", 0}}));
+  EXPECT_EQ(answer["parameter"], "amplitude=1e-04:5e-04:9");
+  EXPECT_EQ(answer["direction"], "both");
+  EXPECT_TRUE(answer["figure"].is_null());
+  const auto rows = csv(contents(file));
+  ASSERT_EQ(rows.size(), 3u + 18u * 2u);
+  std::size_t differ = 0;
+  for (std::size_t i = 0; i < 9; ++i) {
+    const auto force = [&](std::size_t row) { return number(rows[3 + row][4]); };
+    const auto up = std::minmax({force(2 * i), force(2 * i + 1)}),
+               down = std::minmax({force(34 - 2 * i), force(35 - 2 * i)});
+    EXPECT_EQ(rows[3 + 2 * i][0], "up");
+    EXPECT_EQ(rows[3 + 34 - 2 * i][0], "down");
+    EXPECT_EQ(rows[3 + 2 * i][1], rows[3 + 34 - 2 * i][1]);
+    const double largest =
+        std::max({std::abs(up.first), std::abs(up.second), std::abs(down.first), std::abs(down.second)});
+    if (std::max(std::abs(up.first - down.first), std::abs(up.second - down.second)) > 0.01 * largest)
+      ++differ;
+  }
+  EXPECT_EQ(answer["values_with_hysteresis"], differ);
+  EXPECT_EQ(run(command).output,
+            fmt::format("18 points written to {}; up and down differ at {} of 9 values\n", file, differ));
+  EXPECT_EQ(run(command + "--direction down --figure '" + path("sweep.svg") + "'").output,
+            "9 points written to " + file + "\n");
+  const std::string drawn = contents(path("sweep.svg"));
+  EXPECT_TRUE(drawn.starts_with(contents(file)));
+  EXPECT_TRUE(drawn.ends_with("\nparameter,2,1\n")) << drawn;  // the second parameter
+  // A base that does not move leaves zeros without a sign.
+  EXPECT_EQ(csv(run("sweep damped --parameter amplitude=0:1e-4:2 --settle 0 --periods 1").output)[3],
+            (std::vector<std::string>{"up", "0", "0", "0", "0", "0"}));
 }
 
 // --- respond --spectrum
@@ -526,6 +582,27 @@ TEST_F(CommandAnswers, DesignOfABandWithAResonanceSlips) {
   EXPECT_NE(text.find("slips: natural frequency 1, 2 in the band\n"), std::string::npos) << text;
 }
 
+// The buckling load is 84128 N. The margin is smallest at the end of the band that is nearer to 24.97 Hz.
+TEST_F(CommandAnswers, DesignBeyondTheBucklingLoadHasNoStickState) {
+  const std::string command = "design paper --band 20:21 --length 1.9:2 --force 400:200000 --duration 0.2";
+  const auto answer = json(command);
+  const auto& scan = answer["axial_forces_N"];
+  EXPECT_GT(answer["margin"]["lower"], 1.5);
+  EXPECT_EQ(scan["intervals"].back()["state"], "no stick state");
+  EXPECT_NEAR(scan["intervals"].back()["from"], 84128.0, 1.0);
+  const std::string text = run(command).output;
+  for (const std::string& line :
+       {std::string(": sticks\nat / Hz                           21.00000\n"),
+        fmt::format("axial force / N at L = 2 m, ends to {:#.2g}\n400 ... ", scan["accuracy"].get<double>()),
+        std::string("84128             slips, without a natural frequency in the band\n84128 ... 200000"),
+        std::string("no stick state: P is at the buckling load 20.19 EI/L^2 or over it\n")})
+    EXPECT_NE(text.find(line), std::string::npos) << line << text;
+  expect_refused(
+      "design --band 20:30 --length 1e-3:2",
+      "excitation.duration is 10, but must be at most 0.0148 s, a hundred million periods of natural "
+      "frequency 10");
+}
+
 TEST_F(CommandAnswers, DesignTakesItsRangesFromTheCase) {
   const auto answer = json("design paper --band 30:31 --duration 0.1");
   EXPECT_EQ(answer["lengths_m"]["intervals"][0]["from"], 1.0);
@@ -559,6 +636,22 @@ TEST_F(CommandAnswers, LimitsThemselvesAreAllowed) {
   expect_refused(map + "--x length=0.5:1:2001", "COUNT is '2001', but must be an integer from 2 to 2000");
   EXPECT_EQ(run(map + "--threads 1024 --x length=0.5:1:2").status, 0);
   expect_refused(map + "--threads 1025 --x length=0.5:1:2", "is 1025, but must be an integer from 1 to 1024");
+}
+
+TEST_F(CommandAnswers, HelpNamesTheLimitsAndTheDefaultsOfNumbers) {
+  const std::map<std::string, std::vector<std::string>> options{
+      {"modes", {"--count INT:1 ... 1000=3"}},
+      {"animate", {"--frames INT:2 ... 9999=200"}},
+      {"sweep", {"--settle INT:0 ... 1000000=100", "--periods INT:1 ... 100000=32"}},
+      {"uncertainty", {"--samples UINT:1 ... 100000000=10000", "--seed UINT:0 ... 1000000000=1"}},
+      {"squeal", {"--modes INT:1 ... 50=5", "--settle INT:1 ... 100000=200", "--count INT:2 ... 500=41"}},
+      {"periodic", {"--periods INT:1 ... 1000=1", "--settle INT:1 ... 100000=200"}}};
+  for (const auto& [command, entries] : options) {
+    std::string help = run(command + " --help").output;
+    std::ranges::replace(help, '\n', ' ');
+    for (const std::string& entry : entries)
+      EXPECT_NE(help.find("  " + entry + " "), std::string::npos) << command << " " << entry;
+  }
 }
 
 TEST_F(CommandAnswers, MapAxesHaveEqualStepsOrRatios) {
@@ -618,7 +711,7 @@ TEST_F(CommandAnswers, CommandsThatNeedAWallAtRestSaySo) {
   expect_refused("periodic reed --set wall.speed=0", "excitation.amplitude is 0, but must be above 0");
   expect_refused("squeal reed --set numerics.elements=201",
                  "numerics.elements is 201, but must be at most 200 here");
-  expect_refused("squeal reed --map m.csv", "--speeds");
+  expect_refused("squeal reed --map m.csv", "--map requires --speeds");
   expect_refused("squeal reed --figure m.png", "--figure draws the map, but --map FILE is missing");
 }
 
@@ -631,6 +724,11 @@ TEST_F(CommandAnswers, OutputsThatExcludeEachOtherAreRefused) {
   expect_refused(squeal + "--json --map -", "--json and --map - both want standard output");
   expect_refused(squeal + "--map a.csv --figure a.csv",
                  "--figure is a.csv, but must be another file than --map");
+  const std::string map = "squeal reed --map a.csv ", speed = "--speeds: wall.speed is ";
+  expect_refused(map + "--speeds 1e-16:1 --ratios 0.01:0.02",
+                 speed + "1e-16, but must be from 1e-15 to 1e+09");
+  expect_refused(map + "--speeds 0.1:1e12 --ratios 0.01:0.02",
+                 speed + "1e+12, but must be from 1e-15 to 1e+09");
   const std::string sweep = "sweep paper --parameter amplitude=1e-4:1e-3:3 ";
   expect_refused(sweep + "--json --output -", "--json and --output - both want standard output");
   expect_refused(sweep + "--output a.png --figure a.png",
@@ -658,8 +756,15 @@ TEST_F(CommandAnswers, ColumnsOfAMapHaveTheNameAndTheUnitOfTheirParameter) {
       has("--quantity travel --x decay=1:2:2 --y kinetic=0.3:0.4:2", "decay_s_per_m,kinetic_coefficient,"));
 }
 
-TEST_F(CommandAnswers, ReferenceShowsWhichColumnsAreComparedAsWords) {
-  EXPECT_NE(run("reference show classification").output.find("verdict: word by word"), std::string::npos);
+TEST_F(CommandAnswers, ReferenceShowsHowEachColumnIsCompared) {
+  EXPECT_NE(run("reference show classification")
+                .output.find("  force_ratio         1        enclosed   |f|_max/(mu_s P)\n"),
+            std::string::npos);
+  EXPECT_NE(run("reference show single-mass-events")
+                .output.find("comparison: table\n  change: word by word\n"
+                             "  time: uncertainty 2.5e-31 to 1.2e-30 s, tolerance 1e-06 (relative)\n"
+                             "  position: uncertainty 3e-36 to 3.3e-31 m, tolerance 1e-06 m (absolute)\n\n"),
+            std::string::npos);
 }
 
 TEST_F(CommandAnswers, SquealNamesTheModeThatGrowsAndTheSpeedThatHoldsIt) {
@@ -670,12 +775,26 @@ TEST_F(CommandAnswers, SquealNamesTheModeThatGrowsAndTheSpeedThatHoldsIt) {
   const auto& mode = answer["modes"][0];
   EXPECT_GT(mode["root"]["growth_per_s"], 0.0);
   EXPECT_LT(answer["modes"][1]["root"]["growth_per_s"], 0.0);
+  // A growth g moves the frequency by less than g^2/(2 omega^2) of it, 94.8 1/s against 1575.4 1/s.
+  const double free = mode["frequency_hz"];
+  EXPECT_NEAR(mode["root"]["frequency_hz"], free, 2e-3 * free);
+  EXPECT_EQ(mode["unstable_at_every_speed"], false);
   const double speed = mode["critical_speed_m_per_s"];
   EXPECT_EQ(json("squeal reed --speed " + fmt::format("{}", 1.01 * speed) + settings)["verdict"], "stable");
   EXPECT_EQ(json("squeal reed --speed " + fmt::format("{}", 0.99 * speed) + settings)["verdict"], "unstable");
   EXPECT_TRUE(answer["cycle"]["found"]);
   EXPECT_EQ(answer["cycle"]["multipliers"].size(), 10U);
   EXPECT_EQ(json("periodic reed" + settings)["period_s"], answer["cycle"]["period_s"]);
+
+  const std::string undamped =
+      "squeal reed --set damping.ratio=0 --set numerics.modes=2 --set numerics.elements=4 --settle 1";
+  const auto never = json(undamped)["modes"][0];
+  EXPECT_TRUE(never["critical_speed_m_per_s"].is_null());
+  EXPECT_EQ(never["unstable_at_every_speed"], true);
+  const std::string text = run(undamped).output;
+  EXPECT_NE(text.find("\nsteady sliding                    closed form         finite elements\n"),
+            std::string::npos);
+  EXPECT_NE(text.find(" every speed\n"), std::string::npos) << text;
 }
 
 // Two modes and the tip have three roots; without a damping ratio the modes are those of the continuous beam.
@@ -689,6 +808,55 @@ TEST_F(CommandAnswers, SquealHasAsManyModesAsItsModel) {
   EXPECT_EQ(json(reed + "4 --set damping.ratio=0")["modes"].size(), 4u);
   expect_refused("squeal reed --map a.csv --speeds 0.1:1 --ratios 0.01:2",
                  "damping.ratio is 2, but must be a number from 0 to below 1");
+}
+
+// Below the critical speed of 1 % of damping a disturbance grows, slowly at 0.2 % below it, and above it none does.
+TEST_F(CommandAnswers, SquealMapsTheGrowthOverSpeedsAndRatios) {
+  install_gnuplot("cat \"${folder}squeal.csv\" > $output\n");
+  const std::string reed =
+      "squeal reed --set numerics.modes=2 --set numerics.elements=4 --settle 1 --modes 3 ";
+  const double critical = json(reed)["modes"][0]["critical_speed_m_per_s"];
+  const std::string text = run(reed +
+                               fmt::format("--speeds {}:{} --ratios 0.01:0.03 --count 3 --map - ",
+                                           0.998 * critical, 1.004 * critical) +
+                               "--figure '" + path("map.svg") + "'")
+                               .output;
+  EXPECT_EQ(contents(path("map.svg")), text);
+  const auto rows = csv(text);
+  ASSERT_EQ(rows.size(), 3u + 3u * 4u) << text;
+  for (std::size_t i = 0; i < 9; ++i) {
+    const auto& row = rows[3 + i + i / 3];
+    EXPECT_NEAR(number(row[0]), (0.998 + 0.003 * static_cast<double>(i % 3)) * critical, 1e-15);
+    EXPECT_NEAR(number(row[1]), 0.01 * static_cast<double>(1 + i / 3), 1e-17);
+    EXPECT_EQ(row[3], i == 0 ? "unstable" : "stable") << i;
+    // Eigenvalues of the model against roots of its mobility, rounded at 3e4 1/s.
+    const auto at = json(reed + "--speed " + row[0] + " --set damping.ratio=" + row[1])["modes"][0]["root"];
+    EXPECT_NEAR(number(row[2]), at["growth_per_s"], 1e-7) << i;
+    if (i % 3 == 2) {
+      EXPECT_TRUE(rows[4 + i + i / 3].empty());
+    }
+  }
+}
+
+TEST_F(CommandAnswers, PeriodicSaysWhatItFindsOrWhyNot) {
+  const auto damped = json("periodic damped --set numerics.modes=5 --settle 50");
+  EXPECT_EQ(damped["forced"], true);
+  EXPECT_DOUBLE_EQ(damped["period_s"], 1.0 / 25.0);
+  EXPECT_DOUBLE_EQ(damped["frequency_hz"], 25.0);
+  EXPECT_EQ(damped["verdict"], "unstable");
+  // On a fast wall the tip slides all the time, and goes with the base.
+  const std::string fast = "periodic reed --set wall.speed=1.5 --set numerics.modes=2 ";
+  const std::string sliding = run(fast + "--amplitude 1e-5 --hz 100 --periods 2").output;
+  EXPECT_TRUE(
+      sliding.starts_with("reed: a periodic motion, without stick\n\n"
+                          "period / s                        0.02\n"
+                          "frequency / Hz                    50\n"))
+      << sliding;
+  EXPECT_NE(sliding.find("\nchanges of contact                0\n"), std::string::npos) << sliding;
+  EXPECT_EQ(run(fast).output, "reed: the tip slides steadily\n");
+  const auto stuck = json("periodic paper --hz 15 --amplitude 1e-5 --settle 5");
+  EXPECT_EQ(stuck["found"], false);
+  EXPECT_EQ(stuck["reason"], "the tip sticks");
 }
 
 }  // namespace

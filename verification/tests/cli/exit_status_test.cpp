@@ -35,6 +35,9 @@ TEST(ExitStatus, IsTwoForWhatTheUserCanMend) {
   EXPECT_EQ(told_after(data::FieldError("beam.length", -2.0, "above 0"), 2),
             "stickslip: beam.length is -2, but must be above 0\n");
   EXPECT_EQ(told_after(OutputError("a.csv cannot be written"), 2), "stickslip: a.csv cannot be written\n");
+  const std::string longest(2000, 'a');
+  EXPECT_EQ(told_after(data::InputError(longest), 2), "stickslip: " + longest + "\n");
+  EXPECT_EQ(told_after(data::InputError(longest + "a"), 2), "stickslip: " + longest + "...\n");
 }
 
 TEST(ExitStatus, IsOneForAMistakeOfTheProgramWhichTheMessageNames) {

@@ -121,7 +121,15 @@ TEST_F(Fault, CtrlCEndsLongWorkAtOnceAndSaysHowFarItCame) {
             " s of 300 s; nothing is kept\n"},
            {"respond --duration 1e5", "interrupted at ",
             "standard output holds the history up to there at most\n"},
-           {"criterion --set excitation.duration=2e4", "interrupted before there was a result", "\n"}}) {
+           {"criterion --set excitation.duration=2e4", "interrupted before there was a result", "\n"},
+           {"periodic reed --settle 100000", "interrupted before there was a result", "\n"},
+           {"squeal reed --settle 100000 --map '" + path("map.csv") +
+                "' --speeds 0.1:1 --ratios 0.01:0.02 --figure '" + path("map.png") + "'",
+            "interrupted before there was a result", "\n"},
+           {"sweep --settle 1000000" + output + " --figure '" + path("sweep.png") + "'",
+            "interrupted; nothing is kept", "\n"},
+           {"uncertainty --samples 100000000", "interrupted after ",
+            " % of the samples; nothing is kept\n"}}) {
     const Ending ending = signalled(arguments, SIGINT, std::chrono::milliseconds(150));
     EXPECT_EQ(ending.status, 130) << arguments;
     EXPECT_LT(ending.seconds, 1.0) << arguments;

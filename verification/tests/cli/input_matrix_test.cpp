@@ -994,6 +994,8 @@ TEST_F(OptionInput, ThatIsMisspeltGetsASuggestion) {
                  "--state is slipp (did you mean slip?), but must be one of stick, slip");
   expect_refused("map --x frequncy=1:2:3", "(did you mean frequency?)");
   expect_refused("modes paper damped", "the argument damped is one more than modes takes");
+  expect_refused("modes paper -", "the argument - is one more than modes takes");
+  expect_refused("modes -x", "the option -x is unknown");
 }
 
 TEST_F(OptionInput, ThatHasNoValueOrTwoIsNamed) {

@@ -42,6 +42,24 @@ TEST_F(NewCase, HoldsTheValuesThatAreSet) {
   EXPECT_EQ(run("criterion '" + file() + "'").status, 0);
 }
 
+TEST_F(NewCase, HasATableForEachGroupOfKeysWithComments) {
+  ASSERT_EQ(
+      run(command("--set \"section.shape='circle'\" --set friction.decay=0.50 --set damping.ratio=0.02"))
+          .status,
+      0);
+  const std::string text = contents(file());
+  EXPECT_TRUE(
+      text.starts_with("# A beam of your own. Try: stickslip criterion " + file() +
+                       "\n[beam]\nlength = \"400 mm\"               # L, from the clamp to the wall\n"))
+      << text;
+  EXPECT_NE(text.find("\n\n[section]\nshape = \"circle\"                # rectangle, circle or tube\n"
+                      "diameter = \"10 mm\"              # outside\n\n[friction]\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("\ndecay = 0.50                    # s/m, how fast"), std::string::npos) << text;
+  EXPECT_NE(text.find("\n\n[damping]\nratio = 0.02\n\n# Without damping"), std::string::npos) << text;
+}
+
 TEST_F(NewCase, ReplacesASectionOrAMaterialByNumbers) {
   ASSERT_EQ(run(command("--set beam.area=1e-4 --set beam.second_moment_of_area=1e-9 --set "
                         "'beam.density=1.2 g/cm^3' --set beam.youngs_modulus=3e9"))
@@ -58,6 +76,10 @@ TEST_F(NewCase, AsksForWhatIsNotSet) {
   const std::string ask = program + command("--ask --set beam.material=glass");
   const Outcome outcome = shell("printf '250 mm\\ntwo\\n\\ncircle\\n8 mm\\n\\n\\n\\n\\n\\n' | " + ask);
   ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_TRUE(
+      outcome.errors.starts_with("Enter keeps the value in brackets.\n"
+                                 "beam.length (L, from the clamp to the wall) [400 mm]: "))
+      << outcome.errors;
   EXPECT_NE(outcome.errors.find("beam.axial_force is 'two' (a string)"), std::string::npos) << outcome.errors;
   const data::Case problem = data::load_case(file());
   EXPECT_EQ(problem.beam.length(), 0.25);
@@ -214,6 +236,7 @@ TEST_F(FigureOfModes, HasTheShapesByBothMethods) {
       EXPECT_NE(contents(path("modes.pdf")).find(",1: 24.972 Hz"), std::string::npos);
     }
   }
+  EXPECT_EQ(run("modes paper --count 8 --figure '" + path("modes.pdf") + "'").status, 0);
   expect_refused("modes paper --count 9 --figure a.png", "--count is 9, but must be at most 8 with --figure");
 }
 
