@@ -142,7 +142,6 @@ void ContactMotion::begin_yielding() {
   yielding_force_ = alpha_level_force_ = contact_.yielding_force(position(), position(), sliding_velocity());
   alpha_level_time_ = 0.0;
   phase_ = {.state = is_smooth ? ContactState::slip : ContactState::stick, .wall_offset = position()};
-  if (is_smooth && sliding_velocity() != 0.0) phase_.direction = 1.0;
   kernel_->restart(phase_, time_, now_);
 }
 

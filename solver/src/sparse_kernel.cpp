@@ -185,7 +185,10 @@ void SparseKernel::restart(const StepPhase& phase, double time, Kinematics& now)
   if (phase.state == ContactState::slip || contact_.yields()) {
     const Eigen::Index c = system_.contact;
     subtract_internal_forces(system_.slip_stiffness);
-    residual_[c] += contact_.force(phase.direction, now.velocity[c] - system_.wall.velocity(time));
+    const double sliding = now.velocity[c] - system_.wall.velocity(time);
+    const double position = now.displacement[c] - system_.wall.displacement(time);
+    residual_[c] += contact_.yields() ? contact_.yielding_force(phase.wall_offset, position, sliding)
+                                      : contact_.force(phase.direction, sliding);
     now.acceleration = method_.mass_factor() * slip_matrix(whole_step_).solve(residual_);
     return;
   }

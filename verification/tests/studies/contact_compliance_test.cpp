@@ -234,6 +234,23 @@ TEST(SmoothLaw, AcceleratesAMassAsTheClosedFormSaysAtSecondOrderInBothImplementa
   }
 }
 
+// m v' = -mu N tanh(v/v_r): sinh(v/v_r) falls as exp(-mu N t/(m v_r)).
+TEST(SmoothLaw, BrakesAMassInBothDirectionsAtSecondOrder) {
+  for (const double start : {-0.5, -0.1, 0.1, 0.5}) {
+    std::vector<OrderLevel> levels;
+    for (const double h : {0.02, 0.01, 0.005, 0.0025}) {
+      auto mass = pushed_mass(0.0, width_of_law, h);
+      mass.start_slipping(scalar(0.0), scalar(start));
+      while (mass.time() < 0.4 - 0.5 * h) mass.step();
+      const double exact =
+          width_of_law * std::asinh(std::sinh(start / width_of_law) * std::exp(-0.4 / width_of_law));
+      levels.push_back(
+          {.step = h, .error = std::abs(mass.velocity()[0] - exact), .next_term = 3.0 * h, .floor = 1e-12});
+    }
+    EXPECT_TRUE(order_is(levels, 2.0)) << start;
+  }
+}
+
 // Below the limit it does not hold: v = v_r artanh(F/(mu N)).
 TEST(SmoothLaw, CreepsUnderAForceThatFrictionCouldHold) {
   constexpr double force = 0.5, width = 1e-3, h = 1e-3;
