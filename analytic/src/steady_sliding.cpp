@@ -90,7 +90,7 @@ double speed_of_slope(const data::FrictionLaw& friction, double normal_force, do
   const data::FrictionLaw law = friction.in_slip();
   const double at_rest = normal_force * (law.static_coefficient() - law.kinetic_coefficient()) * law.decay();
   const double fallen = slope + law.viscous() * normal_force;
-  if (at_rest <= fallen || at_rest == 0.0) return 0.0;
+  if (at_rest <= fallen) return 0.0;
   return fallen > 0.0 ? std::log(at_rest / fallen) / law.decay() : std::numeric_limits<double>::infinity();
 }
 

@@ -99,6 +99,10 @@ TEST(SteadySliding, OfAMassLosesItsStabilityWhereTheDamperEqualsTheSlope) {
   EXPECT_EQ(analytic::speed_of_slope(law, 10.0, 4.0), 0.0);
   EXPECT_EQ(analytic::speed_of_slope(data::FrictionLaw({0.6, 0.4, 2.0, 0.0}), 10.0, 0.0),
             std::numeric_limits<double>::infinity());
+  // Constant friction: the slope 0 of every speed is above a slope that drives, and below one that is held.
+  EXPECT_EQ(analytic::speed_of_slope(data::FrictionLaw({0.4, 0.4}), 10.0, -0.1),
+            std::numeric_limits<double>::infinity());
+  EXPECT_EQ(analytic::speed_of_slope(data::FrictionLaw({0.4, 0.4}), 10.0, 0.1), 0.0);
 }
 
 /// The slope at which the eigenvalue near i `angular_frequency` crosses the imaginary axis, by the secant method on its real
