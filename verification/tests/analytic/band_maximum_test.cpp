@@ -128,7 +128,9 @@ TEST(BandMaximum, RefusesWhatIsNoBand) {
   EXPECT_THROW(BandMaximum(paper_beam(), {0.0, 1.0}, 1.0), std::invalid_argument);
   EXPECT_THROW(BandMaximum(paper_beam(), {2.0, 1.0}, 1.0), std::invalid_argument);
   EXPECT_THROW(BandMaximum(paper_beam(), {1.0, 2.0}, 0.0), std::invalid_argument);
-  EXPECT_THROW((void)BandMaximum(paper_beam(), {1.0, 2.0}, 1.0).refined_to(0.0), std::invalid_argument);
+  for (const double width : {0.0, 0.99e-7, 1.0})
+    EXPECT_THROW((void)BandMaximum(paper_beam(), {1.0, 1.0}, 1.0).refined_to(width), std::invalid_argument);
+  EXPECT_NO_THROW((void)BandMaximum(paper_beam(), {1.0, 1.0}, 1.0).refined_to(1e-7));
   EXPECT_THROW(BandMaximum(paper_beam_with_axial_force(1e6), {1.0, 2.0}, 1.0), data::InputError);
 }
 

@@ -147,7 +147,8 @@ TEST(BoundaryIntegral, SolvesTheContactOfAStepAndFindsTheOnlySolution) {
     const double speed = std::abs(step.sliding_velocity);
     EXPECT_TRUE(
         within(step.sliding_velocity, free_velocity + weight * step.friction_force, round_off(4, 1.5, 5.0)));
-    if (std::abs(free_velocity) <= weight * limit) {
+    EXPECT_EQ(step.slides, std::abs(free_velocity) > weight * limit);
+    if (!step.slides) {
       EXPECT_EQ(step.sliding_velocity, 0.0);
     } else {
       EXPECT_GT(step.sliding_velocity * free_velocity, 0.0);
@@ -157,12 +158,33 @@ TEST(BoundaryIntegral, SolvesTheContactOfAStepAndFindsTheOnlySolution) {
   }
 }
 
+const ContactLaw one_newton{
+    10.0, data::FrictionLaw({.static_coefficient = 0.1, .kinetic_coefficient = 0.1, .decay = 0.0})};
+
 TEST(BoundaryIntegral, RefusesAStepWithMoreThanOneSolution) {
   const ContactLaw law{500.0, paper_friction()};  // kappa = 150 N s/m
   EXPECT_NO_THROW(analytic::require_unique_step(law, 0.999 / 150.0));
   EXPECT_THROW(analytic::require_unique_step(law, 1.001 / 150.0), std::invalid_argument);
   EXPECT_THROW((void)analytic::contact_steps({0.1, 0.1}, law, {1.0}), std::invalid_argument);
   EXPECT_THROW(analytic::FreeModeRun({{0.0, 1.0}}, law, 1.0), std::invalid_argument);
+  const ContactLaw exact{512.0, data::FrictionLaw({0.75, 0.25, 1.0})};  // kappa = 256 N s/m
+  EXPECT_THROW(analytic::require_unique_step(exact, 0x1p-8), data::InputError);
+  ContactLaw on_a_spring = law;
+  on_a_spring.tangential = data::TangentialContact({.tangential_stiffness = 1e6});
+  EXPECT_THROW(analytic::require_unique_step(on_a_spring, 1e-4), data::FieldError);
+  on_a_spring.time_step = 1e-5;
+  EXPECT_NO_THROW(analytic::require_unique_step(on_a_spring, 1e-4));
+}
+
+TEST(BoundaryIntegral, RefusesStepsCountsAndStagesOutsideTheirRanges) {
+  const auto mass = [](Complex s) { return 1.0 / s; };
+  EXPECT_THROW((void)analytic::mobility_weights(mass, 0.0, 1, 2), data::FieldError);
+  EXPECT_THROW((void)analytic::discrete_mobility(mass, 0.0, 2, 0.5), data::FieldError);
+  EXPECT_THROW(analytic::FreeModeRun({{0.0, 1.0}}, one_newton, 0.0), data::FieldError);
+  EXPECT_THROW((void)analytic::mobility_weights(mass, 0.1, 0, 2), std::invalid_argument);
+  EXPECT_EQ(analytic::mobility_weights(mass, 0.1, 1, 2).size(), 1u);
+  for (const int stages : {0, analytic::most_stages + 1})
+    EXPECT_THROW((void)analytic::mobility_weights(mass, 0.1, 1, stages), std::invalid_argument) << stages;
 }
 
 /// Means of A sin(2 pi t) over the steps: the holding force of SDND104.
@@ -172,9 +194,6 @@ std::vector<double> shaking(double amplitude, double h, double end) {
     forces.push_back(amplitude * std::sin(2.0 * pi * n * h) * std::sin(pi * h) / (pi * h));
   return forces;
 }
-
-const ContactLaw one_newton{
-    10.0, data::FrictionLaw({.static_coefficient = 0.1, .kinetic_coefficient = 0.1, .decay = 0.0})};
 
 struct FrictionPower {
   double amplitude, mean;

@@ -664,7 +664,11 @@ TEST(EventDriven, RefusesUnusableModels) {
   EXPECT_TRUE(names(refusal_with([](auto& m) { m.follower.clear(); }), "follower is 0"));
   EXPECT_TRUE(names(refusal_with([](auto& m) { m.load.pop_back(); }), "load is 1"));
   EXPECT_TRUE(names(refusal_with([](auto& m) { m.damping = analytic::Matrix(1, 2); }), "damping"));
+  EXPECT_TRUE(
+      names(refusal_with([](auto& m) { m.damping = analytic::Matrix(2, 1); }), "damping's rows is 1"));
   EXPECT_TRUE(names(refusal_with([](auto& m) { m.contact_mass = 0.1; }), "contact_mass"));
+  EXPECT_TRUE(names(refusal_with([](auto& m) { m.contact_mass = m.mass_coupling[0] * m.mass_coupling[0]; }),
+                    "mass_coupling is 0"));
   for (const double force : {-1.0, nan})
     EXPECT_TRUE(names(refusal_with([=](auto& m) { m.normal_force = force; }), "normal_force"));
   EXPECT_TRUE(names(refusal_with([=](auto& m) { m.load[0] = nan; }), "load is nan"));
@@ -677,8 +681,9 @@ TEST(EventDriven, RefusesUnusableModels) {
 
 TEST(EventDriven, RefusesUnusableSettingsStartsAndTimes) {
   const ContactModel model = contact_model(ForcedPair{});
-  for (const double tolerance : {0.0, -1e-9, 1e-15, 1e-2, std::nan("")})
+  for (const double tolerance : {0.0, -1e-9, 1e-15, std::nextafter(1e-3, 1.0), std::nan("")})
     EXPECT_THROW(EventDriven(model, {.tolerance = tolerance}), std::invalid_argument) << tolerance;
+  EXPECT_NO_THROW(EventDriven(model, {.tolerance = 1e-3}));
   EventDriven run(model);
   EXPECT_THROW(run.start_stuck({0.0, 0.0}, {}), std::invalid_argument);
   EXPECT_THROW(run.start_stuck({std::nan("")}, {}), std::invalid_argument);

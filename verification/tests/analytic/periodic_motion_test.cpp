@@ -269,6 +269,62 @@ TEST(PeriodicMotion, IsNotFoundWhereTheContactNeverSlips) {
   analytic::ContactModel model = contact_model(ForcedPair());
   model.normal_force = 1e3;
   EXPECT_EQ(analytic::forced_motion(model, 1, 5).reason, analytic::NoMotion::sticks);
+  EXPECT_THROW((void)analytic::forced_motion(model, 0, 5), data::FieldError);
+}
+
+// Without a spring the wall drags a mass with a damper c to the velocity mu_m N/c, here 0.015 and 0.005 of the wall's 2 m/s:
+// steady is what stays below a hundredth. On a spring it rings down to as much in the time that the run settles.
+TEST(PeriodicMotion, IsToldFromSteadySlidingByAHundredthOfTheSpeedOfTheWall) {
+  const auto reason = [](double stiffness, double damping, const data::FrictionCoefficients& friction,
+                         double settle) {
+    analytic::ContactModel model =
+        contact_model({.stiffness = stiffness, .normal_force = 1.0, .friction = friction});
+    model.wall_speed = 2.0;
+    model.damping = analytic::Matrix(1, 1);
+    model.damping(0, 0) = damping;
+    const auto search = analytic::self_excited_motion(model, settle, 0.01);
+    EXPECT_FALSE(search.motion);
+    return search.reason;
+  };
+  for (const double share : {0.015, 0.005}) {
+    const auto expected = share < 0.01 ? analytic::NoMotion::steady : analytic::NoMotion::unsettled;
+    EXPECT_EQ(reason(0.0, 1.0, {0.9, 2.0 * share, std::numeric_limits<double>::infinity()}, 30.0), expected);
+    EXPECT_EQ(reason(1.0, -2.0 * std::log(share) / 100.0, {0.1, 0.1}, 100.0), expected);
+  }
+  EXPECT_EQ(reason(1.0, 0.0, {100.0, 100.0}, 1.0), analytic::NoMotion::sticks);
+}
+
+TEST(PeriodicMotion, ExcitesItselfOnlyOnAWallThatMovesAndWithoutALoad) {
+  const auto search = [](const analytic::ContactModel& model) {
+    (void)analytic::self_excited_motion(model, 1.0, 0.01);
+  };
+  analytic::ContactModel pair = contact_model(ForcedPair());
+  pair.wall_speed = 0.3;
+  pair.wall_amplitude = 0.0;
+  for (const std::vector<double>& load : {std::vector{1.0, 0.0}, {0.0, 1.0}}) {
+    pair.load = load;
+    EXPECT_THROW(search(pair), std::invalid_argument);
+  }
+  pair.load = {0.0, 0.0};
+  EXPECT_NO_THROW(search(pair));
+  pair.wall_amplitude = 0.1;
+  EXPECT_THROW(search(pair), std::invalid_argument);
+  pair.wall_amplitude = pair.wall_speed = 0.0;
+  EXPECT_THROW(search(pair), std::invalid_argument);
+}
+
+// The change at t = 0 belongs to the start: the flow is that of a start in slip.
+TEST(PeriodicMotion, FollowsAStartThatCannotStickAsOneInSlip) {
+  const analytic::ContactModel model =
+      contact_model({.stiffness = 2.0,
+                     .normal_force = 10.0,
+                     .friction = {.static_coefficient = 0.1, .kinetic_coefficient = 0.1, .decay = 0.0}});
+  const auto image = [&](analytic::ContactPhase phase) {
+    return analytic::poincare_map(model, {{{}, {}, 0.6, 0.0}, phase}, 0.5);
+  };
+  const auto held = image(analytic::ContactPhase::stick), slipping = image(analytic::ContactPhase::slip);
+  EXPECT_TRUE(held.events.empty());
+  EXPECT_EQ(held.derivative.values(), slipping.derivative.values());
 }
 
 }  // namespace

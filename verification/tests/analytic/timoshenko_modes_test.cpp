@@ -277,6 +277,16 @@ TEST(TimoshenkoReaction, SumsUpToTheSteadyVibration) {
   EXPECT_THROW((void)analytic::timoshenko_reaction(slender, 1, 1e3), data::FieldError);
 }
 
+// Of a mode whose share is c, c Omega^3/((omega_n^2 - Omega^2) omega_n) vibrates freely: 1/24 of c at omega_n = 3 and Omega =
+// 1. Only the last four modes count, times the number of all.
+TEST(TimoshenkoReaction, LeavesOutAsMuchAsTheLargestOfTheLastFourModesSays) {
+  analytic::ModalReaction reaction{.quasi_static = 1.0, .modes = {{3.0, -2.4}}};
+  EXPECT_DOUBLE_EQ(analytic::timoshenko_omitted_transient(reaction, 1.0), 0.1);
+  reaction.modes = {{0.5, 1.0}, {3.0, -2.4}, {3.0, 1.2}, {3.0, 0.0}, {3.0, 1.2}};
+  EXPECT_DOUBLE_EQ(analytic::timoshenko_omitted_transient(reaction, 1.0), 0.5);
+  EXPECT_EQ(analytic::timoshenko_omitted_transient(reaction, 3.0), std::numeric_limits<double>::infinity());
+}
+
 // P_cr = EI/L^2 n^2/(1 + s^2 n^2) with pi < n < 4.4934, which is n without shear; at it the lowest frequency is 0.
 TEST(TimoshenkoReaction, EndsAtABucklingLoadThatShearLowers) {
   const double unit = stout.youngs_modulus() * stout.second_moment_of_area() / 0.25, s2 = s_squared(stout);

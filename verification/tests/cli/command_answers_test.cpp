@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "stickslip/analytic/amplitude_spectrum.hpp"
 #include "stickslip/analytic/beam_boundary_integral.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/case_file.hpp"
@@ -498,6 +499,18 @@ TEST_F(CommandAnswers, RespondHasTheSpectrumOfItsRows) {
     else
       EXPECT_LT(force, 1e-3 * largest) << frequency;
   }
+}
+
+// (1, 2, 3, 4): X_1 = -2 + 2 i, X_2 = -2. (1, 2, 4): |X_1|^2 = 7.
+TEST_F(CommandAnswers, SpectraHaveTheMeanAndTheFrequencyOfAlternatingRowsWithoutTheFactorTwo) {
+  const auto even = analytic::amplitude_spectrum({1.0, 2.0, 3.0, 4.0}),
+             odd = analytic::amplitude_spectrum({1.0, 2.0, 4.0});
+  const std::vector<double> expected_even{2.5, std::sqrt(2.0), 0.5},
+      expected_odd{7.0 / 3.0, 2.0 / 3.0 * std::sqrt(7.0)};
+  ASSERT_EQ(even.size(), 3u);
+  ASSERT_EQ(odd.size(), 2u);
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(even[k], expected_even[k], 1e-14);  // round-off
+  for (std::size_t k = 0; k < 2; ++k) EXPECT_NEAR(odd[k], expected_odd[k], 1e-14);
 }
 
 TEST_F(CommandAnswers, MapSaysWhatAShardHolds) {

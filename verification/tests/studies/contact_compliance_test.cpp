@@ -347,10 +347,17 @@ TEST(YieldingContactForce, ReportsTheForceOfANarrowLaw) {
 }
 
 TEST(YieldingContactForce, RefusesASpringThatRoundingWouldLoad) {
-  const data::Case problem = damped_case(spring(1e24), 0.1);
+  const data::Case problem = damped_case({}, 0.1);
+  const auto run = [&problem](double stiffness, const data::FrictionLaw& friction) {
+    const solver::BeamSimulation simulation(problem.beam, friction, problem.excitation, problem.numerics,
+                                            {.tangential = spring(stiffness)});
+  };
+  // The rounding of 1 mm makes a ten-thousandth of mu_s P = 300 N.
+  const double stiffest = 1e-4 * 300.0 / (std::numeric_limits<double>::epsilon() * 1e-3);
+  EXPECT_NO_THROW(run(0.99 * stiffest, problem.friction));
+  EXPECT_NO_THROW(run(1e24, data::FrictionLaw({})));  // nothing to hold
   try {
-    const solver::BeamSimulation simulation(problem.beam, problem.friction, problem.excitation,
-                                            problem.numerics, {.tangential = problem.contact});
+    run(1.01 * stiffest, problem.friction);
     FAIL() << "not refused";
   } catch (const data::FieldError& error) {
     EXPECT_EQ(error.field(), "contact.tangential_stiffness");
@@ -485,6 +492,15 @@ TEST(CompliantReaction, TendsToThatOfTheHeldTipAtFirstOrderButForTheStart) {
   }
   EXPECT_TRUE(order_is(start, 0.5));
   EXPECT_TRUE(order_is(steady, 1.0));
+}
+
+// 83.9 kN: above the flutter load of the sliding beam, 83.5 kN, and below the buckling load of the held one, 84.1 kN.
+TEST(CompliantReaction, RefusesASpringTooSoftToKeepTheBeamFromFlutter) {
+  data::BeamProperties properties = data::load_case("paper").beam.properties();
+  properties.axial_force = 83.9e3;
+  const data::Beam beam(properties);
+  EXPECT_NO_THROW((void)analytic::compliant_reaction(beam, {}, 1e7, 10));
+  EXPECT_THROW((void)analytic::compliant_reaction(beam, {}, 1.0, 10), data::FieldError);
 }
 
 std::vector<studies::VariantPlane> planes(const studies::ModelVariant& variant) {

@@ -20,6 +20,7 @@
 #include "stickslip/data/reference.hpp"
 #include "studies/criterion/criterion_map.hpp"
 #include "studies/stick_slip/parameter_sweep.hpp"
+#include "support/contact_models.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
@@ -177,6 +178,23 @@ TEST(FixedSteps, KeepTheEnergyAtSecondOrder) {
   EXPECT_LT(missing[0], 1e-2 * work);
   EXPECT_LT(missing[2],
             missing[0] / 8.0);  // a quarter at each halving, and a factor 2 for where the events fall
+}
+
+// A mass of 1 kg on a spring: its velocity per unit force after a step h is W = sin(omega h)/omega. N (mu_s - mu_m) = 1 N.
+TEST(FixedSteps, AreRefusedWhereALawFallsTooFastForOneSolutionOrAPeriodHasTooFew) {
+  constexpr double omega = 2.0, step = 2.0 * std::numbers::pi / 64.0;
+  const auto model = [&](double fall) {
+    return contact_model({.stiffness = omega * omega,
+                          .normal_force = 10.0,
+                          .friction = {.static_coefficient = 0.2,
+                                       .kinetic_coefficient = 0.1,
+                                       .decay = fall * omega / std::sin(omega * step)}});
+  };
+  const ContactModes modes(model(0.0));
+  EXPECT_NO_THROW(ModalContactRun(modes, model(1.999), 64));
+  EXPECT_THROW(ModalContactRun(modes, model(2.001), 64), data::InputError);
+  EXPECT_NO_THROW(ModalContactRun(modes, model(0.0), 4));
+  EXPECT_THROW(ModalContactRun(modes, model(0.0), 3), std::invalid_argument);
 }
 
 STICKSLIP_VERIFIES(MotionQuantities, "D5");

@@ -105,6 +105,19 @@ TEST(SteadySliding, OfAMassLosesItsStabilityWhereTheDamperEqualsTheSlope) {
   EXPECT_EQ(analytic::speed_of_slope(data::FrictionLaw({0.4, 0.4}), 10.0, 0.1), 0.0);
 }
 
+// A mode that creeps back, s^2 + 3 s + 1, has no root off the real axis; one that vibrates, s^2 + s/50 + 100, has -0.01 + i
+// 10 to 1e-4.
+TEST(SteadySliding, LeavesOutAModeThatCreepsBackWithAllThatFollow) {
+  const auto mobility = [](Complex s) {
+    return s / (s * s + 3.0 * s + 1.0) + s / (s * s + 0.02 * s + 100.0);
+  };
+  EXPECT_TRUE(analytic::sliding_modes(mobility, {1.0, 10.0}, 0.0).empty());
+  const auto modes = analytic::sliding_modes(mobility, {10.0, 1.0}, 0.0);
+  ASSERT_EQ(modes.size(), 1u);
+  EXPECT_TRUE(within(std::abs(modes[0].free_root - Complex(-0.01, std::sqrt(100.0 - 1e-4))), 0.0,
+                     round_off(100, 1, 10.0)));
+}
+
 /// The slope at which the eigenvalue near i `angular_frequency` crosses the imaginary axis, by the secant method on its real
 /// part from `guess` (N s/m).
 double slope_at_the_axis(const solver::ContactSystem& system, double angular_frequency, double guess) {
