@@ -7,10 +7,8 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <memory>
 #include <numbers>
 #include <numeric>
-#include <utility>
 
 #include "beam_constants.hpp"
 #include "gsl_handles.hpp"

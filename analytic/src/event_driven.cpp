@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
-#include <utility>
 
 #include "arguments.hpp"
 #include "gsl_handles.hpp"

@@ -9,8 +9,6 @@
 #include <functional>
 #include <limits>
 #include <numbers>
-#include <numeric>
-#include <stdexcept>
 
 #include "arguments.hpp"
 #include "gsl_handles.hpp"
@@ -291,7 +289,7 @@ bool is_finite(const Matrix& matrix) {
   return std::ranges::all_of(matrix.values(), [](double value) { return std::isfinite(value); });
 }
 
-// Each coordinate in units of its size over the motion, at least a thousandth of the largest of its kind.
+// Velocities in units of that of the contact, coordinates in units of that times the period.
 std::vector<double> units_of(const ContactStart& start, const std::vector<double>& rate, double period) {
   const std::vector<double> x = flat(start.kinematics);
   const std::size_t half = x.size() / 2;
@@ -423,11 +421,10 @@ PeriodicSearch forced_motion(const ContactModel& model, int periods, int settle)
 
 namespace {
 
-// The upward crossings of u_c_t = 0 in a run that goes on, each with the sample behind it and its time.
+// The upward crossings of u_c_t = 0 in a run that goes on, each with the sample behind it.
 struct Crossing {
   double time{};
   ContactStart after;
-  double since{};  // from the crossing to the sample, s
 };
 
 }  // namespace
@@ -449,8 +446,7 @@ PeriodicSearch self_excited_motion(const ContactModel& model, double settle, dou
     const double velocity = run.contact_velocity();
     largest = std::max(largest, std::abs(velocity));
     if (direction * before < 0.0 && direction * velocity >= 0.0) {
-      const double since = sample * velocity / (velocity - before);
-      crossings.push_back({run.time() - since, state_of(run), since});
+      crossings.push_back({run.time() - sample * velocity / (velocity - before), state_of(run)});
     }
     before = velocity;
   }

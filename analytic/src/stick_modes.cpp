@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <string>
 
 #include "arguments.hpp"
 #include "beam_constants.hpp"

@@ -3,7 +3,6 @@
 
 #include <Eigen/SparseCholesky>
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "constrained.hpp"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cmath>
-
 namespace stickslip::solver {
 
 /// A point with f(x) >= 0 at most `tolerance` from a root of f in [low, high], where f(low) < 0 <= f(high),

@@ -28,7 +28,6 @@ HeldTipBasis held_tip_basis(const BeamModel& model) {
   const Eigen::Index count = model.degrees_of_freedom() - 1;
   basis.modes.resize(model.degrees_of_freedom(), count);
   basis.squared_frequencies.resize(count);
-  if (count == 0) return basis;
   const std::vector<FiniteElementMode> modes = stick_modes(model, static_cast<int>(count));
   for (Eigen::Index n = 0; n < count; ++n) {
     const Eigen::VectorXd& shape = modes[static_cast<std::size_t>(n)].shape;

@@ -4,7 +4,6 @@
 
 #include <Eigen/SparseCore>
 #include <stdexcept>
-#include <utility>
 
 #include "step_kernel.hpp"
 

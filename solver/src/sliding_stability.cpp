@@ -2,7 +2,6 @@
 #include "stickslip/solver/sliding_stability.hpp"
 
 #include <Eigen/Dense>
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -57,7 +56,6 @@ std::vector<std::complex<double>> sliding_eigenvalues(const ContactSystem& syste
   std::vector<std::complex<double>> eigenvalues;
   for (const std::complex<double> mu : solver.eigenvalues())
     if (const std::complex<double> s = omega / mu; s.imag() >= 0.0) eigenvalues.push_back(s);
-  std::ranges::sort(eigenvalues, {}, [](std::complex<double> s) { return std::abs(s); });
   return eigenvalues;
 }
 

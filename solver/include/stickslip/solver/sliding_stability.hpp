@@ -19,7 +19,7 @@ namespace stickslip::solver {
 /// kappa of steady sliding at the speed of the wall at t = 0, N s/m.
 [[nodiscard]] double falling_slope(const ContactSystem& system);
 
-/// All eigenvalues s of the equation above with Im s >= 0, by modulus, 1/s. From 1/s as eigenvalue of the inverse first-order
+/// All eigenvalues s of the equation above with Im s >= 0, 1/s. From 1/s as eigenvalue of the inverse first-order
 /// system, so that round-off is relative to the lowest: eps times (omega_n/omega_1)^2 for mode n. n^3 operations on dense
 /// matrices of twice the degrees of freedom.
 [[nodiscard]] std::vector<std::complex<double>> sliding_eigenvalues(const ContactSystem& system,
