@@ -13,7 +13,7 @@
 
 namespace stickslip::solver {
 
-/// The motion of a ContactSystem, phase by phase: what the drivers of contact_drivers.hpp make a run of.
+/// The motion of a ContactSystem, phase by phase: what the drivers of contact_driver.hpp make a run of.
 class ContactMotion {
  public:
   ContactMotion(ContactSystem system, const IntegratorSettings& settings);
