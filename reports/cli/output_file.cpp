@@ -25,7 +25,7 @@ std::string prefix_of_temporaries(const fs::path& target) {
 void remove_abandoned(const fs::path& target) {
   const std::string prefix = prefix_of_temporaries(target);
   std::error_code error;  // what cannot be listed or removed is in nobody's way
-  for (const auto& entry : fs::directory_iterator(target.parent_path(), error)) {
+  for (const auto& entry : fs::directory_iterator(target.parent_path() / ".", error)) {
     const std::string name = entry.path().filename().string();
     if (!name.starts_with(prefix) || name.size() == prefix.size() ||
         name.find_first_not_of("0123456789", prefix.size()) != std::string::npos)

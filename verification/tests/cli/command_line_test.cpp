@@ -349,6 +349,21 @@ TEST_F(CommandLine, AnOutputFileAppearsWholeAndLeavesNothingElse) {
   EXPECT_EQ(files().size(), 3U);  // history.csv, stdout, stderr
 }
 
+TEST_F(CommandLine, AnOutputFileTakesThePlaceOfWhatKilledRunsLeftAndIsThereForAllToRead) {
+  // Beside a name without a folder; .h.csv.NUMBER alone is a file of such a run.
+  for (const char* name : {".h.csv.1", ".h.csv.", ".h.csv.1x", ".g.csv.1", "h.csv.1"})
+    std::ofstream(path(name)) << "left";
+  EXPECT_EQ(shell("cd '" + path("") + "' && umask 022 && '" + STICKSLIP_PROGRAM +
+                  "' respond --duration 0.001 --output h.csv")
+                .status,
+            0);
+  auto names = files();
+  std::ranges::sort(names);
+  EXPECT_EQ(names, (std::vector<std::string>{".g.csv.1", ".h.csv.", ".h.csv.1x", "h.csv", "h.csv.1", "stderr",
+                                             "stdout"}));
+  EXPECT_EQ(std::filesystem::status(path("h.csv")).permissions(), std::filesystem::perms{0644});
+}
+
 TEST_F(CommandLine, ARefusedRunLeavesTheOldOutputFileAsItWas) {
   std::ofstream(path("history.csv")) << "old";
   expect_refused("respond --set beam.axial_force=-5 --output '" + path("history.csv") + "'",
