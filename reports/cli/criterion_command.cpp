@@ -125,21 +125,18 @@ analytic::Bounds margin_of(const analytic::Criterion& criterion) {
           criterion.friction_limit / criterion.force_max.lower};
 }
 
-// The first natural frequency of the stick state above that of the excitation.
+// The first natural frequency of the stick state above that of the excitation. with_all_modes() refuses a case whose
+// kept_modes() have none.
 struct NaturalFrequency {
   int mode{};
   double hz{};
 };
 
-std::optional<NaturalFrequency> next_natural_frequency(const data::Case& problem) {
-  constexpr int most_modes = 200;
-  int mode = 0;
-  for (const analytic::ModalForce& share : analytic::modal_forces(problem.beam, most_modes)) {
-    const double hz = share.angular_frequency / (2.0 * std::numbers::pi);
-    ++mode;
-    if (hz > problem.excitation.frequency_hz()) return NaturalFrequency{mode, hz};
-  }
-  return std::nullopt;
+NaturalFrequency next_natural_frequency(const data::Case& problem) {
+  const auto shares = analytic::modal_forces(problem.beam, kept_modes(problem));
+  const auto next = std::ranges::upper_bound(shares, studies::angular_frequency(problem.excitation), {},
+                                             &analytic::ModalForce::angular_frequency);
+  return {static_cast<int>(next - shares.begin()) + 1, next->angular_frequency / (2.0 * std::numbers::pi)};
 }
 
 // One key changed by a tenth, and the margin that it gives.
@@ -172,7 +169,7 @@ Change best_change(const data::Case& problem) {
 
 // What an engineer asks next.
 struct Outlook {
-  std::optional<NaturalFrequency> next;
+  NaturalFrequency next;
   Change change;
 };
 
@@ -249,9 +246,8 @@ void print_table(const data::Case& problem, const analytic::Criterion& paper, co
   } else {
     print_row("steady |f| / N", "", "none, it grows all the time");
   }
-  if (outlook.next)
-    print_row("next natural frequency / Hz",
-              fmt::format("{} (mode {})", seven_digits(outlook.next->hz), outlook.next->mode));
+  print_row("next natural frequency / Hz",
+            fmt::format("{} (mode {})", seven_digits(outlook.next.hz), outlook.next.mode));
   if (!outlook.change.key.empty())
     print_row("best change by a tenth", fmt::format("{} times {}: margin {:.4g}", outlook.change.key,
                                                     outlook.change.factor, outlook.change.margin));
@@ -289,9 +285,7 @@ Json to_json(const data::Case& problem, const analytic::Criterion& paper, const 
   object["all_modes"] = to_json(all);
   object["margin"] = problem.excitation.amplitude() > 0.0 ? bounds_json(margin_of(all)) : Json();
   object["steady"] = steady ? to_json(*steady) : Json();
-  object["next_natural_frequency"] = nullptr;
-  if (outlook.next)
-    object["next_natural_frequency"] = {{"mode", outlook.next->mode}, {"frequency_hz", outlook.next->hz}};
+  object["next_natural_frequency"] = {{"mode", outlook.next.mode}, {"frequency_hz", outlook.next.hz}};
   object["best_change"] = nullptr;
   if (!outlook.change.key.empty())
     object["best_change"] = {

@@ -13,7 +13,7 @@
 namespace stickslip::cli {
 
 int digits_that_hold(double relative_error) {
-  const double resolved = std::max(relative_error, std::numeric_limits<double>::epsilon() / 2.0);
+  const double resolved = std::max(relative_error, std::numeric_limits<double>::epsilon());
   return std::max(1, static_cast<int>(std::floor(-std::log10(resolved))));
 }
 

@@ -9,7 +9,7 @@
 
 namespace stickslip::cli {
 
-/// The number of significant digits that a relative error leaves, 1 ... 16.
+/// The number of significant digits that a relative error leaves, 1 ... 15.
 [[nodiscard]] int digits_that_hold(double relative_error);
 
 /// The value with that many significant digits, trailing zeros included: (25, 4) is "25.00".

@@ -191,7 +191,6 @@ void write_finite_element(const data::Case& problem, const RespondOptions& optio
                                      .scheme = schemes.at(options.scheme.value_or("located")),
                                      .coordinates = solver::Coordinates::fastest,
                                      .tangential = problem.contact,
-
                                      .wall = problem.wall});
   const long steps = steps_of(problem);
   for (long n = 0; n <= steps; ++n) {
@@ -391,13 +390,11 @@ Json to_json(const data::Case& problem, const RespondOptions& options, const Sum
               {"output", options.output},
               {"rows", summary.rows},
               {"largest_friction_force_N", summary.largest_force},
-              {"first_slip_s", nullptr},
+              {"first_slip_s", summary.first_slip ? Json(*summary.first_slip) : Json()},
               {"changes_of_contact", summary.events.size()}};
-  if (summary.first_slip) object["first_slip_s"] = *summary.first_slip;
   if (options.method == "boundary-integral") {
     object["integration_step_s"] = studies::boundary_integral_step(problem);
-    object["largest_change_on_twice_the_step_m"] = nullptr;
-    if (summary.step_effect) object["largest_change_on_twice_the_step_m"] = *summary.step_effect;
+    object["largest_change_on_twice_the_step_m"] = summary.step_effect ? Json(*summary.step_effect) : Json();
   }
   if (options.method == "fe") object["scheme"] = options.scheme.value_or("located");
   object["numerics"] = numerics_json(problem);

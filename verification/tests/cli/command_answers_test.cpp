@@ -394,16 +394,6 @@ TEST_F(CommandAnswers, MapCountsTheCellsOfItsTable) {
   EXPECT_EQ(stepped["cells"], 12);
 }
 
-TEST_F(CommandAnswers, MapLeavesOutTheRatioWhereOnlyStatesAreAskedFor) {
-  const std::string command = "map paper-figure14 --duration 0.5 --x length=0.8:2.8:3 --y force=200:800:2 ";
-  const auto all = csv(run(command).output), states = csv(run(command + "--states-only").output);
-  ASSERT_EQ(states.size(), all.size());
-  for (std::size_t i = 3; i < all.size(); ++i) {
-    if (all[i].empty()) continue;
-    EXPECT_EQ(states[i], (std::vector<std::string>{all[i][0], all[i][1], all[i][3]}));
-  }
-}
-
 TEST_F(CommandAnswers, MapWritesAValueWhereItHasConvergedOnly) {
   const std::string command =
       "map damped --set numerics.time_step=1e-4 --duration 0.8 --x frequency=24:36:3 --y kinetic=0.2:0.6:2 "

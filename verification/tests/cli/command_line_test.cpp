@@ -152,31 +152,22 @@ TEST_F(CommandLine, AnImpulsiveStartIsThereForTheAsking) {
   EXPECT_GT(first_force("zero"), 10.0);
   for (const std::string method : {"closed-form", "boundary-integral"})
     expect_refused("respond --initial-velocity zero --method " + method,
-                   "--initial-velocity is zero, but must be quasi-static for --method " + method);
+                   "--initial-velocity is zero, but must be quasi-static for --method " + method +
+                       ", whose equation assumes it\n");
 }
 
-TEST_F(CommandLine, RespondSummarisesTheRowsThatItWrites) {
+TEST_F(CommandLine, RespondSaysWhenTheTipSlipsFirst) {
   for (const std::string method : {"fe", "event-driven", "boundary-integral", "closed-form"}) {
     const std::string events = path(method + "-events.csv");
     const auto answer =
         json("respond paper --hz 25 --amplitude 1e-3 --duration 0.08 --method " + method + " --output '" +
              path("history.csv") + "'" + (method == "closed-form" ? "" : " --events '" + events + "'"));
     const auto rows = csv(contents(path("history.csv")));
-    double largest = 0.0, first_beyond_limit = -1.0;
-    for (std::size_t i = 1; i < rows.size(); ++i) {
-      const double force = std::abs(std::stod(rows[i][5]));
-      largest = std::max(largest, force);
-      if (force > 300.0 && first_beyond_limit < 0.0) first_beyond_limit = std::stod(rows[i][0]);
-    }
-    EXPECT_EQ(answer["method"], method);
-    EXPECT_EQ(answer["rows"], rows.size() - 1) << method;
-    EXPECT_EQ(answer["largest_friction_force_N"], largest) << method;
-    EXPECT_EQ(answer["duration_s"], 0.08);
-    EXPECT_EQ(answer["frequency_hz"], 25.0);
-    EXPECT_EQ(answer["amplitude_m"], 1e-3);
     if (method == "closed-form") {
-      EXPECT_EQ(answer["first_slip_s"], first_beyond_limit);
-      EXPECT_EQ(answer["changes_of_contact"], 0);
+      const auto beyond_limit = std::find_if(
+          rows.begin() + 1, rows.end(), [](const auto& row) { return std::abs(std::stod(row[5])) > 300.0; });
+      ASSERT_NE(beyond_limit, rows.end());
+      EXPECT_EQ(answer["first_slip_s"], std::stod(beyond_limit->at(0)));
       continue;
     }
     const auto changes = csv(contents(events));
