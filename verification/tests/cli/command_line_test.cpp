@@ -119,7 +119,7 @@ TEST_F(CommandLine, RespondFollowsTheSchemeAskedFor) {
 }
 
 TEST_F(CommandLine, RespondWritesOneRowPerTimeStepWithTheSpecifiedColumns) {
-  for (const std::string method : {"fe", "closed-form"}) {
+  for (const std::string method : {"fe", "event-driven", "closed-form"}) {
     const Outcome outcome = run("respond --hz 15 --amplitude 0.5e-3 --duration 0.01 --method " + method);
     ASSERT_EQ(outcome.status, 0) << outcome.errors;
     const auto rows = csv(outcome.output);
@@ -597,6 +597,7 @@ TEST_F(MapCommand, IsDrawnFromItsTableAlone) {
     const Outcome outcome = run(command(two_axes + ("--figure '" + path("map." + format) + "'")));
     EXPECT_EQ(outcome.status, 0) << outcome.errors;
     EXPECT_EQ(outcome.errors, "");
+    EXPECT_TRUE(outcome.output.ends_with("\nDrawn in " + path("map." + format) + "\n")) << outcome.output;
     EXPECT_EQ(contents(path("map." + format)), contents(path("map.csv")));
   }
   EXPECT_EQ(files().size(), 6u);  // the table, two figures, stdout, stderr, tools

@@ -114,14 +114,20 @@ TEST_F(Fault, CtrlCEndsLongWorkAtOnceAndSaysHowFarItCame) {
   struct Work {
     std::string arguments, beginning, end;
   };
-  const std::string output = " --output '" + path("history.csv") + "'";
+  const std::string output = " --output '" + path("history.csv") + "'",
+                    others = " --events '" + path("events.csv") + "' --spectrum '" + path("spectrum.csv") +
+                             "' --figure '" + path("history.png") + "'";
   for (const auto& [arguments, beginning, end] : std::vector<Work>{
-           {"respond --duration 1e5" + output, "interrupted at ", " s of 1e+05 s; nothing is kept\n"},
+           {"respond --duration 1e5" + output + others, "interrupted at ",
+            " s of 1e+05 s; nothing is kept\n"},
            {"respond --method event-driven --duration 300" + output, "interrupted at ",
             " s of 300 s; nothing is kept\n"},
            {"respond --duration 1e5", "interrupted at ",
             "standard output holds the history up to there at most\n"},
-           {"criterion --set excitation.duration=2e4", "interrupted before there was a result", "\n"},
+           {"map --method fe --set damping.kelvin_voigt=1e-5 --duration 1e4 --x length=1:2:2" + output,
+            "interrupted; no evaluation is kept", "\n"},
+           {"criterion --set excitation.duration=2e4 --figure '" + path("curve.png") + "'",
+            "interrupted before there was a result", "\n"},
            {"periodic reed --settle 100000", "interrupted before there was a result", "\n"},
            {"squeal reed --settle 100000 --map '" + path("map.csv") +
                 "' --speeds 0.1:1 --ratios 0.01:0.02 --figure '" + path("map.png") + "'",
@@ -140,7 +146,6 @@ TEST_F(Fault, CtrlCEndsLongWorkAtOnceAndSaysHowFarItCame) {
   EXPECT_EQ(all_files(path("")), (std::vector<std::string>{"stderr", "stdout"}));
 }
 
-// A base that is shaken beyond what a double holds.
 TEST_F(Fault, RunThatFailsSaysWhenAndLeavesTheOldFile) {
   std::ofstream(path("old.csv")) << "old";
   const Outcome outcome =

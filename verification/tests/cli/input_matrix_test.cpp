@@ -1017,7 +1017,12 @@ TEST_F(OptionInput, ThatHasNoValueOrTwoIsNamed) {
                  "--method is an option of the verdict, but --quantity is work");
   expect_refused("map --transient 1", "--transient needs a --quantity of the motion, but it is verdict");
   expect_refused("map --tolerance 0.1", "--tolerance needs a --quantity of the motion, but it is verdict");
-  expect_refused("map --quantity work --tolerance 0", "--tolerance is 0, but must be above 0 and below 1");
+  for (const std::string limit : {"0", "1"})
+    expect_refused("map --quantity work --tolerance " + limit,
+                   "--tolerance is " + limit + ", but must be above 0 and below 1\n");
+  expect_refused("map --quantity work,", "--quantity is '', but must be one of verdict, slip-share, ");
+  expect_refused("map --quantity work --transient 0 --duration 0.01",
+                 "excitation.duration is 0.01, but must be long enough for the transient and two periods");
   expect_refused("map --quantity work --transient 10",
                  "excitation.duration is 10, but must be long enough for the transient and two periods");
   expect_refused("respond --duration 0.01 --spectrum a",
@@ -1025,6 +1030,7 @@ TEST_F(OptionInput, ThatHasNoValueOrTwoIsNamed) {
   expect_refused("sweep --parameter density=1:2:3", "--parameter: PARAMETER is 'density'");
   expect_refused("map --x length=1e-300:1:2",
                  "--x: beam.length is 1e-300, but must be from 1e-09 to 1e+06 (m)");
+  expect_refused("map --x length=1:1e7:2", "--x: beam.length is 1e+07, but must be from 1e-09 to 1e+06 (m)");
   expect_refused("map --shard 0/3 --output a", "--shard is '0/3', but must be K/M with integers 1 <= K <= M");
   expect_refused("map --shard '' --output a", "--shard is '', but must be K/M");
   expect_refused("map --merge ''", "--merge is '', but must be the name of a file");

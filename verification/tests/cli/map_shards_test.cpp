@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "stickslip/data/sha256.hpp"
 #include "support/requirements.hpp"
 #include "support/signalled_run.hpp"
 
@@ -229,9 +230,14 @@ TEST_F(MapShards, DoNotGoOnFromOtherWork) {
                  "its x is \"length=0.8:3:5\", but must be \"length=0.8:3:6\"");
   expect_refused(closed_form + part + "--states-only", "its states_only is false, but must be true");
   EXPECT_EQ(contents(path("shard.partial")), half);
+  std::ofstream(path("shard.partial")) << made(motion + shard(1, 2), "motion");
+  expect_refused(motion + part + "--tolerance 0.1", "its tolerance is 0.05, but must be 0.1; remove it");
   std::ofstream(path("shard.partial")) << "something else\n";
   expect_refused(closed_form + part, "it is no beginning of a map");
   EXPECT_EQ(contents(path("shard.partial")), "something else\n");
+  // What goes to standard output is kept nowhere.
+  std::ofstream(path("-.partial")) << "something else\n";
+  EXPECT_EQ(shell("cd '" + path("") + "' && '" + STICKSLIP_PROGRAM + "' " + closed_form).status, 0);
 }
 
 TEST_F(MapShards, ThatAreMissingDoubleForeignOrDamagedDoNotMerge) {
@@ -247,23 +253,37 @@ TEST_F(MapShards, ThatAreMissingDoubleForeignOrDamagedDoNotMerge) {
       path("shard-2") + " is a shard of another map: its excitation.frequency_hz is 20.0, but must be 25.0");
   std::ofstream(path("shard-2")) << good.substr(0, good.size() - 1);
   expect_refused(merge(3), path("shard-2") + " is damaged in line 6");
-  std::ofstream(path("shard-2")) << good.substr(0, good.rfind('\n', good.size() - 2) + 1);
+  const std::size_t last = good.rfind('\n', good.size() - 2) + 1;
+  std::ofstream(path("shard-2")) << good << good.substr(last);
+  expect_refused(merge(3), path("shard-2") + " is damaged in line 7");
+  std::ofstream(path("shard-2")) << good.substr(0, last);
   expect_refused(merge(3), path("shard-2") + " is not finished: it holds 4 of 5 evaluations");
   std::ofstream(path("shard-2")) << "length_m\n";
   expect_refused(merge(3), path("shard-2") + " is no shard of a map");
+  // By another version of the program: a first line whose check, 16 digits of its digest, is right.
+  const std::string by = good.substr(12, good.find('"', 12) - 12);
+  const std::string first = good.substr(0, good.find('\n') - 17);
+  const std::string line = R"({"program":"another one)" + first.substr(12 + by.size());
+  std::ofstream(path("shard-2")) << line << ',' << data::sha256(line).substr(0, 16) << '\n';
+  expect_refused(merge(3), path("shard-2") + " was made by another one, but must be by " + by + "\n");
+  (void)made(closed_form + shard(7, 7), "shard-7");
+  expect_refused("map --merge " + name(7),
+                 "shard 1, 2, 3, 4, 5 and 1 more of 7 are missing beside " + path("shard-7"));
   expect_refused("map --merge '" + path("none") + "'", path("none") + ": cannot be opened for reading");
 }
 
 TEST_F(MapShards, RefuseWhatDoesNotGoTogether) {
-  for (const std::string part : {"0/3", "4/3", "1", "a/3", "1/", "1/2000000"})
+  for (const std::string part : {"0/3", "4/3", "1", "a/3", "1/", "1/1000001"})
     expect_refused(closed_form + ("--shard " + part + " ") + output("shard"),
-                   "--shard is '" + part + "', but must be K/M");
+                   "--shard is '" + part + "', but must be K/M with integers 1 <= K <= M <= 1000000\n");
   expect_refused(closed_form + shard(1, 2), "--shard needs --output FILE");
   expect_refused(closed_form + shard(1, 2) + output("shard") + "--figure map.png", "--shard");
   expect_refused("map paper --merge shard", "--merge");
   expect_refused("map --merge shard --states-only", "--merge");
   expect_refused("map --threads 0", "--threads is 0, but must be an integer from 1 to 1024");
   EXPECT_EQ(all_files(path("")), (std::vector<std::string>{"stderr", "stdout"}));
+  EXPECT_EQ(run(closed_form + shard(1'000'000, 1'000'000) + output("shard")).output,
+            "Shard 1000000 of 1000000, 0 of 15 evaluations, written to " + path("shard") + "\n");
 }
 
 TEST_F(MapShards, ShowABarOnATerminalUnlessQuiet) {
