@@ -103,6 +103,7 @@ class Comparer {
     add_quantities();
     choose_abscissa();
     groups_ = matcher_.groups(group_columns_);
+    sort_reference();
     switch (rule_.kind) {
       case ComparisonKind::table:
         compare_table();
@@ -198,6 +199,14 @@ class Comparer {
     if (settings_.until && result_.abscissa_unit != "s")
       throw InputError(
           fmt::format("a latest time is given, but the data set {} is not one in time", result_.name));
+  }
+
+  // Puts the reference rows of each curve in the order of the abscissa.
+  void sort_reference() {
+    if (rule_.abscissa.empty()) return;
+    const auto& abscissa = reference_.column(rule_.abscissa).values;
+    for (Group& group : groups_)
+      std::ranges::sort(group.reference, {}, [&](std::size_t row) { return abscissa[row]; });
   }
 
   void open_series(const Group& group) {
@@ -370,10 +379,8 @@ class Comparer {
     const auto& abscissa = reference_.column(rule_.abscissa).values;
     const auto& values = reference_.column(field).values;
     const auto radius = reference_.radius_of(field);
-    Rows sorted = rows;
-    std::ranges::sort(sorted, {}, [&](std::size_t row) { return abscissa[row]; });
     Samples samples;
-    for (const std::size_t row : sorted) {
+    for (const std::size_t row : rows) {
       samples.abscissa.push_back(abscissa[row]);
       samples.values.push_back(values[row]);
       samples.half_width.push_back(radius[row]);
@@ -416,9 +423,7 @@ class Comparer {
   [[nodiscard]] Grid grid_of(const Group& group) const {
     constexpr double relative = 1e-9;
     const auto& abscissa = reference_.column(rule_.abscissa).values;
-    const auto [least, greatest] =
-        std::ranges::minmax(group.reference, {}, [&](std::size_t row) { return abscissa[row]; });
-    const double first = abscissa[least], last = abscissa[greatest];
+    const double first = abscissa[group.reference.front()], last = abscissa[group.reference.back()];
     return {.first = first,
             .last = last,
             .spacing = (last - first) / std::max(1.0, static_cast<double>(group.reference.size()) - 1.0),

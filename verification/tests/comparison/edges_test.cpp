@@ -120,21 +120,22 @@ TEST(ComparedVerdict, AQuantityOfWhichNothingIsComparedIsUndecided) {
   EXPECT_EQ(mine.compared(settings).agreement, Agreement::undecided);
 }
 
-// A package in which the data set has no value for one row.
+// A package in which a table has another text at one place.
 class ComparedPackage : public ::testing::Test {
  protected:
   void SetUp() override { fs::copy(small_package().folder, folder_, fs::copy_options::recursive); }
   void TearDown() override { fs::remove_all(folder_); }
 
-  [[nodiscard]] data::ReferencePackage without(const std::string& cells) const {
+  [[nodiscard]] data::ReferencePackage with(const std::string& file, const std::string& was,
+                                            const std::string& is) const {
     const auto replace = [](std::string& text, const std::string& from, const std::string& to) {
       text.replace(text.find(from), from.size(), to);
     };
-    const fs::path table = folder_ / "frequencies/stick.csv", description = folder_ / "datapackage.json";
+    const fs::path table = folder_ / file, description = folder_ / "datapackage.json";
     constexpr std::size_t most = 1 << 20;
     std::string rows = data::read_bounded(table, most), package = data::read_bounded(description, most);
     const std::string size = std::to_string(rows.size()), digest = data::sha256(rows);
-    replace(rows, cells, ",");
+    replace(rows, was, is);
     replace(package, size, std::to_string(rows.size()));
     replace(package, digest, data::sha256(rows));
     std::ofstream(table) << rows;
@@ -149,7 +150,7 @@ class ComparedPackage : public ::testing::Test {
 STICKSLIP_VERIFIES(ComparedPackage, "X20");
 TEST_F(ComparedPackage, WithoutAValueLeavesThatRowOutAndSaysSo) {
   const OwnCopy mine = own_copy("stick-frequencies");
-  const auto package = without("81.0776217337938678485966312174,1e-27");
+  const auto package = with("frequencies/stick.csv", "81.0776217337938678485966312174,1e-27", ",");
   ComparisonSettings settings;
   settings.diagnose = false;
   const auto comparison = studies::compare(package, "stick-frequencies", mine.table, settings);
@@ -157,6 +158,16 @@ TEST_F(ComparedPackage, WithoutAValueLeavesThatRowOutAndSaysSo) {
   EXPECT_EQ(frequency.compared, mine.reference().rows() - 1);
   EXPECT_EQ(skipped_for(frequency, "without a value in the data set"), 1u);
   EXPECT_EQ(frequency.agreement, Agreement::agrees);
+}
+
+TEST_F(ComparedPackage, MayHaveTheRowsOfACurveInAnyOrder) {
+  const std::string first = "a,0,stick,1,0.305\n", second = "a,0.01,stick,1.009801,0.295\n";
+  const auto package = with("cubic/history.csv", first + second, second + first);
+  const auto mine = own_copy("cubic-history");
+  EXPECT_EQ(OwnCopy(package, "cubic-history").reference().column("t").values[0], 0.01);
+  const auto y = studies::compare(package, "cubic-history", mine.table).quantities.at(1);
+  EXPECT_EQ(y.compared, mine.compared("y").compared);
+  EXPECT_EQ(y.error, 0.0);
 }
 
 // --- keys
