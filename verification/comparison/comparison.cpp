@@ -181,8 +181,7 @@ class Comparer {
     }
   }
 
-  // A data set of the kind table has no abscissa. The abscissa of its diagnosis is used, or else the last
-  // numerical key.
+  // A data set of the kind table has no abscissa. The last numerical key is used.
   void choose_abscissa() {
     result_.abscissa = rule_.abscissa;
     group_columns_ = data::group_columns(reference_.resource);
@@ -190,9 +189,6 @@ class Comparer {
     if (rule_.kind == ComparisonKind::table) {
       for (const std::string& name : reference_.resource.primary_key)
         if (reference_.resource.field(name)->type != data::FieldType::string) result_.abscissa = name;
-      const auto& diagnosis = reference_.resource.diagnosis;
-      if (diagnosis && std::ranges::count(reference_.resource.primary_key, diagnosis->abscissa) > 0)
-        result_.abscissa = diagnosis->abscissa;
       std::erase(group_columns_, result_.abscissa);
     }
     if (!result_.abscissa.empty()) result_.abscissa_unit = reference_.resource.field(result_.abscissa)->unit;
@@ -427,7 +423,7 @@ class Comparer {
     return {.first = first,
             .last = last,
             .spacing = (last - first) / std::max(1.0, static_cast<double>(group.reference.size()) - 1.0),
-            .coincidence = relative * std::max(last - first, std::abs(last))};
+            .coincidence = relative * (last - first)};
   }
 
   [[nodiscard]] std::string where_of(const Group& group, double abscissa) const {
@@ -508,21 +504,11 @@ class Comparer {
       open_series(group);
       if (!has_begun(group)) continue;
       const Grid grid = grid_of(group);
-      const Rows rows = rows_up_to_horizon(group), their_rows = comparable_rows(group, grid);
+      const Rows their_rows = comparable_rows(group, grid);
       for (Comparison::Quantity& quantity : result_.quantities)
-        compare_samples(quantity, group, rows, their_rows, grid);
+        compare_samples(quantity, group, group.reference, their_rows, grid);
       cover_range(group, grid);
     }
-  }
-
-  // The samples of the reference that are compared. All of them, if they are interpolated.
-  [[nodiscard]] Rows rows_up_to_horizon(const Group& group) const {
-    if (rule_.interpolation) return group.reference;
-    const auto& abscissa = reference_.column(rule_.abscissa).values;
-    Rows rows;
-    for (const std::size_t row : group.reference)
-      if (abscissa[row] <= horizon_) rows.push_back(row);
-    return rows;
   }
 
   // --- kind events
@@ -699,7 +685,7 @@ class Comparer {
       found.unreached = 0;  // the coverage of the history tells it
       note_difference(sequence, group, found, events.reference, *events.theirs);
     }
-    events.guard = settings_.events ? 0.0 : time_tolerance(rule);
+    events.guard = time_tolerance(rule);
     events.windows = windows_between(events, found);
     return events;
   }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace stickslip::studies {
 
@@ -14,11 +13,6 @@ using data::Norm;
 // |x| in a norm.
 double measured(double x, Norm norm, double reference, double scale) {
   return std::abs(x) / unit_of(norm, reference, scale);
-}
-
-// The difference between an error and the uncertainty.
-double excess(double error, double uncertainty) {
-  return std::isfinite(uncertainty) ? error - uncertainty : -std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
@@ -64,7 +58,7 @@ void judge(Comparison::Quantity& quantity, const Point& point, double scale) {
     quantity.agreement = Agreement::differs;
   else if (undecided && quantity.agreement == Agreement::agrees)
     quantity.agreement = Agreement::undecided;
-  if (!quantity.error || excess(error, uncertainty) > excess(*quantity.error, *quantity.uncertainty)) {
+  if (!quantity.error || error - uncertainty > *quantity.error - *quantity.uncertainty) {
     quantity.error = error;
     quantity.uncertainty = uncertainty;
     quantity.where = point.where;

@@ -86,9 +86,9 @@ std::optional<Interpolated> interpolated(const Samples& samples, double x, doubl
   Interpolated result = polynomial(samples, x, next, std::min<std::size_t>(4, size));
   const double first = samples.abscissa[next - 1];
   const double place = (x - first) / (samples.abscissa[next] - first);
-  result.half_width += size < 5 ? std::abs(result.value - polynomial(samples, x, next, 2).value)
-                                : 2.0 * std::clamp(4.0 * place * (1.0 - place), 0.0, 1.0) *
-                                      std::min(most_rough, roughness_at(samples, x));
+  result.half_width += size < 5
+                           ? std::abs(result.value - polynomial(samples, x, next, 2).value)
+                           : 8.0 * place * (1.0 - place) * std::min(most_rough, roughness_at(samples, x));
   return result;
 }
 

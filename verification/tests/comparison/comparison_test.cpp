@@ -253,16 +253,6 @@ TEST(ComparedCurve, InterpolatesAnAbscissaBetweenSamplesWithoutStatedInterpolati
   EXPECT_EQ(compare("stick-force", mine).agreement, Agreement::agrees);
 }
 
-TEST(ComparedCurve, CountsWhatIsOutsideTheRange) {
-  auto mine = copy_of("quasi-static-shape");
-  values_of(mine, "x")[0] = -0.5;
-  values_of(mine, "x").back() = 2.5;
-  const auto shape = quantity(compare("quasi-static-shape", mine), "shape");
-  EXPECT_EQ(shape.compared, 19u);
-  EXPECT_EQ(skipped(shape, "outside the range"), 2u);
-  EXPECT_EQ(shape.agreement, Agreement::agrees);
-}
-
 // S(x) between the samples: the stated bound is max |S''''| h^4/24 with h = 0.1 m, and holds.
 TEST(ComparedCurve, IsInterpolatedWithinTheStatedBound) {
   const analytic::QuasiStaticShape shape(data::load_case("paper").beam);
@@ -386,24 +376,6 @@ TEST(ComparedVerdict, IsUndecidedWhereTheReferenceIsNotKnownWellEnough) {
   const Comparison copy = compare("damped-events", copy_of("damped-events"), settings);
   EXPECT_EQ(quantity(copy, "time").undecided, 5u);
   EXPECT_EQ(quantity(copy, "position").agreement, Agreement::agrees);
-}
-
-TEST(ComparedVerdict, AddsTheUncertaintyToTheTolerance) {
-  const double radius = published_table("damped-events").radius_of("time")[2], tolerance = 1e-8;
-  const ComparisonSettings settings{
-      .tolerances = {{"", 1.0}, {"time", tolerance}}, .until = {}, .events = {}};
-  const auto verdict = [&](double error) {
-    auto mine = copy_of("damped-events");
-    keep_rows(mine, [](std::size_t row) { return row < 3; });
-    values_of(mine, "time")[2] += error;
-    ComparisonSettings early = settings;
-    early.until = 0.08;
-    const Comparison comparison = compare_quietly("damped-events", mine, early);
-    EXPECT_EQ(quantity(comparison, "position").tolerance, 1.0);
-    return quantity(comparison, "time").agreement;
-  };
-  EXPECT_EQ(verdict(radius + 1.1 * tolerance), Agreement::differs);
-  EXPECT_NE(verdict(radius + 0.9 * tolerance), Agreement::differs);
 }
 
 TEST(ComparedVerdict, NamesTheToleranceThatIsNone) {
@@ -618,19 +590,6 @@ TEST(ComparedHistory, LeavesOutOneSamplingDistanceAroundAnEventWithoutTheirs) {
     EXPECT_EQ(skipped(quantity(comparison, "y"), "beyond the horizon"), 10u);
     EXPECT_EQ(quantity(comparison, "y").compared, 202u - 18u);
   }
-}
-
-TEST(ComparedHistory, IsNotComparedBeyondTheHorizon) {
-  auto mine = copy_of("cubic-history");
-  values_of(mine, "y")[95] += 1.0;  // at the horizon of 0.95 s
-  EXPECT_EQ(compare("cubic-history", mine).agreement, Agreement::differs);
-  mine = copy_of("cubic-history");
-  values_of(mine, "y")[96] += 1.0;
-  EXPECT_EQ(compare("cubic-history", mine).agreement, Agreement::agrees);
-  values_of(mine, "y")[60] += 1.0;
-  EXPECT_EQ(compare("cubic-history", mine).agreement, Agreement::differs);
-  EXPECT_EQ(compare("cubic-history", mine, {.tolerances = {}, .until = 0.595, .events = {}}).agreement,
-            Agreement::agrees);
 }
 
 TEST(ComparedHistory, LeavesOutThePhasesThatTheyDoNotHave) {

@@ -367,6 +367,7 @@ TEST(ComparedVerdict, TheRangeOfACurveIncludesItsEnds) {
   mine["x"].back() = (1.0 + 1e-8) * length;
   EXPECT_EQ(mine.compared("shape").compared, 19u);
   EXPECT_EQ(skipped_for(mine.compared("shape"), "outside the range"), 2u);
+  EXPECT_EQ(mine.compared("shape").agreement, Agreement::agrees);
 }
 
 }  // namespace
