@@ -16,6 +16,7 @@
 
 #include "comparison/comparison.hpp"
 #include "comparison/wrong_models.hpp"
+#include "own_copy.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "support/paper_settings.hpp"
@@ -93,13 +94,6 @@ Comparison::Quantity quantity(const Comparison& comparison, const std::string& n
   return *std::ranges::find(comparison.quantities, name, &Comparison::Quantity::name);
 }
 
-std::size_t skipped(const Comparison::Quantity& quantity, const std::string& reason) {
-  std::size_t points = 0;
-  for (const auto& entry : quantity.skipped)
-    if (entry.reason.find(reason) != std::string::npos) points += entry.points;
-  return points;
-}
-
 std::string error_message(const std::function<void()>& action) {
   try {
     action();
@@ -130,6 +124,8 @@ TEST(ComparedCopy, OfEveryDataSetAgreesWithoutError) {
 }
 
 TEST(ComparedCopy, HasAllPointsOfItsSeries) {
+  // Of equal errors the first is told.
+  EXPECT_EQ(quantity(compare("cubic-history", copy_of("cubic-history")), "y").where, "t = 0 s, run = a");
   const Comparison comparison = compare("stick-frequencies", copy_of("stick-frequencies"));
   const auto frequency = quantity(comparison, "frequency");
   EXPECT_EQ(frequency.compared, 12u);
@@ -182,6 +178,16 @@ TEST(ComparedTable, MatchesRowsByKeyInAnyOrderAndNamesThoseThatAreMissing) {
             "paper-half-stiffness, mode = 3; beam = paper-half-stiffness, mode = 4; beam = "
             "paper-half-stiffness, mode = "
             "5; beam = paper-half-stiffness, mode = 6");
+  erase_row(mine, 0);
+  EXPECT_TRUE(compare("stick-frequencies", mine).remarks.at(0).ends_with("mode = 5 and 1 more"));
+}
+
+TEST(ComparedTable, SaysOnceWhatSeveralGroupsLookLike) {
+  auto mine = copy_of("stick-frequencies");
+  for (double& frequency : values_of(mine, "frequency")) frequency *= 2.0;
+  const auto likenesses = compare("stick-frequencies", mine).likenesses;
+  ASSERT_EQ(likenesses.size(), 1u);
+  EXPECT_EQ(likenesses[0].group, "beam = paper and 1 more");
 }
 
 TEST(ComparedTable, RefusesRowsThatTheDataSetLacks) {
@@ -210,6 +216,18 @@ TEST(ComparedCurve, MeasuresErrorsByTheLargestValue) {
     EXPECT_EQ(found.agreement, error > 1e-3 || error < -1e-3 ? Agreement::differs : Agreement::agrees);
     EXPECT_TRUE(within(*found.uncertainty, 1e-9 / scale, round_off(1.0, 1.0, 1e-9 / scale)));
   }
+  // With a horizon by the largest one up to it, which here is that at the horizon.
+  std::size_t last = 0;
+  while (std::abs(force[last]) <= 0.5 * scale) ++last;
+  auto early = package();
+  std::ranges::find(early.resources, "stick-force", &data::Resource::name)->comparison->horizon =
+      table.column("t").values[last];
+  auto mine = copy_of("stick-force");
+  values_of(mine, "friction_force")[0] += 0.1 * std::abs(force[last]);
+  ComparisonSettings quietly;
+  quietly.diagnose = false;
+  const auto found = quantity(studies::compare(early, "stick-force", mine, quietly), "friction_force");
+  EXPECT_TRUE(within(*found.error, 0.1, round_off(2.0, 1.0, 0.1)));
 }
 
 TEST(ComparedCurve, MeasuresErrorsByTheRangeOfThePublishedColumn) {
@@ -247,7 +265,7 @@ TEST(ComparedCurve, InterpolatesAnAbscissaBetweenSamplesWithoutStatedInterpolati
   words_of(mine, "t")[3] = "0.001501";
   const auto between = quantity(compare("stick-force", mine), "friction_force");
   EXPECT_EQ(between.compared, 161u);
-  EXPECT_EQ(skipped(between, "between the samples"), 1u);
+  EXPECT_EQ(skipped_for(between, "between the samples"), 1u);
   EXPECT_GT(*std::ranges::max_element(between.series[0].half_width), 1e-5);  // N; those of the set are 1e-9 N
   values_of(mine, "t")[3] = 0.0015 * (1.0 + 1e-10);
   EXPECT_EQ(compare("stick-force", mine).agreement, Agreement::agrees);
@@ -409,7 +427,7 @@ TEST(ComparedEvents, FindAShiftOfKnownSize) {
     EXPECT_TRUE(within(*position.error, 0.5 * std::abs(shift), round_off(1.0, 1.0, 2e-3)));
     EXPECT_EQ(position.agreement, shift > 1e-5 ? Agreement::differs : Agreement::agrees);
     EXPECT_EQ(time.compared, 6u);
-    EXPECT_EQ(skipped(time, "beyond the horizon"), 1u);
+    EXPECT_EQ(skipped_for(time, "beyond the horizon"), 1u);
   }
 }
 
@@ -440,6 +458,7 @@ TEST(ComparedEvents, NameTheEventThatIsTooMany) {
   EXPECT_EQ(quantity(comparison, "sequence").error, 1.0);
   EXPECT_EQ(comparison.remarks,
             std::vector<std::string>{"event 7 (onset at 0.1095 s) of the file is not in the data set"});
+  EXPECT_EQ(skipped_for(quantity(comparison, "time"), "without an event of the data set"), 1u);
 
   mine = copy_of("damped-events");
   repeat_row(mine, 3);  // two captures one after the other
@@ -468,6 +487,16 @@ TEST(ComparedEvents, MayLieOnEitherSideOfTheHorizon) {
   erase_row(mine, 5);  // not reached
   EXPECT_EQ(difference(mine, sixth + 5e-6), 0.0);
   EXPECT_EQ(difference(mine, sixth + 5e-5), 1.0);
+  // A relative tolerance is that share of the latest time.
+  auto relative = package();
+  std::ranges::find(relative.resources, "damped-events", &data::Resource::name)->comparison->values[0].norm =
+      data::Norm::relative;
+  for (const double share : {0.9e-4, 1.1e-4}) {
+    const ComparisonSettings settings{
+        .tolerances = {{"time", 1e-4}}, .until = sixth * (1.0 + share), .events = {}, .diagnose = false};
+    const auto sequence = quantity(studies::compare(relative, "damped-events", mine, settings), "sequence");
+    EXPECT_EQ(sequence.error, share < 1e-4 ? 0.0 : 1.0);
+  }
 }
 
 TEST(ComparedEvents, LeaveGrazesOutAndRefuseOtherWords) {
@@ -483,8 +512,10 @@ TEST(ComparedEvents, LeaveGrazesOutAndRefuseOtherWords) {
 TEST(ComparedEvents, OfSeveralRunsAreKeptApart) {
   auto mine = copy_of("cubic-events");
   values_of(mine, "time")[3] += 3e-7;
+  values_of(mine, "position")[3] *= 1.0 + 4e-7;  // its scale is that of its run, which has this event only
   const Comparison comparison = compare("cubic-events", mine);
   EXPECT_EQ(quantity(comparison, "time").where, "event 1 (onset at 0.455 s), run = b");
+  EXPECT_TRUE(within(*quantity(comparison, "position").error, 4e-7, round_off(1.0, 1.0, 1.0)));
   EXPECT_EQ(comparison.agreement, Agreement::agrees);
   erase_row(mine, 3);
   EXPECT_EQ(compare("cubic-events", mine).remarks,
@@ -534,12 +565,12 @@ TEST(ComparedHistory, IsInterpolatedWithinItsPhaseOnly) {
     // One step over a jump would be an error of 1 m or more.
     EXPECT_TRUE(within(*y.error, 0.0, round_off(4.0, 2.0, 6.0)));
     // Run a has samples at 0.0042, 0.0142, ..., 0.9942 s, run b as well; 0.9442 is the last before 0.95 s.
-    EXPECT_EQ(skipped(y, "beyond the horizon"), 10u);
+    EXPECT_EQ(skipped_for(y, "beyond the horizon"), 10u);
     // Events at 0.305, 0.515, 0.805 and 0.455 s: the sample at 0.3042 has none of its phase behind it, and so
     // on.
     const std::size_t at_events = 4;
-    EXPECT_EQ(skipped(y, "between an event and the samples"), events ? at_events : 0u);
-    EXPECT_EQ(skipped(y, "two times of an event"), events ? 0u : 2u * at_events);
+    EXPECT_EQ(skipped_for(y, "between an event and the samples"), events ? at_events : 0u);
+    EXPECT_EQ(skipped_for(y, "between the two times of an event"), events ? 0u : 2u * at_events);
     EXPECT_EQ(y.compared, 190u - (events ? at_events : 2u * at_events));
     EXPECT_EQ(quantity(comparison, "phase").error, 0.0);
   }
@@ -561,7 +592,7 @@ TEST(ComparedHistory, LeavesOutWhatLiesBetweenTheTwoTimesOfAnEvent) {
   ComparisonSettings settings{.tolerances = {}, .until = {}, .events = events};
   Comparison comparison = compare("cubic-history", mine, settings);
   EXPECT_EQ(quantity(comparison, "y").agreement, Agreement::agrees);
-  EXPECT_EQ(skipped(quantity(comparison, "y"), "two times of an event"), between);
+  EXPECT_EQ(skipped_for(quantity(comparison, "y"), "between the two times of an event"), between);
   EXPECT_EQ(comparison.agreement, Agreement::agrees);
 
   // Without their events they are in another phase, which counts.
@@ -586,8 +617,8 @@ TEST(ComparedHistory, LeavesOutOneSamplingDistanceAroundAnEventWithoutTheirs) {
     const Comparison comparison = compare("cubic-history", mine);
     const bool is_next = row == 30 || row == 31;
     EXPECT_EQ(comparison.agreement, is_next ? Agreement::agrees : Agreement::differs) << row;
-    EXPECT_EQ(skipped(quantity(comparison, "y"), "two times of an event"), 8u);
-    EXPECT_EQ(skipped(quantity(comparison, "y"), "beyond the horizon"), 10u);
+    EXPECT_EQ(skipped_for(quantity(comparison, "y"), "between the two times of an event"), 8u);
+    EXPECT_EQ(skipped_for(quantity(comparison, "y"), "beyond the horizon"), 10u);
     EXPECT_EQ(quantity(comparison, "y").compared, 202u - 18u);
   }
 }
@@ -601,7 +632,7 @@ TEST(ComparedHistory, LeavesOutThePhasesThatTheyDoNotHave) {
   EXPECT_EQ(comparison.agreement, Agreement::differs);
   EXPECT_EQ(quantity(comparison, "sequence").agreement, Agreement::differs);
   EXPECT_EQ(quantity(comparison, "y").error, 0.0);
-  EXPECT_EQ(skipped(quantity(comparison, "y"), "in another phase"), 29u);  // 0.52, ..., 0.80 s
+  EXPECT_EQ(skipped_for(quantity(comparison, "y"), "in another phase"), 29u);  // 0.52, ..., 0.80 s
   ASSERT_GE(comparison.remarks.size(), 1u);
   EXPECT_EQ(comparison.remarks[0], "run = a: event 2 (reversal at 0.515 s) is missing in the file")
       << comparison.remarks[0];

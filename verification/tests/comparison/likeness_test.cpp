@@ -241,10 +241,18 @@ TEST(LikenessOfNumbers, IsTheUsualNameOfAFactor) {
     File file("stick-frequencies", "frequency");
     multiply(file.values(), factor);
     EXPECT_TRUE(looks(file, name));
+    EXPECT_FALSE(contains(file.likeness(), "like '"));  // no mistake that does not change them
   }
   File force("stick-history", "friction_force");
   multiply(force.values(), -1.0);
   EXPECT_TRUE(looks(force, "like 'force-sign'"));
+  for (const auto& [set, value, factor] : {std::tuple{"critical-amplitudes", "amplitude", 2.0},
+                                           {"classification", "force_ratio", 0.5},
+                                           {"friction-maxima", "friction_force", 0.5}}) {
+    File file(set, value);
+    multiply(file.values(), factor);
+    EXPECT_TRUE(looks(file, "like 'peak-to-peak-amplitude'")) << set;
+  }
 }
 
 TEST(LikenessOfNumbers, IsNoFactorWhereAllValuesAreSmall) {
@@ -347,6 +355,12 @@ TEST(LikenessOfNumbers, IsAnotherDataSet) {
     file.values() = File(other, field).values();
     EXPECT_EQ(file.likeness(), std::string("the values are those of ") + other + "\n");
   }
+  // Beyond the tolerance it is said how near they are.
+  File file("stick-frequencies", "frequency");
+  const Values stick = file.values();
+  file.values() = File("slip-frequencies", "frequency").values();
+  for (std::size_t n = 0; n < stick.size(); ++n) file.values()[n] += (n % 2 == 0 ? 1e-4 : -1e-4) * stick[n];
+  EXPECT_EQ(file.likeness(), "the values are those of slip-frequencies, to 0.01 %\n");
 }
 
 TEST(LikenessOfNumbers, IsAShift) {
@@ -379,7 +393,8 @@ TEST(LikenessOfNumbers, IsTheNodeBesideTheMiddle) {
   const data::Case held = data::load_case("paper-figure9");
   const analytic::StickResponse response(held.beam, held.excitation, 60, analytic::SteadyPart::exact);
   for (const auto& [place, name] : {std::pair{0.55, "x = 0.55 L, the node beside the middle on 20 elements"},
-                                    {0.25, "x = 0.25 L, the node beside the middle on 4 elements"}}) {
+                                    {0.25, "x = 0.25 L, the node beside the middle on 4 elements"},
+                                    {0.525, "x = 0.525 L, the node beside the middle on 40 elements"}}) {
     File file("stick-history", "midspan_displacement");
     for (std::size_t i = 0; i < file.values().size(); ++i)
       file.values()[i] = response.absolute_displacement(place * held.beam.length(), file.column("time")[i]);

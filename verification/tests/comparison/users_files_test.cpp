@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -110,6 +111,21 @@ TEST(ComparedZero, IsMeasuredByTheLargestOfTheColumn) {
   }
 }
 
+STICKSLIP_VERIFIES(ComparedTable, "X20");
+TEST(ComparedTable, MeasuresARelativeErrorByTheMagnitudeOfTheValue) {
+  auto mine = copy_of("participation");
+  ASSERT_LT(mine["participation"][0], 0.0);
+  mine["participation"][0] *= 1.01;
+  const auto found = mine.compared("participation");
+  EXPECT_TRUE(within(*found.error, 0.01, round_off(1.0, 1.0, 1.0)));
+  EXPECT_EQ(found.agreement, Agreement::differs);
+}
+
+TEST(ComparedTable, HasTheNumberOfTheRowAsAbscissaWithoutANumericalKey) {
+  EXPECT_EQ(copy_of("critical-loads").compared("flutter_load").series.at(1).abscissa,
+            std::vector<double>{2.0});
+}
+
 // --- alignment of events
 
 TabulatedEvent event(const std::string& change, double time) { return {change, time, 0.0, 0, 0}; }
@@ -133,6 +149,27 @@ TEST(EventSequence, IsAlignedWithEventsMissingAndEventsTooMany) {
   const auto begin = studies::match(reference, {theirs[0], theirs[1]}, {.end = 2.9});
   EXPECT_EQ(begin.missing.size(), 2u);
   EXPECT_EQ(begin.unreached, 2u);
+}
+
+TEST(EventSequence, TakesEventsAtItsLimitsAsWithinThem) {
+  const std::vector<TabulatedEvent> reference{event("onset", 1.0), {"capture", 2.0, 0.02, 0, 0}};
+  const auto pairs = [&](double time, const studies::SequenceLimits& limits) {
+    return studies::match(reference, {event("onset", 1.0), event("capture", time)}, limits).pairs.size();
+  };
+  // Without partners two events cost 1 s within the limits, and one of them half of it.
+  EXPECT_EQ(pairs(2.9, {.horizon = 2.9}), 2u);
+  EXPECT_EQ(pairs(2.9, {.horizon = 2.8}), 1u);
+  EXPECT_EQ(pairs(1.4, {.end = 1.4}), 1u);
+  // An event nearer to the horizon than 0.1 s + 0.02 s costs as much.
+  EXPECT_EQ(pairs(2.115, {.horizon = 2.11, .time_tolerance = 0.1}), 2u);
+  EXPECT_EQ(pairs(2.125, {.horizon = 2.11, .time_tolerance = 0.1}), 1u);
+  EXPECT_EQ(studies::match({}, {event("onset", 2.0)}, {.horizon = 2.0}).extra.size(), 1u);
+  const auto unreached = [&](const studies::SequenceLimits& limits) {
+    return studies::match(reference, {event("onset", 1.0)}, limits).unreached;
+  };
+  EXPECT_EQ(unreached({.end = 2.0}), 0u);
+  EXPECT_EQ(unreached({.horizon = 2.11, .end = 1.0, .time_tolerance = 0.1}), 0u);
+  EXPECT_EQ(unreached({.horizon = 2.13, .end = 1.0, .time_tolerance = 0.1}), 1u);
 }
 
 TEST(EventSequence, HasNoPairFartherApartThanTheMeanDistance) {
@@ -273,7 +310,8 @@ TEST(ComparedCoverage, OfARangeMustBeNineTenths) {
     const Comparison comparison = mine.compared();
     EXPECT_EQ(comparison.agreement, agreement) << last;
     EXPECT_TRUE(within(comparison.coverage, last / 0.5 + 0.025, round_off(1e4, 1.0, 1.0))) << last;
-    EXPECT_EQ(mentions(comparison, "% of time from 0 to 0.5 s, but a verdict needs at least 90 %"),
+    EXPECT_EQ(mentions(comparison, std::string("the file covers ") + (last > 0.1 ? "89" : "4") +
+                                       " % of time from 0 to 0.5 s, but a verdict needs at least 90 %"),
               agreement == Agreement::undecided);
     EXPECT_EQ(mine.compared(until(last)).agreement, Agreement::agrees);
     mine["tip_displacement"][5] += 1.0;
@@ -293,6 +331,14 @@ TEST(ComparedCoverage, OfAHistoryThatEndsEarlyIsTooSmall) {
   mine.keep([](std::size_t row) { return row < 29; });
   EXPECT_EQ(mine.compared().agreement, Agreement::undecided);
   EXPECT_EQ(mine.compared(until(0.0058)).agreement, Agreement::agrees);
+  // The events end there as well, which is no doubt about their sequence.
+  auto half = copy_of("stick-slip-history"), events = copy_of("stick-slip-events");
+  half.keep([](std::size_t row) { return row < 1250; });
+  const auto time = events["time"];
+  events.keep([&](std::size_t row) { return time[row] < 0.25; });
+  const auto sequence = half.compared("sequence", {.tolerances = {}, .until = {}, .events = events.table});
+  EXPECT_EQ(sequence.agreement, Agreement::agrees);
+  EXPECT_EQ(sequence.undecided, 0u);
 }
 
 TEST(ComparedCoverage, OfEventsEndsWithTheLastOneUnlessALatestTimeIsGiven) {
@@ -302,11 +348,28 @@ TEST(ComparedCoverage, OfEventsEndsWithTheLastOneUnlessALatestTimeIsGiven) {
   const Comparison comparison = mine.compared();
   EXPECT_EQ(comparison.agreement, Agreement::undecided);
   EXPECT_TRUE(within(comparison.coverage, end / last, round_off(1.0, 1.0, 1.0)));
-  EXPECT_EQ(mine.compared("sequence").undecided, 27u);
+  const auto sequence = mine.compared("sequence");
+  EXPECT_EQ(sequence.agreement, Agreement::undecided);
+  EXPECT_EQ(sequence.undecided, 27u);
+  EXPECT_EQ(sequence.compared, 47u);
+  EXPECT_EQ(sequence.where, "the end of the file");
   EXPECT_TRUE(mentions(comparison, "27 more events"));
   EXPECT_EQ(mine.compared(until(end + 2e-4)).agreement, Agreement::agrees);
   EXPECT_EQ(mine.compared("sequence", until(0.5)).error, 27.0);
   EXPECT_EQ(mine.compared(until(0.5)).agreement, Agreement::differs);
+  // The first eight are named.
+  EXPECT_EQ(mine.compared(until(0.5)).remarks.size(), 9u);
+  EXPECT_EQ(mine.compared(until(0.5)).remarks.back(), "27 events are missing or not in the data set");
+  const auto told = [](std::size_t rows, const ComparisonSettings& settings) {
+    return copy_of("stick-slip-events")
+        .keep([&](std::size_t row) { return row < rows; })
+        .compared(settings)
+        .remarks;
+  };
+  EXPECT_EQ(told(39, until(0.5)).size(), 8u);
+  EXPECT_EQ(told(46, {}),
+            std::vector<std::string>{"the file ends at 0.487100527 s, and the data set has 1 more event up "
+                                     "to 0.490601495 s; --until says how far your run goes"});
 }
 
 TEST(ComparedCoverage, OfATableMustBeATenthOfEachPartThatTheFileBegins) {
@@ -314,9 +377,14 @@ TEST(ComparedCoverage, OfATableMustBeATenthOfEachPartThatTheFileBegins) {
     auto mine = copy_of("classification");
     mine.keep([&](std::size_t row) { return row < rows; });
     EXPECT_EQ(mine.compared().agreement, rows == 48 ? Agreement::agrees : Agreement::undecided) << rows;
-    EXPECT_EQ(mentions(mine.compared(), "the file has 47 of 480 rows, but a verdict needs at least 10 %"),
+    EXPECT_EQ(mentions(mine.compared(), "the file has " + std::to_string(rows) +
+                                            " of 480 rows, but a verdict needs at least 10 %"),
               rows == 47);
   }
+  auto shape = copy_of("static-shapes");
+  shape.keep([](std::size_t row) { return row == 0; });
+  EXPECT_TRUE(mentions(shape.compared(),
+                       "the file has 1 of 20 rows of beam = paper, but a verdict needs at least 10 %"));
   auto modes = copy_of("stick-frequencies");
   modes.keep([](std::size_t row) { return row < 3; });  // three of ten modes of one beam
   EXPECT_EQ(modes.compared().agreement, Agreement::agrees);
@@ -325,15 +393,20 @@ TEST(ComparedCoverage, OfATableMustBeATenthOfEachPartThatTheFileBegins) {
 
 // --- times between those of the data set
 
+studies::Samples sampled(std::size_t size, double step, const std::function<double(double)>& curve) {
+  studies::Samples samples;
+  for (std::size_t i = 0; i < size; ++i) {
+    samples.abscissa.push_back(step * static_cast<double>(i));
+    samples.values.push_back(curve(samples.abscissa.back()));
+    samples.half_width.push_back(0.0);
+  }
+  return samples;
+}
+
 STICKSLIP_VERIFIES(ComparedSamples, "X20");
 TEST(ComparedSamples, AreInterpolatedWithinTheEstimatedError) {
-  studies::Samples sine;
   const double h = 0.1;
-  for (int i = 0; i <= 20; ++i) {
-    sine.abscissa.push_back(h * i);
-    sine.values.push_back(std::sin(h * i));
-    sine.half_width.push_back(0.0);
-  }
+  const auto sine = sampled(21, h, [](double x) { return std::sin(x); });
   for (double x = h + 0.013; x < 19.0 * h; x += 0.017) {
     const auto found = studies::interpolated(sine, x);
     // The largest of |(x - x0)(x - x1)(x - x2)(x - x3)|/24 between the two in the middle is 3/128 h^4.
@@ -345,15 +418,63 @@ TEST(ComparedSamples, AreInterpolatedWithinTheEstimatedError) {
   EXPECT_FALSE(studies::interpolated({{0.0, 1.0}, {0.0, 1.0}, {0.0, 0.0}}, 0.5).has_value());
 }
 
+TEST(ComparedSamples, OfAQuarticHaveTheErrorOfTheCubicThroughFourNeighbours) {
+  const auto quartic = [](std::size_t size) {
+    return sampled(size, 1.0, [](double x) { return x * x * x * x; });
+  };
+  const auto width = [&](std::size_t size, double x, double most_rough = 1e9) {
+    return studies::interpolated(quartic(size), x, most_rough)->half_width;
+  };
+  // The product of the distances to them: 2 1 1 2, and 1 1 2 3 beside an end.
+  const auto rounding = round_off(20.0, 3.0, std::pow(39.0, 4));
+  for (const auto& [x, error] : std::vector<std::pair<double, double>>{
+           {0.5, 6.0}, {8.5, 6.0}, {9.5, 4.0}, {29.5, 4.0}, {30.5, 6.0}, {38.5, 6.0}}) {
+    EXPECT_TRUE(within(studies::roughness_at(quartic(40), x), error, rounding)) << x;
+    EXPECT_TRUE(within(width(40, x), 2.0 * error, rounding)) << x;
+  }
+  EXPECT_TRUE(within(width(40, 20.25), 6.0, rounding));
+  EXPECT_EQ(width(40, 20.25, 1.0), 1.5);
+  EXPECT_TRUE(within(width(5, 1.5), 12.0, rounding));
+  // Fewer samples: the cubic or the parabola against the straight line.
+  EXPECT_TRUE(std::isinf(studies::roughness_at(quartic(4), 1.5)));
+  EXPECT_TRUE(within(width(4, 1.5), 4.0, rounding));
+  EXPECT_TRUE(within(width(3, 0.5), 1.75, rounding));
+  const data::Interpolation cubic{.order = 3, .error = {}};
+  EXPECT_TRUE(within(studies::interpolated(quartic(4), 1.5, cubic, 0.25)->value, 4.5, rounding));
+  EXPECT_FALSE(studies::interpolated(quartic(3), 1.5, cubic, 0.25).has_value());
+}
+
+TEST(ComparedSamples, AreComparedWhereTheyAreAloneAndElseAtThoseOfTheDataSet) {
+  const auto reference = sampled(11, 1.0, [](double x) { return x; });
+  const auto compared = [&](const std::vector<double>& x) {
+    return studies::by_own_interpolation(reference, {x, x, std::vector(x.size(), 0.0)}, 1.0, 1e-9);
+  };
+  struct Expected {
+    std::vector<double> theirs, points;
+    std::size_t between, past_last;
+  };
+  for (const auto& [theirs, points, between, past_last] :
+       {Expected{{4.4, 4.8, 5.2}, {5.0}, 3, 0},
+        Expected{{4.8, 5.2}, {4.8, 5.2}, 0, 0},  // too few to interpolate
+        Expected{{1.5, 6.2, 6.6, 7.1, 7.4}, {1.5, 6.2, 7.0}, 3, 0}, Expected{{10.5, 12.0, 14.0}, {}, 0, 3}}) {
+    const auto found = compared(theirs);
+    std::vector<double> abscissa;
+    for (const auto& point : found.points) abscissa.push_back(point.abscissa);
+    EXPECT_EQ(abscissa, points) << theirs[0];
+    EXPECT_EQ(found.between, between) << theirs[0];
+    EXPECT_EQ(found.past_last, past_last) << theirs[0];
+  }
+  // Values of the right times beside times that are rounded to single precision: the difference is uncertain.
+  auto rounded = reference;
+  for (double& x : rounded.abscissa) x *= 1.0 + 0x1p-25;
+  for (const auto& [x, value, known] : studies::by_own_interpolation(reference, rounded, 1.0, 1e-12).points)
+    EXPECT_TRUE(within(value.half_width, 0x1p-25 * x, round_off(40.0, 3.0, 10.0))) << x;
+}
+
 TEST(ComparedSamples, ThatAreTooFarApartForTheCurveSaySo) {
   // Six periods in ten samples. The estimate shows it wherever the cubic is wrong.
-  studies::Samples fast;
   const auto curve = [](double x) { return std::sin(2.0 * std::numbers::pi * 0.6 * x); };
-  for (int i = 0; i <= 100; ++i) {
-    fast.abscissa.push_back(i);
-    fast.values.push_back(curve(i));
-    fast.half_width.push_back(0.0);
-  }
+  const auto fast = sampled(101, 1.0, curve);
   for (double x = 10.5; x < 90.0; x += 0.37) {
     const auto found = studies::interpolated(fast, x);
     EXPECT_GE(found->half_width, std::abs(found->value - curve(x))) << x;
@@ -382,11 +503,13 @@ TEST(ComparedSamples, BetweenThoseOfTheDataSetAreComparedWithThem) {
                                       "verification/tests/golden/reference");
   std::ranges::find(package.resources, "cubic-history", &data::Resource::name)
       ->comparison->interpolation.reset();
-  for (const std::size_t step : {1u, 3u})
+  // At 0.01, ..., 0.29 s of the data set, or at their 15 or 10 samples up to 0.283 s or 0.273 s.
+  for (const auto& [step, count] :
+       std::vector<std::pair<std::size_t, std::size_t>>{{1, 29}, {2, 15}, {3, 10}})
     for (const double error : {0.0, 0.5}) {
       OwnCopy mine(package, "cubic-history");
       auto& t = mine["t"];
-      mine.keep([&](std::size_t row) { return row < 31 && row % step == 0; });
+      mine.keep([&, every = step](std::size_t row) { return row < 31 && row % every == 0; });
       for (std::size_t i = 0; i < t.size(); ++i) {
         t[i] += 0.003;  // run a sticks up to 0.305 s, y = 1 + t - 2 t^2 + t^3
         mine["y"][i] = 1.0 + t[i] - 2.0 * t[i] * t[i] + t[i] * t[i] * t[i];
@@ -396,7 +519,7 @@ TEST(ComparedSamples, BetweenThoseOfTheDataSetAreComparedWithThem) {
       settings.tolerances = {{"y", 0.01}};
       const auto y = mine.compared("y", settings);
       EXPECT_EQ(y.agreement, error > 0.0 ? Agreement::differs : Agreement::agrees) << step;
-      EXPECT_GE(y.compared, step == 1 ? 26u : 9u) << step;
+      EXPECT_EQ(y.compared, count) << step;
       if (error == 0.0) {
         EXPECT_TRUE(within(*y.error, 0.0, round_off(10.0, 4.0, 2.0)));
       }
@@ -407,6 +530,7 @@ TEST(ComparedSamples, MayStandTwiceAtATime) {
   auto curve = copy_of("undamped-history-25");
   curve.repeat(100);
   EXPECT_EQ(curve.compared().agreement, Agreement::agrees);
+  EXPECT_EQ(curve.compared(with_tolerance("", 0.0)).agreement, Agreement::undecided);
   curve["tip_displacement"][101] += 0.5;
   EXPECT_TRUE(
       refusal(curve).starts_with("mine.csv:102: time is 0.05 as in the row before, but "
