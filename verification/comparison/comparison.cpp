@@ -162,22 +162,11 @@ class Comparer {
         result_.remarks.push_back(fmt::format("{} is not in the file and was not compared", value.field));
         continue;
       }
-      if (value.norm == Norm::word) {
-        result_.quantities.push_back(count_of(value.field, "rows", value.norm, tolerance_of(value)));
-        continue;
-      }
-      result_.quantities.push_back({.name = value.field,
-                                    .unit = reference_.resource.field(value.field)->unit,
-                                    .norm = value.norm,
-                                    .tolerance = tolerance_of(value),
-                                    .error = {},
-                                    .uncertainty = {},
-                                    .where = {},
-                                    .agreement = Agreement::agrees,
-                                    .compared = 0,
-                                    .undecided = 0,
-                                    .skipped = {},
-                                    .series = {}});
+      const bool is_counted = value.norm == Norm::word;
+      const std::string unit = is_counted ? "rows" : reference_.resource.field(value.field)->unit;
+      Comparison::Quantity quantity = count_of(value.field, unit, value.norm, tolerance_of(value));
+      if (!is_counted) quantity.error = quantity.uncertainty = std::nullopt;
+      result_.quantities.push_back(std::move(quantity));
     }
   }
 
