@@ -587,7 +587,7 @@ TEST_F(CommandLine, UncertaintyRefusesWhatItCannotAnswer) {
   expect_refused("uncertainty uncertain --samples 0", "--samples is 0, but must be an integer from 1");
   expect_refused("uncertainty uncertain --band 40:30",
                  "--band: TO is '30', but must be a finite number not below FROM, 40");
-  for (const std::string& band : {"1e-30:30", "30:1e30"})
+  for (const std::string band : {"1e-30:30", "30:1e30"})
     expect_refused("uncertainty uncertain --band " + band, "--band: excitation.frequency_hz is 1e");
 }
 

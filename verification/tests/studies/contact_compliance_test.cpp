@@ -348,9 +348,9 @@ TEST(YieldingContactForce, ReportsTheForceOfANarrowLaw) {
 
 TEST(YieldingContactForce, RefusesASpringThatRoundingWouldLoad) {
   const data::Case problem = damped_case({}, 0.1);
-  const auto run = [&problem](double stiffness, const data::FrictionLaw& friction) {
+  const auto run = [&problem](double contact_stiffness, const data::FrictionLaw& friction) {
     const solver::BeamSimulation simulation(problem.beam, friction, problem.excitation, problem.numerics,
-                                            {.tangential = spring(stiffness)});
+                                            {.tangential = spring(contact_stiffness)});
   };
   // The rounding of 1 mm makes a ten-thousandth of mu_s P = 300 N.
   const double stiffest = 1e-4 * 300.0 / (std::numeric_limits<double>::epsilon() * 1e-3);

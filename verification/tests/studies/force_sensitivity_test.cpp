@@ -102,8 +102,9 @@ void changes_are_those_from_the_unchanged_row_of_the_method() {
       EXPECT_GE(change, study().inputs[3].lowest_change[i] - 2e-5);  // widths of 1e-7
       EXPECT_LE(change, study().inputs[3].highest_change[i] + 2e-5);
       // Next to the first resonance the longest beam, which is farthest from it, has the least force.
-      if (study().frequency_hz[i] == 25.0 && share > 1.0)
+      if (study().frequency_hz[i] == 25.0 && share > 1.0) {
         EXPECT_NEAR(change, study().inputs[3].lowest_change[i], 2e-5);
+      }
     }
 }
 
