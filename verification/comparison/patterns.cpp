@@ -156,6 +156,8 @@ Found shift_of(const ComparedValues& values) {
   constexpr std::size_t fewest = 6;
   if (values.abscissa.size() < fewest || !std::ranges::is_sorted(values.abscissa, std::less_equal()))
     return {};
+  // Where only values at an end differ, a shift may leave none of them to explain.
+  const auto explains = [](const Found& found) { return found && found->difference > 0.0; };
   Found best;
   for (const int k : {1, -1, 2, -2, 3, -3, 4, -4, 5, -5})
     if (const auto found =
@@ -165,16 +167,18 @@ Found shift_of(const ComparedValues& values) {
                                               place_of(values), std::abs(k), std::abs(k) == 1 ? "" : "s",
                                               k > 0 ? "further down" : "further up")},
                      later(values.reference, k), 0, patterns_tried);
-        found && (!best || found->remaining < best->remaining))
+        explains(found) && (!best || found->remaining < best->remaining))
       best = found;
   if (best || values.abscissa_unit.empty() || values.abscissa_unit == "Hz") return best;
   const double shift = fitted_shift(values);
-  return accepted(values,
-                  {.name = "shifted",
-                   .sentence = fmt::format("the values are {}: those of the data set at {} {} {:.3g} {}",
-                                           place_of(values), values.abscissa_name, shift > 0.0 ? "+" : "-",
-                                           std::abs(shift), values.abscissa_unit)},
-                  shifted(values, shift), 1, patterns_tried);
+  const auto found =
+      accepted(values,
+               {.name = "shifted",
+                .sentence = fmt::format("the values are {}: those of the data set at {} {} {:.3g} {}",
+                                        place_of(values), values.abscissa_name, shift > 0.0 ? "+" : "-",
+                                        std::abs(shift), values.abscissa_unit)},
+               shifted(values, shift), 1, patterns_tried);
+  return explains(found) ? found : Found();
 }
 
 // Times of events that are all late by the same time.
@@ -388,7 +392,7 @@ Found accepted(const ComparedValues& values, Pattern pattern, const Values& pred
 }
 
 Found pattern_of(const ComparedValues& values, const data::Beam* beam, bool is_slip) {
-  if (values.theirs.empty()) return {};
+  if (values.theirs == values.reference) return {};
   if (auto found = factor_of(values)) return found;
   if (auto found = delay_of(values)) return found;
   if (is_of_frequencies(values)) {

@@ -11,6 +11,7 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -206,6 +207,21 @@ bool contains(const std::string& text, const std::string& part) {
   return (contains(text, like) ? ::testing::AssertionSuccess() : ::testing::AssertionFailure()) << text;
 }
 
+// Values in m over time in s, at 1, 2, ...
+studies::ComparedValues over_time(const Values& reference, const Values& theirs) {
+  studies::ComparedValues values{.abscissa_name = "time",
+                                 .abscissa_unit = "s",
+                                 .unit = "m",
+                                 .norm = data::Norm::scale,
+                                 .abscissa = Values(reference.size()),
+                                 .theirs = theirs,
+                                 .reference = reference};
+  std::iota(values.abscissa.begin(), values.abscissa.end(), 1.0);
+  return values;
+}
+
+std::string said(const std::optional<studies::Pattern>& pattern) { return pattern ? pattern->sentence : ""; }
+
 STICKSLIP_VERIFIES(LikenessOfNumbers, "X20");
 TEST(LikenessOfNumbers, IsTheFactorInEveryComparedColumnOfEveryDataSet) {
   for (const data::Resource& resource : package().resources) {
@@ -386,6 +402,16 @@ TEST(LikenessOfNumbers, IsAShift) {
   more.repeat_last_row("index", static_cast<double>(more.values().size() + 1));
   for (double& time : more.values()) time += 0.3;
   EXPECT_TRUE(looks(more, "all events are 0.3 s late")) << more.likeness();
+}
+
+TEST(LikenessOfNumbers, IsNothingWhereNothingDiffersAndNoShiftWhereAnEndDoes) {
+  for (const Values& reference : {Values{3, 1, 4, 1, 5, 9, 2, 6}, Values(8, 2.0)})
+    for (const std::size_t end : {0u, 7u}) {
+      Values theirs = reference;
+      EXPECT_EQ(said(studies::pattern_of(over_time(reference, theirs))), "");
+      theirs[end] += 1.0;
+      EXPECT_EQ(said(studies::pattern_of(over_time(reference, theirs))), "");
+    }
 }
 
 TEST(LikenessOfNumbers, IsTheNodeBesideTheMiddle) {
