@@ -140,7 +140,6 @@ Diagnosis diagnose(const ModelResults& model_results, const Observation& observa
   diagnosis.uncertainty = model_results.reference_uncertainty +
                           distance(model_results, uncertainty, std::vector<double>(uncertainty.size(), 0.0));
   const Field field = field_of(model_results, diagnosis.uncertainty);
-  diagnosis.dimension = field.dimension;
   diagnosis.required_ratio = std::max(
       least_ratio, std::pow(field.count / (accidental_share * std::log(10.0)), 1.0 / field.dimension));
 

@@ -141,7 +141,6 @@ double fitted_shift(const ComparedValues& values) {
       product += slope * (values.theirs[i] - here[i]);
       square += slope * slope;
     }
-    if (square == 0.0) return 0.0;
     shift += product / square;
   }
   return shift;
@@ -183,7 +182,7 @@ Found shift_of(const ComparedValues& values) {
 
 // Times of events that are all late by the same time.
 Found delay_of(const ComparedValues& values) {
-  if (values.abscissa_unit != "s" || values.unit != "s" || values.theirs.empty()) return {};
+  if (values.abscissa_unit != "s" || values.unit != "s") return {};
   double sum = 0.0;
   for (std::size_t i = 0; i < values.theirs.size(); ++i) sum += values.theirs[i] - values.reference[i];
   const double delay = sum / static_cast<double>(values.theirs.size());
@@ -198,10 +197,10 @@ Found delay_of(const ComparedValues& values) {
 
 // --- frequencies
 
-// The number of the axial frequency (2k-1)/(4L) sqrt(E/rho) within 1 %, else 0.
+// The number of the axial frequency (2k-1)/(4L) sqrt(E/rho) within 1 %, else none above 0.
 int axial_number(const data::Beam& beam, double hz) {
   const double first = std::sqrt(beam.youngs_modulus() / beam.density()) / (4.0 * beam.length());
-  const int k = std::max(1, static_cast<int>(std::lround(0.5 * (hz / first + 1.0))));
+  const int k = static_cast<int>(std::lround(0.5 * (hz / first + 1.0)));
   return std::abs(hz / ((2 * k - 1) * first) - 1.0) < 0.01 ? k : 0;
 }
 
@@ -365,7 +364,7 @@ double distance(const ComparedValues& values, const Values& a, const Values& b) 
   std::size_t count = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (std::isnan(a[i]) || std::isnan(b[i])) continue;
-    const double s = values.norm == data::Norm::relative ? std::abs(values.reference[i]) : common;
+    const double s = values.norm == data::Norm::relative ? values.reference[i] : common;
     sum += a[i] == b[i] ? 0.0 : std::pow((a[i] - b[i]) / s, 2);
     ++count;
   }

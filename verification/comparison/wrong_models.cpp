@@ -394,13 +394,10 @@ void add_wrong_models(ModelResults& result, const Evaluate& values_by,
   std::vector<Values> values(models.size());
   in_parallel(
       models.size(), [&](std::size_t i) { values[i] = values_by(models[i]); }, progress);
-  for (std::size_t i = 0; i < models.size(); ++i) {
-    const std::string& name = models[i].wrong_model.name;
+  for (std::size_t i = 0; i < models.size(); ++i)
     if (values[i])
-      result.wrong_models.push_back({name, *values[i], distance(result, result.reference, *values[i])});
-    else
-      result.missing.push_back(name);
-  }
+      result.wrong_models.push_back(
+          {models[i].wrong_model.name, *values[i], distance(result, result.reference, *values[i])});
 }
 
 }  // namespace
@@ -411,8 +408,7 @@ ModelResults model_results(const data::Case& problem, Quantity quantity, const s
                       .abscissa = abscissa,
                       .reference = reference_result(problem, quantity, abscissa),
                       .reference_uncertainty = closed_form_uncertainty,
-                      .wrong_models = {},
-                      .missing = {}};
+                      .wrong_models = {}};
   if (std::ranges::all_of(result.reference, [](double value) { return value == 0.0; }))
     throw data::InputError(
         fmt::format("the reference of {} is 0 at every abscissa, but must have a value to compare with",
@@ -442,8 +438,7 @@ ModelResults model_results(const std::vector<data::Case>& cases, Quantity quanti
                       .abscissa = abscissa,
                       .reference = {},
                       .reference_uncertainty = closed_form_uncertainty,
-                      .wrong_models = {},
-                      .missing = {}};
+                      .wrong_models = {}};
   for (std::size_t i = 0; i < cases.size(); ++i)
     result.reference.push_back(reference_result(cases[i], quantity, {abscissa[i]}).front());
   add_wrong_models(result, values_by, progress);

@@ -98,7 +98,6 @@ struct ModelResults {
   /// (order 2) and mesh (order 4).
   double reference_uncertainty{};
   std::vector<Member> wrong_models;  ///< those that have a result for the quantity
-  std::vector<std::string> missing;  ///< the names of the others
 };
 
 /// Computes these results. Throws what reference_result() throws, and data::InputError if the reference
@@ -165,7 +164,6 @@ struct Diagnosis {
   Finding finding{};
   double from_reference{};          ///< d, relative
   double uncertainty{};             ///< u, relative
-  double dimension{};               ///< n
   double required_ratio{};          ///< R
   std::vector<Candidate> ranked{};  ///< all wrong models, the nearest first
   /// If mistaken, the nearest wrong model and those that are indistinguishable from it. If correct, those
