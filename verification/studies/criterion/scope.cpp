@@ -230,10 +230,8 @@ SofterBeam softer_beam(const data::Case& paper, int last_hz) {
 std::vector<LateSlips> late_slips(const data::Case& paper, const ConvergedHistory& converged) {
   const data::Case problem = at(paper, converged.frequency_hz, converged.amplitude);
   const double duration = converged.time.back();
-  double last_onset = converged.first_stick.end;
-  for (const ConvergedStick& stick : converged.sticks)
-    if (stick.end < duration) last_onset = stick.end;
-  std::vector<LateSlips> result{late_slips_of("converged", converged.time, converged.tip, last_onset)};
+  const ConvergedStick& last = converged.sticks.empty() ? converged.first_stick : converged.sticks.back();
+  std::vector<LateSlips> result{late_slips_of("converged", converged.time, converged.tip, last.end)};
   constexpr int elements = 40;
   data::NumericalChoices filtering = paper.numerics.choices();
   filtering.elements = elements;
@@ -247,9 +245,9 @@ std::vector<LateSlips> late_slips(const data::Case& paper, const ConvergedHistor
   return result;
 }
 
-Scope scope(const data::Case& paper, const data::Case& damped, const ConvergedHistory& converged) {
-  const std::vector<double> frequencies{15.0, 25.0, 35.0, 70.0}, durations{0.1, 1.0, 10.0, 100.0, 1000.0};
-  const std::vector<double> amplitudes{0.5e-3, 1e-3};
+Scope scope(const data::Case& paper, const data::Case& damped, const ConvergedHistory& converged,
+            const ScopeRange& range) {
+  const auto &frequencies = range.frequencies_hz, &amplitudes = range.amplitudes;
   Scope study;
   study.friction_limit = friction_limit_of(paper);
   study.steady.resize(frequencies.size());
@@ -258,7 +256,7 @@ Scope scope(const data::Case& paper, const data::Case& damped, const ConvergedHi
   in_parallel(frequencies.size() + amplitudes.size(), [&](std::size_t i) {
     if (i < frequencies.size()) {
       const data::Case problem = at(paper, frequencies[i], amplitudes.front());
-      study.steady[i] = steady_force(problem, durations);
+      study.steady[i] = steady_force(problem, range.durations);
       study.slender[i] = slender_force(problem);
     } else {
       data::Case problem = at(paper, 25.0, amplitudes[i - frequencies.size()]);
@@ -266,7 +264,7 @@ Scope scope(const data::Case& paper, const data::Case& damped, const ConvergedHi
       study.damped[i - frequencies.size()] = damped_force(problem);
     }
   });
-  study.softer = softer_beam(paper, 120);
+  study.softer = softer_beam(paper, range.last_hz);
   study.late_slips = late_slips(paper, converged);
   return study;
 }

@@ -99,10 +99,17 @@ struct Scope {
 /// numerics.duration(), which are not converged.
 [[nodiscard]] std::vector<LateSlips> late_slips(const data::Case& paper, const ConvergedHistory& converged);
 
-/// All parts: steady forces at 15, 25, 35 and 70 Hz over 0.1 ... 1000 s and slenderness at 0.5 mm, damping at
-/// 25 Hz, 0.5 and 1 mm, and the late slips of `converged`. `damped` gives the damping. Uses thread_count()
-/// threads; the result does not depend on their number.
+/// Steady forces and slenderness at these frequencies and the first amplitude, damping at 25 Hz and all amplitudes.
+struct ScopeRange {
+  std::vector<double> frequencies_hz{15.0, 25.0, 35.0, 70.0};
+  std::vector<double> durations{0.1, 1.0, 10.0, 100.0, 1000.0};  ///< of the horizons, s
+  std::vector<double> amplitudes{0.5e-3, 1e-3};                  ///< m
+  int last_hz{120};                                              ///< of softer_beam()
+};
+
+/// All parts, with the late slips of `converged`. `damped` gives the damping. Uses thread_count() threads; the
+/// result does not depend on their number.
 [[nodiscard]] Scope scope(const data::Case& paper, const data::Case& damped,
-                          const ConvergedHistory& converged);
+                          const ConvergedHistory& converged, const ScopeRange& range = {});
 
 }  // namespace stickslip::studies
