@@ -1024,7 +1024,8 @@ TEST_F(OptionInput, ThatHasNoValueOrTwoIsNamed) {
   expect_refused("map --quantity work --transient 0 --duration 0.01",
                  "excitation.duration is 0.01, but must be long enough for the transient and two periods");
   expect_refused("map --quantity work --transient 10",
-                 "excitation.duration is 10, but must be long enough for the transient and two periods");
+                 "excitation.duration is 10, but must be long enough for the transient and two periods of "
+                 "the base motion, 12 s");
   expect_refused("respond --duration 0.01 --spectrum a",
                  "excitation.duration is 0.01, but must be at least two periods of the base motion");
   expect_refused("sweep --parameter density=1:2:3", "--parameter: PARAMETER is 'density'");
@@ -1096,12 +1097,29 @@ TEST_F(WarningsOf, TheSubcommandsAreOneLineEachAndInJson) {
   expect_warning("modes --count 10", "natural frequency 10 comes out about 40 % too high");
   expect_warning("modes --count 10 --state slip --method fe",
                  "natural frequency 10 comes out about 35 % too high");
-  expect_warning("criterion", "grows with t, until 17.8 s");
+  // sqrt(I/A)/L = 0.1/sqrt(12)/2; half a beat of 24.972 Hz with 25 Hz.
+  expect_warning(
+      "modes --count 3",
+      "the beam is thick for Euler-Bernoulli, sqrt(I/A)/L = 0.0144: without shear and rotary inertia its "
+      "natural frequency 3 comes out about 5.2 % too high\n");
+  expect_warning(
+      "criterion",
+      "excitation.frequency_hz is 25, next to natural frequency 1 of the stick state, 24.97196 Hz: the "
+      "reaction of the undamped beam grows with t, until 17.8 s, so that its maximum depends on "
+      "excitation.duration, 10 s\n");
   expect_warning("respond --method closed-form --duration 1" + output, "next to natural frequency 1");
-  expect_warning("respond --hz 15 --duration 0.1 --set numerics.time_step=5e-3" + output,
-                 "too long for natural frequency");
-  expect_warning("respond --set beam.axial_force=84000 --duration 0.002" + output,
-                 "at the flutter load of the sliding beam");
+  expect_warning(
+      "respond --hz 15 --duration 0.1 --set numerics.time_step=5e-3" + output,
+      "numerics.time_step is 0.005 s, too long for natural frequency 2 at 81.08 Hz: it changes the "
+      "frequency or the amplitude per period by 29 %; a step of 0.00068 s changes them by 1 %\n");
+  expect_warning(
+      "respond --hz 2000 --duration 0.01" + output,
+      "numerics.time_step is 1e-04 s, too long for the excitation at 2000 Hz: it changes the frequency or "
+      "the amplitude per period by 11 %; a step of 2.7e-05 s changes them by 1 %\n");
+  expect_warning(
+      "respond --set beam.axial_force=84000 --duration 0.002" + output,
+      "beam.axial_force is 84000 N, at the flutter load of the sliding beam, 83545.6 N, or over it: once "
+      "the tip slips, the motion is unstable\n");
   expect_warning("respond --method event-driven --set beam.axial_force=84000 --duration 0.002" + output,
                  "flutter load");
   const std::string amplitudes = "map --y amplitude=1e-4:2e-4:2 --x ";

@@ -40,6 +40,17 @@ TEST_P(BeamMotionAt, AgreesWithinThePredictionWhileTheTipSticks) {
              discretisation(study.predicted_stick_difference, 1.1, "response of every discrete mode")));
   // Magnitudes are added that do not peak together, but the bound is not an idle one.
   EXPECT_GT(study.stick_difference, 0.1 * study.predicted_stick_difference);
+  // One period, from a quarter of it before the first slip on, and the reference sticks up to there.
+  const double period = 1.0 / GetParam();
+  const double start = study.first_slip ? *study.first_slip - 0.25 * period : 0.0;
+  EXPECT_NEAR(study.reference.snapshots.front().time, start, 0.5001e-4);
+  EXPECT_NEAR(study.reference.snapshots.back().time, start + period, 0.5001e-4);
+  for (const auto& snapshot : study.reference.snapshots) {
+    if (study.first_slip && snapshot.time > *study.first_slip) break;
+    EXPECT_TRUE(snapshot.sticks);
+  }
+  EXPECT_EQ(study.half_width > 0.0, study.first_slip.has_value());
+  EXPECT_LT(study.half_width, 0.01 * study.peak);
 }
 
 INSTANTIATE_TEST_SUITE_P(Hertz, BeamMotionAt, ::testing::Values(15.0, 25.0, 35.0, 70.0), NameOfDouble());
@@ -130,6 +141,7 @@ TEST(BeamMotion, RefusesAGridThatCannotBeSampled) {
   EXPECT_THROW((void)studies::event_driven_motion(at, {0.0, 0.1, 9, 1}), data::FieldError);
   EXPECT_THROW((void)studies::closed_form_motion(at, {0.0, 1e-3, 12, 9}, 10), data::FieldError);
   EXPECT_EQ(studies::closed_form_motion(at, {0.0, 1e-3, 11, 9}, 10).snapshots.size(), 11U);
+  EXPECT_EQ(studies::closed_form_motion(at, {0.0, 1e-3, 2, 2}, 10).snapshots.size(), 2U);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
+#include <tuple>
 #include <vector>
 
 #include "stickslip/analytic/beam_boundary_integral.hpp"
@@ -155,9 +156,14 @@ TEST(ConvergedHistory, FallsWithTheStepAndCoversWhatFinerStepsFind) {
   ASSERT_EQ(history.levels.size(), 8u);
   for (std::size_t level = 0; level < 8; ++level) {
     EXPECT_EQ(history.levels[level].modes > 0, level >= 4);
+    EXPECT_EQ(history.levels[level].method, level < 4 ? "boundary integral" : "free modes");
     if (level % 4 == 0) continue;
     EXPECT_EQ(history.levels[level].time_step, 2.0 * history.levels[level - 1].time_step);
   }
+  EXPECT_DOUBLE_EQ(history.largest_half_width(),
+                   2.0 * std::max(history.levels[1].difference, history.levels[4].difference));
+  EXPECT_TRUE(std::ranges::is_sorted(history.tip_half_width));
+  EXPECT_TRUE(std::ranges::is_sorted(history.midspan_half_width));
   EXPECT_LT(history.levels[1].difference, history.levels[3].difference);
   EXPECT_LT(history.levels[4].difference, history.levels[7].difference);
   EXPECT_LT(finer.largest_half_width(), 0.5 * history.largest_half_width());
@@ -165,6 +171,8 @@ TEST(ConvergedHistory, FallsWithTheStepAndCoversWhatFinerStepsFind) {
                      reference(history.first_stick.end_half_width, "half-width")));
   ASSERT_GE(history.sticks.size(), 2u);
   for (const auto& stick : history.sticks) {
+    EXPECT_GE(stick.end - stick.begin, 1e-3);
+    EXPECT_GE(std::min(stick.begin_half_width, stick.end_half_width), history.levels[0].time_step);
     const auto same = std::ranges::find_if(finer.sticks, [&](const auto& other) {
       return other.begin < 0.5 * (stick.begin + stick.end) && other.end > 0.5 * (stick.begin + stick.end);
     });
@@ -172,6 +180,14 @@ TEST(ConvergedHistory, FallsWithTheStepAndCoversWhatFinerStepsFind) {
     EXPECT_TRUE(within(stick.begin, same->begin, reference(stick.begin_half_width, "half-width")));
     EXPECT_TRUE(within(stick.end, same->end, reference(stick.end_half_width, "half-width")));
     EXPECT_TRUE(within(stick.position, same->position, reference(stick.position_half_width, "half-width")));
+  }
+}
+
+TEST(ConvergedHistory, TakesTheFreeModesBelowTwentyRadiansAStepButFrom20To1000) {
+  for (const auto& [step, least, most] : {std::tuple{1.0, 20, 20}, {2e-5, 100, 103}, {1e-12, 1000, 1000}}) {
+    const int modes = studies::free_modes_for(paper_beam(), step);
+    EXPECT_GE(modes, least);
+    EXPECT_LE(modes, most);
   }
 }
 

@@ -529,6 +529,12 @@ TEST(ModelVariants, FlipTheVerdictsOfTheFiguresAsOftenAsRecorded) {
       EXPECT_EQ(found[i].to_stick + found[i].to_slip, flipped[i])
           << variant.stiffness_ratio << found[i].figures;
       EXPECT_EQ(found[i].unstable, 0u);
+      EXPECT_DOUBLE_EQ(found[i].flipped_share() * static_cast<double>(found[i].cells),
+                       static_cast<double>(flipped[i]));
+      if (variant.stiffness_ratio == rigid && variant.damping_ratio == 0.0) {
+        EXPECT_EQ(found[i].lowest_ratio, 1.0);
+        EXPECT_EQ(found[i].highest_ratio, 1.0);
+      }
       // Damping takes from every maximum; a spring moves resonances both ways.
       if (variant.damping_ratio > 0.0) {
         EXPECT_EQ(found[i].to_slip, 0u);

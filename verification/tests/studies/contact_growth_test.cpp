@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// The bound of the growth of a disturbance: closed forms, meshes, modes, steps, and runs that obey it.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -337,6 +338,34 @@ TEST(HistoryConvergence, MeasuresTheErrorAgainstTheHistoryGiven) {
   EXPECT_TRUE(within(run.error, 0.1, round_off(10, 10.0, 0.1)));
   EXPECT_EQ(run.changes, history.changes);
   EXPECT_EQ(run.observed_growth, 0.0);
+  EXPECT_DOUBLE_EQ(run.time_step, 1e-4);
+  EXPECT_EQ(run.highest_angle, mesh(10).angular_frequencies().maxCoeff() * run.time_step);
+  EXPECT_EQ(run.growth_bound, growth_bound(studies::stepped_contact(mesh(10), run.time_step, 0.9), kappa));
+  // Rows are 5e-4 s apart.
+  EXPECT_DOUBLE_EQ(studies::history_run(problem, grid(0.01), 10, 1.3e-4, 0.9, false).time_step, 1.25e-4);
+}
+
+TEST(HistoryConvergence, OfARefinementIsThatOfItsRunsAndObservesGrowthOnSmallMeshes) {
+  const auto study = studies::history_refinement(
+      paper_case(), grid(0.3), {"filtering step", studies::filtering_angle, 0.0, 0.0}, {5, 10}, 5);
+  EXPECT_EQ(study.rule.name, "filtering step");
+  EXPECT_EQ(study.frequency_hz, 25.0);
+  ASSERT_EQ(study.runs.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const int elements = i == 0 ? 5 : 10;
+    const double longest = studies::time_step_of(study.rule, paper_beam(), elements);
+    EXPECT_EQ(study.runs[i].elements, elements);
+    EXPECT_DOUBLE_EQ(study.runs[i].time_step, 5e-4 / std::ceil(5e-4 / longest));
+    EXPECT_EQ(study.runs[i].spectral_radius, 0.0);
+    EXPECT_EQ(study.runs[i].observed_growth != 0.0, i == 0);
+  }
+  EXPECT_EQ(study.order.order,
+            observed_order({2.0 / 5, 2.0 / 10}, {study.runs[0].error, study.runs[1].error}));
+  // A fixed step, and a tip that radiates.
+  const studies::StepRule rule{"radiating tip", 0.0, 1e-4, 1.0, 0.01};
+  EXPECT_EQ(studies::time_step_of(rule, paper_beam(), 5), 1e-4);
+  EXPECT_EQ(studies::history_refinement(paper_case(), grid(0.1), rule, {5, 6}, 0).runs[0].error,
+            studies::history_run(paper_case(), grid(0.1), 5, 1e-4, 1.0, false, 0.01).error);
 }
 
 // --- The warning
@@ -368,10 +397,19 @@ TEST(GrowthWarning, SuggestsSettingsThatKeepTheGrowthAtThatOfTheBeam) {
   const auto place = found->sentence.find(before);
   ASSERT_NE(place, std::string::npos) << found->sentence;
   const double step = std::stod(found->sentence.substr(place + before.size()));
-  EXPECT_FALSE(warning({{"numerics.time_step", data::shortest_text(step)},
-                        {"numerics.spectral_radius", "0"},
-                        {"excitation.duration", "1.1"}}));  // 31/s for 1.16 s
-  EXPECT_LT(found->sentence.size(), 300u);
+  const auto with_it = [&](const std::string& duration) {
+    return warning({{"numerics.time_step", data::shortest_text(step)},
+                    {"numerics.spectral_radius", "0"},
+                    {"excitation.duration", duration}});
+  };
+  EXPECT_FALSE(with_it("1.1"));  // 31/s for 1.16 s
+  EXPECT_EQ(with_it("1.5").value().sentence.find("about as with"), std::string::npos);
+  EXPECT_EQ(found->sentence,
+            fmt::format(
+                "the contact changes, and sigma* is {:.0f} 1/s: by the bound exp(sigma* t) a rounding error "
+                "may grow to the size of the motion within {:.2g} s; for the beam sigma* is 30 1/s, about as "
+                "with numerics.spectral_radius = 0, time_step = 1e-05 s, elements = 20",
+                found->value, 36.0 / found->value));
 }
 
 TEST(GrowthWarning, SaysWhenNoDiscretisationHelps) {
@@ -408,6 +446,7 @@ TEST(GrowthWarning, IsSilentOnWhatItDoesNotCompute) {
   for (const auto inquiry : {studies::Inquiry::closed_form_history, studies::Inquiry::criterion,
                              studies::Inquiry::boundary_integral_history})
     EXPECT_FALSE(warning({}, inquiry));
+  EXPECT_FALSE(warning({{"contact.tangential_stiffness", "1e8"}}));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "stickslip/analytic/damped_reaction.hpp"
@@ -246,6 +247,13 @@ TEST(MotionQuantities, TellPeriodsApart) {
   EXPECT_EQ(studies::period_of(samples({1.0, 1.1})), 2);
   EXPECT_EQ(studies::period_of(samples({1.0, 1.1, 1.0, 1.2})), 4);
   EXPECT_EQ(studies::period_of(samples({1.0, 1.0005})), 1);
+  EXPECT_EQ(studies::period_of(samples({1.0, 1.0017})), 2);  // 1.2e-3 of the norm
+  EXPECT_EQ(studies::period_of(samples({1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16})), 16);
+  auto few = samples({1.0, 1.1});
+  few.resize(4);
+  EXPECT_EQ(studies::period_of(few), 2);
+  few.resize(3);
+  EXPECT_EQ(studies::period_of(few), 0);
   // A free vibration of 5/7 of the frequency that loses 5 % in 7 periods is none of period 7.
   std::vector<std::vector<std::complex<double>>> decaying;
   for (int n = 0; n < 48; ++n)
@@ -261,7 +269,35 @@ TEST(MotionQuantities, NeedTheTransientAndTwoPeriods) {
   EXPECT_EQ(grid.steps_per_period, 400);
   EXPECT_EQ(grid.transient, 2);
   EXPECT_EQ(grid.recorded, 2);
+  EXPECT_EQ(studies::response_grid(problem, 0.12).recorded, 2);
   EXPECT_THROW((void)studies::response_grid(problem, 0.13), data::FieldError);
+  // 2e8 steps in a period of 0.04 s.
+  const auto steps = [](double step) {
+    return studies::steps_per_period(case_with_step("damped", 25.0, 1e-3, step, 0.19, 10));
+  };
+  EXPECT_EQ(steps(0.04), 32);
+  EXPECT_EQ(steps(2e-10), 200000000);
+  EXPECT_THROW((void)steps(1.99e-10), data::FieldError);
+}
+
+// The halves of a record, and the record on twice the step, are what other runs record.
+TEST(MotionQuantities, ChangeByTheirSpreadOverTheRecordItsHalvesAndTwiceTheStep) {
+  const auto response = [](double step, double duration, double transient) {
+    return studies::contact_response(case_with_step("damped", 25.0, 1e-3, step, duration, 10), transient);
+  };
+  const auto whole = response(1e-4, 0.4, 0.08), first = response(1e-4, 0.24, 0.08),
+             second = response(1e-4, 0.4, 0.24), coarse = response(2e-4, 0.4, 0.08);
+  for (const MotionQuantity q : studies::all_motion_quantities) {
+    const auto [least, largest] =
+        std::minmax({whole[q].value, first[q].value, second[q].value, coarse[q].value});
+    const double spread = largest - least;
+    EXPECT_NEAR(whole[q].change,
+                spread == 0.0                 ? 0.0
+                : q == MotionQuantity::period ? 1.0
+                                              : std::min(spread / largest, 1.0),
+                1e-12)
+        << static_cast<int>(q);
+  }
 }
 
 // Without damping stick and slip alternate ever faster the shorter the step is: the number of sticks has no limit, and
@@ -295,6 +331,28 @@ TEST(MotionQuantities, AreMappedWhereThereIsAStickState) {
   }
 }
 
+// One set of modes serves all cells where no axis changes the modes, and only there.
+TEST(MotionQuantities, AreMappedWithTheModesOfEachCell) {
+  studies::MapTask task{.problem = case_with_step("damped", 25.0, 1e-3, 1e-4, 0.2, 10),
+                        .x = studies::map_axis(studies::Parameter::frequency, 25.0, 26.0, 2, false),
+                        .quantities = {MotionQuantity::work},
+                        .transient = 0.08};
+  for (const auto& [parameter, from, to] : {std::tuple{studies::Parameter::damping_ratio, 0.0, 0.02},
+                                            {studies::Parameter::axial_direction, 0.0, 1.0},
+                                            {studies::Parameter::length, 1.9, 2.0},
+                                            {studies::Parameter::kinetic_coefficient, 0.3, 0.5}}) {
+    task.y = studies::map_axis(parameter, from, to, 2, false);
+    studies::MapEvaluations evaluations(studies::evaluation_count(task));
+    studies::evaluate(task, studies::share_of(evaluations.size(), 1, 1), evaluations);
+    for (const auto& cell : studies::criterion_map(task, evaluations).cells) {
+      const auto point = studies::with_value(
+          studies::with_value(task.problem, studies::Parameter::frequency, cell.x), parameter, cell.y);
+      EXPECT_EQ(cell.response.at(0).value,
+                studies::contact_response(point, 0.08)[MotionQuantity::work].value);
+    }
+  }
+}
+
 data::Case damped_at(double frequency_hz, double amplitude) {
   return case_with_step("damped", frequency_hz, amplitude, 1e-4, 10.0, 10);
 }
@@ -325,6 +383,24 @@ TEST(ParameterSweep, FindsAMotionOfPeriodThree) {
     EXPECT_NEAR(positions[n + 3], positions[n], 1e-3 * (highest - lowest));
     EXPECT_TRUE(within(points[0].section[n].displacement, positions[n],
                        discretisation(2e-3 * (highest - lowest), 5.0, "the error at 1e-4 s")));
+  }
+}
+
+TEST(ParameterSweep, GoesOnFromOneValueToTheNextAsIfItWereOneRun) {
+  studies::SweepTask task{.problem = damped_at(25.0, 1e-3),
+                          .parameter = studies::Parameter::amplitude,
+                          .values = {1e-3, 1e-3},
+                          .direction = studies::SweepDirection::up,
+                          .settle = 4,
+                          .periods = 3};
+  const auto next = studies::parameter_sweep(task).at(1).section;
+  task.values.pop_back();
+  task.settle = 11;
+  const auto alone = studies::parameter_sweep(task).at(0).section;
+  for (std::size_t n = 0; n < 3; ++n) {
+    EXPECT_NEAR(next[n].displacement, alone[n].displacement, 1e-9);
+    EXPECT_NEAR(next[n].velocity, alone[n].velocity, 1e-7);
+    EXPECT_NEAR(next[n].friction_force, alone[n].friction_force, 1e-4);
   }
 }
 

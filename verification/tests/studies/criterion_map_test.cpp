@@ -12,13 +12,16 @@
 #include <vector>
 
 #include "stickslip/analytic/criterion.hpp"
+#include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/common/problem_parameter.hpp"
+#include "studies/common/thread_count.hpp"
 #include "studies/convergence/discretisation.hpp"
 #include "studies/criterion/criterion_map.hpp"
+#include "studies/criterion/map_estimate.hpp"
 #include "support/flat_beam.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
@@ -48,6 +51,7 @@ TEST(MapAxis, HasItsEndsAndEqualStepsOrRatiosBetween) {
   EXPECT_EQ(ratios.front(), 7.0);
   EXPECT_EQ(ratios.back(), 700.0);
   EXPECT_DOUBLE_EQ(ratios[1], 70.0);
+  EXPECT_EQ(map_axis(Parameter::length, 7.0, 29.0, 3, true).values.back(), 29.0);  // 7 (29/7) is not
 }
 
 TEST(MapAxis, ChangesTheFieldOfItsParameterAndNoOther) {
@@ -105,6 +109,44 @@ TEST(CriterionMap, HoldsTheCriterionOfEachCell) {
         EXPECT_EQ(cell.state == CellState::stick_slip, criterion.verdict == analytic::Verdict::stick_slip);
       }
     }
+}
+
+TEST(CriterionMap, OfADampedBeamHoldsTheDampedForceOfEachCell) {
+  data::Case problem = flat_case_of(1.0);
+  problem.damping = data::Damping({.ratio = 0.01});
+  const auto x = map_axis(Parameter::frequency, 20.0, 60.0, 3, false);
+  for (const auto& y :
+       {map_axis(Parameter::length, 0.8, 1.2, 2, false), map_axis(Parameter::amplitude, 1e-3, 4e-3, 2, false),
+        map_axis(Parameter::damping_ratio, 5e-3, 0.02, 2, false)})
+    for (const auto& cell : studies::criterion_map(problem, x, y, MapMethod::closed_form).cells) {
+      const data::Case point = with_value(with_value(problem, x.parameter, cell.x), y.parameter, cell.y);
+      const double force = point.excitation.amplitude() *
+                           analytic::DampedForce(analytic::damped_reaction(point.beam, point.damping, 10),
+                                                 studies::angular_frequency(point.excitation), 1.0)
+                               .refined_to()
+                               .midpoint();
+      EXPECT_TRUE(within(*cell.force_ratio, force / 300.0, reference(2e-10 * force, "width of the bounds")));
+    }
+}
+
+TEST(CriterionMap, HasAnEstimateOfItsCostThatLeavesTheThreadsAlone) {
+  const studies::MapTask task{.problem = flat_case_of(0.1),
+                              .x = map_axis(Parameter::frequency, 5.0, 50.0, 20, false),
+                              .y = map_axis(Parameter::amplitude, 0.0, 1e-3, 3, false)};
+  const unsigned threads = studies::thread_count();
+  for (const unsigned count : {1u, 2u}) {
+    studies::set_thread_count(count);
+    const auto estimate = studies::map_estimate(task, studies::share_of(20, 1, 1));
+    EXPECT_EQ(studies::thread_count(), count);
+    EXPECT_EQ(estimate.threads, count);
+    EXPECT_EQ(estimate.evaluations, 20u);
+    EXPECT_EQ(estimate.sample, 20u);  // all of them take milliseconds
+    EXPECT_EQ(estimate.speedup == 1.0, count == 1);
+  }
+  studies::set_thread_count(threads);
+  const studies::MapEstimate hours{.evaluations = 7200, .seconds_each = 2.0, .speedup = 4.0};
+  EXPECT_EQ(hours.core_hours(), 4.0);
+  EXPECT_EQ(hours.hours(), 1.0);
 }
 
 TEST(CriterionMap, ByFiniteElementsIsThatOfThePlainRun) {
@@ -193,10 +235,11 @@ TEST(CriterionMap, TellsTheShareDone) {
 }
 
 TEST(CriterionMap, OfStatesOnlyHasTheStatesOfTheWholeMap) {
-  const data::Case problem = flat_case_of(0.5);
+  const data::Case problem = with_value(flat_case_of(0.5), Parameter::amplitude, 4e-3);
   const auto x = map_axis(Parameter::length, 0.8, 3.0, 7, false);
   for (const auto& y : {map_axis(Parameter::axial_force, 200.0, 900.0, 5, true),
                         map_axis(Parameter::amplitude, 0.0, 4e-3, 5, false),
+                        map_axis(Parameter::damping_ratio, 0.0, 0.02, 3, false),
                         map_axis(Parameter::static_coefficient, 0.05, 0.9, 5, false)}) {
     const studies::MapTask task{
         .problem = problem, .x = x, .y = y, .method = MapMethod::closed_form, .states_only = true};

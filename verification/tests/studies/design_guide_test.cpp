@@ -74,6 +74,11 @@ TEST(BandMargin, OfOneFrequencyIsThatOfTheCriterion) {
       analytic::evaluate_criterion(problem.beam, problem.friction, problem.excitation, 10.0);
   const double expected = criterion.critical_amplitude.midpoint() / 1e-3;
   EXPECT_TRUE(within(margin.margin.midpoint(), expected, reference(2e-9 * expected, "bounds of |f_max|")));
+  EXPECT_TRUE(within(margin.force_max.midpoint(), criterion.force_max.midpoint(),
+                     reference(2e-9 * criterion.force_max.midpoint(), "bounds of |f_max|")));
+  EXPECT_EQ(margin.friction_limit, criterion.friction_limit);
+  EXPECT_DOUBLE_EQ(margin.margin.lower * margin.force_max.upper, margin.friction_limit);
+  EXPECT_DOUBLE_EQ(margin.margin.upper * margin.force_max.lower, margin.friction_limit);
   EXPECT_EQ(margin.evaluations, 1);
   EXPECT_EQ(margin.frequency_hz, 25.0);
   EXPECT_TRUE(margin.resonances.empty());
@@ -89,6 +94,7 @@ TEST(BandMargin, HasTheNaturalFrequenciesOfTheBandAndItsWorstThere) {
     EXPECT_EQ(margin.resonances[i].frequency_hz, modes[i].frequency_hz());
     const auto here = studies::band_margin(problem, {modes[i].frequency_hz(), modes[i].frequency_hz()});
     EXPECT_LE(margin.margin.lower, here.margin.upper);
+    EXPECT_EQ(here.resonances.size(), 1u);
   }
   const auto nearest = std::ranges::min(margin.resonances, {}, [&](const auto& resonance) {
     return std::abs(resonance.frequency_hz - margin.frequency_hz);
@@ -126,6 +132,7 @@ TEST(DesignScan, AvoidsTheTwoLengthsOfFigure14) {
   const data::Case problem = flat_case();
   const auto scan = studies::design_scan(problem, Parameter::length, {0.4, 2.0}, {25.0, 25.0});
   expect_to_tile(scan, 0.4, 2.0);
+  EXPECT_DOUBLE_EQ(scan.accuracy, 2e-5);
   ASSERT_EQ(scan.intervals.size(), 5u);
   for (const int mode : {1, 2}) {
     const double resonance = *studies::resonance_length(problem.beam, mode, 25.0);
@@ -221,6 +228,15 @@ TEST(DesignScan, OfALengthOverBucklingSaysSo) {
   ASSERT_EQ(scan.intervals.size(), 1u);
   EXPECT_TRUE(scan.intervals.front().buckled);
   EXPECT_FALSE(scan.intervals.front().sticks);
+  const auto range = [&](double to) {
+    return studies::range_below_buckling(problem, Parameter::length, 0.4, to);
+  };
+  EXPECT_EQ(range(2.0 * longest).from, 0.4);
+  EXPECT_DOUBLE_EQ(range(2.0 * longest).to, 0.999 * longest);
+  EXPECT_EQ(range(0.9 * longest).to, 0.9 * longest);
+  EXPECT_THROW(
+      (void)studies::buckling_value(with_value(problem, Parameter::axial_force, 0.0), Parameter::length),
+      data::InputError);
 }
 
 TEST(DesignScan, RefusesAnotherParameterAndARangeThatFalls) {

@@ -50,6 +50,7 @@ TEST(MicroSticks, ShorterThanTheSpanAreMergedIntoTheSlipAroundThem) {
             (std::vector<double>{1.0, 3.0, 4.0, 4.001}));
   // A span of zero merges nothing, and neither a micro-slip nor an unfinished stick is ever merged.
   EXPECT_EQ(studies::without_micro_sticks(events, 0.0).size(), events.size());
+  EXPECT_EQ(studies::without_micro_sticks({{false, 2.0, 0.1}, {true, 2.5, 0.1}}, 0.5).size(), 2u);
   EXPECT_TRUE(studies::without_micro_sticks({}, 1.0).empty());
 }
 
@@ -114,6 +115,15 @@ TEST_P(DampedBenchmark, IsTheSameByFiniteElementsInTimeStepsAndByContinuousModes
     EXPECT_LT(benchmark.events[i].position_uncertainty, 1e-7);
   }
   EXPECT_LT(benchmark.tolerance_effect, 1e-9);
+  EXPECT_GT(benchmark.tolerance_effect, 0.0);
+  EXPECT_DOUBLE_EQ(benchmark.history.time.at(1), 1e-4);
+  EXPECT_EQ(benchmark.runs.size(), 6u);
+  for (const auto& each : benchmark.runs) {
+    double largest = 0.0;
+    for (const auto& difference : each.each) largest = std::max(largest, difference.time);
+    EXPECT_EQ(each.all.time, largest) << each.method;
+    EXPECT_LE(each.first_ten.time, each.all.time) << each.method;
+  }
 
   const auto run = [&](const std::string& method, int size, double step) {
     return *std::ranges::find_if(benchmark.runs, [&](const studies::BenchmarkRun& candidate) {
@@ -154,6 +164,10 @@ TEST_P(OrderThroughEvents, IsTwoWithLocationAndOneForTimesWithoutIt) {
   EXPECT_TRUE(order_two(study.located.event_time_error));
   EXPECT_TRUE(order_two(study.located.event_position_error));
   EXPECT_TRUE(order_two(study.located.tip_error));
+  EXPECT_EQ(study.located.event_position_order.order,
+            observed_order(study.time_step, study.located.event_position_error));
+  EXPECT_EQ(study.at_end_of_step.tip_order.order,
+            observed_order(study.time_step, study.at_end_of_step.tip_error));
   // A change is taken at the end of its step: late by a share of h that scatters between 0 and 1. Of the
   // seven, a capture follows its onset and inherits from it; ln of the largest of three shares that are
   // independent scatters by 1/3.

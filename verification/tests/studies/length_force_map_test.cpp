@@ -69,6 +69,13 @@ TEST(LengthForceMap, HoldsTheCriterionOfEachPoint) {
     EXPECT_EQ(line.length.size(), map.lines.front().length.size());
     EXPECT_EQ(line.length.front(), 0.4);
     EXPECT_TRUE(std::ranges::is_sorted(line.length));
+    // Next to a resonance lengths are a tenth and less as far apart as on the average.
+    for (const auto& resonance : {line.resonance_1, line.resonance_2}) {
+      if (!resonance) continue;
+      const auto at = std::ranges::find(line.length, *resonance);
+      ASSERT_NE(at, line.length.end());
+      EXPECT_LT(*(at + 1) - *(at - 1), 0.2 * 1.6 / 131.0);
+    }
     for (std::size_t i = 0; i < line.length.size(); i += 13) {
       const auto criterion =
           analytic::evaluate_criterion(flat_beam(line.length[i], line.axial_force), problem.friction,
@@ -80,7 +87,7 @@ TEST(LengthForceMap, HoldsTheCriterionOfEachPoint) {
   }
   EXPECT_EQ(map.lines[0].length.back(), 2.0);
   const double buckling = map.lines[1].buckling_length;
-  EXPECT_LT(map.lines[1].length.back(), buckling);
+  EXPECT_DOUBLE_EQ(map.lines[1].length.back(), 0.999 * buckling);
   EXPECT_TRUE(
       within(analytic::stick_buckling_load(flat_beam(buckling, 0.0)), 4000.0, round_off(10, 2, 4000.0)));
 }

@@ -3,11 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <numbers>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "stickslip/analytic/slip_modes.hpp"
@@ -212,6 +217,7 @@ TEST(Resonance, IsWarnedOfWhileTheReactionGrowsToTheEnd) {
     }
     if (warning != nullptr) {
       EXPECT_EQ(warning->limit, natural);
+      EXPECT_EQ(warning->sentence.find("grows with t, without end,") != std::string::npos, half_beats == 0.0);
     }
   }
 }
@@ -222,8 +228,11 @@ TEST(Resonance, IsNoConcernOfAShortADampedOrAnUnmovedBeam) {
   EXPECT_TRUE(warns(paper_with({at}), Inquiry::criterion, Concern::resonance));
   EXPECT_TRUE(warns(paper_with({at}), Inquiry::closed_form_history, Concern::resonance));
   EXPECT_FALSE(warns(paper_with({at}), Inquiry::stepped_history, Concern::resonance));
-  EXPECT_FALSE(
-      warns(paper_with({at, {"excitation.duration", "0.1"}}), Inquiry::criterion, Concern::resonance));
+  // Omega T/2 = 10 at 0.12747 s.
+  for (const char* duration : {"0.127", "0.128"})
+    EXPECT_EQ(
+        warns(paper_with({at, {"excitation.duration", duration}}), Inquiry::criterion, Concern::resonance),
+        std::string(duration) == "0.128");
   EXPECT_FALSE(warns(paper_with({at, {"damping.ratio", "0.01"}}), Inquiry::criterion, Concern::resonance));
   EXPECT_FALSE(
       warns(paper_with({at, {"excitation.amplitude", "0"}}), Inquiry::criterion, Concern::resonance));
@@ -309,8 +318,8 @@ TEST(ProblemWarnings, OfAMapAreThoseThatItsAxesLeaveAsTheyAre) {
     return found;
   };
   const std::vector<data::Override> resonant, fast{{"excitation.frequency_hz", "300"}};
-  EXPECT_EQ(concerns(resonant, {Parameter::amplitude, Parameter::static_coefficient}),
-            std::vector{Concern::resonance});
+  for (const Parameter axis : {Parameter::static_coefficient, Parameter::axial_direction})
+    EXPECT_EQ(concerns(resonant, {Parameter::amplitude, axis}), std::vector{Concern::resonance});
   EXPECT_EQ(concerns(fast, {Parameter::amplitude, Parameter::static_coefficient}),
             std::vector{Concern::thick_beam});
   for (const Parameter axis :
@@ -340,8 +349,39 @@ TEST(ProblemWarnings, AreNoneWhereThePeriodsToFollowAreTooMany) {
        {Inquiry::criterion, Inquiry::closed_form_history, Inquiry::event_driven_history, Inquiry::design})
     EXPECT_THROW(studies::require_feasible(paper_with({{"excitation.duration", "1e5"}}), inquiry),
                  data::FieldError);
-  EXPECT_NO_THROW(
-      studies::require_feasible(paper_with({{"excitation.duration", "1e5"}}), Inquiry::stepped_history));
+  for (const Inquiry inquiry :
+       {Inquiry::stepped_history, Inquiry::stick_frequencies, Inquiry::slip_frequencies})
+    EXPECT_NO_THROW(studies::require_feasible(paper_with({{"excitation.duration", "1e5"}}), inquiry));
+}
+
+TEST(ProblemWarnings, AreRefusalsFromTheNumberOfPeriodsOnThatIsNamed) {
+  const double tenth = analytic::stick_modes(paper_with().beam, 10).back().frequency_hz();
+  const auto refusal = [](double hz, double duration, Inquiry inquiry) -> std::string {
+    try {
+      studies::require_feasible(paper_with({{"excitation.frequency_hz", digits(hz)},
+                                            {"numerics.time_step", "1e-3"},
+                                            {"excitation.duration", digits(duration)}}),
+                                inquiry);
+      return "";
+    } catch (const data::FieldError& error) {
+      return error.what();
+    }
+  };
+  for (const auto& [inquiry, periods, number] : {std::tuple{Inquiry::criterion, 1e8, "a hundred million"},
+                                                 {Inquiry::event_driven_history, 1e6, "a million"}})
+    for (const double hz : {25.0, 2000.0}) {
+      const double highest = std::max(hz, tenth), longest = periods / highest;
+      EXPECT_EQ(refusal(hz, 0.999 * longest, inquiry), "");
+      EXPECT_EQ(
+          refusal(hz, 1.001 * longest, inquiry),
+          fmt::format("excitation.duration is {}, but must be at most {:.3g} s, {} periods of {}, {:.3g} Hz",
+                      digits(1.001 * longest), longest, number,
+                      hz > tenth ? "the excitation" : "natural frequency 10", highest));
+    }
+  // 1/20000 of the period of the first mode, 24.97 Hz, and of an excitation above it.
+  for (const auto& [hz, halvings] : {std::pair{"5", 64}, {"25", 64}, {"100", 256}})
+    EXPECT_EQ(studies::boundary_integral_step(paper_with({{"excitation.frequency_hz", hz}})),
+              1e-4 / halvings);
 }
 
 }  // namespace

@@ -241,9 +241,21 @@ TEST(ShearEffect, IsInTheWarningOfAThickBeam) {
   sheared.beam = studies::with_shear(thick.beam);
   const auto criterion = analytic::evaluate_criterion(sheared.beam, sheared.friction, sheared.excitation,
                                                       sheared.numerics.duration(), sheared.numerics.modes());
-  EXPECT_NE(sentence.find(fmt::format("|f_max| is {:.4g} N", criterion.force_max.midpoint())),
-            std::string::npos)
-      << sentence;
+  const auto slender = analytic::evaluate_criterion(thick.beam, thick.friction, thick.excitation,
+                                                    thick.numerics.duration(), thick.numerics.modes());
+  EXPECT_EQ(
+      studies::shear_effect(thick),
+      fmt::format("with beam.shear_stiffness = 6.41e+06 (k = 5/6, nu = 0.3) |f_max| is {:.4g} N instead of "
+                  "{:.4g} N, and the verdict is stick-slip as well",
+                  criterion.force_max.midpoint(), slender.force_max.midpoint()));
+  // An amplitude between the critical ones of the two, and a load between their buckling loads.
+  const double amplitude =
+      0.5 * (criterion.critical_amplitude.midpoint() + slender.critical_amplitude.midpoint());
+  EXPECT_TRUE(studies::shear_effect(studies::with_value(thick, studies::Parameter::amplitude, amplitude))
+                  .ends_with(", and the verdict is stick-slip instead of stick"));
+  const double load = analytic::stick_buckling_load(thick.beam);
+  EXPECT_EQ(studies::shear_effect(studies::with_value(thick, studies::Parameter::axial_force, 0.99 * load)),
+            "with beam.shear_stiffness = 6.41e+06 (k = 5/6, nu = 0.3) the beam buckles");
   EXPECT_EQ(thick_beam(studies::problem_warnings(sheared, studies::Inquiry::criterion)), "");
   thick.damping = data::Damping({.ratio = 0.01});
   EXPECT_EQ(thick_beam(studies::problem_warnings(thick, studies::Inquiry::criterion)).find("shear_stiffness"),

@@ -226,9 +226,24 @@ TEST(SteadySliding, IsMappedOverSpeedAndDampingWithTheBoundaryOfTheHopfPoint) {
   const data::Case problem = reed();
   const auto squeal = studies::squeal_of(problem, 3);
   const double speed = *squeal.modes.front().critical_speed;
-  const auto map = studies::squeal_map(problem, {speed * (1.0 - 1e-6), speed * (1.0 + 1e-6)}, {0.01});
-  EXPECT_GT(map.rows[0].growth, 0.0);
-  EXPECT_LT(map.rows[1].growth, 0.0);
+  const std::vector<double> speeds{speed * (1.0 - 1e-6), speed * (1.0 + 1e-6)};
+  const auto map = studies::squeal_map(problem, speeds, {0.01, 0.02});
+  ASSERT_EQ(map.rows.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(map.rows[i].speed, speeds[i % 2]);
+    EXPECT_EQ(map.rows[i].ratio, i < 2 ? 0.01 : 0.02);
+    EXPECT_EQ(map.rows[i].growth > 0.0, i == 0);
+  }
+  EXPECT_FALSE(squeal.all_modes);
+  EXPECT_TRUE(studies::squeal_of(viscous_reed(), 1).all_modes);
+  for (const auto& mode : squeal.modes)  // on 20 elements, of fourth order
+    EXPECT_LT(std::abs(*mode.finite_element_root / *mode.root - 1.0), 1e-3);
+  EXPECT_EQ(squeal.fastest, squeal.modes[0].finite_element_root);
+  // Without damping nothing is held, at any speed.
+  const auto undamped = studies::squeal_of(reed({{"damping.ratio", "0.0"}}), 1).modes.front();
+  EXPECT_EQ(undamped.damping_ratio, 0.0);
+  EXPECT_EQ(undamped.one_mode_slope, 0.0);
+  EXPECT_TRUE(std::isinf(undamped.critical_speed.value()));
   EXPECT_FALSE(squeal.is_stable());
   EXPECT_TRUE(studies::squeal_of(reed({{"wall.speed", "0.7"}}), 3).is_stable());
   EXPECT_THROW((void)studies::squeal_of(reed({{"wall.speed", "0.0"}}), 3), data::FieldError);
@@ -302,7 +317,17 @@ TEST(Cycles, OfTheReedAreTheSameForBothDirectionsOfTheWallAndEveryLaterSettling)
   const auto cycle = studies::cycle_of(reed({{"numerics.modes", "4"}}), 1, 60);
   ASSERT_TRUE(cycle.search.motion);
   EXPECT_TRUE(studies::is_stable(cycle));
+  // It sticks from a capture to the next onset, twice in a period, and the wall at 0.3 m/s takes it along.
+  const double period = cycle.search.motion->period;
+  double sticking = 0.0, before = cycle.search.motion->events.back().time - period;
+  for (const auto& event : cycle.search.motion->events) {
+    if (event.change == analytic::ContactChange::onset) sticking += event.time - before;
+    before = event.time;
+  }
   EXPECT_GT(cycle.stick_share, 0.05);
+  EXPECT_NEAR(cycle.stick_share, sticking / period, 4.0 / 2000.0);  // a sample for each change
+  EXPECT_GT(cycle.peak_to_peak, 0.3 * 0.5 * sticking);
+  EXPECT_GT(cycle.largest_sliding, 0.3);
   for (const auto& [speed, settle] : {std::pair{"0.3", 100}, {"-0.3", 60}}) {
     const auto other = studies::cycle_of(reed({{"numerics.modes", "4"}, {"wall.speed", speed}}), 1, settle);
     ASSERT_TRUE(other.search.motion);
