@@ -36,9 +36,8 @@ void require_usable(const MotionGrid& grid, double time_step) {
           std::to_string(grid.snapshots), "at most one per time step of the window");
 }
 
-// The number of whole time steps from 0 to each snapshot.
+// The number of whole time steps from 0 to each snapshot of a grid that positions() has accepted.
 std::vector<long> snapshot_steps(const MotionGrid& grid, double time_step) {
-  require_usable(grid, time_step);
   std::vector<long> steps;
   for (int i = 0; i < grid.snapshots; ++i)
     steps.push_back(std::lround((grid.start + grid.length * i / (grid.snapshots - 1)) / time_step));
@@ -172,11 +171,12 @@ double predicted_stick_difference(const data::Case& problem, const MotionGrid& g
     stepped.push_back(stepped_from_rest(problem.numerics.spectral_radius(),
                                         frequency_on_mesh(problem.beam, mode, problem.numerics.elements()),
                                         omega, step));
+  const std::vector<double> position = positions(problem, grid);
   double largest = 0.0, largest_motion = 0.0;
   for (const long n : snapshot_steps(grid, step)) {
     const double t = static_cast<double>(n) * step;
     if (t > until) break;
-    for (const double x : positions(problem, grid)) {
+    for (const double x : position) {
       double sum = 0.0;
       for (std::size_t k = 0; k < stepped.size(); ++k) {
         const auto& mode = response.modes()[k];

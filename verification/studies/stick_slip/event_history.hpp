@@ -3,8 +3,6 @@
 
 /// Stick-slip histories of all methods in one format, so that they can be compared event by event.
 
-#include <functional>
-#include <string>
 #include <vector>
 
 #include "stickslip/analytic/event_driven.hpp"
@@ -51,7 +49,6 @@ struct EventDifference {
   double time{};      ///< s
   double position{};  ///< m
 };
-/// Computes these differences for the events of two histories.
 [[nodiscard]] EventDifference largest_difference(const std::vector<HistoryEvent>& a,
                                                  const std::vector<HistoryEvent>& b, std::size_t count);
 

@@ -65,7 +65,6 @@ struct HistoryRefinement {
   std::vector<HistoryRun> runs;
   OrderEstimate order;  ///< observed; there is no theoretical order
 };
-/// Runs the refinement study of one rule for the given numbers of elements.
 [[nodiscard]] HistoryRefinement history_refinement(const data::Case& problem,
                                                    const ConvergedHistory& reference, const StepRule& rule,
                                                    const std::vector<int>& elements, int observed_elements);

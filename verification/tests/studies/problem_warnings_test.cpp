@@ -130,7 +130,6 @@ TEST(ThickBeam, IsWarnedOfAboveTheErrorThatPasses) {
     EXPECT_EQ(warning != nullptr, error > studies::allowed_model_error) << ratio;
     if (warning == nullptr) continue;
     EXPECT_EQ(warning->value, error);
-    EXPECT_NE(warning->sentence.find("Euler-Bernoulli"), std::string::npos);
   }
   EXPECT_TRUE(warns(with_radius(0.04), Inquiry::stick_frequencies, Concern::thick_beam));
   EXPECT_FALSE(warns(with_radius(0.03), Inquiry::stick_frequencies, Concern::thick_beam));
