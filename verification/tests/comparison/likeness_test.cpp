@@ -440,7 +440,6 @@ TEST(LikenessOfNumbers, IsAModeToOnePerCentAndOneTwiceToOnePerMille) {
            {{1, 30, 80, 170, 300, 450, 537, 600, 800, 1000}, "1 (1 Hz), 7 (537 Hz)"},
            {{30, 30.02, 80, 170, 300, 450, 600, 800}, "2 (30.02 Hz, the one before it a second time)"},
            {{30, 30.04, 80, 170, 300, 450, 600, 800}, "2 (30.04 Hz)"},
-           {{30, 80, 170, 300, 450, 450}, "6 (450 Hz, the one before it a second time)"},
            // Half of them are found; those above the last one of the data set are not said to be foreign.
            {{30, 40, 80, 170, 300, 450, 2000, 2100, 2200, 2300}, "2 (40 Hz)"},
            {{30, 40, 80, 170, 300, 2000, 2100, 2200, 2300, 2400}, ""}}) {
