@@ -335,6 +335,7 @@ TEST(MotionQuantities, AreMappedWhereThereIsAStickState) {
 TEST(MotionQuantities, AreMappedWithTheModesOfEachCell) {
   studies::MapTask task{.problem = case_with_step("damped", 25.0, 1e-3, 1e-4, 0.2, 10),
                         .x = studies::map_axis(studies::Parameter::frequency, 25.0, 26.0, 2, false),
+                        .y = {},
                         .quantities = {MotionQuantity::work},
                         .transient = 0.08};
   for (const auto& [parameter, from, to] : {std::tuple{studies::Parameter::damping_ratio, 0.0, 0.02},
