@@ -152,7 +152,7 @@ TEST(InputLimits, IsCutOffInMessagesWhereItIsTooLong) {
   EXPECT_EQ(data::printable("abcde\u00e9", 7), "abcde\u00e9");
   EXPECT_EQ(data::printable("abcde\u00e9", 6), "abcde...");  // no half of a character
   EXPECT_EQ(data::printable(std::string(60, 'a')), std::string(60, 'a'));
-  EXPECT_EQ(data::printable(std::string(61, 'a')), std::string(60, 'a') + "...");
+  EXPECT_EQ(data::printable(std::string(61, 'a')), std::string(60, 'a').append("..."));
 }
 
 TEST(InputLimits, IsLikenedToANameOfWhichAThirdOfTheLettersDiffers) {
