@@ -239,9 +239,9 @@ Found mixed_modes(const ComparedValues& values, const data::Beam* beam) {
   if (foreign.size() + missing.size() == 0 || 2 * matched < values.theirs.size()) return {};
   std::string text;
   if (!foreign.empty())
-    text =
-        fmt::format("mode {} of the file {} none of this data set, and those after it are numbered too high",
-                    fmt::join(foreign, ", "), foreign.size() == 1 ? "is" : "are");
+    text = fmt::format("mode {} of the file {} none of this data set{}", fmt::join(foreign, ", "),
+                       foreign.size() == 1 ? "is" : "are",
+                       missing.empty() ? ", and those after it are numbered too high" : "");
   if (!missing.empty())
     text += fmt::format("{}mode {} of the data set is missing in the file", text.empty() ? "" : "; ",
                         fmt::join(missing, ", "));

@@ -451,6 +451,11 @@ TEST(LikenessOfNumbers, IsAModeToOnePerCentAndOneTwiceToOnePerMille) {
                                 "numbered too high",
                                 none, none.find("), ") == std::string::npos ? "is" : "are"));
   }
+  // Where one takes the place of another, those after it have their numbers.
+  const Values reference(hz.begin(), hz.begin() + 8);
+  EXPECT_EQ(
+      said(studies::pattern_of(frequencies(reference, {30, 80, 190, 300, 450, 600, 800, 1000}), &beam)),
+      "mode 3 (190 Hz) of the file is none of this data set; mode 3 of the data set is missing in the file");
 }
 
 TEST(LikenessOfNumbers, IsAnotherDataSet) {
