@@ -153,9 +153,8 @@ class Forces {
 class Responses {
  public:
   explicit Responses(const MapTask& task) : task_(task) {
-    if (may_buckle(task) || turns_the_axial_force(task) || changes_damping(task)) return;
-    const data::Case point = case_at(task, 0, 0);
-    if (!is_buckled(point.beam)) common_.emplace(response_model(point));
+    if (!may_buckle(task) && !turns_the_axial_force(task) && !changes_damping(task))
+      common_.emplace(response_model(case_at(task, 0, 0)));
   }
 
   [[nodiscard]] MapEvaluation at(const data::Case& point) const {
