@@ -35,9 +35,9 @@ NumericalChoices default_numerics(const Beam& beam, const HarmonicExcitation& ex
   const double above = std::ceil(std::sqrt(resolved / unit) / pi - 0.25);
   const int k = static_cast<int>(std::clamp(above, double{fewest_modes}, double{most_modes}));
   const double wave_number = (k + 0.25) * pi;
-  const double highest = wave_number * wave_number * unit;
+  const double step = 1.0 / (50.0 * (wave_number * wave_number * unit));
   return {.elements = 4 * k,
-          .time_step = rounded_down(std::min(duration, 1.0 / (50.0 * highest))),
+          .time_step = rounded_down(duration > 0.0 ? std::min(duration, step) : step),
           .spectral_radius = 0.9,
           .velocity_threshold = 0.0,
           .modes = k,

@@ -14,7 +14,8 @@ constexpr double default_duration = 10.0;
 /// itself.
 ///
 ///     elements            4 k: four for each half-wave of mode k
-///     time_step           1/(50 f_k), rounded down to 1, 2 or 5 times a power of ten, at most the duration, s
+///     time_step           1/(50 f_k), rounded down to 1, 2 or 5 times a power of ten, at most the duration if that is
+///                         positive, s
 ///     spectral_radius     0.9
 ///     velocity_threshold  0 m/s
 ///     modes               k
