@@ -11,6 +11,7 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -40,7 +41,8 @@ class SignalledRun : public Drawing {
     std::string errors;
   };
 
-  /// Runs the program, waits and sends a signal to it and to all that it has started, as a terminal does.
+  /// Runs the program, waits until it catches the signal, if it can, and then as asked, and sends the signal to it and to
+  /// all that it has started, as a terminal does.
   [[nodiscard]] Ending signalled(const std::string& arguments, int signal,
                                  const std::function<void()>& wait) const {
     const std::string command = std::string("exec '") + STICKSLIP_PROGRAM + "' " + arguments + " >'" +
@@ -53,6 +55,7 @@ class SignalledRun : public Drawing {
       ::_exit(127);
     }
     ::setpgid(process, process);  // whoever comes first
+    if (signal != SIGKILL) wait_until([&] { return catches(process, signal); });
     wait();
     const auto begin = std::chrono::steady_clock::now();
     ::kill(-process, signal);
@@ -66,6 +69,15 @@ class SignalledRun : public Drawing {
   [[nodiscard]] Ending signalled(const std::string& arguments, int signal,
                                  std::chrono::duration<double> after) const {
     return signalled(arguments, signal, [after] { std::this_thread::sleep_for(after); });
+  }
+
+  /// Whether a process has a handler of a signal.
+  static bool catches(pid_t process, int signal) {
+    std::istringstream status(contents("/proc/" + std::to_string(process) + "/status"));
+    for (std::string line; std::getline(status, line);)
+      if (line.starts_with("SigCgt:"))
+        return (std::stoull(line.substr(7), nullptr, 16) >> static_cast<unsigned>(signal - 1) & 1U) != 0U;
+    return false;
   }
 
   /// Waits until something is so, which must come in time.
