@@ -315,9 +315,4 @@ double distance_in_ulps(double computed, const Real& exact) {
   return arf_get_d(arb_midref(distance.upper().data()), ARF_RND_UP);
 }
 
-void throw_digits_out_of_reach(int digits) {
-  throw std::runtime_error("16384 bits are not sufficient for " + std::to_string(digits) +
-                           " digits of a number; it may be zero.");
-}
-
 }  // namespace stickslip::certified

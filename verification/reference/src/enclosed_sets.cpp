@@ -8,7 +8,7 @@
 #include <map>
 
 #include "sets.hpp"
-#include "stickslip/certified/criterion.hpp"
+#include "stickslip/certified/force_maximum.hpp"
 #include "stickslip/certified/slip_modes.hpp"
 #include "stickslip/certified/stick_modes.hpp"
 

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "stickslip/certified/criterion.hpp"
+#include "stickslip/certified/force_maximum.hpp"
 #include "stickslip/certified/roots.hpp"
 #include "stickslip/certified/slip_modes.hpp"
 #include "stickslip/certified/tip_mobility.hpp"
@@ -167,13 +167,6 @@ TEST(CertifiedReal, CountsUnitsInTheLastPlaceFromAbove) {
   EXPECT_GE(distance_in_ulps(1.0, hull(1, 2)), 0x1p52);
   EXPECT_TRUE(std::isinf(distance_in_ulps(std::nan(""), Real(1))));
   EXPECT_TRUE(std::isinf(distance_in_ulps(1.0, 1 / Real(0))));
-}
-
-TEST(CertifiedReal, PrecisionRisesUntilTheDigitsHold) {
-  // 1 - cos(1e-30) = 5e-61 has no digit left at 128 bits.
-  const Real x = to_digits(30, [] { return 1 - cos(Real(Rational("1e-30"))); });
-  EXPECT_TRUE(has_digits(x * pow(Real(10), 61), "5.00000000000000000000000000000"));
-  EXPECT_TRUE(throws_about([] { (void)to_digits(30, [] { return pi() - pi(); }); }, "30 digits"));
 }
 
 // Roots.
@@ -790,40 +783,6 @@ TEST(CertifiedMaximum, RefusesSpansThatAreNone) {
   const PrecisionScope scope(50);
   EXPECT_TRUE(throws_about([] { (void)max_abs_of_sinusoids({{pi(), Real(1)}}, "1"); }, "60 bits"));
   EXPECT_TRUE(max_abs_of_sinusoids({{Real(0), Real(1)}}, "1").value.contains(0));
-}
-
-// Criterion.
-
-STICKSLIP_VERIFIES(CertifiedCriterion, "A8");
-TEST(CertifiedCriterion, TurnsAtTheCriticalAmplitude) {
-  const Beam beam = paper_beam();
-  const auto at = [&](const Rational& amplitude, const Rational& friction) {
-    return evaluate_criterion(beam, friction, {"35", amplitude}, "0.5", 4);
-  };
-  const auto criterion = at("1e-3", "0.6");
-  EXPECT_TRUE(criterion.friction_limit.contains(300));
-  EXPECT_TRUE(vanishes(criterion.critical_amplitude * criterion.force_max.value * 1000 - 300, 30));
-  EXPECT_EQ(criterion.verdict, Verdict::stick_slip);
-
-  const std::string digits = enclosure(criterion.critical_amplitude, 40).value;
-  const std::string below = digits.substr(0, 36), above = below + "9999";
-  EXPECT_EQ(at(std::string_view(below), "0.6").verdict, Verdict::stick);
-  EXPECT_EQ(at(std::string_view(above), "0.6").verdict, Verdict::stick_slip);
-  const PrecisionScope scope(100);
-  EXPECT_EQ(at(std::string_view(digits), "0.6").verdict, Verdict::undecided);
-}
-
-TEST(CertifiedCriterion, RefusesWhatHasNoContactOrNoMotion) {
-  const auto with = [](const char* force, const char* friction, const char* amplitude) {
-    return [=] { (void)evaluate_criterion(paper_beam(force), friction, {"35", amplitude}, "1", 1); };
-  };
-  EXPECT_TRUE(throws_about(with("0", "0.6", "1"), "beam.axial_force is 0"));
-  EXPECT_TRUE(throws_about(with("500", "-0.6", "1"), "friction.static_coefficient is -0.6"));
-  EXPECT_TRUE(throws_about(with("500", "0.6", "0"), "excitation.amplitude is 0"));
-  for (const auto& [verdict, text] : {std::pair{Verdict::stick, "stick"},
-                                      {Verdict::stick_slip, "stick-slip"},
-                                      {Verdict::undecided, "undecided"}})
-    EXPECT_EQ(to_string(verdict), text);
 }
 
 }  // namespace

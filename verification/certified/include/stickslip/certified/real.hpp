@@ -137,25 +137,4 @@ struct Enclosure {
 /// the next double away from zero; infinite if either value is not finite.
 [[nodiscard]] double distance_in_ulps(double computed, const Real& exact);
 
-/// Evaluates `quantity`, a function without arguments, with increasing precision until the radius of its ball
-/// is below 10^-digits of the midpoint. Throws std::runtime_error if 16384 bits are not sufficient. This is
-/// always the case for a quantity that is zero.
-template <class Quantity>
-[[nodiscard]] Real to_digits(int digits, const Quantity& quantity);
-
-/// Throws the std::runtime_error of to_digits().
-[[noreturn]] void throw_digits_out_of_reach(int digits);
-
-template <class Quantity>
-Real to_digits(int digits, const Quantity& quantity) {
-  constexpr double kBitsPerDigit = 3.3219280948873626;
-  constexpr long kMostBits = 16384;
-  for (long bits = 128; bits <= kMostBits; bits *= 2) {
-    const PrecisionScope scope(bits);
-    const Real value = quantity();
-    if (static_cast<double>(value.accurate_bits()) > kBitsPerDigit * digits + 1.0) return value;
-  }
-  throw_digits_out_of_reach(digits);
-}
-
 }  // namespace stickslip::certified
