@@ -13,17 +13,10 @@ namespace {
 thread_local long bits_of_thread = 256;
 
 /// Applies a function of Arb with rounding to the current precision.
-template <class Function>
-Real rounded(Function function, const Real& x) {
+template <class Function, class... Arguments>
+Real rounded(Function function, const Arguments&... arguments) {
   Real result;
-  function(result.data(), x.data(), precision());
-  return result;
-}
-
-template <class Function>
-Real rounded(Function function, const Real& x, const Real& y) {
-  Real result;
-  function(result.data(), x.data(), y.data(), precision());
+  function(result.data(), arguments.data()..., precision());
   return result;
 }
 
@@ -276,12 +269,7 @@ Real pow(const Real& x, unsigned exponent) {
   return result;
 }
 
-Real pi() {
-  Real result;
-  arb_const_pi(result.data(), precision());
-  return result;
-}
-
+Real pi() { return rounded(arb_const_pi); }
 Real max(const Real& x, const Real& y) { return rounded(arb_max, x, y); }
 
 Real hull(const Real& x, const Real& y) { return rounded(arb_union, x, y); }

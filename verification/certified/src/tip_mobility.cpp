@@ -1,59 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "stickslip/certified/tip_mobility.hpp"
 
-#include <acb.h>
-
 #include <stdexcept>
 
+#include "stickslip/certified/complex.hpp"
+
 namespace stickslip::certified {
-namespace {
-
-/// A rectangle in the complex plane, with the operations that the formula needs.
-class Complex {
- public:
-  Complex(const Real& real, const Real& imaginary = 0) : Complex() {
-    acb_set_arb_arb(value_, real.data(), imaginary.data());
-  }
-  Complex(int real) : Complex(Real(real)) {}
-  Complex(const Complex& other) : Complex() { acb_set(value_, other.value_); }
-  Complex& operator=(const Complex&) = delete;
-  ~Complex() { acb_clear(value_); }
-
-  [[nodiscard]] Mobility parts() const {
-    Mobility result;
-    acb_get_real(result.real.data(), value_);
-    acb_get_imag(result.imaginary.data(), value_);
-    return result;
-  }
-
-  friend Complex operator+(const Complex& x, const Complex& y) { return combined(acb_add, x, y); }
-  friend Complex operator-(const Complex& x, const Complex& y) { return combined(acb_sub, x, y); }
-  friend Complex operator*(const Complex& x, const Complex& y) { return combined(acb_mul, x, y); }
-  friend Complex operator/(const Complex& x, const Complex& y) { return combined(acb_div, x, y); }
-  friend Complex sqrt(const Complex& x) { return applied(acb_sqrt, x); }
-  friend Complex sinh(const Complex& x) { return applied(acb_sinh, x); }
-  friend Complex cosh(const Complex& x) { return applied(acb_cosh, x); }
-
- private:
-  Complex() { acb_init(value_); }
-  template <class Function>
-  static Complex applied(Function function, const Complex& x) {
-    Complex result;
-    function(result.value_, x.value_, precision());
-    return result;
-  }
-  template <class Function>
-  static Complex combined(Function function, const Complex& x, const Complex& y) {
-    Complex result;
-    function(result.value_, x.value_, y.value_, precision());
-    return result;
-  }
-
-  acb_t value_;
-};
-
-}  // namespace
-
 Mobility tip_mobility(const Beam& beam, const Real& sigma, const Real& omega, const Rational& kelvin_voigt) {
   if (kelvin_voigt.sign() < 0)
     throw std::invalid_argument(error_message("damping.kelvin_voigt", kelvin_voigt, "0 or more"));
@@ -70,7 +22,8 @@ Mobility tip_mobility(const Beam& beam, const Real& sigma, const Real& omega, co
   const Complex denominator = l1_squared * l1_squared + l2_squared * l2_squared -
                               2 * l1_squared * l2_squared * c1 * c2 +
                               l1 * l2 * (l1_squared + l2_squared) * s1 * s2;
-  return (numerator / (rigidity * denominator)).parts();
+  const Complex mobility = numerator / (rigidity * denominator);
+  return {mobility.real(), mobility.imaginary()};
 }
 
 }  // namespace stickslip::certified
