@@ -13,6 +13,7 @@
 
 #include "arguments.hpp"
 #include "fourier_transform.hpp"
+#include "friction_in_slip.hpp"
 
 namespace stickslip::analytic {
 namespace {
@@ -144,26 +145,21 @@ void require_unique_step(const ContactLaw& law, double first_weight) {
 
 namespace {
 
-// N mu(speed), N.
-double resistance(const ContactLaw& law, double speed) {
-  const double held = law.friction.static_coefficient() * law.normal_force,
-               kinetic = law.friction.kinetic_coefficient() * law.normal_force,
-               viscous = law.friction.viscous() * law.normal_force;
-  return kinetic + (held - kinetic) * std::exp(-law.friction.decay() * speed) + viscous * speed;
+SlipResistance resistance(const ContactLaw& law, double speed) {
+  return slip_resistance(law.friction, law.normal_force, speed);
 }
+
+// The largest friction force at rest, N.
+double limit(const ContactLaw& law) { return law.friction.static_coefficient() * law.normal_force; }
 
 // w + W N mu(w) = p for p > W N mu(0): convex, rising, and negative at zero, so that Newton's method comes down to
 // the root after its first step.
 double sliding_speed(const ContactLaw& law, double free_speed, double weight) {
-  const double held = law.friction.static_coefficient() * law.normal_force;
-  const double kinetic = law.friction.kinetic_coefficient() * law.normal_force,
-               viscous = law.friction.viscous() * law.normal_force;
   double speed = 0.0;
   constexpr int most_iterations = 100;
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
-    const double falling = (held - kinetic) * std::exp(-law.friction.decay() * speed);
-    const double residual = speed - free_speed + weight * (kinetic + falling + viscous * speed);
-    const double change = residual / (1.0 - weight * law.friction.decay() * falling + weight * viscous);
+    const auto [force, slope] = resistance(law, speed);
+    const double change = (speed - free_speed + weight * force) / (1.0 + weight * slope);
     speed -= change;
     if (std::abs(change) <= 4.0 * epsilon * speed) break;
   }
@@ -173,10 +169,10 @@ double sliding_speed(const ContactLaw& law, double free_speed, double weight) {
 }  // namespace
 
 ContactStep solve_contact(const ContactLaw& law, double free_velocity, double weight) {
-  const double held = law.friction.static_coefficient() * law.normal_force;
-  if (std::abs(free_velocity) <= weight * held) return {0.0, -free_velocity / weight, false};
+  if (std::abs(free_velocity) <= weight * limit(law)) return {0.0, -free_velocity / weight, false};
   const double speed = sliding_speed(law, std::abs(free_velocity), weight);
-  return {std::copysign(speed, free_velocity), -std::copysign(resistance(law, speed), free_velocity), true};
+  return {std::copysign(speed, free_velocity), -std::copysign(resistance(law, speed).force, free_velocity),
+          true};
 }
 
 ContactStep ContactElement::step(double free_velocity, double weight) {
@@ -191,15 +187,11 @@ ContactStep ContactElement::smooth_step(double free_velocity, double weight) con
   double low = 0.0, high = free_speed, speed = 0.0;
   constexpr int most_iterations = 200;
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
-    const double share = std::tanh(speed / width), force = resistance(law_, speed);
+    const double share = std::tanh(speed / width);
+    const auto [force, slope] = resistance(law_, speed);
     const double residual = speed + weight * force * share - free_speed;
     (residual < 0.0 ? low : high) = speed;
-    const double fall = law_.friction.decay() *
-                        (law_.friction.static_coefficient() - law_.friction.kinetic_coefficient()) *
-                        law_.normal_force * std::exp(-law_.friction.decay() * speed);
-    const double slope = 1.0 + weight * (force * (1.0 - share * share) / width +
-                                         (law_.friction.viscous() * law_.normal_force - fall) * share);
-    double next = speed - residual / slope;
+    double next = speed - residual / (1.0 + weight * (force * (1.0 - share * share) / width + slope * share));
     if (!(next > low && next < high)) next = 0.5 * (low + high);
     const bool is_done = std::abs(next - speed) <= 4.0 * epsilon * next;
     speed = next;
@@ -217,12 +209,12 @@ ContactStep ContactElement::spring_step(double free_velocity, double weight) {
   result.friction_force = spring_force_ - half_step * result.sliding_velocity;
   const double direction = -std::copysign(1.0, result.friction_force);
   const double forward = std::max(direction * result.sliding_velocity, 0.0);
-  result.slides = std::abs(result.friction_force) > resistance(law_, forward);
+  result.slides = std::abs(result.friction_force) > resistance(law_, forward).force;
   if (result.slides) {
-    const double held = weight * resistance(law_, 0.0), free_speed = direction * free_velocity;
+    const double held = weight * limit(law_), free_speed = direction * free_velocity;
     const double speed = free_speed > held ? sliding_speed(law_, free_speed, weight) : free_speed - held;
     result.sliding_velocity = direction * speed;
-    result.friction_force = -direction * resistance(law_, std::max(speed, 0.0));
+    result.friction_force = -direction * resistance(law_, std::max(speed, 0.0)).force;
   }
   spring_force_ = result.friction_force - half_step * result.sliding_velocity;
   return result;

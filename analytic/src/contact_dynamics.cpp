@@ -33,6 +33,21 @@ void require_finite(std::span<const double> values, const char* name) {
 
 }  // namespace
 
+ContactKinematics copy(const KinematicsView& state) {
+  return {{state.amplitudes.begin(), state.amplitudes.end()},
+          {state.rates.begin(), state.rates.end()},
+          state.displacement,
+          state.velocity};
+}
+
+std::vector<double> flat(const ContactKinematics& state) {
+  std::vector<double> x(state.amplitudes);
+  x.push_back(state.displacement);
+  x.insert(x.end(), state.rates.begin(), state.rates.end());
+  x.push_back(state.velocity);
+  return x;
+}
+
 void require_consistent(const ContactModel& model) {
   const std::size_t m = model.modes();
   for (const double omega : model.angular_frequency)

@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "arguments.hpp"
+#include "friction_in_slip.hpp"
 #include "gsl_handles.hpp"
 #include "gsl_status.hpp"
 #include "stickslip/analytic/steady_sliding.hpp"
@@ -24,26 +25,6 @@ ContactModel unloaded(ContactModel model) {
   std::ranges::fill(model.load, 0.0);
   model.wall_amplitude = model.wall_speed = model.contact_force = 0.0;
   return model;
-}
-
-KinematicsView view_of(const double* x, std::size_t modes) {
-  return {{x, modes}, {x + modes + 1, modes}, x[modes], x[2 * modes + 1]};
-}
-
-std::vector<double> flat(const ContactKinematics& state) {
-  std::vector<double> x(state.amplitudes);
-  x.push_back(state.displacement);
-  x.insert(x.end(), state.rates.begin(), state.rates.end());
-  x.push_back(state.velocity);
-  return x;
-}
-
-ContactKinematics kinematics_of(const std::vector<double>& x, std::size_t modes) {
-  const KinematicsView state = view_of(x.data(), modes);
-  return {{state.amplitudes.begin(), state.amplitudes.end()},
-          {state.rates.begin(), state.rates.end()},
-          state.displacement,
-          state.velocity};
 }
 
 /// The flow with its derivative, phase by phase.
@@ -68,7 +49,7 @@ class Variation {
     sticks_ = true;
     x_.back() = dynamics_.wall_velocity(time_);
     for (std::size_t j = 0; j < n_; ++j) phi_[(n_ - 1) * n_ + j] = 0.0;
-    stick_.begin(time_, kinematics_of(x_, modes_));
+    stick_.begin(time_, copy(view(x_.data(), modes_)));
   }
 
   void begin_slip(double direction) {
@@ -84,9 +65,10 @@ class Variation {
   [[nodiscard]] std::vector<double> rate() const {
     std::vector<double> rate(n_);
     std::copy_n(x_.begin() + static_cast<std::ptrdiff_t>(modes_) + 1, modes_ + 1, rate.begin());
-    const KinematicsView state = view_of(x_.data(), modes_);
-    const double friction = sticks_ ? dynamics_.holding_force(state, time_)
-                                    : force(state.velocity - dynamics_.wall_velocity(time_));
+    const KinematicsView state = view(x_.data(), modes_);
+    const double friction =
+        sticks_ ? dynamics_.holding_force(state, time_)
+                : -direction_ * resistance(state.velocity - dynamics_.wall_velocity(time_)).force;
     rate[n_ - 1] =
         dynamics_.accelerate(state, dynamics_.load(time_), friction + dynamics_.model().contact_force,
                              {rate.data() + modes_ + 1, modes_});
@@ -102,7 +84,7 @@ class Variation {
     if (event.change == ContactChange::onset) {
       gradient = force_gradient();
       passage = stick_.force_rate(time_);
-      begin_slip(dynamics_.holding_force(view_of(x_.data(), modes_), time_) > 0.0 ? -1.0 : 1.0);
+      begin_slip(dynamics_.holding_force(view(x_.data(), modes_), time_) > 0.0 ? -1.0 : 1.0);
     } else {
       gradient.back() = 1.0;
       passage = before.back() - dynamics_.wall_acceleration(time_);
@@ -116,7 +98,7 @@ class Variation {
   }
 
   [[nodiscard]] ContactStart state() const {
-    return {kinematics_of(x_, modes_), sticks_ ? ContactPhase::stick : ContactPhase::slip};
+    return {copy(view(x_.data(), modes_)), sticks_ ? ContactPhase::stick : ContactPhase::slip};
   }
 
   [[nodiscard]] Matrix derivative() const {
@@ -142,19 +124,8 @@ class Variation {
     for (std::size_t i = 0; i <= modes_; ++i) scale_[i] = scale_[modes_ + 1 + i] / omega;
   }
 
-  // f_d, analytic through v_s = 0.
-  [[nodiscard]] double force(double sliding) const {
-    const double weakening = law_.static_coefficient() - law_.kinetic_coefficient();
-    const double v = direction_ * sliding;
-    return -direction_ * dynamics_.model().normal_force *
-           (law_.kinetic_coefficient() + weakening * std::exp(-law_.decay() * v) + law_.viscous() * v);
-  }
-
-  // d f_d/d v_s.
-  [[nodiscard]] double slope(double sliding) const {
-    const double weakening = law_.static_coefficient() - law_.kinetic_coefficient();
-    return dynamics_.model().normal_force *
-           (weakening * law_.decay() * std::exp(-law_.decay() * direction_ * sliding) - law_.viscous());
+  [[nodiscard]] SlipResistance resistance(double sliding) const {
+    return slip_resistance(law_, dynamics_.model().normal_force, direction_ * sliding);
   }
 
   [[nodiscard]] std::vector<double> force_gradient() const {
@@ -173,7 +144,7 @@ class Variation {
     for (std::size_t j = 0; j < n_; ++j) {
       std::vector<double> column(n_);
       for (std::size_t i = 0; i < n_; ++i) column[i] = phi_[i * n_ + j];
-      stick_of_differences_.begin(time_, kinematics_of(column, modes_));
+      stick_of_differences_.begin(time_, copy(view(column.data(), modes_)));
       column = flat(stick_of_differences_.state(t));
       for (std::size_t i = 0; i < n_; ++i) phi_[i * n_ + j] = column[i];
     }
@@ -190,13 +161,13 @@ class Variation {
     double friction_slope = 0.0;
     for (std::size_t column = 0; column <= n_; ++column) {
       for (std::size_t i = 0; i < n_; ++i) x[i] = scale_[i] * y[column * n_ + i];
-      const KinematicsView state = view_of(x.data(), modes_);
+      const KinematicsView state = view(x.data(), modes_);
       double acceleration = 0.0;
       if (column == 0) {
-        const double sliding = state.velocity - dynamics_.wall_velocity(t);
-        friction_slope = slope(sliding);
-        acceleration = dynamics_.accelerate(state, dynamics_.load(t),
-                                            force(sliding) + dynamics_.model().contact_force, modal);
+        const SlipResistance friction = resistance(state.velocity - dynamics_.wall_velocity(t));
+        friction_slope = -friction.slope;  // d f_d/d v_s
+        acceleration = dynamics_.accelerate(
+            state, dynamics_.load(t), -direction_ * friction.force + dynamics_.model().contact_force, modal);
       } else {
         acceleration = dynamics_.accelerate(state, 0.0, friction_slope * state.velocity, modal);
       }
@@ -349,7 +320,7 @@ class Shooting {
     if (!solve(jacobian, change)) return false;
     for (std::size_t i = 0; i < n; ++i) x[i] += change[i] * units[i];
     if (free_period_) period_ *= 1.0 + change[n];
-    start_.kinematics = kinematics_of(x, model_.modes());
+    start_.kinematics = copy(view(x.data(), model_.modes()));
     return period_ > 0.0;
   }
 

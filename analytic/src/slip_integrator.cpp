@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "arguments.hpp"
+#include "friction_in_slip.hpp"
 #include "gsl_status.hpp"
 #include "root_finding.hpp"
 
@@ -78,14 +79,7 @@ SlipIntegrator::SlipIntegrator(const ContactDynamics& dynamics, double tolerance
 
 void SlipIntegrator::begin(double t, const ContactKinematics& state, double direction) {
   end_.time = t;
-  end_.y.clear();
-  end_.y.reserve(equations_);
-  const auto append = [this](const std::vector<double>& modal, double contact) {
-    end_.y.insert(end_.y.end(), modal.begin(), modal.end());
-    end_.y.push_back(contact);
-  };
-  append(state.amplitudes, state.displacement);
-  append(state.rates, state.velocity);
+  end_.y = flat(state);
   end_.y.resize(equations_);
   begin_at_end(direction);
 }
@@ -154,12 +148,7 @@ SlipIntegrator::Sample SlipIntegrator::at(double t) {
   if (!at_end && !take(begin_, t - begin_.time, trial_))
     throw std::runtime_error("the state at t = " + data::shortest_text(t) + " s is not finite.");
   const std::vector<double>& y = at_end ? end_.y : trial_.y;
-  const KinematicsView state = kinematics_of(y.data());
-  return {{{state.amplitudes.begin(), state.amplitudes.end()},
-           {state.rates.begin(), state.rates.end()},
-           state.displacement,
-           state.velocity},
-          works_of(y)};
+  return {copy(view(y.data(), dynamics_.modes())), works_of(y)};
 }
 
 Powers SlipIntegrator::works_of(const std::vector<double>& y) const {
@@ -168,12 +157,9 @@ Powers SlipIntegrator::works_of(const std::vector<double>& y) const {
   return {works[0], works[1], works[2], works[3]};
 }
 
-// Analytic through v_s = 0, so that a trial step may pass it.
 double SlipIntegrator::friction_force(double sliding_velocity) const {
-  const double weakening = law_.static_coefficient() - law_.kinetic_coefficient();
-  return -direction_ * dynamics_.model().normal_force *
-         (law_.kinetic_coefficient() + weakening * std::exp(-law_.decay() * direction_ * sliding_velocity) +
-          law_.viscous() * direction_ * sliding_velocity);
+  return -direction_ *
+         slip_resistance(law_, dynamics_.model().normal_force, direction_ * sliding_velocity).force;
 }
 
 int SlipIntegrator::right_side(double t, const double y[], double rate[], void* self) {
@@ -181,13 +167,8 @@ int SlipIntegrator::right_side(double t, const double y[], double rate[], void* 
   return GSL_SUCCESS;
 }
 
-KinematicsView SlipIntegrator::kinematics_of(const double* y) const {
-  const std::size_t modes = size_ - 1;
-  return {{y, modes}, {y + size_, modes}, y[modes], y[dimension_ - 1]};
-}
-
 void SlipIntegrator::accelerate(const double* y, double s, double f, std::span<double> result) const {
-  result.back() = dynamics_.accelerate(kinematics_of(y), s, f, result.first(size_ - 1));
+  result.back() = dynamics_.accelerate(view(y, dynamics_.modes()), s, f, result.first(dynamics_.modes()));
 }
 
 double SlipIntegrator::holding_force() const {
@@ -196,7 +177,7 @@ double SlipIntegrator::holding_force() const {
 }
 
 void SlipIntegrator::evaluate(double t, const double* y, double* rate) const {
-  const KinematicsView state = kinematics_of(y);
+  const KinematicsView state = view(y, dynamics_.modes());
   const double force = friction_force(state.velocity - dynamics_.wall_velocity(t));
   std::copy_n(y + size_, size_, rate);
   accelerate(y, dynamics_.load(t), force + dynamics_.model().contact_force, {rate + size_, size_});
@@ -211,14 +192,10 @@ void SlipIntegrator::evaluate(double t, const double* y, double* rate) const {
 // v_s and its first two rates; the rows are linear, so that the rate of the accelerations follows from the
 // rates of their arguments.
 void SlipIntegrator::measure(Node& node) const {
-  const double sliding = kinematics_of(node.y.data()).velocity - dynamics_.wall_velocity(node.time);
-  const double acceleration =
-      kinematics_of(node.rate.data()).velocity - dynamics_.wall_acceleration(node.time);
-  const double weakening = law_.static_coefficient() - law_.kinetic_coefficient();
-  const double normal_force = dynamics_.model().normal_force;
-  const double force_rate = normal_force * weakening * law_.decay() *
-                                std::exp(-law_.decay() * direction_ * sliding) * acceleration -
-                            normal_force * law_.viscous() * acceleration;
+  const double sliding = node.y[dimension_ - 1] - dynamics_.wall_velocity(node.time);
+  const double acceleration = node.rate[dimension_ - 1] - dynamics_.wall_acceleration(node.time);
+  const double force_rate =
+      -slip_resistance(law_, dynamics_.model().normal_force, direction_ * sliding).slope * acceleration;
   accelerate(node.rate.data(), dynamics_.load_rate(node.time), force_rate, jerk_);
   node.velocity = {direction_ * sliding, direction_ * acceleration,
                    direction_ * (jerk_.back() - dynamics_.wall_jerk(node.time))};

@@ -60,7 +60,6 @@ class SlipIntegrator {
   static int right_side(double t, const double y[], double rate[], void* self);
   void evaluate(double t, const double* y, double* rate) const;
   void begin_at_end(double direction);
-  [[nodiscard]] KinematicsView kinematics_of(const double* y) const;
   /// q_tt under the load factor s and the contact force f.
   void accelerate(const double* y, double s, double f, std::span<double> result) const;
   [[nodiscard]] Powers works_of(const std::vector<double>& y) const;

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "beam_constants.hpp"
+#include "friction_in_slip.hpp"
 #include "gsl_handles.hpp"
 #include "gsl_status.hpp"
 #include "stickslip/analytic/contact_dynamics.hpp"
@@ -81,9 +82,7 @@ gsl_complex to_gsl(Complex value) { return gsl_complex_rect(value.real(), value.
 }  // namespace
 
 double falling_slope(const data::FrictionLaw& friction, double normal_force, double speed) {
-  const data::FrictionLaw law = friction.in_slip();
-  const double weakening = law.static_coefficient() - law.kinetic_coefficient();
-  return normal_force * (weakening * law.decay() * std::exp(-law.decay() * std::abs(speed)) - law.viscous());
+  return -slip_resistance(friction.in_slip(), normal_force, std::abs(speed)).slope;
 }
 
 double speed_of_slope(const data::FrictionLaw& friction, double normal_force, double slope) {
@@ -96,12 +95,9 @@ double speed_of_slope(const data::FrictionLaw& friction, double normal_force, do
 
 SteadySliding steady_sliding(const data::Beam& beam, const data::FrictionLaw& friction,
                              const data::Wall& wall) {
-  const data::FrictionLaw law = friction.in_slip();
-  const double speed = std::abs(wall.speed()), length = beam.length(), z = axial_load_factor(beam);
-  const double mu = law.kinetic_coefficient() +
-                    (law.static_coefficient() - law.kinetic_coefficient()) * std::exp(-law.decay() * speed) +
-                    law.viscous() * speed;
-  const double force = std::copysign(mu * beam.axial_force(), wall.speed());
+  const double length = beam.length(), z = axial_load_factor(beam);
+  const double force = std::copysign(
+      slip_resistance(friction.in_slip(), beam.axial_force(), std::abs(wall.speed())).force, wall.speed());
   return {force, force * std::pow(length, 3) / bending_stiffness(beam) * (stumpff(2, z) - stumpff(3, z)) /
                      (1.0 - beam.axial_direction() * z * stumpff(2, z))};
 }

@@ -30,6 +30,16 @@ struct KinematicsView {
   return {state.amplitudes, state.rates, state.displacement, state.velocity};
 }
 
+/// The state x = (T, u_c, T_t, u_c_t) of a model with that many modes.
+[[nodiscard]] inline KinematicsView view(const double* x, std::size_t modes) {
+  return {{x, modes}, {x + modes + 1, modes}, x[modes], x[2 * modes + 1]};
+}
+
+[[nodiscard]] ContactKinematics copy(const KinematicsView& state);
+
+/// (T, u_c, T_t, u_c_t).
+[[nodiscard]] std::vector<double> flat(const ContactKinematics& state);
+
 /// The function sine sin(Omega t) + cosine cos(Omega t) + constant + rate t. The last two come from the speed of the wall.
 struct Harmonic {
   double sine{};

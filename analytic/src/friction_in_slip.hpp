@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+
+#include "stickslip/data/problem.hpp"
+
+namespace stickslip::analytic {
+
+/// N mu(v), N, and its derivative by v, N s/m.
+struct SlipResistance {
+  double force{};
+  double slope{};
+};
+
+/// The resistance of a contact that slides with the speed v. Analytic through v = 0, so that a trial step may pass
+/// it. The law has a finite decay (FrictionLaw::in_slip()).
+[[nodiscard]] inline SlipResistance slip_resistance(const data::FrictionLaw& law, double normal_force,
+                                                    double speed) {
+  const double weakening = law.static_coefficient() - law.kinetic_coefficient();
+  const double falling = weakening * std::exp(-law.decay() * speed);
+  return {normal_force * (law.kinetic_coefficient() + falling + law.viscous() * speed),
+          normal_force * (law.viscous() - law.decay() * falling)};
+}
+
+}  // namespace stickslip::analytic
