@@ -45,15 +45,9 @@ Matrix integral_of_products(const std::function<std::vector<double>(double)>& fu
 Matrix modal_damping(const Matrix& mass, const Matrix& stiffness, double ratio) {
   const StatusInsteadOfAbort guard;
   const std::size_t size = mass.rows();
-  const auto k = owned(gsl_matrix_alloc(size, size)), m = owned(gsl_matrix_alloc(size, size));
+  const auto k = gsl_copy_of(stiffness), m = gsl_copy_of(mass);
   const auto vectors = owned(gsl_matrix_alloc(size, size));
   const auto values = owned(gsl_vector_alloc(size));
-  for (std::size_t i = 0; i < size; ++i) {
-    for (std::size_t j = 0; j < size; ++j) {
-      gsl_matrix_set(k.get(), i, j, stiffness(i, j));
-      gsl_matrix_set(m.get(), i, j, mass(i, j));
-    }
-  }
   const auto workspace = owned(gsl_eigen_gensymmv_alloc(size));
   require_success(gsl_eigen_gensymmv(k.get(), m.get(), values.get(), vectors.get(), workspace.get()),
                   "modes of the free beam");

@@ -57,35 +57,18 @@ DampedReaction compliant_reaction(const data::Beam& beam, const data::Damping& d
   const ContactDynamics dynamics(structure.model());
   const std::size_t m = dynamics.modes(), size = m + 1;
   const double scale = dynamics.fastest();
-  // Accelerations of the beam on its spring at a state (X, X_t) and a load, 1 rad/s.
-  std::vector<double> state(2 * size);
-  const auto accelerations = [&](double load) {
-    const std::span<const double> values(state);
-    std::vector<double> result(size);
-    result[m] = dynamics.accelerate({values.first(m), values.subspan(size, m), state[m], state[size + m]},
-                                    load, -tangential_stiffness * state[m], std::span(result).first(m));
-    return result;
-  };
-  // y_t = scale A y of y = (scale X, X_t).
-  std::vector<double> matrix(4 * size * size);
-  for (std::size_t column = 0; column < 2 * size; ++column) {
-    state[column] = column < size ? 1.0 / scale : 1.0;
-    const std::vector<double> result = accelerations(0.0);
-    for (std::size_t row = 0; row < size; ++row)
-      matrix[(size + row) * 2 * size + column] = result[row] / scale;
-    state[column] = 0.0;
-    if (column >= size) matrix[(column - size) * 2 * size + column] = 1.0;
-  }
   const double held = tangential_stiffness / (dynamics.held_stiffness() + tangential_stiffness);  // 1 - x_s
-  std::vector<double> sine = accelerations(1.0);
-  sine[m] -= held;
-  state[size + m] = -held;
-  const std::vector<double> cosine = accelerations(0.0);
+  // Accelerations from rest under the load sin(t), and while the contact moves with the velocity -held.
+  std::vector<double> state(2 * size), sine(size), cosine(size);
+  sine[m] = dynamics.accelerate(view(state.data(), m), 1.0, 0.0, std::span(sine).first(m)) - held;
+  state.back() = -held;
+  cosine[m] = dynamics.accelerate(view(state.data(), m), 0.0, 0.0, std::span(cosine).first(m));
 
   DampedReaction reaction;
   reaction.quasi_static = dynamics.held_stiffness() * held;
-  const auto [eigenvalue, shape, inverse, error] =
-      separated_system(matrix, 2 * size, "eigenvalues of the beam on its contact spring");
+  const auto [eigenvalue, shape, inverse, error] = separated_system(
+      first_order_matrix(dynamics, std::vector<double>(size, scale), scale, tangential_stiffness),
+      "eigenvalues of the beam on its contact spring");
   if (!(error <= 1e-9))  // nine digits
     throw std::runtime_error(
         "a mode of the beam on its contact spring is too nearly critically damped to be separated.");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// Owners of GSL's handles.
+/// Owners of GSL's handles, and matrices for GSL.
 
 #include <gsl/gsl_eigen.h>
 #include <gsl/gsl_integration.h>
@@ -11,7 +11,10 @@
 #include <gsl/gsl_spline.h>
 #include <gsl/gsl_vector.h>
 
+#include <algorithm>
 #include <memory>
+
+#include "stickslip/analytic/contact_model.hpp"
 
 namespace stickslip::analytic {
 
@@ -36,6 +39,12 @@ using OwnedHandle = std::unique_ptr<Handle, ReleaseHandle>;
 template <class Handle>
 [[nodiscard]] OwnedHandle<Handle> owned(Handle* handle) {
   return OwnedHandle<Handle>(handle);
+}
+
+[[nodiscard]] inline OwnedHandle<gsl_matrix> gsl_copy_of(const Matrix& matrix) {
+  auto result = owned(gsl_matrix_alloc(matrix.rows(), matrix.columns()));
+  std::ranges::copy(matrix.values(), result->data);
+  return result;
 }
 
 }  // namespace stickslip::analytic

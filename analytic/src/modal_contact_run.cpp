@@ -23,25 +23,6 @@ void accelerate(const ContactDynamics& dynamics, const ContactKinematics& state,
       dynamics.accelerate(view(state), s, f, std::span(accelerations).first(dynamics.modes()));
 }
 
-// y_t = A y of y = (scale T, scale u_c, T_t, u_c_t), over `unit`, row by row.
-std::vector<double> first_order_matrix(const ContactDynamics& dynamics, const std::vector<double>& scale,
-                                       double unit) {
-  const std::size_t m = dynamics.modes(), half = m + 1, size = 2 * half;
-  std::vector<double> matrix(size * size), column(half);
-  for (std::size_t j = 0; j < size; ++j) {
-    ContactKinematics state{.amplitudes = std::vector<double>(m), .rates = std::vector<double>(m)};
-    const double value = j < half ? 1.0 / scale[j] : 1.0;
-    if (j % half < m)
-      (j < half ? state.amplitudes : state.rates)[j % half] = value;
-    else
-      (j < half ? state.displacement : state.velocity) = value;
-    accelerate(dynamics, state, 0.0, 0.0, column);
-    for (std::size_t i = 0; i < half; ++i) matrix[(half + i) * size + j] = column[i] / unit;
-    if (j >= half) matrix[(j - half) * size + j] = scale[j - half] / unit;
-  }
-  return matrix;
-}
-
 }  // namespace
 
 ContactModes::ContactModes(const ContactModel& model) {
@@ -52,7 +33,7 @@ ContactModes::ContactModes(const ContactModel& model) {
   const double single = std::sqrt(std::abs(model.contact_stiffness) / model.contact_mass);
   scale_.push_back(m > 0 ? std::ranges::min(scale_) : single > 0.0 ? single : model.load_angular_frequency);
   const double unit = std::ranges::max(scale_);
-  SeparatedSystem system = separated_system(first_order_matrix(dynamics, scale_, unit), size_,
+  SeparatedSystem system = separated_system(first_order_matrix(dynamics, scale_, unit),
                                             "eigenvalues of the structure with its contact free");
   if (!(system.error <= 1e-9))  // nine digits
     throw InseparableModes(

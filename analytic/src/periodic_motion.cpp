@@ -237,13 +237,6 @@ ContactStart state_of(const EventDriven& run) {
   return {{run.amplitudes(), run.rates(), run.contact_displacement(), run.contact_velocity()}, run.state()};
 }
 
-OwnedHandle<gsl_matrix> gsl_copy_of(const Matrix& a) {
-  auto copy = owned(gsl_matrix_alloc(a.rows(), a.rows()));
-  for (std::size_t i = 0; i < a.rows(); ++i)
-    for (std::size_t j = 0; j < a.rows(); ++j) gsl_matrix_set(copy.get(), i, j, a(i, j));
-  return copy;
-}
-
 // x with A x = b, in place of b; false if A is singular.
 bool solve(const Matrix& a, std::vector<double>& b) {
   const StatusInsteadOfAbort guard;

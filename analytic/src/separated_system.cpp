@@ -10,7 +10,6 @@
 
 #include "gsl_handles.hpp"
 #include "gsl_status.hpp"
-#include "root_finding.hpp"
 
 namespace stickslip::analytic {
 namespace {
@@ -19,8 +18,8 @@ using Complex = std::complex<double>;
 
 Complex from_gsl(gsl_complex value) { return {GSL_REAL(value), GSL_IMAG(value)}; }
 
-double error_of(const SeparatedSystem& system, const std::vector<double>& matrix, std::size_t size) {
-  const std::size_t count = system.eigenvalue.size();
+double error_of(const SeparatedSystem& system, const Matrix& matrix) {
+  const std::size_t count = system.eigenvalue.size(), size = matrix.rows();
   double largest = 0.0, scale = 0.0;
   for (std::size_t i = 0; i < size; ++i)
     for (std::size_t j = 0; j < size; ++j) {
@@ -28,18 +27,18 @@ double error_of(const SeparatedSystem& system, const std::vector<double>& matrix
       for (std::size_t k = 0; k < count; ++k)
         rebuilt += (system.shape[i * count + k] * system.eigenvalue[k] * system.inverse[k * size + j]).real();
       if (!std::isfinite(rebuilt)) return std::numeric_limits<double>::infinity();
-      largest = std::max(largest, std::abs(rebuilt - matrix[i * size + j]));
-      scale = std::max(scale, std::abs(matrix[i * size + j]));
+      largest = std::max(largest, std::abs(rebuilt - matrix(i, j)));
+      scale = std::max(scale, std::abs(matrix(i, j)));
     }
   return largest / scale;
 }
 
 }  // namespace
 
-SeparatedSystem separated_system(const std::vector<double>& matrix, std::size_t size, const char* what) {
+SeparatedSystem separated_system(const Matrix& matrix, const char* what) {
   const StatusInsteadOfAbort guard;
-  const auto work = owned(gsl_matrix_alloc(size, size));
-  std::ranges::copy(matrix, work->data);
+  const std::size_t size = matrix.rows();
+  const auto work = gsl_copy_of(matrix);
   const auto values = owned(gsl_vector_complex_alloc(size));
   const auto vectors = owned(gsl_matrix_complex_alloc(size, size)),
              factors = owned(gsl_matrix_complex_alloc(size, size)),
@@ -70,8 +69,25 @@ SeparatedSystem separated_system(const std::vector<double>& matrix, std::size_t 
   for (const std::size_t k : kept)
     for (std::size_t i = 0; i < size; ++i)
       system.inverse.push_back(from_gsl(gsl_matrix_complex_get(inverse.get(), k, i)));
-  system.error = error_of(system, matrix, size);
+  system.error = error_of(system, matrix);
   return system;
+}
+
+Matrix first_order_matrix(const ContactDynamics& dynamics, const std::vector<double>& scale, double unit,
+                          double stiffness, double slope) {
+  const std::size_t m = dynamics.modes(), half = m + 1, size = 2 * half;
+  Matrix matrix(size, size);
+  std::vector<double> state(size), accelerations(half);
+  for (std::size_t j = 0; j < size; ++j) {
+    state[j] = j < half ? 1.0 / scale[j] : 1.0;
+    const double force = slope * state[size - 1] - stiffness * state[m];
+    accelerations[m] =
+        dynamics.accelerate(view(state.data(), m), 0.0, force, std::span(accelerations).first(m));
+    for (std::size_t i = 0; i < half; ++i) matrix(half + i, j) = accelerations[i] / unit;
+    if (j >= half) matrix(j - half, j) = scale[j - half] / unit;
+    state[j] = 0.0;
+  }
+  return matrix;
 }
 
 }  // namespace stickslip::analytic

@@ -13,6 +13,7 @@
 #include "friction_in_slip.hpp"
 #include "gsl_handles.hpp"
 #include "gsl_status.hpp"
+#include "separated_system.hpp"
 #include "stickslip/analytic/contact_dynamics.hpp"
 #include "stickslip/analytic/periodic_motion.hpp"
 #include "stumpff.hpp"
@@ -104,21 +105,9 @@ SteadySliding steady_sliding(const data::Beam& beam, const data::FrictionLaw& fr
 
 std::vector<Complex> sliding_eigenvalues(const ContactModel& model, double kappa) {
   const ContactDynamics dynamics(model);
-  const std::size_t m = model.modes(), n = 2 * (m + 1);
-  // x_t = A x of x = (T, u_c, T_t/unit, u_c_t/unit), over the unit of frequency.
   const double unit = dynamics.fastest();
-  Matrix matrix(n, n);
-  std::vector<double> x(n), modal(m);
-  for (std::size_t column = 0; column < n; ++column) {
-    x[column] = column <= m ? 1.0 : unit;
-    const KinematicsView state{{x.data(), m}, {x.data() + m + 1, m}, x[m], x[n - 1]};
-    const double contact = dynamics.accelerate(state, 0.0, kappa * x[n - 1], modal);
-    for (std::size_t i = 0; i <= m; ++i) matrix(i, column) = x[m + 1 + i] / unit;
-    for (std::size_t i = 0; i < m; ++i) matrix(m + 1 + i, column) = modal[i] / (unit * unit);
-    matrix(n - 1, column) = contact / (unit * unit);
-    x[column] = 0.0;
-  }
-  std::vector<Complex> roots = eigenvalues(matrix);
+  const std::vector<double> scale(model.modes() + 1, unit);
+  std::vector<Complex> roots = eigenvalues(first_order_matrix(dynamics, scale, unit, 0.0, kappa));
   std::erase_if(roots, [](Complex s) { return s.imag() < 0.0; });
   for (Complex& s : roots) s *= unit;
   std::ranges::sort(roots, std::greater(), [](Complex s) { return s.real(); });

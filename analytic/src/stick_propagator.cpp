@@ -18,14 +18,14 @@ using Complex = std::complex<double>;
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
-// y_t = A y of y = (omega_n T_n, T_n_t), over `unit`, row by row.
-std::vector<double> first_order_matrix(const ContactModel& model, double unit) {
-  const std::size_t m = model.modes(), size = 2 * m;
-  std::vector<double> matrix(size * size);
+// A of y_t = unit A y, y = (omega_n T_n, T_n_t).
+Matrix held_matrix(const ContactModel& model, double unit) {
+  const std::size_t m = model.modes();
+  Matrix matrix(2 * m, 2 * m);
   for (std::size_t n = 0; n < m; ++n) {
-    matrix[n * size + m + n] = model.angular_frequency[n] / unit;
-    matrix[(m + n) * size + n] = -model.angular_frequency[n] / unit;
-    for (std::size_t k = 0; k < m; ++k) matrix[(m + n) * size + m + k] = -model.damping(n, k) / unit;
+    matrix(n, m + n) = model.angular_frequency[n] / unit;
+    matrix(m + n, n) = -model.angular_frequency[n] / unit;
+    for (std::size_t k = 0; k < m; ++k) matrix(m + n, m + k) = -model.damping(n, k) / unit;
   }
   return matrix;
 }
@@ -58,8 +58,8 @@ void StickPropagator::set_undamped() {
 
 void StickPropagator::set_damped() {
   const double unit = std::ranges::max(dynamics_.model().angular_frequency);
-  SeparatedSystem modes = separated_system(first_order_matrix(dynamics_.model(), unit), 2 * dynamics_.modes(),
-                                           "eigenvalues of the damped, held structure");
+  SeparatedSystem modes =
+      separated_system(held_matrix(dynamics_.model(), unit), "eigenvalues of the damped, held structure");
   if (!(modes.error <= 1e-9))  // nine digits
     throw std::runtime_error("a mode of the held structure is too nearly critically damped to be separated.");
   eigenvalue_ = std::move(modes.eigenvalue);
