@@ -15,10 +15,6 @@ namespace {
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr double kWidthOfAValue = 1e-9;  // relative, of the bounds of |f_max| at one frequency
 
-void require(bool holds, std::string_view field, double value, std::string_view allowed) {
-  if (!holds) throw data::FieldError(field, value, allowed);
-}
-
 }  // namespace
 
 BandMaximum::BandMaximum(const data::Beam& beam, const FrequencyBand& band, double duration, int modes)
@@ -29,7 +25,7 @@ BandMaximum::BandMaximum(const ModalReaction& reaction, const FrequencyBand& ban
   require(band.from_hz > 0.0, "band.from_hz", band.from_hz, "positive");
   require(band.to_hz >= band.from_hz && std::isfinite(band.to_hz), "band.to_hz", band.to_hz,
           "finite and not below band.from_hz");
-  require(duration > 0.0 && std::isfinite(duration), "excitation.duration", duration, "positive and finite");
+  require_positive("excitation.duration", duration);
   const double from = kTwoPi * band.from_hz, to = kTwoPi * band.to_hz;
   marks_.push_back(from);
   for (const ModalForce& mode : reaction_.modes)
@@ -96,8 +92,7 @@ Bounds BandMaximum::refined_to(double relative_width) {
 }
 
 Bounds BandMaximum::refined_against(double limit, double relative_width) {
-  if (!(relative_width >= 1e-7 && relative_width < 1.0))
-    throw wrong_argument("relative_width", relative_width, "1e-7 ... 1");
+  require_relative_width(relative_width, 1e-7);
   Bounds now = bounds();
   while (now.upper - now.lower > relative_width * now.lower && !(now.lower > limit) &&
          !(now.upper <= limit)) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "arguments.hpp"
+#include "beam_constants.hpp"
 #include "gsl_handles.hpp"
 #include "gsl_status.hpp"
 #include "sinc.hpp"
@@ -158,9 +159,7 @@ BeamBoundaryIntegral::BeamBoundaryIntegral(const data::Beam& beam, const data::F
                                            const data::Damping& damping, const TimeGrid& grid, int stages,
                                            const data::TangentialContact& tangential)
     : beam_(beam), excitation_(excitation), damping_(damping), grid_(grid), stages_(stages) {
-  if (!(beam.axial_force() > 0.0))
-    throw data::FieldError("beam.axial_force", beam.axial_force(),
-                           "positive (compression), or there is no contact");
+  require_compression(beam);
   const TipMobility mobility(beam, damping);
   holding_force_ = holding_force(beam, excitation, damping, grid);
   steps_ = contact_steps(mobility_weights(mobility, grid.time_step, grid.steps, stages),

@@ -35,6 +35,20 @@ inline void require_rigid_in_shear(const data::Beam& beam) {
       "have shear");
 }
 
+/// Throws data::FieldError, naming beam.axial_force, unless P > 0.
+inline void require_compression(const data::Beam& beam) {
+  if (beam.axial_force() > 0.0) return;
+  throw data::FieldError("beam.axial_force", beam.axial_force(),
+                         "positive (compression), or there is no contact");
+}
+
+/// Throws data::FieldError, naming damping.ratio, unless that is 0.
+inline void require_no_damping_ratio(const data::Damping& damping) {
+  if (damping.ratio() == 0.0) return;
+  throw data::FieldError("damping.ratio", damping.ratio(),
+                         "0: the closed form knows Kelvin-Voigt damping alone");
+}
+
 /// (1 - chi) P, N: the part of the axial force that follows the tip.
 [[nodiscard]] inline double follower_force(const data::Beam& beam) {
   return (1.0 - beam.axial_direction()) * beam.axial_force();

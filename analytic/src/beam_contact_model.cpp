@@ -67,19 +67,13 @@ Matrix modal_damping(const Matrix& mass, const Matrix& stiffness, double ratio) 
   return damping;
 }
 
-void require_contact(const data::Beam& beam) {
-  if (beam.axial_force() > 0.0) return;
-  throw data::FieldError("beam.axial_force", beam.axial_force(),
-                         "positive (compression), or there is no contact");
-}
-
 }  // namespace
 
 BeamContactModel::BeamContactModel(const data::Beam& beam, const data::FrictionLaw& friction,
                                    const data::HarmonicExcitation& excitation, const data::Damping& damping,
                                    int modes, const data::Wall& wall)
     : modes_(stick_modes(beam, modes)), static_shape_(beam) {
-  require_contact(beam);
+  require_compression(beam);
   const double length = beam.length(), follower = follower_force(beam);
   const double density = mass_per_length(beam);
   const double omega = 2.0 * std::numbers::pi * excitation.frequency_hz();

@@ -22,11 +22,6 @@ void require_size(std::size_t size, std::size_t expected, const char* name) {
                        std::to_string(expected));
 }
 
-// What a user asks for may overflow on its way here.
-void require(bool condition, const char* name, double value, const char* allowed) {
-  if (!condition) throw data::FieldError(name, value, allowed);
-}
-
 void require_finite(std::span<const double> values, const char* name) {
   for (const double value : values) require(std::isfinite(value), name, value, "finite");
 }

@@ -270,8 +270,7 @@ class DampedForce::Search {
 };
 
 Bounds DampedForce::refined_to(double relative_width) const {
-  if (!(relative_width >= 1e-13 && relative_width < 1.0))
-    throw wrong_argument("relative_width", relative_width, "1e-13 ... 1");
+  require_relative_width(relative_width);
   return Search(*this, relative_width).bounds();
 }
 

@@ -69,9 +69,7 @@ DampedSteadyState::DampedSteadyState(const data::Beam& beam, const data::Harmoni
                                      const data::Damping& damping, TipSupport tip)
     : beam_(beam), length_(beam.length()) {
   require_rigid_in_shear(beam);
-  if (damping.ratio() != 0.0)
-    throw data::FieldError("damping.ratio", damping.ratio(),
-                           "0: the closed form knows Kelvin-Voigt damping alone");
+  require_no_damping_ratio(damping);
   const double omega = 2.0 * pi * excitation.frequency_hz();
   const double loss_factor = omega * damping.kelvin_voigt();
   loss_ = pi * loss_factor * bending_stiffness(beam);

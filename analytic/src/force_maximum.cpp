@@ -290,8 +290,7 @@ class ForceMaximum::Search {
 };
 
 Bounds ForceMaximum::refined_to(double relative_width) const {
-  if (!(relative_width >= 1e-13 && relative_width < 1.0))
-    throw wrong_argument("relative_width", relative_width, "1e-13 ... 1");
+  require_relative_width(relative_width);
   return Search(*this, relative_width, 0.0, std::numeric_limits<double>::infinity()).bounds();
 }
 

@@ -153,7 +153,7 @@ double SlipMode::curvature(double x) const {
 }
 
 std::vector<SlipMode> slip_modes(const data::Beam& beam, int count) {
-  if (count < 1 || count > 1000) throw data::FieldError("numerics.modes", count, "1 ... 1000");
+  require_mode_count(count);
   require_rigid_in_shear(beam);
   const double z = axial_load_factor(beam);
   if (z < kStrongestTension || beam.axial_force() >= slip_critical_load(beam)) throw_outside_range(beam);

@@ -207,7 +207,7 @@ double StickMode::condition_number() const {
 }
 
 std::vector<StickMode> stick_modes(const data::Beam& beam, int count) {
-  if (count < 1 || count > 1000) throw data::FieldError("numerics.modes", count, "1 ... 1000");
+  require_mode_count(count);
   require_rigid_in_shear(beam);
   require_unbuckled(beam);
   const double z = axial_load_factor(beam);

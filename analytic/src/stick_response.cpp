@@ -310,8 +310,7 @@ Bounds StickResponse::max_abs_friction_force(double duration, double relative_wi
 
 Bounds StickResponse::max_abs_friction_force_by_halving(double duration, double relative_width) const {
   require_positive("excitation.duration", duration);
-  if (!(relative_width >= 1e-13 && relative_width < 1.0))
-    throw wrong_argument("relative_width", relative_width, "1e-13 ... 1");
+  require_relative_width(relative_width);
   const double curvature = second_derivative_bound(force_, duration);
   // The first grid has a step of one over the mean frequency (root mean square, by amplitude).
   double magnitude = std::abs(force_.base);

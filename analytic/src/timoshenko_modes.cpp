@@ -169,7 +169,7 @@ TimoshenkoBeam checked(const data::Beam& beam) {
 }  // namespace
 
 std::vector<double> timoshenko_frequencies(const data::Beam& beam, TipSupport tip, int count) {
-  if (count < 1 || count > 1000) throw data::FieldError("numerics.modes", count, "1 ... 1000");
+  require_mode_count(count);
   const TimoshenkoBeam timoshenko = checked(beam);
   if (tip == TipSupport::free && beam.axial_force() != 0.0)
     throw data::FieldError("beam.axial_force", beam.axial_force(),
@@ -186,7 +186,7 @@ std::vector<double> timoshenko_frequencies(const data::Beam& beam, TipSupport ti
 
 ModalReaction timoshenko_reaction(const data::Beam& beam, int modes) {
   const TimoshenkoBeam timoshenko = checked(beam);
-  if (modes < 1 || modes > 1000) throw data::FieldError("numerics.modes", modes, "1 ... 1000");
+  require_mode_count(modes);
   ModalReaction reaction{.quasi_static = force_unit(beam) * timoshenko.static_force(), .modes = {}};
   for (const double b : timoshenko.held(modes))
     reaction.modes.push_back({std::sqrt(b * squared_unit(beam)), force_unit(beam) * timoshenko.share(b)});

@@ -117,9 +117,7 @@ TipMobility::TipMobility(const data::Beam& beam, const data::Damping& damping)
       axial_direction_(beam.axial_direction()),
       kelvin_voigt_(damping.kelvin_voigt()) {
   require_rigid_in_shear(beam);
-  if (damping.ratio() != 0.0)
-    throw data::FieldError("damping.ratio", damping.ratio(),
-                           "0: the closed form knows Kelvin-Voigt damping alone");
+  require_no_damping_ratio(damping);
 }
 
 TipMobility::Scaled TipMobility::scaled(Complex s) const {
