@@ -10,6 +10,7 @@
 #include "beam_constants.hpp"
 #include "gsl_handles.hpp"
 #include "gsl_status.hpp"
+#include "modal_coordinate.hpp"
 #include "sinc.hpp"
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/event_driven.hpp"
@@ -72,8 +73,8 @@ void add_sinusoid(double amplitude, double omega, double h, std::vector<double>&
   }
 }
 
-/// f_h = -A0 [s sin(Omega t) + sum c_n phi_n(t)] with the two sinusoids of phi_n apart, but for a mode so
-/// near to Omega that they cancel, whose phi_n is that of a StickResponse with this mode alone.
+/// f_h = -A0 [s sin(Omega t) + sum c_n phi_n(t)] with the two sinusoids of phi_n apart, but for a mode so near to Omega
+/// that they cancel. Its phi_n is taken in the middle of the step.
 std::vector<double> undamped_holding_force(const data::Beam& beam, const data::HarmonicExcitation& excitation,
                                            const TimeGrid& grid) {
   const StickResponse response(beam, excitation, undamped_modes, SteadyPart::exact);
@@ -84,13 +85,9 @@ std::vector<double> undamped_holding_force(const data::Beam& beam, const data::H
   for (const auto& [natural, coefficient] : reaction.modes) {
     const double difference = omega - natural, share = coefficient * omega / (difference * (omega + natural));
     if (std::abs(difference) < 1e-3 * omega) {
-      // phi = Omega^2 [omega_n t cos((Omega + omega_n) t/2) sinc((Omega - omega_n) t/2) - sin(omega_n t)]/
-      //       ((Omega + omega_n) omega_n)
       for (std::size_t n = 0; n < values.size(); ++n) {
         const double t = (static_cast<double>(n) + 0.5) * h;
-        const double phi = omega * omega / ((omega + natural) * natural) *
-                           (natural * t * std::cos(0.5 * (omega + natural) * t) * sinc(0.5 * difference * t) -
-                            std::sin(natural * t));
+        const double phi = omega * omega * modal_coordinate(omega, natural, t, std::sin(omega * t));
         values[n] -= excitation.amplitude() * coefficient * phi;
       }
       continue;

@@ -12,7 +12,8 @@
 
 #include "arguments.hpp"
 #include "beam_constants.hpp"
-#include "sinc.hpp"
+#include "exact_steady_part.hpp"
+#include "modal_coordinate.hpp"
 #include "stickslip/analytic/force_maximum.hpp"
 
 namespace stickslip::analytic {
@@ -20,17 +21,6 @@ namespace {
 
 using std::numbers::pi;
 using Complex = std::complex<double>;
-
-/// g_n(t) of Eq. (26), given sin(Omega t): as it stands where the frequencies are well apart, since the phase
-/// omega_n t of a high mode, known to omega_n t eps, then enters with its small amplitude only; else in the
-/// form without 0/0.
-double modal_coordinate(double excitation, double natural, double t, double sine_of_excitation) {
-  const double sum = excitation + natural, difference = excitation - natural;
-  const double sine = std::sin(natural * t);
-  if (std::abs(difference) > 0.25 * sum)
-    return (natural * sine_of_excitation - excitation * sine) / (sum * difference * natural);
-  return (natural * t * std::cos(0.5 * sum * t) * sinc(0.5 * difference * t) - sine) / (sum * natural);
-}
 
 /// sinh(b eta)/sinh(b), 0 <= eta <= 1, for complex b with a real part that is not negative.
 Complex sinh_ratio(Complex b, double eta) {
@@ -175,79 +165,54 @@ StickResponse::StickResponse(const data::Beam& beam, const data::HarmonicExcitat
                                data::shortest_text(excitation.frequency_hz()) +
                                " Hz has a mode at twice that frequency or above; the highest kept is at " +
                                data::shortest_text(modes_.back().frequency_hz()) + " Hz");
+  force_.quasi_static = tip_reaction(beam, quasi_static_);
   for (const StickMode& mode : modes_)
-    force_.weights.push_back(tip_reaction(beam, mode) * omega_ * omega_ * mode.participation());
-  force_.base = tip_reaction(beam, quasi_static_);
-  force_.base += steady_remainder(force_, [&, this](const SteadyShape& steady) {
+    force_.modes.push_back({mode.angular_frequency(), tip_reaction(beam, mode) * mode.participation()});
+  complete(force_, [&, this](const SteadyShape& steady) {
     const Complex shear =
         bending_stiffness_ * steady.third_derivative_at_tip() / (length_ * length_ * length_);
     return tip_reaction(beam, shear, steady.slope_at_tip() / length_);
   });
 }
 
-/// What the exact steady amplitude (a function of SteadyShape) has beyond history's base and modal sum; 0 for
-/// SteadyPart::modal_sum.
-///
-/// It is the mean over a circle of radius max(Omega, omega_1)/4 round Omega, by the trapezoidal rule. With
-/// omega_N >= 2 Omega the nearest singularity of the difference, omega_(N+1), is at least four radii away, so
-/// that 32 nodes leave an error of 4^-32. The nodes, conjugate ones taken together, lie off the real axis and
-/// with it off every singularity of the parts: the omega_n, and 0, where Y is regular but its formula is not.
+/// The exact steady part, unless it is the modal sum; its amplitude is a function of SteadyShape.
 template <class ExactAmplitude>
-double StickResponse::steady_remainder(const History& history, const ExactAmplitude& exact_amplitude) const {
-  if (steady_part_ == SteadyPart::modal_sum) return 0.0;
-  constexpr int kNodes = 16;
-  const double radius = 0.25 * std::max(omega_, modes_.front().angular_frequency());
+void StickResponse::complete(ModalReaction& sum, const ExactAmplitude& exact_amplitude) const {
+  if (steady_part_ == SteadyPart::modal_sum) return;
   const double scale = length_ * length_ * std::sqrt(mass_per_length_ / bending_stiffness_);
-  double mean = 0.0;
-  for (int j = 0; j < kNodes; ++j) {
-    const Complex frequency = omega_ + std::polar(radius, pi * (j + 0.5) / kNodes);
-    const Complex squared = frequency * frequency;
-    Complex remainder = exact_amplitude(SteadyShape(scale * frequency, load_factor_)) - history.base;
-    for (std::size_t n = 0; n < modes_.size(); ++n) {
-      const double natural = modes_[n].angular_frequency();
-      const double per_frequency_squared = history.weights[n] / (omega_ * omega_);
-      remainder -= per_frequency_squared * squared / (squared - natural * natural);
-    }
-    mean += remainder.real() / kNodes;
-  }
-  return mean;
+  complete_steady_part(sum, omega_, [&](Complex frequency) {
+    return exact_amplitude(SteadyShape(scale * frequency, load_factor_));
+  });
 }
 
-StickResponse::History StickResponse::displacement_history(double x) const {
-  History history;
-  history.weights.reserve(modes_.size());
+ModalReaction StickResponse::displacement(double x) const {
+  ModalReaction sum{.quasi_static = quasi_static_.value(x), .modes = {}};
   for (const StickMode& mode : modes_)
-    history.weights.push_back(mode.shape(x) * omega_ * omega_ * mode.participation());
-  history.base = quasi_static_.value(x);
-  history.base += steady_remainder(
-      history, [eta = 1.0 - x / length_](const SteadyShape& steady) { return steady.value(eta) - 1.0; });
-  return history;
-}
-
-double StickResponse::evaluate(const History& history, double t) const {
-  const double sine = std::sin(omega_ * t);
-  double sum = history.base * sine;
-  for (std::size_t n = 0; n < modes_.size(); ++n)
-    sum += history.weights[n] * modal_coordinate(omega_, modes_[n].angular_frequency(), t, sine);
+    sum.modes.push_back({mode.angular_frequency(), mode.shape(x) * mode.participation()});
+  complete(sum, [eta = 1.0 - x / length_](const SteadyShape& steady) { return steady.value(eta) - 1.0; });
   return sum;
 }
 
-double StickResponse::steady_amplitude(const History& history) const {
-  double sum = history.base;
-  for (std::size_t n = 0; n < modes_.size(); ++n) {
-    const double natural = modes_[n].angular_frequency();
-    sum += history.weights[n] / ((omega_ - natural) * (omega_ + natural));
-  }
-  return scaled_by(amplitude_, sum);
+double StickResponse::evaluate(const ModalReaction& sum, double t) const {
+  const double sine = std::sin(omega_ * t);
+  double value = sum.quasi_static * sine;
+  for (const auto& [natural, coefficient] : sum.modes)
+    value += coefficient * omega_ * omega_ * modal_coordinate(omega_, natural, t, sine);
+  return value;
 }
 
-std::vector<Sinusoid> StickResponse::transient(const History& history) const {
+double StickResponse::steady_amplitude(const ModalReaction& sum) const {
+  double amplitude = sum.quasi_static;
+  for (const auto& [natural, coefficient] : sum.modes)
+    amplitude += coefficient * omega_ * omega_ / ((omega_ - natural) * (omega_ + natural));
+  return scaled_by(amplitude_, amplitude);
+}
+
+std::vector<Sinusoid> StickResponse::transient(const ModalReaction& sum) const {
   std::vector<Sinusoid> sinusoids;
-  sinusoids.reserve(modes_.size());
-  for (std::size_t n = 0; n < modes_.size(); ++n) {
-    const double natural = modes_[n].angular_frequency();
+  for (const auto& [natural, coefficient] : sum.modes) {
     const double per_unit =
-        -history.weights[n] * omega_ / ((omega_ - natural) * (omega_ + natural) * natural);
+        -coefficient * omega_ * omega_ * omega_ / ((omega_ - natural) * (omega_ + natural) * natural);
     sinusoids.push_back({scaled_by(amplitude_, per_unit), natural});
   }
   return sinusoids;
@@ -256,7 +221,7 @@ std::vector<Sinusoid> StickResponse::transient(const History& history) const {
 double StickResponse::base_displacement(double t) const { return amplitude_ * std::sin(omega_ * t); }
 
 double StickResponse::relative_displacement(double x, double t) const {
-  return amplitude_ * evaluate(displacement_history(x), t);
+  return amplitude_ * evaluate(displacement(x), t);
 }
 
 double StickResponse::absolute_displacement(double x, double t) const {
@@ -270,19 +235,19 @@ double StickResponse::steady_force_amplitude() const { return steady_amplitude(f
 std::vector<Sinusoid> StickResponse::transient_force() const { return transient(force_); }
 
 double StickResponse::steady_displacement_amplitude(double x) const {
-  return steady_amplitude(displacement_history(x));
+  return steady_amplitude(displacement(x));
 }
 
 std::vector<Sinusoid> StickResponse::transient_displacement(double x) const {
-  return transient(displacement_history(x));
+  return transient(displacement(x));
 }
 
-/// max |d^2/dt^2| of a history over 0 <= t <= duration. A mode counts with the smaller of two bounds: with
-/// its two sinusoids apart, the one at Omega joined with those of the other modes, or with both as one g_n.
-double StickResponse::second_derivative_bound(const History& history, double duration) const {
-  double at_omega = history.base, bound = 0.0;
-  for (std::size_t n = 0; n < modes_.size(); ++n) {
-    const double natural = modes_[n].angular_frequency(), weight = history.weights[n];
+/// max |f''|/A0 over 0 <= t <= duration. A mode counts with the smaller of two bounds: with its two sinusoids apart,
+/// the one at Omega joined with those of the other modes, or with both as one g_n.
+double StickResponse::curvature_bound(double duration) const {
+  double at_omega = force_.quasi_static, bound = 0.0;
+  for (const auto& [natural, coefficient] : force_.modes) {
+    const double weight = coefficient * omega_ * omega_;
     const double sum = omega_ + natural, difference = omega_ - natural;
     const double together = omega_ * (omega_ * duration + 1.0) / sum;
     const double apart = omega_ / std::abs(difference);
@@ -296,24 +261,17 @@ double StickResponse::second_derivative_bound(const History& history, double dur
   return bound + std::abs(at_omega) * omega_ * omega_;
 }
 
-ModalReaction StickResponse::reaction() const {
-  ModalReaction reaction{.quasi_static = force_.base, .modes = {}};
-  for (std::size_t n = 0; n < modes_.size(); ++n)
-    reaction.modes.push_back({modes_[n].angular_frequency(), force_.weights[n] / (omega_ * omega_)});
-  return reaction;
-}
-
 Bounds StickResponse::max_abs_friction_force(double duration, double relative_width) const {
-  const Bounds per_unit = ForceMaximum(reaction(), omega_, duration).refined_to(relative_width);
+  const Bounds per_unit = ForceMaximum(force_, omega_, duration).refined_to(relative_width);
   return {amplitude_ * per_unit.lower, amplitude_ * per_unit.upper};
 }
 
 Bounds StickResponse::max_abs_friction_force_by_halving(double duration, double relative_width) const {
   require_positive("excitation.duration", duration);
   require_relative_width(relative_width);
-  const double curvature = second_derivative_bound(force_, duration);
+  const double curvature = curvature_bound(duration);
   // The first grid has a step of one over the mean frequency (root mean square, by amplitude).
-  double magnitude = std::abs(force_.base);
+  double magnitude = std::abs(force_.quasi_static);
   const auto search = [&](double t) { return std::abs(evaluate(force_, t)); };
   for (int i = 1; i <= 64; ++i) magnitude = std::max(magnitude, search(duration * i / 64.0));
   const std::int64_t intervals = interval_count(duration, std::sqrt(magnitude / curvature));
@@ -328,7 +286,7 @@ Bounds StickResponse::sampled_max_abs_friction_force(double duration, double sam
   double lower = std::abs(evaluate(force_, duration));
   for (std::int64_t i = 0; i < intervals; ++i)
     lower = std::max(lower, std::abs(evaluate(force_, static_cast<double>(i) * sampling_step)));
-  const double excess = second_derivative_bound(force_, duration) * sampling_step * sampling_step / 8.0;
+  const double excess = curvature_bound(duration) * sampling_step * sampling_step / 8.0;
   return {amplitude_ * lower, amplitude_ * (lower + excess)};
 }
 

@@ -10,6 +10,7 @@
 
 #include "arguments.hpp"
 #include "beam_constants.hpp"
+#include "exact_steady_part.hpp"
 #include "root_finding.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stumpff.hpp"
@@ -193,27 +194,16 @@ ModalReaction timoshenko_reaction(const data::Beam& beam, int modes) {
   return reaction;
 }
 
-/// What the exact steady amplitude has beyond the sum over modes is analytic in Omega up to the first omitted
-/// frequency: its mean over a circle round Omega, as in StickResponse::steady_remainder().
 ModalReaction timoshenko_reaction(const data::Beam& beam, int modes, double omega) {
   ModalReaction reaction = timoshenko_reaction(beam, modes);
   if (reaction.modes.back().angular_frequency < 2.0 * omega)
     throw data::FieldError("numerics.modes", modes,
                            "so large that one of them has twice the excitation frequency or more");
   const TimoshenkoBeam timoshenko(beam);
-  constexpr int nodes = 16;
-  const double radius = 0.25 * std::max(omega, reaction.modes.front().angular_frequency);
-  double mean = 0.0;
-  for (int j = 0; j < nodes; ++j) {
-    const Complex frequency = omega + std::polar(radius, pi * (j + 0.5) / nodes),
-                  squared = frequency * frequency;
-    const auto exact = timoshenko.force(squared / squared_unit(beam));
-    Complex remainder = force_unit(beam) * exact.numerator / exact.determinant - reaction.quasi_static;
-    for (const auto& [natural, coefficient] : reaction.modes)
-      remainder -= coefficient * squared / (squared - natural * natural);
-    mean += remainder.real() / nodes;
-  }
-  reaction.quasi_static += mean;
+  complete_steady_part(reaction, omega, [&](Complex frequency) {
+    const auto exact = timoshenko.force(frequency * frequency / squared_unit(beam));
+    return force_unit(beam) * exact.numerator / exact.determinant;
+  });
   return reaction;
 }
 

@@ -68,8 +68,8 @@ class StickResponse {
   [[nodiscard]] double steady_displacement_amplitude(double x) const;
   [[nodiscard]] std::vector<Sinusoid> transient_displacement(double x) const;
 
-  /// f as the sum over modes that it is, per unit amplitude.
-  [[nodiscard]] ModalReaction reaction() const;
+  /// f/A0.
+  [[nodiscard]] const ModalReaction& reaction() const noexcept { return force_; }
 
   /// Bounds of max |f(t)| over 0 <= t <= duration, rigorous for the N modes kept at their computed
   /// frequencies and amplitudes: ForceMaximum of reaction(), times A0. Throws what that throws.
@@ -97,22 +97,16 @@ class StickResponse {
   [[nodiscard]] double omitted_transient_bound() const;
 
   [[nodiscard]] const std::vector<StickMode>& modes() const noexcept { return modes_; }
-  [[nodiscard]] SteadyPart steady_part() const noexcept { return steady_part_; }
 
  private:
-  // A history per unit A0: base sin(Omega t) + sum_n weights[n] g_n(t).
-  struct History {
-    double base{};
-    std::vector<double> weights;
-  };
-
-  [[nodiscard]] History displacement_history(double x) const;
-  [[nodiscard]] double evaluate(const History& history, double t) const;
-  [[nodiscard]] double steady_amplitude(const History& history) const;
-  [[nodiscard]] std::vector<Sinusoid> transient(const History& history) const;
-  [[nodiscard]] double second_derivative_bound(const History& history, double duration) const;
+  // u(x, t)/A0 as a sum over modes.
+  [[nodiscard]] ModalReaction displacement(double x) const;
   template <class ExactAmplitude>
-  [[nodiscard]] double steady_remainder(const History& history, const ExactAmplitude& exact_amplitude) const;
+  void complete(ModalReaction& sum, const ExactAmplitude& exact_amplitude) const;
+  [[nodiscard]] double evaluate(const ModalReaction& sum, double t) const;
+  [[nodiscard]] double steady_amplitude(const ModalReaction& sum) const;
+  [[nodiscard]] std::vector<Sinusoid> transient(const ModalReaction& sum) const;
+  [[nodiscard]] double curvature_bound(double duration) const;
 
   double length_{};
   double bending_stiffness_{};
@@ -123,7 +117,7 @@ class StickResponse {
   SteadyPart steady_part_;
   QuasiStaticShape quasi_static_;
   std::vector<StickMode> modes_;
-  History force_;  // N per metre of A0
+  ModalReaction force_;
 };
 
 }  // namespace stickslip::analytic
