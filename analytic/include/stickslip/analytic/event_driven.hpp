@@ -21,9 +21,12 @@
 #include <memory>
 #include <vector>
 
-#include "stickslip/analytic/contact_model.hpp"
+#include "stickslip/analytic/contact_dynamics.hpp"
+#include "stickslip/analytic/stick_propagator.hpp"
 
 namespace stickslip::analytic {
+
+class SlipIntegrator;
 
 enum class ContactPhase { stick, slip };
 
@@ -52,12 +55,10 @@ struct EventDrivenEnergy {
 };
 
 struct EventDrivenSettings {
-  /// Error allowed per step of the slip phases, relative to each coordinate and to the reference velocity.
+  /// Error allowed per step of the slip phases, relative to each coordinate and to a reference velocity: the largest of
+  /// W Omega, V, the velocity of the held structure under the load alone and the sliding velocity of the start; where
+  /// all are 0, the velocity that the energy of the start would give the mass of the contact.
   double tolerance{1e-12};
-  /// Speed that is small motion's measure, m/s: absolute errors are tolerance times it. 0: max(W Omega, V, that
-  /// of the held structure under the load alone, the sliding velocity of the start) or, where none of these
-  /// moves, what the energy of the start would give the contact's mass.
-  double reference_velocity{};
   bool keep_energy_balance{};  ///< integrate the works of EventDrivenEnergy as well
 };
 
@@ -68,7 +69,6 @@ class EventDriven {
   explicit EventDriven(const ContactModel& model, const EventDrivenSettings& settings = {});
   ~EventDriven();
   EventDriven(EventDriven&&) noexcept;
-  EventDriven& operator=(EventDriven&&) noexcept;
 
   /// Starts at t = 0 with the contact held at u_c = `position`, where w(0) = 0, moving with the wall. If holding it
   /// takes more than mu_s N it slips from the start. Empty vectors are zeros.
@@ -85,25 +85,47 @@ class EventDriven {
   /// state is no longer finite or if 10000 events fall within 1e-9 of the period of the load.
   void advance_to(double t);
 
-  [[nodiscard]] double time() const;
-  [[nodiscard]] ContactPhase state() const;
-  [[nodiscard]] const std::vector<double>& amplitudes() const;  ///< T_n
-  [[nodiscard]] const std::vector<double>& rates() const;       ///< T_n_t
-  [[nodiscard]] double contact_displacement() const;            ///< u_c, m
-  [[nodiscard]] double contact_velocity() const;                ///< u_c_t, m/s
-  [[nodiscard]] double wall_displacement() const;               ///< w, m
-  [[nodiscard]] double drive_displacement() const;              ///< W sin(Omega t) = w - V t, m
-  [[nodiscard]] double contact_position() const;                ///< u_c - w, m
-  [[nodiscard]] double sliding_velocity() const;                ///< v_s, m/s; zero in stick
-  [[nodiscard]] double friction_force() const;                  ///< f_d, N
-  [[nodiscard]] double holding_force() const;  ///< f_d that holding the contact would take, N
-  [[nodiscard]] const std::vector<ChangeOfContact>& events() const;
+  [[nodiscard]] double time() const { return time_; }
+  [[nodiscard]] ContactPhase state() const { return state_; }
+  [[nodiscard]] const std::vector<double>& amplitudes() const { return now_.amplitudes; }  ///< T_n
+  [[nodiscard]] const std::vector<double>& rates() const { return now_.rates; }            ///< T_n_t
+  [[nodiscard]] double contact_displacement() const { return now_.displacement; }          ///< u_c, m
+  [[nodiscard]] double contact_velocity() const { return now_.velocity; }                  ///< u_c_t, m/s
+  [[nodiscard]] double wall_displacement() const { return dynamics_->wall_displacement(time_); }  ///< w, m
+  [[nodiscard]] double drive_displacement() const;  ///< W sin(Omega t) = w - V t, m
+  /// u_c - w, m.
+  [[nodiscard]] double contact_position() const { return now_.displacement - wall_displacement(); }
+  [[nodiscard]] double sliding_velocity() const;  ///< v_s, m/s; zero in stick
+  [[nodiscard]] double friction_force() const;    ///< f_d, N
+  [[nodiscard]] double holding_force() const;     ///< f_d that holding the contact would take, N
+  [[nodiscard]] const std::vector<ChangeOfContact>& events() const { return events_; }
   /// Throws std::logic_error unless settings.keep_energy_balance.
   [[nodiscard]] EventDrivenEnergy energy_balance() const;
 
  private:
-  class Engine;
-  std::unique_ptr<Engine> engine_;
+  void start(const std::vector<double>& amplitudes, const std::vector<double>& rates, double position);
+  void prepare_slip();
+  void begin_stick();
+  void begin_slip(double direction);
+  void end_slip();
+  void move_to(double t);
+  void add_works_of_stick_until(double t);
+  void record(ContactChange change);
+
+  EventDrivenSettings settings_;
+  std::unique_ptr<const ContactDynamics> dynamics_;  // stick_ and slip_ refer to it
+  StickPropagator stick_;
+  std::unique_ptr<SlipIntegrator> slip_;
+  double limit_;  // mu_s N
+
+  double time_{};
+  ContactPhase state_{ContactPhase::stick};
+  ContactKinematics now_;
+  double certain_until_{};  // stick: no onset before
+  bool ends_{};             // slip: v_s = 0 at the end of the last step
+  std::vector<ChangeOfContact> events_;
+  Powers works_, works_before_phase_;
+  double works_until_{};
 };
 
 }  // namespace stickslip::analytic
