@@ -30,30 +30,11 @@ void require_grid(const TimeGrid& grid) {
 }
 
 /// The beam with damping, its tip held by as much friction as it takes.
-class HeldRun {
- public:
-  HeldRun(const data::Beam& beam, const data::HarmonicExcitation& excitation, const data::Damping& damping)
-      : beam_(beam, data::FrictionLaw({.static_coefficient = 1e9, .kinetic_coefficient = 0.0, .decay = 0.0}),
-              excitation, damping, damped_modes),
-        run_(beam_.model()) {}
-
-  [[nodiscard]] double holding_force(double t) {
-    run_.advance_to(t);
-    return run_.holding_force();
-  }
-
-  [[nodiscard]] double displacement(const std::vector<double>& shapes, double t) {
-    run_.advance_to(t);
-    return absolute_displacement(shapes, run_);
-  }
-
-  [[nodiscard]] std::vector<double> shapes(double x) const { return beam_.shapes(x); }
-  [[nodiscard]] double lowest_frequency() const { return beam_.model().angular_frequency.front(); }
-
- private:
-  BeamContactModel beam_;
-  EventDriven run_;
-};
+BeamContactModel held_beam(const data::Beam& beam, const data::HarmonicExcitation& excitation,
+                           const data::Damping& damping) {
+  const data::FrictionLaw friction({.static_coefficient = 1e9, .kinetic_coefficient = 0.0, .decay = 0.0});
+  return {beam, friction, excitation, damping, damped_modes};
+}
 
 /// Adds amplitude sin(omega t), its mean over each step, to the values. The phase is turned from step to step
 /// and set anew often enough to stay at round-off.
@@ -106,13 +87,15 @@ std::vector<double> undamped_holding_force(const data::Beam& beam, const data::H
 std::vector<double> damped_holding_force(const data::Beam& beam, const data::HarmonicExcitation& excitation,
                                          const data::Damping& damping, const TimeGrid& grid) {
   const StatusInsteadOfAbort guard;
-  HeldRun run(beam, excitation, damping);
+  const ContactModel model = held_beam(beam, excitation, damping).model();
+  EventDriven run(model);
   const double duration = static_cast<double>(grid.steps) * grid.time_step;
-  const double spacing = std::max(grid.time_step, 1e-3 / run.lowest_frequency());
+  const double spacing = std::max(grid.time_step, 1e-3 / model.angular_frequency.front());
   std::vector<double> time, force;
   for (std::size_t n = 0; time.size() < 4 || time.back() < duration; ++n) {
     time.push_back(static_cast<double>(n) * spacing);
-    force.push_back(run.holding_force(time.back()));
+    run.advance_to(time.back());
+    force.push_back(run.holding_force());
   }
   const auto spline = owned(gsl_spline_alloc(gsl_interp_cspline, time.size()));
   require_success(gsl_spline_init(spline.get(), time.data(), force.data(), time.size()), "holding force");
@@ -144,9 +127,13 @@ std::vector<double> held_displacement(const data::Beam& beam, const data::Harmon
     const StickResponse response(beam, excitation, undamped_modes, SteadyPart::exact);
     sample([&](double t) { return response.absolute_displacement(x, t); });
   } else {
-    HeldRun run(beam, excitation, damping);
-    const std::vector<double> shapes = run.shapes(x);
-    sample([&](double t) { return run.displacement(shapes, t); });
+    const BeamContactModel held = held_beam(beam, excitation, damping);
+    const std::vector<double> shapes = held.shapes(x);
+    EventDriven run(held.model());
+    sample([&](double t) {
+      run.advance_to(t);
+      return absolute_displacement(shapes, run);
+    });
   }
   return values;
 }

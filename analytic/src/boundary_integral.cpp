@@ -288,8 +288,6 @@ class OnlineConvolution::Engine {
 OnlineConvolution::OnlineConvolution(std::vector<double> weights)
     : engine_(std::make_unique<Engine>(std::move(weights))) {}
 OnlineConvolution::~OnlineConvolution() = default;
-OnlineConvolution::OnlineConvolution(OnlineConvolution&&) noexcept = default;
-OnlineConvolution& OnlineConvolution::operator=(OnlineConvolution&&) noexcept = default;
 
 double OnlineConvolution::history() const { return engine_->history(); }
 void OnlineConvolution::append(double value) { engine_->append(value); }

@@ -6,6 +6,7 @@
 
 #include "arguments.hpp"
 #include "beam_constants.hpp"
+#include "exponential_difference.hpp"
 
 namespace stickslip::analytic {
 namespace {
@@ -56,12 +57,7 @@ Weights free_tip(Complex r, Complex q, Complex y) {
 }
 
 /// int_0^1 exp(-r xi - q (1 - xi)) d(xi).
-Complex mean_of_exponential(Complex r, Complex q) {
-  const Complex half = 0.5 * (r - q);
-  if (half == 0.0) return std::exp(-r);
-  if (std::abs(half) < 1.0) return std::exp(-0.5 * (r + q)) * std::sinh(half) / half;
-  return (std::exp(-q) - std::exp(-r)) / (r - q);
-}
+Complex mean_of_exponential(Complex r, Complex q) { return exponential_difference(-q, -r, 1.0); }
 
 }  // namespace
 

@@ -6,8 +6,10 @@
 #include <gsl/gsl_eigen.h>
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_matrix.h>
+#include <gsl/gsl_min.h>
 #include <gsl/gsl_odeiv2.h>
 #include <gsl/gsl_permutation.h>
+#include <gsl/gsl_roots.h>
 #include <gsl/gsl_spline.h>
 #include <gsl/gsl_vector.h>
 
@@ -30,6 +32,10 @@ struct ReleaseHandle {
   void operator()(gsl_integration_glfixed_table* handle) const { gsl_integration_glfixed_table_free(handle); }
   void operator()(gsl_spline* handle) const { gsl_spline_free(handle); }
   void operator()(gsl_odeiv2_step* handle) const { gsl_odeiv2_step_free(handle); }
+  void operator()(gsl_odeiv2_driver* handle) const { gsl_odeiv2_driver_free(handle); }
+  void operator()(gsl_root_fsolver* handle) const { gsl_root_fsolver_free(handle); }
+  void operator()(gsl_root_fdfsolver* handle) const { gsl_root_fdfsolver_free(handle); }
+  void operator()(gsl_min_fminimizer* handle) const { gsl_min_fminimizer_free(handle); }
   void operator()(gsl_odeiv2_control* handle) const { gsl_odeiv2_control_free(handle); }
 };
 

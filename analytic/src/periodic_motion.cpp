@@ -181,33 +181,18 @@ class Variation {
   void advance_slip(double end) {
     const StatusInsteadOfAbort guard;
     const std::size_t size = n_ * (n_ + 1);
-    std::vector<double> y(size), before, error(size), rate(size);
+    std::vector<double> y(size);
     for (std::size_t i = 0; i < n_; ++i) {
       y[i] = x_[i] / scale_[i];
       for (std::size_t j = 0; j < n_; ++j) y[(j + 1) * n_ + i] = phi_[i * n_ + j] * scale_[j] / scale_[i];
     }
     gsl_odeiv2_system system{&Variation::right_side, nullptr, size, this};
-    const auto step = owned(gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, size));
-    const auto control = owned(gsl_odeiv2_control_standard_new(1e-13, 1e-13, 1.0, 0.0));
     const double longest = 1.0 / dynamics_.fastest();
-    double t = time_, length = 0.05 * longest;
-    while (t < end) {
-      length = std::min({length, longest, end - t});
-      before = y;
-      const int status =
-          gsl_odeiv2_step_apply(step.get(), t, length, y.data(), error.data(), nullptr, rate.data(), &system);
-      double suggested = length;
-      const bool shorter = status != GSL_SUCCESS ||
-                           gsl_odeiv2_control_hadjust(control.get(), step.get(), y.data(), error.data(),
-                                                      rate.data(), &suggested) == GSL_ODEIV_HADJ_DEC;
-      if (shorter && length > 1e-9 * longest) {
-        y = before;
-        length = status == GSL_SUCCESS ? suggested : 0.25 * length;
-        continue;
-      }
-      t = end - t <= length ? end : t + length;
-      length = suggested;
-    }
+    const auto driver = owned(gsl_odeiv2_driver_alloc_standard_new(&system, gsl_odeiv2_step_rk8pd,
+                                                                   0.05 * longest, 1e-13, 1e-13, 1.0, 0.0));
+    gsl_odeiv2_driver_set_hmax(driver.get(), longest);
+    double t = time_;
+    require_success(gsl_odeiv2_driver_apply(driver.get(), &t, end, y.data()), "slip of a periodic motion");
     for (std::size_t i = 0; i < n_; ++i) {
       x_[i] = y[i] * scale_[i];
       for (std::size_t j = 0; j < n_; ++j) phi_[i * n_ + j] = y[(j + 1) * n_ + i] * scale_[i] / scale_[j];

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "root_finding.hpp"
 
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_min.h>
-#include <gsl/gsl_roots.h>
-
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <stdexcept>
 #include <string>
 
 #include "arguments.hpp"
+#include "gsl_handles.hpp"
 #include "gsl_status.hpp"
 
 namespace stickslip::analytic {
@@ -19,15 +15,6 @@ namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr int kMaximumIterations = 500;
-
-struct Release {
-  void operator()(gsl_root_fsolver* handle) const { gsl_root_fsolver_free(handle); }
-  void operator()(gsl_root_fdfsolver* handle) const { gsl_root_fdfsolver_free(handle); }
-  void operator()(gsl_min_fminimizer* handle) const { gsl_min_fminimizer_free(handle); }
-};
-
-template <class Handle>
-using Owner = std::unique_ptr<Handle, Release>;
 
 std::string located(const std::string& method, Interval interval) {
   return method + " between " + data::shortest_text(interval.lower) + " and " +
@@ -44,7 +31,7 @@ std::string located(const std::string& method, Interval interval) {
 double brent_root(gsl_function function, Interval bracket, double relative_tolerance) {
   const StatusInsteadOfAbort guard;
   const std::string where = located("Brent's root finder", bracket);
-  const Owner<gsl_root_fsolver> solver(gsl_root_fsolver_alloc(gsl_root_fsolver_brent));
+  const auto solver = owned(gsl_root_fsolver_alloc(gsl_root_fsolver_brent));
   require_success(gsl_root_fsolver_set(solver.get(), &function, bracket.lower, bracket.upper), where);
   for (int i = 0; i < kMaximumIterations; ++i) {
     require_success(gsl_root_fsolver_iterate(solver.get()), where);
@@ -61,7 +48,7 @@ double newton_polished_root(gsl_function_fdf function, Interval bracket) {
 
   const StatusInsteadOfAbort guard;
   const std::string where = located("Newton's root finder", bracket);
-  const Owner<gsl_root_fdfsolver> solver(gsl_root_fdfsolver_alloc(gsl_root_fdfsolver_newton));
+  const auto solver = owned(gsl_root_fdfsolver_alloc(gsl_root_fdfsolver_newton));
   require_success(gsl_root_fdfsolver_set(solver.get(), &function, root), where);
   double last_step = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kMaximumIterations; ++i) {
@@ -82,7 +69,7 @@ double newton_polished_root(gsl_function_fdf function, Interval bracket) {
 Minimum brent_minimum(gsl_function function, Interval interval, double guess) {
   const StatusInsteadOfAbort guard;
   const std::string where = located("Brent's minimiser", interval);
-  const Owner<gsl_min_fminimizer> solver(gsl_min_fminimizer_alloc(gsl_min_fminimizer_brent));
+  const auto solver = owned(gsl_min_fminimizer_alloc(gsl_min_fminimizer_brent));
   require_success(gsl_min_fminimizer_set(solver.get(), &function, guess, interval.lower, interval.upper),
                   where);
   for (int i = 0; i < kMaximumIterations; ++i) {

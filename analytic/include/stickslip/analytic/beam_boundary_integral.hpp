@@ -18,7 +18,7 @@ struct TimeGrid {
 /// f_h: the friction force on the beam that holding its tip takes, from the quasi-static start, as its mean
 /// over each step, N. Undamped it is minus Eq. (28) with the exact steady part and 200 free vibrations
 /// (StickResponse), whose amplitudes fall as n^-4. With Kelvin-Voigt damping it is that of a BeamContactModel
-/// of 80 modes in the middle of the step. Throws what these throw, and std::invalid_argument unless time_step
+/// of 40 modes in the middle of the step. Throws what these throw, and std::invalid_argument unless time_step
 /// > 0 and steps is in 1 ... 2^26.
 [[nodiscard]] std::vector<double> holding_force(const data::Beam& beam,
                                                 const data::HarmonicExcitation& excitation,

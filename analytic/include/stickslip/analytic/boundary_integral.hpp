@@ -103,8 +103,6 @@ class OnlineConvolution {
  public:
   explicit OnlineConvolution(std::vector<double> weights);
   ~OnlineConvolution();
-  OnlineConvolution(OnlineConvolution&&) noexcept;
-  OnlineConvolution& operator=(OnlineConvolution&&) noexcept;
 
   /// The sum for the next n.
   [[nodiscard]] double history() const;

@@ -47,19 +47,15 @@ class ContactModes {
   /// damping or to flutter, and std::invalid_argument as require_consistent().
   explicit ContactModes(const ContactModel& model);
 
-  using Complex = std::complex<double>;
-
-  /// lambda_k, rad/s, one of each complex pair.
-  [[nodiscard]] const std::vector<Complex>& eigenvalues() const noexcept { return eigenvalue_; }
-
  private:
   friend class ModalContactRun;
+  using Complex = std::complex<double>;
 
-  std::size_t size_{};         // 2 (m + 1)
-  std::vector<double> scale_;  // coordinates (T, u_c) times these, and their rates, are Re(Z z)
-  std::vector<Complex> eigenvalue_;
-  std::vector<Complex> shape_;    // Z, size_ rows of eigenvalue_.size()
-  std::vector<Complex> inverse_;  // z = W y, eigenvalue_.size() rows of size_
+  std::size_t size_{};               // 2 (m + 1)
+  std::vector<double> scale_;        // coordinates (T, u_c) times these, and their rates, are Re(Z z)
+  std::vector<Complex> eigenvalue_;  // lambda_k, rad/s, one of each complex pair
+  std::vector<Complex> shape_;       // Z, size_ rows of eigenvalue_.size()
+  std::vector<Complex> inverse_;     // z = W y, eigenvalue_.size() rows of size_
 };
 
 /// A run of a ContactModel.
