@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -21,6 +22,7 @@
 #include "stickslip/certified/stick_response.hpp"
 #include "stickslip/certified/tip_mobility.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
+#include "studies/common/problem_parameter.hpp"
 #include "support/beams.hpp"
 #include "support/random_beams.hpp"
 #include "support/requirements.hpp"
@@ -95,16 +97,20 @@ double ulp(double value) {
   return within(error, 0.0, tolerance);
 }
 
-/// |P dq/dP| of the quantities of a beam, by differences of enclosed values.
-template <class Quantities>
-std::vector<double> force_sensitivities(const data::Beam& beam, const Quantities& quantities) {
+/// Quantities of a beam by mode, against enclosures of them. Their condition is 1 + |P dq/dP|/|q|, by differences of
+/// enclosed values.
+template <class Enclosed>
+void expect_in_the_last_places(const std::vector<double>& computed, const data::Beam& beam,
+                               const Enclosed& enclosed, double operations) {
   constexpr double kStep = 1e-6;
-  const auto here = quantities(exactly(beam));
-  const auto there = quantities(exactly(with_axial_force(beam, beam.axial_force() * (1.0 - kStep))));
-  std::vector<double> result;
-  for (std::size_t i = 0; i < here.size(); ++i)
-    result.push_back(std::abs((there[i] - here[i]).nearest_double()) / kStep);
-  return result;
+  const std::vector<Real> exact = enclosed(exactly(beam));
+  const std::vector<Real> beside =
+      enclosed(exactly(with_axial_force(beam, beam.axial_force() * (1.0 - kStep))));
+  for (std::size_t n = 0; n < computed.size(); ++n) {
+    const double sensitivity = std::abs((beside[n] - exact[n]).nearest_double()) / kStep;
+    EXPECT_TRUE(within_ulps(computed[n], exact[n], operations, 1.0 + sensitivity / std::abs(computed[n])))
+        << n + 1;
+  }
 }
 
 STICKSLIP_VERIFIES(EnclosedFrequencies, "X19");
@@ -127,21 +133,18 @@ TEST(EnclosedFrequencies, OfTheStickStateAgreeToTheLastPlaces) {
 }
 
 TEST(EnclosedFrequencies, OfTheSlipStateAgreeToTheLastPlaces) {
+  const auto enclosed = [](const certified::Beam& beam) {
+    std::vector<Real> omegas;
+    for (const auto& mode : certified::slip_frequencies(beam, mode_count))
+      omegas.push_back(mode.angular_frequency);
+    return omegas;
+  };
   for (const auto& [name, beam] : beams()) {
     SCOPED_TRACE(name);
-    const auto frequencies = [](const certified::Beam& data) {
-      std::vector<Real> omegas;
-      for (const auto& mode : certified::slip_frequencies(data, mode_count))
-        omegas.push_back(mode.angular_frequency);
-      return omegas;
-    };
-    const auto exact = frequencies(exactly(beam));
-    const auto sensitivities = force_sensitivities(beam, frequencies);
-    const auto modes = analytic::slip_modes(beam, mode_count);
-    for (std::size_t n = 0; n < modes.size(); ++n) {
-      const double omega = modes[n].angular_frequency();
-      EXPECT_TRUE(within_ulps(omega, exact[n], 10, 1.0 + sensitivities[n] / omega)) << n + 1;
-    }
+    std::vector<double> computed;
+    for (const auto& mode : analytic::slip_modes(beam, mode_count))
+      computed.push_back(mode.angular_frequency());
+    expect_in_the_last_places(computed, beam, enclosed, 10);
   }
 }
 
@@ -187,14 +190,11 @@ TEST(EnclosedShapes, OfTheModesAgreeToTheLastPlaces) {
       for (const double share : {0.05, 0.31, 0.5, 0.83}) {
         const double x = share * beam.length();
         const auto shape = exact[n].shape(Real(x));
-        const double wave = modes[n].trigonometric_wave_number();
-        EXPECT_TRUE(within_ulps(modes[n].shape(x), shape[0], 10, bb * modes[n].condition_number(), 1.0))
-            << n + 1 << " at " << share;
-        EXPECT_TRUE(within_ulps(modes[n].slope(x), shape[1], 10, bb * modes[n].condition_number(), wave))
-            << n + 1 << " at " << share;
-        EXPECT_TRUE(
-            within_ulps(modes[n].curvature(x), shape[2], 10, bb * modes[n].condition_number(), wave * wave))
-            << n + 1 << " at " << share;
+        const std::array computed{modes[n].shape(x), modes[n].slope(x), modes[n].curvature(x)};
+        for (std::size_t order = 0; order < 3; ++order)
+          EXPECT_TRUE(within_ulps(computed[order], shape[order], 10, bb * modes[n].condition_number(),
+                                  std::pow(bb / beam.length(), order)))
+              << "derivative " << order << " of mode " << n + 1 << " at " << share;
       }
       EXPECT_TRUE(within_ulps(modes[n].third_derivative(beam.length()),
                               exact[n].shape(Real(beam.length()))[3], 10, 3 * modes[n].condition_number()))
@@ -204,20 +204,16 @@ TEST(EnclosedShapes, OfTheModesAgreeToTheLastPlaces) {
 }
 
 TEST(EnclosedShapes, OfTheParticipationsAgreeToTheLastPlaces) {
+  const auto enclosed = [](const certified::Beam& beam) {
+    std::vector<Real> values;
+    for (const auto& mode : certified::stick_modes(beam, mode_count)) values.push_back(mode.participation);
+    return values;
+  };
   for (const auto& [name, beam] : beams()) {
     SCOPED_TRACE(name);
-    const auto participations = [](const certified::Beam& data) {
-      std::vector<Real> values;
-      for (const auto& mode : certified::stick_modes(data, mode_count)) values.push_back(mode.participation);
-      return values;
-    };
-    const auto exact = participations(exactly(beam));
-    const auto sensitivities = force_sensitivities(beam, participations);
-    const auto modes = analytic::stick_modes(beam, mode_count);
-    for (std::size_t n = 0; n < modes.size(); ++n) {
-      const double value = modes[n].participation();
-      EXPECT_TRUE(within_ulps(value, exact[n], 20, 1.0 + sensitivities[n] / std::abs(value))) << n + 1;
-    }
+    std::vector<double> computed;
+    for (const auto& mode : analytic::stick_modes(beam, mode_count)) computed.push_back(mode.participation());
+    expect_in_the_last_places(computed, beam, enclosed, 20);
   }
 }
 
@@ -230,14 +226,14 @@ TEST(EnclosedShapes, OfTheQuasiStaticDeflectionAgreeToTheLastPlaces) {
     for (const double share : {0.05, 0.31, 0.5, 0.83, 1.0}) {
       const double x = share * length;
       const auto values = exact.at(Real(x));
+      const std::array computed{shape.value(x), shape.slope(x), shape.curvature(x),
+                                shape.third_derivative(x)};
       // Near the base S ~ (x/L)^2 is a difference of terms of the order of 1.
-      EXPECT_TRUE(within_ulps(shape.value(x), values[0], 10, condition, 1.0)) << share;
-      EXPECT_TRUE(within_ulps(shape.slope(x), values[1], 10, condition, 1.0 / length)) << share;
-      EXPECT_TRUE(within_ulps(shape.curvature(x), values[2], 10, condition, 3.0 / (length * length)))
-          << share;
-      EXPECT_TRUE(
-          within_ulps(shape.third_derivative(x), values[3], 10, condition, 3.0 / (length * length * length)))
-          << share;
+      const std::array scales{1.0, 1.0, 3.0, 3.0};
+      for (std::size_t order = 0; order < 4; ++order)
+        EXPECT_TRUE(within_ulps(computed[order], values[order], 10, condition,
+                                scales[order] / std::pow(length, order)))
+            << "derivative " << order << " at " << share;
     }
   }
 }
@@ -265,13 +261,9 @@ double history_scale(const analytic::StickResponse& response, double omega, doub
   return scale;
 }
 
-double angular_frequency(const data::HarmonicExcitation& excitation) {
-  return 2.0 * std::numbers::pi * excitation.frequency_hz();
-}
-
 double force_scale(const analytic::StickResponse& response, const data::HarmonicExcitation& excitation,
                    double t) {
-  return history_scale(response, angular_frequency(excitation), response.steady_force_amplitude(),
+  return history_scale(response, studies::angular_frequency(excitation), response.steady_force_amplitude(),
                        response.transient_force(), t);
 }
 
@@ -290,9 +282,10 @@ TEST(EnclosedResponse, InDisplacementAndForceAgreesToTheLastPlaces) {
           << periods;
       for (const double share : {0.4, 0.77}) {
         const double x = share * beam.length();
-        const double scale = excitation.amplitude() + history_scale(response, angular_frequency(excitation),
-                                                                    response.steady_displacement_amplitude(x),
-                                                                    response.transient_displacement(x), t);
+        const double scale =
+            excitation.amplitude() + history_scale(response, studies::angular_frequency(excitation),
+                                                   response.steady_displacement_amplitude(x),
+                                                   response.transient_displacement(x), t);
         EXPECT_TRUE(within_ulps(response.relative_displacement(x, t),
                                 exact.relative_displacement(Real(x), Real(t)), 10, condition, scale))
             << periods;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <stdexcept>
 
@@ -36,6 +37,25 @@ double finite_element_maximum(double hz, double duration) {
 // What 20 elements and 0.1 ms miss in so short a run: half a per cent, most of it modes that the closed form
 // leaves out.
 constexpr double share_missed = 0.005;
+
+solver::BeamSimulation bonded_beam(double hz, double duration) {
+  return solver::BeamSimulation(paper_beam(), paper_friction(), shaken_at(hz),
+                                data::NumericalSettings(paper_choices(duration)),
+                                {.contact = solver::TipContact::bonded});
+}
+
+void expect_finite_elements_to_have(const std::function<double(double)>& force, double hz, double margin) {
+  solver::BeamSimulation beam = bonded_beam(hz, 0.3);
+  double difference = 0.0, peak = 0.0;
+  for (int n = 0; n < 3000; ++n) {
+    beam.step();
+    const double expected = force(beam.time());
+    difference = std::max(difference, std::abs(beam.friction_force() - expected));
+    peak = std::max(peak, std::abs(expected));
+  }
+  EXPECT_TRUE(
+      within(difference, 0.0, discretisation(share_missed * peak, margin, "20 elements in a short run")));
+}
 
 STICKSLIP_VERIFIES(Enclosures, "A5");
 TEST(Enclosures, OfCoarseSamplesHoldTheMaximumOfFiniteElements) {
@@ -75,28 +95,15 @@ TEST(Enclosures, OfTheCriticalAmplitudeHoldThatOfFiniteElements) {
 TEST(Enclosures, NextToResonanceHoldTheForceOfFiniteElements) {
   // A relative distance of 4e-15 leaves one digit to a difference of sines that is divided by it.
   const double natural = analytic::stick_modes(paper_beam(), 1).front().frequency_hz() * (1.0 + 4e-15);
-  solver::BeamSimulation beam(paper_beam(), paper_friction(), shaken_at(natural),
-                              data::NumericalSettings(paper_choices(0.3)),
-                              {.contact = solver::TipContact::bonded});
   const analytic::StickResponse response(paper_beam(), shaken_at(natural), 20, analytic::SteadyPart::exact);
-  double difference = 0.0, peak = 0.0;
-  for (int n = 0; n < 3000; ++n) {
-    beam.step();
-    const double force = response.friction_force(beam.time());
-    difference = std::max(difference, std::abs(beam.friction_force() - force));
-    peak = std::max(peak, std::abs(force));
-  }
-  EXPECT_TRUE(
-      within(difference, 0.0, discretisation(share_missed * peak, 1.0, "20 elements in a short run")));
+  expect_finite_elements_to_have([&](double t) { return response.friction_force(t); }, natural, 1.0);
 }
 
 TEST(Enclosures, OfAGrowingForceHoldItsMaximumWheneverItIsAskedFor) {
   // In resonance f grows with every half cycle, and its maximum changes sign: one run up to 1 s and a bit,
   // asked at 20 times in a cycle. The bounds are left wide, so that they rest on the bend of f alone.
   const double natural = analytic::stick_modes(paper_beam(), 1).front().frequency_hz();
-  solver::BeamSimulation beam(paper_beam(), paper_friction(), shaken_at(natural),
-                              data::NumericalSettings(paper_choices(1.0)),
-                              {.contact = solver::TipContact::bonded});
+  solver::BeamSimulation beam = bonded_beam(natural, 1.0);
   const analytic::StickResponse response(paper_beam(), shaken_at(natural), 2);
   double maximum = 0.0;
   for (int k = 0; k < 20; ++k) {
@@ -113,23 +120,15 @@ TEST(Enclosures, OfAGrowingForceHoldItsMaximumWheneverItIsAskedFor) {
 }
 
 TEST(Enclosures, ListTheFreeVibrationsOfFiniteElements) {
-  solver::BeamSimulation beam(paper_beam(), paper_friction(), shaken_at(15.0),
-                              data::NumericalSettings(paper_choices(0.3)),
-                              {.contact = solver::TipContact::bonded});
   const analytic::StickResponse response(paper_beam(), shaken_at(15.0), 20, analytic::SteadyPart::exact);
   const auto free_vibrations = response.transient_force();
-  const double omega = 2.0 * std::numbers::pi * 15.0;
-  double difference = 0.0, peak = 0.0;
-  for (int n = 0; n < 3000; ++n) {
-    beam.step();
-    double force = response.steady_force_amplitude() * std::sin(omega * beam.time());
+  const auto sum = [&](double t) {
+    double force = response.steady_force_amplitude() * std::sin(2.0 * std::numbers::pi * 15.0 * t);
     for (const auto& [amplitude, angular_frequency] : free_vibrations)
-      force += amplitude * std::sin(angular_frequency * beam.time());
-    difference = std::max(difference, std::abs(beam.friction_force() - force));
-    peak = std::max(peak, std::abs(force));
-  }
-  EXPECT_TRUE(
-      within(difference, 0.0, discretisation(share_missed * peak, 2.0, "20 elements in a short run")));
+      force += amplitude * std::sin(angular_frequency * t);
+    return force;
+  };
+  expect_finite_elements_to_have(sum, 15.0, 2.0);
 }
 
 STICKSLIP_VERIFIES(GeometricEnergy, "F8");
