@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "stickslip/analytic/beam_contact_model.hpp"
 
-#include <gsl/gsl_eigen.h>
-#include <gsl/gsl_integration.h>
-
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -11,33 +8,25 @@
 #include <numeric>
 
 #include "beam_constants.hpp"
+#include "gauss_points.hpp"
 #include "gsl_handles.hpp"
 #include "gsl_status.hpp"
 
 namespace stickslip::analytic {
 namespace {
 
-/// int of the outer product f f^T over 0 ... length, f a vector of functions that turn at most `waves` times:
-/// Gauss-Legendre, 16 points on panels of less than half a wave.
+/// int of the outer product f f^T over 0 ... length, f a vector of functions that turn at most `waves` times, by panels
+/// of less than half a wave.
 Matrix integral_of_products(const std::function<std::vector<double>(double)>& functions, double length,
                             std::size_t waves) {
-  constexpr std::size_t points = 16;
-  const auto table = owned(gsl_integration_glfixed_table_alloc(points));
-  const std::size_t panels = 2 * waves + 4;
   Matrix result;
-  for (std::size_t panel = 0; panel < panels; ++panel) {
-    const double from = length * static_cast<double>(panel) / static_cast<double>(panels);
-    const double to = length * static_cast<double>(panel + 1) / static_cast<double>(panels);
-    for (std::size_t i = 0; i < points; ++i) {
-      double x = 0.0, weight = 0.0;
-      gsl_integration_glfixed_point(from, to, i, &x, &weight, table.get());
-      const std::vector<double> f = functions(x);
-      if (result.empty()) result = Matrix(f.size(), f.size());
-      for (std::size_t row = 0; row < f.size(); ++row)
-        for (std::size_t column = 0; column < f.size(); ++column)
-          result(row, column) += weight * f[row] * f[column];
-    }
-  }
+  for_each_gauss_point(0.0, length, 2 * waves + 4, [&](double x, double weight) {
+    const std::vector<double> f = functions(x);
+    if (result.empty()) result = Matrix(f.size(), f.size());
+    for (std::size_t row = 0; row < f.size(); ++row)
+      for (std::size_t column = 0; column < f.size(); ++column)
+        result(row, column) += weight * f[row] * f[column];
+  });
   return result;
 }
 

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "arguments.hpp"
-#include "gsl_handles.hpp"
+#include "gauss_points.hpp"
 #include "slip_integrator.hpp"
 
 namespace stickslip::analytic {
@@ -198,24 +198,15 @@ void EventDriven::move_to(double t) {
     throw std::runtime_error("the state is no longer finite at t = " + data::shortest_text(t) + " s.");
 }
 
-// The powers of a stick phase hold frequencies up to twice the highest: panels of 2 rad of it, on which ten
-// Gauss points leave nothing.
+// The powers of a stick phase hold frequencies up to twice the highest. On panels of 3 rad of the highest the Gauss
+// points leave nothing.
 void EventDriven::add_works_of_stick_until(double t) {
-  constexpr std::size_t points = 10;
-  static const auto table = owned(gsl_integration_glfixed_table_alloc(points));
-  const double span = t - works_until_;
-  const auto panels = static_cast<long>(std::ceil(span * dynamics_->fastest() / 2.0));
-  for (long panel = 0; panel < panels; ++panel) {
-    const double from = works_until_ + span * static_cast<double>(panel) / static_cast<double>(panels);
-    const double to = works_until_ + span * static_cast<double>(panel + 1) / static_cast<double>(panels);
-    for (std::size_t i = 0; i < points; ++i) {
-      double at = 0.0, weight = 0.0;
-      gsl_integration_glfixed_point(from, to, i, &at, &weight, table.get());
-      const ContactKinematics state = stick_.state(at);
-      const double force = dynamics_->holding_force(view(state), at);
-      works_ = works_ + weight * dynamics_->powers(view(state), at, force);
-    }
-  }
+  const auto panels = static_cast<std::size_t>(std::ceil((t - works_until_) * dynamics_->fastest() / 3.0));
+  for_each_gauss_point(works_until_, t, panels, [&](double at, double weight) {
+    const ContactKinematics state = stick_.state(at);
+    const double force = dynamics_->holding_force(view(state), at);
+    works_ = works_ + weight * dynamics_->powers(view(state), at, force);
+  });
   works_until_ = t;
 }
 

@@ -8,27 +8,20 @@
 
 #include "arguments.hpp"
 #include "beam_constants.hpp"
-#include "gsl_handles.hpp"
+#include "gauss_points.hpp"
 #include "sinc.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 
 namespace stickslip::analytic {
 
 std::vector<FreeMode> free_modes(const data::Beam& beam, int count) {
-  // psi* psi has no more than 2 pi in a panel, on which 16 points leave nothing.
-  constexpr std::size_t points = 16;
-  const auto table = owned(gsl_integration_glfixed_table_alloc(points));
+  // psi* psi has no more than 2 pi in a panel, on which the points leave nothing.
   std::vector<FreeMode> modes;
   for (const SlipMode& mode : slip_modes(beam, count)) {
-    const int panels = mode.number() + 2;
     double norm = 0.0;
-    for (int panel = 0; panel < panels; ++panel)
-      for (std::size_t i = 0; i < points; ++i) {
-        double x = 0.0, weight = 0.0;
-        gsl_integration_glfixed_point(beam.length() * panel / panels, beam.length() * (panel + 1) / panels, i,
-                                      &x, &weight, table.get());
-        norm += weight * mode.adjoint_shape(x) * mode.shape(x);
-      }
+    for_each_gauss_point(
+        0.0, beam.length(), static_cast<std::size_t>(mode.number()) + 2,
+        [&](double x, double weight) { norm += weight * mode.adjoint_shape(x) * mode.shape(x); });
     modes.push_back({mode.angular_frequency(), 1.0 / (mass_per_length(beam) * norm)});
   }
   return modes;

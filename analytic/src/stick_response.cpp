@@ -5,7 +5,6 @@
 #include <cmath>
 #include <complex>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -81,70 +80,47 @@ std::int64_t interval_count(double duration, double step) {
 /// A0 times an amplitude per unit A0, which may be infinite at resonance; A0 = 0 moves nothing even there.
 double scaled_by(double amplitude, double per_unit) { return amplitude == 0.0 ? 0.0 : amplitude * per_unit; }
 
-/// Encloses the maximum of |f| over [0, duration] by interval halving; `curvature` bounds |f''|.
-class MaximumSearch {
- public:
-  using Function = std::function<double(double)>;
-
-  MaximumSearch(Function magnitude, double duration, double curvature, std::int64_t intervals)
-      : magnitude_(std::move(magnitude)), duration_(duration), curvature_(curvature), intervals_(intervals) {
-    double left = sample(0);
-    for (std::int64_t i = 0; i < intervals; ++i) {
-      const double right = sample(i + 1);
-      keep_if_promising({i, left, right});
-      left = right;
-    }
-  }
-
-  [[nodiscard]] Bounds refined_to(double relative_width) {
-    while (excess() > relative_width * lower_) {
-      if (segments_.empty()) return {lower_, lower_};
-      halve();
-    }
-    return {lower_, lower_ + excess()};
-  }
-
- private:
+/// Bounds of the maximum of |f| over 0 ... duration, from a number of equal intervals that are halved; `curvature`
+/// bounds |f''|.
+template <class Magnitude>
+Bounds maximum_by_halving(const Magnitude& magnitude, double duration, double curvature,
+                          std::int64_t intervals, double relative_width) {
   struct Segment {
-    std::int64_t index;  // of intervals_ equal ones
+    std::int64_t index;  // of `intervals` equal ones
     double left, right;  // |f| at its ends
-    [[nodiscard]] double larger() const { return std::max(left, right); }
   };
-
-  /// What |f| can exceed the larger end value by.
-  [[nodiscard]] double excess() const {
-    const double h = duration_ / static_cast<double>(intervals_);
-    return curvature_ * h * h / 8.0;
-  }
-
-  void keep_if_promising(const Segment& segment) {
-    if (segment.larger() + excess() > lower_) segments_.push_back(segment);
-  }
-
-  double sample(std::int64_t index) {
-    const double value =
-        magnitude_(duration_ * (static_cast<double>(index) / static_cast<double>(intervals_)));
-    lower_ = std::max(lower_, value);
+  std::vector<Segment> segments;
+  double lower = 0.0;
+  // What |f| can exceed the larger end value by.
+  const auto excess = [&] {
+    const double h = duration / static_cast<double>(intervals);
+    return curvature * h * h / 8.0;
+  };
+  const auto sample = [&](std::int64_t index) {
+    const double value = magnitude(duration * (static_cast<double>(index) / static_cast<double>(intervals)));
+    lower = std::max(lower, value);
     return value;
+  };
+  const auto keep_if_promising = [&](const Segment& segment) {
+    if (std::max(segment.left, segment.right) + excess() > lower) segments.push_back(segment);
+  };
+  double left = sample(0);
+  for (std::int64_t i = 0; i < intervals; ++i) {
+    const double right = sample(i + 1);
+    keep_if_promising({i, left, right});
+    left = right;
   }
-
-  void halve() {
-    intervals_ *= 2;
-    const std::vector<Segment> parents = std::exchange(segments_, {});
-    for (const Segment& s : parents) {
-      const double middle = sample(2 * s.index + 1);
-      keep_if_promising({2 * s.index, s.left, middle});
-      keep_if_promising({2 * s.index + 1, middle, s.right});
+  while (excess() > relative_width * lower) {
+    if (segments.empty()) return {lower, lower};
+    intervals *= 2;
+    for (const Segment& parent : std::exchange(segments, {})) {
+      const double middle = sample(2 * parent.index + 1);
+      keep_if_promising({2 * parent.index, parent.left, middle});
+      keep_if_promising({2 * parent.index + 1, middle, parent.right});
     }
   }
-
-  Function magnitude_;
-  double duration_;
-  double curvature_;
-  std::int64_t intervals_;
-  double lower_ = 0.0;
-  std::vector<Segment> segments_;
-};
+  return {lower, lower + excess()};
+}
 
 }  // namespace
 
@@ -272,10 +248,10 @@ Bounds StickResponse::max_abs_friction_force_by_halving(double duration, double 
   const double curvature = curvature_bound(duration);
   // The first grid has a step of one over the mean frequency (root mean square, by amplitude).
   double magnitude = std::abs(force_.quasi_static);
-  const auto search = [&](double t) { return std::abs(evaluate(force_, t)); };
-  for (int i = 1; i <= 64; ++i) magnitude = std::max(magnitude, search(duration * i / 64.0));
+  const auto magnitude_at = [&](double t) { return std::abs(evaluate(force_, t)); };
+  for (int i = 1; i <= 64; ++i) magnitude = std::max(magnitude, magnitude_at(duration * i / 64.0));
   const std::int64_t intervals = interval_count(duration, std::sqrt(magnitude / curvature));
-  const Bounds per_unit = MaximumSearch(search, duration, curvature, intervals).refined_to(relative_width);
+  const Bounds per_unit = maximum_by_halving(magnitude_at, duration, curvature, intervals, relative_width);
   return {amplitude_ * per_unit.lower, amplitude_ * per_unit.upper};
 }
 
