@@ -23,7 +23,8 @@ namespace {
 constexpr int undamped_modes = 200, damped_modes = 40;
 constexpr std::size_t most_steps = std::size_t{1} << 26;
 
-void require_grid(const TimeGrid& grid) {
+void require_usable(const data::Damping& damping, const TimeGrid& grid) {
+  require_no_damping_ratio(damping);
   require_positive("time_step", grid.time_step);
   if (grid.steps < 1 || grid.steps > most_steps)
     throw data::FieldError("steps", static_cast<double>(grid.steps), "1 ... " + std::to_string(most_steps));
@@ -109,7 +110,7 @@ std::vector<double> damped_holding_force(const data::Beam& beam, const data::Har
 
 std::vector<double> holding_force(const data::Beam& beam, const data::HarmonicExcitation& excitation,
                                   const data::Damping& damping, const TimeGrid& grid) {
-  require_grid(grid);
+  require_usable(damping, grid);
   if (damping.kelvin_voigt() == 0.0) return undamped_holding_force(beam, excitation, grid);
   return damped_holding_force(beam, excitation, damping, grid);
 }
@@ -117,7 +118,7 @@ std::vector<double> holding_force(const data::Beam& beam, const data::HarmonicEx
 std::vector<double> held_displacement(const data::Beam& beam, const data::HarmonicExcitation& excitation,
                                       const data::Damping& damping, const TimeGrid& grid, double x,
                                       std::size_t every) {
-  require_grid(grid);
+  require_usable(damping, grid);
   std::vector<double> values;
   const auto sample = [&](const auto& displacement) {
     for (std::size_t n = 0; n <= grid.steps; n += every)

@@ -130,6 +130,12 @@ TEST(BeamBoundaryIntegral, RefusesTensionModalDampingAndNoSteps) {
   EXPECT_THROW(run(paper_beam(), data::Damping({.ratio = 0.01}), {1e-5, 10}), std::invalid_argument);
   EXPECT_THROW(run(paper_beam(), {}, {1e-5, 0}), std::invalid_argument);
   EXPECT_THROW(run(paper_beam(), {}, {0.0, 10}), std::invalid_argument);
+  const data::Damping modal({.ratio = 0.01});
+  EXPECT_THROW((void)analytic::holding_force(paper_beam(), excitation(25.0, 1e-3), modal, {1e-5, 10}),
+               data::FieldError);
+  EXPECT_THROW(
+      (void)analytic::held_displacement(paper_beam(), excitation(25.0, 1e-3), modal, {1e-5, 10}, 1.0, 1),
+      data::FieldError);
 }
 
 STICKSLIP_VERIFIES(ConvergedHistory, "D4");

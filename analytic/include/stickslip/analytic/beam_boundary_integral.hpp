@@ -18,13 +18,13 @@ struct TimeGrid {
 /// f_h: the friction force on the beam that holding its tip takes, from the quasi-static start, as its mean
 /// over each step, N. Undamped it is minus Eq. (28) with the exact steady part and 200 free vibrations
 /// (StickResponse), whose amplitudes fall as n^-4. With Kelvin-Voigt damping it is that of a BeamContactModel
-/// of 40 modes in the middle of the step. Throws what these throw, and std::invalid_argument unless time_step
-/// > 0 and steps is in 1 ... 2^26.
+/// of 40 modes in the middle of the step. Throws what these throw, and data::FieldError
+/// unless damping.ratio is 0, time_step > 0 and steps is in 1 ... 2^26.
 [[nodiscard]] std::vector<double> holding_force(const data::Beam& beam,
                                                 const data::HarmonicExcitation& excitation,
                                                 const data::Damping& damping, const TimeGrid& grid);
 
-/// y(x, t_n) of the beam with its tip held, m, at t_n = n every h <= h steps.
+/// y(x, t_n) of the beam with its tip held, m, at t_n = n every h <= h steps. Throws as holding_force().
 [[nodiscard]] std::vector<double> held_displacement(const data::Beam& beam,
                                                     const data::HarmonicExcitation& excitation,
                                                     const data::Damping& damping, const TimeGrid& grid,
