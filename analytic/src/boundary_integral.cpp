@@ -6,10 +6,9 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
-#include <stdexcept>
 #include <string>
-#include <utility>
 
 #include "arguments.hpp"
 #include "fourier_transform.hpp"
@@ -220,15 +219,21 @@ ContactStep ContactElement::spring_step(double free_velocity, double weight) {
   return result;
 }
 
-/// Sums within a block of the latest values are direct. When the blocks of values up to n fill 2^i blocks,
-/// their contribution to the next 2^i blocks is added by one transform of twice that length.
-class OnlineConvolution::Engine {
+namespace {
+
+/// sum_(j < n) W_(n-j) x_j for n = 0, 1, ... while the x_j become known one by one.
+///
+/// Sums within a block of the latest values are direct. When the blocks of values up to n fill 2^i blocks, their
+/// contribution to the next 2^i blocks is added by one transform of twice that length.
+class OnlineConvolution {
  public:
-  explicit Engine(std::vector<double> weights) : weights_(std::move(weights)), later_(weights_.size()) {
+  explicit OnlineConvolution(const std::vector<double>& weights)
+      : weights_(weights), later_(weights_.size()) {
     values_.reserve(weights_.size());
     for (std::size_t size = block; size < weights_.size(); size *= 2) levels_.emplace_back(weights_, size);
   }
 
+  /// The sum for the next n.
   [[nodiscard]] double history() const {
     const std::size_t n = values_.size();
     double sum = later_[n];
@@ -236,10 +241,8 @@ class OnlineConvolution::Engine {
     return sum;
   }
 
+  /// x_n, after which history() is that of n + 1.
   void append(double value) {
-    if (values_.size() == weights_.size())
-      throw std::logic_error("there are more values than the " + std::to_string(weights_.size()) +
-                             " weights");
     values_.push_back(value);
     const std::size_t n = values_.size();
     if (n % block != 0 || n >= weights_.size()) return;
@@ -280,17 +283,13 @@ class OnlineConvolution::Engine {
     }
   };
 
-  std::vector<double> weights_, values_;
+  const std::vector<double>& weights_;
+  std::vector<double> values_;
   std::vector<double> later_;  // what earlier blocks contribute to each sum
   std::vector<Level> levels_;
 };
 
-OnlineConvolution::OnlineConvolution(std::vector<double> weights)
-    : engine_(std::make_unique<Engine>(std::move(weights))) {}
-OnlineConvolution::~OnlineConvolution() = default;
-
-double OnlineConvolution::history() const { return engine_->history(); }
-void OnlineConvolution::append(double value) { engine_->append(value); }
+}  // namespace
 
 std::vector<double> convolution(const std::vector<double>& weights, const std::vector<double>& x) {
   FourierTransform kernel(std::bit_ceil(2 * x.size())), data(std::bit_ceil(2 * x.size()));
@@ -311,6 +310,9 @@ std::vector<double> convolution(const std::vector<double>& weights, const std::v
 
 std::vector<ContactStep> contact_steps(const std::vector<double>& weights, const ContactLaw& law,
                                        const std::vector<double>& holding_force) {
+  if (holding_force.size() > weights.size())
+    throw wrong_argument("the size of holding_force", static_cast<double>(holding_force.size()),
+                         "at most that of weights, " + std::to_string(weights.size()));
   const double first = weights.front();
   require_unique_step(law, first);
   ContactElement contact(law);

@@ -32,7 +32,6 @@
 #include <complex>
 #include <cstddef>
 #include <functional>
-#include <memory>
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
@@ -97,31 +96,14 @@ class ContactElement {
   double spring_force_{};  // k_t (z - x) at the beginning of the step, N
 };
 
-/// sum_(j < n) W_(n-j) x_j for n = 0, 1, ... while the x_j become known one by one, in O(N log^2 N)
-/// operations (Hairer, Lubich & Schlichte, SIAM J. Sci. Stat. Comput. 6, 532-541, 1985).
-class OnlineConvolution {
- public:
-  explicit OnlineConvolution(std::vector<double> weights);
-  ~OnlineConvolution();
-
-  /// The sum for the next n.
-  [[nodiscard]] double history() const;
-  /// x_n, after which history() is that of n + 1.
-  void append(double value);
-
- private:
-  class Engine;
-  std::unique_ptr<Engine> engine_;
-};
-
 /// sum_(j <= n) W_(n-j) x_j for every n < x.size(), by one Fourier transform. `weights` has at least that
 /// size.
 [[nodiscard]] std::vector<double> convolution(const std::vector<double>& weights,
                                               const std::vector<double>& x);
 
-/// The steps of a contact with mobility weights W, started at rest, under the holding forces f_h (means over
-/// the steps, N): one for each. Throws std::invalid_argument if there are more steps than weights, and what
-/// require_unique_step() throws.
+/// The steps of a contact with mobility weights W, started at rest, under the holding forces f_h (means over the steps,
+/// N): one for each, in O(N log^2 N) operations (Hairer, Lubich & Schlichte, SIAM J. Sci. Stat. Comput. 6, 532-541,
+/// 1985). Throws std::invalid_argument if there are more steps than weights, and what require_unique_step() throws.
 [[nodiscard]] std::vector<ContactStep> contact_steps(const std::vector<double>& weights,
                                                      const ContactLaw& law,
                                                      const std::vector<double>& holding_force);
