@@ -213,42 +213,6 @@ TEST(CertifiedRoots, FindsNoneWhereThereIsNone) {
   EXPECT_TRUE(isolate_roots(above_zero, -1, 3).empty());
 }
 
-/// Sign changes of `function` at `count` equal steps.
-int sign_changes(const std::function<double(double)>& function, double from, double to, int count) {
-  int changes = 0;
-  for (int i = 0; i < count; ++i)
-    changes +=
-        function(from + (to - from) * i / count) * function(from + (to - from) * (i + 1) / count) < 0.0;
-  return changes;
-}
-
-/// b and bb in doubles.
-std::pair<double, double> wave_numbers(double kappa, double z) {
-  const double s = std::hypot(0.5 * z, kappa);
-  return {std::sqrt(std::max(0.0, s - 0.5 * z)), std::sqrt(s + 0.5 * z)};
-}
-
-TEST(CertifiedRoots, AreThoseThatTenThousandSamplesBracket) {
-  for (const double z : {-40.0, -3.0, 0.0, 12.0, 19.0}) {
-    const auto stick = [z](double kappa) {
-      const auto [b, bb] = wave_numbers(kappa, z);
-      return b * std::sin(bb) - bb * std::cos(bb) * std::tanh(b);
-    };
-    const auto slip = [z](double kappa) {
-      const auto [b, bb] = wave_numbers(kappa, z);
-      return (z * z + 2 * kappa * kappa) / std::cosh(b) + 2 * kappa * kappa * std::cos(bb) +
-             z * kappa * std::tanh(b) * std::sin(bb);
-    };
-    const Beam beam = unit_beam(Rational(z));
-    for (const int count : {1, 2, 9, 10}) {
-      const double last_stick = certified::stick_modes(beam, count).back().angular_frequency.nearest_double();
-      const double last_slip = slip_frequencies(beam, count).back().angular_frequency.nearest_double();
-      EXPECT_EQ(sign_changes(stick, 1e-3, last_stick * (1.0 + 1e-6), 10000), count) << z;
-      EXPECT_EQ(sign_changes(slip, 1e-3, last_slip * (1.0 + 1e-6), 10000), count) << z;
-    }
-  }
-}
-
 // Stick modes.
 
 STICKSLIP_VERIFIES(CertifiedStickModes, "A8");
