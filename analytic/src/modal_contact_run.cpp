@@ -17,10 +17,13 @@ namespace {
 
 using Complex = std::complex<double>;
 
-void accelerate(const ContactDynamics& dynamics, const ContactKinematics& state, double s, double f,
-                std::vector<double>& accelerations) {
-  accelerations.back() =
-      dynamics.accelerate(view(state), s, f, std::span(accelerations).first(dynamics.modes()));
+// Accelerations at rest under the load factor s and the contact force f.
+std::vector<double> accelerations(const ContactDynamics& dynamics, double s, double f) {
+  const std::size_t m = dynamics.modes();
+  const std::vector<double> rest(2 * (m + 1));
+  std::vector<double> result(m + 1);
+  result[m] = dynamics.accelerate(view(rest.data(), m), s, f, std::span(result).first(m));
+  return result;
 }
 
 }  // namespace
@@ -60,11 +63,9 @@ ModalContactRun::ModalContactRun(const ContactModes& modes, const ContactModel& 
   const double h = time_step_ = angle / omega;
   constexpr double resolved = 2.0;
   const ContactDynamics dynamics(model);
-  const std::size_t m = model.modes(), half = m + 1;
-  const ContactKinematics rest{.amplitudes = std::vector<double>(m), .rates = std::vector<double>(m)};
-  std::vector<double> by_force(half), by_load(half);
-  accelerate(dynamics, rest, 0.0, 1.0, by_force);
-  accelerate(dynamics, rest, 1.0, 0.0, by_load);
+  const std::size_t half = model.modes() + 1;
+  const std::vector<double> by_force = accelerations(dynamics, 0.0, 1.0),
+                            by_load = accelerations(dynamics, 1.0, 0.0);
   for (std::size_t k = 0; k < modes.eigenvalue_.size(); ++k) {
     Complex force, load;  // g_k, b_k
     for (std::size_t n = 0; n < half; ++n) {
@@ -123,8 +124,7 @@ void ModalContactRun::set_friction() {
   if (!(weight_ > 0.0 && 0.5 * decay_ * falling_ * weight_ < 1.0))
     throw data::InputError(
         "numerics.time_step is too long: a step has one solution only if (mu_s - mu_m) alpha N W is below 2, "
-        "but "
-        "it is " +
+        "but it is " +
         data::shortest_text(decay_ * falling_ * weight_));
 }
 
@@ -136,14 +136,8 @@ void ModalContactRun::start_stuck() {
 }
 
 void ModalContactRun::start(const ContactKinematics& state) {
-  const std::size_t m = model_.modes(), half = m + 1;
-  std::vector<double> y(modes_->size_);
-  for (std::size_t n = 0; n < m; ++n) {
-    y[n] = modes_->scale_[n] * state.amplitudes[n];
-    y[half + n] = state.rates[n];
-  }
-  y[m] = modes_->scale_[m] * state.displacement;
-  y[half + m] = state.velocity;
+  std::vector<double> y = flat(state);
+  for (std::size_t n = 0; n < modes_->scale_.size(); ++n) y[n] *= modes_->scale_[n];
   for (Block& block : blocks_) block.amplitude = {};
   free_velocity_ = 0.0;
   for (std::size_t k = 0; k < modes_->eigenvalue_.size(); ++k) {
@@ -286,17 +280,12 @@ std::vector<Complex> ModalContactRun::amplitudes() const {
 }
 
 ContactKinematics ModalContactRun::state() const {
-  const std::size_t m = model_.modes(), half = m + 1;
   const std::vector<Complex> z = amplitudes();
   std::vector<double> y(modes_->size_);
   for (std::size_t k = 0; k < z.size(); ++k)
     for (std::size_t i = 0; i < y.size(); ++i) y[i] += (modes_->shape_[i * z.size() + k] * z[k]).real();
-  ContactKinematics state{.amplitudes = std::vector<double>(m), .rates = std::vector<double>(m)};
-  for (std::size_t n = 0; n < m; ++n) {
-    state.amplitudes[n] = y[n] / modes_->scale_[n];
-    state.rates[n] = y[half + n];
-  }
-  state.displacement = y[m] / modes_->scale_[m];
+  for (std::size_t n = 0; n < modes_->scale_.size(); ++n) y[n] /= modes_->scale_[n];
+  ContactKinematics state = copy(view(y.data(), model_.modes()));
   state.velocity = sliding_velocity_ + model_.wall_amplitude * model_.load_angular_frequency *
                                            cosine_[phase_];  // in stick exactly that of the wall
   return state;

@@ -368,16 +368,6 @@ PeriodicSearch forced_motion(const ContactModel& model, int periods, int settle)
   return {Shooting(model, start, periods * period, false).run(), NoMotion::unsettled};
 }
 
-namespace {
-
-// The upward crossings of u_c_t = 0 in a run that goes on, each with the sample behind it.
-struct Crossing {
-  double time{};
-  ContactStart after;
-};
-
-}  // namespace
-
 PeriodicSearch self_excited_motion(const ContactModel& model, double settle, double sample) {
   if (model.wall_speed == 0.0) throw wrong_argument("wall_speed", 0.0, "other than 0 (m/s)");
   if (model.wall_amplitude != 0.0 || std::ranges::any_of(model.load, [](double load) { return load != 0.0; }))
@@ -386,6 +376,11 @@ PeriodicSearch self_excited_motion(const ContactModel& model, double settle, dou
   run.start_stuck({}, {});
   run.advance_to(settle);
   constexpr std::size_t most_cycles = 12;
+  // Of u_c_t through 0 in the direction of the wall, each with the sample behind it.
+  struct Crossing {
+    double time{};
+    ContactStart after;
+  };
   std::vector<Crossing> crossings;
   const double from = run.time();
   double before = run.contact_velocity(), largest = 0.0;
@@ -399,11 +394,7 @@ PeriodicSearch self_excited_motion(const ContactModel& model, double settle, dou
     }
     before = velocity;
   }
-  if (crossings.size() < 2)
-    return {{},
-            run.state() == ContactPhase::stick            ? NoMotion::sticks
-            : largest < 1e-2 * std::abs(model.wall_speed) ? NoMotion::steady
-                                                          : NoMotion::unsettled};
+  if (crossings.size() < 2 && run.state() == ContactPhase::stick) return {{}, NoMotion::sticks};
   if (largest < 1e-2 * std::abs(model.wall_speed)) return {{}, NoMotion::steady};
   for (std::size_t cycles = 1; cycles < crossings.size(); ++cycles) {
     const ContactStart& start = crossings.front().after;
