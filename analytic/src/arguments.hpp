@@ -10,7 +10,7 @@
 
 namespace stickslip::analytic {
 
-/// A mistake of the caller, which no input of a user can cause, in the words of data::FieldError.
+/// A mistake in the program, not in the input of a user, with the message of data::FieldError.
 [[nodiscard]] inline std::invalid_argument wrong_argument(std::string_view name, double value,
                                                           std::string_view allowed) {
   return std::invalid_argument(data::FieldError(name, value, allowed).what());

@@ -7,14 +7,14 @@
 ///
 ///     f(t) = EI S'''(L) sin(Omega t) + sum_n c_n phi_n(t),       0 <= t <= T.
 ///
-/// At each t this is smooth in Omega, so that between two frequencies a distance h apart |f_max| exceeds the
-/// larger of its values there by at most h^2/8 max |d^2 f/dOmega^2|. Over a <= Omega <= b a mode at least D
-/// away from them counts in that maximum with the amplitudes of its two sinusoids,
+/// At each t this is smooth in Omega. Between two frequencies a distance h apart |f_max| therefore exceeds the larger of
+/// its values there by at most h^2/8 max |d^2 f/dOmega^2|. A mode whose frequency is outside a ... b by at least D counts
+/// in that maximum with the amplitudes of its two sinusoids,
 ///
 ///     phi_n = p sin(Omega t) - q sin(omega_n t),  p = Omega^2/(Omega^2 - omega_n^2),  q = p Omega/omega_n,
 ///
-/// whose derivatives are bounded with |Omega^2 - omega_n^2| >= D (a + omega_n); a mode in or close to the
-/// interval, by g_n = -(1/omega_n) int_0^t sin(omega_n (t - s)) sin(Omega s) ds, with
+/// whose derivatives are bounded with |Omega^2 - omega_n^2| >= D (a + omega_n). A mode in or close to the interval
+/// counts with g_n = -(1/omega_n) int_0^t sin(omega_n (t - s)) sin(Omega s) ds, that is with
 ///
 ///     |phi_n''| <= (2 T + 2 b T^2 + b^2 T^3/3)/omega_n.
 ///
@@ -37,7 +37,7 @@ struct FrequencyBand {
   double to_hz{};
 };
 
-/// The search for that largest force, which can be taken up again for narrower bounds.
+/// The search for that largest force. Each call continues it.
 class BandMaximum {
  public:
   /// Throws what stick_modes() throws, and std::invalid_argument unless 0 < from_hz <= to_hz and
@@ -52,8 +52,9 @@ class BandMaximum {
   [[nodiscard]] Bounds refined_to(double relative_width);
   [[nodiscard]] Bounds refined_against(double limit, double relative_width);
 
-  /// Whether the largest |f_max| per unit amplitude exceeds the limit, N/m; what is undecided within 1e-4 of it does.
-  /// At the cost of deciding it: mostly from between() alone or from the ends of the band and its natural frequencies.
+  /// Whether the largest |f_max| per unit amplitude exceeds the limit, N/m. A maximum that is within 1e-4 of the limit
+  /// and undecided counts as above. Fast: mostly between() decides alone, or the forces at the ends of the band and at
+  /// its natural frequencies.
   [[nodiscard]] bool exceeds(double limit);
 
   /// Where the lower bound is attained, Hz.

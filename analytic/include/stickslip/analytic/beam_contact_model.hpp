@@ -24,15 +24,13 @@ namespace stickslip::analytic {
 /// Kelvin-Voigt damping is eta times the bending stiffness, K + P int u' u' dx. Modal damping gives the
 /// fraction zeta of critical to every mode of the same space with its tip free and P = 0.
 ///
-/// Truncation. In slip, u minus its share of sigma has a bounded fourth derivative at the tip, so that its
-/// coefficients fall as n^-5; those of the adjoint problem, whose curvature at the tip is -P/EI, fall as n^-3
-/// in proportion to P. The slip frequencies then converge as P N^-3 + N^-5, and so does the motion of the tip
-/// while friction is smooth, or with damping. Undamped stick-slip is another matter: the mass m that N of
-/// these modes oppose to an impulse at the tip falls as 1/N, and the rate that bounds the growth of a
-/// disturbance is at least (mu_s - mu_m) alpha P/m. Nothing is claimed of their limit there;
-/// boundary_integral.hpp has the beam's. In stick sigma carries the static part of the reaction: its terms at
-/// Omega alternate and fall as P n^-4 + n^-6 (those of Eq. (28) as n^-2), the free vibrations of the start as
-/// n^-4, N^-3 in sum.
+/// Truncation in slip. The coefficients of u fall as n^-5, and those of the adjoint problem as P n^-3. The slip
+/// frequencies converge as P N^-3 + N^-5, and so does the motion of the tip if friction is smooth or the beam is damped.
+/// Undamped stick-slip need not converge: the mass m that N modes oppose to an impulse at the tip falls as 1/N, and a
+/// disturbance grows at a rate of at least (mu_s - mu_m) alpha P/m. Use boundary_integral.hpp there.
+///
+/// Truncation in stick. sigma carries the static part of the reaction. Its terms at Omega alternate and fall as
+/// P n^-4 + n^-6 (those of Eq. (28) as n^-2), the free vibrations of the start as n^-4, which is N^-3 in sum.
 class BeamContactModel {
  public:
   /// Throws data::FieldError, naming beam.axial_force, unless 0 < P < P_cr, and what stick_modes()

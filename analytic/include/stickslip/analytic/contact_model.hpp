@@ -8,9 +8,8 @@
 ///
 ///     u = sigma u_c + sum_n U_n T_n,
 ///
-/// sigma the deflection of the unloaded structure at u_c = 1. (Craig & Bampton, AIAA J. 6, 1313-1319, 1968.)
-/// A statement holds for stick and slip alike, no coordinate changes its meaning at a transition, and nothing
-/// has to be projected:
+/// with sigma the deflection of the unloaded structure at u_c = 1. (Craig & Bampton, AIAA J. 6, 1313-1319, 1968.)
+/// The same coordinates and equations serve stick and slip:
 ///
 ///     T_n_tt + a_n u_c_tt + (C x_t)_n + omega_n^2 T_n                          = b_n s(t)
 ///     a . T_tt + m_c u_c_tt + (C x_t)_c + k_c u_c + (l . T + l_c u_c)          = b_c s(t) + F_c + f_d

@@ -29,9 +29,9 @@ struct Criterion {
 /// contact, at the buckling load no stick state.
 void require_contact(const data::Beam& beam);
 
-/// Evaluates the criterion. The reaction is proportional to A0, so one evaluation gives the critical
-/// amplitude whatever excitation.amplitude() is, zero included. Damping: largest_unit_force() in
-/// damped_reaction.hpp. Throws what require_contact() and that throw.
+/// Evaluates the criterion with largest_unit_force() of damped_reaction.hpp. The reaction is proportional to A0, so that
+/// the critical amplitude follows for any excitation.amplitude(), zero included. Throws what require_contact() and
+/// largest_unit_force() throw.
 [[nodiscard]] Criterion evaluate_criterion(const data::Beam& beam, const data::FrictionLaw& friction,
                                            const data::HarmonicExcitation& excitation, double duration,
                                            int modes = 10, SteadyPart steady_part = SteadyPart::modal_sum,

@@ -38,11 +38,10 @@ struct DampedReaction {
   std::vector<Share> shares;
 };
 
-/// With SteadyPart::modal_sum the undamped limit is ModalReaction, Eq. (28), with as many modes. With
-/// SteadyPart::exact the inertia of the other modes counts statically, so that the terms at Omega fall as P n^-4 +
-/// n^-6. Throws what BeamContactModel and
-/// StickPropagator throw. Next to critical damping of a mode two terms of up to 1e8 times the force cancel, and
-/// DampedForce::rounding() says so.
+/// With SteadyPart::modal_sum the undamped limit is ModalReaction, Eq. (28), with as many modes. With SteadyPart::exact
+/// the inertia of the other modes counts statically, so that the terms at Omega fall as P n^-4 + n^-6. Throws what
+/// BeamContactModel and StickPropagator throw. Next to critical damping of a mode two terms of up to 1e8 times the force
+/// cancel; DampedForce::rounding() includes that.
 [[nodiscard]] DampedReaction damped_reaction(const data::Beam& beam, const data::Damping& damping, int modes,
                                              SteadyPart steady_part = SteadyPart::modal_sum);
 

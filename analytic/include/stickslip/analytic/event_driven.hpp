@@ -8,15 +8,17 @@
 /// an error per step of `tolerance`, friction on its analytic branch v_s > 0 or v_s < 0 alone, so that
 /// nothing discontinuous is integrated over.
 ///
-/// Why no event is missed. Stick: f_d is a sum of exponentials with known amplitudes, so that |f_d_tt| has a
-/// bound B on every interval of length h, and |f_d| <= max(|f_d(t)|, |f_d(t + h)|) + B h^2/8 in between. An
-/// interval is passed only if that is below mu_s N, and halved otherwise, until f_d is monotonic in it or h
-/// is at round-off. Slip: over an accepted step the sliding velocity, its rate and the rate of that are known
-/// at both ends; the quintic through them differs from v_s by at most h^6/46080 max|v_s^(6)|. That derivative
-/// is measured: the quintic across two consecutive steps against the value between them, times a safety of 4.
-/// A step is passed only if the Bernstein coefficients of its quintic exceed that error, and halved
-/// otherwise; the halved error is 64 times smaller. Every event is then polished by Brent's method on the
-/// exact exponentials, or on the integrator itself restarted from the beginning of the step.
+/// Why no event is missed in stick: f_d is a sum of exponentials with known amplitudes. So |f_d_tt| has a bound B on
+/// every interval of length h, and |f_d| <= max(|f_d(t)|, |f_d(t + h)|) + B h^2/8 in between. An interval is passed only
+/// if that is below mu_s N. Otherwise it is halved, until f_d is monotonic in it or h is at round-off.
+///
+/// In slip: the sliding velocity and its first two rates are known at both ends of a step. The quintic through them
+/// differs from v_s by at most h^6/46080 max|v_s^(6)|. That derivative is measured, with a safety factor of 4, by the
+/// quintic across two consecutive steps and the value between them. A step is passed only if the Bernstein coefficients
+/// of its quintic exceed that error. Otherwise it is halved, which divides the error by 64.
+///
+/// Every event is polished by Brent's method, on the exact exponentials or on the integrator restarted from the beginning
+/// of the step.
 
 #include <memory>
 #include <vector>

@@ -13,11 +13,10 @@
 ///     |f| <= max |f_k(t_c) + f_k'(t_c) s + f_k''(t_c) s^2/2| + D_k r^3/6 + R_k,   |s| <= r       (parabola)
 ///     |f| <= |f(t)| + f'(t)^2/(2 m)       where f has one sign, is concave away from zero, m <= |f''| (peak)
 ///
-/// The amplitudes of the free vibrations fall as n^-4 while each has the same share in f'': a coarse division
-/// needs few terms, and the rest counts with its amplitude. A grid with the chord bound drops most of the
-/// time, with the terms and the step that make it cheapest; what is left is halved under the parabola bound,
-/// with more terms as it gets narrower, until the peak bound closes a piece after two or three steps of
-/// Newton's method.
+/// The amplitudes of the free vibrations fall as n^-4, while their shares in f'' do not fall. So a coarse division needs
+/// few terms, and the rest counts with its amplitude. A grid with the chord bound drops most of the time; its step and
+/// number of terms are the cheapest. The other pieces are halved under the parabola bound, with more terms as they get
+/// narrower, until the peak bound closes a piece after two or three steps of Newton's method.
 
 #include <cstddef>
 #include <vector>
@@ -40,8 +39,7 @@ class ForceMaximum {
   /// points.
   [[nodiscard]] Bounds refined_to(double relative_width = 1e-10) const;
 
-  /// Whether max |f|/A0 exceeds the limit, N/m: what refined_to(1e-10).lower > limit says, at the cost of
-  /// deciding it.
+  /// Whether max |f|/A0 exceeds the limit, N/m: refined_to(1e-10).lower > limit, without more bounds than that takes.
   [[nodiscard]] bool exceeds(double limit) const;
 
   /// f(t)/A0, N/m.

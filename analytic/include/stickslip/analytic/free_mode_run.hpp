@@ -7,9 +7,8 @@
 ///
 ///     q_k_tt + omega_k^2 q_k = g_k (f_d - f_h),        v_s = sum_k q_k_t,
 ///
-/// with f_h the holding force. The sliding velocity of a step is its mean, [sum_k q_k(t + h) - sum_k
-/// q_k(t)]/h, so that h v f_d is the exact work of friction, and what the highest modes would add in between
-/// does not count.
+/// with f_h the holding force. The sliding velocity v of a step is its mean, [sum_k q_k(t + h) - sum_k q_k(t)]/h, so that
+/// h v f_d is the exact work of friction.
 
 #include <vector>
 

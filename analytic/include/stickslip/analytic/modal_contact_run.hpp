@@ -14,15 +14,13 @@
 ///
 ///     stick:  v_1 = 0,   |f_d| <= mu_s N        slip:  f_d = -sgn(v_1) N mu(|v_0 + v_1|/2).
 ///
-/// A contact that slips goes on in its direction if that has a solution. Else its velocity passes zero in the step: it turns
-/// round if |p - v_0| > W mu_s N, with the force of either direction for its share of the step, and is caught
-/// otherwise. The mean of the two velocities in the law makes slip of second order in h. A contact that is caught
-/// ends its step at rest, wherever in the step it came to rest, which costs a displacement of order h^2: so
-/// changes of contact are not located, and the motion is of second order nevertheless.
+/// A contact that slips goes on in its direction if that has a solution. Else its velocity passes zero in the step. Then
+/// it turns round if |p - v_0| > W mu_s N, with the force of each direction for its share of the step, and otherwise it
+/// sticks. The mean of the two velocities in the law makes slip of second order in h. Changes of contact are not located:
+/// a contact that is caught is at rest at the end of the step, which costs a displacement of order h^2 only.
 ///
-/// Friction takes the work -h f_d (v_0 + v_1)/2 in a step, and stays passive, only while |lambda_k| h < pi. A mode
-/// with |lambda_k| h > 2 is one that the step does not resolve: the trapezoidal rule propagates it, which is passive at
-/// any step.
+/// Friction takes the work -h f_d (v_0 + v_1)/2 in a step, and stays passive, only while |lambda_k| h < pi. Modes with
+/// |lambda_k| h > 2 are propagated by the trapezoidal rule, which is passive at any step.
 
 #include <array>
 #include <complex>
@@ -77,9 +75,8 @@ class ModalContactRun {
   [[nodiscard]] double time() const noexcept { return static_cast<double>(steps_) * time_step_; }
   [[nodiscard]] bool slips() const noexcept { return slips_; }                          ///< in the last step
   [[nodiscard]] double sliding_velocity() const noexcept { return sliding_velocity_; }  ///< v_s, m/s
-  [[nodiscard]] double friction_force() const noexcept {
-    return friction_force_;
-  }                                               ///< f_d of the last step, N
+  /// f_d of the last step, N.
+  [[nodiscard]] double friction_force() const noexcept { return friction_force_; }
   [[nodiscard]] double contact_position() const;  ///< u_c - w, m
   [[nodiscard]] ContactKinematics state() const;
   /// z_k, m/s.
@@ -105,8 +102,9 @@ class ModalContactRun {
     std::array<double, lanes> real{}, imaginary{};
   };
   struct Block {
-    Part turn, input,
-        amplitude;  // exp(lambda h), what a unit of force adds in a step, z_k without its steady part
+    Part turn;       // exp(lambda h)
+    Part input;      // what a unit of force adds in a step
+    Part amplitude;  // z_k without its steady part
   };
   // The part of the load in z_k as sine sin(Omega t) + cosine cos(Omega t): the steady vibration of a mode
   // or, next to resonance, what a step from t adds.

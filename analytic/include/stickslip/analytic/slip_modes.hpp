@@ -39,7 +39,7 @@ class SlipMode {
   [[nodiscard]] double trigonometric_wave_number() const noexcept;
   [[nodiscard]] double angular_frequency() const noexcept { return angular_frequency_; }  ///< rad/s
   [[nodiscard]] double frequency_hz() const noexcept;
-  /// psi(x), scaled to 1 at x = L; written with decaying exponentials only.
+  /// psi(x), scaled to 1 at x = L.
   [[nodiscard]] double shape(double x) const { return value(direct_, x); }
   [[nodiscard]] double curvature(double x) const;  ///< psi''(x), 1/m^2
   /// psi*(x), scaled to 1 at x = L: the mode of the adjoint problem, which has the same frequency, with psi*
@@ -67,12 +67,11 @@ class SlipMode {
   double angular_frequency_{};
 };
 
-/// The first `count` slip modes, ascending. Modes 2m-1 and 2m lie in (2m-2) pi < bb < 2m pi, at whose ends
-/// the characteristic function is positive; between them its minimum is located and each root is bracketed
-/// alone. Precondition 1 <= count <= 1000 (data::FieldError). Throws data::FieldError, naming
-/// beam.axial_force, its value and what is allowed, unless -1e5 EI/L^2 <= P < slip_critical_load(): in
+/// The first `count` slip modes, ascending. Modes 2m-1 and 2m lie in (2m-2) pi < bb < 2m pi. The characteristic function
+/// is positive at both ends of this interval, and its minimum separates the two roots. Throws data::FieldError, naming
+/// numerics.modes unless 1 <= count <= 1000, and beam.axial_force unless -1e5 EI/L^2 <= P < slip_critical_load(). In
 /// tension and at chi = 0 the first frequency falls as exp(-sqrt(-P L^2/EI)/2), because a follower force does not
-/// straighten the beam, and below the lower end it cannot be represented.
+/// straighten the beam: below the lower end no double represents it.
 [[nodiscard]] std::vector<SlipMode> slip_modes(const data::Beam& beam, int count);
 
 }  // namespace stickslip::analytic

@@ -12,10 +12,9 @@
 ///
 ///     U(x) = sinh(b eta)/sinh(b) - sin(bb eta)/sin(bb),        tan(bb)/bb = tanh(b)/b
 ///
-/// (Eqs. 22 and 23 rearranged). U vanishes with its curvature at x = L and with its value at x = 0 by
-/// construction; U'(0) = 0 is the characteristic equation. U''(0) = beta^2 + betabar^2, the paper's scale. No
-/// exponential grows with the mode number. Shear: timoshenko_modes.hpp; what is declared here refuses it, but for the
-/// buckling load.
+/// (Eqs. 22 and 23 rearranged). U(L) = U''(L) = U(0) = 0 hold by construction; U'(0) = 0 is the characteristic equation.
+/// U''(0) = beta^2 + betabar^2 is the scale of the paper. No exponential grows with the mode number. All functions but
+/// the buckling load refuse a beam with shear, for which there is timoshenko_modes.hpp.
 ///
 /// The n-th root lies in n pi < bb < (n + 1/2) pi, and it is the only one there: tan(bb)/bb rises from 0 to
 /// infinity, while tanh(b)/b, with b^2 = bb^2 - p L^2, falls. In compression the bracket starts at b = 0 when
@@ -110,9 +109,8 @@ class StickMode {
   double angular_frequency_{};
 };
 
-/// The first `count` modes, ascending. Each root is bracketed alone and polished until the step is below
-/// round-off. Precondition 1 <= count <= 1000 (data::FieldError). Throws data::FieldError, naming
-/// beam.axial_force, its value and the buckling load, if P >= P_cr.
+/// The first `count` modes, ascending. Each root is bracketed alone and polished until the step is below round-off.
+/// Throws data::FieldError, naming numerics.modes unless 1 <= count <= 1000, and beam.axial_force if P >= P_cr.
 [[nodiscard]] std::vector<StickMode> stick_modes(const data::Beam& beam, int count);
 
 }  // namespace stickslip::analytic
