@@ -64,7 +64,7 @@ class SlipIntegrator {
   void accelerate(const double* y, double s, double f, std::span<double> result) const;
   [[nodiscard]] Powers works_of(const std::vector<double>& y) const;
   void measure(Node& node) const;
-  /// One Runge-Kutta step from `begin_`; leaves the error estimate in error_. False if not finite.
+  /// One Runge-Kutta step; leaves the error estimate in error_. False if not finite.
   [[nodiscard]] bool take(const Node& from, double length, Node& to);
   [[nodiscard]] double interpolation_error(const Node& next) const;
   [[nodiscard]] Passage passage(const Node& next, double& low, double& high) const;

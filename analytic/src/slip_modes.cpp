@@ -135,10 +135,6 @@ SlipMode::Weights SlipMode::clamped(double left, double right) const {
   return weights;
 }
 
-double SlipMode::hyperbolic_wave_number() const noexcept { return b_ / length_; }
-
-double SlipMode::trigonometric_wave_number() const noexcept { return bb_ / length_; }
-
 double SlipMode::frequency_hz() const noexcept { return angular_frequency_ / (2.0 * pi); }
 
 double SlipMode::value(const Weights& weights, double x) const {

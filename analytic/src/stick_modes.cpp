@@ -152,10 +152,6 @@ StickMode::StickMode(const data::Beam& beam, int number, double b, double bb)
   sin_bb_ = tangent * cos_bb_;
 }
 
-double StickMode::hyperbolic_wave_number() const noexcept { return b_ / length_; }
-
-double StickMode::trigonometric_wave_number() const noexcept { return bb_ / length_; }
-
 double StickMode::frequency_hz() const noexcept { return angular_frequency_ / (2.0 * pi); }
 
 double StickMode::shape(double x) const {

@@ -204,20 +204,6 @@ double StickResponse::absolute_displacement(double x, double t) const {
   return base_displacement(t) + relative_displacement(x, t);
 }
 
-double StickResponse::friction_force(double t) const { return amplitude_ * evaluate(force_, t); }
-
-double StickResponse::steady_force_amplitude() const { return steady_amplitude(force_); }
-
-std::vector<Sinusoid> StickResponse::transient_force() const { return transient(force_); }
-
-double StickResponse::steady_displacement_amplitude(double x) const {
-  return steady_amplitude(displacement(x));
-}
-
-std::vector<Sinusoid> StickResponse::transient_displacement(double x) const {
-  return transient(displacement(x));
-}
-
 /// max |f''|/A0 over 0 <= t <= duration. A mode counts with the smaller of two bounds: with its two sinusoids apart,
 /// the one at Omega joined with those of the other modes, or with both as one g_n.
 double StickResponse::curvature_bound(double duration) const {

@@ -9,7 +9,6 @@ struct Bounds {
   double upper{};
 
   [[nodiscard]] constexpr double midpoint() const noexcept { return lower + 0.5 * (upper - lower); }
-  [[nodiscard]] constexpr double half_width() const noexcept { return 0.5 * (upper - lower); }
 };
 
 }  // namespace stickslip::analytic

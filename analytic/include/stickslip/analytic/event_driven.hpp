@@ -84,7 +84,7 @@ class EventDriven {
 
   /// Runs to time t, which must be finite and not before time(). The history does not depend on the times
   /// asked for, but for the rounding of the polished events. Throws std::runtime_error, saying when, if the
-  /// state is no longer finite or if 10000 events fall within 1e-9 of the period of the load.
+  /// state is no longer finite or if 10000 events fall within 1e-9/Omega.
   void advance_to(double t);
 
   [[nodiscard]] double time() const { return time_; }

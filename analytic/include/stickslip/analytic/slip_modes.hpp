@@ -35,9 +35,9 @@ namespace stickslip::analytic {
 class SlipMode {
  public:
   [[nodiscard]] int number() const noexcept { return number_; }
-  [[nodiscard]] double hyperbolic_wave_number() const noexcept;
-  [[nodiscard]] double trigonometric_wave_number() const noexcept;
-  [[nodiscard]] double angular_frequency() const noexcept { return angular_frequency_; }  ///< rad/s
+  [[nodiscard]] double hyperbolic_wave_number() const noexcept { return b_ / length_; }      ///< beta, 1/m
+  [[nodiscard]] double trigonometric_wave_number() const noexcept { return bb_ / length_; }  ///< betabar, 1/m
+  [[nodiscard]] double angular_frequency() const noexcept { return angular_frequency_; }     ///< rad/s
   [[nodiscard]] double frequency_hz() const noexcept;
   /// psi(x), scaled to 1 at x = L.
   [[nodiscard]] double shape(double x) const { return value(direct_, x); }

@@ -66,9 +66,9 @@ class QuasiStaticShape {
 /// One clamped-pinned mode.
 class StickMode {
  public:
-  [[nodiscard]] int number() const noexcept { return number_; }     ///< n = 1, 2, ...
-  [[nodiscard]] double hyperbolic_wave_number() const noexcept;     ///< beta, 1/m
-  [[nodiscard]] double trigonometric_wave_number() const noexcept;  ///< betabar, 1/m
+  [[nodiscard]] int number() const noexcept { return number_; }                          ///< n = 1, 2, ...
+  [[nodiscard]] double hyperbolic_wave_number() const noexcept { return b_ / length_; }  ///< beta, 1/m
+  [[nodiscard]] double trigonometric_wave_number() const noexcept { return bb_ / length_; }  ///< betabar, 1/m
   /// omega = sqrt(EI/(rho A)) beta betabar, rad/s. Relative error: a few eps times condition_number().
   [[nodiscard]] double angular_frequency() const noexcept { return angular_frequency_; }
   [[nodiscard]] double frequency_hz() const noexcept;  ///< omega / (2 pi)

@@ -3,7 +3,6 @@
 
 #include <complex>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "stickslip/analytic/contact_dynamics.hpp"

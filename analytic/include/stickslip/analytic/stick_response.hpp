@@ -56,17 +56,22 @@ class StickResponse {
   [[nodiscard]] double base_displacement(double t) const;                ///< h(t), m
   [[nodiscard]] double relative_displacement(double x, double t) const;  ///< u(x,t), m; 0 <= x <= L, t >= 0
   [[nodiscard]] double absolute_displacement(double x, double t) const;  ///< y = h + u, m
-  [[nodiscard]] double friction_force(double t) const;                   ///< f(t), N, sign of Eq. (28)
+  /// f(t), N, sign of Eq. (28).
+  [[nodiscard]] double friction_force(double t) const { return amplitude_ * evaluate(force_, t); }
 
   /// Amplitude of the part of f at Omega, N: A0 [r(S) + sum r(U_n) Omega^2 C_n/(Omega^2 - omega_n^2)] with
   /// r(U) = EI U'''(L) + chi P U'(L), or its exact limit. Infinite where Omega equals a natural frequency, unless A0 = 0.
-  [[nodiscard]] double steady_force_amplitude() const;
+  [[nodiscard]] double steady_force_amplitude() const { return steady_amplitude(force_); }
   /// The free vibrations in f, one per mode: -A0 r(U_n) Omega^3 C_n / ((Omega^2 - omega_n^2) omega_n)
   /// at omega_n. Their amplitudes fall as n^-4.
-  [[nodiscard]] std::vector<Sinusoid> transient_force() const;
+  [[nodiscard]] std::vector<Sinusoid> transient_force() const { return transient(force_); }
   /// As steady_force_amplitude and transient_force, for u(x, .).
-  [[nodiscard]] double steady_displacement_amplitude(double x) const;
-  [[nodiscard]] std::vector<Sinusoid> transient_displacement(double x) const;
+  [[nodiscard]] double steady_displacement_amplitude(double x) const {
+    return steady_amplitude(displacement(x));
+  }
+  [[nodiscard]] std::vector<Sinusoid> transient_displacement(double x) const {
+    return transient(displacement(x));
+  }
 
   /// f/A0.
   [[nodiscard]] const ModalReaction& reaction() const noexcept { return force_; }
@@ -75,12 +80,12 @@ class StickResponse {
   /// frequencies and amplitudes: ForceMaximum of reaction(), times A0. Throws what that throws.
   [[nodiscard]] Bounds max_abs_friction_force(double duration, double relative_width = 1e-10) const;
 
-  /// The same the plain way, without the rounding of f in the bounds.
+  /// The same by plain halving, without the rounding of f in the bounds. It is slower, and checks the other.
   ///
-  /// On an interval of length h the maximum exceeds the larger end value by at most (h^2/8) max|f''|, and
-  /// max|f''| <= sum |a_i| w_i^2; a mode in resonance, whose two amplitudes are large and opposite, counts
-  /// instead with |g_n''| <= Omega (Omega t + 1)/(Omega + omega_n). Intervals whose bound does not exceed the
-  /// best value found are dropped, the others are halved, until upper - lower <= relative_width * lower.
+  /// On an interval of length h the maximum exceeds the larger end value by at most (h^2/8) max|f''|. Of max|f''| a mode
+  /// has |a_i| w_i^2 or, in resonance, where its two amplitudes are large and opposite, |g_n''| <= Omega (Omega t + 1)/
+  /// (Omega + omega_n). Intervals whose bound does not exceed the best value found are dropped, the others are halved,
+  /// until upper - lower <= relative_width * lower.
   /// Throws std::invalid_argument unless duration > 0 (excitation.duration) and 1e-13 <= relative_width < 1, or
   /// if the first division already needs more than 1e9 intervals.
   [[nodiscard]] Bounds max_abs_friction_force_by_halving(double duration,
