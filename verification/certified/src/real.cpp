@@ -285,12 +285,14 @@ Enclosure enclosure(const Real& x, int digits) {
   if (!x.is_finite()) throw std::invalid_argument("A number is not finite; it cannot be printed.");
   const std::unique_ptr<char, void (*)(void*)> printed(arb_get_str(x.data(), digits, ARB_STR_MORE),
                                                        flint_free);
-  const std::string text(printed.get());  // "[1.25 +/- 3.1e-4]", or "1.25" if the decimals are exact
-  constexpr std::string_view kBetween = " +/- ";
+  // "[1.25 +/- 3.1e-4]", "1.25" if the decimals are exact, or "[+/- 3.1e-4]" if the midpoint is 0.
+  const std::string text(printed.get());
+  constexpr std::string_view kBetween = "+/- ";
   const std::size_t between = text.find(kBetween);
   if (between == std::string::npos) return {text, "0", x.nearest_double()};
   const std::size_t radius = between + kBetween.size();
-  return {text.substr(1, between - 1), text.substr(radius, text.size() - radius - 1), x.nearest_double()};
+  return {between == 1 ? "0" : text.substr(1, between - 2), text.substr(radius, text.size() - radius - 1),
+          x.nearest_double()};
 }
 
 double distance_in_ulps(double computed, const Real& exact) {

@@ -143,8 +143,9 @@ TEST(CertifiedReal, NestsUnderRefinement) {
 }
 
 TEST(CertifiedReal, PrintsADecimalBallAroundTheBall) {
-  for (const Real& x : {pi(), -exp(Real(100)) / 3, Real(Rational("1e-40/7")),
-                        hull(Real(1), Real(Rational("1.001"))), Real(0.5), Real(0), hull(-1, 2)}) {
+  for (const Real& x :
+       {pi(), -exp(Real(100)) / 3, Real(Rational("1e-40/7")), hull(Real(1), Real(Rational("1.001"))),
+        Real(0.5), Real(0), hull(-1, 2), hull(-1, 1)}) {
     const Enclosure printed = enclosure(x);
     const Real value = decimal(printed.value), radius = decimal(printed.radius);
     EXPECT_TRUE(value - radius <= x.lower() && x.upper() <= value + radius)
