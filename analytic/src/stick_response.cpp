@@ -126,10 +126,7 @@ Bounds maximum_by_halving(const Magnitude& magnitude, double duration, double cu
 
 StickResponse::StickResponse(const data::Beam& beam, const data::HarmonicExcitation& excitation, int modes,
                              SteadyPart steady_part)
-    : length_(beam.length()),
-      bending_stiffness_(analytic::bending_stiffness(beam)),
-      mass_per_length_(analytic::mass_per_length(beam)),
-      load_factor_(axial_load_factor(beam)),
+    : beam_(beam),
       amplitude_(excitation.amplitude()),
       omega_(2.0 * pi * excitation.frequency_hz()),
       steady_part_(steady_part),
@@ -144,10 +141,11 @@ StickResponse::StickResponse(const data::Beam& beam, const data::HarmonicExcitat
   force_.quasi_static = tip_reaction(beam, quasi_static_);
   for (const StickMode& mode : modes_)
     force_.modes.push_back({mode.angular_frequency(), tip_reaction(beam, mode) * mode.participation()});
-  complete(force_, [&, this](const SteadyShape& steady) {
+  const double length = beam.length();
+  complete(force_, [&](const SteadyShape& steady) {
     const Complex shear =
-        bending_stiffness_ * steady.third_derivative_at_tip() / (length_ * length_ * length_);
-    return tip_reaction(beam, shear, steady.slope_at_tip() / length_);
+        bending_stiffness(beam) * steady.third_derivative_at_tip() / (length * length * length);
+    return tip_reaction(beam, shear, steady.slope_at_tip() / length);
   });
 }
 
@@ -155,9 +153,10 @@ StickResponse::StickResponse(const data::Beam& beam, const data::HarmonicExcitat
 template <class ExactAmplitude>
 void StickResponse::complete(ModalReaction& sum, const ExactAmplitude& exact_amplitude) const {
   if (steady_part_ == SteadyPart::modal_sum) return;
-  const double scale = length_ * length_ * std::sqrt(mass_per_length_ / bending_stiffness_);
+  const double scale =
+      beam_.length() * beam_.length() * std::sqrt(mass_per_length(beam_) / bending_stiffness(beam_));
   complete_steady_part(sum, omega_, [&](Complex frequency) {
-    return exact_amplitude(SteadyShape(scale * frequency, load_factor_));
+    return exact_amplitude(SteadyShape(scale * frequency, axial_load_factor(beam_)));
   });
 }
 
@@ -165,7 +164,8 @@ ModalReaction StickResponse::displacement(double x) const {
   ModalReaction sum{.quasi_static = quasi_static_.value(x), .modes = {}};
   for (const StickMode& mode : modes_)
     sum.modes.push_back({mode.angular_frequency(), mode.shape(x) * mode.participation()});
-  complete(sum, [eta = 1.0 - x / length_](const SteadyShape& steady) { return steady.value(eta) - 1.0; });
+  complete(sum,
+           [eta = 1.0 - x / beam_.length()](const SteadyShape& steady) { return steady.value(eta) - 1.0; });
   return sum;
 }
 
@@ -254,8 +254,8 @@ Bounds StickResponse::sampled_max_abs_friction_force(double duration, double sam
 
 double StickResponse::omitted_transient_bound() const {
   const StickMode& last = modes_.back();
-  const double bb = last.trigonometric_wave_number() * length_;
-  if (omega_ >= last.angular_frequency() || std::abs(load_factor_) >= bb * bb)
+  const double bb = last.trigonometric_wave_number() * beam_.length();
+  if (omega_ >= last.angular_frequency() || std::abs(axial_load_factor(beam_)) >= bb * bb)
     return std::numeric_limits<double>::infinity();
   return 2.0 * std::abs(transient_force().back().amplitude) * last.number() / 3.0;
 }

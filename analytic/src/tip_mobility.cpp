@@ -110,38 +110,36 @@ Complex deflection(double xi, Complex k, Complex z, double decay) {
 }  // namespace
 
 TipMobility::TipMobility(const data::Beam& beam, const data::Damping& damping)
-    : length_(beam.length()),
-      bending_stiffness_(analytic::bending_stiffness(beam)),
-      mass_per_length_(analytic::mass_per_length(beam)),
-      axial_force_(beam.axial_force()),
-      axial_direction_(beam.axial_direction()),
-      kelvin_voigt_(damping.kelvin_voigt()) {
+    : beam_(beam), kelvin_voigt_(damping.kelvin_voigt()) {
   require_rigid_in_shear(beam);
   require_no_damping_ratio(damping);
 }
 
 TipMobility::Scaled TipMobility::scaled(Complex s) const {
-  const Complex rigidity = bending_stiffness_ * (1.0 + kelvin_voigt_ * s);
-  return {rigidity, s * length_ * length_ * std::sqrt(mass_per_length_ / rigidity),
-          axial_force_ * length_ * length_ / rigidity};
+  const double length = beam_.length();
+  const Complex rigidity = bending_stiffness(beam_) * (1.0 + kelvin_voigt_ * s);
+  return {rigidity, s * length * length * std::sqrt(mass_per_length(beam_) / rigidity),
+          beam_.axial_force() * length * length / rigidity};
 }
 
 Complex TipMobility::operator()(Complex s) const {
   const auto [rigidity, k, z] = scaled(s);
+  const double length = beam_.length();
   const Both at = both(k, z);
-  return s * length_ * length_ * length_ / rigidity * 2.0 * numerator(k, z, at) /
-         denominator(k, axial_direction_ * z, at);
+  return s * length * length * length / rigidity * 2.0 * numerator(k, z, at) /
+         denominator(k, beam_.axial_direction() * z, at);
 }
 
 Complex TipMobility::transfer(double x, Complex s) const {
   const auto [rigidity, k, z] = scaled(s);
+  const double length = beam_.length();
   const Both at = both(k, z);
-  const double xi = x / length_;
+  const double xi = x / length;
   // The exponents meet at k = +-z/2, and both vanish with k and z.
   const bool close = std::abs(z * z - 4.0 * k * k) < 1.0 || std::abs(k) < 0.5;
   const auto value = [&, load = z](Complex node) { return deflection(xi, node, load, at.decay); };
   const Complex shape = close ? mean_over_circle(value, k, std::abs(z) < 4.0 ? 6.0 : 1.0) : value(k);
-  return s * length_ * length_ * length_ / rigidity * shape / denominator(k, axial_direction_ * z, at);
+  return s * length * length * length / rigidity * shape / denominator(k, beam_.axial_direction() * z, at);
 }
 
 }  // namespace stickslip::analytic

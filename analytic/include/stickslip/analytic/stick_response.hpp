@@ -113,12 +113,9 @@ class StickResponse {
   [[nodiscard]] std::vector<Sinusoid> transient(const ModalReaction& sum) const;
   [[nodiscard]] double curvature_bound(double duration) const;
 
-  double length_{};
-  double bending_stiffness_{};
-  double mass_per_length_{};
-  double load_factor_{};  // P L^2/EI
-  double amplitude_{};    // A0
-  double omega_{};        // Omega, rad/s
+  data::Beam beam_;
+  double amplitude_;  // A0
+  double omega_;      // Omega, rad/s
   SteadyPart steady_part_;
   QuasiStaticShape quasi_static_;
   std::vector<StickMode> modes_;

@@ -61,7 +61,8 @@ class TipMobility {
   };
   [[nodiscard]] Scaled scaled(Complex s) const;
 
-  double length_, bending_stiffness_, mass_per_length_, axial_force_, axial_direction_, kelvin_voigt_;
+  data::Beam beam_;
+  double kelvin_voigt_;
 };
 
 }  // namespace stickslip::analytic
