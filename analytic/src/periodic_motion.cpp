@@ -39,8 +39,8 @@ class Variation {
         modes_(model.modes()),
         n_(2 * (modes_ + 1)),
         x_(flat(start.kinematics)),
-        phi_(n_ * n_) {
-    for (std::size_t i = 0; i < n_; ++i) phi_[i * n_ + i] = 1.0;
+        phi_(n_, n_) {
+    for (std::size_t i = 0; i < n_; ++i) phi_(i, i) = 1.0;
     set_scale();
   }
 
@@ -48,7 +48,7 @@ class Variation {
   void begin_stick() {
     sticks_ = true;
     x_.back() = dynamics_.wall_velocity(time_);
-    for (std::size_t j = 0; j < n_; ++j) phi_[(n_ - 1) * n_ + j] = 0.0;
+    for (std::size_t j = 0; j < n_; ++j) phi_(n_ - 1, j) = 0.0;
     stick_.begin(time_, copy(view(x_.data(), modes_)));
   }
 
@@ -101,12 +101,7 @@ class Variation {
     return {copy(view(x_.data(), modes_)), sticks_ ? ContactPhase::stick : ContactPhase::slip};
   }
 
-  [[nodiscard]] Matrix derivative() const {
-    Matrix matrix(n_, n_);
-    for (std::size_t i = 0; i < n_; ++i)
-      for (std::size_t j = 0; j < n_; ++j) matrix(i, j) = phi_[i * n_ + j];
-    return matrix;
-  }
+  [[nodiscard]] const Matrix& derivative() const { return phi_; }
 
  private:
   // Velocities of the order of the motion, and the time in which they turn.
@@ -143,10 +138,10 @@ class Variation {
     x_ = flat(stick_.state(t));
     for (std::size_t j = 0; j < n_; ++j) {
       std::vector<double> column(n_);
-      for (std::size_t i = 0; i < n_; ++i) column[i] = phi_[i * n_ + j];
+      for (std::size_t i = 0; i < n_; ++i) column[i] = phi_(i, j);
       stick_of_differences_.begin(time_, copy(view(column.data(), modes_)));
       column = flat(stick_of_differences_.state(t));
-      for (std::size_t i = 0; i < n_; ++i) phi_[i * n_ + j] = column[i];
+      for (std::size_t i = 0; i < n_; ++i) phi_(i, j) = column[i];
     }
   }
 
@@ -184,7 +179,7 @@ class Variation {
     std::vector<double> y(size);
     for (std::size_t i = 0; i < n_; ++i) {
       y[i] = x_[i] / scale_[i];
-      for (std::size_t j = 0; j < n_; ++j) y[(j + 1) * n_ + i] = phi_[i * n_ + j] * scale_[j] / scale_[i];
+      for (std::size_t j = 0; j < n_; ++j) y[(j + 1) * n_ + i] = phi_(i, j) * scale_[j] / scale_[i];
     }
     gsl_odeiv2_system system{&Variation::right_side, nullptr, size, this};
     const double longest = 1.0 / dynamics_.fastest();
@@ -195,7 +190,7 @@ class Variation {
     require_success(gsl_odeiv2_driver_apply(driver.get(), &t, end, y.data()), "slip of a periodic motion");
     for (std::size_t i = 0; i < n_; ++i) {
       x_[i] = y[i] * scale_[i];
-      for (std::size_t j = 0; j < n_; ++j) phi_[i * n_ + j] = y[(j + 1) * n_ + i] * scale_[i] / scale_[j];
+      for (std::size_t j = 0; j < n_; ++j) phi_(i, j) = y[(j + 1) * n_ + i] * scale_[i] / scale_[j];
     }
   }
 
@@ -204,8 +199,8 @@ class Variation {
             const std::vector<double>& gradient, double passage) {
     for (std::size_t j = 0; j < n_; ++j) {
       double difference = 0.0;
-      for (std::size_t i = 0; i < n_; ++i) difference += gradient[i] * phi_[i * n_ + j];
-      for (std::size_t i = 0; i < n_; ++i) phi_[i * n_ + j] += (after[i] - before[i]) * difference / passage;
+      for (std::size_t i = 0; i < n_; ++i) difference += gradient[i] * phi_(i, j);
+      for (std::size_t i = 0; i < n_; ++i) phi_(i, j) += (after[i] - before[i]) * difference / passage;
     }
   }
 
@@ -213,7 +208,9 @@ class Variation {
   StickPropagator stick_, stick_of_differences_;
   data::FrictionLaw law_;
   std::size_t modes_, n_;
-  std::vector<double> x_, phi_, scale_;
+  std::vector<double> x_;
+  Matrix phi_;
+  std::vector<double> scale_;
   double time_{}, direction_{};
   bool sticks_{};
 };

@@ -23,25 +23,12 @@ using Complex = std::complex<double>;
 
 constexpr double root_tolerance = 4.0 * std::numeric_limits<double>::epsilon();
 
-double real_part(double x) { return x; }
-double real_part(Complex x) { return x.real(); }
-
 /// C = cosh(sqrt q) and T = sinh(sqrt q)/sqrt(q), both times `scale`, with which neither overflows.
-template <class Number>
 struct Functions {
-  Number scale{1.0}, cosh, sinh_over_root;
+  Complex scale, cosh, sinh_over_root;
 };
 
-Functions<double> functions_of(double q) {
-  const double root = std::sqrt(std::abs(q));
-  if (q > 1.0) {
-    const double scale = std::exp(-root);
-    return {scale, 0.5 * (1.0 + scale * scale), 0.5 * (1.0 - scale * scale) / root};
-  }
-  return {1.0, stumpff(0, -q), stumpff(1, -q)};
-}
-
-Functions<Complex> functions_of(Complex q) {
+Functions functions_of(Complex q) {
   const Complex root = std::sqrt(q);
   if (q.real() > 1.0) {
     const Complex scale = std::exp(-root);
@@ -50,7 +37,7 @@ Functions<Complex> functions_of(Complex q) {
   return {1.0, std::cosh(root), root == 0.0 ? 1.0 : std::sinh(root) / root};
 }
 
-/// The numbers of the header, and its formulas over B, real or complex.
+/// The numbers of the header, and its formulas over B.
 class TimoshenkoBeam {
  public:
   explicit TimoshenkoBeam(const data::Beam& beam)
@@ -62,25 +49,23 @@ class TimoshenkoBeam {
 
   [[nodiscard]] double cutoff() const { return 1.0 / (r2_ * s2_); }
 
-  /// f L^3/EI as numerator over determinant.
-  template <class Number>
+  /// f L^3/EI as numerator over determinant, for a complex B.
   struct Force {
-    Number numerator, determinant;
+    Complex numerator, determinant;
   };
 
-  template <class Number>
-  [[nodiscard]] Force<Number> force(Number b) const {
-    const Number half = 0.5 * (b * s2_ + z_ + b * r2_ * e_) / e_, product = b * (1.0 - b * r2_ * s2_) / e_;
-    const Number root = std::sqrt(half * half + product);
-    const bool negative_is_larger = real_part(half) > 0.0;
-    const Number larger = negative_is_larger ? half + root : root - half;
-    const Number q1 = negative_is_larger ? product / larger : larger;
-    const Number q2 = negative_is_larger ? -larger : -product / larger;
-    Number a1 = e_ * q1 + b * s2_,
-           a2 = e_ * q2 + b * s2_;  // the smaller by the product, without a difference
+  [[nodiscard]] Force force(Complex b) const {
+    const Complex half = 0.5 * (b * s2_ + z_ + b * r2_ * e_) / e_, product = b * (1.0 - b * r2_ * s2_) / e_;
+    const Complex root = std::sqrt(half * half + product);
+    const bool negative_is_larger = half.real() > 0.0;
+    const Complex larger = negative_is_larger ? half + root : root - half;
+    const Complex q1 = negative_is_larger ? product / larger : larger;
+    const Complex q2 = negative_is_larger ? -larger : -product / larger;
+    Complex a1 = e_ * q1 + b * s2_, a2 = e_ * q2 + b * s2_;
+    // The smaller one by the product, without a difference.
     std::abs(a1) > std::abs(a2) ? a2 = -b / a1 : a1 = -b / a2;
-    const auto first = functions_of(q1), second = functions_of(q2);
-    const Number c1 = first.cosh * second.scale, c2 = second.cosh * first.scale;
+    const Functions first = functions_of(q1), second = functions_of(q2);
+    const Complex c1 = first.cosh * second.scale, c2 = second.cosh * first.scale;
     return {b * ((a1 + follower_ * z_) * c1 - (a2 + follower_ * z_) * c2),
             q1 * first.sinh_over_root * a2 * second.cosh - q2 * second.sinh_over_root * a1 * first.cosh};
   }
@@ -94,7 +79,7 @@ class TimoshenkoBeam {
   [[nodiscard]] double share(double b) const {
     const double step = 1e-30 * b;
     const double slope = force(Complex(b, step)).determinant.imag() / step;
-    return force(b).numerator / (b * slope);
+    return force(b).numerator.real() / (b * slope);
   }
 
   /// The first `count` values of B with the tip held.
@@ -109,7 +94,7 @@ class TimoshenkoBeam {
     std::ranges::sort(pinned);
     pinned.front() =
         std::max(pinned.front(), 1e-12 * pinned[1]);  // below 0 over the buckling load of that beam
-    const auto determinant = [this](double b) { return force(b).determinant; };
+    const auto determinant = [this](double b) { return force(b).determinant.real(); };
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
       const double lower = pinned[i], upper = pinned[i + 1] * (1.0 - 1e-12);
       // D is positive at the first end and changes its sign from end to end, once each. Where it has not yet the other sign
@@ -209,7 +194,7 @@ ModalReaction timoshenko_reaction(const data::Beam& beam, int modes, double omeg
 
 double timoshenko_steady_force(const data::Beam& beam, double omega) {
   const auto force = checked(beam).force(omega * omega / squared_unit(beam));
-  return force_unit(beam) * force.numerator / force.determinant;
+  return force_unit(beam) * (force.numerator / force.determinant).real();
 }
 
 double timoshenko_omitted_transient(const ModalReaction& reaction, double omega) {
