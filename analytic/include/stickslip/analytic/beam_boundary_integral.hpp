@@ -15,11 +15,11 @@ struct TimeGrid {
   std::size_t steps{};  ///< at most 2^26, a GB of memory and more
 };
 
-/// f_h: the friction force on the beam that holding its tip takes, from the quasi-static start, as its mean
-/// over each step, N. Undamped it is minus Eq. (28) with the exact steady part and 200 free vibrations
-/// (StickResponse), whose amplitudes fall as n^-4. With Kelvin-Voigt damping it is that of a BeamContactModel
-/// of 40 modes in the middle of the step. Throws what these throw, and data::FieldError
-/// unless damping.ratio is 0, time_step > 0 and steps is in 1 ... 2^26.
+/// f_h: the friction force on the beam that holds its tip, from the quasi-static start, N, for each step. Undamped it is
+/// the mean over the step of minus Eq. (28), with the exact steady part and 200 free vibrations (StickResponse), whose
+/// amplitudes fall as n^-4. With Kelvin-Voigt damping it is that of a BeamContactModel of 40 modes in the middle of the
+/// step. Throws what these throw, and data::FieldError unless damping.ratio is 0, time_step > 0 and steps is in
+/// 1 ... 2^26.
 [[nodiscard]] std::vector<double> holding_force(const data::Beam& beam,
                                                 const data::HarmonicExcitation& excitation,
                                                 const data::Damping& damping, const TimeGrid& grid);

@@ -39,7 +39,7 @@ class ForceMaximum {
   /// points.
   [[nodiscard]] Bounds refined_to(double relative_width = 1e-10) const;
 
-  /// Whether max |f|/A0 exceeds the limit, N/m: refined_to(1e-10).lower > limit, without more bounds than that takes.
+  /// Whether max |f|/A0 exceeds the limit, N/m: refined_to(1e-10).lower > limit, with fewer evaluations.
   [[nodiscard]] bool exceeds(double limit) const;
 
   /// f(t)/A0, N/m.
