@@ -133,8 +133,7 @@ struct Enclosure {
 /// Converts a ball to decimals. Throws std::invalid_argument if the ball is not finite.
 [[nodiscard]] Enclosure enclosure(const Real& x, int digits = 30);
 
-/// An upper bound of |computed - exact| in units in the last place of `computed`, which are the distance to
-/// the next double away from zero; infinite if either value is not finite.
-[[nodiscard]] double distance_in_ulps(double computed, const Real& exact);
+/// An upper bound of |computed - exact|; infinite if either value is not finite.
+[[nodiscard]] double distance(double computed, const Real& exact);
 
 }  // namespace stickslip::certified
