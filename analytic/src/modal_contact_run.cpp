@@ -59,6 +59,7 @@ ContactModes::ContactModes(const ContactModel& model) {
 ModalContactRun::ModalContactRun(const ContactModes& modes, const ContactModel& model, int steps_per_period)
     : modes_(&modes), model_(model), period_(static_cast<std::size_t>(steps_per_period)) {
   if (steps_per_period < 4) throw wrong_argument("steps_per_period", steps_per_period, "4 or more");
+  require(model.wall_speed == 0.0, "wall.speed", model.wall_speed, "0 (m/s) in fixed steps");
   const double omega = model.load_angular_frequency, angle = 2.0 * std::numbers::pi / steps_per_period;
   const double h = time_step_ = angle / omega;
   constexpr double resolved = 2.0;

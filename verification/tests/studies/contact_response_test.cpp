@@ -196,6 +196,9 @@ TEST(FixedSteps, AreRefusedWhereALawFallsTooFastForOneSolutionOrAPeriodHasTooFew
   EXPECT_THROW(ModalContactRun(modes, model(2.001), 64), data::InputError);
   EXPECT_NO_THROW(ModalContactRun(modes, model(0.0), 4));
   EXPECT_THROW(ModalContactRun(modes, model(0.0), 3), std::invalid_argument);
+  auto on_a_belt = model(0.0);
+  on_a_belt.wall_speed = 1.0;
+  EXPECT_THROW(ModalContactRun(modes, on_a_belt, 4), data::FieldError);
 }
 
 STICKSLIP_VERIFIES(MotionQuantities, "D5");

@@ -60,7 +60,8 @@ class ContactModes {
 class ModalContactRun {
  public:
   /// `modes`: of this model, whatever its load, wall and friction were; `steps_per_period`: n >= 4. Throws
-  /// data::InputError, naming numerics.time_step, unless kappa W < 2, so that each step has one solution.
+  /// data::InputError, naming numerics.time_step, unless kappa W < 2, so that each step has one solution, and naming
+  /// wall.speed unless that is 0.
   ModalContactRun(const ContactModes& modes, const ContactModel& model, int steps_per_period);
 
   /// Starts at t = 0. The contact sticks if its velocity is that of the wall, to rounding.
