@@ -13,14 +13,15 @@ constexpr int fewest_modes = 10, most_modes = 200;
 
 // The largest of 1, 2 and 5 times a power of ten that is not above the value, as the double nearest to it.
 double rounded_down(double value) {
-  const int exponent = static_cast<int>(std::floor(std::log10(value)));
-  const double power = std::pow(10.0, std::abs(exponent));  // exact up to 1e22
-  double rounded = 0.0;
-  for (const double factor : {1.0, 2.0, 5.0}) {
-    const double candidate = exponent < 0 ? factor / power : factor * power;
-    if (rounded == 0.0 || candidate <= value) rounded = candidate;
-  }
-  return rounded;
+  int exponent = static_cast<int>(std::floor(std::log10(value)));
+  const auto multiple = [&exponent](double factor) {
+    const double power = std::pow(10.0, std::abs(exponent));  // exact up to 1e22
+    return exponent < 0 ? factor / power : factor * power;
+  };
+  if (multiple(1.0) > value) --exponent;  // just below a power of ten log10 is rounded up
+  for (const double factor : {5.0, 2.0})
+    if (multiple(factor) <= value) return multiple(factor);
+  return multiple(1.0);
 }
 
 }  // namespace

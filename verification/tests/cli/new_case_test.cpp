@@ -122,6 +122,7 @@ TEST(DefaultNumerics, FollowTheHighestModeThatMatters) {
   EXPECT_EQ(at(500.0, 10.0).modes, 11);
   EXPECT_EQ(at(500.0, 10.0).elements, 44);
   EXPECT_EQ(at(25.0, 2e-6).time_step, 2e-6);
+  EXPECT_EQ(at(25.0, std::nextafter(1e-6, 0.0)).time_step, 5e-7);  // at most the duration
   for (const double none : {0.0, -1.0, std::nan("")}) EXPECT_EQ(at(25.0, none).time_step, 1e-5) << none;
   EXPECT_EQ(at(1e9, 10.0).modes, 200);
   // 1/(50 f_10) grows with the square of the length: 1.90e-5 s, 2.10e-5 s, 4.87e-5 s and 5.24e-5 s.
