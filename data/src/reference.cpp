@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -85,6 +86,7 @@ void require_radii(const Resource& resource, const std::vector<JsonNode>& nodes)
       const Field* value =
           resource.field(std::string_view(field.name).substr(0, field.name.size() - radius_suffix.size()));
       if (value == nullptr) nodes[i].fail("is the radius of no field: " + field.name);
+      if (field.type == FieldType::string) nodes[i].fail("is a radius, but holds words");
       if (value->unit != field.unit)
         nodes[i].fail("has the unit '" + field.unit + "', but must have that of " + value->name + ", '" +
                       value->unit + "'");
@@ -451,13 +453,11 @@ class TableReader {
   }
 
   void require_unique_keys() const {
-    std::vector<KeyColumn> key;
-    for (const std::string& name : resource_.primary_key) {
-      const auto column = std::ranges::find(columns_, name, [](const Column& c) { return c.field.name; });
-      key.push_back({&column->text, column->field.type == FieldType::string ? nullptr : &column->values});
-    }
-    if (key.empty()) return;
-    if (const auto twice = repeated_key(key, lines_.size()))
+    if (resource_.primary_key.empty()) return;
+    std::vector<const Column*> key;
+    for (const std::string& name : resource_.primary_key)
+      key.push_back(&*std::ranges::find(columns_, name, [](const Column& c) { return c.field.name; }));
+    if (const auto twice = repeated_key(key))
       throw InputError(csv_.place(lines_[twice->second]) + ": the primary key " +
                        joined(resource_.primary_key) + " stands in line " +
                        std::to_string(lines_[twice->first]) + " already, but must stand once");
@@ -546,6 +546,30 @@ ReferenceTable read_table(const ReferencePackage& package, const std::string& na
 bool is_same_key(double a, double b) {
   constexpr double tolerance = 1e-9;
   return a == b || std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
+}
+
+std::optional<Twice> repeated_key(const std::vector<const Column*>& key) {
+  const auto is_word = [](const Column* column) { return column->field.type == FieldType::string; };
+  const auto is_before = [&](std::size_t a, std::size_t b) {
+    for (const Column* column : key) {
+      const auto& [field, text, values] = *column;
+      if (is_word(column) ? text[a] != text[b] : values[a] != values[b])
+        return is_word(column) ? text[a] < text[b] : values[a] < values[b];
+    }
+    return false;
+  };
+  const auto is_same = [&](std::size_t a, std::size_t b) {
+    return std::ranges::all_of(key, [&](const Column* column) {
+      return is_word(column) ? column->text[a] == column->text[b]
+                             : is_same_key(column->values[a], column->values[b]);
+    });
+  };
+  std::vector<std::size_t> order(key.front()->text.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, is_before);
+  const auto twice = std::ranges::adjacent_find(order, is_same);
+  if (twice == order.end()) return std::nullopt;
+  return Twice{std::min(*twice, *(twice + 1)), std::max(*twice, *(twice + 1))};
 }
 
 }  // namespace stickslip::data

@@ -147,12 +147,17 @@ class UserTableReader {
                      " (--column REFERENCE=THEIRS says which is which)");
   }
 
+  // Events are in sequence and need no number.
+  [[nodiscard]] bool is_number_of_event(const std::string& name) const {
+    return name == "index" && resource().comparison->kind == ComparisonKind::events;
+  }
+
   [[nodiscard]] bool must_have(const std::string& name) const {
     const ComparisonRule& rule = *resource().comparison;
     const bool is_event = rule.kind == ComparisonKind::events;
     if (name == rule.abscissa || (is_event && (name == "change" || name == "time"))) return true;
     const bool is_key = std::ranges::count(resource().primary_key, name) > 0;
-    return is_key && !(is_event && name == "index") && !constant(name);
+    return is_key && !is_number_of_event(name) && !constant(name);
   }
 
   // The one value that the data set has in a column.
@@ -212,7 +217,7 @@ class UserTableReader {
 
   void add_constant_keys() {
     for (const std::string& name : resource().primary_key) {
-      if (table_.column(name) != nullptr || name == "index") continue;
+      if (table_.column(name) != nullptr || is_number_of_event(name)) continue;
       const Column& reference = reference_.column(name);
       table_.columns.push_back({reference.field, std::vector(table_.rows(), reference.text.front()),
                                 std::vector(table_.rows(), reference.values.front())});
@@ -242,15 +247,13 @@ class UserTableReader {
   }
 
   void require_unique_keys() const {
-    std::vector<KeyColumn> key;
-    for (const std::string& name : resource().primary_key)
-      if (const Column* column = table_.column(name); column != nullptr)
-        key.push_back({&column->text, column->field.type == FieldType::string ? nullptr : &column->values});
     const ComparisonKind kind = resource().comparison->kind;
     const bool has_key = kind == ComparisonKind::table ||
                          (kind == ComparisonKind::events && table_.column("index") != nullptr);
-    if (key.empty() || !has_key) return;
-    const auto twice = repeated_key(key, table_.rows());
+    if (resource().primary_key.empty() || !has_key) return;
+    std::vector<const Column*> key;
+    for (const std::string& name : resource().primary_key) key.push_back(table_.column(name));
+    const auto twice = repeated_key(key);
     if (!twice) return;
     std::string values;
     for (const std::string& name : resource().primary_key)

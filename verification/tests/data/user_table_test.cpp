@@ -4,12 +4,10 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 #include <zlib.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -17,6 +15,7 @@
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/data/csv_text.hpp"
 #include "stickslip/data/user_table.hpp"
+#include "support/input_folder.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
@@ -45,37 +44,25 @@ std::string gzip(const std::string& text) {
 
 class UserTable : public ::testing::Test {
  protected:
-  void SetUp() override { std::filesystem::create_directory(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   [[nodiscard]] data::UserTable read(const std::string& set, const std::string& text,
                                      const std::vector<std::string>& mappings = {}) const {
-    std::ofstream(file(), std::ios::binary) << text;
     std::vector<data::ColumnMapping> parsed;
     for (const std::string& mapping : mappings) parsed.push_back(data::ColumnMapping::parse(mapping));
-    return data::read_user_table(file(), data::read_table(package(), set), parsed);
+    return data::read_user_table(folder_.write("mine.csv", text), data::read_table(package(), set), parsed);
   }
 
-  // The sentence that refuses the text, without the folder, or "accepted".
+  // The first number of a column.
+  [[nodiscard]] double first(const std::string& column, const std::string& set, const std::string& text,
+                             const std::vector<std::string>& mappings = {}) const {
+    return read(set, text, mappings).column(column)->values[0];
+  }
+
   [[nodiscard]] std::string error_message(const std::string& set, const std::string& text,
                                           const std::vector<std::string>& mappings = {}) const {
-    try {
-      static_cast<void>(read(set, text, mappings));
-    } catch (const data::InputError& error) {
-      std::string sentence = error.what();
-      const std::string prefix = folder_.string() + "/";
-      if (const auto at = sentence.find(prefix); at != std::string::npos) sentence.erase(at, prefix.size());
-      EXPECT_EQ(std::ranges::count(sentence, '\n'), 0) << sentence;
-      return sentence;
-    }
-    return "accepted";
+    return folder_.refusal([&] { static_cast<void>(read(set, text, mappings)); });
   }
 
-  [[nodiscard]] std::filesystem::path file() const { return folder_ / "mine.csv"; }
-
- private:
-  std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() / ("stickslip-user-table-" + std::to_string(::getpid()));
+  const InputFolder folder_;
 };
 
 STICKSLIP_VERIFIES(UserTable, "P5");
@@ -124,33 +111,26 @@ TEST_F(UserTable, IsTheSameHoweverItIsSpelled) {
 TEST_F(UserTable, KnowsTheLineOfEachRow) {
   const auto table = read("stick-frequencies", "# a\nbeam,mode,frequency\n\npaper,1,25\n#b\npaper,2,81\n");
   EXPECT_EQ(table.lines, (std::vector<std::size_t>{4, 6}));
-  EXPECT_EQ(table.place(1), file().string() + ":6");
+  EXPECT_EQ(table.place(1), (folder_.path() / "mine.csv:6").string());
   // The 1 is a number there, and no unit.
   EXPECT_EQ(read("stick-frequencies", "beam,mode,frequency\npaper,1,1\npaper,2,25\n").rows(), 2u);
 }
 
 TEST_F(UserTable, ConvertsAUnitWhereverItStands) {
-  const std::string rows = "\npaper,1,0.025\n";
   for (const std::string header :
        {"frequency [kHz]", "frequency (kHz)", "frequency_kHz", "Frequency / kHz", "FREQUENCY_kHz",
         "frequency[kHz]", "\"frequency [kHz]\"", "frequency [ kHz ]"})
-    EXPECT_EQ(read("stick-frequencies", "beam,mode," + header + rows).column("frequency")->values[0], 25.0)
+    EXPECT_EQ(first("frequency", "stick-frequencies", "beam,mode," + header + "\npaper,1,0.025\n"), 25.0)
         << header;
+  const auto mapped = [&](const std::string& header, const std::string& mapping) {
+    return first("frequency", "stick-frequencies", "beam,mode," + header + "\npaper,1,0.025,7\n", {mapping});
+  };
   for (const std::string mapping : {"frequency=f1:kHz", "frequency = f1 : kHz", "Frequency=F1:kHz"})
-    EXPECT_EQ(read("stick-frequencies", "beam,mode,f1" + rows, {mapping}).column("frequency")->values[0],
-              25.0);
+    EXPECT_EQ(mapped("f1,f2", mapping), 25.0) << mapping;
   // The unit of the mapping wins over that of the header, and the mapping over the name.
-  EXPECT_EQ(read("stick-frequencies", "beam,mode,f1_mHz" + rows, {"frequency=f1_mHz:kHz"})
-                .column("frequency")
-                ->values[0],
-            25.0);
-  EXPECT_EQ(
-      read("stick-frequencies", "beam,mode,f1 [kHz]" + rows, {"frequency=f1"}).column("frequency")->values[0],
-      25.0);
-  EXPECT_EQ(read("stick-frequencies", "beam,mode,f1_kHz,frequency\npaper,1,0.025,7\n", {"frequency=f1"})
-                .column("frequency")
-                ->values[0],
-            25.0);
+  EXPECT_EQ(mapped("f1_mHz,f2", "frequency=f1_mHz:kHz"), 25.0);
+  EXPECT_EQ(mapped("f1 [kHz],f2", "frequency=f1"), 25.0);
+  EXPECT_EQ(mapped("f1_kHz,frequency", "frequency=f1"), 25.0);
 }
 
 TEST_F(UserTable, ConvertsEveryUnitToThatOfTheDataSet) {
@@ -195,6 +175,22 @@ TEST_F(UserTable, DividesByPowersOfTenSoThatDecimalsStayTheNearestDouble) {
   EXPECT_EQ(table.column("friction_force")->values, (std::vector<double>{0.3, 0.007}));
 }
 
+TEST_F(UserTable, NeedsNoIndexThatHasOneValue) {
+  data::ReferenceTable reference = data::read_table(package(), "stick-frequencies");
+  for (data::Column& column : reference.columns) {
+    column.text.resize(1);
+    column.values.resize(1);
+  }
+  reference.resource.fields[1].name = reference.resource.primary_key[1] = "index";
+  reference.columns[1].field.name = "index";
+  const auto read_frequencies = [&](const std::string& text) {
+    return data::read_user_table(folder_.write("mine.csv", text), reference);
+  };
+  EXPECT_EQ(read_frequencies("frequency\n25\n").column("index")->values, std::vector{1.0});
+  EXPECT_EQ(folder_.refusal([&] { static_cast<void>(read_frequencies("frequency\n25\n26\n")); }),
+            "mine.csv:3: beam = paper, index = 1 stands in line 2 already, but must stand once");
+}
+
 TEST_F(UserTable, NeedsNoKeyThatHasOneValueAndNoNumberOfEvents) {
   const auto events = read("damped-events", "time [ms],change\n55,onset\n68,capture\n");
   EXPECT_EQ(events.column("index"), nullptr);
@@ -212,8 +208,49 @@ TEST_F(UserTable, KnowsTheColumnsOfOwnHistories) {
   EXPECT_EQ(
       read("damped-history", "t,phase,state,tip_displacement\n0,slip,stick,1\n").column("phase")->text[0],
       "slip");
-  const auto events = read("damped-events", "time_s,change,tip_displacement_m\n0.5,onset,2\n");
-  EXPECT_EQ(events.column("position")->values[0], 2.0);
+  EXPECT_EQ(first("position", "damped-events", "time_s,change,tip_displacement_m\n0.5,onset,2\n"), 2.0);
+}
+
+TEST_F(UserTable, RefusesAColumnThatIsMissing) {
+  struct Defect {
+    std::string set, text, missing, present;
+  };
+  for (const auto& [set, text, missing, present] : std::vector<Defect>{
+           {"stick-frequencies", "beam,mode\npaper,1\n", "frequency is missing", "beam, mode"},
+           {"stick-frequencies", "beam,mode,frequenzy\npaper,1,25\n",
+            "frequency is missing (did you mean frequenzy?)", "beam, mode, frequenzy"},
+           {"stick-frequencies", "mode,frequency\n1,25\n", "beam is missing", "mode, frequency"},
+           {"stick-frequencies", "\n# beam mode f\npaper 1 25\n", "frequency is missing", "beam, mode, f"},
+           {"stick-force", "friction_force\n1\n", "t is missing", "friction_force"},
+           {"damped-events", "time\n1\n", "change is missing", "time"}})
+    EXPECT_EQ(error_message(set, text),
+              fmt::format("mine.csv:{}: the column {}; the file has {} (--column REFERENCE=THEIRS says which "
+                          "is which)",
+                          text.starts_with('\n') ? 2 : 1, missing, present));
+}
+
+TEST_F(UserTable, RefusesAUnitOfAnotherQuantity) {
+  for (const auto& [unit, header] : {std::pair{"mm", "beam,mode,frequency [mm]"},
+                                     {"THz", "beam,mode,frequency [THz]"},
+                                     {"mm", "beam,mode,frequency\n,,mm"},
+                                     {"THz", "beam,mode,frequency\n-,-,THz"}})
+    EXPECT_EQ(
+        error_message("stick-frequencies", fmt::format("{}\npaper,1,25\n", header)),
+        fmt::format("mine.csv:1, column 3 (frequency [{0}]): the unit of frequency is '{0}', but must be "
+                    "one of Hz, mHz, kHz, MHz, rad/s",
+                    unit));
+}
+
+TEST_F(UserTable, RefusesACellThatIsNoFiniteNumber) {
+  const auto expect_refused = [&](const std::string& text, const std::string& cell) {
+    EXPECT_EQ(error_message("stick-frequencies", text),
+              "mine.csv:2, column 3 (frequency): frequency is '" + cell +
+                  "', but must be a finite number, as 0.025 or 2.5e-2");
+  };
+  for (const std::string cell : {"fast", "", "25 Hz", "NaN", "-inf", "1e999"})
+    expect_refused("beam,mode,frequency\npaper,1," + cell + "\n", cell);
+  expect_refused("beam,mode,frequency\npaper,1,\"25,0\"\n", "25,0");
+  expect_refused("beam;mode;frequency\npaper;1;1.025,0\n", "1.025,0");
 }
 
 TEST_F(UserTable, RefusesWhatCannotBeUsedInOneSentence) {
@@ -227,72 +264,20 @@ TEST_F(UserTable, RefusesWhatCannotBeUsedInOneSentence) {
       {frequencies, "# nothing\n\n", "mine.csv:2: there is no line with the names of the columns"},
       {frequencies, header, "mine.csv:1: the table has no rows, but must have at least one"},
       {frequencies, header + "# none\n", "mine.csv:2: the table has no rows, but must have at least one"},
-      {frequencies, "beam,mode\npaper,1\n",
-       "mine.csv:1: the column frequency is missing; the file has beam, mode (--column REFERENCE=THEIRS says "
-       "which is which)"},
-      {frequencies, "beam,mode,frequenzy\npaper,1,25\n",
-       "mine.csv:1: the column frequency is missing (did you mean frequenzy?); the file has beam, mode, "
-       "frequenzy "
-       "(--column REFERENCE=THEIRS says which is which)"},
-      {frequencies, "mode,frequency\n1,25\n",
-       "mine.csv:1: the column beam is missing; the file has mode, frequency (--column REFERENCE=THEIRS says "
-       "which is which)"},
-      {force, "friction_force\n1\n",
-       "mine.csv:1: the column t is missing; the file has friction_force (--column REFERENCE=THEIRS says "
-       "which is which)"},
-      {events, "time\n1\n",
-       "mine.csv:1: the column change is missing; the file has time (--column REFERENCE=THEIRS says which is "
-       "which)"},
       {frequencies, "beam,mode,frequency,frequency_kHz\npaper,1,25,0.025\n",
        "mine.csv:1, column 4 (frequency_kHz): the column frequency stands twice, in column 3 as 'frequency'"},
-      {frequencies, "beam,mode,frequency [mm]\npaper,1,25\n",
-       "mine.csv:1, column 3 (frequency [mm]): the unit of frequency is 'mm', but must be one of Hz, mHz, "
-       "kHz, MHz, rad/s"},
-      {frequencies, "beam,mode,frequency [THz]\npaper,1,25\n",
-       "mine.csv:1, column 3 (frequency [THz]): the unit of frequency is 'THz', but must be one of Hz, mHz, "
-       "kHz, MHz, rad/s"},
       {frequencies, header + "paper,1,25\npaper,2,fast\n",
        "mine.csv:3, column 3 (frequency): frequency is 'fast', but must be a finite number, as 0.025 or "
        "2.5e-2"},
-      {frequencies, header + "paper,1,\n",
-       "mine.csv:2, column 3 (frequency): frequency is '', but must be a finite number, as 0.025 or 2.5e-2"},
-      {frequencies, header + "paper,1,25 Hz\n",
-       "mine.csv:2, column 3 (frequency): frequency is '25 Hz', but must be a finite number, as 0.025 or "
-       "2.5e-2"},
-      {frequencies, "beam;mode;frequency\npaper;1;1.025,0\n",
-       "mine.csv:2, column 3 (frequency): frequency is '1.025,0', but must be a finite number, as 0.025 or "
-       "2.5e-2"},
-      {frequencies, header + "paper,1,\"25,0\"\n",
-       "mine.csv:2, column 3 (frequency): frequency is '25,0', but must be a finite number, as 0.025 or "
-       "2.5e-2"},
-      {frequencies, header + "-,-,THz\npaper,1,25\n",
-       "mine.csv:1, column 3 (frequency [THz]): the unit of frequency is 'THz', but must be one of Hz, mHz, "
-       "kHz, MHz, rad/s"},
-      {frequencies, header + ",,mm\npaper,1,25\n",
-       "mine.csv:1, column 3 (frequency [mm]): the unit of frequency is 'mm', but must be one of Hz, mHz, "
-       "kHz, MHz, rad/s"},
       {frequencies, header + ",kHz\n",
        "mine.csv:2: the line has 2 cells, but must have 3 as the line of names has"},
       {frequencies, header + "-,1,kHz\n,1,25\n",
        "mine.csv:3, column 1 (beam): beam is '', but must be a word"},
       {frequencies, header + "-,1,kHz\npaper,1.5,25\n",
        "mine.csv:3, column 2 (mode): mode is '1.5', but must be an integer"},
-      {frequencies, "# a\n# beam mode f\npaper 1 25\n",
-       "mine.csv:2: the column frequency is missing; the file has beam, mode, f (--column REFERENCE=THEIRS "
-       "says "
-       "which is which)"},
       {frequencies, "beam,mode,frequency [MHz]\npaper,1,1e308\n",
        "mine.csv:2, column 3 (frequency [MHz]): frequency is '1e308', but must be a number that is finite in "
        "Hz"},
-      {frequencies, header + "paper,1,NaN\n",
-       "mine.csv:2, column 3 (frequency): frequency is 'NaN', but must be a finite number, as 0.025 or "
-       "2.5e-2"},
-      {frequencies, header + "paper,1,-inf\n",
-       "mine.csv:2, column 3 (frequency): frequency is '-inf', but must be a finite number, as 0.025 or "
-       "2.5e-2"},
-      {frequencies, header + "paper,1,1e999\n",
-       "mine.csv:2, column 3 (frequency): frequency is '1e999', but must be a finite number, as 0.025 or "
-       "2.5e-2"},
       {frequencies, header + "paper,1.5,25\n",
        "mine.csv:2, column 2 (mode): mode is '1.5', but must be an integer"},
       {frequencies, header + ",1,25\n", "mine.csv:2, column 1 (beam): beam is '', but must be a word"},
@@ -332,18 +317,19 @@ TEST_F(UserTable, RefusesWhatCannotBeUsedInOneSentence) {
 }
 
 TEST_F(UserTable, RefusesAFileThatIsNone) {
-  EXPECT_THROW(static_cast<void>(data::read_user_table(file(), data::read_table(package(), "stick-force"))),
-               data::InputError);
-  EXPECT_THROW(static_cast<void>(
-                   data::read_user_table(file().parent_path(), data::read_table(package(), "stick-force"))),
-               data::InputError);
+  const auto table = data::read_table(package(), "stick-force");
+  for (const auto& none : {folder_.path() / "mine.csv", folder_.path()})
+    EXPECT_THROW(static_cast<void>(data::read_user_table(none, table)), data::InputError) << none;
 }
 
 TEST_F(UserTable, RefusesAMappingToNothing) {
-  EXPECT_EQ(error_message("stick-frequencies", "beam,mode,f\npaper,1,25\n", {"frequency=g:kHz"}),
+  const auto message = [&](const std::string& mapping) {
+    return error_message("stick-frequencies", "beam,mode,f\npaper,1,25\n", {mapping});
+  };
+  EXPECT_EQ(message("frequency=g:kHz"),
             "mine.csv:1: the column g (for frequency) is missing; the file has beam, mode, f (--column "
             "REFERENCE=THEIRS says which is which)");
-  EXPECT_EQ(error_message("stick-frequencies", "beam,mode,f\npaper,1,25\n", {"frequency=f:furlong"}),
+  EXPECT_EQ(message("frequency=f:furlong"),
             "mine.csv:1, column 3 (f): the unit of frequency is 'furlong', but must be one of Hz, mHz, kHz, "
             "MHz, rad/s");
 }

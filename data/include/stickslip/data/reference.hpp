@@ -196,4 +196,11 @@ struct ReferenceTable {
 /// Whether two numbers of a key are the same one: to 1e-9, relative.
 [[nodiscard]] bool is_same_key(double a, double b);
 
+/// The first two rows with the same key, which has one column or more: the same words, and the same numbers as
+/// is_same_key() compares them.
+struct Twice {
+  std::size_t first, second;
+};
+[[nodiscard]] std::optional<Twice> repeated_key(const std::vector<const Column*>& key);
+
 }  // namespace stickslip::data
