@@ -1,41 +1,27 @@
 // SPDX-License-Identifier: MIT
-/// The data sets with converged values: the held beam with all modes, the map of Fig. 14, and the damped
-/// stick-slip history.
+/// The data sets with converged values of the held beam: with all modes, and the map of Fig. 14.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
-#include <stdexcept>
 #include <utility>
 
 #include "sets.hpp"
-#include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/criterion.hpp"
-#include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
-#include "studies/stick_slip/damped_benchmark.hpp"
 
 namespace stickslip::reference {
 
 using data::ValueClass;
 
-data::Provenance converged_by(std::string method, std::string settings, std::vector<std::string> checks) {
-  return {.value_class = ValueClass::converged,
-          .method = std::move(method),
-          .settings = std::move(settings),
-          .software = software(),
-          .checks = std::move(checks)};
-}
-
 DataSet stick_history() {
   DataSet set =
       data_set("stick-history", "stick/history.csv", "The held beam with all its modes",
                "Fig. 9: the paper's beam at 15 Hz and 0.5 mm, tip held, for any converged implementation. "
-               " The paper's ten modes leave 3e-6 of y and 0.3 % of f out.");
+               "The paper's ten modes leave 3e-6 of y and 0.3 % of f out.");
   data::Resource& resource = set.resource;
   resource.fields = {exact_number("time", "s", "since the start")};
   add_value(resource.fields, "midspan_displacement", "m", "y(L/2, t), absolute", ValueClass::converged);
@@ -44,15 +30,14 @@ DataSet stick_history() {
   resource.comparison = along("time", {{"midspan_displacement", data::Norm::scale, 5e-4},
                                        {"friction_force", data::Norm::scale, 3e-3}});
   resource.diagnosis = in_case("stick displacement", "paper-figure9", "time", "midspan_displacement");
-  resource.problem = problem_of(data::load_case("paper-figure9"), "paper", "held", {{"/duration", "1"}});
+  const data::Case problem = data::load_case("paper-figure9");
+  resource.problem = problem_of(problem, "paper", "held", {{"/duration", "1"}});
   constexpr int modes = 200;
   resource.provenance = converged_by(
       "Eqs. (27), (28) with the steady part in closed form and 200 free vibrations; the half-width is the "
-      "largest difference to 100 of them, which leave out sixteen times as much",
+      "largest difference to 100 of them, which leave out eight times as much of f, and more of y",
       fmt::format(R"({{"modes": {}, "frequency_hz": 15, "amplitude": 0.0005}})", modes),
       {"finite elements, to their predicted error", "the bound of the omitted free vibrations"});
-
-  const data::Case problem = data::load_case("paper-figure9");
   const double midspan = 0.5 * problem.beam.length();
   const auto response = [&](int count) {
     return analytic::StickResponse(problem.beam, problem.excitation, count, analytic::SteadyPart::exact);
@@ -140,11 +125,9 @@ std::pair<double, double> all_modes_maximum(const NamedBeam& named, int hz) {
 data::Provenance all_modes_provenance() {
   return converged_by(
       "Eq. (28) with the steady part in closed form and 100 free vibrations; bounds of the maximum over "
-      "time. The "
-      "half-width is half the distance of the bounds, plus a bound of the omitted free vibrations, 2/3 N "
-      "|a_N| with "
-      "the last amplitude a_N and N = 100 (they fall as n^-4; a factor of 2 is for safety), plus 1e-9 for "
-      "rounding",
+      "time. The half-width is half the distance of the bounds, plus a bound of the omitted free "
+      "vibrations, 2/3 N |a_N| with the last amplitude a_N and N = 100 (they fall as n^-4; a factor of 2 is "
+      "for safety), plus 1e-9 for rounding",
       R"({"free_vibrations": 100, "duration": 10})",
       {"200 free vibrations change no value by more than its half-width",
        "finite elements with a held tip, to their predicted error"});
@@ -181,8 +164,7 @@ DataSet all_modes_amplitudes() {
                "The base amplitude at which |f|_max over 10 s reaches mu_s P = 300 N with all modes: "
                "critical-amplitudes for finite elements and other converged methods.");
   data::Resource& resource = set.resource;
-  resource.fields = {word("beam", "name of the beam, in beams.csv"),
-                     exact_number("frequency", "Hz", "of the base")};
+  resource.fields = {beam_column(), exact_number("frequency", "Hz", "of the base")};
   add_value(resource.fields, "amplitude", "m", "A_c", ValueClass::converged);
   resource.primary_key = {"beam", "frequency"};
   resource.foreign_keys = {beam_key()};
@@ -201,164 +183,6 @@ DataSet all_modes_amplitudes() {
                              .number(hz)
                              .converged(300.0 / value, 300.0 * radius / (value * (value - radius))));
     }
-  return set;
-}
-
-namespace {
-
-constexpr int reference_modes = 40;
-constexpr double horizon = 0.5;
-
-std::string benchmark_problem() {
-  return problem_of(data::load_case("damped"), "paper", "friction",
-                    {{"/duration", fmt::format("{}", horizon)}});
-}
-
-const studies::DampedBenchmark& benchmark() {
-  static const studies::DampedBenchmark known = [] {
-    auto made = studies::damped_benchmark(data::load_case("damped"), {.duration = horizon,
-                                                                      .modes = reference_modes,
-                                                                      .other_modes = {},
-                                                                      .event_driven_elements = {},
-                                                                      .elements = {},
-                                                                      .time_steps = {}});
-    if (made.tolerance_effect > 1e-9)
-      throw std::runtime_error("the events of the damped benchmark depend on the integrator's tolerance");
-    return made;
-  }();
-  return known;
-}
-
-data::Provenance benchmark_provenance() {
-  return converged_by(
-      "event-driven integration on the modes of the continuous beam, held while it sticks: exact in stick, "
-      "Runge-Kutta of order 8 in slip. The error falls faster than the third power of the number of modes; "
-      "the half-width is the difference to 28 modes, of which at most 0.55 are left",
-      fmt::format(R"({{"modes": {}, "fewer_modes": 28, "tolerance": 1e-12, "shortest_stick": 2e-5}})",
-                  reference_modes),
-      {"finite elements with generalised-alpha converge to it in mesh and step",
-       "the same method on finite elements converges to it",
-       "a hundred times the tolerance changes no event by 1e-9 s"});
-}
-
-}  // namespace
-
-DataSet stick_slip_events() {
-  DataSet set = data_set(
-      "stick-slip-events", "stick-slip/events.csv", "Onsets and captures of the damped stick-slip vibration",
-      "The paper's beam at 25 Hz and 1 mm with Kelvin-Voigt damping of 0.5 % of critical in the first mode "
-      "(case damped), with the tip at rest at the start. Stick phases shorter than 2e-5 s count as part of "
-      "the "
-      "slip round them.");
-  data::Resource& resource = set.resource;
-  resource.fields = {integer("index", "number of the event, from 1"),
-                     word("change", "onset of slip, or capture", {"onset", "capture"})};
-  add_value(resource.fields, "time", "s", "of the event", ValueClass::converged);
-  add_value(resource.fields, "position", "m", "y(L), of the tip in the fixed frame", ValueClass::converged);
-  resource.primary_key = {"index"};
-  resource.comparison = {
-      .kind = data::ComparisonKind::events,
-      .values = {{"time", data::Norm::absolute, 8e-5}, {"position", data::Norm::absolute, 1e-5}},
-      .abscissa = {},
-      .interpolation = {},
-      .events = {},
-      .horizon = horizon,
-      .shortest_phase = 2e-5};
-  resource.diagnosis = in_case("contact event", "damped", "index", "time");
-  resource.problem = benchmark_problem();
-  resource.provenance = benchmark_provenance();
-  int index = 0;
-  for (const studies::BenchmarkEvent& entry : benchmark().events)
-    set.rows.push_back(Row()
-                           .number(++index)
-                           .text(entry.event.onset ? "onset" : "capture")
-                           .converged(entry.event.time, entry.time_uncertainty + benchmark().tolerance_effect)
-                           .converged(entry.event.position, entry.position_uncertainty + 1e-13));
-  return set;
-}
-
-namespace {
-
-struct Sample {
-  bool stuck{};
-  double displacement{}, force{};
-};
-
-constexpr double sample_time = 2e-4;
-
-std::vector<Sample> samples(int modes) {
-  const data::Case problem = data::load_case("damped");
-  const analytic::BeamContactModel beam(problem.beam, problem.friction, problem.excitation, problem.damping,
-                                        modes);
-  analytic::EventDriven run(beam.model());
-  std::vector<Sample> list;
-  for (int k = 1; k * sample_time <= horizon; ++k) {
-    run.advance_to(k * sample_time);
-    list.push_back(
-        {run.state() == analytic::ContactPhase::stick, run.contact_position(), -run.friction_force()});
-  }
-  return list;
-}
-
-}  // namespace
-
-DataSet stick_slip_history() {
-  DataSet set = data_set(
-      "stick-slip-history", "stick-slip/history.csv", "The damped stick-slip vibration in time",
-      "The tip and the friction force of stick-slip-events, phase by phase: between an event here and the "
-      "same one elsewhere the two are in different states, and nothing can be compared. Samples at which 28 "
-      "and 40 modes are in different states are left out.");
-  data::Resource& resource = set.resource;
-  resource.fields = {exact_number("time", "s", "since the start"),
-                     word("phase", "of the contact", {"stick", "slip"})};
-  add_value(resource.fields, "tip_displacement", "m", "y(L, t), in the fixed frame", ValueClass::converged);
-  add_value(resource.fields, "friction_force", "N", "f(t), of the tip on the wall", ValueClass::converged);
-  resource.fields.push_back(exact_number("event_distance", "s", "to the nearest event"));
-  resource.primary_key = {"time"};
-  resource.problem = benchmark_problem();
-  resource.diagnosis = in_case("tip displacement", "damped", "time", "tip_displacement");
-  resource.provenance = benchmark_provenance();
-  const auto fine = samples(reference_modes), coarse = samples(28);
-  double largest_displacement = 0.0, largest_force = 0.0;
-  for (std::size_t k = 0; k < fine.size(); ++k) {
-    largest_displacement = std::max(largest_displacement, std::abs(fine[k].displacement));
-    largest_force = std::max(largest_force, std::abs(fine[k].force));
-  }
-  // The largest difference within the phase.
-  std::size_t begin = 0;
-  const auto close_phase = [&](std::size_t end) {
-    double displacement_error = 1e-13, force_error = 1e-9;
-    for (std::size_t k = begin; k < end; ++k) {
-      if (fine[k].stuck != coarse[k].stuck) continue;
-      displacement_error =
-          std::max(displacement_error, std::abs(fine[k].displacement - coarse[k].displacement));
-      force_error = std::max(force_error, std::abs(fine[k].force - coarse[k].force));
-    }
-    for (std::size_t k = begin; k < end; ++k) {
-      if (fine[k].stuck != coarse[k].stuck) continue;
-      const double t = static_cast<double>(k + 1) * sample_time;
-      double nearest = std::numeric_limits<double>::infinity();
-      for (const auto& entry : benchmark().events)
-        nearest = std::min(nearest, std::abs(entry.event.time - t));
-      set.rows.push_back(Row()
-                             .text(fmt::format("{:.4f}", t))
-                             .text(fine[k].stuck ? "stick" : "slip")
-                             .converged(fine[k].displacement, displacement_error)
-                             .converged(fine[k].force, force_error)
-                             .text(fmt::format("{:.3e}", nearest)));
-    }
-    begin = end;
-  };
-  for (std::size_t k = 1; k < fine.size(); ++k)
-    if (fine[k].stuck != fine[begin].stuck) close_phase(k);
-  close_phase(fine.size());
-  resource.comparison = {
-      .kind = data::ComparisonKind::phases,
-      .values = {{"tip_displacement", data::Norm::scale, 1e-2}, {"friction_force", data::Norm::scale, 5e-2}},
-      .abscissa = "time",
-      .interpolation = {},
-      .events = "stick-slip-events",
-      .horizon = horizon};
   return set;
 }
 

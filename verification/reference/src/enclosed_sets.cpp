@@ -25,14 +25,8 @@ constexpr long bits = 384;
 constexpr int mode_count = 10;
 const std::string digits_and_bits = fmt::format(R"({{"bits": {}, "digits": 30}})", bits);
 
-const data::Field beam_column = word("beam", "name of the beam, in beams.csv");
-const data::Field mode_column = integer("mode", "number n, from the lowest");
-
-// k/20 of the length, which is exactly the decimal of the case file.
-Rational point_of(const NamedBeam& named, int k, double& as_double) {
-  as_double = named.problem.beam.length() * k / 20.0;
-  return exact(as_double);
-}
+// k/20 of the length.
+double point_of(const NamedBeam& named, int k) { return named.problem.beam.length() * k / 20.0; }
 
 // The problem of each beam in the column beam.
 void set_problem(data::Resource& resource, std::string_view tip) {
@@ -58,8 +52,7 @@ DataSet beam_table() {
   set.resource.provenance = {.value_class = ValueClass::exact,
                              .method =
                                  "chosen: the beam of the paper, the same with half of E I, that of its Fig. "
-                                 "14, and four that stress an "
-                                 "implementation elsewhere",
+                                 "14, and four that stress an implementation elsewhere",
                              .settings = "{}",
                              .software = software(),
                              .checks = {"each is a case file of the same name that the program runs"}};
@@ -85,7 +78,7 @@ DataSet stick_frequencies() {
                "Clamped-pinned under the axial force P: roots of beta tan(betabar L) = betabar "
                "tanh(beta L), beta^2 = -p/2 + sqrt(p^2/4 + k), betabar^2 = p/2 + sqrt(p^2/4 + k), p "
                "= P/EI, k = rho A omega^2/EI.");
-  set.resource.fields = {beam_column, mode_column};
+  set.resource.fields = {beam_column(), mode_column()};
   add_value(set.resource.fields, "frequency", "Hz", "omega_n/(2 pi)", ValueClass::enclosed);
   add_value(set.resource.fields, "hyperbolic_wave_number", "1/m", "beta_n", ValueClass::enclosed);
   add_value(set.resource.fields, "trigonometric_wave_number", "1/m", "betabar_n", ValueClass::enclosed);
@@ -117,7 +110,7 @@ DataSet slip_frequencies() {
                "Clamped-free under the follower force P (Beck's column), kappa = omega L^2 sqrt(rho "
                "A/EI), z = P L^2/EI: z^2 + 2 kappa^2 (1 + cosh(b) cos(bb)) + z kappa sinh(b) sin(bb) "
                "= 0. Beams beyond the flutter load are left out.");
-  set.resource.fields = {beam_column, mode_column};
+  set.resource.fields = {beam_column(), mode_column()};
   add_value(set.resource.fields, "frequency", "Hz", "omega_n/(2 pi)", ValueClass::enclosed);
   set.resource.primary_key = {"beam", "mode"};
   set.resource.comparison = by_rows({{"frequency", data::Norm::relative, 1e-6}});
@@ -140,7 +133,7 @@ DataSet critical_loads() {
                "Buckling of the stick state, P_cr = y^2 EI/L^2 with tan y = y; flutter of the slip state "
                "(Beck's column); and the force that holds the tip, per deflection of it, at rest: EI S'''(L) "
                "of the static shape, under the axial force of the beam.");
-  set.resource.fields = {beam_column};
+  set.resource.fields = {beam_column()};
   add_value(set.resource.fields, "buckling_load", "N", "of the stick state", ValueClass::enclosed);
   add_value(set.resource.fields, "flutter_load", "N", "of the slip state", ValueClass::enclosed);
   add_value(set.resource.fields, "holding_stiffness", "N/m", "EI S'''(L), the shear force of S",
@@ -170,7 +163,7 @@ DataSet participation() {
   DataSet set = data_set("participation", "shapes/participation.csv", "Participation factors",
                          "C_n = -int U_n (1 + S) dx/int U_n^2 dx of Eq. (25), U_n in the scale of Eq. (22): "
                          "U_n''(0) = beta^2 + betabar^2.");
-  set.resource.fields = {beam_column, mode_column};
+  set.resource.fields = {beam_column(), mode_column()};
   add_value(set.resource.fields, "participation", "", "C_n", ValueClass::enclosed);
   set.resource.primary_key = {"beam", "mode"};
   set.resource.comparison = by_rows({{"participation", data::Norm::relative, 1e-6}});
@@ -190,7 +183,7 @@ DataSet static_shapes() {
       data_set("static-shapes", "shapes/static.csv", "Static shapes",
                "S(x) of Eq. (18): S'''' + (P/EI) S'' = 0, S(0) = S'(0) = S''(L) = 0, S(L) = -1; with "
                "hyperbolic functions in tension.");
-  set.resource.fields = {beam_column, exact_number("x", "m", "distance from the clamp")};
+  set.resource.fields = {beam_column(), exact_number("x", "m", "distance from the clamp")};
   add_value(set.resource.fields, "shape", "", "S(x)", ValueClass::enclosed);
   add_value(set.resource.fields, "slope", "1/m", "S'(x)", ValueClass::enclosed);
   set.resource.primary_key = {"beam", "x"};
@@ -202,8 +195,8 @@ DataSet static_shapes() {
   for (const NamedBeam& named : beams()) {
     const certified::QuasiStaticShape shape(named.beam);
     for (int k = 1; k <= 20; ++k) {
-      double x = 0.0;
-      const certified::Derivatives at = shape.at(Real(point_of(named, k, x)));
+      const double x = point_of(named, k);
+      const certified::Derivatives at = shape.at(Real(exact(x)));
       set.rows.push_back(Row()
                              .text(named.name)
                              .number(x)
@@ -217,7 +210,7 @@ DataSet static_shapes() {
 DataSet mode_shapes() {
   DataSet set = data_set("mode-shapes", "shapes/stick-modes.csv", "Mode shapes of the stick state",
                          "U_n(x) of Eq. (22), with U_n''(0) = beta^2 + betabar^2.");
-  set.resource.fields = {beam_column, mode_column, exact_number("x", "m", "distance from the clamp")};
+  set.resource.fields = {beam_column(), mode_column(), exact_number("x", "m", "distance from the clamp")};
   add_value(set.resource.fields, "shape", "", "U_n(x)", ValueClass::enclosed);
   set.resource.primary_key = {"beam", "mode", "x"};
   set.resource.comparison = by_rows({{"shape", data::Norm::scale, 1e-4}});
@@ -228,10 +221,9 @@ DataSet mode_shapes() {
   for (const NamedBeam& named : beams())
     for (const certified::StickMode& mode : certified::stick_modes(named.beam, mode_count))
       for (int k = 1; k < 20; ++k) {
-        double x = 0.0;
-        const Real at(point_of(named, k, x));
-        set.rows.push_back(
-            Row().text(named.name).number(mode.number).number(x).enclosed(mode.shape(at)[0], 1.0));
+        const double x = point_of(named, k);
+        const Real value = mode.shape(Real(exact(x)))[0];
+        set.rows.push_back(Row().text(named.name).number(mode.number).number(x).enclosed(value, 1.0));
       }
   return set;
 }
@@ -332,7 +324,7 @@ DataSet critical_amplitudes() {
       data_set("critical-amplitudes", "criterion/critical-amplitudes.csv", "Critical amplitudes",
                "The base amplitude at which |f|_max over 10 s reaches mu_s P = 300 N, N = 10: Figs. "
                "6, 11 (case paper) and 13 (case paper-half-stiffness).");
-  set.resource.fields = {beam_column, exact_number("frequency", "Hz", "of the base")};
+  set.resource.fields = {beam_column(), exact_number("frequency", "Hz", "of the base")};
   add_value(set.resource.fields, "amplitude", "m", "A_c", ValueClass::enclosed);
   set.resource.primary_key = {"beam", "frequency"};
   set.resource.comparison = by_rows({{"amplitude", data::Norm::relative, 1e-3}});

@@ -100,12 +100,10 @@ DataSet beam_matrices() {
   DataSet set = data_set(
       "beam-matrices", "manufactured/matrices.csv", "Matrices of the paper's beam with four elements",
       "Four equal Hermite elements, clamped end left out: unknowns 1 to 8 are (w, w_x) of the nodes at 0.5, "
-      "1, 1.5 and 2 "
-      "m. mass: rho A int N N; stiffness: EI int N'' N''; geometric: int N' N', which enters as -P; "
-      "follower: P in the "
-      "row of w(L) and the column of w_x(L); load: rho A int N (column 1), which enters as -h_tt. Stick: "
-      "stiffness - P "
-      "geometric, without row and column 7. Slip: the same plus follower. Entries that are not here are 0.");
+      "1, 1.5 and 2 m. mass: rho A int N N; stiffness: EI int N'' N''; geometric: int N' N', which enters as "
+      "-P; follower: P in the row of w(L) and the column of w_x(L); load: rho A int N (column 1), which "
+      "enters as -h_tt. Stick: stiffness - P geometric, without row and column 7. Slip: the same plus "
+      "follower. Entries that are not here are 0.");
   data::Resource& resource = set.resource;
   resource.fields = {word("matrix", "name", {"mass", "stiffness", "geometric", "follower", "load"}),
                      integer("row", "from 1"), integer("column", "from 1")};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// The data sets of the damped steady state, and of runs without a mesh on modes of the continuous beam: velocities,
-/// whole fields and energies.
+/// The data sets of the damped steady state, and of runs without a mesh on modes of the continuous beam: events,
+/// histories, whole fields and energies.
 
 #include <fmt/format.h>
 
@@ -9,13 +9,16 @@
 #include <cmath>
 #include <complex>
 #include <functional>
+#include <limits>
 #include <numbers>
+#include <stdexcept>
 
 #include "sets.hpp"
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/damped_steady_state.hpp"
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
+#include "studies/stick_slip/damped_benchmark.hpp"
 #include "studies/stick_slip/finite_element_contact_model.hpp"
 
 namespace stickslip::reference {
@@ -27,13 +30,13 @@ namespace {
 // The state of the beam at one time, with y and y_t at some points.
 struct BeamState {
   bool is_stuck{};
-  double friction_force{};
+  double friction_force{}, tip_displacement{};
   std::vector<double> displacement, velocity;
   analytic::EventDrivenEnergy energy;
 };
 
 std::vector<BeamState> beam_states(const data::Case& problem, int modes, const std::vector<double>& times,
-                                   const std::vector<double>& points, bool has_energy) {
+                                   const std::vector<double>& points, bool has_energy = false) {
   const analytic::BeamContactModel beam(problem.beam, problem.friction, problem.excitation, problem.damping,
                                         modes);
   analytic::EventDriven run(beam.model(), {.keep_energy_balance = has_energy});
@@ -44,6 +47,7 @@ std::vector<BeamState> beam_states(const data::Case& problem, int modes, const s
     BeamState& state = states.emplace_back();
     state.is_stuck = run.state() == analytic::ContactPhase::stick;
     state.friction_force = -run.friction_force();
+    state.tip_displacement = run.contact_position();
     if (has_energy) state.energy = run.energy_balance();
     for (const double x : points) {
       const std::vector<double> shape = beam.shapes(x);
@@ -69,14 +73,48 @@ struct FieldQuantity {
   std::function<double(const BeamState&)> value;
 };
 
+constexpr int fine_modes = 40, coarse_modes = 28;
+constexpr double slip_duration = 0.5;  // s
+
+bool slips(const data::Case& problem) { return problem.name == "damped"; }
+
+// The problem of a run, and how its values were found.
+void state_run(data::Resource& resource, const data::Case& problem) {
+  resource.problem =
+      problem_of(problem, "paper", slips(problem) ? "friction" : "held",
+                 {{"/duration", slips(problem) ? fmt::format("{}", slip_duration) : std::string("1")}});
+  resource.provenance = converged_by(
+      "event-driven integration on 40 modes of the continuous beam, held while it sticks, and the static "
+      "shape: exact in stick, Runge-Kutta of order 8 in slip. The half-width is the largest difference to 28 "
+      "modes, in the phase or at the time; the error falls faster than the third power of their number",
+      R"({"modes": 40, "fewer_modes": 28, "tolerance": 1e-12})",
+      {"finite elements, to their order, in fields"});
+}
+
+// The largest difference of a quantity in a phase from `first` to `end`, without samples in different states.
+double phase_half_width(const FieldQuantity& quantity, const std::vector<BeamState>& fine,
+                        const std::vector<BeamState>& coarse, std::size_t first, std::size_t end) {
+  double radius = quantity.least;
+  for (std::size_t i = first; i < end; ++i)
+    if (coarse[i].is_stuck == fine[i].is_stuck)
+      radius = std::max(radius, std::abs(quantity.value(fine[i]) - quantity.value(coarse[i])));
+  return radius;
+}
+
+struct Sampling {
+  double step{};  // s
+  int count{};
+  int decimals{3};  // of the times
+};
+
 // A history at equal times. The half-width is the difference between 40 and 28 modes, the largest in the phase of
 // stick or slip. Samples at which they are in different phases are left out.
-DataSet history_of(DataSet set, const data::Case& problem, double step, int count,
+DataSet history_of(DataSet set, const data::Case& problem, const Sampling& sampling,
                    const std::vector<FieldQuantity>& quantities, bool has_energy = false) {
   data::Resource& resource = set.resource;
-  const bool slips = problem.name == "damped";
+  state_run(resource, problem);
   resource.fields = {exact_number("time", "s", "since the start")};
-  if (slips) resource.fields.push_back(word("phase", "of the contact", {"stick", "slip"}));
+  if (slips(problem)) resource.fields.push_back(word("phase", "of the contact", {"stick", "slip"}));
   std::vector<data::ComparedValue> compared;
   for (const FieldQuantity& quantity : quantities) {
     add_value(resource.fields, quantity.name, quantity.unit, quantity.description, ValueClass::converged);
@@ -84,39 +122,27 @@ DataSet history_of(DataSet set, const data::Case& problem, double step, int coun
   }
   resource.primary_key = {"time"};
   resource.comparison = along("time", compared);
-  resource.problem =
-      problem_of(problem, "paper", slips ? "friction" : "held", {{"/duration", slips ? "0.5" : "1"}});
-  if (slips) {
+  if (slips(problem)) {
     resource.comparison->kind = data::ComparisonKind::phases;
     resource.comparison->events = "stick-slip-events";
-    resource.comparison->horizon = 0.5;
+    resource.comparison->horizon = slip_duration;
   }
-  resource.provenance = converged_by(
-      "event-driven integration on 40 modes of the continuous beam, held while it sticks, and the static "
-      "shape: exact in "
-      "stick, Runge-Kutta of order 8 in slip. The half-width is the largest difference to 28 modes, in the "
-      "phase or at "
-      "the time; the error falls faster than the third power of their number",
-      R"({"modes": 40, "fewer_modes": 28, "tolerance": 1e-12})",
-      {"finite elements, to their order, in fields"});
-  const std::vector<double> times = equal_times(step, count),
+  const std::vector<double> times = equal_times(sampling.step, sampling.count),
                             points{0.5 * problem.beam.length(), problem.beam.length()};
-  const auto fine = beam_states(problem, 40, times, points, has_energy);
-  const auto coarse = beam_states(problem, 28, times, points, has_energy);
+  const auto fine = beam_states(problem, fine_modes, times, points, has_energy);
+  const auto coarse = beam_states(problem, coarse_modes, times, points, has_energy);
   for (std::size_t first = 0, end = 0; first < fine.size(); first = end) {
     while (end < fine.size() && fine[end].is_stuck == fine[first].is_stuck) ++end;
+    std::vector<double> radii;
+    for (const FieldQuantity& quantity : quantities)
+      radii.push_back(phase_half_width(quantity, fine, coarse, first, end));
     for (std::size_t k = first; k < end; ++k) {
       if (coarse[k].is_stuck != fine[k].is_stuck) continue;
       Row row;
-      row.text(fmt::format("{:.3f}", times[k]));
-      if (slips) row.text(fine[k].is_stuck ? "stick" : "slip");
-      for (const FieldQuantity& quantity : quantities) {
-        double radius = quantity.least;
-        for (std::size_t i = first; i < end; ++i)
-          if (coarse[i].is_stuck == fine[i].is_stuck)
-            radius = std::max(radius, std::abs(quantity.value(fine[i]) - quantity.value(coarse[i])));
-        row.converged(quantity.value(fine[k]), radius);
-      }
+      row.text(fmt::format("{:.{}f}", times[k], sampling.decimals));
+      if (slips(problem)) row.text(fine[k].is_stuck ? "stick" : "slip");
+      for (std::size_t q = 0; q < quantities.size(); ++q)
+        row.converged(quantities[q].value(fine[k]), radii[q]);
       set.rows.push_back(row);
     }
   }
@@ -133,11 +159,12 @@ constexpr double eta = 6.4e-5;
 constexpr double velocity_rounding = 1e-11;
 
 double midspan_velocity(const BeamState& state) { return state.velocity.front(); }
+double wall_force(const BeamState& state) { return state.friction_force; }
 
 // y and y_t at 21 points and ten times, at which 40 and 28 modes must be in the same phase.
 DataSet fields_of(DataSet set, const data::Case& problem, double step) {
-  set = history_of(std::move(set), problem, step, 0, {});
   data::Resource& resource = set.resource;
+  state_run(resource, problem);
   resource.fields = {exact_number("time", "s", "since the start"),
                      exact_number("x", "m", "distance from the clamp")};
   add_value(resource.fields, "displacement", "m", "y(x, t), absolute", ValueClass::converged);
@@ -148,8 +175,8 @@ DataSet fields_of(DataSet set, const data::Case& problem, double step) {
   std::vector<double> points;
   for (int k = 0; k <= 20; ++k) points.push_back(problem.beam.length() * k / 20.0);
   const std::vector<double> times = equal_times(step, 10);
-  const auto fine = beam_states(problem, 40, times, points, false);
-  const auto coarse = beam_states(problem, 28, times, points, false);
+  const auto fine = beam_states(problem, fine_modes, times, points);
+  const auto coarse = beam_states(problem, coarse_modes, times, points);
   for (std::size_t k = 0; k < times.size(); ++k) {
     if (fine[k].is_stuck != coarse[k].is_stuck) throw std::runtime_error("the runs are in different phases");
     double displacement = 1e-13, velocity = velocity_rounding;
@@ -173,7 +200,7 @@ DataSet stick_velocities() {
   return history_of(
       data_set("stick-velocities", "stick/velocities.csv", "Velocities of the held beam",
                "The velocity at the middle of the beam of stick-history, every 5 ms."),
-      held_problem(0.0), 5e-3, 200,
+      held_problem(0.0), {5e-3, 200},
       {{"midspan_velocity", "m/s", "y_t(L/2, t), absolute", 1e-3, velocity_rounding, midspan_velocity}});
 }
 
@@ -181,11 +208,96 @@ DataSet damped_stick_history() {
   return history_of(
       data_set("damped-stick-history", "stick/damped.csv", "The held beam with damping",
                "stick-history with Kelvin-Voigt damping of 0.5 % of critical in the first mode, every 5 ms."),
-      held_problem(eta), 5e-3, 200,
+      held_problem(eta), {5e-3, 200},
       {{"midspan_displacement", "m", "y(L/2, t), absolute", 1e-3, 1e-16,
         [](const BeamState& state) { return state.displacement.front(); }},
-       {"friction_force", "N", "f(t), of the tip on the wall", 2e-2, 1e-9,
-        [](const BeamState& state) { return state.friction_force; }}});
+       {"friction_force", "N", "f(t), of the tip on the wall", 2e-2, 1e-9, wall_force}});
+}
+
+namespace {
+
+// The events of the case damped, and their half-widths.
+const studies::DampedBenchmark& benchmark() {
+  static const studies::DampedBenchmark known = [] {
+    auto made = studies::damped_benchmark(data::load_case("damped"), {.duration = slip_duration,
+                                                                      .modes = fine_modes,
+                                                                      .other_modes = {},
+                                                                      .event_driven_elements = {},
+                                                                      .elements = {},
+                                                                      .time_steps = {}});
+    if (made.tolerance_effect > 1e-9)
+      throw std::runtime_error("the events of the damped benchmark depend on the integrator's tolerance");
+    return made;
+  }();
+  return known;
+}
+
+data::Provenance benchmark_provenance() {
+  return converged_by(
+      "event-driven integration on the modes of the continuous beam, held while it sticks: exact in stick, "
+      "Runge-Kutta of order 8 in slip. The error falls faster than the third power of the number of modes; "
+      "the half-width is the difference to 28 modes, of which at most 0.55 are left",
+      R"({"modes": 40, "fewer_modes": 28, "tolerance": 1e-12, "shortest_stick": 2e-5})",
+      {"finite elements with generalised-alpha converge to it in mesh and step",
+       "the same method on finite elements converges to it",
+       "a hundred times the tolerance changes no event by 1e-9 s"});
+}
+
+}  // namespace
+
+DataSet stick_slip_events() {
+  DataSet set = data_set(
+      "stick-slip-events", "stick-slip/events.csv", "Onsets and captures of the damped stick-slip vibration",
+      "The paper's beam at 25 Hz and 1 mm with Kelvin-Voigt damping of 0.5 % of critical in the first mode "
+      "(case damped), with the tip at rest at the start. Stick phases shorter than 2e-5 s count as part of "
+      "the slip round them.");
+  data::Resource& resource = set.resource;
+  resource.fields = {integer("index", "number of the event, from 1"),
+                     word("change", "onset of slip, or capture", {"onset", "capture"})};
+  add_value(resource.fields, "time", "s", "of the event", ValueClass::converged);
+  add_value(resource.fields, "position", "m", "y(L), of the tip in the fixed frame", ValueClass::converged);
+  resource.primary_key = {"index"};
+  resource.comparison = {
+      .kind = data::ComparisonKind::events,
+      .values = {{"time", data::Norm::absolute, 8e-5}, {"position", data::Norm::absolute, 1e-5}},
+      .abscissa = {},
+      .interpolation = {},
+      .events = {},
+      .horizon = slip_duration,
+      .shortest_phase = 2e-5};
+  resource.diagnosis = in_case("contact event", "damped", "index", "time");
+  state_run(resource, data::load_case("damped"));
+  resource.provenance = benchmark_provenance();
+  int index = 0;
+  for (const studies::BenchmarkEvent& entry : benchmark().events)
+    set.rows.push_back(Row()
+                           .number(++index)
+                           .text(entry.event.onset ? "onset" : "capture")
+                           .converged(entry.event.time, entry.time_uncertainty + benchmark().tolerance_effect)
+                           .converged(entry.event.position, entry.position_uncertainty + 1e-13));
+  return set;
+}
+
+DataSet stick_slip_history() {
+  DataSet set = history_of(
+      data_set("stick-slip-history", "stick-slip/history.csv", "The damped stick-slip vibration in time",
+               "The tip and the friction force of stick-slip-events, phase by phase: between an event here "
+               "and the same one elsewhere the two are in different states, and nothing can be compared. "
+               "Samples at which 28 and 40 modes are in different states are left out."),
+      data::load_case("damped"), {2e-4, 2500, 4},
+      {{"tip_displacement", "m", "y(L, t), in the fixed frame", 1e-2, 1e-13,
+        [](const BeamState& state) { return state.tip_displacement; }},
+       {"friction_force", "N", "f(t), of the tip on the wall", 5e-2, 1e-9, wall_force}});
+  set.resource.diagnosis = in_case("tip displacement", "damped", "time", "tip_displacement");
+  set.resource.provenance = benchmark_provenance();
+  set.resource.fields.push_back(exact_number("event_distance", "s", "to the nearest event"));
+  for (std::vector<std::string>& row : set.rows) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const auto& entry : benchmark().events)
+      nearest = std::min(nearest, std::abs(entry.event.time - std::stod(row.front())));
+    row.push_back(fmt::format("{:.3e}", nearest));
+  }
+  return set;
 }
 
 DataSet stick_slip_velocities() {
@@ -193,7 +305,7 @@ DataSet stick_slip_velocities() {
       data_set("stick-slip-velocities", "stick-slip/velocities.csv",
                "Velocities in damped stick-slip vibration",
                "The tip and the middle of the beam of stick-slip-history, every 2 ms, phase by phase."),
-      data::load_case("damped"), 2e-3, 250,
+      data::load_case("damped"), {2e-3, 250},
       {{"tip_velocity", "m/s", "y_t(L, t), the sliding velocity", 2e-2, velocity_rounding,
         [](const BeamState& state) { return state.is_stuck ? 0.0 : state.velocity.back(); }},
        {"midspan_velocity", "m/s", "y_t(L/2, t), absolute", 2e-2, velocity_rounding, midspan_velocity}});
@@ -210,9 +322,8 @@ DataSet stick_slip_energy() {
   return history_of(
       data_set("stick-slip-energy", "stick-slip/energy.csv", "Energies of the damped stick-slip vibration",
                "Of the beam of stick-slip-history, every 10 ms, in the frame of the base. Kinetic and "
-               "potential energy "
-               "change by the two works less the two losses."),
-      data::load_case("damped"), 1e-2, 50,
+               "potential energy change by the two works less the two losses."),
+      data::load_case("damped"), {1e-2, 50},
       {quantity("kinetic_energy", "integral of rho A u_t^2/2", &Energy::kinetic),
        quantity("potential_energy", "integral of (EI u_xx^2 - P u_x^2)/2", &Energy::potential),
        quantity("base_work", "of -rho A h_tt on u_t and of f on h_t, since the start", &Energy::base_work),
@@ -234,7 +345,7 @@ Samples event_driven_samples(const data::Case& problem, int modes) {
     times.push_back(i / (per_period * problem.excitation.frequency_hz()));
   Samples samples;
   for (const BeamState& state :
-       beam_states(problem, modes, times, {0.5 * problem.beam.length(), problem.beam.length()}, false)) {
+       beam_states(problem, modes, times, {0.5 * problem.beam.length(), problem.beam.length()})) {
     samples[0].push_back(state.displacement.back());
     samples[1].push_back(state.displacement.front());
     samples[2].push_back(state.friction_force);
@@ -301,13 +412,11 @@ DataSet stick_slip_spectrum() {
   DataSet set =
       data_set("stick-slip-spectrum", "stick-slip/spectrum.csv", "The steady damped stick-slip vibration",
                "The beam of stick-slip-history from 10 to 20 s. Its motion is steady, but not periodic: "
-               "beside the odd harmonics of "
-               "25 Hz it has a self-excited vibration of 9.5 Hz. Of the 64 samples per period z_i at t_i = "
-               "10 s + i/(64 f0), with "
-               "the weights w_i = 1 - cos(2 pi i/16000): rms is the root of the mean of z_i^2, an amplitude "
-               "|2 sum w_i z_i "
-               "exp(-2 pi sqrt(-1) f t_i)|/sum w_i, at f = n f0 for harmonic-n, and its largest over 9 to 10 "
-               "Hz for self-excited.");
+               "beside the odd harmonics of 25 Hz it has a self-excited vibration of 9.5 Hz. Of the 64 "
+               "samples per period z_i at t_i = 10 s + i/(64 f0), with the weights w_i = 1 - cos(2 pi "
+               "i/16000): rms is the root of the mean of z_i^2, an amplitude |2 sum w_i z_i exp(-2 pi "
+               "sqrt(-1) f t_i)|/sum w_i, at f = n f0 for harmonic-n, and its largest over 9 to 10 Hz for "
+               "self-excited.");
   data::Resource& resource = set.resource;
   const data::Case problem = data::load_case("damped");
   resource.fields = {word("part", "of the spectrum", words)};
@@ -324,8 +433,7 @@ DataSet stick_slip_spectrum() {
   resource.problem = problem_of(problem, "paper", "friction", {{"/duration", "20"}});
   resource.provenance = converged_by(
       "event-driven integration on 28 modes of the continuous beam. The half-width is twice the larger of "
-      "the "
-      "differences to 20 modes and to finite elements: displacements with generalised-alpha, forces from "
+      "the differences to 20 modes and to finite elements: displacements with generalised-alpha, forces from "
       "event to event",
       R"({"modes": 28, "fewer_modes": 20, "elements": 40, "time_step": 2.5e-5, "event_driven_elements": 16})",
       {"two implementations that share nothing", "the same from 20 to 30 and from 30 to 40 s, to 1e-4"});
@@ -387,8 +495,8 @@ DataSet damped_steady_state() {
   constexpr double relative = 1e-10;
   resource.provenance = converged_by(
       "the closed form with a complex rigidity EI (1 + 2 pi i f0 eta), in double precision. The half-width "
-      "is 1e-10 of "
-      "the value (of 1 rad), far above the rounding error times the resonance factor, which is at most 200",
+      "is 1e-10 of the value (of 1 rad), far above the rounding error times the resonance factor, which is "
+      "at most 200",
       R"({"relative_half_width": 1e-10})", {"the harmonic response of finite elements, to their order"});
   for (int hz = 1; hz <= 120; ++hz) {
     const analytic::DampedSteadyState steady(

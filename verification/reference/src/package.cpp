@@ -113,6 +113,20 @@ std::string text_of(const Json& json, std::size_t indent = 0) {
   return text + close;
 }
 
+// The text of the CSV file of a data set.
+std::string csv_of(const DataSet& set) {
+  std::string text;
+  for (const data::Field& field : set.resource.fields) text += (text.empty() ? "" : ",") + field.name;
+  text += '\n';
+  for (const auto& row : set.rows) {
+    if (row.size() != set.resource.fields.size())
+      throw std::logic_error(fmt::format("{}: a row of {} cells for {} fields", set.resource.name, row.size(),
+                                         set.resource.fields.size()));
+    text += fmt::format("{}\n", fmt::join(row, ","));
+  }
+  return text;
+}
+
 }  // namespace
 
 const std::vector<Recipe>& recipes() {
@@ -164,19 +178,6 @@ const std::vector<Recipe>& recipes() {
                                        {"non-stop-limits", non_stop_limits, true},
                                        {"beam-matrices", beam_matrices, true}};
   return all;
-}
-
-std::string csv_of(const DataSet& set) {
-  std::string text;
-  for (const data::Field& field : set.resource.fields) text += (text.empty() ? "" : ",") + field.name;
-  text += '\n';
-  for (const auto& row : set.rows) {
-    if (row.size() != set.resource.fields.size())
-      throw std::logic_error(fmt::format("{}: a row of {} cells for {} fields", set.resource.name, row.size(),
-                                         set.resource.fields.size()));
-    text += fmt::format("{}\n", fmt::join(row, ","));
-  }
-  return text;
 }
 
 std::map<std::string, std::string> package_files(const std::vector<DataSet>& sets,

@@ -291,10 +291,9 @@ DataSet published_problems() {
       data_set("published-problems", "single-mass/published-problems.csv",
                "Friction problems of others, event by event",
                "One or two masses with one contact; mu_s holds it while it sticks, mu_k while it slides. A "
-               "block on an incline, "
-               "SDND100 and SDND106 of code_aster, Den Hartog's steady motion without stops, and motions "
-               "from rest of Hong and "
-               "Liu with 1, 2, 4 and 6 stops in a period. README.md states equations, numbers and sources.");
+               "block on an incline, SDND100 and SDND106 of code_aster, Den Hartog's steady motion without "
+               "stops, and motions from rest of Hong and Liu with 1, 2, 4 and 6 stops in a period. README.md "
+               "states equations, numbers and sources.");
   data::Resource& resource = set.resource;
   resource.fields = {
       word("problem", "name"), integer("index", "number of the event, from 1"),

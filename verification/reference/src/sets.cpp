@@ -58,11 +58,12 @@ Row& Row::enclosed(const Real& value, double scale) {
 }
 
 Row& Row::converged(double value, double radius) {
+  if (!(radius > 0.0 && std::isfinite(radius)))
+    throw std::runtime_error("a radius must be positive and finite");
   // Rounded up by more than the rounding error of the printed value.
   const double printed_radius = 1.02 * radius;
   const int decimals = static_cast<int>(std::ceil(-std::log10(printed_radius))) + 2;
-  if (!(radius > 0.0 && decimals < 60)) throw std::runtime_error("a radius must be positive");
-  return text(decimals >= 0 ? fmt::format("{:.{}f}", value, decimals) : fmt::format("{:.0f}", value))
+  return text(fmt::format("{:.{}f}", value, std::max(decimals, 0)))
       .text(fmt::format("{:.1e}", 1.05 * printed_radius));
 }
 
@@ -89,6 +90,10 @@ data::Field exact_number(std::string name, std::string unit, std::string descrip
   field.value_class = data::ValueClass::exact;
   return field;
 }
+
+data::Field beam_column() { return word("beam", "name of the beam, in beams.csv"); }
+
+data::Field mode_column() { return integer("mode", "number n, from the lowest"); }
 
 void add_value(std::vector<data::Field>& fields, const std::string& name, const std::string& unit,
                const std::string& description, data::ValueClass value_class) {
@@ -172,6 +177,14 @@ data::Provenance enclosed_by(std::string method, std::string settings, std::vect
           .method = "ball arithmetic (Arb), every rounding accounted for: " + std::move(method),
           .settings = std::move(settings),
           .software = software() + ", Arb " + std::string(arb_version),
+          .checks = std::move(checks)};
+}
+
+data::Provenance converged_by(std::string method, std::string settings, std::vector<std::string> checks) {
+  return {.value_class = data::ValueClass::converged,
+          .method = std::move(method),
+          .settings = std::move(settings),
+          .software = software(),
           .checks = std::move(checks)};
 }
 

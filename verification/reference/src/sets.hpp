@@ -55,6 +55,9 @@ class Row {
                                std::vector<std::string> allowed = {});
 [[nodiscard]] data::Field integer(std::string name, std::string description);
 [[nodiscard]] data::Field exact_number(std::string name, std::string unit, std::string description);
+/// The name of a beam, which refers to the data set beams (beam_key), and the number of a mode.
+[[nodiscard]] data::Field beam_column();
+[[nodiscard]] data::Field mode_column();
 /// Adds the description of a value and of its radius.
 void add_value(std::vector<data::Field>& fields, const std::string& name, const std::string& unit,
                const std::string& description, data::ValueClass value_class);

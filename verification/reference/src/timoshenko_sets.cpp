@@ -45,12 +45,10 @@ DataSet timoshenko_frequencies(bool is_held) {
                          fmt::format("frequencies/timoshenko-{}.csv", state),
                          fmt::format("Natural frequencies of Timoshenko beams, tip {}", tip),
                          fmt::format("Clamped-{} beams with rotary inertia and shear, shear coefficient 5/6 "
-                                     "and Poisson's ratio 0.3, so that "
-                                     "G = E/2.6, without axial force.",
+                                     "and Poisson's ratio 0.3, so that G = E/2.6, without axial force.",
                                      is_held ? "pinned" : "free"));
   data::Resource& resource = set.resource;
-  resource.fields = {word("beam", "name of the beam, in beams.csv"),
-                     integer("mode", "number n, from the lowest")};
+  resource.fields = {beam_column(), mode_column()};
   add_value(resource.fields, "frequency", "Hz", "omega_n/(2 pi)", data::ValueClass::enclosed);
   resource.primary_key = {"beam", "mode"};
   resource.foreign_keys = {beam_key()};

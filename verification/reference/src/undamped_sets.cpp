@@ -164,10 +164,8 @@ DataSet undamped_fields() {
       problem_of(problem, run.case_name, "friction", {{"/duration", fmt::format("{}", times * interval)}});
   resource.provenance = converged_by(
       "free modes of the beam, propagated exactly, friction constant over a step. Half-width: twice the "
-      "larger of "
-      "the differences so far to twice the step, at all points, and to the boundary integral of the tip, at "
-      "the "
-      "quarters of the length. An estimate, not a bound",
+      "larger of the differences so far to twice the step, at all points, and to the boundary integral of "
+      "the tip, at the quarters of the length. An estimate, not a bound",
       fmt::format(R"({{"case": "paper", "steps_per_interval": {}}})", steps),
       {"finite elements, to the tolerance; the middle and the tip are those of undamped-history-25"});
   std::vector<double> points;

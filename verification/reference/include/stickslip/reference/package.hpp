@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// Generates the published reference data in data/reference/. Each number has the half-width of its
-/// uncertainty, and each data set has its provenance. Enclosed values come from ball arithmetic, converged
+/// Generates the published reference data in data/reference/. Enclosed values come from ball arithmetic, converged
 /// values from the studies.
 
 #include <functional>
@@ -31,9 +30,6 @@ struct Recipe {
 /// The recipes of all data sets, in the order of the package. A recipe throws what its computation throws,
 /// and std::runtime_error if a number is less accurate than the published accuracy requires.
 [[nodiscard]] const std::vector<Recipe>& recipes();
-
-/// The text of the CSV file of a data set.
-[[nodiscard]] std::string csv_of(const DataSet& set);
 
 /// The texts of the files of a package by their names in its folder: datapackage.json and a table for each of
 /// `sets`. With the text of a datapackage.json that was made before, the recipes' other data sets keep what it says
