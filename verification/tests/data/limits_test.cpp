@@ -2,11 +2,8 @@
 /// The edges of what the readers take: magnitudes, sizes, units, characters and names that are nearly right.
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -16,19 +13,11 @@
 #include "stickslip/data/csv_text.hpp"
 #include "stickslip/data/input_text.hpp"
 #include "stickslip/data/units.hpp"
+#include "support/input_folder.hpp"
 #include "support/requirements.hpp"
 
 namespace stickslip::testing {
 namespace {
-
-bool is_refused(const std::string& key, double value) {
-  try {
-    data::require_magnitude(key, value, "--x");
-  } catch (const data::InputError&) {
-    return true;
-  }
-  return false;
-}
 
 STICKSLIP_VERIFIES(InputLimits, "P1");
 TEST(InputLimits, OfEachKeyAreAllowedThemselves) {
@@ -60,23 +49,19 @@ TEST(InputLimits, OfEachKeyAreAllowedThemselves) {
                            {"contact.regularisation_velocity", 1e-18, 1e9},
                            {"wall.speed", 1e-15, 1e9}}) {
     for (const double value : {smallest, largest, -smallest, -largest, 0.0})
-      EXPECT_FALSE(is_refused(key, value)) << key;
-    for (const double sign : {1.0, -1.0}) {
-      EXPECT_TRUE(is_refused(key, sign * std::nextafter(smallest, 0.0))) << key;
-      EXPECT_TRUE(is_refused(key, sign * std::nextafter(largest, std::numeric_limits<double>::infinity())))
-          << key;
-    }
+      EXPECT_NO_THROW(data::require_magnitude(key, value, "--x")) << key;
+    const double below = std::nextafter(smallest, 0.0), above = std::nextafter(largest, 1e300);
+    for (const double value : {below, above, -below, -above})
+      EXPECT_THROW(data::require_magnitude(key, value, "--x"), data::InputError) << key;
   }
 }
 
 TEST(InputLimits, MayHaveAsManyBytesAsAreAllowed) {
-  const auto file =
-      std::filesystem::temp_directory_path() / ("stickslip-limits-" + std::to_string(::getpid()));
-  std::ofstream(file, std::ios::binary) << std::string(100'000, 'x');
+  const InputFolder folder;
+  const auto file = folder.write("x", std::string(100'000, 'x'));
   EXPECT_EQ(data::read_bounded(file, 100'000).size(), 100'000u);
   EXPECT_EQ(data::read_bounded(file, 100'001).size(), 100'000u);
   EXPECT_THROW((void)data::read_bounded(file, 99'999), data::InputError);
-  std::filesystem::remove(file);
 }
 
 TEST(InputLimits, HasTheUnitsOfEveryQuantity) {

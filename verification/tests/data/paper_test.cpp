@@ -2,22 +2,19 @@
 /// What the paper prints, as data: complete, consistent with its digits, and tied to the errata.
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/data/paper.hpp"
-#include "support/beams.hpp"
+#include "support/input_folder.hpp"
 #include "support/ledgers.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
@@ -25,20 +22,17 @@
 namespace stickslip {
 namespace {
 
-void expect_half_digit(const std::string& id, double expected) {
-  EXPECT_TRUE(
-      testing::within(data::printed_number(id).half_digit, expected, testing::round_off(4.0, 1.0, expected)))
-      << id;
-}
-
 STICKSLIP_VERIFIES(PrintedNumbers, "P3");
 TEST(PrintedNumbers, CarryHalfAUnitOfTheirLastDigitInSi) {
-  expect_half_digit("frequency.stick.1", 0.05);
-  expect_half_digit("force_max.15", 0.005);
-  expect_half_digit("force_max.25", 50.0);
-  expect_half_digit("friction_limit", 0.5);
-  expect_half_digit("figure6.amplitude.increment", 0.005e-3);
-  expect_half_digit("numerics.time_step", 0.5e-4);
+  for (const auto& [id, expected] : {std::pair{"frequency.stick.1", 0.05},
+                                     {"force_max.15", 0.005},
+                                     {"force_max.25", 50.0},
+                                     {"friction_limit", 0.5},
+                                     {"figure6.amplitude.increment", 0.005e-3},
+                                     {"numerics.time_step", 0.5e-4}})
+    EXPECT_TRUE(testing::within(data::printed_number(id).half_digit, expected,
+                                testing::round_off(4.0, 1.0, expected)))
+        << id;
 }
 
 TEST(PrintedNumbers, AFractionIsExact) {
@@ -62,18 +56,19 @@ TEST(PrintedNumbers, TellGivenInputsFromRoundedResults) {
 }
 
 TEST(PrintedNumbers, HoldTheResultsOfSection5) {
-  EXPECT_EQ(data::printed_number("force_max.15").value, 40.38);
-  EXPECT_EQ(data::printed_number("force_max.25").value, 3.03e4);
-  EXPECT_EQ(data::printed_number("force_max.35").value, 254.87);
-  EXPECT_EQ(data::printed_number("force_max.70").value, 977.54);
-  EXPECT_EQ(data::printed_number("frequency.stick.1").value, 25.0);
-  EXPECT_EQ(data::printed_number("frequency.stick.2").value, 81.1);
-  EXPECT_EQ(data::printed_number("frequency.stick.3").value, 169.3);
-  EXPECT_EQ(data::printed_number("frequency.stick.1.half_stiffness").value, 17.6);
-  EXPECT_EQ(data::printed_number("frequency.stick.2.half_stiffness").value, 57.3);
-  EXPECT_EQ(data::printed_number("frequency.stick.3.half_stiffness").value, 119.6);
-  EXPECT_EQ(data::printed_number("figure14.length.1").value, 0.88);
-  EXPECT_EQ(data::printed_number("figure14.length.2").value, 1.58);
+  for (const auto& [id, value] : {std::pair{"force_max.15", 40.38},
+                                  {"force_max.25", 3.03e4},
+                                  {"force_max.35", 254.87},
+                                  {"force_max.70", 977.54},
+                                  {"frequency.stick.1", 25.0},
+                                  {"frequency.stick.2", 81.1},
+                                  {"frequency.stick.3", 169.3},
+                                  {"frequency.stick.1.half_stiffness", 17.6},
+                                  {"frequency.stick.2.half_stiffness", 57.3},
+                                  {"frequency.stick.3.half_stiffness", 119.6},
+                                  {"figure14.length.1", 0.88},
+                                  {"figure14.length.2", 1.58}})
+    EXPECT_EQ(data::printed_number(id).value, value) << id;
 }
 
 TEST(PrintedNumbers, DifferFromThePapersCaseInTheSecondMomentOfAreaOnly) {
@@ -172,22 +167,14 @@ TEST(Claims, NameEveryErratumAndHaveItsVerdict) {
 class MalformedPaperFile : public ::testing::Test {
  protected:
   void SetUp() override {
-    std::filesystem::create_directories(folder_ / "paper");
-    ::setenv("STICKSLIP_DATA", folder_.c_str(), 1);
+    std::filesystem::create_directories(folder_.path() / "paper");
+    ::setenv("STICKSLIP_DATA", folder_.path().c_str(), 1);
   }
-  void TearDown() override {
-    ::unsetenv("STICKSLIP_DATA");
-    std::filesystem::remove_all(folder_);
-  }
+  void TearDown() override { ::unsetenv("STICKSLIP_DATA"); }
 
   [[nodiscard]] std::string error_message(const std::string& text) const {
-    std::ofstream(folder_ / "paper" / "printed-numbers.toml") << text;
-    try {
-      static_cast<void>(data::printed_numbers());
-    } catch (const data::InputError& error) {
-      return error.what();
-    }
-    return "accepted";
+    folder_.write("paper/printed-numbers.toml", text);
+    return folder_.refusal([] { static_cast<void>(data::printed_numbers()); });
   }
 
   void expect_refused(const std::string& text, const std::string& part) const {
@@ -202,8 +189,7 @@ class MalformedPaperFile : public ::testing::Test {
   }
 
  private:
-  std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() / ("stickslip-paper-" + std::to_string(::getpid()));
+  const testing::InputFolder folder_;
 };
 
 STICKSLIP_VERIFIES(MalformedPaperFile, "P3");

@@ -21,15 +21,6 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-data::NumericalChoices usual_choices() {
-  return {.elements = 20,
-          .time_step = 1e-4,
-          .spectral_radius = 0.9,
-          .velocity_threshold = 1e-4,
-          .modes = 10,
-          .duration = 10.0};
-}
-
 // Builds a problem type with one field replaced.
 struct Field {
   std::string name;
@@ -60,7 +51,7 @@ Field excitation_field(const std::string& name, double data::HarmonicMotion::*me
 
 Field numerics_field(const std::string& name, double data::NumericalChoices::*member) {
   const std::string table = name == "duration" ? "excitation." : "numerics.";  // where a case file has it
-  return field<data::NumericalSettings>(table + name, usual_choices(), member);
+  return field<data::NumericalSettings>(table + name, testing::paper_choices(10.0), member);
 }
 
 Field damping_field(const std::string& name, double data::DampingProperties::*member) {
@@ -235,33 +226,23 @@ TEST(NumericalSettings, RefuseADurationShorterThanOneStep) {
   expect_refused(duration, 0.5e-4, "5e-05", "at least numerics.time_step, which is 1e-04");
 }
 
-std::string error_message(int data::NumericalChoices::*member, int value) {
-  auto choices = usual_choices();
-  choices.*member = value;
-  try {
-    static_cast<void>(data::NumericalSettings(choices));
-  } catch (const std::invalid_argument& error) {
-    return error.what();
+TEST(NumericalSettings, BoundTheNumbersOfElementsAndModes) {
+  struct Count {
+    std::string name;
+    int data::NumericalChoices::*member;
+    int most;
+  };
+  for (const auto& [name, member, most] : {Count{"elements", &data::NumericalChoices::elements, 100000},
+                                           Count{"modes", &data::NumericalChoices::modes, 200}}) {
+    const Field field{"numerics." + name, [member = member](double value) {
+                        auto choices = testing::paper_choices(10.0);
+                        choices.*member = static_cast<int>(value);
+                        static_cast<void>(data::NumericalSettings(choices));
+                      }};
+    for (const int accepted : {1, most}) EXPECT_EQ(error_message(field, accepted), "accepted") << name;
+    for (const int refused : {0, most + 1})
+      expect_refused(field, refused, std::to_string(refused), "an integer from 1 to " + std::to_string(most));
   }
-  return "accepted";
-}
-
-TEST(NumericalSettings, BoundTheNumberOfElements) {
-  for (const int accepted : {1, 100000})
-    EXPECT_EQ(error_message(&data::NumericalChoices::elements, accepted), "accepted");
-  EXPECT_EQ(error_message(&data::NumericalChoices::elements, 0),
-            "numerics.elements is 0, but must be an integer from 1 to 100000");
-  EXPECT_EQ(error_message(&data::NumericalChoices::elements, 100001),
-            "numerics.elements is 100001, but must be an integer from 1 to 100000");
-}
-
-TEST(NumericalSettings, BoundTheNumberOfModes) {
-  for (const int accepted : {1, 200})
-    EXPECT_EQ(error_message(&data::NumericalChoices::modes, accepted), "accepted");
-  EXPECT_EQ(error_message(&data::NumericalChoices::modes, 0),
-            "numerics.modes is 0, but must be an integer from 1 to 200");
-  EXPECT_EQ(error_message(&data::NumericalChoices::modes, 201),
-            "numerics.modes is 201, but must be an integer from 1 to 200");
 }
 
 STICKSLIP_VERIFIES(ShortestText, "P1");
