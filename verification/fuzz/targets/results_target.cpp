@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "memory_file.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/data/user_table.hpp"
 #include "target.hpp"

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -53,5 +54,20 @@ inline constexpr std::array targets{Target{"case", read_case_file}, Target{"resu
 
 /// Throws Violation unless the message of the error is one line of text.
 void require_sentence(const std::exception& error);
+
+/// A file in memory that has a path, so that functions which read files can use it.
+class MemoryFile {
+ public:
+  MemoryFile();
+  ~MemoryFile();
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+
+  /// Replaces the content of the file by `text` and returns the path.
+  [[nodiscard]] std::filesystem::path with(std::string_view text);
+
+ private:
+  int descriptor_;
+};
 
 }  // namespace stickslip::fuzz
