@@ -71,7 +71,7 @@ void require_magnitude(std::string_view path, const Magnitudes& magnitudes, doub
   const auto& [smallest, largest, unit] = magnitudes;
   const double magnitude = std::abs(value);
   if (value == 0.0 || !std::isfinite(value) || (smallest <= magnitude && magnitude <= largest)) return;
-  throw FieldError(path, shortest_text(value),
+  throw FieldError(path, value,
                    "from " + shortest_text(smallest) + " to " + shortest_text(largest) +
                        (unit.empty() ? "" : " (" + std::string(unit) + ")") + " in magnitude");
 }

@@ -39,10 +39,9 @@ using Target = std::variant<double*, int*>;
 enum class Presence { required, optional };
 
 struct Key {
-  std::string_view table;
-  std::string_view name;
+  std::string_view table, name;
   Target (*target)(Draft&);
-  Magnitudes magnitudes{};
+  Magnitudes magnitudes;
   Presence presence{Presence::required};
 
   [[nodiscard]] std::string path() const { return std::string(table) + "." + std::string(name); }
@@ -82,21 +81,16 @@ constexpr std::array keys{
         Magnitudes{1e-18, 1e6, "m"}},
     Key{"excitation", "duration", member<&Draft::numerics, &NumericalChoices::duration>,
         Magnitudes{1e-15, 1e15, "s"}, Presence::optional},
-    Key{"numerics",
-        "elements",
-        member<&Draft::numerics, &NumericalChoices::elements>,
-        {},
+    Key{"numerics", "elements", member<&Draft::numerics, &NumericalChoices::elements>, Magnitudes{},
         Presence::optional},
     Key{"numerics", "time_step", member<&Draft::numerics, &NumericalChoices::time_step>,
         Magnitudes{1e-15, 1e9, "s"}, Presence::optional},
-    Key{"numerics",
-        "spectral_radius",
-        member<&Draft::numerics, &NumericalChoices::spectral_radius>,
-        {},
-        Presence::optional},
+    Key{"numerics", "spectral_radius", member<&Draft::numerics, &NumericalChoices::spectral_radius>,
+        Magnitudes{}, Presence::optional},
     Key{"numerics", "velocity_threshold", member<&Draft::numerics, &NumericalChoices::velocity_threshold>,
         Magnitudes{1e-18, 1e9, "m/s"}, Presence::optional},
-    Key{"numerics", "modes", member<&Draft::numerics, &NumericalChoices::modes>, {}, Presence::optional},
+    Key{"numerics", "modes", member<&Draft::numerics, &NumericalChoices::modes>, Magnitudes{},
+        Presence::optional},
     Key{"damping", "kelvin_voigt", member<&Draft::damping, &DampingProperties::kelvin_voigt>,
         Magnitudes{1e-18, 1e6, "s"}, Presence::optional},
     Key{"damping", "ratio", member<&Draft::damping, &DampingProperties::ratio>, Magnitudes{1e-9, 1.0, ""},
@@ -190,8 +184,8 @@ Entries entries_of(const std::filesystem::path& file, const toml::table& documen
   const auto tables = table_names();
   for (const auto& [key, value] : document) {
     const std::string name(key.str());
-    const std::string place = place_of(file, value);
     if (name == "uncertainty") continue;
+    const std::string place = place_of(file, value);
     const bool is_known = std::ranges::find(tables, name) != tables.end();
     if (const auto* table = value.as_table()) {
       if (!is_known) throw_unknown_table(place, name);

@@ -133,7 +133,7 @@ void expand_poissons_ratio(const std::optional<Section>& section, Entries& entri
   const Entry* given = find(entries, key);
   if (given == nullptr) return;
   const double nu = number_of(key, {1e-9, 1.0, ""}, *given);
-  if (!(nu > -1.0 && nu < 0.5)) throw FieldError(key, shortest_text(nu), "a number above -1 and below 0.5");
+  if (!(nu > -1.0 && nu < 0.5)) throw FieldError(key, nu, "a number above -1 and below 0.5");
   const Entry* modulus = find(entries, "beam.youngs_modulus");
   if (!section || modulus == nullptr)
     throw InputError(given->place + ": beam.poissons_ratio is " + given->description + ", but needs " +

@@ -5,8 +5,8 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <initializer_list>
 #include <limits>
+#include <set>
 #include <stdexcept>
 #include <string_view>
 
@@ -21,8 +21,7 @@ std::filesystem::path numbers_file() { return data_directory() / "paper" / "prin
 
 // A printed decimal: its value, and half a unit of its last digit.
 struct Decimal {
-  double value{};
-  double half_digit{};
+  double value{}, half_digit{};
 };
 
 double to_number(const Record& record, std::string_view digits) {
@@ -95,7 +94,10 @@ std::vector<PrintedNumber> printed_numbers() {
       numbers_file(), "number",
       {"id", "value", "unit", "printed", "printed_unit", "scale", "given", "place", "meaning", "erratum"},
       read_printed_number);
-  require_unique(numbers_file(), rows, &PrintedNumber::id, "id");
+  std::set<std::string> ids;
+  for (const PrintedNumber& row : rows)
+    if (!ids.insert(row.id).second)
+      throw InputError(numbers_file().string() + ": the id " + row.id + " stands twice");
   return rows;
 }
 

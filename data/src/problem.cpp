@@ -38,7 +38,7 @@ Beam::Beam(const BeamProperties& properties) : properties_(properties) {
   require_positive("beam.youngs_modulus", youngs_modulus(), " (Pa)");
   require_finite("beam.axial_force", axial_force(), " (N, compression positive)");
   if (!(axial_direction() >= 0.0 && axial_direction() <= 1.0))
-    throw FieldError("beam.axial_direction", shortest_text(axial_direction()),
+    throw FieldError("beam.axial_direction", axial_direction(),
                      "a number from 0 (follows the tip) to 1 (keeps its direction)");
   require_not_negative("beam.shear_stiffness", shear_stiffness(), " (N; 0: rigid in shear)");
 }
@@ -47,7 +47,7 @@ FrictionLaw::FrictionLaw(const FrictionCoefficients& coefficients) : coefficient
   require_not_negative("friction.static_coefficient", static_coefficient(), "");
   require_not_negative("friction.kinetic_coefficient", kinetic_coefficient(), "");
   if (kinetic_coefficient() > static_coefficient())
-    throw FieldError("friction.kinetic_coefficient", shortest_text(kinetic_coefficient()),
+    throw FieldError("friction.kinetic_coefficient", kinetic_coefficient(),
                      "at most friction.static_coefficient, which is " + shortest_text(static_coefficient()));
   if (!(decay() >= 0.0))
     throw FieldError("friction.decay", decay(), "a number of 0 or more (s/m), or inf for a jump");
@@ -101,7 +101,7 @@ HarmonicExcitation::HarmonicExcitation(const HarmonicMotion& motion) : motion_(m
 Damping::Damping(const DampingProperties& properties) : properties_(properties) {
   require_not_negative("damping.kelvin_voigt", kelvin_voigt(), " (s)");
   if (!(ratio() >= 0.0 && ratio() < 1.0))
-    throw FieldError("damping.ratio", shortest_text(ratio()), "a number from 0 to below 1");
+    throw FieldError("damping.ratio", ratio(), "a number from 0 to below 1");
 }
 
 Wall::Wall(const WallProperties& properties) : properties_(properties) {
@@ -112,16 +112,16 @@ NumericalSettings::NumericalSettings(const NumericalChoices& choices) : choices_
   require_between("numerics.elements", elements(), 1, 100000);
   require_positive("numerics.time_step", time_step(), " (s)");
   if (!(spectral_radius() >= 0.0 && spectral_radius() <= 1.0))
-    throw FieldError("numerics.spectral_radius", shortest_text(spectral_radius()), "a number from 0 to 1");
+    throw FieldError("numerics.spectral_radius", spectral_radius(), "a number from 0 to 1");
   require_not_negative("numerics.velocity_threshold", velocity_threshold(), " (m/s)");
   require_between("numerics.modes", modes(), 1, 200);
   require_positive("excitation.duration", duration(), " (s)");
   if (duration() < time_step())
-    throw FieldError("excitation.duration", shortest_text(duration()),
+    throw FieldError("excitation.duration", duration(),
                      "at least numerics.time_step, which is " + shortest_text(time_step()));
   constexpr double most_steps = 1e9;
   if (duration() > most_steps * time_step())
-    throw FieldError("excitation.duration", shortest_text(duration()),
+    throw FieldError("excitation.duration", duration(),
                      "at most a billion times numerics.time_step, which is " + shortest_text(time_step()));
 }
 

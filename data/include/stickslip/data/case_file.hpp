@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// Cases as TOML files: the tables [beam], [friction], [excitation], [numerics], [damping] and [wall], whose keys are
-/// the field names of problem.hpp. A value is a number in SI units, or a text of a number and a unit ("1.5 mm").
-/// These keys may be missing: those of [damping] and [wall], friction.viscous and beam.axial_direction are then 0, those of [numerics] have the
-/// values of default_numerics(), excitation.duration is default_duration, and without friction.kinetic_coefficient the friction is Coulomb's, with the
-/// static coefficient. In place of some keys a file may hold others:
+/// Cases as TOML files: the tables [beam], [friction], [excitation], [numerics], [damping], [contact] and [wall], whose
+/// keys are the field names of problem.hpp. A value is a number in SI units, or a text of a number and a unit ("1.5 mm").
+/// These keys may be missing:
+///   those of [damping], [contact] and [wall], friction.viscous, beam.axial_direction, beam.shear_stiffness: they have the
+///     defaults of problem.hpp;
+///   those of [numerics]: they have the values of default_numerics();
+///   excitation.duration: it is default_duration;
+///   friction.kinetic_coefficient: the friction is Coulomb's, with the static coefficient.
+/// In place of some keys a file may hold others:
 ///   [section] shape = "rectangle" (width; height, in the direction of the vibration), "circle" (diameter) or
 ///     "tube" (diameter, wall_thickness): beam.area, beam.second_moment_of_area;
 ///   beam.material, a name of list_materials(): beam.density, beam.youngs_modulus;
+///   beam.poissons_ratio, with a section: beam.shear_stiffness;
 ///   excitation.velocity_amplitude (m/s) or acceleration_amplitude (m/s^2): excitation.amplitude.
 /// A table [uncertainty] (uncertainty.hpp) gives keys a distribution; one that is missing elsewhere has the mean
 /// of its distribution.
@@ -54,9 +59,10 @@ struct Override {
 void require_magnitude(std::string_view key, double value, const std::string& place);
 
 /// Reads and validates a case, of at most 1 MB; the last override of a key wins, and one of the three amplitudes
-/// replaces the other two. An integer may stand where a float is expected, but not the other way round. Throws InputError for a file that cannot be read, a syntax
-/// error, an unknown, missing or mistyped key, a value that the problem types do not allow, or one that no
-/// beam has: each quantity has a range of magnitudes, in SI units, that the problem types do not know.
+/// replaces the other two. An integer may stand where a float is expected, but not the other way round. Throws
+/// InputError for a file that cannot be read, a syntax error, an unknown, missing or mistyped key, a value that the
+/// problem types do not allow, or one that no beam has: each quantity has a range of magnitudes, in SI units, that the
+/// problem types do not know.
 [[nodiscard]] Case read_case(const std::filesystem::path& file, const std::vector<Override>& overrides = {});
 
 /// The case that a file with this text holds. Throws what read_case() throws.

@@ -52,10 +52,6 @@ class Record {
 
   [[nodiscard]] bool has(std::string_view key) const { return table_.contains(key); }
 
-  /// What read makes of each table of the array of tables under the key.
-  template <class Read>
-  auto tables(std::string_view key, std::initializer_list<std::string_view> known, Read read) const;
-
   /// Throws "<place>: <key> is <value>, but must be <allowed>".
   [[noreturn]] void fail_unless(std::string_view key, std::string_view allowed) const {
     const toml::node* value = table_.get(key);
@@ -73,41 +69,18 @@ class Record {
   const toml::table& table_;
 };
 
-/// What read makes of each table of the array of tables `name` in a table. Throws InputError, beginning with
-/// the place, if there is no such array.
-template <class Read>
-auto read_all(const std::filesystem::path& file, const toml::table& table, const std::string& place,
-              std::string_view name, std::initializer_list<std::string_view> known, Read read) {
-  const auto* list = table.get_as<toml::array>(name);
-  if (list == nullptr || !list->is_array_of_tables())
-    throw InputError(place + ": must hold tables [[" + std::string(name) + "]]");
-  std::vector<decltype(read(std::declval<const Record&>()))> rows;
-  for (const auto& element : *list) rows.push_back(read(Record(file, *element.as_table(), known)));
-  return rows;
-}
-
-/// The same of a file.
+/// What read makes of each table of the array of tables `name` in a file. Throws InputError, naming the file, if there
+/// is no such array.
 template <class Read>
 auto read_all(const std::filesystem::path& file, std::string_view name,
               std::initializer_list<std::string_view> known, Read read) {
-  return read_all(file, read_toml(file), file.string(), name, known, read);
-}
-
-template <class Read>
-auto Record::tables(std::string_view key, std::initializer_list<std::string_view> known, Read read) const {
-  return read_all(file_, table_, place_of(file_, table_), key, known, read);
-}
-
-/// Throws InputError if two rows share the value of a field.
-template <class Row>
-void require_unique(const std::filesystem::path& file, const std::vector<Row>& rows, std::string Row::*field,
-                    const std::string& name) {
-  std::vector<std::string> values;
-  values.reserve(rows.size());
-  for (const auto& row : rows) values.push_back(row.*field);
-  std::ranges::sort(values);
-  if (const auto twice = std::ranges::adjacent_find(values); twice != values.end())
-    throw InputError(file.string() + ": the " + name + " " + *twice + " stands twice");
+  const toml::table table = read_toml(file);
+  const auto* list = table.get_as<toml::array>(name);
+  if (list == nullptr || !list->is_array_of_tables())
+    throw InputError(file.string() + ": must hold tables [[" + std::string(name) + "]]");
+  std::vector<decltype(read(std::declval<const Record&>()))> rows;
+  for (const auto& element : *list) rows.push_back(read(Record(file, *element.as_table(), known)));
+  return rows;
 }
 
 }  // namespace stickslip::data
