@@ -15,20 +15,17 @@
 
 namespace stickslip::reference {
 
-using data::ValueClass;
-
 DataSet stick_history() {
   DataSet set =
       data_set("stick-history", "stick/history.csv", "The held beam with all its modes",
                "Fig. 9: the paper's beam at 15 Hz and 0.5 mm, tip held, for any converged implementation. "
                "The paper's ten modes leave 3e-6 of y and 0.3 % of f out.");
   data::Resource& resource = set.resource;
-  resource.fields = {exact_number("time", "s", "since the start")};
-  add_value(resource.fields, "midspan_displacement", "m", "y(L/2, t), absolute", ValueClass::converged);
-  add_value(resource.fields, "friction_force", "N", "f(t), of the tip on the wall", ValueClass::converged);
-  resource.primary_key = {"time"};
-  resource.comparison = along("time", {{"midspan_displacement", data::Norm::scale, 5e-4},
-                                       {"friction_force", data::Norm::scale, 3e-3}});
+  set_key(resource, {exact_number("time", "s", "since the start")});
+  add_values(resource, ValueClass::converged,
+             {{"midspan_displacement", "m", "y(L/2, t), absolute", Norm::scale, 5e-4},
+              {"friction_force", "N", "f(t), of the tip on the wall", Norm::scale, 3e-3}});
+  compare_along(resource, "time");
   resource.diagnosis = in_case("stick displacement", "paper-figure9", "time", "midspan_displacement");
   const data::Case problem = data::load_case("paper-figure9");
   resource.problem = problem_of(problem, "paper", "held", {{"/duration", "1"}});
@@ -68,10 +65,9 @@ DataSet length_force_ratios() {
       "Fig. 14: |f|_max/(mu_s P) over 10 s with N = 10 at 25 Hz and 1 mm for the section 0.2 m x 0.02 m "
       "(case paper-figure14); stick-slip above 1. Points beyond 0.99 of the buckling load are left out.");
   data::Resource& resource = set.resource;
-  resource.fields = {exact_number("length", "m", "L"), exact_number("axial_force", "N", "P")};
-  add_value(resource.fields, "force_ratio", "", "|f|_max/(mu_s P)", ValueClass::converged);
-  resource.primary_key = {"length", "axial_force"};
-  resource.comparison = by_rows({{"force_ratio", data::Norm::relative, 1e-3}});
+  set_key(resource, {exact_number("length", "m", "L"), exact_number("axial_force", "N", "P")});
+  add_values(resource, ValueClass::converged,
+             {{"force_ratio", "", "|f|_max/(mu_s P)", Norm::relative, 1e-3}});
   resource.diagnosis = in_case("force ratio", "paper-figure14", "axial_force", "force_ratio");
   constexpr double width = 1e-10, rounding = 1e-9;
   resource.provenance = converged_by(
@@ -142,10 +138,8 @@ DataSet all_modes_maxima() {
                "|f|_max over 0 <= t <= 10 s with all modes, the paper's beam at 0.5 mm: for finite elements "
                "and other converged methods, which cannot meet the ten modes of friction-maxima.");
   data::Resource& resource = set.resource;
-  resource.fields = {exact_number("frequency", "Hz", "of the base")};
-  add_value(resource.fields, "friction_force", "N", "|f|_max", ValueClass::converged);
-  resource.primary_key = {"frequency"};
-  resource.comparison = by_rows({{"friction_force", data::Norm::relative, 1e-2}});
+  set_key(resource, {exact_number("frequency", "Hz", "of the base")});
+  add_values(resource, ValueClass::converged, {{"friction_force", "N", "|f|_max", Norm::relative, 1e-2}});
   const NamedBeam& paper = beams().front();
   resource.problem = problem_of(paper.problem, paper.name, "held",
                                 {{"/excitation/frequency_hz", in_column("frequency")}, {"/duration", "10"}});
@@ -164,11 +158,9 @@ DataSet all_modes_amplitudes() {
                "The base amplitude at which |f|_max over 10 s reaches mu_s P = 300 N with all modes: "
                "critical-amplitudes for finite elements and other converged methods.");
   data::Resource& resource = set.resource;
-  resource.fields = {beam_column(), exact_number("frequency", "Hz", "of the base")};
-  add_value(resource.fields, "amplitude", "m", "A_c", ValueClass::converged);
-  resource.primary_key = {"beam", "frequency"};
+  set_key(resource, {beam_column(), exact_number("frequency", "Hz", "of the base")});
+  add_values(resource, ValueClass::converged, {{"amplitude", "m", "A_c", Norm::relative, 1e-2}});
   resource.foreign_keys = {beam_key()};
-  resource.comparison = by_rows({{"amplitude", data::Norm::relative, 1e-2}});
   resource.problem = problem_of(beams().front().problem, "paper", "held",
                                 {{"/beam", in_column("beam")},
                                  {"/excitation/frequency_hz", in_column("frequency")},

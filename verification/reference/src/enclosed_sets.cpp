@@ -17,7 +17,6 @@ namespace stickslip::reference {
 using certified::PrecisionScope;
 using certified::Rational;
 using certified::Real;
-using data::ValueClass;
 
 namespace {
 
@@ -78,14 +77,11 @@ DataSet stick_frequencies() {
                "Clamped-pinned under the axial force P: roots of beta tan(betabar L) = betabar "
                "tanh(beta L), beta^2 = -p/2 + sqrt(p^2/4 + k), betabar^2 = p/2 + sqrt(p^2/4 + k), p "
                "= P/EI, k = rho A omega^2/EI.");
-  set.resource.fields = {beam_column(), mode_column()};
-  add_value(set.resource.fields, "frequency", "Hz", "omega_n/(2 pi)", ValueClass::enclosed);
-  add_value(set.resource.fields, "hyperbolic_wave_number", "1/m", "beta_n", ValueClass::enclosed);
-  add_value(set.resource.fields, "trigonometric_wave_number", "1/m", "betabar_n", ValueClass::enclosed);
-  set.resource.primary_key = {"beam", "mode"};
-  set.resource.comparison = by_rows({{"frequency", data::Norm::relative, 1e-6},
-                                     {"hyperbolic_wave_number", data::Norm::relative, 1e-6},
-                                     {"trigonometric_wave_number", data::Norm::relative, 1e-6}});
+  set_key(set.resource, {beam_column(), mode_column()});
+  add_values(set.resource, ValueClass::enclosed,
+             {{"frequency", "Hz", "omega_n/(2 pi)", Norm::relative, 1e-6},
+              {"hyperbolic_wave_number", "1/m", "beta_n", Norm::relative, 1e-6},
+              {"trigonometric_wave_number", "1/m", "betabar_n", Norm::relative, 1e-6}});
   set.resource.diagnosis = for_each_beam("stick frequency", "mode", "frequency");
   set_problem(set.resource, "held");
   set.resource.provenance =
@@ -110,10 +106,9 @@ DataSet slip_frequencies() {
                "Clamped-free under the follower force P (Beck's column), kappa = omega L^2 sqrt(rho "
                "A/EI), z = P L^2/EI: z^2 + 2 kappa^2 (1 + cosh(b) cos(bb)) + z kappa sinh(b) sin(bb) "
                "= 0. Beams beyond the flutter load are left out.");
-  set.resource.fields = {beam_column(), mode_column()};
-  add_value(set.resource.fields, "frequency", "Hz", "omega_n/(2 pi)", ValueClass::enclosed);
-  set.resource.primary_key = {"beam", "mode"};
-  set.resource.comparison = by_rows({{"frequency", data::Norm::relative, 1e-6}});
+  set_key(set.resource, {beam_column(), mode_column()});
+  add_values(set.resource, ValueClass::enclosed,
+             {{"frequency", "Hz", "omega_n/(2 pi)", Norm::relative, 1e-6}});
   set.resource.diagnosis = for_each_beam("slip frequency", "mode", "frequency");
   set_problem(set.resource, "free");
   set.resource.provenance = enclosed_by("every root of the frequency equation is isolated", digits_and_bits,
@@ -133,16 +128,12 @@ DataSet critical_loads() {
                "Buckling of the stick state, P_cr = y^2 EI/L^2 with tan y = y; flutter of the slip state "
                "(Beck's column); and the force that holds the tip, per deflection of it, at rest: EI S'''(L) "
                "of the static shape, under the axial force of the beam.");
-  set.resource.fields = {beam_column()};
-  add_value(set.resource.fields, "buckling_load", "N", "of the stick state", ValueClass::enclosed);
-  add_value(set.resource.fields, "flutter_load", "N", "of the slip state", ValueClass::enclosed);
-  add_value(set.resource.fields, "holding_stiffness", "N/m", "EI S'''(L), the shear force of S",
-            ValueClass::enclosed);
-  set.resource.primary_key = {"beam"};
+  set_key(set.resource, {beam_column()});
+  add_values(set.resource, ValueClass::enclosed,
+             {{"buckling_load", "N", "of the stick state", Norm::relative, 1e-6},
+              {"flutter_load", "N", "of the slip state", Norm::relative, 1e-6},
+              {"holding_stiffness", "N/m", "EI S'''(L), the shear force of S", Norm::relative, 1e-6}});
   set_problem(set.resource, "held");
-  set.resource.comparison = by_rows({{"buckling_load", data::Norm::relative, 1e-6},
-                                     {"flutter_load", data::Norm::relative, 1e-6},
-                                     {"holding_stiffness", data::Norm::relative, 1e-6}});
   set.resource.provenance =
       enclosed_by("the root of tan y = y, and the double root of the frequency equation", digits_and_bits,
                   {"Beck's 20.05 EI/L^2"});
@@ -163,10 +154,8 @@ DataSet participation() {
   DataSet set = data_set("participation", "shapes/participation.csv", "Participation factors",
                          "C_n = -int U_n (1 + S) dx/int U_n^2 dx of Eq. (25), U_n in the scale of Eq. (22): "
                          "U_n''(0) = beta^2 + betabar^2.");
-  set.resource.fields = {beam_column(), mode_column()};
-  add_value(set.resource.fields, "participation", "", "C_n", ValueClass::enclosed);
-  set.resource.primary_key = {"beam", "mode"};
-  set.resource.comparison = by_rows({{"participation", data::Norm::relative, 1e-6}});
+  set_key(set.resource, {beam_column(), mode_column()});
+  add_values(set.resource, ValueClass::enclosed, {{"participation", "", "C_n", Norm::relative, 1e-6}});
   set.resource.diagnosis = for_each_beam("participation", "mode", "participation");
   set_problem(set.resource, "held");
   set.resource.provenance =
@@ -183,11 +172,9 @@ DataSet static_shapes() {
       data_set("static-shapes", "shapes/static.csv", "Static shapes",
                "S(x) of Eq. (18): S'''' + (P/EI) S'' = 0, S(0) = S'(0) = S''(L) = 0, S(L) = -1; with "
                "hyperbolic functions in tension.");
-  set.resource.fields = {beam_column(), exact_number("x", "m", "distance from the clamp")};
-  add_value(set.resource.fields, "shape", "", "S(x)", ValueClass::enclosed);
-  add_value(set.resource.fields, "slope", "1/m", "S'(x)", ValueClass::enclosed);
-  set.resource.primary_key = {"beam", "x"};
-  set.resource.comparison = by_rows({{"shape", data::Norm::scale, 1e-6}, {"slope", data::Norm::scale, 1e-6}});
+  set_key(set.resource, {beam_column(), exact_number("x", "m", "distance from the clamp")});
+  add_values(set.resource, ValueClass::enclosed,
+             {{"shape", "", "S(x)", Norm::scale, 1e-6}, {"slope", "1/m", "S'(x)", Norm::scale, 1e-6}});
   set.resource.diagnosis = for_each_beam("quasi-static shape", "x", "shape");
   set_problem(set.resource, "held");
   set.resource.provenance = enclosed_by("Eq. (18)", digits_and_bits, {"the boundary values hold"});
@@ -210,10 +197,8 @@ DataSet static_shapes() {
 DataSet mode_shapes() {
   DataSet set = data_set("mode-shapes", "shapes/stick-modes.csv", "Mode shapes of the stick state",
                          "U_n(x) of Eq. (22), with U_n''(0) = beta^2 + betabar^2.");
-  set.resource.fields = {beam_column(), mode_column(), exact_number("x", "m", "distance from the clamp")};
-  add_value(set.resource.fields, "shape", "", "U_n(x)", ValueClass::enclosed);
-  set.resource.primary_key = {"beam", "mode", "x"};
-  set.resource.comparison = by_rows({{"shape", data::Norm::scale, 1e-4}});
+  set_key(set.resource, {beam_column(), mode_column(), exact_number("x", "m", "distance from the clamp")});
+  add_values(set.resource, ValueClass::enclosed, {{"shape", "", "U_n(x)", Norm::scale, 1e-4}});
   set_problem(set.resource, "held");
   set.resource.provenance = enclosed_by(
       "Eq. (22)", digits_and_bits, {"value and slope vanish at the clamp, value and curvature at the tip"});
@@ -234,14 +219,13 @@ DataSet stick_history_of_ten_modes() {
                "Fig. 9: the paper's beam at 15 Hz and 0.5 mm, tip held, by Eqs. (27) and (28) with N = 10: "
                "for another evaluation of these sums. Finite elements are nearer to stick-history, which has "
                "all modes.");
-  set.resource.fields = {exact_number("time", "s", "since the start")};
-  add_value(set.resource.fields, "midspan_displacement", "m", "y(L/2, t), absolute", ValueClass::enclosed);
-  add_value(set.resource.fields, "friction_force", "N", "f(t), of the tip on the wall", ValueClass::enclosed);
-  set.resource.primary_key = {"time"};
+  set_key(set.resource, {exact_number("time", "s", "since the start")});
+  add_values(set.resource, ValueClass::enclosed,
+             {{"midspan_displacement", "m", "y(L/2, t), absolute", Norm::scale, 1e-6},
+              {"friction_force", "N", "f(t), of the tip on the wall", Norm::scale, 1e-6}});
+  compare_along(set.resource, "time");
   set.resource.problem =
       problem_of(data::load_case("paper-figure9"), "paper", "held", {{"/modes", "10"}, {"/duration", "1"}});
-  set.resource.comparison = along("time", {{"midspan_displacement", data::Norm::scale, 1e-6},
-                                           {"friction_force", data::Norm::scale, 1e-6}});
   set.resource.diagnosis = in_case("stick displacement", "paper-figure9", "time", "midspan_displacement");
   set.resource.provenance = enclosed_by(
       "Eqs. (27), (28) with omega_n^2 in Eq. (24)",
@@ -301,10 +285,8 @@ DataSet friction_maxima() {
   DataSet set =
       data_set("friction-maxima", "criterion/friction-maxima.csv", "Largest static friction force",
                "|f|_max of Eq. (28) over 0 <= t <= 10 s with N = 10 (Fig. 10), the paper's beam at 0.5 mm.");
-  set.resource.fields = {exact_number("frequency", "Hz", "of the base")};
-  add_value(set.resource.fields, "friction_force", "N", "|f|_max", ValueClass::enclosed);
-  set.resource.primary_key = {"frequency"};
-  set.resource.comparison = by_rows({{"friction_force", data::Norm::relative, 1e-3}});
+  set_key(set.resource, {exact_number("frequency", "Hz", "of the base")});
+  add_values(set.resource, ValueClass::enclosed, {{"friction_force", "N", "|f|_max", Norm::relative, 1e-3}});
   set.resource.diagnosis = in_case("force maximum", "paper", "frequency", "friction_force");
   set.resource.problem = criterion_problem({{"/excitation/frequency_hz", in_column("frequency")}});
   set.resource.provenance = enclosed_by(
@@ -324,10 +306,8 @@ DataSet critical_amplitudes() {
       data_set("critical-amplitudes", "criterion/critical-amplitudes.csv", "Critical amplitudes",
                "The base amplitude at which |f|_max over 10 s reaches mu_s P = 300 N, N = 10: Figs. "
                "6, 11 (case paper) and 13 (case paper-half-stiffness).");
-  set.resource.fields = {beam_column(), exact_number("frequency", "Hz", "of the base")};
-  add_value(set.resource.fields, "amplitude", "m", "A_c", ValueClass::enclosed);
-  set.resource.primary_key = {"beam", "frequency"};
-  set.resource.comparison = by_rows({{"amplitude", data::Norm::relative, 1e-3}});
+  set_key(set.resource, {beam_column(), exact_number("frequency", "Hz", "of the base")});
+  add_values(set.resource, ValueClass::enclosed, {{"amplitude", "m", "A_c", Norm::relative, 1e-3}});
   set.resource.diagnosis = for_each_beam("critical amplitude", "frequency", "amplitude");
   set.resource.problem = criterion_problem({{"/beam", in_column("beam")},
                                             {"/excitation/frequency_hz", in_column("frequency")},
@@ -358,9 +338,8 @@ DataSet classification() {
   set.resource.primary_key = {"frequency", "amplitude"};
   set.resource.problem = criterion_problem({{"/excitation/frequency_hz", in_column("frequency")},
                                             {"/excitation/amplitude", in_column("amplitude")}});
-  set.resource.comparison =
-      by_rows({{"force_ratio", data::Norm::relative, 1e-3},
-               {"verdict", data::Norm::word, 0.0, data::DecidingValue{"force_ratio", 1.0}}});
+  set.resource.comparison = by_rows({{"force_ratio", Norm::relative, 1e-3},
+                                     {"verdict", Norm::word, 0.0, data::DecidingValue{"force_ratio", 1.0}}});
   set.resource.diagnosis = in_case("force ratio", "paper", "amplitude", "force_ratio");
   set.resource.provenance =
       enclosed_by("as in friction-maxima", R"({"modes": 10, "duration": 10, "digits": 30})",

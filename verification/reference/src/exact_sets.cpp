@@ -12,7 +12,6 @@ namespace stickslip::reference {
 using certified::PrecisionScope;
 using certified::Rational;
 using certified::Real;
-using data::ValueClass;
 
 namespace {
 
@@ -38,9 +37,8 @@ DataSet single_mass_events() {
       R"({"system": {"column": "system"},
           "slider": {"mass": 2, "stiffness": 0, "friction_force": 3, "position": 0.25, "velocity": 1.3},
           "oscillator": {"mass": 1, "stiffness": 4, "friction_force": 0.4, "position": 1.04, "velocity": 0}})";
-  resource.comparison = by_rows({{"change", data::Norm::word, 0.0},
-                                 {"time", data::Norm::relative, 1e-6},
-                                 {"position", data::Norm::absolute, 1e-6}});
+  resource.comparison = by_rows(
+      {{"change", Norm::word, 0.0}, {"time", Norm::relative, 1e-6}, {"position", Norm::absolute, 1e-6}});
   resource.provenance = {
       .value_class = ValueClass::enclosed,
       .method = "the piecewise closed form, in ball arithmetic (Arb)",
@@ -72,14 +70,12 @@ DataSet friction_powers() {
       "Case SDND104: 1 kg on a plane that moves by w, w_tt = a sin(2 pi t), with Coulomb friction mu N, mu = "
       "0.1, N = 10 N, from rest on the plane; the mean of N |v_s| over 4 <= t <= 12 s.");
   data::Resource& resource = set.resource;
-  resource.fields = {exact_number("amplitude", "m/s^2", "a")};
-  add_value(resource.fields, "power", "W", "mean", ValueClass::external);
-  resource.primary_key = {"amplitude"};
+  set_key(resource, {exact_number("amplitude", "m/s^2", "a")});
+  add_values(resource, ValueClass::external, {{"power", "W", "mean", Norm::relative, 1e-6}});
   resource.problem =
       R"({"mass": 1, "normal_force": 10, "friction_force": 1, "initial_state": "at rest on the plane",
           "plane_acceleration": {"amplitude": {"column": "amplitude"}, "frequency_hz": 1},
           "mean_from": 4, "mean_to": 12})";
-  resource.comparison = by_rows({{"power", data::Norm::relative, 1e-6}});
   resource.provenance = {.value_class = ValueClass::external,
                          .method =
                              "the test case SDND104 of the validation manual of code_aster, its piecewise "
@@ -105,11 +101,10 @@ DataSet beam_matrices() {
       "enters as -h_tt. Stick: stiffness - P geometric, without row and column 7. Slip: the same plus "
       "follower. Entries that are not here are 0.");
   data::Resource& resource = set.resource;
-  resource.fields = {word("matrix", "name", {"mass", "stiffness", "geometric", "follower", "load"}),
-                     integer("row", "from 1"), integer("column", "from 1")};
-  add_value(resource.fields, "value", "", "of the entry, in SI units (m, rad, kg, N)", ValueClass::enclosed);
-  resource.primary_key = {"matrix", "row", "column"};
-  resource.comparison = by_rows({{"value", data::Norm::relative, 1e-12}});
+  set_key(resource, {word("matrix", "name", {"mass", "stiffness", "geometric", "follower", "load"}),
+                     integer("row", "from 1"), integer("column", "from 1")});
+  add_values(resource, ValueClass::enclosed,
+             {{"value", "", "of the entry, in SI units (m, rad, kg, N)", Norm::relative, 1e-12}});
   resource.problem = R"({"beam": "paper", "damping": {"kelvin_voigt": 0}})";
   resource.provenance = {
       .value_class = ValueClass::enclosed,
@@ -164,20 +159,16 @@ DataSet manufactured_motion() {
       "row of each force) the bending moment EI phi''(L) cos(w t) and, in slip, where the axial force "
       "follows the tip, the force -EI phi'''(L) cos(w t); in stick that force is the reaction.");
   data::Resource& resource = set.resource;
-  resource.fields = {exact_number("axial_force", "N", "P, compression positive"),
-                     exact_number("x", "m", "distance from the clamp")};
-  add_value(resource.fields, "displacement", "m", "phi(x)", ValueClass::enclosed);
-  add_value(resource.fields, "load", "N/m", "q(x)", ValueClass::enclosed);
-  add_value(resource.fields, "bending_moment", "N m", "EI phi''(x)", ValueClass::enclosed);
-  add_value(resource.fields, "shear_force", "N", "EI phi'''(x)", ValueClass::enclosed);
-  resource.primary_key = {"axial_force", "x"};
+  set_key(resource, {exact_number("axial_force", "N", "P, compression positive"),
+                     exact_number("x", "m", "distance from the clamp")});
+  add_values(resource, ValueClass::enclosed,
+             {{"displacement", "m", "phi(x)", Norm::scale, 1e-6},
+              {"load", "N/m", "q(x)", Norm::scale, 1e-6},
+              {"bending_moment", "N m", "EI phi''(x)", Norm::scale, 1e-6},
+              {"shear_force", "N", "EI phi'''(x)", Norm::scale, 1e-6}});
   resource.problem =
       R"({"beam": "paper", "axial_force": {"column": "axial_force"}, "tip": "free",
           "damping": {"kelvin_voigt": 0}})";
-  resource.comparison = by_rows({{"displacement", data::Norm::scale, 1e-6},
-                                 {"load", data::Norm::scale, 1e-6},
-                                 {"bending_moment", data::Norm::scale, 1e-6},
-                                 {"shear_force", data::Norm::scale, 1e-6}});
   resource.provenance = {.value_class = ValueClass::enclosed,
                          .method = "the derivatives in closed form, in ball arithmetic (Arb)",
                          .settings = R"({"bits": 256, "digits": 30})",

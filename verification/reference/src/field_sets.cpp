@@ -23,8 +23,6 @@
 
 namespace stickslip::reference {
 
-using data::ValueClass;
-
 namespace {
 
 // The state of the beam at one time, with y and y_t at some points.
@@ -113,15 +111,13 @@ DataSet history_of(DataSet set, const data::Case& problem, const Sampling& sampl
                    const std::vector<FieldQuantity>& quantities, bool has_energy = false) {
   data::Resource& resource = set.resource;
   state_run(resource, problem);
-  resource.fields = {exact_number("time", "s", "since the start")};
+  set_key(resource, {exact_number("time", "s", "since the start")});
   if (slips(problem)) resource.fields.push_back(word("phase", "of the contact", {"stick", "slip"}));
-  std::vector<data::ComparedValue> compared;
-  for (const FieldQuantity& quantity : quantities) {
-    add_value(resource.fields, quantity.name, quantity.unit, quantity.description, ValueClass::converged);
-    compared.push_back({quantity.name, data::Norm::scale, quantity.tolerance});
-  }
-  resource.primary_key = {"time"};
-  resource.comparison = along("time", compared);
+  std::vector<Value> values;
+  for (const FieldQuantity& quantity : quantities)
+    values.push_back({quantity.name, quantity.unit, quantity.description, Norm::scale, quantity.tolerance});
+  add_values(resource, ValueClass::converged, values);
+  compare_along(resource, "time");
   if (slips(problem)) {
     resource.comparison->kind = data::ComparisonKind::phases;
     resource.comparison->events = "stick-slip-events";
@@ -165,13 +161,11 @@ double wall_force(const BeamState& state) { return state.friction_force; }
 DataSet fields_of(DataSet set, const data::Case& problem, double step) {
   data::Resource& resource = set.resource;
   state_run(resource, problem);
-  resource.fields = {exact_number("time", "s", "since the start"),
-                     exact_number("x", "m", "distance from the clamp")};
-  add_value(resource.fields, "displacement", "m", "y(x, t), absolute", ValueClass::converged);
-  add_value(resource.fields, "velocity", "m/s", "y_t(x, t), absolute", ValueClass::converged);
-  resource.primary_key = {"time", "x"};
-  resource.comparison =
-      by_rows({{"displacement", data::Norm::scale, 1e-2}, {"velocity", data::Norm::scale, 1e-2}});
+  set_key(resource,
+          {exact_number("time", "s", "since the start"), exact_number("x", "m", "distance from the clamp")});
+  add_values(resource, ValueClass::converged,
+             {{"displacement", "m", "y(x, t), absolute", Norm::scale, 1e-2},
+              {"velocity", "m/s", "y_t(x, t), absolute", Norm::scale, 1e-2}});
   std::vector<double> points;
   for (int k = 0; k <= 20; ++k) points.push_back(problem.beam.length() * k / 20.0);
   const std::vector<double> times = equal_times(step, 10);
@@ -254,17 +248,13 @@ DataSet stick_slip_events() {
   data::Resource& resource = set.resource;
   resource.fields = {integer("index", "number of the event, from 1"),
                      word("change", "onset of slip, or capture", {"onset", "capture"})};
-  add_value(resource.fields, "time", "s", "of the event", ValueClass::converged);
-  add_value(resource.fields, "position", "m", "y(L), of the tip in the fixed frame", ValueClass::converged);
   resource.primary_key = {"index"};
-  resource.comparison = {
-      .kind = data::ComparisonKind::events,
-      .values = {{"time", data::Norm::absolute, 8e-5}, {"position", data::Norm::absolute, 1e-5}},
-      .abscissa = {},
-      .interpolation = {},
-      .events = {},
-      .horizon = slip_duration,
-      .shortest_phase = 2e-5};
+  add_values(resource, ValueClass::converged,
+             {{"time", "s", "of the event", Norm::absolute, 8e-5},
+              {"position", "m", "y(L), of the tip in the fixed frame", Norm::absolute, 1e-5}});
+  resource.comparison->kind = data::ComparisonKind::events;
+  resource.comparison->horizon = slip_duration;
+  resource.comparison->shortest_phase = 2e-5;
   resource.diagnosis = in_case("contact event", "damped", "index", "time");
   state_run(resource, data::load_case("damped"));
   resource.provenance = benchmark_provenance();
@@ -419,17 +409,11 @@ DataSet stick_slip_spectrum() {
                "self-excited.");
   data::Resource& resource = set.resource;
   const data::Case problem = data::load_case("damped");
-  resource.fields = {word("part", "of the spectrum", words)};
-  const std::array<std::array<const char*, 3>, 3> columns{{{"tip_amplitude", "m", "of y(L)"},
-                                                           {"midspan_amplitude", "m", "of y(L/2)"},
-                                                           {"force_amplitude", "N", "of f"}}};
-  std::vector<data::ComparedValue> compared;
-  for (const auto& [name, unit, description] : columns) {
-    add_value(resource.fields, name, unit, description, ValueClass::converged);
-    compared.push_back({name, data::Norm::scale, 5e-3});
-  }
-  resource.primary_key = {"part"};
-  resource.comparison = by_rows(compared);
+  set_key(resource, {word("part", "of the spectrum", words)});
+  add_values(resource, ValueClass::converged,
+             {{"tip_amplitude", "m", "of y(L)", Norm::scale, 5e-3},
+              {"midspan_amplitude", "m", "of y(L/2)", Norm::scale, 5e-3},
+              {"force_amplitude", "N", "of f", Norm::scale, 5e-3}});
   resource.problem = problem_of(problem, "paper", "friction", {{"/duration", "20"}});
   resource.provenance = converged_by(
       "event-driven integration on 28 modes of the continuous beam. The half-width is twice the larger of "
@@ -475,19 +459,13 @@ DataSet damped_steady_state() {
       "The paper's beam with Kelvin-Voigt damping at 0.5 mm after its free vibrations have died out, tip "
       "held: y(L/2) = amplitude sin(2 pi f0 t + phase), f likewise, and the heat of a period.");
   data::Resource& resource = set.resource;
-  resource.fields = {exact_number("frequency", "Hz", "f0, of the base")};
-  add_value(resource.fields, "midspan_amplitude", "m", "of y(L/2), absolute", ValueClass::converged);
-  add_value(resource.fields, "midspan_phase", "rad", "of y(L/2)", ValueClass::converged);
-  add_value(resource.fields, "force_amplitude", "N", "of f, the force of the tip on the wall",
-            ValueClass::converged);
-  add_value(resource.fields, "force_phase", "rad", "of f", ValueClass::converged);
-  add_value(resource.fields, "heat", "J", "by damping, per period", ValueClass::converged);
-  resource.primary_key = {"frequency"};
-  resource.comparison = by_rows({{"midspan_amplitude", data::Norm::relative, 1e-3},
-                                 {"midspan_phase", data::Norm::absolute, 1e-3},
-                                 {"force_amplitude", data::Norm::relative, 1e-2},
-                                 {"force_phase", data::Norm::absolute, 1e-2},
-                                 {"heat", data::Norm::relative, 1e-2}});
+  set_key(resource, {exact_number("frequency", "Hz", "f0, of the base")});
+  add_values(resource, ValueClass::converged,
+             {{"midspan_amplitude", "m", "of y(L/2), absolute", Norm::relative, 1e-3},
+              {"midspan_phase", "rad", "of y(L/2)", Norm::absolute, 1e-3},
+              {"force_amplitude", "N", "of f, the force of the tip on the wall", Norm::relative, 1e-2},
+              {"force_phase", "rad", "of f", Norm::absolute, 1e-2},
+              {"heat", "J", "by damping, per period", Norm::relative, 1e-2}});
   const data::Case problem = held_problem(eta);
   resource.problem = problem_of(
       problem, "paper", "held",

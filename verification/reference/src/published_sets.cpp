@@ -18,7 +18,6 @@ using certified::Dual;
 using certified::PrecisionScope;
 using certified::Rational;
 using certified::Real;
-using data::ValueClass;
 
 namespace {
 
@@ -298,11 +297,10 @@ DataSet published_problems() {
   resource.fields = {
       word("problem", "name"), integer("index", "number of the event, from 1"),
       word("change", "of the contact, or state at a given time", {"onset", "reversal", "capture", "state"})};
-  add_value(resource.fields, "time", "s", "of the event", ValueClass::enclosed);
-  add_value(resource.fields, "position", "m", "of the mass", ValueClass::enclosed);
+  add_values(resource, ValueClass::enclosed,
+             {{"time", "s", "of the event", Norm::relative, 1e-6},
+              {"position", "m", "of the mass", Norm::absolute, 1e-6}});
   resource.primary_key = {"problem", "index"};
-  resource.comparison =
-      by_rows({{"time", data::Norm::relative, 1e-6}, {"position", data::Norm::absolute, 1e-6}});
   resource.provenance =
       published_provenance("the piecewise closed form",
                            {"the event-driven engine and the time stepper, to round-off and to order two"});
@@ -330,7 +328,7 @@ DataSet stops_per_period() {
   resource.fields = {exact_number("frequency_ratio", "", "Omega sqrt(m/k)"),
                      exact_number("force_ratio", "", "G/(mu N)"), exact_number("stops", "", "in the period")};
   resource.primary_key = {"frequency_ratio", "force_ratio"};
-  resource.comparison = by_rows({{"stops", data::Norm::absolute, 0.1}});
+  resource.comparison = by_rows({{"stops", Norm::absolute, 0.1}});
   resource.provenance =
       published_provenance("the piecewise closed form", {"the event-driven engine and the time stepper"});
   const PrecisionScope scope(published_bits);
@@ -350,10 +348,9 @@ DataSet non_stop_limits() {
                          "if G/(mu N) is above |1 - r^2| "
                          "sqrt(1/r^4 + tan^2(pi/(2 r))/r^2), r = Omega sqrt(m/k).");
   data::Resource& resource = set.resource;
-  resource.fields = {exact_number("frequency_ratio", "", "r")};
-  add_value(resource.fields, "force_ratio", "", "G/(mu N) at the limit", ValueClass::enclosed);
-  resource.primary_key = {"frequency_ratio"};
-  resource.comparison = by_rows({{"force_ratio", data::Norm::relative, 1e-3}});
+  set_key(resource, {exact_number("frequency_ratio", "", "r")});
+  add_values(resource, ValueClass::enclosed,
+             {{"force_ratio", "", "G/(mu N) at the limit", Norm::relative, 1e-3}});
   resource.provenance = published_provenance("the closed form", {"runs on both sides of the limit"});
   const PrecisionScope scope(published_bits);
   for (const char* r : {"0.6", "0.7", "0.8", "0.9", "1.1", "1.25", "1.5", "2", "3"})

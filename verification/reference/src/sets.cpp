@@ -87,7 +87,7 @@ data::Field exact_number(std::string name, std::string unit, std::string descrip
   data::Field field = word(std::move(name), std::move(description));
   field.type = data::FieldType::number;
   field.unit = std::move(unit);
-  field.value_class = data::ValueClass::exact;
+  field.value_class = ValueClass::exact;
   return field;
 }
 
@@ -96,7 +96,7 @@ data::Field beam_column() { return word("beam", "name of the beam, in beams.csv"
 data::Field mode_column() { return integer("mode", "number n, from the lowest"); }
 
 void add_value(std::vector<data::Field>& fields, const std::string& name, const std::string& unit,
-               const std::string& description, data::ValueClass value_class) {
+               const std::string& description, ValueClass value_class) {
   fields.push_back(exact_number(name, unit, description));
   fields.back().value_class = value_class;
   fields.push_back(exact_number(name + "_radius", unit, "half-width of the uncertainty of " + name));
@@ -149,11 +149,23 @@ data::ComparisonRule by_rows(std::vector<data::ComparedValue> values) {
   return rule;
 }
 
-data::ComparisonRule along(std::string abscissa, std::vector<data::ComparedValue> values) {
-  data::ComparisonRule rule = by_rows(std::move(values));
-  rule.kind = data::ComparisonKind::curve;
-  rule.abscissa = std::move(abscissa);
-  return rule;
+void set_key(data::Resource& resource, std::vector<data::Field> columns) {
+  resource.fields = std::move(columns);
+  for (const data::Field& field : resource.fields) resource.primary_key.push_back(field.name);
+}
+
+void add_values(data::Resource& resource, ValueClass value_class, const std::vector<Value>& values) {
+  std::vector<data::ComparedValue> compared;
+  for (const auto& [name, unit, description, norm, tolerance] : values) {
+    add_value(resource.fields, name, unit, description, value_class);
+    compared.push_back({name, norm, tolerance});
+  }
+  resource.comparison = by_rows(std::move(compared));
+}
+
+void compare_along(data::Resource& resource, std::string abscissa) {
+  resource.comparison->kind = data::ComparisonKind::curve;
+  resource.comparison->abscissa = std::move(abscissa);
 }
 
 data::DiagnosisRule in_case(std::string quantity, std::string name, std::string abscissa, std::string value) {
@@ -173,7 +185,7 @@ data::DiagnosisRule for_each_beam(std::string quantity, std::string abscissa, st
 data::Provenance enclosed_by(std::string method, std::string settings, std::vector<std::string> checks) {
   checks.emplace_back(
       "the double-precision library agrees to a few units in the last place times the condition");
-  return {.value_class = data::ValueClass::enclosed,
+  return {.value_class = ValueClass::enclosed,
           .method = "ball arithmetic (Arb), every rounding accounted for: " + std::move(method),
           .settings = std::move(settings),
           .software = software() + ", Arb " + std::string(arb_version),
@@ -181,7 +193,7 @@ data::Provenance enclosed_by(std::string method, std::string settings, std::vect
 }
 
 data::Provenance converged_by(std::string method, std::string settings, std::vector<std::string> checks) {
-  return {.value_class = data::ValueClass::converged,
+  return {.value_class = ValueClass::converged,
           .method = std::move(method),
           .settings = std::move(settings),
           .software = software(),

@@ -14,6 +14,9 @@
 
 namespace stickslip::reference {
 
+using data::Norm;
+using data::ValueClass;
+
 /// A case with its exact decimals, as published.
 struct NamedBeam {
   std::string name;  ///< of the case file, without extension
@@ -60,7 +63,7 @@ class Row {
 [[nodiscard]] data::Field mode_column();
 /// Adds the description of a value and of its radius.
 void add_value(std::vector<data::Field>& fields, const std::string& name, const std::string& unit,
-               const std::string& description, data::ValueClass value_class);
+               const std::string& description, ValueClass value_class);
 
 /// Name and version of the software, such as "stickslip 1.0.0".
 [[nodiscard]] std::string software();
@@ -83,9 +86,24 @@ void add_value(std::vector<data::Field>& fields, const std::string& name, const 
 [[nodiscard]] std::string problem_of(const data::Case& problem, std::string_view beam, std::string_view tip,
                                      const std::map<std::string, std::string>& others);
 
-/// The comparison row by row, or along an abscissa without interpolation.
+/// The first columns of a data set, which are its primary key.
+void set_key(data::Resource& resource, std::vector<data::Field> columns);
+
+/// A value of a data set with the rule to compare it.
+struct Value {
+  std::string name, unit, description;
+  Norm norm{};
+  double tolerance{};
+};
+
+/// Adds a column for each value and one for its radius, and the comparison of the values row by row.
+void add_values(data::Resource& resource, ValueClass value_class, const std::vector<Value>& values);
+
+/// Makes the comparison one along this column, without interpolation.
+void compare_along(data::Resource& resource, std::string abscissa);
+
+/// The comparison row by row.
 [[nodiscard]] data::ComparisonRule by_rows(std::vector<data::ComparedValue> values);
-[[nodiscard]] data::ComparisonRule along(std::string abscissa, std::vector<data::ComparedValue> values);
 
 /// The diagnosis for one case, or for each beam with the case of the same name.
 [[nodiscard]] data::DiagnosisRule in_case(std::string quantity, std::string name, std::string abscissa,

@@ -48,11 +48,9 @@ DataSet timoshenko_frequencies(bool is_held) {
                                      "and Poisson's ratio 0.3, so that G = E/2.6, without axial force.",
                                      is_held ? "pinned" : "free"));
   data::Resource& resource = set.resource;
-  resource.fields = {beam_column(), mode_column()};
-  add_value(resource.fields, "frequency", "Hz", "omega_n/(2 pi)", data::ValueClass::enclosed);
-  resource.primary_key = {"beam", "mode"};
+  set_key(resource, {beam_column(), mode_column()});
+  add_values(resource, ValueClass::enclosed, {{"frequency", "Hz", "omega_n/(2 pi)", Norm::relative, 1e-6}});
   resource.foreign_keys = {beam_key()};
-  resource.comparison = by_rows({{"frequency", data::Norm::relative, 1e-6}});
   resource.problem =
       fmt::format(R"({{"beam": {}, "axial_force": 0, "tip": "{}", "damping": {{"kelvin_voigt": 0}}, )"
                   R"("shear_coefficient": 0.8333333333333334, "poisson_ratio": 0.3}})",

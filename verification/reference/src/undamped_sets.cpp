@@ -16,8 +16,6 @@
 
 namespace stickslip::reference {
 
-using data::ValueClass;
-
 namespace {
 
 struct Run {
@@ -119,13 +117,11 @@ DataSet undamped_history(std::string_view name) {
                   "Stick and slip alternate without a countable sequence of events; the motion converges.",
                   run.beam, run.frequency_hz, 1e3 * run.amplitude, effort.samples + 1, run.duration));
   data::Resource& resource = set.resource;
-  resource.fields = {exact_number("time", "s", "since the start")};
-  add_value(resource.fields, "tip_displacement", "m", "y(L, t), in the fixed frame", ValueClass::converged);
-  add_value(resource.fields, "midspan_displacement", "m", "y(L/2, t), in the fixed frame",
-            ValueClass::converged);
-  resource.primary_key = {"time"};
-  resource.comparison = along("time", {{"tip_displacement", data::Norm::range, tolerance},
-                                       {"midspan_displacement", data::Norm::range, tolerance}});
+  set_key(resource, {exact_number("time", "s", "since the start")});
+  add_values(resource, ValueClass::converged,
+             {{"tip_displacement", "m", "y(L, t), in the fixed frame", Norm::range, tolerance},
+              {"midspan_displacement", "m", "y(L/2, t), in the fixed frame", Norm::range, tolerance}});
+  compare_along(resource, "time");
   resource.comparison->horizon = run.duration;
   resource.diagnosis = in_case("tip displacement", std::string(run.case_name), "time", "tip_displacement");
   resource.problem =
@@ -155,11 +151,10 @@ DataSet undamped_fields() {
       data_set("undamped-fields", "stick-slip/undamped-fields.csv", "The whole undamped beam in stick-slip",
                "The displacement of the beam of undamped-history-25 at 21 points and ten times.");
   data::Resource& resource = set.resource;
-  resource.fields = {exact_number("time", "s", "since the start"),
-                     exact_number("x", "m", "distance from the clamp")};
-  add_value(resource.fields, "displacement", "m", "y(x, t), absolute", ValueClass::converged);
-  resource.primary_key = {"time", "x"};
-  resource.comparison = by_rows({{"displacement", data::Norm::scale, tolerance}});
+  set_key(resource,
+          {exact_number("time", "s", "since the start"), exact_number("x", "m", "distance from the clamp")});
+  add_values(resource, ValueClass::converged,
+             {{"displacement", "m", "y(x, t), absolute", Norm::scale, tolerance}});
   resource.problem =
       problem_of(problem, run.case_name, "friction", {{"/duration", fmt::format("{}", times * interval)}});
   resource.provenance = converged_by(
