@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Generates the published reference data. Usage: stickslip_reference_data [--output FOLDER] [--only DATA_SET...]
+/// Generates the published reference data.
 
 #include <fmt/format.h>
 

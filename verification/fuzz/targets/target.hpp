@@ -35,7 +35,7 @@ void read_results(Bytes bytes);
 /// Reads a range of `map` and `design`. It must give ascending finite numbers, as many as asked for.
 void parse_ranges(Bytes bytes);
 
-/// Runs a small case, with one byte for each number, for some hundred steps by one of the stick-slip methods.
+/// Runs a small case, with one byte for each number, for at most 200 steps by one of the stick-slip methods.
 /// It must give finite numbers or an error message.
 void respond(Bytes bytes);
 

@@ -387,8 +387,8 @@ std::vector<double> parts_of(const std::vector<double>& samples) {
   for (const double value : samples) squares.push_back(value * value);
   std::vector<double> parts{std::sqrt(0.5 * amplitude_at(squares, 0.0))};
   double largest = 0.0;
-  for (int hundredth = 3600; hundredth <= 4000; ++hundredth)
-    largest = std::max(largest, amplitude_at(samples, 1e-4 * hundredth));
+  for (int i = 3600; i <= 4000; ++i)  // 9 to 10 Hz
+    largest = std::max(largest, amplitude_at(samples, 1e-4 * i));
   parts.push_back(largest);
   for (const int harmonic : {1, 3, 5, 7}) parts.push_back(amplitude_at(samples, harmonic));
   return parts;

@@ -27,8 +27,8 @@ struct NamedBeam {
 /// Loads the case with this name.
 [[nodiscard]] NamedBeam named_beam(const std::string& name);
 
-/// The beams of the package: that of the paper, a steel strip, a soft and short beam, a beam near buckling,
-/// and a beam in tension.
+/// The beams of the data sets of modes and shapes: that of the paper, a steel strip, a soft and short beam, a beam near
+/// buckling, and a beam in tension.
 [[nodiscard]] const std::vector<NamedBeam>& beams();
 
 /// The decimal in a case file, as an exact number.
