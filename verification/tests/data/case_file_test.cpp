@@ -276,12 +276,12 @@ TEST_F(CaseFile, TakesAContactThatYieldsInOneWay) {
 
 // What a record of a map keeps of its case.
 TEST_F(CaseFile, IsTheSameAgainFromItsNumbers) {
-  std::vector<data::Override> overrides;
-  for (const char* text :
-       {"friction.viscous=0.02", "damping.ratio=0.01", "damping.kelvin_voigt=1e-5",
-        "beam.axial_direction=0.25", "beam.shear_stiffness=5e6", "contact.tangential_stiffness=1e7"})
-    overrides.push_back(data::Override::parse(text));
-  const data::Case original = data::load_case("damped", overrides);
+  const data::Case original = data::load_case("damped", {{"friction.viscous", "0.02"},
+                                                         {"damping.ratio", "0.01"},
+                                                         {"damping.kelvin_voigt", "1e-5"},
+                                                         {"beam.axial_direction", "0.25"},
+                                                         {"beam.shear_stiffness", "5e6"},
+                                                         {"contact.tangential_stiffness", "1e7"}});
   const auto numbers = data::numbers_of(original);
   EXPECT_EQ(numbers.at("friction.viscous"), 0.02);
   EXPECT_EQ(numbers.at("damping.ratio"), 0.01);
@@ -294,8 +294,7 @@ TEST_F(CaseFile, IsTheSameAgainFromItsNumbers) {
 }
 
 TEST_F(CaseFile, SuggestsNothingForAKeyLikeNoOther) {
-  const std::string sentence = error_message(valid_case() + "colour_of_the_paint = 'red'\n");
-  EXPECT_EQ(sentence,
+  EXPECT_EQ(error_message(valid_case() + "colour_of_the_paint = 'red'\n"),
             "bar.toml:30: unknown key contact.colour_of_the_paint with the value 'red' (a string), but "
             "[contact] has the keys tangential_stiffness, regularisation_velocity");
 }
@@ -338,11 +337,8 @@ TEST_F(CaseFile, RefusesEveryTypeThatIsNotANumber) {
                                    (key.is_integer() ? "an integer" : "a number")));
 }
 
-TEST_F(CaseFile, TakesIntegersForNumbers) {
+TEST_F(CaseFile, TakesIntegersForNumbersAndNoFloatsForIntegers) {
   EXPECT_EQ(data::read_case(write(case_with("beam.length", "length = 3\n"))).beam.length(), 3.0);
-}
-
-TEST_F(CaseFile, RefusesFloatsForIntegers) {
   for (const std::string key : {"elements", "modes"})
     EXPECT_EQ(error_message(case_with("numerics." + key, key + " = 20.0\n")),
               at("numerics." + key) + "numerics." + key + " is 20 (a float), but must be an integer");
@@ -467,6 +463,7 @@ std::string without_line(std::string text, const std::string& beginning) {
 }
 
 constexpr const char* strip = "shape = 'rectangle'\nwidth = '30 mm'\nheight = '1.5 mm'\n";
+const std::string strip_case = workshop_case(strip, "amplitude = 1e-3\n");
 
 STICKSLIP_VERIFIES(CaseShorthand, "P1");
 class CaseShorthand : public CaseFile {};
@@ -529,25 +526,25 @@ TEST_F(CaseShorthand, SuppliesTheShearStiffnessOfPoissonsRatio) {
 }
 
 TEST_F(CaseShorthand, RefusesAPoissonsRatioWithoutASectionOrTwoShearStiffnesses) {
-  const std::string text = workshop_case(strip, "amplitude = 1e-3\n");
-  EXPECT_EQ(override_error(text, "beam.poissons_ratio=0.5"),
+  EXPECT_EQ(override_error(strip_case, "beam.poissons_ratio=0.5"),
             "beam.poissons_ratio is 0.5, but must be a number above -1 and below 0.5");
-  EXPECT_EQ(override_error(text, "beam.poissons_ratio=-1"),
+  EXPECT_EQ(override_error(strip_case, "beam.poissons_ratio=-1"),
             "beam.poissons_ratio is -1, but must be a number above -1 and below 0.5");
-  EXPECT_EQ(override_error(text, "beam.poissons_ratio=1e-10"),
+  EXPECT_EQ(override_error(strip_case, "beam.poissons_ratio=1e-10"),
             "beam.poissons_ratio is 1e-10, but must be from 1e-09 to 1 in magnitude");
-  EXPECT_EQ(override_error(without_line(text, "material"), "beam.poissons_ratio=0.3"),
+  EXPECT_EQ(override_error(without_line(strip_case, "material"), "beam.poissons_ratio=0.3"),
             "beam.poissons_ratio is 0.3 (a float), but needs beam.youngs_modulus or beam.material; otherwise "
             "give beam.shear_stiffness");
   EXPECT_EQ(override_error(valid_case(), "beam.poissons_ratio=0.3"),
             "beam.poissons_ratio is 0.3 (a float), but needs section.shape; otherwise give "
             "beam.shear_stiffness");
   // The later of two overrides counts, in a file both are too many.
-  EXPECT_EQ(data::read_case(write(text), {{"beam.poissons_ratio", "0.3"}, {"beam.shear_stiffness", "7.0"}})
-                .beam.shear_stiffness(),
-            7.0);
   EXPECT_EQ(
-      error_message("[beam]\npoissons_ratio = 0.3\nshear_stiffness = 7.0\n" + text.substr(7)),
+      data::read_case(write(strip_case), {{"beam.poissons_ratio", "0.3"}, {"beam.shear_stiffness", "7.0"}})
+          .beam.shear_stiffness(),
+      7.0);
+  EXPECT_EQ(
+      error_message("[beam]\npoissons_ratio = 0.3\nshear_stiffness = 7.0\n" + strip_case.substr(7)),
       "bar.toml:3: beam.shear_stiffness is 7 (a float), but must be missing where beam.poissons_ratio is "
       "given");
 }
@@ -597,7 +594,7 @@ TEST_F(CaseShorthand, IsRefusedAsAnOverrideWithoutAMeaning) {
       {"beam.length=3 s",
        "beam.length is 3 s, but must be a number (m) or a text of a number and a unit: m, cm, mm, um, nm"}};
   for (const auto& [override, sentence] : overrides)
-    EXPECT_EQ(override_error(workshop_case(strip, "amplitude = 1e-3\n"), override), sentence);
+    EXPECT_EQ(override_error(strip_case, override), sentence);
 }
 
 TEST_F(CaseShorthand, IsRefusedWithoutAFiniteAmplitude) {
@@ -638,7 +635,7 @@ TEST_F(CaseShorthand, TakesADurationAmongTheNumericsOnce) {
 TEST_F(CaseShorthand, HasAMaterialOnlyWithASource) {
   for (const auto& material : data::list_materials()) {
     EXPECT_FALSE(material.source.empty());
-    const auto file = write(workshop_case(strip, "amplitude = 1e-3\n"));
+    const auto file = write(strip_case);
     EXPECT_EQ(data::read_case(file, {{"beam.material", material.name}}).beam.density(), material.density);
   }
 }
