@@ -36,13 +36,11 @@ void require_the_same_again(const data::Case& problem, MemoryFile& file) {
 void read_case_file(Bytes bytes) {
   static MemoryFile file;
   const auto parts = split(bytes);
-  try {
+  allow_input_errors([&] {
     std::vector<data::Override> overrides;
     for (std::size_t i = 1; i < parts.size(); ++i) overrides.push_back(data::Override::parse(parts[i]));
     require_the_same_again(data::read_case(file.with(parts.front()), overrides), file);
-  } catch (const data::InputError& error) {
-    require_sentence(error);
-  }
+  });
 }
 
 }  // namespace stickslip::fuzz

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "range_text.hpp"
 #include "stickslip/data/case_file.hpp"
@@ -18,26 +17,18 @@ void require_ascending(std::span<const double> values, std::string_view text) {
   if (!holds) throw Violation("the numbers are not ascending, finite and at least 0: " + std::string(text));
 }
 
-void parse_allowing_input_errors(const std::function<void()>& parse) {
-  try {
-    parse();
-  } catch (const data::InputError& error) {
-    require_sentence(error);
-  }
-}
-
 }  // namespace
 
 void parse_ranges(Bytes bytes) {
   const std::string text(bytes.begin(), bytes.end());
-  parse_allowing_input_errors([&] {
+  allow_input_errors([&] {
     const auto axis = cli::parse_axis("--x", text);
     if (axis.values.size() < 2) throw Violation("an axis of fewer than two values: " + text);
     require_ascending(axis.values, text);
     if (axis.values.front() == axis.values.back()) throw Violation("an axis with equal ends: " + text);
   });
   for (const auto parse : {cli::parse_range, cli::parse_band})
-    parse_allowing_input_errors([&] {
+    allow_input_errors([&] {
       const auto [from, to] = parse("--band", text);
       require_ascending(std::array{from, to}, text);
     });

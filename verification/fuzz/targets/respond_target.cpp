@@ -112,33 +112,24 @@ void follow_event_by_event(const data::Case& problem) {
   }
 }
 
-// Distinguishes invalid input and failed runs from internal errors, as the command line does.
-template <class Run>
-void run_allowing_input_errors(const Run& run) {
-  try {
-    run();
-  } catch (const Violation&) {
-    throw;
-  } catch (const std::invalid_argument& error_message) {
-    require_sentence(error_message);
-  } catch (const std::runtime_error& failure) {
-    require_sentence(failure);
-  }
-}
-
 }  // namespace
 
 void respond(Bytes bytes) {
   Choices choices(bytes);
   const bool by_finite_elements = choices.byte() % 2 == 0;
   const auto scheme = static_cast<solver::ContactScheme>(choices.between(0, 2));
-  run_allowing_input_errors([&] {
+  // Invalid input and failed runs, as the command line distinguishes them from internal errors.
+  try {
     const data::Case problem = case_of(choices);
     if (by_finite_elements)
       follow_by_finite_elements(problem, scheme);
     else
       follow_event_by_event(problem);
-  });
+  } catch (const std::invalid_argument& error) {
+    require_sentence(error);
+  } catch (const std::runtime_error& failure) {
+    require_sentence(failure);
+  }
 }
 
 }  // namespace stickslip::fuzz

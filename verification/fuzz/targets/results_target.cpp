@@ -37,14 +37,12 @@ void read_results(Bytes bytes) {
   if (bytes.empty()) return;
   const data::ReferenceTable& reference = tables[bytes.front() % tables.size()];
   const auto parts = split(bytes.subspan(1));
-  try {
+  allow_input_errors([&] {
     std::vector<data::ColumnMapping> mappings;
     for (std::size_t i = 1; i < parts.size(); ++i) mappings.push_back(data::ColumnMapping::parse(parts[i]));
     data::require_known_columns(mappings, {&reference});
     require_whole(data::read_user_table(file.with(parts.front()), reference, mappings));
-  } catch (const data::InputError& error) {
-    require_sentence(error);
-  }
+  });
 }
 
 }  // namespace stickslip::fuzz

@@ -13,6 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include "stickslip/data/input_error.hpp"
+
 namespace stickslip::fuzz {
 
 /// The input of a target.
@@ -54,6 +56,16 @@ inline constexpr std::array targets{Target{"case", read_case_file}, Target{"resu
 
 /// Throws Violation unless the message of the error is one line of text.
 void require_sentence(const std::exception& error);
+
+/// Runs what may refuse its input, in one line of text.
+template <class Run>
+void allow_input_errors(const Run& run) {
+  try {
+    run();
+  } catch (const data::InputError& error) {
+    require_sentence(error);
+  }
+}
 
 /// A file in memory that has a path, so that functions which read files can use it.
 class MemoryFile {
