@@ -27,6 +27,7 @@ struct Entry {
       value;                // monostate: neither number nor text
   std::string description;  // for messages
   std::string place;        // "paper.toml:3" or "override beam.length=1.8"
+  bool is_mean{};           // of a distribution of the key, which has no other value
 };
 
 using Entries = std::map<std::string, Entry>;  // by "table.key"

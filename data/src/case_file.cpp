@@ -175,7 +175,8 @@ Uncertainty uncertainty_in(const std::filesystem::path& file, const toml::table&
 Entries means_in(const std::filesystem::path& file, const toml::table& document) {
   Entries means;
   for (const auto& [key, distribution, place] : uncertainty_in(file, document).keys)
-    means.emplace(key, Entry{distribution.mean_value(), shortest_text(distribution.mean_value()), place});
+    means.emplace(key,
+                  Entry{distribution.mean_value(), shortest_text(distribution.mean_value()), place, true});
   return means;
 }
 
@@ -259,11 +260,11 @@ Case case_of(const std::string& name, const Draft& draft) {
           .wall = Wall(draft.wall)};
 }
 
-// What is missing has its mean.
+// What is missing has its mean, unless a shorthand stands for it.
 Case case_of(const std::filesystem::path& file, Entries entries, Entries means) {
   try {
-    expand_shorthand(entries);
     entries.merge(means);
+    expand_shorthand(entries);
     return case_of(file.stem().string(), draft_of(file, entries));
   } catch (const FieldError& error) {
     const auto given = entries.find(error.field());

@@ -39,10 +39,10 @@ const Entry* find(const Entries& entries, std::string_view key) {
 // Puts a number under a key, at the place of the shorthand that it comes from.
 void supply(Entries& entries, std::string_view key, double value, std::string_view shorthand_key) {
   const std::string place = find(entries, shorthand_key)->place;
-  const auto [at, is_new] = entries.try_emplace(std::string(key), Entry{value, shortest_text(value), place});
-  if (!is_new)
-    throw InputError(at->second.place + ": " + std::string(key) + " is " + at->second.description +
+  if (const Entry* given = find(entries, key); given != nullptr && !given->is_mean)
+    throw InputError(given->place + ": " + std::string(key) + " is " + given->description +
                      ", but must be missing where " + std::string(shorthand_key) + " is given");
+  entries.insert_or_assign(std::string(key), Entry{value, shortest_text(value), place});
 }
 
 constexpr Magnitudes sides{1e-9, 1e6, "m"};

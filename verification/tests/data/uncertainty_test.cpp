@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -77,6 +78,29 @@ correlation = [["beam.length", "beam.area", 0.25]]
 TEST_F(UncertaintyTable, LeavesTheValueOfTheCaseOrSuppliesTheMean) {
   EXPECT_EQ(data::read_case(write(mu)).friction.static_coefficient(), 0.6);
   EXPECT_EQ(data::read_case(write(mu, true)).friction.static_coefficient(), 0.55);
+}
+
+// The mean of a key that is missing elsewhere is also what a shorthand is computed from, but does not contradict it.
+TEST_F(UncertaintyTable, SuppliesTheMeanToAShorthand) {
+  const auto read = [&](const std::string& beam, const std::string& excitation, const std::string& friction,
+                        const std::string& key) {
+    return data::read_case(folder_.write(
+        "bar.toml", "[beam]\nlength = 0.4\naxial_force = 40\n" + beam +
+                        "[section]\nshape = 'rectangle'\nwidth = 0.03\nheight = 1.5e-3\n" + "[excitation]\n" +
+                        excitation + "[friction]\nstatic_coefficient = 0.5\n" + friction +
+                        "[uncertainty]\n\"" + key +
+                        "\" = { distribution = 'normal', mean = 0.25, standard_deviation = 0.01 }\n"));
+  };
+  const std::string steel = "material = 'steel'\n", elastic = "density = 7850\npoissons_ratio = 0.0\n",
+                    motion = "frequency_hz = 30\namplitude = 1e-3\n";
+  EXPECT_NEAR(read(steel, "velocity_amplitude = 0.1\n", "", "excitation.frequency_hz").excitation.amplitude(),
+              0.1 / (0.5 * std::numbers::pi), 1e-16);
+  EXPECT_NEAR(read(elastic, motion, "", "beam.youngs_modulus").beam.shear_stiffness(),
+              5.0 / 6.0 * 4.5e-5 * 0.25 / 2.0, 1e-20);
+  EXPECT_EQ(
+      read(steel, motion, "decay = 1.0\n", "friction.kinetic_coefficient").friction.kinetic_coefficient(),
+      0.25);
+  EXPECT_EQ(read(steel, motion, "", "beam.density").beam.density(), 7850.0);
 }
 
 TEST_F(UncertaintyTable, IsRefusedInOneSentence) {
