@@ -35,9 +35,10 @@ std::string optional_text(const JsonNode& node, const std::string& key) {
   return member ? member->text() : "";
 }
 
-std::vector<std::string> names_of(const std::vector<Field>& fields) {
+template <class Named>  // Field, Resource
+std::vector<std::string> names_of(const std::vector<Named>& items) {
   std::vector<std::string> names;
-  for (const Field& field : fields) names.push_back(field.name);
+  for (const Named& item : items) names.push_back(item.name);
   return names;
 }
 
@@ -341,12 +342,6 @@ void require_licenses(const JsonNode& licenses) {
     license.require_spelling(keys);
     for (const std::string& key : keys) static_cast<void>(optional_text(license, key));
   }
-}
-
-std::vector<std::string> names_of(const std::vector<Resource>& resources) {
-  std::vector<std::string> names;
-  for (const Resource& resource : resources) names.push_back(resource.name);
-  return names;
 }
 
 // The column that a foreign key refers to is there.
