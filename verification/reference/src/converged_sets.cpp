@@ -51,10 +51,8 @@ DataSet stick_history() {
   }
   for (int k = 1; k <= samples; ++k) {
     const double t = k / 1000.0;
-    set.rows.push_back(Row()
-                           .number(t)
-                           .converged(fine.absolute_displacement(midspan, t), displacement_error)
-                           .converged(fine.friction_force(t), force_error));
+    add_row(set, {t, converged(fine.absolute_displacement(midspan, t), displacement_error),
+                  converged(fine.friction_force(t), force_error)});
   }
   return set;
 }
@@ -92,10 +90,7 @@ DataSet length_force_ratios() {
           beam, problem.friction, problem.excitation, problem.numerics.duration(), problem.numerics.modes(),
           analytic::SteadyPart::modal_sum, width);
       const double ratio = criterion.force_max.midpoint() / criterion.friction_limit;
-      set.rows.push_back(Row()
-                             .number(properties.length)
-                             .number(axial_force)
-                             .converged(ratio, (0.5 * width + rounding) * ratio));
+      add_row(set, {properties.length, axial_force, converged(ratio, (0.5 * width + rounding) * ratio)});
     }
   return set;
 }
@@ -146,7 +141,7 @@ DataSet all_modes_maxima() {
   resource.provenance = all_modes_provenance();
   for (int hz = 1; hz <= 120; ++hz) {
     const auto [value, radius] = all_modes_maximum(paper, hz);
-    set.rows.push_back(Row().number(hz).converged(5e-4 * value, 5e-4 * radius));
+    add_row(set, {hz, converged(5e-4 * value, 5e-4 * radius)});
   }
   return set;
 }
@@ -170,10 +165,7 @@ DataSet all_modes_amplitudes() {
   for (const NamedBeam& named : {beams().front(), named_beam("paper-half-stiffness")})
     for (int hz = 5; hz <= 120; hz += 5) {
       const auto [value, radius] = all_modes_maximum(named, hz);
-      set.rows.push_back(Row()
-                             .text(named.name)
-                             .number(hz)
-                             .converged(300.0 / value, 300.0 * radius / (value * (value - radius))));
+      add_row(set, {named.name, hz, converged(300.0 / value, 300.0 * radius / (value * (value - radius)))});
     }
   return set;
 }

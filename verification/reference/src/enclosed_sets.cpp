@@ -59,14 +59,8 @@ DataSet beam_table() {
   for (const char* name : {"paper-half-stiffness", "paper-figure14"}) all.push_back(named_beam(name));
   for (const NamedBeam& named : all) {
     const data::BeamProperties& p = named.problem.beam.properties();
-    set.rows.push_back(Row()
-                           .text(named.name)
-                           .number(p.length)
-                           .number(p.area)
-                           .number(p.second_moment_of_area)
-                           .number(p.density)
-                           .number(p.youngs_modulus)
-                           .number(p.axial_force));
+    add_row(set, {named.name, p.length, p.area, p.second_moment_of_area, p.density, p.youngs_modulus,
+                  p.axial_force});
   }
   return set;
 }
@@ -91,12 +85,8 @@ DataSet stick_frequencies() {
   const PrecisionScope scope(bits);
   for (const NamedBeam& named : beams())
     for (const certified::StickMode& mode : certified::stick_modes(named.beam, mode_count))
-      set.rows.push_back(Row()
-                             .text(named.name)
-                             .number(mode.number)
-                             .enclosed(mode.frequency_hz)
-                             .enclosed(mode.hyperbolic_wave_number)
-                             .enclosed(mode.trigonometric_wave_number));
+      add_row(set, {named.name, mode.number, enclosed(mode.frequency_hz),
+                    enclosed(mode.hyperbolic_wave_number), enclosed(mode.trigonometric_wave_number)});
   return set;
 }
 
@@ -117,7 +107,7 @@ DataSet slip_frequencies() {
   for (const NamedBeam& named : beams()) {
     if (!(named.beam.load_factor() < certified::flutter_factor())) continue;
     for (const certified::SlipFrequency& mode : certified::slip_frequencies(named.beam, mode_count))
-      set.rows.push_back(Row().text(named.name).number(mode.number).enclosed(mode.frequency_hz));
+      add_row(set, {named.name, mode.number, enclosed(mode.frequency_hz)});
   }
   return set;
 }
@@ -140,12 +130,10 @@ DataSet critical_loads() {
   const PrecisionScope scope(bits);
   for (const NamedBeam& named : beams()) {
     const Real unit = named.beam.bending_stiffness() / pow(named.beam.length(), 2);
-    set.rows.push_back(Row()
-                           .text(named.name)
-                           .enclosed(certified::buckling_load(named.beam))
-                           .enclosed(certified::flutter_factor() * unit)
-                           .enclosed(named.beam.bending_stiffness() *
-                                     certified::QuasiStaticShape(named.beam).at(named.beam.length())[3]));
+    add_row(set, {named.name, enclosed(certified::buckling_load(named.beam)),
+                  enclosed(certified::flutter_factor() * unit),
+                  enclosed(named.beam.bending_stiffness() *
+                           certified::QuasiStaticShape(named.beam).at(named.beam.length())[3])});
   }
   return set;
 }
@@ -163,7 +151,7 @@ DataSet participation() {
   const PrecisionScope scope(bits);
   for (const NamedBeam& named : beams())
     for (const certified::StickMode& mode : certified::stick_modes(named.beam, mode_count))
-      set.rows.push_back(Row().text(named.name).number(mode.number).enclosed(mode.participation));
+      add_row(set, {named.name, mode.number, enclosed(mode.participation)});
   return set;
 }
 
@@ -184,11 +172,7 @@ DataSet static_shapes() {
     for (int k = 1; k <= 20; ++k) {
       const double x = point_of(named, k);
       const certified::Derivatives at = shape.at(Real(exact(x)));
-      set.rows.push_back(Row()
-                             .text(named.name)
-                             .number(x)
-                             .enclosed(at[0])
-                             .enclosed(at[1], 1.0 / named.problem.beam.length()));
+      add_row(set, {named.name, x, enclosed(at[0]), enclosed(at[1], 1.0 / named.problem.beam.length())});
     }
   }
   return set;
@@ -208,7 +192,7 @@ DataSet mode_shapes() {
       for (int k = 1; k < 20; ++k) {
         const double x = point_of(named, k);
         const Real value = mode.shape(Real(exact(x)))[0];
-        set.rows.push_back(Row().text(named.name).number(mode.number).number(x).enclosed(value, 1.0));
+        add_row(set, {named.name, mode.number, x, enclosed(value, 1.0)});
       }
   return set;
 }
@@ -239,10 +223,8 @@ DataSet stick_history_of_ten_modes() {
   for (int k = 1; k <= 1000; ++k) {
     const double t = k / 1000.0;
     const Real time(exact(t));
-    set.rows.push_back(Row()
-                           .number(t)
-                           .enclosed(response.absolute_displacement(midspan, time), 1e-3)
-                           .enclosed(response.friction_force(time), 100.0));
+    add_row(set, {t, enclosed(response.absolute_displacement(midspan, time), 1e-3),
+                  enclosed(response.friction_force(time), 100.0)});
   }
   return set;
 }
@@ -296,8 +278,7 @@ DataSet friction_maxima() {
       {"the rigorous bounds of the double-precision search overlap"});
   const PrecisionScope scope(bits);
   for (int hz = 1; hz <= 120; ++hz)
-    set.rows.push_back(
-        Row().number(hz).enclosed(force_maximum(beams().front(), hz).value * Real(Rational("0.0005"))));
+    add_row(set, {hz, enclosed(force_maximum(beams().front(), hz).value * Real(Rational("0.0005")))});
   return set;
 }
 
@@ -320,8 +301,7 @@ DataSet critical_amplitudes() {
   const Real limit(Rational("300"));
   for (const NamedBeam* named : {&beams().front(), &half_stiffness()})
     for (const int hz : frequencies())
-      set.rows.push_back(
-          Row().text(named->name).number(hz).enclosed(limit / force_maximum(*named, hz).value));
+      add_row(set, {named->name, hz, enclosed(limit / force_maximum(*named, hz).value)});
   return set;
 }
 
@@ -353,8 +333,7 @@ DataSet classification() {
       const int side = (ratio - Real(1)).certain_sign();
       if (side == 0)
         throw std::runtime_error(fmt::format("the verdict at {} Hz, {} m is undecided", hz, amplitude));
-      set.rows.push_back(
-          Row().number(hz).number(amplitude).text(side > 0 ? "stick-slip" : "stick").enclosed(ratio));
+      add_row(set, {hz, amplitude, side > 0 ? "stick-slip" : "stick", enclosed(ratio)});
     }
   return set;
 }

@@ -47,20 +47,12 @@ DataSet single_mass_events() {
       .checks = {"the event-driven engine and the time stepper, to round-off and to order two"}};
   const PrecisionScope scope(exact_bits);
   const Real deceleration = Real(3) / Real(2), v0(Rational("1.3"));
-  set.rows.push_back(Row()
-                         .text("slider")
-                         .number(1)
-                         .text("capture")
-                         .enclosed(v0 / deceleration)
-                         .enclosed(Real(Rational("0.25")) + v0 * v0 / (2 * deceleration)));
+  add_row(set, {"slider", 1, "capture", enclosed(v0 / deceleration),
+                enclosed(Real(Rational("0.25")) + v0 * v0 / (2 * deceleration))});
   for (int i = 1; i <= 5; ++i)
-    set.rows.push_back(Row()
-                           .text("oscillator")
-                           .number(i)
-                           .text(i < 5 ? "reversal" : "capture")
-                           .enclosed(Real(i) * certified::pi() / 2)
-                           .enclosed(Real(i % 2 == 0 ? 1 : -1) *
-                                     (Real(Rational("1.04")) - Real(i) * Real(Rational("0.2")))));
+    add_row(set, {"oscillator", i, i < 5 ? "reversal" : "capture", enclosed(Real(i) * certified::pi() / 2),
+                  enclosed(Real(i % 2 == 0 ? 1 : -1) *
+                           (Real(Rational("1.04")) - Real(i) * Real(Rational("0.2"))))});
   return set;
 }
 
@@ -87,8 +79,7 @@ DataSet friction_powers() {
                                                             {"1.01", "2.26164121279787e-4", "5e-19"},
                                                             {"1.5", "0.409062451015709", "5e-16"},
                                                             {"15", "15.2670995893716", "5e-14"}}};
-  for (const auto& [amplitude, power, radius] : rows)
-    set.rows.push_back(Row().text(amplitude).text(power).text(radius));
+  for (const auto& [amplitude, power, radius] : rows) add_row(set, {amplitude, power, radius});
   return set;
 }
 
@@ -140,13 +131,12 @@ DataSet beam_matrices() {
                        .at(static_cast<std::size_t>(j - first));
         if (sum == 0) continue;
         const Real value = matrix.factor * Real(sum) * pow(l, static_cast<unsigned>(i % 2 + j % 2));
-        set.rows.push_back(Row().text(matrix.name).number(i + 1).number(j + 1).enclosed(value));
+        add_row(set, {matrix.name, i + 1, j + 1, enclosed(value)});
       }
-  set.rows.push_back(Row().text("follower").number(7).number(8).enclosed(beam.axial_force()));
+  add_row(set, {"follower", 7, 8, enclosed(beam.axial_force())});
   for (int node = 1; node <= 4; ++node)
-    set.rows.push_back(
-        Row().text("load").number(2 * node - 1).number(1).enclosed(mass * l / (node < 4 ? 1 : 2)));
-  set.rows.push_back(Row().text("load").number(8).number(1).enclosed(-(mass * l * l / 12)));
+    add_row(set, {"load", 2 * node - 1, 1, enclosed(mass * l / (node < 4 ? 1 : 2))});
+  add_row(set, {"load", 8, 1, enclosed(-(mass * l * l / 12))});
   return set;
 }
 
@@ -195,13 +185,8 @@ DataSet manufactured_motion() {
       }
       const Real load = rigidity * phi[4] + Real(Rational(axial_force)) * phi[2] -
                         paper.beam.mass_per_length() * squared_rate * phi[0];
-      set.rows.push_back(Row()
-                             .text(axial_force)
-                             .number(x)
-                             .enclosed(phi[0], 1e-3)
-                             .enclosed(load, 10.0)
-                             .enclosed(rigidity * phi[2], 10.0)
-                             .enclosed(rigidity * phi[3], 10.0));
+      add_row(set, {axial_force, x, enclosed(phi[0], 1e-3), enclosed(load, 10.0),
+                    enclosed(rigidity * phi[2], 10.0), enclosed(rigidity * phi[3], 10.0)});
     }
   return set;
 }

@@ -134,12 +134,11 @@ DataSet history_of(DataSet set, const data::Case& problem, const Sampling& sampl
       radii.push_back(phase_half_width(quantity, fine, coarse, first, end));
     for (std::size_t k = first; k < end; ++k) {
       if (coarse[k].is_stuck != fine[k].is_stuck) continue;
-      Row row;
-      row.text(fmt::format("{:.{}f}", times[k], sampling.decimals));
-      if (slips(problem)) row.text(fine[k].is_stuck ? "stick" : "slip");
+      std::vector<Cell> row{fmt::format("{:.{}f}", times[k], sampling.decimals)};
+      if (slips(problem)) row.emplace_back(fine[k].is_stuck ? "stick" : "slip");
       for (std::size_t q = 0; q < quantities.size(); ++q)
-        row.converged(quantities[q].value(fine[k]), radii[q]);
-      set.rows.push_back(row);
+        row.push_back(converged(quantities[q].value(fine[k]), radii[q]));
+      add_row(set, row);
     }
   }
   return set;
@@ -179,11 +178,9 @@ DataSet fields_of(DataSet set, const data::Case& problem, double step) {
       velocity = std::max(velocity, std::abs(fine[k].velocity[i] - coarse[k].velocity[i]));
     }
     for (std::size_t i = 0; i < points.size(); ++i)
-      set.rows.push_back(Row()
-                             .text(fmt::format("{:.3f}", times[k]))
-                             .number(points[i])
-                             .converged(fine[k].displacement[i], displacement)
-                             .converged(fine[k].velocity[i], velocity));
+      add_row(set,
+              {fmt::format("{:.3f}", times[k]), points[i], converged(fine[k].displacement[i], displacement),
+               converged(fine[k].velocity[i], velocity)});
   }
   return set;
 }
@@ -260,11 +257,9 @@ DataSet stick_slip_events() {
   resource.provenance = benchmark_provenance();
   int index = 0;
   for (const studies::BenchmarkEvent& entry : benchmark().events)
-    set.rows.push_back(Row()
-                           .number(++index)
-                           .text(entry.event.onset ? "onset" : "capture")
-                           .converged(entry.event.time, entry.time_uncertainty + benchmark().tolerance_effect)
-                           .converged(entry.event.position, entry.position_uncertainty + 1e-13));
+    add_row(set, {++index, entry.event.onset ? "onset" : "capture",
+                  converged(entry.event.time, entry.time_uncertainty + benchmark().tolerance_effect),
+                  converged(entry.event.position, entry.position_uncertainty + 1e-13)});
   return set;
 }
 
@@ -432,9 +427,9 @@ DataSet stick_slip_spectrum() {
           2.0 * std::max(std::abs(values[q][i] - fewer[i]), std::abs(values[q][i] - other[i])));
   }
   for (std::size_t i = 0; i < words.size(); ++i) {
-    Row row = Row().text(words[i]);
-    for (std::size_t q = 0; q < 3; ++q) row.converged(values[q][i], half_widths[q][i]);
-    set.rows.push_back(row);
+    std::vector<Cell> row{words[i]};
+    for (std::size_t q = 0; q < 3; ++q) row.push_back(converged(values[q][i], half_widths[q][i]));
+    add_row(set, row);
   }
   return set;
 }
@@ -480,10 +475,12 @@ DataSet damped_steady_state() {
     const analytic::DampedSteadyState steady(
         problem.beam, data::HarmonicExcitation({.frequency_hz = hz + 0.0, .amplitude = 5e-4}),
         problem.damping, analytic::TipSupport::held);
-    Row row = Row().number(hz);
-    for (const auto value : {steady.displacement(0.5 * problem.beam.length()), steady.friction_force()})
-      row.converged(std::abs(value), relative * std::abs(value)).converged(std::arg(value), relative);
-    set.rows.push_back(row.converged(steady.dissipated_energy(), relative * steady.dissipated_energy()));
+    const auto middle = steady.displacement(0.5 * problem.beam.length()), force = steady.friction_force();
+    const double heat = steady.dissipated_energy();
+    add_row(set,
+            {hz, converged(std::abs(middle), relative * std::abs(middle)),
+             converged(std::arg(middle), relative), converged(std::abs(force), relative * std::abs(force)),
+             converged(std::arg(force), relative), converged(heat, relative * heat)});
   }
   return set;
 }

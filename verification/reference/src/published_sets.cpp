@@ -152,8 +152,7 @@ ForcedMass forced_mass(const char* force_ratio, const char* frequency_ratio) {
 void add_rows(DataSet& set, const char* problem, const std::vector<MassEvent>& events) {
   int index = 0;
   for (const MassEvent& event : events)
-    set.rows.push_back(
-        Row().text(problem).number(++index).text(event.change).enclosed(event.time).enclosed(event.position));
+    add_row(set, {problem, ++index, event.change, enclosed(event.time), enclosed(event.position)});
 }
 
 // x = 0.25 m + v0 t + (sin a - mu_k cos a) g t^2/2 once it slides.
@@ -334,8 +333,7 @@ DataSet stops_per_period() {
   const PrecisionScope scope(published_bits);
   for (const char* r :
        {"0.06", "0.08", "0.1", "0.12", "0.15", "0.2", "0.3", "0.5", "0.6", "0.8", "1.25", "2"})
-    for (const char* f : {"1.5", "2", "3"})
-      set.rows.push_back(Row().text(r).text(f).number(stops_in_the_fourth_period(f, r)));
+    for (const char* f : {"1.5", "2", "3"}) add_row(set, {r, f, stops_in_the_fourth_period(f, r)});
   return set;
 }
 
@@ -354,7 +352,7 @@ DataSet non_stop_limits() {
   resource.provenance = published_provenance("the closed form", {"runs on both sides of the limit"});
   const PrecisionScope scope(published_bits);
   for (const char* r : {"0.6", "0.7", "0.8", "0.9", "1.1", "1.25", "1.5", "2", "3"})
-    set.rows.push_back(Row().text(r).enclosed(non_stop_limit(r)));
+    add_row(set, {r, enclosed(non_stop_limit(r))});
   return set;
 }
 

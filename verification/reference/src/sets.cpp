@@ -40,31 +40,26 @@ const std::vector<NamedBeam>& beams() {
   return all;
 }
 
-Row& Row::text(std::string cell) {
-  cells_.push_back(std::move(cell));
-  return *this;
-}
-
-Row& Row::number(double value) { return text(data::shortest_text(value)); }
-
-Row& Row::number(int value) { return text(std::to_string(value)); }
-
-Row& Row::enclosed(const Real& value, double scale) {
+Cell enclosed(const Real& value, double scale) {
   const certified::Enclosure enclosure = certified::enclosure(value);
   if (!(std::stod(enclosure.radius) <= 1e-28 * std::max(std::abs(enclosure.midpoint), scale)))
     throw std::runtime_error(fmt::format("{} +- {} is less accurate than the published accuracy",
                                          enclosure.value, enclosure.radius));
-  return text(enclosure.value).text(enclosure.radius);
+  return {enclosure.value, enclosure.radius};
 }
 
-Row& Row::converged(double value, double radius) {
+Cell converged(double value, double radius) {
   if (!(radius > 0.0 && std::isfinite(radius)))
     throw std::runtime_error("a radius must be positive and finite");
   // Rounded up by more than the rounding error of the printed value.
   const double printed_radius = 1.02 * radius;
   const int decimals = static_cast<int>(std::ceil(-std::log10(printed_radius))) + 2;
-  return text(fmt::format("{:.{}f}", value, std::max(decimals, 0)))
-      .text(fmt::format("{:.1e}", 1.05 * printed_radius));
+  return {fmt::format("{:.{}f}", value, std::max(decimals, 0)), fmt::format("{:.1e}", 1.05 * printed_radius)};
+}
+
+void add_row(DataSet& set, const std::vector<Cell>& cells) {
+  std::vector<std::string>& row = set.rows.emplace_back();
+  for (const Cell& cell : cells) row.insert(row.end(), cell.texts.begin(), cell.texts.end());
 }
 
 data::Field word(std::string name, std::string description, std::vector<std::string> allowed) {

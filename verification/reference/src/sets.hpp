@@ -34,23 +34,23 @@ struct NamedBeam {
 /// The decimal in a case file, as an exact number.
 [[nodiscard]] certified::Rational exact(double value);
 
-/// A row of a data set, built cell by cell.
-class Row {
- public:
-  Row& text(std::string cell);
-  Row& number(double value);
-  Row& number(int value);
-  /// Adds value and radius as two cells. Throws std::runtime_error if the radius is above 1e-28 of the larger
-  /// of |value| and `scale`.
-  Row& enclosed(const certified::Real& value, double scale = 0.0);
-  /// Adds value and radius as two cells. The value has one digit more than the radius justifies.
-  Row& converged(double value, double radius);
+/// A word or a number without a radius, in one cell; or a value and its radius, in two.
+struct Cell {
+  std::vector<std::string> texts;
 
-  operator std::vector<std::string>() const { return cells_; }
-
- private:
-  std::vector<std::string> cells_;
+  Cell(std::string text) : texts{std::move(text)} {}
+  Cell(const char* text) : texts{text} {}
+  Cell(double number) : texts{data::shortest_text(number)} {}
+  Cell(int number) : texts{std::to_string(number)} {}
+  Cell(std::string value, std::string radius) : texts{std::move(value), std::move(radius)} {}
 };
+
+/// Throws std::runtime_error if the radius is above 1e-28 of the larger of |value| and `scale`.
+[[nodiscard]] Cell enclosed(const certified::Real& value, double scale = 0.0);
+/// The value has one digit more than the radius, which must be positive, justifies.
+[[nodiscard]] Cell converged(double value, double radius);
+
+void add_row(DataSet& set, const std::vector<Cell>& cells);
 
 /// Descriptions of columns without a radius: one of the words allowed (any, if none are given), integer, exact
 /// number.

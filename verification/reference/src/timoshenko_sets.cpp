@@ -70,9 +70,10 @@ DataSet timoshenko_frequencies(bool is_held) {
         certified::isolate_roots([&](const Real& n) { return beam.equation(n); }, Real(1), upper.midpoint());
     if (roots.size() != timoshenko_modes) throw std::runtime_error("a mode of a Timoshenko beam is missing");
     for (int mode = 1; mode <= timoshenko_modes; ++mode)
-      set.rows.push_back(Row().text(name).number(mode).enclosed(
-          named.beam.frequency_unit() *
-          sqrt(beam.squared_frequency(roots[static_cast<std::size_t>(mode - 1)])) / (2 * certified::pi())));
+      add_row(set, {name, mode,
+                    enclosed(named.beam.frequency_unit() *
+                             sqrt(beam.squared_frequency(roots[static_cast<std::size_t>(mode - 1)])) /
+                             (2 * certified::pi()))});
   }
   return set;
 }

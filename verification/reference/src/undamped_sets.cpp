@@ -132,13 +132,12 @@ DataSet undamped_history(std::string_view name) {
       run.case_name, run.frequency_hz, run.amplitude, run.duration, effort.samples, effort.steps_per_sample));
   const studies::ConvergedHistory& history = history_of(run);
   for (std::size_t i = 0; i < history.time.size(); ++i)
-    set.rows.push_back(
-        Row()
-            .text(fmt::format("{:.9g}", history.time[i]))
-            .converged(history.tip[i],
-                       std::max(history.tip_half_width[i], least_half_width * history.tip_range))
-            .converged(history.midspan[i],
-                       std::max(history.midspan_half_width[i], least_half_width * history.midspan_range)));
+    add_row(
+        set,
+        {fmt::format("{:.9g}", history.time[i]),
+         converged(history.tip[i], std::max(history.tip_half_width[i], least_half_width * history.tip_range)),
+         converged(history.midspan[i],
+                   std::max(history.midspan_half_width[i], least_half_width * history.midspan_range))});
   return set;
 }
 
@@ -183,10 +182,8 @@ DataSet undamped_fields() {
       if (!other[k].empty()) half_width = std::max(half_width, 2.0 * std::abs(fine[k][i] - other[k][i]));
     }
     for (std::size_t k = 0; k < points.size(); ++k)
-      set.rows.push_back(Row()
-                             .text(fmt::format("{:.2f}", interval * static_cast<double>(i)))
-                             .number(points[k])
-                             .converged(fine[k][i], half_width));
+      add_row(set, {fmt::format("{:.2f}", interval * static_cast<double>(i)), points[k],
+                    converged(fine[k][i], half_width)});
   }
   return set;
 }
@@ -215,13 +212,10 @@ DataSet undamped_sticks() {
     const studies::ConvergedHistory& history = history_of(run);
     int index = 0;
     const auto add = [&](const studies::ConvergedStick& stick) {
-      set.rows.push_back(Row()
-                             .text(std::string(run.set))
-                             .number(++index)
-                             .converged(stick.begin, stick.begin_half_width)
-                             .converged(stick.end, stick.end_half_width)
-                             .converged(stick.position, std::max(stick.position_half_width,
-                                                                 least_half_width * history.tip_range)));
+      add_row(set, {std::string(run.set), ++index, converged(stick.begin, stick.begin_half_width),
+                    converged(stick.end, stick.end_half_width),
+                    converged(stick.position,
+                              std::max(stick.position_half_width, least_half_width * history.tip_range))});
     };
     add(history.first_stick);
     for (const studies::ConvergedStick& stick : history.sticks)
