@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "stickslip/data/case_file.hpp"
@@ -260,60 +261,61 @@ TEST_F(UserTable, RefusesWhatCannotBeUsedInOneSentence) {
   };
   const std::string frequencies = "stick-frequencies", force = "stick-force", events = "damped-events";
   const std::vector<Defect> defects{
-      {frequencies, "", "mine.csv: is empty"},
-      {frequencies, "# nothing\n\n", "mine.csv:2: there is no line with the names of the columns"},
-      {frequencies, header, "mine.csv:1: the table has no rows, but must have at least one"},
-      {frequencies, header + "# none\n", "mine.csv:2: the table has no rows, but must have at least one"},
+      {frequencies, "", ": is empty"},
+      {frequencies, "# nothing\n\n", ":2: there is no line with the names of the columns"},
+      {frequencies, header, ":1: the table has no rows, but must have at least one"},
+      {frequencies, header + "# none\n", ":2: the table has no rows, but must have at least one"},
       {frequencies, "beam,mode,frequency,frequency_kHz\npaper,1,25,0.025\n",
-       "mine.csv:1, column 4 (frequency_kHz): the column frequency stands twice, in column 3 as 'frequency'"},
+       ":1, column 4 (frequency_kHz): the column frequency stands twice, in column 3 as 'frequency'"},
       {frequencies, header + "paper,1,25\npaper,2,fast\n",
-       "mine.csv:3, column 3 (frequency): frequency is 'fast', but must be a finite number, as 0.025 or "
-       "2.5e-2"},
-      {frequencies, header + ",kHz\n",
-       "mine.csv:2: the line has 2 cells, but must have 3 as the line of names has"},
-      {frequencies, header + "-,1,kHz\n,1,25\n",
-       "mine.csv:3, column 1 (beam): beam is '', but must be a word"},
+       ":3, column 3 (frequency): frequency is 'fast', but must be a finite number, as 0.025 or 2.5e-2"},
+      {frequencies, header + ",kHz\n", ":2: the line has 2 cells, but must have 3 as the line of names has"},
+      {frequencies, header + "-,1,kHz\n,1,25\n", ":3, column 1 (beam): beam is '', but must be a word"},
       {frequencies, header + "-,1,kHz\npaper,1.5,25\n",
-       "mine.csv:3, column 2 (mode): mode is '1.5', but must be an integer"},
+       ":3, column 2 (mode): mode is '1.5', but must be an integer"},
       {frequencies, "beam,mode,frequency [MHz]\npaper,1,1e308\n",
-       "mine.csv:2, column 3 (frequency [MHz]): frequency is '1e308', but must be a number that is finite in "
-       "Hz"},
-      {frequencies, header + "paper,1.5,25\n",
-       "mine.csv:2, column 2 (mode): mode is '1.5', but must be an integer"},
-      {frequencies, header + ",1,25\n", "mine.csv:2, column 1 (beam): beam is '', but must be a word"},
+       ":2, column 3 (frequency [MHz]): frequency is '1e308', but must be a number that is finite in Hz"},
+      {frequencies, header + "paper,1.5,25\n", ":2, column 2 (mode): mode is '1.5', but must be an integer"},
+      {frequencies, header + ",1,25\n", ":2, column 1 (beam): beam is '', but must be a word"},
       {frequencies, header + "paper,1,25\npaper,2\n",
-       "mine.csv:3: the line has 2 cells, but must have 3 as the line of names has"},
+       ":3: the line has 2 cells, but must have 3 as the line of names has"},
       {frequencies, header + "paper,1,25,7\n",
-       "mine.csv:2: the line has 4 cells, but must have 3 as the line of names has"},
+       ":2: the line has 4 cells, but must have 3 as the line of names has"},
       {frequencies, header + "paper,1,\"25\n",
-       "mine.csv:2: a quote is not closed, or something follows it: paper,1,\"25"},
+       ":2: a quote is not closed, or something follows it: paper,1,\"25"},
       {frequencies, header + "\"paper\"x,1,25\n",
-       "mine.csv:2: a quote is not closed, or something follows it: \"paper\"x,1,25"},
+       ":2: a quote is not closed, or something follows it: \"paper\"x,1,25"},
       {frequencies, header + "paper,1,25\npaper,2,81\npaper,1,26\n",
-       "mine.csv:4: beam = paper, mode = 1 stands in line 2 already, but must stand once"},
+       ":4: beam = paper, mode = 1 stands in line 2 already, but must stand once"},
       {force, "t,friction_force\n0.002,1\n0.001,2\n",
-       "mine.csv:3, column 1 (t): t is 0.001, but must not be below 0.002 of line 2"},
+       ":3, column 1 (t): t is 0.001, but must not be below 0.002 of line 2"},
       {events, "time,change\n0.2,onset\n0.1,capture\n",
-       "mine.csv:3, column 1 (time): time is 0.1, but must not be below 0.2 of line 2"},
+       ":3, column 1 (time): time is 0.1, but must not be below 0.2 of line 2"},
       {events, "index,time,change\n1,0.1,onset\n1,0.2,capture\n",
-       "mine.csv:3: index = 1 stands in line 2 already, but must stand once"},
-      {frequencies, std::string("\xFF\xFE") + "b", "mine.csv: is no text in UTF-8"},
-      {frequencies, std::string("\xFE\xFF") + "b", "mine.csv: is no text in UTF-8"},
-      {frequencies, std::string("beam\0\n", 6), "mine.csv: is no text in UTF-8"},
-      {frequencies, "\x89HDF\r\n",
-       "mine.csv: is a file in HDF5 format (as MATLAB's -v7.3), but must be a table in text, as CSV"},
-      {frequencies, "PK\x03\x04",
-       "mine.csv: is a zip archive (as .xlsx, .ods, .npz), but must be a table in text, as CSV"},
-      {frequencies, "MATLAB 5.0 MAT-file", "mine.csv: is a MATLAB file, but must be a table in text, as CSV"},
-      {frequencies, "\x93NUMPY", "mine.csv: is a NumPy file, but must be a table in text, as CSV"},
-      {frequencies, gzip(header + "paper,1,25\n").substr(0, 20),
-       "mine.csv: is no complete file in gzip's format"},
-      {frequencies, gzip(std::string(data::largest_table, ' ')),
-       "mine.csv:1: there is no line with the names of the columns"},
-      {frequencies, gzip(std::string(data::largest_table + 1, ' ')),
-       "mine.csv: holds more than the 50000000 bytes that are allowed"},
-      {"beams", "beam\npaper\n", "the data set beams says nothing of how to compare with it"}};
-  for (const auto& [set, text, sentence] : defects) EXPECT_EQ(error_message(set, text), sentence);
+       ":3: index = 1 stands in line 2 already, but must stand once"}};
+  for (const auto& [set, text, sentence] : defects)
+    EXPECT_EQ(error_message(set, text), "mine.csv" + sentence);
+  EXPECT_EQ(error_message("beams", "beam\npaper\n"),
+            "the data set beams says nothing of how to compare with it");
+}
+
+TEST_F(UserTable, RefusesAnotherFormatThanText) {
+  for (const auto& [text, sentence] : std::vector<std::pair<std::string, std::string>>{
+           {std::string("\xFF\xFE") + "b", ": is no text in UTF-8"},
+           {std::string("\xFE\xFF") + "b", ": is no text in UTF-8"},
+           {std::string("beam\0\n", 6), ": is no text in UTF-8"},
+           {"\x89HDF\r\n",
+            ": is a file in HDF5 format (as MATLAB's -v7.3), but must be a table in text, as CSV"},
+           {"PK\x03\x04", ": is a zip archive (as .xlsx, .ods, .npz), but must be a table in text, as CSV"},
+           {"MATLAB 5.0 MAT-file", ": is a MATLAB file, but must be a table in text, as CSV"},
+           {"\x93NUMPY", ": is a NumPy file, but must be a table in text, as CSV"},
+           {gzip("beam,mode,frequency\npaper,1,25\n").substr(0, 20),
+            ": is no complete file in gzip's format"},
+           {gzip(std::string(data::largest_table, ' ')),
+            ":1: there is no line with the names of the columns"},
+           {gzip(std::string(data::largest_table + 1, ' ')),
+            ": holds more than the 50000000 bytes that are allowed"}})
+    EXPECT_EQ(error_message("stick-frequencies", text), "mine.csv" + sentence);
 }
 
 TEST_F(UserTable, RefusesAFileThatIsNone) {
