@@ -129,6 +129,8 @@ void print_warnings(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) fmt::print(stderr, "stickslip: warning: {}\n", warning);
 }
 
+Json optional_json(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
 Json bounds_json(const analytic::Bounds& bounds) {
   return {{"lower", bounds.lower}, {"upper", bounds.upper}};
 }

@@ -83,6 +83,9 @@ void require_undamped(const data::Case& problem, std::string_view what);
 /// One line on standard error for each.
 void print_warnings(const std::vector<std::string>& warnings);
 
+/// The number, or null where there is none.
+[[nodiscard]] Json optional_json(const std::optional<double>& value);
+
 /// {"lower": ..., "upper": ...}
 [[nodiscard]] Json bounds_json(const analytic::Bounds& bounds);
 

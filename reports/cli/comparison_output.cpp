@@ -108,12 +108,10 @@ std::string finding_name(studies::Finding finding) {
   return "unexplained";
 }
 
-Json json_of(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
-
 Json json_of(const Comparison::Quantity& quantity) {
   Json object{{"quantity", quantity.name},        {"unit", quantity.unit},
-              {"norm", to_string(quantity.norm)}, {"error", json_of(quantity.error)},
-              {"where", quantity.where},          {"uncertainty", json_of(quantity.uncertainty)},
+              {"norm", to_string(quantity.norm)}, {"error", optional_json(quantity.error)},
+              {"where", quantity.where},          {"uncertainty", optional_json(quantity.uncertainty)},
               {"tolerance", quantity.tolerance},  {"verdict", studies::to_string(quantity.agreement)},
               {"compared", quantity.compared},    {"undecided", quantity.undecided},
               {"skipped", Json::array()},         {"series", Json::array()}};

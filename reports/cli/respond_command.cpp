@@ -390,11 +390,11 @@ Json to_json(const data::Case& problem, const RespondOptions& options, const Sum
               {"output", options.output},
               {"rows", summary.rows},
               {"largest_friction_force_N", summary.largest_force},
-              {"first_slip_s", summary.first_slip ? Json(*summary.first_slip) : Json()},
+              {"first_slip_s", optional_json(summary.first_slip)},
               {"changes_of_contact", summary.events.size()}};
   if (options.method == "boundary-integral") {
     object["integration_step_s"] = studies::boundary_integral_step(problem);
-    object["largest_change_on_twice_the_step_m"] = summary.step_effect ? Json(*summary.step_effect) : Json();
+    object["largest_change_on_twice_the_step_m"] = optional_json(summary.step_effect);
   }
   if (options.method == "fe") object["scheme"] = options.scheme.value_or("located");
   object["numerics"] = numerics_json(problem);

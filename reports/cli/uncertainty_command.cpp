@@ -108,8 +108,6 @@ Json to_json(const studies::Estimate& estimate) {
           {"upper", number(estimate.upper)}};
 }
 
-Json optional_json(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
-
 Json keys_json(const data::Uncertainty& uncertainty, const studies::SlipUncertainty& result) {
   Json keys = Json::array();
   for (std::size_t i = 0; i < uncertainty.keys.size(); ++i) {
