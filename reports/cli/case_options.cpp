@@ -105,6 +105,27 @@ data::Override override_with(const std::string& key, double value, const std::st
   return {key, data::shortest_text(value), option};
 }
 
+void require_json_alone(bool json, std::string_view option, const std::string& file) {
+  if (json && file == "-")
+    throw data::InputError(
+        fmt::format("--json and {0} - both want standard output, but --json needs {0} FILE", option));
+}
+
+void require_different_files(const std::vector<std::pair<std::string, std::string>>& file_of_option) {
+  std::vector<std::string> files, options;
+  for (const auto& [option, file] : file_of_option) {
+    if (!file.empty() && std::ranges::count(files, file) > 0) {
+      const std::string last = options.back();
+      options.pop_back();
+      throw data::FieldError(option, data::printable(file),
+                             fmt::format("another file than {}{}{}", fmt::join(options, ", "),
+                                         options.empty() ? "" : " and ", last));
+    }
+    files.push_back(file);
+    options.push_back(option);
+  }
+}
+
 void require_undamped(const data::Case& problem, std::string_view what) {
   if (!studies::is_damped(problem)) return;
   const bool viscous = problem.damping.kelvin_voigt() > 0.0;

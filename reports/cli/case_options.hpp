@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "stickslip/analytic/bounds.hpp"
@@ -70,6 +71,12 @@ template <class Number>
 
 /// What an option of its own sets a key to.
 [[nodiscard]] data::Override override_with(const std::string& key, double value, const std::string& option);
+
+/// Throws data::InputError if --json and an option that names this file both want standard output.
+void require_json_alone(bool json, std::string_view option, const std::string& file);
+
+/// Throws data::InputError if an option names the same file as one before it; an empty name is no file.
+void require_different_files(const std::vector<std::pair<std::string, std::string>>& file_of_option);
 
 /// Throws data::InputError, naming the damping, if the case has any; `what` needs it to have none.
 void require_undamped(const data::Case& problem, std::string_view what);

@@ -16,7 +16,6 @@
 #include "output_file.hpp"
 #include "render/comparison_figure.hpp"
 #include "render/interruption.hpp"
-#include "render/report.hpp"
 #include "stickslip/data/input_text.hpp"
 
 namespace stickslip::cli {
@@ -84,27 +83,19 @@ studies::Comparison compare(const CompareOptions& options, report::Progress& pro
   return studies::compare(package, options.name, theirs, settings);
 }
 
-// Refuses what cannot be written before anything is computed.
-std::optional<OutputFile>& open(std::optional<OutputFile>& file, const std::string& path) {
-  if (!path.empty()) file.emplace(path);
-  return file;
-}
-
 void run(const CompareOptions& options) {
   if (options.json == "-" && options.junit == "-")
     throw data::InputError(
         "--json - and --junit - both want standard output, but one of them must be a file");
   if (options.file == "-" && options.events == "-")
     throw data::InputError("FILE and --events both are standard input, but one of them must be a file");
-  if (!options.figure.empty()) {
-    (void)figure_format(options.figure);
-    (void)report::templates_directory();
-  }
+  require_different_files(
+      {{"--json", options.json}, {"--junit", options.junit}, {"--figure", options.figure}});
   std::optional<OutputFile> table, json, junit, figure;
   if (!options.quiet && options.json != "-" && options.junit != "-") table.emplace("-");
-  open(json, options.json);
-  open(junit, options.junit);
-  open(figure, options.figure);
+  open_if_named(json, options.json);
+  open_if_named(junit, options.junit);
+  open_figure(figure, options.figure);
 
   std::vector<std::string> written;
   report::Progress progress("stickslip compare: known mistakes",

@@ -301,10 +301,7 @@ void run(const CriterionOptions& options) {
   analytic::require_contact(problem.beam);
   studies::require_feasible(problem, studies::Inquiry::criterion);
   std::optional<OutputFile> figure;
-  if (!options.figure.empty()) {
-    (void)figure_format(options.figure);
-    figure.emplace(options.figure);
-  }
+  open_figure(figure, options.figure);
   const report::Interruption interruption([&] {
     if (figure) figure->discard();
     return "interrupted before there was a result";

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "case_options.hpp"
+#include "render/report.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/data/input_text.hpp"
 
@@ -18,8 +19,15 @@ std::string figure_format(const std::string& figure) {
                          "a file whose name ends in .pdf, .png or .svg");
 }
 
-CLI::Option* add_figure_option(CLI::App& command, std::string& figure) {
-  return command.add_option("--figure", figure, "Figure to draw, a .png, .pdf or .svg file (needs gnuplot)")
+void open_figure(std::optional<OutputFile>& file, const std::string& figure) {
+  if (figure.empty()) return;
+  (void)figure_format(figure);
+  (void)report::templates_directory();
+  file.emplace(figure);
+}
+
+void add_figure_option(CLI::App& command, std::string& figure) {
+  command.add_option("--figure", figure, "Figure to draw, a .png, .pdf or .svg file (needs gnuplot)")
       ->check(file_name());
 }
 

@@ -2,15 +2,21 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
+
+#include "output_file.hpp"
 
 namespace stickslip::cli {
 
-/// "pdf", "png" or "svg", by the name of the file that --figure gives. Throws data::InputError for another
-/// one.
+/// The option --figure.
+void add_figure_option(CLI::App& command, std::string& figure);
+
+/// "pdf", "png" or "svg", by the name of the file. Throws data::InputError for another one.
 [[nodiscard]] std::string figure_format(const std::string& figure);
 
-/// The option --figure.
-CLI::Option* add_figure_option(CLI::App& command, std::string& figure);
+/// open_if_named() for a figure. Throws data::InputError if the name has no format or the scripts of the figures
+/// are missing.
+void open_figure(std::optional<OutputFile>& file, const std::string& figure);
 
 }  // namespace stickslip::cli

@@ -23,7 +23,6 @@
 #include "render/criterion_map.hpp"
 #include "render/interruption.hpp"
 #include "render/progress.hpp"
-#include "render/report.hpp"
 #include "stickslip/data/input_text.hpp"
 #include "studies/criterion/map_estimate.hpp"
 
@@ -117,11 +116,11 @@ Json to_json(const studies::MapTask& task, const studies::CriterionMap& map,
   return object;
 }
 
-void require_output_file(const MapOptions& options) {
-  if (options.output != "-") return;
-  if (options.problem.json)
-    throw data::InputError("--json and --output - both want standard output, but --json needs --output FILE");
-  if (options.shard) throw data::InputError("--output is standard output, but --shard needs --output FILE");
+void require_output_files(const MapOptions& options) {
+  require_json_alone(options.problem.json, "--output", options.output);
+  if (options.shard && options.output == "-")
+    throw data::InputError("--output is standard output, but --shard needs --output FILE");
+  require_different_files({{"--output", options.output}, {"--figure", options.figure}});
 }
 
 // An axis whose ends a case may have.
@@ -200,10 +199,7 @@ std::filesystem::path unfinished_file(const MapOptions& options) {
 class Run {
  public:
   explicit Run(const MapOptions& options) : options_(options), output_(options.output) {
-    if (options.figure.empty()) return;
-    (void)figure_format(options.figure);
-    (void)report::templates_directory();  // throws now rather than after the map
-    figure_.emplace(options.figure);
+    open_figure(figure_, options.figure);
   }
 
   /// Makes the evaluations of a part that an earlier run has not left, and hands all of them to `write`.
@@ -368,7 +364,7 @@ void print_estimate(const studies::MapTask& task, const MapOptions& options) {
 
 void run(const MapOptions& options) {
   if (options.dry_run) return print_estimate(task_of(options), options);
-  require_output_file(options);
+  require_output_files(options);
   if (!options.merge.empty()) {
     const MergedMap map = merged(options.merge);
     Run run(options);

@@ -187,12 +187,9 @@ void run(const ModesOptions& options) {
   const data::Case problem = data::load_case(options.problem.name, overrides_of(options.problem));
   data::require_rigid(problem.contact, "the modes, whose tip is held or free; respond takes it");
   std::optional<OutputFile> figure;
-  if (!options.figure.empty()) {
-    (void)figure_format(options.figure);
-    if (options.count > most_drawn)
-      throw data::FieldError("--count", options.count, fmt::format("at most {} with --figure", most_drawn));
-    figure.emplace(options.figure);
-  }
+  open_figure(figure, options.figure);
+  if (figure && options.count > most_drawn)
+    throw data::FieldError("--count", options.count, fmt::format("at most {} with --figure", most_drawn));
   const auto frequencies = frequencies_of(problem, options);
   const auto warnings = warnings_of(
       problem,

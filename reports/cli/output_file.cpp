@@ -113,4 +113,8 @@ void OutputFile::fail() const {
       fmt::format("output {} cannot be written: {}", path_ == "-" ? "to standard output" : path_, reason));
 }
 
+void open_if_named(std::optional<OutputFile>& file, const std::string& path) {
+  if (!path.empty()) file.emplace(path);
+}
+
 }  // namespace stickslip::cli

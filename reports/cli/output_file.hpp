@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -47,5 +48,8 @@ class OutputFile {
   std::filesystem::path temporary_;  // empty when written to directly; set once
   std::FILE* stream_{};
 };
+
+/// Opens a file that has a name, before the work whose result it is to hold. Throws OutputError.
+void open_if_named(std::optional<OutputFile>& file, const std::string& path);
 
 }  // namespace stickslip::cli

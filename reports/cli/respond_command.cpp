@@ -404,18 +404,13 @@ Json to_json(const data::Case& problem, const RespondOptions& options, const Sum
 
 // What one option rules out of another.
 void require_consistent(const RespondOptions& options) {
-  const bool to_standard_output = options.output == "-";
-  if (options.problem.json && to_standard_output)
-    throw data::InputError("--json and --output - both want standard output, but --json needs --output FILE");
-  if (!to_standard_output && options.output == options.events)
-    throw data::FieldError("--events", data::printable(options.events), "another file than --output");
-  if (!options.spectrum.empty() && (options.spectrum == options.output || options.spectrum == options.events))
-    throw data::FieldError("--spectrum", data::printable(options.spectrum),
-                           "another file than --output and --events");
-  if (!options.figure.empty() && (options.figure == options.output || options.figure == options.events ||
-                                  options.figure == options.spectrum))
-    throw data::FieldError("--figure", data::printable(options.figure),
-                           "another file than --output, --events and --spectrum");
+  require_json_alone(options.problem.json, "--output", options.output);
+  require_json_alone(options.problem.json, "--events", options.events);
+  require_json_alone(options.problem.json, "--spectrum", options.spectrum);
+  require_different_files({{"--output", options.output},
+                           {"--events", options.events},
+                           {"--spectrum", options.spectrum},
+                           {"--figure", options.figure}});
   if (options.initial_velocity == "zero" && options.method != "fe" && options.method != "event-driven")
     throw data::FieldError(
         "--initial-velocity", "zero",
@@ -465,15 +460,13 @@ void run(const RespondOptions& options) {
   const data::Case problem = load_case(options.problem, options.excitation, options.duration);
   require_consistent(options);
   require_supported(problem, options);
-  const bool to_standard_output = options.output == "-";
-  if (!options.figure.empty()) (void)figure_format(options.figure);
   const bool has_spectrum = !options.spectrum.empty();
   const SpectrumWindow window = has_spectrum ? spectrum_window(problem, options.every) : SpectrumWindow{};
   Writer writer(options.output, !options.figure.empty(), has_spectrum);
   std::optional<OutputFile> events, figure, spectrum;
-  if (has_spectrum) spectrum.emplace(options.spectrum);
-  if (!options.events.empty()) events.emplace(options.events);  // throws now rather than after the run
-  if (!options.figure.empty()) figure.emplace(options.figure);
+  open_if_named(spectrum, options.spectrum);
+  open_if_named(events, options.events);
+  open_figure(figure, options.figure);
   const report::Interruption interruption([&] {
     writer.discard();
     if (events) events->discard();
@@ -482,7 +475,7 @@ void run(const RespondOptions& options) {
     return fmt::format(
         "interrupted at {} s of {} s; {}", data::shortest_text(writer.time()),
         data::shortest_text(problem.numerics.duration()),
-        to_standard_output ? "standard output holds the history up to there at most" : "nothing is kept");
+        options.output == "-" ? "standard output holds the history up to there at most" : "nothing is kept");
   });
   methods.at(options.method).write(problem, options, writer);
   const Summary summary = writer.finish();
@@ -493,7 +486,7 @@ void run(const RespondOptions& options) {
   print_warnings(warnings);
   if (options.problem.json)
     print_json(to_json(problem, options, summary, warnings));
-  else if (!to_standard_output)
+  else if (options.output != "-" && options.events != "-" && options.spectrum != "-")
     fmt::print("{} rows written to {}\n", summary.rows, options.output);
 }
 

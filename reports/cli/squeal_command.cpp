@@ -127,10 +127,8 @@ std::vector<double> values_of(const std::string& option, const std::string& text
 void require_consistent(const SquealOptions& options) {
   if (options.map.empty() && !options.figure.empty())
     throw data::InputError("--figure draws the map, but --map FILE is missing");
-  if (options.problem.json && options.map == "-")
-    throw data::InputError("--json and --map - both want standard output, but --json needs --map FILE");
-  if (!options.map.empty() && options.map == options.figure)
-    throw data::FieldError("--figure", data::printable(options.figure), "another file than --map");
+  require_json_alone(options.problem.json, "--map", options.map);
+  require_different_files({{"--map", options.map}, {"--figure", options.figure}});
 }
 
 // A damping ratio is that of the modes of the case, which with the deflection of the tip have one root more.
@@ -153,9 +151,8 @@ struct Map {
     for (const double end : {speeds.front(), speeds.back()})
       data::require_magnitude("wall.speed", end, "--speeds");
     (void)data::Damping({.kelvin_voigt = problem.damping.kelvin_voigt(), .ratio = ratios.back()});
-    if (!options.figure.empty()) (void)figure_format(options.figure);
     table.emplace(options.map);
-    if (!options.figure.empty()) figure.emplace(options.figure);
+    open_figure(figure, options.figure);
   }
 
   void discard() const noexcept {

@@ -106,15 +106,12 @@ studies::SweepTask task_of(const SweepOptions& options) {
 
 void run(const SweepOptions& options) {
   const bool to_standard_output = options.output == "-";
-  if (options.problem.json && to_standard_output)
-    throw data::InputError("--json and --output - both want standard output, but --json needs --output FILE");
+  require_json_alone(options.problem.json, "--output", options.output);
   const studies::SweepTask task = task_of(options);
-  if (!options.figure.empty() && options.figure == options.output)
-    throw data::FieldError("--figure", data::printable(options.figure), "another file than --output");
-  if (!options.figure.empty()) (void)figure_format(options.figure);
+  require_different_files({{"--output", options.output}, {"--figure", options.figure}});
   OutputFile output(options.output);
   std::optional<OutputFile> figure;
-  if (!options.figure.empty()) figure.emplace(options.figure);
+  open_figure(figure, options.figure);
   report::Progress progress("stickslip sweep", progress_surroundings());
   const report::Interruption interruption([&] {
     progress.finish();

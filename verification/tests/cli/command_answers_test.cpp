@@ -575,6 +575,10 @@ TEST_F(CommandAnswers, RespondHasTheSpectrumOfTheLastWholePeriods) {
     EXPECT_EQ(number(spectrum[k + 1][1]), of_tip[k]);
     EXPECT_EQ(number(spectrum[k + 1][2]), of_force[k]);
   }
+  EXPECT_EQ(run("respond paper --hz 25 --amplitude 1e-3 --duration 0.09 --spectrum - --output '" +
+                path("history.csv") + "'")
+                .output,
+            contents(path("spectrum.csv")));
   // Two periods, and two rows in a period, are the least.
   EXPECT_EQ(run(with("--duration 0.08 --every 200")).status, 0);
   expect_refused(
@@ -804,8 +808,14 @@ TEST_F(CommandAnswers, CommandsThatNeedAWallAtRestSaySo) {
 TEST_F(CommandAnswers, OutputsThatExcludeEachOtherAreRefused) {
   expect_refused("respond paper --duration 0.1 --output h.csv --spectrum h.csv",
                  "--spectrum is h.csv, but must be another file than --output and --events");
-  expect_refused("respond paper --duration 1 --every 1000 --output h.csv --spectrum s.csv",
-                 "--every is 1000, but must be small enough for two rows in a period");
+  expect_refused("respond paper --events -", "--events is -, but must be another file than --output");
+  for (const std::string option : {"--events", "--spectrum"})
+    expect_refused("respond paper --json --output h.csv " + option + " -",
+                   "--json and " + option + " - both want standard output");
+  expect_refused("map paper --output a.png --figure a.png",
+                 "--figure is a.png, but must be another file than --output");
+  expect_refused("compare stick-frequencies - --json a --junit a",
+                 "--junit is a, but must be another file than --json");
   const std::string squeal = "squeal reed --speeds 0.1:1:2 --ratios 0.01:0.02:2 ";
   expect_refused(squeal + "--json --map -", "--json and --map - both want standard output");
   expect_refused(squeal + "--map a.csv --figure a.csv",
@@ -819,6 +829,14 @@ TEST_F(CommandAnswers, OutputsThatExcludeEachOtherAreRefused) {
   expect_refused(sweep + "--json --output -", "--json and --output - both want standard output");
   expect_refused(sweep + "--output a.png --figure a.png",
                  "--figure is a.png, but must be another file than --output");
+}
+
+TEST_F(CommandAnswers, ScriptsOfFiguresThatAreMissingAreToldBeforeTheWork) {
+  ::setenv("STICKSLIP_REPORTS", path("").c_str(), 1);
+  expect_refused("respond paper --duration 0.01 --output '" + path("h.csv") + "' --figure a.svg",
+                 "must hold the folders figures, report and site");
+  ::unsetenv("STICKSLIP_REPORTS");
+  EXPECT_FALSE(std::filesystem::exists(path("h.csv")));
 }
 
 TEST_F(CommandAnswers, WorkBeyondTheLimitsIsRefused) {
