@@ -30,7 +30,7 @@ struct NewOptions {
 // A line of the new case. The value is as in the file, but without the quotes.
 struct Line {
   std::string table, key, value, comment;
-  bool is_asked{true};
+  bool is_asked{true};  // and not set by --set
 
   [[nodiscard]] std::string path() const { return table + "." + key; }
 };
@@ -68,14 +68,14 @@ std::string quoted(const std::string& value) {
   return "\"" + value + "\"";
 }
 
-// Without the sides that a section of this shape does not have.
+// Without the sides that a section of this shape does not have, unless --set gives them: the reader refuses those.
 std::vector<Line> for_shape(std::vector<Line> lines) {
   const auto given = std::ranges::find(lines, "section.shape", &Line::path);
   if (given == lines.end()) return lines;
   const std::string shape = given->value;
   std::erase_if(lines, [&](const Line& line) {
     const bool is_flat = line.key == "width" || line.key == "height";
-    return line.table == "section" &&
+    return line.is_asked && line.table == "section" &&
            ((is_flat && shape != "rectangle") || (line.key == "diameter" && shape == "rectangle") ||
             (line.key == "wall_thickness" && shape != "tube"));
   });
@@ -92,12 +92,14 @@ std::string text_of(const std::vector<Line>& lines, const std::string& file) {
     const std::string assignment = fmt::format("{} = {}", line.key, quoted(line.value));
     text += line.comment.empty() ? assignment + "\n" : fmt::format("{:<32}# {}\n", assignment, line.comment);
   }
+  if (std::ranges::count(lines, "damping", &Line::table) == 0)
+    text +=
+        "\n# Without damping the free vibrations of the start never end. Remove the two # to damp them:\n"
+        "# [damping]\n# ratio = \"1 %\"                  # of critical damping in every mode with a free "
+        "tip\n";
   text +=
-      "\n# Without damping the free vibrations of the start never end. Remove the two # to damp them:\n"
-      "# [damping]\n# ratio = \"1 %\"                  # of critical damping in every mode with a free tip\n"
       "\n# The program chooses mesh, time step and number of modes. [numerics] states them instead; see the "
-      "user "
-      "guide.\n";
+      "user guide.\n";
   return text;
 }
 
@@ -111,8 +113,9 @@ std::string without_quotes(const std::string& value) {
 void set(std::vector<Line>& lines, const data::Override& override) {
   for (const auto& [key, replaced] : replacements)
     if (key == override.key)
-      std::erase_if(
-          lines, [name = replaced](const Line& line) { return line.path() == name || line.table == name; });
+      std::erase_if(lines, [name = replaced](const Line& line) {
+        return line.is_asked && (line.path() == name || line.table == name);
+      });
   const std::string value = without_quotes(override.value);
   const auto line = std::ranges::find(lines, override.key, &Line::path);
   if (line != lines.end()) {

@@ -57,7 +57,18 @@ TEST_F(NewCase, HasATableForEachGroupOfKeysWithComments) {
             std::string::npos)
       << text;
   EXPECT_NE(text.find("\ndecay = 0.50                    # s/m, how fast"), std::string::npos) << text;
-  EXPECT_NE(text.find("\n\n[damping]\nratio = 0.02\n\n# Without damping"), std::string::npos) << text;
+  EXPECT_NE(text.find("\n\n[damping]\nratio = 0.02\n\n# The program chooses"), std::string::npos) << text;
+}
+
+TEST_F(NewCase, HasACommentThatBecomesDamping) {
+  ASSERT_EQ(run(command()).status, 0);
+  std::string text = contents(file());
+  for (const std::string line : {"[damping]", "ratio"}) {
+    const auto at = text.find("\n# " + line);
+    ASSERT_NE(at, std::string::npos) << text;
+    text.erase(at + 1, 2);
+  }
+  EXPECT_EQ(data::parse_case("mine.toml", text).damping.ratio(), 0.01);
 }
 
 TEST_F(NewCase, ReplacesASectionOrAMaterialByNumbers) {
@@ -92,6 +103,9 @@ TEST_F(NewCase, WritesNothingThatIsNoCaseAndOverwritesNothing) {
   expect_refused(command("--set beam.lenth=1"), "unknown key beam.lenth (did you mean beam.length?)");
   expect_refused(command("--set section.height=0"),
                  "section.height is 0, but must be a finite number above 0");
+  expect_refused(command("--set section.width=3mm --set section.shape=circle"), "a circle does not have it");
+  expect_refused(command("--set beam.material=glass --set beam.density=1"),
+                 "must be missing where beam.material is given");
   const Outcome unanswered = run(command("--ask") + " < /dev/null");
   EXPECT_EQ(unanswered.status, 2);
   EXPECT_TRUE(unanswered.errors.ends_with(
