@@ -240,6 +240,8 @@ void add_squeal_command(CLI::App& app) {
   auto* ratios =
       command->add_option("--ratios", options->ratios, "Damping ratios of the map")->type_name("FROM:TO");
   map->needs(speeds)->needs(ratios);
+  speeds->needs(map);
+  ratios->needs(map);
   command->add_option("--count", options->count, "Values along each axis of the map")
       ->check(integer_between(2, 500))
       ->capture_default_str();

@@ -802,6 +802,8 @@ TEST_F(CommandAnswers, CommandsThatNeedAWallAtRestSaySo) {
   expect_refused("squeal reed --set numerics.elements=201",
                  "numerics.elements is 201, but must be at most 200 here");
   expect_refused("squeal reed --map m.csv", "--map requires --speeds");
+  expect_refused("squeal reed --speeds 0.1:1", "--speeds requires --map");
+  expect_refused("squeal reed --ratios 0.1:0.2", "--ratios requires --map");
   expect_refused("squeal reed --figure m.png", "--figure draws the map, but --map FILE is missing");
 }
 
