@@ -7,7 +7,6 @@
 
 #include "case_options.hpp"
 #include "render/report.hpp"
-#include "stickslip/data/case_file.hpp"
 #include "stickslip/data/input_text.hpp"
 
 namespace stickslip::cli {

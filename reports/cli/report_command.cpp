@@ -3,7 +3,6 @@
 #include <fmt/ranges.h>
 
 #include <memory>
-#include <string>
 
 #include "case_options.hpp"
 #include "commands.hpp"

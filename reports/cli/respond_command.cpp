@@ -9,7 +9,6 @@
 #include <memory>
 #include <numbers>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "case_options.hpp"
@@ -24,7 +23,6 @@
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/analytic/stick_response.hpp"
-#include "stickslip/data/input_text.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 
 namespace stickslip::cli {

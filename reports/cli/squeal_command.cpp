@@ -19,7 +19,6 @@
 #include "render/csv_table.hpp"
 #include "render/drawing.hpp"
 #include "render/interruption.hpp"
-#include "stickslip/data/input_text.hpp"
 
 namespace stickslip::cli {
 

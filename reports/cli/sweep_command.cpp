@@ -20,7 +20,6 @@
 #include "render/figures.hpp"
 #include "render/interruption.hpp"
 #include "render/progress.hpp"
-#include "stickslip/data/input_text.hpp"
 #include "studies/stick_slip/parameter_sweep.hpp"
 
 namespace stickslip::cli {

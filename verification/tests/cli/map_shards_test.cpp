@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// Maps made in parts, by several threads, shards and runs: always the same bytes.
 
-#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <pty.h>
 #include <signal.h>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// `new`: the case that it writes is the one that was asked for. And what a case without [numerics] gives.
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
