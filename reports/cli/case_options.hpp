@@ -4,6 +4,7 @@
 /// What the subcommands have in common: which problem, and in which form to answer.
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <charconv>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -20,6 +21,9 @@
 namespace stickslip::cli {
 
 using Json = nlohmann::ordered_json;
+
+/// Names of solver::ContactEvent::Kind and of analytic::ContactChange, which have the same order.
+inline constexpr std::array<std::string_view, 4> change_names{"onset", "capture", "reversal", "graze"};
 
 /// [CASE] --set table.key=value ... --json
 struct CaseOptions {

@@ -21,8 +21,7 @@ struct PeriodicOptions {
   int settle = 200;
 };
 
-// In the order of analytic::ContactChange and of analytic::NoMotion.
-constexpr std::array<std::string_view, 4> changes{"onset", "capture", "reversal", "graze"};
+// In the order of analytic::NoMotion.
 constexpr std::array<std::string_view, 3> reasons{
     "the tip sticks", "the tip slides steadily",
     "no periodic motion is found; a longer --settle or more --periods may help"};
@@ -67,8 +66,8 @@ void print_cycle(const studies::Cycle& cycle) {
   row("share of stick", fmt::format("{:.4g}", cycle.stick_share));
   std::string names;
   for (const auto& event : motion.events)
-    names +=
-        fmt::format("{}{}", names.empty() ? "" : ", ", changes.at(static_cast<std::size_t>(event.change)));
+    names += fmt::format("{}{}", names.empty() ? "" : ", ",
+                         change_names.at(static_cast<std::size_t>(event.change)));
   row("changes of contact", fmt::format("{}{}{}", motion.events.size(), names.empty() ? "" : ": ", names));
   std::string moduli;
   for (std::size_t i = 0; i < motion.multipliers.size() && i < 4; ++i)
@@ -89,7 +88,7 @@ Json cycle_json(const studies::Cycle& cycle) {
     multipliers.push_back({{"real", multiplier.real()}, {"imaginary", multiplier.imag()}});
   for (const auto& event : motion.events)
     events.push_back(
-        {{"time_s", event.time}, {"change", changes.at(static_cast<std::size_t>(event.change))}});
+        {{"time_s", event.time}, {"change", change_names.at(static_cast<std::size_t>(event.change))}});
   object.update({{"period_s", motion.period},
                  {"frequency_hz", 1.0 / motion.period},
                  {"tip_peak_to_peak_m", cycle.peak_to_peak},

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <map>
@@ -80,9 +79,6 @@ struct EventRow {
 
 constexpr std::string_view events_header = "time_s,change,tip_displacement_m\n";
 
-// Names of solver::ContactEvent::Kind and of ContactChange, which have the same order.
-constexpr std::array<std::string_view, 4> change_names{"onset", "capture", "reversal", "graze"};
-
 // What a history says in one glance.
 struct Summary {
   long rows{};
@@ -122,10 +118,7 @@ class Writer {
 
   void discard() const noexcept { file_.discard(); }
 
-  Summary finish() {
-    file_.commit();
-    return summary_;
-  }
+  void finish() { file_.commit(); }
 
  private:
   void put(std::string_view text) {
@@ -476,7 +469,8 @@ void run(const RespondOptions& options) {
         options.output == "-" ? "standard output holds the history up to there at most" : "nothing is kept");
   });
   methods.at(options.method).write(problem, options, writer);
-  const Summary summary = writer.finish();
+  writer.finish();
+  const Summary& summary = writer.summary();
   if (events) write_events(*events, summary.events);
   if (spectrum) write_spectrum(*spectrum, window, summary);
   if (figure) write_figure(problem, options, writer.text(), *figure);
