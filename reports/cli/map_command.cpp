@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <memory>
@@ -63,9 +62,6 @@ void write_figure(const studies::CriterionMap& map, const report::CsvTable& tabl
   }
 }
 
-constexpr std::array states{studies::CellState::stick, studies::CellState::stick_slip,
-                            studies::CellState::no_stick_state};
-
 auto cells_in(const studies::CriterionMap& map, studies::CellState state) {
   return std::ranges::count(map.cells, state, &studies::CriterionMap::Cell::state);
 }
@@ -82,7 +78,7 @@ std::ptrdiff_t converged_cells(const studies::CriterionMap& map) {
 
 void print_summary(const studies::CriterionMap& map, const MapOptions& options) {
   std::string counts;
-  for (const auto state : states)
+  for (const auto state : all_states)
     counts +=
         fmt::format("{}{} {}", counts.empty() ? "" : ", ", cells_in(map, state), report::to_string(state));
   if (!map.quantities.empty()) counts += fmt::format("; {} converged", converged_cells(map));
@@ -110,7 +106,7 @@ Json to_json(const studies::MapTask& task, const studies::CriterionMap& map,
   Json object = to_json(task, options);
   object["figure"] = options.figure.empty() ? Json() : Json(options.figure);
   object["cells"] = map.cells.size();
-  for (const auto state : states) object["states"][report::to_string(state)] = cells_in(map, state);
+  for (const auto state : all_states) object["states"][report::to_string(state)] = cells_in(map, state);
   if (!map.quantities.empty()) object["converged"] = converged_cells(map);
   object["warnings"] = warnings;
   return object;
@@ -140,12 +136,10 @@ std::vector<std::string> quantity_names() {
 // NAME or NAME,NAME...; none for the verdict.
 std::vector<studies::MotionQuantity> quantities_of(const std::string& text) {
   if (text == verdict) return {};
+  const auto known = quantity_names();
   std::vector<std::string> names;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    names.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-    const auto known = quantity_names();
+  for (const std::string_view name : split(text, ',')) {
+    names.emplace_back(name);
     if (names.back() == verdict || std::ranges::find(known, names.back()) == known.end())
       throw data::FieldError(
           "--quantity", fmt::format("'{}'", data::printable(names.back())),
@@ -205,7 +199,7 @@ class Run {
   /// Makes the evaluations of a part that an earlier run has not left, and hands all of them to `write`.
   void work(const studies::MapTask& task, const MapPart& part, const auto& write) {
     evaluations_.resize(studies::evaluation_count(task));
-    const auto numbers = studies::share_of(evaluations_.size(), part.part, part.parts);
+    const auto numbers = part.numbers(evaluations_.size());
     UnfinishedMap& unfinished = unfinished_.emplace(unfinished_file(options_), task, part, evaluations_);
     report::Progress& progress = progress_.emplace("stickslip map", progress_surroundings(), numbers.size());
     interruption_.emplace([this, &unfinished, &progress, count = numbers.size()] {
@@ -286,7 +280,7 @@ class Run {
   }
 
   void print_shard(const studies::MapTask& task, const MapPart& part, bool found) const {
-    const std::size_t count = studies::share_of(evaluations_.size(), part.part, part.parts).size();
+    const std::size_t count = part.numbers(evaluations_.size()).size();
     if (!options_.problem.json) {
       fmt::print("Shard {} of {}, {} of {} evaluations, {} {}\n", part.part, part.parts, count,
                  evaluations_.size(), found ? "is complete already in" : "written to", options_.output);
@@ -334,9 +328,7 @@ class Run {
 };
 
 void print_estimate(const studies::MapTask& task, const MapOptions& options) {
-  const auto numbers =
-      studies::share_of(studies::evaluation_count(task), options.shard.value_or(MapPart()).part,
-                        options.shard.value_or(MapPart()).parts);
+  const auto numbers = options.shard.value_or(MapPart()).numbers(studies::evaluation_count(task));
   if (numbers.empty())
     throw data::FieldError(
         "--shard", fmt::format("{}/{}", options.shard->part, options.shard->parts),

@@ -118,42 +118,29 @@ struct Record {
   studies::MapEvaluation evaluation;
 };
 
-// What follows the state: ",VALUE,CHANGE" for each quantity.
-std::optional<std::vector<studies::ResponseValue>> parse_response(std::string_view text,
-                                                                  std::string_view state) {
-  if (!text.starts_with(state)) return std::nullopt;
-  text.remove_prefix(state.size());
-  std::vector<double> numbers;
-  while (!text.empty()) {
-    if (text.front() != ',') return std::nullopt;
-    text.remove_prefix(1);
-    const std::string_view word = text.substr(0, text.find(','));
-    const auto number = parse<double>(word);
-    if (!number) return std::nullopt;
-    numbers.push_back(*number);
-    text.remove_prefix(word.size());
-  }
-  if (numbers.size() % 2 != 0) return std::nullopt;
-  std::vector<studies::ResponseValue> response;
-  for (std::size_t i = 0; i < numbers.size(); i += 2) response.push_back({numbers[i], numbers[i + 1]});
-  return response;
-}
-
+// NUMBER,LOWER,UPPER of |f|, or NUMBER,STATE and behind it VALUE,CHANGE of each quantity.
 std::optional<Record> parse_record(std::string_view content) {
-  const std::size_t comma = content.find(',');
-  const auto number = parse<std::size_t>(content.substr(0, comma));
-  if (comma == std::string_view::npos || !number) return std::nullopt;
-  const std::string_view rest = content.substr(comma + 1);
-  for (const auto state :
-       {studies::CellState::stick, studies::CellState::stick_slip, studies::CellState::no_stick_state})
-    if (auto response = parse_response(rest, report::to_string(state)))
-      return Record{*number, {.unit_force = {}, .state = state, .response = *std::move(response)}};
-  const std::size_t second = rest.find(',');
-  if (second == std::string_view::npos) return std::nullopt;
-  const auto lower = parse<double>(rest.substr(0, second)), upper = parse<double>(rest.substr(second + 1));
-  if (!lower || !upper) return std::nullopt;
-  return Record{*number,
-                {.unit_force = analytic::Bounds{*lower, *upper}, .state = studies::CellState::stick}};
+  const auto cells = split(content, ',');
+  const auto number = parse<std::size_t>(cells.front());
+  if (!number || cells.size() < 2) return std::nullopt;
+  const auto state = std::ranges::find(all_states, cells[1],
+                                       [](studies::CellState known) { return report::to_string(known); });
+  const bool has_state = state != all_states.end();
+  std::vector<double> numbers;
+  for (std::size_t i = has_state ? 2 : 1; i < cells.size(); ++i) {
+    const auto value = parse<double>(cells[i]);
+    if (!value) return std::nullopt;
+    numbers.push_back(*value);
+  }
+  if (has_state ? numbers.size() % 2 != 0 : numbers.size() != 2) return std::nullopt;
+  if (!has_state)
+    return Record{
+        *number,
+        {.unit_force = analytic::Bounds{numbers[0], numbers[1]}, .state = studies::CellState::stick}};
+  Record record{*number, {.unit_force = {}, .state = *state, .response = {}}};
+  for (std::size_t i = 0; i < numbers.size(); i += 2)
+    record.evaluation.response.push_back({numbers[i], numbers[i + 1]});
+  return record;
 }
 
 // Takes the records that follow the first line, up to the first that is torn, damaged, double or not among
@@ -248,7 +235,7 @@ std::string shard_text(const studies::MapTask& task, const MapPart& part,
   const std::string header = header_line(task, part);
   const std::string check = check_of(header);
   std::string text = header;
-  for (const std::size_t number : studies::share_of(evaluations.size(), part.part, part.parts))
+  for (const std::size_t number : part.numbers(evaluations.size()))
     text += record(number, evaluations.at(number).value(), check);
   return text;
 }
@@ -259,7 +246,7 @@ bool holds_shard(const fs::path& file, const studies::MapTask& task, const MapPa
   const std::string text = report::read_text(file), header = header_line(task, part);
   if (!text.starts_with(header)) return false;
   studies::MapEvaluations evaluations(studies::evaluation_count(task));
-  const auto numbers = studies::share_of(evaluations.size(), part.part, part.parts);
+  const auto numbers = part.numbers(evaluations.size());
   const Taken taken = take_records(text, header.size(), numbers, evaluations);
   return taken.length == text.size() && taken.records == numbers.size();
 }
@@ -290,7 +277,7 @@ MergedMap merged(const std::vector<std::string>& files) {
       fail(
           fmt::format("is shard {} of {}, but so is {}", part.part, part.parts, file_of_part[part.part - 1]));
     file_of_part[part.part - 1] = file;
-    const auto numbers = studies::share_of(map->evaluations.size(), part.part, part.parts);
+    const auto numbers = part.numbers(map->evaluations.size());
     const Taken taken = take_records(text, text.find('\n') + 1, numbers, map->evaluations);
     if (taken.length != text.size()) fail(fmt::format("is damaged in line {}", taken.records + 2));
     if (taken.records != numbers.size())
@@ -308,8 +295,7 @@ UnfinishedMap::UnfinishedMap(fs::path file, const studies::MapTask& task, const 
   const std::string text = report::read_text(file_);
   Taken taken;
   if (text.starts_with(header_)) {
-    taken = take_records(text, header_.size(), studies::share_of(evaluations.size(), part.part, part.parts),
-                         evaluations);
+    taken = take_records(text, header_.size(), part.numbers(evaluations.size()), evaluations);
   } else if (!header_.starts_with(text)) {
     ::close(descriptor_);
     const auto found = header_of(text);

@@ -9,6 +9,7 @@
 /// with its change. Every line ends with a check of itself
 /// and of the first line, 16 hexadecimal digits.
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <functional>
@@ -25,9 +26,17 @@ namespace stickslip::cli {
 /// How the methods of a map are called on the command line and in files.
 inline constexpr std::string_view closed_form_method = "closed-form", finite_element_method = "fe";
 
+inline constexpr std::array all_states{studies::CellState::stick, studies::CellState::stick_slip,
+                                       studies::CellState::no_stick_state};
+
 /// Part 1 ... `parts` of the evaluations of a map (studies::share_of).
 struct MapPart {
   std::size_t part = 1, parts = 1;
+
+  /// The numbers of its evaluations, of so many in all.
+  [[nodiscard]] std::vector<std::size_t> numbers(std::size_t evaluations) const {
+    return studies::share_of(evaluations, part, parts);
+  }
 };
 
 /// "K/M". Throws data::InputError, naming the option --shard, unless 1 <= K <= M <= 1000000.

@@ -40,16 +40,6 @@ constexpr std::array<std::pair<std::string_view, studies::Parameter>, 11> parame
                          allowed);
 }
 
-std::vector<std::string_view> split_at_colons(std::string_view text) {
-  std::vector<std::string_view> parts;
-  for (std::size_t colon = text.find(':'); colon != std::string_view::npos; colon = text.find(':')) {
-    parts.push_back(text.substr(0, colon));
-    text.remove_prefix(colon + 1);
-  }
-  parts.push_back(text);
-  return parts;
-}
-
 ParameterRange range_of(std::string_view option, std::string_view from, std::string_view to, bool zero,
                         bool equal) {
   const auto lower = parse<double>(from), upper = parse<double>(to);
@@ -62,7 +52,7 @@ ParameterRange range_of(std::string_view option, std::string_view from, std::str
 }
 
 ParameterRange from_to(std::string_view option, std::string_view text, bool equal) {
-  const auto parts = split_at_colons(text);
+  const auto parts = split(text, ':');
   if (parts.size() != 2) fail_unless("FROM:TO", option, "the range", text);
   return range_of(option, parts[0], parts[1], false, equal);
 }
@@ -93,6 +83,16 @@ studies::Parameter parameter_of(std::string_view option, std::string_view name) 
 
 }  // namespace
 
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (std::size_t end = text.find(separator); end != std::string_view::npos; end = text.find(separator)) {
+    parts.push_back(text.substr(0, end));
+    text.remove_prefix(end + 1);
+  }
+  parts.push_back(text);
+  return parts;
+}
+
 ParameterRange parse_range(std::string_view option, std::string_view text) {
   return from_to(option, text, false);
 }
@@ -111,7 +111,7 @@ std::string axis_text(const studies::MapAxis& axis) {
 
 studies::MapAxis parse_axis(std::string_view option, std::string_view text) {
   const auto equals = text.find('=');
-  const auto parts = split_at_colons(equals == std::string_view::npos ? text : text.substr(equals + 1));
+  const auto parts = split(equals == std::string_view::npos ? text : text.substr(equals + 1), ':');
   const bool logarithmic = parts.size() == 4 && parts[3] == "log";
   if (equals == std::string_view::npos || (parts.size() != 3 && !logarithmic))
     fail_unless("PARAMETER=FROM:TO:COUNT or PARAMETER=FROM:TO:COUNT:log", option, "the axis", text);

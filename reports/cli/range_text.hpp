@@ -6,11 +6,15 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "studies/criterion/criterion_map.hpp"
 #include "studies/criterion/design_guide.hpp"
 
 namespace stickslip::cli {
+
+/// The parts between the separators, also empty ones: one more than there are separators.
+[[nodiscard]] std::vector<std::string_view> split(std::string_view text, char separator);
 
 /// "FROM:TO", two finite numbers above 0 with FROM below TO, or, for a band, not above it.
 [[nodiscard]] studies::ParameterRange parse_range(std::string_view option, std::string_view text);
