@@ -68,17 +68,16 @@ void print_table(const data::Case& problem, const data::Uncertainty& uncertainty
     row("samples that are no beam", fmt::format("{}: {}", count, reason));
   row("margin of the case",
       significant(result.nominal_margin, digits) + (result.nominal_margin < 1.0 ? ": slips" : ": sticks"));
-  const auto quantiles = [&](std::string_view name, auto member) {
-    std::string values;
-    for (const auto& quantile : result.quantiles)
-      values += fmt::format("{:<12}", member ? significant((quantile.*member).value, digits)
-                                             : fmt::format("{:.0f} %", 100.0 * quantile.probability));
-    fmt::print("{:<28}{}\n", name, values);
-  };
-  studies::Estimate studies::SlipUncertainty::Quantile::*const none = nullptr;
-  quantiles("\nquantile", none);
-  quantiles("critical amplitude / m", &studies::SlipUncertainty::Quantile::critical_amplitude);
-  quantiles("margin mu_s P/|f_max|", &studies::SlipUncertainty::Quantile::margin);
+  std::string probabilities, amplitudes, margins;
+  for (const auto& [probability, amplitude, margin] : result.quantiles) {
+    probabilities += fmt::format("{:<12}", fmt::format("{:.0f} %", 100.0 * probability));
+    amplitudes += fmt::format("{:<12}", significant(amplitude.value, digits));
+    margins += fmt::format("{:<12}", significant(margin.value, digits));
+  }
+  fmt::print("\n");
+  row("quantile", probabilities);
+  row("critical amplitude / m", amplitudes);
+  row("margin mu_s P/|f_max|", margins);
 
   fmt::print("\n{:<28}{:<26}{:<22}{:<28}{}\n", "key", "5 % ... 95 %", "margin",
              result.sensitivity ? "first index" : "", result.sensitivity ? "total index" : "");

@@ -531,6 +531,13 @@ TEST_F(CommandLine, UncertaintyGivesTheProbabilityOfSlip) {
                                 range(key["quantile_5"], key["quantile_95"]),
                                 range(key["margin_at_quantile_5"], key["margin_at_quantile_95"]),
                                 with_interval(key["first_index"], 3), with_interval(key["total_index"], 3)));
+  std::string head = fmt::format("{:<28}", "quantile"),
+              margins = fmt::format("{:<28}", "margin mu_s P/|f_max|");
+  for (const auto& quantile : answer["quantiles"]) {
+    head += fmt::format("{:<12}", fmt::format("{:.0f} %", 100.0 * quantile["probability"].get<double>()));
+    margins += fmt::format("{:<12}", fmt::format("{:#.4g}", quantile["margin"]["value"].get<double>()));
+  }
+  lines.insert(lines.end(), {head, margins});
   EXPECT_EQ(answer["quantiles"].size(), 5u);
   for (const std::string& line : lines)
     EXPECT_NE(table.find("\n" + line + "\n"), std::string::npos) << line << "\n" << table;
