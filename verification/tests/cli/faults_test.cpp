@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "support/killed_run.hpp"
 #include "support/requirements.hpp"
-#include "support/signalled_run.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -156,52 +156,22 @@ TEST_F(Fault, RunThatFailsSaysWhenAndLeavesTheOldFile) {
   EXPECT_EQ(all_files(path("")), (std::vector<std::string>{"old.csv", "stderr", "stdout"}));
 }
 
-// What a run leaves that is killed at any moment: files that are whole, and temporary ones that the next run
-// removes.
-class KilledRun : public Fault {
- protected:
-  // Kills the same run at `moments` moments spread over `seconds`; what is under its name is whole.
-  void kill_at(int moments, double seconds, const std::string& arguments, const fs::path& folder,
-               const std::vector<std::string>& names) const {
-    std::vector<std::string> whole;
-    ASSERT_EQ(run(arguments).status, 0);
-    for (const std::string& name : names) whole.push_back(contents(folder / name));
-    for (int moment = 0; moment < moments; ++moment) {
-      for (const std::string& name : names) fs::remove(folder / name);
-      const auto after =
-          std::chrono::milliseconds(static_cast<int>(1e3 * seconds * (moment + 0.5) / moments));
-      const Ending ending = signalled(arguments, SIGKILL, after);
-      for (std::size_t i = 0; i < names.size(); ++i)
-        if (fs::exists(folder / names[i])) {
-          EXPECT_EQ(contents(folder / names[i]), whole[i]) << names[i];
-        }
-    }
-    const Outcome again = run(arguments);
-    EXPECT_EQ(again.status, 0) << again.errors;
-    for (std::size_t i = 0; i < names.size(); ++i)
-      EXPECT_EQ(contents(folder / names[i]), whole[i]) << names[i];
-  }
-};
-
 STICKSLIP_VERIFIES(KilledRun, "U12");
 TEST_F(KilledRun, OfRespondLeavesOnlyWhatIsWhole) {
-  kill_at(8, 0.1, history + (" --output '" + path("history.csv") + "' --events '" + path("events.csv") + "'"),
-          path(""), {"history.csv", "events.csv"});
-  EXPECT_EQ(all_files(path("")), (std::vector<std::string>{"events.csv", "history.csv", "stderr", "stdout"}));
+  kill(8,
+       "respond paper --hz 25 --amplitude 1e-3 --duration 0.3 --output '" + out("history.csv") +
+           "' --events '" + out("events.csv") + "'",
+       {"history.csv", "events.csv"});
 }
 
 TEST_F(KilledRun, OfMapLeavesOnlyWhatIsWhole) {
-  kill_at(5, 0.1,
-          "map paper --x frequency=1:120:60 --y amplitude=1e-4:1e-3:5 --output '" + path("map.csv") + "'",
-          path(""), {"map.csv"});
-  EXPECT_EQ(all_files(path("")), (std::vector<std::string>{"map.csv", "stderr", "stdout"}));
+  kill(5, "map paper --x frequency=1:120:60 --y amplitude=1e-4:1e-3:5 --output '" + out("map.csv") + "'",
+       {"map.csv"});
 }
 
 TEST_F(KilledRun, OfReportLeavesOnlyWhatIsWhole) {
-  kill_at(5, 0.3, "report --quiet --only fig2 --output '" + path("report") + "'", path("report"),
-          {"fig2.csv", "fig2-values.csv", "fig2.pdf", "fig2.png"});
-  EXPECT_EQ(all_files(path("report")),
-            (std::vector<std::string>{"fig2-values.csv", "fig2.csv", "fig2.pdf", "fig2.png"}));
+  kill(5, "report --quiet --only fig2 --output '" + out() + "'",
+       {"fig2.csv", "fig2-values.csv", "fig2.pdf", "fig2.png"});
 }
 
 }  // namespace
