@@ -25,9 +25,7 @@ namespace {
 STICKSLIP_VERIFIES(CommandLine, "U1");
 TEST_F(CommandLine, RefusesUnusableArgumentsInOneSentence) {
   expect_refused("", "subcommand");
-  expect_refused("resond", "resond");
   expect_refused("modes papr", "did you mean paper?");
-  expect_refused("modes --state sticky", "sticky");
   expect_refused("modes --count 0", "--count is 0, but must be an integer from 1 to 1000");
   expect_refused("modes --count 2.5", "--count is 2.5, but must be an integer");
   expect_refused("modes --set beam.lenght=2", "did you mean beam.length?");
@@ -62,26 +60,6 @@ TEST_F(CommandLine, AnswersHelpAndVersionOnStandardOutput) {
   const Outcome version = run("--version");
   EXPECT_EQ(version.status, 0);
   EXPECT_TRUE(version.output.starts_with("stickslip ")) << version.output;
-}
-
-TEST_F(CommandLine, ListsTheCasesAndTheirFiles) {
-  const auto cases = json("cases")["cases"];
-  ASSERT_GE(cases.size(), 4U);
-  for (const auto& listing : cases) EXPECT_TRUE(std::filesystem::exists(listing["file"].get<std::string>()));
-}
-
-TEST_F(CommandLine, CriterionGivesAVerdictThatFollowsFromItsNumbers) {
-  for (const std::string frequency : {"15", "25", "35", "59", "70", "71", "80.5"}) {
-    const auto answer = json("criterion --amplitude 0.5e-3 --hz " + frequency);
-    const double lower = answer["force_max_N"]["lower"], upper = answer["force_max_N"]["upper"];
-    const double critical = answer["critical_amplitude_m"];
-    EXPECT_LE(lower, upper);
-    EXPECT_LE(upper - lower, 1e-10 * upper) << frequency;
-    EXPECT_EQ(answer["friction_limit_N"], 300.0);
-    EXPECT_EQ(answer["verdict"], lower > 300.0 ? "stick-slip" : "stick") << frequency;
-    EXPECT_GE(critical * lower / 0.5e-3, 300.0 * (1.0 - 1e-10));
-    EXPECT_LE(critical * upper / 0.5e-3, 300.0 * (1.0 + 1e-10));
-  }
 }
 
 TEST_F(CommandLine, CriterionTakesDurationAndModesFromTheCase) {
@@ -152,28 +130,6 @@ TEST_F(CommandLine, AnImpulsiveStartIsThereForTheAsking) {
     expect_refused("respond --initial-velocity zero --method " + method,
                    "--initial-velocity is zero, but must be quasi-static for --method " + method +
                        ", whose equation assumes it\n");
-}
-
-TEST_F(CommandLine, RespondSaysWhenTheTipSlipsFirst) {
-  for (const std::string method : {"fe", "event-driven", "boundary-integral", "closed-form"}) {
-    const std::string events = path(method + "-events.csv");
-    const auto answer =
-        json("respond paper --hz 25 --amplitude 1e-3 --duration 0.08 --method " + method + " --output '" +
-             path("history.csv") + "'" + (method == "closed-form" ? "" : " --events '" + events + "'"));
-    const auto rows = csv(contents(path("history.csv")));
-    if (method == "closed-form") {
-      const auto beyond_limit = std::find_if(
-          rows.begin() + 1, rows.end(), [](const auto& row) { return std::abs(std::stod(row[5])) > 300.0; });
-      ASSERT_NE(beyond_limit, rows.end());
-      EXPECT_EQ(answer["first_slip_s"], std::stod(beyond_limit->at(0)));
-      continue;
-    }
-    const auto changes = csv(contents(events));
-    ASSERT_GT(changes.size(), 1u) << method;
-    EXPECT_EQ(answer["changes_of_contact"], changes.size() - 1) << method;
-    EXPECT_EQ(answer["first_slip_s"], std::stod(changes[1][0])) << method;
-    EXPECT_EQ(changes[1][1], "onset") << method;
-  }
 }
 
 TEST_F(CommandLine, BothStickSlipMethodsFindTheSameChangesOfContact) {

@@ -171,7 +171,12 @@ TEST_F(MapShards, EndWithinASecondOfCtrlCAndSayWhatIsKept) {
 
 TEST_F(MapShards, AreNotMadeAgainWhereTheyAreComplete) {
   const std::string part = longer + shard(2, 2);
-  const std::string whole = made(part, "shard");
+  const auto made_now = json(part + output("shard"));
+  EXPECT_EQ(made_now["shard"], 2);
+  EXPECT_EQ(made_now["shards"], 2);
+  EXPECT_EQ(made_now["evaluations"], 45);
+  EXPECT_EQ(made_now["complete_already"], false);
+  const std::string whole = contents(path("shard"));
   const auto written = fs::last_write_time(path("shard"));
   const std::string said =
       "Shard 2 of 2, 45 of 90 evaluations, is complete already in " + path("shard") + "\n";
