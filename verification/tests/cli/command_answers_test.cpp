@@ -35,11 +35,11 @@ class CommandAnswers : public Drawing {
 
   // The JSON of a run whose rows are in history.csv and whose changes of contact are in events.csv.
   [[nodiscard]] nlohmann::json respond(const std::string& options) const {
-    return json("respond " + options + " --output '" + path("history.csv") + "'");
+    return json("respond " + options + " --output history.csv");
   }
   [[nodiscard]] Table rows() const { return table("history.csv"); }
   [[nodiscard]] Table events() const { return table("events.csv"); }
-  [[nodiscard]] std::string with_events() const { return " --events '" + path("events.csv") + "'"; }
+  [[nodiscard]] std::string with_events() const { return " --events events.csv"; }
 
   // The numbers of the printed table.
   [[nodiscard]] std::vector<std::string> printed(const std::string& options) const {
@@ -64,7 +64,7 @@ class CommandAnswers : public Drawing {
 
  private:
   [[nodiscard]] Table table(const std::string& name) const {
-    Table all = csv(contents(path(name)));
+    Table all = csv(contents(name));
     all.erase(all.begin());
     return all;
   }
@@ -87,7 +87,7 @@ TEST_F(CommandAnswers, RespondSaysInJsonWhatItsRowsHold) {
     EXPECT_EQ(answer["frequency_hz"], 25.0);
     EXPECT_EQ(answer["amplitude_m"], 1e-3);
     EXPECT_EQ(answer["duration_s"], 0.08);
-    EXPECT_EQ(answer["output"], path("history.csv"));
+    EXPECT_EQ(answer["output"], "history.csv");
     EXPECT_EQ(answer["rows"], history.size());
     EXPECT_EQ(answer["largest_friction_force_N"], largest);
     EXPECT_NEAR(answer["first_slip_s"].get<double>(), 0.05525, 1e-4);
@@ -151,9 +151,7 @@ TEST_F(CommandAnswers, RespondStartsFromRestByBothMethods) {
 
 TEST_F(CommandAnswers, RespondByTheBoundaryIntegralWritesTheRunAndItsStepEffect) {
   const auto answer = respond(
-      "paper --hz 25 --amplitude 1e-3 --duration 0.08 --every 10 --method "
-      "boundary-integral" +
-      with_events());
+      "paper --hz 25 --amplitude 1e-3 --duration 0.08 --every 10 --method boundary-integral" + with_events());
   const data::Case problem = data::load_case(
       "paper", {{"excitation.frequency_hz", "25", "--hz"}, {"excitation.amplitude", "1e-3", "--amplitude"}});
   const double step = answer["integration_step_s"], row_step = problem.numerics.time_step();
@@ -230,8 +228,7 @@ TEST_F(CommandAnswers, RespondByTheBoundaryIntegralHasNoStepEffectWhereRowsAreSt
 
 TEST_F(CommandAnswers, AnimateLastsTenPeriodsUnlessADurationIsGiven) {
   install_gnuplot(draw_all);
-  const std::string options =
-      "animate paper --hz 50 --amplitude 2e-4 --frames 5 --output '" + path("film") + "' ";
+  const std::string options = "animate paper --hz 50 --amplitude 2e-4 --frames 5 --output film ";
   const auto answer = json(options);
   EXPECT_EQ(answer["case"], "paper");
   EXPECT_EQ(answer["method"], "fe");
@@ -239,20 +236,20 @@ TEST_F(CommandAnswers, AnimateLastsTenPeriodsUnlessADurationIsGiven) {
   EXPECT_EQ(answer["amplitude_m"], 2e-4);
   EXPECT_EQ(answer["duration_s"], 0.2);
   EXPECT_EQ(answer["frames"], 5);
-  EXPECT_EQ(answer["output"], path("film"));
-  const auto motion = csv(contents(path("film/motion.csv")));
+  EXPECT_EQ(answer["output"], "film");
+  const auto motion = csv(contents("film/motion.csv"));
   EXPECT_DOUBLE_EQ(number(motion.back()[1]), 0.2);
   EXPECT_EQ(json(options + "--duration 0.1 --method event-driven")["duration_s"], 0.1);
-  EXPECT_DOUBLE_EQ(number(csv(contents(path("film/motion.csv"))).back()[1]), 0.1);
+  EXPECT_DOUBLE_EQ(number(csv(contents("film/motion.csv")).back()[1]), 0.1);
 }
 
 TEST_F(CommandAnswers, AnimateTakesAsManyFramesAsThereAreTimeSteps) {
   install_gnuplot(draw_all);
-  const std::string options = "animate --duration 1e-3 --output '" + path("film") + "' --frames ";
+  const std::string options = "animate --duration 1e-3 --output film --frames ";
   expect_refused(options + "12", "at most one per time step of 1e-04 s, of which 0.001 s have 11");
   const Outcome outcome = run(options + "11");
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
-  EXPECT_EQ(outcome.output, "11 frames written to " + path("film") + "\n");
+  EXPECT_EQ(outcome.output, "11 frames written to film\n");
 }
 
 // --- modes
@@ -434,27 +431,25 @@ TEST_F(CommandAnswers, CriterionOfACaseWithADampingRatioHasItsSteadyForce) {
 TEST_F(CommandAnswers, MapCountsTheCellsOfItsTable) {
   const std::string command =
       "map paper-figure14 --duration 0.5 --x length=0.8:2.8:3 --y force=200:800:2:log --hz 20 "
-      "--output '" +
-      path("map.csv") + "' ";
+      "--output map.csv ";
   const auto answer = json(command);
   std::map<std::string, int> counts{{"stick", 0}, {"stick-slip", 0}, {"no stick state", 0}};
-  for (const auto& row : csv(contents(path("map.csv"))))
+  for (const auto& row : csv(contents("map.csv")))
     if (row.size() == 4 && counts.contains(row[3])) ++counts[row[3]];
   EXPECT_EQ(answer["case"], "paper-figure14");
   EXPECT_EQ(answer["method"], "closed-form");
   EXPECT_EQ(answer["x"], "length=0.8:2.8:3");
   EXPECT_EQ(answer["y"], "force=200:800:2:log");
-  EXPECT_EQ(answer["output"], path("map.csv"));
+  EXPECT_EQ(answer["output"], "map.csv");
   EXPECT_TRUE(answer["figure"].is_null());
   EXPECT_EQ(answer["cells"], 6);
   EXPECT_EQ(answer["states"], nlohmann::json(counts));
   EXPECT_EQ(run(command).output,
-            fmt::format("6 cells written to {}: {} stick, {} stick-slip, {} no stick state\n",
-                        path("map.csv"), counts["stick"], counts["stick-slip"], counts["no stick state"]));
+            fmt::format("6 cells written to map.csv: {} stick, {} stick-slip, {} no stick state\n",
+                        counts["stick"], counts["stick-slip"], counts["no stick state"]));
   const auto stepped = json(
       "map paper-figure14 --duration 0.1 --method fe --x frequency=10:50:3 --y friction=0.3:0.6:4 "
-      "--output '" +
-      path("map.csv") + "'");
+      "--output map.csv");
   EXPECT_EQ(stepped["method"], "fe");
   EXPECT_EQ(stepped["cells"], 12);
 }
@@ -462,14 +457,13 @@ TEST_F(CommandAnswers, MapCountsTheCellsOfItsTable) {
 TEST_F(CommandAnswers, MapWritesAValueWhereItHasConvergedOnly) {
   const std::string command =
       "map damped --set numerics.time_step=1e-4 --duration 0.8 --x frequency=24:36:3 --y kinetic=0.2:0.6:2 "
-      "--quantity work,sticks,work --output '" +
-      path("map.csv") + "' ";
+      "--quantity work,sticks,work --output map.csv ";
   const auto answer = json(command);
   EXPECT_EQ(answer["quantities"], nlohmann::json({"work", "sticks"}));
   EXPECT_EQ(answer["tolerance"], 0.05);
   EXPECT_EQ(answer["transient_s"], 0.4);
   int converged = 0, rows = 0;
-  for (const auto& row : csv(contents(path("map.csv")))) {
+  for (const auto& row : csv(contents("map.csv"))) {
     if (row.size() != 7 || row[6] == "state" || row[0].starts_with('#')) continue;
     ++rows;
     EXPECT_EQ(row[2].empty(), std::stod(row[3]) > 0.05);
@@ -501,11 +495,9 @@ TEST_F(CommandAnswers, MapWritesAValueWhereItHasConvergedOnly) {
 // Up and down differ where the smallest or the largest force does by more than 1 % of the largest of them.
 TEST_F(CommandAnswers, SweepHasTheSectionOfEachValue) {
   install_gnuplot("cat \"${folder}sweep.csv\" \"${folder}sweep-values.csv\" > $output\n");
-  const std::string file = path("sweep.csv");
   const std::string command =
       "sweep damped --set numerics.time_step=1e-3 --hz 25 --settle 5 --periods 2 "
-      "--parameter amplitude=1e-4:5e-4:9 --output '" +
-      file + "' ";
+      "--parameter amplitude=1e-4:5e-4:9 --output sweep.csv ";
   const auto answer = json(command);
   ASSERT_EQ(answer["points"].size(), 18u);
   EXPECT_EQ(answer["points"][0]["direction"], "up");
@@ -513,7 +505,7 @@ TEST_F(CommandAnswers, SweepHasTheSectionOfEachValue) {
   EXPECT_EQ(answer["parameter"], "amplitude=1e-04:5e-04:9");
   EXPECT_EQ(answer["direction"], "both");
   EXPECT_TRUE(answer["figure"].is_null());
-  const auto rows = csv(contents(file));
+  const auto rows = csv(contents("sweep.csv"));
   ASSERT_EQ(rows.size(), 3u + 18u * 2u);
   std::size_t differ = 0;
   for (std::size_t i = 0; i < 9; ++i) {
@@ -530,11 +522,10 @@ TEST_F(CommandAnswers, SweepHasTheSectionOfEachValue) {
   }
   EXPECT_EQ(answer["values_with_hysteresis"], differ);
   EXPECT_EQ(run(command).output,
-            fmt::format("18 points written to {}; up and down differ at {} of 9 values\n", file, differ));
-  EXPECT_EQ(run(command + "--direction down --figure '" + path("sweep.svg") + "'").output,
-            "9 points written to " + file + "\n");
-  const std::string drawn = contents(path("sweep.svg"));
-  EXPECT_TRUE(drawn.starts_with(contents(file)));
+            fmt::format("18 points written to sweep.csv; up and down differ at {} of 9 values\n", differ));
+  EXPECT_EQ(run(command + "--direction down --figure sweep.svg").output, "9 points written to sweep.csv\n");
+  const std::string drawn = contents("sweep.svg");
+  EXPECT_TRUE(drawn.starts_with(contents("sweep.csv")));
   EXPECT_TRUE(drawn.ends_with("\nparameter,2,1\n")) << drawn;  // the second parameter
   // A base that does not move leaves zeros without a sign.
   EXPECT_EQ(csv(run("sweep damped --parameter amplitude=0:1e-4:2 --settle 0 --periods 1").output)[3],
@@ -548,13 +539,12 @@ TEST_F(CommandAnswers, RespondHasTheSpectrumOfItsRows) {
   const std::string command =
       "respond damped --set damping.ratio=0.05 --set numerics.time_step=1e-3 --amplitude 1e-4 --hz 25 "
       "--duration 8 "
-      "--method event-driven --output '" +
-      path("run.csv") + "' --spectrum '" + path("spectrum.csv") + "'";
+      "--method event-driven --output run.csv --spectrum spectrum.csv";
   ASSERT_EQ(run(command).status, 0);
-  const auto rows = csv(contents(path("spectrum.csv")));
+  const auto rows = csv(contents("spectrum.csv"));
   ASSERT_EQ(rows.size(), 2002u);  // 4 s at 1 kHz, and a header
   double largest = 0.0;
-  const auto history = csv(contents(path("run.csv")));
+  const auto history = csv(contents("run.csv"));
   for (std::size_t n = history.size() - 40; n < history.size(); ++n)
     largest = std::max(largest, std::abs(std::stod(history[n][5])));
   for (std::size_t k = 1; k < rows.size(); ++k) {
@@ -583,11 +573,10 @@ TEST_F(CommandAnswers, SpectraHaveTheMeanAndTheFrequencyOfAlternatingRowsWithout
 TEST_F(CommandAnswers, RespondHasTheSpectrumOfTheLastWholePeriods) {
   // One period of 0.04 s in the second half of 0.09 s, with the first slip in it.
   const auto with = [&](const std::string& options) {
-    return "respond paper --hz 25 --amplitude 1e-3 --output '" + path("history.csv") + "' --spectrum '" +
-           path("spectrum.csv") + "' " + options;
+    return "respond paper --hz 25 --amplitude 1e-3 --output history.csv --spectrum spectrum.csv " + options;
   };
   ASSERT_EQ(run(with("--duration 0.09")).status, 0);
-  const auto history = rows(), spectrum = csv(contents(path("spectrum.csv")));
+  const auto history = rows(), spectrum = csv(contents("spectrum.csv"));
   std::vector<double> tip, force;
   for (std::size_t n = history.size() - 400; n < history.size(); ++n) {
     tip.push_back(number(history[n][2]));
@@ -600,10 +589,9 @@ TEST_F(CommandAnswers, RespondHasTheSpectrumOfTheLastWholePeriods) {
     EXPECT_EQ(number(spectrum[k + 1][1]), of_tip[k]);
     EXPECT_EQ(number(spectrum[k + 1][2]), of_force[k]);
   }
-  EXPECT_EQ(run("respond paper --hz 25 --amplitude 1e-3 --duration 0.09 --spectrum - --output '" +
-                path("history.csv") + "'")
-                .output,
-            contents(path("spectrum.csv")));
+  EXPECT_EQ(
+      run("respond paper --hz 25 --amplitude 1e-3 --duration 0.09 --spectrum - --output history.csv").output,
+      contents("spectrum.csv"));
   // Two periods, and two rows in a period, are the least.
   EXPECT_EQ(run(with("--duration 0.08 --every 200")).status, 0);
   expect_refused(
@@ -802,8 +790,7 @@ TEST_F(CommandAnswers, RespondCarriesTheTipAlongWithTheWallByBothMethods) {
 TEST_F(CommandAnswers, CommandsThatNeedAWallAtRestSaySo) {
   const std::string part = "wall.speed is 0.3, but must be 0 here";
   for (const std::string& command : std::vector<std::string>{
-           "criterion reed", "map reed --output '" + path("map.csv") + "'",
-           "map reed --quantity work --output '" + path("map.csv") + "'",
+           "criterion reed", "map reed --output map.csv", "map reed --quantity work --output map.csv",
            "sweep reed --parameter amplitude=1e-4:1e-3:3", "design reed --band 20:30 --set damping.ratio=0",
            "uncertainty uncertain --set wall.speed=0.3",
            "respond reed --method boundary-integral --set damping.ratio=0",
@@ -847,10 +834,10 @@ TEST_F(CommandAnswers, OutputsThatExcludeEachOtherAreRefused) {
 
 TEST_F(CommandAnswers, ScriptsOfFiguresThatAreMissingAreToldBeforeTheWork) {
   ::setenv("STICKSLIP_REPORTS", path("").c_str(), 1);
-  expect_refused("respond paper --duration 0.01 --output '" + path("h.csv") + "' --figure a.svg",
+  expect_refused("respond paper --duration 0.01 --output h.csv --figure a.svg",
                  "must hold the folders figures, report and site");
   ::unsetenv("STICKSLIP_REPORTS");
-  EXPECT_FALSE(std::filesystem::exists(path("h.csv")));
+  EXPECT_FALSE(std::filesystem::exists("h.csv"));
 }
 
 TEST_F(CommandAnswers, WorkBeyondTheLimitsIsRefused) {
@@ -937,9 +924,9 @@ TEST_F(CommandAnswers, SquealMapsTheGrowthOverSpeedsAndRatios) {
   const std::string text = run(reed +
                                fmt::format("--speeds {}:{} --ratios 0.01:0.03 --count 3 --map - ",
                                            0.998 * critical, 1.004 * critical) +
-                               "--figure '" + path("map.svg") + "'")
+                               "--figure map.svg")
                                .output;
-  EXPECT_EQ(contents(path("map.svg")), text);
+  EXPECT_EQ(contents("map.svg"), text);
   const auto rows = csv(text);
   ASSERT_EQ(rows.size(), 3u + 3u * 4u) << text;
   for (std::size_t i = 0; i < 9; ++i) {

@@ -58,25 +58,22 @@ TEST_F(ReferenceCommand, ShowsColumnsUncertaintyAndProvenance) {
 TEST_F(ReferenceCommand, ExportsTheFileByteForByteOrNotAtAll) {
   const std::string original = contents(fixture + "/damped/history.csv");
   EXPECT_EQ(run(in_fixture("reference export damped-history")).output, original);
-  EXPECT_EQ(run(in_fixture("reference export damped-history") + "--output '" + path("mine.csv") + "'").status,
-            0);
-  EXPECT_EQ(contents(path("mine.csv")), original);
-  std::filesystem::create_directory(path("folder"));
-  EXPECT_EQ(run(in_fixture("reference export damped-history") + "--output '" + path("folder") + "'").output,
-            "");
-  EXPECT_EQ(contents(path("folder/history.csv")), original);
-  expect_refused(in_fixture("reference export damped-history") + "--output '" + path("none/mine.csv") + "'",
-                 "none/mine.csv");
-  expect_refused(in_fixture("reference export damped-histori") + "--output '" + path("other.csv") + "'",
+  EXPECT_EQ(run(in_fixture("reference export damped-history") + "--output mine.csv").status, 0);
+  EXPECT_EQ(contents("mine.csv"), original);
+  std::filesystem::create_directory("folder");
+  EXPECT_EQ(run(in_fixture("reference export damped-history") + "--output folder").output, "");
+  EXPECT_EQ(contents("folder/history.csv"), original);
+  expect_refused(in_fixture("reference export damped-history") + "--output none/mine.csv", "none/mine.csv");
+  expect_refused(in_fixture("reference export damped-histori") + "--output other.csv",
                  "did you mean damped-history?");
-  EXPECT_FALSE(std::filesystem::exists(path("other.csv")));
+  EXPECT_FALSE(std::filesystem::exists("other.csv"));
 }
 
 TEST_F(ReferenceCommand, RefusesAPackageThatHasBeenAltered) {
-  std::filesystem::copy(fixture, path("package"), std::filesystem::copy_options::recursive);
-  std::ofstream(path("package/beams.csv"), std::ios::app) << "strip,1,20\n";
-  expect_refused("reference export beams --package '" + path("package") + "'", "beams.csv: its size is");
-  expect_refused("reference list --package '" + path("none") + "'", "datapackage.json: cannot be opened");
+  std::filesystem::copy(fixture, "package", std::filesystem::copy_options::recursive);
+  std::ofstream("package/beams.csv", std::ios::app) << "strip,1,20\n";
+  expect_refused("reference export beams --package package", "beams.csv: its size is");
+  expect_refused("reference list --package none", "datapackage.json: cannot be opened");
   expect_refused("reference show --package '" + fixture + "'", "NAME is required");
   expect_refused("reference", "a subcommand of reference, one of list, show, export, is required");
 }
@@ -86,8 +83,8 @@ class CompareCommand : public Drawing {
   // `stickslip compare <set> <a file with this text> <options>`
   [[nodiscard]] std::string command(const std::string& set, const std::string& text,
                                     const std::string& options = "") const {
-    std::ofstream(path("mine.csv"), std::ios::binary) << text;
-    return in_fixture("compare " + set + " '" + path("mine.csv") + "'") + options;
+    std::ofstream("mine.csv", std::ios::binary) << text;
+    return in_fixture("compare " + set + " mine.csv") + options;
   }
 
   [[nodiscard]] nlohmann::json comparison(const std::string& command, int status) const {
@@ -113,51 +110,46 @@ TEST_F(CompareCommand, AgreesWithACopyOfEveryDataSet) {
 }
 
 TEST_F(CompareCommand, ReadsTheFilesThatRespondWrites) {
-  const std::string history = path("history.csv"), events = path("events.csv");
-  ASSERT_EQ(run("respond damped --method event-driven --set numerics.modes=20 --duration 0.12 --output '" +
-                history + "' --events '" + events + "'")
+  ASSERT_EQ(run("respond damped --method event-driven --set numerics.modes=20 --duration 0.12 --output "
+                "history.csv --events events.csv")
                 .status,
             0);
   // Twenty modes against forty: events differ by 8e-9 s and 1.2e-8 m, the force by 0.1 N.
-  const Outcome outcome =
-      run(in_fixture("compare damped-history '" + history + "'") + "--events '" + events + "'");
+  const Outcome outcome = run(in_fixture("compare damped-history history.csv") + "--events events.csv");
   EXPECT_EQ(outcome.status, 0) << outcome.output << outcome.errors;
   EXPECT_NE(outcome.output.find("1001 beyond the horizon"), std::string::npos) << outcome.output;
-  EXPECT_EQ(run(in_fixture("compare damped-events '" + events + "'")).status, 0);
+  EXPECT_EQ(run(in_fixture("compare damped-events events.csv")).status, 0);
 }
 
 TEST_F(CompareCommand, ReadsTheHistoriesThatRespondWritesAtAnyStep) {
-  const std::string history = path("history.csv"), events = path("events.csv");
   for (const char* step : {"7e-5", "3e-4"}) {
     ASSERT_EQ(run(fmt::format("respond damped --method event-driven --set numerics.modes=20 --duration 0.5 "
-                              "--set numerics.time_step={} --output '{}' --events '{}'",
-                              step, history, events))
+                              "--set numerics.time_step={} --output history.csv --events events.csv",
+                              step))
                   .status,
               0);
-    const Outcome outcome = run("compare stick-slip-history '" + history + "' --events '" + events + "'");
+    const Outcome outcome = run("compare stick-slip-history history.csv --events events.csv");
     EXPECT_TRUE(outcome.output.ends_with("\nagrees\n")) << step << outcome.output << outcome.errors;
   }
-  EXPECT_TRUE(run("compare stick-slip-events '" + events + "'").output.ends_with("\nagrees\n"));
+  EXPECT_TRUE(run("compare stick-slip-events events.csv").output.ends_with("\nagrees\n"));
 }
 
 TEST_F(CompareCommand, ReadsStandardInputAndWritesNothingBesideXmlToStandardOutput) {
-  std::ofstream(path("mine.csv")) << right;
-  EXPECT_EQ(run(in_fixture("compare stick-frequencies -") + "< '" + path("mine.csv") + "'").status, 0);
+  std::ofstream("mine.csv") << right;
+  EXPECT_EQ(run(in_fixture("compare stick-frequencies -") + "< mine.csv").status, 0);
   expect_refused(in_fixture("compare damped-history - --events -"),
                  "FILE and --events both are standard input, but one of them must be a file");
-  const std::string xml =
-      run(in_fixture("compare stick-frequencies '" + path("mine.csv") + "' --junit -")).output;
+  const std::string xml = run(in_fixture("compare stick-frequencies mine.csv --junit -")).output;
   EXPECT_TRUE(xml.starts_with("<?xml") && xml.ends_with("</testsuites>\n")) << xml;
 }
 
 TEST_F(CompareCommand, SaysTheLargestErrorOfAnUndampedHistory) {
   // The contact by the letter of the paper, on the mesh and the step that it takes.
-  const std::string history = path("history.csv");
-  ASSERT_EQ(run("respond paper --hz 25 --amplitude 1e-3 --duration 0.5 --scheme paper --every 5 --output '" +
-                history + "'")
+  ASSERT_EQ(run("respond paper --hz 25 --amplitude 1e-3 --duration 0.5 --scheme paper --every 5 --output "
+                "history.csv")
                 .status,
             0);
-  const Outcome outcome = run("compare undamped-history-25 '" + history + "' --json -");
+  const Outcome outcome = run("compare undamped-history-25 history.csv --json -");
   EXPECT_EQ(outcome.status, 1) << outcome.errors;
   const auto tip = nlohmann::json::parse(outcome.output)["quantities"][0];
   EXPECT_EQ(tip["quantity"], "tip_displacement");
@@ -308,12 +300,12 @@ TEST_F(CompareCommand, SaysAllThatTheComparisonFound) {
 
 TEST_F(CompareCommand, WritesATestCaseForEachQuantityAsJUnit) {
   const std::string text = contents(fixture + "/damped/events.csv");
-  EXPECT_EQ(run(command("damped-events", text, "--junit '" + path("results.xml") + "'")).status, 0);
+  EXPECT_EQ(run(command("damped-events", text, "--junit results.xml")).status, 0);
   pugi::xml_document document;
-  ASSERT_TRUE(document.load_file(path("results.xml").c_str()));
+  ASSERT_TRUE(document.load_file("results.xml"));
   EXPECT_EQ(document.select_nodes("//testcase[not(*)]").size(), 4u);
   const std::string log = document.select_node("//system-out").node().text().get();
-  EXPECT_TRUE(log.starts_with(path("mine.csv") + "\ndamped-events: ")) << log;
+  EXPECT_TRUE(log.starts_with("mine.csv\ndamped-events: ")) << log;
 }
 
 TEST_F(CompareCommand, DrawsWhatItCompared) {
@@ -334,7 +326,7 @@ TEST_F(CompareCommand, DrawsWhatItCompared) {
 }
 
 TEST_F(CompareCommand, RefusesWhatItCannotUseAndWritesNothing) {
-  const std::string outputs = "--json '" + path("a.json") + "' --junit '" + path("a.xml") + "' ";
+  const std::string outputs = "--json a.json --junit a.xml ";
   expect_refused(command("stick-frequencies", "beam,mode\npaper,1\n", outputs),
                  "the column frequency is missing");
   expect_refused(command("stick-frequencies", "beam,mode,frequency\npaper,1,nan\n", outputs),
@@ -356,12 +348,11 @@ TEST_F(CompareCommand, RefusesWhatItCannotUseAndWritesNothing) {
   expect_refused(command("stick-frequencies", right, outputs + "--figure a.jpg"),
                  "--figure is 'a.jpg', but must be a file whose name ends in .pdf, .png or .svg");
   expect_refused(command("stick-frequencies", right, "--json - --junit -"), "both want standard output");
-  expect_refused(command("stick-frequencies", right, "--json '" + path("none/a.json") + "'"), "none/a.json");
-  expect_refused(in_fixture("compare stick-frequencies '" + path("none.csv") + "'"),
-                 "cannot be opened for reading");
+  expect_refused(command("stick-frequencies", right, "--json none/a.json"), "none/a.json");
+  expect_refused(in_fixture("compare stick-frequencies none.csv"), "cannot be opened for reading");
   expect_refused("compare stick-frequencies", "FILE is required");
-  EXPECT_FALSE(std::filesystem::exists(path("a.json")));
-  EXPECT_FALSE(std::filesystem::exists(path("a.xml")));
+  EXPECT_FALSE(std::filesystem::exists("a.json"));
+  EXPECT_FALSE(std::filesystem::exists("a.xml"));
 }
 
 }  // namespace

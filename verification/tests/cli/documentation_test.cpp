@@ -98,8 +98,7 @@ TEST_F(HelpExamples, AreThereForEveryCommandAndRun) {
     for (const std::string& example : examples) {
       ASSERT_TRUE(example.starts_with("stickslip ")) << example;
       const std::string program = fs::path(STICKSLIP_PROGRAM).parent_path().string();
-      EXPECT_EQ(shell(fmt::format("cd '{}' && PATH='{}':$PATH {}", path(""), program, example)).status, 0)
-          << example;
+      EXPECT_EQ(shell(fmt::format("PATH='{}':$PATH {}", program, example)).status, 0) << example;
     }
     EXPECT_TRUE(std::ranges::any_of(examples, [&](const std::string& example) {
       return example.starts_with("stickslip " + command);

@@ -40,23 +40,20 @@ TEST_F(Fault, DiskThatIsFullIsNamedAndLeavesTheOldFiles) {
   const auto limited = [&](const std::string& arguments) {
     return shell("ulimit -f 4; '" + std::string(STICKSLIP_PROGRAM) + "' " + arguments);
   };
-  std::ofstream(path("old.csv")) << "old";
-  expect_failure(limited(history + (" --output '" + path("old.csv") + "'")), 2, "old.csv", "File too large");
-  EXPECT_EQ(contents(path("old.csv")), "old");
-  expect_failure(
-      limited("map paper --x frequency=1:50:50 --y amplitude=1e-4:1e-3:5 --output '" + path("map.csv") + "'"),
-      2, "map.csv", "File too large");
-  expect_failure(limited("reference export stick-history --output '" + path("table.csv") + "'"), 2,
-                 "table.csv", "File too large");
-  // What the map has finished is kept for the next run.
-  EXPECT_EQ(all_files(path("")),
-            (std::vector<std::string>{"map.csv.partial", "old.csv", "stderr", "stdout"}));
-  expect_failure(limited("report --quiet --only fig2 --output '" + path("report") + "'"), 1, "fig2.csv",
+  std::ofstream("old.csv") << "old";
+  expect_failure(limited(history + std::string(" --output old.csv")), 2, "old.csv", "File too large");
+  EXPECT_EQ(contents("old.csv"), "old");
+  expect_failure(limited("map paper --x frequency=1:50:50 --y amplitude=1e-4:1e-3:5 --output map.csv"), 2,
+                 "map.csv", "File too large");
+  expect_failure(limited("reference export stick-history --output table.csv"), 2, "table.csv",
                  "File too large");
-  expect_failure(limited("animate --duration 0.1 --frames 5 --output '" + path("film") + "'"), 1,
-                 "motion.csv", "File too large");
-  EXPECT_EQ(all_files(path("report")), std::vector<std::string>{});
-  EXPECT_EQ(all_files(path("film")), std::vector<std::string>{});
+  // What the map has finished is kept for the next run.
+  EXPECT_EQ(all_files("."), (std::vector<std::string>{"map.csv.partial", "old.csv", "stderr", "stdout"}));
+  expect_failure(limited("report --quiet --only fig2 --output report"), 1, "fig2.csv", "File too large");
+  expect_failure(limited("animate --duration 0.1 --frames 5 --output film"), 1, "motion.csv",
+                 "File too large");
+  EXPECT_EQ(all_files("report"), std::vector<std::string>{});
+  EXPECT_EQ(all_files("film"), std::vector<std::string>{});
 }
 
 TEST_F(Fault, StandardOutputThatIsFullIsNamed) {
@@ -71,52 +68,48 @@ TEST_F(Fault, StandardOutputThatIsFullIsNamed) {
 
 // A folder below a file can be written by nobody, root included.
 TEST_F(Fault, FolderThatCannotBeWrittenIsNamedBeforeAnythingIsComputed) {
-  std::ofstream(path("file")) << "in the way";
-  const std::string inside = "'" + path("file") + "/below'";
-  for (const std::string& command :
-       std::vector<std::string>{"respond --duration 1e5 --output ",
-                                "respond --duration 1e5 --output '" + path("new.csv") + "' --events ",
-                                "map --method fe --x frequency=1:9:2000 --y length=1:2:2000 --output ",
-                                "animate --duration 1e5 --frames 5 --output ", "report --output ",
-                                "reference export stick-frequencies --output "}) {
-    const Outcome outcome = run(command + inside);
-    expect_failure(outcome, 2, path("file"), "Not a directory");
+  std::ofstream("obstacle") << "in the way";
+  for (const std::string& command : std::vector<std::string>{
+           "respond --duration 1e5 --output ", "respond --duration 1e5 --output new.csv --events ",
+           "map --method fe --x frequency=1:9:2000 --y length=1:2:2000 --output ",
+           "animate --duration 1e5 --frames 5 --output ", "report --output ",
+           "reference export stick-frequencies --output "}) {
+    const Outcome outcome = run(command + "obstacle/below");
+    expect_failure(outcome, 2, "obstacle", "Not a directory");
   }
-  EXPECT_EQ(all_files(path("")), (std::vector<std::string>{"file", "stderr", "stdout"}));
+  EXPECT_EQ(all_files("."), (std::vector<std::string>{"obstacle", "stderr", "stdout"}));
 }
 
 // As any other tool: the shell sees 141, a person nothing.
 TEST_F(Fault, PipeThatClosesEndsTheProgramWithoutAWord) {
   const std::string program = STICKSLIP_PROGRAM;
-  const Outcome outcome =
-      shell("{ '" + program + "' " + history + "; echo $? >'" + path("status") + "'; } | head -n 1");
-  EXPECT_EQ(contents(path("status")), "141\n");
+  const Outcome outcome = shell("{ '" + program + "' " + history + "; echo $? >status; } | head -n 1");
+  EXPECT_EQ(contents("status"), "141\n");
   EXPECT_EQ(outcome.errors, "");
   EXPECT_TRUE(outcome.output.starts_with("time_s,")) << outcome.output;
 }
 
 TEST_F(Fault, ProgramThatIsMissingCostsWhatItDrawsAlone) {
   const auto without_tools = [&](const std::string& arguments) {
-    return shell("PATH='" + path("nothing") + "' '" + STICKSLIP_PROGRAM + "' " + arguments);
+    return shell("PATH=nothing '" STICKSLIP_PROGRAM "' " + arguments);
   };
-  expect_failure(without_tools("report --quiet --only fig2 --output '" + path("report") + "'"), 1,
-                 path("report"), "gnuplot is not installed or not on the search path");
-  EXPECT_EQ(all_files(path("report")), (std::vector<std::string>{"fig2-values.csv", "fig2.csv"}));
-  ASSERT_EQ(run("reference export stick-frequencies --output '" + path("mine.csv") + "'").status, 0);
-  expect_failure(without_tools("compare stick-frequencies '" + path("mine.csv") + "' --quiet --json '" +
-                               path("verdict.json") + "' --figure '" + path("verdict.png") + "'"),
-                 1, "gnuplot", "is not installed");
-  EXPECT_TRUE(nlohmann::json::accept(contents(path("verdict.json"))));
-  EXPECT_FALSE(fs::exists(path("verdict.png")));
+  expect_failure(without_tools("report --quiet --only fig2 --output drawings"), 1, "drawings",
+                 "gnuplot is not installed or not on the search path");
+  EXPECT_EQ(all_files("drawings"), (std::vector<std::string>{"fig2-values.csv", "fig2.csv"}));
+  ASSERT_EQ(run("reference export stick-frequencies --output mine.csv").status, 0);
+  expect_failure(
+      without_tools("compare stick-frequencies mine.csv --quiet --json verdict.json --figure verdict.png"), 1,
+      "gnuplot", "is not installed");
+  EXPECT_TRUE(nlohmann::json::accept(contents("verdict.json")));
+  EXPECT_FALSE(fs::exists("verdict.png"));
 }
 
 TEST_F(Fault, CtrlCEndsLongWorkAtOnceAndSaysHowFarItCame) {
   struct Work {
     std::string arguments, beginning, end;
   };
-  const std::string output = " --output '" + path("history.csv") + "'",
-                    others = " --events '" + path("events.csv") + "' --spectrum '" + path("spectrum.csv") +
-                             "' --figure '" + path("history.png") + "'";
+  const std::string output = " --output history.csv",
+                    others = " --events events.csv --spectrum spectrum.csv --figure history.png";
   for (const auto& [arguments, beginning, end] : std::vector<Work>{
            {"respond --duration 1e5" + output + others, "interrupted at ",
             " s of 1e+05 s; nothing is kept\n"},
@@ -126,14 +119,12 @@ TEST_F(Fault, CtrlCEndsLongWorkAtOnceAndSaysHowFarItCame) {
             "standard output holds the history up to there at most\n"},
            {"map --method fe --set damping.kelvin_voigt=1e-5 --duration 1e4 --x length=1:2:2" + output,
             "interrupted; no evaluation is kept", "\n"},
-           {"criterion --set excitation.duration=2e4 --figure '" + path("curve.png") + "'",
+           {"criterion --set excitation.duration=2e4 --figure curve.png",
             "interrupted before there was a result", "\n"},
            {"periodic reed --settle 100000", "interrupted before there was a result", "\n"},
-           {"squeal reed --settle 100000 --map '" + path("map.csv") +
-                "' --speeds 0.1:1 --ratios 0.01:0.02 --figure '" + path("map.png") + "'",
+           {"squeal reed --settle 100000 --map map.csv --speeds 0.1:1 --ratios 0.01:0.02 --figure map.png",
             "interrupted before there was a result", "\n"},
-           {"sweep --settle 1000000" + output + " --figure '" + path("sweep.png") + "'",
-            "interrupted; nothing is kept", "\n"},
+           {"sweep --settle 1000000" + output + " --figure sweep.png", "interrupted; nothing is kept", "\n"},
            {"uncertainty --samples 100000000", "interrupted after ",
             " % of the samples; nothing is kept\n"}}) {
     const Ending ending = signalled(arguments, SIGINT, std::chrono::milliseconds(150));
@@ -143,34 +134,32 @@ TEST_F(Fault, CtrlCEndsLongWorkAtOnceAndSaysHowFarItCame) {
     EXPECT_TRUE(ending.errors.ends_with(end)) << ending.errors;
     EXPECT_EQ(std::ranges::count(ending.errors, '\n'), 1) << ending.errors;
   }
-  EXPECT_EQ(all_files(path("")), (std::vector<std::string>{"stderr", "stdout"}));
+  EXPECT_EQ(all_files("."), (std::vector<std::string>{"stderr", "stdout"}));
 }
 
 TEST_F(Fault, RunThatFailsSaysWhenAndLeavesTheOldFile) {
-  std::ofstream(path("old.csv")) << "old";
+  std::ofstream("old.csv") << "old";
   const Outcome outcome =
-      run("respond --duration 0.1 --hz 25 --amplitude 1e-3 --set friction.decay=1e4 --output '" +
-          path("old.csv") + "'");
+      run("respond --duration 0.1 --hz 25 --amplitude 1e-3 --set friction.decay=1e4 --output old.csv");
   expect_failure(outcome, 1, "at t = 0.0552467 s", "the friction law falls faster than a step can follow");
-  EXPECT_EQ(contents(path("old.csv")), "old");
-  EXPECT_EQ(all_files(path("")), (std::vector<std::string>{"old.csv", "stderr", "stdout"}));
+  EXPECT_EQ(contents("old.csv"), "old");
+  EXPECT_EQ(all_files("."), (std::vector<std::string>{"old.csv", "stderr", "stdout"}));
 }
 
 STICKSLIP_VERIFIES(KilledRun, "U12");
 TEST_F(KilledRun, OfRespondLeavesOnlyWhatIsWhole) {
   kill(8,
-       "respond paper --hz 25 --amplitude 1e-3 --duration 0.3 --output '" + out("history.csv") +
-           "' --events '" + out("events.csv") + "'",
+       "respond paper --hz 25 --amplitude 1e-3 --duration 0.3 --output out/history.csv --events "
+       "out/events.csv",
        {"history.csv", "events.csv"});
 }
 
 TEST_F(KilledRun, OfMapLeavesOnlyWhatIsWhole) {
-  kill(5, "map paper --x frequency=1:120:60 --y amplitude=1e-4:1e-3:5 --output '" + out("map.csv") + "'",
-       {"map.csv"});
+  kill(5, "map paper --x frequency=1:120:60 --y amplitude=1e-4:1e-3:5 --output out/map.csv", {"map.csv"});
 }
 
 TEST_F(KilledRun, OfReportLeavesOnlyWhatIsWhole) {
-  kill(5, "report --quiet --only fig2 --output '" + out() + "'",
+  kill(5, "report --quiet --only fig2 --output out/",
        {"fig2.csv", "fig2-values.csv", "fig2.pdf", "fig2.png"});
 }
 

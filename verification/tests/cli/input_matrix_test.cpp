@@ -327,7 +327,7 @@ TEST_F(CaseFileInput, ThatIsReadGivesFiniteNumbers) {
     if (row.is_refused()) continue;
     SCOPED_TRACE(row.item + ", " + row.defect);
     (void)write_case(row);
-    const std::string name = in_quotes(path("case.toml")) + " ";
+    const std::string name = "case.toml ";
     const std::string rigid = "--set contact.tangential_stiffness=inf ";
     expect_finite("modes " + name + rigid + "--count 2");
     if (row.item == "beam.axial_force") continue;
@@ -342,7 +342,7 @@ TEST_F(CaseFileInput, ThatIsReadGivesFiniteNumbers) {
 TEST_F(CaseFileInput, IsRefusedByTheProgramAsByTheReader) {
   for (const std::string& defect : all_defects()) {
     (void)write_case({"case file", "beam.length", defect});
-    expect_refused("modes '" + path("case.toml") + "'", "case.toml");
+    expect_refused("modes case.toml", "case.toml");
     EXPECT_EQ(files().size(), 3u);  // the case, stdout, stderr
   }
 }
@@ -467,8 +467,7 @@ TEST_F(ColumnInput, IsRefusedByTheProgramAsByTheReader) {
     const BadInput row{"column", "stick-frequencies frequency", defect};
     if (defect == "negative" || defect == "zero" || defect == "huge" || defect == "denormal") continue;
     write_table(row, "stick-frequencies", "frequency");
-    expect_refused("compare stick-frequencies '" + path("mine.csv") + "' --package '" + fixture +
-                       "' --json '" + path("answer.json") + "'",
+    expect_refused("compare stick-frequencies mine.csv --json answer.json --package '" + fixture + "'",
                    "mine.csv");
     EXPECT_EQ(files().size(), 3u);  // the table, stdout, stderr
   }
@@ -688,12 +687,12 @@ INSTANTIATE_TEST_SUITE_P(Description, PackageKeys, ::testing::ValuesIn([] {
 STICKSLIP_VERIFIES(PackageInput, "U2");
 TEST_F(PackageInput, IsRefusedByTheProgramAsByTheReader) {
   fs::copy(fixture, path("package"), fs::copy_options::recursive);
-  const std::string package = " --package " + in_quotes(path("package"));
+  const std::string package = " --package package";
   const auto refused_by_all = [&](const std::string& part) {
     const std::string set = "stick-frequencies";
     for (const std::string& command :
          {"reference list" + package, "reference show " + set + package,
-          "reference export " + set + " --output " + in_quotes(path("out.csv")) + package,
+          "reference export " + set + " --output out.csv" + package,
           "compare " + set + " " + in_quotes(fixture + "/frequencies/stick.csv") + package})
       expect_refused(command, part);
     EXPECT_FALSE(fs::exists(path("out.csv")));
@@ -725,24 +724,23 @@ std::vector<Command> commands() {
   const std::string set = "stick-frequencies";
   return {{"stickslip", {{"SUBCOMMAND", "cases"}}},
           {"reference", {{"SUBCOMMAND", "list"}}},
-          {"new", {{"FILE", "FOLDER/new.toml"}}},
+          {"new", {{"FILE", "new.toml"}}},
           {"modes", {{"CASE", "paper"}}},
-          {"respond", {{"CASE", "paper"}, {"--duration", "0.001"}, {"--output", "FOLDER/out.csv"}}},
-          {"animate",
-           {{"CASE", "paper"}, {"--duration", "0.001"}, {"--frames", "2"}, {"--output", "FOLDER/film"}}},
+          {"respond", {{"CASE", "paper"}, {"--duration", "0.001"}, {"--output", "out.csv"}}},
+          {"animate", {{"CASE", "paper"}, {"--duration", "0.001"}, {"--frames", "2"}, {"--output", "film"}}},
           {"criterion", {{"CASE", "paper"}, {"--set", "excitation.duration=0.1"}}},
           {"map",
            {{"CASE", "paper"},
             {"--x", "frequency=20:30:2"},
             {"--y", "amplitude=1e-4:1e-3:2"},
             {"--duration", "0.1"},
-            {"--output", "FOLDER/out.csv"}}},
+            {"--output", "out.csv"}}},
           {"sweep",
            {{"CASE", "paper"},
             {"--parameter", "amplitude=1e-4:2e-4:2"},
             {"--settle", "1"},
             {"--periods", "1"},
-            {"--output", "FOLDER/out.csv"}}},
+            {"--output", "out.csv"}}},
           {"design",
            {{"CASE", "paper"},
             {"--band", "20:20"},
@@ -756,17 +754,17 @@ std::vector<Command> commands() {
             {"--set", "numerics.elements=4"},
             {"--modes", "3"},
             {"--settle", "5"},
-            {"--map", "FOLDER/out.csv"},
+            {"--map", "out.csv"},
             {"--speeds", "0.1:0.5"},
             {"--ratios", "0.01:0.02"},
             {"--count", "2"}}},
           {"periodic", {{"CASE", "reed"}, {"--set", "numerics.modes=2"}, {"--settle", "20"}}},
           {"reference list", {{"--package", fixture}}},
           {"reference show", {{"NAME", set}, {"--package", fixture}}},
-          {"reference export", {{"NAME", set}, {"--package", fixture}, {"--output", "FOLDER/out.csv"}}},
+          {"reference export", {{"NAME", set}, {"--package", fixture}, {"--output", "out.csv"}}},
           {"compare",
            {{"NAME", "damped-history"}, {"FILE", fixture + "/damped/history.csv"}, {"--package", fixture}}},
-          {"report", {{"--only", "fig2"}, {"--output", "FOLDER/report"}}},
+          {"report", {{"--only", "fig2"}, {"--output", "report"}}},
           {"cases", {}}};
 }
 
@@ -774,20 +772,14 @@ class OptionInput : public Drawing {
  protected:
   void SetUp() override {
     Drawing::SetUp();
-    fs::current_path(path(""));  // where a file with a bad name would appear
-    fs::create_directory(path("large"));
+    fs::create_directory("large");
     for (const std::string file : {"large/datapackage.json", "large/results.xml"}) {
-      std::ofstream{path(file)};
-      fs::resize_file(path(file), hundred_megabytes);
+      std::ofstream{file};
+      fs::resize_file(file, hundred_megabytes);
     }
     install_gnuplot(
         "[ -n \"$output\" ] && echo drawn > \"$output\"; for i in 0001 0002; do echo drawn > frame-$i.png; "
         "done\n");
-  }
-
-  void TearDown() override {
-    fs::current_path(old_folder_);
-    Drawing::TearDown();
   }
 
   struct Listed {
@@ -830,8 +822,8 @@ class OptionInput : public Drawing {
     std::vector<std::string> large{std::string(100'000, 'a')};
     const bool is_read = item.ends_with(" CASE") || item == "compare FILE" || item == "compare --events" ||
                          item == "map --merge";
-    if (is_read) large.push_back(path("large/datapackage.json"));
-    if (item.ends_with(" --package") || item == "report --tests") large.push_back(path("large"));
+    if (is_read) large.push_back("large/datapackage.json");
+    if (item.ends_with(" --package") || item == "report --tests") large.push_back("large");
     return large;
   }
 
@@ -874,8 +866,7 @@ class OptionInput : public Drawing {
       append({option.name + "=" + value});
     }
     std::string text = command.words();
-    for (std::string word : words) {
-      if (const auto at = word.find("FOLDER"); at != std::string::npos) word.replace(at, 6, path(""));
+    for (const std::string& word : words) {
       text += " " + in_quotes(word);
     }
     return text;
@@ -903,8 +894,6 @@ class OptionInput : public Drawing {
   }
 
  private:
-  const fs::path old_folder_ = fs::current_path();
-
   void try_one(const BadInput& row, const std::string& arguments, std::vector<std::string> before) const {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.status, row.is_refused() ? 2 : 0) << arguments.substr(0, 300) << "\n"
@@ -916,8 +905,7 @@ class OptionInput : public Drawing {
       const bool repeats_a_name = row.reason == "a file may have that name";
       EXPECT_TRUE(repeats_a_name || !holds_no_number(outcome.output)) << outcome.output;
       for (const std::string& name : files())
-        if (name != "tools" && name != "large" && name != "stdout" && name != "stderr")
-          fs::remove_all(path(name));
+        if (name != "tools" && name != "large" && name != "stdout" && name != "stderr") fs::remove_all(name);
     }
   }
 
@@ -935,8 +923,8 @@ class OptionInput : public Drawing {
     EXPECT_TRUE(outcome.errors.starts_with("stickslip: ") && outcome.errors.ends_with("\n"))
         << outcome.errors;
     if (!outcome.errors.empty()) expect_one_sentence(outcome.errors.substr(0, outcome.errors.size() - 1));
-    if (arguments.find(path("large")) != std::string::npos) {
-      EXPECT_TRUE(contains(outcome.errors, path("large/"))) << outcome.errors;
+    if (arguments.find("large") != std::string::npos) {
+      EXPECT_TRUE(contains(outcome.errors, "large/")) << outcome.errors;
     }
     if (row.defect == "unknown" && row.item.ends_with("SUBCOMMAND")) {
       EXPECT_TRUE(contains(outcome.errors, "did you mean ")) << outcome.errors;
@@ -1034,22 +1022,21 @@ TEST_F(OptionInput, ThatHasNoValueOrTwoIsNamed) {
 }
 
 TEST_F(OptionInput, ThatNamesNoShardIsRefused) {
-  std::ofstream(path("empty"));
-  std::ofstream(path("binary"), std::ios::binary) << std::string("\0\xFF\x1B\n\n", 5);
-  std::ofstream(path("text")) << "frequency,amplitude\n1,2\n";
-  std::ofstream(path("oversized"));
-  fs::resize_file(path("oversized"), 10 * hundred_megabytes);
+  std::ofstream("empty");
+  std::ofstream("binary", std::ios::binary) << std::string("\0\xFF\x1B\n\n", 5);
+  std::ofstream("text") << "frequency,amplitude\n1,2\n";
+  std::ofstream("oversized");
+  fs::resize_file("oversized", 10 * hundred_megabytes);
   const std::vector<std::pair<std::string, std::string>> files{
       {"missing", ": cannot be opened for reading"},
-      {"", ": is a folder"},
+      {".", ": is a folder"},
       {"empty", ": is empty"},
       {"binary", " is no shard of a map"},
       {"text", " is no shard of a map"},
       {"oversized", ": is larger than the 500000000 bytes"}};
   for (const auto& [name, why] : files)
-    expect_refused("map --merge " + in_quotes(path(name)) + " --output " + in_quotes(path("out.csv")),
-                   "--merge: " + path(name) + why);
-  EXPECT_FALSE(fs::exists(path("out.csv")));
+    expect_refused("map --merge " + in_quotes(name) + " --output out.csv", "--merge: " + name + why);
+  EXPECT_FALSE(fs::exists("out.csv"));
 }
 
 // --- The exceptions
@@ -1088,7 +1075,7 @@ class WarningsOf : public CommandLine {
 
 STICKSLIP_VERIFIES(WarningsOf, "U1");
 TEST_F(WarningsOf, TheSubcommandsAreOneLineEachAndInJson) {
-  const std::string output = " --output '" + path("out.csv") + "'";
+  const std::string output = " --output out.csv";
   expect_warning("modes --count 10", "natural frequency 10 comes out about 40 % too high");
   expect_warning("modes --count 10 --state slip --method fe",
                  "natural frequency 10 comes out about 35 % too high");

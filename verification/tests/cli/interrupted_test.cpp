@@ -24,58 +24,56 @@ class Interrupted : public SleepingTool {};
 STICKSLIP_VERIFIES(Interrupted, "U12");
 TEST_F(Interrupted, ReportThatIsDrawnKeepsItsTables) {
   install_sleeper("gnuplot");
-  EXPECT_EQ(said_after(SIGINT, "report --only fig2 --output '" + out() + "'"),
-            "interrupted after 33 % of the report; what is finished is in " + path("out") + "\n");
-  EXPECT_EQ(all_files(out()), (std::vector<std::string>{"fig2-values.csv", "fig2.csv"}));
+  EXPECT_EQ(said_after(SIGINT, "report --only fig2 --output out/"),
+            "interrupted after 33 % of the report; what is finished is in out\n");
+  EXPECT_EQ(all_files("out/"), (std::vector<std::string>{"fig2-values.csv", "fig2.csv"}));
 }
 
 TEST_F(Interrupted, AnimationThatIsDrawnKeepsTheMotion) {
   install_sleeper("gnuplot");
-  EXPECT_EQ(said_after(SIGTERM, "animate --duration 0.1 --frames 5 --output '" + out() + "'"),
-            "interrupted after 0 % of the frames, none of which is kept; the motion is in " +
-                out("motion.csv") + "\n");
-  EXPECT_EQ(all_files(out()), std::vector<std::string>{"motion.csv"});
+  EXPECT_EQ(said_after(SIGTERM, "animate --duration 0.1 --frames 5 --output out/"),
+            "interrupted after 0 % of the frames, none of which is kept; the motion is in out/motion.csv\n");
+  EXPECT_EQ(all_files("out/"), std::vector<std::string>{"motion.csv"});
 }
 
 TEST_F(Interrupted, ComparisonThatIsDrawnSaysWhatIsWritten) {
   install_sleeper("gnuplot");
-  ASSERT_EQ(run("reference export stick-frequencies --output '" + path("mine.csv") + "'").status, 0);
-  fs::create_directory(out());
-  const std::string compare = "compare stick-frequencies '" + path("mine.csv") + "' --figure '" +
-                              out("verdict.png") + "' --json '" + out("verdict.json") + "' ";
+  ASSERT_EQ(run("reference export stick-frequencies --output mine.csv").status, 0);
+  fs::create_directory("out/");
+  const std::string compare =
+      "compare stick-frequencies mine.csv --figure out/verdict.png --json out/verdict.json ";
   EXPECT_EQ(said_after(SIGINT, compare),
-            "interrupted; nothing is written but standard output and " + out("verdict.json") + "\n");
-  EXPECT_NE(contents(path("stdout")).find("frequency"), std::string::npos);
-  EXPECT_TRUE(nlohmann::json::accept(contents(out("verdict.json"))));
-  EXPECT_EQ(all_files(out()), std::vector<std::string>{"verdict.json"});
+            "interrupted; nothing is written but standard output and out/verdict.json\n");
+  EXPECT_NE(contents("stdout").find("frequency"), std::string::npos);
+  EXPECT_TRUE(nlohmann::json::accept(contents("out/verdict.json")));
+  EXPECT_EQ(all_files("out/"), std::vector<std::string>{"verdict.json"});
 }
 
 TEST_F(Interrupted, MapThatIsDrawnIsWritten) {
   install_sleeper("gnuplot");
-  fs::create_directory(out());
-  const std::string files = "--output '" + out("map.csv") + "' --figure '" + out("map.png") + "'";
+  fs::create_directory("out/");
+  const std::string files = "--output out/map.csv --figure out/map.png";
   const std::string map = "map paper --x frequency=1:9:3 --y amplitude=1e-4:1e-3:2 ";
-  const std::string is_written = "interrupted; " + out("map.csv") + " is written\n";
+  const std::string is_written = "interrupted; out/map.csv is written\n";
   EXPECT_EQ(said_after(SIGINT, map + files), is_written);
-  const std::string whole = contents(out("map.csv"));
+  const std::string whole = contents("out/map.csv");
   EXPECT_EQ(whole, run(map).output);
-  EXPECT_EQ(all_files(out()), std::vector<std::string>{"map.csv"});
+  EXPECT_EQ(all_files("out/"), std::vector<std::string>{"map.csv"});
 
-  ASSERT_EQ(run(map + "--shard 1/1 --output '" + path("shard") + "'").status, 0);
-  fs::remove(out("map.csv"));
-  EXPECT_EQ(said_after(SIGINT, "map --merge '" + path("shard") + "' " + files), is_written);
-  EXPECT_EQ(contents(out("map.csv")), whole);
-  EXPECT_EQ(all_files(out()), std::vector<std::string>{"map.csv"});
+  ASSERT_EQ(run(map + "--shard 1/1 --output shard").status, 0);
+  fs::remove("out/map.csv");
+  EXPECT_EQ(said_after(SIGINT, "map --merge shard " + files), is_written);
+  EXPECT_EQ(contents("out/map.csv"), whole);
+  EXPECT_EQ(all_files("out/"), std::vector<std::string>{"map.csv"});
 }
 
 TEST_F(Interrupted, SearchesEndAtOnce) {
   struct Work {
     std::string arguments, said;
   };
-  for (const auto& [arguments, said] :
-       std::vector<Work>{{"design paper --band 1:100 --duration 1e4", " % of the design; nothing is kept\n"},
-                         {"report --only fig12 --output '" + out() + "'",
-                          " % of the report; what is finished is in " + path("out") + "\n"}}) {
+  for (const auto& [arguments, said] : std::vector<Work>{
+           {"design paper --band 1:100 --duration 1e4", " % of the design; nothing is kept\n"},
+           {"report --only fig12 --output out/", " % of the report; what is finished is in out\n"}}) {
     const Ending ending = signalled(arguments, SIGINT, 200ms);
     EXPECT_EQ(ending.status, 130) << arguments;
     EXPECT_LT(ending.seconds, 1.0) << arguments;
@@ -83,7 +81,7 @@ TEST_F(Interrupted, SearchesEndAtOnce) {
     EXPECT_TRUE(sentence.starts_with("interrupted after ")) << sentence;
     EXPECT_TRUE(sentence.ends_with(said)) << sentence;
   }
-  EXPECT_EQ(all_files(out()), std::vector<std::string>{});
+  EXPECT_EQ(all_files("out/"), std::vector<std::string>{});
 }
 
 }  // namespace

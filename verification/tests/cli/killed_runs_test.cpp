@@ -19,7 +19,7 @@ class KilledRunLong : public KilledRun {};
 
 STICKSLIP_VERIFIES(KilledRunLong, "U12");
 TEST_F(KilledRunLong, OfReportLeavesOnlyWhatIsWholeAtFiftyMoments) {
-  kill(50, "report --quiet --only fig1,fig2,fig7 --output '" + out() + "'",
+  kill(50, "report --quiet --only fig1,fig2,fig7 --output out/",
        {"fig1.pdf", "fig1.png", "fig2.csv", "fig2-values.csv", "fig2.pdf", "fig2.png", "fig7.csv",
         "fig7-values.csv", "fig7.pdf", "fig7.png", "studies/mode_shapes.json"});
 }
@@ -28,14 +28,13 @@ TEST_F(KilledRunLong, OfMapLeavesOnlyWhatIsWholeAtFiftyMoments) {
   const std::string map =
       "map paper-figure14 --set damping.kelvin_voigt=1e-5 --duration 0.3 --method fe "
       "--x frequency=10:50:15 --y length=1:2:16 ";
-  const std::string figure = out("map.png");
-  kill(50, map + "--output '" + out("map.csv") + "' --figure '" + figure + "'", {"map.csv", "map.png"});
-  const std::string whole = contents(out("map.csv"));
+  kill(50, map + "--output out/map.csv --figure out/map.png", {"map.csv", "map.png"});
+  const std::string whole = contents("out/map.csv");
   for (const std::string part : {"1", "2"}) {
-    kill(25, map + "--shard " + part + "/2 --output '" + out("shard") + "'", {"shard"});
-    fs::rename(out("shard"), path("shard-" + part));
+    kill(25, map + "--shard " + part + "/2 --output out/shard", {"shard"});
+    fs::rename("out/shard", "shard-" + part);
   }
-  EXPECT_EQ(run("map --merge '" + path("shard-1") + "' '" + path("shard-2") + "'").output, whole);
+  EXPECT_EQ(run("map --merge shard-1 shard-2").output, whole);
 }
 
 }  // namespace

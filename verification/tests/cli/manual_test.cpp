@@ -129,7 +129,7 @@ class Manual : public CommandLine {
   // Standard output and standard error of a script in the test's folder, as a terminal shows them.
   [[nodiscard]] Outcome terminal(const std::string& script) const {
     const std::string program = fs::path(STICKSLIP_PROGRAM).parent_path().string();
-    return shell(fmt::format("cd '{}' && PATH='{}':$PATH\nexec 2>&1\nset -e\n{}", path(""), program, script));
+    return shell(fmt::format("PATH='{}':$PATH\nexec 2>&1\nset -e\n{}", program, script));
   }
 };
 

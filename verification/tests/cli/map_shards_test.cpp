@@ -42,12 +42,12 @@ class MapShards : public SignalledRun {
       "map paper-figure14 --set damping.kelvin_voigt=1e-5 --duration 0.3 --method fe --threads 1 "
       "--x frequency=10:50:9 --y length=1:2:10 ";
 
-  [[nodiscard]] std::string output(const std::string& name) const { return "--output '" + path(name) + "' "; }
+  [[nodiscard]] std::string output(const std::string& name) const { return "--output " + name + " "; }
 
   [[nodiscard]] std::string made(const std::string& arguments, const std::string& name) const {
     const Outcome outcome = run(arguments + output(name));
     EXPECT_EQ(outcome.status, 0) << outcome.errors;
-    return contents(path(name));
+    return contents(name);
   }
 
   void make_shards(const std::string& map, int parts) const {
@@ -62,12 +62,12 @@ class MapShards : public SignalledRun {
   /// The last one first.
   [[nodiscard]] std::string merge(int parts) const {
     std::string arguments = "map --merge ";
-    for (int part = parts; part >= 1; --part) arguments += "'" + path("shard-" + std::to_string(part)) + "' ";
+    for (int part = parts; part >= 1; --part) arguments += "shard-" + std::to_string(part) + " ";
     return arguments;
   }
 
   [[nodiscard]] std::ptrdiff_t lines_of(const std::string& name) const {
-    return std::ranges::count(contents(path(name)), '\n');
+    return std::ranges::count(contents(name), '\n');
   }
 
   /// Sends the signal once the unfinished map has so many lines.
@@ -139,34 +139,32 @@ TEST_F(MapShards, GoOnAfterAKillWhereverItCame) {
   const auto kept = lines_of("map.csv.partial") - 1;
   EXPECT_GE(kept, 49);
   const Outcome outcome = run(longer + output("map.csv"));  // a slow one says how far it is
-  EXPECT_TRUE(outcome.errors.starts_with("stickslip map: going on from " + path("map.csv.partial") +
-                                         ", which holds " + std::to_string(kept) + " of 90 evaluations\n"))
+  EXPECT_TRUE(outcome.errors.starts_with("stickslip map: going on from map.csv.partial, which holds " +
+                                         std::to_string(kept) + " of 90 evaluations\n"))
       << outcome.errors;
-  EXPECT_EQ(contents(path("map.csv")), whole);
-  EXPECT_FALSE(fs::exists(path("map.csv.partial")));
+  EXPECT_EQ(contents("map.csv"), whole);
+  EXPECT_FALSE(fs::exists("map.csv.partial"));
 }
 
 TEST_F(MapShards, GoOnAfterAKillOfAShard) {
   const std::string part = longer + shard(2, 2);
   const std::string whole = made(part, "whole");
   EXPECT_EQ(end_with(SIGKILL, part + output("shard"), "shard.partial", 10).status, 128 + SIGKILL);
-  EXPECT_FALSE(fs::exists(path("shard")));
+  EXPECT_FALSE(fs::exists("shard"));
   EXPECT_EQ(made(part, "shard"), whole);
 }
 
 TEST_F(MapShards, EndWithinASecondOfCtrlCAndSayWhatIsKept) {
-  std::ofstream(path("map.csv")) << "old";
-  const Ending end = end_with(SIGINT, longer + output("map.csv") + "--figure '" + path("map.png") + "'",
-                              "map.csv.partial", 5);
+  std::ofstream("map.csv") << "old";
+  const Ending end = end_with(SIGINT, longer + output("map.csv") + "--figure map.png", "map.csv.partial", 5);
   EXPECT_EQ(end.status, 128 + SIGINT);
   EXPECT_LT(end.seconds, 1.0);
-  EXPECT_EQ(contents(path("map.csv")), "old");
+  EXPECT_EQ(contents("map.csv"), "old");
   const auto kept = lines_of("map.csv.partial") - 1;
-  EXPECT_EQ(end.errors, "stickslip: interrupted; " + std::to_string(kept) +
-                            " of 90 evaluations are kept in " + path("map.csv.partial") +
-                            ", from which the same command goes on\n");
-  EXPECT_EQ(all_files(path("")),
-            (std::vector<std::string>{"map.csv", "map.csv.partial", "stderr", "stdout"}));
+  EXPECT_EQ(end.errors,
+            "stickslip: interrupted; " + std::to_string(kept) +
+                " of 90 evaluations are kept in map.csv.partial, from which the same command goes on\n");
+  EXPECT_EQ(all_files("."), (std::vector<std::string>{"map.csv", "map.csv.partial", "stderr", "stdout"}));
 }
 
 TEST_F(MapShards, AreNotMadeAgainWhereTheyAreComplete) {
@@ -176,17 +174,16 @@ TEST_F(MapShards, AreNotMadeAgainWhereTheyAreComplete) {
   EXPECT_EQ(made_now["shards"], 2);
   EXPECT_EQ(made_now["evaluations"], 45);
   EXPECT_EQ(made_now["complete_already"], false);
-  const std::string whole = contents(path("shard"));
-  const auto written = fs::last_write_time(path("shard"));
-  const std::string said =
-      "Shard 2 of 2, 45 of 90 evaluations, is complete already in " + path("shard") + "\n";
+  const std::string whole = contents("shard");
+  const auto written = fs::last_write_time("shard");
+  const std::string said = "Shard 2 of 2, 45 of 90 evaluations, is complete already in shard\n";
   EXPECT_EQ(run(part + output("shard")).output, said);
   EXPECT_EQ(json(part + output("shard")).at("complete_already"), true);
   // A run that was killed after the shard was in place.
-  std::ofstream(path("shard.partial")) << whole;
+  std::ofstream("shard.partial") << whole;
   EXPECT_EQ(run(part + output("shard")).output, said);
-  EXPECT_FALSE(fs::exists(path("shard.partial")));
-  EXPECT_EQ(fs::last_write_time(path("shard")), written);
+  EXPECT_FALSE(fs::exists("shard.partial"));
+  EXPECT_EQ(fs::last_write_time("shard"), written);
 }
 
 TEST_F(MapShards, AreMadeAgainWhereTheyAreDamagedOrOfOtherWork) {
@@ -196,9 +193,9 @@ TEST_F(MapShards, AreMadeAgainWhereTheyAreDamagedOrOfOtherWork) {
   ++damaged[damaged.size() - 5];
   for (const std::string& text : {std::string(), whole.substr(0, whole.rfind('\n', whole.size() - 2) + 1),
                                   whole.substr(0, whole.size() - 1), damaged, whole + "x"}) {
-    std::ofstream(path("shard")) << text;
+    std::ofstream("shard") << text;
     EXPECT_EQ(json(part + output("shard")).at("complete_already"), false);
-    EXPECT_EQ(contents(path("shard")), whole);
+    EXPECT_EQ(contents("shard"), whole);
   }
   EXPECT_NE(made(closed_form + shard(2, 2), "shard"), whole);
   EXPECT_EQ(made(part, "shard"), whole);
@@ -210,18 +207,18 @@ TEST_F(MapShards, DropATornOrDamagedEndOfWhatIsKept) {
   const std::size_t header = whole.find('\n') + 1;
   for (const std::size_t length :
        {std::size_t{0}, header / 2, header - 1, header, header + 10, whole.size() - 1}) {
-    std::ofstream(path("shard.partial")) << whole.substr(0, length);
+    std::ofstream("shard.partial") << whole.substr(0, length);
     EXPECT_EQ(made(part, "shard"), whole) << length;
   }
   std::string damaged = whole;
   ++damaged[header + 5];
-  std::ofstream(path("shard.partial")) << damaged;
+  std::ofstream("shard.partial") << damaged;
   EXPECT_EQ(made(part, "shard"), whole);
 }
 
 TEST_F(MapShards, DoNotGoOnFromOtherWork) {
   const std::string half = made(closed_form + shard(1, 2), "shard");
-  std::ofstream(path("shard.partial")) << half;
+  std::ofstream("shard.partial") << half;
   const std::string part = shard(1, 2) + output("shard");
   const std::string of_the_case = "map paper-figure14 --y force=200:800:3 " + part;
   expect_refused(closed_form + shard(2, 2) + output("shard"),
@@ -233,47 +230,45 @@ TEST_F(MapShards, DoNotGoOnFromOtherWork) {
   expect_refused(of_the_case + "--duration 0.5 --x length=0.8:3:6",
                  "its x is \"length=0.8:3:5\", but must be \"length=0.8:3:6\"");
   expect_refused(closed_form + part + "--states-only", "its states_only is false, but must be true");
-  EXPECT_EQ(contents(path("shard.partial")), half);
-  std::ofstream(path("shard.partial")) << made(motion + shard(1, 2), "motion");
+  EXPECT_EQ(contents("shard.partial"), half);
+  std::ofstream("shard.partial") << made(motion + shard(1, 2), "motion");
   expect_refused(motion + part + "--tolerance 0.1", "its tolerance is 0.05, but must be 0.1; remove it");
-  std::ofstream(path("shard.partial")) << "something else\n";
+  std::ofstream("shard.partial") << "something else\n";
   expect_refused(closed_form + part, "it is no beginning of a map");
-  EXPECT_EQ(contents(path("shard.partial")), "something else\n");
+  EXPECT_EQ(contents("shard.partial"), "something else\n");
   // What goes to standard output is kept nowhere.
-  std::ofstream(path("-.partial")) << "something else\n";
-  EXPECT_EQ(shell("cd '" + path("") + "' && '" + STICKSLIP_PROGRAM + "' " + closed_form).status, 0);
+  std::ofstream("-.partial") << "something else\n";
+  EXPECT_EQ(run(closed_form).status, 0);
 }
 
 TEST_F(MapShards, ThatAreMissingDoubleForeignOrDamagedDoNotMerge) {
   make_shards(closed_form, 3);
-  const auto name = [&](int part) { return "'" + path("shard-" + std::to_string(part)) + "' "; };
-  expect_refused("map --merge " + name(1) + name(3), "shard 2 of 3 is missing beside " + path("shard-1"));
+  const auto name = [&](int part) { return "shard-" + std::to_string(part) + " "; };
+  expect_refused("map --merge " + name(1) + name(3), "shard 2 of 3 is missing beside shard-1");
   expect_refused("map --merge " + name(2), "shard 1, 3 of 3 are missing");
-  expect_refused(merge(3) + name(2), path("shard-2") + " is shard 2 of 3, but so is " + path("shard-2"));
-  const std::string good = contents(path("shard-2"));
+  expect_refused(merge(3) + name(2), "shard-2 is shard 2 of 3, but so is shard-2");
+  const std::string good = contents("shard-2");
   (void)made(std::string(closed_form) + "--hz 20 " + shard(2, 3), "shard-2");
-  expect_refused(
-      merge(3),
-      path("shard-2") + " is a shard of another map: its excitation.frequency_hz is 20.0, but must be 25.0");
-  std::ofstream(path("shard-2")) << good.substr(0, good.size() - 1);
-  expect_refused(merge(3), path("shard-2") + " is damaged in line 6");
+  expect_refused(merge(3),
+                 "shard-2 is a shard of another map: its excitation.frequency_hz is 20.0, but must be 25.0");
+  std::ofstream("shard-2") << good.substr(0, good.size() - 1);
+  expect_refused(merge(3), "shard-2 is damaged in line 6");
   const std::size_t last = good.rfind('\n', good.size() - 2) + 1;
-  std::ofstream(path("shard-2")) << good << good.substr(last);
-  expect_refused(merge(3), path("shard-2") + " is damaged in line 7");
-  std::ofstream(path("shard-2")) << good.substr(0, last);
-  expect_refused(merge(3), path("shard-2") + " is not finished: it holds 4 of 5 evaluations");
-  std::ofstream(path("shard-2")) << "length_m\n";
-  expect_refused(merge(3), path("shard-2") + " is no shard of a map");
+  std::ofstream("shard-2") << good << good.substr(last);
+  expect_refused(merge(3), "shard-2 is damaged in line 7");
+  std::ofstream("shard-2") << good.substr(0, last);
+  expect_refused(merge(3), "shard-2 is not finished: it holds 4 of 5 evaluations");
+  std::ofstream("shard-2") << "length_m\n";
+  expect_refused(merge(3), "shard-2 is no shard of a map");
   // By another version of the program: a first line whose check, 16 digits of its digest, is right.
   const std::string by = good.substr(12, good.find('"', 12) - 12);
   const std::string first = good.substr(0, good.find('\n') - 17);
   const std::string line = R"({"program":"another one)" + first.substr(12 + by.size());
-  std::ofstream(path("shard-2")) << line << ',' << data::sha256(line).substr(0, 16) << '\n';
-  expect_refused(merge(3), path("shard-2") + " was made by another one, but must be by " + by + "\n");
+  std::ofstream("shard-2") << line << ',' << data::sha256(line).substr(0, 16) << '\n';
+  expect_refused(merge(3), "shard-2 was made by another one, but must be by " + by + "\n");
   (void)made(closed_form + shard(7, 7), "shard-7");
-  expect_refused("map --merge " + name(7),
-                 "shard 1, 2, 3, 4, 5 and 1 more of 7 are missing beside " + path("shard-7"));
-  expect_refused("map --merge '" + path("none") + "'", path("none") + ": cannot be opened for reading");
+  expect_refused("map --merge " + name(7), "shard 1, 2, 3, 4, 5 and 1 more of 7 are missing beside shard-7");
+  expect_refused("map --merge none", "none: cannot be opened for reading");
 }
 
 TEST_F(MapShards, RefuseWhatDoesNotGoTogether) {
@@ -285,9 +280,9 @@ TEST_F(MapShards, RefuseWhatDoesNotGoTogether) {
   expect_refused("map paper --merge shard", "--merge");
   expect_refused("map --merge shard --states-only", "--merge");
   expect_refused("map --threads 0", "--threads is 0, but must be an integer from 1 to 1024");
-  EXPECT_EQ(all_files(path("")), (std::vector<std::string>{"stderr", "stdout"}));
+  EXPECT_EQ(all_files("."), (std::vector<std::string>{"stderr", "stdout"}));
   EXPECT_EQ(run(closed_form + shard(1'000'000, 1'000'000) + output("shard")).output,
-            "Shard 1000000 of 1000000, 0 of 15 evaluations, written to " + path("shard") + "\n");
+            "Shard 1000000 of 1000000, 0 of 15 evaluations, written to shard\n");
 }
 
 TEST_F(MapShards, ShowABarOnATerminalUnlessQuiet) {

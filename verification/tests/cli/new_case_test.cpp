@@ -19,9 +19,8 @@ namespace {
 
 class NewCase : public CommandLine {
  protected:
-  [[nodiscard]] std::string file() const { return path("my-beam.toml"); }
   [[nodiscard]] std::string command(const std::string& options = "") const {
-    return "new '" + file() + "' " + options;
+    return "new my-beam.toml " + options;
   }
 };
 
@@ -31,14 +30,14 @@ TEST_F(NewCase, HoldsTheValuesThatAreSet) {
       run(command("--set section.shape=tube --set 'beam.length=1.2 m' --set "
                   "'excitation.acceleration_amplitude=\"1 g\"' --set damping.ratio=0.02"));
   ASSERT_EQ(outcome.status, 0) << outcome.errors;
-  EXPECT_TRUE(outcome.output.ends_with("whether it slips: stickslip criterion " + file() + "\n"));
-  const data::Case problem = data::load_case(file());
+  EXPECT_TRUE(outcome.output.ends_with("whether it slips: stickslip criterion my-beam.toml\n"));
+  const data::Case problem = data::load_case("my-beam.toml");
   EXPECT_EQ(problem.beam.length(), 1.2);
   EXPECT_EQ(problem.beam.density(), 7850.0);
   EXPECT_NEAR(problem.beam.area(), std::numbers::pi * (25e-6 - 16e-6), 1e-19);
   EXPECT_NEAR(problem.excitation.amplitude(), 9.80665 / std::pow(60.0 * std::numbers::pi, 2), 1e-18);
   EXPECT_EQ(problem.damping.ratio(), 0.02);
-  EXPECT_EQ(run("criterion '" + file() + "'").status, 0);
+  EXPECT_EQ(run("criterion my-beam.toml").status, 0);
 }
 
 TEST_F(NewCase, HasATableForEachGroupOfKeysWithComments) {
@@ -46,10 +45,10 @@ TEST_F(NewCase, HasATableForEachGroupOfKeysWithComments) {
       run(command("--set \"section.shape='circle'\" --set friction.decay=0.50 --set damping.ratio=0.02"))
           .status,
       0);
-  const std::string text = contents(file());
+  const std::string text = contents("my-beam.toml");
   EXPECT_TRUE(
-      text.starts_with("# A beam of your own. Try: stickslip criterion " + file() +
-                       "\n[beam]\nlength = \"400 mm\"               # L, from the clamp to the wall\n"))
+      text.starts_with("# A beam of your own. Try: stickslip criterion my-beam.toml\n[beam]\nlength = \"400 "
+                       "mm\"               # L, from the clamp to the wall\n"))
       << text;
   EXPECT_NE(text.find("\n\n[section]\nshape = \"circle\"                # rectangle, circle or tube\n"
                       "diameter = \"10 mm\"              # outside\n\n[friction]\n"),
@@ -61,7 +60,7 @@ TEST_F(NewCase, HasATableForEachGroupOfKeysWithComments) {
 
 TEST_F(NewCase, HasACommentThatBecomesDamping) {
   ASSERT_EQ(run(command()).status, 0);
-  std::string text = contents(file());
+  std::string text = contents("my-beam.toml");
   for (const std::string line : {"[damping]", "ratio"}) {
     const auto at = text.find("\n# " + line);
     ASSERT_NE(at, std::string::npos) << text;
@@ -75,7 +74,7 @@ TEST_F(NewCase, ReplacesASectionOrAMaterialByNumbers) {
                         "'beam.density=1.2 g/cm^3' --set beam.youngs_modulus=3e9"))
                 .status,
             0);
-  const data::Case problem = data::load_case(file());
+  const data::Case problem = data::load_case("my-beam.toml");
   EXPECT_EQ(problem.beam.second_moment_of_area(), 1e-9);
   EXPECT_EQ(problem.beam.density(), 1200.0);
 }
@@ -91,7 +90,7 @@ TEST_F(NewCase, AsksForWhatIsNotSet) {
                                  "beam.length (L, from the clamp to the wall) [400 mm]: "))
       << outcome.errors;
   EXPECT_NE(outcome.errors.find("beam.axial_force is 'two' (a string)"), std::string::npos) << outcome.errors;
-  const data::Case problem = data::load_case(file());
+  const data::Case problem = data::load_case("my-beam.toml");
   EXPECT_EQ(problem.beam.length(), 0.25);
   EXPECT_EQ(problem.beam.axial_force(), 40.0);
   EXPECT_EQ(problem.beam.density(), 2500.0);
@@ -110,7 +109,7 @@ TEST_F(NewCase, WritesNothingThatIsNoCaseAndOverwritesNothing) {
   EXPECT_TRUE(unanswered.errors.ends_with(
       "stickslip: standard input ends before beam.length is answered; nothing is written\n"))
       << unanswered.errors;
-  EXPECT_FALSE(std::filesystem::exists(file()));
+  EXPECT_FALSE(std::filesystem::exists("my-beam.toml"));
   ASSERT_EQ(run(command()).status, 0);
   expect_refused(command(), "but must be a file that does not exist yet");
 }
@@ -152,9 +151,8 @@ class DefaultRuns : public CommandLine {};
 
 STICKSLIP_VERIFIES(DefaultRuns, "X9");
 TEST_F(DefaultRuns, OfTheDampedCaseAgreeWithTheReferenceData) {
-  const std::string history = "'" + path("history.csv") + "'", events = "'" + path("events.csv") + "'";
-  ASSERT_EQ(run("respond damped --output " + history + " --events " + events).status, 0);
-  const Outcome outcome = run("compare stick-slip-history " + history + " --events " + events);
+  ASSERT_EQ(run("respond damped --output history.csv --events events.csv").status, 0);
+  const Outcome outcome = run("compare stick-slip-history history.csv --events events.csv");
   EXPECT_EQ(outcome.status, 0) << outcome.output << outcome.errors;
 }
 
@@ -162,8 +160,8 @@ TEST_F(DefaultRuns, OfTheDampedCaseAgreeWithTheReferenceData) {
 // an impact: the friction force exceeds mu_s P = 300 N.
 TEST_F(DefaultRuns, ConvergeWithTheStepOnlyWithoutAVelocityThreshold) {
   const auto run_with = [&](const std::string& step, const std::string& threshold) {
-    return json("respond damped --set numerics.time_step=" + step + " --set numerics.velocity_threshold=" +
-                threshold + " --output '" + path("history.csv") + "'");
+    return json("respond damped --set numerics.time_step=" + step +
+                " --set numerics.velocity_threshold=" + threshold + " --output history.csv");
   };
   for (const std::string step : {"2e-5", "1e-5", "5e-6"}) {
     const auto answer = run_with(step, "0");
@@ -179,11 +177,10 @@ class RespondFigure : public Drawing {};
 STICKSLIP_VERIFIES(RespondFigure, "U1");
 TEST_F(RespondFigure, IsDrawnFromTheRowsAndTheLimit) {
   install_gnuplot("cat \"${folder}history.csv\" \"${folder}history-values.csv\" > $output\n");
-  const Outcome outcome = run("respond paper --duration 0.001 --output '" + path("history.csv") +
-                              "' --figure '" + path("history.png") + "'");
+  const Outcome outcome = run("respond paper --duration 0.001 --output history.csv --figure history.png");
   ASSERT_EQ(outcome.status, 0) << outcome.errors;
-  const std::string drawn = contents(path("history.png"));
-  EXPECT_TRUE(drawn.starts_with(contents(path("history.csv"))));
+  const std::string drawn = contents("history.png");
+  EXPECT_TRUE(drawn.starts_with(contents("history.csv")));
   EXPECT_TRUE(drawn.ends_with("limit,300,N\n")) << drawn;
   expect_refused("respond paper --duration 0.001 --figure a.jpg", "--figure is 'a.jpg'");
   for (const std::string other : {"--output", "--events", "--spectrum"})
@@ -211,8 +208,8 @@ TEST_F(FigureOfAVerdict, IsTheCriticalAmplitudeAroundTheFrequencyOfTheCase) {
                   path("marks.csv") + "'; cat \"${folder}criterion-values.csv\" > '" + path("values.csv") +
                   "'\n");
   for (const std::string name : {"paper", "damped", "paper --set beam.shear_stiffness=6410256.41"}) {
-    const auto answer = json("criterion " + name + " --hz 35 --figure '" + path("curve.svg") + "'");
-    const auto rows = numbers(contents(path("curve.svg")));
+    const auto answer = json("criterion " + name + " --hz 35 --figure curve.svg");
+    const auto rows = numbers(contents("curve.svg"));
     ASSERT_EQ(rows.size(), 241u + 2u);  // two natural frequencies are among them
     EXPECT_NEAR(rows[0][0], 35.0 / 4.0, 1e-13);
     EXPECT_NEAR(rows.back()[0], 35.0 * 4.0, 1e-12);
@@ -221,9 +218,8 @@ TEST_F(FigureOfAVerdict, IsTheCriticalAmplitudeAroundTheFrequencyOfTheCase) {
     ASSERT_NE(here, rows.end());
     const double critical = answer["critical_amplitude_m"].get<double>();
     EXPECT_NEAR((*here)[1], critical, 0.5e-3 * critical) << name;
-    EXPECT_NE(contents(path("marks.csv")).find(name.ends_with("41") ? "24.724" : "24.971958"),
-              std::string::npos);
-    EXPECT_NE(contents(path("values.csv")).find("excitation_frequency,35,Hz"), std::string::npos);
+    EXPECT_NE(contents("marks.csv").find(name.ends_with("41") ? "24.724" : "24.971958"), std::string::npos);
+    EXPECT_NE(contents("values.csv").find("excitation_frequency,35,Hz"), std::string::npos);
   }
   expect_refused("criterion paper --figure a.jpg", "--figure is 'a.jpg'");
 }
@@ -235,8 +231,8 @@ STICKSLIP_VERIFIES(FigureOfModes, "U1");
 TEST_F(FigureOfModes, HasTheShapesByBothMethods) {
   install_gnuplot("cat \"${folder}modes.csv\" > $output\n");
   const auto drawn = [&](const std::string& options) {
-    EXPECT_EQ(run("modes paper --count 2 --figure '" + path("modes.pdf") + "' " + options).status, 0);
-    return numbers(contents(path("modes.pdf")));
+    EXPECT_EQ(run("modes paper --count 2 --figure modes.pdf " + options).status, 0);
+    return numbers(contents("modes.pdf"));
   };
   for (const std::string state : {"stick", "slip"}) {
     const auto exact = drawn("--state " + state), mesh = drawn("--method fe --state " + state);
@@ -249,10 +245,10 @@ TEST_F(FigureOfModes, HasTheShapesByBothMethods) {
         EXPECT_NEAR(exact[i][n], mesh[i][n], 1.2e-4) << state << " row " << i;
     EXPECT_NEAR(exact.back()[1], state == "slip" ? 1.0 : 0.0, 1e-12);
     if (state == "stick") {
-      EXPECT_NE(contents(path("modes.pdf")).find(",1: 24.972 Hz"), std::string::npos);
+      EXPECT_NE(contents("modes.pdf").find(",1: 24.972 Hz"), std::string::npos);
     }
   }
-  EXPECT_EQ(run("modes paper --count 8 --figure '" + path("modes.pdf") + "'").status, 0);
+  EXPECT_EQ(run("modes paper --count 8 --figure modes.pdf").status, 0);
   expect_refused("modes paper --count 9 --figure a.png", "--count is 9, but must be at most 8 with --figure");
 }
 
@@ -261,8 +257,8 @@ class CriterionOutlook : public CommandLine {};
 // The strip of the manual: its first natural frequency is 31.189 Hz, and a tenth less length moves it most.
 STICKSLIP_VERIFIES(CriterionOutlook, "U1");
 TEST_F(CriterionOutlook, IsTheMarginTheNextFrequencyAndTheBestChange) {
-  ASSERT_EQ(run("new '" + path("strip.toml") + "'").status, 0);
-  const std::string strip = "criterion '" + path("strip.toml") + "' ";
+  ASSERT_EQ(run("new strip.toml").status, 0);
+  const std::string strip = "criterion strip.toml ";
   const auto answer = json(strip);
   const auto& change = answer["best_change"];
   EXPECT_NEAR(answer["margin"]["lower"].get<double>(),

@@ -30,10 +30,17 @@ inline std::string contents(const std::filesystem::path& file) {
   return text.str();
 }
 
+/// Each test works in an empty folder of its own, so that a file needs no path.
 class CommandLine : public ::testing::Test {
  protected:
-  void SetUp() override { std::filesystem::create_directory(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
+  void SetUp() override {
+    std::filesystem::create_directory(folder_);
+    std::filesystem::current_path(folder_);
+  }
+  void TearDown() override {
+    std::filesystem::current_path(old_folder_);
+    std::filesystem::remove_all(folder_);
+  }
 
   /// Runs `stickslip <arguments>` through the shell.
   [[nodiscard]] Outcome run(const std::string& arguments) const {
@@ -53,6 +60,7 @@ class CommandLine : public ::testing::Test {
     return nlohmann::json::parse(outcome.output);
   }
 
+  /// With the folder, for what works elsewhere.
   [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
   [[nodiscard]] std::vector<std::string> files() const {
@@ -72,7 +80,8 @@ class CommandLine : public ::testing::Test {
   }
 
  private:
-  std::filesystem::path folder_ =
+  const std::filesystem::path old_folder_ = std::filesystem::current_path();
+  const std::filesystem::path folder_ =
       std::filesystem::temp_directory_path() / ("stickslip-command-line-" + std::to_string(::getpid()));
 };
 

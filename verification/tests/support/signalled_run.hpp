@@ -23,7 +23,7 @@ namespace stickslip::testing {
 class SignalledRun : public Drawing {
  protected:
   /// The outputs of a test, where they are all in one folder.
-  [[nodiscard]] std::string out(const std::string& name = "") const { return path("out/" + name); }
+  [[nodiscard]] static std::string out(const std::string& name = "") { return "out/" + name; }
 
   /// All files below a folder, those that begin with a dot as well.
   [[nodiscard]] static std::vector<std::string> all_files(const std::filesystem::path& folder) {
