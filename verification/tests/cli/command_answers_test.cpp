@@ -627,8 +627,8 @@ TEST_F(CommandAnswers, DesignPrintsWhatItsJsonHolds) {
   EXPECT_NEAR(criterion["force_max_N"]["lower"].get<double>(), force["lower"].get<double>(),
               1e-5 * force["lower"].get<double>());
   EXPECT_TRUE(text.starts_with("paper-figure14: 24 to 26 Hz, 0.001 m, 0 to 2 s, N = 10\n")) << text;
-  EXPECT_NE(text.find(": sticks\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("\nnatural frequencies in the band   none\n"), std::string::npos) << text;
+  EXPECT_TRUE(holds(text, ": sticks\n"));
+  EXPECT_TRUE(holds(text, "\nnatural frequencies in the band   none\n"));
 
   // Every end of an interval, with the decimals that its accuracy allows and no fewer.
   for (const std::string kind : {"lengths_m", "axial_forces_N"}) {
@@ -644,7 +644,7 @@ TEST_F(CommandAnswers, DesignPrintsWhatItsJsonHolds) {
                                            fmt::format("{:.{}f} ... {:.{}f}", interval["from"].get<double>(),
                                                        decimals, interval["to"].get<double>(), decimals),
                                            sticks ? "sticks\n" : "slips");
-      EXPECT_NE(text.find(ends), std::string::npos) << ends << text;
+      EXPECT_TRUE(holds(text, ends));
     }
   }
   EXPECT_EQ(answer["lengths_m"]["intervals"][0]["from"], 0.8);
@@ -662,11 +662,9 @@ TEST_F(CommandAnswers, DesignOfABandWithAResonanceSlips) {
   EXPECT_LT(answer["margin"]["upper"], 1.0);
   const std::string text =
       run("design paper --band 20:90 --length 1.9:2.1 --force 400:600 --duration 1").output;
-  EXPECT_NE(text.find("\nnatural frequencies in the band   1 at 24.97196, 2 at 81.07762\n"),
-            std::string::npos)
-      << text;
-  EXPECT_NE(text.find(": slips\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("slips: natural frequency 1, 2 in the band\n"), std::string::npos) << text;
+  EXPECT_TRUE(holds(text, "\nnatural frequencies in the band   1 at 24.97196, 2 at 81.07762\n"));
+  EXPECT_TRUE(holds(text, ": slips\n"));
+  EXPECT_TRUE(holds(text, "slips: natural frequency 1, 2 in the band\n"));
 }
 
 // The buckling load is 84128 N. The margin is smallest at the end of the band that is nearer to 24.97 Hz.
@@ -683,7 +681,7 @@ TEST_F(CommandAnswers, DesignBeyondTheBucklingLoadHasNoStickState) {
         fmt::format("axial force / N at L = 2 m, ends to {:#.2g}\n400 ... ", scan["accuracy"].get<double>()),
         std::string("84128             slips, without a natural frequency in the band\n84128 ... 200000"),
         std::string("no stick state: P is at the buckling load 20.19 EI/L^2 or over it\n")})
-    EXPECT_NE(text.find(line), std::string::npos) << line << text;
+    EXPECT_TRUE(holds(text, line));
   expect_refused(
       "design --band 20:30 --length 1e-3:2",
       "excitation.duration is 10, but must be at most 0.0148 s, a hundred million periods of natural "
@@ -739,8 +737,7 @@ TEST_F(CommandAnswers, HelpNamesTheLimitsAndTheDefaultsOfNumbers) {
   for (const auto& [command, entries] : options) {
     std::string help = run(command + " --help").output;
     std::ranges::replace(help, '\n', ' ');
-    for (const std::string& entry : entries)
-      EXPECT_NE(help.find("  " + entry + " "), std::string::npos) << command << " " << entry;
+    for (const std::string& entry : entries) EXPECT_TRUE(holds(help, "  " + entry + " ")) << command;
   }
 }
 
@@ -862,14 +859,12 @@ TEST_F(CommandAnswers, ColumnsOfAMapHaveTheNameAndTheUnitOfTheirParameter) {
 }
 
 TEST_F(CommandAnswers, ReferenceShowsHowEachColumnIsCompared) {
-  EXPECT_NE(run("reference show classification")
-                .output.find("  force_ratio         1        enclosed   |f|_max/(mu_s P)\n"),
-            std::string::npos);
-  EXPECT_NE(run("reference show single-mass-events")
-                .output.find("comparison: table\n  change: word by word\n"
-                             "  time: uncertainty 2.5e-31 to 1.2e-30 s, tolerance 1e-06 (relative)\n"
-                             "  position: uncertainty 3e-36 to 3.3e-31 m, tolerance 1e-06 m (absolute)\n\n"),
-            std::string::npos);
+  EXPECT_TRUE(holds(run("reference show classification").output,
+                    "  force_ratio         1        enclosed   |f|_max/(mu_s P)\n"));
+  EXPECT_TRUE(holds(run("reference show single-mass-events").output,
+                    "comparison: table\n  change: word by word\n"
+                    "  time: uncertainty 2.5e-31 to 1.2e-30 s, tolerance 1e-06 (relative)\n"
+                    "  position: uncertainty 3e-36 to 3.3e-31 m, tolerance 1e-06 m (absolute)\n\n"));
 }
 
 TEST_F(CommandAnswers, SquealNamesTheModeThatGrowsAndTheSpeedThatHoldsIt) {
@@ -897,9 +892,8 @@ TEST_F(CommandAnswers, SquealNamesTheModeThatGrowsAndTheSpeedThatHoldsIt) {
   EXPECT_TRUE(never["critical_speed_m_per_s"].is_null());
   EXPECT_EQ(never["unstable_at_every_speed"], true);
   const std::string text = run(undamped).output;
-  EXPECT_NE(text.find("\nsteady sliding                    closed form         finite elements\n"),
-            std::string::npos);
-  EXPECT_NE(text.find(" every speed\n"), std::string::npos) << text;
+  EXPECT_TRUE(holds(text, "\nsteady sliding                    closed form         finite elements\n"));
+  EXPECT_TRUE(holds(text, " every speed\n"));
 }
 
 // Two modes and the tip have three roots; without a damping ratio the modes are those of the continuous beam.
@@ -957,7 +951,7 @@ TEST_F(CommandAnswers, PeriodicSaysWhatItFindsOrWhyNot) {
                           "period / s                        0.02\n"
                           "frequency / Hz                    50\n"))
       << sliding;
-  EXPECT_NE(sliding.find("\nchanges of contact                0\n"), std::string::npos) << sliding;
+  EXPECT_TRUE(holds(sliding, "\nchanges of contact                0\n"));
   EXPECT_EQ(run(fast).output, "reed: the tip slides steadily\n");
   const auto stuck = json("periodic paper --hz 15 --amplitude 1e-5 --settle 5");
   EXPECT_EQ(stuck["found"], false);

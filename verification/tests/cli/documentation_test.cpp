@@ -124,12 +124,12 @@ TEST_F(ManualPage, OfEachCommandHoldsItsOptionsAndExamples) {
   std::size_t pages = 0;
   for (const std::string& command : commands()) {
     const std::string name = page_of(command), page = words_of_page(name);
-    EXPECT_NE(page.find("\n.SH NAME\n" + name + " - "), std::string::npos) << name;
+    EXPECT_TRUE(holds(page, "\n.SH NAME\n" + name + " - "));
     for (const std::string& argument : arguments(command))
       EXPECT_TRUE(holds_word(page, argument)) << command << " " << argument;
     for (const std::string& example : entries(help(command), "Examples:"))
-      EXPECT_NE(page.find("\n" + example + "\n"), std::string::npos) << example;
-    EXPECT_NE(page.find("STICKSLIP_DATA"), std::string::npos) << name;
+      EXPECT_TRUE(holds(page, "\n" + example + "\n"));
+    EXPECT_TRUE(holds(page, "STICKSLIP_DATA")) << name;
     ++pages;
   }
   const auto files = fs::directory_iterator(manual_pages());
@@ -174,8 +174,8 @@ TEST_F(Completion, OfBashKnowsCommandsOptionsChoicesAndNames) {
   EXPECT_EQ(offered("respond paper --output my-"), nothing);
   EXPECT_EQ(offered("criterion --hz 2"), nothing);
   EXPECT_EQ(offered("complet"), nothing);
-  EXPECT_NE(shell("bash --norc -c 'source " + script + "; complete -p stickslip'").output.find("-o default"),
-            std::string::npos);
+  EXPECT_TRUE(
+      holds(shell("bash --norc -c 'source " + script + "; complete -p stickslip'").output, "-o default"));
 }
 
 // zsh and fish hand over words as they are typed, and show the descriptions.

@@ -27,8 +27,8 @@ class Fault : public SignalledRun {
                       const std::string& reason) const {
     EXPECT_EQ(outcome.status, status) << outcome.errors;
     EXPECT_EQ(std::ranges::count(outcome.errors, '\n'), 1) << outcome.errors;
-    EXPECT_NE(outcome.errors.find(name), std::string::npos) << outcome.errors;
-    EXPECT_NE(outcome.errors.find(reason), std::string::npos) << outcome.errors;
+    EXPECT_TRUE(holds(outcome.errors, name));
+    EXPECT_TRUE(holds(outcome.errors, reason));
   }
 
   static constexpr const char* history = "respond paper --hz 25 --amplitude 1e-3 --duration 0.3";  // 400 kB

@@ -44,7 +44,7 @@ TEST_F(Interrupted, ComparisonThatIsDrawnSaysWhatIsWritten) {
       "compare stick-frequencies mine.csv --figure out/verdict.png --json out/verdict.json ";
   EXPECT_EQ(said_after(SIGINT, compare),
             "interrupted; nothing is written but standard output and out/verdict.json\n");
-  EXPECT_NE(contents("stdout").find("frequency"), std::string::npos);
+  EXPECT_TRUE(holds(contents("stdout"), "frequency"));
   EXPECT_TRUE(nlohmann::json::accept(contents("out/verdict.json")));
   EXPECT_EQ(all_files("out/"), std::vector<std::string>{"verdict.json"});
 }

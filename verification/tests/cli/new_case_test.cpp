@@ -50,12 +50,11 @@ TEST_F(NewCase, HasATableForEachGroupOfKeysWithComments) {
       text.starts_with("# A beam of your own. Try: stickslip criterion my-beam.toml\n[beam]\nlength = \"400 "
                        "mm\"               # L, from the clamp to the wall\n"))
       << text;
-  EXPECT_NE(text.find("\n\n[section]\nshape = \"circle\"                # rectangle, circle or tube\n"
-                      "diameter = \"10 mm\"              # outside\n\n[friction]\n"),
-            std::string::npos)
-      << text;
-  EXPECT_NE(text.find("\ndecay = 0.50                    # s/m, how fast"), std::string::npos) << text;
-  EXPECT_NE(text.find("\n\n[damping]\nratio = 0.02\n\n# The program chooses"), std::string::npos) << text;
+  EXPECT_TRUE(holds(text,
+                    "\n\n[section]\nshape = \"circle\"                # rectangle, circle or tube\n"
+                    "diameter = \"10 mm\"              # outside\n\n[friction]\n"));
+  EXPECT_TRUE(holds(text, "\ndecay = 0.50                    # s/m, how fast"));
+  EXPECT_TRUE(holds(text, "\n\n[damping]\nratio = 0.02\n\n# The program chooses"));
 }
 
 TEST_F(NewCase, HasACommentThatBecomesDamping) {
@@ -89,7 +88,7 @@ TEST_F(NewCase, AsksForWhatIsNotSet) {
       outcome.errors.starts_with("Enter keeps the value in brackets.\n"
                                  "beam.length (L, from the clamp to the wall) [400 mm]: "))
       << outcome.errors;
-  EXPECT_NE(outcome.errors.find("beam.axial_force is 'two' (a string)"), std::string::npos) << outcome.errors;
+  EXPECT_TRUE(holds(outcome.errors, "beam.axial_force is 'two' (a string)"));
   const data::Case problem = data::load_case("my-beam.toml");
   EXPECT_EQ(problem.beam.length(), 0.25);
   EXPECT_EQ(problem.beam.axial_force(), 40.0);
@@ -218,8 +217,8 @@ TEST_F(FigureOfAVerdict, IsTheCriticalAmplitudeAroundTheFrequencyOfTheCase) {
     ASSERT_NE(here, rows.end());
     const double critical = answer["critical_amplitude_m"].get<double>();
     EXPECT_NEAR((*here)[1], critical, 0.5e-3 * critical) << name;
-    EXPECT_NE(contents("marks.csv").find(name.ends_with("41") ? "24.724" : "24.971958"), std::string::npos);
-    EXPECT_NE(contents("values.csv").find("excitation_frequency,35,Hz"), std::string::npos);
+    EXPECT_TRUE(holds(contents("marks.csv"), name.ends_with("41") ? "24.724" : "24.971958"));
+    EXPECT_TRUE(holds(contents("values.csv"), "excitation_frequency,35,Hz"));
   }
   expect_refused("criterion paper --figure a.jpg", "--figure is 'a.jpg'");
 }
@@ -245,7 +244,7 @@ TEST_F(FigureOfModes, HasTheShapesByBothMethods) {
         EXPECT_NEAR(exact[i][n], mesh[i][n], 1.2e-4) << state << " row " << i;
     EXPECT_NEAR(exact.back()[1], state == "slip" ? 1.0 : 0.0, 1e-12);
     if (state == "stick") {
-      EXPECT_NE(contents("modes.pdf").find(",1: 24.972 Hz"), std::string::npos);
+      EXPECT_TRUE(holds(contents("modes.pdf"), ",1: 24.972 Hz"));
     }
   }
   EXPECT_EQ(run("modes paper --count 8 --figure modes.pdf").status, 0);
