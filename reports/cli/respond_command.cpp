@@ -118,7 +118,10 @@ class Writer {
 
   void discard() const noexcept { file_.discard(); }
 
-  void finish() { file_.commit(); }
+  void finish() {
+    file_.commit();
+    if (!summary_.events.empty()) summary_.first_slip = summary_.events.front().time;
+  }
 
  private:
   void put(std::string_view text) {
@@ -188,11 +191,9 @@ void write_finite_element(const data::Case& problem, const RespondOptions& optio
     if (n > 0) simulation.step();
     if (n % options.every == 0) writer.write(row_of(simulation));
   }
-  const auto& events = simulation.integrator().events();
-  for (const auto& event : events)
+  for (const auto& event : simulation.integrator().events())
     writer.summary().events.push_back({event.time, change_names.at(static_cast<std::size_t>(event.kind)),
                                        event.displacement + problem.wall.speed() * event.time});
-  if (!events.empty()) writer.summary().first_slip = events.front().time;
 }
 
 void write_event_driven(const data::Case& problem, const RespondOptions& options, Writer& writer) {
@@ -223,7 +224,6 @@ void write_event_driven(const data::Case& problem, const RespondOptions& options
   for (const auto& event : run.events())
     writer.summary().events.push_back({event.time, change_names.at(static_cast<std::size_t>(event.change)),
                                        event.position + model.wall_speed * event.time});
-  if (!run.events().empty()) writer.summary().first_slip = run.events().front().time;
 }
 
 // A run of the boundary integral with so many steps for each row of the output.
@@ -291,7 +291,6 @@ void write_boundary_integral(const data::Case& problem, const RespondOptions& op
   }
   Summary& summary = writer.summary();
   if (!problem.contact.is_smooth()) summary.events = events_of(run);  // a smooth law has no stick
-  if (!summary.events.empty()) summary.first_slip = summary.events.front().time;
   if (every == 1) return;
   const std::vector<double> coarser = boundary_integral_of(problem, every / 2).tip_displacement(every / 2);
   summary.step_effect = 0.0;
