@@ -283,13 +283,6 @@ TEST_F(CommandLine, WarnsWhenTheClosedFormLeavesItsGround) {
   EXPECT_TRUE(holds(outcome.errors, "|f| exceeds mu_s P = 300 N first at 0.0553 s"));
 }
 
-TEST_F(CommandLine, AnOutputFileAppearsWholeAndLeavesNothingElse) {
-  const auto summary = json("respond --duration 0.01 --output history.csv");
-  EXPECT_EQ(summary["rows"], 101);
-  EXPECT_EQ(csv(contents("history.csv")).size(), 102U);
-  EXPECT_EQ(files().size(), 3U);  // history.csv, stdout, stderr
-}
-
 TEST_F(CommandLine, AnOutputFileTakesThePlaceOfWhatKilledRunsLeftAndIsThereForAllToRead) {
   // Beside a name without a folder; .h.csv.NUMBER alone is a file of such a run.
   for (const char* name : {".h.csv.1", ".h.csv.", ".h.csv.1x", ".g.csv.1", "h.csv.1"})

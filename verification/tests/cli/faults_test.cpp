@@ -125,6 +125,10 @@ TEST_F(Fault, CtrlCEndsLongWorkAtOnceAndSaysHowFarItCame) {
            {"squeal reed --settle 100000 --map map.csv --speeds 0.1:1 --ratios 0.01:0.02 --figure map.png",
             "interrupted before there was a result", "\n"},
            {"sweep --settle 1000000" + output + " --figure sweep.png", "interrupted; nothing is kept", "\n"},
+           {"design paper --band 1:100 --duration 1e4", "interrupted after ",
+            " % of the design; nothing is kept\n"},
+           {"report --only fig12 --output out", "interrupted after ",
+            " % of the report; what is finished is in out\n"},
            {"uncertainty --samples 100000000", "interrupted after ",
             " % of the samples; nothing is kept\n"}}) {
     const Ending ending = signalled(arguments, SIGINT, std::chrono::milliseconds(150));

@@ -980,7 +980,7 @@ TEST_F(OptionInput, ThatIsMisspeltGetsASuggestion) {
   expect_refused("modes -x", "the option -x is unknown");
 }
 
-TEST_F(OptionInput, ThatHasNoValueOrTwoIsNamed) {
+TEST_F(OptionInput, ThatIsRefusedIsNamedWithWhatIsAllowed) {
   expect_refused("modes --count", "--count is given without a value");
   expect_refused("modes --count 3 --count 4", "--count is given 2 times");
   expect_refused("modes --json=nan", "--json is given a value, but must stand alone");

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-/// Ctrl-C while a figure is drawn, a report is typeset or a long search goes on: the end within a second, one
-/// sentence about what is there, no file that is not whole, and no other program left behind.
+/// Ctrl-C while a figure is drawn: the end within a second, one sentence about what is there, no file that is
+/// not whole, and no other program left behind.
 
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include <chrono>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -17,7 +16,6 @@ namespace stickslip::testing {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace std::chrono_literals;
 
 class Interrupted : public SleepingTool {};
 
@@ -65,23 +63,6 @@ TEST_F(Interrupted, MapThatIsDrawnIsWritten) {
   EXPECT_EQ(said_after(SIGINT, "map --merge shard " + files), is_written);
   EXPECT_EQ(contents("out/map.csv"), whole);
   EXPECT_EQ(all_files("out/"), std::vector<std::string>{"map.csv"});
-}
-
-TEST_F(Interrupted, SearchesEndAtOnce) {
-  struct Work {
-    std::string arguments, said;
-  };
-  for (const auto& [arguments, said] : std::vector<Work>{
-           {"design paper --band 1:100 --duration 1e4", " % of the design; nothing is kept\n"},
-           {"report --only fig12 --output out/", " % of the report; what is finished is in out\n"}}) {
-    const Ending ending = signalled(arguments, SIGINT, 200ms);
-    EXPECT_EQ(ending.status, 130) << arguments;
-    EXPECT_LT(ending.seconds, 1.0) << arguments;
-    const std::string sentence = one_sentence(ending);
-    EXPECT_TRUE(sentence.starts_with("interrupted after ")) << sentence;
-    EXPECT_TRUE(sentence.ends_with(said)) << sentence;
-  }
-  EXPECT_EQ(all_files("out/"), std::vector<std::string>{});
 }
 
 }  // namespace
