@@ -128,7 +128,7 @@ TEST_F(Fault, CtrlCEndsLongWorkAtOnceAndSaysHowFarItCame) {
            {"design paper --band 1:100 --duration 1e4", "interrupted after ",
             " % of the design; nothing is kept\n"},
            {"report --only fig12 --output out", "interrupted after ",
-            " % of the report; what is finished is in out\n"},
+            " % of the report; what is finished is in " + path("out") + "\n"},
            {"uncertainty --samples 100000000", "interrupted after ",
             " % of the samples; nothing is kept\n"}}) {
     const Ending ending = signalled(arguments, SIGINT, std::chrono::milliseconds(150));

@@ -23,14 +23,15 @@ STICKSLIP_VERIFIES(Interrupted, "U12");
 TEST_F(Interrupted, ReportThatIsDrawnKeepsItsTables) {
   install_sleeper("gnuplot");
   EXPECT_EQ(said_after(SIGINT, "report --only fig2 --output out/"),
-            "interrupted after 33 % of the report; what is finished is in out\n");
+            "interrupted after 33 % of the report; what is finished is in " + path("out") + "\n");
   EXPECT_EQ(all_files("out/"), (std::vector<std::string>{"fig2-values.csv", "fig2.csv"}));
 }
 
 TEST_F(Interrupted, AnimationThatIsDrawnKeepsTheMotion) {
   install_sleeper("gnuplot");
   EXPECT_EQ(said_after(SIGTERM, "animate --duration 0.1 --frames 5 --output out/"),
-            "interrupted after 0 % of the frames, none of which is kept; the motion is in out/motion.csv\n");
+            "interrupted after 0 % of the frames, none of which is kept; the motion is in " +
+                path("out/motion.csv") + "\n");
   EXPECT_EQ(all_files("out/"), std::vector<std::string>{"motion.csv"});
 }
 
