@@ -152,6 +152,8 @@ void print_warnings(const std::vector<std::string>& warnings) {
 
 Json optional_json(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
+Json finite_json(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
 Json bounds_json(const analytic::Bounds& bounds) {
   return {{"lower", bounds.lower}, {"upper", bounds.upper}};
 }

@@ -97,6 +97,9 @@ void print_warnings(const std::vector<std::string>& warnings);
 /// The number, or null where there is none.
 [[nodiscard]] Json optional_json(const std::optional<double>& value);
 
+/// The number, or null where it is not finite.
+[[nodiscard]] Json finite_json(double value);
+
 /// {"lower": ..., "upper": ...}
 [[nodiscard]] Json bounds_json(const analytic::Bounds& bounds);
 

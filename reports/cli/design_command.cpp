@@ -49,14 +49,6 @@ struct Ranges {
   studies::ParameterRange band, lengths, forces;
 };
 
-// The case with one key replaced, as by --set. Throws data::InputError, naming the option.
-data::Case with(const DesignOptions& options, const std::string& key, double value,
-                const std::string& option) {
-  auto overrides = overrides_of(options.problem);
-  overrides.push_back(override_with(key, value, option));
-  return data::load_case(options.problem.name, overrides);
-}
-
 Ranges ranges_of(const data::Case& problem, const DesignOptions& options) {
   const Ranges ranges{
       parse_band("--band", options.band),
@@ -64,7 +56,11 @@ Ranges ranges_of(const data::Case& problem, const DesignOptions& options) {
       range_of(problem, studies::Parameter::axial_force, "--force", options.force, 0.1, 10.0)};
   const auto require_allowed = [&](const studies::ParameterRange& range, const std::string& key,
                                    const std::string& option) {
-    for (const double end : {range.from, range.to}) (void)with(options, key, end, option);
+    for (const double end : {range.from, range.to}) {
+      auto overrides = overrides_of(options.problem);
+      overrides.push_back(override_with(key, end, option));
+      (void)data::load_case(options.problem.name, overrides);  // throws for what --set would refuse
+    }
   };
   require_allowed(ranges.band, "excitation.frequency_hz", "--band");
   require_allowed(ranges.lengths, "beam.length", "--length");

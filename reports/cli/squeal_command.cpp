@@ -84,9 +84,7 @@ Json complex_json(const std::optional<std::complex<double>>& root) {
   return {{"growth_per_s", root->real()}, {"frequency_hz", root->imag() / (2.0 * std::numbers::pi)}};
 }
 
-Json number_json(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? Json(*value) : Json();
-}
+Json number_json(const std::optional<double>& value) { return value ? finite_json(*value) : Json(); }
 
 Json to_json(const data::Case& problem, const studies::Squeal& squeal, const studies::Cycle& cycle,
              const std::vector<std::string>& warnings) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -101,10 +100,9 @@ void print_table(const data::Case& problem, const data::Uncertainty& uncertainty
 
 // null for an end that too few samples leave open.
 Json to_json(const studies::Estimate& estimate) {
-  const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
-  return {{"value", number(estimate.value)},
-          {"lower", number(estimate.lower)},
-          {"upper", number(estimate.upper)}};
+  return {{"value", finite_json(estimate.value)},
+          {"lower", finite_json(estimate.lower)},
+          {"upper", finite_json(estimate.upper)}};
 }
 
 Json keys_json(const data::Uncertainty& uncertainty, const studies::SlipUncertainty& result) {
