@@ -390,7 +390,7 @@ class MapCommand : public Drawing {
     return "map paper-figure14 --duration 0.5 --output map.csv " + options;
   }
 
-  static constexpr const char* two_axes = "--x frequency=15:35:3 --y amplitude=1e-4:2e-3:2 ";
+  static inline const std::string two_axes = "--x frequency=15:35:3 --y amplitude=1e-4:2e-3:2 ";
 };
 
 STICKSLIP_VERIFIES(MapCommand, "U1");
@@ -539,7 +539,7 @@ TEST_F(CommandLine, UncertaintyRefusesWhatItCannotAnswer) {
 TEST_F(MapCommand, IsDrawnFromItsTableAlone) {
   install_gnuplot("cat \"${folder}map.csv\" > $output\n");
   for (const std::string format : {"png", "pdf"}) {
-    const Outcome outcome = run(command(two_axes + ("--figure map." + format)));
+    const Outcome outcome = run(command(two_axes + "--figure map." + format));
     EXPECT_EQ(outcome.status, 0) << outcome.errors;
     EXPECT_EQ(outcome.errors, "");
     EXPECT_TRUE(outcome.output.ends_with("\nDrawn in map." + format + "\n")) << outcome.output;
@@ -550,7 +550,7 @@ TEST_F(MapCommand, IsDrawnFromItsTableAlone) {
 
 TEST_F(MapCommand, KeepsTheMapWhenItsFigureCannotBeDrawn) {
   install_gnuplot("echo out of paint; exit 1\n");
-  const std::string figure = std::string(two_axes) + "--figure map.png";
+  const std::string figure = two_axes + "--figure map.png";
   Outcome outcome = run(command(figure));
   EXPECT_EQ(outcome.status, 1);
   EXPECT_TRUE(holds(outcome.errors, "out of paint"));
@@ -583,13 +583,12 @@ TEST_F(MapCommand, RefusesAxesThatAreNoneInOneSentence) {
                  "--y: FROM is '0', but must be a finite number above 0");
   expect_refused("map --x length=1:2:2 --y length=1:3:4",
                  "both axes of the map are beam.length, but must be two parameters");
-  expect_refused(std::string("map ") + two_axes + "--figure map.jpg",
+  expect_refused("map " + two_axes + "--figure map.jpg",
                  "--figure is 'map.jpg', but must be a file whose name ends in .pdf, .png or .svg");
-  expect_refused(std::string("map --json ") + two_axes, "--json needs --output FILE");
-  expect_refused(std::string("map --set beam.axial_force=0 ") + two_axes,
-                 "beam.axial_force is 0, but must be positive");
-  expect_refused(std::string("map --set beam.axial_force=1e6 ") + two_axes, "buckling load");
-  expect_refused(command(std::string(two_axes) + "--figure none/map.png"), "none/map.png");
+  expect_refused("map --json " + two_axes, "--json needs --output FILE");
+  expect_refused("map --set beam.axial_force=0 " + two_axes, "beam.axial_force is 0, but must be positive");
+  expect_refused("map --set beam.axial_force=1e6 " + two_axes, "buckling load");
+  expect_refused(command(two_axes + "--figure none/map.png"), "none/map.png");
   EXPECT_FALSE(std::filesystem::exists("map.csv"));
 }
 

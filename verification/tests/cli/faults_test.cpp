@@ -31,17 +31,18 @@ class Fault : public SignalledRun {
     EXPECT_TRUE(holds(outcome.errors, reason));
   }
 
-  static constexpr const char* history = "respond paper --hz 25 --amplitude 1e-3 --duration 0.3";  // 400 kB
+  static inline const std::string history =
+      "respond paper --hz 25 --amplitude 1e-3 --duration 0.3";  // 400 kB
 };
 
 STICKSLIP_VERIFIES(Fault, "U12");
 // A limit of 4 kB for each file stands for the disk.
 TEST_F(Fault, DiskThatIsFullIsNamedAndLeavesTheOldFiles) {
   const auto limited = [&](const std::string& arguments) {
-    return shell("ulimit -f 4; '" + std::string(STICKSLIP_PROGRAM) + "' " + arguments);
+    return shell("ulimit -f 4; '" STICKSLIP_PROGRAM "' " + arguments);
   };
   std::ofstream("old.csv") << "old";
-  expect_failure(limited(history + std::string(" --output old.csv")), 2, "old.csv", "File too large");
+  expect_failure(limited(history + " --output old.csv"), 2, "old.csv", "File too large");
   EXPECT_EQ(contents("old.csv"), "old");
   expect_failure(limited("map paper --x frequency=1:50:50 --y amplitude=1e-4:1e-3:5 --output map.csv"), 2,
                  "map.csv", "File too large");
@@ -61,7 +62,7 @@ TEST_F(Fault, StandardOutputThatIsFullIsNamed) {
        std::vector<std::string>{"criterion --hz 10", "modes --count 1", "cases", "reference list",
                                 "reference export stick-frequencies", "--help", "respond --duration 0.01",
                                 "map --x frequency=1:9:3 --y amplitude=1e-4:1e-3:2"}) {
-    const Outcome outcome = shell("'" + std::string(STICKSLIP_PROGRAM) + "' " + arguments + " >/dev/full");
+    const Outcome outcome = shell("'" STICKSLIP_PROGRAM "' " + arguments + " >/dev/full");
     expect_failure(outcome, 2, "standard output", "cannot be written");
   }
 }
@@ -82,8 +83,7 @@ TEST_F(Fault, FolderThatCannotBeWrittenIsNamedBeforeAnythingIsComputed) {
 
 // As any other tool: the shell sees 141, a person nothing.
 TEST_F(Fault, PipeThatClosesEndsTheProgramWithoutAWord) {
-  const std::string program = STICKSLIP_PROGRAM;
-  const Outcome outcome = shell("{ '" + program + "' " + history + "; echo $? >status; } | head -n 1");
+  const Outcome outcome = shell("{ '" STICKSLIP_PROGRAM "' " + history + "; echo $? >status; } | head -n 1");
   EXPECT_EQ(contents("status"), "141\n");
   EXPECT_EQ(outcome.errors, "");
   EXPECT_TRUE(outcome.output.starts_with("time_s,")) << outcome.output;

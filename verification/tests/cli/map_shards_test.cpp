@@ -29,16 +29,16 @@ namespace fs = std::filesystem;
 
 class MapShards : public SignalledRun {
  protected:
-  static constexpr const char* closed_form =
+  static inline const std::string closed_form =
       "map paper-figure14 --duration 0.5 --x length=0.8:3:5 --y force=200:800:3 ";
-  static constexpr const char* finite_elements =
+  static inline const std::string finite_elements =
       "map paper-figure14 --duration 0.1 --method fe --x frequency=10:50:3 --y friction=0.3:0.6:4 ";
-  static constexpr const char* motion =
+  static inline const std::string motion =
       "map paper-figure14 --set numerics.time_step=1e-3 --duration 0.5 --quantity work,period --transient "
       "0.2 "
       "--x amplitude=1e-3:3e-3:3 --y damping=0:0.02:2 ";
   // A third of a second on one thread: what is damped steps in nodal coordinates.
-  static constexpr const char* longer =
+  static inline const std::string longer =
       "map paper-figure14 --set damping.kelvin_voigt=1e-5 --duration 0.3 --method fe --threads 1 "
       "--x frequency=10:50:9 --y length=1:2:10 ";
 
@@ -100,7 +100,7 @@ class MapShards : public SignalledRun {
 
 STICKSLIP_VERIFIES(MapShards, "U10");
 TEST_F(MapShards, AreTheSameMapOnAnyNumberOfThreads) {
-  for (const std::string map : {closed_form, finite_elements, motion}) {
+  for (const std::string& map : {closed_form, finite_elements, motion}) {
     const std::string one = made(map + "--threads 1 ", "map.csv");
     for (const std::string threads : {"2", "3", "7"})
       EXPECT_EQ(made(map + "--threads " + threads + " ", "map.csv"), one) << threads;
@@ -108,9 +108,8 @@ TEST_F(MapShards, AreTheSameMapOnAnyNumberOfThreads) {
 }
 
 TEST_F(MapShards, MergeToTheBytesOfTheWholeMap) {
-  const std::string with_a_jump = closed_form + std::string("--set friction.decay=inf ");
   for (const std::string& map :
-       {std::string(closed_form), std::string(finite_elements), with_a_jump, std::string(motion)}) {
+       {closed_form, finite_elements, closed_form + "--set friction.decay=inf ", motion}) {
     const std::string whole = made(map, "whole.csv");
     for (const int parts : {1, 2, 3, 7}) {  // the second map has three evaluations
       make_shards(map, parts);
@@ -120,7 +119,7 @@ TEST_F(MapShards, MergeToTheBytesOfTheWholeMap) {
 }
 
 TEST_F(MapShards, MergeToTheStatesOfAMapWithoutRatios) {
-  const std::string map = closed_form + std::string("--states-only ");
+  const std::string map = closed_form + "--states-only ";
   const std::string whole = made(map, "whole.csv");
   make_shards(map, 2);
   EXPECT_EQ(made(merge(2), "merged.csv"), whole);
@@ -248,7 +247,7 @@ TEST_F(MapShards, ThatAreMissingDoubleForeignOrDamagedDoNotMerge) {
   expect_refused("map --merge " + name(2), "shard 1, 3 of 3 are missing");
   expect_refused(merge(3) + name(2), "shard-2 is shard 2 of 3, but so is shard-2");
   const std::string good = contents("shard-2");
-  (void)made(std::string(closed_form) + "--hz 20 " + shard(2, 3), "shard-2");
+  (void)made(closed_form + "--hz 20 " + shard(2, 3), "shard-2");
   expect_refused(merge(3),
                  "shard-2 is a shard of another map: its excitation.frequency_hz is 20.0, but must be 25.0");
   std::ofstream("shard-2") << good.substr(0, good.size() - 1);
@@ -273,7 +272,7 @@ TEST_F(MapShards, ThatAreMissingDoubleForeignOrDamagedDoNotMerge) {
 
 TEST_F(MapShards, RefuseWhatDoesNotGoTogether) {
   for (const std::string part : {"0/3", "4/3", "1", "a/3", "1/", "1/1000001"})
-    expect_refused(closed_form + ("--shard " + part + " ") + output("shard"),
+    expect_refused(closed_form + "--shard " + part + " " + output("shard"),
                    "--shard is '" + part + "', but must be K/M with integers 1 <= K <= M <= 1000000\n");
   expect_refused(closed_form + shard(1, 2), "--shard needs --output FILE");
   expect_refused(closed_form + shard(1, 2) + output("shard") + "--figure map.png", "--shard");
@@ -292,8 +291,7 @@ TEST_F(MapShards, ShowABarOnATerminalUnlessQuiet) {
   EXPECT_NE(said->find(bar), std::string::npos) << *said;
   EXPECT_NE(said->find("/s  0:0"), std::string::npos) << *said;
   EXPECT_NE(said->find("\r\033[K90 cells written to"), std::string::npos) << *said;
-  for (const std::string& quiet :
-       {"--quiet " + std::string(closed_form), std::string(closed_form) + "--quiet "})
+  for (const std::string& quiet : {"--quiet " + closed_form, closed_form + "--quiet "})
     EXPECT_EQ(on_terminal(quiet + output("map.csv")).value().find('\033'), std::string::npos);
 }
 
