@@ -135,8 +135,7 @@ void add_compare_command(CLI::App& app) {
   command
       ->add_option("FILE", options->file,
                    "CSV file with the columns of the data set, '-' for standard input; a unit may follow a "
-                   "name, as in "
-                   "'frequency [kHz]'")
+                   "name, as in 'frequency [kHz]'")
       ->check(file_name())
       ->required();
   command

@@ -21,7 +21,7 @@ std::string figure_format(const std::string& figure) {
 void open_figure(std::optional<OutputFile>& file, const std::string& figure) {
   if (figure.empty()) return;
   (void)figure_format(figure);
-  (void)report::templates_directory();
+  (void)report::templates_directory();  // throws now rather than after the work
   file.emplace(figure);
 }
 

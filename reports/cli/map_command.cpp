@@ -428,8 +428,7 @@ void add_map_command(CLI::App& app) {
   add_excitation_options(*command, options->excitation);
   const std::string axis =
       "PARAMETER=FROM:TO:COUNT, in equal steps, or PARAMETER=FROM:TO:COUNT:log, in equal ratios; PARAMETER "
-      "is "
-      "frequency (Hz), amplitude (m), length (m), force (P, N), stiffness (Young's modulus, Pa), friction "
+      "is frequency (Hz), amplitude (m), length (m), force (P, N), stiffness (Young's modulus, Pa), friction "
       "(static coefficient), kinetic (coefficient), decay (s/m), damping (ratio), kelvin-voigt (s) or "
       "direction (of P, chi)";
   command->add_option("--x", options->x, axis)->type_name("AXIS")->capture_default_str();

@@ -364,8 +364,7 @@ void write_spectrum(OutputFile& file, const SpectrumWindow& window, const Summar
 std::string warning_of_slip(const data::Case& problem, double time) {
   return fmt::format(
       "the closed form holds while the tip sticks, but |f| exceeds mu_s P = {} N first at {} s; --method fe "
-      "and "
-      "--method event-driven follow the slip",
+      "and --method event-driven follow the slip",
       data::shortest_text(problem.friction.static_coefficient() * problem.beam.axial_force()),
       data::shortest_text(time));
 }

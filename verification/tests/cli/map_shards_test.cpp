@@ -35,8 +35,7 @@ class MapShards : public SignalledRun {
       "map paper-figure14 --duration 0.1 --method fe --x frequency=10:50:3 --y friction=0.3:0.6:4 ";
   static inline const std::string motion =
       "map paper-figure14 --set numerics.time_step=1e-3 --duration 0.5 --quantity work,period --transient "
-      "0.2 "
-      "--x amplitude=1e-3:3e-3:3 --y damping=0:0.02:2 ";
+      "0.2 --x amplitude=1e-3:3e-3:3 --y damping=0:0.02:2 ";
   // A third of a second on one thread: what is damped steps in nodal coordinates.
   static inline const std::string longer =
       "map paper-figure14 --set damping.kelvin_voigt=1e-5 --duration 0.3 --method fe --threads 1 "
