@@ -9,87 +9,64 @@
 
 namespace stickslip::studies {
 
-std::string_view field_of(Parameter parameter) {
-  switch (parameter) {
-    case Parameter::frequency:
-      return "excitation.frequency_hz";
-    case Parameter::amplitude:
-      return "excitation.amplitude";
-    case Parameter::length:
-      return "beam.length";
-    case Parameter::axial_force:
-      return "beam.axial_force";
-    case Parameter::youngs_modulus:
-      return "beam.youngs_modulus";
-    case Parameter::static_coefficient:
-      return "friction.static_coefficient";
-    case Parameter::axial_direction:
-      return "beam.axial_direction";
-    case Parameter::kinetic_coefficient:
-      return "friction.kinetic_coefficient";
-    case Parameter::decay:
-      return "friction.decay";
-    case Parameter::damping_ratio:
-      return "damping.ratio";
-    case Parameter::kelvin_voigt:
-      return "damping.kelvin_voigt";
-  }
-  return {};
-}
+namespace {
+
+/// What the parameters are fields of.
+struct Properties {
+  data::BeamProperties beam;
+  data::HarmonicMotion motion;
+  data::FrictionCoefficients friction;
+  data::DampingProperties damping;
+};
+
+struct Field {
+  std::string_view name;
+  double& (*in)(Properties&);
+};
+
+// In the order of Parameter.
+constexpr Field fields[] = {
+    {"excitation.frequency_hz", [](Properties& of) -> double& { return of.motion.frequency_hz; }},
+    {"excitation.amplitude", [](Properties& of) -> double& { return of.motion.amplitude; }},
+    {"beam.length", [](Properties& of) -> double& { return of.beam.length; }},
+    {"beam.axial_force", [](Properties& of) -> double& { return of.beam.axial_force; }},
+    {"beam.youngs_modulus", [](Properties& of) -> double& { return of.beam.youngs_modulus; }},
+    {"friction.static_coefficient", [](Properties& of) -> double& { return of.friction.static_coefficient; }},
+    {"beam.axial_direction", [](Properties& of) -> double& { return of.beam.axial_direction; }},
+    {"friction.kinetic_coefficient",
+     [](Properties& of) -> double& { return of.friction.kinetic_coefficient; }},
+    {"friction.decay", [](Properties& of) -> double& { return of.friction.decay; }},
+    {"damping.ratio", [](Properties& of) -> double& { return of.damping.ratio; }},
+    {"damping.kelvin_voigt", [](Properties& of) -> double& { return of.damping.kelvin_voigt; }}};
+
+const Field& field(Parameter parameter) { return fields[static_cast<std::size_t>(parameter)]; }
+
+}  // namespace
+
+std::string_view field_of(Parameter parameter) { return field(parameter).name; }
 
 double value_of(const data::Case& problem, Parameter parameter) {
   return data::numbers_of(problem).at(std::string(field_of(parameter)));
 }
 
 data::Case with_value(const data::Case& problem, Parameter parameter, double value) {
-  data::BeamProperties beam = problem.beam.properties();
-  data::HarmonicMotion motion{.frequency_hz = problem.excitation.frequency_hz(),
-                              .amplitude = problem.excitation.amplitude()};
-  data::FrictionCoefficients friction = problem.friction.coefficients();
-  data::DampingProperties damping{.kelvin_voigt = problem.damping.kelvin_voigt(),
-                                  .ratio = problem.damping.ratio()};
-  switch (parameter) {
-    case Parameter::frequency:
-      motion.frequency_hz = value;
-      break;
-    case Parameter::amplitude:
-      motion.amplitude = value;
-      break;
-    case Parameter::length:
-      beam.length = value;
-      break;
-    case Parameter::axial_force:
-      beam.axial_force = value;
-      break;
-    case Parameter::youngs_modulus:
-      beam.shear_stiffness *= value / beam.youngs_modulus;  // G is proportional to E
-      beam.youngs_modulus = value;
-      break;
-    case Parameter::static_coefficient:
-      friction.static_coefficient = value;
-      friction.kinetic_coefficient = std::min(friction.kinetic_coefficient, std::max(value, 0.0));
-      break;
-    case Parameter::axial_direction:
-      beam.axial_direction = value;
-      break;
-    case Parameter::kinetic_coefficient:
-      friction.kinetic_coefficient = value;
-      break;
-    case Parameter::decay:
-      friction.decay = value;
-      break;
-    case Parameter::damping_ratio:
-      damping.ratio = value;
-      break;
-    case Parameter::kelvin_voigt:
-      damping.kelvin_voigt = value;
-      break;
-  }
+  Properties properties{
+      .beam = problem.beam.properties(),
+      .motion = {.frequency_hz = problem.excitation.frequency_hz(),
+                 .amplitude = problem.excitation.amplitude()},
+      .friction = problem.friction.coefficients(),
+      .damping = {.kelvin_voigt = problem.damping.kelvin_voigt(), .ratio = problem.damping.ratio()}};
+  if (parameter == Parameter::youngs_modulus)  // G is proportional to E
+    properties.beam.shear_stiffness *= value / properties.beam.youngs_modulus;
+  field(parameter).in(properties) = value;
+  if (parameter == Parameter::static_coefficient)
+    properties.friction.kinetic_coefficient =
+        std::min(properties.friction.kinetic_coefficient, std::max(value, 0.0));
   data::Case changed = problem;
-  changed.beam = data::Beam(beam);
-  changed.excitation = data::HarmonicExcitation(motion);
-  changed.friction = data::FrictionLaw(friction);
-  changed.damping = data::Damping(damping);
+  changed.beam = data::Beam(properties.beam);
+  changed.excitation = data::HarmonicExcitation(properties.motion);
+  changed.friction = data::FrictionLaw(properties.friction);
+  changed.damping = data::Damping(properties.damping);
   return changed;
 }
 

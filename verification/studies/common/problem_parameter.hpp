@@ -29,8 +29,8 @@ enum class Parameter {
 [[nodiscard]] double value_of(const data::Case& problem, Parameter parameter);
 
 /// A copy of the case with the parameter set to `value` (SI units); the cross section of the beam does not
-/// change, and its shear stiffness is proportional to Young's modulus. If the static coefficient falls below the kinetic one, the kinetic one is set to the same value.
-/// Throws data::FieldError if the field does not allow the value.
+/// change, and its shear stiffness is proportional to Young's modulus. If the static coefficient falls below
+/// the kinetic one, the kinetic one is set to the same value. Throws data::FieldError if the field does not allow the value.
 [[nodiscard]] data::Case with_value(const data::Case& problem, Parameter parameter, double value);
 
 /// Angular frequency Omega = 2 pi f of the excitation, rad/s.
@@ -45,8 +45,9 @@ constexpr double shear_flexibility = 3.12;
 /// The beam with the shear stiffness E A/shear_flexibility unless it has one; and rigid in shear.
 [[nodiscard]] data::Beam with_shear(const data::Beam& beam);
 [[nodiscard]] data::Beam without_shear(const data::Beam& beam);
-/// Throws data::FieldError if wall.speed is not 0: no criterion and no closed form of the stick state holds then, because
-/// the wall bends the beam until it slips.
+
+/// Throws data::FieldError if wall.speed is not 0: the wall then bends the beam until it slips, so that neither
+/// the criterion nor the closed form of the stick state holds.
 void require_resting_wall(const data::Case& problem);
 
 /// Throws data::FieldError if the static coefficient is 0, because a force ratio or a margin divides by it.
