@@ -10,13 +10,14 @@ namespace stickslip::studies {
 
 namespace {
 
+constexpr int reference_modes = 100;
 // Number of modes whose discrete frequency is predicted well enough on the meshes used here.
 constexpr int predicted_modes = 20;
 
 }  // namespace
 
 ForceMaximumStudy force_maximum_study(const data::Beam& beam, const data::HarmonicExcitation& excitation,
-                                      const data::NumericalSettings& numerics, int reference_modes) {
+                                      const data::NumericalSettings& numerics) {
   const analytic::StickResponse truncated(beam, excitation, numerics.modes());
   const analytic::StickResponse converged(beam, excitation, reference_modes, analytic::SteadyPart::exact);
   const PredictedForce predicted(beam, excitation, numerics, predicted_modes);

@@ -11,11 +11,10 @@ namespace stickslip::studies {
 /// |f_max| of Eqs. (29), (30) at one excitation, by every route there is.
 struct ForceMaximumStudy {
   double frequency_hz{};
-  double amplitude{};          ///< m
-  double sampled{};            ///< N modes, sampled at numerics.time_step(), N
-  analytic::Bounds truncated;  ///< N modes, bounds of the search over time
-  analytic::Bounds
-      converged;  ///< exact steady part and `reference_modes` free vibrations, bounds for these modes
+  double amplitude{};                 ///< m
+  double sampled{};                   ///< N modes, sampled at numerics.time_step(), N
+  analytic::Bounds truncated;         ///< N modes, bounds of the search over time
+  analytic::Bounds converged;         ///< exact steady part and 100 free vibrations, bounds for these modes
   double finite_element{};            ///< largest |f| over the time steps of a run with a bonded tip
   double predicted_finite_element{};  ///< PredictedForce::max_abs
   double prediction_uncertainty{};    ///< PredictedForce::uncertainty
@@ -23,8 +22,7 @@ struct ForceMaximumStudy {
 
 [[nodiscard]] ForceMaximumStudy force_maximum_study(const data::Beam& beam,
                                                     const data::HarmonicExcitation& excitation,
-                                                    const data::NumericalSettings& numerics,
-                                                    int reference_modes = 100);
+                                                    const data::NumericalSettings& numerics);
 
 /// One point of the critical amplitude over frequency, Figs. 11 and 13: closed form with N modes.
 struct CriticalAmplitudePoint {

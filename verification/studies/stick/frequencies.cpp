@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
@@ -18,41 +17,48 @@ namespace {
 
 using FiniteElementModes = std::vector<solver::FiniteElementMode>;
 
-// Computes the errors and orders. The closed form and the prediction, which differ between the two states,
-// are inputs.
-FrequencyStudy frequency_study(
-    const data::Beam& beam, const std::vector<int>& elements, std::vector<FrequencyConvergence> modes,
-    const std::function<FiniteElementModes(const solver::BeamModel&, int)>& finite_element_modes,
-    const std::function<double(std::size_t, double)>& predicted_error) {
-  const int count = static_cast<int>(modes.size());
+// `predicted_error` is a function of the exact mode and the length of an element.
+template <typename AnalyticMode, typename PredictedError>
+FrequencyStudy frequency_study(const data::Beam& beam, const std::vector<int>& elements,
+                               const std::vector<AnalyticMode>& exact,
+                               FiniteElementModes (*finite_element_modes)(const solver::BeamModel&, int),
+                               const PredictedError& predicted_error) {
+  FrequencyStudy study{.elements = elements, .modes = std::vector<FrequencyConvergence>(exact.size())};
   std::vector<double> element_lengths;
   for (const int n : elements) {
-    const double element_length = beam.length() / n;
-    element_lengths.push_back(element_length);
-    const FiniteElementModes computed = finite_element_modes(solver::BeamModel(beam, n), count);
-    for (std::size_t i = 0; i < modes.size(); ++i) {
+    element_lengths.push_back(beam.length() / n);
+    const FiniteElementModes computed =
+        finite_element_modes(solver::BeamModel(beam, n), static_cast<int>(exact.size()));
+    for (std::size_t i = 0; i < exact.size(); ++i) {
       const double hz = computed[i].angular_frequency / two_pi;
-      const double ratio = hz / modes[i].closed_form_hz;
-      modes[i].finite_element_hz.push_back(hz);
-      modes[i].relative_error.push_back((ratio - 1.0) * (ratio + 1.0));
-      modes[i].predicted_error.push_back(predicted_error(i, element_length));
+      const double ratio = hz / exact[i].frequency_hz();
+      study.modes[i].finite_element_hz.push_back(hz);
+      study.modes[i].relative_error.push_back((ratio - 1.0) * (ratio + 1.0));
+      study.modes[i].predicted_error.push_back(predicted_error(exact[i], element_lengths.back()));
     }
   }
-  for (FrequencyConvergence& mode : modes) {
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    FrequencyConvergence& mode = study.modes[i];
+    mode.mode = exact[i].number();
+    mode.closed_form_hz = exact[i].frequency_hz();
     std::vector<double> magnitudes;
     for (const double error : mode.relative_error) magnitudes.push_back(std::abs(error));
     mode.observed_order = order_estimate(element_lengths, magnitudes);
     mode.leading_constant_ratio = mode.relative_error.back() / mode.predicted_error.back();
   }
-  return {elements, std::move(modes)};
+  return study;
+}
+
+// EI/L^2, N.
+double load_unit(const data::Beam& beam) {
+  return beam.youngs_modulus() * beam.second_moment_of_area() / (beam.length() * beam.length());
 }
 
 // The largest load factor P L^2/EI at which the two lowest slip eigenvalues of a mesh are real.
 double finite_element_flutter(const data::Beam& beam, int elements) {
-  const double unit = beam.youngs_modulus() * beam.second_moment_of_area() / (beam.length() * beam.length());
   const auto flutters = [&](double factor) {
     data::BeamProperties properties = beam.properties();
-    properties.axial_force = factor * unit;
+    properties.axial_force = factor * load_unit(beam);
     return solver::slip_eigenvalues(solver::BeamModel(data::Beam(properties), elements), 1).front().imag() !=
            0.0;
   };
@@ -66,9 +72,8 @@ double finite_element_flutter(const data::Beam& beam, int elements) {
 
 // Scales the shape to a largest magnitude of 1 and a positive sign next to the clamp.
 void normalise(std::vector<double>& shape) {
-  const double largest = std::abs(*std::max_element(
-      shape.begin(), shape.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
-  const double scale = (shape[1] < 0.0 ? -1.0 : 1.0) / largest;
+  const auto [least, most] = std::ranges::minmax(shape);
+  const double scale = (shape[1] < 0.0 ? -1.0 : 1.0) / std::max(-least, most);
   for (double& value : shape) value *= scale;
 }
 
@@ -88,40 +93,30 @@ ModeShapeStudy::Curve shape_curve(const AnalyticMode& exact, const solver::Finit
   }
   normalise(curve.closed_form);
   normalise(curve.finite_element);
-  for (std::size_t i = 0; i < position.size(); ++i)
-    curve.largest_difference =
-        std::max(curve.largest_difference, std::abs(curve.closed_form[i] - curve.finite_element[i]));
+  curve.largest_difference = largest_difference(curve.closed_form, curve.finite_element);
   return curve;
 }
 
 }  // namespace
 
 FrequencyStudy stick_frequency_study(const data::Beam& beam, int modes, const std::vector<int>& elements) {
-  const std::vector<analytic::StickMode> exact = analytic::stick_modes(beam, modes);
-  std::vector<FrequencyConvergence> rows;
-  for (const analytic::StickMode& mode : exact)
-    rows.push_back({mode.number(), mode.frequency_hz(), {}, {}, {}, {}, 0.0});
-  return frequency_study(
-      beam, elements, std::move(rows), solver::stick_modes,
-      [&](std::size_t i, double length) { return hermite_eigenvalue_error(beam, exact[i], length); });
+  return frequency_study(beam, elements, analytic::stick_modes(beam, modes), solver::stick_modes,
+                         [&beam](const analytic::StickMode& mode, double length) {
+                           return hermite_eigenvalue_error(beam, mode, length);
+                         });
 }
 
 FrequencyStudy slip_frequency_study(const data::Beam& beam, int modes, const std::vector<int>& elements) {
-  const std::vector<analytic::SlipMode> exact = analytic::slip_modes(beam, modes);
-  std::vector<FrequencyConvergence> rows;
-  for (const analytic::SlipMode& mode : exact)
-    rows.push_back({mode.number(), mode.frequency_hz(), {}, {}, {}, {}, 0.0});
-  return frequency_study(beam, elements, std::move(rows), solver::slip_modes,
-                         [&](std::size_t i, double length) {
+  return frequency_study(beam, elements, analytic::slip_modes(beam, modes), solver::slip_modes,
+                         [](const analytic::SlipMode& mode, double length) {
                            const double wave_number_squared =
-                               exact[i].hyperbolic_wave_number() * exact[i].trigonometric_wave_number();
+                               mode.hyperbolic_wave_number() * mode.trigonometric_wave_number();
                            return std::pow(length, 4) / 720.0 * wave_number_squared * wave_number_squared;
                          });
 }
 
 FlutterStudy flutter_study(const data::Beam& beam, const std::vector<int>& elements) {
-  const double unit = beam.youngs_modulus() * beam.second_moment_of_area() / (beam.length() * beam.length());
-  FlutterStudy study{analytic::slip_critical_load(beam) / unit, elements, {}, {}};
+  FlutterStudy study{analytic::slip_critical_load(beam) / load_unit(beam), elements, {}, {}};
   std::vector<double> steps, errors;
   for (const int n : elements) {
     study.finite_element.push_back(finite_element_flutter(beam, n));

@@ -35,12 +35,6 @@ SampledHistory finite_element_history(const data::Beam& beam, const data::Harmon
   return history;
 }
 
-double largest_magnitude(const std::vector<double>& values) {
-  double largest = 0.0;
-  for (const double value : values) largest = std::max(largest, std::abs(value));
-  return largest;
-}
-
 data::NumericalSettings refined(const data::NumericalSettings& numerics, int level) {
   data::NumericalChoices choices = numerics.choices();
   choices.elements <<= level;
@@ -51,11 +45,10 @@ data::NumericalSettings refined(const data::NumericalSettings& numerics, int lev
 }  // namespace
 
 StickHistoryStudy stick_history_study(const data::Beam& beam, const data::HarmonicExcitation& excitation,
-                                      const data::NumericalSettings& numerics, int levels,
-                                      int reference_modes) {
+                                      const data::NumericalSettings& numerics, int levels) {
   StickHistoryStudy study;
   const double midspan = 0.5 * beam.length();
-  const analytic::StickResponse exact(beam, excitation, reference_modes, analytic::SteadyPart::exact);
+  const analytic::StickResponse exact(beam, excitation, 200, analytic::SteadyPart::exact);
   const long samples = solver::step_count(numerics.duration(), numerics.time_step());
   for (long n = 0; n <= samples; ++n) {
     const double t = static_cast<double>(n) * numerics.time_step();
@@ -63,8 +56,9 @@ StickHistoryStudy stick_history_study(const data::Beam& beam, const data::Harmon
     study.displacement.push_back(exact.absolute_displacement(midspan, t));
     study.force.push_back(exact.friction_force(t));
   }
-  study.displacement_peak = largest_magnitude(study.displacement);
-  study.force_peak = largest_magnitude(study.force);
+  const std::vector<double> zero(study.time.size());
+  study.displacement_peak = largest_difference(study.displacement, zero);
+  study.force_peak = largest_difference(study.force, zero);
 
   const auto free_displacement = exact.transient_displacement(midspan);
   const auto free_force = exact.transient_force();

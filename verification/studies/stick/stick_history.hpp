@@ -9,7 +9,7 @@
 namespace stickslip::studies {
 
 /// One level of Fig. 9: y(L/2, t) and f(t) in the stick state by both implementations. The reference is the
-/// closed form with the exact steady part and `reference_modes` free vibrations.
+/// closed form with the exact steady part and 200 free vibrations.
 struct StickHistoryLevel {
   int elements{};
   double time_step{};                     ///< s
@@ -39,7 +39,6 @@ struct StickHistoryStudy {
 /// decrease at the same rate.
 [[nodiscard]] StickHistoryStudy stick_history_study(const data::Beam& beam,
                                                     const data::HarmonicExcitation& excitation,
-                                                    const data::NumericalSettings& numerics, int levels,
-                                                    int reference_modes = 200);
+                                                    const data::NumericalSettings& numerics, int levels);
 
 }  // namespace stickslip::studies
