@@ -158,11 +158,12 @@ struct Map {
   }
 };
 
-std::string map_table(const studies::SquealMap& map, const data::Case& problem, std::size_t speeds) {
+std::string map_table(const std::vector<studies::SquealGrowth>& map, const data::Case& problem,
+                      std::size_t speeds) {
   report::CsvTable table("Fastest growth of a disturbance of steady sliding, " + problem.name,
                          {{"speed", "m/s"}, {"damping_ratio", "1"}, {"growth", "1/s"}, {"state", "-"}});
   std::size_t row = 0;
-  for (const auto& [speed, ratio, growth] : map.rows) {
+  for (const auto& [speed, ratio, growth] : map) {
     table.add(speed)
         .add(ratio)
         .add(growth)

@@ -59,7 +59,7 @@ struct ResponseGrid {
 /// transient (s) and two more periods.
 [[nodiscard]] ResponseGrid response_grid(const data::Case& problem, double transient);
 
-/// The model of the beam for a ModalContactRun, with numerics.modes() modes of the held tip. Throws what
+/// The model of the beam with numerics.modes() modes of the held tip. Throws what
 /// analytic::BeamContactModel throws.
 [[nodiscard]] analytic::ContactModel response_model(const data::Case& problem);
 

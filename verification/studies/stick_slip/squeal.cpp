@@ -5,12 +5,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/steady_sliding.hpp"
 #include "stickslip/analytic/tip_mobility.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/sliding_stability.hpp"
+#include "studies/stick_slip/contact_response.hpp"
 
 namespace stickslip::studies {
 
@@ -28,12 +28,6 @@ void require_dense_mesh(const data::NumericalSettings& numerics) {
   if (numerics.elements() <= most_elements) return;
   throw data::FieldError("numerics.elements", numerics.elements(),
                          "at most 200 here: the eigenvalues of sliding take full matrices");
-}
-
-analytic::ContactModel modal_model(const data::Case& problem) {
-  return analytic::BeamContactModel(problem.beam, problem.friction, problem.excitation, problem.damping,
-                                    problem.numerics.modes(), problem.wall)
-      .model();
 }
 
 // The slip state as it slides.
@@ -72,7 +66,7 @@ SquealMode mode_of(const data::Case& problem, const analytic::SlidingMode& mode,
 Squeal squeal_of(const data::Case& problem, int modes) {
   require_moving_wall(problem);
   require_dense_mesh(problem.numerics);
-  const analytic::ContactModel model = modal_model(problem);
+  const analytic::ContactModel model = response_model(problem);
   std::vector<double> frequencies;
   for (const auto& mode : analytic::slip_modes(problem.beam, modes))
     frequencies.push_back(mode.angular_frequency());
@@ -98,16 +92,16 @@ Squeal squeal_of(const data::Case& problem, int modes) {
   return squeal;
 }
 
-SquealMap squeal_map(const data::Case& problem, const std::vector<double>& speeds,
-                     const std::vector<double>& ratios) {
-  SquealMap map;
+std::vector<SquealGrowth> squeal_map(const data::Case& problem, const std::vector<double>& speeds,
+                                     const std::vector<double>& ratios) {
+  std::vector<SquealGrowth> map;
   data::Case changed = problem;
   for (const double ratio : ratios) {
     changed.damping = data::Damping({.kelvin_voigt = problem.damping.kelvin_voigt(), .ratio = ratio});
-    const analytic::ContactModel model = modal_model(changed);
+    const analytic::ContactModel model = response_model(changed);
     for (const double speed : speeds) {
       const double slope = analytic::falling_slope(problem.friction, problem.beam.axial_force(), speed);
-      map.rows.push_back({speed, ratio, analytic::sliding_eigenvalues(model, slope).front().real()});
+      map.push_back({speed, ratio, analytic::sliding_eigenvalues(model, slope).front().real()});
     }
   }
   return map;
@@ -137,7 +131,7 @@ void measure(const analytic::ContactModel& model, const analytic::PeriodicMotion
 }  // namespace
 
 Cycle cycle_of(const data::Case& problem, int periods, int settle) {
-  const analytic::ContactModel model = modal_model(problem);
+  const analytic::ContactModel model = response_model(problem);
   Cycle cycle{.search = {},
               .forced = problem.excitation.amplitude() > 0.0,
               .peak_to_peak = {},
@@ -157,12 +151,11 @@ Cycle cycle_of(const data::Case& problem, int periods, int settle) {
 }
 
 bool is_stable(const Cycle& cycle) {
-  const auto& multipliers = cycle.search.motion->multipliers;
-  // The multiplier 1 of a shift in time is known to the accuracy of the motion.
-  std::size_t outside = 0;
-  for (const Complex multiplier : multipliers)
-    if (std::abs(multiplier) > 1.0 && !(!cycle.forced && std::abs(multiplier - 1.0) < 1e-6)) ++outside;
-  return outside == 0;
+  return std::ranges::all_of(cycle.search.motion->multipliers, [&](Complex multiplier) {
+    // The multiplier 1 of a shift in time is known to the accuracy of the motion.
+    const bool is_shift = !cycle.forced && std::abs(multiplier - 1.0) < 1e-6;
+    return std::abs(multiplier) <= 1.0 || is_shift;
+  });
 }
 
 }  // namespace stickslip::studies

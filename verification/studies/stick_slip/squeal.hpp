@@ -39,19 +39,18 @@ struct Squeal {
   [[nodiscard]] bool is_stable() const { return fastest.real() <= 1e-9 * std::abs(fastest); }
 };
 
-/// Throws data::FieldError if wall.speed is 0, if there are more than 200 elements, if P <= 0, or if the sliding beam has no `modes` natural frequencies (flutter or
-/// buckling).
+/// Throws data::FieldError if wall.speed is 0, if there are more than 200 elements, if P <= 0, or if the
+/// sliding beam has no `modes` natural frequencies (flutter or buckling).
 [[nodiscard]] Squeal squeal_of(const data::Case& problem, int modes);
 
-/// The largest real part of the eigenvalues of sliding over speeds and damping ratios, 1/s; numerics.modes modes.
-struct SquealMap {
-  struct Row {
-    double speed{}, ratio{}, growth{};
-  };
-  std::vector<Row> rows;  ///< speeds within ratios
+/// The largest real part of the eigenvalues of sliding at a speed of the wall (m/s) and a damping ratio, 1/s.
+struct SquealGrowth {
+  double speed{}, ratio{}, growth{};
 };
-[[nodiscard]] SquealMap squeal_map(const data::Case& problem, const std::vector<double>& speeds,
-                                   const std::vector<double>& ratios);
+/// The growth with numerics.modes modes, over the speeds and, from one to the next, the ratios.
+[[nodiscard]] std::vector<SquealGrowth> squeal_map(const data::Case& problem,
+                                                   const std::vector<double>& speeds,
+                                                   const std::vector<double>& ratios);
 
 /// A periodic motion of a case by shooting, with numerics.modes modes.
 struct Cycle {

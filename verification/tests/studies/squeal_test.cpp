@@ -228,11 +228,11 @@ TEST(SteadySliding, IsMappedOverSpeedAndDampingWithTheBoundaryOfTheHopfPoint) {
   const double speed = *squeal.modes.front().critical_speed;
   const std::vector<double> speeds{speed * (1.0 - 1e-6), speed * (1.0 + 1e-6)};
   const auto map = studies::squeal_map(problem, speeds, {0.01, 0.02});
-  ASSERT_EQ(map.rows.size(), 4u);
+  ASSERT_EQ(map.size(), 4u);
   for (std::size_t i = 0; i < 4; ++i) {
-    EXPECT_EQ(map.rows[i].speed, speeds[i % 2]);
-    EXPECT_EQ(map.rows[i].ratio, i < 2 ? 0.01 : 0.02);
-    EXPECT_EQ(map.rows[i].growth > 0.0, i == 0);
+    EXPECT_EQ(map[i].speed, speeds[i % 2]);
+    EXPECT_EQ(map[i].ratio, i < 2 ? 0.01 : 0.02);
+    EXPECT_EQ(map[i].growth > 0.0, i == 0);
   }
   EXPECT_FALSE(squeal.all_modes);
   EXPECT_TRUE(studies::squeal_of(viscous_reed(), 1).all_modes);
