@@ -333,24 +333,4 @@ std::vector<StopCount> stops_beside_the_limit(const data::ReferencePackage& pack
   return stop_counts(data::read_table(package, "non-stop-limits"), share, 40);
 }
 
-Creep creep_on_an_incline(double regularisation) {
-  constexpr double slope = 0.45, mu = 0.5, g = 9.81, duration = 100.0;
-  const double cosine = 1.0 / std::hypot(1.0, slope);
-  const auto acceleration = [&](double v) {
-    return g * cosine * (slope - mu * std::tanh(v / regularisation));
-  };
-  // One over the fastest relaxation rate.
-  const double h = regularisation / (mu * g * cosine);
-  const long steps = std::lround(duration / h);
-  double v = 0.0, slid = 0.0;
-  for (long n = 0; n < steps; ++n) {
-    const double a1 = acceleration(v), a2 = acceleration(v + 0.5 * h * a1),
-                 a3 = acceleration(v + 0.5 * h * a2), a4 = acceleration(v + h * a3);
-    slid += h * (v + h * (a1 + a2 + a3) / 6.0);
-    v += h * (a1 + 2.0 * (a2 + a3) + a4) / 6.0;
-  }
-  const double rate = regularisation * std::atanh(slope / mu);
-  return {rate, v, slid, rate * duration};
-}
-
 }  // namespace stickslip::studies

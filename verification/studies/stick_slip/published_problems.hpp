@@ -53,16 +53,4 @@ struct StopCount {
 [[nodiscard]] std::vector<StopCount> stops_beside_the_limit(const data::ReferencePackage& package,
                                                             double share);
 
-/// What a friction force mu N tanh(v/v_reg) makes of a block at rest on an incline below the friction angle:
-/// it creeps at v_reg artanh(tan a/mu) where it should stay.
-struct Creep {
-  double closed_form{};    ///< the rate, m/s
-  double run{};            ///< the velocity after `duration` by the Runge-Kutta method of order 4, m/s
-  double slid{};           ///< m
-  double expected_slid{};  ///< closed_form times the duration, m
-};
-
-/// tan a = 0.45, mu = 0.5, g = 9.81 m/s^2, 100 s.
-[[nodiscard]] Creep creep_on_an_incline(double regularisation);
-
 }  // namespace stickslip::studies

@@ -123,17 +123,6 @@ TEST(PublishedProblems, AForcedMassNeverStopsBeyondTheLimitOfDenHartog) {
     }
 }
 
-TEST(PublishedProblems, ARegularisedLawCreepsAtTheRateOfTheClosedForm) {
-  for (const double regularisation : {1e-2, 1e-3}) {
-    const auto creep = studies::creep_on_an_incline(regularisation);
-    EXPECT_TRUE(within(creep.run, creep.closed_form, round_off(100, 1.0 / (1.0 - 0.81), creep.closed_form)));
-    // From rest it is behind by what it slides in the time constant v_reg/(mu g cos a (1 - 0.81)).
-    const double time_constant = regularisation / (0.5 * 9.81 / std::hypot(1.0, 0.45) * (1.0 - 0.81));
-    EXPECT_LT(creep.slid, creep.expected_slid);
-    EXPECT_GT(creep.slid, creep.expected_slid - time_constant * creep.closed_form);
-  }
-}
-
 constexpr data::FrictionCoefficients jumping{
     .static_coefficient = 0.3, .kinetic_coefficient = 0.2, .decay = std::numeric_limits<double>::infinity()};
 
