@@ -59,6 +59,39 @@ double modal_coordinate(double omega, double w, double t) {
   return (w * t * std::cos(0.5 * sum * t) * sinc(0.5 * (omega - w) * t) - std::sin(w * t)) / (sum * w);
 }
 
+// The motion by the free modes of the continuous beam with exact propagation (analytic::FreeModeRun), without damping.
+BeamMotion free_mode_motion(const data::Case& problem, const MotionGrid& grid, int steps_per_time_step) {
+  BeamMotion motion{positions(problem, grid), {}};
+  const std::vector<long> snapshots = snapshot_steps(grid, problem.numerics.time_step());
+  const analytic::TimeGrid steps{problem.numerics.time_step() / steps_per_time_step,
+                                 static_cast<std::size_t>(snapshots.back() * steps_per_time_step)};
+  const int modes = free_modes_for(problem.beam, steps.time_step);
+  const auto shapes = analytic::slip_modes(problem.beam, modes);
+  const analytic::StickResponse held(problem.beam, problem.excitation, closed_form_modes,
+                                     analytic::SteadyPart::exact);
+  const std::vector<double> holding_force =
+      analytic::holding_force(problem.beam, problem.excitation, data::Damping(), steps);
+  analytic::FreeModeRun run(analytic::free_modes(problem.beam, modes),
+                            {problem.beam.axial_force(), problem.friction}, steps.time_step);
+  analytic::ContactStep last;
+  std::size_t done = 0;
+  for (const long snapshot : snapshots) {
+    const double t = static_cast<double>(snapshot) * problem.numerics.time_step();
+    for (; done < static_cast<std::size_t>(snapshot * steps_per_time_step); ++done)
+      last = run.step(holding_force[done]);
+    motion.snapshots.push_back({.time = t,
+                                .sticks = last.sliding_velocity == 0.0,
+                                .friction_force = -last.friction_force,
+                                .displacement = {}});
+    for (const double x : motion.position) {
+      double y = held.absolute_displacement(x, t);
+      for (std::size_t k = 0; k < shapes.size(); ++k) y += shapes[k].shape(x) * run.amplitudes()[k];
+      motion.snapshots.back().displacement.push_back(y);
+    }
+  }
+  return motion;
+}
+
 }  // namespace
 
 BeamMotion finite_element_motion(const data::Case& problem, const MotionGrid& grid) {
@@ -95,38 +128,6 @@ BeamMotion event_driven_motion(const data::Case& problem, const MotionGrid& grid
                                 .displacement = {}});
     for (const auto& shape : shapes)
       motion.snapshots.back().displacement.push_back(analytic::absolute_displacement(shape, run));
-  }
-  return motion;
-}
-
-BeamMotion free_mode_motion(const data::Case& problem, const MotionGrid& grid, int steps_per_time_step) {
-  BeamMotion motion{positions(problem, grid), {}};
-  const std::vector<long> snapshots = snapshot_steps(grid, problem.numerics.time_step());
-  const analytic::TimeGrid steps{problem.numerics.time_step() / steps_per_time_step,
-                                 static_cast<std::size_t>(snapshots.back() * steps_per_time_step)};
-  const int modes = free_modes_for(problem.beam, steps.time_step);
-  const auto shapes = analytic::slip_modes(problem.beam, modes);
-  const analytic::StickResponse held(problem.beam, problem.excitation, closed_form_modes,
-                                     analytic::SteadyPart::exact);
-  const std::vector<double> holding_force =
-      analytic::holding_force(problem.beam, problem.excitation, data::Damping(), steps);
-  analytic::FreeModeRun run(analytic::free_modes(problem.beam, modes),
-                            {problem.beam.axial_force(), problem.friction}, steps.time_step);
-  analytic::ContactStep last;
-  std::size_t done = 0;
-  for (const long snapshot : snapshots) {
-    const double t = static_cast<double>(snapshot) * problem.numerics.time_step();
-    for (; done < static_cast<std::size_t>(snapshot * steps_per_time_step); ++done)
-      last = run.step(holding_force[done]);
-    motion.snapshots.push_back({.time = t,
-                                .sticks = last.sliding_velocity == 0.0,
-                                .friction_force = -last.friction_force,
-                                .displacement = {}});
-    for (const double x : motion.position) {
-      double y = held.absolute_displacement(x, t);
-      for (std::size_t k = 0; k < shapes.size(); ++k) y += shapes[k].shape(x) * run.amplitudes()[k];
-      motion.snapshots.back().displacement.push_back(y);
-    }
   }
   return motion;
 }

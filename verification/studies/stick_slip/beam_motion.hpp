@@ -39,12 +39,6 @@ struct BeamMotion {
 [[nodiscard]] BeamMotion event_driven_motion(const data::Case& problem, const MotionGrid& grid);
 [[nodiscard]] BeamMotion closed_form_motion(const data::Case& problem, const MotionGrid& grid, int modes);
 
-/// The motion by the free modes of the continuous beam with exact propagation (analytic::FreeModeRun), with
-/// `steps_per_time_step` steps per numerics.time_step(). The damping of the problem is not used. Times and
-/// exceptions as above.
-[[nodiscard]] BeamMotion free_mode_motion(const data::Case& problem, const MotionGrid& grid,
-                                          int steps_per_time_step);
-
 /// The largest |y| of a motion, m.
 [[nodiscard]] double peak(const BeamMotion& motion);
 

@@ -12,6 +12,12 @@ namespace stickslip::studies {
 
 namespace {
 
+// omega_max l^2 sqrt(rho A/EI) of a uniform mesh of elements of length l at P = 0. Computed: 59.792 for 5
+// elements, 59.878 for 20 and more.
+constexpr double highest_frequency_factor = 59.88;
+// The fraction of the range of y(L) at which the observation of a growth ends.
+constexpr double observed_until = 0.1;
+
 // Growth rate: slope of the logarithm of the largest difference in each period, from the first slip until it
 // reaches `limit`.
 double growth_rate(const TipHistory& a, const TipHistory& b, double period, double limit) {

@@ -13,9 +13,8 @@
 
 namespace stickslip::studies {
 
-/// `perturbation` is the relative change of the amplitude whose effect is observed. The observation ends when
-/// the effect reaches the fraction `observed_until` of the range of y(L).
-inline constexpr double perturbation = 1e-9, observed_until = 0.1;
+/// The relative change of the amplitude whose effect is observed.
+inline constexpr double perturbation = 1e-9;
 
 /// One run in modal coordinates, with located changes and the velocity threshold 0.
 struct HistoryRun {
@@ -52,10 +51,6 @@ struct StepRule {
 
 /// omega_max h at which generalised-alpha with the spectral radius 0 has no more growth than the beam.
 inline constexpr double filtering_angle = 2.445;
-
-/// omega_max l^2 sqrt(rho A/EI) of a uniform mesh of elements of length l at P = 0. Computed: 59.792 for 5
-/// elements, 59.878 for 20 and more.
-inline constexpr double highest_frequency_factor = 59.88;
 
 /// Runs of one rule on several meshes, and the observed order in l of their errors. The growth is observed on
 /// meshes of at most `observed_elements` elements.
