@@ -211,11 +211,12 @@ const studies::ClassificationStudy& StudyResults::classification() {
 const std::vector<studies::ContactHistory>& StudyResults::contact_histories() {
   return once("contact_histories", "stick-slip histories (Figs. 4 and 5)", [&] {
     std::vector<studies::ContactHistory> histories;
-    for (const auto& verdict : data::printed_verdicts())
-      histories.push_back(studies::contact_history(
-          paper_.beam, paper_.friction,
-          data::HarmonicExcitation({.frequency_hz = verdict.frequency_hz, .amplitude = verdict.amplitude}),
-          paper_.numerics, shown_duration));
+    for (const auto& verdict : data::printed_verdicts()) {
+      data::Case problem = paper_;
+      problem.excitation =
+          data::HarmonicExcitation({.frequency_hz = verdict.frequency_hz, .amplitude = verdict.amplitude});
+      histories.push_back(studies::contact_history(problem, shown_duration));
+    }
     return histories;
   });
 }
@@ -259,7 +260,7 @@ const std::vector<std::vector<studies::PracticeRun>>& StudyResults::usual_practi
   return once("usual_practice", "undamped histories as they are usually computed", [&] {
     std::vector<std::vector<studies::PracticeRun>> runs;
     for (const auto& history : converged_histories())
-      runs.push_back(studies::usual_practice(paper_.beam, paper_.friction, paper_.numerics, history));
+      runs.push_back(studies::usual_practice(paper_, history));
     return runs;
   });
 }

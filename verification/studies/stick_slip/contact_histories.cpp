@@ -43,35 +43,30 @@ std::optional<double> closed_form_first_slip(const data::Beam& beam, const data:
   return std::nullopt;
 }
 
-ContactHistory contact_history(const data::Beam& beam, const data::FrictionLaw& friction,
-                               const data::HarmonicExcitation& excitation,
-                               const data::NumericalSettings& numerics, double shown) {
+ContactHistory contact_history(const data::Case& problem, double shown) {
   ContactHistory history;
-  history.frequency_hz = excitation.frequency_hz();
-  history.amplitude = excitation.amplitude();
-  history.finite_element_slip = solver::first_slip(beam, friction, excitation, numerics);
-  history.criterion_slips =
-      analytic::evaluate_criterion(beam, friction, excitation, numerics.duration(), numerics.modes())
-          .verdict == analytic::Verdict::stick_slip;
+  history.frequency_hz = problem.excitation.frequency_hz();
+  history.amplitude = problem.excitation.amplitude();
+  history.finite_element_slip =
+      solver::first_slip(problem.beam, problem.friction, problem.excitation, problem.numerics);
+  const double duration = problem.numerics.duration();
+  history.criterion_slips = analytic::evaluate_criterion(problem.beam, problem.friction, problem.excitation,
+                                                         duration, problem.numerics.modes())
+                                .verdict == analytic::Verdict::stick_slip;
   if (history.criterion_slips) {
-    history.closed_form_slip = closed_form_first_slip(beam, friction, excitation, numerics.duration());
-    history.converged = converged_history({.name = "history",
-                                           .beam = beam,
-                                           .friction = friction,
-                                           .excitation = excitation,
-                                           .numerics = numerics},
-                                          {.duration = shown,
-                                           .samples = static_cast<int>(std::lround(shown / sample)),
-                                           .steps_per_sample = 512,
-                                           .with_midspan = false});
+    history.closed_form_slip =
+        closed_form_first_slip(problem.beam, problem.friction, problem.excitation, duration);
+    history.converged = converged_history(problem, {.duration = shown,
+                                                    .samples = static_cast<int>(std::lround(shown / sample)),
+                                                    .steps_per_sample = 512,
+                                                    .with_midspan = false});
   }
   return history;
 }
 
-std::vector<PracticeRun> usual_practice(const data::Beam& beam, const data::FrictionLaw& friction,
-                                        const data::NumericalSettings& numerics,
-                                        const ConvergedHistory& converged) {
-  const data::HarmonicExcitation excitation({converged.frequency_hz, converged.amplitude});
+std::vector<PracticeRun> usual_practice(data::Case problem, const ConvergedHistory& converged) {
+  problem.excitation = data::HarmonicExcitation({converged.frequency_hz, converged.amplitude});
+  const data::NumericalSettings& numerics = problem.numerics;
   const double duration = converged.time.back(), spacing = converged.time[1];
   const int elements = numerics.elements();
   const double h = numerics.time_step();
@@ -96,15 +91,13 @@ std::vector<PracticeRun> usual_practice(const data::Beam& beam, const data::Fric
       data::NumericalChoices choices = numerics.choices();
       choices.spectral_radius = radius;
       choices.velocity_threshold = threshold;
-      history =
-          time_stepper_history(beam, friction, excitation, data::NumericalSettings(choices),
-                               {.scheme = scheme}, duration, static_cast<int>(std::lround(spacing / h)));
+      history = time_stepper_history(problem.beam, problem.friction, problem.excitation,
+                                     data::NumericalSettings(choices), {.scheme = scheme}, duration,
+                                     static_cast<int>(std::lround(spacing / h)));
       run = {.method = method, .elements = elements, .time_step = h, .spectral_radius = radius};
     } else {
       run = {.method = "event-driven", .elements = meshes[i - std::size(stepped)]};
-      history = event_driven_history(finite_element_contact_model(solver::BeamModel(beam, run.elements),
-                                                                  friction, excitation, data::Damping()),
-                                     duration, spacing);
+      history = event_driven_history(finite_element_contact_model(problem, run.elements), duration, spacing);
     }
     run.changes = history.changes;
     run.largest_error = largest_difference(converged.tip, history.tip_displacement) / converged.tip_range;

@@ -21,10 +21,9 @@ struct ContactHistory {
   bool criterion_slips{};                     ///< Eqs. (29), (30) over numerics.duration()
 };
 
-/// Computes the history over `shown` seconds. The decisions on slip use numerics.duration().
-[[nodiscard]] ContactHistory contact_history(const data::Beam& beam, const data::FrictionLaw& friction,
-                                             const data::HarmonicExcitation& excitation,
-                                             const data::NumericalSettings& numerics, double shown);
+/// Computes the history of an undamped case over `shown` seconds. The decisions on slip use
+/// numerics.duration().
+[[nodiscard]] ContactHistory contact_history(const data::Case& problem, double shown);
 
 /// An undamped history with usual settings, compared with the converged one.
 struct PracticeRun {
@@ -39,11 +38,9 @@ struct PracticeRun {
 
 /// Runs with usual settings, all with the time step of `numerics` where there is one: the scheme of the
 /// paper; located changes with the spectral radii 0.5, 0.9 and 1; and event-driven runs on
-/// numerics.elements() and on twice as many elements.
-[[nodiscard]] std::vector<PracticeRun> usual_practice(const data::Beam& beam,
-                                                      const data::FrictionLaw& friction,
-                                                      const data::NumericalSettings& numerics,
-                                                      const ConvergedHistory& converged);
+/// numerics.elements() and on twice as many elements. The excitation is that of the converged history; the
+/// problem is undamped.
+[[nodiscard]] std::vector<PracticeRun> usual_practice(data::Case problem, const ConvergedHistory& converged);
 
 /// The first time (s) at which |f| of the closed form with the exact steady part exceeds the limit; empty if
 /// there is none within the duration. The search uses steps of 1/2000 of the shorter of the periods of the

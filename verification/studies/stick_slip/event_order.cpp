@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "studies/stick_slip/event_order.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-
 #include "studies/stick_slip/event_history.hpp"
 #include "studies/stick_slip/finite_element_contact_model.hpp"
 
@@ -13,10 +9,8 @@ namespace stickslip::studies {
 EventOrderStudy event_order_study(const data::Case& problem, double duration, int elements,
                                   double spectral_radius, const std::vector<int>& divisors) {
   constexpr double longest_step = 1e-4;
-  const TipHistory exact = event_driven_history(
-      finite_element_contact_model(solver::BeamModel(problem.beam, elements), problem.friction,
-                                   problem.excitation, problem.damping),
-      duration, longest_step);
+  const TipHistory exact =
+      event_driven_history(finite_element_contact_model(problem, elements), duration, longest_step);
   EventOrderStudy study{.spectral_radius = spectral_radius,
                         .elements = elements,
                         .events = static_cast<int>(exact.events.size()),
@@ -33,10 +27,7 @@ EventOrderStudy event_order_study(const data::Case& problem, double duration, in
     const EventDifference difference = largest_difference(history.events, exact.events, exact.events.size());
     order.event_time_error.push_back(difference.time);
     order.event_position_error.push_back(difference.position);
-    double largest = 0.0;
-    for (std::size_t i = 0; i < exact.time.size(); ++i)
-      largest = std::max(largest, std::abs(history.tip_displacement[i] - exact.tip_displacement[i]));
-    order.tip_error.push_back(largest);
+    order.tip_error.push_back(largest_difference(history.tip_displacement, exact.tip_displacement));
   };
   for (const int divisor : divisors) {
     study.time_step.push_back(longest_step / divisor);

@@ -104,13 +104,11 @@ Eigen::VectorXd FiniteElementContactModel::full(const std::vector<double>& ampli
   return basis_.leftCols(n) * to_eigen(amplitudes) + contact * basis_.col(n);
 }
 
-analytic::ContactModel finite_element_contact_model(const solver::BeamModel& mesh,
-                                                    const data::FrictionLaw& friction,
-                                                    const data::HarmonicExcitation& excitation,
-                                                    const data::Damping& damping) {
-  const solver::PrescribedMotion base = solver::harmonic_motion(excitation);
-  return FiniteElementContactModel(solver::beam_contact_system(mesh, friction, base, damping),
-                                   harmonic_drive(excitation))
+analytic::ContactModel finite_element_contact_model(const data::Case& problem, int elements) {
+  const solver::BeamModel mesh(problem.beam, elements);
+  const solver::PrescribedMotion base = solver::harmonic_motion(problem.excitation);
+  return FiniteElementContactModel(solver::beam_contact_system(mesh, problem.friction, base, problem.damping),
+                                   harmonic_drive(problem.excitation))
       .model();
 }
 

@@ -6,7 +6,6 @@
 
 #include "stickslip/analytic/contact_model.hpp"
 #include "stickslip/data/problem.hpp"
-#include "stickslip/solver/beam_model.hpp"
 #include "stickslip/solver/contact_system.hpp"
 
 namespace stickslip::studies {
@@ -52,10 +51,7 @@ class FiniteElementContactModel {
   analytic::ContactModel model_;
 };
 
-/// The contact model of the beam on a mesh for an event-driven run.
-[[nodiscard]] analytic::ContactModel finite_element_contact_model(const solver::BeamModel& mesh,
-                                                                  const data::FrictionLaw& friction,
-                                                                  const data::HarmonicExcitation& excitation,
-                                                                  const data::Damping& damping);
+/// The contact model of a case on a mesh for an event-driven run.
+[[nodiscard]] analytic::ContactModel finite_element_contact_model(const data::Case& problem, int elements);
 
 }  // namespace stickslip::studies
