@@ -25,9 +25,9 @@
 #include "studies/criterion/model_form.hpp"
 #include "studies/criterion/scope.hpp"
 #include "studies/stick/frequencies.hpp"
-#include "studies/stick_slip/damped_benchmark.hpp"
 #include "studies/stick_slip/energy_audit.hpp"
 #include "support/beams.hpp"
+#include "support/damped_benchmark.hpp"
 #include "support/order.hpp"
 #include "support/parameter_name.hpp"
 #include "support/requirements.hpp"
@@ -314,7 +314,6 @@ INSTANTIATE_TEST_SUITE_P(Chi, AxialDirection, ::testing::Values(0.0, 0.3, 1.0), 
 
 STICKSLIP_VERIFIES(DeadLoadHistory, "X23");
 TEST(DeadLoadHistory, IsTheSameByFiniteElementsInTimeStepsAndByContinuousModesFromEventToEvent) {
-  // As DampedBenchmark: mesh error of order 4, error of the step of order 2, margin 3 for both together.
   const auto benchmark =
       studies::damped_benchmark(case_with_direction("damped", 1.0), {.duration = 0.1,
                                                                      .modes = 28,
@@ -323,17 +322,7 @@ TEST(DeadLoadHistory, IsTheSameByFiniteElementsInTimeStepsAndByContinuousModesFr
                                                                      .elements = {20, 40},
                                                                      .time_steps = {1e-5, 5e-6}});
   ASSERT_GE(benchmark.events.size(), 5u);
-  const auto run = [&](int size, double step) {
-    return *std::ranges::find_if(benchmark.runs, [&](const studies::BenchmarkRun& candidate) {
-      return candidate.method == "generalised-alpha" && candidate.size == size && candidate.time_step == step;
-    });
-  };
-  const auto coarse = run(20, 5e-6), fine = run(40, 5e-6), longer = run(40, 1e-5);
-  const double time = coarse.all.time / 15.0 + std::abs(longer.all.time - fine.all.time) / 3.0;
-  const double position =
-      coarse.all.position / 15.0 + std::abs(longer.all.position - fine.all.position) / 3.0;
-  EXPECT_TRUE(within(fine.all.time, 0.0, discretisation(time, 3.0, "Richardson")));
-  EXPECT_TRUE(within(fine.all.position, 0.0, discretisation(position, 3.0, "Richardson")));
+  expect_events_of_reference(benchmark, 40, 5e-6);
   // And it is not the history under a follower force.
   const auto follower =
       studies::damped_benchmark(case_with_direction("damped", 0.0), {.duration = 0.1,
@@ -343,7 +332,7 @@ TEST(DeadLoadHistory, IsTheSameByFiniteElementsInTimeStepsAndByContinuousModesFr
                                                                      .elements = {},
                                                                      .time_steps = {}});
   EXPECT_GT(std::abs(follower.events.front().event.time - benchmark.events.front().event.time),
-            100.0 * fine.all.time);
+            100.0 * benchmark_run(benchmark, "generalised-alpha", 40, 5e-6).all.time);
 }
 
 STICKSLIP_VERIFIES(ModelForm, "X23");

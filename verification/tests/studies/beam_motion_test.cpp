@@ -23,17 +23,11 @@
 namespace stickslip::testing {
 namespace {
 
-data::Case problem(double frequency_hz, double amplitude = 0.5e-3) {
-  return {"paper", paper_beam(), paper_friction(),
-          data::HarmonicExcitation({.frequency_hz = frequency_hz, .amplitude = amplitude}),
-          data::NumericalSettings(paper_choices(1.0))};
-}
-
 class BeamMotionAt : public ::testing::TestWithParam<double> {};
 
 STICKSLIP_VERIFIES(BeamMotionAt, "X6");
 TEST_P(BeamMotionAt, AgreesWithinThePredictionWhileTheTipSticks) {
-  const auto study = studies::beam_motion_study(problem(GetParam()), 17, 41);
+  const auto study = studies::beam_motion_study(paper_problem(GetParam(), 0.5e-3), 17, 41);
   EXPECT_EQ(study.first_slip.has_value(), GetParam() == 25.0 || GetParam() == 70.0);
   EXPECT_TRUE(
       within(study.stick_difference, 0.0,
@@ -57,7 +51,7 @@ INSTANTIATE_TEST_SUITE_P(Hertz, BeamMotionAt, ::testing::Values(15.0, 25.0, 35.0
 
 STICKSLIP_VERIFIES(BeamMotion, "X6");
 TEST(BeamMotion, PredictionHoldsWhereAModeIsInResonance) {
-  const data::Case at = problem(24.972);
+  const data::Case at = paper_problem(24.972, 0.5e-3);
   const studies::MotionGrid grid{0.0, 0.09, 31, 21};
   const auto finite_element = studies::finite_element_motion(at, grid);
   const auto closed_form = studies::closed_form_motion(at, grid, 60);
@@ -67,7 +61,7 @@ TEST(BeamMotion, PredictionHoldsWhereAModeIsInResonance) {
 }
 
 TEST(BeamMotion, EventDrivenIsTheClosedFormUntilTheFirstSlip) {
-  const data::Case at = problem(25.0);
+  const data::Case at = paper_problem(25.0, 0.5e-3);
   const studies::MotionGrid grid{0.0, 0.0969, 31, 21};  // the first slip is at 0.09692 s
   const auto events = studies::event_driven_motion(at, grid);
   const auto closed_form = studies::closed_form_motion(at, grid, at.numerics.modes());
@@ -84,7 +78,7 @@ TEST(BeamMotion, EventDrivenIsTheClosedFormUntilTheFirstSlip) {
 constexpr studies::MotionGrid slip_grid{0.0, 0.08, 9, 61};
 
 TEST(BeamMotion, EndsInTheTipThatTheSimulationsReport) {
-  const data::Case at = problem(25.0, 1e-3);
+  const data::Case at = paper_problem(25.0, 1e-3);
   const auto by_elements = studies::finite_element_motion(at, slip_grid);
   const auto by_events = studies::event_driven_motion(at, slip_grid);
   const analytic::BeamContactModel beam(at.beam, at.friction, at.excitation, at.damping, at.numerics.modes());
@@ -108,7 +102,7 @@ TEST(BeamMotion, EndsInTheTipThatTheSimulationsReport) {
 }
 
 TEST(BeamMotion, BeginsInTheBaseWithoutSlope) {
-  const data::Case at = problem(25.0, 1e-3);
+  const data::Case at = paper_problem(25.0, 1e-3);
   const auto by_elements = studies::finite_element_motion(at, slip_grid);
   const auto by_events = studies::event_driven_motion(at, slip_grid);
   const double h = by_elements.position[1];
@@ -135,7 +129,7 @@ TEST(BeamMotion, BeginsInTheBaseWithoutSlope) {
 }
 
 TEST(BeamMotion, RefusesAGridThatCannotBeSampled) {
-  const data::Case at = problem(25.0);
+  const data::Case at = paper_problem(25.0, 0.5e-3);
   EXPECT_THROW((void)studies::finite_element_motion(at, {-1.0, 0.1, 9, 9}), data::FieldError);
   EXPECT_THROW((void)studies::finite_element_motion(at, {0.0, 0.1, 1, 9}), data::FieldError);
   EXPECT_THROW((void)studies::event_driven_motion(at, {0.0, 0.1, 9, 1}), data::FieldError);

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "stickslip/analytic/beam_contact_model.hpp"
-#include "studies/stick_slip/damped_benchmark.hpp"
 #include "studies/stick_slip/event_history.hpp"
 #include "studies/stick_slip/event_order.hpp"
 #include "support/beams.hpp"
+#include "support/damped_benchmark.hpp"
 #include "support/order.hpp"
 #include "support/parameter_name.hpp"
 #include "support/requirements.hpp"
@@ -24,17 +24,6 @@ namespace stickslip::testing {
 namespace {
 
 using studies::HistoryEvent;
-
-constexpr double light_damping = 6.4e-5;  // s: 0.5 % of critical in the first stick mode
-
-data::Case damped_case(double frequency_hz) {
-  return {.name = "damped",
-          .beam = paper_beam(),
-          .friction = paper_friction(),
-          .excitation = data::HarmonicExcitation({.frequency_hz = frequency_hz, .amplitude = 1e-3}),
-          .numerics = data::NumericalSettings(paper_choices(0.5)),
-          .damping = data::Damping({.kelvin_voigt = light_damping, .ratio = 0.0})};
-}
 
 std::vector<double> times_of(const std::vector<HistoryEvent>& events) {
   std::vector<double> times;
@@ -70,23 +59,16 @@ TEST(EventDifferences, AreInfiniteBetweenDifferentSequences) {
   EXPECT_TRUE(std::isinf(studies::largest_difference(a, capture, 1).position));
 }
 
-struct RecordedEvent {
-  bool onset;
-  double time, position;
-};
-
 STICKSLIP_VERIFIES(DampedBenchmark, "X9");
 // Recorded from an independent event-driven computation on finite elements, with the digits given.
 TEST(DampedBenchmark, MeetsRecordedEvents) {
-  const auto history = studies::event_driven_history(
-      analytic::BeamContactModel(paper_beam(), paper_friction(), damped_case(25.0).excitation,
-                                 damped_case(25.0).damping, 20)
-          .model(),
-      0.09, 1e-3);
-  const RecordedEvent recorded[] = {{true, 0.055321, 0.0},
-                                    {false, 0.068022, 1.6961e-3},
-                                    {true, 0.07289, 1.6961e-3},
-                                    {false, 0.089036, -2.5093e-3}};
+  const data::Case damped = damped_problem(25.0);
+  const analytic::BeamContactModel beam(damped.beam, damped.friction, damped.excitation, damped.damping, 20);
+  const auto history = studies::event_driven_history(beam.model(), 0.09, 1e-3);
+  const HistoryEvent recorded[] = {{true, 0.055321, 0.0},
+                                   {false, 0.068022, 1.6961e-3},
+                                   {true, 0.07289, 1.6961e-3},
+                                   {false, 0.089036, -2.5093e-3}};
   ASSERT_EQ(history.events.size(), std::size(recorded));
   for (std::size_t i = 0; i < history.events.size(); ++i) {
     EXPECT_EQ(history.events[i].onset, recorded[i].onset);
@@ -99,16 +81,13 @@ TEST(DampedBenchmark, MeetsRecordedEvents) {
 class DampedBenchmark : public ::testing::TestWithParam<double> {};
 
 TEST_P(DampedBenchmark, IsTheSameByFiniteElementsInTimeStepsAndByContinuousModesFromEventToEvent) {
-  // The mesh error of event times and plateaus is of order 4: from 20 to 40 elements it falls by 16, and the
-  // difference of the two bounds that of 40. The step's is of order 2 and its difference from 1e-5 s to 5e-6
-  // s bounds that of 5e-6 s by a third; margin 3 for both together.
-  const auto benchmark = studies::damped_benchmark(damped_case(GetParam()), {.duration = 0.12,
-                                                                             .shortest_stick = 2e-5,
-                                                                             .modes = 28,
-                                                                             .other_modes = {10},
-                                                                             .event_driven_elements = {10},
-                                                                             .elements = {10, 20, 40},
-                                                                             .time_steps = {1e-5, 5e-6}});
+  const auto benchmark = studies::damped_benchmark(damped_problem(GetParam()), {.duration = 0.12,
+                                                                                .shortest_stick = 2e-5,
+                                                                                .modes = 28,
+                                                                                .other_modes = {10},
+                                                                                .event_driven_elements = {10},
+                                                                                .elements = {10, 20, 40},
+                                                                                .time_steps = {1e-5, 5e-6}});
   ASSERT_GE(benchmark.events.size(), 7u);
   for (std::size_t i = 0; i < std::min<std::size_t>(10, benchmark.events.size()); ++i) {
     EXPECT_LT(benchmark.events[i].time_uncertainty, 1e-6);
@@ -125,25 +104,16 @@ TEST_P(DampedBenchmark, IsTheSameByFiniteElementsInTimeStepsAndByContinuousModes
     EXPECT_LE(each.first_ten.time, each.all.time) << each.method;
   }
 
-  const auto run = [&](const std::string& method, int size, double step) {
-    return *std::ranges::find_if(benchmark.runs, [&](const studies::BenchmarkRun& candidate) {
-      return candidate.method == method && candidate.size == size && candidate.time_step == step;
-    });
-  };
-  const auto coarse = run("generalised-alpha", 20, 5e-6), fine = run("generalised-alpha", 40, 5e-6);
-  const auto longer = run("generalised-alpha", 40, 1e-5);
-  const double mesh_time = coarse.all.time / 15.0, mesh_position = coarse.all.position / 15.0;
-  const double step_time = std::abs(longer.all.time - fine.all.time) / 3.0;
-  const double step_position = std::abs(longer.all.position - fine.all.position) / 3.0;
-  EXPECT_TRUE(within(fine.all.time, 0.0, discretisation(mesh_time + step_time, 3.0, "Richardson")));
-  EXPECT_TRUE(
-      within(fine.all.position, 0.0, discretisation(mesh_position + step_position, 3.0, "Richardson")));
+  expect_events_of_reference(benchmark, 40, 5e-6);
+  const auto fine = benchmark_run(benchmark, "generalised-alpha", 40, 5e-6);
   EXPECT_LT(fine.first_ten.time, 1e-6);
   EXPECT_LT(fine.first_ten.position, 1e-7);
 
   // On one and the same mesh the two methods differ by the step alone, far below what the mesh costs.
-  const auto stepped = run("generalised-alpha", 10, 5e-6);
-  const auto event_driven = run("event-driven on finite elements", 10, 0.0);
+  const auto longer = benchmark_run(benchmark, "generalised-alpha", 40, 1e-5);
+  const double step_time = std::abs(longer.all.time - fine.all.time) / 3.0;
+  const auto stepped = benchmark_run(benchmark, "generalised-alpha", 10, 5e-6);
+  const auto event_driven = benchmark_run(benchmark, "event-driven on finite elements", 10, 0.0);
   ASSERT_EQ(stepped.each.size(), event_driven.each.size());
   EXPECT_TRUE(within(stepped.all.time, event_driven.all.time, discretisation(step_time, 3.0, "Richardson")));
 }
@@ -155,7 +125,7 @@ class OrderThroughEvents : public ::testing::TestWithParam<double> {};
 STICKSLIP_VERIFIES(OrderThroughEvents, "X9");
 TEST_P(OrderThroughEvents, IsTwoWithLocationAndOneForTimesWithoutIt) {
   const auto study =
-      studies::event_order_study(damped_case(25.0), 0.12, 10, GetParam(), {1, 2, 4, 8, 16, 32, 64});
+      studies::event_order_study(damped_problem(25.0), 0.12, 10, GetParam(), {1, 2, 4, 8, 16, 32, 64});
   ASSERT_GE(study.events, 7);
   // The event-driven reference keeps its tolerance, 1e-12 of the state a step.
   const auto order_two = [&](const std::vector<double>& errors) {

@@ -18,10 +18,10 @@
 #include "stickslip/solver/energy_balance.hpp"
 #include "studies/criterion/classification.hpp"
 #include "studies/stick/stick_history.hpp"
-#include "studies/stick_slip/damped_benchmark.hpp"
 #include "studies/stick_slip/finite_element_contact_model.hpp"
 #include "studies/stick_slip/history_convergence.hpp"
 #include "support/beams.hpp"
+#include "support/damped_benchmark.hpp"
 #include "support/order.hpp"
 #include "support/parameter_name.hpp"
 #include "support/published_data.hpp"
@@ -60,8 +60,8 @@ class EventDrivenBeamFiner : public ::testing::TestWithParam<double> {};
 
 STICKSLIP_VERIFIES(EventDrivenBeamFiner, "X9");
 TEST_P(EventDrivenBeamFiner, EventTimesConvergeWithTheFourthOrderOfTheMesh) {
-  // 1 mm, 0.5 % of critical in mode 1. 40 modes stand for the beam, off by 4e-10 s at 25 Hz.
-  const data::HarmonicExcitation excitation({.frequency_hz = GetParam(), .amplitude = 1e-3});
+  // 40 modes stand for the beam, off by 4e-10 s at 25 Hz.
+  const data::Case problem = damped_problem(GetParam());
   const auto event_times = [](const analytic::ContactModel& model) {
     analytic::EventDriven run(model);
     run.advance_to(0.1);
@@ -69,24 +69,16 @@ TEST_P(EventDrivenBeamFiner, EventTimesConvergeWithTheFourthOrderOfTheMesh) {
     for (const auto& event : run.events()) times.push_back(event.time);
     return times;
   };
-  const double kelvin_voigt = 6.4e-5;
-  const auto exact = event_times(analytic::BeamContactModel(paper_beam(), paper_friction(), excitation,
-                                                            data::Damping({.kelvin_voigt = kelvin_voigt}), 40)
-                                     .model());
+  const auto exact = event_times(
+      analytic::BeamContactModel(problem.beam, problem.friction, problem.excitation, problem.damping, 40)
+          .model());
   ASSERT_EQ(exact.size(), GetParam() < 50.0 ? 5u : 23u);
   std::vector<double> lengths, errors;
   for (const int elements : {10, 14, 20, 28, 40}) {
-    const solver::BeamModel mesh(paper_beam(), elements);
-    solver::ContactSystem system =
-        solver::beam_contact_system(mesh, paper_friction(), solver::harmonic_motion(excitation));
-    system.damping = kelvin_voigt * mesh.elastic_stiffness();
-    const auto times =
-        event_times(studies::FiniteElementContactModel(system, studies::harmonic_drive(excitation)).model());
+    const auto times = event_times(studies::finite_element_contact_model(problem, elements));
     ASSERT_EQ(times.size(), exact.size()) << elements;
-    double error = 0.0;
-    for (std::size_t i = 0; i < times.size(); ++i) error = std::max(error, std::abs(times[i] - exact[i]));
     lengths.push_back(2.0 / elements);
-    errors.push_back(error);
+    errors.push_back(studies::largest_difference(times, exact));
   }
   // The next term is (beta l)^2/10 or so of the first, for mode 4 with beta L = 13.35.
   EXPECT_TRUE(order_is(
@@ -174,16 +166,8 @@ class DampedBenchmarkLong : public ::testing::TestWithParam<double> {};
 
 STICKSLIP_VERIFIES(DampedBenchmarkLong, "X9");
 TEST_P(DampedBenchmarkLong, EveryEventOfHalfASecondIsTheSameByBothMethods) {
-  // What finite elements in time steps may differ by: a fifteenth of the difference to half the elements
-  // (order 4) and a third of that to twice the step (order 2); margin 3, for an event may feel more of it
-  // than the worst one of the coarser run.
-  data::Case problem{.name = "damped",
-                     .beam = paper_beam(),
-                     .friction = paper_friction(),
-                     .excitation = data::HarmonicExcitation({.frequency_hz = GetParam(), .amplitude = 1e-3}),
-                     .numerics = data::NumericalSettings(paper_choices(0.5)),
-                     .damping = data::Damping({.kelvin_voigt = 6.4e-5, .ratio = 0.0})};
-  const auto benchmark = studies::damped_benchmark(problem, {.duration = 0.5,
+  const auto benchmark =
+      studies::damped_benchmark(damped_problem(GetParam()), {.duration = 0.5,
                                                              .shortest_stick = 2e-5,
                                                              .modes = 40,
                                                              .other_modes = {},
@@ -195,14 +179,9 @@ TEST_P(DampedBenchmarkLong, EveryEventOfHalfASecondIsTheSameByBothMethods) {
     EXPECT_LT(event.time_uncertainty, 1e-6);
     EXPECT_LT(event.position_uncertainty, 1e-7);
   }
-  const auto &coarse = benchmark.runs.at(0), &fine = benchmark.runs.at(1), &longer = benchmark.runs.at(2);
+  expect_events_of_reference(benchmark, 40, 2.5e-6);
+  const auto fine = benchmark_run(benchmark, "generalised-alpha", 40, 2.5e-6);
   EXPECT_EQ(fine.each.size(), benchmark.events.size());
-  const auto allowed = [](double mesh, double step, double here) {
-    return discretisation(mesh / 15.0 + std::abs(step - here) / 3.0, 3.0, "Richardson");
-  };
-  EXPECT_TRUE(within(fine.all.time, 0.0, allowed(coarse.all.time, longer.all.time, fine.all.time)));
-  EXPECT_TRUE(
-      within(fine.all.position, 0.0, allowed(coarse.all.position, longer.all.position, fine.all.position)));
   EXPECT_LT(fine.first_ten.time, 1e-6);
   EXPECT_LT(fine.first_ten.position, 1e-7);
 }

@@ -51,4 +51,24 @@ inline data::NumericalChoices paper_choices(double duration) {
           .duration = duration};
 }
 
+/// The paper's problem at another excitation (Hz, m), for another duration (s).
+inline data::Case paper_problem(double frequency_hz, double amplitude, double duration = 1.0) {
+  return {.name = "paper",
+          .beam = paper_beam(),
+          .friction = paper_friction(),
+          .excitation = data::HarmonicExcitation({.frequency_hz = frequency_hz, .amplitude = amplitude}),
+          .numerics = data::NumericalSettings(paper_choices(duration))};
+}
+
+/// Kelvin-Voigt damping of 0.5 % of critical in mode 1 of the paper's beam. With it the changes of contact
+/// converge on the mesh; undamped, only the motion has a limit.
+inline data::Damping light_damping() { return data::Damping({.kelvin_voigt = 6.4e-5}); }
+
+/// The paper's problem with light damping, at 1 mm, for 0.5 s.
+inline data::Case damped_problem(double frequency_hz) {
+  data::Case problem = paper_problem(frequency_hz, 1e-3, 0.5);
+  problem.damping = light_damping();
+  return problem;
+}
+
 }  // namespace stickslip::testing
