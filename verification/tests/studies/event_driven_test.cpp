@@ -37,8 +37,6 @@ using analytic::EventDriven;
 using std::numbers::pi;
 using studies::FiniteElementContactModel;
 
-constexpr double kelvin_voigt = 6.4e-5;  // s, 0.5 % of critical in mode 1
-
 data::HarmonicExcitation shaking(double hz) {
   return data::HarmonicExcitation({.frequency_hz = hz, .amplitude = 1e-3});
 }
@@ -50,12 +48,10 @@ struct MeshedBeam {
   solver::PrescribedMotion base = solver::harmonic_motion(excitation);
   solver::ContactSystem system;
 
-  MeshedBeam(int elements, double hz, double viscosity = kelvin_voigt)
+  MeshedBeam(int elements, double hz, const data::Damping& damping = light_damping())
       : mesh(paper_beam(), elements),
         excitation(shaking(hz)),
-        system(solver::beam_contact_system(mesh, paper_friction(), base)) {
-    system.damping = viscosity * mesh.elastic_stiffness();
-  }
+        system(solver::beam_contact_system(mesh, paper_friction(), base, damping)) {}
 
   /// The base's velocity at the start, with the static shape of the tip.
   [[nodiscard]] Eigen::VectorXd initial_velocity() const {
@@ -239,9 +235,9 @@ Events stepped_in_modes(const MeshedBeam& beam, double time_step, double spectra
 }
 
 Events without_mesh(double hz, int modes) {
-  return event_driven(analytic::BeamContactModel(paper_beam(), paper_friction(), shaking(hz),
-                                                 data::Damping({.kelvin_voigt = kelvin_voigt}), modes)
-                          .model());
+  return event_driven(
+      analytic::BeamContactModel(paper_beam(), paper_friction(), shaking(hz), light_damping(), modes)
+          .model());
 }
 
 /// Largest differences; infinite unless the same changes happen in the same order.
@@ -259,31 +255,46 @@ Difference difference(const Events& a, const Events& b) {
   return largest;
 }
 
+/// Histories in steps from 4e-5 s to 5e-6 s, each half of the one before.
+struct Refinement {
+  std::vector<Events> histories;
+  std::vector<double> times;  ///< largest difference from the exact history, s
+};
+
+// history(h) converges to the exact one with order two. An exact history from event to event keeps its tolerance,
+// 1e-12 of the state a step.
+template <class History, class NextTerm>
+Refinement expect_order_two(const History& history, const Events& exact, const NextTerm& next_term) {
+  const std::vector<double> steps{4e-5, 2e-5, 1e-5, 5e-6};
+  Refinement refinement;
+  std::vector<double> positions;
+  for (const double h : steps) {
+    refinement.histories.push_back(history(h));
+    const Difference error = difference(refinement.histories.back(), exact);
+    EXPECT_TRUE(std::isfinite(error.time)) << h;
+    refinement.times.push_back(error.time);
+    positions.push_back(error.position);
+  }
+  EXPECT_TRUE(order_is(order_levels(steps, refinement.times, next_term, 1e-12), 2.0));
+  EXPECT_TRUE(order_is(order_levels(steps, positions, next_term, 1e-12), 2.0));
+  return refinement;
+}
+
 class TimeStepper : public ::testing::TestWithParam<std::tuple<double, double>> {};
 
 STICKSLIP_VERIFIES(TimeStepper, "X9");
 TEST_P(TimeStepper, ConvergesToTheEventDrivenHistoryOfItsMeshWithOrderTwo) {
-  const auto [hz, spectral_radius] = GetParam();
+  const double hz = std::get<0>(GetParam()), spectral_radius = std::get<1>(GetParam());
   const MeshedBeam beam(10, hz);
   const Events exact = event_driven(beam.reduced().model());
   ASSERT_EQ(exact.size(), hz < 50.0 ? 5u : 23u);
-  std::vector<double> steps, times, positions;
-  Events coarse, fine;
-  for (const double h : {4e-5, 2e-5, 1e-5, 5e-6}) {
-    coarse = std::move(fine);
-    fine = stepped(beam, h, spectral_radius);
-    const Difference error = difference(fine, exact);
-    ASSERT_TRUE(std::isfinite(error.time)) << h;
-    steps.push_back(h);
-    times.push_back(error.time);
-    positions.push_back(error.position);
-  }
-  // The event-driven history keeps its tolerance, 1e-12 of the state a step.
-  EXPECT_TRUE(order_is(order_levels(steps, times, next_term_of_the_damped_beam, 1e-12), 2.0));
-  EXPECT_TRUE(order_is(order_levels(steps, positions, next_term_of_the_damped_beam, 1e-12), 2.0));
+  const Refinement refinement = expect_order_two([&](double h) { return stepped(beam, h, spectral_radius); },
+                                                 exact, next_term_of_the_damped_beam);
+  ASSERT_FALSE(HasFailure());
+  const Events &coarse = refinement.histories[2], &fine = refinement.histories[3];
   // Richardson: the error of the finer of two levels is a third of their difference.
   const Difference between = difference(fine, coarse);
-  EXPECT_TRUE(within(times.back(), between.time / 3.0,
+  EXPECT_TRUE(within(refinement.times[3], between.time / 3.0,
                      discretisation(between.time / 3.0, 0.05, "a third of the difference of two levels")));
   for (std::size_t i = 0; i < exact.size(); ++i) {
     EXPECT_TRUE(within(fine[i].time, exact[i].time,
@@ -308,7 +319,7 @@ STICKSLIP_VERIFIES(ModalSteps, "F11");
 TEST(ModalSteps, ConvergesToTheEventDrivenHistoryOfItsMeshWithOrderTwo) {
   // Undamped, and on three elements, so that the steps resolve every mode. The next terms: omega h of mode 2,
   // as each change splits a step anywhere, and (omega h)^2 of the highest.
-  const MeshedBeam beam(3, 25.0, 0.0);
+  const MeshedBeam beam(3, 25.0, data::Damping());
   const ContactModel model = beam.reduced().model();
   const auto next_term = [&model](double h) {
     return model.angular_frequency[1] * h + std::pow(model.angular_frequency.back() * h, 2);
@@ -316,16 +327,8 @@ TEST(ModalSteps, ConvergesToTheEventDrivenHistoryOfItsMeshWithOrderTwo) {
   const Events exact = event_driven(model);
   ASSERT_EQ(exact.size(), 9u);
   for (const double spectral_radius : {0.9, 1.0}) {
-    std::vector<double> steps, times, positions;
-    for (const double h : {4e-5, 2e-5, 1e-5, 5e-6}) {
-      const Difference error = difference(stepped_in_modes(beam, h, spectral_radius), exact);
-      ASSERT_TRUE(std::isfinite(error.time)) << h;
-      steps.push_back(h);
-      times.push_back(error.time);
-      positions.push_back(error.position);
-    }
-    EXPECT_TRUE(order_is(order_levels(steps, times, next_term, 1e-12), 2.0)) << spectral_radius;
-    EXPECT_TRUE(order_is(order_levels(steps, positions, next_term, 1e-12), 2.0)) << spectral_radius;
+    SCOPED_TRACE(spectral_radius);
+    expect_order_two([&](double h) { return stepped_in_modes(beam, h, spectral_radius); }, exact, next_term);
   }
 }
 
