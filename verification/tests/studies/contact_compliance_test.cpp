@@ -17,6 +17,7 @@
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/criterion/model_form.hpp"
+#include "studies/stick_slip/event_history.hpp"
 #include "studies/stick_slip/regularisation.hpp"
 #include "support/order.hpp"
 #include "support/requirements.hpp"
@@ -54,9 +55,12 @@ class ExactMassOnASpring {
       if (indicator(high) <= 0.0) return move_to(t);
       for (int i = 0; i < 60; ++i) (indicator(0.5 * (low + high)) > 0.0 ? high : low) = 0.5 * (low + high);
       move_to(high);
-      direction_ == 0.0 ? direction_ = -std::copysign(1.0, slider_ - position_) : direction_ = 0.0;
-      if (direction_ == 0.0) slider_ = position_ - last_direction_ / stiffness_;
-      last_direction_ = direction_ == 0.0 ? 0.0 : direction_;
+      if (direction_ == 0.0) {
+        direction_ = std::copysign(1.0, position_ - slider_);
+      } else {
+        slider_ = position_ - direction_ / stiffness_;
+        direction_ = 0.0;
+      }
       ++changes_;
     }
   }
@@ -98,7 +102,7 @@ class ExactMassOnASpring {
   }
 
   double stiffness_, amplitude_;
-  double start_{}, position_{}, velocity_{}, slider_{}, direction_{}, last_direction_{};
+  double start_{}, position_{}, velocity_{}, slider_{}, direction_{};
   int changes_{};
 };
 
@@ -210,44 +214,42 @@ solver::StickSlipIntegrator pushed_mass(double force, double width, double h) {
   return {system, {.time_step = h, .spectral_radius = 0.9}};
 }
 
+void expect_second_order_of_the_smooth_law(const std::function<double(double)>& error) {
+  std::vector<OrderLevel> levels;
+  for (const double h : {0.02, 0.01, 0.005, 0.0025})
+    levels.push_back({.step = h, .error = std::abs(error(h)), .next_term = 3.0 * h, .floor = 1e-12});
+  EXPECT_TRUE(order_is(levels, 2.0));
+}
+
 STICKSLIP_VERIFIES(SmoothLaw, "X25");
 TEST(SmoothLaw, AcceleratesAMassAsTheClosedFormSaysAtSecondOrderInBothImplementations) {
-  const auto stepped = [](double h) {
+  expect_second_order_of_the_smooth_law([](double h) {
     auto mass = pushed_mass(push, width_of_law, h);
     mass.start_stuck(scalar(0.0), scalar(0.0));
     while (mass.time() < 1.0 - 0.5 * h) mass.step();
-    return std::abs(time_of(mass.velocity()[0], push, width_of_law) - mass.time());
-  };
-  const auto integral = [](double h) {
+    return time_of(mass.velocity()[0], push, width_of_law) - mass.time();
+  });
+  expect_second_order_of_the_smooth_law([](double h) {
     const auto count = static_cast<std::size_t>(std::lround(1.0 / h));
     const auto steps = analytic::contact_steps(mass_weights(h, count),
                                                {10.0, data::FrictionLaw(coulomb), smooth(width_of_law)},
                                                std::vector(count, -push));
-    return std::abs(time_of(steps.back().sliding_velocity, push, width_of_law) - (1.0 - 0.5 * h));
-  };
-  for (const auto& error :
-       {std::function<double(double)>(stepped), std::function<double(double)>(integral)}) {
-    std::vector<OrderLevel> levels;
-    for (const double h : {0.02, 0.01, 0.005, 0.0025})
-      levels.push_back({.step = h, .error = error(h), .next_term = 3.0 * h, .floor = 1e-12});
-    EXPECT_TRUE(order_is(levels, 2.0));
-  }
+    return time_of(steps.back().sliding_velocity, push, width_of_law) - (1.0 - 0.5 * h);
+  });
 }
 
 // m v' = -mu N tanh(v/v_r): sinh(v/v_r) falls as exp(-mu N t/(m v_r)).
 TEST(SmoothLaw, BrakesAMassInBothDirectionsAtSecondOrder) {
   for (const double start : {-0.5, -0.1, 0.1, 0.5}) {
-    std::vector<OrderLevel> levels;
-    for (const double h : {0.02, 0.01, 0.005, 0.0025}) {
+    SCOPED_TRACE(start);
+    const double exact =
+        width_of_law * std::asinh(std::sinh(start / width_of_law) * std::exp(-0.4 / width_of_law));
+    expect_second_order_of_the_smooth_law([&](double h) {
       auto mass = pushed_mass(0.0, width_of_law, h);
       mass.start_slipping(scalar(0.0), scalar(start));
       while (mass.time() < 0.4 - 0.5 * h) mass.step();
-      const double exact =
-          width_of_law * std::asinh(std::sinh(start / width_of_law) * std::exp(-0.4 / width_of_law));
-      levels.push_back(
-          {.step = h, .error = std::abs(mass.velocity()[0] - exact), .next_term = 3.0 * h, .floor = 1e-12});
-    }
-    EXPECT_TRUE(order_is(levels, 2.0)) << start;
+      return mass.velocity()[0] - exact;
+    });
   }
 }
 
@@ -279,19 +281,14 @@ data::Case damped_case(const data::TangentialContact& contact, double duration) 
   return problem;
 }
 
+// Every `divisor`-th step.
 std::vector<double> stepped_tip(const data::Case& problem, int elements, int divisor) {
-  data::NumericalChoices choices = problem.numerics.choices();
-  choices.elements = elements;
-  choices.time_step /= divisor;
-  solver::BeamSimulation simulation(problem.beam, problem.friction, problem.excitation,
-                                    data::NumericalSettings(choices),
-                                    {.damping = problem.damping, .tangential = problem.contact});
-  std::vector<double> tip{0.0};
-  for (long n = solver::step_count(choices.duration, problem.numerics.time_step()); n > 0; --n) {
-    for (int i = 0; i < divisor; ++i) simulation.step();
-    tip.push_back(simulation.tip_displacement());
-  }
-  return tip;
+  const double h = problem.numerics.time_step() / divisor;
+  return studies::time_stepper_history(problem.beam, problem.friction, problem.excitation,
+                                       studies::refined(problem.numerics, elements, h),
+                                       {.damping = problem.damping, .tangential = problem.contact},
+                                       problem.numerics.duration(), divisor)
+      .tip_displacement;
 }
 
 class YieldingContact : public ::testing::TestWithParam<const char*> {
@@ -321,11 +318,9 @@ TEST_P(YieldingContact, MovesTheBeamAlikeInBothImplementations) {
 TEST_P(YieldingContact, StepsAlikeInModalCoordinates) {
   const data::Case problem = damped_case(contact(), 0.1);
   const auto tip = [&](solver::Coordinates coordinates) {
-    solver::BeamSimulation simulation(problem.beam, problem.friction, problem.excitation, problem.numerics,
-                                      {.coordinates = coordinates, .tangential = problem.contact});
-    std::vector<double> values;
-    for (int n = 0; n < 5000; ++n) simulation.step(), values.push_back(simulation.tip_displacement());
-    return values;
+    return studies::time_stepper_history(problem.beam, problem.friction, problem.excitation, problem.numerics,
+                                         {.coordinates = coordinates, .tangential = problem.contact}, 0.1)
+        .tip_displacement;
   };
   EXPECT_LT(studies::largest_difference(tip(solver::Coordinates::nodal), tip(solver::Coordinates::modal)),
             1e-10);
@@ -387,9 +382,8 @@ TEST(Regularisation, TendsToTheSetValuedLawAtFirstOrderInMotionAndOnset) {
   const auto springs = studies::regularisation_rates(problem, stiffer, 4e-6);
   const auto laws = studies::regularisation_rates(problem, narrower, 4e-6);
   for (const auto& rates : {springs, laws})
-    for (const char* quantity : {"first slip", "position"}) {
+    for (const char* quantity : {"first slip", "position"})
       EXPECT_NEAR(rate(rates, quantity).order, 1.0, 0.05) << quantity;
-    }
   EXPECT_NEAR(rate(springs, "travel").order, 1.0, 0.05);
   EXPECT_NEAR(rate(laws, "travel").order, 1.0,
               0.15);  // log(1/v_r): |v_s| reaches v_r artanh(f/mu N) before an onset
@@ -503,11 +497,6 @@ TEST(CompliantReaction, RefusesASpringTooSoftToKeepTheBeamFromFlutter) {
   EXPECT_THROW((void)analytic::compliant_reaction(beam, {}, 1.0, 10), data::FieldError);
 }
 
-std::vector<studies::VariantPlane> planes(const studies::ModelVariant& variant) {
-  return studies::variant_planes(variant, data::load_case("paper"), data::load_case("paper-half-stiffness"),
-                                 data::load_case("paper-figure14"), 17, 5);
-}
-
 constexpr double rigid = std::numeric_limits<double>::infinity();
 
 // The counts themselves are a record of what was found, not of what theory predicts.
@@ -524,7 +513,9 @@ TEST(ModelVariants, FlipTheVerdictsOfTheFiguresAsOftenAsRecorded) {
                                                          {{rigid, 0.005}, {9, 13, 4}},
                                                          {{rigid, 0.02}, {20, 28, 9}},
                                                          {{rigid, 0.0}, {0, 0, 0}}}) {
-    const auto found = planes(variant);
+    const auto found =
+        studies::variant_planes(variant, data::load_case("paper"), data::load_case("paper-half-stiffness"),
+                                data::load_case("paper-figure14"), 17, 5);
     for (std::size_t i = 0; i < flipped.size(); ++i) {
       EXPECT_EQ(found[i].to_stick + found[i].to_slip, flipped[i])
           << variant.stiffness_ratio << found[i].figures;
