@@ -61,11 +61,12 @@ TEST(BeamBoundaryIntegral, HasAllEventsOfTheDampedBenchmark) {
   // the mass rho A L/4 of a mode, 120 h m/s; stops decelerate at 40 m/s^2 or more. The event-driven history
   // of twenty modes is known to 1e-6 s and 2e-8 m.
   const double h = 2e-5;
-  const data::Damping damping({.kelvin_voigt = 6.4e-5});
-  const analytic::BeamContactModel modes(paper_beam(), paper_friction(), excitation(25.0, 1e-3), damping, 20);
+  const data::Case problem = damped_problem(25.0);
+  const analytic::BeamContactModel modes(problem.beam, problem.friction, problem.excitation, problem.damping,
+                                         20);
   const auto events =
       studies::without_micro_sticks(studies::event_driven_history(modes.model(), 0.5, 1e-2).events, 2e-5);
-  const BeamBoundaryIntegral beam(paper_beam(), paper_friction(), excitation(25.0, 1e-3), damping,
+  const BeamBoundaryIntegral beam(problem.beam, problem.friction, problem.excitation, problem.damping,
                                   {h, 25000});
   std::vector<studies::HistoryEvent> found;
   double position = 0.0;
@@ -142,15 +143,12 @@ STICKSLIP_VERIFIES(ConvergedHistory, "D4");
 TEST(ConvergedHistory, FallsWithTheStepAndCoversWhatFinerStepsFind) {
   // 0.1 s at 25 Hz, 1 mm. A run on a quarter of the step must lie within the half-widths, tip and midspan,
   // and so must the sticks that both find; each level halves the step.
-  data::Case problem = paper();
-  problem.excitation = excitation(25.0, 1e-3);
-  const studies::ConvergedEffort effort{
-      .duration = 0.1, .samples = 100, .steps_per_sample = 128, .levels = 4};
-  const auto history = studies::converged_history(problem, effort);
-  auto finer_effort = effort;
-  finer_effort.steps_per_sample = 512;
-  finer_effort.levels = 2;
-  const auto finer = studies::converged_history(problem, finer_effort);
+  const data::Case problem = paper_problem(25.0, 1e-3);
+  const auto history_with = [&](int steps_per_sample, int levels) {
+    return studies::converged_history(
+        problem, {.duration = 0.1, .samples = 100, .steps_per_sample = steps_per_sample, .levels = levels});
+  };
+  const auto history = history_with(128, 4), finer = history_with(512, 2);
   ASSERT_EQ(history.tip.size(), 101u);
   for (std::size_t i = 0; i < history.tip.size(); ++i) {
     ASSERT_TRUE(within(history.tip[i], finer.tip[i], reference(history.tip_half_width[i], "half-width")))
@@ -198,9 +196,7 @@ TEST(ConvergedHistory, TakesTheFreeModesBelowTwentyRadiansAStepButFrom20To1000) 
 }
 
 TEST(ConvergedHistory, RefusesADampedBeam) {
-  data::Case problem = paper();
-  problem.damping = data::Damping({.kelvin_voigt = 6.4e-5});
-  EXPECT_THROW((void)studies::converged_history(problem), std::invalid_argument);
+  EXPECT_THROW((void)studies::converged_history(damped_problem(25.0)), std::invalid_argument);
 }
 
 }  // namespace

@@ -17,8 +17,7 @@ namespace {
 
 using studies::SchemeRun;
 
-// Kelvin-Voigt damping, 0.5 % of critical in mode 1: histories that converge on the mesh.
-const data::Damping damped({.kelvin_voigt = 6.4e-5});
+const data::Damping damped = light_damping();
 
 struct Setting {
   data::Damping damping;

@@ -111,7 +111,8 @@ TEST(StickSlipBeamLong, StaysBoundedOnAnyMeshAndStep) {
 
 struct GridRun {
   int elements{};
-  double time_step{}, duration{}, kelvin_voigt{};
+  double time_step{}, duration{};
+  data::Damping damping;
 };
 
 // Steps a run at spectral radius 1 and checks it as it goes; what it throws is for the caller.
@@ -121,8 +122,7 @@ void expect_bounded(const GridRun& grid) {
   c.spectral_radius = 1.0;
   c.time_step = grid.time_step;
   solver::BeamSimulation s(paper_beam(), paper_friction(), data::HarmonicExcitation({25.0, 1e-3}),
-                           data::NumericalSettings(c),
-                           {.damping = data::Damping({.kelvin_voigt = grid.kelvin_voigt})});
+                           data::NumericalSettings(c), {.damping = grid.damping});
   solver::EnergyRecorder recorder(s.integrator());
   s.observe([&recorder](const solver::StickSlipIntegrator& now) { recorder.record(now); });
   // The resonance of the stick state builds up energy until the tip lets go; slips then live on that much. A
@@ -145,19 +145,19 @@ void expect_bounded(const GridRun& grid) {
 }
 
 TEST(StickSlipBeamLong, StaysBoundedWithoutNumericalDissipationOrSaysWhyItStops) {
-  for (const double kelvin_voigt : {0.0, 6.4e-5})
+  for (const data::Damping& damping : {data::Damping(), light_damping()})
     for (const int elements : {5, 10, 20, 40, 80, 160})
       for (const auto& [time_step, duration] :
            {std::pair{1e-3, 0.5}, {1e-4, 0.3}, {1e-5, 0.2}, {1e-6, 0.12}}) {
         SCOPED_TRACE(::testing::Message()
-                     << elements << " elements, " << time_step << " s, " << kelvin_voigt);
+                     << elements << " elements, " << time_step << " s, " << damping.kelvin_voigt());
         try {
-          expect_bounded({elements, time_step, duration, kelvin_voigt});
+          expect_bounded({elements, time_step, duration, damping});
         } catch (const std::runtime_error& error) {
           // Damped modes that relax within a step ring on at spectral radius 1 and shake the contact.
           EXPECT_NE(std::string(error.what()).find("the contact chatters"), std::string::npos)
               << error.what();
-          EXPECT_TRUE(kelvin_voigt > 0.0 && elements == 160 && time_step == 1e-3) << error.what();
+          EXPECT_TRUE(damping.kelvin_voigt() > 0.0 && elements == 160 && time_step == 1e-3) << error.what();
         }
       }
 }
@@ -194,8 +194,7 @@ STICKSLIP_VERIFIES(HistoryConvergenceLong, "X12");
 // Empirical: the errors and their fall are measured, 0.96, 0.01 and 0.75 % of the range on 80 elements at 25,
 // 35 and 70 Hz, and 3.3, 0.30 and 4.8 % on 20.
 TEST_P(HistoryConvergenceLong, UndampedMeshesConvergeWhereTheStepKeepsTheirGrowthAtThatOfTheBeam) {
-  data::Case problem = data::load_case("paper");
-  problem.excitation = data::HarmonicExcitation({.frequency_hz = GetParam(), .amplitude = 1e-3});
+  const data::Case problem = paper_problem(GetParam(), 1e-3);
   const auto reference = studies::converged_history(problem, {.steps_per_sample = 1024, .levels = 2});
   const auto filtered = studies::history_refinement(
       problem, reference, {"filtering step", studies::filtering_angle, 0.0, 0.0}, {10, 20, 40, 80}, 40);
