@@ -2,7 +2,7 @@
 #include "long_work.hpp"
 
 #include "case_options.hpp"
-#include "studies/common/thread_count.hpp"
+#include "studies/common/parallel.hpp"
 
 namespace stickslip::cli {
 

@@ -7,12 +7,27 @@
 #include <exception>
 #include <functional>
 #include <mutex>
+#include <stdexcept>
 #include <thread>
 #include <vector>
 
-#include "studies/common/thread_count.hpp"
-
 namespace stickslip::studies {
+
+namespace detail {
+
+inline std::atomic<unsigned> thread_count{std::max(1U, std::thread::hardware_concurrency())};
+
+}  // namespace detail
+
+/// The number of threads that a study uses: the number that the machine runs concurrently, unless
+/// set_thread_count() has changed it. The results do not depend on it.
+[[nodiscard]] inline unsigned thread_count() noexcept { return detail::thread_count; }
+
+/// Sets the number of threads. Throws std::invalid_argument if `count` is 0.
+inline void set_thread_count(unsigned count) {
+  if (count == 0) throw std::invalid_argument("the number of threads is 0, but must be 1 or more");
+  detail::thread_count = count;
+}
 
 /// Calls work(0) ... work(count - 1) on `threads` threads, each index once. Calls settled(first, last) when the
 /// indices from `first` to before `last` are done: each index once, one call at a time, and at most 16 indices

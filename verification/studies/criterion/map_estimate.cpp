@@ -6,7 +6,7 @@
 #include <ctime>
 #include <vector>
 
-#include "studies/common/thread_count.hpp"
+#include "studies/common/parallel.hpp"
 
 namespace stickslip::studies {
 

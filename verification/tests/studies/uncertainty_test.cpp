@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "stickslip/analytic/damped_reaction.hpp"
-#include "studies/common/thread_count.hpp"
+#include "studies/common/parallel.hpp"
 #include "studies/criterion/design_guide.hpp"
 #include "studies/uncertainty/slip_probability.hpp"
 #include "support/beams.hpp"
