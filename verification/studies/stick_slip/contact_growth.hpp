@@ -1,27 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// A bound of the rate at which two solutions of one contact problem may separate. It follows
-/// from the discretised system and is known before any run.
+/// A bound of the rate at which two solutions of one contact problem may separate (theory.md, Section 11). It
+/// follows from the discretised system and is known before any run.
 ///
-/// Let Y be the mobility of the contact (tip_mobility.hpp, contact_mobility.hpp), Z = 1/Y, and v_s = Y (f_d -
-/// f_h) (boundary_integral.hpp). The friction law is the sum of a monotone part and a part with the Lipschitz
-/// constant kappa = (mu_s - mu_m) alpha N. By Parseval's identity with the weight exp(-2 sigma t), two
-/// solutions that differ by dv and df satisfy
-///
-///     min over omega of Re Z(sigma + i omega) ||dv||^2  <=  <df, dv>  <=  kappa ||dv||^2.
-///
-/// Let sigma* be the smallest sigma >= 0 with Re Z(sigma + i omega) >= kappa for all omega. A difference then
-/// grows at most like exp(sigma* t). For a discretisation with a constant friction force per step, Y is
-/// replaced by the mobility W(zeta) of the steps. With zeta = exp(-s h) it is a function of s, and the range
-/// of omega ends at pi/h.
+/// Let Y be the mobility of the contact (tip_mobility.hpp, contact_mobility.hpp), Z = 1/Y, and kappa the
+/// Lipschitz constant of the falling part of the friction law. sigma* is the smallest sigma >= 0 with
+/// Re Z(sigma + i omega) >= kappa for all omega. The difference of two solutions grows at most like
+/// exp(sigma* t). For a discretisation with a constant friction force per step, Y is replaced by the mobility
+/// W(zeta) of the steps. With zeta = exp(-s h) it is a function of s, and the range of omega ends at pi/h.
 ///
 /// Known values of sigma* in closed form:
-/// - A finite undamped system with symmetric stiffness, in continuous time: Z - m_c s is passive and vanishes
-///   for |s| -> infinity, so that sigma* = kappa/m_c, where m_c is the effective mass for an impulse at the
-///   contact. For a mass m, with or without a spring, sigma* = kappa/m. For N free modes with the
-///   participation g each, sigma* = kappa N g, which grows without bound with N. For a mesh, sigma* is
-///   proportional to 1/l.
+/// - A finite undamped system with symmetric stiffness, in continuous time: sigma* = kappa/m_c, where m_c is the
+///   effective mass for an impulse at the contact. For a mass m, with or without a spring, sigma* = kappa/m.
+///   For N free modes with the participation g each, sigma* = kappa N g. For a mesh, sigma* is proportional to
+///   1/l.
 /// - The undamped beam: at high frequencies Y(i omega) = i c (tan x - 1) with the phase x = beta L, so that
 ///   Re Z/sigma -> (dx/domega)/(c (sin x - cos x)^2). This is 2/g at the poles of Y and at least 1/g, with g
 ///   = 4/(rho A L). Hence sigma* >= 4 kappa/(rho A L) for any P.

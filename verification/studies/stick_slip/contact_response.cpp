@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <cstddef>
-#include <span>
+#include <optional>
 
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/data/input_error.hpp"
@@ -30,20 +29,6 @@ double squared_return(std::span<const Sample> samples, std::size_t period) {
   for (std::size_t n = 0; n + period < samples.size(); ++n)
     largest = std::max(largest, squared_distance(samples[n], samples[n + period]));
   return largest;
-}
-
-int period_among(std::span<const Sample> samples) {
-  constexpr std::size_t longest = 16;
-  constexpr double of_the_size = 1e-3, of_the_difference = 1e-2;
-  double size = 0.0;
-  for (const Sample& z : samples) size = std::max(size, squared_distance(z, Sample(z.size())));
-  double allowed = of_the_size * of_the_size * size;
-  for (std::size_t period = 1; period <= longest && 2 * period <= samples.size(); ++period) {
-    const double distance = squared_return(samples, period);
-    if (distance <= allowed) return static_cast<int>(period);
-    if (period == 1) allowed = std::min(allowed, of_the_difference * of_the_difference * distance);
-  }
-  return 0;
 }
 
 // What adds up over steps, or is the largest.
@@ -98,7 +83,7 @@ Values values_of(const Sums& sums, std::span<const Sample> samples, int steps_pe
           sums.work / periods,
           sums.largest_force,
           static_cast<double>(sums.captures) / periods,
-          static_cast<double>(period_among(samples))};
+          static_cast<double>(period_of(samples))};
 }
 
 struct Record {
@@ -140,7 +125,19 @@ ResponseValue checked(MotionQuantity quantity, const std::array<double, 4>& valu
 
 }  // namespace
 
-int period_of(const std::vector<Sample>& samples) { return period_among(samples); }
+int period_of(std::span<const Sample> samples) {
+  constexpr std::size_t longest = 16;
+  constexpr double of_the_size = 1e-3, of_the_difference = 1e-2;
+  double size = 0.0;
+  for (const Sample& z : samples) size = std::max(size, squared_distance(z, Sample(z.size())));
+  double allowed = of_the_size * of_the_size * size;
+  for (std::size_t period = 1; period <= longest && 2 * period <= samples.size(); ++period) {
+    const double distance = squared_return(samples, period);
+    if (distance <= allowed) return static_cast<int>(period);
+    if (period == 1) allowed = std::min(allowed, of_the_difference * of_the_difference * distance);
+  }
+  return 0;
+}
 
 int steps_per_period(const data::Case& problem) {
   constexpr double least_pairs = 16.0, most_pairs = 1e8;

@@ -2,7 +2,8 @@
 #pragma once
 
 #include <array>
-#include <optional>
+#include <complex>
+#include <span>
 #include <vector>
 
 #include "stickslip/analytic/modal_contact_run.hpp"
@@ -73,6 +74,6 @@ struct ResponseGrid {
 /// norm of all samples and, for p > 1, to 1e-2 of the largest difference of two successive ones: a free
 /// vibration that has not decayed yet may come back after some periods, but not so exactly. 0 if there is none,
 /// or if there are fewer than 2 p samples.
-[[nodiscard]] int period_of(const std::vector<std::vector<std::complex<double>>>& samples);
+[[nodiscard]] int period_of(std::span<const std::vector<std::complex<double>>> samples);
 
 }  // namespace stickslip::studies

@@ -10,11 +10,11 @@
 #include <iterator>
 #include <optional>
 #include <stdexcept>
-#include <utility>
 
 #include "stickslip/analytic/beam_boundary_integral.hpp"
 #include "stickslip/analytic/free_mode_run.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
+#include "studies/common/problem_parameter.hpp"
 #include "studies/convergence/convergence.hpp"
 
 namespace stickslip::studies {
@@ -53,64 +53,45 @@ class RunRecorder {
   bool stuck_{};
 };
 
-class Study {
- public:
-  Study(const data::Case& problem, const ConvergedEffort& effort) : problem_(problem), effort_(effort) {
-    if (problem.damping.kelvin_voigt() != 0.0 || problem.damping.ratio() != 0.0)
-      throw std::invalid_argument(
-          fmt::format("{} has damping, but the study is that of an undamped beam.", problem.name));
-  }
+analytic::TimeGrid grid_of(const ConvergedEffort& effort, int steps_per_sample) {
+  return {effort.duration / effort.samples / steps_per_sample,
+          static_cast<std::size_t>(effort.samples) * static_cast<std::size_t>(steps_per_sample)};
+}
 
-  [[nodiscard]] Run boundary_integral(int steps_per_sample) const {
-    const analytic::TimeGrid grid = grid_of(steps_per_sample);
-    const auto every = static_cast<std::size_t>(steps_per_sample);
-    const analytic::BeamBoundaryIntegral beam(problem_.beam, problem_.friction, problem_.excitation, {},
-                                              grid);
-    Run run;
-    RunRecorder recorder(run, grid.time_step, every);
-    for (const analytic::ContactStep& step : beam.steps()) recorder.add(step);
-    if (effort_.with_midspan) run.midspan = beam.displacement(0.5 * problem_.beam.length(), every);
-    run.level.method = "boundary integral";
-    run.level.time_step = grid.time_step;
-    return run;
-  }
+Run run_boundary_integral(const data::Case& problem, const ConvergedEffort& effort, int steps_per_sample) {
+  const analytic::TimeGrid grid = grid_of(effort, steps_per_sample);
+  const auto every = static_cast<std::size_t>(steps_per_sample);
+  const analytic::BeamBoundaryIntegral beam(problem.beam, problem.friction, problem.excitation, {}, grid);
+  Run run{.level = {.method = "boundary integral", .time_step = grid.time_step}};
+  RunRecorder recorder(run, grid.time_step, every);
+  for (const analytic::ContactStep& step : beam.steps()) recorder.add(step);
+  if (effort.with_midspan) run.midspan = beam.displacement(0.5 * problem.beam.length(), every);
+  return run;
+}
 
-  [[nodiscard]] Run free_modes(int steps_per_sample) const {
-    const analytic::TimeGrid grid = grid_of(steps_per_sample);
-    const auto every = static_cast<std::size_t>(steps_per_sample);
-    const int modes = free_modes_for(problem_.beam, grid.time_step);
-    const double middle = 0.5 * problem_.beam.length();
-    std::vector<double> shapes;
-    if (effort_.with_midspan)
-      for (const analytic::SlipMode& mode : analytic::slip_modes(problem_.beam, modes))
-        shapes.push_back(mode.shape(middle));
-    const std::vector<double> held = analytic::holding_force(problem_.beam, problem_.excitation, {}, grid);
-    analytic::FreeModeRun beam(analytic::free_modes(problem_.beam, modes),
-                               {problem_.beam.axial_force(), problem_.friction}, grid.time_step);
-    Run run;
-    RunRecorder recorder(run, grid.time_step, every);
-    run.midspan = analytic::held_displacement(problem_.beam, problem_.excitation, {}, grid, middle, every);
-    for (std::size_t n = 0; n < held.size(); ++n) {
-      recorder.add(beam.step(held[n]));
-      if ((n + 1) % every != 0) continue;
-      for (std::size_t k = 0; k < shapes.size(); ++k)
-        run.midspan[(n + 1) / every] += shapes[k] * beam.amplitudes()[k];
-    }
-    run.level.method = "free modes";
-    run.level.time_step = grid.time_step;
-    run.level.modes = modes;
-    return run;
+Run run_free_modes(const data::Case& problem, const ConvergedEffort& effort, int steps_per_sample) {
+  const analytic::TimeGrid grid = grid_of(effort, steps_per_sample);
+  const auto every = static_cast<std::size_t>(steps_per_sample);
+  const int modes = free_modes_for(problem.beam, grid.time_step);
+  const double middle = 0.5 * problem.beam.length();
+  std::vector<double> shapes;
+  if (effort.with_midspan)
+    for (const analytic::SlipMode& mode : analytic::slip_modes(problem.beam, modes))
+      shapes.push_back(mode.shape(middle));
+  const std::vector<double> held = analytic::holding_force(problem.beam, problem.excitation, {}, grid);
+  analytic::FreeModeRun beam(analytic::free_modes(problem.beam, modes),
+                             {problem.beam.axial_force(), problem.friction}, grid.time_step);
+  Run run{.level = {.method = "free modes", .time_step = grid.time_step, .modes = modes}};
+  RunRecorder recorder(run, grid.time_step, every);
+  run.midspan = analytic::held_displacement(problem.beam, problem.excitation, {}, grid, middle, every);
+  for (std::size_t n = 0; n < held.size(); ++n) {
+    recorder.add(beam.step(held[n]));
+    if ((n + 1) % every != 0) continue;
+    for (std::size_t k = 0; k < shapes.size(); ++k)
+      run.midspan[(n + 1) / every] += shapes[k] * beam.amplitudes()[k];
   }
-
- private:
-  [[nodiscard]] analytic::TimeGrid grid_of(int steps_per_sample) const {
-    return {effort_.duration / effort_.samples / steps_per_sample,
-            static_cast<std::size_t>(effort_.samples) * static_cast<std::size_t>(steps_per_sample)};
-  }
-
-  const data::Case& problem_;
-  const ConvergedEffort& effort_;
-};
+  return run;
+}
 
 double range_of(const std::vector<double>& values) {
   const auto [low, high] = std::ranges::minmax(values);
@@ -167,19 +148,19 @@ int free_modes_for(const data::Beam& beam, double time_step) {
 double ConvergedHistory::largest_half_width() const { return tip_half_width.back() / tip_range; }
 
 ConvergedHistory converged_history(const data::Case& problem, const ConvergedEffort& effort) {
-  const Study study(problem, effort);
+  if (is_damped(problem))
+    throw std::invalid_argument(
+        fmt::format("{} has damping, but the study is that of an undamped beam.", problem.name));
   // Both methods run concurrently, each from the finest to the coarsest step.
   const auto runs_of = [&](int first, const auto& run) {
     std::vector<Run> runs;
     for (int level = 0, steps = first; level < effort.levels && steps >= 1; ++level, steps /= 2)
-      runs.push_back(run(steps));
+      runs.push_back(run(problem, effort, steps));
     return runs;
   };
-  auto modal = std::async(std::launch::async, [&] {
-    return runs_of(effort.steps_per_sample / 2, [&](int steps) { return study.free_modes(steps); });
-  });
-  std::vector<Run> runs =
-      runs_of(effort.steps_per_sample, [&](int steps) { return study.boundary_integral(steps); });
+  auto modal =
+      std::async(std::launch::async, [&] { return runs_of(effort.steps_per_sample / 2, run_free_modes); });
+  std::vector<Run> runs = runs_of(effort.steps_per_sample, run_boundary_integral);
   const std::size_t integrals = runs.size();
   std::ranges::move(modal.get(), std::back_inserter(runs));
   const Run &finest = runs.front(), &coarser = runs[1], &other = runs[integrals];

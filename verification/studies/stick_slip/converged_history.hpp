@@ -55,7 +55,7 @@ struct ConvergedEffort {
   int samples{1000};     ///< number of equal parts of the duration at whose ends the history is recorded
   int steps_per_sample{
       4096};      ///< of the finest boundary integral; a power of two, halved from level to level
-  int levels{4};  ///< of each method; the finest free-mode run has half as many steps
+  int levels{4};  ///< of each method, at least 2; the finest free-mode run has half as many steps
   double shortest_stick{1e-3};  ///< s
   bool with_midspan{true};      ///< otherwise midspan is empty, and the study takes half the time
 };

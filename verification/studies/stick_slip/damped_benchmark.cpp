@@ -32,7 +32,8 @@ class Benchmark {
     for (const int modes : effort_.other_modes) compare("event-driven on held modes", modes, held(modes));
     for (const int elements : effort_.event_driven_elements)
       compare("event-driven on finite elements", elements,
-              event_driven_history(finite_elements(elements), effort_.duration, history_step));
+              event_driven_history(finite_element_contact_model(problem_, elements), effort_.duration,
+                                   history_step));
     for (const int elements : effort_.elements) step(elements, effort_.time_steps.back());
     for (const double time_step : effort_.time_steps)
       if (time_step != effort_.time_steps.back()) step(effort_.elements.back(), time_step);
@@ -44,11 +45,6 @@ class Benchmark {
     const analytic::BeamContactModel beam(problem_.beam, problem_.friction, problem_.excitation,
                                           problem_.damping, modes);
     return event_driven_history(beam.model(), effort_.duration, history_step, tolerance);
-  }
-
-  [[nodiscard]] analytic::ContactModel finite_elements(int elements) const {
-    return finite_element_contact_model(solver::BeamModel(problem_.beam, elements), problem_.friction,
-                                        problem_.excitation, problem_.damping);
   }
 
   void set_reference() {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "studies/stick_slip/parameter_sweep.hpp"
 
-#include <algorithm>
 #include <complex>
 #include <optional>
 
@@ -12,25 +11,21 @@ namespace stickslip::studies {
 
 namespace {
 
-struct EndState {
-  analytic::ContactKinematics state;
-  double sliding_velocity{};
-};
-
 double wall_velocity(const analytic::ContactModel& model) {
   return model.wall_amplitude * model.load_angular_frequency;
 }
 
-// Runs one value, and leaves its end for the next one.
-SweepPoint point_at(const SweepTask& task, double value, bool up, std::optional<EndState>& last) {
+// Runs one value from `last`, and leaves its end there for the next one, with the velocity relative to the wall.
+SweepPoint point_at(const SweepTask& task, double value, bool up,
+                    std::optional<analytic::ContactKinematics>& last) {
   const data::Case problem = with_value(task.problem, task.parameter, value);
   const analytic::ContactModel model = response_model(problem);
   const analytic::ContactModes modes(model);
   const int steps = steps_per_period(problem);
   analytic::ModalContactRun run(modes, model, steps);
   if (last) {
-    last->state.velocity = last->sliding_velocity + wall_velocity(model);
-    run.start(last->state);
+    last->velocity += wall_velocity(model);
+    run.start(*last);
   } else {
     run.start_stuck();
   }
@@ -46,7 +41,8 @@ SweepPoint point_at(const SweepTask& task, double value, bool up, std::optional<
     samples.push_back(run.amplitudes());
   }
   point.period = period_of(samples);
-  last = EndState{run.state(), run.sliding_velocity()};
+  last = run.state();
+  last->velocity = run.sliding_velocity();
   return point;
 }
 
@@ -60,7 +56,7 @@ std::vector<SweepPoint> parameter_sweep(const SweepTask& task, const std::functi
   if (task.direction != SweepDirection::up)
     for (auto value = task.values.rbegin(); value != task.values.rend(); ++value)
       way.emplace_back(*value, false);
-  std::optional<EndState> last;
+  std::optional<analytic::ContactKinematics> last;
   std::vector<SweepPoint> points;
   for (const auto& [value, up] : way) {
     points.push_back(point_at(task, value, up, last));

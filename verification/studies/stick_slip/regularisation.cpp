@@ -6,6 +6,7 @@
 
 #include "stickslip/analytic/beam_boundary_integral.hpp"
 #include "stickslip/solver/contact_system.hpp"
+#include "studies/convergence/convergence.hpp"
 
 namespace stickslip::studies {
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
-#include "studies/convergence/convergence.hpp"
 
 namespace stickslip::studies {
 

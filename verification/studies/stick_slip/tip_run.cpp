@@ -3,7 +3,6 @@
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <memory>
 
 #include "stickslip/solver/stick_slip_integrator.hpp"
 
