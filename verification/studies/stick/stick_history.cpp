@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/stick/stick_history.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <complex>
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 

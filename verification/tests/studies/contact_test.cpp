@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/convergence/discretisation.hpp"

@@ -11,7 +11,6 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
-#include <string>
 #include <tuple>
 #include <vector>
 
