@@ -8,7 +8,7 @@
 
 namespace stickslip::studies {
 
-/// |f_max| of Eqs. (29), (30) at one excitation, by every route there is.
+/// |f_max| of Eqs. (29), (30) at one excitation, by several methods.
 struct ForceMaximumStudy {
   double frequency_hz{};
   double amplitude{};                 ///< m

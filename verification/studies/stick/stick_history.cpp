@@ -60,7 +60,6 @@ StickHistoryStudy stick_history_study(const data::Beam& beam, const data::Harmon
 
   const auto free_displacement = exact.transient_displacement(midspan);
   const auto free_force = exact.transient_force();
-  std::vector<double> steps, displacement_errors, force_errors, predicted_displacement, predicted_force;
   for (int k = 0; k < levels; ++k) {
     const data::NumericalSettings level = refined(numerics, k);
     SampledHistory computed = finite_element_history(beam, excitation, level, 1L << (2 * k));
@@ -69,23 +68,23 @@ StickHistoryStudy stick_history_study(const data::Beam& beam, const data::Harmon
                             largest_difference(computed.force, study.force),
                             drift_bound(beam, exact.modes(), free_displacement, level, numerics.duration()),
                             drift_bound(beam, exact.modes(), free_force, level, numerics.duration())});
-    const StickHistoryLevel& row = study.levels.back();
-    steps.push_back(row.time_step);
-    displacement_errors.push_back(row.displacement_error);
-    force_errors.push_back(row.force_error);
-    predicted_displacement.push_back(row.predicted_displacement_error);
-    predicted_force.push_back(row.predicted_force_error);
     if (k == 0) {
       study.first_displacement = std::move(computed.displacement);
       study.first_force = std::move(computed.force);
     }
   }
-  if (levels > 1) {
-    study.displacement_order = order_estimate(steps, displacement_errors);
-    study.force_order = order_estimate(steps, force_errors);
-    study.predicted_displacement_order = observed_order(steps, predicted_displacement);
-    study.predicted_force_order = observed_order(steps, predicted_force);
-  }
+  if (levels == 1) return study;
+  const auto column = [&study](double StickHistoryLevel::*entry) {
+    std::vector<double> values;
+    for (const StickHistoryLevel& level : study.levels) values.push_back(level.*entry);
+    return values;
+  };
+  const std::vector<double> steps = column(&StickHistoryLevel::time_step);
+  study.displacement_order = order_estimate(steps, column(&StickHistoryLevel::displacement_error));
+  study.force_order = order_estimate(steps, column(&StickHistoryLevel::force_error));
+  study.predicted_displacement_order =
+      observed_order(steps, column(&StickHistoryLevel::predicted_displacement_error));
+  study.predicted_force_order = observed_order(steps, column(&StickHistoryLevel::predicted_force_error));
   return study;
 }
 

@@ -20,60 +20,51 @@ using std::numbers::pi;
 constexpr int values_between = 16;  // number of values between neighbouring frequencies
 constexpr double near = 2.0;        // times kappa: local minima below this value are refined
 
-/// Searches for a frequency at which Re Z(sigma + i omega) < kappa.
-class Search {
- public:
-  Search(const LinearContact& contact, double kappa) : contact_(contact), kappa_(kappa) {}
-
-  bool grows_at_most(double sigma) {
-    if (contact_.limiting_mass * sigma + contact_.limiting_damping < kappa_ * (1.0 - 1e-12)) return false;
-    const auto resistance = [&](double omega) { return (1.0 / contact_.mobility({sigma, omega})).real(); };
-    const auto is_below = [&](double omega) {
-      if (resistance(omega) >= kappa_) return false;
-      worst_ = omega;
-      return true;
-    };
-    if (is_below(worst_)) return false;  // the frequency at which the previous search failed
-    std::array<double, 3> omega{}, value{};
-    value.fill(resistance(0.0));
-    for (std::size_t i = 1; i < contact_.frequencies.size(); ++i) {
-      const double from = contact_.frequencies[i - 1], width = contact_.frequencies[i] - from;
-      for (int j = 1; j <= values_between; ++j) {
-        std::rotate(omega.begin(), omega.begin() + 1, omega.end());
-        std::rotate(value.begin(), value.begin() + 1, value.end());
-        omega[2] = from + width * 0.5 * (1.0 - std::cos(pi * j / values_between));
-        value[2] = resistance(omega[2]);
-        if (value[2] < kappa_) return !is_below(omega[2]);
-        if (value[1] > value[0] || value[1] > value[2] || value[1] > near * kappa_) continue;
-        if (is_below(minimum(resistance, omega[0], omega[2]))) return false;
-      }
+// Minimises by golden-section search.
+template <class Function>
+double minimum(const Function& function, double low, double high) {
+  constexpr double share = std::numbers::phi - 1.0;
+  double left = high - share * (high - low), right = low + share * (high - low);
+  double at_left = function(left), at_right = function(right);
+  for (int i = 0; i < 16; ++i) {
+    if (at_left < at_right) {
+      high = right, right = left, at_right = at_left;
+      left = high - share * (high - low), at_left = function(left);
+    } else {
+      low = left, left = right, at_left = at_right;
+      right = low + share * (high - low), at_right = function(right);
     }
+  }
+  return 0.5 * (low + high);
+}
+
+// Searches for a frequency at which Re Z(sigma + i omega) < kappa. `worst` is the frequency that the previous search
+// found; it is tried first.
+bool grows_at_most(const LinearContact& contact, double kappa, double sigma, double& worst) {
+  if (contact.limiting_mass * sigma + contact.limiting_damping < kappa * (1.0 - 1e-12)) return false;
+  const auto resistance = [&](double omega) { return (1.0 / contact.mobility({sigma, omega})).real(); };
+  const auto is_below = [&](double omega) {
+    if (resistance(omega) >= kappa) return false;
+    worst = omega;
     return true;
-  }
-
- private:
-  // Minimises by golden-section search.
-  template <class Function>
-  static double minimum(const Function& function, double low, double high) {
-    constexpr double share = std::numbers::phi - 1.0;
-    double left = high - share * (high - low), right = low + share * (high - low);
-    double at_left = function(left), at_right = function(right);
-    for (int i = 0; i < 16; ++i) {
-      if (at_left < at_right) {
-        high = right, right = left, at_right = at_left;
-        left = high - share * (high - low), at_left = function(left);
-      } else {
-        low = left, left = right, at_left = at_right;
-        right = low + share * (high - low), at_right = function(right);
-      }
+  };
+  if (is_below(worst)) return false;
+  std::array<double, 3> omega{}, value{};
+  value.fill(resistance(0.0));
+  for (std::size_t i = 1; i < contact.frequencies.size(); ++i) {
+    const double from = contact.frequencies[i - 1], width = contact.frequencies[i] - from;
+    for (int j = 1; j <= values_between; ++j) {
+      std::rotate(omega.begin(), omega.begin() + 1, omega.end());
+      std::rotate(value.begin(), value.begin() + 1, value.end());
+      omega[2] = from + width * 0.5 * (1.0 - std::cos(pi * j / values_between));
+      value[2] = resistance(omega[2]);
+      if (value[2] < kappa) return !is_below(omega[2]);
+      if (value[1] > value[0] || value[1] > value[2] || value[1] > near * kappa) continue;
+      if (is_below(minimum(resistance, omega[0], omega[2]))) return false;
     }
-    return 0.5 * (low + high);
   }
-
-  const LinearContact& contact_;
-  double kappa_;
-  double worst_{};
-};
+  return true;
+}
 
 void add_frequencies_of_the_beam(const data::Beam& beam, double highest, std::vector<double>& frequencies) {
   const double scale =
@@ -99,14 +90,15 @@ double weakening(const data::FrictionLaw& friction, double normal_force) {
 }
 
 bool grows_at_most(const LinearContact& contact, double kappa, double sigma) {
-  return Search(contact, kappa).grows_at_most(sigma);
+  double worst = 0.0;
+  return grows_at_most(contact, kappa, sigma, worst);
 }
 
 double growth_bound(const LinearContact& contact, double kappa) {
-  Search search(contact, kappa);
+  double worst = 0.0;
   const double lowest = *std::ranges::find_if(contact.frequencies, [](double omega) { return omega > 0.0; });
   double low = 1e-6 * lowest, high = low;
-  while (!search.grows_at_most(high)) {
+  while (!grows_at_most(contact, kappa, high, worst)) {
     low = high;
     high *= 4.0;
     if (high > 1e3 * contact.frequencies.back()) return std::numeric_limits<double>::infinity();
@@ -114,7 +106,7 @@ double growth_bound(const LinearContact& contact, double kappa) {
   if (high == low) return 0.0;
   while (high > (1.0 + 1e-4) * low) {
     const double middle = std::sqrt(low * high);
-    (search.grows_at_most(middle) ? high : low) = middle;
+    (grows_at_most(contact, kappa, middle, worst) ? high : low) = middle;
   }
   return high;
 }

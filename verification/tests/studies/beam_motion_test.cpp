@@ -32,7 +32,7 @@ TEST_P(BeamMotionAt, AgreesWithinThePredictionWhileTheTipSticks) {
   EXPECT_TRUE(
       within(study.stick_difference, 0.0,
              discretisation(study.predicted_stick_difference, 1.1, "response of every discrete mode")));
-  // Magnitudes are added that do not peak together, but the bound is not an idle one.
+  // The prediction adds magnitudes that do not peak together, but it is not ten times too large.
   EXPECT_GT(study.stick_difference, 0.1 * study.predicted_stick_difference);
   // One period, from a quarter of it before the first slip on, and the reference sticks up to there.
   const double period = 1.0 / GetParam();

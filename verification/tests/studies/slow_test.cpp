@@ -123,9 +123,9 @@ void expect_bounded(const GridRun& grid) {
                            data::NumericalSettings(c), {.damping = grid.damping});
   solver::EnergyRecorder recorder(s.integrator());
   s.observe([&recorder](const solver::StickSlipIntegrator& now) { recorder.record(now); });
-  // The resonance of the stick state builds up energy until the tip lets go; slips then live on that much. A
+  // Resonance in the stick state builds up energy until the tip slips; later the energy stays near that value. A
   // step of 1 ms, a third of the second mode's period over 2 pi, may be off by its (omega h)^2/12 = 2 %, and
-  // passes over the onset by a fortieth of a period.
+  // notices the onset up to a fortieth of a period late.
   double energy_at_first_slip = 0.0;
   for (long n = solver::step_count(grid.duration, grid.time_step); n > 0; --n) {
     s.step();
