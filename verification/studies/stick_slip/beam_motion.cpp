@@ -161,11 +161,10 @@ double largest_difference(const BeamMotion& a, const BeamMotion& b, double until
   return largest;
 }
 
-double predicted_stick_difference(const data::Case& problem, const MotionGrid& grid, double until,
-                                  int modes) {
+double predicted_stick_difference(const data::Case& problem, const MotionGrid& grid, double until) {
   const double omega = angular_frequency(problem.excitation);
   const double step = problem.numerics.time_step();
-  const analytic::StickResponse response(problem.beam, problem.excitation, modes,
+  const analytic::StickResponse response(problem.beam, problem.excitation, closed_form_modes,
                                          analytic::SteadyPart::exact);
   std::vector<SteppedResponse> stepped;
   for (const auto& mode : response.modes())
@@ -212,8 +211,7 @@ BeamMotionStudy beam_motion_study(const data::Case& problem, int snapshots, int 
     study.half_width =
         2.0 * largest_difference(study.reference, free_mode_motion(problem, grid, coarse), always);
   study.stick_difference = largest_difference(study.finite_element, study.reference, end_of_stick);
-  study.predicted_stick_difference =
-      predicted_stick_difference(problem, grid, end_of_stick, closed_form_modes);
+  study.predicted_stick_difference = predicted_stick_difference(problem, grid, end_of_stick);
   study.difference = largest_difference(study.finite_element, study.reference, always);
   return study;
 }

@@ -51,10 +51,10 @@ struct BeamMotion {
 ///
 ///     max over x, t of A0 sum_n |U_n(x) Omega^2 C_n| |g_n,h(t) - g_n(t)|  +  (Omega h)^2/4 max|y|.
 ///
-/// The sum contains the errors of phase, amplitude and resonance of each mode. The last term is the error of
+/// The sum contains the errors of phase, amplitude and resonance of each of 60 modes. The last term is the error of
 /// the steady response of the time integration.
 [[nodiscard]] double predicted_stick_difference(const data::Case& problem, const MotionGrid& grid,
-                                                double until, int modes);
+                                                double until);
 
 /// One panel of Fig. 3: finite elements compared with a reference without a mesh.
 struct BeamMotionStudy {

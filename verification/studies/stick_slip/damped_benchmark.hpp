@@ -46,7 +46,6 @@ struct DampedBenchmark {
 /// The settings of the benchmark.
 struct BenchmarkEffort {
   double duration{0.5};
-  double shortest_stick{2e-5};
   int modes{40};
   std::vector<int> other_modes{10, 20};
   std::vector<int> event_driven_elements{10, 20};

@@ -101,30 +101,25 @@ std::vector<RegularisationRate> regularisation_rates(const data::Case& problem,
   const double sliding = smooth ? 0.01 : 0.0;
   const Steps rigid = run(problem, {}, step);
   const std::vector<double> rigid_position = positions(rigid, step);
-  std::vector<RegularisationRate> rates{{"first slip", {}, {}, 0.0},
-                                        {"position", {}, {}, 0.0},
-                                        {"travel", {}, {}, 0.0},
-                                        {"friction force", {}, {}, 0.0}};
+  std::vector<double> parameter, first_slips, distances, travels, forces;
   for (const data::ContactProperties& contact : refined) {
     const Steps steps = run(problem, contact, step);
     double force = 0.0;
     for (std::size_t n = 0; n < steps.size(); ++n)
       force +=
           std::abs(steps[n].friction_force - rigid[n].friction_force) / static_cast<double>(steps.size());
-    const double errors[] = {
-        std::abs(first_slip(problem, steps, step, sliding) - first_slip(problem, rigid, step, sliding)),
-        largest_difference(positions(steps, step), rigid_position),
-        std::abs(travel(steps, 0, step, contact.tangential_stiffness) -
-                 travel(rigid, 0, step, problem.contact.tangential_stiffness())),
-        force};
-    for (std::size_t i = 0; i < rates.size(); ++i) {
-      rates[i].parameter.push_back(smooth ? contact.regularisation_velocity
-                                          : 1.0 / contact.tangential_stiffness);
-      rates[i].error.push_back(errors[i]);
-    }
+    parameter.push_back(smooth ? contact.regularisation_velocity : 1.0 / contact.tangential_stiffness);
+    first_slips.push_back(
+        std::abs(first_slip(problem, steps, step, sliding) - first_slip(problem, rigid, step, sliding)));
+    distances.push_back(largest_difference(positions(steps, step), rigid_position));
+    travels.push_back(std::abs(travel(steps, 0, step, contact.tangential_stiffness) -
+                               travel(rigid, 0, step, problem.contact.tangential_stiffness())));
+    forces.push_back(force);
   }
-  for (RegularisationRate& rate : rates) rate.order = observed_order(rate.parameter, rate.error);
-  return rates;
+  return {{"first slip", observed_order(parameter, first_slips)},
+          {"position", observed_order(parameter, distances)},
+          {"travel", observed_order(parameter, travels)},
+          {"friction force", observed_order(parameter, forces)}};
 }
 
 }  // namespace stickslip::studies

@@ -39,9 +39,7 @@ struct CodeSetting {
 /// The error of one quantity of a run against that with the set-valued law, as the regularisation is refined.
 struct RegularisationRate {
   std::string quantity;
-  std::vector<double> parameter;  ///< 1/k_t in m/N, or v_r in m/s
-  std::vector<double> error;
-  double order{};  ///< the slope of log(error) over log(parameter)
+  double order{};  ///< the slope of log(error) over log(1/k_t) or log(v_r)
 };
 
 /// First slip (s), largest distance of the position of the tip on the wall (m), its travel (m) and the mean distance of

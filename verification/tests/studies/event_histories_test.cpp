@@ -81,7 +81,6 @@ class DampedBenchmark : public ::testing::TestWithParam<double> {};
 
 TEST_P(DampedBenchmark, IsTheSameByFiniteElementsInTimeStepsAndByContinuousModesFromEventToEvent) {
   const auto benchmark = studies::damped_benchmark(damped_problem(GetParam()), {.duration = 0.12,
-                                                                                .shortest_stick = 2e-5,
                                                                                 .modes = 28,
                                                                                 .other_modes = {10},
                                                                                 .event_driven_elements = {10},

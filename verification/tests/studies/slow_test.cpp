@@ -166,7 +166,6 @@ STICKSLIP_VERIFIES(DampedBenchmarkLong, "X9");
 TEST_P(DampedBenchmarkLong, EveryEventOfHalfASecondIsTheSameByBothMethods) {
   const auto benchmark =
       studies::damped_benchmark(damped_problem(GetParam()), {.duration = 0.5,
-                                                             .shortest_stick = 2e-5,
                                                              .modes = 40,
                                                              .other_modes = {},
                                                              .event_driven_elements = {},
