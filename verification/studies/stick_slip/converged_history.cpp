@@ -62,7 +62,8 @@ Run run_boundary_integral(const data::Case& problem, const ConvergedEffort& effo
   const analytic::TimeGrid grid = grid_of(effort, steps_per_sample);
   const auto every = static_cast<std::size_t>(steps_per_sample);
   const analytic::BeamBoundaryIntegral beam(problem.beam, problem.friction, problem.excitation, {}, grid);
-  Run run{.level = {.method = "boundary integral", .time_step = grid.time_step}};
+  Run run;
+  run.level = {.method = "boundary integral", .time_step = grid.time_step};
   RunRecorder recorder(run, grid.time_step, every);
   for (const analytic::ContactStep& step : beam.steps()) recorder.add(step);
   if (effort.with_midspan) run.midspan = beam.displacement(0.5 * problem.beam.length(), every);
@@ -81,7 +82,8 @@ Run run_free_modes(const data::Case& problem, const ConvergedEffort& effort, int
   const std::vector<double> held = analytic::holding_force(problem.beam, problem.excitation, {}, grid);
   analytic::FreeModeRun beam(analytic::free_modes(problem.beam, modes),
                              {problem.beam.axial_force(), problem.friction}, grid.time_step);
-  Run run{.level = {.method = "free modes", .time_step = grid.time_step, .modes = modes}};
+  Run run;
+  run.level = {.method = "free modes", .time_step = grid.time_step, .modes = modes};
   RunRecorder recorder(run, grid.time_step, every);
   run.midspan = analytic::held_displacement(problem.beam, problem.excitation, {}, grid, middle, every);
   for (std::size_t n = 0; n < held.size(); ++n) {
