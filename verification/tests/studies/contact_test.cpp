@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 #include "stickslip/analytic/stick_response.hpp"
@@ -56,13 +56,16 @@ TEST(Figure12, BothImplementationsClassifyAlikeOutsideTheGuardBand) {
   RecordProperty("points_agreeing", study.agreeing);
 }
 
-class FirstSlip : public ::testing::TestWithParam<std::pair<double, double>> {};
+struct SlippingCase {
+  double hz, amplitude;
+};
+
+class FirstSlip : public ::testing::TestWithParam<SlippingCase> {};
 
 STICKSLIP_VERIFIES(FirstSlip, "X5");
 TEST_P(FirstSlip, HappensWhenTheClosedFormSaysSo) {
   // The instant moves by the force error over the force's slope there.
-  const auto& [hz, amplitude] = GetParam();
-  const data::HarmonicExcitation excitation({hz, amplitude});
+  const data::HarmonicExcitation excitation({GetParam().hz, GetParam().amplitude});
   const data::NumericalSettings numerics(paper_choices(1.0));
   const auto exact = studies::closed_form_first_slip(paper_beam(), paper_friction(), excitation, 1.0);
   ASSERT_TRUE(exact);
@@ -82,12 +85,12 @@ TEST_P(FirstSlip, HappensWhenTheClosedFormSaysSo) {
 }
 
 INSTANTIATE_TEST_SUITE_P(SlippingCases, FirstSlip,
-                         ::testing::Values(std::pair{25.0, 0.5e-3}, std::pair{70.0, 0.5e-3},
-                                           std::pair{25.0, 1e-3}, std::pair{35.0, 1e-3},
-                                           std::pair{70.0, 1e-3}),
+                         ::testing::Values(SlippingCase{25.0, 0.5e-3}, SlippingCase{70.0, 0.5e-3},
+                                           SlippingCase{25.0, 1e-3}, SlippingCase{35.0, 1e-3},
+                                           SlippingCase{70.0, 1e-3}),
                          [](const auto& instance) {
-                           return parameter_name(instance.param.first) + "Hz" +
-                                  parameter_name(1e3 * instance.param.second) + "mm";
+                           return parameter_name(instance.param.hz) + "Hz" +
+                                  parameter_name(1e3 * instance.param.amplitude) + "mm";
                          });
 
 STICKSLIP_VERIFIES(ContactHistory, "X5");
@@ -135,9 +138,10 @@ TEST(PracticeRuns, AreComparedWithTheConvergedHistory) {
     EXPECT_EQ(runs[run].time_step, settings[run].time_step);
     EXPECT_EQ(runs[run].spectral_radius, settings[run].spectral_radius);
     ASSERT_EQ(runs[run].tip_displacement.size(), converged.tip.size());
-    EXPECT_DOUBLE_EQ(
-        runs[run].largest_error,
-        studies::largest_difference(runs[run].tip_displacement, converged.tip) / converged.tip_range);
+    double largest = 0.0;
+    for (std::size_t i = 0; i < converged.tip.size(); ++i)
+      largest = std::max(largest, std::abs(runs[run].tip_displacement[i] - converged.tip[i]));
+    EXPECT_DOUBLE_EQ(runs[run].largest_error, largest / converged.tip_range);
   }
   // Empirical: the scheme of the paper captures a tip that still moves, 71 times in 0.1 s; its error is 12 % of
   // the range. The changes that are located in the step are 9 to 11, and the error is below 0.5 %.
