@@ -61,8 +61,9 @@ TEST(EventDifferences, AreInfiniteBetweenDifferentSequences) {
 STICKSLIP_VERIFIES(DampedBenchmark, "X9");
 // Recorded from an independent event-driven computation on finite elements, with the digits given.
 TEST(DampedBenchmark, MeetsRecordedEvents) {
-  const data::Case damped = damped_problem(25.0);
-  const analytic::BeamContactModel beam(damped.beam, damped.friction, damped.excitation, damped.damping, 20);
+  const data::Case problem = damped_problem(25.0);
+  const analytic::BeamContactModel beam(problem.beam, problem.friction, problem.excitation, problem.damping,
+                                        20);
   const auto history = studies::event_driven_history(beam.model(), 0.09, 1e-3);
   const HistoryEvent recorded[] = {{true, 0.055321, 0.0},
                                    {false, 0.068022, 1.6961e-3},
