@@ -15,7 +15,7 @@ namespace stickslip::studies {
 
 namespace {
 
-constexpr double history_step = 1e-4, shortest_stick = 2e-5;  // s
+constexpr double history_step = 1e-4, least_stick = 2e-5;  // s
 
 class Benchmark {
  public:
@@ -26,7 +26,7 @@ class Benchmark {
     result_.amplitude = problem_.excitation.amplitude();
     result_.kelvin_voigt = problem_.damping.kelvin_voigt();
     result_.duration = effort_.duration;
-    result_.shortest_stick = shortest_stick;
+    result_.shortest_stick = least_stick;
     result_.modes = effort_.modes;
     set_reference();
     for (const int modes : effort_.other_modes) compare("event-driven on held modes", modes, held(modes));
@@ -62,7 +62,7 @@ class Benchmark {
   }
 
   [[nodiscard]] std::vector<HistoryEvent> events_of(const TipHistory& history) const {
-    return without_micro_sticks(history.events, shortest_stick);
+    return without_micro_sticks(history.events, least_stick);
   }
 
   void compare(const char* method, int size, const TipHistory& history, double time_step = 0.0) {
