@@ -132,14 +132,12 @@ STICKSLIP_JSON(BandMargin, force_max, friction_limit, margin, frequency_hz, eval
 STICKSLIP_JSON(DesignInterval, from, to, sticks, buckled, resonances)
 STICKSLIP_JSON(DesignScan, accuracy, intervals)
 STICKSLIP_JSON(Design, band, margin, lengths, forces)
-STICKSLIP_JSON(ForceHorizon, duration, force_max, critical_amplitude, finite_element, predicted_error)
-STICKSLIP_JSON(SteadyForce, frequency_hz, amplitude, steady, truncated, finite_element, predicted_error,
-               ceiling, grows, horizons)
-STICKSLIP_JSON(SteadyDampedForce, frequency_hz, amplitude, kelvin_voigt, ratio, undamped_force_max, steady,
-               finite_element, predicted_error)
-STICKSLIP_JSON(SlenderForce, frequency_hz, amplitude, model_errors, force_max, shifted_force_max)
+STICKSLIP_JSON(ForceHorizon, duration, force_max)
+STICKSLIP_JSON(SteadyForce, frequency_hz, amplitude, steady, grows, horizons)
+STICKSLIP_JSON(SteadyDampedForce, amplitude, ratio, undamped_force_max, steady)
+STICKSLIP_JSON(SlenderForce, frequency_hz, model_errors, force_max, shifted_force_max)
 STICKSLIP_JSON(SofterBeam, larger, all, lowest_ratio, at_hz)
-STICKSLIP_JSON(LateSlips, method, duration, range, settled, later_range, last_onset)
+STICKSLIP_JSON(LateSlips, range, settled, later_range)
 STICKSLIP_JSON(Scope, friction_limit, steady, damped, slender, softer, late_slips)
 STICKSLIP_JSON(AxialDirectionPlane, figures, problem, cells, flipped, lowest_ratio, highest_ratio, buckled,
                slip_buckling_load, flipped_share(), buckled_share())

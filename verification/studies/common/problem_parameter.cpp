@@ -74,6 +74,10 @@ double angular_frequency(const data::HarmonicExcitation& excitation) {
   return 2.0 * std::numbers::pi * excitation.frequency_hz();
 }
 
+double friction_limit(const data::Case& problem) {
+  return problem.friction.static_coefficient() * problem.beam.axial_force();
+}
+
 bool is_damped(const data::Case& problem) {
   return problem.damping.kelvin_voigt() > 0.0 || problem.damping.ratio() > 0.0;
 }

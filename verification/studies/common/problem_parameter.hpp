@@ -36,6 +36,9 @@ enum class Parameter {
 /// Angular frequency Omega = 2 pi f of the excitation, rad/s.
 [[nodiscard]] double angular_frequency(const data::HarmonicExcitation& excitation);
 
+/// mu_s P, N.
+[[nodiscard]] double friction_limit(const data::Case& problem);
+
 /// Whether the case has Kelvin-Voigt damping or a damping ratio above 0.
 [[nodiscard]] bool is_damped(const data::Case& problem);
 

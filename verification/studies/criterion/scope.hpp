@@ -5,8 +5,6 @@
 /// damping. The free vibrations of the start never decay in |f_max|. This study shows what they add to the
 /// steady vibration, and how |f_max| depends on T, on damping and on the slenderness of the beam.
 
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "stickslip/analytic/bounds.hpp"
@@ -15,49 +13,33 @@
 
 namespace stickslip::studies {
 
-/// The amplitude of f by finite elements in the steady vibration with the tip held, N: the tip's row of
-/// (K + i Omega eta K_e - Omega^2 M) u = Omega^2 A0 b with u(L) = -A0, and the elastic part K_e of K. The
-/// error falls with the fourth power of the element length. Throws data::FieldError, naming damping.ratio,
-/// unless that is 0.
-[[nodiscard]] double finite_element_steady_force(const data::Case& problem, int elements);
-
 /// |f_max| over T for one T.
 struct ForceHorizon {
-  double duration{};                     ///< T, s
-  analytic::Bounds force_max;            ///< all modes, N
-  double critical_amplitude{};           ///< A0 mu_s P/|f_max|, m
-  std::optional<double> finite_element;  ///< |f_max| of the mesh of the case, N; up to numerics.duration()
-  double predicted_error{};  ///< of finite_element, N: PredictedForce less closed form, and its uncertainty
+  double duration{};           ///< T, s
+  analytic::Bounds force_max;  ///< all modes, N
 };
 
 /// The force of the undamped held beam at one frequency.
 struct SteadyForce {
   double frequency_hz{}, amplitude{};  ///< Hz, m
-  double steady{};           ///< amplitude of f at Omega in closed form, N; infinite at a natural frequency
-  double truncated{};        ///< the same with numerics.modes() modes, as the paper sums Eq. (28), N
-  double finite_element{};   ///< the same by finite elements, N
-  double predicted_error{};  ///< of finite_element, N: (16/15) of the difference from half the element length
-  double ceiling{};          ///< sum of the amplitudes of all sinusoids of f, N: a bound of |f| for all time
-  bool grows{};              ///< |f| grows over all of numerics.duration() (Concern::resonance)
+  double steady{};  ///< amplitude of f at Omega in closed form, N; infinite at a natural frequency
+  bool grows{};     ///< |f| grows over all of numerics.duration() (Concern::resonance)
   std::vector<ForceHorizon> horizons;
 };
 
 /// Steady force of a beam with Kelvin-Voigt damping and its tip held.
 struct SteadyDampedForce {
-  double frequency_hz{}, amplitude{};  ///< Hz, m
-  double kelvin_voigt{};               ///< eta, s
-  double ratio{};                      ///< fraction of critical damping of stick mode 1, eta omega_1/2
-  double undamped_force_max{};         ///< |f_max| over numerics.duration() without damping, N
-  double steady{};                     ///< closed form (analytic::DampedSteadyState), N
-  double finite_element{};             ///< steady amplitude of a run by time steps, N
-  double predicted_error{};            ///< of finite_element, N: the frequency of mode 1 in the run
+  double amplitude{};           ///< m
+  double ratio{};               ///< fraction of critical damping of stick mode 1, eta omega_1/2
+  double undamped_force_max{};  ///< |f_max| over numerics.duration() without damping, N
+  double steady{};              ///< closed form (analytic::DampedSteadyState), N
 };
 
 /// |f_max| of Euler-Bernoulli theory and with rotary inertia and shear (with_shear()).
 struct SlenderForce {
-  double frequency_hz{}, amplitude{};
-  std::vector<double>
-      model_errors;  ///< relative, of Euler-Bernoulli theory in each natural frequency that is kept
+  double frequency_hz{};
+  /// Relative, of Euler-Bernoulli theory in each natural frequency that is kept.
+  std::vector<double> model_errors;
   double force_max{}, shifted_force_max{};  ///< N
 };
 
@@ -69,12 +51,9 @@ struct SofterBeam {
 
 /// What is left of a history after its large slips.
 struct LateSlips {
-  std::string method;
-  double duration{};     ///< of the history, s
   double range{};        ///< of y(L), m
   double settled{};      ///< from here on y(L) is within settled_share of the range from its last value, s
   double later_range{};  ///< of y(L) from then on, m
-  double last_onset{};   ///< start of the last slip in the history, s
 };
 inline constexpr double settled_share = 0.05;
 
@@ -85,7 +64,7 @@ struct Scope {
   std::vector<SteadyDampedForce> damped;
   std::vector<SlenderForce> slender;
   SofterBeam softer;
-  std::vector<LateSlips> late_slips;  ///< converged history first
+  LateSlips late_slips;
 };
 
 /// The parts of the study, for the case of data/cases/paper.toml at its frequency and amplitude.
@@ -94,10 +73,8 @@ struct Scope {
 [[nodiscard]] SlenderForce slender_force(const data::Case& paper);
 /// 1 to `last_hz` by 1 Hz, closed form.
 [[nodiscard]] SofterBeam softer_beam(const data::Case& paper, int last_hz);
-/// Of the undamped history at the frequency and amplitude of `converged`: `converged` itself, finite elements
-/// with the filtering step over its duration, and 20 and 40 elements with the step of `paper` over
-/// numerics.duration(), which are not converged.
-[[nodiscard]] std::vector<LateSlips> late_slips(const data::Case& paper, const ConvergedHistory& converged);
+/// Of times (s) and y(L) (m) of a history.
+[[nodiscard]] LateSlips late_slips(const std::vector<double>& time, const std::vector<double>& tip);
 
 /// Steady forces and slenderness at these frequencies and the first amplitude, damping at 25 Hz and all amplitudes.
 struct ScopeRange {

@@ -15,9 +15,9 @@
 
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/data/case_file.hpp"
-#include "studies/criterion/scope.hpp"
 #include "support/command_line.hpp"
 #include "support/requirements.hpp"
+#include "support/vibration.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -235,7 +235,7 @@ TEST_F(CommandLine, CriterionGivesTheSteadyForceBesideThatOfTheStartUp) {
   EXPECT_EQ(slow["steady"]["verdict"], "stick");
   EXPECT_NEAR(
       slow["steady"]["force_N"].get<double>(),
-      studies::finite_element_steady_force(
+      finite_element_steady_force(
           data::load_case("paper", {{"excitation.frequency_hz", "35"}, {"excitation.amplitude", "1e-3"}}),
           40),
       1e-4);  // the fourth power of the element length: 1.4e-7 of 224 N
@@ -248,7 +248,7 @@ TEST_F(CommandLine, CriterionGivesTheSteadyForceBesideThatOfTheStartUp) {
 TEST_F(CommandLine, CriterionOfADampedCaseIsThatOfItsStartUpAndOfTheSteadyForce) {
   const auto answer = json("criterion damped");
   const double force = answer["steady"]["force_N"], critical = answer["steady"]["critical_amplitude_m"];
-  EXPECT_NEAR(force, studies::finite_element_steady_force(data::load_case("damped"), 40), 1e-5 * force);
+  EXPECT_NEAR(force, finite_element_steady_force(data::load_case("damped"), 40), 1e-5 * force);
   EXPECT_DOUBLE_EQ(critical * force, 1e-3 * 300.0);
   EXPECT_EQ(answer["steady"]["verdict"], "stick-slip");
   EXPECT_EQ(json(fmt::format("criterion damped --amplitude {}", 0.999 * critical))["steady"]["verdict"],

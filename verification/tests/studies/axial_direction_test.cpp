@@ -22,7 +22,6 @@
 #include "stickslip/solver/modal_analysis.hpp"
 #include "studies/criterion/criterion_map.hpp"
 #include "studies/criterion/model_form.hpp"
-#include "studies/criterion/scope.hpp"
 #include "studies/stick/frequencies.hpp"
 #include "studies/stick_slip/energy_audit.hpp"
 #include "support/beams.hpp"
@@ -32,6 +31,7 @@
 #include "support/random_beams.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
+#include "support/vibration.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -201,7 +201,7 @@ TEST_P(AxialDirection, GivesTheMeshTheSteadyForceOfTheHeldBeamWithOrderFour) {
     std::vector<OrderLevel> levels;
     for (const int n : {4, 6, 8, 12})
       levels.push_back({.step = 1.0 / n,
-                        .error = std::abs(studies::finite_element_steady_force(at, n) - force),
+                        .error = std::abs(finite_element_steady_force(at, n) - force),
                         .next_term = std::pow(3.93 / n, 2) / 10.0,
                         .floor = 1e-11 * force});
     EXPECT_TRUE(order_is(levels, 4.0)) << hz;

@@ -4,7 +4,32 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "stickslip/solver/beam_simulation.hpp"
+
 namespace stickslip::testing {
+
+double finite_element_steady_force(const data::Case& problem, int elements) {
+  const solver::BeamModel model(problem.beam, elements);
+  const double omega = 2.0 * std::numbers::pi * problem.excitation.frequency_hz();
+  const double amplitude = problem.excitation.amplitude();
+  const auto complex = [](const auto& matrix) {
+    return Eigen::MatrixXcd(Eigen::MatrixXd(matrix).cast<std::complex<double>>());
+  };
+  const Eigen::MatrixXcd dynamic =
+      complex(model.slip_stiffness()) +
+      std::complex<double>(0.0, omega) * complex(solver::damping_matrix(model, problem.damping)) -
+      omega * omega * complex(model.mass());
+  const Eigen::Index tip = model.tip_deflection();
+  const Eigen::VectorXcd load = (omega * omega * amplitude * model.base_load()).cast<std::complex<double>>();
+  Eigen::MatrixXcd held = dynamic;
+  Eigen::VectorXcd right = load + amplitude * dynamic.col(tip);
+  held.row(tip).setZero();
+  held.col(tip).setZero();
+  held(tip, tip) = 1.0;
+  right[tip] = -amplitude;
+  const Eigen::VectorXcd u = held.partialPivLu().solve(right);
+  return std::abs((dynamic.row(tip) * u)(0) - load[tip]);
+}
 
 MeshError::MeshError(const Vibration& v)
     : solution_(v.solution()), rigidity_(solution_.rigidity()), axial_force_(v.axial_force) {
