@@ -348,9 +348,10 @@ const studies::CriterionMap& StudyResults::stiffness_map() {
     problem.excitation = stick_excitation_;
     const double modulus = paper_.beam.youngs_modulus();
     return studies::criterion_map(
-        problem, studies::map_axis(studies::Parameter::frequency, 1.0, highest_frequency, 239, false),
-        studies::map_axis(studies::Parameter::youngs_modulus, 0.25 * modulus, 4.0 * modulus, 61, true),
-        studies::MapMethod::closed_form);
+        {.problem = problem,
+         .x = studies::map_axis(studies::Parameter::frequency, 1.0, highest_frequency, 239, false),
+         .y =
+             studies::map_axis(studies::Parameter::youngs_modulus, 0.25 * modulus, 4.0 * modulus, 61, true)});
   });
 }
 

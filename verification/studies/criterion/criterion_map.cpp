@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -30,28 +31,20 @@ bool is_a_factor(Parameter parameter) {
   return parameter == Parameter::amplitude || parameter == Parameter::static_coefficient;
 }
 
-bool moves_the_buckling_load_ratio(Parameter parameter) {
-  return parameter == Parameter::length || parameter == Parameter::axial_force ||
-         parameter == Parameter::youngs_modulus;
+bool varies_one_of(const MapTask& task, std::initializer_list<Parameter> parameters) {
+  return std::ranges::any_of(parameters, [&](Parameter parameter) {
+    return task.x.parameter == parameter || task.y.parameter == parameter;
+  });
 }
 
 // Whether the beam may be buckled in some cells of the map and not in others.
 bool may_buckle(const MapTask& task) {
-  return moves_the_buckling_load_ratio(task.x.parameter) || moves_the_buckling_load_ratio(task.y.parameter);
+  return varies_one_of(task, {Parameter::length, Parameter::axial_force, Parameter::youngs_modulus});
 }
 
-bool is_damping(Parameter parameter) {
-  return parameter == Parameter::damping_ratio || parameter == Parameter::kelvin_voigt;
-}
-
-// Whether some cells of the map may be damped and others not, or otherwise.
-bool changes_damping(const MapTask& task) {
-  return is_damping(task.x.parameter) || is_damping(task.y.parameter);
-}
-
-// Whether the reactions of the cells belong to different directions of the axial force.
-bool turns_the_axial_force(const MapTask& task) {
-  return task.x.parameter == Parameter::axial_direction || task.y.parameter == Parameter::axial_direction;
+// Whether the modes depend on more than the load factor, or a cell may be damped and another one not.
+bool varies_direction_or_damping(const MapTask& task) {
+  return varies_one_of(task, {Parameter::axial_direction, Parameter::damping_ratio, Parameter::kelvin_voigt});
 }
 
 // How many values of an axis need separate evaluations of the force.
@@ -73,20 +66,21 @@ data::Case case_at(const MapTask& task, std::size_t i, std::size_t j) {
 }
 
 // |f_max| at the points of one map. The modes are interpolated in a table, or computed once if all points
-// have the same beam; the direction of the axial force is not interpolated. The modes therefore do not depend on which points are evaluated.
+// have the same beam. They do not depend on which points are evaluated.
 class Forces {
  public:
   explicit Forces(const MapTask& task) : method_(task.method), modes_(task.problem.numerics.modes()) {
-    if (method_ != MapMethod::closed_form || turns_the_axial_force(task) || changes_damping(task)) return;
-    if (is_damped(task.problem)) {
-      if (!may_buckle(task))
-        common_damped_ = analytic::damped_reaction(task.problem.beam, task.problem.damping, modes_);
+    if (method_ != MapMethod::closed_form || varies_direction_or_damping(task)) return;
+    const data::Case& problem = task.problem;
+    if (!may_buckle(task)) {  // all points have the same beam
+      if (is_damped(problem))
+        common_damped_ = analytic::damped_reaction(problem.beam, problem.damping, modes_);
+      else
+        common_ = analytic::modal_reaction(problem.beam, modes_);
       return;
     }
-    if (task.problem.beam.shear_stiffness() > 0.0) {  // whose modes depend on more than the load factor
-      if (!may_buckle(task)) common_ = analytic::modal_reaction(task.problem.beam, modes_);
-      return;
-    }
+    // Their modes depend on more than the load factor.
+    if (is_damped(problem) || problem.beam.shear_stiffness() > 0.0) return;
     double lowest = std::numeric_limits<double>::infinity(), highest = 0.0;
     for (const std::size_t j : ends_of(task.y))
       for (const std::size_t i : ends_of(task.x)) {
@@ -94,11 +88,12 @@ class Forces {
         lowest = std::min(lowest, load_factor(beam));
         highest = std::max(highest, load_factor(beam));
       }
-    if (may_buckle(task)) highest = std::min(highest, just_below_buckling(case_at(task, 0, 0).beam));
+    const data::Beam first = case_at(task, 0, 0).beam;
+    highest = std::min(highest, just_below_buckling(first));
     if (lowest > 0.0 && lowest < highest)
-      table_.emplace(lowest, highest, modes_, task.problem.beam.axial_direction());
+      table_.emplace(lowest, highest, modes_, problem.beam.axial_direction());
     else if (lowest == highest)
-      common_ = analytic::modal_reaction(case_at(task, 0, 0).beam, modes_);
+      common_ = analytic::modal_reaction(first, modes_);
   }
 
   // |f_max| per metre of amplitude, N/m.
@@ -119,8 +114,7 @@ class Forces {
 
   // Whether the tip slips. Far from the friction limit this needs less work than the force itself.
   [[nodiscard]] bool slips(const data::Case& problem) const {
-    const double limit = problem.friction.static_coefficient() * problem.beam.axial_force();
-    const double amplitude = problem.excitation.amplitude();
+    const double limit = friction_limit(problem), amplitude = problem.excitation.amplitude();
     if (method_ == MapMethod::closed_form && !is_damped(problem))
       return amplitude > 0.0 && search(problem).exceeds(limit / amplitude);
     return amplitude * unit_force(problem).lower > limit;
@@ -153,7 +147,7 @@ class Forces {
 class Responses {
  public:
   explicit Responses(const MapTask& task) : task_(task) {
-    if (!may_buckle(task) && !turns_the_axial_force(task) && !changes_damping(task))
+    if (!may_buckle(task) && !varies_direction_or_damping(task))
       common_.emplace(response_model(case_at(task, 0, 0)));
   }
 
@@ -304,15 +298,9 @@ CriterionMap criterion_map(const MapTask& task, const MapEvaluations& evaluation
   return map;
 }
 
-CriterionMap criterion_map(const data::Case& problem, const MapAxis& x, const MapAxis& y, MapMethod method,
-                           const std::function<void(double)>& progress) {
-  const MapTask task{.problem = problem, .x = x, .y = y, .method = method};
+CriterionMap criterion_map(const MapTask& task) {
   MapEvaluations evaluations(evaluation_count(task));
-  std::size_t done = 0;
-  evaluate(task, share_of(evaluations.size(), 1, 1), evaluations, [&](std::span<const std::size_t> numbers) {
-    done += numbers.size();
-    if (progress) progress(static_cast<double>(done) / static_cast<double>(evaluations.size()));
-  });
+  evaluate(task, share_of(evaluations.size(), 1, 1), evaluations);
   return criterion_map(task, evaluations);
 }
 

@@ -14,11 +14,10 @@
 
 namespace stickslip::studies {
 
-/// How |f_max| is computed.
+/// How |f_max| is computed, with the damping of the case.
 enum class MapMethod {
-  closed_form,     ///< Eq. (28) with numerics.modes() modes, |f_max| to 1e-10; with damping as
-                   ///< well
-  finite_elements  ///< one linear run with a bonded tip, |f_max| over its time steps; with damping
+  closed_form,     ///< Eq. (28) with numerics.modes() modes, |f_max| to 1e-10
+  finite_elements  ///< one linear run with a bonded tip, |f_max| over its time steps
 };
 
 /// The state of a cell of the map.
@@ -41,8 +40,8 @@ struct CriterionMap {
     double x{}, y{};
     /// |f_max| / (mu_s P); empty without a stick state or if not asked for.
     std::optional<double> force_ratio;
-    CellState
-        state{};  ///< stick_slip if the ratio is above 1 or, with quantities, if the tip slips after the transient
+    /// stick_slip if the ratio is above 1 or, with quantities, if the tip slips after the transient
+    CellState state{};
     std::vector<ResponseValue> response;  ///< of the quantities; empty without a stick state
   };
   MapAxis x, y;
@@ -80,8 +79,7 @@ using MapEvaluations = std::vector<std::optional<MapEvaluation>>;
 
 /// The number of evaluations that a map needs. |f_max| is proportional to the amplitude and does not depend
 /// on mu_s, so that an axis of either parameter needs no additional evaluation; a quantity of the motion has one
-/// for each cell. Throws for axes that are not
-/// allowed, as criterion_map() does.
+/// for each cell. Throws what criterion_map() throws for axes that are not allowed.
 [[nodiscard]] std::size_t evaluation_count(const MapTask& task);
 
 /// The numbers, in ascending order, of the evaluations that belong to part `part` of `parts`. Each evaluation
@@ -100,12 +98,11 @@ void evaluate(const MapTask& task, std::span<const std::size_t> numbers, MapEval
 /// The map assembled from its evaluations. Throws std::invalid_argument if one is missing.
 [[nodiscard]] CriterionMap criterion_map(const MapTask& task, const MapEvaluations& evaluations);
 
-/// Computes a map. `progress`, if given, receives the completed fraction.
+/// Makes all evaluations and assembles the map.
 ///
 /// Throws std::invalid_argument if both axes are the same parameter or mu_s is 0 somewhere, data::FieldError
 /// for a value that its field refuses, and data::InputError, naming beam.axial_force, if P <= 0 somewhere,
 /// or if the beam is buckled and neither axis changes that.
-[[nodiscard]] CriterionMap criterion_map(const data::Case& problem, const MapAxis& x, const MapAxis& y,
-                                         MapMethod method, const std::function<void(double)>& progress = {});
+[[nodiscard]] CriterionMap criterion_map(const MapTask& task);
 
 }  // namespace stickslip::studies

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -19,83 +18,66 @@ namespace stickslip::studies {
 
 namespace {
 
-constexpr double dead_load = 1.0;
-
-// The cells with another verdict, the range of the ratio of |f_max|, and the cells that lose their stick state.
-ShearPlane change(std::string figures, const CriterionMap& before, const CriterionMap& after) {
-  ShearPlane plane{.figures = std::move(figures), .lowest_ratio = std::numeric_limits<double>::infinity()};
-  for (std::size_t i = 0; i < before.cells.size(); ++i) {
-    if (!before.cells[i].force_ratio) continue;
-    if (!after.cells[i].force_ratio) {
-      ++plane.buckled;
-      continue;
-    }
-    ++plane.cells;
-    if (before.cells[i].state != after.cells[i].state) ++plane.flipped;
-    const double ratio = *after.cells[i].force_ratio / *before.cells[i].force_ratio;
-    plane.lowest_ratio = std::min(plane.lowest_ratio, ratio);
-    plane.highest_ratio = std::max(plane.highest_ratio, ratio);
+// Counts a cell by |f_max|/(mu_s P) in the model of the paper and in the other one.
+void count_cell(ModelPlane& plane, const std::optional<double>& paper, const std::optional<double>& other) {
+  if (!paper) return;
+  if (!other) {
+    ++plane.lost;
+    return;
   }
-  return plane;
+  ++plane.cells;
+  if (*paper > 1.0 && *other <= 1.0) ++plane.to_stick;
+  if (*paper <= 1.0 && *other > 1.0) ++plane.to_slip;
+  plane.lowest_ratio = std::min(plane.lowest_ratio, *other / *paper);
+  plane.highest_ratio = std::max(plane.highest_ratio, *other / *paper);
 }
 
-CriterionMap map_of(const data::Case& problem, const MapAxis& x, const MapAxis& y) {
-  return criterion_map(problem, x, y, MapMethod::closed_form);
-}
-
-AxialDirectionPlane direction_plane(const std::string& figures, const data::Case& problem,
-                                    const CriterionMap& follower) {
-  const data::Case dead_case = with_value(problem, Parameter::axial_direction, dead_load);
-  const MapAxis &x = follower.x, &y = follower.y;
-  const ShearPlane compared = change(figures, follower, map_of(dead_case, x, y));
-  AxialDirectionPlane plane{.figures = figures,
-                            .problem = problem,
-                            .cells = compared.cells,
-                            .flipped = compared.flipped,
-                            .lowest_ratio = compared.lowest_ratio,
-                            .highest_ratio = compared.highest_ratio,
-                            .slip_buckling_load = analytic::slip_critical_load(dead_case.beam)};
-  for (const CriterionMap::Cell& cell : follower.cells) {
-    const data::Beam beam = with_value(with_value(dead_case, x.parameter, cell.x), y.parameter, cell.y).beam;
-    if (cell.force_ratio && beam.axial_force() >= analytic::slip_critical_load(beam)) ++plane.buckled;
-  }
-  return plane;
+void count_cells(ModelPlane& plane, const CriterionMap& paper, const CriterionMap& other) {
+  for (std::size_t i = 0; i < paper.cells.size(); ++i)
+    count_cell(plane, paper.cells[i].force_ratio, other.cells[i].force_ratio);
 }
 
 MapAxis axis_of(Parameter parameter, std::vector<double> values) {
   return {.parameter = parameter, .values = std::move(values)};
 }
 
-}  // namespace
+// The plane of a figure of the paper.
+struct FigurePlane {
+  std::string figures;
+  data::Case problem;
+  MapAxis x, y;
+};
 
-ModelForm model_form(const data::Case& paper, const data::Case& half_stiffness,
-                     const data::Case& flat_section, int lengths) {
+// Of Fig. 14 every `stride`-th axial force.
+std::vector<FigurePlane> figure_planes(const data::Case& paper, const data::Case& half_stiffness,
+                                       const data::Case& flat_section, int lengths, std::size_t stride) {
   const MapAxis frequencies = axis_of(Parameter::frequency, figure12_frequencies());
   const MapAxis amplitudes = axis_of(Parameter::amplitude, figure12_amplitudes());
-  ModelForm result;
-  const auto add_plane = [&](const std::string& figures, const data::Case& problem, const MapAxis& x,
-                             const MapAxis& y) {
-    const CriterionMap slender = map_of(problem, x, y);
-    result.planes.push_back(direction_plane(figures, problem, slender));
-    data::Case sheared = problem;
-    sheared.beam = with_shear(problem.beam);
-    result.shear.push_back(change(figures, slender, map_of(sheared, x, y)));
-  };
-  add_plane("10 to 12", paper, frequencies, amplitudes);
-  add_plane("13", half_stiffness, frequencies, amplitudes);
-  add_plane("14", flat_section, map_axis(Parameter::length, 0.4, 2.0, lengths, false),
-            axis_of(Parameter::axial_force, figure14_axial_forces()));
-  const MapAxis one = axis_of(Parameter::amplitude, {1e-3});
-  const CriterionMap follower = map_of(paper, frequencies, one);
-  const CriterionMap dead =
-      map_of(with_value(paper, Parameter::axial_direction, dead_load), frequencies, one);
-  for (std::size_t i = 0; i < follower.cells.size(); ++i)
-    result.forces.push_back(
-        {follower.cells[i].x, *dead.cells[i].force_ratio / *follower.cells[i].force_ratio});
-  return result;
+  const std::vector<double> all = figure14_axial_forces();
+  std::vector<double> axial_forces;
+  for (std::size_t i = 0; i < all.size(); i += stride) axial_forces.push_back(all[i]);
+  return {{"10 to 12", paper, frequencies, amplitudes},
+          {"13", half_stiffness, frequencies, amplitudes},
+          {"14", flat_section, map_axis(Parameter::length, 0.4, 2.0, lengths, false),
+           axis_of(Parameter::axial_force, axial_forces)}};
 }
 
-namespace {
+data::Case with_dead_load(const data::Case& problem) {
+  return with_value(problem, Parameter::axial_direction, 1.0);
+}
+
+AxialDirectionPlane direction_plane(const FigurePlane& figure, const CriterionMap& follower) {
+  const data::Case dead = with_dead_load(figure.problem);
+  AxialDirectionPlane plane;
+  plane.figures = figure.figures;
+  count_cells(plane, follower, criterion_map({.problem = dead, .x = figure.x, .y = figure.y}));
+  for (const CriterionMap::Cell& cell : follower.cells) {
+    const data::Beam beam =
+        with_value(with_value(dead, figure.x.parameter, cell.x), figure.y.parameter, cell.y).beam;
+    if (cell.force_ratio && beam.axial_force() >= analytic::slip_critical_load(beam)) ++plane.buckled;
+  }
+  return plane;
+}
 
 // |f_max| per metre of amplitude, N/m, or nothing if no state of stick is stable.
 std::optional<double> unit_force(const data::Case& problem, const ModelVariant& variant) {
@@ -121,20 +103,20 @@ std::optional<double> unit_force(const data::Case& problem, const ModelVariant& 
   }
 }
 
-VariantPlane variant_plane(std::string figures, const ModelVariant& variant, const data::Case& problem,
-                           const MapAxis& x, const MapAxis& y) {
-  VariantPlane plane{.figures = std::move(figures),
-                     .variant = variant,
-                     .lowest_ratio = std::numeric_limits<double>::infinity()};
+VariantPlane variant_plane(const FigurePlane& figure, const ModelVariant& variant) {
+  const MapAxis &x = figure.x, &y = figure.y;
+  VariantPlane plane;
+  plane.figures = figure.figures;
+  plane.variant = variant;
   const bool y_is_factor = y.parameter == Parameter::amplitude;
   const std::size_t rows = y_is_factor ? 1 : y.values.size(), columns = x.values.size();
+  const auto case_at = [&](std::size_t i, std::size_t j) {
+    return with_value(with_value(figure.problem, x.parameter, x.values[i]), y.parameter, y.values[j]);
+  };
   struct ForcePair {
-    std::optional<double> without, with;
+    std::optional<double> paper, other;
   };
   std::vector<ForcePair> forces(rows * columns);
-  const auto case_at = [&](std::size_t i, std::size_t j) {
-    return with_value(with_value(problem, x.parameter, x.values[i]), y.parameter, y.values[j]);
-  };
   in_parallel(forces.size(), [&](std::size_t index) {
     const data::Case cell = case_at(index % columns, index / columns);
     if (cell.beam.axial_force() >= analytic::stick_buckling_load(cell.beam)) return;
@@ -142,38 +124,49 @@ VariantPlane variant_plane(std::string figures, const ModelVariant& variant, con
   });
   for (std::size_t j = 0; j < y.values.size(); ++j)
     for (std::size_t i = 0; i < columns; ++i) {
-      const auto& [without, with] = forces[(y_is_factor ? 0 : j) * columns + i];
-      if (!without) continue;
-      ++plane.cells;
-      if (!with) {
-        ++plane.unstable;
-        continue;
-      }
+      auto [without, with] = forces[(y_is_factor ? 0 : j) * columns + i];
       const data::Case cell = case_at(i, j);
-      const double limit =
-          cell.friction.static_coefficient() * cell.beam.axial_force() / cell.excitation.amplitude();
-      if (*without > limit && *with <= limit) ++plane.to_stick;
-      if (*without <= limit && *with > limit) ++plane.to_slip;
-      plane.lowest_ratio = std::min(plane.lowest_ratio, *with / *without);
-      plane.highest_ratio = std::max(plane.highest_ratio, *with / *without);
+      const double unit_ratio = cell.excitation.amplitude() / friction_limit(cell);
+      if (without) *without *= unit_ratio;
+      if (with) *with *= unit_ratio;
+      count_cell(plane, without, with);
     }
   return plane;
 }
 
 }  // namespace
 
+ModelForm model_form(const data::Case& paper, const data::Case& half_stiffness,
+                     const data::Case& flat_section, int lengths) {
+  ModelForm result;
+  for (const FigurePlane& figure : figure_planes(paper, half_stiffness, flat_section, lengths, 1)) {
+    const CriterionMap slender = criterion_map({.problem = figure.problem, .x = figure.x, .y = figure.y});
+    result.planes.push_back(direction_plane(figure, slender));
+    data::Case sheared = figure.problem;
+    sheared.beam = with_shear(sheared.beam);
+    ModelPlane& plane = result.shear.emplace_back();
+    plane.figures = figure.figures;
+    count_cells(plane, slender, criterion_map({.problem = sheared, .x = figure.x, .y = figure.y}));
+  }
+  const auto over_frequencies = [](const data::Case& problem) {
+    return criterion_map({.problem = problem,
+                          .x = axis_of(Parameter::frequency, figure12_frequencies()),
+                          .y = axis_of(Parameter::amplitude, {1e-3})});
+  };
+  const CriterionMap follower = over_frequencies(paper), dead = over_frequencies(with_dead_load(paper));
+  for (std::size_t i = 0; i < follower.cells.size(); ++i)
+    result.forces.push_back(
+        {follower.cells[i].x, *dead.cells[i].force_ratio / *follower.cells[i].force_ratio});
+  return result;
+}
+
 std::vector<VariantPlane> variant_planes(const ModelVariant& variant, const data::Case& paper,
                                          const data::Case& half_stiffness, const data::Case& flat_section,
                                          int lengths, std::size_t stride) {
-  const MapAxis frequencies = axis_of(Parameter::frequency, figure12_frequencies());
-  const MapAxis amplitudes = axis_of(Parameter::amplitude, figure12_amplitudes());
-  std::vector<double> axial_forces;
-  for (std::size_t i = 0; i < figure14_axial_forces().size(); i += stride)
-    axial_forces.push_back(figure14_axial_forces()[i]);
-  return {variant_plane("10 to 12", variant, paper, frequencies, amplitudes),
-          variant_plane("13", variant, half_stiffness, frequencies, amplitudes),
-          variant_plane("14", variant, flat_section, map_axis(Parameter::length, 0.4, 2.0, lengths, false),
-                        axis_of(Parameter::axial_force, axial_forces))};
+  std::vector<VariantPlane> planes;
+  for (const FigurePlane& figure : figure_planes(paper, half_stiffness, flat_section, lengths, stride))
+    planes.push_back(variant_plane(figure, variant));
+  return planes;
 }
 
 }  // namespace stickslip::studies

@@ -14,19 +14,24 @@
 
 namespace stickslip::studies {
 
-/// The criterion over the plane of a figure of the paper with chi = 1 against chi = 0, closed form.
-struct AxialDirectionPlane {
-  std::string figures;  ///< "10 to 12"
-  data::Case problem;
-  std::size_t cells{};    ///< with a stick state
-  std::size_t flipped{};  ///< of these, with another verdict
-  /// |f_max| with chi = 1 over that with chi = 0, over the cells.
-  double lowest_ratio{}, highest_ratio{};
-  std::size_t buckled{};  ///< cells at which the sliding beam with chi = 1 is at its buckling load or over it
-  double slip_buckling_load{};  ///< of the beam of the case with chi = 1, N
+/// The criterion |f_max| <= mu_s P over the plane of a figure of the paper in another model against the model of the
+/// paper, closed form.
+struct ModelPlane {
+  std::string figures;     ///< "10 to 12"
+  std::size_t cells{};     ///< with a stick state in both models
+  std::size_t to_stick{};  ///< of these, slipping in the model of the paper and sticking in the other
+  std::size_t to_slip{};   ///< the other way round
+  std::size_t lost{};      ///< cells that have a stick state in the model of the paper alone
+  /// |f_max| in the other model over that in the model of the paper, over the cells.
+  double lowest_ratio{std::numeric_limits<double>::infinity()}, highest_ratio{};
   [[nodiscard]] double flipped_share() const {
-    return static_cast<double>(flipped) / static_cast<double>(cells);
+    return static_cast<double>(to_stick + to_slip) / static_cast<double>(cells);
   }
+};
+
+/// chi = 1 against chi = 0.
+struct AxialDirectionPlane : ModelPlane {
+  std::size_t buckled{};  ///< cells at which the sliding beam with chi = 1 is at its buckling load or over it
   [[nodiscard]] double buckled_share() const {
     return static_cast<double>(buckled) / static_cast<double>(cells);
   }
@@ -37,22 +42,11 @@ struct AxialDirectionForce {
   double frequency_hz{}, ratio{};
 };
 
-/// The criterion over the same plane with shear and rotary inertia against without.
-struct ShearPlane {
-  std::string figures;
-  std::size_t cells{};                     ///< with a stick state in both models
-  std::size_t flipped{};                   ///< of these, with another verdict
-  double lowest_ratio{}, highest_ratio{};  ///< of |f_max|, over the cells
-  std::size_t buckled{};                   ///< cells that have a stick state without shear alone
-  [[nodiscard]] double flipped_share() const {
-    return static_cast<double>(flipped) / static_cast<double>(cells);
-  }
-};
-
 struct ModelForm {
   std::vector<AxialDirectionForce> forces;  ///< of the paper's beam at the frequencies of Fig. 12
   std::vector<AxialDirectionPlane> planes;  ///< Figs. 10 to 12, which share one plane, 13 and 14
-  std::vector<ShearPlane> shear;            ///< the same planes, with the shear stiffness of with_shear()
+  std::vector<ModelPlane>
+      shear;  ///< the same planes, with the shear stiffness and rotary inertia of with_shear()
 };
 
 /// `paper`, `half_stiffness` and `flat_section` are the cases of Figs. 10 to 12, 13 and 14. The planes are the
@@ -67,21 +61,10 @@ struct ModelVariant {
   double damping_ratio{};  ///< damping.ratio
 };
 
-/// The criterion |f_max| <= mu_s P over the plane of a figure of the paper with a variant against without, closed form,
-/// both with the exact steady part of the rigid contact. A law that falls with the velocity lets a compliant contact slip
-/// at less than mu_s P: that is not in here.
-struct VariantPlane {
-  std::string figures;
+/// The variant against the rigid contact and the undamped beam, both with the exact steady part of the rigid contact. A law
+/// that falls with the velocity lets a compliant contact slip at less than mu_s P: that is not in here.
+struct VariantPlane : ModelPlane {
   ModelVariant variant;
-  std::size_t cells{};     ///< with a stick state, rigid and undamped
-  std::size_t to_stick{};  ///< of these, slipping without the variant and sticking with it
-  std::size_t to_slip{};   ///< the other way round
-  std::size_t unstable{};  ///< of these, without a stable state on the contact spring; in neither of the two
-  /// |f_max| with the variant over that without, over the cells.
-  double lowest_ratio{}, highest_ratio{};
-  [[nodiscard]] double flipped_share() const {
-    return static_cast<double>(to_stick + to_slip) / static_cast<double>(cells);
-  }
 };
 
 /// The variant on the planes of model_form(). Of Fig. 14 every `stride`-th axial force is taken.

@@ -339,7 +339,6 @@ TEST(ModelForm, OfTheAxialForceIsThatOfTheMapsAndBucklesTheSectionOfFigure14) {
       studies::model_form(data::load_case("paper"), data::load_case("paper-half-stiffness"), flat, 5);
   ASSERT_EQ(form.planes.size(), 3u);
   const double euler = std::pow(std::numbers::pi / flat.beam.length(), 2) / 4.0 * rigidity(flat.beam);
-  EXPECT_TRUE(within(form.planes[2].slip_buckling_load, euler, round_off(8, 2, euler)));
   EXPECT_LT(euler, flat.beam.axial_force());
   // Over 5 lengths and 100 forces: 20.19 EI/L^2 ends the stick state, pi^2 EI/(4 L^2) the stability of the slip state.
   std::size_t cells = 0, buckled = 0;
@@ -355,7 +354,7 @@ TEST(ModelForm, OfTheAxialForceIsThatOfTheMapsAndBucklesTheSectionOfFigure14) {
   EXPECT_DOUBLE_EQ(form.planes[2].buckled_share() * static_cast<double>(cells), static_cast<double>(buckled));
   EXPECT_EQ(form.planes[0].buckled + form.planes[1].buckled, 0u);  // their 500 N are far below 10 kN and 5 kN
   for (const auto& plane : form.planes) {
-    EXPECT_LE(plane.flipped, plane.cells);
+    EXPECT_LE(plane.to_stick + plane.to_slip, plane.cells);
     EXPECT_LT(plane.highest_ratio, 1.0) << plane.figures;
   }
   // The less, the faster: the force tends to cos(y) of itself where the beam is massless.
@@ -364,9 +363,9 @@ TEST(ModelForm, OfTheAxialForceIsThatOfTheMapsAndBucklesTheSectionOfFigure14) {
   EXPECT_LT(form.forces.front().ratio, form.forces.back().ratio);
   // Over the direction itself, by the map: neither by the table nor by one reaction for all cells.
   const auto map = studies::criterion_map(
-      data::load_case("paper"), studies::map_axis(studies::Parameter::axial_direction, 0.0, 1.0, 2, false),
-      {.parameter = studies::Parameter::frequency, .values = {form.forces.front().frequency_hz}},
-      studies::MapMethod::closed_form);
+      {.problem = data::load_case("paper"),
+       .x = studies::map_axis(studies::Parameter::axial_direction, 0.0, 1.0, 2, false),
+       .y = {.parameter = studies::Parameter::frequency, .values = {form.forces.front().frequency_hz}}});
   EXPECT_TRUE(within(*map.cells[1].force_ratio / *map.cells[0].force_ratio, form.forces.front().ratio,
                      reference(2e-10, "the width of the bounds")));
 }

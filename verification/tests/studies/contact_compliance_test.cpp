@@ -519,7 +519,7 @@ TEST(ModelVariants, FlipTheVerdictsOfTheFiguresAsOftenAsRecorded) {
     for (std::size_t i = 0; i < flipped.size(); ++i) {
       EXPECT_EQ(found[i].to_stick + found[i].to_slip, flipped[i])
           << variant.stiffness_ratio << found[i].figures;
-      EXPECT_EQ(found[i].unstable, 0u);
+      EXPECT_EQ(found[i].lost, 0u);
       EXPECT_DOUBLE_EQ(found[i].flipped_share() * static_cast<double>(found[i].cells),
                        static_cast<double>(flipped[i]));
       if (variant.stiffness_ratio == rigid && variant.damping_ratio == 0.0) {

@@ -318,9 +318,7 @@ TEST(MotionQuantities, AreMappedWhereThereIsAStickState) {
                         .quantities = {MotionQuantity::work},
                         .transient = 0.08,
                         .tolerance = 0.05};
-  studies::MapEvaluations evaluations(studies::evaluation_count(task));
-  studies::evaluate(task, studies::share_of(evaluations.size(), 1, 1), evaluations);
-  const auto map = studies::criterion_map(task, evaluations);
+  const auto map = studies::criterion_map(task);
   ASSERT_EQ(map.cells.size(), 6u);
   for (const auto& cell : map.cells) {
     if (cell.x > 500.0) {
@@ -346,9 +344,7 @@ TEST(MotionQuantities, AreMappedWithTheModesOfEachCell) {
                                             {studies::Parameter::length, 1.9, 2.0},
                                             {studies::Parameter::kinetic_coefficient, 0.3, 0.5}}) {
     task.y = studies::map_axis(parameter, from, to, 2, false);
-    studies::MapEvaluations evaluations(studies::evaluation_count(task));
-    studies::evaluate(task, studies::share_of(evaluations.size(), 1, 1), evaluations);
-    for (const auto& cell : studies::criterion_map(task, evaluations).cells) {
+    for (const auto& cell : studies::criterion_map(task).cells) {
       const auto point = studies::with_value(
           studies::with_value(task.problem, studies::Parameter::frequency, cell.x), parameter, cell.y);
       EXPECT_EQ(cell.response.at(0).value,

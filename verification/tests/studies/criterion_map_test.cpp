@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <set>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -38,6 +39,12 @@ data::Case flat_case_of(double duration) {
   data::Case problem = flat_case();
   problem.numerics = data::NumericalSettings(paper_choices(duration));
   return problem;
+}
+
+// The case of a cell.
+data::Case case_of(const data::Case& problem, const studies::MapAxis& x, const studies::MapAxis& y,
+                   const studies::CriterionMap::Cell& cell) {
+  return with_value(with_value(problem, x.parameter, cell.x), y.parameter, cell.y);
 }
 
 STICKSLIP_VERIFIES(MapAxis, "X7");
@@ -88,13 +95,13 @@ TEST(CriterionMap, HoldsTheCriterionOfEachCell) {
   for (const auto& x : axes)
     for (const auto& y : axes) {
       if (x.parameter == y.parameter) continue;
-      const auto map = studies::criterion_map(problem, x, y, MapMethod::closed_form);
+      const auto map = studies::criterion_map({.problem = problem, .x = x, .y = y});
       ASSERT_EQ(map.cells.size(), x.values.size() * y.values.size());
       for (std::size_t n = 0; n < map.cells.size(); ++n) {
         const auto& cell = map.cells[n];
         EXPECT_EQ(cell.x, x.values[n % x.values.size()]);
         EXPECT_EQ(cell.y, y.values[n / x.values.size()]);
-        const data::Case point = with_value(with_value(problem, x.parameter, cell.x), y.parameter, cell.y);
+        const data::Case point = case_of(problem, x, y, cell);
         EXPECT_EQ(value_of(point, x.parameter), cell.x);
         EXPECT_EQ(value_of(point, y.parameter), cell.y);
         const bool buckled = point.beam.axial_force() >= analytic::stick_buckling_load(point.beam);
@@ -118,8 +125,8 @@ TEST(CriterionMap, OfADampedBeamHoldsTheDampedForceOfEachCell) {
   for (const auto& y :
        {map_axis(Parameter::length, 0.8, 1.2, 2, false), map_axis(Parameter::amplitude, 1e-3, 4e-3, 2, false),
         map_axis(Parameter::damping_ratio, 5e-3, 0.02, 2, false)})
-    for (const auto& cell : studies::criterion_map(problem, x, y, MapMethod::closed_form).cells) {
-      const data::Case point = with_value(with_value(problem, x.parameter, cell.x), y.parameter, cell.y);
+    for (const auto& cell : studies::criterion_map({.problem = problem, .x = x, .y = y}).cells) {
+      const data::Case point = case_of(problem, x, y, cell);
       const double force = point.excitation.amplitude() *
                            analytic::DampedForce(analytic::damped_reaction(point.beam, point.damping, 10),
                                                  studies::angular_frequency(point.excitation), 1.0)
@@ -165,21 +172,23 @@ TEST(CriterionMap, ByFiniteElementsIsThatOfThePlainRun) {
     problem.damping = data::Damping({.kelvin_voigt = kelvin_voigt});
     const auto x = map_axis(Parameter::frequency, 20.0, 60.0, 3, false);
     const auto y = map_axis(Parameter::length, 0.8, 1.4, 2, false);
-    const auto map = studies::criterion_map(problem, x, y, MapMethod::finite_elements);
+    const auto map =
+        studies::criterion_map({.problem = problem, .x = x, .y = y, .method = MapMethod::finite_elements});
     for (const auto& cell : map.cells) {
-      const data::Case point = with_value(with_value(problem, x.parameter, cell.x), y.parameter, cell.y);
+      const data::Case point = case_of(problem, x, y, cell);
       const double force =
           solver::max_abs_friction_force(point.beam, point.excitation, point.numerics, point.damping);
-      const double ratio = force / (point.friction.static_coefficient() * point.beam.axial_force());
+      const double ratio = force / studies::friction_limit(point);
       EXPECT_TRUE(within(*cell.force_ratio, ratio, reference(1e-10 * ratio, "runs in modal coordinates")));
     }
   }
 }
 
 TEST(CriterionMap, IsProportionalToTheAmplitudeAndToTheInverseOfTheFriction) {
-  const auto map = studies::criterion_map(
-      flat_case_of(1.0), map_axis(Parameter::amplitude, 1e-4, 4e-4, 4, false),
-      map_axis(Parameter::static_coefficient, 0.1, 0.4, 4, false), MapMethod::finite_elements);
+  const auto map = studies::criterion_map({.problem = flat_case_of(1.0),
+                                           .x = map_axis(Parameter::amplitude, 1e-4, 4e-4, 4, false),
+                                           .y = map_axis(Parameter::static_coefficient, 0.1, 0.4, 4, false),
+                                           .method = MapMethod::finite_elements});
   const double unit = *map.cells.front().force_ratio;
   for (std::size_t n = 0; n < map.cells.size(); ++n) {
     const double expected = unit * static_cast<double>(n % 4 + 1) / static_cast<double>(n / 4 + 1);
@@ -191,9 +200,10 @@ TEST(CriterionMap, MarksWhatIsAtOrOverTheBucklingLoad) {
   const double load = analytic::stick_buckling_load(flat_beam(2.0, 0.0));
   for (const MapMethod method : {MapMethod::closed_form, MapMethod::finite_elements}) {
     const auto map = studies::criterion_map(
-        flat_case_of(0.1),
-        {.parameter = Parameter::axial_force, .values = {0.5 * load, 0.99 * load, load, 2.0 * load}},
-        map_axis(Parameter::amplitude, 0.0, 1e-3, 2, false), method);
+        {.problem = flat_case_of(0.1),
+         .x = {.parameter = Parameter::axial_force, .values = {0.5 * load, 0.99 * load, load, 2.0 * load}},
+         .y = map_axis(Parameter::amplitude, 0.0, 1e-3, 2, false),
+         .method = method});
     for (std::size_t n = 0; n < map.cells.size(); ++n)
       EXPECT_EQ(map.cells[n].state == CellState::no_stick_state, n % 4 >= 2) << n;
   }
@@ -203,12 +213,13 @@ TEST(CriterionMap, OfFiniteElementsIsThatOfTheClosedFormToThePredictedError) {
   const data::Case problem = flat_case_of(2.0);
   const auto x = map_axis(Parameter::frequency, 15.0, 75.0, 4, false);
   const auto y = map_axis(Parameter::length, 1.2, 2.0, 3, false);
-  const auto closed_form = studies::criterion_map(problem, x, y, MapMethod::closed_form);
-  const auto finite_element = studies::criterion_map(problem, x, y, MapMethod::finite_elements);
+  const auto closed_form = studies::criterion_map({.problem = problem, .x = x, .y = y});
+  const auto finite_element =
+      studies::criterion_map({.problem = problem, .x = x, .y = y, .method = MapMethod::finite_elements});
   for (std::size_t n = 0; n < closed_form.cells.size(); ++n) {
     const auto& cell = closed_form.cells[n];
-    const data::Case point = with_value(with_value(problem, x.parameter, cell.x), y.parameter, cell.y);
-    const double limit = point.friction.static_coefficient() * point.beam.axial_force();
+    const data::Case point = case_of(problem, x, y, cell);
+    const double limit = studies::friction_limit(point);
     const double converged =
         analytic::StickResponse(point.beam, point.excitation, 60, analytic::SteadyPart::exact)
             .max_abs_friction_force(2.0, 1e-8)
@@ -223,17 +234,6 @@ TEST(CriterionMap, OfFiniteElementsIsThatOfTheClosedFormToThePredictedError) {
   }
 }
 
-TEST(CriterionMap, TellsTheShareDone) {
-  double last = 0.0;
-  (void)studies::criterion_map(flat_case_of(0.1), map_axis(Parameter::frequency, 5.0, 50.0, 10, false),
-                               map_axis(Parameter::amplitude, 0.0, 1e-3, 10, false), MapMethod::closed_form,
-                               [&](double share) {
-                                 EXPECT_GT(share, last);
-                                 last = share;
-                               });
-  EXPECT_EQ(last, 1.0);
-}
-
 TEST(CriterionMap, OfStatesOnlyHasTheStatesOfTheWholeMap) {
   const data::Case problem = with_value(flat_case_of(0.5), Parameter::amplitude, 4e-3);
   const auto x = map_axis(Parameter::length, 0.8, 3.0, 7, false);
@@ -241,12 +241,9 @@ TEST(CriterionMap, OfStatesOnlyHasTheStatesOfTheWholeMap) {
                         map_axis(Parameter::amplitude, 0.0, 4e-3, 5, false),
                         map_axis(Parameter::damping_ratio, 0.0, 0.02, 3, false),
                         map_axis(Parameter::static_coefficient, 0.05, 0.9, 5, false)}) {
-    const studies::MapTask task{
-        .problem = problem, .x = x, .y = y, .method = MapMethod::closed_form, .states_only = true};
-    studies::MapEvaluations evaluations(studies::evaluation_count(task));
-    studies::evaluate(task, studies::share_of(evaluations.size(), 1, 1), evaluations);
-    const auto states = studies::criterion_map(task, evaluations).cells;
-    const auto whole = studies::criterion_map(problem, x, y, MapMethod::closed_form).cells;
+    const studies::MapTask task{.problem = problem, .x = x, .y = y, .states_only = true};
+    const auto states = studies::criterion_map(task).cells;
+    const auto whole = studies::criterion_map({.problem = problem, .x = x, .y = y}).cells;
     ASSERT_EQ(states.size(), whole.size());
     std::set<CellState> seen;
     for (std::size_t n = 0; n < whole.size(); ++n) {
@@ -272,11 +269,8 @@ TEST(CriterionMap, OfStatesOnlySeesWhatResonanceAloneBringsOverTheLimit) {
       .problem = problem,
       .x = {.parameter = Parameter::frequency, .values = {natural - 1.0, natural, natural + 1.0}},
       .y = {.parameter = Parameter::length, .values = {problem.beam.length()}},
-      .method = MapMethod::closed_form,
       .states_only = true};
-  studies::MapEvaluations evaluations(studies::evaluation_count(task));
-  studies::evaluate(task, studies::share_of(evaluations.size(), 1, 1), evaluations);
-  const auto cells = studies::criterion_map(task, evaluations).cells;
+  const auto cells = studies::criterion_map(task).cells;
   ASSERT_EQ(cells.size(), 3u);
   EXPECT_EQ(cells[0].state, CellState::stick);
   EXPECT_EQ(cells[1].state, CellState::stick_slip);
@@ -286,11 +280,16 @@ TEST(CriterionMap, OfStatesOnlySeesWhatResonanceAloneBringsOverTheLimit) {
 TEST(CriterionMap, IsNotPutTogetherBeforeItIsComplete) {
   const studies::MapTask task{.problem = flat_case_of(0.1),
                               .x = map_axis(Parameter::frequency, 5.0, 50.0, 4, false),
-                              .y = map_axis(Parameter::amplitude, 0.0, 1e-3, 3, false),
-                              .method = MapMethod::closed_form};
+                              .y = map_axis(Parameter::amplitude, 0.0, 1e-3, 3, false)};
   studies::MapEvaluations evaluations(studies::evaluation_count(task));
   ASSERT_EQ(evaluations.size(), 4u);  // the amplitude costs nothing
-  studies::evaluate(task, studies::share_of(4, 1, 2), evaluations);
+  const auto share = studies::share_of(4, 1, 2);
+  std::vector<std::size_t> settled;
+  studies::evaluate(task, share, evaluations, [&](std::span<const std::size_t> numbers) {
+    settled.insert(settled.end(), numbers.begin(), numbers.end());
+  });
+  std::ranges::sort(settled);
+  EXPECT_EQ(settled, share);
   EXPECT_THROW((void)studies::criterion_map(task, evaluations), std::invalid_argument);
   evaluations.pop_back();
   EXPECT_THROW(studies::evaluate(task, studies::share_of(4, 1, 2), evaluations), std::invalid_argument);
@@ -333,18 +332,17 @@ TEST(CriterionMap, RefusesWhatHasNoCriterion) {
   const data::Case problem = flat_case_of(0.1);
   const auto hz = map_axis(Parameter::frequency, 5.0, 50.0, 2, false);
   const auto map = [&](const data::Case& of, const studies::MapAxis& y) {
-    return studies::criterion_map(of, hz, y, MapMethod::closed_form);
+    return studies::criterion_map({.problem = of, .x = hz, .y = y});
   };
   EXPECT_THROW((void)map(problem, hz), std::invalid_argument);
-  EXPECT_THROW((void)map(problem, map_axis(Parameter::length, -1.0, 2.0, 2, false)), data::FieldError);
-  EXPECT_THROW((void)map(problem, map_axis(Parameter::static_coefficient, 0.0, 1.0, 2, false)),
-               data::FieldError);
-  EXPECT_THROW((void)map(problem, {.parameter = Parameter::amplitude, .values = {1e-3, -1e-3}}),
-               data::FieldError);
+  for (const studies::MapAxis& axis : {map_axis(Parameter::length, -1.0, 2.0, 2, false),
+                                       map_axis(Parameter::static_coefficient, 0.0, 1.0, 2, false),
+                                       {.parameter = Parameter::amplitude, .values = {1e-3, -1e-3}}})
+    EXPECT_THROW((void)map(problem, axis), data::FieldError) << studies::field_of(axis.parameter);
   EXPECT_THROW((void)map(problem, map_axis(Parameter::axial_force, 0.0, 1.0, 2, false)), data::InputError);
   const auto amplitude = map_axis(Parameter::amplitude, 0.0, 1e-3, 2, false);
-  EXPECT_THROW((void)map(with_value(problem, Parameter::axial_force, 2000.0), amplitude), data::InputError);
-  EXPECT_THROW((void)map(with_value(problem, Parameter::axial_force, -5.0), amplitude), data::InputError);
+  for (const double force : {2000.0, -5.0})
+    EXPECT_THROW((void)map(with_value(problem, Parameter::axial_force, force), amplitude), data::InputError);
 }
 
 }  // namespace

@@ -43,11 +43,11 @@ data::Beam sheared_beam(double length, double axial_force, double axial_directio
 
 // Relative errors of a frequency: (beta l)^4/1440 and rho A omega^2 l^2/(24 k G A), the energy of an element whose nodes are
 // held under the inertia rho A omega^2 w over that of the motion.
-struct MeshError {
+struct FrequencyErrors {
   double bending{}, shear{};
 };
 
-MeshError mesh_error(const data::Beam& beam, double omega, double l) {
+FrequencyErrors frequency_errors(const data::Beam& beam, double omega, double l) {
   const double inertia = beam.density() * beam.area() * omega * omega;
   return {inertia * std::pow(l, 4) / (1440.0 * beam.youngs_modulus() * beam.second_moment_of_area()),
           inertia * l * l / (24.0 * beam.shear_stiffness())};
@@ -70,11 +70,11 @@ TEST(ShearOrder, OfFrequenciesIsTwoWhereElementsAreShorterThanTheSection) {
       const double l = length / elements;
       const solver::BeamModel model(beam, elements);
       const auto modes = tip_is_held ? solver::stick_modes(model, 2) : solver::slip_modes(model, 2);
-      const MeshError predicted = mesh_error(beam, omega, l);
+      const FrequencyErrors predicted = frequency_errors(beam, omega, l);
       levels.push_back({l, modes.back().angular_frequency / omega - 1.0,
                         predicted.bending / predicted.shear + beta2 * r2, 1e-12});
     }
-    EXPECT_TRUE(order_is(levels, 2.0, mesh_error(beam, omega, 1.0).shear)) << length;
+    EXPECT_TRUE(order_is(levels, 2.0, frequency_errors(beam, omega, 1.0).shear)) << length;
   }
 }
 
@@ -85,12 +85,12 @@ TEST(ShearOrder, OfFrequenciesIsFourWhereElementsAreLong) {
   std::vector<OrderLevel> levels;
   for (const int elements : {12, 16, 24, 32}) {
     const double l = beam.length() / elements;
-    const MeshError predicted = mesh_error(beam, omega, l);
+    const FrequencyErrors predicted = frequency_errors(beam, omega, l);
     const double bending_next = std::sqrt(1440.0 * predicted.bending) / 40.0;
     const double found = solver::stick_modes(solver::BeamModel(beam, elements), 3).back().angular_frequency;
     levels.push_back({l, found / omega - 1.0, bending_next + predicted.shear / predicted.bending, 1e-11});
   }
-  EXPECT_TRUE(order_is(levels, 4.0, mesh_error(beam, omega, 1.0).bending));
+  EXPECT_TRUE(order_is(levels, 4.0, frequency_errors(beam, omega, 1.0).bending));
 }
 
 STICKSLIP_VERIFIES(ShearReaction, "X24");
@@ -212,9 +212,9 @@ TEST(ShearScope, HoldsTheMapsOfTheCriterion) {
   for (const auto parameter : {studies::Parameter::frequency, studies::Parameter::length}) {
     const double value = studies::value_of(problem, parameter);
     const auto map =
-        studies::criterion_map(problem, studies::map_axis(parameter, 0.7 * value, 0.8 * value, 2, false),
-                               studies::map_axis(studies::Parameter::amplitude, 1e-4, 1e-3, 2, false),
-                               studies::MapMethod::closed_form);
+        studies::criterion_map({.problem = problem,
+                                .x = studies::map_axis(parameter, 0.7 * value, 0.8 * value, 2, false),
+                                .y = studies::map_axis(studies::Parameter::amplitude, 1e-4, 1e-3, 2, false)});
     for (const auto& cell : map.cells) {
       const data::Case at = studies::with_value(studies::with_value(problem, parameter, cell.x),
                                                 studies::Parameter::amplitude, cell.y);
@@ -269,8 +269,8 @@ TEST(ShearEffect, IsCountedOverThePlanesOfTheFigures) {
   ASSERT_EQ(form.shear.size(), form.planes.size());
   for (std::size_t i = 0; i < form.shear.size(); ++i) {
     const auto& plane = form.shear[i];
-    EXPECT_EQ(plane.cells + plane.buckled, form.planes[i].cells);
-    EXPECT_GT(plane.flipped, 0u);
+    EXPECT_EQ(plane.cells + plane.lost, form.planes[i].cells);
+    EXPECT_GT(plane.to_stick + plane.to_slip, 0u);
     EXPECT_LT(plane.flipped_share(), 0.2) << plane.figures;
     EXPECT_LT(plane.lowest_ratio, 1.0);
     EXPECT_GT(plane.highest_ratio, 1.0);
