@@ -28,7 +28,8 @@ constexpr double relative_accuracy = 1e-5;
 constexpr double last_share = 1.0 / 16.0;  // of that accuracy, at which the bisection of intervals ends
 constexpr double below_buckling = 1.0 - 1e-6;
 
-void require_excitation(const data::Case& problem) {
+void require_margin(const data::Case& problem) {
+  require_friction(problem);
   if (problem.beam.shear_stiffness() > 0.0)
     throw data::FieldError("beam.shear_stiffness", problem.beam.shear_stiffness(),
                            "0 for a design over a band of frequencies; map and criterion have shear");
@@ -37,22 +38,20 @@ void require_excitation(const data::Case& problem) {
                          "above 0 (m): without excitation nothing slips");
 }
 
-double friction_limit(const data::Case& problem) {
-  return problem.friction.static_coefficient() * problem.beam.axial_force();
-}
-
 analytic::BandMaximum search_of(const data::Case& problem, const analytic::FrequencyBand& band) {
   return {problem.beam, band, problem.numerics.duration(), problem.numerics.modes()};
 }
 
-// One value of the parameter with the bounds of the force that are known there.
+// The case with one value of the parameter, and the bounds of the force that are known there.
 class Candidate {
  public:
-  Candidate(const data::Case& problem, Parameter parameter, double value, const analytic::FrequencyBand& band)
-      : Candidate(with_value(problem, parameter, value), value, band) {}
+  Candidate(const data::Case& problem, double value, const analytic::FrequencyBand& band)
+      : value_(value),
+        limit_(friction_limit(problem) / problem.excitation.amplitude()),
+        modes_(analytic::modal_forces(problem.beam, problem.numerics.modes())),
+        search_(search_of(problem, band)) {}
 
   [[nodiscard]] double value() const { return value_; }
-  [[nodiscard]] double limit() const { return limit_; }  // mu_s P/A0, N/m
   [[nodiscard]] const std::vector<analytic::ModalForce>& modes() const { return modes_; }
 
   // Whether |f_max| per metre of amplitude is at least `reserve` (N/m) below the limit over the whole band.
@@ -62,14 +61,8 @@ class Candidate {
   }
 
  private:
-  Candidate(const data::Case& problem, double value, const analytic::FrequencyBand& band)
-      : value_(value),
-        limit_(friction_limit(problem) / problem.excitation.amplitude()),
-        modes_(analytic::modal_forces(problem.beam, problem.numerics.modes())),
-        search_(search_of(problem, band)) {}
-
   double value_;
-  double limit_;
+  double limit_;  // mu_s P/A0, N/m
   std::vector<analytic::ModalForce> modes_;
   analytic::BandMaximum search_;
 };
@@ -80,7 +73,9 @@ class Scan {
   Scan(const data::Case& problem, Parameter parameter, const analytic::FrequencyBand& band, double resolution)
       : problem_(problem), parameter_(parameter), band_(band), resolution_(resolution) {}
 
-  [[nodiscard]] Candidate at(double value) const { return {problem_, parameter_, value, band_}; }
+  [[nodiscard]] Candidate at(double value) const {
+    return {with_value(problem_, parameter_, value), value, band_};
+  }
 
   // Appends the intervals from `left` to `right` in ascending order.
   void divide(Candidate left, Candidate right, std::vector<DesignInterval>& intervals) const {
@@ -112,19 +107,17 @@ class Scan {
   }
 
  private:
-  [[nodiscard]] double natural_hz(double value, int mode) const {
-    return analytic::stick_modes(with_value(problem_, parameter_, value).beam, mode).back().frequency_hz();
-  }
-
   // Natural frequencies decrease with increasing length and with increasing axial force.
   [[nodiscard]] std::optional<double> value_at_resonance(const ParameterRange& range, int mode,
                                                          double hz) const {
+    const auto natural_hz = [&](double value) {
+      return stick_hz(with_value(problem_, parameter_, value).beam, mode);
+    };
     double low = range.from, high = range.to;
-    if (natural_hz(low, mode) < hz || natural_hz(high, mode) > hz) return std::nullopt;
+    if (natural_hz(low) < hz || natural_hz(high) > hz) return std::nullopt;
     while (high - low > 1e-14 * high) {
       const double middle = 0.5 * (low + high);
-      if (middle <= low || middle >= high) break;
-      (natural_hz(middle, mode) > hz ? low : high) = middle;
+      (natural_hz(middle) > hz ? low : high) = middle;
     }
     return 0.5 * (low + high);
   }
@@ -185,8 +178,7 @@ std::vector<DesignInterval> joined(const std::vector<std::vector<DesignInterval>
 BandMargin band_margin(const data::Case& problem, const analytic::FrequencyBand& band,
                        double relative_width) {
   analytic::require_contact(problem.beam);
-  require_friction(problem);
-  require_excitation(problem);
+  require_margin(problem);
   analytic::BandMaximum search = search_of(problem, band);
   const analytic::Bounds unit = search.refined_to(relative_width);
   const double amplitude = problem.excitation.amplitude(), limit = friction_limit(problem);
@@ -208,8 +200,7 @@ DesignScan design_scan(const data::Case& problem, Parameter parameter, const Par
     throw data::FieldError("the range of " + std::string(field_of(parameter)),
                            data::shortest_text(range.from) + " to " + data::shortest_text(range.to),
                            "from a number above 0 to a larger one");
-  require_friction(problem);
-  require_excitation(problem);
+  require_margin(problem);
   const double buckling = buckling_value(problem, parameter);
   const double last = std::min(range.to, below_buckling * buckling);
   DesignScan result{.parameter = parameter, .accuracy = relative_accuracy * range.to, .intervals = {}};

@@ -25,6 +25,14 @@ namespace {
 
 using std::numbers::pi;
 
+// The largest relative error of the frequency, and of the amplitude per period, that a time step may cause.
+constexpr double allowed_step_error = 0.01;
+// A resonant response gives a warning from this multiple of the quasi-static response on.
+constexpr double grown_response = 10.0;
+constexpr double allowed_growth = 36.0;  // of sigma* T
+// The largest number of elements or modes for which growth_warning() computes sigma*.
+constexpr int most_undamped_for_growth = 200, most_damped_for_growth = 50;
+
 double model_error(const data::Beam& beam, double slopes, double third_derivatives) {
   const double radius_squared = beam.second_moment_of_area() / beam.area();
   return std::sqrt(1.0 + radius_squared * (slopes + shear_flexibility * third_derivatives)) - 1.0;

@@ -33,20 +33,16 @@ enum class Concern { flutter, buckling, resonance, thick_beam, long_step, growth
 struct Warning {
   Concern concern{};
   double value{};  ///< what was found: P (N), Omega/2pi (Hz), a relative frequency error, h (s), sigma* (1/s)
-  double
-      limit{};  ///< the limit: flutter or buckling load, omega_n/2pi, allowed error, suggested step, allowed sigma*
+  /// Flutter or buckling load, omega_n/2pi, allowed error, suggested step, allowed sigma*.
+  double limit{};
   std::string sentence;
 };
 
 /// The largest relative frequency error, from rotary inertia and shear, at which Euler-Bernoulli theory is
 /// accepted.
 constexpr double allowed_model_error = 0.05;
-/// The largest relative error of the frequency, and of the amplitude per period, that a time step may cause.
-constexpr double allowed_step_error = 0.01;
 /// A mode is relevant if its free vibration has more than this fraction of max |f|.
 constexpr double share_that_matters = 0.01;
-/// A resonant response gives a warning from this multiple of the quasi-static response on.
-constexpr double grown_response = 10.0;
 
 /// The relative amount by which Euler-Bernoulli theory overestimates a natural frequency of the stick or the
 /// slip state, for P much smaller than kappa G A. Rotary inertia adds rho I int U'^2 to the mass rho A int
@@ -74,11 +70,11 @@ constexpr double grown_response = 10.0;
 /// - flutter or buckling, for histories that can slip: P is not below the critical load of the slip state.
 /// - resonance, for an undamped |f| in closed form: a natural frequency of the stick state is so close to
 ///   Omega that |f| grows over the whole duration T, |Omega - omega_n| T <= pi (half a beat), and reaches at
-///   least grown_response times the quasi-static response, Omega T/2 >= grown_response.
+///   least ten times the quasi-static response, Omega T/2 >= 10.
 /// - thick beam: stick_model_error() of the highest relevant mode, or of the highest one asked for, is above
 ///   allowed_model_error, and the beam has no shear stiffness. For the undamped criterion with shear_effect().
 /// - long step, for time integration: step_error() of the highest relevant mode, or of a vibration at Omega,
-///   is above allowed_step_error. The limit is the largest allowed step, rounded down to two digits.
+///   is above 1 %. The limit is the largest allowed step, rounded down to two digits.
 ///
 /// `frequencies` is the number of natural frequencies asked for. Throws what stick_modes() throws.
 [[nodiscard]] std::vector<Warning> problem_warnings(const data::Case& problem, Inquiry inquiry,
@@ -88,23 +84,18 @@ constexpr double grown_response = 10.0;
 /// the end of a sentence. Throws what evaluate_criterion() throws.
 [[nodiscard]] std::string shear_effect(const data::Case& problem);
 
-/// The limit of sigma* T, at which exp(sigma* T) is about 1/eps of double precision.
-constexpr double allowed_growth = 36.0;
-/// The largest number of elements or modes for which growth_warning() computes sigma*, without and with
-/// damping. Larger systems would take seconds and get no warning.
-constexpr int most_undamped_for_growth = 200, most_damped_for_growth = 50;
-
-/// The warning for a history, by time steps or event-driven, in which the contact changed: sigma* T >
-/// allowed_growth with sigma* of the discretisation (contact_growth.hpp) and T = numerics.duration(). By the
-/// bound exp(sigma* t) a rounding error may then grow to the size of the motion; the observed growth is
-/// slower. `value` is sigma*, and `limit` is allowed_growth/T.
+/// The warning for a history, by time steps or event-driven, in which the contact changed: sigma* T > 36, with
+/// sigma* of the discretisation (contact_growth.hpp) and T = numerics.duration(). By the bound exp(sigma* t) a
+/// rounding error may then grow to the size of the motion, because exp(36) is about 1/eps of double precision;
+/// the observed growth is slower. `value` is sigma*, and `limit` is 36/T. No warning for more than 200 elements
+/// or modes, 50 with damping, where sigma* would take seconds.
 ///
 /// The sentence also gives
 /// - sigma* of the beam, with Kelvin-Voigt damping but without damping.ratio and without shear;
 /// - if sigma* of the run is above 1.1 times that of the beam: settings with about the sigma* of the beam,
 ///   which are the spectral radius 0 and omega_max h = filtering_angle (history_convergence.hpp);
-/// - if sigma* T of the beam is also above allowed_growth and damping.ratio is 0: the time up to which the
-///   bound is useful for any discretisation.
+/// - if sigma* T of the beam is also above 36 and damping.ratio is 0: the time up to which the bound is useful
+///   for any discretisation.
 ///
 /// Throws what the run itself throws.
 [[nodiscard]] std::optional<Warning> growth_warning(const data::Case& problem, Inquiry inquiry);
@@ -120,9 +111,9 @@ constexpr int most_undamped_for_growth = 200, most_damped_for_growth = 50;
 /// throws.
 [[nodiscard]] double boundary_integral_step(const data::Case& problem);
 
-/// Throws data::FieldError for a wall that moves, unless the inquiry is about frequencies or a history that follows it
-/// (require_resting_wall()), and for a computation that would take more than minutes. It names excitation.duration if
-/// a closed form needs more than 1e8 periods of the highest natural frequency or of the excitation, an
+/// Throws data::FieldError for a wall that moves, unless the inquiry is about frequencies or a history that
+/// follows it, and for a computation that would take more than minutes. It names excitation.duration if a
+/// closed form needs more than 1e8 periods of the highest natural frequency or of the excitation, an
 /// event-driven history more than 1e6 periods, or a boundary integral more than 2^24 steps. It names
 /// damping.ratio for a boundary integral, because its mobility is known in closed form with Kelvin-Voigt
 /// damping only.

@@ -19,9 +19,10 @@ namespace stickslip::studies {
 
 namespace {
 
-constexpr double kTail = 0.025;  // on either side of a 95 % interval
-constexpr std::size_t kReplications = 16;
-constexpr int kSobolBits = 30;  // of GSL's sequence
+constexpr double tail = 0.025;  // on either side of a 95 % interval
+constexpr std::size_t replications = 16;
+constexpr int sobol_bits = 30;  // of GSL's sequence
+constexpr std::uint32_t sobol_mask = (std::uint32_t{1} << sobol_bits) - 1U;
 
 // Steele, Lea and Flood's SplitMix64.
 std::uint64_t mixed(std::uint64_t state) {
@@ -52,23 +53,23 @@ double triangular_quantile(const data::Distribution& d, double p) {
 class Scrambling {
  public:
   explicit Scrambling(std::mt19937_64& random) {
-    for (int k = 0; k < kSobolBits; ++k) {
-      const auto place = std::uint32_t{1} << static_cast<unsigned>(kSobolBits - 1 - k);
-      const auto higher = ((std::uint32_t{1} << kSobolBits) - 1U) & ~(2U * place - 1U);
+    for (int k = 0; k < sobol_bits; ++k) {
+      const auto place = std::uint32_t{1} << static_cast<unsigned>(sobol_bits - 1 - k);
+      const auto higher = sobol_mask & ~(2U * place - 1U);
       rows_[static_cast<std::size_t>(k)] = place | (static_cast<std::uint32_t>(random()) & higher);
     }
-    shift_ = static_cast<std::uint32_t>(random()) & ((std::uint32_t{1} << kSobolBits) - 1U);
+    shift_ = static_cast<std::uint32_t>(random()) & sobol_mask;
   }
 
   [[nodiscard]] double operator()(std::uint32_t digits) const {
     std::uint32_t result = 0;
     for (const std::uint32_t row : rows_)
       result = (result << 1U) | (static_cast<std::uint32_t>(std::popcount(digits & row)) & 1U);
-    return std::ldexp(static_cast<double>(result ^ shift_) + 0.5, -kSobolBits);
+    return std::ldexp(static_cast<double>(result ^ shift_) + 0.5, -sobol_bits);
   }
 
  private:
-  std::array<std::uint32_t, kSobolBits> rows_{};
+  std::array<std::uint32_t, sobol_bits> rows_{};
   std::uint32_t shift_{};
 };
 
@@ -78,7 +79,7 @@ Estimate mean_with_interval(std::span<const double> values) {
   for (const double value : values) mean += value / count;
   for (const double value : values) squares += (value - mean) * (value - mean);
   const double half =
-      gsl_cdf_tdist_Pinv(1.0 - kTail, count - 1.0) * std::sqrt(squares / (count * (count - 1.0)));
+      gsl_cdf_tdist_Pinv(1.0 - tail, count - 1.0) * std::sqrt(squares / (count * (count - 1.0)));
   return {mean, mean - half, mean + half};
 }
 
@@ -175,7 +176,7 @@ std::vector<double> scrambled_sobol_points(std::size_t dimensions, std::size_t c
   std::vector<double> points, point(dimensions, 0.0);  // GSL leaves out the first point, the origin
   for (std::size_t j = 0; j < count; ++j) {
     for (std::size_t i = 0; i < dimensions; ++i)
-      points.push_back(scramblings[i](static_cast<std::uint32_t>(std::ldexp(point[i], kSobolBits))));
+      points.push_back(scramblings[i](static_cast<std::uint32_t>(std::ldexp(point[i], sobol_bits))));
     gsl_qrng_get(sequence.get(), point.data());
   }
   return points;
@@ -184,9 +185,9 @@ std::vector<double> scrambled_sobol_points(std::size_t dimensions, std::size_t c
 Estimate probability_of(std::size_t hits, std::size_t count) {
   const auto k = static_cast<double>(hits), n = static_cast<double>(count);
   Estimate result{k / n, 0.0, 1.0};
-  if (hits > 0) result.lower = inverse(kTail, [&](double p) { return gsl_cdf_beta_P(p, k, n - k + 1.0); });
+  if (hits > 0) result.lower = inverse(tail, [&](double p) { return gsl_cdf_beta_P(p, k, n - k + 1.0); });
   if (hits < count)
-    result.upper = inverse(1.0 - kTail, [&](double p) { return gsl_cdf_beta_P(p, k + 1.0, n - k); });
+    result.upper = inverse(1.0 - tail, [&](double p) { return gsl_cdf_beta_P(p, k + 1.0, n - k); });
   return result;
 }
 
@@ -198,9 +199,9 @@ Estimate quantile_of(std::span<const double> sorted, double p) {
   // 1: l the largest with P(B < l) <= 2.5 %, u the smallest with P(B >= u) <= 2.5 %.
   std::size_t low = 0, high = count + 1;
   for (std::size_t step = std::bit_ceil(count); step > 0; step /= 2) {
-    if (low + step <= count && gsl_cdf_binomial_P(static_cast<unsigned>(low + step - 1), p, n) <= kTail)
+    if (low + step <= count && gsl_cdf_binomial_P(static_cast<unsigned>(low + step - 1), p, n) <= tail)
       low += step;
-    if (high >= step + 1 && gsl_cdf_binomial_Q(static_cast<unsigned>(high - step - 1), p, n) <= kTail)
+    if (high >= step + 1 && gsl_cdf_binomial_Q(static_cast<unsigned>(high - step - 1), p, n) <= tail)
       high -= step;
   }
   const double infinity = std::numeric_limits<double>::infinity();
@@ -210,11 +211,11 @@ Estimate quantile_of(std::span<const double> sorted, double p) {
 Sensitivity sobol_indices(const Model& model, std::size_t inputs, std::size_t rows, std::uint64_t seed,
                           const std::function<void(double)>& progress) {
   if (inputs < 1 || inputs > 20) throw std::invalid_argument("indices need 1 to 20 inputs");
-  const std::size_t count = std::bit_ceil(std::max<std::size_t>(rows / kReplications, 4)),
+  const std::size_t count = std::bit_ceil(std::max<std::size_t>(rows / replications, 4)),
                     columns = inputs + 2;
   std::vector<std::vector<double>> firsts(inputs), totals(inputs);
   Sensitivity result;
-  for (std::size_t replication = 0; replication < kReplications; ++replication) {
+  for (std::size_t replication = 0; replication < replications; ++replication) {
     const auto points = scrambled_sobol_points(2 * inputs, count, mixed(seed) + replication);
     // f(A), f(B), f(AB_1), ...
     std::vector<std::vector<double>> values(count);
@@ -231,7 +232,7 @@ Sensitivity sobol_indices(const Model& model, std::size_t inputs, std::size_t ro
           }
         },
         [&](double share) {
-          if (progress) progress((static_cast<double>(replication) + share) / kReplications);
+          if (progress) progress((static_cast<double>(replication) + share) / replications);
         });
     result.evaluations += count * columns;
     result.dropped += std::erase_if(values, [&](const auto& row) { return row.size() < columns; });

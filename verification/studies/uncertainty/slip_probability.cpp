@@ -23,10 +23,10 @@ namespace stickslip::studies {
 
 namespace {
 
-constexpr double kForceWidth = 1e-8, kBandWidth = 1e-3, kCommonWidth = 1e-6;
-constexpr std::size_t kPilots = 1000;     // samples whose load factors are the range of the table of modes
-constexpr double kMostTabulated = 0.999;  // of the buckling load, below which a table keeps its digits
-constexpr std::array kProbabilities{0.05, 0.25, 0.5, 0.75, 0.95};
+constexpr double force_width = 1e-8, band_width = 1e-3, common_width = 1e-6;
+constexpr std::size_t pilot_count = 1000;  // samples whose load factors are the range of the table of modes
+constexpr double most_tabulated = 0.999;   // of the buckling load, below which a table keeps its digits
+constexpr std::array quantile_probabilities{0.05, 0.25, 0.5, 0.75, 0.95};
 
 // The result of one sample.
 struct SampleResult {
@@ -47,12 +47,10 @@ class Verdicts {
   Verdicts(const data::Case& problem, const data::Uncertainty& uncertainty,
            const std::optional<analytic::FrequencyBand>& band)
       : problem_(problem), numbers_(data::numbers_of(problem)), keys_(uncertainty.keys), band_(band) {
-    const auto has = [&](const std::string& key) {
-      return std::ranges::find(keys_, key, &data::UncertainKey::key) != keys_.end();
-    };
-    follows_ = !has("friction.kinetic_coefficient");
+    follows_ = std::ranges::none_of(
+        keys_, [](const auto& key) { return key.key == "friction.kinetic_coefficient"; });
     if (std::ranges::any_of(keys_, [](const auto& key) { return moves_the_force(key.key); })) return;
-    force_ = band ? search_of(problem).refined_to(kCommonWidth) : unit_force(problem);
+    force_ = band ? search_of(problem).refined_to(common_width) : unit_force(problem);
   }
 
   // From now on the modes of undamped beams with a load factor between those of the values are interpolated.
@@ -73,7 +71,7 @@ class Verdicts {
     const data::Beam& beam = problem_.beam;
     const double buckling = analytic::stick_buckling_load(beam) * beam.length() * beam.length() /
                             (beam.youngs_modulus() * beam.second_moment_of_area());
-    if (lowest <= highest && highest < kMostTabulated)
+    if (lowest <= highest && highest < most_tabulated)
       table_.emplace(lowest * buckling, highest * buckling, problem_.numerics.modes(),
                      beam.axial_direction());
   }
@@ -101,10 +99,6 @@ class Verdicts {
   }
 
  private:
-  static double friction_limit(const data::Case& problem) {
-    return problem.friction.static_coefficient() * problem.beam.axial_force();
-  }
-
   [[nodiscard]] data::Case case_at(std::span<const double> values) const {
     auto numbers = numbers_;
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -140,12 +134,12 @@ class Verdicts {
   }
 
   [[nodiscard]] analytic::Bounds unit_force(const data::Case& problem) const {
-    if (!band_ && !is_damped(problem)) return search_of_force(problem).refined_to(kForceWidth);
+    if (!band_ && !is_damped(problem)) return search_of_force(problem).refined_to(force_width);
     if (!band_)
       return analytic::largest_unit_force(problem.beam, problem.damping, problem.excitation.frequency_hz(),
                                           problem.numerics.duration(), problem.numerics.modes(),
-                                          analytic::SteadyPart::modal_sum, kForceWidth);
-    return search_of(problem).refined_to(kBandWidth);
+                                          analytic::SteadyPart::modal_sum, force_width);
+    return search_of(problem).refined_to(band_width);
   }
 
   data::Case problem_;
@@ -227,7 +221,7 @@ std::vector<SlipUncertainty::Quantile> quantiles_of(const Verdicts& verdicts, co
   if (margins.empty()) return quantiles;
   std::ranges::sort(amplitudes);
   std::ranges::sort(margins);
-  for (const double p : kProbabilities)
+  for (const double p : quantile_probabilities)
     quantiles.push_back({p, quantile_of(amplitudes, p), quantile_of(margins, p)});
   return quantiles;
 }
@@ -304,7 +298,7 @@ SlipUncertainty slip_uncertainty(const data::Case& problem, const data::Uncertai
   SlipUncertainty result;
   result.nominal_margin = verdicts.of(problem).margin;
   std::vector<std::vector<double>> pilots;
-  for (std::size_t index = 0; index < kPilots; ++index)
+  for (std::size_t index = 0; index < pilot_count; ++index)
     pilots.push_back(joint.at(independent_point(sampling.seed, index, joint.size())));
   verdicts.tabulate(pilots);
 
