@@ -39,8 +39,7 @@ ClassifiedFrequency classified_frequency(const data::Beam& beam, const data::Fri
 ClassificationStudy classification_study(const data::Beam& beam, const data::FrictionLaw& friction,
                                          const data::NumericalSettings& numerics,
                                          const std::vector<double>& frequencies_hz,
-                                         const std::vector<double>& amplitudes,
-                                         const std::function<void(double)>& progress) {
+                                         const std::vector<double>& amplitudes) {
   ClassificationStudy study;
   study.frequencies.resize(frequencies_hz.size());
   study.points.resize(frequencies_hz.size() * amplitudes.size());
@@ -61,7 +60,7 @@ ClassificationStudy classification_study(const data::Beam& beam, const data::Fri
           .in_guard_band = distance <= frequency.relative_guard()};
     }
   };
-  in_parallel(frequencies_hz.size(), classify_column, progress);
+  in_parallel(frequencies_hz.size(), classify_column);
 
   for (const ClassifiedPoint& point : study.points) {
     const bool agree = point.closed_form_slips == point.finite_element_slips;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
@@ -41,13 +40,12 @@ struct ClassificationStudy {
 
 /// Classifies each point of the grid by both implementations. For finite elements each point is a separate
 /// run with contact, which ends at its first slip. Uses thread_count() threads; the result does not depend on
-/// their number. `progress`, if given, receives the completed fraction.
+/// their number.
 [[nodiscard]] ClassificationStudy classification_study(const data::Beam& beam,
                                                        const data::FrictionLaw& friction,
                                                        const data::NumericalSettings& numerics,
                                                        const std::vector<double>& frequencies_hz,
-                                                       const std::vector<double>& amplitudes,
-                                                       const std::function<void(double)>& progress = {});
+                                                       const std::vector<double>& amplitudes);
 
 /// The frequencies (Hz) and amplitudes (m) of Fig. 12: 5 to 120 Hz in steps of 5 Hz, 0.05 to 1 mm in steps of
 /// 0.05 mm.

@@ -35,16 +35,12 @@ CriticalAmplitudeSearch search(const data::Beam& beam, const data::FrictionLaw& 
 
 std::vector<CriticalAmplitudeSearch> critical_amplitude_searches(
     const data::Beam& beam, const data::FrictionLaw& friction, const data::NumericalSettings& numerics,
-    const std::vector<double>& frequencies_hz, double increment, double cap,
-    const std::function<void(double)>& progress) {
+    const std::vector<double>& frequencies_hz, double increment, double cap) {
   std::vector<CriticalAmplitudeSearch> searches(frequencies_hz.size());
   const int steps = static_cast<int>(std::lround(cap / increment));
-  in_parallel(
-      searches.size(),
-      [&](std::size_t i) {
-        searches[i] = search(beam, friction, numerics, frequencies_hz[i], increment, steps);
-      },
-      progress);
+  in_parallel(searches.size(), [&](std::size_t i) {
+    searches[i] = search(beam, friction, numerics, frequencies_hz[i], increment, steps);
+  });
   return searches;
 }
 

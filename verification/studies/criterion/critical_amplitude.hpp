@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -31,8 +30,7 @@ struct CriticalAmplitudeSearch {
 /// thread_count() threads; the result does not depend on their number.
 [[nodiscard]] std::vector<CriticalAmplitudeSearch> critical_amplitude_searches(
     const data::Beam& beam, const data::FrictionLaw& friction, const data::NumericalSettings& numerics,
-    const std::vector<double>& frequencies_hz, double increment, double cap,
-    const std::function<void(double)>& progress = {});
+    const std::vector<double>& frequencies_hz, double increment, double cap);
 
 /// The frequencies of Fig. 6: 5 to 100 Hz in steps of 5 Hz.
 [[nodiscard]] std::vector<double> figure6_frequencies();
