@@ -15,12 +15,10 @@
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
-#include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/common/parallel.hpp"
 #include "studies/common/problem_parameter.hpp"
-#include "studies/convergence/discretisation.hpp"
 #include "studies/criterion/criterion_map.hpp"
 #include "studies/criterion/map_estimate.hpp"
 #include "support/flat_beam.hpp"
@@ -206,31 +204,6 @@ TEST(CriterionMap, MarksWhatIsAtOrOverTheBucklingLoad) {
          .method = method});
     for (std::size_t n = 0; n < map.cells.size(); ++n)
       EXPECT_EQ(map.cells[n].state == CellState::no_stick_state, n % 4 >= 2) << n;
-  }
-}
-
-TEST(CriterionMap, OfFiniteElementsIsThatOfTheClosedFormToThePredictedError) {
-  const data::Case problem = flat_case_of(2.0);
-  const auto x = map_axis(Parameter::frequency, 15.0, 75.0, 4, false);
-  const auto y = map_axis(Parameter::length, 1.2, 2.0, 3, false);
-  const auto closed_form = studies::criterion_map({.problem = problem, .x = x, .y = y});
-  const auto finite_element =
-      studies::criterion_map({.problem = problem, .x = x, .y = y, .method = MapMethod::finite_elements});
-  for (std::size_t n = 0; n < closed_form.cells.size(); ++n) {
-    const auto& cell = closed_form.cells[n];
-    const data::Case point = case_of(problem, x, y, cell);
-    const double limit = studies::friction_limit(point);
-    const double converged =
-        analytic::StickResponse(point.beam, point.excitation, 60, analytic::SteadyPart::exact)
-            .max_abs_friction_force(2.0, 1e-8)
-            .midpoint();
-    const studies::PredictedForce predicted(point.beam, point.excitation, point.numerics, 20);
-    const double truncation = std::abs(*cell.force_ratio * limit - converged);
-    const double mesh_and_step = std::abs(predicted.max_abs() - converged) + predicted.uncertainty();
-    EXPECT_TRUE(within(*finite_element.cells[n].force_ratio * limit, *cell.force_ratio * limit,
-                       discretisation(truncation + mesh_and_step, 1.0,
-                                      "ten modes against all, and PredictedForce against all")))
-        << cell.x << " Hz, " << cell.y << " m";
   }
 }
 

@@ -46,13 +46,6 @@ TEST(ResonanceLength, SolvesTheCharacteristicEquation) {
     }
 }
 
-TEST(ResonanceLength, IsThePrintedOneAt500N) {
-  EXPECT_TRUE(within(*studies::resonance_length(flat_beam(1.0, 500.0), 1, 25.0), 0.88,
-                     reference(0.005, "half a unit of the printed digit")));
-  EXPECT_TRUE(within(*studies::resonance_length(flat_beam(1.0, 500.0), 2, 25.0), 1.58,
-                     reference(0.005, "half a unit of the printed digit")));
-}
-
 TEST(ResonanceLength, IsNoneWhereTheBeamBucklesBefore) {
   // Mode 2 meets 25 Hz at about 1.5 m, where the section buckles at 20.19 EI/L^2 = 2.4 kN; mode 1 vibrates at
   // any frequency before it buckles.
