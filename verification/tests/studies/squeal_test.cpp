@@ -52,6 +52,10 @@ std::vector<double> free_frequencies(const data::Case& problem, int count) {
   return frequencies;
 }
 
+Complex nearest(const std::vector<Complex>& values, Complex to) {
+  return *std::ranges::min_element(values, {}, [&](Complex value) { return std::abs(value - to); });
+}
+
 STICKSLIP_VERIFIES(SteadySliding, "W2");
 TEST(SteadySliding, HasTheDeflectionOfTheMeshInEveryDirectionOfTheForce) {
   for (const double direction : {0.0, 0.4, 1.0}) {
@@ -123,8 +127,7 @@ TEST(SteadySliding, LeavesOutAModeThatCreepsBackWithAllThatFollow) {
 double slope_at_the_axis(const solver::ContactSystem& system, double angular_frequency, double guess) {
   Complex at(0.0, angular_frequency);
   const auto growth = [&](double slope) {
-    const auto eigenvalues = solver::sliding_eigenvalues(system, slope);
-    at = *std::ranges::min_element(eigenvalues, {}, [&](Complex s) { return std::abs(s - at); });
+    at = nearest(solver::sliding_eigenvalues(system, slope), at);
     return at.real();
   };
   double before = 0.9 * guess, slope = guess, growth_before = growth(before);
@@ -156,9 +159,8 @@ TEST(SteadySliding, CrossesTheAxisInEigenvaluesWhereTheMobilityOfTheSameMeshSays
     const double slope = slope_at_the_axis(mesh, mode.hopf->angular_frequency, mode.one_mode_slope);
     // Round-off of an eigenvalue relative to its modulus, over the damping ratio of 1 % and more.
     EXPECT_TRUE(within(slope, mode.hopf->slope, round_off(100, 1.0 / 0.01, slope)));
-    const auto nearest =
-        *std::ranges::min_element(eigenvalues, {}, [&](Complex s) { return std::abs(s - *mode.root); });
-    EXPECT_TRUE(within(std::abs(nearest - *mode.root), 0.0, round_off(1e4, 1, std::abs(nearest))));
+    const Complex eigenvalue = nearest(eigenvalues, *mode.root);
+    EXPECT_TRUE(within(std::abs(eigenvalue - *mode.root), 0.0, round_off(1e4, 1, std::abs(eigenvalue))));
   }
 }
 
@@ -216,9 +218,8 @@ TEST(SteadySliding, HasMultipliersThatAreTheExponentialsOfItsRoots) {
   const auto multipliers = analytic::eigenvalues(image.derivative);
   for (const Complex root : roots) {
     const Complex expected = std::exp(root * period);
-    const auto nearest =
-        *std::ranges::min_element(multipliers, {}, [&](Complex z) { return std::abs(z - expected); });
-    EXPECT_TRUE(within(std::abs(nearest - expected), 0.0, discretisation(1e-10, 10.0, "1e-13 a step")));
+    EXPECT_TRUE(within(std::abs(nearest(multipliers, expected) - expected), 0.0,
+                       discretisation(1e-10, 10.0, "1e-13 a step")));
   }
 }
 
@@ -245,6 +246,23 @@ TEST(SteadySliding, IsMappedOverSpeedAndDampingWithTheBoundaryOfTheHopfPoint) {
   EXPECT_FALSE(squeal.is_stable());
   EXPECT_TRUE(studies::squeal_of(reed({{"wall.speed", "0.7"}}), 3).is_stable());
   EXPECT_THROW((void)studies::squeal_of(reed({{"wall.speed", "0.0"}}), 3), data::FieldError);
+}
+
+data::NumericalSettings numerics_of(const data::Case& problem, int elements, int modes, double step) {
+  data::NumericalChoices choices = problem.numerics.choices();
+  choices.elements = elements;
+  choices.modes = modes;
+  choices.time_step = step;
+  return data::NumericalSettings(choices);
+}
+
+// The changes of contact of a run by time steps.
+std::vector<solver::ContactEvent> events_of(const data::Case& problem,
+                                            const data::NumericalSettings& numerics, double duration) {
+  solver::BeamSimulation run(problem.beam, problem.friction, problem.excitation, numerics,
+                             {.damping = problem.damping, .wall = problem.wall});
+  while (run.time() < duration) run.step();
+  return run.integrator().events();
 }
 
 // --- The wall that moves in the time stepper
@@ -289,14 +307,7 @@ TEST(MovingWallOfTheMesh, HasTheChangesOfTheEventDrivenRun) {
   exact.advance_to(0.01);
   std::vector<double> errors;
   for (const double step : {4e-6, 2e-6}) {
-    data::NumericalChoices choices = problem.numerics.choices();
-    choices.elements = 12;
-    choices.time_step = step;
-    solver::BeamSimulation run(problem.beam, problem.friction, problem.excitation,
-                               data::NumericalSettings(choices),
-                               {.damping = problem.damping, .wall = problem.wall});
-    while (run.time() < 0.01) run.step();
-    const auto& events = run.integrator().events();
+    const auto events = events_of(problem, numerics_of(problem, 12, 10, step), 0.01);
     ASSERT_EQ(events.size(), exact.events().size());
     double largest = 0.0;
     for (std::size_t i = 0; i < events.size(); ++i)
@@ -336,24 +347,16 @@ TEST(Cycles, OfTheReedAreTheSameForBothDirectionsOfTheWallAndEveryLaterSettling)
 
 // A step lengthens the period of a vibration by (omega h)^2/12, to second order.
 TEST(Cycles, OfTheReedHaveThePeriodThatTheTimeStepperSettlesTo) {
-  data::NumericalChoices choices = viscous_reed().numerics.choices();
-  choices.elements = 10;
-  choices.modes = 5;
   data::Case problem = viscous_reed();
-  problem.numerics = data::NumericalSettings(choices);
+  problem.numerics = numerics_of(problem, 10, 5, problem.numerics.time_step());
   const auto cycle = studies::cycle_of(problem, 1, 40);
   ASSERT_TRUE(cycle.search.motion);
   const double period = cycle.search.motion->period;
   ASSERT_EQ(cycle.search.motion->events.size(), 2u);
   std::vector<double> errors;
   for (const double step : {1e-5, 5e-6}) {
-    choices.time_step = step;
-    solver::BeamSimulation run(problem.beam, problem.friction, problem.excitation,
-                               data::NumericalSettings(choices),
-                               {.damping = problem.damping, .wall = problem.wall});
-    while (run.time() < 0.15) run.step();
     std::vector<double> onsets;
-    for (const auto& event : run.integrator().events())
+    for (const auto& event : events_of(problem, numerics_of(problem, 10, 5, step), 0.15))
       if (event.kind == solver::ContactEvent::Kind::onset) onsets.push_back(event.time);
     ASSERT_GT(onsets.size(), 20u);
     const double stepped = (onsets.back() - onsets[onsets.size() - 6]) / 5.0;
