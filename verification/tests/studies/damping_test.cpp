@@ -21,7 +21,7 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/energy_balance.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
-#include "studies/convergence/convergence.hpp"
+#include "studies/common/simpson.hpp"
 #include "support/beams.hpp"
 #include "support/free_tip.hpp"
 #include "support/order.hpp"
@@ -63,7 +63,7 @@ class FrequencyDomain {
   [[nodiscard]] Amplitudes semi_discrete() const {
     const double omega = v_.omega();
     const MatrixXcd dynamic = stiffness() + imaginary_unit * omega * damping_ - omega * omega * mass_;
-    VectorXcd q = held() ? VectorXcd(-amplitude * unit_tip_deflection()) : VectorXcd::Zero(load_.size());
+    VectorXcd q = static_shape();
     q += solve(dynamic, load_ - dynamic * q);
     return amplitudes(q, imaginary_unit * omega * q);
   }
@@ -81,8 +81,7 @@ class FrequencyDomain {
     const Complex displacement = (h * velocity + h * h * (0.5 - beta + beta * e)) / (e - 1.0);
     const Complex level_m = alpha_m + (1.0 - alpha_m) * e, level_f = alpha_f + (1.0 - alpha_f) * e;
     const MatrixXcd balance = level_m * mass_ + level_f * (velocity * damping_ + displacement * stiffness());
-    const VectorXcd shape =
-        held() ? VectorXcd(-amplitude * unit_tip_deflection()) : VectorXcd::Zero(load_.size());
+    const VectorXcd shape = static_shape();
     const VectorXcd load = load_ + omega * omega * mass_ * shape - imaginary_unit * omega * damping_ * shape;
     const VectorXcd a = solve(balance, std::exp(imaginary_unit * omega * h * (1.0 - alpha_f)) * load);
     return amplitudes(displacement * a + shape, velocity * a + imaginary_unit * omega * shape);
@@ -91,7 +90,11 @@ class FrequencyDomain {
  private:
   [[nodiscard]] bool held() const { return v_.tip == TipSupport::held; }
   [[nodiscard]] Eigen::Index contact() const { return model_.tip_deflection(); }
-  [[nodiscard]] VectorXcd unit_tip_deflection() const { return model_.unit_tip_deflection().cast<Complex>(); }
+  // With the tip held: it stays at rest while the base moves.
+  [[nodiscard]] VectorXcd static_shape() const {
+    if (!held()) return VectorXcd::Zero(load_.size());
+    return -amplitude * model_.unit_tip_deflection().cast<Complex>();
+  }
   [[nodiscard]] MatrixXcd stiffness() const {
     return Eigen::MatrixXd(held() ? model_.stick_stiffness() : model_.slip_stiffness()).cast<Complex>();
   }
@@ -363,11 +366,8 @@ TEST(ModalDamping, OfAStickModeIsTheMeanOverTheFreeModesItHolds) {
     const double omega = stick.angular_frequency();
     double mean = 0.0, total = 0.0, mean_error = 0.0;
     for (const auto& mode : free) {
-      constexpr int n = 2000;  // Simpson's rule
-      double overlap = 0.0;
-      for (int i = 0; i <= n; ++i)
-        overlap +=
-            2.0 / (3.0 * n) * simpson_weight(i, n) * stick.shape(2.0 * i / n) * mode.shape(2.0 * i / n);
+      const double overlap = studies::simpson_integral(
+          [&](double x) { return stick.shape(x) * mode.shape(x); }, beam.length(), mode);
       const double weight = overlap * overlap / (stick.norm_squared() * 0.5);
       total += weight;
       mean += weight * mode.angular_frequency() / omega;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -33,6 +34,12 @@ namespace stickslip::testing {
 namespace {
 
 // The square section of the paper with k = 5/6 and Poisson's ratio 0.3.
+data::Case sheared_case(const std::vector<data::Override>& overrides = {}) {
+  data::Case problem = data::load_case("paper", overrides);
+  problem.beam = studies::with_shear(problem.beam);
+  return problem;
+}
+
 data::Beam sheared_beam(double length, double axial_force, double axial_direction = 0.0) {
   data::BeamProperties beam = data::load_case("paper").beam.properties();
   beam.length = length;
@@ -135,21 +142,22 @@ TEST(ShearReaction, OfMeshesConvergesToTheClosedForm) {
 // f(t) and |f_max| of runs by time steps. A run of 160 elements and 1e-5 s has a tenth of the error of one of 80 elements and
 // 3e-5 s, so that their difference bounds it; the modes above the fortieth have less.
 TEST(ShearReaction, OfRunsIsThatOfTheClosedFormWithItsMaximum) {
-  data::Case problem = data::load_case("paper", {{"beam.length", "0.6"}, {"beam.axial_force", "5000"}});
-  problem.beam = studies::with_shear(problem.beam);
+  data::Case problem = sheared_case({{"beam.length", "0.6"}, {"beam.axial_force", "5000"}});
   problem.excitation = data::HarmonicExcitation({.frequency_hz = 90.0, .amplitude = 1e-4});
   const double duration = 0.05;
-  const analytic::ForceMaximum closed(
-      analytic::timoshenko_reaction(problem.beam, 40, studies::angular_frequency(problem.excitation)),
-      studies::angular_frequency(problem.excitation), duration);
-  const auto run = [&](int elements, double step) {
+  const auto numerics = [&](int elements, double step) {
     data::NumericalChoices choices = problem.numerics.choices();
     choices.elements = elements;
     choices.time_step = step;
     choices.duration = duration;
+    return data::NumericalSettings(choices);
+  };
+  const analytic::ForceMaximum closed(
+      analytic::timoshenko_reaction(problem.beam, 40, studies::angular_frequency(problem.excitation)),
+      studies::angular_frequency(problem.excitation), duration);
+  const auto run = [&](int elements, double step) {
     solver::BeamSimulation simulation(problem.beam, problem.friction, problem.excitation,
-                                      data::NumericalSettings(choices),
-                                      {.contact = solver::TipContact::bonded});
+                                      numerics(elements, step), {.contact = solver::TipContact::bonded});
     std::vector<double> forces;
     const int every = static_cast<int>(std::lround(6e-4 / step));
     for (int n = 1; n <= 80 * every; ++n) {
@@ -168,20 +176,19 @@ TEST(ShearReaction, OfRunsIsThatOfTheClosedFormWithItsMaximum) {
                        problem.excitation.amplitude() * closed.value(6e-4 * static_cast<double>(i + 1)),
                        discretisation(change, 0.5, "the change from a coarser run")))
         << i;
-  data::NumericalChoices choices = problem.numerics.choices();
-  choices.elements = 160;
-  choices.time_step = 1e-5;
-  choices.duration = duration;
-  EXPECT_TRUE(
-      within(solver::max_abs_friction_force(problem.beam, problem.excitation,
-                                            data::NumericalSettings(choices), {}, solver::Coordinates::modal),
-             largest, discretisation(change, 0.5, "the change from a coarser run")));
+  EXPECT_TRUE(within(solver::max_abs_friction_force(problem.beam, problem.excitation, numerics(160, 1e-5), {},
+                                                    solver::Coordinates::modal),
+                     largest, discretisation(change, 0.5, "the change from a coarser run")));
+}
+
+analytic::Criterion criterion_of(const data::Case& problem) {
+  return analytic::evaluate_criterion(problem.beam, problem.friction, problem.excitation,
+                                      problem.numerics.duration(), problem.numerics.modes());
 }
 
 STICKSLIP_VERIFIES(ShearScope, "X24");
 TEST(ShearScope, IsRefusedByNameWhereThereIsNoShear) {
-  data::Case problem = data::load_case("paper");
-  problem.beam = studies::with_shear(problem.beam);
+  const data::Case problem = sheared_case();
   const auto expect_refused = [](auto&& attempt) {
     try {
       attempt();
@@ -207,8 +214,7 @@ TEST(ShearScope, IsRefusedByNameWhereThereIsNoShear) {
 
 // A map over the frequency shares one reaction, one over the length does not; each cell is the criterion of its case.
 TEST(ShearScope, HoldsTheMapsOfTheCriterion) {
-  data::Case problem = data::load_case("paper");
-  problem.beam = studies::with_shear(problem.beam);
+  const data::Case problem = sheared_case();
   for (const auto parameter : {studies::Parameter::frequency, studies::Parameter::length}) {
     const double value = studies::value_of(problem, parameter);
     const auto map =
@@ -218,8 +224,7 @@ TEST(ShearScope, HoldsTheMapsOfTheCriterion) {
     for (const auto& cell : map.cells) {
       const data::Case at = studies::with_value(studies::with_value(problem, parameter, cell.x),
                                                 studies::Parameter::amplitude, cell.y);
-      const auto criterion = analytic::evaluate_criterion(at.beam, at.friction, at.excitation,
-                                                          at.numerics.duration(), at.numerics.modes());
+      const auto criterion = criterion_of(at);
       EXPECT_TRUE(within(*cell.force_ratio, criterion.force_max.midpoint() / criterion.friction_limit,
                          reference(2e-10 * *cell.force_ratio, "the width of the bounds")));
     }
@@ -231,18 +236,14 @@ STICKSLIP_VERIFIES(ShearEffect, "X24");
 TEST(ShearEffect, IsInTheWarningOfAThickBeam) {
   data::Case thick = data::load_case("paper", {{"beam.length", "0.8"}, {"excitation.frequency_hz", "120"}});
   const auto thick_beam = [](const std::vector<studies::Warning>& warnings) {
-    for (const auto& warning : warnings)
-      if (warning.concern == studies::Concern::thick_beam) return warning.sentence;
-    return std::string();
+    const auto found = std::ranges::find(warnings, studies::Concern::thick_beam, &studies::Warning::concern);
+    return found == warnings.end() ? std::string() : found->sentence;
   };
   const std::string sentence = thick_beam(studies::problem_warnings(thick, studies::Inquiry::criterion));
   EXPECT_NE(sentence.find(studies::shear_effect(thick)), std::string::npos) << sentence;
   data::Case sheared = thick;
   sheared.beam = studies::with_shear(thick.beam);
-  const auto criterion = analytic::evaluate_criterion(sheared.beam, sheared.friction, sheared.excitation,
-                                                      sheared.numerics.duration(), sheared.numerics.modes());
-  const auto slender = analytic::evaluate_criterion(thick.beam, thick.friction, thick.excitation,
-                                                    thick.numerics.duration(), thick.numerics.modes());
+  const auto criterion = criterion_of(sheared), slender = criterion_of(thick);
   EXPECT_EQ(
       studies::shear_effect(thick),
       fmt::format("with beam.shear_stiffness = 6.41e+06 (k = 5/6, nu = 0.3) |f_max| is {:.4g} N instead of "
