@@ -29,6 +29,18 @@ inline void set_thread_count(unsigned count) {
   detail::thread_count = count;
 }
 
+/// Sets the number of threads until the end of a block.
+class ThreadsForNow {
+ public:
+  explicit ThreadsForNow(unsigned count) : before_(thread_count()) { set_thread_count(count); }
+  ~ThreadsForNow() { set_thread_count(before_); }
+  ThreadsForNow(const ThreadsForNow&) = delete;
+  ThreadsForNow& operator=(const ThreadsForNow&) = delete;
+
+ private:
+  unsigned before_;
+};
+
 /// Calls work(0) ... work(count - 1) on `threads` threads, each index once. Calls settled(first, last) when the
 /// indices from `first` to before `last` are done: each index once, one call at a time, and at most 16 indices
 /// a call. The first exception of `work` or `settled` ends the work and is thrown again. `work` must not depend

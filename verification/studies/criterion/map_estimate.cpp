@@ -12,18 +12,6 @@ namespace stickslip::studies {
 
 namespace {
 
-// Sets the number of threads until the end of a block.
-class ThreadsForNow {
- public:
-  explicit ThreadsForNow(unsigned count) : before_(thread_count()) { set_thread_count(count); }
-  ~ThreadsForNow() { set_thread_count(before_); }
-  ThreadsForNow(const ThreadsForNow&) = delete;
-  ThreadsForNow& operator=(const ThreadsForNow&) = delete;
-
- private:
-  unsigned before_;
-};
-
 struct Seconds {
   double processor{}, wall{};
 };

@@ -138,9 +138,8 @@ TEST(CriterionMap, HasAnEstimateOfItsCostThatLeavesTheThreadsAlone) {
   const studies::MapTask task{.problem = flat_case_of(0.1),
                               .x = map_axis(Parameter::frequency, 5.0, 50.0, 20, false),
                               .y = map_axis(Parameter::amplitude, 0.0, 1e-3, 3, false)};
-  const unsigned threads = studies::thread_count();
   for (const unsigned count : {1u, 2u}) {
-    studies::set_thread_count(count);
+    const studies::ThreadsForNow threads(count);
     const auto estimate = studies::map_estimate(task, studies::share_of(20, 1, 1));
     EXPECT_EQ(studies::thread_count(), count);
     EXPECT_EQ(estimate.threads, count);
@@ -148,7 +147,6 @@ TEST(CriterionMap, HasAnEstimateOfItsCostThatLeavesTheThreadsAlone) {
     EXPECT_EQ(estimate.sample, 20u);  // all of them take milliseconds
     EXPECT_EQ(estimate.speedup == 1.0, count == 1);
   }
-  studies::set_thread_count(threads);
   const studies::MapEstimate hours{.evaluations = 7200, .seconds_each = 2.0, .speedup = 4.0};
   EXPECT_EQ(hours.core_hours(), 4.0);
   EXPECT_EQ(hours.hours(), 1.0);

@@ -26,6 +26,14 @@ constexpr data::FrictionCoefficients stribeck{
     .static_coefficient = 0.6, .kinetic_coefficient = 0.3, .decay = 2.0, .viscous = 0.1};
 constexpr double normal_force = 10.0;
 
+// Of second order in a step that is halved each time.
+void expect_second_order(const std::vector<double>& errors) {
+  for (std::size_t i = 1; i < errors.size(); ++i) {
+    EXPECT_LT(errors[i], errors[i - 1] / 3.0);
+    EXPECT_GT(errors[i], errors[i - 1] / 5.0);
+  }
+}
+
 // -f_d of a sliding mass at speed v: the solver's law, and what the contact of the boundary integral returns.
 double resistance_of_the_solver(double v) {
   return normal_force * solver::friction_coefficient(data::FrictionLaw(stribeck), v);
@@ -109,11 +117,8 @@ TEST(StribeckLaw, StopsASliderAtTheTimeOfTheClosedForm) {
     late.push_back(std::abs(slider.events()[0].time - stop));
     unexplained.push_back(std::abs(recorder.balance().residual()));
   }
-  for (const auto& errors : {late, unexplained})
-    for (std::size_t i = 1; i < errors.size(); ++i) {
-      EXPECT_LT(errors[i], errors[i - 1] / 3.0);
-      EXPECT_GT(errors[i], errors[i - 1] / 5.0);
-    }
+  expect_second_order(late);
+  expect_second_order(unexplained);
 }
 
 TEST(StribeckLaw, GivesBothImplementationsOneHistoryAtSecondOrder) {
@@ -140,10 +145,7 @@ TEST(StribeckLaw, GivesBothImplementationsOneHistoryAtSecondOrder) {
       largest = std::max(largest, std::abs(stepped.events()[i].time - exact.events()[i].time));
     errors.push_back(largest);
   }
-  for (std::size_t i = 1; i < errors.size(); ++i) {
-    EXPECT_LT(errors[i], errors[i - 1] / 3.0);
-    EXPECT_GT(errors[i], errors[i - 1] / 5.0);
-  }
+  expect_second_order(errors);
 }
 
 TEST(StribeckLaw, IsTheSameInOtherUnits) {

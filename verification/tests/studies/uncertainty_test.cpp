@@ -193,10 +193,8 @@ TEST(SobolIndices, OfASumAreTheSharesOfItsTermsAndDoNotDependOnThreads) {
     expect_index(result.indices[i].first, share);
     expect_index(result.indices[i].total, share);
   }
-  const unsigned threads = studies::thread_count();
-  studies::set_thread_count(3);
+  const studies::ThreadsForNow three(3);
   const auto again = studies::sobol_indices(model, 4, 1024, 1);
-  studies::set_thread_count(threads);
   EXPECT_EQ(result.indices[1].first.value, again.indices[1].first.value);
   EXPECT_EQ(result.indices[1].total.upper, again.indices[1].total.upper);
 }
@@ -205,10 +203,8 @@ TEST(SobolIndices, OfASumAreTheSharesOfItsTermsAndDoNotDependOnThreads) {
 TEST(SobolIndices, AreTheMeanOfTheReplicationsWithStudentsInterval) {
   std::vector<double> f;
   const auto model = [&f](std::span<const double> u) { return std::optional(f.emplace_back(u[0] * u[0])); };
-  const unsigned threads = studies::thread_count();
-  studies::set_thread_count(1);
+  const studies::ThreadsForNow one(1);
   const auto result = studies::sobol_indices(model, 1, 100, 1);
-  studies::set_thread_count(threads);
   ASSERT_EQ(f.size(), 16u * 8u * 3u);  // 100/16 rows, at the next power of two
   EXPECT_EQ(result.evaluations, f.size());
   std::vector<double> totals;
@@ -273,6 +269,17 @@ double force_per_metre(const data::Case& of) {
   return analytic::largest_unit_force(of.beam, of.damping, of.excitation.frequency_hz(), 10.0, 10).midpoint();
 }
 
+// mu_c: the tip slips if the static coefficient is smaller.
+double critical_coefficient(const data::Case& of) { return 0.5e-3 * force_per_metre(of) / 500.0; }
+
+// A static coefficient with mean 0.55 and deviation 0.05, and the probability that the tip slips with it.
+data::Uncertainty uncertain_coefficient() {
+  return independent({{"friction.static_coefficient", normal(0.55, 0.05)}});
+}
+double probability_below(double coefficient, double deviation = 0.05) {
+  return gsl_cdf_ugaussian_P((coefficient - 0.55) / deviation);
+}
+
 std::string refused_because(const data::Uncertainty& uncertainty,
                             const std::optional<analytic::FrequencyBand>& band = {}) {
   try {
@@ -289,11 +296,8 @@ TEST(SlipProbability, OfAnUncertainCoefficientIsThatOfItsDistribution) {
   data::Case of = problem();
   for (const data::Damping& damping : {data::Damping(), data::Damping({.kelvin_voigt = 6.4e-5})}) {
     of.damping = damping;
-    const double unit = force_per_metre(of), critical = 0.5e-3 * unit / 500.0;
-    const auto result =
-        studies::slip_uncertainty(of, independent({{"friction.static_coefficient", normal(0.55, 0.05)}}),
-                                  {.samples = 20000, .seed = 2});
-    const double expected = gsl_cdf_ugaussian_P((critical - 0.55) / 0.05);
+    const double critical = critical_coefficient(of), expected = probability_below(critical);
+    const auto result = studies::slip_uncertainty(of, uncertain_coefficient(), {.samples = 20000, .seed = 2});
     EXPECT_TRUE(within(result.probability_of_slip.value, expected, sampling(expected, 20000)));
     EXPECT_EQ(result.valid, 20000u);
     EXPECT_TRUE(result.invalid.empty());
@@ -302,10 +306,8 @@ TEST(SlipProbability, OfAnUncertainCoefficientIsThatOfItsDistribution) {
     for (const auto& quantile : result.quantiles) probabilities.push_back(quantile.probability);
     EXPECT_EQ(probabilities, (std::vector{0.05, 0.25, 0.5, 0.75, 0.95}));
     for (const auto& [p, amplitude, margin] : result.quantiles) {
-      const auto share_below = [&](double a) {
-        return gsl_cdf_ugaussian_P((a * unit / 500.0 - 0.55) / 0.05);
-      };
-      EXPECT_TRUE(within(share_below(amplitude.value), p, sampling(p, 20000)));
+      const double share_below = probability_below(amplitude.value / 0.5e-3 * critical);
+      EXPECT_TRUE(within(share_below, p, sampling(p, 20000)));
       EXPECT_LT(amplitude.lower, amplitude.value);
       EXPECT_LT(amplitude.value, amplitude.upper);
       EXPECT_NEAR(margin.value, amplitude.value / 0.5e-3, 1e-12);
@@ -317,7 +319,7 @@ TEST(SlipProbability, OfAnUncertainCoefficientIsThatOfItsDistribution) {
     EXPECT_NEAR(result.tornado[0].margin_high.value(), (0.55 + off) / critical, 1e-7);
     EXPECT_EQ(result.sensitivity->evaluations, 4096u * 3u);
     expect_index(result.sensitivity->indices[0].total, 1.0);
-    const double halved = gsl_cdf_ugaussian_P((critical - 0.55) / 0.025);
+    const double halved = probability_below(critical, 0.025);
     EXPECT_TRUE(within(result.probability_with_half_spread.value, halved, sampling(halved, 20000)));
   }
 }
@@ -354,13 +356,11 @@ TEST(SlipProbability, OfCorrelatedKeysIsThatOfTheirQuotient) {
 // How many of 200 intervals hold the truth is binomial with their exact coverage.
 TEST(SlipProbability, LiesInItsIntervalAsOftenAsItShould) {
   constexpr unsigned runs = 200, samples = 60;
-  const double critical = 0.5e-3 * force_per_metre(problem()) / 500.0;
-  const double p = gsl_cdf_ugaussian_P((critical - 0.55) / 0.05), expected = coverage(p, samples);
+  const double p = probability_below(critical_coefficient(problem())), expected = coverage(p, samples);
   int held = 0;
   for (unsigned seed = 1; seed <= runs; ++seed) {
-    const auto result = studies::slip_uncertainty(
-        problem(), independent({{"friction.static_coefficient", normal(0.55, 0.05)}}),
-        {.samples = samples, .seed = seed});
+    const auto result =
+        studies::slip_uncertainty(problem(), uncertain_coefficient(), {.samples = samples, .seed = seed});
     held += result.probability_of_slip.lower <= p && p <= result.probability_of_slip.upper ? 1 : 0;
   }
   EXPECT_TRUE(within(held / static_cast<double>(runs), expected, sampling(expected, runs)));
