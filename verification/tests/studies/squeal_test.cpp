@@ -248,7 +248,7 @@ TEST(SteadySliding, IsMappedOverSpeedAndDampingWithTheBoundaryOfTheHopfPoint) {
   EXPECT_THROW((void)studies::squeal_of(reed({{"wall.speed", "0.0"}}), 3), data::FieldError);
 }
 
-data::NumericalSettings numerics_of(const data::Case& problem, int elements, int modes, double step) {
+data::NumericalSettings mesh_modes_and_step(const data::Case& problem, int elements, int modes, double step) {
   data::NumericalChoices choices = problem.numerics.choices();
   choices.elements = elements;
   choices.modes = modes;
@@ -307,7 +307,7 @@ TEST(MovingWallOfTheMesh, HasTheChangesOfTheEventDrivenRun) {
   exact.advance_to(0.01);
   std::vector<double> errors;
   for (const double step : {4e-6, 2e-6}) {
-    const auto events = events_of(problem, numerics_of(problem, 12, 10, step), 0.01);
+    const auto events = events_of(problem, mesh_modes_and_step(problem, 12, 10, step), 0.01);
     ASSERT_EQ(events.size(), exact.events().size());
     double largest = 0.0;
     for (std::size_t i = 0; i < events.size(); ++i)
@@ -348,7 +348,7 @@ TEST(Cycles, OfTheReedAreTheSameForBothDirectionsOfTheWallAndEveryLaterSettling)
 // A step lengthens the period of a vibration by (omega h)^2/12, to second order.
 TEST(Cycles, OfTheReedHaveThePeriodThatTheTimeStepperSettlesTo) {
   data::Case problem = viscous_reed();
-  problem.numerics = numerics_of(problem, 10, 5, problem.numerics.time_step());
+  problem.numerics = mesh_modes_and_step(problem, 10, 5, problem.numerics.time_step());
   const auto cycle = studies::cycle_of(problem, 1, 40);
   ASSERT_TRUE(cycle.search.motion);
   const double period = cycle.search.motion->period;
@@ -356,7 +356,7 @@ TEST(Cycles, OfTheReedHaveThePeriodThatTheTimeStepperSettlesTo) {
   std::vector<double> errors;
   for (const double step : {1e-5, 5e-6}) {
     std::vector<double> onsets;
-    for (const auto& event : events_of(problem, numerics_of(problem, 10, 5, step), 0.15))
+    for (const auto& event : events_of(problem, mesh_modes_and_step(problem, 10, 5, step), 0.15))
       if (event.kind == solver::ContactEvent::Kind::onset) onsets.push_back(event.time);
     ASSERT_GT(onsets.size(), 20u);
     const double stepped = (onsets.back() - onsets[onsets.size() - 6]) / 5.0;

@@ -26,8 +26,8 @@ constexpr data::FrictionCoefficients stribeck{
     .static_coefficient = 0.6, .kinetic_coefficient = 0.3, .decay = 2.0, .viscous = 0.1};
 constexpr double normal_force = 10.0;
 
-// Of second order in a step that is halved each time.
-void expect_second_order(const std::vector<double>& errors) {
+// Errors of second order in a step that is halved each time.
+void expect_a_quarter_at_each_halving(const std::vector<double>& errors) {
   for (std::size_t i = 1; i < errors.size(); ++i) {
     EXPECT_LT(errors[i], errors[i - 1] / 3.0);
     EXPECT_GT(errors[i], errors[i - 1] / 5.0);
@@ -117,8 +117,8 @@ TEST(StribeckLaw, StopsASliderAtTheTimeOfTheClosedForm) {
     late.push_back(std::abs(slider.events()[0].time - stop));
     unexplained.push_back(std::abs(recorder.balance().residual()));
   }
-  expect_second_order(late);
-  expect_second_order(unexplained);
+  expect_a_quarter_at_each_halving(late);
+  expect_a_quarter_at_each_halving(unexplained);
 }
 
 TEST(StribeckLaw, GivesBothImplementationsOneHistoryAtSecondOrder) {
@@ -145,7 +145,7 @@ TEST(StribeckLaw, GivesBothImplementationsOneHistoryAtSecondOrder) {
       largest = std::max(largest, std::abs(stepped.events()[i].time - exact.events()[i].time));
     errors.push_back(largest);
   }
-  expect_second_order(errors);
+  expect_a_quarter_at_each_halving(errors);
 }
 
 TEST(StribeckLaw, IsTheSameInOtherUnits) {
