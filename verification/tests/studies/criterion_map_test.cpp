@@ -14,7 +14,6 @@
 
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/damped_reaction.hpp"
-#include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/common/parallel.hpp"
@@ -180,18 +179,6 @@ TEST(CriterionMap, ByFiniteElementsIsThatOfThePlainRun) {
   }
 }
 
-TEST(CriterionMap, IsProportionalToTheAmplitudeAndToTheInverseOfTheFriction) {
-  const auto map = studies::criterion_map({.problem = flat_case_of(1.0),
-                                           .x = map_axis(Parameter::amplitude, 1e-4, 4e-4, 4, false),
-                                           .y = map_axis(Parameter::static_coefficient, 0.1, 0.4, 4, false),
-                                           .method = MapMethod::finite_elements});
-  const double unit = *map.cells.front().force_ratio;
-  for (std::size_t n = 0; n < map.cells.size(); ++n) {
-    const double expected = unit * static_cast<double>(n % 4 + 1) / static_cast<double>(n / 4 + 1);
-    EXPECT_TRUE(within(*map.cells[n].force_ratio, expected, round_off(10, 1, expected)));
-  }
-}
-
 TEST(CriterionMap, MarksWhatIsAtOrOverTheBucklingLoad) {
   const double load = analytic::stick_buckling_load(flat_beam(2.0, 0.0));
   for (const MapMethod method : {MapMethod::closed_form, MapMethod::finite_elements}) {
@@ -224,28 +211,6 @@ TEST(CriterionMap, OfStatesOnlyHasTheStatesOfTheWholeMap) {
     }
     EXPECT_GE(seen.size(), 2u);
   }
-}
-
-TEST(CriterionMap, OfStatesOnlySeesWhatResonanceAloneBringsOverTheLimit) {
-  // One beam that just slips in its first resonance, where its vibration grows for ten seconds; ten widths of
-  // the resonance beside it, 1/(10 s) each, it sticks.
-  data::Case problem = flat_case_of(10.0);
-  const double natural = analytic::stick_modes(problem.beam, 1).front().frequency_hz();
-  const data::HarmonicExcitation unit({.frequency_hz = natural, .amplitude = 1.0});
-  problem.excitation = data::HarmonicExcitation(
-      {.frequency_hz = natural,
-       .amplitude = 1.01 * analytic::evaluate_criterion(problem.beam, problem.friction, unit, 10.0)
-                               .critical_amplitude.upper});
-  const studies::MapTask task{
-      .problem = problem,
-      .x = {.parameter = Parameter::frequency, .values = {natural - 1.0, natural, natural + 1.0}},
-      .y = {.parameter = Parameter::length, .values = {problem.beam.length()}},
-      .states_only = true};
-  const auto cells = studies::criterion_map(task).cells;
-  ASSERT_EQ(cells.size(), 3u);
-  EXPECT_EQ(cells[0].state, CellState::stick);
-  EXPECT_EQ(cells[1].state, CellState::stick_slip);
-  EXPECT_EQ(cells[2].state, CellState::stick);
 }
 
 TEST(CriterionMap, IsNotPutTogetherBeforeItIsComplete) {
