@@ -19,8 +19,8 @@ struct MapEstimate {
   [[nodiscard]] double hours() const { return core_hours() / speedup; }
 };
 
-/// Times evenly distributed ones of these evaluations, first on one thread and then on thread_count(): so many
-/// that they take half a second of processor time on one, or all. Throws what evaluate() throws.
+/// Times a sample of these evaluations, evenly distributed, on one thread and then on thread_count(). On one thread
+/// the sample takes half a second of processor time or more, unless it is all of them. Throws what evaluate() throws.
 [[nodiscard]] MapEstimate map_estimate(const MapTask& task, std::span<const std::size_t> numbers);
 
 }  // namespace stickslip::studies

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// How sure the verdict of the criterion is if keys of the case are uncertain.
+/// The probability of slip if keys of the case are uncertain.
 
 #include <cstddef>
 #include <cstdint>
@@ -64,9 +64,9 @@ constexpr std::size_t most_quantile_samples = 10000;
 
 /// Draws independent samples of the keys, builds the case of each and evaluates the criterion: the verdict of all
 /// samples (ForceMaximum::exceeds, BandMaximum::exceeds), and |f_max| to 1e-8, or over a band to 1e-3, of those
-/// whose margin is asked for. A static coefficient below a kinetic one that is certain
-/// takes that down with it. The indices take as many rows as samples, up to their largest number. Uses thread_count() threads; the
-/// result depends on the seed and not on their number.
+/// whose margin is asked for. If a sampled static coefficient is below the kinetic one, and that is certain, the
+/// kinetic one is set to the same value. The indices take as many rows as samples, up to most_index_rows. Uses
+/// thread_count() threads; the result depends on the seed and not on their number.
 ///
 /// Throws data::InputError for a case without a verdict of its own (no compression, no amplitude, no friction),
 /// without uncertain keys, or with a band and damping or an uncertain frequency, and if no sample is valid.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What neither implementation can model, both refuse, and what one can, the other can as well.
+/// Both implementations refuse the same cases.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Where a case leaves the ground of its model or of its numerics: each warning begins where theory says.
+/// Warnings about cases outside the range of validity: each begins at the limit that theory gives.
 
 #include <gtest/gtest.h>
 
@@ -99,7 +99,7 @@ TEST(ThickBeam, IsWarnedOfAboveTheErrorThatPasses) {
 
 STICKSLIP_VERIFIES(LongStep, "X21");
 // (omega h)^2 (k_1 + k_2)/2 with k_1 = 1/12 + d^2/4, k_2 = 1/12 + d^2/2, d = alpha_f - alpha_m.
-TEST(LongStep, FalsifiesByTheLeadingTermWhereItIsShort) {
+TEST(LongStep, HasTheErrorOfTheLeadingTermWhereItIsShort) {
   for (const double radius : {0.5, 0.9, 1.0}) {
     const double d = (1.0 - radius) / (1.0 + radius);
     for (const double angle : {0.02, 0.05, 0.1}) {
@@ -133,7 +133,7 @@ TEST(LongStep, IsWarnedOfWithAStepThatPasses) {
   }
 }
 
-TEST(LongStep, MindsAnExcitationThatIsFasterThanTheModes) {
+TEST(LongStep, IsWarnedOfForAnExcitationThatIsFasterThanTheModes) {
   EXPECT_TRUE(warns(paper_with({{"excitation.frequency_hz", "2000"}, {"excitation.duration", "0.1"}}),
                     Inquiry::stepped_history, Concern::long_step));
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What |f_max| over a time is: the start-up of an undamped beam, by both implementations.
+/// The largest force of a start-up against the steady force, and what duration, damping and shear change, by both
+/// implementations.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// How sure a verdict is: samples, intervals and indices against closed forms, and the probability of slip where it has
-/// one.
+/// Samples, intervals and indices against closed forms, and the probability of slip where it has a closed form.
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_randist.h>
@@ -384,8 +383,8 @@ TEST(SlipProbability, CountsWhatIsNoBeam) {
             "no sample is a beam with a verdict, but one or more must be; most have no valid beam.length");
 }
 
-// A key that loses the beam is the widest, beside one that changes the margin fourfold.
-TEST(SlipProbability, HangsMostOnTheKeyThatLosesTheBeam) {
+// A key with a value that no beam has is the decisive one, beside one that changes the margin fourfold.
+TEST(SlipProbability, HasTheDecisiveKeyThatMakesTheBeamInvalid) {
   auto uncertainty =
       independent({{"friction.static_coefficient", uniform(0.1, 0.5)}, {"beam.length", uniform(-1.0, 2.0)}});
   uncertainty.correlation[1] = uncertainty.correlation[2] = 0.1;
