@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "stickslip/data/case_file.hpp"
+#include "stickslip/data/problem.hpp"
 
 namespace stickslip::studies {
 

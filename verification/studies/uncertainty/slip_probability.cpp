@@ -8,7 +8,6 @@
 #include <limits>
 #include <mutex>
 #include <set>
-#include <utility>
 
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/damped_reaction.hpp"
