@@ -205,12 +205,10 @@ Complex amplitude_of(const std::vector<double>& period) {
   return 2.0 * imaginary_unit / count * sum;
 }
 
-struct Stepping {
-  int elements, steps_per_period;
-  double spectral_radius;
+// Of the runs by time steps.
+constexpr int few_elements = 8, steps_per_period = 60;
 
-  [[nodiscard]] double time_step(const Vibration& v) const { return 1.0 / (v.hz * steps_per_period); }
-};
+double time_step(const Vibration& v) { return 1.0 / (v.hz * steps_per_period); }
 
 // Whole periods after which exp(-rate t) is below 1e-14, rate the least of the decay rates: zeta omega + eta
 // omega^2/2 of the lowest mode, or 1/eta of the stiffest, which creep.
@@ -223,24 +221,24 @@ long settling_periods(const Vibration& v) {
 }
 
 // The bonded or the free tip, stepped from the start until it is steady, with the last period observed.
-Amplitudes stepped_amplitudes(const Vibration& v, const Stepping& stepping) {
+Amplitudes stepped_amplitudes(const Vibration& v, double spectral_radius) {
   const bool held = v.tip == TipSupport::held;
-  const solver::BeamModel model(v.beam(), stepping.elements);
+  const solver::BeamModel model(v.beam(), few_elements);
   const auto base = solver::harmonic_motion(v.excitation());
   solver::ContactSystem system = held ? solver::beam_contact_system(model, paper_friction(), base, v.damping)
                                       : free_tip_system(model, base, v.damping);
   if (held) system.normal_force = solver::bonding_force;
-  solver::StickSlipIntegrator integrator(
-      system, {.time_step = stepping.time_step(v), .spectral_radius = stepping.spectral_radius});
+  solver::StickSlipIntegrator integrator(system,
+                                         {.time_step = time_step(v), .spectral_radius = spectral_radius});
   const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(model.degrees_of_freedom());
   if (held)
     integrator.start_stuck(at_rest, -base.velocity(0.0) * model.unit_tip_deflection());
   else
     integrator.start_slipping(at_rest, at_rest);
-  for (long n = settling_periods(v) * stepping.steps_per_period; n > 0; --n) integrator.step();
+  for (long n = settling_periods(v) * steps_per_period; n > 0; --n) integrator.step();
   const Eigen::VectorXd midspan = model.interpolation(1.0);
   std::vector<double> midspans, tips, forces;
-  for (int n = 0; n < stepping.steps_per_period; ++n) {
+  for (int n = 0; n < steps_per_period; ++n) {
     const double h = base.displacement(integrator.time());
     midspans.push_back(h + midspan.dot(integrator.displacement()));
     tips.push_back(h + integrator.displacement()[model.tip_deflection()]);
@@ -253,11 +251,11 @@ Amplitudes stepped_amplitudes(const Vibration& v, const Stepping& stepping) {
 
 // A step solves for accelerations, of which a displacement is the double sum: eps/(Omega h)^2; and M a in the
 // balance is small against the K q of single rows.
-Tolerance step_round_off(const Vibration& v, const Stepping& stepping, double response, double scale) {
-  const double theta = v.omega() * stepping.time_step(v);
-  return {mesh_round_off(stepping.elements, response, scale).value +
-              round_off(10, 1.0 / (theta * theta), scale).value,
-          "round-off", "eps n^4 of the mesh, eps/(Omega h)^2 of the double sum"};
+Tolerance step_round_off(double response, double scale) {
+  constexpr double theta = 2.0 * pi / steps_per_period;
+  return {
+      mesh_round_off(few_elements, response, scale).value + round_off(10, 1.0 / (theta * theta), scale).value,
+      "round-off", "eps n^4 of the mesh, eps/(Omega h)^2 of the double sum"};
 }
 
 class DampedSteppedResponse : public ::testing::TestWithParam<double> {};
@@ -272,13 +270,11 @@ TEST_P(DampedSteppedResponse, IsThatOfTheSchemeInTheFrequencyDomain) {
         Vibration{25.0, data::Damping({.ratio = 0.2}), TipSupport::held},
         Vibration{25.0, kelvin_voigt(2e-2), TipSupport::free},
         Vibration{25.0, data::Damping({.kelvin_voigt = 2e-3, .ratio = 0.3}), TipSupport::free}}) {
-    const Stepping stepping{.elements = 8, .steps_per_period = 60, .spectral_radius = GetParam()};
-    const Amplitudes computed = stepped_amplitudes(v, stepping);
-    const Amplitudes expected =
-        FrequencyDomain(v, stepping.elements).stepped(stepping.time_step(v), stepping.spectral_radius);
+    const Amplitudes computed = stepped_amplitudes(v, GetParam());
+    const Amplitudes expected = FrequencyDomain(v, few_elements).stepped(time_step(v), GetParam());
     for (const auto& [member, name] : quantities(v.tip))
       EXPECT_TRUE(near(computed.*member, expected.*member,
-                       step_round_off(v, stepping, std::abs(expected.midspan), std::abs(expected.*member))))
+                       step_round_off(std::abs(expected.midspan), std::abs(expected.*member))))
           << v.name() << ", " << name;
   }
 }
@@ -417,15 +413,15 @@ TEST(DampedSteppedResponse, StartsAsTheClosedFormSays) {
 TEST(DampedSteppedResponse, DissipatesInEachPeriodWhatTheClosedFormSays) {
   // So much damping that what the start leaves has decayed by exp(-25) after 0.4 s.
   const Vibration v{.hz = 25.0, .damping = kelvin_voigt(5e-3), .tip = TipSupport::held};
-  const auto loss = [&v](int steps_per_period) {
+  const auto loss = [&v](int steps) {
     data::NumericalChoices choices = paper_choices(0.44);
     choices.elements = 40;
-    choices.time_step = 1.0 / (v.hz * steps_per_period);
+    choices.time_step = 1.0 / (v.hz * steps);
     solver::BeamSimulation beam(v.beam(), paper_friction(), v.excitation(), data::NumericalSettings(choices),
                                 {.contact = solver::TipContact::bonded, .damping = v.damping});
-    for (int n = 0; n < 10 * steps_per_period; ++n) beam.step();
+    for (int n = 0; n < 10 * steps; ++n) beam.step();
     solver::EnergyRecorder recorder(beam.integrator());
-    for (int n = 0; n < steps_per_period; ++n) {
+    for (int n = 0; n < steps; ++n) {
       beam.step();
       recorder.record(beam.integrator());
     }
