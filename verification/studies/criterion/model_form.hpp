@@ -45,8 +45,7 @@ struct AxialDirectionForce {
 struct ModelForm {
   std::vector<AxialDirectionForce> forces;  ///< of the paper's beam at the frequencies of Fig. 12
   std::vector<AxialDirectionPlane> planes;  ///< Figs. 10 to 12, which share one plane, 13 and 14
-  std::vector<ModelPlane>
-      shear;  ///< the same planes, with the shear stiffness and rotary inertia of with_shear()
+  std::vector<ModelPlane> shear;            ///< the same planes, of the beams of with_shear()
 };
 
 /// `paper`, `half_stiffness` and `flat_section` are the cases of Figs. 10 to 12, 13 and 14. The planes are the
