@@ -131,10 +131,10 @@ double quantile(const data::Distribution& d, double p) {
 JointDistribution::JointDistribution(const data::Uncertainty& uncertainty) {
   for (const auto& key : uncertainty.keys) distributions_.push_back(key.distribution);
   const std::size_t count = size();
+  bool is_unit_matrix = true;
   for (std::size_t i = 0; i < count; ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      if (uncertainty.correlation[i * count + j] != 0.0)
-        factor_ = data::cholesky_factor(uncertainty.correlation, count);
+    for (std::size_t j = 0; j < i; ++j) is_unit_matrix &= uncertainty.correlation[i * count + j] == 0.0;
+  if (!is_unit_matrix) factor_ = data::cholesky_factor(uncertainty.correlation, count);
 }
 
 std::vector<double> JointDistribution::at(std::span<const double> u, std::span<const double> spreads) const {

@@ -336,8 +336,8 @@ TEST(MotionQuantities, AreMappedWithTheModesOfEachCellThatHasAStickState) {
           studies::with_value(task.problem, studies::Parameter::frequency, cell.x), parameter, cell.y);
       const auto response = studies::contact_response(point, 0.08);
       EXPECT_EQ(cell.response.at(0).value, response[MotionQuantity::work].value);
-      EXPECT_TRUE(response.slips);
-      EXPECT_EQ(cell.state, studies::CellState::stick_slip);
+      EXPECT_EQ(cell.state, response.slips ? studies::CellState::stick_slip : studies::CellState::stick);
+      EXPECT_TRUE(response.slips || parameter != studies::Parameter::damping_ratio);
     }
   }
 }
