@@ -58,9 +58,13 @@ std::vector<Item> spread(const std::vector<Item>& items, std::size_t count) {
   return kept;
 }
 
+bool differs_at(const Series& series, std::size_t i) {
+  return !(std::abs(series.theirs[i] - series.reference[i]) <= series.allowed[i]);
+}
+
 bool differs(const Series& series) {
   for (std::size_t i = 0; i < series.theirs.size(); ++i)
-    if (!(std::abs(series.theirs[i] - series.reference[i]) <= series.allowed[i])) return true;
+    if (differs_at(series, i)) return true;
   return false;
 }
 
@@ -125,7 +129,7 @@ class Search {
     Found found = pattern(values, beam);
     if (!found && is_of_other_events(quantity)) found = pattern(in_sequence(quantity, values), beam);
     // Another data set may be near without being meant: beyond the tolerance a wrong model comes first.
-    const Found other = found ? Found() : other_values(quantity, values, group.group);
+    const Found other = found ? Found() : other_values(quantity, values, group);
     if (other && other->remaining <= quantity.tolerance) found = other;
     if (!found && problem && quantity.name == "midspan_displacement")
       found = beside_the_middle(values, *problem);
@@ -214,8 +218,9 @@ class Search {
 
   // --- another data set, or another group of this one
 
+  // It must have half of the user's rows, and explain a difference in one of them.
   [[nodiscard]] Found other_values(const Comparison::Quantity& quantity, const ComparedValues& values,
-                                   const std::string& group) const {
+                                   const Series& group) const {
     if (comparison_.abscissa.empty() || comparison_.kind == data::ComparisonKind::events || is_of_rows())
       return {};
     const auto& key = reference_.resource.primary_key;
@@ -227,10 +232,15 @@ class Search {
         tables.push_back(data::read_table(package_, other.name));
     }
     for (const data::ReferenceTable& table : tables) {
-      const auto predicted = at_the_same_rows(table, quantity.name, values, group);
-      if (2 * std::ranges::count_if(predicted, [](double x) { return std::isnan(x); }) >
-          std::ssize(predicted))
-        continue;
+      const auto predicted = at_the_same_rows(table, quantity.name, group);
+      std::size_t shared = 0;
+      bool differs_there = false;
+      for (std::size_t i = 0; i < predicted.size(); ++i) {
+        if (std::isnan(predicted[i])) continue;
+        ++shared;
+        differs_there = differs_there || differs_at(group, i);
+      }
+      if (2 * shared < predicted.size() || !differs_there) continue;
       if (auto found = accepted(values,
                                 {.name = "other-data-set",
                                  .sentence = fmt::format("the values are those of {}", table.resource.name)},
@@ -242,17 +252,15 @@ class Search {
 
   // The values of another data set in the rows of this group; NaN where it has none.
   [[nodiscard]] std::vector<double> at_the_same_rows(const data::ReferenceTable& other,
-                                                     const std::string& field, const ComparedValues& values,
-                                                     const std::string& group) const {
-    std::vector<double> found(values.abscissa.size(), std::numeric_limits<double>::quiet_NaN());
+                                                     const std::string& field, const Series& group) const {
+    std::vector<double> found(group.abscissa.size(), std::numeric_limits<double>::quiet_NaN());
     for (std::size_t row = 0; row < reference_.rows(); ++row) {
-      if (!group.empty() && label_of(row) != group) continue;
+      if (!group.group.empty() && label_of(row) != group.group) continue;
       const double x = reference_.column(comparison_.abscissa).values[row];
-      const auto at =
-          std::ranges::find_if(values.abscissa, [x](double a) { return data::is_same_key(a, x); });
-      if (at == values.abscissa.end()) continue;
+      const auto at = std::ranges::find_if(group.abscissa, [x](double a) { return data::is_same_key(a, x); });
+      if (at == group.abscissa.end()) continue;
       if (const auto there = row_like(other, reference_.resource.primary_key, reference_, row))
-        found[static_cast<std::size_t>(at - values.abscissa.begin())] = other.column(field).values[*there];
+        found[static_cast<std::size_t>(at - group.abscissa.begin())] = other.column(field).values[*there];
     }
     return found;
   }
