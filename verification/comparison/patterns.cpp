@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,7 +11,7 @@
 #include <numbers>
 #include <set>
 
-#include "stickslip/solver/beam_model.hpp"
+#include "stickslip/solver/modal_analysis.hpp"
 
 namespace stickslip::studies {
 
@@ -249,23 +248,18 @@ Found mixed_modes(const ComparedValues& values, const data::Beam* beam) {
   return accepted(values, {.name = "mixed-modes", .sentence = text}, predicted, free, patterns_tried);
 }
 
-// Natural frequencies on a mesh of cubic Hermite elements, Hz, ascending; empty if one is complex.
-Values mesh_frequencies(const data::Beam& beam, int elements, bool is_slip) {
+// The lowest natural frequencies on a mesh of cubic Hermite elements, Hz, as many as the mesh has but at most
+// `count`; empty if one is complex.
+Values mesh_frequencies(const data::Beam& beam, int elements, bool is_slip, int count) {
   const solver::BeamModel mesh(beam, elements);
-  const Eigen::MatrixXd mass(mesh.mass()),
-      stiffness(is_slip ? mesh.slip_stiffness() : mesh.stick_stiffness());
-  std::vector<Eigen::Index> kept;
-  for (Eigen::Index i = 0; i < mass.rows(); ++i)
-    if (is_slip || i != mesh.tip_deflection()) kept.push_back(i);
-  const Eigen::MatrixXd flexibility_times_mass =
-      Eigen::MatrixXd(stiffness(kept, kept)).partialPivLu().solve(Eigen::MatrixXd(mass(kept, kept)));
-  const Eigen::EigenSolver<Eigen::MatrixXd> eigen(flexibility_times_mass, false);
+  const int most = static_cast<int>(mesh.degrees_of_freedom()) - (is_slip ? 0 : 1);
   Values hz;
-  for (const std::complex<double>& mu : eigen.eigenvalues()) {
-    if (std::abs(mu.imag()) > 1e-9 * std::abs(mu.real()) || mu.real() <= 0.0) return {};
-    hz.push_back(1.0 / (two_pi * std::sqrt(mu.real())));
+  try {
+    for (const auto& mode : (is_slip ? solver::slip_modes : solver::stick_modes)(mesh, std::min(count, most)))
+      hz.push_back(mode.angular_frequency / two_pi);
+  } catch (const data::InputError&) {
+    return {};
   }
-  std::ranges::sort(hz);
   return hz;
 }
 
@@ -288,7 +282,8 @@ Found hermite_mesh(const ComparedValues& values, const data::Beam& beam, bool is
         std::lround(std::min(beam.length() * beta / std::pow(1440.0 * error, 0.25), 2.0 * most)));
     for (const int elements : {estimate, estimate - 1, estimate + 1}) {
       if (elements < 1 || elements > most || !tried.insert(elements).second) continue;
-      const Values mesh = mesh_frequencies(beam, elements, is_slip);
+      const Values mesh =
+          mesh_frequencies(beam, elements, is_slip, static_cast<int>(std::ranges::max(values.abscissa)));
       Values predicted(values.theirs.size(), nothing);
       for (std::size_t j = 0; j < predicted.size(); ++j)
         if (const auto mode = static_cast<std::size_t>(values.abscissa[j]); mode <= mesh.size())
