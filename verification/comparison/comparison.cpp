@@ -195,10 +195,8 @@ class Comparer {
   }
 
   void open_series(const Group& group) {
-    for (Comparison::Quantity& quantity : result_.quantities) {
-      quantity.series.emplace_back();
-      quantity.series.back().group = group.label;
-    }
+    for (Comparison::Quantity& quantity : result_.quantities)
+      quantity.series.emplace_back().group = group.label;
   }
 
   // The largest |value| of some rows, or the range of their values. All values up to the horizon of the data
@@ -316,8 +314,9 @@ class Comparer {
       Rows absent = group.reference;
       std::vector<Pair> pairs;
       for (const std::size_t their_row : group.theirs) {
-        const auto found = std::ranges::find_if(
-            absent, [&](std::size_t row) { return matcher_.matches(key, row, their_row); });
+        const auto found = std::ranges::find_if(absent, [&](std::size_t row) {
+          return are_alike(reference_.columns, row, theirs_.columns, their_row, key);
+        });
         if (found == absent.end()) matcher_.throw_unknown_row(key, their_row);
         pairs.push_back({*found, their_row});
         absent.erase(found);
@@ -583,21 +582,10 @@ class Comparer {
   template <class Table>
   [[nodiscard]] std::vector<TabulatedEvent> events_in(const Table& table, const Group& group) const {
     Rows rows;
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-      const bool belongs = std::ranges::all_of(group_columns_, [&](const std::string& name) {
-        const data::Column* column = column_of(table, name);
-        return column == nullptr ||
-               is_same_cell(reference_.column(name), group.reference.front(), *column, row);
-      });
-      if (belongs) rows.push_back(row);
-    }
+    for (std::size_t row = 0; row < table.rows(); ++row)
+      if (are_alike(reference_.columns, group.reference.front(), table.columns, row, group_columns_))
+        rows.push_back(row);
     return events_of(table, rows);
-  }
-  static const data::Column* column_of(const data::UserTable& table, const std::string& name) {
-    return table.column(name);
-  }
-  static const data::Column* column_of(const data::ReferenceTable& table, const std::string& name) {
-    return table.resource.field(name) == nullptr ? nullptr : &table.column(name);
   }
 
   // The number of events up to the time t. Samples with the same number are in the same phase.

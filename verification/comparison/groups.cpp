@@ -22,11 +22,22 @@ std::string label_of(const std::vector<std::string>& columns, const Cell& cell) 
   return text;
 }
 
+const data::Column* column_of(const std::vector<data::Column>& columns, const std::string& name) {
+  const auto found = std::ranges::find(columns, name, [](const data::Column& one) { return one.field.name; });
+  return found == columns.end() ? nullptr : &*found;
+}
+
 }  // namespace
 
-bool is_same_cell(const data::Column& a, std::size_t i, const data::Column& b, std::size_t j) {
-  return a.field.type == data::FieldType::string ? a.text[i] == b.text[j]
-                                                 : data::is_same_key(a.values[i], b.values[j]);
+bool are_alike(const std::vector<data::Column>& a, std::size_t i, const std::vector<data::Column>& b,
+               std::size_t j, const std::vector<std::string>& names) {
+  return std::ranges::all_of(names, [&](const std::string& name) {
+    const data::Column *mine = column_of(a, name), *theirs = column_of(b, name);
+    if (mine == nullptr || theirs == nullptr) return true;
+    return mine->field.type == data::FieldType::string
+               ? mine->text[i] == theirs->text[j]
+               : data::is_same_key(mine->values[i], theirs->values[j]);
+  });
 }
 
 data::UserTable with_keys_of(const data::ReferenceTable& reference, data::UserTable theirs,
@@ -48,12 +59,6 @@ data::UserTable with_keys_of(const data::ReferenceTable& reference, data::UserTa
   return theirs;
 }
 
-bool Matcher::matches(const std::vector<std::string>& columns, std::size_t row, std::size_t their_row) const {
-  return std::ranges::all_of(columns, [&](const std::string& name) {
-    return is_same_cell(reference_.column(name), row, *theirs_.column(name), their_row);
-  });
-}
-
 std::string Matcher::label(const std::vector<std::string>& columns, std::size_t row) const {
   return label_of(columns, [&](const std::string& name) { return reference_.column(name).text[row]; });
 }
@@ -68,10 +73,7 @@ std::vector<Group> Matcher::groups(const std::vector<std::string>& columns) cons
   std::vector<Group> list;
   for (std::size_t row = 0; row < reference_.rows(); ++row) {
     const auto known = std::ranges::find_if(list, [&](const Group& group) {
-      return std::ranges::all_of(columns, [&](const std::string& name) {
-        const data::Column& column = reference_.column(name);
-        return is_same_cell(column, group.reference.front(), column, row);
-      });
+      return are_alike(reference_.columns, group.reference.front(), reference_.columns, row, columns);
     });
     if (known == list.end())
       list.push_back({.label = label(columns, row), .reference = {row}, .theirs = {}});
@@ -80,8 +82,9 @@ std::vector<Group> Matcher::groups(const std::vector<std::string>& columns) cons
   }
   if (list.size() == 1) list.front().label.clear();
   for (std::size_t row = 0; row < theirs_.rows(); ++row) {
-    const auto group = std::ranges::find_if(
-        list, [&](const Group& one) { return matches(columns, one.reference.front(), row); });
+    const auto group = std::ranges::find_if(list, [&](const Group& one) {
+      return are_alike(reference_.columns, one.reference.front(), theirs_.columns, row, columns);
+    });
     if (group == list.end()) throw_unknown_row(columns, row);
     group->theirs.push_back(row);
   }

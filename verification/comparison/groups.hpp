@@ -20,8 +20,11 @@ struct Group {
   Rows reference, theirs;
 };
 
-/// Whether two cells of a key are the same word or the same number.
-[[nodiscard]] bool is_same_cell(const data::Column& a, std::size_t i, const data::Column& b, std::size_t j);
+/// Whether row i of a table and row j of another have the same words or numbers in the columns of these names. A
+/// column that one of the tables lacks does not count.
+[[nodiscard]] bool are_alike(const std::vector<data::Column>& a, std::size_t i,
+                             const std::vector<data::Column>& b, std::size_t j,
+                             const std::vector<std::string>& names);
 
 /// The user's table with numeric keys in single precision replaced: by the key of the reference within 1e-6, relative,
 /// if that is the only one there. The column `abscissa` is left as it is.
@@ -33,9 +36,6 @@ class Matcher {
  public:
   Matcher(const data::ReferenceTable& reference, const data::UserTable& theirs)
       : reference_(reference), theirs_(theirs) {}
-
-  [[nodiscard]] bool matches(const std::vector<std::string>& columns, std::size_t row,
-                             std::size_t their_row) const;
 
   /// For example "beam = paper, mode = 3".
   [[nodiscard]] std::string label(const std::vector<std::string>& columns, std::size_t row) const;
