@@ -93,17 +93,11 @@ void require_usable(const ModelResults& model_results, const Observation& observ
       throw data::FieldError("an uncertainty of the observation", uncertainty, "finite and not negative");
 }
 
-std::string percent(double share) { return fmt::format("{:.2g} %", 100.0 * share); }
-
 // The nearest wrong model that changes something: the others are no explanation. Null if there is none.
 const Candidate* nearest_of(const Diagnosis& diagnosis) {
   const auto found = std::ranges::find_if(
       diagnosis.ranked, [&](const Candidate& one) { return one.from_reference > diagnosis.uncertainty; });
   return found == diagnosis.ranked.end() ? nullptr : &*found;
-}
-
-const WrongModel& wrong_model_named(const std::string& name) {
-  return *std::ranges::find(wrong_models(), name, &WrongModel::name);
 }
 
 std::string quoted(const std::vector<std::string>& names) {
@@ -112,8 +106,7 @@ std::string quoted(const std::vector<std::string>& names) {
 
 }  // namespace
 
-ModelResults relative_to_data(ModelResults model_results, const std::vector<double>& data) {
-  ModelResults result = std::move(model_results);
+ModelResults relative_to_data(ModelResults result, const std::vector<double>& data) {
   const std::vector<double> right = std::exchange(result.reference, data);
   const bool by_entry = is_scaled_by_entry(result.quantity);
   for (ModelResults::Member& member : result.wrong_models) {
@@ -179,6 +172,8 @@ Diagnosis diagnose(const ModelResults& model_results, const Observation& observa
   });
   return diagnosis;
 }
+
+std::string percent(double share) { return fmt::format("{:.2g} %", 100.0 * share); }
 
 std::string sentence(const Diagnosis& diagnosis) {
   const std::string from_reference = percent(diagnosis.from_reference);

@@ -24,28 +24,16 @@ using Likeness = Comparison::Likeness;
 using Series = Comparison::Series;
 using Found = std::optional<Pattern>;
 
-std::string percent(double share) { return fmt::format("{:.2g} %", 100.0 * share); }
-
 // A row of the user and the row of the data set with the same key.
 struct Pair {
   std::size_t theirs{}, reference{};
 };
 
-// The row of `table` whose key is that of a row of `other`; columns that one of them lacks do not count.
-template <class Table>
+// The row of `table` whose key is that of a row of another table; columns that one of them lacks do not count.
 std::optional<std::size_t> row_like(const data::ReferenceTable& table, const std::vector<std::string>& key,
-                                    const Table& other, std::size_t other_row) {
-  const auto column_of = [](const auto& from, const std::string& name) {
-    const auto found =
-        std::ranges::find(from.columns, name, [](const data::Column& c) { return c.field.name; });
-    return found == from.columns.end() ? nullptr : &*found;
-  };
+                                    const std::vector<data::Column>& other, std::size_t other_row) {
   for (std::size_t row = 0; row < table.rows(); ++row)
-    if (std::ranges::all_of(key, [&](const std::string& name) {
-          const data::Column *mine = column_of(table, name), *theirs = column_of(other, name);
-          return mine == nullptr || theirs == nullptr || is_same_cell(*mine, row, *theirs, other_row);
-        }))
-      return row;
+    if (are_alike(table.columns, row, other, other_row, key)) return row;
   return std::nullopt;
 }
 
@@ -68,6 +56,13 @@ bool differs(const Series& series) {
   return false;
 }
 
+// What is said of several groups, with the first of them.
+struct Joined {
+  std::string key;
+  Likeness likeness;
+  int groups = 1;
+};
+
 class Search {
  public:
   Search(Comparison& comparison, const data::ReferencePackage& package, const data::ReferenceTable& reference,
@@ -87,9 +82,9 @@ class Search {
       for (const Series& group : groups)
         if (differs(group) || is_of_other_events(quantity)) add(quantity, group);
     }
-    for (auto& [key, likeness] : joined_) {
-      if (likeness.second > 1) likeness.first.group += fmt::format(" and {} more", likeness.second - 1);
-      comparison_.likenesses.push_back(std::move(likeness.first));
+    for (Joined& one : joined_) {
+      if (one.groups > 1) one.likeness.group += fmt::format(" and {} more", one.groups - 1);
+      comparison_.likenesses.push_back(std::move(one.likeness));
     }
   }
 
@@ -148,11 +143,11 @@ class Search {
       key = found->sentence;
       describe(likeness, *found);
     }
-    const auto known = std::ranges::find(joined_, quantity.name + key, &Joined::first);
+    const auto known = std::ranges::find(joined_, quantity.name + key, &Joined::key);
     if (known == joined_.end())
-      joined_.push_back({quantity.name + key, {likeness, 1}});
+      joined_.push_back({.key = quantity.name + key, .likeness = likeness});
     else
-      ++known->second.second;
+      ++known->groups;
   }
 
   void describe(Likeness& likeness, const Pattern& found) const {
@@ -209,8 +204,7 @@ class Search {
     if (found.factor == 0.0 || !quantity) return names;
     const double halved = *quantity == Quantity::critical_amplitude && !is_force_ratio() ? 2.0 : 0.5;
     for (const auto& [name, factor] : {std::pair{"force-sign", -1.0}, {"peak-to-peak-amplitude", halved}}) {
-      const auto& model = *std::ranges::find(wrong_models(), name, &WrongModel::name);
-      if (found.factor == factor && std::ranges::count(model.changes, *quantity) > 0)
+      if (found.factor == factor && std::ranges::count(wrong_model_named(name).changes, *quantity) > 0)
         names.emplace_back(name);
     }
     return names;
@@ -259,7 +253,7 @@ class Search {
       const double x = reference_.column(comparison_.abscissa).values[row];
       const auto at = std::ranges::find_if(group.abscissa, [x](double a) { return data::is_same_key(a, x); });
       if (at == group.abscissa.end()) continue;
-      if (const auto there = row_like(other, reference_.resource.primary_key, reference_, row))
+      if (const auto there = row_like(other, reference_.resource.primary_key, reference_.columns, row))
         found[static_cast<std::size_t>(at - group.abscissa.begin())] = other.column(field).values[*there];
     }
     return found;
@@ -267,9 +261,8 @@ class Search {
 
   // As Comparison::Series::group.
   [[nodiscard]] std::string label_of(std::size_t row) const {
-    std::vector<std::string> columns = reference_.resource.primary_key;
-    std::erase_if(columns,
-                  [&](const std::string& name) { return name == comparison_.abscissa || name == "index"; });
+    std::vector<std::string> columns = data::group_columns(reference_.resource);
+    std::erase(columns, comparison_.abscissa);
     return Matcher(reference_, theirs_).label(columns, row);
   }
 
@@ -387,7 +380,7 @@ class Search {
         comparison_.abscissa_unit == "s" ? theirs_.column(comparison_.abscissa) : nullptr;
     for (std::size_t row = 0; row < theirs_.rows(); ++row) {
       if (time != nullptr && time->values[row] > end) continue;
-      const auto found = row_like(reference_, reference_.resource.primary_key, theirs_, row);
+      const auto found = row_like(reference_, reference_.resource.primary_key, theirs_.columns, row);
       if (!found || !std::isfinite(reference_.column(field).values[*found])) continue;
       if (group.group.empty() || label_of(*found) == group.group) pairs.push_back({row, *found});
     }
@@ -396,15 +389,13 @@ class Search {
 
   // Onsets and captures, not reversals, in their sequence.
   [[nodiscard]] std::vector<Pair> pairs_of_events() const {
-    const auto changes = [](const auto& table) {
-      const auto& word =
-          std::ranges::find(table.columns, "change", [](const auto& c) { return c.field.name; })->text;
-      std::vector<std::size_t> rows;
-      for (std::size_t row = 0; row < word.size(); ++row)
-        if (word[row] == "onset" || word[row] == "capture") rows.push_back(row);
+    const auto rows_of = [](const data::Column& change) {
+      Rows rows;
+      for (std::size_t row = 0; row < change.text.size(); ++row)
+        if (change.text[row] == "onset" || change.text[row] == "capture") rows.push_back(row);
       return rows;
     };
-    const auto theirs = changes(theirs_), reference = changes(reference_);
+    const Rows theirs = rows_of(*theirs_.column("change")), reference = rows_of(reference_.column("change"));
     std::vector<Pair> pairs;
     for (std::size_t i = 0; i < std::min({theirs.size(), reference.size(), std::size_t{12}}); ++i)
       pairs.push_back({theirs[i], reference[i]});
@@ -500,8 +491,7 @@ class Search {
     for (const data::Resource& other : package_.resources) {
       if (!other.diagnosis || other.diagnosis->quantity == name_of(quantity)) continue;
       const auto changed = std::ranges::count_if(found.named, [&](const std::string& name) {
-        const auto& changes = std::ranges::find(wrong_models(), name, &WrongModel::name)->changes;
-        return std::ranges::count(changes, other.diagnosis->quantity, name_of) > 0;
+        return std::ranges::count(wrong_model_named(name).changes, other.diagnosis->quantity, name_of) > 0;
       });
       if (changed > 0 && changed < std::ssize(found.named))
         return fmt::format("; the data set {} tells some of them apart", other.name);
@@ -515,8 +505,6 @@ class Search {
   const data::DiagnosisRule* rule_;
   const data::UserTable& theirs_;
   const ComparisonSettings& settings_;
-  // A sentence, its first group, and the number of groups.
-  using Joined = std::pair<std::string, std::pair<Likeness, int>>;
   std::vector<Joined> joined_;
 };
 

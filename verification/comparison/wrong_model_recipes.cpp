@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "comparison/wrong_model_recipes.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <stdexcept>
 #include <utility>
 
 #include "stickslip/analytic/stick_modes.hpp"
@@ -17,6 +20,7 @@ namespace {
 using enum Quantity;
 using Quantities = std::vector<Quantity>;
 
+const Quantities held_force{force_maximum, critical_amplitude, stick_force};
 const Quantities held_motion{force_maximum, critical_amplitude, stick_force, stick_displacement};
 const Quantities stick_slip{contact_event, tip_displacement, friction_force};
 
@@ -44,17 +48,21 @@ data::Case with_damping(data::Case problem, const data::Damping& damping) {
   return problem;
 }
 
-data::Case with_stiffness(const data::Case& problem, double factor) {
-  return with_value(problem, Parameter::youngs_modulus, factor * problem.beam.youngs_modulus());
+using Inputs = std::function<std::optional<data::Case>(const data::Case&)>;
+
+// One number of the case times a factor.
+Inputs with_multiple(Parameter parameter, double factor) {
+  return [=](const data::Case& problem) {
+    return with_value(problem, parameter, factor * value_of(problem, parameter));
+  };
 }
 
-data::Case with_scheme(data::Case problem, double spectral_radius, double time_step) {
-  data::NumericalChoices choices = problem.numerics.choices();
-  choices.spectral_radius = spectral_radius;
-  choices.time_step = time_step;
-  choices.duration = std::max(choices.duration, time_step);
-  problem.numerics = data::NumericalSettings(choices);
-  return problem;
+data::Case with_scheme(const data::Case& problem, double spectral_radius, double time_step) {
+  return with_settings(problem, [=](data::NumericalChoices& choices) {
+    choices.spectral_radius = spectral_radius;
+    choices.time_step = time_step;
+    choices.duration = std::max(choices.duration, time_step);
+  });
 }
 
 // C = eta K becomes eta omega_1^2 M, which damps the first stick mode alike.
@@ -151,7 +159,7 @@ ModalScheme scheme_of(const solver::GeneralizedAlpha& method, double step) {
           .load_delay = method.load_time(0.0, step)};
 }
 
-ModalScheme scheme_of(const data::Case& problem) {
+ModalScheme scheme_of_case(const data::Case& problem) {
   return scheme_of(solver::GeneralizedAlpha(problem.numerics.spectral_radius()),
                    problem.numerics.time_step());
 }
@@ -159,21 +167,21 @@ ModalScheme scheme_of(const data::Case& problem) {
 // Only alpha_f is changed. With alpha_m as the weight of the new state, too, the motion would grow by the
 // factor alpha_m/(1 - alpha_m) > 1 in each step, for any step size.
 ModalScheme with_alpha_f_of_the_new_state(const data::Case& problem) {
-  ModalScheme scheme = scheme_of(problem);
+  ModalScheme scheme = scheme_of_case(problem);
   scheme.alpha_f = 1.0 - scheme.alpha_f;
   scheme.load_delay = scheme.step - scheme.load_delay;
   return scheme;
 }
 
 ModalScheme with_alphas_interchanged(const data::Case& problem) {
-  ModalScheme scheme = scheme_of(problem);
+  ModalScheme scheme = scheme_of_case(problem);
   std::swap(scheme.alpha_m, scheme.alpha_f);
   scheme.load_delay = (1.0 - scheme.alpha_f) * scheme.step;
   return scheme;
 }
 
 ModalScheme with_the_load_at_the_end(const data::Case& problem) {
-  ModalScheme scheme = scheme_of(problem);
+  ModalScheme scheme = scheme_of_case(problem);
   scheme.load_delay = scheme.step;
   return scheme;
 }
@@ -217,7 +225,7 @@ void change_the_sign_of_forces(const data::Case&, Quantity quantity, const std::
 
 // The truncation error of the displacement decreases as n^-5 or faster, that of the force as n^-2.
 WrongModelRecipe with_modes(const std::string& name, const std::string& count, std::size_t modes) {
-  Quantities changes{force_maximum, critical_amplitude, stick_force};
+  Quantities changes = held_force;
   if (modes < 3) changes.push_back(stick_displacement);
   return {.wrong_model = {name, "the sum over " + count + " only", "Eq. (21)", changes},
           .equations = [modes](StickSum& sum, const data::Case&) { sum.modes.resize(modes); },
@@ -239,39 +247,34 @@ Recipes of_the_beam() {
   return {
       {.wrong_model = {"second-moment-as-printed", "I is the printed value, 1/100 of the correct one (E1)",
                        "Sect. 3, parameters", everything},
-       .inputs = [](const data::Case& problem) -> std::optional<data::Case> {
-         return with_second_moment(problem, 0.01 * problem.beam.second_moment_of_area());
-       }},
+       .inputs =
+           [](const data::Case& problem) {
+             return with_second_moment(problem, 0.01 * problem.beam.second_moment_of_area());
+           }},
       {.wrong_model = {"second-moment-of-other-axis", "I is taken about the other axis of the rectangle",
                        "Sect. 3, parameters", everything},
        .inputs = about_the_other_axis},
       {.wrong_model = {"stiffness-doubled", "EI is twice the right one", "Sect. 3, parameters", everything},
-       .inputs = [](const data::Case& problem) { return with_stiffness(problem, 2.0); }},
+       .inputs = with_multiple(Parameter::youngs_modulus, 2.0)},
       {.wrong_model = {"stiffness-halved", "EI is half the right one", "Sect. 3, parameters", everything},
-       .inputs = [](const data::Case& problem) { return with_stiffness(problem, 0.5); }},
+       .inputs = with_multiple(Parameter::youngs_modulus, 0.5)},
       {.wrong_model = {"tension", "P is tensile instead of compressive", "Eq. (1)", everything},
-       .inputs = [](const data::Case& problem) -> std::optional<data::Case> {
-         return with_value(problem, Parameter::axial_force, -problem.beam.axial_force());
-       }},
+       .inputs = with_multiple(Parameter::axial_force, -1.0)},
       {.wrong_model = {"axial-force-left-out", "P presses the tip to the wall but does not bend the beam",
                        "Eq. (1)", everything},
-       .inputs = [](const data::Case& problem) -> std::optional<data::Case> {
-         return with_value(problem, Parameter::axial_force, 0.0);
-       }},
+       .inputs = [](const data::Case& problem) { return with_value(problem, Parameter::axial_force, 0.0); }},
       {.wrong_model = {"one-wave-number", "both wave numbers have the printed sign of P/(2EI) (E2)",
                        "Eq. (23)", Quantities{stick_frequency, participation} + held_motion},
        .equations = use_one_wave_number,
        .knows_stick_slip = false},
       {.wrong_model = {"dead-load", "P keeps its direction instead of following the tip", "Eq. (9)",
-                       Quantities{slip_frequency, force_maximum, critical_amplitude, stick_force} +
-                           stick_slip},
+                       Quantities{slip_frequency} + held_force + stick_slip},
        .inputs = [](const data::Case& problem) -> std::optional<data::Case> {
          if (problem.beam.axial_direction() == 1.0) return std::nullopt;
          return with_value(problem, Parameter::axial_direction, 1.0);
        }},
       {.wrong_model = {"follower-term-sign", "the term P u'(L) at the tip has the wrong sign", "Eq. (9)",
-                       Quantities{slip_frequency, force_maximum, critical_amplitude, stick_force} +
-                           stick_slip},
+                       Quantities{slip_frequency} + held_force + stick_slip},
        .mesh =
            [](solver::ContactSystem& system, const solver::BeamModel& mesh) {
              system.slip_stiffness = 2.0 * mesh.stick_stiffness() - mesh.slip_stiffness();
@@ -283,9 +286,8 @@ Recipes of_the_beam() {
 Recipes of_the_contact_force() {
   return {
       {.wrong_model = {"reaction-without-follower-term",
-                       "f is the reaction of the support, EI u''' + P u', instead of EI u'''",
-                       "Eq. (4)",
-                       {force_maximum, critical_amplitude, stick_force}},
+                       "f is the reaction of the support, EI u''' + P u', instead of EI u'''", "Eq. (4)",
+                       held_force},
        .equations =
            [](StickSum& sum, const data::Case&) {
              sum.force += sum.follower_force;
@@ -293,9 +295,8 @@ Recipes of_the_contact_force() {
            },
        .knows_stick_slip = false},
       {.wrong_model = {"force-from-shape-functions",
-                       "f is EI u''' of the cubic in the last element, not taken from the balance",
-                       "Eq. (4)",
-                       {force_maximum, critical_amplitude, stick_force}},
+                       "f is EI u''' of the cubic in the last element, not taken from the balance", "Eq. (4)",
+                       held_force},
        .force_row = shear_of_the_last_element,
        .knows_stick_slip = false},
       {.wrong_model = {"force-sign",
@@ -343,19 +344,18 @@ Recipes of_the_excitation() {
        .mesh = [](solver::ContactSystem& system, const solver::BeamModel&) { system.load_shape.setZero(); }},
       {.wrong_model = {"hertz-as-radians", "the excitation frequency in Hz is used as if in rad/s",
                        "Sect. 3, excitation", held_motion + stick_slip},
-       .inputs = [](const data::Case& problem) -> std::optional<data::Case> {
-         return with_value(problem, Parameter::frequency,
-                           problem.excitation.frequency_hz() / (2.0 * std::numbers::pi));
-       }},
+       .inputs =
+           [](const data::Case& problem) {
+             return with_value(problem, Parameter::frequency,
+                               problem.excitation.frequency_hz() / (2.0 * std::numbers::pi));
+           }},
       {.wrong_model = {"cosine-for-sine", "the base moves by A0 cos(Omega t), a quarter of a period earlier",
                        "Sect. 3, excitation", held_motion + stick_slip},
        .equations = [](StickSum& sum, const data::Case&) { sum.cosine = true; },
        .base = cosine_motion},
       {.wrong_model = {"peak-to-peak-amplitude", "the amplitude is used as the peak-to-peak travel",
                        "Sect. 3, excitation", held_motion + stick_slip},
-       .inputs = [](const data::Case& problem) -> std::optional<data::Case> {
-         return with_value(problem, Parameter::amplitude, 0.5 * problem.excitation.amplitude());
-       }},
+       .inputs = with_multiple(Parameter::amplitude, 0.5)},
   };
 }
 
@@ -450,7 +450,7 @@ Recipes of_the_discretisation() {
       {.wrong_model = {"time-step-of-the-case",
                        "the time step of the case, with which the free vibrations come late", "Sect. 3, [24]",
                        held_motion},
-       .scheme = [](const data::Case& problem) { return scheme_of(problem); },
+       .scheme = scheme_of_case,
        .knows_stick_slip = false},
       {.wrong_model = {"ten-times-the-step", "the time step is ten times that of the case", "Sect. 3, [24]",
                        held_motion + stick_slip},
@@ -459,19 +459,19 @@ Recipes of_the_discretisation() {
              return with_scheme(problem, problem.numerics.spectral_radius(),
                                 10.0 * problem.numerics.time_step());
            },
-       .scheme = [](const data::Case& problem) { return scheme_of(problem); }},
+       .scheme = scheme_of_case},
       {.wrong_model = {"spectral-radius-zero", "spectral radius 0 with the time step of the case",
                        "Sect. 3, [24]", held_motion + stick_slip},
        .inputs =
            [](const data::Case& problem) { return with_scheme(problem, 0.0, problem.numerics.time_step()); },
-       .scheme = [](const data::Case& problem) { return scheme_of(problem); }},
+       .scheme = scheme_of_case},
       {.wrong_model = {"strong-algorithmic-damping", "spectral radius 0 with ten times the step",
                        "Sect. 3, [24]", held_motion + stick_slip},
        .inputs =
            [](const data::Case& problem) {
              return with_scheme(problem, 0.0, 10.0 * problem.numerics.time_step());
            },
-       .scheme = [](const data::Case& problem) { return scheme_of(problem); }},
+       .scheme = scheme_of_case},
   };
 }
 
@@ -513,39 +513,30 @@ Recipes of_the_friction_law() {
            [](const data::Case& problem) {
              return unless_coulomb(problem, problem.friction.kinetic_coefficient());
            }},
-      {.wrong_model = {"one-friction-coefficient",
-                       "friction does not fall with the sliding velocity",
-                       "Eq. (7)",
-                       {tip_displacement, friction_force, contact_event}},
+      {.wrong_model = {"one-friction-coefficient", "friction does not fall with the sliding velocity",
+                       "Eq. (7)", stick_slip},
        .inputs =
            [](const data::Case& problem) {
              return unless_coulomb(problem, problem.friction.static_coefficient());
            }},
-      {.wrong_model = {"kinetic-friction-at-once",
-                       "friction falls to mu_m P with the first slip",
-                       "Eq. (7)",
-                       {tip_displacement, friction_force, contact_event}},
+      {.wrong_model = {"kinetic-friction-at-once", "friction falls to mu_m P with the first slip", "Eq. (7)",
+                       stick_slip},
        .law = FrictionRule{[](const data::FrictionLaw& law, double v) {
          return sign(v) * law.kinetic_coefficient();
        }}},
-      {.wrong_model = {"velocity-in-millimetres",
-                       "the sliding velocity enters the friction law in mm/s",
-                       "Eq. (7)",
-                       {tip_displacement, friction_force, contact_event}},
+      {.wrong_model = {"velocity-in-millimetres", "the sliding velocity enters the friction law in mm/s",
+                       "Eq. (7)", stick_slip},
        .law = FrictionRule{[](const data::FrictionLaw& law, double v) {
          return sign(v) * weakened(law, 1e3 * std::abs(v));
        }}},
-      {.wrong_model = {"decay-without-magnitude",
-                       "exp(-alpha v) instead of exp(-alpha |v|)",
-                       "Eq. (7)",
-                       {tip_displacement, friction_force, contact_event}},
+      {.wrong_model = {"decay-without-magnitude", "exp(-alpha v) instead of exp(-alpha |v|)", "Eq. (7)",
+                       stick_slip},
        .law =
            FrictionRule{[](const data::FrictionLaw& law, double v) { return sign(v) * weakened(law, v); }}},
       {.wrong_model =
            {"regularised-friction",
             "the jump at v_s = 0 is smoothed over 10 mm/s, so that the tip creeps instead of sticking",
-            "Eq. (6)",
-            {tip_displacement, friction_force, contact_event}},
+            "Eq. (6)", stick_slip},
        .law = FrictionRule{[](const data::FrictionLaw& law, double v) {
                              return weakened(law, std::abs(v)) * std::tanh(v / 0.01);
                            },
@@ -565,16 +556,18 @@ Recipes all_recipes() {
 }  // namespace
 
 data::Case with_elements(const data::Case& problem, int elements) {
-  data::NumericalChoices choices = problem.numerics.choices();
-  choices.elements = elements;
-  data::Case changed = problem;
-  changed.numerics = data::NumericalSettings(choices);
-  return changed;
+  return with_settings(problem, [=](data::NumericalChoices& choices) { choices.elements = elements; });
 }
 
 const std::vector<WrongModelRecipe>& wrong_model_recipes() {
   static const std::vector<WrongModelRecipe> models = all_recipes();
   return models;
+}
+
+const WrongModelRecipe& recipe_of(std::string_view wrong_model) {
+  for (const WrongModelRecipe& model : wrong_model_recipes())
+    if (model.wrong_model.name == wrong_model) return model;
+  throw std::invalid_argument(fmt::format("there is no wrong model {}", wrong_model));
 }
 
 }  // namespace stickslip::studies

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <functional>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "comparison/wrong_models.hpp"
@@ -46,7 +47,19 @@ struct WrongModelRecipe {
 /// The recipes of all wrong models.
 [[nodiscard]] const std::vector<WrongModelRecipe>& wrong_model_recipes();
 
-/// A copy of the case with another number of elements.
+/// One of them. Throws std::invalid_argument if there is none of that name.
+[[nodiscard]] const WrongModelRecipe& recipe_of(std::string_view wrong_model);
+
+/// The case with settings that `change` makes of its own ones.
+template <class Change>
+[[nodiscard]] data::Case with_settings(data::Case problem, const Change& change) {
+  data::NumericalChoices choices = problem.numerics.choices();
+  change(choices);
+  problem.numerics = data::NumericalSettings(choices);
+  return problem;
+}
+
+/// The case with another number of elements.
 [[nodiscard]] data::Case with_elements(const data::Case& problem, int elements);
 
 }  // namespace stickslip::studies

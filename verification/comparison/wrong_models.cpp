@@ -5,6 +5,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -317,74 +318,13 @@ Values wrong_values(const WrongModelRecipe& model, const data::Case& problem, Qu
   }
 }
 
-data::Case coarser(data::Case problem) {
-  data::NumericalChoices choices = problem.numerics.choices();
-  choices.elements = std::max(choices.elements / 2, 1);
-  choices.time_step *= 2.0;
-  choices.duration = std::max(choices.duration, choices.time_step);
-  problem.numerics = data::NumericalSettings(choices);
-  return problem;
+data::Case coarser(const data::Case& problem) {
+  return with_settings(problem, [](data::NumericalChoices& choices) {
+    choices.elements = std::max(choices.elements / 2, 1);
+    choices.time_step *= 2.0;
+    choices.duration = std::max(choices.duration, choices.time_step);
+  });
 }
-
-}  // namespace
-
-std::string_view name_of(Quantity quantity) {
-  switch (quantity) {
-    case stick_frequency:
-      return "stick frequency";
-    case slip_frequency:
-      return "slip frequency";
-    case participation:
-      return "participation";
-    case quasi_static_shape:
-      return "quasi-static shape";
-    case force_maximum:
-      return "force maximum";
-    case critical_amplitude:
-      return "critical amplitude";
-    case stick_force:
-      return "stick force";
-    case stick_displacement:
-      return "stick displacement";
-    case contact_event:
-      return "contact event";
-    case tip_displacement:
-      return "tip displacement";
-    case friction_force:
-      return "friction force";
-  }
-  return {};
-}
-
-const std::vector<WrongModel>& wrong_models() {
-  static const std::vector<WrongModel> all = [] {
-    std::vector<WrongModel> list;
-    for (const WrongModelRecipe& model : wrong_model_recipes()) list.push_back(model.wrong_model);
-    return list;
-  }();
-  return all;
-}
-
-std::vector<double> reference_result(const data::Case& problem, Quantity quantity,
-                                     const std::vector<double>& abscissa) {
-  require_abscissa(problem, quantity, abscissa);
-  std::vector<double> values = values_of(right_model(), problem, quantity, abscissa).value();
-  if (const auto none = std::ranges::find(values, infinity); none != values.end())
-    throw data::FieldError("an abscissa of contact event", *std::ranges::max_element(abscissa),
-                           fmt::format("at most {}, the changes of contact within excitation.duration",
-                                       std::ranges::count_if(values, [](double t) { return t < infinity; })));
-  return values;
-}
-
-std::optional<std::vector<double>> wrong_result(const data::Case& problem, std::string_view wrong_model,
-                                                Quantity quantity, const std::vector<double>& abscissa) {
-  require_abscissa(problem, quantity, abscissa);
-  for (const WrongModelRecipe& model : wrong_model_recipes())
-    if (model.wrong_model.name == wrong_model) return wrong_values(model, problem, quantity, abscissa);
-  throw std::invalid_argument(fmt::format("there is no wrong model {}", wrong_model));
-}
-
-namespace {
 
 // The results of all wrong models by `values_by`.
 template <class Evaluate>
@@ -400,7 +340,67 @@ void add_wrong_models(ModelResults& result, const Evaluate& values_by,
           {models[i].wrong_model.name, *values[i], distance(result, result.reference, *values[i])});
 }
 
+std::vector<double> times_up_to(double duration) {
+  constexpr int count = 200;
+  std::vector<double> times;
+  for (int i = 1; i <= count; ++i) times.push_back(duration * i / count);
+  return times;
+}
+
+const ModelResults::Member* member_of(const ModelResults& model_results, const std::string& name) {
+  const auto member = std::ranges::find(model_results.wrong_models, name, &ModelResults::Member::name);
+  return member == model_results.wrong_models.end() ? nullptr : &*member;
+}
+
+// The relative change of the first entry.
+std::optional<double> relative_change(const ModelResults& model_results, const std::string& name) {
+  const auto* member = member_of(model_results, name);
+  return member ? std::optional(member->values.front() / model_results.reference.front() - 1.0)
+                : std::nullopt;
+}
+
+std::optional<double> distance_of(const ModelResults& model_results, const std::string& name) {
+  const auto* member = member_of(model_results, name);
+  return member ? std::optional(member->from_reference) : std::nullopt;
+}
+
 }  // namespace
+
+std::string_view name_of(Quantity quantity) {
+  static constexpr std::array<std::string_view, all_quantities.size()> names{
+      "stick frequency", "slip frequency",     "participation", "quasi-static shape",
+      "force maximum",   "critical amplitude", "stick force",   "stick displacement",
+      "contact event",   "tip displacement",   "friction force"};
+  return names.at(static_cast<std::size_t>(quantity));
+}
+
+const std::vector<WrongModel>& wrong_models() {
+  static const std::vector<WrongModel> all = [] {
+    std::vector<WrongModel> list;
+    for (const WrongModelRecipe& model : wrong_model_recipes()) list.push_back(model.wrong_model);
+    return list;
+  }();
+  return all;
+}
+
+const WrongModel& wrong_model_named(std::string_view name) { return recipe_of(name).wrong_model; }
+
+std::vector<double> reference_result(const data::Case& problem, Quantity quantity,
+                                     const std::vector<double>& abscissa) {
+  require_abscissa(problem, quantity, abscissa);
+  std::vector<double> values = values_of(right_model(), problem, quantity, abscissa).value();
+  if (const auto none = std::ranges::find(values, infinity); none != values.end())
+    throw data::FieldError("an abscissa of contact event", *std::ranges::max_element(abscissa),
+                           fmt::format("at most {}, the changes of contact within excitation.duration",
+                                       std::ranges::count_if(values, [](double t) { return t < infinity; })));
+  return values;
+}
+
+std::optional<std::vector<double>> wrong_result(const data::Case& problem, std::string_view wrong_model,
+                                                Quantity quantity, const std::vector<double>& abscissa) {
+  require_abscissa(problem, quantity, abscissa);
+  return wrong_values(recipe_of(wrong_model), problem, quantity, abscissa);
+}
 
 ModelResults model_results(const data::Case& problem, Quantity quantity, const std::vector<double>& abscissa,
                            const std::function<void(double)>& progress) {
@@ -445,42 +445,10 @@ ModelResults model_results(const std::vector<data::Case>& cases, Quantity quanti
   return result;
 }
 
-namespace {
-
-std::vector<double> times_up_to(double duration) {
-  constexpr int count = 200;
-  std::vector<double> times;
-  for (int i = 1; i <= count; ++i) times.push_back(duration * i / count);
-  return times;
-}
-
-const ModelResults::Member* member_of(const ModelResults& model_results, const std::string& name) {
-  const auto member = std::ranges::find(model_results.wrong_models, name, &ModelResults::Member::name);
-  return member == model_results.wrong_models.end() ? nullptr : &*member;
-}
-
-// The relative change of the first entry.
-std::optional<double> relative_change(const ModelResults& model_results, const std::string& name) {
-  const auto* member = member_of(model_results, name);
-  return member ? std::optional(member->values.front() / model_results.reference.front() - 1.0)
-                : std::nullopt;
-}
-
-std::optional<double> distance_of(const ModelResults& model_results, const std::string& name) {
-  const auto* member = member_of(model_results, name);
-  return member ? std::optional(member->from_reference) : std::nullopt;
-}
-
-}  // namespace
-
 std::vector<WrongModelEffect> wrong_model_effects(const data::Case& problem, double stick_duration,
                                                   double contact_duration) {
   const auto with_duration = [&](double duration) {
-    data::NumericalChoices choices = problem.numerics.choices();
-    choices.duration = duration;
-    data::Case changed = problem;
-    changed.numerics = data::NumericalSettings(choices);
-    return changed;
+    return with_settings(problem, [=](data::NumericalChoices& choices) { choices.duration = duration; });
   };
   const double hz = problem.excitation.frequency_hz();
   data::Case held = with_duration(stick_duration);

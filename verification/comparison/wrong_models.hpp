@@ -56,6 +56,9 @@ struct WrongModel {
 /// All wrong models: mistakes in inputs, equations, initial conditions, mesh and time steps, and friction.
 [[nodiscard]] const std::vector<WrongModel>& wrong_models();
 
+/// One of them. Throws std::invalid_argument if there is none of that name.
+[[nodiscard]] const WrongModel& wrong_model_named(std::string_view name);
+
 /// The result of a wrong model for a quantity. It is empty if the model does not define the quantity, if the
 /// mistake is not possible in this problem (the other axis of a square section), or if there is no such state
 /// (the beam buckles or flutters). Throws std::invalid_argument for an unknown name, and what
@@ -116,7 +119,7 @@ struct ModelResults {
 /// same weight, else data + W - R. An error that the program makes in R and in W in the same proportion, or by
 /// the same amount, cancels. The program's own error, distance(R, data), is taken as the uncertainty of what remains: the
 /// error in W is assumed to be at most twice that in R. So R itself need not be accurate, and is no truth.
-[[nodiscard]] ModelResults relative_to_data(ModelResults model_results, const std::vector<double>& data);
+[[nodiscard]] ModelResults relative_to_data(ModelResults result, const std::vector<double>& data);
 
 /// The distance of two results as defined at ModelResults; infinite if a result is not finite.
 [[nodiscard]] double distance(const ModelResults& model_results, const std::vector<double>& a,
@@ -175,6 +178,9 @@ struct Diagnosis {
 /// negative uncertainty, and std::invalid_argument if values or uncertainties differ in number from the
 /// abscissas, or quantity or abscissas from those of `model_results`.
 [[nodiscard]] Diagnosis diagnose(const ModelResults& model_results, const Observation& observation);
+
+/// A share with two digits, such as "0.31 %".
+[[nodiscard]] std::string percent(double share);
 
 /// The diagnosis in one sentence, such as "like 'zero-initial-velocity' (...) to 0.3 %, while the reference
 /// is 41 % away". It names at most three wrong models.
