@@ -25,18 +25,9 @@ namespace stickslip::testing {
 namespace {
 
 using studies::Agreement;
-using studies::Comparison;
 using studies::ComparisonSettings;
 
 namespace fs = std::filesystem;
-
-const data::ReferencePackage& small_package() {
-  static const auto fixture = data::load_reference(std::filesystem::path(STICKSLIP_SOURCE_DIRECTORY) /
-                                                   "verification/tests/golden/reference");
-  return fixture;
-}
-
-OwnCopy own_copy(const std::string& set) { return {small_package(), set}; }
 
 double below(double x) { return std::nextafter(x, 0.0); }
 double above(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()); }
@@ -113,8 +104,8 @@ TEST(ComparedVerdict, TheErrorThatIsToldExceedsItsUncertaintyMost) {
 TEST(ComparedVerdict, AQuantityOfWhichNothingIsComparedIsUndecided) {
   // Up to 10 ms there is no event to compare, which is no agreement of the sequences.
   const auto mine = own_copy("damped-history");
-  const ComparisonSettings settings{
-      .tolerances = {}, .until = 0.01, .events = own_copy("damped-events").table};
+  auto settings = with_events(own_copy("damped-events"));
+  settings.until = 0.01;
   EXPECT_EQ(mine.compared("sequence", settings).agreement, Agreement::undecided);
   EXPECT_EQ(mine.compared("tip_displacement", settings).agreement, Agreement::agrees);
   EXPECT_EQ(mine.compared(settings).agreement, Agreement::undecided);
@@ -149,12 +140,10 @@ class ComparedPackage : public ::testing::Test {
 
 STICKSLIP_VERIFIES(ComparedPackage, "X20");
 TEST_F(ComparedPackage, WithoutAValueLeavesThatRowOutAndSaysSo) {
-  const OwnCopy mine = own_copy("stick-frequencies");
   const auto package = with("frequencies/stick.csv", "81.0776217337938678485966312174,1e-27", ",");
-  ComparisonSettings settings;
-  settings.diagnose = false;
-  const auto comparison = studies::compare(package, "stick-frequencies", mine.table, settings);
-  const auto& frequency = comparison.quantities.at(0);
+  OwnCopy mine(package, "stick-frequencies");
+  mine.table = own_copy("stick-frequencies").table;
+  const auto frequency = mine.compared("frequency");
   EXPECT_EQ(frequency.compared, mine.reference().rows() - 1);
   EXPECT_EQ(skipped_for(frequency, "without a value in the data set"), 1u);
   EXPECT_EQ(frequency.agreement, Agreement::agrees);
@@ -163,18 +152,18 @@ TEST_F(ComparedPackage, WithoutAValueLeavesThatRowOutAndSaysSo) {
 TEST_F(ComparedPackage, MayHaveTheRowsOfACurveInAnyOrder) {
   const std::string first = "a,0,stick,1,0.305\n", second = "a,0.01,stick,1.009801,0.295\n";
   const auto package = with("cubic/history.csv", first + second, second + first);
-  const auto mine = own_copy("cubic-history");
-  EXPECT_EQ(OwnCopy(package, "cubic-history").reference().column("t").values[0], 0.01);
-  const auto y = studies::compare(package, "cubic-history", mine.table).quantities.at(1);
-  EXPECT_EQ(y.compared, mine.compared("y").compared);
+  OwnCopy mine(package, "cubic-history");
+  EXPECT_EQ(mine["t"][0], 0.01);
+  mine.table = own_copy("cubic-history").table;
+  const auto y = mine.compared("y");
+  EXPECT_EQ(y.compared, own_copy("cubic-history").compared("y").compared);
   EXPECT_EQ(y.error, 0.0);
 }
 
 // --- keys
 
 TEST(ComparedVerdict, AKeyInSinglePrecisionIsThatOfItsRow) {
-  const data::ReferencePackage published = data::load_reference();
-  OwnCopy mine(published, "length-force");
+  auto mine = published_copy("length-force");
   const auto single = [](double x) { return static_cast<double>(static_cast<float>(x)); };
   for (double& length : mine["length"]) length = single(length);
   mine["force_ratio"][3] *= 1.1;
@@ -211,41 +200,39 @@ TEST(ComparedVerdict, ATimeEqualToTheHorizonIsCompared) {
   auto mine = own_copy("cubic-history");
   const double horizon = mine["t"][40];
   mine["y"][40] += 1.0;
-  const ComparisonSettings until{.tolerances = {}, .until = horizon, .events = {}};
-  EXPECT_EQ(mine.compared("y", until).agreement, Agreement::differs);
-  const ComparisonSettings sooner{.tolerances = {}, .until = below(horizon), .events = {}};
-  EXPECT_EQ(mine.compared("y", sooner).agreement, Agreement::agrees);
+  EXPECT_EQ(mine.compared("y", until(horizon)).agreement, Agreement::differs);
+  EXPECT_EQ(mine.compared("y", until(below(horizon))).agreement, Agreement::agrees);
 }
 
 TEST(ComparedVerdict, ALatestTimeBeyondThatOfTheDataSetChangesNothing) {
   auto mine = own_copy("cubic-history");
   mine["y"][97] += 1.0;  // at 0.97 s; the data set is known up to 0.95 s
-  for (const double until : {0.95, 0.98, 2.0}) {
-    const auto y = mine.compared("y", {.tolerances = {}, .until = until, .events = {}});
-    EXPECT_EQ(y.agreement, Agreement::agrees) << until;
-    EXPECT_EQ(skipped_for(y, "beyond the horizon"), 10u) << until;
+  for (const double latest : {0.95, 0.98, 2.0}) {
+    const auto y = mine.compared("y", until(latest));
+    EXPECT_EQ(y.agreement, Agreement::agrees) << latest;
+    EXPECT_EQ(skipped_for(y, "beyond the horizon"), 10u) << latest;
   }
   auto events = own_copy("damped-events");
   events["time"][6] += 1e-3;  // at 0.111 s; the data set is known up to 0.11 s
-  for (const double until : {0.11, 0.5}) {
-    const auto time = events.compared("time", {.tolerances = {}, .until = until, .events = {}});
-    EXPECT_EQ(time.compared, 6u) << until;
-    EXPECT_EQ(time.agreement, Agreement::agrees) << until;
+  for (const double latest : {0.11, 0.5}) {
+    const auto time = events.compared("time", until(latest));
+    EXPECT_EQ(time.compared, 6u) << latest;
+    EXPECT_EQ(time.agreement, Agreement::agrees) << latest;
   }
 }
 
 TEST(ComparedVerdict, AnEventAtTheLatestTimeIsWithinIt) {
   auto mine = own_copy("damped-events");
   const double sixth = mine["time"][5];
-  EXPECT_EQ(mine.compared("time", {.tolerances = {}, .until = sixth, .events = {}}).compared, 6u);
-  EXPECT_EQ(mine.compared("time", {.tolerances = {}, .until = below(sixth), .events = {}}).compared, 5u);
+  EXPECT_EQ(mine.compared("time", until(sixth)).compared, 6u);
+  EXPECT_EQ(mine.compared("time", until(below(sixth))).compared, 5u);
 }
 
 TEST(ComparedVerdict, AnEventMissesTheLatestTimeByNoMoreThanToleranceAndUncertainty) {
   // They have five events; the sixth lies before the latest time, by what it may be late or by a little more.
   auto five = own_copy("damped-events");
   const double sixth = five["time"][5], radius = five.reference().radius_of("time")[5];
-  five.keep([](std::size_t row) { return row < 5; });
+  five.keep_first(5);
   const auto missing = [&](double margin) {
     return *five.compared("sequence", with_tolerance("time", 2e-5, sixth + margin)).error;
   };
@@ -262,8 +249,7 @@ TEST(ComparedVerdict, ASampleAtTheTimeOfAnEventIsLeftOut) {
     auto mine = own_copy("cubic-history");
     mine["t"][30] = time;
     mine["y"][30] = 1e3;  // far from both phases
-    const auto y =
-        mine.compared("y", {.tolerances = {}, .until = {}, .events = own_copy("cubic-events").table});
+    const auto y = mine.compared("y", with_events(own_copy("cubic-events")));
     EXPECT_EQ(skipped_for(y, "between the two times"), time == 0.305 ? 1u : 0u) << time;
     // The two others lie in a phase, but next to no sample of it.
     EXPECT_EQ(skipped_for(y, "between an event and the samples"), time == 0.305 ? 0u : 1u) << time;
@@ -278,37 +264,34 @@ TEST(ComparedVerdict, ASampleWithinTheUncertaintyOfAnEventIsLeftOut) {
   for (const double distance : {-1.1, -0.9, 0.9, 1.1}) {
     auto mine = own_copy("damped-history");
     mine["t"][170] = time + distance * radius;
-    const auto tip =
-        mine.compared("tip_displacement", {.tolerances = {}, .until = {}, .events = events.table});
+    const auto tip = mine.compared("tip_displacement", with_events(events));
     EXPECT_EQ(skipped_for(tip, "between the two times"), std::abs(distance) < 1.0 ? 1u : 0u) << distance;
   }
 }
 
 TEST(ComparedVerdict, TheTimesOfBothEventsBelongToTheWindow) {
-  auto mine = own_copy("cubic-history"), events = own_copy("cubic-events");
-  events["time"][0] = mine["t"][34];  // their onset is at a sample, 35 ms late
-  for (std::size_t row = 31; row <= 34; ++row) mine["y"][row] = 1e3;
-  const ComparisonSettings settings{.tolerances = {}, .until = {}, .events = events.table};
-  EXPECT_EQ(mine.compared("y", settings).agreement, Agreement::agrees);
-  EXPECT_EQ(skipped_for(mine.compared("y", settings), "between the two times"), 4u);
-  mine["y"][35] = 1e3;
-  EXPECT_EQ(mine.compared("y", settings).agreement, Agreement::differs);
-  mine = own_copy("cubic-history");
-  events["time"][0] = mine["t"][27];  // and early
-  for (std::size_t row = 27; row <= 30; ++row) mine["y"][row] = 1e3;
-  const ComparisonSettings early{.tolerances = {}, .until = {}, .events = events.table};
-  EXPECT_EQ(mine.compared("y", early).agreement, Agreement::agrees);
-  EXPECT_EQ(skipped_for(mine.compared("y", early), "between the two times"), 4u);
-  mine["y"][26] = 1e3;
-  EXPECT_EQ(mine.compared("y", early).agreement, Agreement::differs);
+  // Their onset is at a sample, 35 ms late or early; that of the data set is between the rows 30 and 31.
+  struct Window {
+    std::size_t onset, first, last, beside;
+  };
+  for (const auto& [onset, first, last, beside] : {Window{34, 31, 34, 35}, Window{27, 27, 30, 26}}) {
+    auto mine = own_copy("cubic-history"), events = own_copy("cubic-events");
+    events["time"][0] = mine["t"][onset];
+    for (std::size_t row = first; row <= last; ++row) mine["y"][row] = 1e3;
+    const auto y = mine.compared("y", with_events(events));
+    EXPECT_EQ(y.agreement, Agreement::agrees) << onset;
+    EXPECT_EQ(skipped_for(y, "between the two times"), 4u) << onset;
+    mine["y"][beside] = 1e3;
+    EXPECT_EQ(mine.compared("y", with_events(events)).agreement, Agreement::differs) << onset;
+  }
 }
 
 TEST(ComparedVerdict, ASampleAtAnEventThatTheyDoNotHaveIsLeftOut) {
   auto mine = own_copy("cubic-history"), events = own_copy("cubic-events");
   mine["t"][51] = 0.515;  // the time of the reversal, which they do not have
   for (std::size_t row = 51; row <= 80; ++row) mine["y"][row] = 1e3;
-  events.keep([](std::size_t row) { return row != 1; });
-  const auto y = mine.compared("y", {.tolerances = {}, .until = {}, .events = events.table});
+  events.erase(1);
+  const auto y = mine.compared("y", with_events(events));
   EXPECT_EQ(y.agreement, Agreement::agrees);
   EXPECT_EQ(skipped_for(y, "between the two times"), 1u);
   EXPECT_EQ(skipped_for(y, "in another phase"), 29u);  // 0.52, ..., 0.80 s
@@ -333,8 +316,8 @@ TEST(ComparedVerdict, TheLargerDistanceToANeighbourGuardsAnEventOnBothSides) {
 
 TEST(ComparedVerdict, AfterALastEventThatIsMissingTheyAreInAnotherPhase) {
   auto mine = own_copy("cubic-history"), events = own_copy("cubic-events");
-  events.keep([](std::size_t row) { return row != 2; });  // they have no capture at 0.805 s
-  const ComparisonSettings settings{.tolerances = {}, .until = {}, .events = events.table};
+  events.erase(2);  // they have no capture at 0.805 s
+  const ComparisonSettings settings = with_events(events);
   EXPECT_EQ(mine.compared("sequence", settings).error, 1.0);
   EXPECT_EQ(mine.compared("sequence", settings).compared, 4u);
   for (std::size_t row = 81; row <= 95; ++row) mine["y"][row] = 1e3;
@@ -387,7 +370,7 @@ TEST(ComparedVerdict, TheRangeOfACurveIncludesItsEnds) {
 TEST(ComparedVerdict, ARangeThatIsNotCoveredIsTold) {
   // A sample covers a fortieth on either side: 1.05 m of 2 m, and 0.29 s + 0.02375 s of 0.95 s.
   const auto told = [](const std::string& set, std::size_t rows) {
-    return own_copy(set).keep([&](std::size_t row) { return row < rows; }).compared().remarks;
+    return own_copy(set).keep_first(rows).compared().remarks;
   };
   EXPECT_EQ(
       told("quasi-static-shape", 11),

@@ -6,9 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <limits>
-#include <map>
 #include <numbers>
 #include <numeric>
 #include <optional>
@@ -17,9 +14,9 @@
 #include <tuple>
 #include <vector>
 
-#include "comparison/comparison.hpp"
 #include "comparison/patterns.hpp"
 #include "comparison/wrong_model_recipes.hpp"
+#include "own_copy.hpp"
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
@@ -34,83 +31,37 @@
 namespace stickslip::testing {
 namespace {
 
-using studies::Comparison;
 using studies::Finding;
 using studies::Quantity;
 using Values = std::vector<double>;
 
-const data::ReferencePackage& package() {
-  static const auto published =
-      data::load_reference(std::filesystem::path(STICKSLIP_SOURCE_DIRECTORY) / "data/reference");
-  return published;
-}
-
-// A user's file with columns of a data set, for the beam of the paper if there are several.
-class File {
+// A user's file with a column of a data set, for the beam of the paper if there are several.
+class File : public OwnCopy {
  public:
-  explicit File(const std::string& set, const std::string& value) : set_(set), value_(value) {
-    const auto table = data::read_table(package(), set);
-    std::vector<std::size_t> rows(table.rows());
-    std::iota(rows.begin(), rows.end(), 0);
-    if (table.resource.field("beam") != nullptr)
-      std::erase_if(rows, [&](std::size_t row) { return table.column("beam").text[row] != "paper"; });
-    for (const data::Column& column : table.columns) {
-      const std::string& name = column.field.name;
-      if (name != value && name != "change" && name != "time" &&
-          std::ranges::count(table.resource.primary_key, name) == 0)
-        continue;
-      data::Column& mine =
-          table_.columns.emplace_back(data::Column{.field = column.field, .text = {}, .values = {}});
-      for (const std::size_t row : rows) {
-        mine.text.push_back(column.text[row]);
-        mine.values.push_back(column.values[row]);
-      }
-    }
-    table_.file = "mine.csv";
-    for (const std::size_t row : rows) table_.lines.push_back(row + 2);
+  File(const std::string& set, const std::string& value)
+      : OwnCopy(published_package(), set, columns_with(published_package().resource(set), value)),
+        value_(value) {
+    if (reference().resource.field("beam") != nullptr)
+      keep([&](std::size_t row) { return reference().column("beam").text[row] == "paper"; });
   }
 
-  Values& column(const std::string& name) {
-    return std::ranges::find(table_.columns, name, [](const auto& c) { return c.field.name; })->values;
-  }
-  Values& values() { return column(value_); }
-
-  // Keeps the rows of which the index satisfies `keep`.
-  template <class Condition>
-  void keep(const Condition& condition) {
-    for (std::size_t row = table_.rows(); row-- > 0;) {
-      if (condition(row)) continue;
-      const auto at = static_cast<std::ptrdiff_t>(row);
-      for (data::Column& one : table_.columns) {
-        one.text.erase(one.text.begin() + at);
-        one.values.erase(one.values.begin() + at);
-      }
-      table_.lines.erase(table_.lines.begin() + at);
-    }
-  }
-
-  // Ends with the last row once more, with another number in one column.
-  void repeat_last_row(const std::string& name, double number) {
-    for (data::Column& one : table_.columns) {
-      const bool is_other = one.field.name == name;
-      one.text.push_back(is_other ? data::shortest_text(number) : one.text.back());
-      one.values.push_back(is_other ? number : one.values.back());
-    }
-    table_.lines.push_back(table_.lines.back() + 1);
-  }
-
-  [[nodiscard]] Comparison compared() const { return studies::compare(package(), set_, table_); }
+  Values& values() { return (*this)[value_]; }
 
   // All that is said of it, a line for each group.
   [[nodiscard]] std::string likeness() const {
     std::string text;
-    for (const auto& likeness : compared().likenesses) text += likeness.sentence + "\n";
+    for (const auto& likeness : diagnosed().likenesses) text += likeness.sentence + "\n";
     return text;
   }
 
  private:
-  std::string set_, value_;
-  data::UserTable table_;
+  static std::vector<std::string> columns_with(const data::Resource& resource, const std::string& value) {
+    std::vector<std::string> columns = resource.primary_key;
+    columns.insert(columns.end(), {value, "change", "time"});
+    return columns;
+  }
+
+  std::string value_;
 };
 
 // --- tolerances
@@ -130,23 +81,22 @@ bool is_of_discretisation(const studies::WrongModelRecipe& recipe) {
 
 void expect_tolerance_below_a_third(const Diagnosed& diagnosed) {
   const auto& [set, field, quantity, problem] = diagnosed;
-  const auto& compared =
-      *std::ranges::find(package().resource(set).comparison->values, field, &data::ComparedValue::field);
+  const auto& compared = *std::ranges::find(published_package().resource(set).comparison->values, field,
+                                            &data::ComparedValue::field);
   File file(set, field);
   const bool is_slow = quantity == Quantity::force_maximum || quantity == Quantity::critical_amplitude;
   const bool is_event = quantity == Quantity::contact_event;
-  const auto& rule = *package().resource(set).diagnosis;
+  const auto& rule = *published_package().resource(set).diagnosis;
   const std::size_t stride = is_slow ? file.values().size() / 8 : 1;
   file.keep([&](std::size_t row) { return row % stride == 0 && (!is_event || row < 40); });
-  const Values abscissa = file.column(rule.abscissa), data = file.values();
+  const Values abscissa = file[rule.abscissa], data = file.values();
   const auto models = studies::relative_to_data(studies::model_results(problem, quantity, abscissa), data);
   const auto [least, greatest] = std::ranges::minmax(data);
   const double scale = compared.norm == data::Norm::range      ? greatest - least
                        : compared.norm == data::Norm::absolute ? 1.0
                                                                : std::max(-least, greatest);
   for (const auto& member : models.wrong_models) {
-    const auto& recipe = *std::ranges::find(studies::wrong_model_recipes(), member.name,
-                                            [](const auto& one) { return one.wrong_model.name; });
+    const auto& recipe = studies::recipe_of(member.name);
     if (std::ranges::count(recipe.wrong_model.changes, quantity) == 0 || is_of_discretisation(recipe))
       continue;
     double change = 0.0;
@@ -161,11 +111,10 @@ void expect_tolerance_below_a_third(const Diagnosed& diagnosed) {
 data::Case undamped_case(const char* name, double hz, double amplitude) {
   data::Case problem = data::load_case(name);
   problem.excitation = data::HarmonicExcitation({.frequency_hz = hz, .amplitude = amplitude});
-  data::NumericalChoices choices = problem.numerics.choices();
-  choices.spectral_radius = 0.5;
-  choices.time_step = 1.0 / (1600.0 * hz);
-  problem.numerics = data::NumericalSettings(choices);
-  return problem;
+  return studies::with_settings(problem, [hz](data::NumericalChoices& choices) {
+    choices.spectral_radius = 0.5;
+    choices.time_step = 1.0 / (1600.0 * hz);
+  });
 }
 
 STICKSLIP_VERIFIES(ToleranceOf, "X20");
@@ -231,17 +180,16 @@ std::string said(const std::optional<studies::Pattern>& pattern) { return patter
 
 STICKSLIP_VERIFIES(LikenessOfNumbers, "X20");
 TEST(LikenessOfNumbers, IsTheFactorInEveryComparedColumnOfEveryDataSet) {
-  for (const data::Resource& resource : package().resources) {
+  for (const data::Resource& resource : published_package().resources) {
     if (!resource.comparison) continue;
     for (const auto& compared : resource.comparison->values) {
       if (compared.norm == data::Norm::word) continue;
       File file(resource.name, compared.field);
       multiply(file.values(), 2.0);
-      const auto result = file.compared();
-      const auto quantity = std::ranges::find(result.quantities, compared.field, &Comparison::Quantity::name);
+      const auto result = file.diagnosed();
       // Twice a small energy may be within the tolerance, which belongs to the largest one.
       if (result.agreement != studies::Agreement::differs ||
-          quantity->agreement == studies::Agreement::agrees)
+          quantity_of(result, compared.field).agreement == studies::Agreement::agrees)
         continue;
       const std::string text = file.likeness();
       EXPECT_TRUE(contains(text, resource.name == "mode-shapes" ? "MAC = 1" : "times 2: "))
@@ -311,7 +259,7 @@ TEST(LikenessOfNumbers, IsAFactorWhereAHundredthOfDifferenceAndValuesIsLeft) {
 TEST(LikenessOfNumbers, IsAMeshOfSoManyHermiteElements) {
   // The leading error of 40 elements; the next term is below a twentieth of it up to mode 5.
   File file("stick-frequencies", "frequency");
-  file.keep([](std::size_t row) { return row < 5; });
+  file.keep_first(5);
   const auto beam = data::load_case("paper").beam;
   const auto modes = analytic::stick_modes(beam, 5);
   for (std::size_t n = 0; n < 5; ++n)
@@ -319,10 +267,10 @@ TEST(LikenessOfNumbers, IsAMeshOfSoManyHermiteElements) {
         std::sqrt(1.0 + studies::hermite_eigenvalue_error(beam, modes[n], beam.length() / 40.0));
   EXPECT_TRUE(looks(file, "a mesh of 40 cubic Hermite elements"));
   File slip("slip-frequencies", "frequency");
-  slip.keep([](std::size_t row) { return row < 8; });  // as many as four elements have
-  slip.values() = studies::wrong_result(data::load_case("paper"), "four-elements", Quantity::slip_frequency,
-                                        slip.column("mode"))
-                      .value();
+  slip.keep_first(8);  // as many as four elements have
+  slip.values() =
+      studies::wrong_result(data::load_case("paper"), "four-elements", Quantity::slip_frequency, slip["mode"])
+          .value();
   EXPECT_TRUE(looks(slip, "a mesh of 4 cubic Hermite elements"));
 }
 
@@ -386,7 +334,7 @@ TEST(LikenessOfNumbers, IsSoManyElementsWhereTheErrorGrowsWithAPowerOfTheModeNum
   // A relative error k (beta L/N)^power of each frequency; the mean of the wave numbers is beta to P/(4 EI beta^2).
   const auto of = [&](double k, int power, int elements) {
     File file("stick-frequencies", "frequency");
-    file.keep([](std::size_t row) { return row < 6; });
+    file.keep_first(6);
     for (std::size_t n = 0; n < 6; ++n)
       file.values()[n] *=
           1.0 + k * std::pow(modes[n].angular_frequency() *
@@ -407,7 +355,7 @@ TEST(LikenessOfNumbers, IsSoManyElementsWhereTheErrorGrowsWithAPowerOfTheModeNum
 TEST(LikenessOfNumbers, HasTheNumberOfElementsOfAMeshWithLumpedMasses) {
   // In mode 6 the integral of U'^2 is 0.95 beta^2 that of U^2, so that the error is that of 33/sqrt(0.95) elements.
   File file("stick-frequencies", "frequency");
-  file.keep([](std::size_t row) { return row < 6; });
+  file.keep_first(6);
   file.values() = studies::wrong_result(studies::with_elements(data::load_case("paper"), 33), "lumped-mass",
                                         Quantity::stick_frequency, {1.0, 2.0, 3.0, 4.0, 5.0, 6.0})
                       .value();
@@ -496,7 +444,8 @@ TEST(LikenessOfNumbers, IsAShift) {
   EXPECT_TRUE(looks(events, "all events are 0.0005 s late"));
   // So late that no event has its match: then they are taken in sequence, as many as both have.
   File more("stick-slip-events", "time");
-  more.repeat_last_row("index", static_cast<double>(more.values().size() + 1));
+  more.repeat(more.values().size() - 1);
+  more["index"].back() += 1.0;
   for (double& time : more.values()) time += 0.3;
   EXPECT_TRUE(looks(more, "all events are 0.3 s late")) << more.likeness();
 }
@@ -560,7 +509,7 @@ TEST(LikenessOfNumbers, IsTheNodeBesideTheMiddle) {
                                     {0.525, "x = 0.525 L, the node beside the middle on 40 elements"}}) {
     File file("stick-history", "midspan_displacement");
     for (std::size_t i = 0; i < file.values().size(); ++i)
-      file.values()[i] = response.absolute_displacement(place * held.beam.length(), file.column("time")[i]);
+      file.values()[i] = response.absolute_displacement(place * held.beam.length(), file["time"][i]);
     EXPECT_TRUE(looks(file, name));
   }
   struct Shown {
@@ -584,7 +533,7 @@ TEST(LikenessOfNumbers, IsTheNodeBesideTheMiddle) {
         {.contact = shown.tip, .damping = data::Damping({.kelvin_voigt = shown.kelvin_voigt})});
     File file(shown.set, "midspan_displacement");
     for (std::size_t i = 0; i < file.values().size(); ++i) {
-      while (run.time() < file.column("time")[i]) run.step();
+      while (run.time() < file["time"][i]) run.step();
       file.values()[i] += run.displacement(0.4 * problem.beam.length()) - run.midspan_displacement();
     }
     EXPECT_TRUE(looks(file, "x = 0.4 L, the node beside the middle on 10 elements"));
@@ -595,7 +544,7 @@ TEST(LikenessOfNumbers, IsNothingForRoundOffAndForUnknownErrors) {
   std::mt19937 generator(1);
   std::uniform_real_distribution<double> error(-1.0, 1.0);
   int named = 0, files = 0;
-  for (const data::Resource& resource : package().resources) {
+  for (const data::Resource& resource : published_package().resources) {
     if (!resource.comparison || resource.name == "classification" || resource.name == "length-force")
       continue;
     for (const auto& compared : resource.comparison->values) {
@@ -637,8 +586,8 @@ TEST(LikenessOfModels, IsAllModesWhereTheDataSetHasTen) {
     file.values()[i] =
         analytic::evaluate_criterion(
             problem.beam, problem.friction,
-            data::HarmonicExcitation({.frequency_hz = file.column("frequency")[i], .amplitude = 0.5e-3}),
-            10.0, 40, analytic::SteadyPart::exact)
+            data::HarmonicExcitation({.frequency_hz = file["frequency"][i], .amplitude = 0.5e-3}), 10.0, 40,
+            analytic::SteadyPart::exact)
             .force_max.midpoint();
   EXPECT_EQ(file.likeness(), "like all modes: the data set has 10\n");
 }
@@ -648,8 +597,8 @@ TEST(LikenessOfModels, IsTheMistakeInEachRowThatIsACase) {
   File file("length-force", "force_ratio");
   file.keep([](std::size_t row) { return row % 15 == 0; });
   for (std::size_t i = 0; i < file.values().size(); ++i) {
-    data::Case row = studies::with_value(problem, studies::Parameter::length, file.column("length")[i]);
-    row = studies::with_value(row, studies::Parameter::axial_force, file.column("axial_force")[i]);
+    data::Case row = studies::with_value(problem, studies::Parameter::length, file["length"][i]);
+    row = studies::with_value(row, studies::Parameter::axial_force, file["axial_force"][i]);
     const double hz = row.excitation.frequency_hz();
     file.values()[i] *=
         studies::reference_result(row, Quantity::critical_amplitude, {hz})[0] /
@@ -661,7 +610,7 @@ TEST(LikenessOfModels, IsTheMistakeInEachRowThatIsACase) {
 TEST(LikenessOfModels, LooksAtTheForceOfAHistoryAsWell) {
   File file("stick-history", "friction_force");
   file.values() = studies::wrong_result(data::load_case("paper-figure9"), "cosine-for-sine",
-                                        Quantity::stick_force, file.column("time"))
+                                        Quantity::stick_force, file["time"])
                       .value();
   EXPECT_TRUE(looks(file, "like 'cosine-for-sine'"));
 }
@@ -674,12 +623,12 @@ TEST(LikenessOfModels, TakesTheEventsOfTheDataSetAsTheTruth) {
   EXPECT_TRUE(text.starts_with("wrong by")) << text;
   // The effect of a mistake on the times of the data set.
   File damped("stick-slip-events", "time");
-  damped.keep([](std::size_t row) { return row < 12; });
+  damped.keep_first(12);
   const data::Case problem = with_the_settings_of_the_paper("damped");
-  const auto right = studies::reference_result(problem, Quantity::contact_event, damped.column("index"));
+  const auto right = studies::reference_result(problem, Quantity::contact_event, damped["index"]);
   for (const char* name : {"mass-proportional-damping", "damping-left-out", "kinetic-friction-at-once"}) {
     File events = damped;
-    const auto wrong = studies::wrong_result(problem, name, Quantity::contact_event, damped.column("index"));
+    const auto wrong = studies::wrong_result(problem, name, Quantity::contact_event, damped["index"]);
     for (std::size_t i = 0; i < right.size(); ++i) events.values()[i] *= (*wrong)[i] / right[i];
     EXPECT_TRUE(looks(events, name));
   }
@@ -690,8 +639,8 @@ File mistaken(const char* set, data::Case problem, const char* mistake, int peri
   problem = studies::with_elements(problem, 36);
   File file(set, "tip_displacement");
   const double end = periods / problem.excitation.frequency_hz();
-  file.keep([&](std::size_t row) { return file.column("time")[row] <= end; });
-  const Values times = file.column("time");
+  file.keep([&](std::size_t row) { return file["time"][row] <= end; });
+  const Values times = file["time"];
   const Values right = studies::reference_result(problem, Quantity::tip_displacement, times),
                wrong = studies::wrong_result(problem, mistake, Quantity::tip_displacement, times).value();
   for (std::size_t i = 0; i < times.size(); ++i) file.values()[i] += wrong[i] - right[i];
@@ -720,7 +669,7 @@ TEST(LikenessOfModels, IsTheMistakeInAnUndampedHistory) {
 TEST(LikenessOfModels, IsNoOtherDataSetThatSharesFewRowsOnly) {
   // At rest for three periods, as undamped-history-25 is at the few times that both have.
   File file("undamped-history-soft-short", "tip_displacement");
-  file.keep([&](std::size_t row) { return file.column("time")[row] <= 7.5e-3; });
+  file.keep([&](std::size_t row) { return file["time"][row] <= 7.5e-3; });
   for (double& value : file.values()) value = 0.0;
   EXPECT_FALSE(contains(file.likeness(), "undamped-history-25"));
 }

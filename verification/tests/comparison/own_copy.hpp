@@ -1,16 +1,50 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+/// A data set as its own result, and what a comparison says about it.
+
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "comparison/comparison.hpp"
 
 namespace stickslip::testing {
+
+/// The data that are published, and a small package with a data set of each kind.
+inline const data::ReferencePackage& published_package() {
+  static const auto package = data::load_reference();
+  return package;
+}
+inline const data::ReferencePackage& small_package() {
+  static const auto package = data::load_reference(std::filesystem::path(STICKSLIP_SOURCE_DIRECTORY) /
+                                                   "verification/tests/golden/reference");
+  return package;
+}
+
+inline studies::ComparisonSettings with_tolerance(const std::string& quantity, double tolerance,
+                                                  std::optional<double> until = std::nullopt) {
+  return {.tolerances = {{quantity, tolerance}}, .until = until, .events = {}};
+}
+inline studies::ComparisonSettings until(double time) {
+  return {.tolerances = {}, .until = time, .events = {}};
+}
+
+inline studies::Comparison::Quantity quantity_of(const studies::Comparison& comparison,
+                                                 const std::string& name) {
+  return *std::ranges::find(comparison.quantities, name, &studies::Comparison::Quantity::name);
+}
+
+inline std::size_t skipped_for(const studies::Comparison::Quantity& quantity, const std::string& reason) {
+  const auto found = std::ranges::find_if(
+      quantity.skipped, [&](const auto& skipped) { return skipped.reason.starts_with(reason); });
+  return found == quantity.skipped.end() ? 0 : found->points;
+}
 
 /// A data set as its own result, or some of its columns, in which a test changes rows and cells.
 class OwnCopy {
@@ -32,12 +66,19 @@ class OwnCopy {
   [[nodiscard]] std::vector<double>& operator[](const std::string& name) { return column(name).values; }
   [[nodiscard]] std::vector<std::string>& words(const std::string& name) { return column(name).text; }
 
+  /// Keeps the rows of which the number satisfies a condition.
   OwnCopy& keep(const std::function<bool(std::size_t)>& is_kept) {
     for (std::size_t row = table.rows(); row-- > 0;) {
       if (is_kept(row)) continue;
       for_each_column([row](auto& cells) { cells.erase(cells.begin() + static_cast<std::ptrdiff_t>(row)); });
     }
     return *this;
+  }
+  OwnCopy& keep_first(std::size_t count) {
+    return keep([=](std::size_t row) { return row < count; });
+  }
+  OwnCopy& erase(std::size_t erased) {
+    return keep([=](std::size_t row) { return row != erased; });
   }
   OwnCopy& repeat(std::size_t row) {
     for_each_column([row](auto& cells) {
@@ -47,14 +88,27 @@ class OwnCopy {
     return *this;
   }
 
+  /// The comparison with the data set, and that for one quantity, without and with a diagnosis.
   [[nodiscard]] studies::Comparison compared(studies::ComparisonSettings settings = {}) const {
     settings.diagnose = false;
-    return studies::compare(*package_, reference_.resource.name, table, settings);
+    return diagnosed(settings);
   }
   [[nodiscard]] studies::Comparison::Quantity compared(
       const std::string& quantity, const studies::ComparisonSettings& settings = {}) const {
-    const auto comparison = compared(settings);
-    return *std::ranges::find(comparison.quantities, quantity, &studies::Comparison::Quantity::name);
+    return quantity_of(compared(settings), quantity);
+  }
+  [[nodiscard]] studies::Comparison diagnosed(const studies::ComparisonSettings& settings = {}) const {
+    return studies::compare(*package_, reference_.resource.name, table, settings);
+  }
+
+  /// Why it cannot be compared; "accepted" if it can.
+  [[nodiscard]] std::string refusal(const studies::ComparisonSettings& settings = {}) const {
+    try {
+      static_cast<void>(compared(settings));
+    } catch (const data::InputError& error) {
+      return error.what();
+    }
+    return "accepted";
   }
 
  private:
@@ -74,15 +128,17 @@ class OwnCopy {
   data::ReferenceTable reference_;
 };
 
-inline studies::ComparisonSettings with_tolerance(const std::string& quantity, double tolerance,
-                                                  std::optional<double> until = std::nullopt) {
-  return {.tolerances = {{quantity, tolerance}}, .until = until, .events = {}};
+/// A data set of the small package, and one that is published.
+inline OwnCopy own_copy(const std::string& set, const std::vector<std::string>& columns = {}) {
+  return {small_package(), set, columns};
+}
+inline OwnCopy published_copy(const std::string& set, const std::vector<std::string>& columns = {}) {
+  return {published_package(), set, columns};
 }
 
-inline std::size_t skipped_for(const studies::Comparison::Quantity& quantity, const std::string& reason) {
-  const auto found = std::ranges::find_if(
-      quantity.skipped, [&](const auto& skipped) { return skipped.reason.starts_with(reason); });
-  return found == quantity.skipped.end() ? 0 : found->points;
+/// The settings with the events of the same run.
+inline studies::ComparisonSettings with_events(const OwnCopy& events) {
+  return {.tolerances = {}, .until = {}, .events = events.table};
 }
 
 }  // namespace stickslip::testing

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <functional>
 #include <numbers>
 #include <string>
@@ -26,25 +25,6 @@ using studies::Comparison;
 using studies::ComparisonSettings;
 using studies::TabulatedEvent;
 
-const data::ReferencePackage& published() {
-  static const auto package = data::load_reference();
-  return package;
-}
-
-OwnCopy copy_of(const std::string& set, const std::vector<std::string>& columns = {}) {
-  return {published(), set, columns};
-}
-
-std::string refusal(const OwnCopy& mine) {
-  try {
-    static_cast<void>(mine.compared());
-  } catch (const data::InputError& error) {
-    return error.what();
-  }
-  return "accepted";
-}
-
-ComparisonSettings until(double time) { return {.tolerances = {}, .until = time, .events = {}}; }
 bool mentions(const Comparison& comparison, const std::string& part) {
   return std::ranges::any_of(
       comparison.remarks, [&](const std::string& remark) { return remark.find(part) != std::string::npos; });
@@ -54,7 +34,7 @@ bool mentions(const Comparison& comparison, const std::string& part) {
 
 STICKSLIP_VERIFIES(ComparedWords, "X20");
 TEST(ComparedWords, ThatDifferAreCounted) {
-  auto mine = copy_of("classification", {"frequency", "amplitude", "verdict"});
+  auto mine = published_copy("classification", {"frequency", "amplitude", "verdict"});
   EXPECT_EQ(mine.compared().agreement, Agreement::agrees);
   EXPECT_EQ(mine.compared("verdict").compared, 480u);
   const auto slips = std::ranges::count(mine.words("verdict"), "stick-slip");
@@ -67,17 +47,17 @@ TEST(ComparedWords, ThatDifferAreCounted) {
   EXPECT_EQ(mine.compared("verdict", with_tolerance("verdict", static_cast<double>(slips))).agreement,
             Agreement::agrees);
   mine.words("verdict")[7] = "slip";
-  EXPECT_EQ(refusal(mine), "mine.csv:9: verdict is 'slip', but must be one of stick, stick-slip");
+  EXPECT_EQ(mine.refusal(), "mine.csv:9: verdict is 'slip', but must be one of stick, stick-slip");
 }
 
 TEST(ComparedWords, DoNotCountWhereAMeshMayDecideOtherwise) {
   // A point of which the ratio is r counts if |r - 1| > tolerance r + radius; the radii are below 1e-20.
-  const auto right = copy_of("classification");
+  const auto right = published_copy("classification");
   const auto& ratio = right.table.column("force_ratio")->values;
   const auto distance = [](double r) { return std::abs(r - 1.0) / r; };
   const auto nearest =
       static_cast<std::size_t>(std::ranges::min_element(ratio, {}, distance) - ratio.begin());
-  auto mine = copy_of("classification", {"frequency", "amplitude", "verdict"});
+  auto mine = published_copy("classification", {"frequency", "amplitude", "verdict"});
   auto& word = mine.words("verdict")[nearest];
   word = word == "stick" ? "stick-slip" : "stick";
   const double limit = distance(ratio[nearest]);
@@ -91,7 +71,7 @@ TEST(ComparedWords, DoNotCountWhereAMeshMayDecideOtherwise) {
 }
 
 TEST(ComparedWords, AreComparedInEventsOfASingleMass) {
-  auto mine = copy_of("single-mass-events");
+  auto mine = published_copy("single-mass-events");
   EXPECT_EQ(mine.compared("change").compared, 6u);
   mine.words("change")[2] = "capture";
   EXPECT_EQ(mine.compared("change").error, 1.0);
@@ -101,7 +81,7 @@ TEST(ComparedWords, AreComparedInEventsOfASingleMass) {
 
 STICKSLIP_VERIFIES(ComparedZero, "X20");
 TEST(ComparedZero, IsMeasuredByTheLargestOfTheColumn) {
-  auto mine = copy_of("friction-powers");
+  auto mine = published_copy("friction-powers");
   const double largest = std::ranges::max(mine["power"]);
   for (const double power : {1e-9, 1e-4}) {
     mine["power"][0] = power;  // 0 in the data set
@@ -113,7 +93,7 @@ TEST(ComparedZero, IsMeasuredByTheLargestOfTheColumn) {
 
 STICKSLIP_VERIFIES(ComparedTable, "X20");
 TEST(ComparedTable, MeasuresARelativeErrorByTheMagnitudeOfTheValue) {
-  auto mine = copy_of("participation");
+  auto mine = published_copy("participation");
   ASSERT_LT(mine["participation"][0], 0.0);
   mine["participation"][0] *= 1.01;
   const auto found = mine.compared("participation");
@@ -122,7 +102,7 @@ TEST(ComparedTable, MeasuresARelativeErrorByTheMagnitudeOfTheValue) {
 }
 
 TEST(ComparedTable, HasTheNumberOfTheRowAsAbscissaWithoutANumericalKey) {
-  EXPECT_EQ(copy_of("critical-loads").compared("flutter_load").series.at(1).abscissa,
+  EXPECT_EQ(published_copy("critical-loads").compared("flutter_load").series.at(1).abscissa,
             std::vector<double>{2.0});
 }
 
@@ -223,7 +203,7 @@ std::size_t shortest_stick(const OwnCopy& events) {
 
 STICKSLIP_VERIFIES(ComparedEvents, "X20");
 TEST(ComparedEvents, WithoutOneShortStickKeepAllOthers) {
-  auto mine = copy_of("stick-slip-events");
+  auto mine = published_copy("stick-slip-events");
   const std::size_t stick = shortest_stick(mine);
   ASSERT_EQ(mine.words("change")[stick], "capture");
   mine.keep([&](std::size_t row) { return row != stick && row != stick + 1; });
@@ -239,7 +219,7 @@ TEST(ComparedEvents, WithoutOneShortStickKeepAllOthers) {
 TEST(ComparedEvents, OfShortPhasesInARowAreOneEventAtAnUncertainTime) {
   // Their first capture takes 15 us or 0.3 ms, with sticks of 10 us and slips of 5 us.
   for (const std::size_t sticks : {1u, 20u}) {
-    auto mine = copy_of("stick-slip-events");
+    auto mine = published_copy("stick-slip-events");
     const double capture = mine["time"][1];
     for (std::size_t i = 0; i < 2 * sticks; ++i) mine.repeat(1);
     for (std::size_t i = 1; i <= 2 * sticks; ++i) {
@@ -253,7 +233,7 @@ TEST(ComparedEvents, OfShortPhasesInARowAreOneEventAtAnUncertainTime) {
 }
 
 TEST(ComparedEvents, LeaveReversalsOutThatTheDataSetDoesNotHave) {
-  auto mine = copy_of("stick-slip-events");
+  auto mine = published_copy("stick-slip-events");
   mine.repeat(1);
   mine.words("change")[1] = "reversal";
   EXPECT_EQ(mine.compared().agreement, Agreement::agrees);
@@ -261,7 +241,7 @@ TEST(ComparedEvents, LeaveReversalsOutThatTheDataSetDoesNotHave) {
 
 TEST(ComparedEvents, OfPhasesBelowTheShortestAreLeftOut) {
   for (const double duration : {1.9e-5, 2.1e-5}) {
-    auto mine = copy_of("stick-slip-events");
+    auto mine = published_copy("stick-slip-events");
     mine.repeat(4).repeat(4);  // an onset, and a stick in the slip behind it
     ASSERT_EQ(mine.words("change")[6], "onset");
     mine.words("change")[5] = "capture";
@@ -273,10 +253,10 @@ TEST(ComparedEvents, OfPhasesBelowTheShortestAreLeftOut) {
 
 STICKSLIP_VERIFIES(ComparedHistory, "X20");
 TEST(ComparedHistory, IsComparedInAllPhasesThatBothHave) {
-  auto mine = copy_of("stick-slip-history"), events = copy_of("stick-slip-events");
+  auto mine = published_copy("stick-slip-history"), events = published_copy("stick-slip-events");
   const std::size_t stick = shortest_stick(events), total = mine.table.rows();
   events.keep([&](std::size_t row) { return row != stick && row != stick + 1; });
-  const ComparisonSettings settings{.tolerances = {}, .until = {}, .events = events.table};
+  const ComparisonSettings settings = with_events(events);
   EXPECT_EQ(mine.compared("sequence", settings).error, 2.0);
   const auto tip = mine.compared("tip_displacement", settings);
   EXPECT_EQ(tip.agreement, Agreement::agrees);
@@ -287,14 +267,14 @@ TEST(ComparedHistory, IsComparedInAllPhasesThatBothHave) {
 
 TEST(ComparedHistory, LeavesOutTheToleranceOfAnEventWithoutTheirs) {
   // Their onset at 0.0553 s is 50 us late, and they have samples every 10 us.
-  auto mine = copy_of("stick-slip-history", {"time", "phase", "tip_displacement"});
+  auto mine = published_copy("stick-slip-history", {"time", "phase", "tip_displacement"});
   mine.keep([&](std::size_t row) { return row > 275 && row < 281; });
   auto& time = mine["time"];
   const double onset = 0.0553214408237;
   for (std::size_t i = 0; i < time.size(); ++i) time[i] = onset + 1e-5 * static_cast<double>(i + 1);
   std::ranges::fill(mine.words("phase"), "stick");
-  EXPECT_TRUE(refusal(mine).find("5 between the two times of an event") != std::string::npos)
-      << refusal(mine);
+  EXPECT_TRUE(mine.refusal().find("5 between the two times of an event") != std::string::npos)
+      << mine.refusal();
 }
 
 // --- coverage
@@ -304,7 +284,7 @@ TEST(ComparedCoverage, OfARangeMustBeNineTenths) {
   // A sample covers a fortieth on either side: 0.875 + 0.025.
   for (const auto& [last, agreement] : std::vector<std::pair<double, Agreement>>{
            {0.4375, Agreement::agrees}, {0.437, Agreement::undecided}, {0.01, Agreement::undecided}}) {
-    auto mine = copy_of("undamped-history-25");
+    auto mine = published_copy("undamped-history-25");
     const auto time = mine["time"];
     mine.keep([&, latest = last](std::size_t row) { return time[row] <= latest; });
     const Comparison comparison = mine.compared();
@@ -320,31 +300,31 @@ TEST(ComparedCoverage, OfARangeMustBeNineTenths) {
 }
 
 TEST(ComparedCoverage, OfThreeRowsIsThreeTwentieths) {
-  auto mine = copy_of("undamped-history-25");
+  auto mine = published_copy("undamped-history-25");
   mine.keep([](std::size_t row) { return row == 250 || row == 500 || row == 750; });
   EXPECT_EQ(mine.compared().agreement, Agreement::undecided);
   EXPECT_TRUE(within(mine.compared().coverage, 0.15, round_off(16.0, 1.0, 1.0)));
 }
 
 TEST(ComparedCoverage, OfAHistoryThatEndsEarlyIsTooSmall) {
-  auto mine = copy_of("stick-slip-history");
-  mine.keep([](std::size_t row) { return row < 29; });
+  auto mine = published_copy("stick-slip-history");
+  mine.keep_first(29);
   EXPECT_EQ(mine.compared().agreement, Agreement::undecided);
   EXPECT_EQ(mine.compared(until(0.0058)).agreement, Agreement::agrees);
   // The events end there as well, which is no doubt about their sequence.
-  auto half = copy_of("stick-slip-history"), events = copy_of("stick-slip-events");
-  half.keep([](std::size_t row) { return row < 1250; });
+  auto half = published_copy("stick-slip-history"), events = published_copy("stick-slip-events");
+  half.keep_first(1250);
   const auto time = events["time"];
   events.keep([&](std::size_t row) { return time[row] < 0.25; });
-  const auto sequence = half.compared("sequence", {.tolerances = {}, .until = {}, .events = events.table});
+  const auto sequence = half.compared("sequence", with_events(events));
   EXPECT_EQ(sequence.agreement, Agreement::agrees);
   EXPECT_EQ(sequence.undecided, 0u);
 }
 
 TEST(ComparedCoverage, OfEventsEndsWithTheLastOneUnlessALatestTimeIsGiven) {
-  auto mine = copy_of("stick-slip-events");
+  auto mine = published_copy("stick-slip-events");
   const double end = mine["time"][19], last = mine["time"].back();
-  mine.keep([](std::size_t row) { return row < 20; });
+  mine.keep_first(20);
   const Comparison comparison = mine.compared();
   EXPECT_EQ(comparison.agreement, Agreement::undecided);
   EXPECT_TRUE(within(comparison.coverage, end / last, round_off(1.0, 1.0, 1.0)));
@@ -361,10 +341,7 @@ TEST(ComparedCoverage, OfEventsEndsWithTheLastOneUnlessALatestTimeIsGiven) {
   EXPECT_EQ(mine.compared(until(0.5)).remarks.size(), 9u);
   EXPECT_EQ(mine.compared(until(0.5)).remarks.back(), "27 events are missing or not in the data set");
   const auto told = [](std::size_t rows, const ComparisonSettings& settings) {
-    return copy_of("stick-slip-events")
-        .keep([&](std::size_t row) { return row < rows; })
-        .compared(settings)
-        .remarks;
+    return published_copy("stick-slip-events").keep_first(rows).compared(settings).remarks;
   };
   EXPECT_EQ(told(39, until(0.5)).size(), 8u);
   EXPECT_EQ(told(46, {}),
@@ -374,19 +351,19 @@ TEST(ComparedCoverage, OfEventsEndsWithTheLastOneUnlessALatestTimeIsGiven) {
 
 TEST(ComparedCoverage, OfATableMustBeATenthOfEachPartThatTheFileBegins) {
   for (const std::size_t rows : {47u, 48u}) {
-    auto mine = copy_of("classification");
-    mine.keep([&](std::size_t row) { return row < rows; });
+    auto mine = published_copy("classification");
+    mine.keep_first(rows);
     EXPECT_EQ(mine.compared().agreement, rows == 48 ? Agreement::agrees : Agreement::undecided) << rows;
     EXPECT_EQ(mentions(mine.compared(), "the file has " + std::to_string(rows) +
                                             " of 480 rows, but a verdict needs at least 10 %"),
               rows == 47);
   }
-  auto shape = copy_of("static-shapes");
+  auto shape = published_copy("static-shapes");
   shape.keep([](std::size_t row) { return row == 0; });
   EXPECT_TRUE(mentions(shape.compared(),
                        "the file has 1 of 20 rows of beam = paper, but a verdict needs at least 10 %"));
-  auto modes = copy_of("stick-frequencies");
-  modes.keep([](std::size_t row) { return row < 3; });  // three of ten modes of one beam
+  auto modes = published_copy("stick-frequencies");
+  modes.keep_first(3);  // three of ten modes of one beam
   EXPECT_EQ(modes.compared().agreement, Agreement::agrees);
   EXPECT_TRUE(within(modes.compared().coverage, 0.3, round_off(1.0, 1.0, 1.0)));
 }
@@ -484,7 +461,7 @@ TEST(ComparedSamples, ThatAreTooFarApartForTheCurveSaySo) {
 TEST(ComparedSamples, MayHaveTimesOfSinglePrecision) {
   for (const std::string set : {"stick-history", "stick-slip-history", "undamped-history-25",
                                 "undamped-history-steel-strip", "undamped-history-soft-short"}) {
-    auto mine = copy_of(set);
+    auto mine = published_copy(set);
     for (double& t : mine["time"]) t = static_cast<double>(static_cast<float>(t));
     const Comparison comparison = mine.compared();
     EXPECT_EQ(comparison.agreement, Agreement::agrees) << set;
@@ -499,8 +476,7 @@ TEST(ComparedSamples, MayHaveTimesOfSinglePrecision) {
 // The polynomials of the data set, of order 3 in each phase, at other times: in the middle between those of the
 // data set, or at a third of them. Interpolation reproduces them but for some ten eps.
 TEST(ComparedSamples, BetweenThoseOfTheDataSetAreComparedWithThem) {
-  auto package = data::load_reference(std::filesystem::path(STICKSLIP_SOURCE_DIRECTORY) /
-                                      "verification/tests/golden/reference");
+  auto package = small_package();
   std::ranges::find(package.resources, "cubic-history", &data::Resource::name)
       ->comparison->interpolation.reset();
   // At 0.01, ..., 0.29 s of the data set, or at their 15 or 10 samples up to 0.283 s or 0.273 s.
@@ -515,9 +491,7 @@ TEST(ComparedSamples, BetweenThoseOfTheDataSetAreComparedWithThem) {
         mine["y"][i] = 1.0 + t[i] - 2.0 * t[i] * t[i] + t[i] * t[i] * t[i];
       }
       mine["y"][4] += error;
-      auto settings = until(0.31);
-      settings.tolerances = {{"y", 0.01}};
-      const auto y = mine.compared("y", settings);
+      const auto y = mine.compared("y", with_tolerance("y", 0.01, 0.31));
       EXPECT_EQ(y.agreement, error > 0.0 ? Agreement::differs : Agreement::agrees) << step;
       EXPECT_EQ(y.compared, count) << step;
       if (error == 0.0) {
@@ -527,16 +501,16 @@ TEST(ComparedSamples, BetweenThoseOfTheDataSetAreComparedWithThem) {
 }
 
 TEST(ComparedSamples, MayStandTwiceAtATime) {
-  auto curve = copy_of("undamped-history-25");
+  auto curve = published_copy("undamped-history-25");
   curve.repeat(100);
   EXPECT_EQ(curve.compared().agreement, Agreement::agrees);
   EXPECT_EQ(curve.compared(with_tolerance("", 0.0)).agreement, Agreement::undecided);
   curve["tip_displacement"][101] += 0.5;
   EXPECT_TRUE(
-      refusal(curve).starts_with("mine.csv:102: time is 0.05 as in the row before, but "
-                                 "tip_displacement is "))
-      << refusal(curve);
-  auto history = copy_of("stick-slip-history");
+      curve.refusal().starts_with("mine.csv:102: time is 0.05 as in the row before, but "
+                                  "tip_displacement is "))
+      << curve.refusal();
+  auto history = published_copy("stick-slip-history");
   history.repeat(276);
   EXPECT_EQ(history.compared().agreement, Agreement::agrees);
 }

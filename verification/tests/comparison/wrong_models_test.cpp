@@ -74,13 +74,12 @@ data::Case strip_case(double duration) {
   return problem;
 }
 
-data::Case with_numerics(data::Case problem, int elements, double time_step, int modes = 10) {
-  data::NumericalChoices choices = problem.numerics.choices();
-  choices.elements = elements;
-  choices.time_step = time_step;
-  choices.modes = modes;
-  problem.numerics = data::NumericalSettings(choices);
-  return problem;
+data::Case with_numerics(const data::Case& problem, int elements, double time_step, int modes = 10) {
+  return studies::with_settings(problem, [=](data::NumericalChoices& choices) {
+    choices.elements = elements;
+    choices.time_step = time_step;
+    choices.modes = modes;
+  });
 }
 
 // Stick-slip with a little Kelvin-Voigt damping, without which changes of contact do not converge.
@@ -148,9 +147,7 @@ Observation observed(const ModelResults& model_results, const Values& values) {
 }
 
 bool claims(const std::string& name, Quantity quantity) {
-  const auto& all = studies::wrong_models();
-  const auto wrong_model = std::ranges::find(all, name, &studies::WrongModel::name);
-  return std::ranges::count(wrong_model->changes, quantity) > 0;
+  return std::ranges::count(studies::wrong_model_named(name).changes, quantity) > 0;
 }
 
 bool names(const Diagnosis& diagnosis, const std::string& name) {
@@ -386,14 +383,9 @@ TEST(WrongModel, WithFewModesIsTheResponseOfSoManyModes) {
   }
 }
 
-const studies::WrongModelRecipe& recipe(const char* name) {
-  return *std::ranges::find(studies::wrong_model_recipes(), name,
-                            [](const auto& one) { return one.wrong_model.name; });
-}
-
 TEST(WrongModel, HasTheInputsThatItsNameSays) {
   data::Case problem = paper_case(0.1);
-  const auto of = [&](const char* name) { return recipe(name).inputs(problem); };
+  const auto of = [&](const char* name) { return studies::recipe_of(name).inputs(problem); };
   EXPECT_FALSE(of("damping-left-out") || of("mass-proportional-damping") || of("same-damping-ratio"));
   problem.damping = data::Damping({.ratio = 0.02});
   EXPECT_EQ(of("damping-left-out")->damping.ratio(), 0.0);
@@ -410,7 +402,7 @@ TEST(WrongModel, HasTheInputsThatItsNameSays) {
   EXPECT_EQ(of("kinetic-coefficient-as-limit")->friction.static_coefficient(), 0.3);
   EXPECT_EQ(of("one-friction-coefficient")->friction.kinetic_coefficient(), 0.6);
   EXPECT_DOUBLE_EQ(of("hertz-as-radians")->excitation.frequency_hz(), 12.5 / std::numbers::pi);
-  EXPECT_EQ(recipe("one-period-maximum").observed_for(problem), 0.04);
+  EXPECT_EQ(studies::recipe_of("one-period-maximum").observed_for(problem), 0.04);
   for (const auto& [name, step, radius] : {std::tuple{"ten-times-the-step", 1e-3, 0.9},
                                            {"spectral-radius-zero", 1e-4, 0.0},
                                            {"strong-algorithmic-damping", 1e-3, 0.0}}) {
@@ -424,17 +416,15 @@ TEST(WrongModel, HasTheInputsThatItsNameSays) {
 
 TEST(WrongModel, HasTheStepsThatItsNameSays) {
   // alpha_f = rho/(rho + 1) = 1/3 and alpha_m = (2 rho - 1)/(rho + 1) = 0; the load is taken at (1 - alpha_f) h.
-  data::NumericalChoices choices = paper_choices(0.1);
-  choices.spectral_radius = 0.5;
-  data::Case problem = paper_case(0.1);
-  problem.numerics = data::NumericalSettings(choices);
+  const data::Case problem = studies::with_settings(
+      paper_case(0.1), [](data::NumericalChoices& choices) { choices.spectral_radius = 0.5; });
   for (const auto& [name, alpha_m, alpha_f, delay, ratio] :
        {std::tuple{"time-step-of-the-case", 0.0, 1.0 / 3.0, 2.0 / 3.0, 0.0},
         {"alpha-convention-swapped", 0.0, 2.0 / 3.0, 1.0 / 3.0, 0.0},
         {"alphas-interchanged", 1.0 / 3.0, 0.0, 1.0, 0.0},
         {"load-at-end-of-step", 0.0, 1.0 / 3.0, 1.0, 0.0},
         {"damping-added", 0.5, 0.5, 0.5, 0.01}}) {
-    const studies::ModalScheme scheme = recipe(name).scheme(problem);
+    const studies::ModalScheme scheme = studies::recipe_of(name).scheme(problem);
     EXPECT_TRUE(within(scheme.alpha_m, alpha_m, round_off(2, 1, 1))) << name;
     EXPECT_TRUE(within(scheme.alpha_f, alpha_f, round_off(2, 1, 1))) << name;
     EXPECT_TRUE(within(scheme.load_delay, delay * 1e-4, round_off(2, 1, 1e-4))) << name;
@@ -444,7 +434,7 @@ TEST(WrongModel, HasTheStepsThatItsNameSays) {
 
 TEST(WrongModel, HasTheMotionTheMatricesAndTheFrictionThatItsNameSays) {
   const data::Case problem = paper_case(0.1);
-  const auto base = recipe("cosine-for-sine").base(problem.excitation);
+  const auto base = studies::recipe_of("cosine-for-sine").base(problem.excitation);
   const double omega = 50.0 * std::numbers::pi;
   EXPECT_TRUE(within(base.displacement(0.0), 1e-3, round_off(4, 1, 1e-3)));
   EXPECT_TRUE(within(base.velocity(0.0), 0.0, round_off(4, 1, 1e-3 * omega)));
@@ -453,12 +443,12 @@ TEST(WrongModel, HasTheMotionTheMatricesAndTheFrictionThatItsNameSays) {
   const solver::BeamModel mesh(problem.beam, 4);
   auto system =
       solver::beam_contact_system(mesh, problem.friction, base, data::Damping({.kelvin_voigt = 6e-5}));
-  recipe("mass-proportional-damping").mesh(system, mesh);
+  studies::recipe_of("mass-proportional-damping").mesh(system, mesh);
   const double first = analytic::stick_modes(problem.beam, 1).front().angular_frequency();
   const Eigen::MatrixXd expected = 6e-5 * first * first * Eigen::MatrixXd(mesh.mass());
   EXPECT_TRUE(
       within((Eigen::MatrixXd(system.damping) - expected).norm(), 0.0, round_off(100, 1, expected.norm())));
-  recipe("follower-term-sign").mesh(system, mesh);
+  studies::recipe_of("follower-term-sign").mesh(system, mesh);
   const Eigen::MatrixXd stick(mesh.stick_stiffness()), slip(mesh.slip_stiffness());
   EXPECT_TRUE(within((Eigen::MatrixXd(system.slip_stiffness) - stick + (slip - stick)).norm(), 0.0,
                      round_off(10, 1, stick.norm())));
@@ -470,7 +460,7 @@ TEST(WrongModel, HasTheMotionTheMatricesAndTheFrictionThatItsNameSays) {
         {"velocity-in-millimetres", -2e-3, -0.3 - 0.3 * std::exp(-2.0)},
         {"decay-without-magnitude", -2.0, -0.3 - 0.3 * std::exp(2.0)},
         {"regularised-friction", -0.01, -(0.3 + 0.3 * std::exp(-0.01)) * std::tanh(1.0)}})
-    EXPECT_TRUE(within(recipe(name).law->coefficient(problem.friction, v), coefficient,
+    EXPECT_TRUE(within(studies::recipe_of(name).law->coefficient(problem.friction, v), coefficient,
                        round_off(10, 1, coefficient)))
         << name;
 }
