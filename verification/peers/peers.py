@@ -17,7 +17,6 @@ ratio to stickslip with default settings on the same problem, measured just befo
 
 import argparse
 import csv
-import functools
 import hashlib
 import json
 import math
@@ -36,6 +35,7 @@ PROGRAM = ROOT / "build" / "release" / "bin" / "stickslip"
 SCOREBOARD = FOLDER / "scoreboard.csv"
 COLUMNS = ["code", "version", "problem", "settings", "verdict", "quantity", "error", "tolerance", "seconds", "cost", "note"]
 MIRROR = "http://deb.debian.org/debian"
+DRIVEN = {}  # times and folders of the runs of this process
 PATIENCE = 120  # seconds of processor time that a driver may take
 
 # Sees the drivers, the data and a folder for results, and leaves nothing mounted when it ends or is killed.
@@ -135,12 +135,6 @@ def fingerprint(peer, run):
     return digest.hexdigest()[:16]
 
 
-@functools.cache
-def driven(key, problem):
-    """The run of a driver in this process: processor time and folder. One run of a damped history has its events too."""
-    return drive(*driven.runs[key], problem)
-
-
 def drive(peer, run, problem):
     """Runs a driver; returns its processor time and the folder with its results."""
     output = WORK / "out" / peer["code"] / problem
@@ -157,6 +151,14 @@ def drive(peer, run, problem):
     return seconds, output
 
 
+def driven(peer, run, problem):
+    """As drive(), but once in this process: one run of a damped history has its events too."""
+    key = fingerprint(peer, run), problem
+    if key not in DRIVEN:
+        DRIVEN[key] = drive(peer, run, problem)
+    return DRIVEN[key]
+
+
 def row_of(peer, run, problem, ours):
     row = dict.fromkeys(COLUMNS, "") | {"code": peer["code"], "problem": problem, "settings": run["settings"],
                                          "verdict": "not run"}
@@ -167,7 +169,7 @@ def row_of(peer, run, problem, ours):
             row["version"] = subprocess.run([PROGRAM, "--version"], capture_output=True, text=True).stdout.split()[1]
         if "cannot" in run:
             raise CannotRun(run["cannot"])
-        seconds, output = driven(fingerprint(peer, run), "stick-slip" if problem.startswith("stick-slip") else problem)
+        seconds, output = driven(peer, run, "stick-slip" if problem.startswith("stick-slip") else problem)
         row |= judge(problem, output)
         row["seconds"], usual = f"{seconds:.2g}", ours(problem)
         row["cost"] = f"{seconds / usual:.2g}" if usual else ""
@@ -187,7 +189,6 @@ def main():
     given = parser.parse_args()
     peers = tomllib.loads((FOLDER / "peers.toml").read_text())["peer"]
     todo = all_runs(peers)
-    driven.runs = {fingerprint(peer, run): (peer, run) for peer, run, _ in todo}
     if given.code and given.code not in {p["code"] for p in peers}:
         parser.error(f"--code is {given.code}, but must be one of {', '.join(p['code'] for p in peers)}")
     WORK.mkdir(parents=True, exist_ok=True)

@@ -58,7 +58,8 @@ static void solve(int n, double a[largest][largest], int columns, double x[large
 
 static void assemble(int elements) {
   static double m[largest + 2][largest + 2], k[largest + 2][largest + 2], g[largest + 2][largest + 2], b[largest + 2];
-  static double a[largest][largest], x[largest][2 * largest];
+  static double inertia[largest][largest], copy[largest][largest], held[largest][largest];
+  static double columns[largest][2 * largest], shape[largest][2 * largest];
   const double l = length / elements;
   const double me[4][4] = {{156, 22 * l, 54, -13 * l}, {22 * l, 4 * l * l, 13 * l, -3 * l * l},
                            {54, 13 * l, 156, -22 * l}, {-13 * l, -3 * l * l, -22 * l, 4 * l * l}};
@@ -80,28 +81,18 @@ static void assemble(int elements) {
   tip = size - 2;
   for (int i = 0; i < size; ++i) {  // a = -M^-1 (K q + C v); the clamped node is left out
     for (int j = 0; j < size; ++j) {
-      a[i][j] = m[i + 2][j + 2];
+      inertia[i][j] = copy[i][j] = m[i + 2][j + 2];
       slip[i][j] = -(k[i + 2][j + 2] - axial * g[i + 2][j + 2] + (i == tip && j == tip + 1 ? axial : 0));
-      x[i][j] = i == tip || j == tip ? (i == j) : -slip[i][j];
+      held[i][j] = i == tip || j == tip ? (i == j) : -slip[i][j];
       slip[i][size + j] = -eta * k[i + 2][j + 2];
     }
-    start[i] = i == tip ? -1 : -slip[i][tip];
-    slip_base[i] = -b[i + 2];
-    slip_tip[i] = i == tip;
+    columns[i][0] = -b[i + 2], columns[i][1] = i == tip;
+    shape[i][0] = i == tip ? -1 : -slip[i][tip];
   }
-  static double right[largest][2 * largest];
-  for (int i = 0; i < size; ++i)
-    for (int j = 0; j < 2 * size; ++j) right[i][j] = slip[i][j];
-  static double two[largest][2 * largest], one[largest][2 * largest], copy[largest][largest], stiffness[largest][largest];
-  for (int i = 0; i < size; ++i) {
-    two[i][0] = slip_base[i], two[i][1] = slip_tip[i], one[i][0] = i == tip ? -1 : slip[i][tip] * -1;
-    for (int j = 0; j < size; ++j) copy[i][j] = a[i][j], stiffness[i][j] = x[i][j];
-  }
-  solve(size, a, 2 * size, right);
-  solve(size, copy, 2, two);
-  solve(size, stiffness, 1, one);  // static shape S, S(L) = -1
-  memcpy(slip, right, sizeof slip);
-  for (int i = 0; i < size; ++i) slip_base[i] = two[i][0], slip_tip[i] = two[i][1], start[i] = one[i][0];
+  solve(size, inertia, 2 * size, slip);
+  solve(size, copy, 2, columns);
+  solve(size, held, 1, shape);  // static shape S, S(L) = -1
+  for (int i = 0; i < size; ++i) slip_base[i] = columns[i][0], slip_tip[i] = columns[i][1], start[i] = shape[i][0];
   // In stick f_d gives the tip the acceleration -h''.
   for (int j = 0; j < 2 * size; ++j) reaction_row[j] = -slip[tip][j] / slip_tip[tip];
   reaction_base = (-1 - slip_base[tip]) / slip_tip[tip];
