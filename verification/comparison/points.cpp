@@ -6,16 +6,7 @@
 
 namespace stickslip::studies {
 
-namespace {
-
 using data::Norm;
-
-// |x| in a norm.
-double measured(double x, Norm norm, double reference, double scale) {
-  return std::abs(x) / unit_of(norm, reference, scale);
-}
-
-}  // namespace
 
 double unit_of(Norm norm, double reference, double scale) {
   switch (norm) {
@@ -45,12 +36,12 @@ void judge(Comparison::Quantity& quantity, const Point& point, double scale) {
   series.theirs.push_back(point.theirs);
   series.reference.push_back(point.reference);
   series.half_width.push_back(point.half_width);
-  series.allowed.push_back(point.half_width +
-                           quantity.tolerance * unit_of(quantity.norm, point.reference, scale));
+  const double unit = unit_of(quantity.norm, point.reference, scale);
+  series.allowed.push_back(point.half_width + quantity.tolerance * unit);
   ++quantity.compared;
 
-  const double error = measured(point.theirs - point.reference, quantity.norm, point.reference, scale);
-  const double uncertainty = measured(point.half_width, quantity.norm, point.reference, scale);
+  const double error = std::abs(point.theirs - point.reference) / unit;
+  const double uncertainty = point.half_width / unit;
   const bool differs = error > quantity.tolerance + uncertainty;
   const bool undecided = !differs && uncertainty > quantity.tolerance;
   quantity.undecided += undecided ? 1 : 0;
@@ -66,18 +57,10 @@ void judge(Comparison::Quantity& quantity, const Point& point, double scale) {
 }
 
 Comparison::Quantity count_of(const std::string& name, const std::string& unit, Norm norm, double tolerance) {
-  return {.name = name,
-          .unit = unit,
-          .norm = norm,
-          .tolerance = tolerance,
-          .error = 0.0,
-          .uncertainty = 0.0,
-          .where = {},
-          .agreement = Agreement::agrees,
-          .compared = 0,
-          .undecided = 0,
-          .skipped = {},
-          .series = {}};
+  Comparison::Quantity quantity;
+  quantity.name = name, quantity.unit = unit, quantity.norm = norm, quantity.tolerance = tolerance;
+  quantity.error = quantity.uncertainty = 0.0;
+  return quantity;
 }
 
 void count(Comparison::Quantity& quantity, const std::string& where) {

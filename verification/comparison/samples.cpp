@@ -17,6 +17,21 @@ std::size_t next_of(const Samples& samples, double x) {
   return static_cast<std::size_t>(std::ranges::lower_bound(samples.abscissa, x) - samples.abscissa.begin());
 }
 
+// The sample at x (to `coincidence`); empty if there is none.
+std::optional<Interpolated> sample_at(const Samples& samples, double x, double coincidence) {
+  const std::size_t next = next_of(samples, x - coincidence);
+  if (next == samples.abscissa.size() || std::abs(samples.abscissa[next] - x) > coincidence)
+    return std::nullopt;
+  return Interpolated{samples.values[next], samples.half_width[next]};
+}
+
+// The distance between the two samples on either side of x; infinite outside the samples.
+double gap_at(const Samples& samples, double x) {
+  const std::size_t next = next_of(samples, x);
+  if (next == 0 || next == samples.abscissa.size()) return std::numeric_limits<double>::infinity();
+  return samples.abscissa[next] - samples.abscissa[next - 1];
+}
+
 // The interpolation polynomial through these samples.
 Interpolated polynomial(const Samples& samples, double x, std::span<const std::size_t> points) {
   const auto& xs = samples.abscissa;
@@ -52,13 +67,6 @@ double error_without(const Samples& samples, std::size_t left_out) {
 
 }  // namespace
 
-std::optional<Interpolated> sample_at(const Samples& samples, double x, double coincidence) {
-  const std::size_t next = next_of(samples, x - coincidence);
-  if (next == samples.abscissa.size() || std::abs(samples.abscissa[next] - x) > coincidence)
-    return std::nullopt;
-  return Interpolated{samples.values[next], samples.half_width[next]};
-}
-
 std::optional<Interpolated> interpolated(const Samples& samples, double x, const data::Interpolation& rule,
                                          double error_bound) {
   const auto points = static_cast<std::size_t>(rule.order) + 1;
@@ -90,12 +98,6 @@ std::optional<Interpolated> interpolated(const Samples& samples, double x, doubl
                            ? std::abs(result.value - polynomial(samples, x, next, 2).value)
                            : 8.0 * place * (1.0 - place) * std::min(most_rough, roughness_at(samples, x));
   return result;
-}
-
-double gap_at(const Samples& samples, double x) {
-  const std::size_t next = next_of(samples, x);
-  if (next == 0 || next == samples.abscissa.size()) return std::numeric_limits<double>::infinity();
-  return samples.abscissa[next] - samples.abscissa[next - 1];
 }
 
 ComparedSamples by_stated_interpolation(const Samples& reference, const Samples& theirs,

@@ -21,9 +21,6 @@ struct Interpolated {
   double value{}, half_width{};
 };
 
-/// The sample at x (to `coincidence`); empty if there is none.
-[[nodiscard]] std::optional<Interpolated> sample_at(const Samples& samples, double x, double coincidence);
-
 /// The interpolation polynomial of this rule through the nearest order + 1 samples. The half-width is the
 /// stated bound of the error and the amplified half-widths of the samples. Empty for too few samples.
 [[nodiscard]] std::optional<Interpolated> interpolated(const Samples& samples, double x,
@@ -41,9 +38,6 @@ struct Interpolated {
 /// line. Empty for less than three samples.
 [[nodiscard]] std::optional<Interpolated> interpolated(
     const Samples& samples, double x, double most_rough = std::numeric_limits<double>::infinity());
-
-/// The distance between the two samples on either side of x; infinite outside the samples.
-[[nodiscard]] double gap_at(const Samples& samples, double x);
 
 /// A value of the user and of the reference at the same abscissa.
 struct ComparedSample {
