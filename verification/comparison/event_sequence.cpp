@@ -18,18 +18,24 @@ struct LeavingCosts {
   std::vector<double> reference, theirs;
 };
 
+// How far an event of the reference may be on the other side of a limit.
+double slack_of(const TabulatedEvent& event, const SequenceLimits& limits) {
+  return limits.time_tolerance + event.time_radius;
+}
+
 LeavingCosts leaving_costs(const std::vector<TabulatedEvent>& reference,
                            const std::vector<TabulatedEvent>& theirs, const SequenceLimits& limits) {
   const double end = std::min(limits.horizon, limits.end);
   const double usual =
       reference.empty() ? 1.0 : 0.5 * reference.back().time / static_cast<double>(reference.size());
   LeavingCosts costs;
-  for (const TabulatedEvent& event : reference)
-    costs.reference.push_back(std::min(usual, event.time < end - limits.time_tolerance - event.time_radius
-                                                  ? usual
-                                              : event.time <= end + limits.time_tolerance + event.time_radius
-                                                  ? limits.time_tolerance + event.time_radius
-                                                  : 0.0));
+  for (const TabulatedEvent& event : reference) {
+    const double slack = slack_of(event, limits);
+    if (event.time < end - slack)
+      costs.reference.push_back(usual);
+    else
+      costs.reference.push_back(event.time <= end + slack ? std::min(usual, slack) : 0.0);
+  }
   for (const TabulatedEvent& event : theirs)
     costs.theirs.push_back(event.time <= limits.horizon ? usual : 0.0);
   return costs;
@@ -100,10 +106,9 @@ int contact_at(const std::vector<TabulatedEvent>& events, double t) {
 
 SequenceMatch match(const std::vector<TabulatedEvent>& reference, const std::vector<TabulatedEvent>& theirs,
                     const SequenceLimits& limits) {
-  const auto slack = [&](const TabulatedEvent& event) { return limits.time_tolerance + event.time_radius; };
   std::vector<TabulatedEvent> within;
   for (const TabulatedEvent& event : reference)
-    if (event.time <= limits.horizon + slack(event)) within.push_back(event);
+    if (event.time <= limits.horizon + slack_of(event, limits)) within.push_back(event);
   const auto steps = best_steps(within, theirs, leaving_costs(within, theirs, limits));
 
   SequenceMatch result;
@@ -112,19 +117,18 @@ SequenceMatch match(const std::vector<TabulatedEvent>& reference, const std::vec
     const Step step = steps[i * (theirs.size() + 1) + j];
     i -= step == Step::leave_theirs ? 0 : 1;
     j -= step == Step::leave_reference ? 0 : 1;
-    if (step == Step::leave_theirs) {
-      if (theirs[j].time <= limits.horizon)
-        result.extra.push_back(j);
-      else
-        ++result.beyond;
-    } else if (step == Step::pair && within[i].time <= limits.horizon) {
-      result.pairs.push_back({i, j});
-    } else if (step == Step::pair) {
+    if (step == Step::leave_reference) {
+      const double time = within[i].time, slack = slack_of(within[i], limits);
+      if (time < limits.horizon - slack && time > limits.end)
+        ++result.unreached;
+      else if (time < std::min(limits.horizon, limits.end) - slack)
+        result.missing.push_back(i);
+    } else if ((step == Step::pair ? within[i] : theirs[j]).time > limits.horizon) {
       ++result.beyond;
-    } else if (within[i].time < limits.horizon - slack(within[i]) && within[i].time > limits.end) {
-      ++result.unreached;
-    } else if (within[i].time < std::min(limits.horizon, limits.end) - slack(within[i])) {
-      result.missing.push_back(i);
+    } else if (step == Step::pair) {
+      result.pairs.push_back({i, j});
+    } else {
+      result.extra.push_back(j);
     }
   }
   std::ranges::reverse(result.pairs);
