@@ -96,12 +96,10 @@ class Search {
 
   static Series joined(const std::vector<Series>& groups) {
     Series all;
-    for (const Series& group : groups) {
-      const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
-      append(all.abscissa, group.abscissa), append(all.theirs, group.theirs);
-      append(all.reference, group.reference), append(all.half_width, group.half_width);
-      append(all.allowed, group.allowed);
-    }
+    for (const Series& group : groups)
+      for (const auto column : {&Series::abscissa, &Series::theirs, &Series::reference, &Series::half_width,
+                                &Series::allowed})
+        (all.*column).insert((all.*column).end(), (group.*column).begin(), (group.*column).end());
     return all;
   }
 

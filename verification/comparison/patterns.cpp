@@ -12,6 +12,7 @@
 #include <set>
 
 #include "stickslip/solver/modal_analysis.hpp"
+#include "studies/common/hertz.hpp"
 
 namespace stickslip::studies {
 
@@ -22,7 +23,6 @@ using Found = std::optional<Pattern>;
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr int patterns_tried = 30;  // 16 usual factors, a fitted one, 10 shifts by samples and some more
-constexpr double two_pi = 2.0 * std::numbers::pi;
 
 bool is_of_frequencies(const ComparedValues& values) {
   return values.unit == "Hz" && values.abscissa_name == "mode" &&
