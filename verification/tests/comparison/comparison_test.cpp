@@ -50,7 +50,7 @@ TEST(ComparedCopy, OfEveryDataSetAgreesWithoutError) {
 
 TEST(ComparedCopy, HasAllPointsOfItsSeries) {
   // Of equal errors the first is told.
-  EXPECT_EQ(quantity_of(own_copy("cubic-history").compared(), "y").where, "t = 0 s, run = a");
+  EXPECT_EQ(own_copy("cubic-history").compared("y").where, "t = 0 s, run = a");
   const Comparison comparison = own_copy("stick-frequencies").compared();
   const auto frequency = quantity_of(comparison, "frequency");
   EXPECT_EQ(frequency.compared, 12u);
@@ -141,9 +141,8 @@ TEST(ComparedCurve, MeasuresErrorsByTheLargestValue) {
   // With a horizon by the largest one up to it, which here is that at the horizon.
   std::size_t last = 0;
   while (std::abs(force[last]) <= 0.5 * scale) ++last;
-  auto early = small_package();
-  std::ranges::find(early.resources, "stick-force", &data::Resource::name)->comparison->horizon =
-      own_copy("stick-force")["t"][last];
+  const auto early =
+      with_rule("stick-force", [&](auto& rule) { rule.horizon = own_copy("stick-force")["t"][last]; });
   OwnCopy mine(early, "stick-force");
   mine["friction_force"][0] += 0.1 * std::abs(force[last]);
   const auto found = mine.compared("friction_force");
@@ -152,9 +151,8 @@ TEST(ComparedCurve, MeasuresErrorsByTheLargestValue) {
 
 TEST(ComparedCurve, MeasuresErrorsByTheRangeOfThePublishedColumn) {
   // Of the whole column, however few rows of it a file has.
-  auto with_range = small_package();
-  auto& rule = *std::ranges::find(with_range.resources, "stick-force", &data::Resource::name)->comparison;
-  rule.values.front().norm = data::Norm::range;
+  const auto with_range =
+      with_rule("stick-force", [](auto& rule) { rule.values.front().norm = data::Norm::range; });
   const auto force = own_copy("stick-force")["friction_force"];
   const auto [least, greatest] = std::ranges::minmax(force);
   const double range = greatest - least;
@@ -384,9 +382,8 @@ TEST(ComparedEvents, MayLieOnEitherSideOfTheHorizon) {
   EXPECT_EQ(difference(mine, sixth + 5e-6), 0.0);
   EXPECT_EQ(difference(mine, sixth + 5e-5), 1.0);
   // A relative tolerance is that share of the latest time.
-  auto relative = small_package();
-  std::ranges::find(relative.resources, "damped-events", &data::Resource::name)->comparison->values[0].norm =
-      data::Norm::relative;
+  const auto relative =
+      with_rule("damped-events", [](auto& rule) { rule.values.front().norm = data::Norm::relative; });
   OwnCopy five(relative, "damped-events");
   five.keep_first(5);
   for (const double share : {0.9e-4, 1.1e-4})
@@ -537,7 +534,7 @@ TEST(ComparedHistory, RefusesWhatItCannotCompare) {
   EXPECT_EQ(own_copy("beams").refusal(), "the data set beams says nothing of how to compare with it");
 }
 
-// --- whom it looks like
+// --- what it looks like
 
 struct Mistake {
   const char *set, *wrong_model, *problem;

@@ -27,6 +27,14 @@ inline const data::ReferencePackage& small_package() {
   return package;
 }
 
+/// The small package with another rule for the comparison with a data set.
+inline data::ReferencePackage with_rule(const std::string& set,
+                                        const std::function<void(data::ComparisonRule&)>& change) {
+  auto package = small_package();
+  change(*std::ranges::find(package.resources, set, &data::Resource::name)->comparison);
+  return package;
+}
+
 inline studies::ComparisonSettings with_tolerance(const std::string& quantity, double tolerance,
                                                   std::optional<double> until = std::nullopt) {
   return {.tolerances = {{quantity, tolerance}}, .until = until, .events = {}};

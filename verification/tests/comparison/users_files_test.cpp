@@ -476,9 +476,7 @@ TEST(ComparedSamples, MayHaveTimesOfSinglePrecision) {
 // The polynomials of the data set, of order 3 in each phase, at other times: in the middle between those of the
 // data set, or at a third of them. Interpolation reproduces them but for some ten eps.
 TEST(ComparedSamples, BetweenThoseOfTheDataSetAreComparedWithThem) {
-  auto package = small_package();
-  std::ranges::find(package.resources, "cubic-history", &data::Resource::name)
-      ->comparison->interpolation.reset();
+  const auto package = with_rule("cubic-history", [](auto& rule) { rule.interpolation.reset(); });
   // At 0.01, ..., 0.29 s of the data set, or at their 15 or 10 samples up to 0.283 s or 0.273 s.
   for (const auto& [step, count] :
        std::vector<std::pair<std::size_t, std::size_t>>{{1, 29}, {2, 15}, {3, 10}})

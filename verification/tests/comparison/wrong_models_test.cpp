@@ -158,13 +158,29 @@ Values wrong_values(const data::Case& problem, const char* name, Quantity quanti
   return studies::wrong_result(problem, name, quantity, abscissa).value();
 }
 
-double distance_from_truth(const data::Case& problem, const char* name, Quantity quantity) {
-  ModelResults alone;
-  alone.quantity = quantity;
-  alone.abscissa = abscissa_for(problem, quantity);
-  alone.reference = studies::reference_result(problem, quantity, alone.abscissa);
-  return studies::distance(alone, wrong_values(problem, name, quantity, alone.abscissa), alone.reference);
+// The result of the right model alone.
+ModelResults right_result_of(const data::Case& problem, Quantity quantity) {
+  ModelResults result;
+  result.quantity = quantity;
+  result.abscissa = abscissa_for(problem, quantity);
+  result.reference = studies::reference_result(problem, quantity, result.abscissa);
+  return result;
 }
+
+double distance_from_truth(const data::Case& problem, const char* name, Quantity quantity) {
+  const ModelResults right = right_result_of(problem, quantity);
+  return studies::distance(right, wrong_values(problem, name, quantity, right.abscissa), right.reference);
+}
+
+// The friction force of the strip while its tip is held: the right one, and that of wrong models.
+struct StripForce {
+  data::Case problem = strip_case(0.3);
+  ModelResults right = right_result_of(problem, Quantity::stick_force);
+
+  [[nodiscard]] Values of(const char* wrong_model) const {
+    return wrong_values(problem, wrong_model, Quantity::stick_force, right.abscissa);
+  }
+};
 
 // What the modes beyond N add to y(L/2) at most, relative to its root mean square: A sum that leaves them out
 // claims to be right up to that.
@@ -478,35 +494,30 @@ TEST(WrongModel, SteadyStateOnlyIsTheSteadyAmplitude) {
 }
 
 TEST(WrongModel, BaseLoadAndMovingWallAddUpToTheTruth) {
-  const data::Case problem = strip_case(0.3);
-  const ModelResults model_results = model_results_of(problem, Quantity::stick_force);
-  const auto values = [&](const char* name) {
-    return wrong_values(problem, name, Quantity::stick_force, model_results.abscissa);
-  };
-  const Values support = values("base-load-left-out"), load = values("wall-moves-with-base"),
-               reversed = values("base-load-sign");
+  const StripForce force;
+  const Values support = force.of("base-load-left-out"), load = force.of("wall-moves-with-base");
   Values sum, difference;
   for (std::size_t i = 0; i < support.size(); ++i) {
     sum.push_back(support[i] + load[i]);
     difference.push_back(support[i] - load[i]);
   }
-  EXPECT_TRUE(within(studies::distance(model_results, sum, model_results.reference), 0.0,
-                     discretisation(truncation(problem, model_results), 2.0, "sixty modes")));
-  EXPECT_TRUE(within(studies::distance(model_results, reversed, difference), 0.0, round_off(1e3, 10.0, 1.0)));
+  EXPECT_TRUE(within(studies::distance(force.right, sum, force.right.reference), 0.0,
+                     discretisation(truncation(force.problem, force.right), 2.0, "sixty modes")));
+  EXPECT_TRUE(within(studies::distance(force.right, force.of("base-load-sign"), difference), 0.0,
+                     round_off(1e3, 10.0, 1.0)));
 }
 
 TEST(WrongModel, WithoutTheQuasiStaticPartLacksTheStaticForce) {
-  const data::Case problem = strip_case(0.3);
-  const ModelResults model_results = model_results_of(problem, Quantity::stick_force);
-  const analytic::QuasiStaticShape shape(problem.beam);
-  Values completed =
-      wrong_values(problem, "quasi-static-part-left-out", Quantity::stick_force, model_results.abscissa);
-  const double rigidity = problem.beam.youngs_modulus() * problem.beam.second_moment_of_area();
+  const StripForce force;
+  const data::Beam& beam = force.problem.beam;
+  const analytic::QuasiStaticShape shape(beam);
+  Values completed = force.of("quasi-static-part-left-out");
   for (std::size_t i = 0; i < completed.size(); ++i)
-    completed[i] += rigidity * shape.third_derivative(problem.beam.length()) *
-                    base_motion(problem, model_results.abscissa[i]);
-  EXPECT_TRUE(within(studies::distance(model_results, completed, model_results.reference), 0.0,
-                     discretisation(truncation(problem, model_results), 2.0, "sixty modes")));
+    completed[i] += beam.youngs_modulus() * beam.second_moment_of_area() *
+                    shape.third_derivative(beam.length()) *
+                    base_motion(force.problem, force.right.abscissa[i]);
+  EXPECT_TRUE(within(studies::distance(force.right, completed, force.right.reference), 0.0,
+                     discretisation(truncation(force.problem, force.right), 2.0, "sixty modes")));
 }
 
 TEST(WrongModel, ParticipationWithoutShapeIsTheQuotientOfIntegrals) {
@@ -560,24 +571,20 @@ TEST(WrongModel, WithAClampedTipHasTheFrequenciesOfABeamClampedAtBothEnds) {
 
 TEST(WrongModel, DeadLoadHasTheReactionWithoutFollowerTerm) {
   // By a mesh and by the closed form.
-  const data::Case problem = strip_case(0.3);
-  const ModelResults model_results = model_results_of(problem, Quantity::stick_force);
-  const auto values = [&](const char* name) {
-    return wrong_values(problem, name, Quantity::stick_force, model_results.abscissa);
-  };
-  const analytic::StickResponse response(problem.beam, problem.excitation, 60);
+  const StripForce force;
+  const data::Beam& beam = force.problem.beam;
+  const analytic::StickResponse response(beam, force.problem.excitation, 60);
   double drift = 0.0;
   for (std::size_t n = 0; n < 60; ++n) {
-    const double error =
-        studies::hermite_eigenvalue_error(problem.beam, response.modes()[n], problem.beam.length() / 60);
+    const double error = studies::hermite_eigenvalue_error(beam, response.modes()[n], beam.length() / 60);
     const auto term = response.transient_force()[n];
     drift += std::abs(term.amplitude) * std::min(2.0, 0.5 * error * term.angular_frequency * 0.3);
   }
-  const double scale = studies::distance(model_results, Values(model_results.reference.size(), drift),
-                                         Values(model_results.reference.size(), 0.0));
+  const std::size_t size = force.right.reference.size();
+  const double scale = studies::distance(force.right, Values(size, drift), Values(size, 0.0));
   EXPECT_TRUE(within(
-      studies::distance(model_results, values("dead-load"), values("reaction-without-follower-term")), 0.0,
-      discretisation(scale + truncation(problem, model_results), 1.0,
+      studies::distance(force.right, force.of("dead-load"), force.of("reaction-without-follower-term")), 0.0,
+      discretisation(scale + truncation(force.problem, force.right), 1.0,
                      "drift on 60 elements and sixty modes")));
 }
 
