@@ -11,7 +11,6 @@
 #include <limits>
 #include <numeric>
 #include <set>
-#include <stdexcept>
 #include <utility>
 
 #include "comparison/event_sequence.hpp"

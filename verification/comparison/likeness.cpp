@@ -2,7 +2,6 @@
 #include "comparison/likeness.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>

@@ -29,6 +29,20 @@ bool is_of_frequencies(const ComparedValues& values) {
          std::ranges::is_sorted(values.reference, std::less_equal());
 }
 
+// The root mean square of (a - b)/s, where s is the reference itself in a relative norm, else the root mean square of
+// the reference.
+double distance(const ComparedValues& values, const Values& a, const Values& b) {
+  const auto size = static_cast<double>(values.reference.size());
+  double square = 0.0, sum = 0.0;
+  for (const double reference : values.reference) square += reference * reference;
+  const double common = std::sqrt(square / size);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double s = values.norm == data::Norm::relative ? values.reference[i] : common;
+    sum += a[i] == b[i] ? 0.0 : std::pow((a[i] - b[i]) / s, 2);
+  }
+  return std::sqrt(sum / size);
+}
+
 // --- factors
 
 struct UsualFactor {
@@ -351,24 +365,8 @@ double required_ratio(std::size_t values, int free, int tried) {
   return std::max(least_ratio, std::pow(choices, 1.0 / n));
 }
 
-double distance(const ComparedValues& values, const Values& a, const Values& b) {
-  double square = 0.0;
-  for (const double reference : values.reference) square += reference * reference;
-  const double common = std::sqrt(square / static_cast<double>(values.reference.size()));
-  double sum = 0.0;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    if (std::isnan(a[i]) || std::isnan(b[i])) continue;
-    const double s = values.norm == data::Norm::relative ? values.reference[i] : common;
-    sum += a[i] == b[i] ? 0.0 : std::pow((a[i] - b[i]) / s, 2);
-    ++count;
-  }
-  return count == 0 ? std::numeric_limits<double>::infinity() : std::sqrt(sum / static_cast<double>(count));
-}
-
 Found accepted(const ComparedValues& values, Pattern pattern, const Values& predicted, int free, int tried) {
   ComparedValues kept = values;
-  Values theirs;
   kept.theirs.clear(), kept.reference.clear();
   Values expected;
   for (std::size_t i = 0; i < predicted.size(); ++i) {

@@ -26,8 +26,8 @@ struct Pattern {
   std::string name;      ///< such as "constant-factor"
   std::string sentence;  ///< without a full stop
   double factor{};       ///< of a constant factor, else 0
-  double remaining{};    ///< root mean square of what the pattern leaves unexplained
-  double difference{};   ///< the same measure of the whole difference
+  double remaining{};  ///< root mean square of what the pattern leaves unexplained, relative to the reference
+  double difference{};  ///< the same measure of the whole difference
 };
 
 /// The difference that remains must be below that of the reference by this factor before a pattern is named.
@@ -38,11 +38,6 @@ struct Pattern {
 /// R = (tried/0.01)^(1/(n-free)); and at least 10, which is empirical. Neighbouring values are correlated, so that n counts as at
 /// most 6; this is empirical as well. The result is infinite if n <= free.
 [[nodiscard]] double required_ratio(std::size_t values, int free, int tried);
-
-/// The root mean square of (a - b)/s, where s is the reference itself in a relative norm, else the root mean
-/// square of the reference.
-[[nodiscard]] double distance(const ComparedValues& values, const std::vector<double>& a,
-                              const std::vector<double>& b);
 
 /// `predicted` as a pattern, if it is near enough to the user's values. A NaN leaves the value out;
 /// at least three must remain.
