@@ -207,7 +207,7 @@ class Search {
     return names;
   }
 
-  // --- another data set, or another group of this one
+  // --- another data set
 
   // It must have half of the user's rows, and explain a difference in one of them.
   [[nodiscard]] Found other_values(const Comparison::Quantity& quantity, const ComparedValues& values,
