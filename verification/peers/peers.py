@@ -114,8 +114,9 @@ def judge(problem, output):
         command += ["--events", output / "events.csv"]
     (output / "verdict.json").unlink(missing_ok=True)
     run = subprocess.run(command, capture_output=True, text=True)
-    if run.returncode not in (0, 1):
-        raise CannotRun(run.stderr.strip().splitlines()[-1].replace(str(output) + "/", "")[:160])
+    if run.returncode not in (0, 1) or not (output / "verdict.json").exists():
+        said = run.stderr.strip().splitlines() or [f"compare: exit code {run.returncode}"]
+        raise CannotRun(said[-1].replace(str(output) + "/", "")[:160])
     verdict = json.loads((output / "verdict.json").read_text())
     compared = [q for q in verdict["quantities"] if q["compared"] > 0 or q["verdict"] == "differs"]
     for quantity in compared:

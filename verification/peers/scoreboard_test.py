@@ -50,9 +50,12 @@ class Verdict(unittest.TestCase):
             try:
                 self.assertEqual(peers.judge("stick-slip-events", folder), {
                     "verdict": "differs", "quantity": "position", "error": "2e-05 m", "tolerance": "1e-05 m"})
-                (folder / "stickslip").write_text("#!/bin/sh\necho 'result.csv: bad' >&2; exit 2\n")
-                with self.assertRaises(peers.CannotRun):
-                    peers.judge("stick-slip-events", folder)
+                # A refusal, and a mistake of the program, which leaves no verdict.
+                for ending in ("echo 'result.csv: bad' >&2; exit 2", "echo 'internal error' >&2; exit 1", "exit 1"):
+                    with self.subTest(ending=ending):
+                        (folder / "stickslip").write_text(f"#!/bin/sh\n{ending}\n")
+                        with self.assertRaises(peers.CannotRun):
+                            peers.judge("stick-slip-events", folder)
             finally:
                 peers.PROGRAM = program
 
