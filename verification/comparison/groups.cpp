@@ -23,7 +23,8 @@ std::string label_of(const std::vector<std::string>& columns, const Cell& cell) 
 }
 
 const data::Column* column_of(const std::vector<data::Column>& columns, const std::string& name) {
-  const auto found = std::ranges::find(columns, name, [](const data::Column& one) { return one.field.name; });
+  const auto found = std::ranges::find(
+      columns, name, [](const data::Column& one) -> const auto& { return one.field.name; });
   return found == columns.end() ? nullptr : &*found;
 }
 
