@@ -683,10 +683,6 @@ TEST(WrongModel, WithAMovingWallCarriesTheTipAlongUntilItSlips) {
 
 // --- the diagnosis
 
-data::Case with_length(data::Case problem, double factor) {
-  return studies::with_value(problem, studies::Parameter::length, factor * problem.beam.length());
-}
-
 STICKSLIP_VERIFIES(Diagnosis, "X17");
 TEST(Diagnosis, BlamesNobodyForAMistakeThatIsNotOnTheList) {
   for (const char* name : {"paper", "strip"})
@@ -695,7 +691,8 @@ TEST(Diagnosis, BlamesNobodyForAMistakeThatIsNotOnTheList) {
           Quantity::force_maximum, Quantity::stick_force, Quantity::stick_displacement}) {
       const data::Case problem = case_for(name, quantity);
       const ModelResults model_results = model_results_of(problem, quantity);
-      const data::Case too_long = with_length(problem, 1.04);
+      const data::Case too_long =
+          studies::with_value(problem, studies::Parameter::length, 1.04 * problem.beam.length());
       const data::Case too_soft = studies::with_value(problem, studies::Parameter::youngs_modulus,
                                                       0.93 * problem.beam.youngs_modulus());
       for (const data::Case& wrong : {too_long, too_soft}) {
