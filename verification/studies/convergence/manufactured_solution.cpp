@@ -4,7 +4,6 @@
 #include <gsl/gsl_integration.h>
 
 #include <Eigen/Dense>
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>

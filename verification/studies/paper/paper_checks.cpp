@@ -6,7 +6,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/slip_modes.hpp"

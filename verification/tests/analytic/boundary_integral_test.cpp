@@ -21,6 +21,7 @@
 #include "stickslip/analytic/tip_mobility.hpp"
 #include "support/beams.hpp"
 #include "support/contact_models.hpp"
+#include "support/parameter_name.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
@@ -193,10 +194,6 @@ std::vector<double> shaking(double amplitude, double h, double end) {
   return forces;
 }
 
-struct FrictionPower {
-  double amplitude, mean;
-};
-
 class BoundaryIntegralOfAShakenPlane : public ::testing::TestWithParam<FrictionPower> {};
 
 STICKSLIP_VERIFIES(BoundaryIntegralOfAShakenPlane, "D4");
@@ -218,10 +215,8 @@ TEST_P(BoundaryIntegralOfAShakenPlane, HasThePublishedFrictionPower) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sdnd104, BoundaryIntegralOfAShakenPlane,
-                         ::testing::Values(FrictionPower{15.0, 15.2670995893716},
-                                           FrictionPower{1.5, 0.409062451015709},
-                                           FrictionPower{1.01, 2.26164121279787e-4},
-                                           FrictionPower{0.99, 0.0}));
+                         ::testing::ValuesIn(sdnd104_friction_powers),
+                         [](const auto& instance) { return parameter_name(instance.param.amplitude); });
 
 TEST(BoundaryIntegral, IsTheRunOfAFreeMassByItsOneMode) {
   const double h = 1e-3;

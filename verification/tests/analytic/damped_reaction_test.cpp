@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string>
 
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/damped_reaction.hpp"

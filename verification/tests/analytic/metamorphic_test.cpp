@@ -77,6 +77,16 @@ EventDriven run(const StickSlipProblem& problem, double periods) {
   return run(contact_model(problem).model(), periods * period(problem.excitation));
 }
 
+/// The events of both, bit for bit. Times and positions of the second are in units `time` and `length` of the first.
+void expect_identical_events(const EventDriven& a, const EventDriven& b, double time, double length) {
+  ASSERT_EQ(a.events().size(), b.events().size());
+  for (std::size_t i = 0; i < a.events().size(); ++i) {
+    ASSERT_EQ(a.events()[i].change, b.events()[i].change);
+    ASSERT_EQ(a.events()[i].time * time, b.events()[i].time);
+    ASSERT_EQ(a.events()[i].position * length, b.events()[i].position);
+  }
+}
+
 // Symmetry.
 
 ContactModel mirrored(ContactModel model) {
@@ -105,12 +115,7 @@ TEST(Symmetry, MirroredBaseMirrorsTheEventDrivenHistoryBitForBit) {
         ASSERT_EQ(plus.rates()[n], -minus.rates()[n]);
       }
     }
-    ASSERT_EQ(plus.events().size(), minus.events().size());
-    for (std::size_t i = 0; i < plus.events().size(); ++i) {
-      ASSERT_EQ(plus.events()[i].change, minus.events()[i].change);
-      ASSERT_EQ(plus.events()[i].time, minus.events()[i].time);
-      ASSERT_EQ(plus.events()[i].position, -minus.events()[i].position);
-    }
+    expect_identical_events(plus, minus, 1.0, -1.0);
     events += static_cast<int>(plus.events().size());
   });
   EXPECT_GT(events, 200);
@@ -211,12 +216,7 @@ TEST(UnitChange, ByPowersOfTwoLeavesTheEventDrivenHistoryTheSameBitForBit) {
     const StickSlipProblem problem = slipping(beam, numbers);
     const Units units = random_powers_of_two(numbers);
     const EventDriven a = run(problem, 2.0), b = run(in_units(units, problem), 2.0);
-    ASSERT_EQ(a.events().size(), b.events().size());
-    for (std::size_t i = 0; i < a.events().size(); ++i) {
-      ASSERT_EQ(a.events()[i].change, b.events()[i].change);
-      ASSERT_EQ(a.events()[i].time * units.time, b.events()[i].time);
-      ASSERT_EQ(a.events()[i].position * units.length, b.events()[i].position);
-    }
+    expect_identical_events(a, b, units.time, units.length);
     EXPECT_EQ(a.friction_force() * units.force(), b.friction_force());
     EXPECT_EQ(a.contact_displacement() * units.length, b.contact_displacement());
     EXPECT_EQ(a.contact_velocity() * units.velocity(), b.contact_velocity());
@@ -233,11 +233,7 @@ TEST(UnitChange, OfLengthAndTimeByPowersOfTwoLeavesAModallyDampedHistoryTheSameB
     Units units = random_powers_of_two(numbers);
     units.mass = 1.0;
     const EventDriven a = run(problem, 1.0), b = run(in_units(units, problem), 1.0);
-    ASSERT_EQ(a.events().size(), b.events().size());
-    for (std::size_t i = 0; i < a.events().size(); ++i) {
-      ASSERT_EQ(a.events()[i].time * units.time, b.events()[i].time);
-      ASSERT_EQ(a.events()[i].position * units.length, b.events()[i].position);
-    }
+    expect_identical_events(a, b, units.time, units.length);
   });
 }
 
@@ -262,11 +258,7 @@ TEST(UnitChange, ByPowersOfTwoLeavesAFreeMotionTheSameBitForBit) {
     const double end = 20.0 / first;
     const EventDriven a = released(problem, bent, end);
     const EventDriven b = released(in_units(units, problem), bent * units.length, end * units.time);
-    ASSERT_EQ(a.events().size(), b.events().size());
-    for (std::size_t i = 0; i < a.events().size(); ++i) {
-      ASSERT_EQ(a.events()[i].time * units.time, b.events()[i].time);
-      ASSERT_EQ(a.events()[i].position * units.length, b.events()[i].position);
-    }
+    expect_identical_events(a, b, units.time, units.length);
     EXPECT_EQ(a.contact_displacement() * units.length, b.contact_displacement());
     events += static_cast<int>(a.events().size());
   });

@@ -10,6 +10,7 @@
 #include <complex>
 #include <limits>
 #include <numbers>
+#include <set>
 #include <vector>
 
 #include "stickslip/analytic/beam_contact_model.hpp"

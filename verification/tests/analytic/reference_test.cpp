@@ -5,10 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <complex>
 #include <cstddef>
 #include <numbers>
-#include <vector>
 
 #include "analytic/gsl.hpp"
 #include "stickslip/analytic/damped_steady_state.hpp"
@@ -16,6 +14,7 @@
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "support/beams.hpp"
+#include "support/random_beams.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
@@ -34,15 +33,9 @@ using std::numbers::pi;
 constexpr double length = 2.0;
 constexpr double amplitude = 0.5e-3;
 
-double rigidity(const data::Beam& beam) { return beam.youngs_modulus() * beam.second_moment_of_area(); }
-
 double mass(const data::Beam& beam) { return beam.density() * beam.area(); }
 
 double axial_force_of(double load_factor) { return load_factor * rigidity(paper_beam()) / (length * length); }
-
-data::Beam beam_with_load_factor(double factor) {
-  return paper_beam_with_axial_force(axial_force_of(factor));
-}
 
 data::HarmonicExcitation shaking(double hz) { return data::HarmonicExcitation({hz, amplitude}); }
 
@@ -50,7 +43,7 @@ STICKSLIP_VERIFIES(StickModes, "A2");
 TEST(StickModes, AreOrthogonalInTheEnergy) {
   // int EI U_m'' U_n'' - P U_m' U_n' = omega^2 rho A int U^2 for m = n, else 0.
   for (const double factor : {-300.0, 0.0, 15.0}) {
-    const data::Beam beam = beam_with_load_factor(factor);
+    const data::Beam beam = paper_beam_with_load_factor(factor);
     const auto modes = stick_modes(beam, 5);
     const auto energy = [&](const StickMode& mode) {
       return std::pow(mode.angular_frequency(), 2) * mass(beam) * mode.norm_squared();
@@ -80,7 +73,7 @@ TEST(StickModes, FrequencySquaredFallsWithTheAxialForceByItsShareOfTheEnergy) {
       const auto square = [n](double axial_force) {
         return std::pow(stick_modes(paper_beam_with_axial_force(axial_force), 3)[n].angular_frequency(), 2);
       };
-      const StickMode mode = stick_modes(beam_with_load_factor(factor), 3)[n];
+      const StickMode mode = stick_modes(paper_beam_with_load_factor(factor), 3)[n];
       const Estimate slopes =
           integral([&](double x) { return std::pow(mode.slope(x), 2); }, 0.0, length, mode.norm_squared());
       const double expected = -slopes.value / (mass(paper_beam()) * mode.norm_squared());
@@ -94,7 +87,7 @@ TEST(StickModes, VibrateLikeAStringUnderStrongTension) {
   // s = sqrt(-P L^2/EI) >> 1. The clamp shortens the string by L/s: omega = n pi/L sqrt(-P/rho A) (1 + 1/s +
   // r), r = (1 + (n pi)^2/2)/s^2 + O(s^-3), from tan(bb) = bb/b, b^2 = bb^2 + s^2.
   for (const double s : {100.0, 1000.0}) {
-    const data::Beam beam = beam_with_load_factor(-s * s);
+    const data::Beam beam = paper_beam_with_load_factor(-s * s);
     for (const StickMode& mode : stick_modes(beam, 3)) {
       const double order = mode.number() * pi;
       const double string = order / length * std::sqrt(-beam.axial_force() / mass(beam));
@@ -110,7 +103,7 @@ TEST(StickModes, ParticipationsAddUpToTheWholeLoad) {
   // P = 0 but for exponentials; that tail is 4 L/(pi^2 (N + 3/4)) to within 1/(12 N^2) of itself, and P adds
   // z/(N pi)^2.
   for (const double factor : {-20.0, 0.0, 15.0}) {
-    const data::Beam beam = beam_with_load_factor(factor);
+    const data::Beam beam = paper_beam_with_load_factor(factor);
     const QuasiStaticShape shape(beam);
     const Estimate whole =
         integral([&](double x) { return std::pow(1.0 + shape.value(x), 2); }, 0.0, length, length);
@@ -131,7 +124,7 @@ TEST(StickModes, ParticipationsAddUpToTheWholeLoad) {
 STICKSLIP_VERIFIES(QuasiStaticShape, "A1");
 TEST(QuasiStaticShape, HasTheForcesOfAProppedCantilever) {
   // P = 0: 3 EI/L^3 at the tip, 3 EI/L^2 in the clamp.
-  const data::Beam beam = beam_with_load_factor(0.0);
+  const data::Beam beam = paper_beam_with_load_factor(0.0);
   const QuasiStaticShape shape(beam);
   EXPECT_TRUE(within(shape.third_derivative(length), 3.0 / std::pow(length, 3), round_off(8, 1, 1.0)));
   EXPECT_TRUE(within(shape.curvature(0.0), -3.0 / (length * length), round_off(8, 1, 1.0)));
@@ -162,7 +155,7 @@ TEST(StickResponse, HasNoBendingMomentAtTheTip) {
 TEST(StickResponse, SlowShakingAddsTheInertiaOfTheMasslessShape) {
   // P = 0. f/A0 = 3 EI/L^3 + rho A L Omega^2 39/280 + O(Omega^4), with int (1 + S) S dx = -39/280 L; the next
   // term is (Omega/omega_1)^2 of the second.
-  const data::Beam beam = beam_with_load_factor(0.0);
+  const data::Beam beam = paper_beam_with_load_factor(0.0);
   const double natural = stick_modes(beam, 1).front().angular_frequency();
   for (const double hz : {0.1, 1.0}) {
     const double omega = 2.0 * pi * hz;
@@ -180,7 +173,7 @@ STICKSLIP_VERIFIES(DampedSteadyState, "A7");
 TEST(DampedSteadyState, SlowShakingBendsTheBeamIntoTheMasslessShape) {
   // Y = A0 (1 + S) up to (Omega/omega_1)^2, whatever the damping, with the tip held.
   for (const double factor : {-20.0, 0.12, 15.0}) {
-    const data::Beam beam = beam_with_load_factor(factor);
+    const data::Beam beam = paper_beam_with_load_factor(factor);
     const QuasiStaticShape shape(beam);
     const double natural = stick_modes(beam, 1).front().angular_frequency(), hz = 0.1;
     const analytic::DampedSteadyState steady(beam, shaking(hz), data::Damping({.kelvin_voigt = 6.4e-5}),
@@ -203,7 +196,7 @@ TEST(SlipModes, FrequencySquaredFollowsTheAxialForceByBothModes) {
       const auto square = [n](double axial_force) {
         return std::pow(slip_modes(paper_beam_with_axial_force(axial_force), 3)[n].angular_frequency(), 2);
       };
-      const SlipMode mode = slip_modes(beam_with_load_factor(factor), 3)[n];
+      const SlipMode mode = slip_modes(paper_beam_with_load_factor(factor), 3)[n];
       const Estimate work = integral([&](double x) { return mode.adjoint_shape(x) * mode.curvature(x); }, 0.0,
                                      length, length * std::pow(mode.trigonometric_wave_number(), 2));
       const Estimate overlap =
@@ -217,7 +210,7 @@ TEST(SlipModes, FrequencySquaredFollowsTheAxialForceByBothModes) {
 
 TEST(SlipModes, ClampedFreeShapesAreNormalisedLikeTheClassicalOnes) {
   // P = 0: int psi^2 dx = L/4 of a shape that is 1 at the tip, and the adjoint mode is the mode.
-  for (const SlipMode& mode : slip_modes(beam_with_load_factor(0.0), 4)) {
+  for (const SlipMode& mode : slip_modes(paper_beam_with_load_factor(0.0), 4)) {
     const Estimate norm = integral([&](double x) { return std::pow(mode.shape(x), 2); }, 0.0, length, length);
     EXPECT_TRUE(
         within(norm.value, length / 4.0,

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "stickslip/analytic/contact_dynamics.hpp"
 #include "stickslip/analytic/stick_propagator.hpp"

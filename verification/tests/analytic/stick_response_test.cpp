@@ -8,7 +8,6 @@
 #include <numbers>
 #include <random>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "analytic/gsl.hpp"
@@ -16,6 +15,8 @@
 #include "stickslip/analytic/stick_response.hpp"
 #include "support/beams.hpp"
 #include "support/order.hpp"
+#include "support/random_beams.hpp"
+#include "support/refusal.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
@@ -37,14 +38,7 @@ data::HarmonicExcitation shaking(double frequency_hz, double amplitude = 0.5e-3)
   return data::HarmonicExcitation({.frequency_hz = frequency_hz, .amplitude = amplitude});
 }
 
-double stiffness(const data::Beam& beam) { return beam.youngs_modulus() * beam.second_moment_of_area(); }
-
 double mass(const data::Beam& beam) { return beam.density() * beam.area(); }
-
-data::Beam beam_with_load_factor(double factor) {
-  const data::Beam beam = paper_beam();
-  return paper_beam_with_axial_force(factor * stiffness(beam) / (beam.length() * beam.length()));
-}
 
 /// A sum of sinusoids bounds the size of the m-th derivative of what it represents.
 double derivative_size(double steady, double omega, const std::vector<Sinusoid>& transient, int order) {
@@ -84,35 +78,6 @@ TEST(StickResponse, StartsFromRestRelativeToTheWall) {
   }
 }
 
-/// max |f| over 10 s, every 1e-4 s, at 15 Hz and 0.5 mm with N modes, when not only u but also u_t starts
-/// from zero, as Sect. 3 says: every mode then carries -A0 Omega sin(omega_n t)/omega_n int U S dx/int U^2 dx
-/// more.
-double maximum_force_from_zero_velocity(int count) {
-  const data::Beam beam = paper_beam();
-  const StickResponse response(beam, shaking(15.0), count);
-  const analytic::QuasiStaticShape quasi_static(beam);
-  std::vector<Sinusoid> added;
-  for (const StickMode& mode : response.modes()) {
-    const auto product = [&](double x) { return mode.shape(x) * quasi_static.value(x); };
-    const double share = integral(product, 0.0, 2.0, mode.norm_squared()).value / mode.norm_squared();
-    const double omega = mode.angular_frequency();
-    added.push_back(
-        {-stiffness(beam) * mode.third_derivative(2.0) * 0.5e-3 * 30.0 * pi * share / omega, omega});
-  }
-  double maximum = 0.0;
-  for (int i = 0; i <= 100000; ++i) {
-    double force = response.friction_force(1e-4 * i);
-    for (const Sinusoid& s : added) force += s.amplitude * std::sin(s.angular_frequency * 1e-4 * i);
-    maximum = std::max(maximum, std::abs(force));
-  }
-  return maximum;
-}
-
-TEST(StickResponse, ZeroInitialVelocityWouldMakeTheReactionGrowWithEveryMode) {
-  EXPECT_TRUE(within(maximum_force_from_zero_velocity(10), 201.0, reference(0.5, "three digits of E4")));
-  EXPECT_TRUE(within(maximum_force_from_zero_velocity(20), 393.0, reference(0.5, "three digits of E4")));
-}
-
 TEST(StickResponse, KeepsTheClampAndTheTipAtTheWall) {
   for (const SteadyPart steady : kBothSums) {
     const StickResponse response(paper_beam(), shaking(25.0), 10, steady);
@@ -128,29 +93,19 @@ TEST(StickResponse, KeepsTheClampAndTheTipAtTheWall) {
   }
 }
 
-TEST(StickResponse, ModalCoordinateSatisfiesTheEquationOfOrderTwoInFrequency) {
-  // With one mode kept, T = (u - S h)/U. Eq. (24) as printed has omega T; Eq. (26) solves omega^2 T (E3).
+TEST(StickResponse, OfOneModeIsTheStaticShapeAndTheModalCoordinateOfEquation26) {
   const data::Beam beam = paper_beam();
   const StickMode mode = stick_modes(beam, 1).front();
   const analytic::QuasiStaticShape quasi_static(beam);
   const StickResponse response(beam, shaking(15.0), 1);
   const double x = 1.1, omega = mode.angular_frequency(), drive = 2.0 * pi * 15.0;
-  const auto coordinate = [&](double t) {
-    return (response.relative_displacement(x, t) - quasi_static.value(x) * response.base_displacement(t)) /
-           mode.shape(x);
-  };
-  const auto transient = response.transient_displacement(x);
-  const double h = 1e-4;
-  const double fourth =
-      derivative_size(response.steady_displacement_amplitude(x) - quasi_static.value(x) * 0.5e-3, drive,
-                      transient, 4) /
-      std::abs(mode.shape(x));
   for (const double t : {0.02, 0.1, 0.35}) {
-    const double acceleration = second_difference(coordinate, t, h);
-    const double load = -mode.participation() * drive * drive * response.base_displacement(t);
-    const Tolerance tolerance = discretisation(h * h * fourth / 12.0, 1.1, "h^2 T''''/12");
-    EXPECT_TRUE(within(acceleration + omega * omega * coordinate(t), load, tolerance));
-    EXPECT_FALSE(within(acceleration + omega * coordinate(t), load, tolerance));
+    const double coordinate = 0.5e-3 * drive * drive * mode.participation() *
+                              (omega * std::sin(drive * t) - drive * std::sin(omega * t)) /
+                              ((drive * drive - omega * omega) * omega);
+    const double expected =
+        quasi_static.value(x) * response.base_displacement(t) + mode.shape(x) * coordinate;
+    EXPECT_TRUE(within(response.relative_displacement(x, t), expected, round_off(10, 1.0 + omega * t, 1e-3)));
   }
 }
 
@@ -170,7 +125,7 @@ TEST(StickResponse, SatisfiesTheEquationOfMotionAtRandomPoints) {
   }
   const double h = 0.02 / wave, dt = 0.02 / last.angular_frequency();
   const double error =
-      stiffness(beam) * h * h * std::pow(wave, 6) * size / 6.0 + mass(beam) * dt * dt * time_fourth / 12.0;
+      rigidity(beam) * h * h * std::pow(wave, 6) * size / 6.0 + mass(beam) * dt * dt * time_fourth / 12.0;
   std::mt19937 generator(2018);
   std::uniform_real_distribution<double> place(0.1, 1.9), time(0.01, 1.0);
   for (int i = 0; i < 50; ++i) {
@@ -178,7 +133,7 @@ TEST(StickResponse, SatisfiesTheEquationOfMotionAtRandomPoints) {
     const auto along = [&](double s) { return response.relative_displacement(s, t); };
     const auto during = [&](double s) { return response.relative_displacement(x, s); };
     const double sum = mass(beam) * second_difference(during, t, dt) +
-                       stiffness(beam) * fourth_difference(along, x, h) +
+                       rigidity(beam) * fourth_difference(along, x, h) +
                        beam.axial_force() * second_difference(along, x, h);
     const double load = mass(beam) * drive * drive * response.base_displacement(t);
     EXPECT_TRUE(within(sum, load, discretisation(error, 1.1, "second-order differences")));
@@ -195,9 +150,9 @@ TEST(StickResponse, ForceIsTheThirdDerivativeOfTheDeflectionAtTheTip) {
     for (const double t : {0.017, 0.05, 0.31}) {
       const auto along = [&](double x) { return response.relative_displacement(x, t); };
       EXPECT_TRUE(within(response.friction_force(t),
-                         stiffness(paper_beam()) * backward_third_difference(along, 2.0, h),
-                         discretisation(stiffness(paper_beam()) * 1.75 * h * h * std::pow(wave, 5) * size,
-                                        2.0, "7/4 h^2 u^(5)")));
+                         rigidity(paper_beam()) * backward_third_difference(along, 2.0, h),
+                         discretisation(rigidity(paper_beam()) * 1.75 * h * h * std::pow(wave, 5) * size, 2.0,
+                                        "7/4 h^2 u^(5)")));
     }
   }
 }
@@ -214,14 +169,6 @@ TEST(StickResponse, IsTheSumOfItsSinusoids) {
       const double phase = 1.0 + transient.back().angular_frequency * t;
       EXPECT_TRUE(within(response.friction_force(t), sum, round_off(10, phase, size)));
     }
-  }
-}
-
-TEST(StickResponse, IsProportionalToTheAmplitude) {
-  const StickResponse one(paper_beam(), shaking(35.0, 1e-3)), three(paper_beam(), shaking(35.0, 3e-3));
-  for (const double t : {0.1, 1.0, 7.7}) {
-    EXPECT_DOUBLE_EQ(three.friction_force(t), 3.0 * one.friction_force(t));
-    EXPECT_DOUBLE_EQ(three.relative_displacement(1.0, t), 3.0 * one.relative_displacement(1.0, t));
   }
 }
 
@@ -242,13 +189,13 @@ TEST(StickResponse, SteadyAmplitudesAgreeWithFortyDigitArithmetic) {
                                       {15.0, 24.9, -188670.2376281065, -0.84625257114217131},
                                       {15.0, 70.0, 137723299.97258069, -197.16899104039809}}};
   for (const auto& [load_factor, frequency_hz, force, displacement] : table) {
-    const data::Beam beam = beam_with_load_factor(load_factor);
+    const data::Beam beam = paper_beam_with_load_factor(load_factor);
     const StickResponse response(beam, shaking(frequency_hz, 1.0), 12, SteadyPart::exact);
     double condition = 1.0;
     for (const StickMode& mode : response.modes())
       condition = std::max(condition, mode.frequency_hz() / std::abs(mode.frequency_hz() - frequency_hz));
     // The forces at rest and in motion, between which the sum may cancel, set the scale.
-    const double force_scale = std::abs(force) + 4.0 * stiffness(beam) / 8.0;
+    const double force_scale = std::abs(force) + 4.0 * rigidity(beam) / 8.0;
     EXPECT_TRUE(within(response.steady_force_amplitude(), force, round_off(30, condition, force_scale)));
     EXPECT_TRUE(within(response.steady_displacement_amplitude(0.7), displacement,
                        round_off(30, condition, 1.0 + std::abs(displacement))))
@@ -293,8 +240,8 @@ TEST(StickResponse, ExactSteadyPartNeedsNoMoreModesThanItAsksFor) {
       for (const StickMode& mode : modes)
         condition = std::max(condition, hz / std::abs(hz - mode.frequency_hz()));
       // E I |Y'''(L)| is of the order E I k^(3/4) between resonances, k = rho A Omega^2/EI.
-      const double k = mass(paper_beam()) * std::pow(2.0 * pi * hz, 2) / stiffness(paper_beam());
-      const double scale = stiffness(paper_beam()) * (1.0 + std::pow(k, 0.75));
+      const double k = mass(paper_beam()) * std::pow(2.0 * pi * hz, 2) / rigidity(paper_beam());
+      const double scale = rigidity(paper_beam()) * (1.0 + std::pow(k, 0.75));
       EXPECT_TRUE(within(least.steady_force_amplitude(), many.steady_force_amplitude(),
                          round_off(count + 40, condition, scale)))
           << count << " modes, " << hz << " Hz";
@@ -409,7 +356,7 @@ TEST(StickResponse, FreeVibrationsFallAsTheFourthPowerOfTheModeNumber) {
 
 TEST(StickResponse, OmittedTransientBoundHoldsWhereTheLawIsReached) {
   for (const double factor : {-1e4, -300.0, -5.0, 0.12, 19.0}) {
-    const data::Beam beam = beam_with_load_factor(factor);
+    const data::Beam beam = paper_beam_with_load_factor(factor);
     const auto all = StickResponse(beam, shaking(12.0), 1000).transient_force();
     for (const int count : {1, 2, 5, 10, 40, 100}) {
       double omitted = 0.0;
@@ -421,18 +368,14 @@ TEST(StickResponse, OmittedTransientBoundHoldsWhereTheLawIsReached) {
   }
   EXPECT_LT(StickResponse(paper_beam(), shaking(35.0), 10).omitted_transient_bound(), 0.2);
   EXPECT_TRUE(std::isinf(StickResponse(paper_beam(), shaking(35.0), 1).omitted_transient_bound()));
-  EXPECT_TRUE(
-      std::isinf(StickResponse(beam_with_load_factor(-1e4), shaking(35.0), 10).omitted_transient_bound()));
+  EXPECT_TRUE(std::isinf(
+      StickResponse(paper_beam_with_load_factor(-1e4), shaking(35.0), 10).omitted_transient_bound()));
 }
 
 TEST(StickResponse, RefusesAnExactSteadyPartAboveItsModesAndSaysWhy) {
-  try {
-    const StickResponse response(paper_beam(), shaking(50.0), 2, SteadyPart::exact);
-    FAIL() << "accepted";
-  } catch (const std::invalid_argument& error) {
-    EXPECT_NE(std::string(error.what()).find("numerics.modes is 2, but must be so large"), std::string::npos)
-        << error.what();
-  }
+  expect_refusal<std::invalid_argument>(
+      [] { StickResponse(paper_beam(), shaking(50.0), 2, SteadyPart::exact); },
+      {"numerics.modes is 2, but must be so large"});
   EXPECT_NO_THROW(StickResponse(paper_beam(), shaking(50.0), 3, SteadyPart::exact));
   EXPECT_NO_THROW(StickResponse(paper_beam(), shaking(50.0), 2, SteadyPart::modal_sum));
 }
@@ -454,19 +397,6 @@ TEST(MaximumForce, BoundsContainADenselySampledMaximum) {
       EXPECT_LE(bounds.upper - bounds.lower, 1e-10 * bounds.lower);
       EXPECT_LE(bounds.lower, bounds.upper);
     }
-}
-
-TEST(MaximumForce, LiesInsideTheSampledBounds) {
-  for (const double hz : {15.0, 25.0, 35.0, 70.0}) {
-    const StickResponse response(paper_beam(), shaking(hz));
-    const Bounds adaptive = response.max_abs_friction_force(10.0);
-    for (const double step : {1e-4, 3.3e-5}) {
-      const Bounds sampled = response.sampled_max_abs_friction_force(10.0, step);
-      EXPECT_GE(adaptive.upper, sampled.lower);
-      EXPECT_LE(adaptive.lower, sampled.upper);
-      EXPECT_LE(sampled.upper - sampled.lower, 0.01 * sampled.lower);
-    }
-  }
 }
 
 TEST(MaximumForce, AtThePapersFourFrequenciesIsWithinOnePercentOfWhatIsPrinted) {
@@ -500,7 +430,7 @@ TEST(MaximumForce, IsFoundAtExactResonance) {
   const StickMode mode = stick_modes(beam, 1).front();
   const StickResponse response(beam, shaking(mode.frequency_hz()), 10, SteadyPart::exact);
   const double per_radian =
-      stiffness(beam) * 0.5e-3 * std::abs(mode.third_derivative(2.0) * mode.participation()) / 2.0;
+      rigidity(beam) * 0.5e-3 * std::abs(mode.third_derivative(2.0) * mode.participation()) / 2.0;
   const double envelope = per_radian * mode.angular_frequency() * 10.0;
   const Bounds bounds = response.max_abs_friction_force(10.0, 1e-13);
   const double rounding =
@@ -551,11 +481,8 @@ TEST(MaximumForce, RefusesBadArgumentsAndSaysWhich) {
   EXPECT_THROW((void)response.sampled_max_abs_friction_force(1.0, 0.0), std::invalid_argument);
   EXPECT_THROW((void)response.sampled_max_abs_friction_force(1.0, 1e-300), std::invalid_argument);
   EXPECT_THROW((void)response.max_abs_friction_force(1e300), std::invalid_argument);
-  try {
-    (void)response.max_abs_friction_force(-1.0);
-  } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "excitation.duration is -1, but must be positive and finite");
-  }
+  expect_refusal<std::invalid_argument>([&] { (void)response.max_abs_friction_force(-1.0); },
+                                        {"excitation.duration is -1, but must be positive and finite"});
 }
 
 }  // namespace

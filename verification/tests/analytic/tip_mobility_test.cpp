@@ -35,10 +35,6 @@ constexpr double mass_per_length = 10.0;           // rho A, kg/m
 constexpr double stiffness = 2e9 * 1e-4 / 12.0;    // EI, N m^2
 const double unit = frequency_unit(paper_beam());  // s = k * unit, 1/s
 
-data::Beam beam_with_load_factor(double z) {
-  return paper_beam_with_axial_force(z * stiffness / (length * length));
-}
-
 data::Damping kelvin_voigt(double eta) { return data::Damping({.kelvin_voigt = eta}); }
 
 ::testing::AssertionResult near(Complex computed, Complex expected, const Tolerance& tolerance) {
@@ -50,7 +46,7 @@ TEST(TipMobility, TendsToTheStaticFlexibility) {
   // EI u'' = F (L - x) sinc(sigma (L - x)), sigma^2 = P/EI, integrated twice; the next term is of order k^2.
   const Complex s = 1e-10 * unit;
   for (const double z : {-50.0, -5.0, -1e-6, 0.0, 1e-6, 0.12, 5.0, 19.0}) {
-    const TipMobility mobility(beam_with_load_factor(z));
+    const TipMobility mobility(paper_beam_with_load_factor(z));
     const auto flexibility = [](double load, double share) {
       const double y = std::sqrt(std::abs(load));
       const auto moment = [&](double xi) {
@@ -83,9 +79,9 @@ template <class Modes, class Function>
 void expect_roots(Modes&& modes, Function&& function) {
   constexpr int count = 40;
   for (const double z : {-14.4, 0.0, 0.12, 10.0, 19.0}) {
-    const auto here = modes(beam_with_load_factor(z), count);
-    const auto there = modes(beam_with_load_factor(z * (1.0 - 1e-6)), count);
-    const TipMobility mobility(beam_with_load_factor(z));
+    const auto here = modes(paper_beam_with_load_factor(z), count);
+    const auto there = modes(paper_beam_with_load_factor(z * (1.0 - 1e-6)), count);
+    const TipMobility mobility(paper_beam_with_load_factor(z));
     for (const std::size_t n : {0U, 1U, 2U, 4U, 9U, 39U}) {
       const double omega = here[n].angular_frequency();
       const double sensitivity = std::abs(there[n].angular_frequency() / omega - 1.0) / 1e-6;
@@ -110,7 +106,7 @@ TEST(TipMobility, IsTheSumOverTheSlipModesWhereTheExponentsMeetToo) {
   // about 4/(rho A L), |psi_k| at most 1, omega_k about (k - 1/2)^2 pi^2 units.
   constexpr int count = 100;
   for (const double z : {-5.0, 0.0, 0.12, 5.0, 15.0}) {
-    const data::Beam beam = beam_with_load_factor(z);
+    const data::Beam beam = paper_beam_with_load_factor(z);
     const TipMobility mobility(beam);
     const auto modes = analytic::slip_modes(beam, count);
     std::vector<double> participations;
@@ -186,7 +182,7 @@ TEST(TipMobility, SolvesTheBoundaryValueProblemWithAndWithoutDamping) {
       for (const Complex k : {Complex(0.2, 0.7), Complex(0.0, 9.0), Complex(5.0, 40.0), Complex(0.3, -300.0),
                               Complex(2000.0), Complex(100.0, 20000.0)}) {
         const Complex s = k * unit;
-        const TipMobility mobility(beam_with_load_factor(z), kelvin_voigt(eta));
+        const TipMobility mobility(paper_beam_with_load_factor(z), kelvin_voigt(eta));
         const Waves expected = waves(z, eta, s);
         const double size = std::max(std::abs(expected.velocity(1.0)), std::abs(expected.velocity(0.6)));
         const double phase = expected.exponents.cwiseAbs().maxCoeff();
@@ -205,7 +201,7 @@ TEST(TipMobility, LosesNoDigitsWhereTheExponentsMeet) {
   // points, up to (0.5/3)^16 = 4e-13 for the poles, 3 or more away.
   constexpr int points = 16;
   for (const double z : {-6.0, -0.12, 0.12, 6.0}) {
-    const TipMobility mobility(beam_with_load_factor(z));
+    const TipMobility mobility(paper_beam_with_load_factor(z));
     const Complex s = 0.5 * z * unit;
     for (const double share : {0.1, 0.5, 0.9, 1.0}) {
       Complex mean = 0.0;
@@ -230,7 +226,7 @@ TEST(TipMobility, IsThatOfTheHalfInfiniteBeamAtHighFrequency) {
   // e^2/2.
   const double constant = std::sqrt(2.0) * std::pow(stiffness, -0.25) * std::pow(mass_per_length, -0.75);
   for (const double z : {-50.0, 0.0, 0.12, 19.0}) {
-    const data::Beam beam = beam_with_load_factor(z);
+    const data::Beam beam = paper_beam_with_load_factor(z);
     const TipMobility mobility(beam);
     for (const double size : {1e4, 1e6, 1e8, 1e12})
       for (const double angle : {-1.57, -1.5, -1.0, 0.0, 0.3, 1.2, 1.5, 1.57}) {
@@ -263,7 +259,7 @@ TEST(TipMobility, StaysFiniteOnTheImaginaryAxisAndIsRightToThePhaseOfTheWaves) {
         // Phases are off by beta L eps, of which 1 + t^2 comes through to t.
         const double scale =
             std::sqrt(2.0 / omega) * std::pow(stiffness, -0.25) * std::pow(mass_per_length, -0.75);
-        EXPECT_TRUE(near(TipMobility(beam_with_load_factor(z))(Complex(0.0, omega)), expected,
+        EXPECT_TRUE(near(TipMobility(paper_beam_with_load_factor(z))(Complex(0.0, omega)), expected,
                          round_off(4, beta * length * (1.0 + t * t), scale)))
             << z << ", " << omega;
       }
@@ -271,7 +267,7 @@ TEST(TipMobility, StaysFiniteOnTheImaginaryAxisAndIsRightToThePhaseOfTheWaves) {
 
 /// The least Re Y(sigma + i omega)/|Y| over sigma and omega from 1e-3 to 1e6 units.
 double least_passivity(double z, double eta) {
-  const TipMobility mobility(beam_with_load_factor(z), kelvin_voigt(eta));
+  const TipMobility mobility(paper_beam_with_load_factor(z), kelvin_voigt(eta));
   double least = 1.0;
   for (const double sigma : {1e-3, 0.03, 1.0, 30.0, 1e3})
     for (double omega = 1e-3; omega < 1e6; omega *= 1.02) {
@@ -285,7 +281,7 @@ TEST(TipMobility, IsPassiveAsLongAsTheFirstSlipFrequencyIsBelowTheFirstStickFreq
   // Undamped, Re Y > 0 for Re s > 0 if and only if poles and zeros alternate, g_k > 0. The follower force
   // ends that before flutter: between P L^2/EI = 16 and 16.1 the first zero passes the first pole.
   for (const double z : {-14.4, -5.0, 0.0, 0.12, 10.0, 16.0, 16.1, 19.0}) {
-    const data::Beam beam = beam_with_load_factor(z);
+    const data::Beam beam = paper_beam_with_load_factor(z);
     const bool alternate = analytic::slip_modes(beam, 1).front().angular_frequency() <
                            analytic::stick_modes(beam, 1).front().angular_frequency();
     EXPECT_EQ(alternate, z < 16.05) << z;

@@ -29,6 +29,13 @@ inline data::Beam paper_beam_with_axial_force(double axial_force) {
   return data::Beam(properties);
 }
 
+/// P = factor * EI/L^2.
+inline data::Beam paper_beam_with_load_factor(double factor) {
+  const data::BeamProperties beam = paper_beam_properties();
+  return paper_beam_with_axial_force(factor * beam.youngs_modulus * beam.second_moment_of_area /
+                                     (beam.length * beam.length));
+}
+
 inline data::FrictionLaw paper_friction() {
   return data::FrictionLaw({.static_coefficient = 0.6, .kinetic_coefficient = 0.3, .decay = 1.0});
 }

@@ -27,6 +27,13 @@ struct MassModel {
 /// validation manual.
 [[nodiscard]] analytic::ContactModel shaken_plane(double amplitude);
 
+/// Its mean of 10 N |v_s| over 4 <= t <= 12 s, W, from a computation with 40 digits.
+struct FrictionPower {
+  double amplitude, mean;
+};
+inline constexpr FrictionPower sdnd104_friction_powers[] = {
+    {15.0, 15.2670995893716}, {1.5, 0.409062451015709}, {1.01, 2.26164121279787e-4}, {0.99, 0.0}};
+
 /// q_1 = sigma q_2 + U T with sigma = -K_12/K_11 and U = 1/sqrt(M_11).
 [[nodiscard]] double static_shape(const ForcedPair& pair);
 [[nodiscard]] double mode_shape(const ForcedPair& pair);
