@@ -3,8 +3,13 @@
 
 /// The paper's case, and the verdicts of both implementations on an excitation.
 
+#include <algorithm>
+#include <cmath>
+#include <string>
+
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/data/case_file.hpp"
+#include "stickslip/data/paper.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 
 namespace stickslip::testing {
@@ -27,11 +32,44 @@ inline double mass_per_length() { return paper().beam.density() * paper().beam.a
 inline double friction_limit() { return paper().friction.static_coefficient() * axial_force(); }  ///< mu_s P
 inline double mm(double metres) { return 1e3 * metres; }
 
+/// A printed number, as far as its last digit tells.
+inline bool is_printed(const std::string& id, double value) {
+  const data::PrintedNumber printed = data::printed_number(id);
+  return std::abs(value - printed.value) <= printed.half_digit;
+}
+
 /// Eqs. (29), (30), with Eq. (28).
 inline bool criterion_slips(double hz, double amplitude) {
   return analytic::evaluate_criterion(paper().beam, paper().friction, excitation(hz, amplitude),
                                       paper().numerics.duration(), paper().numerics.modes())
              .verdict == analytic::Verdict::stick_slip;
+}
+
+/// A run of finite elements with the settings of the paper.
+inline solver::BeamSimulation run_at(double hz, double amplitude, const solver::BeamRun& options = {}) {
+  return {paper().beam, paper().friction, excitation(hz, amplitude), paper().numerics, options};
+}
+
+/// How often the tip has come to stick again.
+inline int captures(const solver::BeamSimulation& run) {
+  return static_cast<int>(std::ranges::count(run.integrator().events(), solver::ContactEvent::Kind::capture,
+                                             &solver::ContactEvent::kind));
+}
+
+/// The largest |f| of the first millisecond at 15 Hz and 0.5 mm with the tip held, N, by steps of 1 us.
+inline double first_force(int elements, solver::InitialVelocity start) {
+  data::NumericalChoices choices = paper().numerics.choices();
+  choices.elements = elements;
+  choices.time_step = 1e-6;
+  solver::BeamSimulation run(paper().beam, paper().friction, excitation(15.0, 0.5e-3),
+                             data::NumericalSettings(choices),
+                             {.contact = solver::TipContact::bonded, .initial_velocity = start});
+  double force = 0.0;
+  for (int n = 0; n < 1000; ++n) {
+    run.step();
+    force = std::max(force, std::abs(run.friction_force()));
+  }
+  return force;
 }
 
 /// Finite elements with contact.
