@@ -26,9 +26,8 @@ struct StepMap {
 };
 
 StepMap step_map(double spectral_radius, double omega_times_step) {
-  const double r = spectral_radius, k = omega_times_step * omega_times_step;
-  const double am = (2.0 * r - 1.0) / (r + 1.0), af = r / (r + 1.0);
-  const double gamma = 0.5 - am + af, beta = 0.25 * (1.0 - am + af) * (1.0 - am + af);
+  const auto [am, af, gamma, beta] = GeneralizedAlpha(spectral_radius);
+  const double k = omega_times_step * omega_times_step;
   const double divisor = (1.0 - am) + (1.0 - af) * beta * k;
   const Eigen::RowVector3d acceleration =
       -Eigen::RowVector3d(k, (1.0 - af) * k, am + (1.0 - af) * (0.5 - beta) * k) / divisor;

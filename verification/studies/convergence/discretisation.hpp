@@ -22,6 +22,16 @@ namespace stickslip::studies {
 [[nodiscard]] double hermite_eigenvalue_error(const data::Beam& beam, const analytic::StickMode& mode,
                                               double element_length);
 
+/// The parameters of generalised-alpha as Chung & Hulbert (1993) print them, not as the solver computes them.
+struct GeneralizedAlpha {
+  explicit GeneralizedAlpha(double spectral_radius)
+      : alpha_m((2.0 * spectral_radius - 1.0) / (spectral_radius + 1.0)),
+        alpha_f(spectral_radius / (spectral_radius + 1.0)) {}
+  double alpha_m, alpha_f;
+  double gamma = 0.5 - alpha_m + alpha_f;
+  double beta = 0.25 * (1.0 - alpha_m + alpha_f) * (1.0 - alpha_m + alpha_f);
+};
+
 /// Frequency and decay rate of a free vibration exp(i omega t) after time integration by generalised-alpha.
 /// The method replaces it by exp((-decay_rate + i angular_frequency) t), computed from the principal
 /// eigenvalues of the amplification matrix.

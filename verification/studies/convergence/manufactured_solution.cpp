@@ -15,6 +15,7 @@
 #include "stickslip/solver/beam_element.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
+#include "studies/convergence/discretisation.hpp"
 
 namespace stickslip::studies {
 
@@ -319,12 +320,10 @@ Eigen::EigenSolver<Eigen::MatrixXd> free_vibrations(const Problem& problem, cons
 // The leading time-integration error of a motion Q cos(omega t) that starts at rest.
 Eigen::VectorXd leading_time_error(const Problem& problem, const solver::BeamModel& model,
                                    const Eigen::VectorXd& shape, double spectral_radius, double h) {
-  // The parameters of Chung & Hulbert are computed here and not taken from the solver, to keep the prediction
-  // independent.
-  const double r = spectral_radius, square = problem.rate * problem.rate;
-  const double m = (2.0 - r) / (1.0 + r), f = 1.0 / (1.0 + r);  // 1 - alpha_m, 1 - alpha_f
-  const double gamma = 0.5 + m - f, beta = 0.25 * (1.0 + m - f) * (1.0 + m - f);
-  const double k_a = 0.5 * m - m * f + 0.5 * f * f - 1.0 / 6.0 + 0.5 * gamma - beta;
+  const GeneralizedAlpha method(spectral_radius);
+  const double square = problem.rate * problem.rate;
+  const double m = 1.0 - method.alpha_m, f = 1.0 - method.alpha_f;
+  const double k_a = 0.5 * m - m * f + 0.5 * f * f - 1.0 / 6.0 + 0.5 * method.gamma - method.beta;
   const double k_b = 0.5 * f * (1.0 - f);
   // In stick only the deviation from the static shape is integrated. This deviation is zero at the tip.
   Eigen::VectorXd moving = shape;

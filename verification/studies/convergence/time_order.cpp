@@ -9,6 +9,7 @@
 
 #include "stickslip/data/problem.hpp"
 #include "stickslip/solver/stick_slip_integrator.hpp"
+#include "studies/convergence/discretisation.hpp"
 
 namespace stickslip::studies {
 
@@ -83,14 +84,6 @@ struct Vibration {
   Eigen::VectorXcd displacement, velocity;
 };
 
-// The weights of the old state as published (Chung & Hulbert 1993), not those that the solver computes.
-struct Weights {
-  explicit Weights(double spectral_radius)
-      : alpha_m((2.0 * spectral_radius - 1.0) / (spectral_radius + 1.0)),
-        alpha_f(spectral_radius / (spectral_radius + 1.0)) {}
-  double alpha_m, alpha_f;
-};
-
 struct Oscillators {
   Eigen::MatrixXcd mass, damping, stiffness;
   Eigen::VectorXcd load;
@@ -104,8 +97,7 @@ struct Oscillators {
 //
 // The balance holds at the alpha levels, with the load at t_n + (1 - alpha_f) h.
 Vibration stepped(const Oscillators& system, double spectral_radius, double h) {
-  const auto [am, af] = Weights(spectral_radius);
-  const double gamma = 0.5 - am + af, beta = 0.25 * std::pow(1.0 - am + af, 2);
+  const auto [am, af, gamma, beta] = GeneralizedAlpha(spectral_radius);
   const Complex rotation = std::polar(1.0, omega * h);
   const Complex velocity = h * (1.0 - gamma + gamma * rotation) / (rotation - 1.0);
   const Complex displacement = (h * velocity + h * h * (0.5 - beta + beta * rotation)) / (rotation - 1.0);
@@ -123,8 +115,8 @@ Vibration stepped(const Oscillators& system, double spectral_radius, double h) {
 //     V = i omega Q (1 + k_1 (omega h)^2),
 //     i omega M V (1 + k_2 (omega h)^2) + C V + K Q = F (1 + k_3 (omega h)^2).
 Vibration leading_error(const Oscillators& system, double spectral_radius) {
-  const auto [am, af] = Weights(spectral_radius);
-  const double d = af - am;
+  const GeneralizedAlpha method(spectral_radius);
+  const double af = method.alpha_f, d = af - method.alpha_m;
   const double k_1 = 1.0 / 12.0 + d * d / 4.0, k_2 = 1.0 / 12.0 + d * d / 2.0;
   const double k_3 = 0.5 * af * (1.0 - af);
   const Complex rate(0.0, omega);
