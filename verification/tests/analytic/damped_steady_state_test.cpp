@@ -9,7 +9,6 @@
 #include <complex>
 #include <numbers>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "stickslip/analytic/damped_steady_state.hpp"
@@ -20,6 +19,7 @@
 #include "support/refusal.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
+#include "support/vibration.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -29,26 +29,18 @@ using analytic::TipSupport;
 using std::numbers::pi;
 using Complex = std::complex<double>;
 
-constexpr double amplitude = 1e-3;              // A0, m
-constexpr double length = 2.0;                  // L, m
-constexpr double mass_per_length = 10.0;        // rho A, kg/m
-constexpr double rigidity = 2e9 * 1e-4 / 12.0;  // E I, N m^2
+constexpr double amplitude = Vibration::amplitude;  // A0, m
+constexpr double length = 2.0;                      // L, m
+constexpr double mass_per_length = 10.0;            // rho A, kg/m
+constexpr double rigidity = 2e9 * 1e-4 / 12.0;      // E I, N m^2
 
-struct Vibration {
-  double axial_force, hz, eta;
-  TipSupport tip;
+Complex complex_rigidity(const Vibration& v) {
+  return rigidity * Complex(1.0, v.omega() * v.damping.kelvin_voigt());
+}
 
-  [[nodiscard]] double omega() const { return 2.0 * pi * hz; }
-  [[nodiscard]] Complex complex_rigidity() const { return rigidity * Complex(1.0, omega() * eta); }
-  [[nodiscard]] DampedSteadyState solution() const {
-    return {paper_beam_with_axial_force(axial_force), data::HarmonicExcitation({hz, amplitude}),
-            data::Damping({.kelvin_voigt = eta}), tip};
-  }
-  [[nodiscard]] std::string name() const {
-    return "P = " + std::to_string(axial_force) + " N, " + std::to_string(hz) +
-           " Hz, eta = " + std::to_string(eta) + " s, " + (tip == TipSupport::held ? "held" : "free");
-  }
-};
+Vibration vibration(double axial_force, double hz, double eta, TipSupport tip) {
+  return {hz, data::Damping({.kelvin_voigt = eta}), tip, axial_force};
+}
 
 // All axial forces keep away from buckling (84.1 kN); frequencies from quasi-static to far beyond the modes
 // that matter. At eta = 5e-3 s and 3 kHz the rigidity has an argument of 89.4 degrees.
@@ -58,7 +50,7 @@ std::vector<Vibration> vibrations() {
     for (const double hz : {5.0, 25.0, 70.0, 400.0, 3000.0})
       for (const double eta : {0.0, 6.4e-5, 5e-3})
         for (const TipSupport tip : {TipSupport::held, TipSupport::free})
-          all.push_back({axial_force, hz, eta, tip});
+          all.push_back(vibration(axial_force, hz, eta, tip));
   return all;
 }
 
@@ -84,9 +76,9 @@ TEST(DampedSteadyState, SolvesTheEquationOfMotion) {
     const DampedSteadyState solution = v.solution();
     const double inertia = mass_per_length * v.omega() * v.omega();
     const double scale = inertia * largest_derivative(solution, 0) +
-                         std::abs(v.complex_rigidity()) * largest_derivative(solution, 4);
+                         std::abs(complex_rigidity(v)) * largest_derivative(solution, 4);
     for (const double x : {0.0, 0.31, 1.0, 1.77, 2.0})
-      EXPECT_TRUE(near(v.complex_rigidity() * solution.derivative(4, x) +
+      EXPECT_TRUE(near(complex_rigidity(v) * solution.derivative(4, x) +
                            v.axial_force * solution.derivative(2, x) - inertia * solution.displacement(x),
                        0.0, rounding(scale)))
           << v.name() << ", x = " << x;
@@ -111,7 +103,7 @@ TEST(DampedSteadyState, IsClampedInTheBaseAndHeldOrFreeAtTheTip) {
 TEST(DampedSteadyState, DerivativesAreThoseOfTheDisplacement) {
   // Central differences of eighth order: the error is d^8/630 of the ninth derivative, and eps/d of the
   // function.
-  const Vibration v{500.0, 70.0, 5e-4, TipSupport::held};
+  const Vibration v = vibration(500.0, 70.0, 5e-4, TipSupport::held);
   const DampedSteadyState solution = v.solution();
   constexpr double d = 0.01;
   const double weights[] = {4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0};
@@ -131,7 +123,7 @@ TEST(DampedSteadyState, DerivativesAreThoseOfTheDisplacement) {
 TEST(DampedSteadyState, WithoutDampingIsTheSteadyPartOfTheStickResponse) {
   for (const double axial_force : {-3e4, 0.0, 500.0, 4e4})
     for (const double hz : {5.0, 15.0, 35.0, 70.0}) {
-      const Vibration v{axial_force, hz, 0.0, TipSupport::held};
+      const Vibration v = vibration(axial_force, hz, 0.0, TipSupport::held);
       const DampedSteadyState solution = v.solution();
       const analytic::StickResponse response(paper_beam_with_axial_force(axial_force),
                                              data::HarmonicExcitation({hz, amplitude}), 10,
@@ -152,22 +144,22 @@ TEST(DampedSteadyState, WithoutDampingIsTheSteadyPartOfTheStickResponse) {
 // Simpson's rule for complex functions; n even.
 template <class Function>
 Complex integral(const Function& function, int n) {
-  Complex sum = function(0.0) + function(length);
-  for (int i = 1; i < n; ++i) sum += (i % 2 == 1 ? 4.0 : 2.0) * function(length * i / n);
+  Complex sum = 0.0;
+  for (int i = 0; i <= n; ++i) sum += simpson_weight(i, n) * function(length * i / n);
   return sum * length / (3.0 * n);
 }
 
 TEST(DampedSteadyState, DissipatesWhatTheBaseAndTheFollowerForcePutIn) {
   for (const Vibration& v : vibrations()) {
     const DampedSteadyState solution = v.solution();
-    const Complex base = amplitude * v.complex_rigidity() * solution.derivative(3, 0.0);
+    const Complex base = amplitude * complex_rigidity(v) * solution.derivative(3, 0.0);
     const Complex follower =
         v.axial_force * solution.derivative(1, length) * std::conj(solution.displacement(length));
     const double scale = pi * (std::abs(base) + std::abs(v.axial_force) * largest_derivative(solution, 1) *
                                                     largest_derivative(solution, 0));
     EXPECT_TRUE(within(solution.dissipated_energy(), pi * (base - follower).imag(), rounding(scale)))
         << v.name();
-    EXPECT_EQ(solution.dissipated_energy() > 0.0, v.eta > 0.0) << v.name();
+    EXPECT_EQ(solution.dissipated_energy() > 0.0, v.damping.kelvin_voigt() > 0.0) << v.name();
   }
 }
 
@@ -177,14 +169,14 @@ TEST(DampedSteadyState, DissipatesTheSquaredCurvatureRate) {
   // Besides, so little damping that the waves of a pair hardly differ, and so many waves that sinh overflows.
   std::vector<Vibration> all = vibrations();
   for (const TipSupport tip : {TipSupport::held, TipSupport::free}) {
-    all.push_back({500.0, 15.0, 1e-13, tip});
-    all.push_back({500.0, 2e6, 1e-9, tip});
+    all.push_back(vibration(500.0, 15.0, 1e-13, tip));
+    all.push_back(vibration(500.0, 2e6, 1e-9, tip));
   }
   for (const Vibration& v : all) {
     const int intervals = v.hz < 1e6 ? 4000 : 32000;
     const DampedSteadyState solution = v.solution();
     const auto density = [&](double x) { return Complex(std::norm(solution.derivative(2, x))); };
-    const double factor = pi * v.omega() * v.eta * rigidity;
+    const double factor = pi * v.omega() * v.damping.kelvin_voigt() * rigidity;
     const double fine = factor * integral(density, intervals).real(),
                  coarse = factor * integral(density, intervals / 2).real();
     EXPECT_TRUE(
@@ -199,7 +191,7 @@ TEST(DampedSteadyState, FrictionForceBalancesTheInertiaOfTheBeam) {
   // dx + 3 D A0/L^3.
   for (const double hz : {5.0, 25.0, 70.0, 400.0})
     for (const double eta : {6.4e-5, 5e-3}) {
-      const Vibration v{0.0, hz, eta, TipSupport::held};
+      const Vibration v = vibration(0.0, hz, eta, TipSupport::held);
       const DampedSteadyState solution = v.solution();
       const auto weighted = [&](double x) {
         const double xi = x / length;
@@ -207,7 +199,7 @@ TEST(DampedSteadyState, FrictionForceBalancesTheInertiaOfTheBeam) {
       };
       const double inertia = mass_per_length * v.omega() * v.omega();
       const Complex fine = inertia * integral(weighted, 4000), coarse = inertia * integral(weighted, 2000);
-      const Complex static_force = 3.0 * v.complex_rigidity() * amplitude / (length * length * length);
+      const Complex static_force = 3.0 * complex_rigidity(v) * amplitude / (length * length * length);
       EXPECT_TRUE(near(
           solution.friction_force(), fine + static_force,
           discretisation(std::abs(fine - coarse) + rounding(std::abs(fine) + std::abs(static_force)).value,
@@ -229,7 +221,7 @@ void expect_sum_over_modes(const Vibration& v, double x, double rigid, const std
   for (const Mode& mode : modes) {
     const double natural = mode.angular_frequency();
     const Complex term = mode.shape(x) * square * participation(mode) /
-                         (natural * natural * Complex(1.0, v.omega() * v.eta) - square);
+                         (natural * natural * Complex(1.0, v.omega() * v.damping.kelvin_voigt()) - square);
     sum += term;
     if (mode.number() > count - 3) largest_late_term = std::max(largest_late_term, std::abs(term));
   }
@@ -250,7 +242,7 @@ TEST(DampedSteadyState, WithoutAxialForceIsTheSumOverTheStickModes) {
   for (const double hz : {15.0, 25.0, 81.0})
     for (const double eta : {6.4e-5, 5e-3})
       for (const double x : {0.4, 1.0, 1.7})
-        expect_sum_over_modes({0.0, hz, eta, TipSupport::held}, x, 1.0 + shape.value(x), modes,
+        expect_sum_over_modes(vibration(0.0, hz, eta, TipSupport::held), x, 1.0 + shape.value(x), modes,
                               participation);
 }
 
@@ -266,14 +258,14 @@ TEST(DampedSteadyState, WithoutAxialForceIsTheSumOverTheFreeModes) {
   for (const double hz : {5.0, 25.0, 81.0})
     for (const double eta : {6.4e-5, 5e-3})
       for (const double x : {0.4, 1.0, 2.0})
-        expect_sum_over_modes({0.0, hz, eta, TipSupport::free}, x, 1.0, modes, participation);
+        expect_sum_over_modes(vibration(0.0, hz, eta, TipSupport::free), x, 1.0, modes, participation);
 }
 
 TEST(DampedSteadyState, LagsBehindTheBaseByAQuarterPeriodAtResonance) {
   // Free tip, P = 0, at its lowest frequency: the tip is -i C/(2 zeta) of the base, with 2 zeta = eta omega
   // and C = 1.566 the participation of the mode; the other modes add O(1).
   const double omega = analytic::slip_modes(paper_beam_with_axial_force(0.0), 1).front().angular_frequency();
-  const Vibration v{0.0, omega / (2.0 * pi), 1e-5, TipSupport::free};
+  const Vibration v = vibration(0.0, omega / (2.0 * pi), 1e-5, TipSupport::free);
   const Complex tip = v.solution().displacement(length) / amplitude;
   EXPECT_TRUE(near(tip * omega * 1e-5, Complex(0.0, -1.566),
                    discretisation(2.0 * omega * 1e-5, 1.0, "the other modes")));

@@ -29,7 +29,8 @@ struct Vibration {
   }
   [[nodiscard]] analytic::DampedSteadyState solution() const { return {beam(), excitation(), damping, tip}; }
   [[nodiscard]] std::string name() const {
-    return std::to_string(hz) + " Hz, eta = " + std::to_string(damping.kelvin_voigt()) +
+    return "P = " + std::to_string(axial_force) + " N, " + std::to_string(hz) +
+           " Hz, eta = " + std::to_string(damping.kelvin_voigt()) +
            " s, zeta = " + std::to_string(damping.ratio()) +
            (tip == analytic::TipSupport::held ? ", held" : ", free");
   }
