@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
-/// The paper's printed numbers, verdicts and errata.
+/// The paper's printed numbers, verdicts and errata, and the figures that the ledger of claims refers to.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <numbers>
 #include <set>
 #include <string>
@@ -151,6 +154,20 @@ TEST(Errata, E5ElevenToThirtyOneElementsRoundToThePrintedFrequency) {
   const double printed = data::printed_number("frequency.stick.3").value;
   for (const int elements : {11, 20, 31}) EXPECT_DOUBLE_EQ(rounded(elements), printed) << elements;
   for (const int elements : {10, 32}) EXPECT_NE(rounded(elements), printed) << elements;
+}
+
+STICKSLIP_VERIFIES(LedgerOfClaims, "V3");
+TEST(LedgerOfClaims, RefersToFiguresAndTablesThatTheReportHas) {
+  std::string latex;
+  for (const auto& file :
+       std::filesystem::recursive_directory_iterator(STICKSLIP_SOURCE_DIRECTORY "/reports/report"))
+    if (file.path().extension() == ".tex") {
+      std::ifstream stream(file.path());
+      latex.append(std::istreambuf_iterator<char>(stream), {});
+    }
+  for (const auto& claim : claims())
+    EXPECT_TRUE(claim.figure.empty() || latex.find("\\label{" + claim.figure + "}") != std::string::npos)
+        << claim.id << " refers to " << claim.figure;
 }
 
 class Verdict : public ::testing::TestWithParam<data::PrintedVerdict> {};
