@@ -40,32 +40,6 @@ double axial_force_of(double load_factor) { return load_factor * rigidity(paper_
 data::HarmonicExcitation shaking(double hz) { return data::HarmonicExcitation({hz, amplitude}); }
 
 STICKSLIP_VERIFIES(StickModes, "A2");
-TEST(StickModes, AreOrthogonalInTheEnergy) {
-  // int EI U_m'' U_n'' - P U_m' U_n' = omega^2 rho A int U^2 for m = n, else 0.
-  for (const double factor : {-300.0, 0.0, 15.0}) {
-    const data::Beam beam = paper_beam_with_load_factor(factor);
-    const auto modes = stick_modes(beam, 5);
-    const auto energy = [&](const StickMode& mode) {
-      return std::pow(mode.angular_frequency(), 2) * mass(beam) * mode.norm_squared();
-    };
-    for (const StickMode& first : modes)
-      for (const StickMode& second : modes) {
-        const auto product = [&](double x) {
-          return rigidity(beam) * first.curvature(x) * second.curvature(x) -
-                 beam.axial_force() * first.slope(x) * second.slope(x);
-        };
-        const double scale = std::sqrt(energy(first) * energy(second));
-        const double expected = first.number() == second.number() ? energy(first) : 0.0;
-        const Estimate computed = integral(product, 0.0, length, scale);
-        EXPECT_TRUE(within(
-            computed.value / scale, expected / scale,
-            discretisation(computed.error / scale + round_off(2, second.condition_number() * 16, 1).value,
-                           1.0, "quadrature and round-off of the wave numbers")))
-            << first.number() << ", " << second.number() << " at P L^2/EI = " << factor;
-      }
-  }
-}
-
 TEST(StickModes, FrequencySquaredFallsWithTheAxialForceByItsShareOfTheEnergy) {
   // d(omega^2)/dP = -int U'^2 / (rho A int U^2): first-order perturbation, exact.
   for (const double factor : {-300.0, 0.0, 15.0})
@@ -119,15 +93,6 @@ TEST(StickModes, ParticipationsAddUpToTheWholeLoad) {
           << count << " modes at P L^2/EI = " << factor;
     }
   }
-}
-
-STICKSLIP_VERIFIES(QuasiStaticShape, "A1");
-TEST(QuasiStaticShape, HasTheForcesOfAProppedCantilever) {
-  // P = 0: 3 EI/L^3 at the tip, 3 EI/L^2 in the clamp.
-  const data::Beam beam = paper_beam_with_load_factor(0.0);
-  const QuasiStaticShape shape(beam);
-  EXPECT_TRUE(within(shape.third_derivative(length), 3.0 / std::pow(length, 3), round_off(8, 1, 1.0)));
-  EXPECT_TRUE(within(shape.curvature(0.0), -3.0 / (length * length), round_off(8, 1, 1.0)));
 }
 
 STICKSLIP_VERIFIES(StickResponse, "A4");
@@ -206,18 +171,6 @@ TEST(SlipModes, FrequencySquaredFollowsTheAxialForceByBothModes) {
       EXPECT_TRUE(within(computed.value, expected, discretisation(computed.error, 2.0, "GSL's estimate")))
           << "mode " << n + 1 << " at P L^2/EI = " << factor;
     }
-}
-
-TEST(SlipModes, ClampedFreeShapesAreNormalisedLikeTheClassicalOnes) {
-  // P = 0: int psi^2 dx = L/4 of a shape that is 1 at the tip, and the adjoint mode is the mode.
-  for (const SlipMode& mode : slip_modes(paper_beam_with_load_factor(0.0), 4)) {
-    const Estimate norm = integral([&](double x) { return std::pow(mode.shape(x), 2); }, 0.0, length, length);
-    EXPECT_TRUE(
-        within(norm.value, length / 4.0,
-               discretisation(norm.error + round_off(20, 10, 1.0).value, 1.0, "quadrature and round-off")));
-    for (const double x : {0.3, 1.1, 1.9})
-      EXPECT_TRUE(within(mode.adjoint_shape(x), mode.shape(x), round_off(20, 10, 1.0)));
-  }
 }
 
 }  // namespace

@@ -57,24 +57,6 @@ TEST(StickModes, AreClampedPinnedWithoutAxialForce) {
   }
 }
 
-TEST(StickModes, OfHalfTheStiffnessAndOfThePrintedSectionHaveTheRecordedFrequencies) {
-  struct Recorded {
-    double second_moment_of_area, youngs_modulus;
-    std::array<double, 3> hz, accuracy;
-  };
-  for (const auto& [second_moment, modulus, hz, accuracy] :
-       {Recorded{1e-4 / 12.0, 1e9, {17.6061, 57.2713, 119.6147}, {0.5e-4, 0.5e-4, 0.5e-4}},
-        Recorded{1e-6 / 12.0, 2e9, {1.607, 7.231, 16.03}, {0.5e-3, 0.5e-3, 0.5e-2}}}) {
-    data::BeamProperties properties = paper_beam_properties();
-    properties.second_moment_of_area = second_moment;
-    properties.youngs_modulus = modulus;
-    const auto modes = stick_modes(data::Beam(properties), 3);
-    for (std::size_t i = 0; i < hz.size(); ++i)
-      EXPECT_TRUE(within(modes[i].frequency_hz(), hz[i], reference(accuracy[i], "recorded decimals")))
-          << "I = " << second_moment;
-  }
-}
-
 TEST(StickModes, AgreeWithThirtyDigitArithmetic) {
   // Roots of the characteristic equation by Newton's method with 30 digits, paper's beam.
   const std::array<std::pair<std::size_t, double>, 5> expected{{{1, 24.971958092670671711},
@@ -89,32 +71,12 @@ TEST(StickModes, AgreeWithThirtyDigitArithmetic) {
   }
 }
 
-/// The characteristic equation without poles, as it stands in Eq. (23): beta tan(bb) = betabar tanh(b).
-double printed_characteristic(double bb, double load_factor) {
-  const double b = std::sqrt(bb * bb - load_factor);
-  return b * std::sin(bb) - bb * std::cos(bb) * std::tanh(b);
-}
-
-int sign_changes(double lower, double upper, double load_factor) {
-  constexpr int kSteps = 400;
-  int changes = 0;
-  for (int i = 0; i < kSteps; ++i) {
-    // Off the ends, where a root would be neither inside nor outside.
-    const double left = lower + (upper - lower) * (i + 1e-3) / (kSteps + 2e-3);
-    const double right = lower + (upper - lower) * (i + 1.0 + 1e-3) / (kSteps + 2e-3);
-    changes += printed_characteristic(left, load_factor) * printed_characteristic(right, load_factor) < 0.0;
-  }
-  return changes;
-}
-
-TEST(StickModes, EachRootLiesAloneInItsBracket) {
+// Eq. (23) has one root in each bracket (CertifiedStickModes.LieOneInEachAsymptoticInterval).
+TEST(StickModes, LieOneInEachBracket) {
   for (const double factor : kLoadFactors) {
     SCOPED_TRACE(factor);
     const auto modes = stick_modes(paper_beam_with_load_factor(factor), 20);
     for (int n = 1; n <= 20; ++n) {
-      const double lower = std::sqrt(std::max(std::pow(n * pi, 2), factor));
-      EXPECT_EQ(sign_changes(lower, (n + 0.5) * pi, factor), 1) << n;
-      EXPECT_EQ(sign_changes((n + 0.5) * pi, (n + 1.0) * pi, factor), 0) << n;
       const StickMode& mode = modes[static_cast<std::size_t>(n) - 1];
       EXPECT_EQ(mode.number(), n);
       EXPECT_GT(mode.trigonometric_wave_number() * 2.0, n * pi);
@@ -184,12 +146,6 @@ TEST(StickModes, FirstFrequencySquaredFallsLinearlyToZeroAtTheBucklingLoad) {
   const double order = observed_order(distances, errors);
   EXPECT_GT(order, 0.9);
   EXPECT_LT(order, 1.1);
-}
-
-TEST(StickModes, BucklingLoadIsThatOfTheClampedPinnedColumn) {
-  const data::Beam beam = paper_beam();
-  EXPECT_TRUE(within(stick_buckling_load(beam) * 4.0 / rigidity(beam), buckling_factor,
-                     round_off(4, 1, buckling_factor)));
 }
 
 TEST(StickModes, RefuseTheBucklingLoadAndSayWhy) {
@@ -333,20 +289,6 @@ TEST(QuasiStaticShape, DerivativesFollowFromTheShapeAndSatisfyTheEquation) {
       EXPECT_TRUE(
           has_derivative([&](double s) { return shape.third_derivative(s); }, x, h, -p * shape.curvature(x)));
     }
-  }
-}
-
-TEST(QuasiStaticShape, IsThePapersFormulaInCompression) {
-  const data::Beam beam = paper_beam_with_load_factor(7.0);
-  const QuasiStaticShape shape(beam);
-  const double length = beam.length(), sigma = std::sqrt(7.0) / length;
-  const double denominator = sigma * length * std::cos(sigma * length) - std::sin(sigma * length);
-  for (int i = 0; i <= 20; ++i) {
-    const double x = 0.1 * i;
-    const double printed =
-        (-sigma * x * std::cos(sigma * length) + std::sin(sigma * length) - std::sin(sigma * (length - x))) /
-        denominator;
-    EXPECT_TRUE(within(shape.value(x), printed, round_off(10, 1, 1.0)));
   }
 }
 

@@ -93,22 +93,6 @@ TEST(StickResponse, KeepsTheClampAndTheTipAtTheWall) {
   }
 }
 
-TEST(StickResponse, OfOneModeIsTheStaticShapeAndTheModalCoordinateOfEquation26) {
-  const data::Beam beam = paper_beam();
-  const StickMode mode = stick_modes(beam, 1).front();
-  const analytic::QuasiStaticShape quasi_static(beam);
-  const StickResponse response(beam, shaking(15.0), 1);
-  const double x = 1.1, omega = mode.angular_frequency(), drive = 2.0 * pi * 15.0;
-  for (const double t : {0.02, 0.1, 0.35}) {
-    const double coordinate = 0.5e-3 * drive * drive * mode.participation() *
-                              (omega * std::sin(drive * t) - drive * std::sin(omega * t)) /
-                              ((drive * drive - omega * omega) * omega);
-    const double expected =
-        quasi_static.value(x) * response.base_displacement(t) + mode.shape(x) * coordinate;
-    EXPECT_TRUE(within(response.relative_displacement(x, t), expected, round_off(10, 1.0 + omega * t, 1e-3)));
-  }
-}
-
 TEST(StickResponse, SatisfiesTheEquationOfMotionAtRandomPoints) {
   // Exact steady part and three free vibrations: each term satisfies Eq. (1), so the sum does.
   const data::Beam beam = paper_beam();
@@ -381,24 +365,6 @@ TEST(StickResponse, RefusesAnExactSteadyPartAboveItsModesAndSaysWhy) {
 }
 
 STICKSLIP_VERIFIES(MaximumForce, "A5");
-TEST(MaximumForce, BoundsContainADenselySampledMaximum) {
-  for (const SteadyPart steady : kBothSums)
-    for (const double hz : {5.0, 15.0, 24.9, 35.0, 70.0, 81.0}) {
-      const StickResponse response(paper_beam(), shaking(hz), 10, steady);
-      const double duration = 0.7;
-      const Bounds bounds = response.max_abs_friction_force(duration);
-      double sampled = 0.0;
-      for (int i = 0; i <= 100000; ++i)
-        sampled = std::max(sampled, std::abs(response.friction_force(duration * i / 1e5)));
-      EXPECT_LE(sampled, bounds.upper);
-      // The samples are 7e-6 s apart: the largest lies at most (7e-6)^2/8 max|f''| below.
-      const Bounds coarse = response.sampled_max_abs_friction_force(duration, 7e-6);
-      EXPECT_LE(bounds.lower, coarse.upper);
-      EXPECT_LE(bounds.upper - bounds.lower, 1e-10 * bounds.lower);
-      EXPECT_LE(bounds.lower, bounds.upper);
-    }
-}
-
 TEST(MaximumForce, AtThePapersFourFrequenciesIsWithinOnePercentOfWhatIsPrinted) {
   // A0 = 0.5 mm over 10 s: ten modes and the limit of many modes, both sampled every 1e-4 s, and the latter's
   // true maximum.

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <functional>
 #include <numbers>
 #include <stdexcept>
 #include <vector>
@@ -65,39 +64,6 @@ TEST(TipMobility, TendsToTheStaticFlexibility) {
       EXPECT_TRUE(near(mobility(s) / s, expected, rounding)) << z;
     }
   }
-}
-
-/// How far the root of f near i omega is from there, relative to omega: one step by the secant.
-double distance_of_root(const std::function<Complex(Complex)>& f, double omega) {
-  constexpr double kStep = 1e-6;
-  const auto at = [&](double share) { return f(Complex(0.0, omega * share)); };
-  return std::abs(2.0 * kStep * at(1.0) / (at(1.0 + kStep) - at(1.0 - kStep)));
-}
-
-/// `modes` have their frequencies at roots of function(mobility).
-template <class Modes, class Function>
-void expect_roots(Modes&& modes, Function&& function) {
-  constexpr int count = 40;
-  for (const double z : {-14.4, 0.0, 0.12, 10.0, 19.0}) {
-    const auto here = modes(paper_beam_with_load_factor(z), count);
-    const auto there = modes(paper_beam_with_load_factor(z * (1.0 - 1e-6)), count);
-    const TipMobility mobility(paper_beam_with_load_factor(z));
-    for (const std::size_t n : {0U, 1U, 2U, 4U, 9U, 39U}) {
-      const double omega = here[n].angular_frequency();
-      const double sensitivity = std::abs(there[n].angular_frequency() / omega - 1.0) / 1e-6;
-      EXPECT_TRUE(within(distance_of_root([&](Complex s) { return function(mobility(s)); }, omega), 0.0,
-                         round_off(10, 1.0 + sensitivity, 1.0)))
-          << z << ", mode " << n + 1;
-    }
-  }
-}
-
-TEST(TipMobility, HasItsPolesAtTheSlipFrequencies) {
-  expect_roots(analytic::slip_modes, [](Complex y) { return 1.0 / y; });
-}
-
-TEST(TipMobility, HasItsZerosAtTheStickFrequencies) {
-  expect_roots(analytic::stick_modes, [](Complex y) { return y; });
 }
 
 TEST(TipMobility, IsTheSumOverTheSlipModesWhereTheExponentsMeetToo) {
