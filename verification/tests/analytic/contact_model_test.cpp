@@ -72,9 +72,8 @@ Eigen::MatrixXd mass_matrix(const ContactModel& model) {
 /// The second derivatives of shapes(x), from the modes and the static shape they are made of.
 class Curvatures {
  public:
-  Curvatures(const BeamContactModel& model, int modes, double axial_force)
-      : modes_(analytic::stick_modes(paper_beam_with_axial_force(axial_force), modes)),
-        static_shape_(paper_beam_with_axial_force(axial_force)) {
+  Curvatures(const BeamContactModel& model, int modes)
+      : modes_(analytic::stick_modes(paper_beam(), modes)), static_shape_(paper_beam()) {
     for (std::size_t n = 0; n < modes_.size(); ++n)
       scale_.push_back(model.shapes(0.4 * length)[n] / modes_[n].shape(0.4 * length));
   }
@@ -114,9 +113,9 @@ TEST(BeamContactModel, MassesAndLoadsAreTheIntegralsOfItsShapes) {
 TEST(BeamContactModel, StiffnessesAreTheEnergiesOfItsShapes) {
   // U_i . K U_j = omega_i^2 delta_ij, sigma . K U_n = 0, sigma . K sigma = k_c, where
   // f . K g = EI int f'' g'' dx - P int f' g' dx.
-  const double axial_force = 500.0;
+  const double axial_force = paper_beam().axial_force();
   const BeamContactModel beam = beam_model(6);
-  const Curvatures curvature(beam, 6, axial_force);
+  const Curvatures curvature(beam, 6);
   for (std::size_t i = 0; i <= 6; ++i) {
     for (std::size_t j = i; j <= 6; ++j) {
       const auto energy = [&](double x) {
@@ -242,7 +241,7 @@ TEST(BeamContactModel, HoldingForceIsTheStickResponseUpToTheOmittedModes) {
 TEST(BeamContactModel, KelvinVoigtDampingIsProportionalToTheBendingEnergy) {
   const double eta = 6.4e-5;
   const BeamContactModel beam = beam_model(6, {.kelvin_voigt = eta});
-  const Curvatures curvature(beam, 6, 500.0);
+  const Curvatures curvature(beam, 6);
   const Eigen::MatrixXd damping = dense(beam.model().damping);
   ASSERT_EQ(damping.rows(), 7);
   for (std::size_t i = 0; i <= 6; ++i)

@@ -62,22 +62,6 @@ double backward_third_difference(const RealFunction& f, double x, double h) {
 }
 
 STICKSLIP_VERIFIES(StickResponse, "A4");
-TEST(StickResponse, StartsFromRestRelativeToTheWall) {
-  // u(x,0) = 0 and u_t(x,0) = S(x) h_t(0): the wall sees the base pass with the quasi-static shape (E4).
-  const data::Beam beam = paper_beam();
-  const StickResponse response(beam, shaking(15.0), 10);
-  const analytic::QuasiStaticShape quasi_static(beam);
-  const double base_velocity = 0.5e-3 * 2.0 * pi * 15.0;
-  for (const double x : {0.0, 0.3, 1.0, 1.7, 2.0}) {
-    EXPECT_EQ(response.relative_displacement(x, 0.0), 0.0);
-    const Estimate velocity =
-        derivative([&](double t) { return response.relative_displacement(x, t); }, 0.0, 1e-5);
-    EXPECT_TRUE(within(velocity.value, quasi_static.value(x) * base_velocity,
-                       discretisation(velocity.error + round_off(4, 1, base_velocity).value, 1.0,
-                                      "GSL's estimate of the derivative, round-off")));
-  }
-}
-
 TEST(StickResponse, KeepsTheClampAndTheTipAtTheWall) {
   for (const SteadyPart steady : kBothSums) {
     const StickResponse response(paper_beam(), shaking(25.0), 10, steady);

@@ -185,19 +185,6 @@ TEST(TimoshenkoModes, GoToThoseOfEulerAndBernoulliAsTheInverseOfTheShearStiffnes
   }
 }
 
-TEST(TimoshenkoModes, AreLowerByHalfTheSquaresOfRotaryInertiaAndShearInTheMiddle) {
-  // Mode 6 of the slender beam: the wave number of the middle is (6 + 1/4) pi; the ends change the share by less than
-  // a tenth, the next order by (r^2 + s^2) n^2 of itself.
-  const double r2 = 1e-4 / 12.0 / (0.01 * 4.0), s2 = s_squared(slender);
-  data::BeamProperties rigid = slender.properties();
-  rigid.shear_stiffness = 0.0;
-  const double classical = analytic::stick_modes(data::Beam(rigid), 6).back().angular_frequency();
-  const double loss = 1.0 - analytic::timoshenko_frequencies(slender, TipSupport::held, 6).back() / classical;
-  const double n2 = std::pow(6.25 * std::numbers::pi, 2), first = 0.5 * (r2 + s2) * n2;
-  EXPECT_TRUE(
-      within(loss, first, discretisation(first * (0.1 + (r2 + s2) * n2), 1.0, "ends and the next order")));
-}
-
 TEST(TimoshenkoModes, RefuseWhatHasNoSuchForm) {
   const auto refuses = [](const data::Beam& beam, TipSupport tip, int count) {
     EXPECT_THROW((void)analytic::timoshenko_frequencies(beam, tip, count), data::FieldError);
