@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "stickslip/analytic/criterion.hpp"
-#include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/data/case_file.hpp"
@@ -26,7 +24,11 @@ namespace stickslip::studies {
 
 namespace {
 
-constexpr const char* half_a_digit = "half a unit of the last digit";
+PrintedCheck check_to_last_digit(const std::string& id, double computed, const std::string& method,
+                                 const std::optional<analytic::Bounds>& left_open = std::nullopt) {
+  const data::PrintedNumber printed = data::printed_number(id);
+  return {printed, computed, method, printed.half_digit, "half a unit of the last digit", left_open};
+}
 
 // The frequencies of Fig. 6 that are not below `first`.
 std::vector<double> figure6_frequencies_from(double first) {
@@ -55,15 +57,10 @@ double finite_element_force(const data::Case& paper, double hz) {
   return solver::max_abs_friction_force(paper.beam, unit, paper.numerics);
 }
 
-double sampled_force(const data::Case& paper, double hz, double step) {
-  const data::HarmonicExcitation excitation = printed_excitation(hz);
-  return analytic::StickResponse(paper.beam, excitation, paper.numerics.modes())
-      .sampled_max_abs_friction_force(paper.numerics.duration(), step)
+double sampled_force(const data::Case& paper, double hz, std::optional<double> step = std::nullopt) {
+  return analytic::StickResponse(paper.beam, printed_excitation(hz), paper.numerics.modes())
+      .sampled_max_abs_friction_force(paper.numerics.duration(), step.value_or(paper.numerics.time_step()))
       .lower;
-}
-
-double sampled_force(const data::Case& paper, double hz) {
-  return sampled_force(paper, hz, paper.numerics.time_step());
 }
 
 // Sampled |f_max| of N modes for the initial condition u_t(x,0) = 0: Eq. (28) plus the free vibration with
@@ -115,43 +112,39 @@ double extrapolated_stick_hz(const data::Beam& beam, int mode, int elements) {
 }
 
 void add_frequency_checks(const data::Case& paper, std::vector<PrintedCheck>& checks) {
-  const data::Beam half =
-      with(paper.beam, &data::BeamProperties::youngs_modulus, 0.5 * paper.beam.youngs_modulus());
   const auto add = [&](const std::string& id, const data::Beam& beam, int mode) {
-    const data::PrintedNumber printed = data::printed_number(id);
-    checks.push_back(
-        {printed, stick_hz(beam, mode), "closed form", printed.half_digit, half_a_digit, std::nullopt});
+    checks.push_back(check_to_last_digit(id, stick_hz(beam, mode), "closed form"));
   };
   for (int mode = 1; mode <= 3; ++mode) {
     const std::string id = fmt::format("frequency.stick.{}", mode);
     add(id, paper.beam, mode);
-    add(id + ".half_stiffness", half, mode);
+    add(id + ".half_stiffness", half_stiff(paper.beam), mode);
     if (mode < 3) add(id + ".figure7", paper.beam, mode);
   }
 }
 
 void add_force_checks(const data::Case& paper, std::vector<PrintedCheck>& checks) {
-  const data::PrintedNumber limit = data::printed_number("friction_limit");
-  checks.push_back({limit, paper.friction.static_coefficient() * paper.beam.axial_force(), "mu_s P",
-                    limit.half_digit, half_a_digit, std::nullopt});
-  for (const double hz : printed_frequencies) {
-    const data::PrintedNumber printed = printed_force(hz);
-    checks.push_back({printed, sampled_force(paper, hz), "closed form, N = 10, sampled", printed.half_digit,
-                      half_a_digit, printed_force_range(paper, hz)});
-  }
+  checks.push_back(check_to_last_digit(
+      "friction_limit", paper.friction.static_coefficient() * paper.beam.axial_force(), "mu_s P"));
+  for (const double hz : printed_frequencies)
+    checks.push_back(check_to_last_digit(printed_force(hz).id, sampled_force(paper, hz),
+                                         "closed form, N = 10, sampled", printed_force_range(paper, hz)));
+}
+
+std::string figure14_length_id(int mode) { return fmt::format("figure14.length.{}", mode); }
+
+// The length at which the natural frequency of a mode is 25 Hz.
+double figure14_length(int mode, double axial_force) {
+  const data::Beam section = data::load_case("paper-figure14").beam;
+  return resonance_length(with(section, &data::BeamProperties::axial_force, axial_force), mode, 25.0).value();
 }
 
 void add_figure_checks(const data::Case& paper, std::vector<PrintedCheck>& checks) {
-  const data::Beam section = data::load_case("paper-figure14").beam;
-  const auto length = [&](int mode, double force) {
-    return resonance_length(with(section, &data::BeamProperties::axial_force, force), mode, 25.0).value();
-  };
-  for (int mode = 1; mode <= 2; ++mode) {
-    const data::PrintedNumber printed = data::printed_number(fmt::format("figure14.length.{}", mode));
-    checks.push_back({printed, length(mode, data::printed_number("parameter.axial_force").value),
-                      "closed form, P = 500 N", printed.half_digit, half_a_digit,
-                      analytic::Bounds{length(mode, 1000.0), length(mode, 0.0)}});
-  }
+  const double printed_axial_force = data::printed_number("parameter.axial_force").value;
+  for (int mode = 1; mode <= 2; ++mode)
+    checks.push_back(check_to_last_digit(
+        figure14_length_id(mode), figure14_length(mode, printed_axial_force), "closed form, P = 500 N",
+        analytic::Bounds{figure14_length(mode, 1000.0), figure14_length(mode, 0.0)}));
   const auto force = [&](double hz) { return closed_form_force(paper, hz); };
   const auto add = [&](const std::string& id, double first) {
     const std::vector<double> frequencies = figure6_frequencies_from(first);
@@ -203,14 +196,11 @@ void add_figure_errata(const data::Case& paper, std::vector<ErratumEvidence>& ev
   evidence.push_back({"E8", "critical load of the slip state over EI/L^2 (as printed: a dead load)", "1",
                       dead_load_buckling(paper.beam, 16), flutter.finite_element.back(), flutter.closed_form,
                       1e-3});
-  const data::Beam section = data::load_case("paper-figure14").beam;
   for (int mode = 1; mode <= 2; ++mode) {
-    const data::PrintedNumber printed = data::printed_number(fmt::format("figure14.length.{}", mode));
-    const auto length = [&](double force) {
-      return resonance_length(with(section, &data::BeamProperties::axial_force, force), mode, 25.0).value();
-    };
+    const data::PrintedNumber printed = data::printed_number(figure14_length_id(mode));
     evidence.push_back({"E9", fmt::format("L{} (as printed: without P, corrected: P = 500 N)", mode), "m",
-                        length(0.0), length(500.0), printed.value, printed.half_digit});
+                        figure14_length(mode, 0.0), figure14_length(mode, 500.0), printed.value,
+                        printed.half_digit});
   }
   const std::vector<double> upper = figure6_frequencies_from(50.0);
   evidence.push_back({"E10", "frequency of the valley in Fig. 6 (reference: finite elements)", "Hz",
@@ -224,7 +214,7 @@ void add_figure_errata(const data::Case& paper, std::vector<ErratumEvidence>& ev
 
 void add_sign_and_scaling_errata(const data::Case& paper, std::vector<ErratumEvidence>& evidence) {
   data::Case half = paper;
-  half.beam = with(paper.beam, &data::BeamProperties::youngs_modulus, 0.5 * paper.beam.youngs_modulus());
+  half.beam = half_stiff(paper.beam);
   // Tolerance 1 %: the modes above the tenth contribute 0.3 % of f for either beam (E6), and the error of the
   // mesh is about as large.
   const double closed_form = closed_form_force(half, 15.0) / closed_form_force(paper, 15.0);

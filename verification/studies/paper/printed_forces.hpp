@@ -30,4 +30,9 @@ inline data::Beam with(const data::Beam& beam, double data::BeamProperties::*fie
   return data::Beam(properties);
 }
 
+/// The beam of Fig. 13, with half of E.
+inline data::Beam half_stiff(const data::Beam& beam) {
+  return with(beam, &data::BeamProperties::youngs_modulus, 0.5 * beam.youngs_modulus());
+}
+
 }  // namespace stickslip::studies

@@ -66,8 +66,7 @@ double finite_element_hz(const data::Beam& beam, int mode, int elements) {
 }
 
 void add_frequencies(const data::Case& paper, std::vector<Plan>& plans) {
-  const data::Beam half =
-      with(paper.beam, &data::BeamProperties::youngs_modulus, 0.5 * paper.beam.youngs_modulus());
+  const data::Beam half = half_stiff(paper.beam);
   const auto add = [&](const data::Beam& beam, int mode, const char* id_end, const char* name_end) {
     plans.push_back({fmt::format("frequency.stick.{}{}", mode, id_end),
                      fmt::format("stick frequency {}{}", mode, name_end), "Hz", false,
