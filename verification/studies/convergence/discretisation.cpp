@@ -26,7 +26,7 @@ struct StepMap {
 };
 
 StepMap step_map(double spectral_radius, double omega_times_step) {
-  const auto [am, af, gamma, beta] = GeneralizedAlpha(spectral_radius);
+  const auto [am, af, gamma, beta] = AlphaParameters(spectral_radius);
   const double k = omega_times_step * omega_times_step;
   const double divisor = (1.0 - am) + (1.0 - af) * beta * k;
   const Eigen::RowVector3d acceleration =

@@ -23,8 +23,8 @@ namespace stickslip::studies {
                                               double element_length);
 
 /// The parameters of generalised-alpha as Chung & Hulbert (1993) print them, not as the solver computes them.
-struct GeneralizedAlpha {
-  explicit GeneralizedAlpha(double spectral_radius)
+struct AlphaParameters {
+  explicit AlphaParameters(double spectral_radius)
       : alpha_m((2.0 * spectral_radius - 1.0) / (spectral_radius + 1.0)),
         alpha_f(spectral_radius / (spectral_radius + 1.0)) {}
   double alpha_m, alpha_f;

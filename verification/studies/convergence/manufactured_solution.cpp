@@ -320,7 +320,7 @@ Eigen::EigenSolver<Eigen::MatrixXd> free_vibrations(const Problem& problem, cons
 // The leading time-integration error of a motion Q cos(omega t) that starts at rest.
 Eigen::VectorXd leading_time_error(const Problem& problem, const solver::BeamModel& model,
                                    const Eigen::VectorXd& shape, double spectral_radius, double h) {
-  const GeneralizedAlpha method(spectral_radius);
+  const AlphaParameters method(spectral_radius);
   const double square = problem.rate * problem.rate;
   const double m = 1.0 - method.alpha_m, f = 1.0 - method.alpha_f;
   const double k_a = 0.5 * m - m * f + 0.5 * f * f - 1.0 / 6.0 + 0.5 * method.gamma - method.beta;

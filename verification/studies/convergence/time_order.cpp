@@ -97,7 +97,7 @@ struct Oscillators {
 //
 // The balance holds at the alpha levels, with the load at t_n + (1 - alpha_f) h.
 Vibration stepped(const Oscillators& system, double spectral_radius, double h) {
-  const auto [am, af, gamma, beta] = GeneralizedAlpha(spectral_radius);
+  const auto [am, af, gamma, beta] = AlphaParameters(spectral_radius);
   const Complex rotation = std::polar(1.0, omega * h);
   const Complex velocity = h * (1.0 - gamma + gamma * rotation) / (rotation - 1.0);
   const Complex displacement = (h * velocity + h * h * (0.5 - beta + beta * rotation)) / (rotation - 1.0);
@@ -115,7 +115,7 @@ Vibration stepped(const Oscillators& system, double spectral_radius, double h) {
 //     V = i omega Q (1 + k_1 (omega h)^2),
 //     i omega M V (1 + k_2 (omega h)^2) + C V + K Q = F (1 + k_3 (omega h)^2).
 Vibration leading_error(const Oscillators& system, double spectral_radius) {
-  const GeneralizedAlpha method(spectral_radius);
+  const AlphaParameters method(spectral_radius);
   const double af = method.alpha_f, d = af - method.alpha_m;
   const double k_1 = 1.0 / 12.0 + d * d / 4.0, k_2 = 1.0 / 12.0 + d * d / 2.0;
   const double k_3 = 0.5 * af * (1.0 - af);

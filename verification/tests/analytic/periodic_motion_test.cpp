@@ -13,7 +13,6 @@
 #include <set>
 #include <vector>
 
-#include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/steady_sliding.hpp"
 #include "support/contact_models.hpp"
 #include "support/requirements.hpp"

@@ -11,10 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/timoshenko_modes.hpp"
-#include "support/beams.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "stickslip/analytic/stick_modes.hpp"
-#include "stickslip/data/paper.hpp"
 #include "studies/criterion/critical_amplitude.hpp"
 #include "studies/stick/force_maximum.hpp"
 #include "studies/stick/frequencies.hpp"
