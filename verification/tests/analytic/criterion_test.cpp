@@ -73,10 +73,5 @@ TEST(Criterion, RefusesABadDuration) {
                std::invalid_argument);
 }
 
-TEST(Criterion, NamesItsVerdicts) {
-  EXPECT_EQ(to_string(Verdict::stick), "stick");
-  EXPECT_EQ(to_string(Verdict::stick_slip), "stick-slip");
-}
-
 }  // namespace
 }  // namespace stickslip::testing

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// The closed forms before they judge anything: energy products, sensitivity, sums over all modes, limits,
-/// and the condition at the tip that no other test looks at.
+/// What theory says of the closed forms: limits of strong tension and slow shaking, sums over all modes, the change of
+/// the slip frequencies with the axial force, and the moment at the tip.
 
 #include <gtest/gtest.h>
 

@@ -392,15 +392,6 @@ TEST(MaximumForce, IsFoundAtExactResonance) {
                                     "the last crest, a period at most before the end, and the other modes")));
 }
 
-TEST(MaximumForce, IsZeroWithoutExcitation) {
-  const StickResponse response(paper_beam(), shaking(25.0, 0.0));
-  for (const Bounds bounds :
-       {response.max_abs_friction_force(10.0), response.sampled_max_abs_friction_force(10.0, 1e-3)}) {
-    EXPECT_EQ(bounds.lower, 0.0);
-    EXPECT_EQ(bounds.upper, 0.0);
-  }
-}
-
 TEST(MaximumForce, SurvivesExtremeAmplitudesAndDurations) {
   for (const double amplitude : {1e-300, 1e250}) {
     const StickResponse response(paper_beam(), shaking(15.0, amplitude));
