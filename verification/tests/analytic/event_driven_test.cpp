@@ -504,8 +504,8 @@ TEST(EventDriven, FollowsTwoMassesThroughOnsetsCapturesAndReversals) {
   masses.advance_to(12.0);
   const Tolerance tolerance = accumulated(1e-12, 10.0 * 4.6 * 12.0, 1.0);
   std::vector<ChangeOfContact> expected;
-  for (const solver::ContactEvent& event :
-       exact.events())  // both enumerations list onset, capture, reversal, graze
+  // Both enumerations list onset, capture, reversal, graze.
+  for (const solver::ContactEvent& event : exact.events())
     expected.push_back({static_cast<ContactChange>(event.kind), event.time, event.displacement});
   ASSERT_EQ(expected.size(), 23u);
   expect_events(masses.events(), expected, tolerance, tolerance);

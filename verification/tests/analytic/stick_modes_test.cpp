@@ -173,9 +173,8 @@ TEST(StickModes, LiveOrAreRefusedWithinRoundOffOfTheBucklingLoad) {
 
 TEST(StickModes, RefuseACountOutOfRangeAndSayWhy) {
   for (const int count : {-1, 0, 1001})
-    expect_refusal<std::invalid_argument>(
-        [&] { (void)stick_modes(paper_beam(), count); },
-        {("numerics.modes is " + std::to_string(count) + ", but must be 1 ... 1000").c_str()});
+    EXPECT_EQ(refusal_of<std::invalid_argument>([&] { (void)stick_modes(paper_beam(), count); }),
+              "numerics.modes is " + std::to_string(count) + ", but must be 1 ... 1000");
 }
 
 TEST(StickModes, AThousandMeetTheirBoundaryConditions) {

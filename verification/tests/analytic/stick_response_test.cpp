@@ -422,8 +422,8 @@ TEST(MaximumForce, RefusesBadArgumentsAndSaysWhich) {
   EXPECT_THROW((void)response.sampled_max_abs_friction_force(1.0, 0.0), std::invalid_argument);
   EXPECT_THROW((void)response.sampled_max_abs_friction_force(1.0, 1e-300), std::invalid_argument);
   EXPECT_THROW((void)response.max_abs_friction_force(1e300), std::invalid_argument);
-  expect_refusal<std::invalid_argument>([&] { (void)response.max_abs_friction_force(-1.0); },
-                                        {"excitation.duration is -1, but must be positive and finite"});
+  EXPECT_EQ(refusal_of<std::invalid_argument>([&] { (void)response.max_abs_friction_force(-1.0); }),
+            "excitation.duration is -1, but must be positive and finite");
 }
 
 }  // namespace

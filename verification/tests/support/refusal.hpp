@@ -10,17 +10,22 @@
 
 namespace stickslip::testing {
 
-/// Expects `call` to throw an Exception whose message contains each of `parts`.
+/// The message of the Exception that `call` throws.
 template <class Exception, class Call>
-void expect_refusal(Call&& call, std::initializer_list<const char*> parts) {
+std::string refusal_of(Call&& call) {
   try {
     call();
   } catch (const Exception& error) {
-    const std::string message = error.what();
-    for (const char* part : parts) EXPECT_NE(message.find(part), std::string::npos) << message;
-    return;
+    return error.what();
   }
-  ADD_FAILURE() << "nothing was refused";
+  return "nothing was refused";
+}
+
+/// Expects `call` to throw an Exception whose message contains each of `parts`.
+template <class Exception, class Call>
+void expect_refusal(Call&& call, std::initializer_list<const char*> parts) {
+  const std::string message = refusal_of<Exception>(call);
+  for (const char* part : parts) EXPECT_NE(message.find(part), std::string::npos) << message;
 }
 
 }  // namespace stickslip::testing
