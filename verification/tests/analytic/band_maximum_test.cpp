@@ -21,6 +21,7 @@ namespace {
 using analytic::BandMaximum;
 using analytic::Bounds;
 using analytic::FrequencyBand;
+using std::numbers::pi;
 
 Bounds force_at(double hz, double duration) {
   const data::HarmonicExcitation unit({.frequency_hz = hz, .amplitude = 1.0});
@@ -29,7 +30,7 @@ Bounds force_at(double hz, double duration) {
 
 // A bound of |d^2 f/dOmega^2| over 0 ... duration and up to `hz`, by Duhamel's integral for every mode.
 double curvature_bound(double hz, double duration) {
-  const double omega = 2.0 * std::numbers::pi * hz, t = duration;
+  const double omega = 2.0 * pi * hz, t = duration;
   const double stiffness = 2e9 * 1e-4 / 12.0;
   double bound = stiffness * std::abs(analytic::QuasiStaticShape(paper_beam()).third_derivative(2.0)) * t * t;
   for (const auto& mode : analytic::stick_modes(paper_beam(), 10))
@@ -49,7 +50,7 @@ TEST(BandMaximum, EnclosesTheMaximumOfAFineGrid) {
     EXPECT_LE(bounds.upper - bounds.lower, 1e-6 * bounds.lower);
 
     const double curvature = curvature_bound(band.to_hz, duration);
-    const double finest = std::sqrt(8.0 * grid_error * bounds.lower / curvature) / (2.0 * std::numbers::pi);
+    const double finest = std::sqrt(8.0 * grid_error * bounds.lower / curvature) / (2.0 * pi);
     const int steps = static_cast<int>(std::ceil((band.to_hz - band.from_hz) / finest));
     double largest = 0.0;
     for (int i = 0; i <= steps; ++i)
@@ -122,6 +123,82 @@ TEST(BandMaximum, DecidesAsItsBoundsDo) {
     for (const double share : {0.3, 0.9, 0.99, 0.9998, 1.0002, 1.01, 1.03, 1.1, 2.0})
       EXPECT_EQ(BandMaximum(paper_beam(), band, 10.0).exceeds(share * largest), share < 1.0) << share;
   }
+}
+
+// f per unit amplitude of the modes, at its worst over 0 ... duration, and its second derivative to Omega by
+// differences.
+double bend_over_frequency(double hz, double duration, double step_hz) {
+  const auto force = [&](double frequency_hz, double t) {
+    const data::HarmonicExcitation unit({.frequency_hz = frequency_hz, .amplitude = 1.0});
+    return analytic::StickResponse(paper_beam(), unit, 2).friction_force(t);
+  };
+  double largest = 0.0;
+  for (int i = 1; i <= 400; ++i) {
+    const double t = duration * i / 400.0, step = 2.0 * pi * step_hz;
+    const double bend =
+        (force(hz + step_hz, t) - 2.0 * force(hz, t) + force(hz - step_hz, t)) / (step * step);
+    largest = std::max(largest, std::abs(bend));
+  }
+  return largest;
+}
+
+TEST(BandMaximum, BoundsTheBendOfTheForceOverFrequencyFromAboveAndNotFarAbove) {
+  // Next to a resonance, between two, and above; durations on both sides of one second. Triangle inequalities
+  // cost a factor of two for each sinusoid that is taken for one (the mean of sin^2) and one for each mode.
+  for (const double duration : {0.3, 3.0, 30.0})
+    for (const double hz : {24.9, 25.2, 50.0, 81.0, 110.0}) {
+      const double width = 1e-3 / duration;
+      const BandMaximum search(paper_beam(), {hz - width, hz + width}, duration, 2);
+      const double bound = search.between(2.0 * pi * (hz - width), 2.0 * pi * (hz + width)).curvature;
+      const double bend = bend_over_frequency(hz, duration, 1e-3 / duration);
+      EXPECT_GE(bound, bend * (1.0 - 1e-4)) << hz << " Hz, " << duration << " s";
+      EXPECT_LE(bound, 12.0 * bend) << hz << " Hz, " << duration << " s";
+    }
+}
+
+TEST(BandMaximum, BoundsTheForceOfAnIntervalFromAboveAndNotFarAbove) {
+  for (const double duration : {0.3, 3.0, 30.0})
+    for (const double hz : {10.0, 24.9, 25.2, 50.0, 81.0, 110.0}) {
+      const double width = 1e-3 / duration;
+      const BandMaximum search(paper_beam(), {hz - width, hz + width}, duration, 2);
+      const double bound = search.between(2.0 * pi * (hz - width), 2.0 * pi * (hz + width)).force;
+      const data::HarmonicExcitation unit({.frequency_hz = hz, .amplitude = 1.0});
+      const Bounds force = analytic::StickResponse(paper_beam(), unit, 2).max_abs_friction_force(duration);
+      EXPECT_GE(bound, force.lower) << hz << " Hz, " << duration << " s";
+      EXPECT_LE(bound, 4.0 * force.upper) << hz << " Hz, " << duration << " s";
+    }
+}
+
+TEST(BandMaximum, BoundsAtOneFrequencyAndOneModeAreSumsOfExactSuprema) {
+  // f = A sin(Omega t) - B sin(omega_1 t) with A = F + c p and B = c p Omega/omega_1, p = Omega^2/(Omega^2 -
+  // omega_1^2): |f| <= |A| + |B| and |f_OmegaOmega| <= T^2 |A| + 2 T |A'| + |A''| + |B''|. Derivatives by
+  // central differences, off by (h/(Omega - omega_1))^2 and by round-off eps/h^2.
+  const analytic::ModalForce mode = analytic::modal_forces(paper_beam(), 1).front();
+  const double base = paper_beam().youngs_modulus() * paper_beam().second_moment_of_area() *
+                      analytic::QuasiStaticShape(paper_beam()).third_derivative(paper_beam().length());
+  const double natural = mode.angular_frequency, c = mode.coefficient;
+  const auto share = [&](double omega) { return omega * omega / ((omega - natural) * (omega + natural)); };
+  const auto steady = [&](double omega) { return base + c * share(omega); };
+  const auto free = [&](double omega) { return c * share(omega) * omega / natural; };
+  for (const double ratio : {0.3, 0.8, 1.5, 3.0})
+    for (const double periods : {4.0, 10.0}) {  // so long that no bound of a mode in the interval is nearer
+      const double omega = ratio * natural, duration = periods * 2.0 * pi / natural;
+      const double h = 1e-3 * std::abs(omega - natural);
+      const auto slope = [h, omega](auto f) { return (f(omega + h) - f(omega - h)) / (2.0 * h); };
+      const auto bend = [h, omega](auto f) {
+        return (f(omega + h) - 2.0 * f(omega) + f(omega - h)) / (h * h);
+      };
+      const BandMaximum search(paper_beam(), {omega / (2.0 * pi), omega / (2.0 * pi)}, duration, 1);
+      const auto suprema = search.between(omega, omega);
+      const double force = std::abs(steady(omega)) + std::abs(free(omega));
+      const double curvature = duration * duration * std::abs(steady(omega)) +
+                               2.0 * duration * std::abs(slope(steady)) + std::abs(bend(steady)) +
+                               std::abs(bend(free));
+      EXPECT_TRUE(within(suprema.force, force, round_off(20, 1.0 / std::abs(1.0 - ratio), force)));
+      EXPECT_TRUE(within(suprema.curvature, curvature,
+                         discretisation(1e-6 * curvature, 2.0, "(h/(Omega - omega_1))^2")))
+          << ratio << ", " << periods;
+    }
 }
 
 TEST(BandMaximum, RefusesWhatIsNoBand) {

@@ -57,6 +57,21 @@ TEST(Criterion, CriticalAmplitudeDoesNotDependOnTheAmplitudeNotEvenOnZero) {
   EXPECT_EQ(none.verdict, Verdict::stick);
 }
 
+TEST(Criterion, CriticalAmplitudesAreExchangedWithTheBoundsOfTheForce) {
+  const auto enclosed = [](double width) {
+    return evaluate_criterion(paper_beam(), paper_friction(), shaking(35.0, 1e-3), 1.0, 10,
+                              SteadyPart::modal_sum, width)
+        .critical_amplitude;
+  };
+  const double critical = enclosed(1e-10).midpoint();
+  for (const double width : {0.3, 0.03}) {
+    const analytic::Bounds bounds = enclosed(width);
+    EXPECT_LT(bounds.lower, critical) << width;
+    EXPECT_GT(bounds.upper, critical) << width;
+    EXPECT_GT(bounds.upper, bounds.lower * (1.0 + 1e-6)) << "no bounds, but a value";
+  }
+}
+
 TEST(Criterion, RefusesABeamWithoutContactOrBuckledAndSaysWhy) {
   const double buckling = analytic::stick_buckling_load(paper_beam());
   for (const double force : {-500.0, 0.0, buckling, 2.0 * buckling}) {

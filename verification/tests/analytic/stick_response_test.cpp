@@ -240,6 +240,34 @@ TEST(StickResponse, PassesThroughResonanceContinuously) {
   }
 }
 
+StickResponse response_at(double hz, int modes = 10) {
+  return StickResponse(paper_beam(), shaking(hz, 1e-3), modes);
+}
+
+double densely_sampled(const StickResponse& response, double duration) {
+  double largest = 0.0;
+  for (int i = 0; i <= 20000; ++i)
+    largest = std::max(largest, std::abs(response.friction_force(duration * i / 2e4)));
+  return largest;
+}
+
+TEST(StickResponse, ClosestToResonanceLosesNoDigits) {
+  // In the first mode g grows as t cos(omega t)/2, and a relative shift d of Omega turns its phase by d omega
+  // t/2.
+  const double natural = analytic::stick_modes(paper_beam(), 1).front().frequency_hz(), t = 1.3;
+  const double phase = 2.0 * pi * natural * t;
+  const double at = response_at(natural).friction_force(t);
+  const double peak = densely_sampled(response_at(natural), t);
+  for (const double distance : {1e-8, 1e-10, 1e-12, 1e-14}) {
+    const double beside = response_at(natural * (1.0 + distance)).friction_force(t);
+    EXPECT_TRUE(
+        within(beside, at,
+               {(0.5 * phase * distance + 4.0 * phase * std::numeric_limits<double>::epsilon()) * peak,
+                "round-off", "phase omega t/2 turned by the distance, and its rounding"}))
+        << distance;
+  }
+}
+
 TEST(StickResponse, ResonantModeGrowsAsLHospitalSays) {
   // lim g = (omega t cos(omega t) - sin(omega t))/(2 omega^2) as Omega -> omega.
   const data::Beam beam = paper_beam();
@@ -346,6 +374,53 @@ TEST(StickResponse, RefusesAnExactSteadyPartAboveItsModesAndSaysWhy) {
       {"numerics.modes is 2, but must be so large"});
   EXPECT_NO_THROW(StickResponse(paper_beam(), shaking(50.0), 3, SteadyPart::exact));
   EXPECT_NO_THROW(StickResponse(paper_beam(), shaking(50.0), 2, SteadyPart::modal_sum));
+}
+
+STICKSLIP_VERIFIES(SampledMaximum, "A5");
+TEST(SampledMaximum, HoldsTheSampleAtTheEnd) {
+  // The force rises from zero through the whole of 3 ms; the last sample on the grid is at 2 ms.
+  const StickResponse response = response_at(5.0);
+  const double before = std::abs(response.friction_force(2e-3)),
+               end = std::abs(response.friction_force(3e-3));
+  ASSERT_GT(end, 1.1 * before);
+  EXPECT_TRUE(within(response.sampled_max_abs_friction_force(3e-3, 2e-3).lower, end, round_off(10, 1, end)));
+}
+
+TEST(SampledMaximum, HoldsTheLastSampleOfTheGridBeforeAShorterStep) {
+  // The largest value of one second is the fifth sample; the sixth would lie behind the end.
+  const StickResponse response = response_at(35.0);
+  double peak = 0.0;
+  for (int i = 1; i <= 20000; ++i)
+    if (std::abs(response.friction_force(i / 2e4)) > std::abs(response.friction_force(peak))) peak = i / 2e4;
+  const double step = 0.25 * peak, largest = std::abs(response.friction_force(peak));
+  ASSERT_LT(std::abs(response.friction_force(peak + 0.9 * step)), 0.9 * largest);
+  EXPECT_TRUE(within(response.sampled_max_abs_friction_force(peak + 0.9 * step, step).lower, largest,
+                     round_off(10, 1, largest)));
+}
+
+TEST(SampledMaximum, UpperBoundHoldsBetweenSamplesFarApart) {
+  for (const double hz : {3.0, 40.0, 300.0})
+    for (const int modes : {1, 3}) {
+      const StickResponse response = response_at(hz, modes);
+      const double duration = 7.3 / hz, largest = densely_sampled(response, duration);
+      for (const double share : {0.13, 0.29, 0.41}) {
+        const Bounds bounds = response.sampled_max_abs_friction_force(duration, share / hz);
+        EXPECT_LE(bounds.lower, largest * (1.0 + 1e-12)) << hz << " Hz, " << share;
+        EXPECT_GE(bounds.upper, largest) << hz << " Hz, " << share;
+      }
+    }
+}
+
+TEST(SampledMaximum, ExcessIsAnEighthOfTheSecondDerivativeTimesTheSquareOfTheStep) {
+  // Far from resonance the bound of |f''| is the sum over the sinusoids, that at Omega taken as one.
+  const StickResponse response = response_at(35.0, 4);
+  const double omega = 2.0 * pi * 35.0, step = 1e-4;
+  double bend = std::abs(response.steady_force_amplitude()) * omega * omega;
+  for (const auto& term : response.transient_force())
+    bend += std::abs(term.amplitude) * term.angular_frequency * term.angular_frequency;
+  const Bounds bounds = response.sampled_max_abs_friction_force(1.0, step);
+  const double excess = bend * step * step / 8.0;
+  EXPECT_TRUE(within(bounds.upper - bounds.lower, excess, round_off(100, bounds.upper / excess, excess)));
 }
 
 STICKSLIP_VERIFIES(MaximumForce, "A5");
