@@ -271,6 +271,23 @@ TEST(DampedSteadyState, LagsBehindTheBaseByAQuarterPeriodAtResonance) {
                    discretisation(2.0 * omega * 1e-5, 1.0, "the other modes")));
 }
 
+TEST(DampedSteadyState, SlowShakingBendsTheBeamIntoTheMasslessShape) {
+  // Y = A0 (1 + S) up to (Omega/omega_1)^2, whatever the damping, with the tip held.
+  for (const double factor : {-20.0, 0.12, 15.0}) {
+    const data::Beam beam = paper_beam_with_load_factor(factor);
+    const analytic::QuasiStaticShape shape(beam);
+    const double natural = analytic::stick_modes(beam, 1).front().angular_frequency(), hz = 0.1;
+    const DampedSteadyState steady(beam, data::HarmonicExcitation({hz, amplitude}),
+                                   data::Damping({.kelvin_voigt = 6.4e-5}), TipSupport::held);
+    const double first =
+        std::pow(2.0 * pi * hz / natural, 2) + 2.0 * pi * hz * 6.4e-5 * std::abs(factor) / 20.0;
+    for (const double x : {0.4, 1.0, 1.7})
+      EXPECT_TRUE(within(std::abs(steady.displacement(x) / amplitude - (1.0 + shape.value(x))), 0.0,
+                         discretisation(first, 2.0, "(Omega/omega_1)^2, and the loss angle times z/z_cr")))
+          << factor;
+  }
+}
+
 TEST(DampedSteadyState, RefusesModalDamping) {
   expect_refusal<std::invalid_argument>(
       [] {

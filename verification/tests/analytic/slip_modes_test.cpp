@@ -217,6 +217,27 @@ TEST(SlipModes, AreTheirOwnAdjointsIfTheForceKeepsItsDirection) {
       EXPECT_TRUE(within(mode.adjoint_shape(x), mode.shape(x), round_off(20, 5, 1.0))) << mode.number();
 }
 
+TEST(SlipModes, FrequencySquaredFollowsTheAxialForceByBothModes) {
+  // d(omega^2)/dP = int psi* psi'' / (rho A int psi* psi), with the adjoint mode psi*: the boundary
+  // conditions of psi do not hold P.
+  for (const double factor : {-20.0, 0.0, 5.0, 15.0})
+    for (std::size_t n = 0; n < 3; ++n) {
+      const auto square = [n](double axial_force) {
+        return std::pow(slip_modes(paper_beam_with_axial_force(axial_force), 3)[n].angular_frequency(), 2);
+      };
+      const SlipMode mode = slip_modes(paper_beam_with_load_factor(factor), 3)[n];
+      const Estimate work = integral([&](double x) { return mode.adjoint_shape(x) * mode.curvature(x); }, 0.0,
+                                     2.0, 2.0 * std::pow(mode.trigonometric_wave_number(), 2));
+      const Estimate overlap =
+          integral([&](double x) { return mode.adjoint_shape(x) * mode.shape(x); }, 0.0, 2.0, 2.0);
+      const Estimate computed = derivative(square, paper_beam_with_load_factor(factor).axial_force(),
+                                           paper_beam_with_load_factor(0.5).axial_force());
+      const double expected = work.value / (paper_beam().density() * paper_beam().area() * overlap.value);
+      EXPECT_TRUE(within(computed.value, expected, discretisation(computed.error, 2.0, "GSL's estimate")))
+          << "mode " << n + 1 << " at P L^2/EI = " << factor;
+    }
+}
+
 TEST(SlipModes, FollowerForceRaisesTheFirstFrequencyWhereADeadLoadWouldBuckle) {
   const double dead_load_buckling = 2.467;
   EXPECT_GT(slip_modes(beam_with_load_factor(dead_load_buckling), 1).front().angular_frequency(),

@@ -149,6 +149,45 @@ TEST(StickModes, FirstFrequencySquaredFallsLinearlyToZeroAtTheBucklingLoad) {
   EXPECT_LT(order, 1.1);
 }
 
+TEST(StickModes, VibrateLikeAStringUnderStrongTension) {
+  // s = sqrt(-P L^2/EI) >> 1. The clamp shortens the string by L/s: omega = n pi/L sqrt(-P/rho A) (1 + 1/s +
+  // r), r = (1 + (n pi)^2/2)/s^2 + O(s^-3), from tan(bb) = bb/b, b^2 = bb^2 + s^2.
+  for (const double s : {100.0, 1000.0}) {
+    const data::Beam beam = paper_beam_with_load_factor(-s * s);
+    for (const StickMode& mode : stick_modes(beam, 3)) {
+      const double order = mode.number() * pi;
+      const double string =
+          order / beam.length() * std::sqrt(-beam.axial_force() / (beam.density() * beam.area()));
+      const double second = (1.0 + 0.5 * order * order) / (s * s);
+      EXPECT_TRUE(within(mode.angular_frequency() / string, 1.0 + 1.0 / s + second,
+                         discretisation(order * order * order / (s * s * s), 1.0, "s^-3")));
+    }
+  }
+}
+
+TEST(StickModes, ParticipationsAddUpToTheWholeLoad) {
+  // Parseval: sum C_n^2 int U_n^2 = int (1 + S)^2. Behind N the terms are 4 L/((n + 1/4) pi)^2, exactly so at
+  // P = 0 but for exponentials; that tail is 4 L/(pi^2 (N + 3/4)) to within 1/(12 N^2) of itself, and P adds
+  // z/(N pi)^2.
+  for (const double factor : {-20.0, 0.0, 15.0}) {
+    const data::Beam beam = paper_beam_with_load_factor(factor);
+    const QuasiStaticShape shape(beam);
+    const Estimate whole =
+        integral([&](double x) { return std::pow(1.0 + shape.value(x), 2); }, 0.0, 2.0, 2.0);
+    for (const int count : {10, 100, 1000}) {
+      double sum = 0.0;
+      for (const StickMode& mode : stick_modes(beam, count))
+        sum += std::pow(mode.participation(), 2) * mode.norm_squared();
+      const double tail = 4.0 * beam.length() / (pi * pi * (count + 0.75));
+      const double next = tail * (1.0 / 12.0 + std::abs(factor) / (pi * pi)) / (count * count);
+      EXPECT_TRUE(within(sum + tail, whole.value,
+                         discretisation(next + whole.error + round_off(count, 1, 1.0).value, 2.0,
+                                        "next terms of the tail, quadrature, round-off")))
+          << count << " modes at P L^2/EI = " << factor;
+    }
+  }
+}
+
 TEST(StickModes, RefuseTheBucklingLoadAndSayWhy) {
   const double load = stick_buckling_load(paper_beam());
   for (const double force : {load, 1.5 * load, 100.0 * load}) {

@@ -125,6 +125,44 @@ TEST(StickResponse, ForceIsTheThirdDerivativeOfTheDeflectionAtTheTip) {
   }
 }
 
+TEST(StickResponse, HasNoBendingMomentAtTheTip) {
+  // One-sided differences: u'' - 11/12 h^2 u + h^3 u^(5). At the tip u is zero too, since it does not
+  // accelerate. Each part of u has the fifth power of its own wave number in u^(5).
+  const data::Beam beam = paper_beam();
+  for (const SteadyPart steady : kBothSums) {
+    const StickResponse response(beam, shaking(15.0), 4, steady);
+    const double h = 0.01 / response.modes().back().trigonometric_wave_number();
+    const double steady_wave = std::sqrt(2.0 * pi * 15.0 * std::sqrt(mass(beam) / rigidity(beam)));
+    double fifth = std::abs(response.steady_displacement_amplitude(1.0)) * std::pow(steady_wave, 5);
+    const auto transient = response.transient_displacement(1.0);
+    for (std::size_t n = 0; n < transient.size(); ++n)
+      fifth +=
+          std::abs(transient[n].amplitude) * std::pow(response.modes()[n].trigonometric_wave_number(), 5);
+    for (const double t : {0.017, 0.05, 0.31}) {
+      const auto u = [&](int steps) { return response.relative_displacement(2.0 - steps * h, t); };
+      const double curvature = (2.0 * u(0) - 5.0 * u(1) + 4.0 * u(2) - u(3)) / (h * h);
+      EXPECT_TRUE(within(curvature, 0.0, discretisation(h * h * h * fifth, 4.0, "h^3 u^(5)")));
+    }
+  }
+}
+
+TEST(StickResponse, SlowShakingAddsTheInertiaOfTheMasslessShape) {
+  // P = 0. f/A0 = 3 EI/L^3 + rho A L Omega^2 39/280 + O(Omega^4), with int (1 + S) S dx = -39/280 L; the next
+  // term is (Omega/omega_1)^2 of the second.
+  const data::Beam beam = paper_beam_with_load_factor(0.0);
+  const double natural = stick_modes(beam, 1).front().angular_frequency();
+  for (const double hz : {0.1, 1.0}) {
+    const double omega = 2.0 * pi * hz;
+    const double inertia = mass(beam) * beam.length() * omega * omega * 39.0 / 280.0;
+    const double at_rest = 3.0 * rigidity(beam) / std::pow(beam.length(), 3);
+    const double force = StickResponse(beam, shaking(hz), 10, SteadyPart::exact).steady_force_amplitude();
+    const double next = inertia * std::pow(omega / natural, 2);
+    EXPECT_TRUE(within(force / 0.5e-3 - at_rest, inertia,
+                       discretisation(next + round_off(30, 1, at_rest).value, 3.0, "(Omega/omega_1)^2")))
+        << hz << " Hz";
+  }
+}
+
 TEST(StickResponse, IsTheSumOfItsSinusoids) {
   for (const SteadyPart steady : kBothSums) {
     const StickResponse response(paper_beam(), shaking(70.0), 10, steady);
