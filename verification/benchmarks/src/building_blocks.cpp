@@ -18,34 +18,6 @@
 namespace stickslip::benchmarks {
 namespace {
 
-void run(benchmark::State& state, double amplitude, solver::TipContact contact) {
-  const data::HarmonicExcitation excitation({.frequency_hz = 25.0, .amplitude = amplitude});
-  const auto numerics = settings(static_cast<int>(state.range(0)), 1.0);
-  const long steps = solver::step_count(numerics.duration(), numerics.time_step());
-  for (auto _ : state) {
-    solver::BeamSimulation simulation(paper_beam, paper_friction, excitation, numerics, {.contact = contact});
-    for (long n = 0; n < steps; ++n) {
-      simulation.step();
-      benchmark::DoNotOptimize(simulation.friction_force());
-    }
-  }
-  state.counters["steps"] =
-      benchmark::Counter(static_cast<double>(steps), benchmark::Counter::kIsIterationInvariantRate);
-  state.SetComplexityN(state.range(0));
-}
-
-// One second of the linear stick state. The time per step should be proportional to the number of elements.
-void stick_run(benchmark::State& state) { run(state, 0.5e-3, solver::TipContact::bonded); }
-BENCHMARK(stick_run)
-    ->RangeMultiplier(4)
-    ->Range(20, 1280)
-    ->Complexity(benchmark::oN)
-    ->Unit(benchmark::kMillisecond);
-
-// One second of stick-slip at 25 Hz and 1 mm with located contact changes.
-void stick_slip_run(benchmark::State& state) { run(state, 1e-3, solver::TipContact::friction); }
-BENCHMARK(stick_slip_run)->Arg(20)->Arg(80)->Unit(benchmark::kMillisecond);
-
 const data::HarmonicExcitation excitation_with_slip({.frequency_hz = 25.0, .amplitude = 1e-3});
 const data::Damping light_damping({.kelvin_voigt = 6.4e-5});
 constexpr double half_a_second = 0.5;
@@ -85,14 +57,6 @@ void time_stepper_run(benchmark::State& state) {
   state.counters["events"] = static_cast<double>(events);
 }
 BENCHMARK(time_stepper_run)->Arg(5000)->Arg(50000)->Unit(benchmark::kMillisecond);
-
-// max |f| over 10 s with its bounds, at one frequency.
-void force_maximum(benchmark::State& state) {
-  const data::HarmonicExcitation excitation({.frequency_hz = 35.0, .amplitude = 0.5e-3});
-  const analytic::StickResponse response(paper_beam, excitation, static_cast<int>(state.range(0)));
-  for (auto _ : state) benchmark::DoNotOptimize(response.max_abs_friction_force(10.0));
-}
-BENCHMARK(force_maximum)->Arg(10)->Arg(40)->Unit(benchmark::kMillisecond);
 
 // Frequencies, shapes and integrals of the stick state.
 void stick_modes(benchmark::State& state) {

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
-/// Hermite element matrices against what they must do, whatever their entries.
+/// The beam element against what it must do, whatever its entries: integrals, rigid motions, patch tests, no locking.
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
+#include <array>
 #include <cmath>
+#include <vector>
 
-#include "solver/element_integral.hpp"
 #include "stickslip/solver/beam_element.hpp"
+#include "stickslip/solver/beam_model.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
@@ -18,74 +21,214 @@ using solver::ElementMatrix;
 using solver::ElementVector;
 
 constexpr double length = 0.7;
+constexpr double mass_per_length = 3.5;
+constexpr double flexural_rigidity = 11.0;
 
-// Degrees of freedom of a deflection given with its slope at both ends.
-ElementVector nodal(double w1, double theta1, double w2, double theta2) { return {w1, theta1, w2, theta2}; }
+const ElementVector translation(1.0, 0.0, 1.0, 0.0);
+const ElementVector rotation(0.0, 1.0, length, 1.0);  // w = x
 
-const ElementVector translation = nodal(1.0, 0.0, 1.0, 0.0);
-const ElementVector rotation = nodal(0.0, 1.0, length, 1.0);                   // w = x
-const ElementVector parabola = nodal(0.0, 0.0, length* length, 2.0 * length);  // w = x^2
-
-// int_0^l w_i w_j by the exact integral of the cubic shape functions.
-ElementMatrix mass_by_quadrature(double mass_per_length) {
-  return mass_per_length *
-         element_integral(length, [](double s) { return solver::shape_functions(s, length); });
+void expect_equal(const Eigen::MatrixXd& computed, const Eigen::MatrixXd& expected, double operations) {
+  const double scale = expected.cwiseAbs().maxCoeff();
+  for (Eigen::Index i = 0; i < expected.rows(); ++i)
+    for (Eigen::Index j = 0; j < expected.cols(); ++j)
+      EXPECT_TRUE(within(computed(i, j), expected(i, j), round_off(operations, 1, scale))) << i << ", " << j;
 }
 
-void expect_close(const ElementMatrix& computed, const ElementMatrix& expected) {
-  for (Eigen::Index i = 0; i < 4; ++i)
-    for (Eigen::Index j = 0; j < 4; ++j)
-      EXPECT_TRUE(within(computed(i, j), expected(i, j), round_off(20, 1, expected.cwiseAbs().maxCoeff())))
-          << "entry " << i << ", " << j;
+// int v v^T dx of an element vector v(x/l) by Gauss's rule of four points, exact where v is of degree 3 at most.
+template <class Integrand>
+ElementMatrix integral(const Integrand& integrand) {
+  const double a = std::sqrt(3.0 / 7.0 - 2.0 / 7.0 * std::sqrt(6.0 / 5.0));
+  const double b = std::sqrt(3.0 / 7.0 + 2.0 / 7.0 * std::sqrt(6.0 / 5.0));
+  const double wa = (18.0 + std::sqrt(30.0)) / 36.0, wb = (18.0 - std::sqrt(30.0)) / 36.0;
+  ElementMatrix sum = ElementMatrix::Zero();
+  for (const auto& [point, weight] :
+       std::array<std::array<double, 2>, 4>{{{-b, wb}, {-a, wa}, {a, wa}, {b, wb}}}) {
+    const ElementVector value = integrand(0.5 * (1.0 + point));
+    sum += 0.5 * length * weight * value * value.transpose();
+  }
+  return sum;
+}
+
+// N' of the cubic shape functions, which central differences of two steps give exactly but for round-off.
+ElementVector slopes(double s, double g) {
+  const auto difference = [&](double step) -> ElementVector {
+    return (solver::shape_functions(s + step, length, g) - solver::shape_functions(s - step, length, g)) /
+           (2.0 * step * length);
+  };
+  return (4.0 * difference(1.0) - difference(2.0)) / 3.0;
+}
+
+void expect_integrals_of_shape_functions(double g) {
+  // N' - theta, constant over the element: in equilibrium -EI theta''/(k G A), with the third derivatives
+  // (12, 6 l, -12, 6 l)/l^3 of Hermite's functions over 1 + g.
+  const ElementVector strain = ElementVector(-1.0 / length, -0.5, 1.0 / length, -0.5) * g / (1.0 + g);
+  const auto theta = [&](double s) -> ElementVector { return slopes(s, g) - strain; };
+  const auto curvature = [&](double s) -> ElementVector {  // theta is a parabola
+    return (theta(s + 0.25) - theta(s - 0.25)) / (0.5 * length);
+  };
+  expect_equal(solver::consistent_mass(mass_per_length, length, g),
+               mass_per_length * integral([&](double s) { return solver::shape_functions(s, length, g); }),
+               20);
+  expect_equal(solver::rotary_mass(0.3, length, g), 0.3 * integral(theta), 20);
+  expect_equal(solver::geometric_stiffness(length, g), integral([&](double s) { return slopes(s, g); }), 20);
+  ElementMatrix stiffness = flexural_rigidity * integral(curvature);
+  if (g > 0.0)
+    stiffness += 12.0 * flexural_rigidity / (g * length * length) * integral([&](double) { return strain; });
+  expect_equal(solver::bending_stiffness(flexural_rigidity, length, g), stiffness, 20);
+
+  // Each shape function has its own value or rotation 1 at its own node, and 0 otherwise.
+  ElementMatrix at_nodes;
+  at_nodes << solver::shape_functions(0.0, length, g), theta(0.0), solver::shape_functions(1.0, length, g),
+      theta(1.0);
+  expect_equal(at_nodes, ElementMatrix::Identity(), 20);
 }
 
 STICKSLIP_VERIFIES(BeamElement, "F1");
-TEST(BeamElement, ConsistentMassIsTheIntegralOfItsShapeFunctions) {
-  expect_close(solver::consistent_mass(3.5, length), mass_by_quadrature(3.5));
-}
+TEST(BeamElement, HasTheIntegralsOfItsShapeFunctions) { expect_integrals_of_shape_functions(0.0); }
 
-TEST(BeamElement, ConsistentMassHoldsTheWholeMass) {
-  const ElementMatrix m = solver::consistent_mass(3.5, length);
-  EXPECT_TRUE(within(translation.dot(m * translation), 3.5 * length, round_off(20, 1, 3.5 * length)));
-}
-
-TEST(BeamElement, BendingStiffnessIsFreeOfRigidBodyForces) {
-  const ElementMatrix k = solver::bending_stiffness(11.0, length);
-  const double scale = k.cwiseAbs().maxCoeff();
-  EXPECT_LE((k * translation).cwiseAbs().maxCoeff(), round_off(4, 1, scale).value);
-  EXPECT_LE((k * rotation).cwiseAbs().maxCoeff(), round_off(4, 1, scale).value);
-}
-
-TEST(BeamElement, BendingStiffnessPassesTheConstantCurvaturePatchTest) {
-  // w = x^2: moment 2 EI throughout, no shear force.
-  const ElementVector force = solver::bending_stiffness(11.0, length) * parabola;
-  const ElementVector expected = nodal(0.0, -22.0, 0.0, 22.0);
-  for (Eigen::Index i = 0; i < 4; ++i) EXPECT_TRUE(within(force[i], expected[i], round_off(10, 10, 22.0)));
-}
-
-TEST(BeamElement, GeometricStiffnessMeasuresTheSlope) {
-  const ElementMatrix k = solver::geometric_stiffness(length);
-  // int (dx/dx)^2 = l, int (2x)^2 = 4 l^3/3, int 2x = l^2; a translation has no slope.
-  EXPECT_TRUE(within(rotation.dot(k * rotation), length, round_off(20, 1, length)));
-  const double expected = 4.0 * length * length * length / 3.0;
-  EXPECT_TRUE(within(parabola.dot(k * parabola), expected, round_off(20, 10, expected)));
-  EXPECT_TRUE(within(rotation.dot(k * parabola), length * length, round_off(20, 10, 1.0)));
-  EXPECT_LE((k * translation).cwiseAbs().maxCoeff(), round_off(4, 1, k.cwiseAbs().maxCoeff()).value);
-}
-
-TEST(BeamElement, ConsistentLoadIsTheIntegralOfItsShapeFunctions) {
-  const ElementVector load = solver::consistent_load(length);
-  EXPECT_TRUE(within(load.dot(translation), length, round_off(10, 1, 1.0)));
-  EXPECT_TRUE(within(load.dot(rotation), length * length / 2.0, round_off(10, 1, 1.0)));
-  EXPECT_TRUE(within(load.dot(parabola), std::pow(length, 3) / 3.0, round_off(10, 1, 1.0)));
+TEST(BeamElement, MatricesAreSymmetric) {
+  for (const ElementMatrix& matrix :
+       {solver::consistent_mass(mass_per_length, length),
+        solver::bending_stiffness(flexural_rigidity, length), solver::geometric_stiffness(length)})
+    EXPECT_EQ(matrix, ElementMatrix(matrix.transpose()));
 }
 
 TEST(BeamElement, ShapeFunctionsInterpolateCubicsExactly) {
   const auto cubic = [](double x) { return 0.3 - 1.2 * x + 0.8 * x * x + 2.1 * x * x * x; };
   const auto slope = [](double x) { return -1.2 + 1.6 * x + 6.3 * x * x; };
-  const ElementVector q = nodal(cubic(0.0), slope(0.0), cubic(length), slope(length));
-  for (const double s : {0.0, 0.1, 0.37, 0.5, 0.9, 1.0})
-    EXPECT_TRUE(within(solver::shape_functions(s, length).dot(q), cubic(s * length), round_off(20, 1, 2.0)));
+  const ElementVector q(cubic(0.0), slope(0.0), cubic(length), slope(length));
+  for (const double s : {0.0, 0.1, 0.2, 0.37, 0.5, 0.77, 0.9, 1.0}) {
+    const ElementVector n = solver::shape_functions(s, length);
+    EXPECT_TRUE(within(n.dot(q), cubic(s * length), round_off(20, 1, 2.0))) << s;
+    EXPECT_TRUE(within(n.dot(translation), 1.0, round_off(5, 1, 1.0))) << s;
+    EXPECT_TRUE(within(n.dot(rotation), s * length, round_off(5, 1, 1.0))) << s;
+  }
+}
+
+TEST(BeamElement, MassOfARigidBodyIsThatOfARod) {
+  const ElementMatrix m = solver::consistent_mass(mass_per_length, length);
+  const double whole = mass_per_length * length;
+  EXPECT_TRUE(within(translation.dot(m * translation), whole, round_off(10, 1, whole)));
+  EXPECT_TRUE(within(translation.dot(m * rotation), whole * length / 2.0, round_off(10, 1, whole)));
+  EXPECT_TRUE(within(rotation.dot(m * rotation), whole * length * length / 3.0, round_off(10, 1, whole)));
+  // The inertia forces of a translation, on every degree of freedom, are those of the load of the base.
+  expect_equal(m * translation, mass_per_length * solver::consistent_load(length), 10);
+}
+
+TEST(BeamElement, HasTwoRigidMotionsWithoutStrainAndOneWithoutSlope) {
+  const auto eigenvalues = [](const ElementMatrix& matrix) {
+    return Eigen::SelfAdjointEigenSolver<ElementMatrix>(matrix).eigenvalues();
+  };
+  const Eigen::Vector4d mass = eigenvalues(solver::consistent_mass(mass_per_length, length));
+  const Eigen::Vector4d bending = eigenvalues(solver::bending_stiffness(flexural_rigidity, length));
+  const Eigen::Vector4d geometric = eigenvalues(solver::geometric_stiffness(length));
+  EXPECT_GT(mass[0], 1e-4 * mass[3]);
+  for (const Eigen::Index i : {0, 1}) EXPECT_TRUE(within(bending[i], 0.0, round_off(4, 1, bending[3])));
+  EXPECT_GT(bending[2], 1e-4 * bending[3]);
+  EXPECT_TRUE(within(geometric[0], 0.0, round_off(4, 1, geometric[3])));
+  EXPECT_GT(geometric[1], 1e-4 * geometric[3]);
+}
+
+// Three unequal elements, and a polynomial c_0 + c_1 x + c_2 x^2 + c_3 x^3 on them.
+const std::vector<double> patch{0.3, 0.8, 0.45};
+constexpr double patch_length = 1.55;
+
+template <class Element>
+Eigen::MatrixXd assembled_patch(const Element& element) {
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(8, 8);
+  for (std::size_t i = 0; i < patch.size(); ++i) {
+    const auto first = static_cast<Eigen::Index>(2 * i);
+    matrix.block<4, 4>(first, first) += element(patch[i]);
+  }
+  return matrix;
+}
+
+Eigen::VectorXd patch_values(const std::array<double, 4>& c) {
+  Eigen::VectorXd values(8);
+  double x = 0.0;
+  for (Eigen::Index node = 0; node < 4; ++node) {
+    values[2 * node] = c[0] + x * (c[1] + x * (c[2] + x * c[3]));
+    values[2 * node + 1] = c[1] + x * (2.0 * c[2] + x * 3.0 * c[3]);
+    if (node < 3) x += patch[static_cast<std::size_t>(node)];
+  }
+  return values;
+}
+
+TEST(BeamElement, UnequalElementsPassThePatchTestsOfConstantAndLinearCurvature) {
+  // Nothing but the moments EI w'' and the shear forces -EI w''' at the ends holds them.
+  const Eigen::MatrixXd k =
+      assembled_patch([](double l) { return solver::bending_stiffness(flexural_rigidity, l); });
+  const double ei = flexural_rigidity, end = patch_length;
+  Eigen::VectorXd parabola(8), cubic(8);
+  parabola << 0.0, -2.0 * ei, 0.0, 0.0, 0.0, 0.0, 0.0, 2.0 * ei;
+  cubic << 6.0 * ei, 0.0, 0.0, 0.0, 0.0, 0.0, -6.0 * ei, 6.0 * ei * end;
+  // Entries of 12 EI/l^3 on the shortest element cancel.
+  const double largest = 12.0 * ei / std::pow(patch[0], 3);
+  const auto expect_forces = [&](const std::array<double, 4>& c, const Eigen::VectorXd& expected) {
+    const Eigen::VectorXd forces = k * patch_values(c);
+    for (Eigen::Index i = 0; i < 8; ++i)
+      EXPECT_TRUE(within(forces[i], expected[i], round_off(4, 1, largest * std::pow(end, 3)))) << i;
+  };
+  expect_forces({0.0, 0.0, 1.0, 0.0}, parabola);
+  expect_forces({0.0, 0.0, 0.0, 1.0}, cubic);
+  expect_forces({0.4, -1.3, 0.0, 0.0}, Eigen::VectorXd::Zero(8));
+}
+
+TEST(BeamElement, UnequalElementsUnderAxialForcePassThePatchTestOfConstantSlope) {
+  // w = x: a string under unit tension, pulled down at one end and up at the other.
+  const Eigen::VectorXd forces = assembled_patch([](double l) { return solver::geometric_stiffness(l); }) *
+                                 patch_values({0.0, 1.0, 0.0, 0.0});
+  Eigen::VectorXd expected = Eigen::VectorXd::Zero(8);
+  expected[0] = -1.0;
+  expected[6] = 1.0;
+  for (Eigen::Index i = 0; i < 8; ++i)
+    EXPECT_TRUE(within(forces[i], expected[i], round_off(4, 1, 1.2 / patch[0] * patch_length))) << i;
+}
+
+STICKSLIP_VERIFIES(ShearElement, "F12");
+TEST(ShearElement, HasTheIntegralsOfItsShapeFunctions) {
+  for (const double g : {0.01, 1.0, 30.0}) {
+    SCOPED_TRACE(g);
+    expect_integrals_of_shape_functions(g);
+  }
+}
+
+data::Beam square_beam(double beam_length, double shear_stiffness) {
+  return data::Beam({.length = beam_length,
+                     .area = 0.01,
+                     .second_moment_of_area = 1e-4 / 12.0,
+                     .density = 1000.0,
+                     .youngs_modulus = 2e9,
+                     .axial_force = 0.0,
+                     .shear_stiffness = shear_stiffness});
+}
+
+TEST(ShearElement, WithoutShearIsHermitesToTheBit) {
+  const solver::BeamModel rigid(square_beam(2.0, 0.0), 3), stiff(square_beam(2.0, 1e30), 3);
+  EXPECT_EQ(Eigen::MatrixXd(rigid.elastic_stiffness() - stiff.elastic_stiffness()).cwiseAbs().maxCoeff(),
+            0.0);
+}
+
+// A force F and a moment T at the free tip: w = F (x^2 (3 L - x)/(6 EI) + x/(k G A)) + T x^2/(2 EI), whatever the mesh, and
+// however slender or stout the beam: nothing locks.
+TEST(ShearElement, BendsAndShearsExactlyAtTheNodesOfAnyMesh) {
+  const double bending = 2e9 * 1e-4 / 12.0, shear = 0.01 * 2e9 / 3.12;
+  for (const double end : {0.05, 0.5, 5.0, 500.0})
+    for (const int elements : {1, 3}) {
+      const solver::BeamModel model(square_beam(end, shear), elements);
+      Eigen::VectorXd load = Eigen::VectorXd::Zero(model.degrees_of_freedom());
+      load[model.tip_deflection()] = 2.0;
+      load[model.tip_rotation()] = 0.3 * end;
+      const Eigen::VectorXd q = Eigen::MatrixXd(model.elastic_stiffness()).ldlt().solve(load);
+      for (int node = 1; node <= elements; ++node) {
+        const double x = end * node / elements;
+        const double w = 2.0 * (x * x * (3.0 * end - x) / (6.0 * bending) + x / shear) +
+                         0.3 * end * x * x / (2.0 * bending);
+        // A tip force meets the stiffness of the clamp 12 elements^3 times more compliant.
+        EXPECT_TRUE(within(q[2 * node - 2], w, round_off(20, 12.0 * std::pow(elements, 3), w)))
+            << end << " m, " << elements << " elements";
+      }
+    }
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ class StickFrequencyOrder : public ::testing::TestWithParam<double> {};
 
 STICKSLIP_VERIFIES(StickFrequencyOrder, "F3");
 TEST_P(StickFrequencyOrder, IsFourWithThePredictedConstant) {
-  const double unit = 16666.666666666668 / 4.0;  // EI/L^2
+  const double unit = rigidity(paper_beam()) / 4.0;  // EI/L^2
   const auto study =
       studies::stick_frequency_study(paper_beam_with_axial_force(GetParam() * unit), 5, meshes);
   // An axial force of half the buckling load shortens the waves of mode 1, trigonometric ones, by a fifth.
@@ -198,7 +198,7 @@ ShapeErrors shape_errors(const solver::BeamModel& model, const solver::FiniteEle
 template <typename ExactModes, typename ComputedModes>
 void expect_shapes_of_order_four(double load_factor, double first_wave_number, double margin,
                                  ExactModes&& exact_modes, ComputedModes&& computed_modes) {
-  const data::Beam beam = paper_beam_with_axial_force(load_factor * 16666.666666666668 / 4.0);
+  const data::Beam beam = paper_beam_with_axial_force(load_factor * rigidity(paper_beam()) / 4.0);
   const auto exact = exact_modes(beam, 3);
   for (std::size_t n = 0; n < exact.size(); ++n) {
     const double beta_length = first_wave_number + static_cast<double>(n) * std::numbers::pi;
@@ -263,9 +263,8 @@ double reaction_by_residual(const solver::BeamModel& model, const Eigen::VectorX
 // f = EI u''' from the shape functions of the last element, in which it is constant.
 double reaction_by_shape_functions(const solver::BeamModel& model, const Eigen::VectorXd& q) {
   const double l = model.beam().length() / model.elements();
-  const double rigidity = model.beam().youngs_modulus() * model.beam().second_moment_of_area();
   const Eigen::Vector4d third(12.0, 6.0 * l, -12.0, 6.0 * l);
-  return rigidity / (l * l * l) * third.dot(q.tail<4>());
+  return rigidity(model.beam()) / (l * l * l) * third.dot(q.tail<4>());
 }
 
 STICKSLIP_VERIFIES(ReactionOrder, "F4");
@@ -282,9 +281,10 @@ TEST(ReactionOrder, IsFourByTheResidualAndTwoByTheShapeFunctionsWithThePredicted
                              .steady_force_amplitude();
     const MeshError mesh_error(vibration);
     const auto solution = vibration.solution();
-    const double rigidity = 16666.666666666668;
-    const double fifth = rigidity * std::abs(solution.derivative(5, 2.0)) / Vibration::amplitude;
-    const double seventh = rigidity * std::abs(solution.derivative(7, 2.0)) / Vibration::amplitude;
+    const double fifth =
+        rigidity(paper_beam()) * std::abs(solution.derivative(5, 2.0)) / Vibration::amplitude;
+    const double seventh =
+        rigidity(paper_beam()) * std::abs(solution.derivative(7, 2.0)) / Vibration::amplitude;
     std::vector<OrderLevel> by_residual, by_shape_functions;
     double constant = 0.0;
     for (const int elements : {8, 12, 16, 24, 32, 48}) {
@@ -324,7 +324,7 @@ TEST(StaticShapeOrder, IsFourAgainstTheClosedFormInTheElementsAndAtTheNodes) {
   // At half the buckling load the shape is no cubic: the mesh must converge to S(x), waves of sqrt(P/EI)
   // long.
   const data::Beam beam = paper_beam_with_axial_force(42e3);
-  const double wave_number = std::sqrt(42e3 / 16666.666666666668);
+  const double wave_number = std::sqrt(42e3 / rigidity(beam));
   const analytic::QuasiStaticShape shape(beam);
   std::vector<double> lengths, middles, nodes;
   for (const int elements : {4, 8, 16, 32}) {

@@ -8,6 +8,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -16,13 +17,12 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
 #include "support/beams.hpp"
+#include "support/energy.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
 namespace {
-
-double rigidity(const data::Beam& beam) { return beam.youngs_modulus() * beam.second_moment_of_area(); }
 
 Eigen::VectorXd solve_slip_statics(const solver::BeamModel& model, const Eigen::VectorXd& load) {
   return Eigen::PartialPivLU<Eigen::MatrixXd>(Eigen::MatrixXd(model.slip_stiffness())).solve(load);
@@ -144,6 +144,78 @@ TEST(BeamModel, RefusesABeamWhoseStiffnessOverflows) {
                  "beam.length is 1e-103, but must be so long (m) that the stiffness is finite on 8 elements");
   }
   EXPECT_THROW((void)solver::stick_modes(model, 1), data::InputError);
+}
+
+// w = x^power on the clamped beam.
+Eigen::VectorXd power_of_x(const solver::BeamModel& model, int power) {
+  Eigen::VectorXd values(model.degrees_of_freedom());
+  for (Eigen::Index node = 1; node <= model.elements(); ++node) {
+    const double x = model.beam().length() * static_cast<double>(node) / model.elements();
+    values[2 * node - 2] = std::pow(x, power);
+    values[2 * node - 1] = power * std::pow(x, power - 1);
+  }
+  return values;
+}
+
+TEST(BeamModel, FormsOfPolynomialsAreTheirIntegrals) {
+  const data::Beam beam = paper_beam_with_axial_force(9e3);
+  const double end = beam.length(), m = beam.density() * beam.area();
+  const double ei = rigidity(beam);
+  for (const int elements : {1, 2, 5}) {
+    const solver::BeamModel model(beam, elements);
+    // Entries of 12 EI/l^3 add up to EI/L^3.
+    const double condition = std::pow(elements, 3);
+    const auto same = [&](double computed, double expected) {
+      return within(computed, expected, round_off(20, condition, expected));
+    };
+    const Eigen::VectorXd q2 = power_of_x(model, 2), q3 = power_of_x(model, 3);
+    EXPECT_TRUE(same(q2.dot(model.mass() * q2), m * std::pow(end, 5) / 5.0));
+    EXPECT_TRUE(same(q2.dot(model.mass() * q3), m * std::pow(end, 6) / 6.0));
+    EXPECT_TRUE(same(q2.dot(model.elastic_stiffness() * q3), 6.0 * ei * end * end));
+    EXPECT_TRUE(same(q3.dot(model.elastic_stiffness() * q3), 12.0 * ei * std::pow(end, 3)));
+    EXPECT_TRUE(same(q2.dot(model.geometric_stiffness() * q3), 1.5 * std::pow(end, 4)));
+    EXPECT_TRUE(same(model.base_load().dot(q2), m * std::pow(end, 3) / 3.0));
+    EXPECT_TRUE(same(model.base_load().dot(q3), m * std::pow(end, 4) / 4.0));
+    EXPECT_TRUE(same(elastic_energy(model, q2), 2.0 * ei * end));
+    EXPECT_TRUE(same(geometric_energy(model, q2), -2.0 / 3.0 * 9e3 * std::pow(end, 3)));
+    EXPECT_TRUE(
+        same(q2.dot(model.stick_stiffness() * q2), 4.0 * ei * end - 4.0 / 3.0 * 9e3 * std::pow(end, 3)));
+    EXPECT_TRUE(within(model.interpolation(0.37).dot(q3), std::pow(0.37, 3), round_off(20, 1, 0.37)));
+  }
+}
+
+TEST(BeamModel, SlipStateHoldsAParabolaByItsLoadAndItsTipMomentAlone) {
+  // EI w'''' + P w'' = 2 P along the beam, EI w'' = 2 EI at the tip, EI w''' = 0: no tip force, although P w'
+  // is not zero there. In stick the tip's row keeps -P w'(L).
+  for (const double axial_force : {-4e4, 9e3}) {
+    const data::Beam beam = paper_beam_with_axial_force(axial_force);
+    const double ei = rigidity(beam), end = beam.length();
+    const solver::BeamModel model(beam, 5);
+    const Eigen::VectorXd q = power_of_x(model, 2);
+    Eigen::VectorXd expected = 2.0 * axial_force / (beam.density() * beam.area()) * model.base_load();
+    expected[model.tip_rotation()] += 2.0 * ei;
+    const double largest = 12.0 * ei / std::pow(end / 5.0, 3) * end * end;
+    const auto expect_forces = [&](const solver::SparseMatrix& stiffness) {
+      const Eigen::VectorXd forces = stiffness * q;
+      for (Eigen::Index i = 0; i < q.size(); ++i)
+        EXPECT_TRUE(within(forces[i], expected[i], round_off(4, 1, largest)))
+            << i << " at P = " << axial_force;
+    };
+    expect_forces(model.slip_stiffness());
+    expected[model.tip_deflection()] -= axial_force * 2.0 * end;
+    expect_forces(model.stick_stiffness());
+  }
+}
+
+TEST(BeamModel, MatricesOfTheClampedBeamArePositiveDefiniteAndSymmetric) {
+  const solver::BeamModel model(paper_beam_with_axial_force(-1e4), 6);
+  for (const solver::SparseMatrix* sparse :
+       {&model.mass(), &model.elastic_stiffness(), &model.geometric_stiffness(), &model.stick_stiffness()}) {
+    const Eigen::MatrixXd matrix = *sparse;
+    EXPECT_EQ(matrix, Eigen::MatrixXd(matrix.transpose()));
+    EXPECT_EQ(Eigen::LLT<Eigen::MatrixXd>(matrix).info(), Eigen::Success);
+  }
+  EXPECT_NE(Eigen::MatrixXd(model.slip_stiffness()), Eigen::MatrixXd(model.slip_stiffness().transpose()));
 }
 
 STICKSLIP_VERIFIES(ModalAnalysis, "F2");

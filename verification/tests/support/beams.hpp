@@ -4,7 +4,6 @@
 /// The beam of the paper and its relatives, as the tests need them.
 
 #include <cmath>
-#include <numbers>
 
 #include "stickslip/data/problem.hpp"
 
@@ -34,6 +33,11 @@ inline data::Beam paper_beam_with_load_factor(double factor) {
   const data::BeamProperties beam = paper_beam_properties();
   return paper_beam_with_axial_force(factor * beam.youngs_modulus * beam.second_moment_of_area /
                                      (beam.length * beam.length));
+}
+
+/// EI, N m^2.
+inline double rigidity(const data::Beam& beam) {
+  return beam.youngs_modulus() * beam.second_moment_of_area();
 }
 
 inline data::FrictionLaw paper_friction() {

@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-#include "stickslip/data/problem.hpp"
+#include "support/beams.hpp"
 
 namespace stickslip::testing {
 
@@ -39,10 +39,6 @@ class RandomNumbers {
  private:
   std::mt19937_64 engine_;
 };
-
-inline double rigidity(const data::Beam& beam) {
-  return beam.youngs_modulus() * beam.second_moment_of_area();
-}
 
 /// sqrt(EI/(rho A))/L^2, rad/s: the unit of a beam's frequencies.
 inline double frequency_unit(const data::Beam& beam) {
