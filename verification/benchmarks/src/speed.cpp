@@ -6,21 +6,17 @@
 
 #include <Eigen/Core>
 #include <cmath>
-#include <cstring>
 #include <numbers>
-#include <vector>
 
 #include "eigen_loops.hpp"
-#include "paper_problem.hpp"
 #include "render/criterion_map.hpp"
+#include "stickslip/analytic/band_maximum.hpp"
+#include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/criterion.hpp"
-#include "stickslip/analytic/force_maximum.hpp"
-#include "stickslip/analytic/modal_reaction_table.hpp"
+#include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
-#include "stickslip/solver/modal_stick_run.hpp"
 #include "studies/criterion/criterion_map.hpp"
-#include "studies/criterion/critical_amplitude.hpp"
 #include "studies/stick_slip/contact_response.hpp"
 
 namespace stickslip::benchmarks {
@@ -29,6 +25,31 @@ namespace {
 using solver::BeamSimulation;
 using solver::Coordinates;
 using solver::TipContact;
+
+// The beam of the paper with its friction, settings and excitations.
+const data::Beam paper_beam({.length = 2.0,
+                             .area = 0.01,
+                             .second_moment_of_area = 1e-4 / 12.0,
+                             .density = 1000.0,
+                             .youngs_modulus = 2e9,
+                             .axial_force = 500.0});
+const data::FrictionLaw paper_friction({.static_coefficient = 0.6, .kinetic_coefficient = 0.3, .decay = 1.0});
+constexpr double ten_seconds = 10.0;
+
+// The excitation with the frequency `hz` (Hz) and the amplitude `amplitude` (m).
+data::HarmonicExcitation shaking(double hz, double amplitude) {
+  return data::HarmonicExcitation({.frequency_hz = hz, .amplitude = amplitude});
+}
+
+// The settings of the paper with another number of elements, another duration (s) and other modes.
+data::NumericalSettings settings(int elements, double duration = ten_seconds, int modes = 10) {
+  return data::NumericalSettings({.elements = elements,
+                                  .time_step = 1e-4,
+                                  .spectral_radius = 0.9,
+                                  .velocity_threshold = 1e-4,
+                                  .modes = modes,
+                                  .duration = duration});
+}
 
 constexpr double steps = 1e5;
 
@@ -170,6 +191,44 @@ BENCHMARK(elements)
     ->Complexity(benchmark::oN)
     ->Unit(benchmark::kMillisecond);
 
+const data::Damping light_damping({.kelvin_voigt = 6.4e-5});
+constexpr double half_a_second = 0.5;
+
+// Half a second of damped stick-slip at 25 Hz and 1 mm by the event-driven method, over the number of modes.
+void event_driven_run(benchmark::State& state) {
+  const analytic::BeamContactModel model(paper_beam, paper_friction, shaking(25.0, 1e-3), light_damping,
+                                         static_cast<int>(state.range(0)));
+  std::size_t events = 0;
+  for (auto _ : state) {
+    analytic::EventDriven run(model.model());
+    run.advance_to(half_a_second);
+    events = run.events().size();
+    benchmark::DoNotOptimize(run.contact_displacement());
+  }
+  state.counters["events"] = static_cast<double>(events);
+}
+BENCHMARK(event_driven_run)->Arg(10)->Arg(20)->Unit(benchmark::kMillisecond);
+
+// The same by time integration with ten elements, over the number of steps.
+void time_stepper_run(benchmark::State& state) {
+  const solver::BeamModel mesh(paper_beam, 10);
+  const solver::PrescribedMotion base = solver::harmonic_motion(shaking(25.0, 1e-3));
+  const solver::ContactSystem system = solver::beam_contact_system(mesh, paper_friction, base, light_damping);
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(mesh.degrees_of_freedom());
+  const Eigen::VectorXd velocity = -base.velocity(0.0) * mesh.unit_tip_deflection();
+  std::size_t events = 0;
+  for (auto _ : state) {
+    solver::StickSlipIntegrator run(
+        system, {.time_step = half_a_second / static_cast<double>(state.range(0)), .spectral_radius = 0.9});
+    run.start_stuck(rest, velocity);
+    while (run.steps() < state.range(0)) run.step();
+    events = run.events().size();
+    benchmark::DoNotOptimize(run.displacement().data());
+  }
+  state.counters["events"] = static_cast<double>(events);
+}
+BENCHMARK(time_stepper_run)->Arg(5000)->Arg(50000)->Unit(benchmark::kMillisecond);
+
 // ---- closed form
 
 void force_maximum(benchmark::State& state, bool plain) {
@@ -180,6 +239,34 @@ void force_maximum(benchmark::State& state, bool plain) {
 }
 BENCHMARK_CAPTURE(force_maximum, halving, true)->Arg(10)->Arg(40)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(force_maximum, search, false)->Arg(10)->Arg(40)->Unit(benchmark::kMillisecond);
+
+// Frequencies, shapes and integrals of the stick state.
+void stick_modes(benchmark::State& state) {
+  for (auto _ : state)
+    benchmark::DoNotOptimize(analytic::stick_modes(paper_beam, static_cast<int>(state.range(0))));
+}
+BENCHMARK(stick_modes)->Arg(10)->Arg(200)->Unit(benchmark::kMicrosecond);
+
+// Whether a beam slips in a band of 10 Hz, over beams that differ by 1 % and limits that differ by 30 %: the whole
+// search against a decision.
+enum class BandVerdict { search, decision };
+void band_verdict(benchmark::State& state, BandVerdict way) {
+  int sample = 0;
+  const auto share = [&](double ratio) { return std::fmod(ratio * sample, 1.0); };
+  for (auto _ : state) {
+    ++sample;
+    auto properties = paper_beam.properties();
+    properties.youngs_modulus *= 0.995 + 0.01 * share(std::numbers::phi);
+    analytic::BandMaximum band(data::Beam(properties), {30.0, 40.0}, 10.0, 10);
+    const double limit = 6.8e5 * (0.85 + 0.3 * share(std::numbers::sqrt2));
+    benchmark::DoNotOptimize(way == BandVerdict::decision ? band.exceeds(limit)
+                                                          : band.refined_against(limit, 1e-7).lower > limit);
+  }
+}
+BENCHMARK_CAPTURE(band_verdict, search, BandVerdict::search)->Unit(benchmark::kMicrosecond)->Iterations(2000);
+BENCHMARK_CAPTURE(band_verdict, decision, BandVerdict::decision)
+    ->Unit(benchmark::kMicrosecond)
+    ->Iterations(2000);
 
 // ---- maps
 
