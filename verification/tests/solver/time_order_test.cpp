@@ -144,13 +144,10 @@ TEST(SlipOrder, IsTwoUnderWeakeningFrictionOnAMovingWall) {
 // A mass on a spring, let go at 1.04 m: every half swing of pi/2 s ends 2 mu N/k = 0.2 m nearer, so that the
 // fourth reversal is at 2 pi s and 0.24 m.
 solver::ContactEvent fourth_reversal(double time_step, double spectral_radius) {
-  solver::StickSlipIntegrator oscillator(
-      contact_system({.stiffness = 4.0, .normal_force = 4.0, .friction = coulomb}),
-      {.time_step = time_step, .spectral_radius = spectral_radius});
-  oscillator.start_slipping(scalar(1.04), scalar(0.0));
-  while (oscillator.time() < 7.0) oscillator.step();
-  EXPECT_GE(oscillator.events().size(), 4u);
-  const solver::ContactEvent event = oscillator.events().at(3);
+  const auto oscillator = run_from_slip(
+      oscillating_mass, {.time_step = time_step, .spectral_radius = spectral_radius}, 1.04, 0.0, 7.0);
+  EXPECT_GE(oscillator->events().size(), 4u);
+  const solver::ContactEvent event = oscillator->events().at(3);
   EXPECT_EQ(event.kind, solver::ContactEvent::Kind::reversal);
   return event;
 }

@@ -40,4 +40,14 @@ solver::ContactSystem contact_system(const SingleMass& mass, solver::PrescribedM
 
 Eigen::VectorXd scalar(double value) { return Eigen::VectorXd::Constant(1, value); }
 
+std::unique_ptr<solver::StickSlipIntegrator> run_from_slip(const SingleMass& mass,
+                                                           const solver::IntegratorSettings& settings,
+                                                           double position, double velocity,
+                                                           double end_time) {
+  auto run = std::make_unique<solver::StickSlipIntegrator>(contact_system(mass), settings);
+  run->start_slipping(scalar(position), scalar(velocity));
+  while (run->time() < end_time) run->step();
+  return run;
+}
+
 }  // namespace stickslip::testing
