@@ -33,11 +33,11 @@ using solver::PrescribedMotion;
 using solver::StickSlipIntegrator;
 using std::numbers::pi;
 
-constexpr int kElements = 6;
+constexpr int mesh_elements = 6;
 
 std::vector<double> stick_frequencies(const data::Beam& beam, int count) {
   std::vector<double> frequencies;
-  for (const auto& mode : solver::stick_modes(BeamModel(beam, kElements), count))
+  for (const auto& mode : solver::stick_modes(BeamModel(beam, mesh_elements), count))
     frequencies.push_back(mode.angular_frequency);
   return frequencies;
 }
@@ -45,7 +45,7 @@ std::vector<double> stick_frequencies(const data::Beam& beam, int count) {
 /// A hundred steps to the shorter of both periods, of the excitation and of the first mode.
 data::NumericalSettings settings(const data::Beam& beam, double hz, double periods) {
   const double shorter = std::min(1.0 / hz, 2.0 * pi / stick_frequencies(beam, 1).front());
-  return data::NumericalSettings({.elements = kElements,
+  return data::NumericalSettings({.elements = mesh_elements,
                                   .time_step = 0.01 * shorter,
                                   .spectral_radius = 0.9,
                                   .velocity_threshold = 0.0,
@@ -103,7 +103,7 @@ PrescribedMotion sum(const PrescribedMotion& a, const PrescribedMotion& b) {
 std::unique_ptr<StickSlipIntegrator> started(const StickSlipProblem& problem, const PrescribedMotion& base,
                                              const solver::IntegratorSettings& settings,
                                              solver::TipContact contact = solver::TipContact::friction) {
-  const BeamModel model(problem.beam, kElements);
+  const BeamModel model(problem.beam, mesh_elements);
   solver::ContactSystem system = solver::beam_contact_system(model, problem.friction, base, problem.damping);
   if (contact == solver::TipContact::bonded) system.normal_force = solver::bonding_force;
   auto integrator = std::make_unique<StickSlipIntegrator>(system, settings);
@@ -164,19 +164,16 @@ TEST(UnitChange, ByPowersOfTwoLeavesTheModesOfTheMeshTheSameBitForBit) {
     const BeamModel a(beam, elements), b(in_units(units, beam), elements);
     EXPECT_EQ(solver::stick_buckling_load(a) * units.force(), solver::stick_buckling_load(b));
     const int count = 2 * elements - 1;
-    const auto stick = solver::stick_modes(a, count), other_stick = solver::stick_modes(b, count);
-    const auto slip = solver::slip_modes(a, elements), other_slip = solver::slip_modes(b, elements);
-    const double amplitude = std::sqrt(units.mass);
-    for (std::size_t n = 0; n < stick.size(); ++n) {
-      EXPECT_EQ(stick[n].angular_frequency, other_stick[n].angular_frequency * units.time) << n;
-      for (Eigen::Index i = 0; i < stick[n].shape.size(); i += 2)
-        EXPECT_EQ(stick[n].shape[i], other_stick[n].shape[i] * amplitude) << n;
-    }
-    for (std::size_t n = 0; n < slip.size(); ++n) {
-      EXPECT_EQ(slip[n].angular_frequency, other_slip[n].angular_frequency * units.time) << n;
-      for (Eigen::Index i = 0; i < slip[n].shape.size(); i += 2)
-        EXPECT_EQ(slip[n].shape[i], other_slip[n].shape[i] * amplitude) << n;
-    }
+    const auto stick = solver::stick_modes(a, count);
+    const auto expect_same = [&units](const auto& modes, const auto& others) {
+      for (std::size_t n = 0; n < modes.size(); ++n) {
+        EXPECT_EQ(modes[n].angular_frequency, others[n].angular_frequency * units.time) << n;
+        for (Eigen::Index i = 0; i < modes[n].shape.size(); i += 2)
+          EXPECT_EQ(modes[n].shape[i], others[n].shape[i] * std::sqrt(units.mass)) << n;
+      }
+    };
+    expect_same(stick, solver::stick_modes(b, count));
+    expect_same(solver::slip_modes(a, elements), solver::slip_modes(b, elements));
     const Eigen::VectorXd shape = a.unit_tip_deflection(), other_shape = b.unit_tip_deflection();
     for (Eigen::Index i = 0; i < shape.size(); i += 2) {
       EXPECT_EQ(shape[i], other_shape[i]);
@@ -255,8 +252,8 @@ TEST(Similarity, FixesTheModesOfTheMesh) {
 }
 
 /// Round-off in the data of the mesh, n^4 times the last digit, and events located to 1e-11 of a step.
-constexpr double kHistoryError = 4.0 * 6 * 6 * 6 * 6 * std::numeric_limits<double>::epsilon() + 1e-11;
-constexpr double kPerturbation = 1e-8;
+constexpr double history_error = 4.0 * 6 * 6 * 6 * 6 * std::numeric_limits<double>::epsilon() + 1e-11;
+constexpr double amplitude_change = 1e-8;
 
 TEST(Similarity, FixesTheSteppedHistory) {
   int events = 0;
@@ -265,8 +262,8 @@ TEST(Similarity, FixesTheSteppedHistory) {
     const auto numerics = settings(problem, 1.5);
     const auto expected = events_of(run(problem, numerics)->integrator());
     const Sensitivity sensitivity{
-        events_of(run(with_amplitude(problem, 1.0 + kPerturbation), numerics)->integrator()), kPerturbation,
-        kHistoryError, problem.excitation.amplitude()};
+        events_of(run(with_amplitude(problem, 1.0 + amplitude_change), numerics)->integrator()),
+        amplitude_change, history_error, problem.excitation.amplitude()};
     expect_same_events_of_similar_beams(
         numbers, problem, expected, sensitivity, [&](const StickSlipProblem& scaled, const Units& units) {
           return events_of(run(scaled, in_units(units, numerics))->integrator());
@@ -297,8 +294,9 @@ TEST(Linearity, TwiceTheAmplitudeIsTwiceTheSteppedResponseBitForBit) {
     const data::HarmonicExcitation thrice = with_amplitude(problem, 3.0).excitation;
     // Each step rounds the reaction, a difference of forces of stiff elements, by n^4 eps; a random walk.
     const double walk = std::sqrt(numerics.duration() / numerics.time_step());
-    EXPECT_TRUE(within(solver::max_abs_friction_force(beam, thrice, numerics), 3.0 * force,
-                       round_off(walk, std::pow(kElements, 4) * nearness_of_buckling(beam), 3.0 * force)));
+    EXPECT_TRUE(
+        within(solver::max_abs_friction_force(beam, thrice, numerics), 3.0 * force,
+               round_off(walk, std::pow(mesh_elements, 4) * nearness_of_buckling(beam), 3.0 * force)));
   });
 }
 
@@ -313,7 +311,7 @@ TEST(Linearity, SteppedResponsesToTwoBaseMotionsAddUp) {
     };
     const PrescribedMotion first = motion(hz), second = motion(random_frequency_hz(numbers, natural, 0.02));
     const double h = settings(beam, hz, 1.0).time_step();
-    const BeamModel model(beam, kElements);
+    const BeamModel model(beam, mesh_elements);
     const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(model.degrees_of_freedom());
     const StickSlipProblem problem{beam, data::FrictionLaw({}),
                                    data::HarmonicExcitation({.frequency_hz = hz, .amplitude = 0.0}),
@@ -444,9 +442,9 @@ TEST(TimeShift, OfTheBaseByWholeStepsShiftsEveryEvent) {
     const auto expected = history(1.0, 0);
     auto computed = history(1.0, delay);
     for (EventAt& event : computed) event.time -= delay * h;
-    expect_same_events(
-        computed, expected,
-        {history(1.0 + kPerturbation, 0), kPerturbation, kHistoryError, problem.excitation.amplitude()});
+    expect_same_events(computed, expected,
+                       {history(1.0 + amplitude_change, 0), amplitude_change, history_error,
+                        problem.excitation.amplitude()});
     events += static_cast<int>(expected.size());
   });
   EXPECT_GT(events, 60);
@@ -459,7 +457,7 @@ TEST(TimeShift, RestartFromAnyStepContinuesTheRunToSecondOrder) {
     StickSlipProblem problem = slipping(beam, numbers);
     problem.damping = data::Damping({.kelvin_voigt = 0.1 / stick_frequencies(beam, 1).front()});
     const PrescribedMotion base = smooth_start(problem.excitation);
-    const BeamModel model(beam, kElements);
+    const BeamModel model(beam, mesh_elements);
     const double coarse = binary_step(problem);
     const int start = numbers.whole(20, 60);
     std::vector<double> steps, differences;
@@ -493,6 +491,16 @@ TEST(TimeShift, RestartFromAnyStepContinuesTheRunToSecondOrder) {
                              steps, differences, [&](double h) { return 0.5 * fifth * h; }, floor),
                          2.0));
   });
+}
+
+/// A stiffness with the deflection of the tip held at zero.
+Eigen::MatrixXd with_held_tip(const BeamModel& model, const solver::SparseMatrix& stiffness) {
+  Eigen::MatrixXd held = stiffness;
+  const Eigen::Index tip = model.tip_deflection();
+  held.row(tip).setZero();
+  held.col(tip).setZero();
+  held(tip, tip) = 1.0;
+  return held;
 }
 
 // Nested meshes: the cubic of an element is a cubic on each part of it.
@@ -579,14 +587,9 @@ TEST(MeshNesting, RefinementSoftens) {
       return elastic_energy(model, q) + geometric_energy(model, q);
     };
     const auto compliance = [](const BeamModel& model) {
-      const Eigen::Index tip = model.tip_deflection();
-      Eigen::MatrixXd held = model.stick_stiffness();
-      held.row(tip).setZero();
-      held.col(tip).setZero();
-      held(tip, tip) = 1.0;
       Eigen::VectorXd load = model.base_load();
-      load[tip] = 0.0;
-      return load.dot(held.llt().solve(load));
+      load[model.tip_deflection()] = 0.0;
+      return load.dot(with_held_tip(model, model.stick_stiffness()).llt().solve(load));
     };
     for (const int factor : {2, 3}) {
       const BeamModel fine(beam, factor * elements);
@@ -622,16 +625,11 @@ TEST(Reciprocity, HoldsInTheStickStateAtRestAndInVibration) {
     const BeamModel model(beam, elements);
     const double a = beam.length() * numbers.uniform(0.1, 0.9), b = beam.length() * numbers.uniform(0.1, 0.9);
     for (const double omega : {0.0, random_angular_frequency(numbers, beam)}) {
-      solver::SparseMatrix dynamic = model.stick_stiffness() - omega * omega * model.mass();
-      Eigen::MatrixXd held = dynamic;
-      const Eigen::Index tip = model.tip_deflection();
-      held.row(tip).setZero();
-      held.col(tip).setZero();
-      held(tip, tip) = 1.0;
-      const Eigen::PartialPivLU<Eigen::MatrixXd> solve(held);
+      const Eigen::PartialPivLU<Eigen::MatrixXd> solve(
+          with_held_tip(model, model.stick_stiffness() - omega * omega * model.mass()));
       const auto at = [&](double x) {
         Eigen::VectorXd row = model.interpolation(x);
-        row[tip] = 0.0;
+        row[model.tip_deflection()] = 0.0;
         return row;
       };
       const double there = at(b).dot(solve.solve(at(a))), back = at(a).dot(solve.solve(at(b)));

@@ -6,7 +6,6 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -237,6 +236,23 @@ TEST(HeldTipBasis, CoordinatesGiveTheVectorBack) {
   EXPECT_LE((back - q).cwiseAbs().maxCoeff(), 1e-11);
 }
 
+// The beam of the paper where it slips.
+BeamSimulation slipping_run(const data::NumericalSettings& numerics, const solver::BeamRun& run = {}) {
+  return {paper_beam(), paper_friction(), shaking(25.0, 1e-3), numerics, run};
+}
+
+// The same changes of the contact, in time (s) and position (m) within the tolerances.
+void expect_same_changes(const solver::StickSlipIntegrator& run, const solver::StickSlipIntegrator& expected,
+                         double time_tolerance, double position_tolerance) {
+  ASSERT_EQ(run.events().size(), expected.events().size());
+  for (std::size_t i = 0; i < run.events().size(); ++i) {
+    const solver::ContactEvent &event = run.events()[i], &change = expected.events()[i];
+    EXPECT_EQ(event.kind, change.kind) << i;
+    EXPECT_NEAR(event.time, change.time, time_tolerance) << i;
+    EXPECT_NEAR(event.displacement, change.displacement, position_tolerance) << i;
+  }
+}
+
 STICKSLIP_VERIFIES(ModalSteps, "F11");
 TEST(ModalSteps, TakesTheStepsOfTheGeneralIntegratorInTheSameCoordinates) {
   // From the same start through stick, onset, slip, reversals and captures, until rounding has grown visibly.
@@ -258,11 +274,7 @@ TEST(ModalSteps, TakesTheStepsOfTheGeneralIntegratorInTheSameCoordinates) {
       fast.step();
     }
     ASSERT_GE(general.events().size(), 20u);
-    ASSERT_EQ(fast.events().size(), general.events().size());
-    for (std::size_t i = 0; i < general.events().size(); ++i) {
-      EXPECT_EQ(fast.events()[i].kind, general.events()[i].kind);
-      EXPECT_NEAR(fast.events()[i].time, general.events()[i].time, 1e-11) << i;
-    }
+    expect_same_changes(fast, general, 1e-11, 1e-12);
     EXPECT_LE((fast.displacement() - general.displacement()).cwiseAbs().maxCoeff(), 1e-12) << radius;
   }
 }
@@ -270,9 +282,8 @@ TEST(ModalSteps, TakesTheStepsOfTheGeneralIntegratorInTheSameCoordinates) {
 TEST(ModalSteps, SeesTheContactChangesOfTheNodalRun) {
   // Rounding, 1e-16 m at first, grows with every change; a quarter of a second has more than fifty.
   const data::NumericalSettings numerics(paper_choices(0.25));
-  BeamSimulation nodal(paper_beam(), paper_friction(), shaking(25.0, 1e-3), numerics);
-  BeamSimulation modal(paper_beam(), paper_friction(), shaking(25.0, 1e-3), numerics,
-                       {.coordinates = Coordinates::modal});
+  BeamSimulation nodal = slipping_run(numerics);
+  BeamSimulation modal = slipping_run(numerics, {.coordinates = Coordinates::modal});
   double force_difference = 0.0, tip_difference = 0.0, midspan_difference = 0.0;
   for (int n = 0; n < 2500; ++n) {
     nodal.step();
@@ -283,14 +294,8 @@ TEST(ModalSteps, SeesTheContactChangesOfTheNodalRun) {
         std::max(midspan_difference, std::abs(nodal.midspan_displacement() - modal.midspan_displacement()));
     EXPECT_NEAR(nodal.displacement(1.3), modal.displacement(1.3), 1e-13);
   }
-  const auto& events = nodal.integrator().events();
-  ASSERT_GE(events.size(), 50u);
-  ASSERT_EQ(modal.integrator().events().size(), events.size());
-  for (std::size_t i = 0; i < events.size(); ++i) {
-    EXPECT_EQ(modal.integrator().events()[i].kind, events[i].kind);
-    EXPECT_NEAR(modal.integrator().events()[i].time, events[i].time, 1e-11) << i;
-    EXPECT_NEAR(modal.integrator().events()[i].displacement, events[i].displacement, 1e-13) << i;
-  }
+  ASSERT_GE(nodal.integrator().events().size(), 50u);
+  expect_same_changes(modal.integrator(), nodal.integrator(), 1e-11, 1e-13);
   EXPECT_LE(force_difference, 1e-8 * 300.0);
   EXPECT_LE(tip_difference, 1e-13);
   EXPECT_LE(midspan_difference, 1e-13);
@@ -306,6 +311,59 @@ TEST(ModalSteps, SlipsFirstWhenTheNodalRunDoes) {
     if (nodal) {
       EXPECT_NEAR(*modal, *nodal, 1e-12) << hz;
     }
+  }
+}
+
+TEST(ModalSteps, SeeTheContactChangesOfTheNodalRunAtTheEndOfSteps) {
+  const auto run = [](Coordinates coordinates) {
+    BeamSimulation simulation = slipping_run(data::NumericalSettings(paper_choices(0.1)),
+                                             {.initial_velocity = InitialVelocity::zero,
+                                              .scheme = solver::ContactScheme::end_of_step,
+                                              .coordinates = coordinates});
+    while (simulation.integrator().steps() < 200) simulation.step();
+    return simulation;
+  };
+  const auto nodal = run(Coordinates::nodal), modal = run(Coordinates::modal);
+  ASSERT_GE(nodal.integrator().events().size(), 5u);
+  expect_same_changes(modal.integrator(), nodal.integrator(), 1e-12, 1e-13);
+  EXPECT_NEAR(modal.tip_displacement(), nodal.tip_displacement(), 1e-13);
+}
+
+TEST(ModalSteps, StopsWithTheTimeWhereTheStateIsNoLongerFiniteAsTheNodalRunDoes) {
+  for (const Coordinates coordinates : {Coordinates::nodal, Coordinates::modal}) try {
+      BeamSimulation run(paper_beam(), paper_friction(), shaking(1000.0, 1e303), settings(20, 0.9),
+                         {.contact = TipContact::bonded, .coordinates = coordinates});
+      while (run.integrator().steps() < 100) run.step();
+      FAIL();
+    } catch (const std::runtime_error& error) {
+      EXPECT_NE(std::string(error.what()).find("no longer finite at t = 0."), std::string::npos)
+          << error.what();
+    }
+}
+
+TEST(ModalSteps, RefusesDampingAndSystemsOfAnotherForm) {
+  for (const data::Damping& damping :
+       {data::Damping({.kelvin_voigt = 1e-5}), data::Damping({.ratio = 0.01})}) {
+    try {
+      (void)slipping_run(settings(4, 0.9), {.damping = damping, .coordinates = Coordinates::modal});
+      FAIL();
+    } catch (const data::FieldError& error) {
+      EXPECT_EQ(error.field(), damping.ratio() > 0.0 ? "damping.ratio" : "damping.kelvin_voigt");
+    }
+  }
+  const BeamModel model(paper_beam(), 4);
+  const auto nodal =
+      beam_contact_system(model, paper_friction(), solver::harmonic_motion(shaking(25.0, 1e-3)));
+  const solver::IntegratorSettings modal_steps{
+      .time_step = 1e-4, .spectral_radius = 0.9, .algebra = solver::StepAlgebra::modal};
+  EXPECT_THROW(solver::StickSlipIntegrator(nodal, modal_steps), std::invalid_argument);
+
+  const solver::ContactSystem modal = solver::modal_contact_system(
+      model, solver::held_tip_basis(model), paper_friction(), solver::harmonic_motion(shaking(25.0, 1e-3)));
+  for (const auto matrix : {&solver::ContactSystem::mass, &solver::ContactSystem::slip_stiffness}) {
+    solver::ContactSystem coupled = modal;
+    (coupled.*matrix).coeffRef(0, 1) = 1e-3;
+    EXPECT_THROW(solver::StickSlipIntegrator(coupled, modal_steps), std::invalid_argument);
   }
 }
 
@@ -325,8 +383,7 @@ TEST(FastestCoordinates, AreThoseOfARunThatAsksForThem) {
   // Bit for bit: a run by either name takes the same steps.
   const data::NumericalSettings numerics(paper_choices(0.05));
   const auto tip = [&](Coordinates coordinates, solver::ContactScheme scheme) {
-    BeamSimulation run(paper_beam(), paper_friction(), shaking(25.0, 1e-3), numerics,
-                       {.scheme = scheme, .coordinates = coordinates});
+    BeamSimulation run = slipping_run(numerics, {.scheme = scheme, .coordinates = coordinates});
     while (run.integrator().steps() < 500) run.step();
     return run.friction_force();
   };
@@ -336,67 +393,6 @@ TEST(FastestCoordinates, AreThoseOfARunThatAsksForThem) {
   EXPECT_NE(tip(Coordinates::nodal, ContactScheme::located), tip(Coordinates::modal, ContactScheme::located));
   EXPECT_EQ(tip(Coordinates::fastest, ContactScheme::paper), tip(Coordinates::nodal, ContactScheme::paper));
   EXPECT_THROW(tip(Coordinates::modal, ContactScheme::paper), std::logic_error);
-}
-
-TEST(ModalSteps, SeeTheContactChangesOfTheNodalRunAtTheEndOfSteps) {
-  const data::NumericalSettings numerics(paper_choices(0.1));
-  const auto run = [&](Coordinates coordinates) {
-    auto simulation =
-        std::make_unique<BeamSimulation>(paper_beam(), paper_friction(), shaking(25.0, 1e-3), numerics,
-                                         solver::BeamRun{.initial_velocity = InitialVelocity::zero,
-                                                         .scheme = solver::ContactScheme::end_of_step,
-                                                         .coordinates = coordinates});
-    while (simulation->integrator().steps() < 200) simulation->step();
-    return simulation;
-  };
-  const auto nodal = run(Coordinates::nodal), modal = run(Coordinates::modal);
-  const auto &expected = nodal->integrator().events(), &events = modal->integrator().events();
-  ASSERT_GE(expected.size(), 5u);
-  ASSERT_EQ(events.size(), expected.size());
-  for (std::size_t i = 0; i < events.size(); ++i) {
-    EXPECT_EQ(events[i].kind, expected[i].kind);
-    EXPECT_NEAR(events[i].time, expected[i].time, 1e-12);
-  }
-  EXPECT_NEAR(modal->tip_displacement(), nodal->tip_displacement(), 1e-13);
-}
-
-TEST(ModalSteps, StopsWithTheTimeWhereTheStateIsNoLongerFiniteAsTheNodalRunDoes) {
-  for (const Coordinates coordinates : {Coordinates::nodal, Coordinates::modal}) try {
-      BeamSimulation run(paper_beam(), paper_friction(), shaking(1000.0, 1e303), settings(20, 0.9),
-                         {.contact = TipContact::bonded, .coordinates = coordinates});
-      while (run.integrator().steps() < 100) run.step();
-      FAIL();
-    } catch (const std::runtime_error& error) {
-      EXPECT_NE(std::string(error.what()).find("no longer finite at t = 0."), std::string::npos)
-          << error.what();
-    }
-}
-
-TEST(ModalSteps, RefusesDampingAndSystemsOfAnotherForm) {
-  for (const data::Damping& damping :
-       {data::Damping({.kelvin_voigt = 1e-5}), data::Damping({.ratio = 0.01})}) {
-    try {
-      const BeamSimulation run(paper_beam(), paper_friction(), shaking(25.0, 1e-3), settings(4, 0.9),
-                               {.damping = damping, .coordinates = Coordinates::modal});
-      FAIL();
-    } catch (const data::FieldError& error_message) {
-      EXPECT_EQ(error_message.field(), damping.ratio() > 0.0 ? "damping.ratio" : "damping.kelvin_voigt");
-    }
-  }
-  const BeamModel model(paper_beam(), 4);
-  const auto nodal =
-      beam_contact_system(model, paper_friction(), solver::harmonic_motion(shaking(25.0, 1e-3)));
-  const solver::IntegratorSettings modal_steps{
-      .time_step = 1e-4, .spectral_radius = 0.9, .algebra = solver::StepAlgebra::modal};
-  EXPECT_THROW(solver::StickSlipIntegrator(nodal, modal_steps), std::invalid_argument);
-
-  const solver::ContactSystem modal = solver::modal_contact_system(
-      model, solver::held_tip_basis(model), paper_friction(), solver::harmonic_motion(shaking(25.0, 1e-3)));
-  for (const auto matrix : {&solver::ContactSystem::mass, &solver::ContactSystem::slip_stiffness}) {
-    solver::ContactSystem coupled = modal;
-    (coupled.*matrix).coeffRef(0, 1) = 1e-3;
-    EXPECT_THROW(solver::StickSlipIntegrator(coupled, modal_steps), std::invalid_argument);
-  }
 }
 
 }  // namespace
