@@ -47,37 +47,29 @@ void ExactPair::run(double end_time, const std::function<void(const ExactPair&)>
   }
 }
 
-void ExactPair::run(double end_time) {
-  run(end_time, [](const ExactPair&) {});
-}
-
-Eigen::Vector2d ExactPair::displacement() const { return state_.head<2>(); }
-
-Eigen::Vector2d ExactPair::velocity() const { return state_.segment<2>(2); }
-
 Eigen::Vector2d ExactPair::velocity_derivative(int order) const {
   State x = state_;
   for (int i = 0; i < order; ++i) x = rate_matrix() * x;
   return x.segment<2>(2);
 }
 
-Eigen::Matrix<double, 2, 7> ExactPair::forces(const Eigen::Matrix2d& stiffness) const {
-  Eigen::Matrix<double, 2, 7> rows = Eigen::Matrix<double, 2, 7>::Zero();
+ExactPair::Rows ExactPair::forces(const Eigen::Matrix2d& stiffness) const {
+  Rows rows = Rows::Zero();
   rows.leftCols<2>() = -stiffness;
   rows.middleCols<2>(2) = -pair_.damping;
   rows.col(4) = pair_.load;
   return rows;
 }
 
-Eigen::Matrix<double, 2, 7> ExactPair::held_acceleration() const {
-  Eigen::Matrix<double, 2, 7> rows = Eigen::Matrix<double, 2, 7>::Zero();
+ExactPair::Rows ExactPair::held_acceleration() const {
+  Rows rows = Rows::Zero();
   rows(1, 4) = -pair_.wall_amplitude * pair_.omega * pair_.omega;
   rows.row(0) = (forces(pair_.stick_stiffness).row(0) - pair_.mass(0, 1) * rows.row(1)) / pair_.mass(0, 0);
   return rows;
 }
 
-Eigen::Matrix<double, 2, 7> ExactPair::sliding_acceleration() const {
-  Eigen::Matrix<double, 2, 7> rows = forces(pair_.slip_stiffness);
+ExactPair::Rows ExactPair::sliding_acceleration() const {
+  Rows rows = forces(pair_.slip_stiffness);
   rows(1, 6) -= direction_ * pair_.friction_limit();
   return pair_.mass.inverse() * rows;
 }

@@ -42,13 +42,12 @@ class ExactPair {
   /// Runs to end_time; looks for the end of a phase on a grid of 1/1000 of it. Visits the start, the points
   /// of the grid and both sides of every change: between two visits at different times lies a piece of one
   /// phase.
-  void run(double end_time, const std::function<void(const ExactPair&)>& visit);
-
-  void run(double end_time);
+  void run(
+      double end_time, const std::function<void(const ExactPair&)>& visit = [](const ExactPair&) {});
 
   [[nodiscard]] const std::vector<solver::ContactEvent>& events() const { return events_; }
-  [[nodiscard]] Eigen::Vector2d displacement() const;
-  [[nodiscard]] Eigen::Vector2d velocity() const;
+  [[nodiscard]] Eigen::Vector2d displacement() const { return state_.head<2>(); }
+  [[nodiscard]] Eigen::Vector2d velocity() const { return state_.segment<2>(2); }
   [[nodiscard]] double time() const { return time_; }
   [[nodiscard]] bool stuck() const { return direction_ == 0.0; }
   /// The derivative of the velocity of that order, 1 the acceleration.
@@ -60,29 +59,17 @@ class ExactPair {
   using Matrix = Eigen::Matrix<double, 7, 7>;
   using Kind = solver::ContactEvent::Kind;
 
-  // -C v - K q + p sin(omega t) as a matrix on the state.
-  [[nodiscard]] Eigen::Matrix<double, 2, 7> forces(const Eigen::Matrix2d& stiffness) const;
+  using Rows = Eigen::Matrix<double, 2, 7>;
 
-  // Accelerations while the second mass moves with the wall.
-  [[nodiscard]] Eigen::Matrix<double, 2, 7> held_acceleration() const;
-
-  [[nodiscard]] Eigen::Matrix<double, 2, 7> sliding_acceleration() const;
-
-  // A of the phase.
-  [[nodiscard]] Matrix rate_matrix() const;
-
+  [[nodiscard]] Rows forces(const Eigen::Matrix2d& stiffness) const;  // -C v - K q + p sin(omega t)
+  [[nodiscard]] Rows held_acceleration() const;                       // the second mass moves with the wall
+  [[nodiscard]] Rows sliding_acceleration() const;
+  [[nodiscard]] Matrix rate_matrix() const;  // A of the phase
   [[nodiscard]] State after(double length) const;
-
-  // The friction force that holding the second mass takes.
-  [[nodiscard]] double holding_force(const State& x) const;
-
+  [[nodiscard]] double holding_force(const State& x) const;  // friction that holding the second mass takes
   [[nodiscard]] double sliding_velocity(const State& x) const;
-
-  // Negative while the phase lasts.
-  [[nodiscard]] double excess(double length) const;
-
+  [[nodiscard]] double excess(double length) const;  // negative while the phase lasts
   [[nodiscard]] double phase_end(double high) const;
-
   void change_phase();
 
   ForcedPair pair_;

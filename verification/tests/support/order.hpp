@@ -89,9 +89,8 @@ std::vector<OrderLevel> order_levels(const std::vector<double>& steps, const std
 /// The errors fall with the order `predicted`, and, if given, as `constant` * h^predicted:
 ///
 ///   - at least four levels;
-///   - each at least 20 times its floor, its next term at most a half: a level that is not has no place in
-///   the
-///     test, which fails rather than to leave it out;
+///   - each at least 20 times its floor, its next term at most a half: the test fails for a level that is not, and does
+///     not leave it out;
 ///   - each local order, between neighbours, is the predicted one to within what their next terms allow: the
 ///     levels are in the asymptotic range;
 ///   - the slope through all levels is the predicted one to within what the next terms allow, on both sides,
