@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "record.hpp"
 
-#include <algorithm>
 #include <fstream>
 #include <stdexcept>
 
