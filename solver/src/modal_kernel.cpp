@@ -11,16 +11,18 @@ namespace stickslip::solver {
 
 namespace {
 
+// Modes act on each other through the contact alone. Its displacement does not act on them: it moves the static shape,
+// which needs no force but at the contact.
 void require_modal_form(const ContactSystem& system) {
   const Eigen::Index last = system.mass.rows() - 1;
-  const auto couples_modes = [last](const SparseMatrix& matrix) {
-    for (Eigen::Index column = 0; column < last; ++column)
+  const auto acts_on_modes = [last](const SparseMatrix& matrix, Eigen::Index columns) {
+    for (Eigen::Index column = 0; column < columns; ++column)
       for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry)
         if (entry.row() != column && entry.row() != last && entry.value() != 0.0) return true;
     return false;
   };
-  if (system.contact != last || system.damping.nonZeros() > 0 || couples_modes(system.mass) ||
-      couples_modes(system.slip_stiffness))
+  if (system.contact != last || system.damping.nonZeros() > 0 || acts_on_modes(system.mass, last) ||
+      acts_on_modes(system.slip_stiffness, last + 1))
     throw std::invalid_argument(
         "the system must be undamped, with modes that meet in its last coordinate alone, the contact");
 }

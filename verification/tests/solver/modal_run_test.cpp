@@ -360,11 +360,15 @@ TEST(ModalSteps, RefusesDampingAndSystemsOfAnotherForm) {
 
   const solver::ContactSystem modal = solver::modal_contact_system(
       model, solver::held_tip_basis(model), paper_friction(), solver::harmonic_motion(shaking(25.0, 1e-3)));
-  for (const auto matrix : {&solver::ContactSystem::mass, &solver::ContactSystem::slip_stiffness}) {
+  const auto refuses = [&](solver::SparseMatrix solver::ContactSystem::*matrix, Eigen::Index column) {
     solver::ContactSystem coupled = modal;
-    (coupled.*matrix).coeffRef(0, 1) = 1e-3;
-    EXPECT_THROW(solver::StickSlipIntegrator(coupled, modal_steps), std::invalid_argument);
-  }
+    (coupled.*matrix).coeffRef(0, column) = 1e-3;
+    EXPECT_THROW(solver::StickSlipIntegrator(coupled, modal_steps), std::invalid_argument)
+        << "column " << column;
+  };
+  refuses(&solver::ContactSystem::mass, 1);
+  refuses(&solver::ContactSystem::slip_stiffness, 1);
+  refuses(&solver::ContactSystem::slip_stiffness, modal.contact);
 }
 
 STICKSLIP_VERIFIES(FastestCoordinates, "F11");
