@@ -92,7 +92,7 @@ void require_undamped(const data::Damping& damping) {
                          "0 in modal coordinates, which damping would couple");
 }
 
-// Which of the two a run steps in.
+// Nodal or modal.
 Coordinates coordinates_of(const BeamRun& run, int elements) {
   if (run.coordinates == Coordinates::fastest) return fastest_coordinates(elements, run.damping, run.scheme);
   if (run.coordinates == Coordinates::nodal) return Coordinates::nodal;
@@ -115,7 +115,8 @@ IntegratorSettings integrator_settings(const data::NumericalSettings& numerics, 
           .algebra = coordinates == Coordinates::modal ? StepAlgebra::modal : StepAlgebra::sparse};
 }
 
-// A rounding of the tip's position, as large as the base motion, by the spring must stay far below the limit.
+// The rounding of the tip's position, eps times the base motion, changes the force of the spring. This must stay far
+// below the limit of friction.
 void require_resolved_spring(const data::TangentialContact& contact, double limit, double amplitude) {
   constexpr double share = 1e-4;
   const double stiffest = share * limit / (std::numeric_limits<double>::epsilon() * amplitude);

@@ -30,7 +30,7 @@ ContactMobility::ContactMobility(const ContactSystem& system)
 
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(
       Eigen::MatrixXd(system.stick_stiffness), mass);
-  if (modes.info() != Eigen::Success) throw std::runtime_error("slip-state eigenvalues did not converge");
+  if (modes.info() != Eigen::Success) throw std::runtime_error("eigenvalues of the free contact did not converge");
   eigenvalues_ = modes.eigenvalues();
   angular_frequencies_ = eigenvalues_.cwiseMax(0.0).cwiseSqrt();
   const Eigen::VectorXd at_contact = modes.eigenvectors().row(contact_);
@@ -55,7 +55,7 @@ ContactMobility::Complex ContactMobility::discrete(Complex zeta, double h, doubl
 
 // r(m, c, k).
 ContactMobility::Complex ContactMobility::receptance(Complex m, Complex c, Complex k) const {
-  if (is_damped()) {
+  if (damping_.nonZeros() > 0) {
     using ComplexMatrix = Eigen::SparseMatrix<Complex>;
     const Eigen::SparseLU<ComplexMatrix, Eigen::NaturalOrdering<int>> factorised(ComplexMatrix(
         m * mass_.cast<Complex>() + c * damping_.cast<Complex>() + k * stiffness_.cast<Complex>()));

@@ -136,7 +136,7 @@ void ContactMotion::begin_stick() {
   kernel_->restart(phase_, time_, now_);
 }
 
-// The spring has no force, and a smooth law none at rest.
+// At the start the spring has no force; a smooth law has none at rest.
 void ContactMotion::begin_yielding() {
   const bool is_smooth = system_.tangential.is_smooth();
   yielding_force_ = alpha_level_force_ = contact_.yielding_force(position(), position(), sliding_velocity());
@@ -148,8 +148,8 @@ void ContactMotion::begin_yielding() {
 void ContactMotion::move_slider(double length) {
   const auto [slider, direction] = contact_.moved(phase_.wall_offset, position(), sliding_velocity());
   phase_.wall_offset = slider;
-  // By the line through the last two alpha levels, within the bound. The law itself would multiply what v and q ring with
-  // after a kink, which the alpha level does not have.
+  // On the line through the last two alpha levels, within the bound. After a kink q and v oscillate from step to step,
+  // and the stiff law would amplify that; the alpha level is free of it.
   const double force = kernel_->yielding_force(), level = method_.load_time(time_ - length, length);
   yielding_force_ =
       contact_.bounded(force + (force - alpha_level_force_) * (time_ - level) / (level - alpha_level_time_),

@@ -13,7 +13,7 @@
 
 namespace stickslip::solver {
 
-/// The motion of a ContactSystem, phase by phase: what the drivers of contact_driver.hpp make a run of.
+/// The motion of a ContactSystem, phase by phase. The drivers of contact_driver.hpp decide when a phase ends.
 class ContactMotion {
  public:
   ContactMotion(ContactSystem system, const IntegratorSettings& settings);
@@ -62,8 +62,8 @@ class ContactMotion {
   void leave_stick();
   /// The contact is at rest on the wall, up to what the location left: stick if it can be held, else slip.
   void settle_at_rest();
-  /// Of a contact that yields, after a step of this length: the slider follows, and a change is recorded. f_d has no jump, so that
-  /// a kink of it inside a step costs no order and is not located.
+  /// Of a contact that yields, after a step of this length: the slider follows, and a change is recorded. f_d does not
+  /// jump, so that a change inside a step costs no order and is not located.
   void move_slider(double length);
   /// The changes of ContactScheme::paper: no impulse, no restart.
   void overwrite_sliding_velocity();
@@ -91,8 +91,8 @@ class ContactMotion {
   StepPhase phase_;
   int events_in_step_{};
   std::vector<ContactEvent> events_;
-  double yielding_force_{}, alpha_level_force_{},
-      alpha_level_time_{};  // f_d now, and at the last alpha level
+  // Of a contact that yields: f_d now, and f_d and time of the last alpha level.
+  double yielding_force_{}, alpha_level_force_{}, alpha_level_time_{};
   std::function<void()> observer_;
 };
 

@@ -30,10 +30,10 @@ double FrictionContact::force(double direction, double sliding_velocity) const {
   return -direction * friction_coefficient(law_, sliding_velocity) * normal_force_;
 }
 
-// f_d = -d mu(v) N, v = free_velocity + mobility f_d the sliding velocity at the alpha level. With w = d v
-// this is w + mobility N mu(w) = d free_velocity; mu is held at mu_s for w < 0, where a trial step has
-// overshot the end of the phase. (For a jump mu_s is mu_m here.) The left side is convex and rises as long as mobility N (mu_s - mu_m) alpha
-// < 1, so that Newton's method from above converges without leaving the right side of the root.
+// f_d = -d mu(v) N, with v = free_velocity + mobility f_d the sliding velocity at the alpha level. With w = d v
+// this is w + mobility N mu(w) = d free_velocity. For w < 0, where a trial step has overshot the end of the phase, mu
+// is mu_s. (For a law that jumps, mu_s is mu_m here.) The left side is convex, and it rises as long as
+// mobility N (mu_s - mu_m) alpha < 1. Newton's method from above then converges and stays above the root.
 double FrictionContact::alpha_level_force(double direction, double free_velocity, double mobility) const {
   const double forward = direction * free_velocity;
   const double strength = mobility * normal_force_;

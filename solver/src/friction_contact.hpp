@@ -26,7 +26,7 @@ class FrictionContact {
   /// The only solution if require_unique_force() does not throw.
   [[nodiscard]] double alpha_level_force(double direction, double free_velocity, double mobility) const;
 
-  /// Whether a spring or a smooth law holds the contact: it moves in stick, and has the equations of slip all the time.
+  /// Whether a spring or a smooth law holds the contact: it then moves in stick too, by the equations of slip.
   [[nodiscard]] bool yields() const noexcept { return !tangential_.is_rigid(); }
 
   /// f_d, N, of a contact that yields, at a position on the wall and a sliding velocity; the slider is where the

@@ -21,14 +21,15 @@ class StepKernel {
  public:
   virtual ~StepKernel() = default;
 
-  /// The state at end_time, if the phase lasts so long, from the state `now` at time. `next` has its size.
+  /// Puts into `next` the state at end_time, if the phase lasts so long, from the state `now` at `time`. `next` has the
+  /// size of `now`.
   virtual void take_step(const StepPhase& phase, const Kinematics& now, double time, double end_time,
                          Kinematics& next) = 0;
 
   /// f_d at the alpha level of the last step of a contact that yields, N.
   [[nodiscard]] virtual double yielding_force() const = 0;
 
-  /// Sets the acceleration of the method at the begin of a phase (StickSlipIntegrator, "Restart").
+  /// Sets the acceleration of the method at the beginning of a phase (StickSlipIntegrator, "Restart").
   virtual void restart(const StepPhase& phase, double time, Kinematics& now) = 0;
 };
 
@@ -42,8 +43,8 @@ class StepKernel {
                                                             const FrictionContact& contact,
                                                             const GeneralizedAlpha& method, double time_step);
 
-/// w at the alpha level of a step, weighted as displacements are and not at t_star: what a spring to the wall feels is
-/// then the weighted position of the contact.
+/// w at the alpha level of a step, weighted as displacements are and not taken at t_star: a spring to the wall then
+/// gets the weighted position of the contact.
 [[nodiscard]] inline double alpha_level_wall(const ContactSystem& system, const GeneralizedAlpha& method,
                                              double time, double length) {
   return (1.0 - method.alpha_f()) * system.wall.displacement(time + length) +

@@ -23,10 +23,10 @@ enum class TipContact {
   bonded     ///< the tip never slips: the linear stick state for all time
 };
 
-/// In which coordinates a run steps: the results differ by rounding, the cost tenfold and more.
+/// The coordinates of a run. Their results differ by rounding only.
 enum class Coordinates {
-  nodal,   ///< deflections and rotations of the nodes, sparse matrices: the plain way, linear in the elements
-  modal,   ///< of a HeldTipBasis: fast; undamped, and for meshes whose modes are worth finding
+  nodal,   ///< deflections and rotations of the nodes: sparse matrices, cost linear in the elements
+  modal,   ///< those of a HeldTipBasis: ten times as fast and more, without damping only; all modes are found first
   fastest  ///< what fastest_coordinates() chooses
 };
 
@@ -41,9 +41,8 @@ struct BeamRun {
   data::Wall wall{};
 };
 
-/// Modal wherever the numbers are those of the nodal coordinates and come sooner: undamped, not by
-/// ContactScheme::paper, which overwrites the velocity of one node, and on at most 200 elements, whose modes
-/// cost less than some ten thousand steps. Nodal elsewhere.
+/// Modal without damping on at most 200 elements, whose modes cost less than some ten thousand steps; nodal elsewhere, and
+/// for ContactScheme::paper, which overwrites the velocity of one node.
 [[nodiscard]] Coordinates fastest_coordinates(int elements, const data::Damping& damping,
                                               ContactScheme scheme = ContactScheme::located);
 
@@ -80,12 +79,16 @@ struct BeamRun {
 /// -f_d.
 class BeamSimulation {
  public:
-  /// Uses elements, time_step, spectral_radius and velocity_threshold of `numerics`. Throws
-  /// data::FieldError, naming beam.axial_force, if P is at or over the buckling load, or if P <= 0 with
-  /// TipContact::friction: without compression there is no contact; and what damping_matrix() throws. Throws
-  /// data::FieldError if ContactScheme::paper has no velocity threshold, or if Coordinates::modal has
-  /// damping, or if a contact that is not rigid has a jump of the friction law, another scheme than located or
-  /// TipContact::bonded, or a spring that rounding would load by more than 1e-4 of the limit; std::logic_error for Coordinates::modal with ContactScheme::paper.
+  /// Uses elements, time_step, spectral_radius and velocity_threshold of `numerics`. Throws what damping_matrix() throws,
+  /// and data::FieldError
+  ///
+  ///   - naming beam.axial_force, if P is at or over the buckling load, or if P <= 0 with TipContact::friction;
+  ///   - if ContactScheme::paper has no velocity threshold;
+  ///   - if Coordinates::modal has damping;
+  ///   - if a contact that is not rigid has a jump of the friction law, another scheme than located, TipContact::bonded,
+  ///     or a spring that rounding would load by more than 1e-4 of the limit.
+  ///
+  /// Throws std::logic_error for Coordinates::modal with ContactScheme::paper.
   BeamSimulation(const data::Beam& beam, const data::FrictionLaw& friction,
                  const data::HarmonicExcitation& excitation, const data::NumericalSettings& numerics,
                  const BeamRun& run = {});

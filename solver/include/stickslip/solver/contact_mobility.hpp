@@ -56,7 +56,6 @@ class ContactMobility {
   [[nodiscard]] const Eigen::VectorXd& angular_frequencies() const noexcept { return angular_frequencies_; }
   [[nodiscard]] double contact_mass() const noexcept { return contact_mass_; }        ///< m_c, kg
   [[nodiscard]] double contact_damping() const noexcept { return contact_damping_; }  ///< c_c, N s/m
-  [[nodiscard]] bool is_damped() const noexcept { return damping_.nonZeros() > 0; }
 
  private:
   [[nodiscard]] Complex receptance(Complex mass_factor, Complex damping_factor,

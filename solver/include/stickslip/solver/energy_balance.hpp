@@ -38,12 +38,12 @@ struct EnergyBalance {
 /// zero in stick, and the work f_d w_t of the moving wall. The impulse of a capture, -m_c v_s, does the work
 /// -m_c v_s w_t of the wall and takes away m_c v_s^2/2.
 ///
-/// The powers are integrated by the trapezoidal rule between the accepted states, with f_d evaluated on both
-/// sides of a change, and not from what the method holds at its alpha level: the record knows only q, v, the
-/// state and the friction law. The one quadratic power is v.C v of the mean of both velocities: a mode that h
-/// does not resolve turns its sign from state to state, which cancels in all other works and must not count
-/// as a loss. The residual is of order h^2 - method and rule together - for whatever h resolves, and much
-/// more if a step put energy in that no force explains. Use:
+/// The powers are integrated by the trapezoidal rule between the accepted states, with f_d on both sides of a
+/// change. The record knows only q, v, the state and the friction law, and nothing of the alpha level of the
+/// method. The power v.C v is that of the mean of both velocities: a mode that h does not resolve changes its
+/// sign from state to state; this cancels in all works that are linear in v and must not count as a loss here.
+/// The residual, of method and rule together, is of order h^2 for whatever h resolves, and much larger if a
+/// step adds energy that no force explains. Use:
 ///
 ///     EnergyRecorder recorder(integrator);   // after start_...
 ///     integrator.observe([&recorder](const StickSlipIntegrator& now) { recorder.record(now); });

@@ -12,8 +12,8 @@ namespace stickslip::solver {
 /// One natural mode of a mesh.
 struct FiniteElementMode {
   double angular_frequency{};  ///< rad/s
-  Eigen::VectorXd
-      shape;  ///< all degrees of freedom of the model, phi^T M phi = 1, positive curvature at x = 0
+  /// All degrees of freedom of the model, phi^T M phi = 1, positive curvature at x = 0.
+  Eigen::VectorXd shape;
 };
 
 /// The `count` lowest modes of the stick state, (K_stick - omega^2 M) phi = 0 with w_L = 0.

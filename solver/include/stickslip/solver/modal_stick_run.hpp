@@ -16,8 +16,7 @@ namespace stickslip::solver {
 /// method, the same numbers to rounding.
 ///
 /// In the modes of the mesh with its tip held (HeldTipBasis) the generalised-alpha method is one recurrence per
-/// mode. With x = (eta, h eta_t, h^2 eta_tt) and k = (omega
-/// h)^2,
+/// mode. With x = (eta, h eta_t, h^2 eta_tt) and k = (omega h)^2,
 ///
 ///     x_3' = [h^2 r h_tt(t_star) - alpha_m x_3 - k (x_1 + s x_2 + s (1/2 - beta) x_3)]/[1 - alpha_m + s beta k],
 ///     x_2' = x_2 + (1 - gamma) x_3 + gamma x_3',
@@ -53,8 +52,7 @@ class ModalStickRun {
   };
   using Modes = Eigen::Array<double, Eigen::Dynamic, 3>;  // x_1, x_2, x_3 by mode
 
-  // T^B, and the outputs of a block, both by what y = (x_1, x_2, x_3, sin(Omega t), cos(Omega t)) was at its
-  // start.
+  // T^B and the outputs of a block, as factors of y = (x_1, x_2, x_3, sin(Omega t), cos(Omega t)) at its start.
   struct Block {
     std::array<Modes, 3> of_state;
     std::array<Modes, 2> of_load;

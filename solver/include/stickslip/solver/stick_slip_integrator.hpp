@@ -27,8 +27,7 @@ struct ContactEvent {
   double residual_velocity{};  ///< v_s that was left when the event was taken, m/s
 };
 
-/// When and how the contact changes. Only `located` is meant for results; the others show what the location
-/// is worth.
+/// When and how the contact changes. Use `located` for results; the others show what the location of changes gains.
 enum class ContactScheme {
   /// Inside the step, where the change happens: of second order in h.
   located,
