@@ -49,15 +49,15 @@ Errors errors_of(const History& history, const History& reference) {
   return errors;
 }
 
-// A change taken at the end of its step is late by a part tau of h that jumps about in (0, h) with h: the
-// errors are not smooth in h. Neighbouring numbers of steps sample tau: the mean over n of them has a
-// standard deviation of 0.58/sqrt(n) of itself (0.89/sqrt(n) for tau^2) for a single event; less for means
-// over events.
+// A change that is taken at the end of its step is late by a time tau between 0 and h. tau is not a smooth function
+// of h, and neither are the errors. Runs with neighbouring numbers of steps sample tau: the mean over n of them has
+// a standard deviation of 0.58/sqrt(n) of itself (0.89/sqrt(n) for tau^2) for one event, and less for means over
+// events.
 //
-// What being late costs. After a late reversal friction has pushed the wrong way for tau: an error of first
-// order. A late onset lets the contact off a force that is tau too large, but has not moved yet: tau^2. A
-// late capture has had the sliding force for the holding force, and the impulse that stops the contact makes
-// up for just that: tau^2 too. So without reversals only the times of the changes are of first order.
+// The error in the motion. Before a late reversal friction has the wrong direction for tau: first order. At a late
+// onset the holding force is too large in proportion to tau, for the time tau: tau^2. Before a late capture the
+// sliding force acts in place of the holding force, and the impulse that stops the contact makes up for the
+// difference: tau^2. So without reversals only the times of the changes are of first order.
 constexpr double spread_of_lateness = 0.58, spread_of_its_square = 0.89;
 
 // The reference for a number of steps.

@@ -50,8 +50,8 @@ TEST(DampingMatrix, OfARatioIsTheSameForEveryAxialForceAndSymmetric) {
             round_off(20, 1, loaded.cwiseAbs().maxCoeff()).value);
 }
 
-// Round-off: the matrix is known to eps omega_max, whatever the mode that looks at it; the modes, which come
-// from another route (an unsymmetric eigenproblem for 1/omega^2), to eps omega_n^2/omega_1^2.
+// Round-off: the matrix is accurate to eps omega_max for every mode. The modes, from an unsymmetric eigenproblem for
+// 1/omega^2, are accurate to eps omega_n^2/omega_1^2.
 TEST(DampingMatrix, OfARatioDampsEveryModeOfTheFreeTipByThatFractionOfCritical) {
   constexpr double zeta = 0.02;
   const solver::BeamModel model(paper_beam_with_axial_force(0.0), 10);

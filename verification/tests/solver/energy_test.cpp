@@ -207,7 +207,7 @@ TEST(ContactChanges, LeaveNoCreepInStick) {
 }
 
 TEST(EnergyRecorder, OverwritingOneVelocityAtACaptureLeavesAResidual) {
-  // What the letter of the paper does, caught: (1/2) v.M v falls by more or less than the impulse takes.
+  // As the paper states it: (1/2) v.M v falls by more or less than the impulse takes.
   const auto residual = [](ContactScheme scheme) {
     return std::abs(
         balance_of_the_pair(

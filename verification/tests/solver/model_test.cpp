@@ -253,20 +253,24 @@ TEST(ModalAnalysis, RefusesToReturnNoMode) {
   EXPECT_THROW((void)solver::slip_eigenvalues(model, -1), std::invalid_argument);
 }
 
-constexpr data::NumericalChoices coarse{.elements = 8,
-                                        .time_step = 1e-4,
-                                        .spectral_radius = 0.5,
-                                        .velocity_threshold = 1e-2,
-                                        .modes = 10,
-                                        .duration = 0.2};
+constexpr double coarse_step = 1e-4;
+
+data::NumericalSettings coarse(double duration = 0.2) {
+  return data::NumericalSettings({.elements = 8,
+                                  .time_step = coarse_step,
+                                  .spectral_radius = 0.5,
+                                  .velocity_threshold = 1e-2,
+                                  .modes = 10,
+                                  .duration = duration});
+}
+
+const data::HarmonicExcitation slipping_excitation({25.0, 1e-3});
 
 STICKSLIP_VERIFIES(BeamSimulation, "F7");
 TEST(BeamSimulation, HandsItsNumericsToTheIntegrator) {
-  const data::HarmonicExcitation excitation({25.0, 1e-3});
-  solver::BeamSimulation simulation(paper_beam(), paper_friction(), excitation,
-                                    data::NumericalSettings(coarse));
+  solver::BeamSimulation simulation(paper_beam(), paper_friction(), slipping_excitation, coarse());
   const solver::BeamModel model(paper_beam(), 8);
-  const solver::PrescribedMotion base = solver::harmonic_motion(excitation);
+  const solver::PrescribedMotion base = solver::harmonic_motion(slipping_excitation);
   solver::StickSlipIntegrator integrator(
       solver::beam_contact_system(model, paper_friction(), base),
       {.time_step = 1e-4, .spectral_radius = 0.5, .velocity_threshold = 1e-2});
@@ -284,8 +288,7 @@ TEST(BeamSimulation, HandsItsNumericsToTheIntegrator) {
 }
 
 TEST(BeamSimulation, DisplacementsAreThoseOfTheFixedFrame) {
-  solver::BeamSimulation simulation(paper_beam(), paper_friction(), data::HarmonicExcitation({25.0, 1e-3}),
-                                    data::NumericalSettings(coarse));
+  solver::BeamSimulation simulation(paper_beam(), paper_friction(), slipping_excitation, coarse());
   for (int n = 0; n < 100; ++n) simulation.step();
   // 25 Hz at 10 ms: h = A0 sin(pi/2).
   EXPECT_TRUE(within(simulation.base_displacement(), 1e-3, round_off(4, 1, 1e-3)));
@@ -316,7 +319,7 @@ TEST(BeamSimulation, StepCountIsTheNearestWholeNumber) {
 TEST(BeamSimulation, LargestForceIsOneOfEitherSign) {
   // At 70 Hz the peak of the first 10 ms is positive, that of the first 20 ms negative.
   const data::HarmonicExcitation excitation({70.0, 0.5e-3});
-  solver::BeamSimulation bonded(paper_beam(), paper_friction(), excitation, data::NumericalSettings(coarse),
+  solver::BeamSimulation bonded(paper_beam(), paper_friction(), excitation, coarse(),
                                 {.contact = solver::TipContact::bonded});
   double highest = 0.0, lowest = 0.0;
   const auto run_until = [&](double end) {
@@ -327,9 +330,7 @@ TEST(BeamSimulation, LargestForceIsOneOfEitherSign) {
     }
   };
   const auto largest = [&](double duration) {
-    data::NumericalChoices choices = coarse;
-    choices.duration = duration;
-    return solver::max_abs_friction_force(paper_beam(), excitation, data::NumericalSettings(choices));
+    return solver::max_abs_friction_force(paper_beam(), excitation, coarse(duration));
   };
   run_until(0.01);
   ASSERT_GT(highest, -lowest);
@@ -340,8 +341,8 @@ TEST(BeamSimulation, LargestForceIsOneOfEitherSign) {
 }
 
 TEST(BeamSimulation, EveryRunTakesItsDamping) {
-  const data::HarmonicExcitation excitation({25.0, 1e-3});
-  const data::NumericalSettings numerics(coarse);
+  const data::HarmonicExcitation& excitation = slipping_excitation;
+  const data::NumericalSettings numerics = coarse();
   const data::Damping damping({.kelvin_voigt = 6.4e-5, .ratio = 0.01});
   solver::BeamSimulation simulation(paper_beam(), paper_friction(), excitation, numerics,
                                     {.damping = damping});
@@ -363,16 +364,13 @@ TEST(BeamSimulation, EveryRunTakesItsDamping) {
 
 TEST(BeamSimulation, FirstSlipIsFoundUpToTheLastStep) {
   const auto slip_within = [](double duration) {
-    data::NumericalChoices choices = coarse;
-    choices.duration = duration;
-    return solver::first_slip(paper_beam(), paper_friction(), data::HarmonicExcitation({25.0, 1e-3}),
-                              data::NumericalSettings(choices));
+    return solver::first_slip(paper_beam(), paper_friction(), slipping_excitation, coarse(duration));
   };
   const auto slip = slip_within(0.2);
   ASSERT_TRUE(slip);
-  const double steps = std::floor(*slip / coarse.time_step);
-  EXPECT_EQ(slip_within((steps + 1.0) * coarse.time_step), slip);
-  EXPECT_EQ(slip_within(steps * coarse.time_step), std::nullopt);
+  const double steps = std::floor(*slip / coarse_step);
+  EXPECT_EQ(slip_within((steps + 1.0) * coarse_step), slip);
+  EXPECT_EQ(slip_within(steps * coarse_step), std::nullopt);
 }
 
 }  // namespace

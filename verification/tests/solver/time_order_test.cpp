@@ -166,17 +166,17 @@ TEST(ContactLocation, TimeOfReversalsIsOfSecondOrder) {
   }
 }
 
-// Where it turns, a mass does not feel a small error in time; what it lacks is what the method has
-// dissipated. The half swings of 0.94, 0.74, 0.54 and 0.34 m about 0.1 and -0.1 m in turn decay as the
-// method's own vibration does, exp(-rate t) with rate = O(h^3).
+// The velocity at a turning point is zero, so that a small error in time does not change the position. The error of
+// the position is the numerical dissipation: the half swings of 0.94, 0.74, 0.54 and 0.34 m about 0.1 and -0.1 m in
+// turn decay as a free vibration does by this method, exp(-rate t) with rate = O(h^3).
 TEST(ContactLocation, PositionOfReversalsIsOfThirdOrderByTheMethodsDissipation) {
   const double swings = (0.94 + 0.74 + 0.54 + 0.34) * std::numbers::pi / 2.0;
   for (const double radius : {0.0, 0.5, 0.9}) {
     const auto rate = [radius](double h) {
       return studies::generalized_alpha_oscillation(radius, 2.0, h).decay_rate;
     };
-    // Each reversal also restarts the method, whose acceleration settles as its third root to the power of
-    // the number of steps does, |alpha_m/(1 - alpha_m)|: so many steps of the 2 pi s dissipate otherwise.
+    // Each reversal also restarts the method. Its acceleration settles by the factor |alpha_m/(1 - alpha_m)|, the third
+    // root of the method, in each step: for so many steps of the 2 pi s the dissipation is another.
     const double alpha_m = solver::GeneralizedAlpha(radius).alpha_m();
     const double settling = 4.0 / (1.0 - std::abs(alpha_m / (1.0 - alpha_m))) / (2.0 * std::numbers::pi);
     const auto next_term = [settling](double h) { return next_term_of_the_oscillator(h) + settling * h; };

@@ -9,8 +9,8 @@
 
 namespace stickslip::testing {
 
-/// The paper's beam (Sect. 3, I corrected to (1/12)e-4 m^4), whose numbers stand here once more on purpose: a
-/// test must not take its expectation from the file it checks.
+/// The paper's beam (Sect. 3, I corrected to (1/12)e-4 m^4). The numbers are repeated on purpose: a test must not take
+/// its expectation from the file it checks.
 inline data::BeamProperties paper_beam_properties() {
   return {.length = 2.0,
           .area = 0.01,
@@ -44,10 +44,9 @@ inline data::FrictionLaw paper_friction() {
   return data::FrictionLaw({.static_coefficient = 0.6, .kinetic_coefficient = 0.3, .decay = 1.0});
 }
 
-/// What an error of second order in the step has behind its leading term, relative to it, in the damped
-/// stick-slip vibration of the paper's beam (25 Hz, 1 mm, 0.5 % of critical in mode 1): omega h of mode 2,
-/// which sets the times of the changes, because each splits a step anywhere, and (omega h)^2 of mode 5, the
-/// highest that matters.
+/// The next term of an error of second order in the step, relative to the leading one, in the damped stick-slip
+/// vibration of the paper's beam (25 Hz, 1 mm, 0.5 % of critical in mode 1): omega h of mode 2, which sets the times of
+/// the changes, each of which splits a step, and (omega h)^2 of mode 5, the highest that matters.
 inline double next_term_of_the_damped_beam(double time_step) {
   return 509.0 * time_step + std::pow(2780.0 * time_step, 2);
 }

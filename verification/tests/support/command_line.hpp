@@ -101,7 +101,7 @@ inline std::vector<std::vector<std::string>> csv(const std::string& text) {
   return rows;
 }
 
-/// Commands that draw, with a gnuplot of the test's own, or with none: what draws need not be installed here.
+/// Commands that draw, with a gnuplot that the test provides, or with none. No gnuplot need be installed.
 class Drawing : public CommandLine {
  protected:
   void SetUp() override {

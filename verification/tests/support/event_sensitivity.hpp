@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// Histories that must be the same up to errors whose growth another one measures.
+/// Histories that must be the same up to small errors. A run with a known small change measures how such errors grow.
 
 #include <gtest/gtest.h>
 
@@ -19,17 +19,16 @@ struct EventAt {
   double time{}, position{};
 };
 
-/// What tells two runs of one problem apart: relative errors in their data or steps, and the twin of the
-/// expected run whose amplitude is larger by the share `perturbation`.
+/// How far two runs of one problem may differ.
 struct Sensitivity {
-  std::vector<EventAt> perturbed;
-  double perturbation{};
-  double error{};
-  double amplitude{};  ///< measure of positions, m
+  std::vector<EventAt> perturbed;  ///< of the expected run with an amplitude that is larger by a share
+  double perturbation{};           ///< this share
+  double error{};                  ///< relative error of the data or the steps
+  double amplitude{};              ///< measure of positions, m
 };
 
-/// Each event is the expected one within `error` times the slopes of its time and position, measured on the
-/// twin and largest so far, against the share, added to the time itself and to the amplitude.
+/// Expects the events of `expected`. The tolerance of a time is `error` times the time plus its slope, that of a position
+/// `error` times its slope: the largest change per share so far in the perturbed run, of positions at least the amplitude.
 inline void expect_same_events(const std::vector<EventAt>& computed, const std::vector<EventAt>& expected,
                                const Sensitivity& sensitivity) {
   ASSERT_EQ(computed.size(), expected.size());

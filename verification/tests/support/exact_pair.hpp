@@ -28,8 +28,8 @@ struct ForcedPair {
   [[nodiscard]] double friction_limit() const { return friction_coefficient * normal_force; }
 };
 
-/// What an error of second order has behind its leading term, relative to it, in 12 s of this pair: omega h
-/// of the higher frequency, 6/s, and that each of the 23 changes splits a step, 23 h/12 of the whole.
+/// The next term of an error of second order in 12 s of this pair, relative to the leading one: omega h of the
+/// higher frequency, 6/s, and 23 h/12 for the 23 changes, each of which splits a step.
 inline double next_term_of_the_pair(double time_step) { return (6.0 + 23.0 / 12.0) * time_step; }
 
 [[nodiscard]] solver::ContactSystem contact_system(const ForcedPair& pair);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// How a series rises or falls: what "generally" is measured by.
+/// How a series rises or falls: measures of "generally".
 
 #include <cstddef>
 #include <vector>

@@ -19,7 +19,7 @@ struct Units {
   [[nodiscard]] double force() const { return mass * length / (time * time); }
 };
 
-/// mm, t, s, N, as finite-element programs like them.
+/// mm, t, s, N: usual with finite-element programs.
 inline constexpr Units millimetre_tonne_second{1e3, 1e-3, 1.0};
 
 /// Powers of two, so that every product and quotient scales exactly; for the mass of four, so that square

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// The steady vibration of the beam on a moving base, and what a mesh makes of it.
+/// The steady vibration of the beam on a moving base, and its error on a mesh.
 
 #include <Eigen/Core>
 #include <complex>
