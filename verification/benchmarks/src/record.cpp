@@ -8,75 +8,52 @@ namespace stickslip::benchmarks {
 
 namespace {
 
+// A benchmark and the description of the method that it times.
+struct Method {
+  std::string benchmark, description;
+};
+
 // One comparison of the record.
 struct RatioOfTimes {
   std::string work;
-  std::string plain_name, plain;  // name of the benchmark, and description
-  std::string fast_name, fast;
+  Method plain, fast;
   double repetitions{1.0};  // number of times the plain work is contained in the fast work
 };
 
-const std::vector<RatioOfTimes>& comparisons() {
-  static const std::vector<RatioOfTimes> table{
-      {.work = "Stick run, 10 s in 100000 steps, 20 elements",
-       .plain_name = "eigen_loop/sparse_ldlt",
-       .plain = "loop on Eigen's sparse LDLT",
-       .fast_name = "stick_run/modal",
-       .fast = "recurrence of each mode, in blocks"},
-      {.work = "the same",
-       .plain_name = "eigen_loop/dense_lu",
-       .plain = "loop on Eigen's dense LU",
-       .fast_name = "stick_run/modal",
-       .fast = "recurrence of each mode, in blocks"},
-      {.work = "the same",
-       .plain_name = "stick_run/nodal",
-       .plain = "reference integrator",
-       .fast_name = "stick_run/modal",
-       .fast = "recurrence of each mode, in blocks"},
-      {.work = "Stick-slip run, 25 Hz, 1 mm, 10 s, changes located",
-       .plain_name = "stick_slip_run/nodal",
-       .plain = "reference integrator",
-       .fast_name = "stick_slip_run/modal",
-       .fast = "held-tip modes and the contact"},
-      {.work = "the same, against the stick run",
-       .plain_name = "eigen_loop/sparse_ldlt",
-       .plain = "stick loop on sparse LDLT",
-       .fast_name = "stick_slip_run/modal",
-       .fast = "held-tip modes and the contact"},
-      {.work = "max |f| over 10 s at 35 Hz between bounds, 10 modes",
-       .plain_name = "force_maximum/halving/10",
-       .plain = "halving of intervals",
-       .fast_name = "force_maximum/search/10",
-       .fast = "truncated sums, peaks closed"},
-      {.work = "the same, 40 modes",
-       .plain_name = "force_maximum/halving/40",
-       .plain = "halving of intervals",
-       .fast_name = "force_maximum/search/40",
-       .fast = "truncated sums, peaks closed"},
-      {.work = "Map of 1200 frequencies by 1000 amplitudes",
-       .plain_name = "force_maximum/halving/10",
-       .plain = "1200 times halving",
-       .fast_name = "criterion_map/frequency_amplitude",
-       .fast = "one search a frequency, two threads",
-       .repetitions = 1200.0},
-      {.work = "Map of 1000 lengths by 1000 axial forces, states only",
-       .plain_name = "length_force_point",
-       .plain = "a million times criterion",
-       .fast_name = "criterion_map/length_force",
-       .fast = "table of modes, search to a verdict, two threads",
-       .repetitions = 1e6},
-      {.work = "Critical amplitude at 35 Hz by finite elements",
-       .plain_name = "critical_amplitude/raised",
-       .plain = "amplitude raised by 0.01 mm until it slips",
-       .fast_name = "critical_amplitude/linear",
-       .fast = "one linear run"},
-      {.work = "the same",
-       .plain_name = "critical_amplitude/raised",
-       .plain = "amplitude raised by 0.01 mm until it slips",
-       .fast_name = "critical_amplitude/modal",
-       .fast = "one linear run by modes"},
+std::vector<RatioOfTimes> comparisons() {
+  const Method modal_stick{"stick_run/modal", "recurrence of each mode, in blocks"};
+  const Method modal_slip{"stick_slip_run/modal", "held-tip modes and the contact"};
+  const Method raised{"critical_amplitude/raised", "amplitude raised by 0.01 mm until it slips"};
+  const std::string halving = "halving of intervals", search = "truncated sums, peaks closed";
+  return {
+      {"Stick run, 10 s in 100000 steps, 20 elements",
+       {"eigen_loop/sparse_ldlt", "loop on Eigen's sparse LDLT"},
+       modal_stick},
+      {"the same", {"eigen_loop/dense_lu", "loop on Eigen's dense LU"}, modal_stick},
+      {"the same", {"stick_run/nodal", "reference integrator"}, modal_stick},
+      {"Stick-slip run, 25 Hz, 1 mm, 10 s, changes located",
+       {"stick_slip_run/nodal", "reference integrator"},
+       modal_slip},
+      {"the same, against the stick run",
+       {"eigen_loop/sparse_ldlt", "stick loop on sparse LDLT"},
+       modal_slip},
+      {"max |f| over 10 s at 35 Hz between bounds, 10 modes",
+       {"force_maximum/halving/10", halving},
+       {"force_maximum/search/10", search}},
+      {"the same, 40 modes", {"force_maximum/halving/40", halving}, {"force_maximum/search/40", search}},
+      {"Map of 1200 frequencies by 1000 amplitudes",
+       {"force_maximum/halving/10", "1200 times halving"},
+       {"criterion_map/frequency_amplitude", "one search a frequency, two threads"},
+       1200.0},
+      {"Map of 1000 lengths by 1000 axial forces, states only",
+       {"length_force_point", "a million times criterion"},
+       {"criterion_map/length_force", "table of modes, search to a verdict, two threads"},
+       1e6},
+      {"Critical amplitude at 35 Hz by finite elements",
+       raised,
+       {"critical_amplitude/linear", "one linear run"}},
+      {"the same", raised, {"critical_amplitude/modal", "one linear run by modes"}},
   };
-  return table;
 }
 
 std::string processor() {
@@ -115,11 +92,11 @@ SpeedRecord Recorder::record() const {
   SpeedRecord record;
   record.processor = processor();
   for (const RatioOfTimes& line : comparisons()) {
-    const Shortest& fast = shortest(line.fast_name);
+    const Shortest& fast = shortest(line.fast.benchmark);
     record.comparisons.push_back({.work = line.work,
-                                  .plain = line.plain,
-                                  .fast = line.fast,
-                                  .plain_seconds = line.repetitions * shortest(line.plain_name).seconds,
+                                  .plain = line.plain.description,
+                                  .fast = line.fast.description,
+                                  .plain_seconds = line.repetitions * shortest(line.plain.benchmark).seconds,
                                   .fast_seconds = fast.seconds,
                                   .load = {}});
     const auto flops = fast.counters.find("flops_per_step");
