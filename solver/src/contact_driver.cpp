@@ -90,10 +90,8 @@ class SchemeOfThePaper final : public ContactDriver {
 class YieldingContact final : public ContactDriver {
  public:
   void advance(ContactMotion& motion, double end_time) const override {
-    const double length = end_time - motion.time();
     motion.compute_trial_step(end_time);
     motion.accept_trial_step(end_time);
-    motion.move_slider(length);
   }
 };
 

@@ -125,8 +125,10 @@ double ContactMotion::trial_forward_velocity(double end_time) {
 }
 
 void ContactMotion::accept_trial_step(double new_time) {
+  const double length = new_time - time_;
   std::swap(now_, trial_);
   time_ = new_time;
+  if (yields()) return move_slider(length);
   notify();
 }
 
@@ -156,6 +158,7 @@ void ContactMotion::move_slider(double length) {
                        sliding_velocity());
   alpha_level_force_ = force;
   alpha_level_time_ = level;
+  notify();
   if (system_.tangential.is_smooth() || direction == (is_stuck() ? 0.0 : phase_.direction)) return;
   record(is_stuck()         ? ContactEvent::Kind::onset
          : direction == 0.0 ? ContactEvent::Kind::capture

@@ -53,7 +53,8 @@ class ContactMotion {
   /// to rest.
   double trial_excess_force(double end_time);
   double trial_forward_velocity(double end_time);
-  /// The last trial step, which ends at new_time, becomes the state.
+  /// The last trial step, which ends at new_time, becomes the state. In a contact that yields the slider follows, and a
+  /// change is recorded: f_d does not jump, so that a change inside a step costs no order and is not located.
   void accept_trial_step(double new_time);
 
   void observe(std::function<void()> observer) { observer_ = std::move(observer); }
@@ -62,9 +63,6 @@ class ContactMotion {
   void leave_stick();
   /// The contact is at rest on the wall, up to what the location left: stick if it can be held, else slip.
   void settle_at_rest();
-  /// Of a contact that yields, after a step of this length: the slider follows, and a change is recorded. f_d does not
-  /// jump, so that a change inside a step costs no order and is not located.
-  void move_slider(double length);
   /// The changes of ContactScheme::paper: no impulse, no restart.
   void overwrite_sliding_velocity();
   void turn_to(double direction);
@@ -72,6 +70,7 @@ class ContactMotion {
  private:
   void start(const Eigen::VectorXd& displacement, const Eigen::VectorXd& velocity);
   void begin_yielding();
+  void move_slider(double length);  // after a step of this length
   void begin_stick();
   void begin_slip(double direction);
   [[nodiscard]] double position() const;  // q[c] - w

@@ -409,6 +409,21 @@ TEST(StickSlipIntegrator, RefusesUnusableSystems) {
       });
 }
 
+TEST(StickSlipIntegrator, ObserverSeesTheForceAtTheEndOfTheStep) {
+  // The force of a contact on a spring follows from the step.
+  solver::ContactSystem system = contact_system(oscillating_mass);
+  system.tangential = data::TangentialContact({.tangential_stiffness = 400.0});
+  StickSlipIntegrator oscillator(system, {.time_step = 1e-2, .spectral_radius = 1.0});
+  oscillator.start_slipping(scalar(1.04), scalar(0.0));
+  double force = 0.0;
+  oscillator.observe([&force](const StickSlipIntegrator& now) { force = now.friction_force(); });
+  while (oscillator.time() < 4.0) {
+    oscillator.step();
+    ASSERT_EQ(force, oscillator.friction_force()) << oscillator.time() << " s";
+  }
+  EXPECT_GE(oscillator.events().size(), 5u);
+}
+
 TEST(StickSlipIntegrator, RefusesAStartOfAnotherSize) {
   StickSlipIntegrator mass(contact_system(sliding_mass), usable_settings);
   const Eigen::VectorXd one = scalar(0.0), two = Eigen::VectorXd::Zero(2);
