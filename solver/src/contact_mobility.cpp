@@ -30,7 +30,8 @@ ContactMobility::ContactMobility(const ContactSystem& system)
 
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(
       Eigen::MatrixXd(system.stick_stiffness), mass);
-  if (modes.info() != Eigen::Success) throw std::runtime_error("eigenvalues of the free contact did not converge");
+  if (modes.info() != Eigen::Success)
+    throw std::runtime_error("eigenvalues of the free contact did not converge");
   eigenvalues_ = modes.eigenvalues();
   angular_frequencies_ = eigenvalues_.cwiseMax(0.0).cwiseSqrt();
   const Eigen::VectorXd at_contact = modes.eigenvectors().row(contact_);

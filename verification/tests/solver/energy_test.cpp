@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -215,6 +216,21 @@ TEST(EnergyRecorder, OverwritingOneVelocityAtACaptureLeavesAResidual) {
             .residual());
   };
   EXPECT_GT(residual(ContactScheme::paper), 100.0 * residual(ContactScheme::located));
+}
+
+TEST(EnergyRecorder, BooksNoImpulseOfAContactOnASpring) {
+  // The slider comes to rest while the mass still moves.
+  solver::ContactSystem system = contact_system(oscillating_mass);
+  system.tangential = data::TangentialContact({.tangential_stiffness = 400.0});
+  StickSlipIntegrator oscillator(system, {.time_step = 1e-2, .spectral_radius = 1.0});
+  oscillator.start_slipping(scalar(1.04), scalar(0.0));
+  EnergyRecorder recorder(oscillator);
+  keep(recorder, oscillator);
+  while (oscillator.time() < 4.0) oscillator.step();
+  ASSERT_TRUE(std::ranges::any_of(oscillator.events(), [](const ContactEvent& event) {
+    return event.kind == ContactEvent::Kind::capture && event.residual_velocity != 0.0;
+  }));
+  EXPECT_EQ(recorder.balance().capture_loss, 0.0);
 }
 
 TEST(EnergyRecorder, OfTheBeamSplitIntoElasticAndGeometricEnergy) {

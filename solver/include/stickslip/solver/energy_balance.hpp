@@ -36,7 +36,8 @@ struct EnergyBalance {
 ///
 /// the works of the load, of the follower term and of the damping, the friction loss f_d v_s <= 0, which is
 /// zero in stick, and the work f_d w_t of the moving wall. The impulse of a capture, -m_c v_s, does the work
-/// -m_c v_s w_t of the wall and takes away m_c v_s^2/2.
+/// -m_c v_s w_t of the wall and takes away m_c v_s^2/2. A contact that is not rigid has no impulse, and its friction
+/// loss contains the energy that its spring holds.
 ///
 /// The powers are integrated by the trapezoidal rule between the accepted states, with f_d on both sides of a
 /// change. The record knows only q, v, the state and the friction law, and nothing of the alpha level of the
