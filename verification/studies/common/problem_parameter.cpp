@@ -2,6 +2,8 @@
 #include "studies/common/problem_parameter.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <iterator>
 #include <numbers>
 #include <string>
 
@@ -38,6 +40,8 @@ constexpr Field fields[] = {
     {"friction.decay", [](Properties& of) -> double& { return of.friction.decay; }},
     {"damping.ratio", [](Properties& of) -> double& { return of.damping.ratio; }},
     {"damping.kelvin_voigt", [](Properties& of) -> double& { return of.damping.kelvin_voigt; }}};
+
+static_assert(std::size(fields) == static_cast<std::size_t>(Parameter::kelvin_voigt) + 1);
 
 const Field& field(Parameter parameter) { return fields[static_cast<std::size_t>(parameter)]; }
 
