@@ -33,9 +33,11 @@ CriticalAmplitudeSearch search(const data::Beam& beam, const data::FrictionLaw& 
 
 }  // namespace
 
-std::vector<CriticalAmplitudeSearch> critical_amplitude_searches(
-    const data::Beam& beam, const data::FrictionLaw& friction, const data::NumericalSettings& numerics,
-    const std::vector<double>& frequencies_hz, double increment, double cap) {
+std::vector<CriticalAmplitudeSearch> critical_amplitude_searches(const data::Beam& beam,
+                                                                 const data::FrictionLaw& friction,
+                                                                 const data::NumericalSettings& numerics,
+                                                                 const std::vector<double>& frequencies_hz,
+                                                                 double increment, double cap) {
   std::vector<CriticalAmplitudeSearch> searches(frequencies_hz.size());
   const int steps = static_cast<int>(std::lround(cap / increment));
   in_parallel(searches.size(), [&](std::size_t i) {
