@@ -96,8 +96,8 @@ class Search {
   static Series joined(const std::vector<Series>& groups) {
     Series all;
     for (const Series& group : groups)
-      for (const auto column : {&Series::abscissa, &Series::theirs, &Series::reference, &Series::half_width,
-                                &Series::allowed})
+      for (const auto column :
+           {&Series::abscissa, &Series::theirs, &Series::reference, &Series::half_width, &Series::allowed})
         (all.*column).insert((all.*column).end(), (group.*column).begin(), (group.*column).end());
     return all;
   }
