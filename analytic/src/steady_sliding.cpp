@@ -136,8 +136,9 @@ Mobility contact_mobility(const ContactModel& model) {
     gsl_vector_complex_set(unit.get(), m, gsl_complex_rect(1.0, 0.0));
     int sign = 0;
     require_success(gsl_linalg_complex_LU_decomp(matrix.get(), permutation.get(), &sign), "contact mobility");
-    require_success(gsl_linalg_complex_LU_svx(matrix.get(), permutation.get(), unit.get()),
-                    "contact mobility");
+    const int status = gsl_linalg_complex_LU_svx(matrix.get(), permutation.get(), unit.get());
+    if (status == GSL_EDOM) return Complex(std::numeric_limits<double>::infinity());  // s is an eigenvalue
+    require_success(status, "contact mobility");
     const gsl_complex flexibility = gsl_vector_complex_get(unit.get(), m);
     return s * Complex(GSL_REAL(flexibility), GSL_IMAG(flexibility));
   };

@@ -86,6 +86,11 @@ TEST(SteadySliding, HasTheDeflectionOfTheMeshInEveryDirectionOfTheForce) {
   }
 }
 
+TEST(SteadySliding, HasNoImpedanceAtAnEigenvalue) {
+  const auto mobility = analytic::contact_mobility(contact_model({.mass = 2.0, .stiffness = 50.0}));
+  EXPECT_EQ(1.0 / mobility(std::complex<double>(0.0, 5.0)), 0.0);
+}
+
 TEST(SteadySliding, OfAMassLosesItsStabilityWhereTheDamperEqualsTheSlope) {
   analytic::ContactModel model = contact_model({.mass = 2.0, .stiffness = 50.0});
   model.damping = analytic::Matrix(1, 1);

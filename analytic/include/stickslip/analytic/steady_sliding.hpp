@@ -55,7 +55,8 @@ struct SteadySliding {
 /// All eigenvalues s with Im s >= 0 of small disturbances of a model at the slope kappa (N s/m), 1/s, by falling real part.
 [[nodiscard]] std::vector<std::complex<double>> sliding_eigenvalues(const ContactModel& model, double kappa);
 
-/// The mobility of the contact of a model, with any damping: s [(s^2 M + s C + K)^-1]_cc, by elimination.
+/// The mobility of the contact of a model, with any damping: s [(s^2 M + s C + K)^-1]_cc, by elimination; infinite
+/// where s is an eigenvalue.
 [[nodiscard]] Mobility contact_mobility(const ContactModel& model);
 
 /// Where a pair of roots crosses the imaginary axis as kappa grows.
