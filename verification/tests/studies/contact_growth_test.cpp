@@ -141,6 +141,16 @@ TEST(ContactGrowth, OfTheBeamIsSearchedFromTheFrequenciesOfSliding) {
   }
 }
 
+// In steps of h there is no frequency above pi/h.
+TEST(ContactGrowth, OfTheBeamInStepsIsSearchedFromTheFrequenciesBelowThatOfTheSteps) {
+  constexpr double h = 1e-4, highest = std::numbers::pi / h;
+  auto expected = studies::continuous_contact(paper_beam()).frequencies;
+  std::erase_if(expected, [](double omega) { return omega >= highest; });
+  ASSERT_GT(expected.size(), 10u);
+  expected.push_back(highest);
+  EXPECT_EQ(studies::stepped_contact(paper_beam(), h, 2).frequencies, expected);
+}
+
 TEST(ContactGrowth, OfADampedBeamIsBelowThatOfTheUndamped) {
   double before = beam_bound;
   for (const double eta : {1e-7, 1e-6, 1e-5, 1e-4}) {
