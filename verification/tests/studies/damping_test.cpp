@@ -193,7 +193,8 @@ TEST(DampedFrequencyResponse, IsOfFourthOrderInTheMeshWithThePredictedAmplitudeA
   // Here the leading term nearly vanishes: no power of l describes the error, though its prediction holds as
   // well.
   EXPECT_EQ(without_order,
-            std::vector<std::string>{"70.000000 Hz, eta = 0.002000 s, zeta = 0.000000, held, midspan"});
+            std::vector<std::string>{
+                "P = 500.000000 N, 70.000000 Hz, eta = 0.002000 s, zeta = 0.000000, held, midspan"});
 }
 
 // Complex amplitude of y_n = Im[Y exp(2 pi i n/N)] from one period.
@@ -264,8 +265,7 @@ STICKSLIP_VERIFIES(DampedSteppedResponse, "X8");
 // What remains to the closed form is the error of the mesh (DampedFrequencyResponse) and of the scheme.
 TEST_P(DampedSteppedResponse, IsThatOfTheSchemeInTheFrequencyDomain) {
   for (const Vibration& v :
-       {Vibration{15.0, kelvin_voigt(5e-3), TipSupport::held},
-        Vibration{25.0, kelvin_voigt(2e-3), TipSupport::held},
+       {Vibration{25.0, kelvin_voigt(2e-3), TipSupport::held},
         Vibration{70.0, kelvin_voigt(5e-3), TipSupport::held},
         Vibration{25.0, data::Damping({.ratio = 0.2}), TipSupport::held},
         Vibration{25.0, kelvin_voigt(2e-2), TipSupport::free},
