@@ -42,6 +42,24 @@ Eigen::Vector3cd amplification_eigenvalues(double spectral_radius, double omega_
   return step_map(spectral_radius, omega_times_step).map.eigenvalues();
 }
 
+// d = lambda - 1 of the eigenvalue near `d`, by Newton's method on the characteristic equation of a step,
+//
+//     d^2 (1 + (1 - alpha_m) d) + k (1 + (1 - alpha_f) d) (1 + (1/2 + gamma) d + beta d^2) = 0,   k = (omega h)^2.
+//
+// The eigenvalue of the matrix is known to eps/(omega h), which is more than the error of a short step.
+Complex polished(double spectral_radius, double k, Complex d) {
+  const AlphaParameters method(spectral_radius);
+  const double m = 1.0 - method.alpha_m, f = 1.0 - method.alpha_f, g = 0.5 + method.gamma;
+  for (int i = 0; i < 3; ++i) {
+    const Complex inertia = 1.0 + m * d, force = 1.0 + f * d, newmark = 1.0 + g * d + method.beta * d * d;
+    const Complex slope =
+        d * (2.0 * inertia + m * d) + k * (f * newmark + force * (g + 2.0 * method.beta * d));
+    if (slope == 0.0) break;
+    d -= (d * d * inertia + k * force * newmark) / slope;
+  }
+  return d;
+}
+
 }  // namespace
 
 double hermite_eigenvalue_error(const data::Beam& beam, const analytic::StickMode& mode,
@@ -58,12 +76,12 @@ double hermite_eigenvalue_error(const data::Beam& beam, const analytic::StickMod
 
 NumericalOscillation generalized_alpha_oscillation(double spectral_radius, double angular_frequency,
                                                    double time_step) {
-  const Eigen::Vector3cd eigenvalues =
-      amplification_eigenvalues(spectral_radius, angular_frequency * time_step);
+  const double angle = angular_frequency * time_step;
+  const Eigen::Vector3cd eigenvalues = amplification_eigenvalues(spectral_radius, angle);
   const Complex principal = *std::max_element(eigenvalues.begin(), eigenvalues.end(),
                                               [](Complex a, Complex b) { return a.imag() < b.imag(); });
-  const Complex exponent = std::log(principal) / time_step;
-  return {exponent.imag(), -exponent.real()};
+  const Complex d = polished(spectral_radius, angle * angle, principal - 1.0);
+  return {std::arg(1.0 + d) / time_step, -0.5 * std::log1p(2.0 * d.real() + std::norm(d)) / time_step};
 }
 
 std::vector<double> amplification_moduli(double spectral_radius, double omega_times_step) {

@@ -34,7 +34,7 @@ struct AlphaParameters {
 
 /// Frequency and decay rate of a free vibration exp(i omega t) after time integration by generalised-alpha.
 /// The method replaces it by exp((-decay_rate + i angular_frequency) t), computed from the principal
-/// eigenvalues of the amplification matrix.
+/// eigenvalues of the amplification matrix. Accuracy: rounding of omega, and eps omega^2 h of the decay rate.
 struct NumericalOscillation {
   double angular_frequency{};  ///< rad/s
   double decay_rate{};         ///< 1/s

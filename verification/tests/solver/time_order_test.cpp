@@ -152,6 +152,25 @@ solver::ContactEvent fourth_reversal(double time_step, double spectral_radius) {
   return event;
 }
 
+STICKSLIP_VERIFIES(NumericalOscillation, "F5");
+// With d = alpha_f - alpha_m the frequency falls by the share (omega h)^2 (1/12 + 3 d^2/8), and the decay rate is
+// omega (omega h)^3 d^3/2. The next terms are (omega h)^2 times numbers up to 2.
+TEST(NumericalOscillation, OfAShortStepHasTheLeadingErrorsOfTheory) {
+  constexpr double omega = 3.0, angle = 1e-3;
+  for (const double radius : {0.0, 0.5, 0.9, 1.0}) {
+    const double d = (1.0 - radius) / (1.0 + radius);
+    const auto numerical = studies::generalized_alpha_oscillation(radius, omega, angle / omega);
+    const double rounding = round_off(10, 1.0 / (angle * angle), 1.0).value;
+    EXPECT_TRUE(within((1.0 - numerical.angular_frequency / omega) / (angle * angle),
+                       1.0 / 12.0 + 3.0 * d * d / 8.0,
+                       discretisation(angle * angle + rounding, 3.0, "next term, and rounding")))
+        << radius;
+    EXPECT_TRUE(within(numerical.decay_rate / omega / std::pow(angle, 3), std::pow(d, 3) / 2.0,
+                       discretisation(angle * angle + rounding, 3.0, "next term, and rounding")))
+        << radius;
+  }
+}
+
 // The next terms: omega h, omega = 2/s, since a reversal splits its step anywhere.
 double next_term_of_the_oscillator(double h) { return 2.0 * h; }
 
