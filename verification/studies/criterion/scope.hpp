@@ -29,10 +29,10 @@ struct SteadyForce {
 
 /// Steady force of a beam with Kelvin-Voigt damping and its tip held.
 struct SteadyDampedForce {
-  double amplitude{};           ///< m
-  double ratio{};               ///< fraction of critical damping of stick mode 1, eta omega_1/2
-  double undamped_force_max{};  ///< |f_max| over numerics.duration() without damping, N
-  double steady{};              ///< closed form (analytic::DampedSteadyState), N
+  double frequency_hz{}, amplitude{};  ///< Hz, m
+  double ratio{};                      ///< fraction of critical damping of stick mode 1, eta omega_1/2
+  double undamped_force_max{};         ///< |f_max| over numerics.duration() without damping, N
+  double steady{};                     ///< closed form (analytic::DampedSteadyState), N
 };
 
 /// |f_max| of Euler-Bernoulli theory and with rotary inertia and shear (with_shear()).

@@ -219,6 +219,7 @@ TEST(LateSlips, AreAPartOfTheStudyBesideThoseAtItsFrequenciesAndAmplitudes) {
     EXPECT_EQ(study.slender.at(i).model_errors.size(), 10u);
     problem.excitation = excitation(25.0, range.amplitudes[i]);
     problem.damping = damped.damping;
+    EXPECT_EQ(study.damped.at(i).frequency_hz, problem.excitation.frequency_hz());
     EXPECT_EQ(study.damped.at(i).amplitude, range.amplitudes[i]);
     EXPECT_EQ(study.damped.at(i).steady, studies::damped_force(problem).steady);
     problem.damping = {};
