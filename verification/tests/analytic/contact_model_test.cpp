@@ -18,7 +18,7 @@
 #include "stickslip/analytic/stick_response.hpp"
 #include "support/beams.hpp"
 #include "support/contact_models.hpp"
-#include "support/refusal.hpp"
+#include "support/error_message.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
@@ -297,7 +297,8 @@ TEST(BeamContactModel, BothKindsOfDampingAdd) {
 TEST(BeamContactModel, RefusesABeamWithoutContactOrPastBuckling) {
   for (const double axial_force : {-100.0, 0.0, 85e3}) {
     SCOPED_TRACE(axial_force);
-    expect_refusal<data::InputError>([&] { (void)beam_model(5, {}, axial_force); }, {"beam.axial_force"});
+    expect_error_message<data::InputError>([&] { (void)beam_model(5, {}, axial_force); },
+                                           {"beam.axial_force"});
   }
   EXPECT_THROW(beam_model(0), std::invalid_argument);
 }

@@ -6,7 +6,7 @@
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/data/paper.hpp"
 #include "support/beams.hpp"
-#include "support/refusal.hpp"
+#include "support/error_message.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
@@ -77,7 +77,7 @@ TEST(Criterion, RefusesABeamWithoutContactOrBuckledAndSaysWhy) {
   for (const double force : {-500.0, 0.0, buckling, 2.0 * buckling}) {
     SCOPED_TRACE(force);
     const data::Beam beam = paper_beam_with_axial_force(force);
-    expect_refusal<data::InputError>(
+    expect_error_message<data::InputError>(
         [&] { (void)evaluate_criterion(beam, paper_friction(), shaking(15.0, 1e-3), 10.0); },
         {"beam.axial_force is ", "positive"});
   }

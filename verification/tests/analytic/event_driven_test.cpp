@@ -17,8 +17,8 @@
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "support/beams.hpp"
 #include "support/contact_models.hpp"
+#include "support/error_message.hpp"
 #include "support/parameter_name.hpp"
-#include "support/refusal.hpp"
 #include "support/requirements.hpp"
 #include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
@@ -609,7 +609,7 @@ TEST(EventDriven, RefusesUnusableModels) {
   const auto refuses = [](const std::function<void(ContactModel&)>& spoil, const char* part) {
     ContactModel model = contact_model(ForcedPair{});
     spoil(model);
-    expect_refusal<std::invalid_argument>([&] { EventDriven run(model); }, {part});
+    expect_error_message<std::invalid_argument>([&] { EventDriven run(model); }, {part});
   };
   for (const double omega : {0.0, -1.0, nan}) {
     refuses([=](auto& m) { m.angular_frequency[0] = omega; }, "angular_frequency is");

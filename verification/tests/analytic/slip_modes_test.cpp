@@ -12,9 +12,9 @@
 #include "analytic/gsl.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "support/beams.hpp"
+#include "support/error_message.hpp"
 #include "support/order.hpp"
 #include "support/random_beams.hpp"
-#include "support/refusal.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
@@ -248,7 +248,7 @@ STICKSLIP_VERIFIES(FlutterLoad, "A3");
 TEST(FlutterLoad, GivesWayToABucklingLoadWhichIsRefusedAsSuch) {
   for (const double factor : {2.468, 30.0}) {
     SCOPED_TRACE(factor);
-    expect_refusal<data::FieldError>(
+    expect_error_message<data::FieldError>(
         [&] { (void)slip_modes(beam_with_load_factor(factor, 1.0), 1); },
         {"beam.axial_force is ", "below the buckling load of the slip state, 10280.8"});
   }
@@ -274,8 +274,9 @@ TEST(FlutterLoad, IsWhereTheTwoLowestFrequenciesCoalesceAsASquareRoot) {
 TEST(FlutterLoad, IsRefusedBySlipModesWhichSayWhy) {
   for (const double factor : {1.000001 * kFlutterFactor, 30.0, 100.0, 1e6, -1.1e5}) {
     SCOPED_TRACE(factor);
-    expect_refusal<data::InputError>([&] { (void)slip_modes(beam_with_load_factor(factor), 1); },
-                                     {"beam.axial_force is ", "flutter load of the slip state, 83545.6"});
+    expect_error_message<data::InputError>(
+        [&] { (void)slip_modes(beam_with_load_factor(factor), 1); },
+        {"beam.axial_force is ", "flutter load of the slip state, 83545.6"});
   }
 }
 

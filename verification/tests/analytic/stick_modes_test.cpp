@@ -13,9 +13,9 @@
 #include "analytic/gsl.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "support/beams.hpp"
+#include "support/error_message.hpp"
 #include "support/order.hpp"
 #include "support/random_beams.hpp"
-#include "support/refusal.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
@@ -192,8 +192,8 @@ TEST(StickModes, RefuseTheBucklingLoadAndSayWhy) {
   const double load = stick_buckling_load(paper_beam());
   for (const double force : {load, 1.5 * load, 100.0 * load}) {
     const data::Beam beam = paper_beam_with_axial_force(force);
-    expect_refusal<data::InputError>([&] { (void)stick_modes(beam, 1); },
-                                     {"beam.axial_force is ", "buckling load", "84128.0"});
+    expect_error_message<data::InputError>([&] { (void)stick_modes(beam, 1); },
+                                           {"beam.axial_force is ", "buckling load", "84128.0"});
     EXPECT_THROW(QuasiStaticShape{beam}, data::InputError);
   }
 }
@@ -212,7 +212,7 @@ TEST(StickModes, LiveOrAreRefusedWithinRoundOffOfTheBucklingLoad) {
 
 TEST(StickModes, RefuseACountOutOfRangeAndSayWhy) {
   for (const int count : {-1, 0, 1001})
-    EXPECT_EQ(refusal_of<std::invalid_argument>([&] { (void)stick_modes(paper_beam(), count); }),
+    EXPECT_EQ(error_message_of<std::invalid_argument>([&] { (void)stick_modes(paper_beam(), count); }),
               "numerics.modes is " + std::to_string(count) + ", but must be 1 ... 1000");
 }
 

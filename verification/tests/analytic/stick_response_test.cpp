@@ -14,9 +14,9 @@
 #include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "support/beams.hpp"
+#include "support/error_message.hpp"
 #include "support/order.hpp"
 #include "support/random_beams.hpp"
-#include "support/refusal.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
@@ -407,7 +407,7 @@ TEST(StickResponse, OmittedTransientBoundHoldsWhereTheLawIsReached) {
 }
 
 TEST(StickResponse, RefusesAnExactSteadyPartAboveItsModesAndSaysWhy) {
-  expect_refusal<std::invalid_argument>(
+  expect_error_message<std::invalid_argument>(
       [] { StickResponse(paper_beam(), shaking(50.0), 2, SteadyPart::exact); },
       {"numerics.modes is 2, but must be so large"});
   EXPECT_NO_THROW(StickResponse(paper_beam(), shaking(50.0), 3, SteadyPart::exact));
@@ -535,7 +535,7 @@ TEST(MaximumForce, RefusesBadArgumentsAndSaysWhich) {
   EXPECT_THROW((void)response.sampled_max_abs_friction_force(1.0, 0.0), std::invalid_argument);
   EXPECT_THROW((void)response.sampled_max_abs_friction_force(1.0, 1e-300), std::invalid_argument);
   EXPECT_THROW((void)response.max_abs_friction_force(1e300), std::invalid_argument);
-  EXPECT_EQ(refusal_of<std::invalid_argument>([&] { (void)response.max_abs_friction_force(-1.0); }),
+  EXPECT_EQ(error_message_of<std::invalid_argument>([&] { (void)response.max_abs_friction_force(-1.0); }),
             "excitation.duration is -1, but must be positive and finite");
 }
 

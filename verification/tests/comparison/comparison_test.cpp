@@ -119,10 +119,11 @@ TEST(ComparedTable, RefusesRowsThatTheDataSetLacks) {
   auto mine = own_copy("stick-frequencies");
   mine["mode"][2] = 99.0;
   mine.words("mode")[2] = "99";
-  EXPECT_EQ(mine.refusal(), "mine.csv:4: beam = paper, mode = 99 is not in the data set stick-frequencies");
+  EXPECT_EQ(mine.error_message(),
+            "mine.csv:4: beam = paper, mode = 99 is not in the data set stick-frequencies");
   mine = own_copy("stick-frequencies");
   mine.words("beam")[0] = "strip";
-  EXPECT_EQ(mine.refusal(), "mine.csv:2: beam = strip is not in the data set stick-frequencies");
+  EXPECT_EQ(mine.error_message(), "mine.csv:2: beam = strip is not in the data set stick-frequencies");
 }
 
 STICKSLIP_VERIFIES(ComparedCurve, "X20");
@@ -298,7 +299,7 @@ TEST(ComparedVerdict, IsUndecidedWhereTheReferenceIsNotKnownWellEnough) {
 
 TEST(ComparedVerdict, NamesTheToleranceThatIsNone) {
   const auto with = [](const std::string& name, double value) {
-    return own_copy("stick-frequencies").refusal(with_tolerance(name, value));
+    return own_copy("stick-frequencies").error_message(with_tolerance(name, value));
   };
   EXPECT_EQ(with("frequenzy", 1.0), "the quantity of a tolerance is frequenzy, but must be one of frequency");
   EXPECT_EQ(with("frequency", -1.0),
@@ -397,7 +398,7 @@ TEST(ComparedEvents, LeaveGrazesOutAndRefuseOtherWords) {
   mine.words("change")[1] = "graze";
   EXPECT_EQ(mine.compared().agreement, Agreement::agrees);
   mine.words("change")[1] = "slip";
-  EXPECT_EQ(mine.refusal(),
+  EXPECT_EQ(mine.error_message(),
             "mine.csv:3: change is 'slip', but must be one of onset, capture, reversal, graze");
 }
 
@@ -525,13 +526,13 @@ TEST(ComparedHistory, LeavesOutThePhasesThatTheyDoNotHave) {
 TEST(ComparedHistory, RefusesWhatItCannotCompare) {
   auto mine = own_copy("cubic-history");
   mine.words("phase")[7] = "sliding";
-  EXPECT_EQ(mine.refusal(), "mine.csv:9: phase is 'sliding', but must be stick or slip");
+  EXPECT_EQ(mine.error_message(), "mine.csv:9: phase is 'sliding', but must be stick or slip");
   mine = own_copy("cubic-history");
   mine.keep([](std::size_t row) { return row % 101 > 95; });
-  EXPECT_EQ(mine.refusal(), "mine.csv: none of the 10 rows can be compared: 10 beyond the horizon");
-  EXPECT_EQ(own_copy("stick-frequencies").refusal(until(1.0)),
+  EXPECT_EQ(mine.error_message(), "mine.csv: none of the 10 rows can be compared: 10 beyond the horizon");
+  EXPECT_EQ(own_copy("stick-frequencies").error_message(until(1.0)),
             "a latest time is given, but the data set stick-frequencies is not one in time");
-  EXPECT_EQ(own_copy("beams").refusal(), "the data set beams says nothing of how to compare with it");
+  EXPECT_EQ(own_copy("beams").error_message(), "the data set beams says nothing of how to compare with it");
 }
 
 // --- what it looks like

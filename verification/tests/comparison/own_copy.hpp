@@ -110,7 +110,7 @@ class OwnCopy {
   }
 
   /// Why it cannot be compared; "accepted" if it can.
-  [[nodiscard]] std::string refusal(const studies::ComparisonSettings& settings = {}) const {
+  [[nodiscard]] std::string error_message(const studies::ComparisonSettings& settings = {}) const {
     try {
       static_cast<void>(compared(settings));
     } catch (const data::InputError& error) {

@@ -47,7 +47,7 @@ TEST(ComparedWords, ThatDifferAreCounted) {
   EXPECT_EQ(mine.compared("verdict", with_tolerance("verdict", static_cast<double>(slips))).agreement,
             Agreement::agrees);
   mine.words("verdict")[7] = "slip";
-  EXPECT_EQ(mine.refusal(), "mine.csv:9: verdict is 'slip', but must be one of stick, stick-slip");
+  EXPECT_EQ(mine.error_message(), "mine.csv:9: verdict is 'slip', but must be one of stick, stick-slip");
 }
 
 TEST(ComparedWords, DoNotCountWhereAMeshMayDecideOtherwise) {
@@ -273,8 +273,8 @@ TEST(ComparedHistory, LeavesOutTheToleranceOfAnEventWithoutTheirs) {
   const double onset = 0.0553214408237;
   for (std::size_t i = 0; i < time.size(); ++i) time[i] = onset + 1e-5 * static_cast<double>(i + 1);
   std::ranges::fill(mine.words("phase"), "stick");
-  EXPECT_TRUE(mine.refusal().find("5 between the two times of an event") != std::string::npos)
-      << mine.refusal();
+  EXPECT_TRUE(mine.error_message().find("5 between the two times of an event") != std::string::npos)
+      << mine.error_message();
 }
 
 // --- coverage
@@ -505,9 +505,9 @@ TEST(ComparedSamples, MayStandTwiceAtATime) {
   EXPECT_EQ(curve.compared(with_tolerance("", 0.0)).agreement, Agreement::undecided);
   curve["tip_displacement"][101] += 0.5;
   EXPECT_TRUE(
-      curve.refusal().starts_with("mine.csv:102: time is 0.05 as in the row before, but "
-                                  "tip_displacement is "))
-      << curve.refusal();
+      curve.error_message().starts_with("mine.csv:102: time is 0.05 as in the row before, but "
+                                        "tip_displacement is "))
+      << curve.error_message();
   auto history = published_copy("stick-slip-history");
   history.repeat(276);
   EXPECT_EQ(history.compared().agreement, Agreement::agrees);

@@ -135,7 +135,7 @@ class CaseFile : public ::testing::Test {
 
   template <class Action>
   [[nodiscard]] std::string error_message_of(const Action& action) const {
-    return folder_.refusal(action);
+    return folder_.error_message(action);
   }
 
  private:

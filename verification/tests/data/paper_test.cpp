@@ -174,7 +174,7 @@ class MalformedPaperFile : public ::testing::Test {
 
   [[nodiscard]] std::string error_message(const std::string& text) const {
     folder_.write("paper/printed-numbers.toml", text);
-    return folder_.refusal([] { static_cast<void>(data::printed_numbers()); });
+    return folder_.error_message([] { static_cast<void>(data::printed_numbers()); });
   }
 
   void expect_refused(const std::string& text, const std::string& part) const {

@@ -84,7 +84,7 @@ class ReferenceReader : public ::testing::Test {
 
   // The sentence that refuses the package or one of its tables, or "accepted".
   [[nodiscard]] std::string error_message(const std::string& table = "") const {
-    return folder_.refusal([&] {
+    return folder_.error_message([&] {
       const auto package = data::load_reference(folder());
       if (!table.empty()) static_cast<void>(data::read_table(package, table));
     });

@@ -32,10 +32,10 @@ class UncertaintyTable : public ::testing::Test {
   }
 
   // Both readers refuse it.
-  [[nodiscard]] std::string refusal(const std::string& table) const {
+  [[nodiscard]] std::string error_message(const std::string& table) const {
     const auto file = write(table);
     EXPECT_THROW((void)data::read_case(file), data::InputError);
-    return folder_.refusal([&] { (void)data::read_uncertainty(file); });
+    return folder_.error_message([&] { (void)data::read_uncertainty(file); });
   }
 
   const InputFolder folder_;
@@ -129,29 +129,29 @@ TEST_F(UncertaintyTable, IsRefusedInOneSentence) {
       {"{ distribution = 'triangular', lower = 1, mode = 4, upper = 3 }",
        ".mode is 4 (an integer), but must be from lower to upper"}};
   for (const auto& [distribution, sentence] : distributions)
-    EXPECT_EQ(refusal("\"beam.length\" = " + distribution + "\n"),
+    EXPECT_EQ(error_message("\"beam.length\" = " + distribution + "\n"),
               "bar.toml:27: uncertainty.\"beam.length\"" + sentence);
   EXPECT_EQ(
-      refusal("\"beam.length\" = { distribution = 'uniform', lower = 1, uper = 2 }\n"),
+      error_message("\"beam.length\" = { distribution = 'uniform', lower = 1, uper = 2 }\n"),
       "bar.toml:27: unknown key uncertainty.\"beam.length\".uper (did you mean upper?), but uniform has the "
       "keys lower, upper");
-  EXPECT_EQ(refusal("\"beam.length\" = { distribution = 'uniform', lower = 1, upper = 1e9 }\n"),
+  EXPECT_EQ(error_message("\"beam.length\" = { distribution = 'uniform', lower = 1, upper = 1e9 }\n"),
             "bar.toml:27: beam.length is 1e+09, but must be from 1e-09 to 1e+06 (m) in magnitude");
-  EXPECT_EQ(refusal("\"beam.lenght\" = " + normal),
+  EXPECT_EQ(error_message("\"beam.lenght\" = " + normal),
             "bar.toml:27: unknown key uncertainty.beam.lenght (did you mean beam.length?), but must be "
             "\"correlation\" or a key of a case that is no integer, in quotes");
-  EXPECT_TRUE(refusal("\"numerics.modes\" = " + normal).find("a key of a case that is no integer") !=
+  EXPECT_TRUE(error_message("\"numerics.modes\" = " + normal).find("a key of a case that is no integer") !=
               std::string::npos);
-  EXPECT_EQ(refusal("beam.length = " + normal),
+  EXPECT_EQ(error_message("beam.length = " + normal),
             "bar.toml:27: unknown key uncertainty.beam, but the key of a case must stand in quotes, as "
             "\"beam.name\"");
-  EXPECT_EQ(refusal(""), "bar.toml:26: uncertainty has no distribution, but must have one or more");
+  EXPECT_EQ(error_message(""), "bar.toml:26: uncertainty has no distribution, but must have one or more");
 }
 
 TEST_F(UncertaintyTable, IsRefusedForItsSamples) {
   const auto samples = [&](const std::string& text) {
     folder_.write("l.csv", text);
-    return refusal("\"beam.length\" = { distribution = 'samples', file = 'l.csv', column = 'L' }\n");
+    return error_message("\"beam.length\" = { distribution = 'samples', file = 'l.csv', column = 'L' }\n");
   };
   EXPECT_EQ(
       samples("M\n1\n2\n"),
@@ -166,7 +166,9 @@ TEST_F(UncertaintyTable, IsRefusedForItsSamples) {
 TEST_F(UncertaintyTable, IsRefusedForItsCorrelation) {
   const std::string keys = mu + "\"beam.length\" = { distribution = 'uniform', lower = 1, upper = 2 }\n" +
                            "\"beam.area\" = { distribution = 'uniform', lower = 1, upper = 2 }\n";
-  const auto with = [&](const std::string& rows) { return refusal(keys + "correlation = [" + rows + "]\n"); };
+  const auto with = [&](const std::string& rows) {
+    return error_message(keys + "correlation = [" + rows + "]\n");
+  };
   const std::string start = "bar.toml:30: uncertainty.correlation ";
   const std::vector<std::pair<std::string, std::string>> rows{
       {"1", "has a row that is 1 (an integer)"},
@@ -178,7 +180,7 @@ TEST_F(UncertaintyTable, IsRefusedForItsCorrelation) {
       {"['beam.length', 'beam.area', 0.1], ['beam.area', 'beam.length', 0.1]",
        "has two rows of beam.area and beam.length"}};
   for (const auto& [row, sentence] : rows) EXPECT_TRUE(with(row).starts_with(start + sentence)) << with(row);
-  EXPECT_EQ(refusal(keys + "correlation = 0.5\n"),
+  EXPECT_EQ(error_message(keys + "correlation = 0.5\n"),
             start + "is 0.5 (a float), but must be an array of rows [\"a.b\", \"c.d\", 0.5]");
   EXPECT_EQ(with("['beam.length', 'beam.area', 0.9], ['beam.area', 'friction.static_coefficient', 0.9], "
                  "['beam.length', 'friction.static_coefficient', -0.9]"),

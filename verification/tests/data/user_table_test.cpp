@@ -60,7 +60,7 @@ class UserTable : public ::testing::Test {
 
   [[nodiscard]] std::string error_message(const std::string& set, const std::string& text,
                                           const std::vector<std::string>& mappings = {}) const {
-    return folder_.refusal([&] { static_cast<void>(read(set, text, mappings)); });
+    return folder_.error_message([&] { static_cast<void>(read(set, text, mappings)); });
   }
 
   const InputFolder folder_;
@@ -188,7 +188,7 @@ TEST_F(UserTable, NeedsNoIndexThatHasOneValue) {
     return data::read_user_table(folder_.write("mine.csv", text), reference);
   };
   EXPECT_EQ(read_frequencies("frequency\n25\n").column("index")->values, std::vector{1.0});
-  EXPECT_EQ(folder_.refusal([&] { static_cast<void>(read_frequencies("frequency\n25\n26\n")); }),
+  EXPECT_EQ(folder_.error_message([&] { static_cast<void>(read_frequencies("frequency\n25\n26\n")); }),
             "mine.csv:3: beam = paper, index = 1 stands in line 2 already, but must stand once");
 }
 

@@ -12,8 +12,8 @@
 #include <string>
 
 #include "stickslip/solver/stick_slip_integrator.hpp"
+#include "support/error_message.hpp"
 #include "support/exact_pair.hpp"
-#include "support/message.hpp"
 #include "support/parameter_name.hpp"
 #include "support/requirements.hpp"
 #include "support/single_mass.hpp"
@@ -484,7 +484,7 @@ TEST(StickSlipIntegrator, StopsWithAMessageWhenTheFrictionLawFallsTooFastForTheS
                       .friction = {.static_coefficient = 1.0, .kinetic_coefficient = 0.0, .decay = 1e3}}),
       {.time_step = 0.1, .spectral_radius = 1.0});
   slider.start_slipping(scalar(0.0), scalar(1.0));
-  const std::string message = message_of<std::runtime_error>([&] { slider.step(); });
+  const std::string message = error_message_of<std::runtime_error>([&] { slider.step(); });
   EXPECT_NE(message.find("time_step = 0.1 s"), std::string::npos) << message;
 }
 

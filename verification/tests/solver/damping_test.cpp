@@ -14,8 +14,8 @@
 #include "stickslip/solver/modal_analysis.hpp"
 #include "studies/convergence/convergence.hpp"
 #include "support/beams.hpp"
+#include "support/error_message.hpp"
 #include "support/free_tip.hpp"
-#include "support/message.hpp"
 #include "support/order.hpp"
 #include "support/parameter_name.hpp"
 #include "support/requirements.hpp"
@@ -98,7 +98,7 @@ TEST(DampingMatrix, OfARatioDampsStickModesLess) {
 TEST(DampingMatrix, OfARatioRefusesMoreThan500Elements) {
   EXPECT_NO_THROW((void)solver::damping_matrix(solver::BeamModel(paper_beam(), 501), kelvin_voigt(1e-5)));
   EXPECT_EQ(
-      message_of<std::invalid_argument>(
+      error_message_of<std::invalid_argument>(
           [] { (void)solver::damping_matrix(solver::BeamModel(paper_beam(), 501), of_critical(0.01)); }),
       "numerics.elements is 501, but must be at most 500 with a damping.ratio above 0, whose matrix is full");
 }

@@ -13,8 +13,8 @@
 #include "stickslip/solver/energy_balance.hpp"
 #include "support/beams.hpp"
 #include "support/energy.hpp"
+#include "support/error_message.hpp"
 #include "support/exact_pair.hpp"
-#include "support/message.hpp"
 #include "support/requirements.hpp"
 #include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
@@ -260,7 +260,7 @@ TEST(EnergyRecorder, RefuseASystemThatHasNoEnergyToBalance) {
                                      std::pair{&solver::ContactSystem::stick_stiffness, "stick_stiffness"}}) {
     solver::ContactSystem system = contact_system(ForcedPair{});
     (system.*matrix).coeffRef(0, 1) += 1.0;
-    const std::string message = message_of<std::invalid_argument>([&] { record(system); });
+    const std::string message = error_message_of<std::invalid_argument>([&] { record(system); });
     EXPECT_TRUE(message.starts_with(name)) << message;
   }
 }

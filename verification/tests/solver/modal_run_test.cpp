@@ -15,7 +15,7 @@
 #include "stickslip/solver/held_tip_basis.hpp"
 #include "stickslip/solver/modal_stick_run.hpp"
 #include "support/beams.hpp"
-#include "support/message.hpp"
+#include "support/error_message.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
@@ -334,7 +334,7 @@ TEST(ModalSteps, StopsWithTheTimeWhereTheStateIsNoLongerFiniteAsTheNodalRunDoes)
   for (const Coordinates coordinates : {Coordinates::nodal, Coordinates::modal}) {
     BeamSimulation run(paper_beam(), paper_friction(), shaking(1000.0, 1e303), settings(20, 0.9),
                        {.contact = TipContact::bonded, .coordinates = coordinates});
-    const std::string message = message_of<std::runtime_error>([&] {
+    const std::string message = error_message_of<std::runtime_error>([&] {
       while (run.integrator().steps() < 100) run.step();
     });
     EXPECT_NE(message.find("no longer finite at t = 0."), std::string::npos) << message;

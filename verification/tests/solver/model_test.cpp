@@ -18,7 +18,7 @@
 #include "stickslip/solver/modal_analysis.hpp"
 #include "support/beams.hpp"
 #include "support/energy.hpp"
-#include "support/message.hpp"
+#include "support/error_message.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
@@ -109,13 +109,13 @@ TEST(BeamModel, InterpolationReturnsNodalValues) {
   EXPECT_DOUBLE_EQ(model.interpolation(1.0).dot(q), q[6]);
   EXPECT_DOUBLE_EQ(model.interpolation(2.0).dot(q), q[14]);
   EXPECT_THROW((void)model.interpolation(-0.1), std::invalid_argument);
-  EXPECT_EQ(message_of<std::invalid_argument>([&] { (void)model.interpolation(2.1); }),
+  EXPECT_EQ(error_message_of<std::invalid_argument>([&] { (void)model.interpolation(2.1); }),
             "x is 2.1, but must be on the beam, 0 ... 2 (m)");
 }
 
 TEST(BeamModel, RefusesAForceAtOrOverTheBucklingLoadAndNamesIt) {
   const solver::BeamModel model(paper_beam_with_axial_force(90e3), 8);
-  const std::string message = message_of<data::InputError>([&] { (void)model.unit_tip_deflection(); });
+  const std::string message = error_message_of<data::InputError>([&] { (void)model.unit_tip_deflection(); });
   EXPECT_NE(message.find("beam.axial_force is 90000, but must be below"), std::string::npos) << message;
   EXPECT_NE(message.find("buckling load of the stick state, 841"), std::string::npos) << message;
   EXPECT_THROW((void)solver::stick_modes(model, 1), data::InputError);
@@ -126,7 +126,7 @@ TEST(BeamModel, RefusesABeamWhoseStiffnessOverflows) {
   data::BeamProperties shortest = paper_beam_properties();
   shortest.length = 1e-103;
   const solver::BeamModel model(data::Beam(shortest), 8);
-  EXPECT_EQ(message_of<data::InputError>([&] { (void)model.unit_tip_deflection(); }),
+  EXPECT_EQ(error_message_of<data::InputError>([&] { (void)model.unit_tip_deflection(); }),
             "beam.length is 1e-103, but must be so long (m) that the stiffness is finite on 8 elements");
   EXPECT_THROW((void)solver::stick_modes(model, 1), data::InputError);
 }

@@ -308,7 +308,7 @@ TEST(ProblemWarnings, AreNoneWhereThePeriodsToFollowAreTooMany) {
 
 TEST(ProblemWarnings, AreRefusalsFromTheNumberOfPeriodsOnThatIsNamed) {
   const double tenth = analytic::stick_modes(paper_with().beam, 10).back().frequency_hz();
-  const auto refusal = [](double hz, double duration, Inquiry inquiry) -> std::string {
+  const auto error_message = [](double hz, double duration, Inquiry inquiry) -> std::string {
     try {
       studies::require_feasible(paper_with({{"excitation.frequency_hz", digits(hz)},
                                             {"numerics.time_step", "1e-3"},
@@ -323,9 +323,9 @@ TEST(ProblemWarnings, AreRefusalsFromTheNumberOfPeriodsOnThatIsNamed) {
                                                  {Inquiry::event_driven_history, 1e6, "a million"}})
     for (const double hz : {25.0, 2000.0}) {
       const double highest = std::max(hz, tenth), longest = periods / highest;
-      EXPECT_EQ(refusal(hz, 0.999 * longest, inquiry), "");
+      EXPECT_EQ(error_message(hz, 0.999 * longest, inquiry), "");
       EXPECT_EQ(
-          refusal(hz, 1.001 * longest, inquiry),
+          error_message(hz, 1.001 * longest, inquiry),
           fmt::format("excitation.duration is {}, but must be at most {:.3g} s, {} periods of {}, {:.3g} Hz",
                       digits(1.001 * longest), longest, number,
                       hz > tenth ? "the excitation" : "natural frequency 10", highest));

@@ -33,7 +33,7 @@ class InputFolder {
   /// The sentence with which an action refuses its input, without this folder in the names of files; "accepted" if it
   /// does not. It must be on one line.
   template <class Action>
-  [[nodiscard]] std::string refusal(const Action& action) const {
+  [[nodiscard]] std::string error_message(const Action& action) const {
     try {
       action();
     } catch (const data::InputError& error) {
