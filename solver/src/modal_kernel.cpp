@@ -22,7 +22,7 @@ void require_modal_form(const ContactSystem& system) {
     return false;
   };
   if (system.contact != last || system.damping.nonZeros() > 0 || acts_on_modes(system.mass, last) ||
-      acts_on_modes(system.slip_stiffness, last + 1))
+      acts_on_modes(system.stick_stiffness, last + 1) || acts_on_modes(system.slip_stiffness, last + 1))
     throw std::invalid_argument(
         "the system must be undamped, with modes that meet in its last coordinate alone, the contact");
 }

@@ -367,8 +367,9 @@ TEST(ModalSteps, RefusesDampingAndSystemsOfAnotherForm) {
         << "column " << column;
   };
   refuses(&solver::ContactSystem::mass, 1);
-  refuses(&solver::ContactSystem::slip_stiffness, 1);
-  refuses(&solver::ContactSystem::slip_stiffness, modal.contact);
+  for (const auto stiffness :
+       {&solver::ContactSystem::stick_stiffness, &solver::ContactSystem::slip_stiffness})
+    for (const Eigen::Index column : {Eigen::Index{1}, modal.contact}) refuses(stiffness, column);
 }
 
 STICKSLIP_VERIFIES(FastestCoordinates, "F11");
