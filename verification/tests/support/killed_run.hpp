@@ -31,6 +31,7 @@ class KilledRun : public SignalledRun {
       ASSERT_NE(undisturbed[name], "") << name;
     }
     const std::vector<std::string> left = all_files(out());
+    EXPECT_EQ(left.size(), outputs.size());  // the outputs alone
     ASSERT_NO_FATAL_FAILURE(kill_at_random(kills, command, undisturbed, whole));
     const Outcome again = run(command);
     EXPECT_EQ(again.status, 0) << again.errors;
