@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <string>
 
 #include "studies/stick_slip/damped_benchmark.hpp"
@@ -16,9 +17,11 @@ namespace stickslip::testing {
 
 inline studies::BenchmarkRun benchmark_run(const studies::DampedBenchmark& benchmark,
                                            const std::string& method, int size, double time_step) {
-  return *std::ranges::find_if(benchmark.runs, [&](const studies::BenchmarkRun& run) {
+  const auto found = std::ranges::find_if(benchmark.runs, [&](const studies::BenchmarkRun& run) {
     return run.method == method && run.size == size && run.time_step == time_step;
   });
+  if (found == benchmark.runs.end()) throw std::out_of_range("no run of " + method);
+  return *found;
 }
 
 /// Generalised-alpha finds each event at the time and position of the reference. The mesh error is of order 4:
