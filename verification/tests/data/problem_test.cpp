@@ -241,7 +241,9 @@ TEST(NumericalSettings, BoundTheNumbersOfElementsAndModes) {
                       }};
     for (const int accepted : {1, most}) EXPECT_EQ(error_message(field, accepted), "accepted") << name;
     for (const int refused : {0, most + 1})
-      expect_refused(field, refused, std::to_string(refused), "an integer from 1 to " + std::to_string(most));
+      EXPECT_EQ(error_message(field, refused), field.name + " is " + std::to_string(refused) +
+                                                   ", but must be an integer from 1 to " +
+                                                   std::to_string(most));
   }
 }
 
