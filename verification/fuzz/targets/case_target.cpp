@@ -12,9 +12,9 @@ namespace {
 std::vector<data::Override> overrides_of(const std::map<std::string, double>& numbers) {
   std::vector<data::Override> overrides;
   for (const auto& [key, value] : numbers) {
-    std::string text = data::shortest_text(value);
-    // In TOML an integer is no float: 2 and 2.0 differ.
+    // In TOML an integer is no float: 2 and 2.0 differ, and 1e+05 is none.
     const bool is_integer = key == "numerics.elements" || key == "numerics.modes";
+    std::string text = is_integer ? std::to_string(static_cast<int>(value)) : data::shortest_text(value);
     if (!is_integer && text.find_first_of(".en") == std::string::npos) text += ".0";
     overrides.push_back({key, text});
   }
