@@ -221,13 +221,13 @@ TEST_F(UserTable, RefusesAColumnThatIsMissing) {
            {"stick-frequencies", "beam,mode,frequenzy\npaper,1,25\n",
             "frequency is missing (did you mean frequenzy?)", "beam, mode, frequenzy"},
            {"stick-frequencies", "mode,frequency\n1,25\n", "beam is missing", "mode, frequency"},
-           {"stick-frequencies", "\n# beam mode f\npaper 1 25\n", "frequency is missing", "beam, mode, f"},
+           {"stick-frequencies", "# a\n# beam mode f\npaper 1 25\n", "frequency is missing", "beam, mode, f"},
            {"stick-force", "friction_force\n1\n", "t is missing", "friction_force"},
            {"damped-events", "time\n1\n", "change is missing", "time"}})
     EXPECT_EQ(error_message(set, text),
               fmt::format("mine.csv:{}: the column {}; the file has {} (--column REFERENCE=THEIRS says which "
                           "is which)",
-                          text.starts_with('\n') ? 2 : 1, missing, present));
+                          text.starts_with('#') ? 2 : 1, missing, present));
 }
 
 TEST_F(UserTable, RefusesAUnitOfAnotherQuantity) {
