@@ -49,7 +49,7 @@ Cell enclosed(const Real& value, double scale) {
 }
 
 Cell converged(double value, double radius) {
-  if (!(radius > 0.0 && std::isfinite(radius)))
+  if (!(radius > 1e-57 && std::isfinite(radius)))  // smaller ones are no half-widths of what is published
     throw std::runtime_error("a radius must be positive and finite");
   // Rounded up by more than the rounding error of the printed value.
   const double printed_radius = 1.02 * radius;
