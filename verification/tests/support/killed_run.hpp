@@ -23,20 +23,20 @@ class KilledRun : public SignalledRun {
   /// Kills a command `kills` times while it works, each at a random moment of the time that it takes
   /// undisturbed, and lets it go on from what is there; once its outputs are complete it begins anew. What is
   /// under the name of an output has the bytes of the undisturbed run, and nothing else is left in the end.
-  void kill(int kills, const std::string& command, const std::vector<std::string>& outputs) {
+  void kill(int kills, const std::string& command, std::vector<std::string> outputs) {
     const double whole = seconds_of(command);
     Contents undisturbed;
     for (const std::string& name : outputs) {
       undisturbed[name] = contents(out(name));
       ASSERT_NE(undisturbed[name], "") << name;
     }
-    const std::vector<std::string> left = all_files(out());
-    EXPECT_EQ(left.size(), outputs.size());  // the outputs alone
+    std::ranges::sort(outputs);
+    EXPECT_EQ(all_files(out()), outputs);
     ASSERT_NO_FATAL_FAILURE(kill_at_random(kills, command, undisturbed, whole));
     const Outcome again = run(command);
     EXPECT_EQ(again.status, 0) << again.errors;
     for (const auto& [name, text] : undisturbed) EXPECT_TRUE(contents(out(name)) == text) << name;
-    EXPECT_EQ(all_files(out()), left);
+    EXPECT_EQ(all_files(out()), outputs);
   }
 
   /// The runs that are killed at moments up to `latest` seconds, and those that end before.
