@@ -93,7 +93,7 @@ TEST_F(Fault, ProgramThatIsMissingCostsWhatItDrawsAlone) {
   const auto without_tools = [&](const std::string& arguments) {
     return shell("PATH=nothing '" STICKSLIP_PROGRAM "' " + arguments);
   };
-  expect_failure(without_tools("report --quiet --only fig2 --output drawings"), 1, "drawings",
+  expect_failure(without_tools("report --quiet --only fig2 --output drawings"), 1, path("drawings"),
                  "gnuplot is not installed or not on the search path");
   EXPECT_EQ(all_files("drawings"), (std::vector<std::string>{"fig2-values.csv", "fig2.csv"}));
   ASSERT_EQ(run("reference export stick-frequencies --output mine.csv").status, 0);
