@@ -100,6 +100,8 @@ TEST_F(CommandAnswers, RespondSaysInJsonWhatItsRowsHold) {
       EXPECT_EQ(answer["changes_of_contact"], changes.size());
       EXPECT_EQ(answer["first_slip_s"], number(changes[0][0]));
       EXPECT_EQ(changes[0][1], "onset");
+      EXPECT_EQ(std::ranges::count_if(changes, [](const auto& change) { return number(change[0]) < 0.06; }),
+                1);
     } else {
       const auto first = std::ranges::find_if(
           history, [](const auto& row) { return std::abs(number(row[5])) > 300.0; });  // mu_s P
