@@ -79,11 +79,12 @@ std::vector<NamedBeam> beams() {
   return all;
 }
 
-/// `computed` is off by a rounding error, relative to the larger of it and `scale`.
+/// `computed` is off by a rounding error, relative to the larger of the exact value and `scale`.
 ::testing::AssertionResult within_round_off(double computed, const Real& exact, double operations,
                                             double condition, double scale = 0.0) {
-  return within(certified::distance(computed, exact), 0.0,
-                round_off(operations, condition, std::max(std::abs(computed), std::abs(scale))));
+  return within(
+      certified::distance(computed, exact), 0.0,
+      round_off(operations, condition, std::max(std::abs(exact.nearest_double()), std::abs(scale))));
 }
 
 /// Quantities of a beam by mode, against enclosures of them. Their condition is 1 + |P dq/dP|/|q|, by differences of

@@ -26,8 +26,8 @@ namespace stickslip::analytic {
 ///
 /// Truncation in slip. The coefficients of u fall as n^-5, and those of the adjoint problem as P n^-3. The slip
 /// frequencies converge as P N^-3 + N^-5, and so does the motion of the tip if friction is smooth or the beam is damped.
-/// Undamped stick-slip need not converge: the mass m that N modes oppose to an impulse at the tip falls as 1/N, and a
-/// disturbance grows at a rate of at least (mu_s - mu_m) alpha P/m. Use boundary_integral.hpp there.
+/// Undamped stick-slip need not converge: the mass m that N modes oppose to an impulse at the tip falls as 1/N, and the
+/// rate that bounds the growth of a disturbance is at least (mu_s - mu_m) alpha P/m. Use boundary_integral.hpp there.
 ///
 /// Truncation in stick. sigma carries the static part of the reaction. Its terms at Omega alternate and fall as
 /// P n^-4 + n^-6 (those of Eq. (28) as n^-2), the free vibrations of the start as n^-4, which is N^-3 in sum.

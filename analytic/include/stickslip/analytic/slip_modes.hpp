@@ -39,7 +39,7 @@ class SlipMode {
   [[nodiscard]] double trigonometric_wave_number() const noexcept { return bb_ / length_; }  ///< betabar, 1/m
   [[nodiscard]] double angular_frequency() const noexcept { return angular_frequency_; }     ///< rad/s
   [[nodiscard]] double frequency_hz() const noexcept;
-  /// psi(x), scaled to 1 at x = L.
+  /// psi(x), scaled to 1 at x = L; by decaying exponentials only.
   [[nodiscard]] double shape(double x) const { return value(direct_, x); }
   [[nodiscard]] double curvature(double x) const;  ///< psi''(x), 1/m^2
   /// psi*(x), scaled to 1 at x = L: the mode of the adjoint problem, which has the same frequency, with psi*
