@@ -80,7 +80,10 @@ NumericalOscillation generalized_alpha_oscillation(double spectral_radius, doubl
   const Eigen::Vector3cd eigenvalues = amplification_eigenvalues(spectral_radius, angle);
   const Complex principal = *std::max_element(eigenvalues.begin(), eigenvalues.end(),
                                               [](Complex a, Complex b) { return a.imag() < b.imag(); });
-  const Complex d = polished(spectral_radius, angle * angle, principal - 1.0);
+  // In a very short step the matrix has a double eigenvalue but for rounding. The search then begins at exp(i omega h).
+  const Complex start =
+      angle < 1e-3 ? Complex(-2.0 * std::pow(std::sin(0.5 * angle), 2), std::sin(angle)) : principal - 1.0;
+  const Complex d = polished(spectral_radius, angle * angle, start);
   return {std::arg(1.0 + d) / time_step, -0.5 * std::log1p(2.0 * d.real() + std::norm(d)) / time_step};
 }
 

@@ -168,6 +168,11 @@ TEST(NumericalOscillation, OfAShortStepHasTheLeadingErrorsOfTheory) {
     EXPECT_TRUE(within(numerical.decay_rate / omega / std::pow(angle, 3), std::pow(d, 3) / 2.0,
                        discretisation(angle * angle + rounding, 3.0, "next term, and rounding")))
         << radius;
+    for (const double tiny : {1e-160, 1e-12, 1e-8, 1e-6})
+      EXPECT_TRUE(within(
+          studies::generalized_alpha_oscillation(radius, omega, tiny / omega).angular_frequency, omega,
+          discretisation(omega * tiny * tiny + round_off(4, 1, omega).value, 1.0, "error, and rounding")))
+          << radius << ' ' << tiny;
   }
 }
 
