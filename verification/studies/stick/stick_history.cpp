@@ -73,7 +73,7 @@ StickHistoryStudy stick_history_study(const data::Beam& beam, const data::Harmon
       study.first_force = std::move(computed.force);
     }
   }
-  if (levels == 1) return study;
+  if (levels < 2) return study;
   const auto column = [&study](double StickHistoryLevel::*entry) {
     std::vector<double> values;
     for (const StickHistoryLevel& level : study.levels) values.push_back(level.*entry);
