@@ -12,9 +12,9 @@
 ///
 /// Known values of sigma* in closed form:
 /// - A finite undamped system with symmetric stiffness, in continuous time: sigma* = kappa/m_c, where m_c is the
-///   effective mass for an impulse at the contact. For a mass m, with or without a spring, sigma* = kappa/m.
-///   For N free modes with the participation g each, sigma* = kappa N g. For a mesh, sigma* is proportional to
-///   1/l.
+///   effective mass for an impulse at the contact, because Z - m_c s is passive and vanishes for |s| -> infinity.
+///   For a mass m, with or without a spring, sigma* = kappa/m. For N free modes with the participation g each,
+///   sigma* = kappa N g. For a mesh, sigma* is proportional to 1/l.
 /// - The undamped beam: at high frequencies Y(i omega) = i c (tan x - 1) with the phase x = beta L, so that
 ///   Re Z/sigma -> (dx/domega)/(c (sin x - cos x)^2). This is 2/g at the poles of Y and at least 1/g, with g
 ///   = 4/(rho A L). Hence sigma* >= 4 kappa/(rho A L) for any P.
