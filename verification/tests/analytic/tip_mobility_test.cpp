@@ -66,6 +66,24 @@ TEST(TipMobility, TendsToTheStaticFlexibility) {
   }
 }
 
+TEST(TipMobility, HasItsPolesAtTheSlipFrequencies) {
+  // How far the root of 1/Y near i omega is from there, relative to omega: one step by the secant.
+  constexpr double step = 1e-6;
+  for (const double z : {-14.4, 0.0, 0.12, 10.0, 19.0}) {
+    const TipMobility mobility(paper_beam_with_load_factor(z));
+    const auto modes = analytic::slip_modes(paper_beam_with_load_factor(z), 40);
+    const auto beside = analytic::slip_modes(paper_beam_with_load_factor(z * (1.0 - step)), 40);
+    for (const std::size_t n : {0U, 1U, 2U, 4U, 9U, 39U}) {
+      const double omega = modes[n].angular_frequency();
+      const double sensitivity = std::abs(beside[n].angular_frequency() / omega - 1.0) / step;
+      const auto inverse = [&](double share) { return 1.0 / mobility(Complex(0.0, omega * share)); };
+      const Complex distance = 2.0 * step * inverse(1.0) / (inverse(1.0 + step) - inverse(1.0 - step));
+      EXPECT_TRUE(within(std::abs(distance), 0.0, round_off(10, 1.0 + sensitivity, 1.0)))
+          << z << ", mode " << n + 1;
+    }
+  }
+}
+
 TEST(TipMobility, IsTheSumOverTheSlipModesWhereTheExponentsMeetToo) {
   // Y(x, s) = sum psi_k(x) g_k s/(s^2 + omega_k^2), g_k = 1/(rho A int psi*_k psi_k dx). By Betti it is the
   // velocity of the tip per force at x as well where psi* = psi, at P = 0. Of the modes left out, g_k is
