@@ -512,6 +512,9 @@ TEST(MaximumForce, SurvivesExtremeAmplitudesAndDurations) {
     EXPECT_GT(bounds.lower, 0.0);
     EXPECT_TRUE(std::isfinite(bounds.upper));
   }
+  const StickResponse at_rest(paper_beam(), shaking(25.0, 0.0));
+  EXPECT_EQ(at_rest.max_abs_friction_force(10.0).upper, 0.0);
+  EXPECT_EQ(at_rest.sampled_max_abs_friction_force(10.0, 1e-3).upper, 0.0);
   // While f still rises, its largest value is the last: f = EI A0 S'''(L) Omega t to leading order.
   const StickResponse response(paper_beam(), shaking(15.0));
   const Bounds bounds = response.max_abs_friction_force(1e-9);
