@@ -219,6 +219,55 @@ TEST_P(SteppedFromRest, HasTheAmplitudeThatTheModifiedEquationsGive) {
 INSTANTIATE_TEST_SUITE_P(SpectralRadius, SteppedFromRest, ::testing::Values(0.0, 0.5, 0.9, 1.0),
                          NameOfDouble());
 
+// Energy of the beam relative to its base.
+double energy(const solver::BeamSimulation& s) {
+  const auto& q = s.integrator().displacement();
+  const auto& v = s.integrator().velocity();
+  return 0.5 * v.dot(s.model().mass() * v) + 0.5 * q.dot(s.model().stick_stiffness() * q);
+}
+
+// Power of the base load -b h_tt and of the reaction in the tip row of the symmetric system, f_d - P theta_L.
+double power(const solver::BeamSimulation& s, const solver::PrescribedMotion& base) {
+  const auto& q = s.integrator().displacement();
+  const auto& v = s.integrator().velocity();
+  const double reaction = -s.friction_force() - s.model().beam().axial_force() * q[s.model().tip_rotation()];
+  return -base.acceleration(s.time()) * s.model().base_load().dot(v) +
+         reaction * v[s.model().tip_deflection()];
+}
+
+double energy_residual(double time_step, double spectral_radius) {
+  data::NumericalChoices choices = settings(0.2, spectral_radius).choices();
+  choices.time_step = time_step;
+  const data::HarmonicExcitation excitation({.frequency_hz = 35.0, .amplitude = 0.5e-3});
+  const solver::PrescribedMotion base = solver::harmonic_motion(excitation);
+  solver::BeamSimulation s(paper_beam(), paper_friction(), excitation, data::NumericalSettings(choices),
+                           {.contact = solver::TipContact::bonded});
+  const double initial = energy(s);
+  double work = 0.0, before = power(s, base), largest = 0.0, scale = 0.0;
+  for (long n = solver::step_count(choices.duration, time_step); n > 0; --n) {
+    s.step();
+    const double now = power(s, base);
+    work += 0.5 * (before + now) * time_step;
+    before = now;
+    largest = std::max(largest, std::abs(energy(s) - initial - work));
+    scale = std::max(scale, energy(s));
+  }
+  return largest / scale;
+}
+
+STICKSLIP_VERIFIES(StickEnergy, "F8");
+TEST(StickEnergy, IsBalancedBySecondOrderWithoutDissipation) {
+  // Every mode that carries energy must be resolved: omega_5 h < 0.3 on the coarsest level.
+  std::vector<double> steps{1e-4, 5e-5, 2.5e-5, 1.25e-5}, residuals;
+  for (const double h : steps) residuals.push_back(energy_residual(h, 1.0));
+  // The next term: (omega h)^2/4 of mode 5, 2780 rad/s.
+  EXPECT_TRUE(order_is(order_levels(
+                           steps, residuals, [](double h) { return std::pow(2780.0 * h, 2) / 4.0; },
+                           round_off(16000, 1, 1.0).value),
+                       2.0));
+  EXPECT_LT(residuals.back(), 1e-4);
+}
+
 STICKSLIP_VERIFIES(StickState, "X1");
 TEST(StickState, TipDoesNotCreep) {
   const data::HarmonicExcitation excitation({.frequency_hz = 35.0, .amplitude = 0.5e-3});
