@@ -112,10 +112,11 @@ DataSet undamped_history(std::string_view name) {
   const studies::ConvergedEffort effort = effort_of(run);
   DataSet set = data_set(
       std::string(run.set), std::string(run.file), std::string(run.title),
-      fmt::format("{} without damping at {:g} Hz and {:g} mm, with y = 0 and y_t = (1 + S(x)) h_t(0) at the "
-                  "start: the tip is at rest. {} equal samples from 0 to {:g} s. "
-                  "Stick and slip alternate without a countable sequence of events; the motion converges.",
-                  run.beam, run.frequency_hz, 1e3 * run.amplitude, effort.samples + 1, run.duration));
+      fmt::format(
+          "{} without damping at {:g} Hz and {:g} mm, from the quasi-static start (erratum E4): y = 0 and "
+          "y_t = (1 + S(x)) h_t(0), so that the tip is at rest. {} equal samples from 0 to {:g} s. "
+          "Stick and slip alternate without a countable sequence of events; the motion converges.",
+          run.beam, run.frequency_hz, 1e3 * run.amplitude, effort.samples + 1, run.duration));
   data::Resource& resource = set.resource;
   set_key(resource, {exact_number("time", "s", "since the start")});
   add_values(resource, ValueClass::converged,
