@@ -97,6 +97,15 @@ TEST(Errata, ValuesOfThePrintedTextAreThoseOfTheory) {
       EXPECT_TRUE(within(row.as_printed, euler,
                          discretisation(euler * std::pow(std::numbers::pi / 32.0, 4) / 720.0, 1.1, "mesh")));
     }
+    // A clamped and pinned beam without P: tan b = tanh b, b = beta L, at beta^4 = rho A omega^2/EI of 25 Hz.
+    if (row.erratum == "E9") {
+      const data::Beam section = data::load_case("paper-figure14").beam;
+      const double b = row.quantity.starts_with("L1") ? 3.9266023120479 : 7.0685827456287;
+      const double beta = std::pow(section.density() * section.area() * std::pow(50.0 * std::numbers::pi, 2) /
+                                       (section.youngs_modulus() * section.second_moment_of_area()),
+                                   0.25);
+      EXPECT_TRUE(within(row.as_printed, b / beta, reference(1e-10, "the length that a search finds")));
+    }
     // At rest T' = V h' cancels S h': V = -int U S/int U^2.
     if (row.erratum == "E4") {
       const int modes = row.quantity.ends_with("20") ? 20 : 10;
