@@ -8,12 +8,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <vector>
 
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
+#include "studies/convergence/discretisation.hpp"
 #include "studies/stick_slip/event_history.hpp"
 #include "support/beams.hpp"
 #include "support/parameter_name.hpp"
@@ -39,10 +42,24 @@ TEST_P(BeamMotionAt, AgreesWithinThePredictionWhileTheTipSticks) {
   const double start = study.first_slip ? *study.first_slip - 0.25 * period : 0.0;
   EXPECT_NEAR(study.reference.snapshots.front().time, start, 0.5001e-4);
   EXPECT_NEAR(study.reference.snapshots.back().time, start + period, 0.5001e-4);
+  // The free modes say the mean force of the last step, 1e-4/128 s: off by half a step times the largest slope.
+  const data::Case at = paper_problem(GetParam(), 0.5e-3);
+  const analytic::StickResponse response(at.beam, at.excitation, 60, analytic::SteadyPart::exact);
+  double slope = 2.0 * std::numbers::pi * GetParam() * std::abs(response.steady_force_amplitude());
+  for (const auto& [amplitude, omega] : response.transient_force()) slope += std::abs(amplitude) * omega;
+  const double force_error = response.omitted_transient_bound() + 0.5 * 1e-4 / 128.0 * slope;
   for (const auto& snapshot : study.reference.snapshots) {
     if (study.first_slip && snapshot.time > *study.first_slip) break;
     EXPECT_TRUE(snapshot.sticks);
+    EXPECT_TRUE(within(snapshot.friction_force, response.friction_force(snapshot.time),
+                       discretisation(force_error, 1.01, "mean over a step")));
   }
+  constexpr double always = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(study.difference, studies::largest_difference(study.reference, study.finite_element, always));
+  EXPECT_EQ(study.stick_difference, studies::largest_difference(study.reference, study.finite_element,
+                                                                study.first_slip.value_or(always)));
+  EXPECT_EQ(study.frequency_hz, GetParam());
+  EXPECT_EQ(study.amplitude, 0.5e-3);
   EXPECT_EQ(study.half_width > 0.0, study.first_slip.has_value());
   EXPECT_LT(study.half_width, 0.01 * study.peak);
 }
@@ -58,6 +75,43 @@ TEST(BeamMotion, PredictionHoldsWhereAModeIsInResonance) {
   const double predicted = studies::predicted_stick_difference(at, grid, 0.09);
   EXPECT_TRUE(within(studies::largest_difference(finite_element, closed_form, 0.09), 0.0,
                      discretisation(predicted, 1.1, "response of every discrete mode")));
+}
+
+// What its documentation says, with Eq. (26) as it is printed.
+TEST(BeamMotion, PredictionIsTheSumOverTheModes) {
+  const data::Case at = paper_problem(35.0, 0.5e-3);
+  const analytic::StickResponse response(at.beam, at.excitation, 60, analytic::SteadyPart::exact);
+  const double omega = 70.0 * std::numbers::pi, h = 1e-4;
+  double largest = 0.0, motion = 0.0;
+  for (const long n : {100L, 200L, 300L, 400L})
+    for (const double x : {0.5, 1.0, 1.5}) {
+      const double t = static_cast<double>(n) * h;
+      double sum = 0.0;
+      for (const auto& mode : response.modes()) {
+        const double w = mode.angular_frequency(), on_mesh = studies::frequency_on_mesh(at.beam, mode, 20);
+        const double g = (w * std::sin(omega * t) - omega * std::sin(w * t)) / ((omega * omega - w * w) * w);
+        sum += std::abs(mode.shape(x) * omega * omega * mode.participation() *
+                        (studies::stepped_from_rest(0.9, on_mesh, omega, h).at(n, omega * h) - g));
+      }
+      largest = std::max(largest, 0.5e-3 * sum);
+      motion = std::max(motion, std::abs(response.absolute_displacement(x, t)));
+    }
+  // At the clamp the sum is zero and the motion that of the base; at the tip both are zero.
+  for (const double t : {0.01, 0.02, 0.03, 0.04})
+    motion = std::max(motion, 0.5e-3 * std::abs(std::sin(omega * t)));
+  const double expected = largest + 0.25 * std::pow(omega * h, 2) * motion;
+  // Angles up to 365000 rad/s for 0.04 s are rounded by 2e-12, against a difference of 1e-4 and more of g.
+  EXPECT_NEAR(studies::predicted_stick_difference(at, {0.0, 0.05, 6, 5}, 0.045), expected, 1e-7 * expected);
+}
+
+TEST(BeamMotion, DiffersByTheLargestMagnitudeUpToATimeThatCounts) {
+  const studies::BeamMotion a{{0.0, 1.0}, {{0.0, true, 0.0, {0.5, -3.0}}, {1.0, true, 0.0, {0.0, 2.0}}}};
+  studies::BeamMotion b = a;
+  b.snapshots[0].displacement[0] = 0.75;
+  b.snapshots[1].displacement[1] = 6.0;
+  EXPECT_EQ(studies::peak(a), 3.0);
+  EXPECT_EQ(studies::largest_difference(a, b, 1.0), 4.0);
+  EXPECT_EQ(studies::largest_difference(a, b, 0.5), 0.25);
 }
 
 TEST(BeamMotion, EventDrivenIsTheClosedFormUntilTheFirstSlip) {
@@ -85,6 +139,7 @@ TEST(BeamMotion, EndsInTheTipThatTheSimulationsReport) {
   const auto history = studies::event_driven_history(beam.model(), 0.08, 0.01);
   solver::BeamSimulation simulation(at.beam, at.friction, at.excitation, at.numerics,
                                     {.coordinates = solver::Coordinates::fastest});
+  analytic::EventDriven run(beam.model());
   int slips = 0;
   for (std::size_t i = 0; i < by_elements.snapshots.size(); ++i) {
     for (int n = 0; i > 0 && n < 100; ++n) simulation.step();
@@ -96,6 +151,9 @@ TEST(BeamMotion, EndsInTheTipThatTheSimulationsReport) {
     // U_n(L) is zero but for round-off, in each of ten modes.
     EXPECT_TRUE(within(by_events.snapshots[i].displacement.back(), history.tip_displacement[i],
                        round_off(40, 1, studies::peak(by_events))));
+    run.advance_to(by_events.snapshots[i].time);
+    EXPECT_EQ(by_events.snapshots[i].sticks, run.state() == analytic::ContactPhase::stick);
+    EXPECT_EQ(by_events.snapshots[i].friction_force, -run.friction_force());  // f = -f_d
     if (!snapshot.sticks) ++slips;
   }
   EXPECT_GT(slips, 0);
