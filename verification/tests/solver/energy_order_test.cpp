@@ -197,6 +197,8 @@ TEST(EnergyAudit, KeepsOneEventDrivenRunBesideEveryMesh) {
   const std::vector<double> steps{5e-6, 2.5e-6, 1.25e-6};
   const auto audit = studies::energy_audit(damped, 0.12, {6, 10}, 14, steps);
   EXPECT_EQ(audit.time_step, steps);
+  EXPECT_EQ(audit.kelvin_voigt, 6.4e-5);
+  EXPECT_EQ(audit.modes, 14);
   ASSERT_EQ(audit.meshes.size(), 2u);
 
   // Each mesh has the balance that it has alone, and the event-driven run does not know of the meshes.

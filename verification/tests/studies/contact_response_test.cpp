@@ -257,12 +257,14 @@ TEST(MotionQuantities, TellPeriodsApart) {
   EXPECT_EQ(studies::period_of(few), 2);
   few.resize(3);
   EXPECT_EQ(studies::period_of(few), 0);
-  // A free vibration of 5/7 of the frequency that loses 5 % in 7 periods is none of period 7.
-  std::vector<std::vector<std::complex<double>>> decaying;
-  for (int n = 0; n < 48; ++n)
-    decaying.push_back({1.0 + 5e-3 * std::exp(std::complex(-0.05 / 7.0, 2.0 * std::numbers::pi * 5.0 / 7.0) *
-                                              static_cast<double>(n))});
-  EXPECT_EQ(studies::period_of(decaying), 0);
+  // A free vibration of 5/7 of the frequency that loses 5 % or 2.3 % in 7 periods is none of period 7: 1 % of the
+  // difference of two samples is 2 sin(5 pi/7) = 1.56 % of its amplitude.
+  for (const double loss : {0.05, 0.023, 0.012}) {
+    std::vector<std::vector<std::complex<double>>> decaying;
+    for (int n = 0; n < 48; ++n)
+      decaying.push_back({1.0 + 5e-3 * std::exp(std::complex(-loss, 10.0 * std::numbers::pi) * (n / 7.0))});
+    EXPECT_EQ(studies::period_of(decaying), loss > 0.0157 ? 0 : 7);
+  }
   EXPECT_EQ(studies::period_of(samples({1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17})), 0);
 }
 
@@ -306,6 +308,7 @@ TEST(MotionQuantities, ChangeByTheirSpreadOverTheRecordItsHalvesAndTwiceTheStep)
 // Without damping stick and slip alternate ever faster the shorter the step is: the number of sticks has no limit, and
 // the map says so.
 TEST(MotionQuantities, SayThatTheyHaveNotConverged) {
+  EXPECT_FALSE(studies::contact_response(case_with_step("damped", 25.0, 1e-6, 1e-4, 0.2, 10), 0.08).slips);
   const auto response = studies::contact_response(case_with_step("paper", 25.0, 1e-3, 1e-4, 2.0, 20), 1.0);
   EXPECT_GT(response[MotionQuantity::sticks].change, 0.05);
   EXPECT_EQ(response[MotionQuantity::period].value, 0.0);

@@ -70,6 +70,8 @@ TEST(DampedBenchmark, MeetsRecordedEvents) {
                                    {true, 0.07289, 1.6961e-3},
                                    {false, 0.089036, -2.5093e-3}};
   ASSERT_EQ(history.events.size(), std::size(recorded));
+  EXPECT_GE(history.changes, 4);
+  EXPECT_EQ(history.time.size(), 91u);
   for (std::size_t i = 0; i < history.events.size(); ++i) {
     EXPECT_EQ(history.events[i].onset, recorded[i].onset);
     // Half a unit of the last digit, and 2e-6 s, by which that computation's mesh moves the third event.
@@ -83,7 +85,7 @@ class DampedBenchmark : public ::testing::TestWithParam<double> {};
 TEST_P(DampedBenchmark, IsTheSameByFiniteElementsInTimeStepsAndByContinuousModesFromEventToEvent) {
   const auto benchmark = studies::damped_benchmark(damped_problem(GetParam()), {.duration = 0.12,
                                                                                 .modes = 28,
-                                                                                .other_modes = {10},
+                                                                                .other_modes = {20},
                                                                                 .event_driven_elements = {10},
                                                                                 .elements = {10, 20, 40},
                                                                                 .time_steps = {1e-5, 5e-6}});
@@ -91,6 +93,11 @@ TEST_P(DampedBenchmark, IsTheSameByFiniteElementsInTimeStepsAndByContinuousModes
   for (std::size_t i = 0; i < std::min<std::size_t>(10, benchmark.events.size()); ++i) {
     EXPECT_LT(benchmark.events[i].time_uncertainty, 1e-6);
     EXPECT_LT(benchmark.events[i].position_uncertainty, 1e-7);
+  }
+  const auto fewer = benchmark_run(benchmark, "event-driven on held modes", 20, 0.0);  // 28/sqrt(2)
+  for (std::size_t i = 0; i < benchmark.events.size(); ++i) {
+    EXPECT_EQ(benchmark.events[i].time_uncertainty, fewer.each.at(i).time);
+    EXPECT_EQ(benchmark.events[i].position_uncertainty, fewer.each.at(i).position);
   }
   EXPECT_LT(benchmark.tolerance_effect, 1e-9);
   EXPECT_GT(benchmark.tolerance_effect, 0.0);
@@ -135,6 +142,8 @@ TEST_P(OrderThroughEvents, IsTwoWithLocationAndOneForTimesWithoutIt) {
   EXPECT_TRUE(order_two(study.located.tip_error));
   EXPECT_EQ(study.located.event_position_order.order,
             observed_order(study.time_step, study.located.event_position_error));
+  EXPECT_EQ(study.located.event_time_order.order,
+            observed_order(study.time_step, study.located.event_time_error));
   EXPECT_EQ(study.at_end_of_step.tip_order.order,
             observed_order(study.time_step, study.at_end_of_step.tip_error));
   // A change is taken at the end of its step: late by a share of h that scatters between 0 and 1. Of the

@@ -79,6 +79,10 @@ TEST(StickSums, WithoutFreeVibrationsAreInPhaseWithTheBase) {
   ASSERT_EQ(terms.size(), 1u);
   EXPECT_DOUBLE_EQ(terms[0].angular_frequency, pi);
   EXPECT_NEAR(terms[0].amplitude, 2e-3 * (0.4 + 0.9 * 0.7 * pi * pi / (pi * pi - 25.0)), 1e-17);
+  // T(0) = 0 of a cosine: the free vibration begins as the opposite of the steady one.
+  sum.free_vibrations = sum.cosine = true;
+  EXPECT_NEAR(sinusoids(sum, base_motion(), StickReading::displacement)[1].amplitude,
+              -2e-3 * 0.9 * 0.7 * pi * pi / (pi * pi - 25.0), 1e-17);
 }
 
 TEST(StickSums, GrowLinearlyAtResonance) {
