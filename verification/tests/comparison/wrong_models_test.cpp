@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <numbers>
 #include <random>
@@ -23,9 +24,11 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/convergence/discretisation.hpp"
+#include "studies/stick_slip/tip_run.hpp"
 #include "support/beams.hpp"
 #include "support/flat_beam.hpp"
 #include "support/requirements.hpp"
+#include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -480,6 +483,48 @@ TEST(WrongModel, HasTheMotionTheMatricesAndTheFrictionThatItsNameSays) {
     EXPECT_TRUE(within(studies::recipe_of(name).law->coefficient(problem.friction, v), coefficient,
                        round_off(10, 1, coefficient)))
         << name;
+}
+
+// 2 x'' + 0.8 x' + 50 x = 3 t: the line x_p = 3 t/50 - 3 0.8/50^2, which the midpoint rule keeps, and two roots s, each of
+// which makes (1 + s h/2)/(1 - s h/2) of a substep.
+TEST(WrongModel, WithALawOfItsOwnTakesTenSubstepsOfTheMidpointRule) {
+  auto system = contact_system({.mass = 2.0, .stiffness = 50.0, .damping = 0.8, .normal_force = 10.0},
+                               {[](double) { return 0.01; }, [](double) { return 0.3; }, {}});
+  system.load_shape = scalar(2.0);
+  system.load_history = [](double t) { return 1.5 * t; };
+  const studies::FrictionRule none{[](const data::FrictionLaw&, double) { return 0.0; }, false};
+  const data::NumericalSettings numerics({20, 0.2, 0.9, 0.0, 10, 10.0});
+  const auto run = tip_run(system, {[](double t) { return t * t; }, {}, {}}, numerics, none, {1.0});
+  EXPECT_EQ(run.events, Values{0.02});  // it never sticks
+  ASSERT_EQ(run.tip_displacement.size(), 6u);
+  const std::complex<double> s(-0.2, std::sqrt(25.0 - 0.04)), factor = (1.0 + 0.01 * s) / (1.0 - 0.01 * s);
+  const std::complex<double> swing = 0.3 - 0.06 - std::conj(s) * (0.01 + 2.4 / 2500.0);
+  for (int i = 0; i <= 5; ++i) {
+    const double t = 0.2 * i, x = (swing * std::pow(factor, 50.0 * t)).imag() / s.imag();
+    EXPECT_TRUE(within(run.tip_displacement[static_cast<std::size_t>(i)], t * t + 0.06 * t - 2.4 / 2500.0 + x,
+                       round_off(500, 1, 1.0)));
+  }
+}
+
+// The belt takes the mass along to 6 N, and 4 N hold it in slip. Moreau's scheme is late by up to a substep in each change.
+TEST(WrongModel, OfAMassOnABeltRunsByEitherMethod) {
+  const SingleMass mass{2.0, 50.0, 0.0, 10.0, {0.6, 0.4, std::numeric_limits<double>::infinity()}};
+  const auto system = contact_system(
+      mass, {[](double t) { return 0.3 * t; }, [](double) { return 0.3; }, [](double) { return 0.0; }});
+  const data::NumericalSettings numerics({20, 1e-3, 0.9, 0.0, 10, 10.0});
+  const double slip = 0.4 * (std::numbers::pi - std::atan(5.0 * 0.04 / 0.3)), stick = 0.08 / 0.3;
+  const Values expected{0.4, 0.4 + slip, 0.4 + slip + stick, 0.4 + 2.0 * slip + stick};
+  const auto& law = *studies::recipe_of("kinetic-friction-at-once").law;
+  constexpr auto start = solver::InitialVelocity::quasi_static;
+  for (const auto& run : {studies::tip_run(system, at_rest(), numerics, start, {10.0, 4}),
+                          studies::tip_run(system, at_rest(), numerics, law, {10.0, 4})}) {
+    ASSERT_EQ(run.events.size(), 4u);
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(run.events[i], expected[i], 4e-4);
+    EXPECT_LT(run.tip_displacement.size(), 2713u);  // it ends with the last of them, at 2.7095 s
+    EXPECT_NEAR(run.friction_force[200], -3.0, 1e-3);
+    EXPECT_NEAR(run.friction_force[900], -4.0, 1e-9);
+    EXPECT_NEAR(run.tip_displacement[900], 0.08 + 0.04 * std::cos(2.5) + 0.06 * std::sin(2.5), 1e-4);
+  }
 }
 
 TEST(WrongModel, SteadyStateOnlyIsTheSteadyAmplitude) {
