@@ -223,9 +223,21 @@ TEST(SteadySliding, IsMappedOverSpeedAndDampingWithTheBoundaryOfTheHopfPoint) {
   for (const auto& mode : squeal.modes)  // on 20 elements, of fourth order
     EXPECT_LT(std::abs(*mode.finite_element_root / *mode.root - 1.0), 1e-3);
   EXPECT_EQ(squeal.fastest, squeal.modes[0].finite_element_root);
+  EXPECT_TRUE(within(squeal.friction_force, 3.0 + 2.0 * std::exp(-1.5), round_off(10, 1, 5.0)));
+  EXPECT_TRUE(within(squeal.slope, 10.0 * std::exp(-1.5), round_off(10, 1, 10.0)));
+  const double tip = analytic::steady_sliding(problem.beam, problem.friction, problem.wall).tip_displacement;
+  EXPECT_EQ(squeal.tip_displacement, tip);
+  EXPECT_NEAR(squeal.finite_element_displacement, tip, 1e-8 * tip);  // a cubic, but for the small P
+  for (const auto& mode : squeal.modes) {  // coupled by the contact at second order in 1 % of damping
+    EXPECT_NEAR(mode.damping_ratio, 0.01, 1e-3 * 0.01);
+    EXPECT_NEAR(*mode.critical_slope, mode.one_mode_slope, 2e-3 * mode.one_mode_slope);
+  }
   // Without damping nothing is held, at any speed.
   const auto undamped = studies::squeal_of(reed({{"damping.ratio", "0.0"}}), 1).modes.front();
   EXPECT_TRUE(std::isinf(undamped.critical_speed.value()));
+  EXPECT_EQ(undamped.damping_ratio, 0.0);
+  EXPECT_EQ(undamped.one_mode_slope, 0.0);
+  EXPECT_LT(studies::squeal_map(viscous_reed(), {0.7}, {0.0}).front().growth, 0.0);  // Kelvin-Voigt holds it
   EXPECT_FALSE(squeal.is_stable());
   EXPECT_TRUE(studies::squeal_of(reed({{"wall.speed", "0.7"}}), 3).is_stable());
   EXPECT_THROW((void)studies::squeal_of(reed({{"wall.speed", "0.0"}}), 3), data::FieldError);
@@ -368,6 +380,11 @@ TEST(Cycles, OfTheDampedBeamOnAShakingBaseReturnButAreUnstable) {
   EXPECT_TRUE(cycle.forced);
   EXPECT_FALSE(studies::is_stable(cycle));
   EXPECT_LT(motion.residual, 1e-9);
+  // It slides twice a period, from one end of its path to the other, about in half a sine.
+  const double path = std::abs(motion.events.at(2).position - motion.events.at(0).position);
+  EXPECT_NEAR(cycle.peak_to_peak, path, 1e-6 * path);
+  const double mean = path / (0.5 * motion.period * (1.0 - cycle.stick_share));
+  EXPECT_NEAR(cycle.largest_sliding, 0.5 * std::numbers::pi * mean, 0.2 * mean);
   const double modulus = std::abs(motion.multipliers.front());
   EXPECT_GT(modulus, 1.2);
   EXPECT_LT(std::abs(motion.multipliers.back()), 1e-12);
@@ -380,6 +397,17 @@ TEST(Cycles, OfTheDampedBeamOnAShakingBaseReturnButAreUnstable) {
   EXPECT_TRUE(
       within(std::abs(twice.front()), modulus * modulus,
              discretisation(motion.residual, 1e4, "of x(T) = x(0), times the curvature of the flow")));
+}
+
+TEST(Cycles, AreStableUpToTheShiftInTimeOfASelfExcitedOne) {
+  studies::Cycle cycle;
+  const auto stable = [&](bool forced, double multiplier) {
+    cycle.forced = forced;
+    cycle.search.motion.emplace().multipliers = {multiplier};
+    return studies::is_stable(cycle);
+  };
+  EXPECT_TRUE(stable(false, 1.0 + 9e-7) && stable(true, 1.0));
+  EXPECT_FALSE(stable(false, 1.0 + 1.1e-6) || stable(false, -1.0 - 9e-7) || stable(true, 1.0 + 9e-7));
 }
 
 }  // namespace
