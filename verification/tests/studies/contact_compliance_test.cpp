@@ -414,7 +414,12 @@ TEST(Regularisation, ChangesFirstSlipTravelAndWorkAsTheManualSays) {
     EXPECT_TRUE(within(summary.travel, row.travel, discretisation(row.travel * 3e-4, 10.0, "half the step")));
     EXPECT_TRUE(within(summary.work, row.work, discretisation(row.work * 3e-4, 10.0, "half the step")));
     EXPECT_LE(summary.largest_force, 300.0 * (1.0 + 1e-12));
+    EXPECT_GT(summary.largest_force, 250.0) << row.name;  // the smooth law has 273 N, at 0.15 m/s
   }
+  // mu_s P = 300 N at an elastic slip, and v_r = v_t/1.5.
+  EXPECT_DOUBLE_EQ(settings.at(2).contact.tangential_stiffness, 300.0 / 1e-5);
+  EXPECT_DOUBLE_EQ(settings.at(3).contact.regularisation_velocity, 1e-4 / 1.5);
+  EXPECT_DOUBLE_EQ(settings.at(4).contact.regularisation_velocity, 1e-3 / 1.5);
 }
 
 // The slider dissipates mu N times its path. The window ends at other forces than it begins with, so that what the spring
