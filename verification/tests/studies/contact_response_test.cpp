@@ -370,6 +370,10 @@ TEST(ParameterSweep, FindsAMotionOfPeriodThree) {
   for (int n = 121; n <= 126; ++n) {
     run.advance_to(0.04 * n);
     positions.push_back(run.contact_position());
+    // Up to 10 m/s^2 for a step make 1e-3 m/s; the force is a mean over the step before.
+    const auto& point = points[0].section[static_cast<std::size_t>(n - 121)];
+    EXPECT_NEAR(point.velocity, run.sliding_velocity(), 2e-3);
+    EXPECT_NEAR(point.friction_force, -run.friction_force(), 2.0);
   }
   const auto [lowest, highest] = std::ranges::minmax(positions);
   EXPECT_GT(highest - lowest, 1e-4);
