@@ -218,6 +218,8 @@ TEST(ThreadCount, IsThatOfTheMachineUntilItIsSet) {
   studies::set_thread_count(3);
   EXPECT_EQ(studies::thread_count(), 3u);
   EXPECT_THROW(studies::set_thread_count(0), std::invalid_argument);
+  (void)studies::ThreadsForNow(5);
+  EXPECT_EQ(studies::thread_count(), 3u);
   studies::set_thread_count(before);
 }
 

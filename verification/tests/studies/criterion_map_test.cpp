@@ -78,6 +78,12 @@ TEST(MapAxis, ChangesTheFieldOfItsParameterAndNoOther) {
   EXPECT_DOUBLE_EQ(with_value(problem, Parameter::youngs_modulus, 3e9).beam.shear_stiffness(),
                    3e9 * problem.beam.area() / 3.12);
   EXPECT_EQ(studies::without_shear(problem.beam).shear_stiffness(), 0.0);
+  const data::Case paper = data::load_case("paper");
+  EXPECT_DOUBLE_EQ(studies::friction_limit(paper), 300.0);
+  EXPECT_DOUBLE_EQ(studies::angular_frequency(paper.excitation), 157.07963267948966);
+  EXPECT_FALSE(studies::is_damped(paper));
+  for (const auto parameter : {Parameter::damping_ratio, Parameter::kelvin_voigt})
+    EXPECT_TRUE(studies::is_damped(with_value(paper, parameter, 1e-12)));
 }
 
 STICKSLIP_VERIFIES(CriterionMap, "X7");
