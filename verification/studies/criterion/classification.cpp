@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/criterion/classification.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -36,6 +37,19 @@ ClassifiedFrequency classified_frequency(const data::Beam& beam, const data::Fri
 
 }  // namespace
 
+void ClassificationStudy::count_points() {
+  const auto agree = [](const ClassifiedPoint& point) {
+    return point.closed_form_slips == point.finite_element_slips;
+  };
+  const auto count = [&](const auto& counts) {
+    return static_cast<int>(std::ranges::count_if(points, counts));
+  };
+  agreeing = count(agree);
+  in_guard_band = count([](const ClassifiedPoint& point) { return point.in_guard_band; });
+  disagreeing_outside =
+      count([&](const ClassifiedPoint& point) { return !agree(point) && !point.in_guard_band; });
+}
+
 ClassificationStudy classification_study(const data::Beam& beam, const data::FrictionLaw& friction,
                                          const data::NumericalSettings& numerics,
                                          const std::vector<double>& frequencies_hz,
@@ -62,12 +76,7 @@ ClassificationStudy classification_study(const data::Beam& beam, const data::Fri
   };
   in_parallel(frequencies_hz.size(), classify_column);
 
-  for (const ClassifiedPoint& point : study.points) {
-    const bool agree = point.closed_form_slips == point.finite_element_slips;
-    study.agreeing += agree ? 1 : 0;
-    study.in_guard_band += point.in_guard_band ? 1 : 0;
-    study.disagreeing_outside += !agree && !point.in_guard_band ? 1 : 0;
-  }
+  study.count_points();
   return study;
 }
 

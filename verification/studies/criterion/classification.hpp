@@ -36,6 +36,9 @@ struct ClassificationStudy {
   int agreeing{};  ///< number of points on which both implementations agree
   int in_guard_band{};
   int disagreeing_outside{};  ///< disagreeing points outside the guard band; must be 0
+
+  /// Sets the three numbers from the points.
+  void count_points();
 };
 
 /// Classifies each point of the grid by both implementations. For finite elements each point is a separate

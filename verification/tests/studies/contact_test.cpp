@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <vector>
 
 #include "stickslip/analytic/stick_response.hpp"
@@ -50,10 +51,36 @@ TEST(Figure12, BothImplementationsClassifyAlikeOutsideTheGuardBand) {
     EXPECT_LT(frequency.relative_guard(), 0.06) << frequency.frequency_hz;
   EXPECT_EQ(study.frequencies[0].relative_guard(), study.frequencies[0].relative_truncation_error +
                                                        study.frequencies[0].relative_discretisation_error);
+  // The errors of the first frequency, from its critical amplitude.
+  const data::HarmonicExcitation first({5.0, 1e-3});
+  const double converged = analytic::StickResponse(paper_beam(), first, 60, analytic::SteadyPart::exact)
+                               .max_abs_friction_force(10.0, 1e-8)
+                               .midpoint();
+  const double truncated = 1e-3 * 300.0 / study.frequencies[0].critical_amplitude;
+  EXPECT_TRUE(within(study.frequencies[0].relative_truncation_error, std::abs(truncated / converged - 1.0),
+                     reference(1e-8, "the width of the bounds")));
+  EXPECT_GE(study.frequencies[0].relative_discretisation_error,
+            studies::PredictedForce(paper_beam(), first, numerics, 20).uncertainty() / converged);
   EXPECT_LE(study.in_guard_band, 10);
   EXPECT_GT(study.agreeing, 470);
   RecordProperty("points_in_guard_band", study.in_guard_band);
   RecordProperty("points_agreeing", study.agreeing);
+}
+
+TEST(Figure12, CountsDisagreeingPointsOutsideTheGuardBand) {
+  studies::ClassificationStudy study;
+  for (const auto& [closed_form, finite_elements, guarded] : {std::tuple{true, true, false},
+                                                              {true, false, false},
+                                                              {false, true, false},
+                                                              {false, true, true},
+                                                              {false, false, true}})
+    study.points.push_back({.closed_form_slips = closed_form,
+                            .finite_element_slips = finite_elements,
+                            .in_guard_band = guarded});
+  study.count_points();
+  EXPECT_EQ(study.agreeing, 2);
+  EXPECT_EQ(study.in_guard_band, 2);
+  EXPECT_EQ(study.disagreeing_outside, 2);
 }
 
 struct SlippingCase {
@@ -184,6 +211,10 @@ TEST(CriticalAmplitude, BySearchIsTheFirstStepAboveTheOneOfALinearRun) {
                                                              {40.0, 80.0, 85.0}, 0.02e-3, 0.1e-3);
   ASSERT_EQ(searches.size(), 3u);
   for (const auto& search : searches) EXPECT_TRUE(search.agree()) << search.frequency_hz;
+  EXPECT_EQ(searches[1].frequency_hz, 80.0);
+  const auto published = studies::figure6_frequencies();
+  ASSERT_EQ(published.size(), 20u);
+  for (std::size_t i = 0; i < 20; ++i) EXPECT_EQ(published[i], 5.0 * static_cast<double>(i + 1));
   EXPECT_FALSE(searches[0].searched.has_value());
   EXPECT_EQ(searches[0].runs, 5);
   for (const std::size_t i : {1u, 2u}) {
