@@ -374,10 +374,16 @@ TEST(ClaimOnFigure13, ALowRigidityBeamBetterResistsStickSlipAtTheNormalisedFrequ
   for (const double hz : frequencies(10.0, 120.0, 10.0)) {
     const bool softer_is_better =
         critical_amplitudes(half_stiff_beam(), {hz}).front() > critical_amplitude(hz);
+    // The bounds of both are 1e-6 wide, relative to the force, and so are those of the study.
+    EXPECT_GE(critical_amplitudes(half_stiff_beam(), {hz}).front() / critical_amplitude(hz),
+              (1.0 - 4e-6) * same_hz.lowest_ratio);
     const bool on_mesh = force_of_elements(half_stiff_beam(), hz) < force_of_elements(paper().beam, hz);
     confirmed += softer_is_better == on_mesh ? 1 : 0;
   }
   EXPECT_EQ(confirmed, 12);
+  const double lowest =
+      critical_amplitudes(half_stiff_beam(), {same_hz.at_hz}).front() / critical_amplitude(same_hz.at_hz);
+  EXPECT_NEAR(same_hz.lowest_ratio, lowest, 4e-6 * lowest);
   const ScaledComparison& scaled = scaled_comparison();
   judge("fig13.low-rigidity-resists",
         {.as_printed = same_hz.larger == same_hz.all,
