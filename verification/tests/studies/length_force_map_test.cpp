@@ -68,6 +68,15 @@ TEST(LengthForceMap, HoldsTheCriterionOfEachPoint) {
       ASSERT_NE(at, line.length.end());
       EXPECT_LT(*(at + 1) - *(at - 1), 0.2 * 1.6 / 131.0);
     }
+    // 40, 60 and 30 steps, which grow as the square of their number from a resonance on.
+    const auto& lengths = line.length;
+    ASSERT_EQ(lengths.size(), 131u);
+    EXPECT_EQ(lengths[40], line.resonance_1.value_or(lengths[130]));
+    EXPECT_EQ(lengths[100], line.resonance_2.value_or(lengths[130]));
+    EXPECT_DOUBLE_EQ(lengths[20], std::lerp(lengths[40], lengths[0], 0.25));
+    EXPECT_DOUBLE_EQ(lengths[55], std::lerp(lengths[40], lengths[100], 0.125));
+    EXPECT_DOUBLE_EQ(lengths[85], std::lerp(lengths[100], lengths[40], 0.125));
+    EXPECT_DOUBLE_EQ(lengths[115], std::lerp(lengths[100], lengths[130], 0.25));
     for (std::size_t i = 0; i < line.length.size(); i += 13) {
       const auto criterion =
           analytic::evaluate_criterion(flat_beam(line.length[i], line.axial_force), problem.friction,
