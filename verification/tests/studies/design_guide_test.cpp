@@ -226,6 +226,7 @@ TEST(DesignScan, OfALengthOverBucklingSaysSo) {
   EXPECT_TRUE(within(analytic::stick_buckling_load(flat_beam(longest, 0.0)), 500.0, round_off(10, 2, 500.0)));
   const auto scan = studies::design_scan(problem, Parameter::length, {longest, 2.0 * longest}, {25.0, 25.0});
   ASSERT_EQ(scan.intervals.size(), 1u);
+  expect_to_tile(scan, longest, 2.0 * longest);
   EXPECT_TRUE(scan.intervals.front().buckled);
   EXPECT_FALSE(scan.intervals.front().sticks);
   const auto range = [&](double to) {
@@ -243,8 +244,9 @@ TEST(DesignScan, RefusesAnotherParameterAndARangeThatFalls) {
   const data::Case problem = flat_case();
   EXPECT_THROW((void)studies::design_scan(problem, Parameter::frequency, {1.0, 2.0}, {25.0, 25.0}),
                std::invalid_argument);
-  EXPECT_THROW((void)studies::design_scan(problem, Parameter::length, {2.0, 1.0}, {25.0, 25.0}),
-               std::invalid_argument);
+  for (const auto& range : {studies::ParameterRange{2.0, 1.0}, {1.0, 1.0}, {0.0, 1.0}})
+    EXPECT_THROW((void)studies::design_scan(problem, Parameter::length, range, {25.0, 25.0}),
+                 data::FieldError);
 }
 
 }  // namespace
