@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <ctime>
 #include <set>
 #include <span>
 #include <stdexcept>
@@ -51,6 +52,8 @@ TEST(MapAxis, HasItsEndsAndEqualStepsOrRatiosBetween) {
   EXPECT_EQ(steps.front(), 0.4);
   EXPECT_EQ(steps.back(), 2.0);
   EXPECT_DOUBLE_EQ(steps[2], 1.2);
+  EXPECT_FALSE(map_axis(Parameter::length, 0.4, 2.0, 5, false).logarithmic);
+  EXPECT_TRUE(map_axis(Parameter::axial_force, 7.0, 700.0, 3, true).logarithmic);
   const auto ratios = map_axis(Parameter::axial_force, 7.0, 700.0, 3, true).values;
   EXPECT_EQ(ratios.front(), 7.0);
   EXPECT_EQ(ratios.back(), 700.0);
@@ -145,12 +148,17 @@ TEST(CriterionMap, HasAnEstimateOfItsCostThatLeavesTheThreadsAlone) {
                               .y = map_axis(Parameter::amplitude, 0.0, 1e-3, 3, false)};
   for (const unsigned count : {1u, 2u}) {
     const studies::ThreadsForNow threads(count);
+    const std::clock_t start = std::clock();
     const auto estimate = studies::map_estimate(task, studies::share_of(20, 1, 1));
+    const double spent = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     EXPECT_EQ(studies::thread_count(), count);
     EXPECT_EQ(estimate.threads, count);
     EXPECT_EQ(estimate.evaluations, 20u);
     EXPECT_EQ(estimate.sample, 20u);  // all of them take milliseconds
     EXPECT_EQ(estimate.speedup == 1.0, count == 1);
+    // The sample is a part of what the call does; it counts for a microsecond at least.
+    EXPECT_GT(20.0 * estimate.seconds_each, 0.99e-6);
+    EXPECT_LT(20.0 * estimate.seconds_each, spent + 1.01e-6);
   }
   const studies::MapEstimate hours{.evaluations = 7200, .seconds_each = 2.0, .speedup = 4.0};
   EXPECT_EQ(hours.core_hours(), 4.0);
@@ -233,6 +241,8 @@ TEST(CriterionMap, IsNotPutTogetherBeforeItIsComplete) {
   std::ranges::sort(settled);
   EXPECT_EQ(settled, share);
   EXPECT_THROW((void)studies::criterion_map(task, evaluations), std::invalid_argument);
+  EXPECT_THROW((void)studies::criterion_map(task, studies::MapEvaluations(3, studies::MapEvaluation{})),
+               std::invalid_argument);
   evaluations.pop_back();
   EXPECT_THROW(studies::evaluate(task, studies::share_of(4, 1, 2), evaluations), std::invalid_argument);
 }
