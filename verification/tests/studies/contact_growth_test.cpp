@@ -406,6 +406,7 @@ TEST(GrowthWarning, BeginsWhereRoundingMayGrowToTheSizeOfTheMotion) {
     EXPECT_EQ(found.has_value(), share > 1.0);
     if (!found) continue;
     EXPECT_EQ(found->value, bound);
+    EXPECT_DOUBLE_EQ(found->limit, bound / share);
     EXPECT_NE(found->sentence.find("for the beam sigma* is 30 1/s"), std::string::npos) << found->sentence;
     EXPECT_EQ(found->sentence.find("any discretisation"), std::string::npos) << found->sentence;
   }

@@ -91,6 +91,8 @@ TEST(ThickBeam, IsWarnedOfAboveTheErrorThatPasses) {
     EXPECT_EQ(warning != nullptr, ratio > 0.035) << ratio;
     if (warning != nullptr) {
       EXPECT_EQ(warning->value, error);
+      EXPECT_EQ(warning->limit, studies::allowed_model_error);
+      EXPECT_NE(warning->sentence.find(fmt::format("sqrt(I/A)/L = {:.3g}: ", ratio)), std::string::npos);
     }
   }
 }
@@ -154,6 +156,17 @@ TEST(ModesThatMatter, HaveAnAmplitudeAboveTheirShare) {
   }
 }
 
+// The maximum of |f| is that over a period of the excitation and of the first mode at least.
+TEST(ModesThatMatter, AreTheSameForAllDurationsBelowAPeriod) {
+  const auto mode = [](double hz, double duration) {
+    return studies::highest_mode_that_matters(
+        paper_with({{"excitation.frequency_hz", digits(hz)}, {"excitation.duration", digits(duration)}}));
+  };
+  const double natural = analytic::stick_modes(paper_with().beam, 1).front().frequency_hz();
+  for (const double hz : {15.0, 70.0})
+    EXPECT_EQ(mode(hz, 0.002), mode(hz, 1.0 / std::min(hz, natural))) << hz;
+}
+
 // --- Resonance
 
 STICKSLIP_VERIFIES(Resonance, "X21");
@@ -174,6 +187,7 @@ TEST(Resonance, IsWarnedOfWhileTheReactionGrowsToTheEnd) {
       EXPECT_EQ(grows, half_beats < 1.0) << half_beats;
     }
     if (warning != nullptr) {
+      EXPECT_EQ(warning->value, problem.excitation.frequency_hz());
       EXPECT_EQ(warning->limit, natural);
       EXPECT_EQ(warning->sentence.find("grows with t, without end,") != std::string::npos, half_beats == 0.0);
     }
@@ -212,6 +226,7 @@ TEST(Flutter, IsWarnedOfFromItsLoadOnAndTheRunGoesOn) {
       const auto* warning = find(warnings, Concern::flutter);
       EXPECT_EQ(warning != nullptr, load >= flutter) << load;
       if (warning != nullptr) {
+        EXPECT_EQ(warning->value, load);
         EXPECT_EQ(warning->limit, flutter);
       }
     }
