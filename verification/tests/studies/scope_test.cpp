@@ -61,6 +61,9 @@ TEST_P(SteadyForce, OfAMeshDiffersFromTheClosedFormByTheFourthPowerOfTheElementL
 TEST_P(SteadyForce, IsExceededByTheStartUpMoreTheLongerItLasts) {
   const auto force = studies::steady_force(problem_, {0.1, 1.0, 10.0, 100.0});
   const analytic::StickResponse response(problem_.beam, problem_.excitation, 60, analytic::SteadyPart::exact);
+  const double omitted =
+      analytic::StickResponse(problem_.beam, problem_.excitation, 20, analytic::SteadyPart::exact)
+          .omitted_transient_bound();
   double ceiling = force.steady + response.omitted_transient_bound();
   for (const auto& free : response.transient_force()) ceiling += std::abs(free.amplitude);
   double shorter = 0.0;
@@ -68,6 +71,9 @@ TEST_P(SteadyForce, IsExceededByTheStartUpMoreTheLongerItLasts) {
     EXPECT_GE(horizon.force_max.upper, shorter) << horizon.duration;
     shorter = horizon.force_max.lower;
     EXPECT_LE(horizon.force_max.lower, ceiling) << horizon.duration;
+    EXPECT_TRUE(within(horizon.force_max.upper - horizon.force_max.lower, 2.0 * omitted,
+                       reference(1.1e-7 * horizon.force_max.upper, "the width of the bounds")))
+        << horizon.duration;
     if (horizon.duration > 10.0) continue;
     const data::NumericalSettings numerics = with_duration(problem_.numerics, horizon.duration);
     const double exact = horizon.force_max.midpoint();
