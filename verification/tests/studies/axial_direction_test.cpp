@@ -356,9 +356,11 @@ TEST(ModelForm, OfTheAxialForceIsThatOfTheMapsAndBucklesTheSectionOfFigure14) {
   for (const auto& plane : form.planes) {
     EXPECT_LE(plane.to_stick + plane.to_slip, plane.cells);
     EXPECT_LT(plane.highest_ratio, 1.0) << plane.figures;
+    EXPECT_EQ(plane.to_slip, 0u) << plane.figures;
   }
   // The less, the faster: the force tends to cos(y) of itself where the beam is massless.
   const double massless = std::cos(std::sqrt(paper_beam().axial_force() * 4.0 / rigidity(paper_beam())));
+  EXPECT_EQ(form.forces.size(), 24u);
   EXPECT_GT(form.forces.front().ratio, massless);
   EXPECT_LT(form.forces.front().ratio, form.forces.back().ratio);
   // Over the direction itself, by the map: neither by the table nor by one reaction for all cells.
