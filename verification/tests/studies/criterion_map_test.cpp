@@ -243,6 +243,8 @@ TEST(CriterionMap, IsNotPutTogetherBeforeItIsComplete) {
   EXPECT_THROW((void)studies::criterion_map(task, evaluations), std::invalid_argument);
   EXPECT_THROW((void)studies::criterion_map(task, studies::MapEvaluations(3, studies::MapEvaluation{})),
                std::invalid_argument);
+  const studies::MapEvaluation infinite{.unit_force = analytic::Bounds{HUGE_VAL, HUGE_VAL}};
+  EXPECT_THROW((void)studies::criterion_map(task, studies::MapEvaluations(4, infinite)), data::InputError);
   evaluations.pop_back();
   EXPECT_THROW(studies::evaluate(task, studies::share_of(4, 1, 2), evaluations), std::invalid_argument);
 }
