@@ -75,6 +75,24 @@ void sampling_loses_no_more_than_the_curvature_allows() {
   }
 }
 
+void rows_are_those_of_their_settings() {
+  auto unloaded = paper_beam_properties();
+  unloaded.axial_force = 0.0;
+  for (std::size_t i = 0; i < study().frequency_hz.size(); ++i) {
+    const auto expect_row = [i](const studies::ForceRow& of, int modes, double duration,
+                                const data::Beam& beam = paper_beam()) {
+      const StickResponse response(beam, excitation(i), modes);
+      EXPECT_NEAR(of.force[i], response.max_abs_friction_force(duration).midpoint(), 1e-9 * of.force[i])
+          << of.factor << ' ' << of.setting;
+    };
+    for (const int modes : {5, 8, 12, 20, 50})
+      expect_row(row("modes", std::to_string(modes)), modes, ten_seconds);
+    expect_row(row("duration", "5 s"), 10, 5.0);
+    expect_row(row("duration", "20 s"), 10, 20.0);
+    expect_row(row("axial force", "0 N"), 10, ten_seconds, data::Beam(unloaded));
+  }
+}
+
 void longer_histories_have_larger_maxima() {
   for (std::size_t i = 0; i < study().frequency_hz.size(); ++i) {
     const double bounded_to = 1e-13 * closed_form().force[i];
@@ -89,6 +107,8 @@ void changes_are_those_from_the_unchanged_row_of_the_method() {
       const auto& unchanged = changed.closed_form ? closed_form() : row("finite elements", "20");
       const double ratio = changed.force[i] / unchanged.force[i];
       EXPECT_NEAR(changed.change[i], 100.0 * (ratio - 1.0), 1e-12 * ratio) << changed.factor;
+      EXPECT_TRUE(changed.closed_form || changed.factor == "finite elements" || ratio != 1.0)
+          << changed.setting;
     }
   EXPECT_FALSE(row("elements", "40").closed_form);
   // A thousandth more and less of the length are among what the range covers.
@@ -170,6 +190,15 @@ void the_value_of_ten_modes_and_its_uncertainty_hold_the_exact_one() {
     EXPECT_LE(force - digits.uncertainty, digits.problem.force.lower) << digits.frequency_hz;
     EXPECT_GE(force + digits.uncertainty, digits.problem.force.upper) << digits.frequency_hz;
     EXPECT_LT(digits.uncertainty, 0.01 * force) << digits.frequency_hz;
+    const StickResponse all(paper_beam(), excitation(i), 100, analytic::SteadyPart::exact);
+    const auto free = all.transient_force();
+    const double tail = all.omitted_transient_bound();
+    double sum = tail + std::abs(StickResponse(paper_beam(), excitation(i), 10).steady_force_amplitude() -
+                                 all.steady_force_amplitude());
+    for (std::size_t n = 10; n < free.size(); ++n) sum += std::abs(free[n].amplitude);
+    EXPECT_NEAR(digits.uncertainty, sum, 1e-9 * force) << digits.frequency_hz;
+    // The search leaves the rounding of f, which is some 1e-12 of it.
+    EXPECT_NEAR(digits.problem.force.upper - digits.problem.force.lower, 2.0 * tail, 1e-11 * force);
   }
 }
 
@@ -178,6 +207,7 @@ void no_trial_returns_all_printed_digits() {
   EXPECT_EQ(search.returning_all, 0);
   EXPECT_LT(search.most_returned.returned, 4);
   EXPECT_LE(search.closest.largest_difference, search.most_returned.largest_difference);
+  EXPECT_DOUBLE_EQ(search.sampling_steps.back(), ten_seconds / 99999.0);
   for (const auto* trial : {&search.closest, &search.most_returned}) {
     int returned = 0;
     double largest = 0.0;
@@ -204,6 +234,7 @@ STICKSLIP_VERIFIES(ForceSensitivity, "X14");
 TEST(ForceSensitivity, IsWhatTheoryAllowsEachFactorAndThePrintedDigitsAreTheMethods) {
   truncation_moves_the_maximum_by_no_more_than_what_it_leaves_out();
   sampling_loses_no_more_than_the_curvature_allows();
+  rows_are_those_of_their_settings();
   longer_histories_have_larger_maxima();
   changes_are_those_from_the_unchanged_row_of_the_method();
   derivatives_obey_the_dimensions();
