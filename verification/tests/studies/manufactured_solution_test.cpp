@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <tuple>
@@ -111,6 +112,14 @@ INSTANTIATE_TEST_SUITE_P(AllLoads, ManufacturedSpace,
                                   parameter_name(std::get<1>(instance.param));
                          });
 
+// 2 d w h + w T (w h)^2/24 = a h + b h^2 with the same w in a and b.
+void expect_next_terms(const std::vector<double>& h, const std::vector<double>& next_term, double radius) {
+  const double b = (next_term.front() / h.front() - next_term.back() / h.back()) / (h.front() - h.back());
+  const double a = next_term.back() / h.back() - b * h.back(), d = (1.0 - radius) / (1.0 + radius);
+  EXPECT_NEAR(radius < 1.0 ? std::pow(0.5 * a / d, 3) * 1000.0 * h.front() / 24.0 : b + a / h.front(), b,
+              1e-9 * b);
+}
+
 class ManufacturedTime : public ::testing::TestWithParam<std::tuple<ManufacturedTip, double, double>> {};
 
 STICKSLIP_VERIFIES(ManufacturedTime, "F10");
@@ -119,6 +128,10 @@ TEST_P(ManufacturedTime, IsOfOrderTwoWithThePredictedConstant) {
   const auto study =
       studies::manufactured_time_errors(paper_beam(), tip, load_factor, radius, {1000, 2000, 4000, 8000});
   const auto& all_modes = study.next_term_of_all_modes;
+  expect_next_terms(study.time_step, study.next_term, radius);
+  expect_next_terms(study.time_step, all_modes, radius);
+  EXPECT_EQ(study.displacement.order.order,
+            studies::observed_order(study.time_step, study.displacement.error));
   if (tip == ManufacturedTip::friction) {
     EXPECT_TRUE(order_is(levels(study.time_step, study.displacement, all_modes), 2.0));
     // At a spectral radius of 0 the leading terms of velocity and force nearly vanish here.
