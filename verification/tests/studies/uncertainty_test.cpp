@@ -77,6 +77,7 @@ TEST(Quantiles, HaveTheMomentsOfTheirDistribution) {
   }
   EXPECT_EQ(studies::quantile(samples, 0.49), 2.0);
   EXPECT_EQ(studies::quantile(samples, 0.51), 4.0);
+  EXPECT_EQ(studies::quantile(samples, 1.0), 5.0);
 }
 
 // The probability that the interval holds the truth, summed over all counts.
@@ -143,7 +144,12 @@ TEST(SobolPoints, AreEvenlySpreadAndScrambledBySeed) {
     quarter += points[j * dimensions] < 0.5 && points[j * dimensions + 1] < 0.5 ? 1 : 0;
   EXPECT_EQ(quarter, count / 4);
   EXPECT_EQ(points, studies::scrambled_sobol_points(dimensions, count, 7));
-  EXPECT_NE(points, studies::scrambled_sobol_points(dimensions, count, 8));
+  const auto others = studies::scrambled_sobol_points(dimensions, count, 8);
+  const auto digits = [](double x) { return static_cast<unsigned>(std::ldexp(x, 30)); };
+  // A shift alone would leave the digits in which two points differ, no shift the origin as the first point.
+  EXPECT_NE(digits(points[0]) ^ digits(points[dimensions]), digits(others[0]) ^ digits(others[dimensions]));
+  EXPECT_GT(*std::max_element(points.begin(), points.begin() + dimensions), 0.5);
+  EXPECT_TRUE(std::ranges::all_of(points, [](double x) { return std::fmod(std::ldexp(x, 31), 2.0) == 1.0; }));
   EXPECT_THROW((void)studies::scrambled_sobol_points(41, 2, 0), std::invalid_argument);
   EXPECT_THROW((void)studies::scrambled_sobol_points(2, 3, 0), std::invalid_argument);
   EXPECT_THROW((void)studies::scrambled_sobol_points(0, 2, 0), std::invalid_argument);
@@ -231,6 +237,8 @@ TEST(SobolIndices, CountTheRowsThatHaveNoValue) {
   };
   const auto result = studies::sobol_indices(model, 1, 1024, 1);
   EXPECT_TRUE(within(static_cast<double>(result.dropped) / 1024.0, 1.0 - 0.75 * 0.75, sampling(0.44, 1024)));
+  const auto undefined = [&](std::span<const double> u) { return std::optional(model(u).value_or(NAN)); };
+  EXPECT_EQ(studies::sobol_indices(undefined, 1, 1024, 1).dropped, result.dropped);
   EXPECT_EQ(result.indices[0].total.value, 0.0);                                   // constant
   EXPECT_EQ(studies::sobol_indices(model, 20, 1, 1).evaluations, 16u * 4u * 22u);  // the fewest rows are four
   EXPECT_THROW((void)studies::sobol_indices(model, 21, 1024, 1), std::invalid_argument);
@@ -253,6 +261,8 @@ TEST(JointDistribution, HasTheCorrelationThatIsAskedFor) {
       within(squares, expected,
              {4.0 * expected * std::sqrt(2.0 / count), "discretisation", "four standard deviations"}));
   EXPECT_EQ(joint.at(std::vector{0.5, 0.5}), (std::vector{1.0, 3.0}));
+  // By a separate program for SplitMix64, of which it gives the published numbers for the state 1234567.
+  EXPECT_EQ(studies::independent_point(1, 6, 2), (std::vector{0x1.46251c43c5a90p-6, 0x1.6c19e9e91a144p-1}));
 }
 
 data::Case problem(double hz = 35.0) {
@@ -351,6 +361,23 @@ TEST(SlipProbability, OfCorrelatedKeysIsThatOfTheirQuotient) {
   }
 }
 
+// A verdict comes from another search than the margin of the same sample. Damping makes the force much smaller.
+TEST(SlipProbability, CountsTheSamplesWhoseMarginIsBelowOne) {
+  data::Case of = problem();
+  const double modulus = of.beam.youngs_modulus();
+  for (const data::Damping& damping : {data::Damping(), data::Damping({.ratio = 0.2})}) {
+    of.damping = damping;
+    const double critical = 300.0 / force_per_metre(of);
+    auto keys = independent({{"beam.youngs_modulus", uniform(0.99 * modulus, 1.01 * modulus)},
+                             {"excitation.amplitude", uniform(0.9 * critical, 1.1 * critical)}});
+    keys.correlation[1] = keys.correlation[2] = 0.1;  // no indices, which would take long
+    const auto result = studies::slip_uncertainty(of, keys, {.samples = 20});
+    for (const auto& [p, amplitude, margin] : result.quantiles)
+      EXPECT_EQ(margin.value < 1.0, std::floor(20.0 * p) < static_cast<double>(result.slips)) << p;
+    EXPECT_LT(result.quantiles[0].critical_amplitude.value, result.quantiles[4].critical_amplitude.value);
+  }
+}
+
 // How many of 200 intervals hold the truth is binomial with their exact coverage.
 TEST(SlipProbability, LiesInItsIntervalAsOftenAsItShould) {
   constexpr unsigned runs = 200, samples = 60;
@@ -380,6 +407,8 @@ TEST(SlipProbability, CountsWhatIsNoBeam) {
   EXPECT_EQ(refused_because(independent(
                 {{"beam.axial_force", uniform(-9.0, -1.0)}, {"beam.length", uniform(-9.0, 3.0)}})),
             "no sample is a beam with a verdict, but one or more must be; most have no valid beam.length");
+  EXPECT_EQ(refused_because(independent({{"beam.density", uniform(1e200, 2e200)}})),
+            "no sample is a beam with a verdict, but one or more must be; most have no valid beam.density");
 }
 
 // A key with a value that no beam has is the decisive one, beside one that changes the margin fourfold.
@@ -426,6 +455,7 @@ TEST(SlipProbability, OverABandIsThatOfItsWorstFrequency) {
   const auto result = studies::slip_uncertainty(problem(), coefficient, {.samples = 5000, .band = band});
   const double expected = gsl_cdf_ugaussian_P(-1.0);
   EXPECT_TRUE(within(result.probability_of_slip.value, expected, sampling(expected, 5000)));
+  EXPECT_NEAR(result.nominal_margin * critical, 0.6, 1e-6);  // the forces are known to 1e-6
   // A point of the band where the verdict is another.
   EXPECT_LT(
       studies::slip_uncertainty(problem(35.0), coefficient, {.samples = 5000}).probability_of_slip.upper,
