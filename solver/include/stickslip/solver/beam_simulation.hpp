@@ -25,8 +25,8 @@ enum class TipContact {
 
 /// The coordinates of a run. Their results differ by rounding only.
 enum class Coordinates {
-  nodal,   ///< deflections and rotations of the nodes: sparse matrices, cost linear in the elements
-  modal,   ///< those of a HeldTipBasis: ten times as fast and more, without damping only; all modes are found first
+  nodal,  ///< deflections and rotations of the nodes: sparse matrices, cost linear in the elements
+  modal,  ///< those of a HeldTipBasis: ten times as fast and more, without damping only; all modes are found first
   fastest  ///< what fastest_coordinates() chooses
 };
 
