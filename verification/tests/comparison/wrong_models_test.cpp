@@ -672,22 +672,18 @@ TEST(WrongModel, OfTheTimeSteppingHaveTheOrdersOfTheirMistakes) {
 
 // The distance of the free vibrations of the time stepper from the true ones.
 double predicted_distance(const data::Case& problem, double spectral_radius, double time_step) {
-  const auto quantity = Quantity::stick_displacement;
-  ModelResults alone;
-  alone.quantity = quantity;
-  alone.abscissa = abscissa_for(problem, quantity);
-  alone.reference = studies::reference_result(problem, quantity, alone.abscissa);
-  Values stepped = alone.reference;
+  const ModelResults right = right_result_of(problem, Quantity::stick_displacement);
+  Values stepped = right.reference;
   const analytic::StickResponse response(problem.beam, problem.excitation, 60);
   for (const auto& [amplitude, omega] : response.transient_displacement(0.5 * problem.beam.length())) {
     const auto free = studies::generalized_alpha_oscillation(spectral_radius, omega, time_step);
     for (std::size_t i = 0; i < stepped.size(); ++i) {
-      const double t = alone.abscissa[i];
+      const double t = right.abscissa[i];
       stepped[i] += amplitude * (std::exp(-free.decay_rate * t) * std::sin(free.angular_frequency * t) -
                                  std::sin(omega * t));
     }
   }
-  return studies::distance(alone, stepped, alone.reference);
+  return studies::distance(right, stepped, right.reference);
 }
 
 // The phase of free vibration n is late by about (omega_n h)^2 omega_n t/12. From mode 12 on it is late by more than a
