@@ -107,7 +107,7 @@ TEST(ConfidenceIntervals, OfAProbabilityHoldItAtLeastSoOften) {
 
 // Of ranks: with x_i = i the interval says between which ranks the quantile lies.
 TEST(ConfidenceIntervals, OfAQuantileHoldItAtLeastSoOften) {
-  for (const unsigned count : {1U, 20U, 500U})
+  for (const unsigned count : {1U, 7U, 20U, 500U})  // 7 is below a power of two, where the search begins
     for (const double p : {0.05, 0.5, 0.95}) {
       std::vector<double> ranks(count);
       std::iota(ranks.begin(), ranks.end(), 1.0);
