@@ -154,7 +154,8 @@ TEST_F(MapShards, GoOnAfterAKillOfAShard) {
 
 TEST_F(MapShards, EndWithinASecondOfCtrlCAndSayWhatIsKept) {
   std::ofstream("map.csv") << "old";
-  const Ending end = end_with(SIGINT, longer + output("map.csv") + "--figure map.png", "map.csv.partial", 5);
+  const Ending end =
+      end_with(SIGINT, longer + output("map.csv") + "--figure map.png --quiet", "map.csv.partial", 5);
   EXPECT_EQ(end.status, 128 + SIGINT);
   EXPECT_LT(end.seconds, 1.0);
   EXPECT_EQ(contents("map.csv"), "old");

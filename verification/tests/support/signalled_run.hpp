@@ -4,7 +4,9 @@
 /// The command line, ended by a signal while it works.
 
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -37,7 +39,7 @@ class SignalledRun : public Drawing {
 
   struct Ending {
     int status{};      // as a shell would give it
-    double seconds{};  // from the signal to the end
+    double seconds{};  // of processor time from the signal to the end, which a busy machine does not lengthen
     std::string errors;
   };
 
@@ -57,12 +59,13 @@ class SignalledRun : public Drawing {
     ::setpgid(process, process);  // whoever comes first
     if (signal != SIGKILL) wait_until([&] { return catches(process, signal); });
     wait();
-    const auto begin = std::chrono::steady_clock::now();
+    const double before = processor_time(process);
     ::kill(-process, signal);
     int status = 0;
-    ::waitpid(process, &status, 0);
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), took.count(),
+    rusage usage{};
+    ::wait4(process, &status, 0, &usage);
+    const double after = seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), after - before,
             contents(path("stderr"))};
   }
 
@@ -71,19 +74,34 @@ class SignalledRun : public Drawing {
     return signalled(arguments, signal, [after] { std::this_thread::sleep_for(after); });
   }
 
-  /// Whether a process has a handler of a signal.
+  static double seconds_of(const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  }
+
+  /// The processor time of a running process in seconds.
+  static double processor_time(pid_t process) {
+    clockid_t clock{};
+    timespec t{};
+    EXPECT_EQ(::clock_getcpuclockid(process, &clock), 0);
+    EXPECT_EQ(::clock_gettime(clock, &t), 0);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+  }
+
+  /// Whether a process is the program, no longer the shell that starts it, and has a handler of a signal.
   static bool catches(pid_t process, int signal) {
-    std::istringstream status(contents("/proc/" + std::to_string(process) + "/status"));
+    std::error_code error;
+    const std::string folder = "/proc/" + std::to_string(process);
+    if (!std::filesystem::equivalent(folder + "/exe", STICKSLIP_PROGRAM, error)) return false;
+    std::istringstream status(contents(folder + "/status"));
     for (std::string line; std::getline(status, line);)
       if (line.starts_with("SigCgt:"))
         return (std::stoull(line.substr(7), nullptr, 16) >> static_cast<unsigned>(signal - 1) & 1U) != 0U;
     return false;
   }
 
-  /// Waits until something is so, which must come in time.
-  static void wait_until(const std::function<bool()>& is_so,
-                         std::chrono::seconds at_most = std::chrono::minutes(1)) {
-    const auto limit = std::chrono::steady_clock::now() + at_most;
+  /// Waits until something is so, a minute at most.
+  static void wait_until(const std::function<bool()>& is_so) {
+    const auto limit = std::chrono::steady_clock::now() + std::chrono::minutes(1);
     while (!is_so() && std::chrono::steady_clock::now() < limit)
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
     EXPECT_TRUE(is_so());
