@@ -39,6 +39,7 @@ class Figure9 : public ::testing::TestWithParam<double> {};
 STICKSLIP_VERIFIES(Figure9, "X1");
 TEST_P(Figure9, ErrorsAreThePredictedOnesAtThePaperSettings) {
   const auto study = studies::stick_history_study(paper_beam(), figure9, settings(1.0, GetParam()), 3);
+  ASSERT_EQ(study.levels.size(), 3U);
   for (const auto& level : study.levels) {
     // drift_bound adds magnitudes and leaves out amplitude errors, 12/(omega T) of a phase error: 8 % in mode
     // 1 at 1 s.
@@ -67,6 +68,7 @@ double slope_by_ratio(const studies::StickHistoryStudy& study, double width) {
 STICKSLIP_VERIFIES(Figure9Refined, "X1");
 TEST(Figure9Refined, DisplacementIsWithin1em5AndForceWithin5em4OfThePeak) {
   const auto study = studies::stick_history_study(paper_beam(), figure9, settings(1.0), 4);
+  ASSERT_EQ(study.levels.size(), 4U);
   EXPECT_LT(study.levels.back().displacement_error, 1e-5 * study.displacement_peak);
   EXPECT_LT(study.levels.back().force_error, 5e-4 * study.force_peak);
   EXPECT_LT(study.levels.back().force_error, 1.1 * study.levels.back().predicted_force_error);
