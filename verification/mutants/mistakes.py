@@ -230,7 +230,9 @@ def swapped_branches(source, i):
 
 
 def swapped_arguments(source, i):
-    if source.words[i] != "(" or source.tokens[i - 1].kind != "word" or source.words[i - 1] in ("if", "for", "while"):
+    if source.words[i] != "(" or source.tokens[i - 1].kind != "word":
+        return
+    if source.words[i - 1] in ("if", "for", "while", "min", "max", "hypot"):  # no call, or the order does not matter
         return
     arguments = source.arguments(i)
     if len(arguments) < 2 or source.tokens[i + 1].kind == "text":

@@ -24,6 +24,7 @@ double Beam::load(double x, int i) const {
   std::vector<double> y(3);
   for (int j = 0; j < i; ++j) y[j] = -std::abs(x * j);
   store(x, i);
+  store(std::max(i, n));
   return x > 1.0 ? y[0] : "a < b"s;
 }
 }  // namespace a
@@ -44,13 +45,13 @@ class Mistakes(unittest.TestCase):
             "if ( x [<= -> <] 0.0 || !", "if ( x [<= -> >] 0.0 || !", "x <= 0.0 [|| -> &&] ! ready )",
             "<= 0.0 || [! -> ] ready ) throw", "{ if ( [x <= 0.0 || ! ready -> ! ( x <= 0.0 || ! ready )] ) throw Error",
             "return x > [1.0 -> ( 2.0 * 1.0 )] ? y [", "int j = [0 -> 1] ; j <", ") y [ [j -> j + 1] ] = -",
-            "j ] = [- -> ] std :: abs", "] = - [std :: abs -> ] ( x *", "; store ( [x , i -> i , x] ) ; return",
-            "j ) ; [store ( x , i ) -> ] ; return x", '> 1.0 ? [y [ 0 ] : "a < b" s -> "a < b" s : y [ 0 ]] ; } }',
+            "j ] = [- -> ] std :: abs", "] = - [std :: abs -> ] ( x *", "; store ( [x , i -> i , x] ) ; store",
+            "j ) ; [store ( x , i ) -> ] ; store (", '> 1.0 ? [y [ 0 ] : "a < b" s -> "a < b" s : y [ 0 ]] ; } }',
         }, edits("Beam::load"))
 
     def test_leave_strings_messages_templates_and_heads_of_loops_alone(self):
         text = " ".join(edits("Beam::load"))
-        for absent in ("[1 -> 2] + 2", "[double ->", "\"a [<", "[j < i -> ]", "[++ j -> ]"):
+        for absent in ("[1 -> 2] + 2", "[double ->", "\"a [<", "[j < i -> ]", "[++ j -> ]", "[i , n -> n , i]"):
             self.assertNotIn(absent, text)
 
     def test_are_known_by_tokens_whatever_the_layout(self):
