@@ -84,6 +84,8 @@ std::vector<double> undamped_holding_force(const data::Beam& beam, const data::H
 /// In the middle of each step, by a cubic spline through instants that are H = 1e-3/omega_1 apart or, if that is longer,
 /// a step. A free vibration omega_n is off by (omega_n H)^4/384 at most. As its amplitude falls as omega_n^-2, that is
 /// 1e-7 of the force where omega_n H is about 4, and less elsewhere.
+/// The spline has no curvature at its ends. That leaves 0.046 H^2 |f''| there, and 0.27 times as much in each interval
+/// from there.
 std::vector<double> damped_holding_force(const data::Beam& beam, const data::HarmonicExcitation& excitation,
                                          const data::Damping& damping, const TimeGrid& grid) {
   const StatusInsteadOfAbort guard;

@@ -7,12 +7,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <stdexcept>
 #include <tuple>
 #include <vector>
 
 #include "stickslip/analytic/beam_boundary_integral.hpp"
 #include "stickslip/analytic/beam_contact_model.hpp"
+#include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/free_mode_run.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
@@ -53,6 +55,33 @@ TEST(BeamBoundaryIntegral, HoldsTheTipWithEquation28EvenInResonance) {
       ASSERT_TRUE(within(held[n], -response.friction_force((static_cast<double>(n) + 0.5) * grid.time_step),
                          discretisation(step + 1e-12 * scale, 1.0, "mean over a step, and round-off")))
           << hz << ", " << n;
+  }
+}
+
+TEST(BeamBoundaryIntegral, HoldsTheTipOfADampedBeamWithTheForceInTheMiddleOfEachStep) {
+  const data::Damping damping({.kelvin_voigt = 1e-5});
+  const TimeGrid grid{1e-5, 1000};
+  const double h = grid.time_step;
+  const auto held = analytic::holding_force(paper_beam(), excitation(25.0, 1e-3), damping, grid);
+  const analytic::DampedForce closed(
+      analytic::damped_reaction(paper_beam(), damping, 40, analytic::SteadyPart::exact),
+      2.0 * std::numbers::pi * 25.0, 1.0);
+  const auto force = [&](double t) { return -1e-3 * closed.value(t); };
+  // The spline has no curvature at its ends, the force has. To leading order that leaves (1 - r)/16 h^2 f'' in the
+  // middle of the first and the last step, with r = 2 - sqrt(3), and -r times as much in each step from there.
+  const double r = 2.0 - std::sqrt(3.0), end = 1000.0 * h;
+  const auto error_at = [&](double t) {
+    const double d = 1e-8, curvature = (force(t + d) - 2.0 * force(t) + force(t - d)) / (d * d);
+    return (1.0 - r) / 16.0 * h * h * std::abs(curvature);
+  };
+  const double first = error_at(1e-8), last = error_at(end);
+  for (std::size_t n = 0; n < held.size(); ++n) {
+    const double from_start = std::pow(r, static_cast<double>(n)),
+                 from_end = std::pow(r, 999.0 - static_cast<double>(n));
+    ASSERT_TRUE(within(
+        held[n], force((static_cast<double>(n) + 0.5) * h),
+        discretisation(first * from_start + last * from_end + 1e-7 * largest(held), 1.0, "cubic spline")))
+        << n;
   }
 }
 
