@@ -139,12 +139,13 @@ STICKSLIP_JSON(SlenderForce, frequency_hz, model_errors, force_max, shifted_forc
 STICKSLIP_JSON(SofterBeam, larger, all, lowest_ratio, at_hz)
 STICKSLIP_JSON(LateSlips, range, settled, later_range)
 STICKSLIP_JSON(Scope, friction_limit, steady, damped, slender, softer, late_slips)
-STICKSLIP_JSON(AxialDirectionPlane, figures, lowest_ratio, highest_ratio, flipped_share(), buckled_share())
+STICKSLIP_JSON(AxialDirectionPlane, figures, lost, lowest_ratio, highest_ratio, flipped_share(),
+               buckled_share())
 STICKSLIP_JSON(AxialDirectionForce, frequency_hz, ratio)
-STICKSLIP_JSON(ModelPlane, figures, flipped_share())
+STICKSLIP_JSON(ModelPlane, figures, lost, flipped_share())
 STICKSLIP_JSON(ModelForm, forces, planes, shear)
 STICKSLIP_JSON(ModelVariant, stiffness_ratio, damping_ratio)
-STICKSLIP_JSON(VariantPlane, variant, flipped_share())
+STICKSLIP_JSON(VariantPlane, variant, lost, flipped_share())
 STICKSLIP_JSON(PrintedCheck, printed, computed, method, allowed, because, left_open, error(), verdict(),
                agrees())
 STICKSLIP_JSON(ErratumEvidence, erratum, quantity, unit, as_printed, corrected, reference, tolerance,

@@ -21,7 +21,8 @@ struct ModelPlane {
   std::size_t cells{};     ///< with a stick state in both models
   std::size_t to_stick{};  ///< of these, slipping in the model of the paper and sticking in the other
   std::size_t to_slip{};   ///< the other way round
-  std::size_t lost{};      ///< cells that have a stick state in the model of the paper alone
+  /// Cells that have a stable stick state in the model of the paper alone, and are in no other number here.
+  std::size_t lost{};
   /// |f_max| in the other model over that in the model of the paper, over the cells.
   double lowest_ratio{std::numeric_limits<double>::infinity()}, highest_ratio{};
   [[nodiscard]] double flipped_share() const {
