@@ -444,8 +444,14 @@ FigureData growth(StudyResults& results) {
   const auto& series = results.history_growth();
   for (std::size_t k = 0; k < series.size(); ++k)
     for (const auto& run : series[k].runs)
-      table.add_numbers({static_cast<double>(k + 1), static_cast<double>(run.elements), run.time_step,
-                         run.spectral_radius, run.growth_bound, run.observed_growth, 100.0 * run.error});
+      table.add(static_cast<double>(k + 1))
+          .add(run.elements)
+          .add(run.time_step)
+          .add(run.spectral_radius)
+          .add(run.growth_bound)
+          .add(run.observed_growth)
+          .add(100.0 * run.error)
+          .end_row();
   FigureData data;
   data.values.push_back(
       {"beam", studies::beam_growth_bound(results.paper().beam, results.paper().friction), "1/s"});

@@ -6,7 +6,6 @@
 #include <cstddef>
 
 #include "studies/stick_slip/contact_growth.hpp"
-#include "studies/stick_slip/event_history.hpp"
 
 namespace stickslip::studies {
 
@@ -17,25 +16,6 @@ namespace {
 constexpr double highest_frequency_factor = 59.88;
 // The fraction of the range of y(L) at which the observation of a growth ends.
 constexpr double observed_until = 0.1;
-
-// Growth rate: slope of the logarithm of the largest difference in each period, from the first slip until it
-// reaches `limit`.
-double growth_rate(const TipHistory& a, const TipHistory& b, double period, double limit) {
-  if (a.events.empty()) return 0.0;
-  std::vector<double> times, logarithms;
-  const double start = a.events.front().time;
-  for (std::size_t i = 0; i < a.time.size();) {
-    const double from = start + static_cast<double>(times.size()) * period;
-    double largest = 0.0;
-    for (; i < a.time.size() && a.time[i] < from + period; ++i)
-      if (a.time[i] >= from)
-        largest = std::max(largest, std::abs(a.tip_displacement[i] - b.tip_displacement[i]));
-    if (largest > limit || largest == 0.0) break;
-    times.push_back(from);
-    logarithms.push_back(std::log(largest));
-  }
-  return times.size() < 3 ? 0.0 : linear_slope(times, logarithms);
-}
 
 solver::ContactSystem system_of(const data::Case& problem, const solver::BeamModel& mesh, double change,
                                 double radiating_share) {
@@ -76,6 +56,26 @@ TipHistory radiating_history(const solver::BeamModel& mesh, const solver::Contac
 }
 
 }  // namespace
+
+std::optional<double> growth_rate(const TipHistory& a, const TipHistory& b, double period, double limit) {
+  if (a.events.empty()) return std::nullopt;
+  const double start = a.events.front().time;
+  std::vector<double> times, logarithms;
+  std::size_t i = 0;
+  while (i < a.time.size() && a.time[i] < start) ++i;
+  for (;;) {
+    const double end = start + static_cast<double>(times.size() + 1) * period;
+    if (end > a.time.back()) break;
+    double largest = 0.0;
+    for (; a.time[i] < end; ++i)
+      largest = std::max(largest, std::abs(a.tip_displacement[i] - b.tip_displacement[i]));
+    if (largest > limit || largest == 0.0) break;
+    times.push_back(end);
+    logarithms.push_back(std::log(largest));
+  }
+  if (times.size() < 3) return std::nullopt;
+  return linear_slope(times, logarithms);
+}
 
 double time_step_of(const StepRule& rule, const data::Beam& beam, int elements) {
   if (rule.angle == 0.0) return rule.time_step;

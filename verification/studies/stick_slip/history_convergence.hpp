@@ -4,12 +4,14 @@
 /// Whether undamped histories by generalised-alpha converge to that of the beam, and whether the growth bound
 /// (contact_growth.hpp) predicts this.
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
 #include "studies/convergence/convergence.hpp"
 #include "studies/stick_slip/converged_history.hpp"
+#include "studies/stick_slip/event_history.hpp"
 
 namespace stickslip::studies {
 
@@ -21,18 +23,23 @@ struct HistoryRun {
   int elements{};
   double time_step{};  ///< h, s
   double spectral_radius{};
-  double highest_angle{};    ///< omega_max h, where omega_max is the highest frequency of the mesh
-  double growth_bound{};     ///< sigma* of mesh and step, 1/s
-  double observed_growth{};  ///< growth rate of a perturbation, 1/s; 0 if it is not asked for
-  double error{};            ///< largest |difference| of y(L) from the converged history, over its range
-  int changes{};             ///< number of changes of contact
+  double highest_angle{};  ///< omega_max h, where omega_max is the highest frequency of the mesh
+  double growth_bound{};   ///< sigma* of mesh and step, 1/s
+  std::optional<double> observed_growth{};  ///< growth_rate() of a perturbation, 1/s, if asked for
+  double error{};  ///< largest |difference| of y(L) from the converged history, over its range
+  int changes{};   ///< number of changes of contact
 };
 
-/// One run with its growth bound and its error. The observed growth is the slope of the logarithm of the
-/// largest difference in each period of the load, from the first slip to a tenth of the range; it is 0 if
-/// there are fewer than three periods. `time_step` is reduced so that it divides the spacing of the
-/// reference. With radiating_share > 0, this fraction of the element mass rho A l is attached to the tip by a
-/// dashpot of kappa (with_radiating_contact()). Throws what solver::BeamSimulation throws.
+/// The rate, 1/s, at which two histories at the same times separate: the slope of the logarithm of the largest
+/// |difference| of y(L) in each whole period (s) from the first event of `a` on, before the first period in which it
+/// exceeds `limit` (m). Nothing if there are fewer than three such periods.
+[[nodiscard]] std::optional<double> growth_rate(const TipHistory& a, const TipHistory& b, double period,
+                                                double limit);
+
+/// One run with its growth bound and its error. The growth is observed in periods of the load, with a tenth of the range
+/// as limit. `time_step` is reduced so that it divides the spacing of the reference. With radiating_share > 0, this
+/// fraction of the element mass rho A l is attached to the tip by a dashpot of kappa (with_radiating_contact()). Throws
+/// what solver::BeamSimulation throws.
 [[nodiscard]] HistoryRun history_run(const data::Case& problem, const ConvergedHistory& reference,
                                      int elements, double time_step, double spectral_radius,
                                      bool observe_growth, double radiating_share = 0.0);

@@ -197,12 +197,14 @@ TEST_P(HistoryConvergenceLong, UndampedMeshesConvergeWhereTheStepKeepsTheirGrowt
       problem, reference, {"filtering step", studies::filtering_angle, 0.0, 0.0}, {10, 20, 40, 80}, 40);
   for (const auto& run : filtered.runs) {
     EXPECT_LT(run.growth_bound, 31.0);
-    EXPECT_LT(run.observed_growth, run.growth_bound);
+    if (run.elements <= 40) {
+      EXPECT_LT(run.observed_growth.value(), run.growth_bound);
+    }
   }
   EXPECT_LT(filtered.runs[3].error, 0.015);
   EXPECT_LT(filtered.runs[3].error, filtered.runs[1].error / 2.0);
   const auto resolved = studies::history_run(problem, reference, 20, 1.2e-6, 0.9, true);
-  EXPECT_LT(resolved.observed_growth, resolved.growth_bound);
+  EXPECT_LT(resolved.observed_growth.value(), resolved.growth_bound);
 }
 
 INSTANTIATE_TEST_SUITE_P(Hz, HistoryConvergenceLong, ::testing::Values(25.0, 35.0, 70.0), NameOfDouble());
