@@ -33,9 +33,10 @@ enum class ManufacturedTip {
 struct PredictedErrors {
   std::vector<double> error;
   std::vector<double> predicted;  ///< leading term; empty if there is no prediction
-  /// Estimated round-off error, about eps (sqrt(n) + 12 N^k) times the exact quantity. The rounding errors of
-  /// n steps add up like random ones, and on N elements the k-th derivative of the deflection multiplies the
-  /// nodal rounding error by 12 N^k.
+  /// Estimated round-off error, eps (sqrt(n) + 12 N^k) times the exact quantity: no bound, and nothing in it is fitted.
+  /// The errors eps of n steps add up to sqrt(n) eps if they are independent. Shape functions have k-th derivatives
+  /// of at most 12/l^k by their first nodal value, so that its rounding changes the k-th derivative of the deflection by
+  /// 12 N^k eps, if that derivative is of the size of the deflection over L^k.
   std::vector<double> floor;
   OrderEstimate order;
 
