@@ -76,6 +76,12 @@ studies::MapTask task_of(const Json& json) {
           .tolerance = json.at("tolerance")};
 }
 
+constexpr std::size_t most_parts = 1'000'000;
+
+bool is_part(const MapPart& part) {
+  return 1 <= part.part && part.part <= part.parts && part.parts <= most_parts;
+}
+
 constexpr std::size_t largest_shard = 500'000'000;  // bytes, more than the largest map takes
 
 // The first digits of the SHA-256 digest of a line; that of a record depends on the first line of the file, too.
@@ -219,12 +225,11 @@ std::vector<studies::MotionQuantity> quantities_named(const std::vector<std::str
 }
 
 MapPart parse_part(std::string_view text) {
-  constexpr std::size_t most_parts = 1'000'000;
   const std::size_t slash = text.find('/');
   const auto part = parse<std::size_t>(text.substr(0, slash));
   const auto parts =
       slash == std::string_view::npos ? std::nullopt : parse<std::size_t>(text.substr(slash + 1));
-  if (!part || !parts || *part < 1 || *part > *parts || *parts > most_parts)
+  if (!part || !parts || !is_part({*part, *parts}))
     throw data::FieldError("--shard", fmt::format("'{}'", data::printable(text)),
                            fmt::format("K/M with integers 1 <= K <= M <= {}", most_parts));
   return {*part, *parts};
@@ -265,14 +270,16 @@ MergedMap merged(const std::vector<std::string>& files) {
     if (header->value("program", "") != program())
       fail(fmt::format("was made by {}, but must be by {}", header->value("program", "another program"),
                        program()));
+    const MapPart part{.part = header->at("part"), .parts = header->at("parts")};
+    if (!is_part(part))
+      fail(fmt::format("is shard {} of {}, but must be one of 1 to {}", part.part, part.parts, part.parts));
     if (!map) {
       map = MergedMap{task_of(*header), studies::MapEvaluations()};
       map->evaluations.resize(studies::evaluation_count(map->task));
       first = *header;
-      file_of_part.resize(header->at("parts").get<std::size_t>());
+      file_of_part.resize(part.parts);
     }
     if (const auto why = difference(*header, first)) fail("is a shard of another map: " + *why);
-    const MapPart part{.part = header->at("part"), .parts = file_of_part.size()};
     if (!file_of_part[part.part - 1].empty())
       fail(
           fmt::format("is shard {} of {}, but so is {}", part.part, part.parts, file_of_part[part.part - 1]));

@@ -262,11 +262,20 @@ TEST_F(MapShards, ThatAreMissingDoubleForeignOrDamagedDoNotMerge) {
   expect_refused(merge(3), "shard-2 is not finished: it holds 4 of 5 evaluations");
   std::ofstream("shard-2") << "length_m\n";
   expect_refused(merge(3), "shard-2 is no shard of a map");
-  // By another version of the program: a first line whose check, 16 digits of its digest, is right.
+  // First lines whose check, 16 digits of their digest, is right: by another version of the program, and of no part.
   const std::string by = good.substr(12, good.find('"', 12) - 12);
   const std::string first = good.substr(0, good.find('\n') - 17);
-  const std::string line = R"({"program":"another one)" + first.substr(12 + by.size());
-  std::ofstream("shard-2") << line << ',' << data::sha256(line).substr(0, 16) << '\n';
+  const auto write = [](const std::string& line) {
+    std::ofstream("shard-2") << line << ',' << data::sha256(line).substr(0, 16) << '\n';
+  };
+  for (const std::string part : {"0", "4"}) {
+    std::string line = first;
+    const std::string entry = R"("part":2)";
+    line.replace(line.find(entry), entry.size(), R"("part":)" + part);
+    write(line);
+    expect_refused(merge(3), "shard-2 is shard " + part + " of 3, but must be one of 1 to 3\n");
+  }
+  write(R"({"program":"another one)" + first.substr(12 + by.size()));
   expect_refused(merge(3), "shard-2 was made by another one, but must be by " + by + "\n");
   (void)made(closed_form + shard(7, 7), "shard-7");
   expect_refused("map --merge " + name(7), "shard 1, 2, 3, 4, 5 and 1 more of 7 are missing beside shard-7");
