@@ -204,8 +204,9 @@ double first_stick_position(const data::Case& problem, const Settings& at) {
   const TipHistory history =
       time_stepper_history(problem.beam, problem.friction, problem.excitation,
                            refined(at, at.elements(), at.time_step()), {}, first_stick_duration);
-  const auto events = without_micro_sticks(history.events, ConvergedEffort{}.shortest_stick);
-  return std::ranges::find(events, false, &HistoryEvent::onset)->position;
+  return first_capture(without_micro_sticks(history.events, ConvergedEffort{}.shortest_stick))
+      .value()
+      .position;
 }
 
 // What the first slip leaves, against the boundary integral. There is no theory of its error.
@@ -221,7 +222,7 @@ void add_first_sticks(const data::Case& paper, std::vector<Plan>& plans) {
     plans.push_back({fmt::format("figure{}.first_stick", panel),
                      fmt::format("y(L) after the first slip, Fig. {}", panel), "m", true,
                      [=](const Settings& at) { return first_stick_position(problem, at); },
-                     reference.sticks.front().position, nullptr});
+                     reference.sticks.at(0).position, nullptr});
   }
 }
 

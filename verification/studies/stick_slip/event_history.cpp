@@ -22,6 +22,11 @@ std::vector<HistoryEvent> without_micro_sticks(const std::vector<HistoryEvent>& 
   return kept;
 }
 
+std::optional<HistoryEvent> first_capture(const std::vector<HistoryEvent>& events) {
+  const auto found = std::ranges::find(events, false, &HistoryEvent::onset);
+  return found == events.end() ? std::nullopt : std::optional(*found);
+}
+
 TipHistory event_driven_history(const analytic::ContactModel& model, double duration, double sample,
                                 double tolerance) {
   analytic::EventDriven run(model, {.tolerance = tolerance});

@@ -3,6 +3,7 @@
 
 /// Stick-slip histories of all methods in one format, so that they can be compared event by event.
 
+#include <optional>
 #include <vector>
 
 #include "stickslip/analytic/event_driven.hpp"
@@ -32,6 +33,9 @@ struct TipHistory {
 /// stick phase at the beginning or at the end of the history.
 [[nodiscard]] std::vector<HistoryEvent> without_micro_sticks(const std::vector<HistoryEvent>& events,
                                                              double shortest_stick);
+
+/// The first change from slip to stick, if there is one.
+[[nodiscard]] std::optional<HistoryEvent> first_capture(const std::vector<HistoryEvent>& events);
 
 /// An event-driven run from the quasi-static initial state, sampled every `sample` seconds.
 [[nodiscard]] TipHistory event_driven_history(const analytic::ContactModel& model, double duration,

@@ -48,6 +48,15 @@ TEST(MicroSticks, OfAChatterAreMergedOneAfterTheOther) {
   EXPECT_EQ(times_of(studies::without_micro_sticks(chatter, 0.1)), (std::vector<double>{1.0, 3.0}));
 }
 
+TEST(MicroSticks, LeaveNoCaptureWhereThereIsNone) {
+  const std::vector<HistoryEvent> events{
+      {true, 1.0, 0.0}, {false, 2.0, 0.1}, {true, 2.01, 0.1}, {false, 3.0, 0.2}};
+  EXPECT_EQ(studies::first_capture(events).value().position, 0.1);
+  EXPECT_EQ(studies::first_capture(studies::without_micro_sticks(events, 0.1)).value().position, 0.2);
+  EXPECT_FALSE(studies::first_capture({{true, 1.0, 0.0}}).has_value());
+  EXPECT_FALSE(studies::first_capture({}).has_value());
+}
+
 STICKSLIP_VERIFIES(EventDifferences, "X9");
 TEST(EventDifferences, AreInfiniteBetweenDifferentSequences) {
   const std::vector<HistoryEvent> a{{true, 1.0, 0.0}, {false, 2.0, 0.1}}, b{{true, 1.5, 0.25}};
