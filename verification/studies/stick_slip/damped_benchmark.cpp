@@ -53,7 +53,8 @@ class Benchmark {
     const int fewer_modes = static_cast<int>(std::lround(effort_.modes / std::numbers::sqrt2));
     const auto fewer = events_of(held(fewer_modes));
     const auto rougher = events_of(held(fewer_modes, 1e-10));
-    if (std::isinf(largest_difference(fewer, reference_, reference_.size()).time))
+    if (fewer.size() != reference_.size() ||
+        std::isinf(largest_difference(fewer, reference_, reference_.size()).time))
       throw std::runtime_error("the reference history has not converged: its events depend on the modes.");
     for (std::size_t i = 0; i < reference_.size(); ++i)
       result_.events.push_back({reference_[i], std::abs(reference_[i].time - fewer[i].time),

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <stdexcept>
 #include <vector>
 
 #include "stickslip/analytic/beam_contact_model.hpp"
@@ -87,6 +88,20 @@ TEST(DampedBenchmark, MeetsRecordedEvents) {
     EXPECT_TRUE(within(history.events[i].time, recorded[i].time, reference(2.5e-6, "the record")));
     EXPECT_TRUE(within(history.events[i].position, recorded[i].position, reference(1e-7, "the record")));
   }
+}
+
+// The third event falls at 0.07283 s with two modes and at 0.07295 s with three, whose first two they share.
+TEST(DampedBenchmark, RefusesAReferenceWithoutAnEventThatFewerModesHave) {
+  const auto with_duration = [](double duration) {
+    return studies::damped_benchmark(damped_problem(25.0), {.duration = duration,
+                                                            .modes = 3,
+                                                            .other_modes = {},
+                                                            .event_driven_elements = {},
+                                                            .elements = {},
+                                                            .time_steps = {}});
+  };
+  EXPECT_EQ(with_duration(0.0728).events.size(), 2u);
+  EXPECT_THROW((void)with_duration(0.0729), std::runtime_error);
 }
 
 class DampedBenchmark : public ::testing::TestWithParam<double> {};
