@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <memory>
-
 #include "contact_motion.hpp"
 
 namespace stickslip::solver {
 
-/// A ContactScheme: decides when the contact changes.
-class ContactDriver {
- public:
-  virtual ~ContactDriver() = default;
+/// A ContactScheme, which decides when the contact changes: takes the motion towards end_time, the end of its grid step:
+/// there, or to a change of the contact.
+using ContactDriver = void (*)(ContactMotion& motion, double end_time);
 
-  /// Takes the motion towards end_time, the end of its grid step: there, or to a change of the contact.
-  virtual void advance(ContactMotion& motion, double end_time) const = 0;
-};
-
-[[nodiscard]] std::unique_ptr<const ContactDriver> make_driver(const ContactMotion& motion);
+[[nodiscard]] ContactDriver driver_of(const ContactMotion& motion);
 
 }  // namespace stickslip::solver

@@ -13,7 +13,7 @@
 
 namespace stickslip::solver {
 
-/// The motion of a ContactSystem, phase by phase. The drivers of contact_driver.hpp decide when a phase ends.
+/// The motion of a ContactSystem, phase by phase. The functions of contact_driver.hpp decide when a phase ends.
 class ContactMotion {
  public:
   ContactMotion(ContactSystem system, const IntegratorSettings& settings);

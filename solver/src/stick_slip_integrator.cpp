@@ -9,7 +9,7 @@
 namespace stickslip::solver {
 
 StickSlipIntegrator::StickSlipIntegrator(ContactSystem system, const IntegratorSettings& settings)
-    : motion_(std::make_unique<ContactMotion>(std::move(system), settings)), driver_(make_driver(*motion_)) {}
+    : motion_(std::make_unique<ContactMotion>(std::move(system), settings)), advance_(driver_of(*motion_)) {}
 
 StickSlipIntegrator::~StickSlipIntegrator() = default;
 
@@ -24,7 +24,7 @@ void StickSlipIntegrator::start_slipping(const Eigen::VectorXd& displacement,
 
 void StickSlipIntegrator::step() {
   const double end_time = motion_->begin_step();
-  while (motion_->time() < end_time) driver_->advance(*motion_, end_time);
+  while (motion_->time() < end_time) advance_(*motion_, end_time);
   motion_->end_step();
 }
 

@@ -62,7 +62,6 @@ struct IntegratorSettings {
 };
 
 class ContactMotion;
-class ContactDriver;
 
 /// Time integration of a ContactSystem by the generalised-alpha method, on the grid t_n = n h, with contact
 /// changes located inside the step.
@@ -148,7 +147,7 @@ class StickSlipIntegrator {
 
  private:
   std::unique_ptr<ContactMotion> motion_;
-  std::unique_ptr<const ContactDriver> driver_;
+  void (*advance_)(ContactMotion&, double end_time);
 };
 
 }  // namespace stickslip::solver
