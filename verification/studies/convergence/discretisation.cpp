@@ -80,7 +80,9 @@ NumericalOscillation generalized_alpha_oscillation(double spectral_radius, doubl
   const Eigen::Vector3cd eigenvalues = amplification_eigenvalues(spectral_radius, angle);
   const Complex principal = *std::max_element(eigenvalues.begin(), eigenvalues.end(),
                                               [](Complex a, Complex b) { return a.imag() < b.imag(); });
-  // In a very short step the matrix has a double eigenvalue but for rounding. The search then begins at exp(i omega h).
+  // In a very short step the matrix has a double eigenvalue but for rounding. The search then begins at exp(i omega h),
+  // which is near the eigenvalue in short steps alone: from omega h = 0.3 on three steps of Newton's method are too few,
+  // and from 2.2 on it ends at another eigenvalue (found by trial).
   const Complex start =
       angle < 1e-3 ? Complex(-2.0 * std::pow(std::sin(0.5 * angle), 2), std::sin(angle)) : principal - 1.0;
   const Complex d = polished(spectral_radius, angle * angle, start);
