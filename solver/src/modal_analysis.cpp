@@ -27,7 +27,7 @@ Eigen::VectorXd with_tip_deflection_zero(const Eigen::VectorXd& reduced, Eigen::
   return full;
 }
 
-// phi^T M phi = 1 and a positive first rotation: the deflection next to the clamp is upward.
+// phi^T M phi = 1 and a deflection of the first node that is not negative.
 Eigen::VectorXd normalised(Eigen::VectorXd shape, const SparseMatrix& mass) {
   shape /= std::sqrt(shape.dot(mass * shape));
   return shape[0] < 0.0 ? Eigen::VectorXd(-shape) : shape;

@@ -15,11 +15,11 @@ namespace stickslip::analytic {
 ///
 ///     u(x,t) = sigma(x) u_L(t) + sum_n U_n(x) T_n(t),     w(t) = V t - h(t),     y = h + u,
 ///
-/// and, by Galerkin's method on rho A u_tt + EI (u + eta u_t)_xxxx + P u_xx = -rho A h_tt with the follower
-/// condition EI (u + eta u_t)'''(L) = -f_d,
+/// and, by Galerkin's method on rho A u_tt + EI (u + eta u_t)_xxxx + P u_xx = -rho A h_tt with the condition EI
+/// (u + eta u_t)'''(L) + chi P u'(L) = -f_d,
 ///
 ///     a_n = rho A int U_n sigma dx,    m_c = rho A int sigma^2 dx,    k_c = -EI sigma'''(L) - P sigma'(L),
-///     l_n = P U_n'(L),    l_c = P sigma'(L),    b = A0 Omega^2 rho A int (U_n, sigma) dx.
+///     l_n = (1 - chi) P U_n'(L),    l_c = (1 - chi) P sigma'(L),    b = A0 Omega^2 rho A int (U_n, sigma) dx.
 ///
 /// Kelvin-Voigt damping is eta times the bending stiffness, K + P int u' u' dx. Modal damping gives the
 /// fraction zeta of critical to every mode of the same space with its tip free and P = 0.

@@ -32,7 +32,7 @@ struct DampedReaction {
     std::complex<double> sine, cosine;  ///< u_k, N s/m; v_k, N/m
     std::complex<double> start;         ///< z_k(0)/Omega, N s/m: 0 if the tip is held
   };
-  double quasi_static{};  ///< s = EI S'''(L), N/m
+  double quasi_static{};  ///< s = EI S'''(L) + chi P S'(L), N/m
   double inertia{};       ///< m, N s^2/m; that of what is not in the N modes, 0 for SteadyPart::modal_sum
   double rate{};          ///< r, N s/m
   std::vector<Share> shares;

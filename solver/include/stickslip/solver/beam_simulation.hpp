@@ -75,8 +75,8 @@ struct BeamRun {
                                                 const data::Wall& wall = {});
 
 /// The beam of the paper by finite elements: built, started with its tip at rest and stepped through
-/// time. Displacements are absolute (y = h + u); friction_force() has the sign of Eq. (28), f = EI u'''(L) =
-/// -f_d.
+/// time. Displacements are absolute (y = h + u); friction_force() has the sign of Eq. (28), f = EI u'''(L) +
+/// chi P u'(L) = -f_d.
 class BeamSimulation {
  public:
   /// Uses elements, time_step, spectral_radius and velocity_threshold of `numerics`. Throws what damping_matrix() throws,
@@ -98,13 +98,14 @@ class BeamSimulation {
   /// See StickSlipIntegrator::observe.
   void observe(StickSlipIntegrator::Observer observer) { integrator_->observe(std::move(observer)); }
 
-  [[nodiscard]] double time() const noexcept { return integrator_->time(); }                 ///< s
-  [[nodiscard]] double base_displacement() const;                                            ///< h, m
-  [[nodiscard]] double displacement(double x) const;                                         ///< y(x), m
-  [[nodiscard]] double tip_displacement() const;                                             ///< y(L), m
-  [[nodiscard]] double midspan_displacement() const;                                         ///< y(L/2), m
-  [[nodiscard]] double sliding_velocity() const { return integrator_->sliding_velocity(); }  ///< y_t(L), m/s
-  [[nodiscard]] double friction_force() const { return -integrator_->friction_force(); }     ///< f, N
+  [[nodiscard]] double time() const noexcept { return integrator_->time(); }  ///< s
+  [[nodiscard]] double base_displacement() const;                             ///< h, m
+  [[nodiscard]] double displacement(double x) const;                          ///< y(x), m
+  [[nodiscard]] double tip_displacement() const;                              ///< y(L), m
+  [[nodiscard]] double midspan_displacement() const;                          ///< y(L/2), m
+  /// v_s = y_t(L) - V, m/s.
+  [[nodiscard]] double sliding_velocity() const { return integrator_->sliding_velocity(); }
+  [[nodiscard]] double friction_force() const { return -integrator_->friction_force(); }  ///< f, N
   [[nodiscard]] ContactState state() const noexcept { return integrator_->state(); }
   [[nodiscard]] const BeamModel& model() const noexcept { return model_; }
   [[nodiscard]] const StickSlipIntegrator& integrator() const noexcept { return *integrator_; }

@@ -12,7 +12,7 @@ namespace stickslip::solver {
 /// One natural mode of a mesh.
 struct FiniteElementMode {
   double angular_frequency{};  ///< rad/s
-  /// All degrees of freedom of the model, phi^T M phi = 1, positive curvature at x = 0.
+  /// All degrees of freedom of the model, phi^T M phi = 1, the deflection of the first node not negative.
   Eigen::VectorXd shape;
 };
 
