@@ -77,8 +77,8 @@ if (quantity) {
   set cblabel quantity_names[int(quantity)] offset -0.5
 } else {
   eval ratio_palette
-  set cbrange [-1.5:1.5]
-  set cbtics ('≤ 1/30' -1.5, '1/10' -1, '1/3' log10(1/3.0), '1' 0, '3' log10(3), '10' 1, '≥ 30' 1.5)
+  set cbrange [-log10(30):log10(30)]
+  set cbtics ('≤ 1/30' -log10(30), '1/10' -1, '1/3' -log10(3), '1' 0, '3' log10(3), '10' 1, '≥ 30' log10(30))
   set cblabel '|f_{max}| / (μ_sP)' offset -0.5
 }
 set key above horizontal center samplen 3

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
-# Stability of steady sliding over the speed of the wall and the damping ratio: the growth rate by colour, its contour 0.
+# Stability of steady sliding over the speed of the wall and the damping ratio: the sign of the growth rate by colour, and its
+# contour 0. What does not occur is not in the key.
 width = 16
 height = 10
 load 'style.gp'
 file = folder.'squeal.csv'
+stats file using ($3 > 0 ? 1 : 0) name 'squeal' nooutput
 set contour base
 unset surface
 set cntrparam levels discrete 0
@@ -21,15 +23,16 @@ set xlabel 'speed of the wall / (m/s)'
 set ylabel 'damping ratio ζ' offset 1
 set xrange [*:*] noextend
 set yrange [*:*] noextend
-set key above horizontal center samplen 3
+set key above horizontal center samplen 3 maxrows 1
 set margins screen 0.105, screen 0.97, screen 0.125, screen 0.90
 unset grid
 set tics out
 unset colorbox
 set cbrange [0:1]
 eval sprintf("set palette defined (0 '%s', 1 '%s')", stick_fill, slip_fill)
-limit = |$limit| > 4 ? '$limit using 1:2' : 'NaN'
-set label 1 'steady' at graph 0.97, graph 0.95 right front
-set label 2 'squeal' at graph 0.03, graph 0.05 left front
+limit = |$limit| > 4 ? '$limit using 1:2' : 'NaN'  # there are four lines of comment where there is no contour
+limit_title = limit eq 'NaN' ? '' : 'limit of stability'
 plot $cells using 1:2:3 with image notitle, \
-     @limit with lines linecolor rgb black linewidth 1.2 title 'a disturbance neither grows nor decays'
+     @limit with lines linecolor rgb black linewidth 1.2 title limit_title, \
+     for [i = squeal_min:0] keyentry with boxes linecolor rgb stick_fill fillstyle solid title 'steady', \
+     for [i = 1:squeal_max] keyentry with boxes linecolor rgb slip_fill fillstyle solid title 'squeal'
