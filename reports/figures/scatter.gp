@@ -26,7 +26,7 @@ set ytics 100
 set xlabel 'reference (SI units)'
 set ylabel 'computed (SI units)'
 plot x with lines linestyle 3 notitle, \
-     file using (is('closed form', 0) ? $5 : NaN):4 with points pointtype 4 pointsize 0.8 linewidth 1.2 \
+     file using (is('mesh-free', 0) ? $5 : NaN):4 with points pointtype 4 pointsize 0.8 linewidth 1.2 \
        linecolor rgb blue title sprintf('finite elements (%d)', exact_count), \
      '' using (is('printed', 0) ? $5 : NaN):4 with points pointtype 7 pointsize 0.5 \
        linecolor rgb vermillion title sprintf('printed numbers (%d)', printed_count), \
@@ -49,7 +49,7 @@ set ytics ('−10^{−1}' squeezed(-1e-1), '−10^{−2}' squeezed(-1e-2), '−1
     '10^{−1}' squeezed(1e-1))
 set samples 2
 plot 0 with lines linestyle 3, \
-     file using (is('closed form', 0) ? $5 : NaN):(squeezed($6)) with points pointtype 4 pointsize 0.8 linewidth 1.2 \
+     file using (is('mesh-free', 0) ? $5 : NaN):(squeezed($6)) with points pointtype 4 pointsize 0.8 linewidth 1.2 \
        linecolor rgb blue, \
      '' using (is('printed', 0) ? $5 : NaN):(squeezed($6)) with points pointtype 7 pointsize 0.5 \
        linecolor rgb vermillion, \

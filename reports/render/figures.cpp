@@ -11,15 +11,12 @@
 #include "render/map_figure.hpp"
 #include "stickslip/data/paper.hpp"
 #include "stickslip/solver/contact_system.hpp"
+#include "studies/common/problem_parameter.hpp"
 #include "studies/stick_slip/contact_growth.hpp"
 
 namespace stickslip::report {
 
 namespace {
-
-std::string word_of(bool slips) { return slips ? "stick-slip" : "stick"; }
-
-std::string state_of(const studies::ModeShapeStudy::Curve& curve) { return curve.slip ? "slip" : "stick"; }
 
 // Four tip histories of one amplitude; panel i has the values hz<i> and slips<i>, and the columns 2 i and 2 i
 // + 1.
@@ -230,7 +227,7 @@ FigureData figure12(StudyResults& results) {
                                                                                    {"in_guard_band", "1"}});
   for (const auto& point : results.classification().points)
     points.add_row({csv_number(point.frequency_hz), csv_number(point.amplitude),
-                    word_of(point.closed_form_slips), word_of(point.finite_element_slips),
+                    verdict_of(point.closed_form_slips), verdict_of(point.finite_element_slips),
                     point.in_guard_band ? "1" : "0"});
   FigureData data;
   data.tables.push_back({"fig12", std::move(points)});
@@ -246,7 +243,7 @@ constexpr const char* excitation_letters[] = {"A", "C", "B", "D"};
 // frequency, amplitudes ascending: every hertz, and the points within 2 Hz of a natural frequency every 0.25
 // Hz.
 FigureData figure10(StudyResults& results) {
-  const double limit = results.paper().friction.static_coefficient() * results.paper().beam.axial_force();
+  const double limit = studies::friction_limit(results.paper());
   const auto near_resonance = [&](double hz) {
     return std::ranges::any_of(results.stick_frequencies().modes,
                                [&](const auto& mode) { return std::abs(hz - mode.closed_form_hz) < 2.0; });
@@ -491,7 +488,7 @@ FigureData scatter(StudyResults& results) {
                                                               {"computed", "SI"},
                                                               {"expected", "SI"},
                                                               {"relative_difference", "1"}});
-  const auto values = checked_results(results);
+  const auto values = checked_results(results.printed_checks(), results.solution_verification());
   for (const auto& value : values) {
     std::string what = value.what;
     std::ranges::replace(what, ',', ';');
@@ -499,7 +496,7 @@ FigureData scatter(StudyResults& results) {
                    csv_number(value.expected), csv_number(value.relative_difference())});
   }
   FigureData data;
-  for (const auto& [name, reference] : {std::pair{"printed", "printed"}, {"exact", "closed form"}}) {
+  for (const auto& [name, reference] : {std::pair{"printed", "printed"}, {"exact", "mesh-free"}}) {
     const Differences differences = differences_from(values, reference);
     data.values.push_back({fmt::format("{}_count", name), static_cast<double>(differences.count), "1"});
     data.values.push_back({fmt::format("{}_bias", name), differences.bias, "1"});

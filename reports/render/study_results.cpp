@@ -296,13 +296,12 @@ const std::vector<studies::HistoryRefinement>& StudyResults::history_refinements
 
 const std::vector<studies::EnergyAudit>& StudyResults::energy_audits() {
   return once("energy_audits", "energy balance", [&] {
-    data::Case undamped = damped_;
-    undamped.damping = data::Damping();
     const auto audit = [](const data::Case& problem, const std::vector<int>& elements) {
       return studies::energy_audit(problem, energy_audit_duration, elements, continuous_modes,
                                    energy_audit_steps);
     };
-    return std::vector{audit(damped_, damped_audit_elements), audit(undamped, undamped_audit_elements)};
+    return std::vector{audit(damped_, damped_audit_elements),
+                       audit(undamped_at(damped_.excitation.frequency_hz()), undamped_audit_elements)};
   });
 }
 

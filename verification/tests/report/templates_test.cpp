@@ -1,22 +1,30 @@
 // SPDX-License-Identifier: MIT
-/// The templates of the report: what is filled in, and what is refused.
+/// The templates of the report: what is filled in, what is refused, and the numbers that are drawn from studies.
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <numbers>
+#include <sstream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "render/document.hpp"
+#include "render/figures.hpp"
+#include "render/findings.hpp"
 #include "render/json_text.hpp"
 #include "render/output_folder.hpp"
 #include "render/report.hpp"
 #include "render/text_file.hpp"
 #include "stickslip/data/input_error.hpp"
+#include "stickslip/data/paper.hpp"
 #include "support/requirements.hpp"
 
 namespace stickslip {
@@ -230,6 +238,329 @@ TEST_F(TestResults, AreRefusedWhereThereAreNoneOrTheyCannotBeRead) {
     write("unit.A.xml", "A", "Holds", "<properties>" + broken + "</properties>");
     EXPECT_THROW((void)read(), data::InputError) << broken;
   }
+}
+
+// Results of studies with numbers that differ from each other, so that one taken for another shows.
+STICKSLIP_VERIFIES(Findings, "U5");
+TEST(Findings, AreTheLargestDifferencesOfTwoRoutesToAForce) {
+  const double printed = data::printed_number("force_max.15").value;
+  const studies::ForceMaximumStudy row{.frequency_hz = 15.0,
+                                       .sampled = 1.01 * printed,
+                                       .truncated = {1.01 * printed, 1.03 * printed},
+                                       .converged = {1.04 * printed, 1.06 * printed},
+                                       .finite_element = 1.10 * printed,
+                                       .predicted_finite_element = 1.15 * printed};
+  studies::ForceMaximumStudy exact = row;
+  for (double* value : {&exact.sampled, &exact.truncated.lower, &exact.truncated.upper,
+                        &exact.converged.lower, &exact.converged.upper, &exact.finite_element})
+    *value = exact.predicted_finite_element = printed;
+  for (const auto& rows : {std::vector{row, exact}, std::vector{exact, row}}) {
+    const json found = report::force_differences(rows);  // to the rounding of a quotient near 1
+    EXPECT_NEAR(found["sampling"].get<double>(), 1.0 - 1.01 / 1.02, 1e-15);
+    EXPECT_NEAR(found["truncation"].get<double>(), 1.0 - 1.02 / 1.05, 1e-15);
+    EXPECT_NEAR(found["discretisation"].get<double>(), 1.10 / 1.05 - 1.0, 1e-15);
+    EXPECT_NEAR(found["prediction"].get<double>(), 1.0 - 1.10 / 1.15, 1e-15);
+    EXPECT_NEAR(found["printed"].get<double>(), 0.01, 1e-15);
+  }
+}
+
+TEST(Findings, HoldThePointsOfTheGuardBandAlone) {
+  const studies::ClassificationStudy study{
+      .frequencies = {{5.0, 1e-3, 0.1, 0.2}, {10.0, 2e-3, 0.03, 0.04}},
+      .points = {{5.0, 0.5e-3, false, true, false}, {10.0, 2.1e-3, true, false, true}}};
+  const json points = report::guard_points(study);
+  ASSERT_EQ(points.size(), 1U);
+  EXPECT_EQ(points[0]["frequency_hz"], 10.0);
+  EXPECT_EQ(points[0]["amplitude"], 2.1e-3);
+  EXPECT_NEAR(points[0]["distance"].get<double>(), 0.05, 1e-15);
+  EXPECT_DOUBLE_EQ(points[0]["relative_guard"], 0.07);
+  EXPECT_EQ(points[0]["closed_form"], "stick-slip");
+  EXPECT_EQ(points[0]["finite_element"], "stick");
+}
+
+TEST(Findings, CompareHalfTheStiffnessWithTheWhole) {
+  std::vector<studies::CriticalAmplitudePoint> full, half;
+  for (int i = 1; i <= 21; ++i) {
+    full.push_back({1.0, 2.0});
+    half.push_back({0.7, 2.0 * (22 - i)});
+  }
+  const json ratio = report::half_stiffness_ratio(full, half);
+  EXPECT_EQ(ratio["median"], 11.0);
+  EXPECT_EQ(ratio["low_tenth"], 3.0);
+  EXPECT_EQ(ratio["high_tenth"], 19.0);
+}
+
+TEST(Findings, CountAPanelOnlyIfPaperCriterionAndFiniteElementsAgree) {
+  std::vector<studies::ContactHistory> panels;  // of Figs. 4a to 5d
+  for (const auto& verdict : data::printed_verdicts()) {
+    const bool slips = verdict.verdict == "stick-slip";
+    panels.emplace_back();
+    panels.back().criterion_slips = slips;
+    if (slips) panels.back().closed_form_slip = panels.back().finite_element_slip = 0.25;
+  }
+  EXPECT_EQ(report::histories(panels)["verdicts_agreeing"], 8);
+  panels[0].criterion_slips = true;
+  panels[2].finite_element_slip = 0.5;
+  panels[5].finite_element_slip.reset();
+  panels[6].finite_element_slip = 0.125;
+  panels[7].converged.emplace();
+  panels[7].converged->tip_half_width = {0.0, 0.5};
+  panels[7].converged->tip_range = 2.0;
+  const json found = report::histories(panels);
+  EXPECT_EQ(found["verdicts_agreeing"], 5);
+  EXPECT_EQ(found["first_slip_difference"], 0.125);
+  EXPECT_EQ(found["half_width"], 0.25);
+}
+
+TEST(Findings, TakeTheDifferencesOfTheFinestStepOnTheFinestMesh) {
+  const auto run = [](int size, double step, double difference) {
+    return studies::BenchmarkRun{.method = "",
+                                 .size = size,
+                                 .time_step = step,
+                                 .first_ten = {difference, 2.0 * difference},
+                                 .all = {3.0 * difference, 4.0 * difference},
+                                 .each = {}};
+  };
+  studies::DampedBenchmark low;
+  low.kelvin_voigt = 1e-3;
+  low.runs = {run(40, 2e-5, 100.0), run(40, 1e-5, 1.0), run(20, 1e-6, 200.0), run(80, 0.0, 300.0)};
+  low.events.resize(3);
+  low.history.events.resize(7);
+  studies::DampedBenchmark high = low;
+  high.runs = {run(40, 1e-5, 2.0), run(40, 2e-5, 100.0)};
+  high.history.events.resize(5);
+  const json found = report::benchmark_extremes({low, high}, 25.0);
+  EXPECT_EQ(found["elements"], 40);
+  EXPECT_EQ(found["time_step"], 1e-5);
+  EXPECT_EQ(found["first_ten"], json({{"time", 2.0}, {"position", 4.0}}));
+  EXPECT_EQ(found["all"], json({{"time", 6.0}, {"position", 8.0}}));
+  EXPECT_EQ(found["events"], 6);
+  EXPECT_EQ(found["merged_sticks"], 3);
+  EXPECT_DOUBLE_EQ(found["damping_ratio"], std::numbers::pi * 0.025);  // eta omega_1/2
+
+  low.runs[1].all.time = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(std::isnan(report::benchmark_extremes({low, high}, 25.0)["all"]["time"].get<double>()));
+}
+
+TEST(Findings, BalanceTheEnergyOfEachRun) {
+  studies::EnergyAudit audit;
+  audit.kelvin_voigt = 1e-3;
+  audit.modes = 20;
+  audit.event_driven = {.kinetic = 7.0,
+                        .potential = 2.0,
+                        .base_work = 4.0,
+                        .follower_work = 8.0,
+                        .damping_loss = 0.5,
+                        .friction_loss = 3.5};
+  audit.event_driven_initial = 3.0;
+  audit.time_step = {1e-4, 1e-5};
+  const solver::EnergyBalance stepped{.kinetic = 5.0,
+                                      .elastic = 6.0,
+                                      .base_work = 16.0,
+                                      .follower_work = -4.0,
+                                      .damping_loss = 1.5,
+                                      .friction_loss = 2.5,
+                                      .capture_loss = 0.25,
+                                      .initial_energy = 1.0};
+  solver::EnergyBalance coarse = stepped;
+  coarse.initial_energy = -1.0;
+  audit.meshes = {{.elements = 10, .stepped = {coarse, stepped}, .observed_order = {}}};
+  const json found = report::energy_balances({audit});
+  EXPECT_EQ(found["rows"][0], json({{"change", 6.0},
+                                    {"base_work", 4.0},
+                                    {"follower_work", 8.0},
+                                    {"damping_loss", 0.5},
+                                    {"friction_loss", 3.5},
+                                    {"residual", -2.0},
+                                    {"modes", 20},
+                                    {"kelvin_voigt", 1e-3}}));
+  EXPECT_EQ(found["rows"][1], json({{"change", 10.0},
+                                    {"base_work", 16.0},
+                                    {"follower_work", -4.0},
+                                    {"damping_loss", 1.5},
+                                    {"friction_loss", 2.5},
+                                    {"residual", 2.25},
+                                    {"elements", 10},
+                                    {"time_step", 1e-5},
+                                    {"kelvin_voigt", 1e-3}}));
+  EXPECT_EQ(found["event_driven"], 0.5);        // whatever its sign
+  EXPECT_EQ(found["unresolved"], 4.25 / 16.0);  // with any of the steps
+}
+
+TEST(Findings, HoldTheLargestDifferencesOfTheMotion) {
+  studies::BeamMotionStudy a, b;
+  a.peak = 2.0, a.difference = 0.5, a.half_width = 0.125;
+  a.stick_difference = 0.25, a.predicted_stick_difference = 1.0;
+  b.peak = 8.0, b.difference = 1.0, b.half_width = 1.0;
+  b.stick_difference = 0.125, b.predicted_stick_difference = 3.0;
+  EXPECT_EQ(report::motion({b, a}), json({{"stick_difference", 0.25},
+                                          {"predicted_stick_difference", 1.0},
+                                          {"difference", 0.25},
+                                          {"half_width", 0.125}}));
+}
+
+TEST(Findings, CompareEachValueWithItsReference) {
+  studies::PrintedCheck holds;
+  holds.printed.id = "a", holds.method = "hand";
+  holds.printed.value = 4.0, holds.computed = 5.0, holds.allowed = 1.0;
+  studies::PrintedCheck fails = holds;
+  fails.allowed = 0.5;
+  studies::VerifiedResult verified;
+  verified.reference = 8.0;
+  verified.levels = {{10, 0.0, 9.0}, {20, 0.0, 7.0}};
+  studies::SolutionVerification verification;
+  verification.results = {verified};
+  const auto values = report::checked_results({holds, fails}, verification);
+  ASSERT_EQ(values.size(), 3U);
+  EXPECT_EQ(values[0].what, "a by hand");
+  EXPECT_EQ(values[0].reference, "printed");
+  EXPECT_EQ(values[0].relative_difference(), 0.25);
+  EXPECT_FALSE(values[0].known_erratum);
+  EXPECT_TRUE(values[1].known_erratum);
+  EXPECT_EQ(values[2].reference, "mesh-free");
+  EXPECT_EQ(values[2].relative_difference(), 0.125);
+}
+
+TEST(Findings, HaveTheMeanAndTheStandardDeviationOfTheDifferences) {
+  const auto value = [](double computed, bool erratum = false, const char* reference = "printed") {
+    return report::CheckedResult{"", reference, computed, 1.0, erratum};
+  };
+  const auto found = report::differences_from(
+      {value(1.0), value(1.25), value(1.5), value(7.0, true), value(7.0, false, "mesh-free")}, "printed");
+  EXPECT_EQ(found.count, 3U);
+  EXPECT_DOUBLE_EQ(found.bias, 0.25);
+  EXPECT_DOUBLE_EQ(found.spread, 0.25);  // sqrt((0.25^2 + 0 + 0.25^2)/2)
+}
+
+// The tables of those figures that take no time.
+class FigureTables : public ReportTemplates {
+ protected:
+  using Rows = std::vector<std::vector<std::string>>;
+
+  void SetUp() override {
+    ReportTemplates::SetUp();
+    ::unsetenv("STICKSLIP_REPORTS");
+  }
+
+  report::FigureData figure(const std::string& name) {
+    return std::ranges::find(report::all_figures(), name, &report::Figure::name)->data(results_);
+  }
+
+  /// Without the title, the units and the names of the columns.
+  static Rows rows_of(const report::CsvTable& table) {
+    std::istringstream stream(table.text());
+    Rows rows;
+    for (std::string line; std::getline(stream, line);) {
+      if (line.empty() || line.front() == '#') continue;
+      std::istringstream cells(line);
+      rows.emplace_back();
+      for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
+    }
+    rows.erase(rows.begin());
+    return rows;
+  }
+
+  static double value_of(const report::FigureData& data, const std::string& name) {
+    return std::ranges::find(data.values, name, &report::FigureData::Value::name)->value;
+  }
+
+  report::StudyResults results_{[](const std::string&) {}, values()};
+};
+
+STICKSLIP_VERIFIES(FigureTables, "U5");
+TEST_F(FigureTables, HoldAFrictionThatOpposesTheSlidingVelocity) {
+  const auto rows = rows_of(figure("fig2").tables.front().table);
+  const auto& beam = results_.paper().beam;
+  const auto& law = results_.paper().friction;
+  int at_rest = 0;
+  for (const auto& row : rows) {
+    const double velocity = std::stod(row[0]), coefficient = std::stod(row[1]), force = std::stod(row[2]);
+    const double expected =
+        law.kinetic_coefficient() +
+        (law.static_coefficient() - law.kinetic_coefficient()) * std::exp(-law.decay() * std::abs(velocity));
+    EXPECT_DOUBLE_EQ(coefficient, expected);
+    EXPECT_DOUBLE_EQ(std::abs(force), expected * beam.axial_force());
+    EXPECT_LE(force * velocity, 0.0) << velocity;
+    if (velocity == 0.0) {
+      EXPECT_EQ(force > 0.0, at_rest == 0);
+      ++at_rest;
+    }
+  }
+  EXPECT_EQ(at_rest, 2);
+}
+
+TEST_F(FigureTables, HoldModesThatEndAtRestInStickAndMoveInSlip) {
+  const auto data = figure("fig7");
+  const auto rows = rows_of(data.tables.front().table);
+  for (std::size_t panel = 1; panel <= 6; ++panel) {
+    const bool slip = panel % 2 == 0;
+    const auto& study = slip ? results_.slip_frequencies() : results_.stick_frequencies();
+    EXPECT_DOUBLE_EQ(value_of(data, "hz" + std::to_string(panel)),
+                     study.modes[(panel - 1) / 2].closed_form_hz);
+    for (const std::size_t column : {2 * panel - 1, 2 * panel}) {
+      double largest = 0.0;
+      for (const auto& row : rows) largest = std::max(largest, std::abs(std::stod(row[column])));
+      EXPECT_NEAR(largest, 1.0, 1e-3);
+      EXPECT_NEAR(std::stod(rows.front()[column]), 0.0, 1e-12);
+      if (slip)
+        EXPECT_GT(std::abs(std::stod(rows.back()[column])), 0.5);
+      else
+        EXPECT_NEAR(std::stod(rows.back()[column]), 0.0, 1e-9);
+    }
+  }
+}
+
+TEST_F(FigureTables, HoldTheSameForcesInTheSurfaceOfFigure10AndInItsPoints) {
+  const auto data = figure("fig10");
+  const auto surface = rows_of(data.tables[0].table), points = rows_of(data.tables[1].table);
+  const std::vector<std::pair<std::string, std::string>> letters{
+      {"A", "15"}, {"C", "25"}, {"B", "35"}, {"D", "70"}};  // the paper's
+  ASSERT_EQ(points.size(), letters.size());
+  EXPECT_DOUBLE_EQ(value_of(data, "limit"), 300.0);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_EQ(points[i][0], letters[i].first);
+    EXPECT_EQ(points[i][1], letters[i].second);
+    const auto same = std::ranges::find_if(surface, [&](const auto& row) {
+      return row[0] == points[i][1] && std::abs(std::stod(row[1]) - std::stod(points[i][2])) < 1e-9;
+    });
+    ASSERT_NE(same, surface.end()) << points[i][0];
+    EXPECT_NEAR(std::stod((*same)[2]) / std::stod(points[i][3]), 1.0, 1e-4);  // two searches of one maximum
+  }
+}
+
+TEST_F(FigureTables, HoldTheCriticalAmplitudesOfEachStiffnessAtItsOwnFrequencies) {
+  const auto data = figure("fig13");
+  const double ratio = value_of(data, "half1") / value_of(data, "natural1");
+  EXPECT_NEAR(ratio, std::sqrt(0.5), 0.01);
+  EXPECT_GT(value_of(data, "natural2"), value_of(data, "half2"));
+  const auto curve = rows_of(figure("fig11").tables.front().table);
+  const auto rows = rows_of(data.tables.front().table);
+  ASSERT_EQ(rows.size(), curve.size());
+  double softer_bears_more = 0.0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_EQ(rows[i][0], curve[i][0]);
+    EXPECT_EQ(rows[i][1], curve[i][1]);
+    EXPECT_NEAR(std::stod(rows[i][2]), ratio * std::stod(rows[i][0]), 1e-12 * std::stod(rows[i][0]));
+    softer_bears_more += std::stod(rows[i][3]) > std::stod(rows[i][1]) ? 1.0 : 0.0;
+  }
+  EXPECT_GT(softer_bears_more / static_cast<double>(rows.size()), 0.9);
+}
+
+TEST_F(FigureTables, HoldTheErrorsOfEachMeshBesideTheirPrediction) {
+  const auto data = figure("convergence");
+  const auto meshes = rows_of(data.tables[0].table), steps = rows_of(data.tables[1].table);
+  for (const auto& row : meshes) {
+    EXPECT_DOUBLE_EQ(std::stod(row[3]) * std::stod(row[2]), results_.paper().beam.length());
+    if (row[0] == "stick" && row[1] == "1") {
+      EXPECT_NEAR(std::stod(row[4]) / std::stod(row[5]), 1.0, 0.05) << row[2];
+    }
+  }
+  const auto& study = results_.time_orders().front();
+  EXPECT_DOUBLE_EQ(std::stod(steps[0][0]), study.spectral_radius);
+  EXPECT_DOUBLE_EQ(std::stod(steps[0][1]), study.time_step[0]);
+  EXPECT_DOUBLE_EQ(std::stod(steps[0][2]), study.displacement_error[0]);
+  EXPECT_DOUBLE_EQ(std::stod(steps[0][3]), study.velocity_error[0]);
+  EXPECT_DOUBLE_EQ(std::stod(steps[0][4]), study.reaction_error[0]);
 }
 
 }  // namespace
