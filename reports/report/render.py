@@ -8,14 +8,15 @@
 Templates are written in Jinja2: << value | filter >>, <% statement %> and <# comment #>. <name> is what the
 program wrote to VALUES/<name>.json; to this come the tables of the paper in DATA/paper and what the
 mutation runs left in verification/mutants. A template says how many
-digits a number has and computes nothing: the filters fixed, sig, sci, compact and plain; percent, milli and micro
-change the unit. A value that is missing, and a number without a filter, is an error that names it.
+digits a number has and computes nothing: the filters fixed, sig, sci, compact and plain, after up for what others stay within;
+percent, milli, micro and nano change the unit. A value that is missing, and a number without a filter, is an error that names it.
 
 Exit status: 2 for test results that cannot be used, 1 for any other error.
 """
 
 import collections
 import csv
+import decimal
 import json
 import math
 import re
@@ -70,6 +71,15 @@ def sci(value, digits):
     return f"\\ensuremath{{{mantissa}\\times10^{{{int(exponent)}}}}}" if value else "0"
 
 
+def up(value, digits):
+    """Rounded away from zero to so many significant digits, for a number that others stay within.
+
+    >>> up(1.425e-8, 1), up(0.03, 1), up(21.4, 2), up(0.0, 2)
+    (2e-08, 0.03, 22.0, 0.0)
+    """
+    return float(decimal.Context(digits, decimal.ROUND_UP).create_decimal(repr(finite(value))))
+
+
 def plain(value):
     """As many digits as the number has.
 
@@ -92,13 +102,21 @@ def compact(value, digits):
 
 
 def order(estimate):
-    """An observed order and the half width of its interval, infinite through two points."""
+    """An observed order and the half width of its interval, which is rounded up, and infinite through two points.
+
+    >>> order({"order": 1.9996, "half_width": 0.0001}), order({"order": 2.5, "half_width": "inf"})
+    ('$2.000\\\\pm0.001$', '2.500')
+    """
     text = fixed(estimate["order"], 3)
     half_width = float(estimate["half_width"])
-    return f"${text}\\pm{fixed(half_width, 3)}$" if math.isfinite(half_width) else text
+    return f"${text}\\pm{math.ceil(1000.0 * half_width) / 1000.0:.3f}$" if math.isfinite(half_width) else text
 
 
 def signed(value):
+    """
+    >>> signed(1.5), signed(-0.006), signed(-0.004)
+    ('$+1.50$', '$-0.01$', '0.00')
+    """
     text = f"{abs(value):.2f}"
     return f"${'+' if value > 0 else '-'}{text}$" if text.strip("0.") else text
 
@@ -308,10 +326,10 @@ def error_ratio(errors, elements, order):
 def judged(result, environment, known):
     """A result of acceptance.toml with its value and whether that meets the criterion.
 
-    >>> judged({"value": "a | distance_from_one", "most": 0.5}, environment_for([]), {"a": 1.5})["passed"]
-    True
-    >>> judged({"value": "a", "least": 2, "most": 3}, environment_for([]), {"a": 1.5})["passed"]
-    False
+    >>> [judged({"value": "a | distance_from_one", "most": 0.5}, environment_for([]), {"a": a})["passed"] for a in (0.25, 0.5, 1.5, 1.75)]
+    [False, True, True, False]
+    >>> [judged({"value": "a", "least": 2, "most": 3}, environment_for([]), {"a": a})["passed"] for a in (1.5, 2, 3, 3.5, "nan")]
+    [False, True, True, False, False]
     """
     value = float(environment.compile_expression(result["value"], undefined_to_none=False)(**known))
     return result | {"value": value, "value_of": result["value"], "passed": result.get("least", -math.inf) <= value <= result.get("most", math.inf)}
@@ -353,10 +371,15 @@ def shown(value):
     return value
 
 
-FILTERS = (fixed, sig, sci, plain, compact, order, signed, escape, breakable, typeset, powers, distance_from_one, error_ratio)
+FILTERS = (fixed, sig, sci, up, plain, compact, order, signed, escape, breakable, typeset, powers, distance_from_one, error_ratio)
 
 
 def environment_for(templates):
+    """
+    >>> units = "<< 1 | percent | plain >>, << 1 | milli | plain >>, << 1 | micro | plain >>, << 2 | nano | sci(1) >>"
+    >>> environment_for([]).from_string(units).render()
+    '100, 1000, 1000000, \\\\ensuremath{2\\\\times10^{9}}'
+    """
     environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(templates), undefined=jinja2.StrictUndefined, finalize=shown,
         block_start_string="<%", block_end_string="%>", variable_start_string="<<", variable_end_string=">>",
