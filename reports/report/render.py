@@ -310,8 +310,8 @@ def bad_input_of(tests):
     return {"by_defect": by_defect, "by_reason": by_reason.most_common()}
 
 
-def distance_from_one(value):
-    return abs(value - 1.0)
+def distance_from(value, target):
+    return abs(value - target)
 
 
 def error_ratio(errors, elements, order):
@@ -326,7 +326,7 @@ def error_ratio(errors, elements, order):
 def judged(result, environment, known):
     """A result of acceptance.toml with its value and whether that meets the criterion.
 
-    >>> [judged({"value": "a | distance_from_one", "most": 0.5}, environment_for([]), {"a": a})["passed"] for a in (0.25, 0.5, 1.5, 1.75)]
+    >>> [judged({"value": "a | distance_from(1)", "most": 0.5}, environment_for([]), {"a": a})["passed"] for a in (0.25, 0.5, 1.5, 1.75)]
     [False, True, True, False]
     >>> [judged({"value": "a", "least": 2, "most": 3}, environment_for([]), {"a": a})["passed"] for a in (1.5, 2, 3, 3.5, "nan")]
     [False, True, True, False, False]
@@ -371,7 +371,7 @@ def shown(value):
     return value
 
 
-FILTERS = (fixed, sig, sci, up, plain, compact, order, signed, escape, breakable, typeset, powers, distance_from_one, error_ratio)
+FILTERS = (fixed, sig, sci, up, plain, compact, order, signed, escape, breakable, typeset, powers, distance_from, error_ratio)
 
 
 def environment_for(templates):
