@@ -47,6 +47,12 @@ def lines_of(file):
     return file.read_text().splitlines()
 
 
+def site_of(**known):
+    """A site of these values alone, for the examples."""
+    return Site({"tests": []} | {key: value if key != "tests" else [{"claim": ""} | test for test in value]
+                                 for key, value in known.items()}, Path("nowhere"), None)
+
+
 class Site:
     """The pages, each made from the values of the report."""
 
@@ -69,6 +75,17 @@ class Site:
         return Link(f"{name}:{test['line']}", f"{self.sources[file]}#L{test['line']}")
 
     def tests(self):
+        """
+        >>> one = {"id": "a", "requirement": "V1", "comparisons": 2, "file": "nowhere.cpp", "passed": False, "skipped": False,
+        ...        "worst": dict(computed=1.0, expected=2.0, error=3.0, tolerance=4.0, margin=0.75) | {"class": "reference"}}
+        >>> none = {"worst": None, "comparisons": 0}
+        >>> page = site_of(tests=[one, one | none | {"passed": True}, one | none | {"skipped": True}]).tests()
+        >>> for row in page.rows:
+        ...     print([getattr(cell, "text", cell) for cell in row.cells[1:2] + row.cells[4:11] if cell != ""])
+        ['failed', '2', '1', '2', '3', '4', '0.75', 'reference']
+        ['passed']
+        ['skipped']
+        """
         rows = []
         for test in self.known["tests"]:
             worst = test["worst"] or dict.fromkeys(("computed", "expected", "error", "tolerance", "margin"))
@@ -86,6 +103,14 @@ class Site:
              "Class", "Command"], rows)
 
     def requirements(self):
+        """
+        >>> test = {"passed": True, "skipped": False, "worst": None}
+        >>> tests = [test | {"worst": {"margin": margin}} for margin in (0.25, 0.5)]
+        >>> tests += [test, test | {"passed": False}, test | {"passed": False, "skipped": True}]
+        >>> item = {"name": "V1", "text": "", "source": "", "tests": tests}
+        >>> [cell.text for cell in site_of(requirements=[item]).requirements().rows[0].cells[3:]]
+        ['5', '1', '0.5']
+        """
         rows = []
         for item in self.known["requirements"]:
             tests = item["tests"]
@@ -126,6 +151,14 @@ class Site:
              "Test"], rows)
 
     def errata(self):
+        """
+        >>> row = {"erratum": "E1", "quantity": "a", "unit": "Hz", "as_printed": 1.0, "corrected": 2.0, "reference": 3.0,
+        ...        "tolerance": 4.0, "confirmed": True}
+        >>> entry = dict.fromkeys(("place", "printed", "verdict", "holds", "established"), "") | {"id": "E1"}
+        >>> evidence = [row, row | {"unit": "1", "confirmed": False}]
+        >>> print(site_of(erratum=[entry], errata_evidence=evidence).errata().rows[0].cells[-1])
+        a: 1 Hz as printed, 2 corrected, reference 3 +- 4; a: 1 as printed, 2 corrected, reference 3 +- 4 (not confirmed)
+        """
         evidence = {}
         for row in self.known["errata_evidence"]:
             unit = "" if row["unit"] == "1" else f" {row['unit']}"
@@ -138,6 +171,12 @@ class Site:
                     ["Erratum", "Place", "Printed", "Verdict", "What holds", "How it was established", "Numbers"], rows)
 
     def numbers(self):
+        """
+        >>> printed = {"id": "a", "meaning": "b.", "place": "c", "printed": "0.5", "printed_unit": "mm", "unit": "m"}
+        >>> check = {"printed": printed, "computed": 0.25, "allowed": 0.125, "because": "d", "method": "e", "verdict": "holds"}
+        >>> [getattr(cell, "text", cell) for cell in site_of(printed_checks=[check]).numbers().rows[0].cells]
+        ['a', 'b', 'c', '0.5 mm', '0.25', '0.12', 'd', 'e', 'holds']
+        """
         rows = []
         for index, check in enumerate(self.known["printed_checks"]):
             printed = check["printed"]
@@ -146,7 +185,7 @@ class Site:
                                          f"{printed['printed']}{'' if unit == '1' else ' ' + unit}", number(check["computed"]),
                                          number(check["allowed"], 2), check["because"], check["method"],
                                          check["verdict"]]))
-        return Page("numbers", "Printed numbers", ["Numbers that the paper prints, recomputed. Values are in SI units."],
+        return Page("numbers", "Printed numbers", ["Numbers that the paper prints, recomputed. What is computed and what is allowed are in SI units."],
                     ["Number", "Meaning", "Place", "Printed", "Computed", "Allowed difference", "Reason", "Method", "Verdict"], rows)
 
     def paper(self):
@@ -230,13 +269,20 @@ class Site:
                     ["Data set", "Title", "What it holds", "Uncertainty", "Tolerances", "File", "Command"], rows)
 
     def verdicts(self):
+        """
+        >>> one = {"what": "a", "metric": "b", "value": 0.125, "most": 0.5, "basis": "c", "remark": "d", "value_of": "e"}
+        >>> page = site_of(acceptance=[one | {"passed": True}, one | {"passed": False, "least": 0.25}]).verdicts()
+        >>> [[getattr(cell, "text", cell) for cell in row.cells[2:7]] for row in page.rows]
+        [['0.125', 'at most 0.5', 'c', 'yes', ''], ['0.125', '0.25 to 0.5', 'c', 'no', 'd']]
+        """
         rows = []
         for index, result in enumerate(self.known["acceptance"]):
             criterion = f"at most {result['most']:g}"
             if "least" in result:
                 criterion = f"{result['least']:g} to {result['most']:g}"
             rows.append(Row(f"{index}", [result["what"], result["metric"], number(result["value"], 3), criterion, result["basis"],
-                                         "yes" if result["passed"] else "no", result.get("remark", ""), Code(result["value_of"])]))
+                                         "yes" if result["passed"] else "no", "" if result["passed"] else result.get("remark", ""),
+                                         Code(result["value_of"])]))
         return Page("verdicts", "Verdicts", ["Each result with its metric, its value and the acceptance criterion of verification/acceptance.toml."],
                     ["Result", "Metric", "Value", "Criterion", "Basis", "Met", "Why not", "How it is computed from the studies"], rows)
 
