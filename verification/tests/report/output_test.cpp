@@ -11,6 +11,7 @@
 #include <iterator>
 #include <string>
 
+#include "render/drawing.hpp"
 #include "render/output_folder.hpp"
 #include "render/report.hpp"
 #include "render/text_file.hpp"
@@ -164,6 +165,22 @@ TEST(ReportFigures, HaveAScriptEach) {
     EXPECT_TRUE(fs::exists(report::templates_directory() / "figures" / (name + ".gp"))) << name;
   for (const std::string script : {"animation.gp", "map.gp", "sweep.gp"})
     EXPECT_TRUE(fs::exists(report::templates_directory() / "figures" / script)) << script;
+}
+
+TEST(ReportFigures, NameOnlyTheSlidingThatOccurs) {
+  const auto names = [](const std::string& first, const std::string& second) {
+    const std::string text = report::drawing_of(
+        "squeal", "svg",
+        {{"squeal.csv", "speed,damping_ratio,growth,state\n1,0," + first + ",-\n2,0," + first + ",-\n\n1,1," +
+                            second + ",-\n2,1," + second + ",-\n\n"}});
+    std::string found;
+    for (const std::string name : {"steady", "squeal", "limit of stability"})
+      if (text.find(">" + name + "</tspan>") != std::string::npos) found += name + ", ";
+    return found;
+  };
+  EXPECT_EQ(names("-1", "-2"), "steady, ");
+  EXPECT_EQ(names("1", "2"), "squeal, ");
+  EXPECT_EQ(names("1", "-1"), "steady, squeal, limit of stability, ");
 }
 
 TEST(ReportFigures, HaveDifferentNames) {

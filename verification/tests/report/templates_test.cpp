@@ -555,6 +555,9 @@ TEST_F(FigureTables, HoldTheCriticalAmplitudesOfEachStiffnessAtItsOwnFrequencies
 TEST_F(FigureTables, HoldTheErrorsOfEachMeshBesideTheirPrediction) {
   const auto data = figure("convergence");
   const auto meshes = rows_of(data.tables[0].table), steps = rows_of(data.tables[1].table);
+  const auto& first = results_.stick_frequencies().modes.front();
+  EXPECT_DOUBLE_EQ(std::stod(meshes[0][4]), first.relative_error[0]);
+  EXPECT_DOUBLE_EQ(std::stod(meshes[0][5]), first.predicted_error[0]);
   for (const auto& row : meshes) {
     EXPECT_DOUBLE_EQ(std::stod(row[3]) * std::stod(row[2]), results_.paper().beam.length());
     if (row[0] == "stick" && row[1] == "1") {
