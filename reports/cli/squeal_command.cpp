@@ -242,6 +242,7 @@ void add_squeal_command(CLI::App& app) {
   ratios->needs(map);
   command->add_option("--count", options->count, "Values along each axis of the map")
       ->check(integer_between(2, 500))
+      ->needs(map)
       ->capture_default_str();
   command
       ->add_option("--figure", options->figure,

@@ -802,6 +802,7 @@ TEST_F(CommandAnswers, CommandsThatNeedAWallAtRestSaySo) {
   expect_refused("squeal reed --map m.csv", "--map requires --speeds");
   expect_refused("squeal reed --speeds 0.1:1", "--speeds requires --map");
   expect_refused("squeal reed --ratios 0.1:0.2", "--ratios requires --map");
+  expect_refused("squeal reed --count 5", "--count requires --map");
   expect_refused("squeal reed --figure m.png", "--figure draws the map, but --map FILE is missing");
 }
 
