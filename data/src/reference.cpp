@@ -193,11 +193,27 @@ void require_columns(ComparisonKind kind, const JsonNode& node, const Resource& 
   if (kind == ComparisonKind::phases) require("phase");
 }
 
+// Every key is one that a comparison of this kind uses.
+void require_keys_of(ComparisonKind kind, const JsonNode& node) {
+  using enum ComparisonKind;
+  const std::vector<std::pair<std::string, std::vector<ComparisonKind>>> kinds_of_key{
+      {"abscissa", {curve, phases}},
+      {"interpolation", {curve, phases}},
+      {"events", {phases}},
+      {"horizon", {curve, events, phases}},
+      {"shortest_phase", {events}}};
+  for (const auto& [key, kinds] : kinds_of_key)
+    if (const auto member = node.find(key); member && std::ranges::count(kinds, kind) == 0)
+      member->fail("is given, but must be missing for the kind " + std::string(to_string(kind)));
+}
+
 ComparisonRule comparison_of(const JsonNode& node, const Resource& resource) {
   node.require_spelling(
       {"kind", "values", "abscissa", "interpolation", "events", "horizon", "shortest_phase"});
   ComparisonRule rule;
   rule.kind = static_cast<ComparisonKind>(node.at("kind").one_of(words(comparison_kind_names)));
+  require_columns(rule.kind, node, resource);
+  require_keys_of(rule.kind, node);
   const auto values = node.at("values").elements();
   if (values.empty()) node.at("values").fail_unless("an array that is not empty");
   for (const JsonNode& value : values) rule.values.push_back(compared_value_of(value, resource));
@@ -209,7 +225,7 @@ ComparisonRule comparison_of(const JsonNode& node, const Resource& resource) {
   if (is_sampled) rule.abscissa = number_column_in(resource, node.at("abscissa"));
   if (is_sampled && std::ranges::count(rule.values, Norm::word, &ComparedValue::norm) > 0)
     node.at("kind").fail_unless("table or events, because words are compared");
-  if (const auto interpolation = node.find("interpolation"); interpolation && is_sampled) {
+  if (const auto interpolation = node.find("interpolation")) {
     rule.interpolation = interpolation_of(*interpolation, resource);
     for (const ComparedValue& value : rule.values)
       if (!rule.interpolation->error.contains(value.field))
@@ -218,7 +234,6 @@ ComparisonRule comparison_of(const JsonNode& node, const Resource& resource) {
   if (rule.kind == ComparisonKind::phases) rule.events = node.at("events").text();
   if (const auto horizon = node.find("horizon")) rule.horizon = positive(*horizon);
   if (const auto shortest = node.find("shortest_phase")) rule.shortest_phase = not_negative(*shortest);
-  require_columns(rule.kind, node, resource);
   return rule;
 }
 
