@@ -5,7 +5,9 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <set>
 #include <string_view>
+#include <utility>
 
 #include "case_entry.hpp"
 #include "stickslip/data/case_file.hpp"
@@ -175,8 +177,9 @@ class DistributionReader {
                    ", but must be \"correlation\" or a key of a case that is no integer, in quotes");
 }
 
-// One row of `correlation`, into the matrix.
-void set_correlation(const Path& file, const toml::node& row, Uncertainty& result) {
+// One row of `correlation`, into the matrix. `pairs` are those of the rows before it.
+void set_correlation(const Path& file, const toml::node& row,
+                     std::set<std::pair<std::size_t, std::size_t>>& pairs, Uncertainty& result) {
   const auto fail = [&](const std::string& what) {
     throw InputError(
         place_of(file, row) + ": uncertainty.correlation " + what +
@@ -195,9 +198,10 @@ void set_correlation(const Path& file, const toml::node& row, Uncertainty& resul
   const auto value = (*items)[2].value<double>();
   if (pair[0] == pair[1]) fail("names " + result.keys[pair[0]].key + " twice");
   if (!value || !(std::abs(*value) < 1.0)) fail("has the coefficient " + describe((*items)[2]));
-  double& entry = result.correlation[pair[0] * result.keys.size() + pair[1]];
-  if (entry != 0.0) fail("has two rows of " + result.keys[pair[0]].key + " and " + result.keys[pair[1]].key);
-  entry = result.correlation[pair[1] * result.keys.size() + pair[0]] = *value;
+  if (!pairs.insert(std::minmax(pair[0], pair[1])).second)
+    fail("has two rows of " + result.keys[pair[0]].key + " and " + result.keys[pair[1]].key);
+  for (const std::size_t i : {0U, 1U})
+    result.correlation[pair[i] * result.keys.size() + pair[1 - i]] = *value;
 }
 
 }  // namespace
@@ -249,7 +253,8 @@ Uncertainty uncertainty_of(const Path& file, const toml::node& node, const std::
   if (rows == nullptr)
     throw InputError(place_of(file, *correlation) + ": uncertainty.correlation is " + describe(*correlation) +
                      ", but must be an array of rows [\"a.b\", \"c.d\", 0.5]");
-  for (const auto& row : *rows) set_correlation(file, row, result);
+  std::set<std::pair<std::size_t, std::size_t>> pairs;
+  for (const auto& row : *rows) set_correlation(file, row, pairs, result);
   if (cholesky_factor(result.correlation, count).empty())
     throw InputError(place_of(file, *correlation) +
                      ": uncertainty.correlation is contradictory, but must be a positive definite matrix");

@@ -178,7 +178,11 @@ TEST_F(UncertaintyTable, IsRefusedForItsCorrelation) {
       {"['beam.length', 'beam.area', 1]", "has the coefficient 1"},
       {"['beam.length', 'beam.area', -2]", "has the coefficient -2"},
       {"['beam.length', 'beam.area', 0.1], ['beam.area', 'beam.length', 0.1]",
-       "has two rows of beam.area and beam.length"}};
+       "has two rows of beam.area and beam.length"},
+      {"['beam.length', 'beam.area', 0], ['beam.area', 'beam.length', 0.1]",
+       "has two rows of beam.area and beam.length"},
+      {"['beam.length', 'beam.area', 0.0], ['beam.length', 'beam.area', 0.0]",
+       "has two rows of beam.length and beam.area"}};
   for (const auto& [row, sentence] : rows) EXPECT_TRUE(with(row).starts_with(start + sentence)) << with(row);
   EXPECT_EQ(error_message(keys + "correlation = 0.5\n"),
             start + "is 0.5 (a float), but must be an array of rows [\"a.b\", \"c.d\", 0.5]");
