@@ -500,13 +500,15 @@ class Comparer {
 
   // --- kind events
 
-  // The tolerance of event times, s. The rule may define it relative to the horizon.
-  [[nodiscard]] double time_tolerance(const data::ComparisonRule& rule) const {
+  // The tolerance of event times, s. The rule may define it relative to the latest time that is compared.
+  [[nodiscard]] double time_tolerance(const data::ComparisonRule& rule,
+                                      const std::vector<TabulatedEvent>& events) const {
+    const double latest = events.empty() ? 0.0 : std::min(horizon_, events.back().time);
     for (const data::ComparedValue& value : rule.values) {
       if (value.field != "time") continue;
       // The user's tolerances belong to the data set that is compared, not to the events of a history.
       const double tolerance = &rule == &rule_ ? tolerance_of(value) : value.tolerance;
-      return value.norm == Norm::absolute || !std::isfinite(horizon_) ? tolerance : tolerance * horizon_;
+      return value.norm == Norm::absolute ? tolerance : tolerance * latest;
     }
     return 0.0;
   }
@@ -558,7 +560,7 @@ class Comparer {
       const auto their_events =
           without_short_phases(in_words_of(events, events_of(theirs_, group.theirs)), rule_.shortest_phase);
       const double end = settings_.until ? infinity : theirs_.column("time")->values[group.theirs.back()];
-      const SequenceMatch found = match(events, their_events, {horizon_, end, time_tolerance(rule_)});
+      const SequenceMatch found = match(events, their_events, {horizon_, end, time_tolerance(rule_, events)});
       note_difference(sequence, group, found, events, their_events);
       note_unreached(group, found, events, end);
       std::vector<Pair> pairs;
@@ -652,16 +654,16 @@ class Comparer {
     const data::ComparisonRule& rule = *table.resource.comparison;
     Events events;
     events.reference = without_short_phases(events_in(table, group), rule.shortest_phase);
+    events.guard = time_tolerance(rule, events.reference);
     SequenceMatch found;
     if (settings_.events) {
       events.theirs = without_short_phases(in_words_of(events.reference, events_in(*settings_.events, group)),
                                            rule.shortest_phase);
       const double end = theirs_.column(rule_.abscissa)->values[group.theirs.back()];
-      found = match(events.reference, *events.theirs, {horizon_, end, time_tolerance(rule)});
+      found = match(events.reference, *events.theirs, {horizon_, end, events.guard});
       found.unreached = 0;  // the coverage of the history tells it
       note_difference(sequence, group, found, events.reference, *events.theirs);
     }
-    events.guard = time_tolerance(rule);
     events.windows = windows_between(events, found);
     return events;
   }

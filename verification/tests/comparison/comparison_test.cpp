@@ -392,6 +392,24 @@ TEST(ComparedEvents, MayLieOnEitherSideOfTheHorizon) {
               share < 1e-4 ? 0.0 : 1.0);
 }
 
+TEST(ComparedEvents, MayBeMissingWithinTheToleranceOfTheLastOneWithoutAHorizon) {
+  const auto relative = with_rule("damped-events", [](auto& rule) {
+    rule.values.front().norm = data::Norm::relative;
+    rule.horizon = std::nullopt;
+  });
+  OwnCopy mine(relative, "damped-events");
+  const auto time = mine["time"];
+  mine.keep([](std::size_t row) { return row != 3 && row != 4; });
+  // An event so near to the end of the file may lie behind it.
+  const double fourth = 1.0 - time[3] / time[6], fifth = 1.0 - time[4] / time[6];
+  const auto missing = [&](double tolerance) {
+    return *mine.compared("sequence", with_tolerance("time", tolerance)).error;
+  };
+  EXPECT_EQ(missing(0.99 * fifth), 2.0);
+  EXPECT_EQ(missing(1.01 * fifth), 1.0);
+  EXPECT_EQ(missing(1.01 * fourth), 0.0);
+}
+
 TEST(ComparedEvents, LeaveGrazesOutAndRefuseOtherWords) {
   auto mine = own_copy("damped-events", {"change", "time", "position"});
   mine.repeat(1);
