@@ -324,6 +324,11 @@ void require_known_columns(const std::vector<ColumnMapping>& mappings,
     if (!is_known)
       throw InputError("column " + printable(mapping.reference) + " is unknown" +
                        suggestion(mapping.reference, names) + ", but must be one of " + joined(names));
+    const auto count = std::ranges::count(mappings, folded(mapping.reference),
+                                          [](const ColumnMapping& other) { return folded(other.reference); });
+    if (count > 1)
+      throw InputError("column " + printable(mapping.reference) + " is given " + std::to_string(count) +
+                       " times, but must be given once");
   }
 }
 

@@ -16,6 +16,7 @@
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/data/csv_text.hpp"
 #include "stickslip/data/user_table.hpp"
+#include "support/error_message.hpp"
 #include "support/input_folder.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
@@ -365,6 +366,11 @@ TEST(ColumnMapping, MustBeOfAColumnThatThereIs) {
             .starts_with("column positon is unknown (did you mean position?), but must be one of t, "))
         << error.what();
   }
+  EXPECT_EQ(error_message_of<data::InputError>([&] {
+              data::require_known_columns(
+                  {data::ColumnMapping::parse("Time=a"), data::ColumnMapping::parse("time=b")}, {&events});
+            }),
+            "column Time is given 2 times, but must be given once");
 }
 
 }  // namespace
