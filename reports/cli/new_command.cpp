@@ -16,6 +16,7 @@
 #include "commands.hpp"
 #include "output_file.hpp"
 #include "stickslip/data/input_text.hpp"
+#include "stickslip/data/toml_file.hpp"
 
 namespace stickslip::cli {
 
@@ -62,10 +63,17 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 6> replaceme
      {"excitation.velocity_amplitude", "excitation.amplitude"},
      {"excitation.acceleration_amplitude", "excitation.amplitude"}}};
 
+bool is_toml_number(const std::string& value) {
+  try {
+    return data::parse_toml("", "value = " + value).get("value")->is_number();
+  } catch (const data::InputError&) {
+    return false;
+  }
+}
+
 std::string quoted(const std::string& value) {
-  if (parse<double>(value)) return value;
   if (value.find_first_of("\"\\\r\n") != std::string::npos) return data::printable(value);
-  return "\"" + value + "\"";
+  return is_toml_number(value) ? value : "\"" + value + "\"";
 }
 
 // Without the sides that a section of this shape does not have, unless --set gives them: the reader refuses those.

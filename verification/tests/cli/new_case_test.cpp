@@ -40,6 +40,22 @@ TEST_F(NewCase, HoldsTheValuesThatAreSet) {
   EXPECT_EQ(run("criterion my-beam.toml").status, 0);
 }
 
+// A number is what a case file takes for one, and so what --set of the other commands does.
+TEST_F(NewCase, TakesTheNumbersOfACaseFile) {
+  for (const auto& [text, value] :
+       {std::pair{"+1", 1.0}, {"+1.5e-1", 0.15}, {"1_0.5", 10.5}, {"0x2", 2.0}, {"5e-1", 0.5}}) {
+    const std::string set = std::string("--set beam.length=") + text;
+    ASSERT_EQ(run(command(set + " --set friction.decay=+inf --set beam.axial_force=1e-3")).status, 0) << text;
+    EXPECT_EQ(data::load_case("my-beam.toml").beam.length(), value) << text;
+    EXPECT_EQ(data::load_case("paper", {data::Override::parse(set.substr(6))}).beam.length(), value) << text;
+    std::filesystem::remove("my-beam.toml");
+  }
+  for (const std::string text : {".5", "1.", "infinity", "1__0", "'+1 m'"})
+    expect_refused(command("--set beam.length=" + text), "a string), but must be a number (m) or a text of");
+  for (const std::string text : {"inf", "-inf", "nan", "+nan"})
+    expect_refused(command("--set beam.length=" + text), "but must be a finite number above 0 (m)");
+}
+
 TEST_F(NewCase, HasATableForEachGroupOfKeysWithComments) {
   ASSERT_EQ(
       run(command("--set \"section.shape='circle'\" --set friction.decay=0.50 --set damping.ratio=0.02"))
