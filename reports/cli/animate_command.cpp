@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,7 +15,7 @@ namespace stickslip::cli {
 
 namespace {
 
-constexpr double periods = 10.0;  // unless --duration is given
+constexpr double periods = 10.0;  // unless --duration or --set gives a duration
 
 struct AnimateOptions {
   CaseOptions problem;
@@ -28,7 +29,10 @@ struct AnimateOptions {
 // With the duration that is drawn.
 data::Case case_of(const AnimateOptions& options) {
   const data::Case problem = load_case(options.problem, options.excitation, options.duration);
-  if (options.duration) return problem;
+  const bool is_set = std::ranges::any_of(overrides_of(options.problem), [](const data::Override& one) {
+    return one.key == "excitation.duration" || one.key == "numerics.duration";
+  });
+  if (options.duration || is_set) return problem;
   return load_case(options.problem, options.excitation, periods / problem.excitation.frequency_hz());
 }
 

@@ -337,6 +337,14 @@ TEST_F(Animation, HasTheFramesAskedForAndTheMotion) {
   EXPECT_EQ(names[61], "motion.csv");
 }
 
+TEST_F(Animation, LastsTenPeriodsUnlessADurationIsGiven) {
+  install_gnuplot(draw_all);
+  EXPECT_EQ(json(command("--frames 2"))["duration_s"], 0.4);
+  for (const std::string key : {"excitation", "numerics"})
+    EXPECT_EQ(json(command("--frames 2 --set " + key + ".duration=0.1"))["duration_s"], 0.1);
+  EXPECT_EQ(json(command("--frames 2 --set excitation.duration=0.1 --duration 0.2"))["duration_s"], 0.2);
+}
+
 TEST_F(Animation, DrawsTheMotionThatItsTableHolds) {
   for (const std::string method : {"fe", "event-driven"}) {
     install_gnuplot(draw_all);
