@@ -101,6 +101,16 @@ data::Case load_case(const CaseOptions& options, const ExcitationOptions& excita
   return data::load_case(options.name, overrides);
 }
 
+void require_no_fixed_value(const ExcitationOptions& excitation, studies::Parameter varied,
+                            std::string_view option) {
+  const auto require_none = [&](const std::optional<double>& value, std::string_view fixed) {
+    if (value)
+      throw data::InputError(fmt::format("{} is given, but {} varies {}", fixed, option, field_of(varied)));
+  };
+  if (varied == studies::Parameter::frequency) require_none(excitation.frequency_hz, "--hz");
+  if (varied == studies::Parameter::amplitude) require_none(excitation.amplitude, "--amplitude");
+}
+
 data::Override override_with(const std::string& key, double value, const std::string& option) {
   return {key, data::shortest_text(value), option};
 }

@@ -16,6 +16,7 @@
 
 #include "stickslip/analytic/bounds.hpp"
 #include "stickslip/data/case_file.hpp"
+#include "studies/common/problem_parameter.hpp"
 #include "studies/criterion/problem_warnings.hpp"
 
 namespace stickslip::cli {
@@ -72,6 +73,10 @@ template <class Number>
 /// The case with those overrides and, if given, another duration, s. Throws data::InputError.
 [[nodiscard]] data::Case load_case(const CaseOptions& options, const ExcitationOptions& excitation,
                                    const std::optional<double>& duration);
+
+/// Throws data::InputError if --hz or --amplitude gives what the option varies, such as --x.
+void require_no_fixed_value(const ExcitationOptions& excitation, studies::Parameter varied,
+                            std::string_view option);
 
 /// What an option of its own sets a key to.
 [[nodiscard]] data::Override override_with(const std::string& key, double value, const std::string& option);

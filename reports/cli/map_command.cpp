@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "case_options.hpp"
@@ -37,7 +38,7 @@ struct MapOptions {
   ExcitationOptions excitation;
   std::string x = "frequency=1:120:240";
   std::string y = "amplitude=5e-5:1e-3:20";
-  std::string method = "closed-form";
+  std::optional<std::string> method;
   std::optional<double> duration;
   bool states_only{};
   std::string quantity = verdict;
@@ -154,7 +155,7 @@ void require_consistent(const MapOptions& options, bool has_quantities) {
   if (has_quantities && options.states_only)
     throw data::InputError("--states-only is an option of the verdict, but --quantity is " +
                            options.quantity);
-  if (has_quantities && options.method != closed_form_method)
+  if (has_quantities && options.method)
     throw data::InputError("--method is an option of the verdict, but --quantity is " + options.quantity);
   if (!has_quantities && (options.transient || options.tolerance))
     throw data::InputError(fmt::format("{} needs a --quantity of the motion, but it is verdict",
@@ -169,11 +170,15 @@ studies::MapTask task_of(const MapOptions& options) {
   studies::MapTask task{.problem = load_case(options.problem, options.excitation, options.duration),
                         .x = axis_of("--x", options.x),
                         .y = axis_of("--y", options.y),
-                        .method = options.method == closed_form_method ? studies::MapMethod::closed_form
-                                                                       : studies::MapMethod::finite_elements,
+                        .method = options.method == finite_element_method
+                                      ? studies::MapMethod::finite_elements
+                                      : studies::MapMethod::closed_form,
                         .states_only = options.states_only,
                         .quantities = quantities,
                         .tolerance = options.tolerance.value_or(usual_tolerance)};
+  for (const auto& [axis, option] : {std::pair(&task.x, "--x"), std::pair(&task.y, "--y")}) {
+    require_no_fixed_value(options.excitation, axis->parameter, option);
+  }
   task.transient = options.transient.value_or(0.5 * task.problem.numerics.duration());
   data::require_rigid(task.problem.contact, "a map, whose tip is held or slides; respond takes it");
   studies::require_resting_wall(task.problem);
@@ -437,9 +442,9 @@ void add_map_command(CLI::App& app) {
       ->capture_default_str();
   command
       ->add_option("--method", options->method,
-                   "Closed form, or one linear finite-element run with the tip held for each evaluation")
-      ->check(one_of({"closed-form", "fe"}))
-      ->capture_default_str();
+                   "Closed form, or one linear finite-element run with the tip held for each evaluation "
+                   "(default: closed-form)")
+      ->check(one_of({"closed-form", "fe"}));
   command->add_option("--duration", options->duration, "Duration, s (else that of the case)")
       ->check(number());
   command->add_flag("--states-only", options->states_only,

@@ -33,6 +33,8 @@ std::string_view reason_of(const studies::Cycle& cycle) {
 void run(const PeriodicOptions& options) {
   const data::Case problem = load_case(options.problem, options.excitation, std::nullopt);
   data::require_rigid(problem.contact, "a periodic motion; respond takes it");
+  if (options.periods > 1 && problem.excitation.amplitude() == 0.0)
+    throw data::FieldError("--periods", options.periods, "1 where excitation.amplitude is 0: the base rests");
   const auto inquiry = studies::Inquiry::event_driven_history;
   studies::require_feasible(problem, inquiry);
   const report::Interruption interruption([] { return "interrupted before there was a result"; });

@@ -33,6 +33,7 @@ void add_report_command(CLI::App& app) {
                                fmt::join(report::figure_names(), ", ")))
       ->delimiter(',')
       ->type_name("FIG,...")
+      ->excludes("--tests")
       ->allow_extra_args(false);
   add_threads_option(*command);
   add_examples(*command, {"stickslip report --only fig1,fig2 --output figures"});

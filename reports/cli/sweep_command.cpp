@@ -92,6 +92,7 @@ studies::SweepTask task_of(const SweepOptions& options) {
   const studies::MapAxis axis = parse_axis("--parameter", options.parameter);
   for (const double end : {axis.values.front(), axis.values.back()})
     data::require_magnitude(studies::field_of(axis.parameter), end, "--parameter");
+  require_no_fixed_value(options.excitation, axis.parameter, "--parameter");
   const data::Case problem = load_case(options.problem, options.excitation, {});
   data::require_rigid(problem.contact, "a sweep; respond takes it");
   studies::require_resting_wall(problem);

@@ -197,7 +197,8 @@ void add_uncertainty_command(CLI::App& app) {
           "--band", options->band,
           "The worst of these excitation frequencies, Hz, between rigorous bounds, instead of that of the "
           "case; undamped")
-      ->type_name("FROM:TO");
+      ->type_name("FROM:TO")
+      ->excludes("--hz");
   command->add_option("--samples", options->sampling.samples, "Independent samples of the uncertain keys")
       ->check(integer_between(1, most_samples))
       ->capture_default_str();

@@ -832,6 +832,23 @@ TEST_F(CommandAnswers, OutputsThatExcludeEachOtherAreRefused) {
                  "--figure is a.png, but must be another file than --output");
 }
 
+TEST_F(CommandAnswers, OptionsThatWouldChangeNothingAreRefused) {
+  expect_refused("uncertainty uncertain --band 30:31 --hz 40", "--hz excludes --band");
+  for (const std::string command :
+       {"map paper --y length=1:2:2 --x ", "map paper --x length=1:2:2 --y ", "sweep paper --parameter "}) {
+    const std::string option = command.substr(command.size() - (command.front() == 'm' ? 4 : 12));
+    expect_refused(command + "frequency=20:30:2 --hz 25",
+                   "--hz is given, but " + option + "varies excitation.frequency_hz");
+    expect_refused(command + "amplitude=1e-4:1e-3:2 --amplitude 1e-3",
+                   "--amplitude is given, but " + option + "varies excitation.amplitude");
+  }
+  expect_refused("map damped --quantity work --method closed-form",
+                 "--method is an option of the verdict, but --quantity is work");
+  expect_refused("periodic reed --periods 2",
+                 "--periods is 2, but must be 1 where excitation.amplitude is 0: the base rests");
+  expect_refused("report --only fig1 --tests tests", "--tests excludes --only");
+}
+
 TEST_F(CommandAnswers, ScriptsOfFiguresThatAreMissingAreToldBeforeTheWork) {
   ::setenv("STICKSLIP_REPORTS", path("").c_str(), 1);
   expect_refused("respond paper --duration 0.01 --output h.csv --figure a.svg",

@@ -727,13 +727,13 @@ std::vector<Command> commands() {
           {"criterion", {{"CASE", "paper"}, {"--set", "excitation.duration=0.1"}}},
           {"map",
            {{"CASE", "paper"},
-            {"--x", "frequency=20:30:2"},
-            {"--y", "amplitude=1e-4:1e-3:2"},
+            {"--x", "length=1.9:2:2"},
+            {"--y", "force=400:500:2"},
             {"--duration", "0.1"},
             {"--output", "out.csv"}}},
           {"sweep",
            {{"CASE", "paper"},
-            {"--parameter", "amplitude=1e-4:2e-4:2"},
+            {"--parameter", "friction=0.5:0.6:2"},
             {"--settle", "1"},
             {"--periods", "1"},
             {"--output", "out.csv"}}},
@@ -832,6 +832,7 @@ class OptionInput : public Drawing {
       if (name == option.name) good = usual;
       if (name == option.name && name != "--set") continue;
       if (option.name == "--merge" && name != "--output") continue;  // what it excludes
+      if (option.name == "--tests" && name == "--only") continue;
       if (name.starts_with('-')) words.push_back(name);
       words.push_back(usual);
     }
