@@ -101,6 +101,12 @@ data::Case load_case(const CaseOptions& options, const ExcitationOptions& excita
   return data::load_case(options.name, overrides);
 }
 
+data::NumericalSettings numerics_up_to(double frequency_hz, const CaseOptions& options,
+                                       ExcitationOptions excitation, const std::optional<double>& duration) {
+  excitation.frequency_hz = frequency_hz;
+  return load_case(options, excitation, duration).numerics;
+}
+
 void require_no_fixed_value(const ExcitationOptions& excitation, studies::Parameter varied,
                             std::string_view option) {
   const auto require_none = [&](const std::optional<double>& value, std::string_view fixed) {

@@ -74,6 +74,11 @@ template <class Number>
 [[nodiscard]] data::Case load_case(const CaseOptions& options, const ExcitationOptions& excitation,
                                    const std::optional<double>& duration);
 
+/// The settings of that case for excitations up to a frequency, which decides those that the case does not state.
+[[nodiscard]] data::NumericalSettings numerics_up_to(double frequency_hz, const CaseOptions& options,
+                                                     ExcitationOptions excitation,
+                                                     const std::optional<double>& duration);
+
 /// Throws data::InputError if --hz or --amplitude gives what the option varies, such as --x.
 void require_no_fixed_value(const ExcitationOptions& excitation, studies::Parameter varied,
                             std::string_view option);

@@ -181,12 +181,13 @@ Json to_json(const data::Case& problem, const studies::Design& design,
 }
 
 void run(const DesignOptions& options) {
-  const data::Case problem =
-      load_case(options.problem, {.frequency_hz = {}, .amplitude = options.amplitude}, options.duration);
+  const ExcitationOptions excitation{.frequency_hz = {}, .amplitude = options.amplitude};
+  data::Case problem = load_case(options.problem, excitation, options.duration);
   data::require_rigid(problem.contact, "the design guide, whose tip is held; respond takes it");
   require_undamped(problem, "the design guide");
   analytic::require_contact(problem.beam);
   const Ranges ranges = ranges_of(problem, options);
+  problem.numerics = numerics_up_to(ranges.band.to, options.problem, excitation, options.duration);
   for (const double length : {problem.beam.length(), ranges.lengths.from})
     studies::require_feasible(at_the_end_of(problem, ranges.band, length), studies::Inquiry::design);
   const studies::Design design = design_of(problem, ranges);

@@ -178,6 +178,9 @@ studies::MapTask task_of(const MapOptions& options) {
                         .tolerance = options.tolerance.value_or(usual_tolerance)};
   for (const auto& [axis, option] : {std::pair(&task.x, "--x"), std::pair(&task.y, "--y")}) {
     require_no_fixed_value(options.excitation, axis->parameter, option);
+    if (axis->parameter == studies::Parameter::frequency)
+      task.problem.numerics =
+          numerics_up_to(axis->values.back(), options.problem, options.excitation, options.duration);
   }
   task.transient = options.transient.value_or(0.5 * task.problem.numerics.duration());
   data::require_rigid(task.problem.contact, "a map, whose tip is held or slides; respond takes it");

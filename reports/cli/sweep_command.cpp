@@ -93,7 +93,9 @@ studies::SweepTask task_of(const SweepOptions& options) {
   for (const double end : {axis.values.front(), axis.values.back()})
     data::require_magnitude(studies::field_of(axis.parameter), end, "--parameter");
   require_no_fixed_value(options.excitation, axis.parameter, "--parameter");
-  const data::Case problem = load_case(options.problem, options.excitation, {});
+  data::Case problem = load_case(options.problem, options.excitation, {});
+  if (axis.parameter == studies::Parameter::frequency)
+    problem.numerics = numerics_up_to(axis.values.back(), options.problem, options.excitation, {});
   data::require_rigid(problem.contact, "a sweep; respond takes it");
   studies::require_resting_wall(problem);
   return {.problem = problem,

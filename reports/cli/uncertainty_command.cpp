@@ -156,7 +156,7 @@ Json to_json(const data::Case& problem, const data::Uncertainty& uncertainty,
 void run(UncertaintyOptions options) {
   const auto overrides = overrides_of(options.problem, options.excitation);
   const auto file = data::find_case(options.problem.name);
-  const data::Case problem = data::read_case(file, overrides);
+  data::Case problem = data::read_case(file, overrides);
   data::require_rigid(problem.contact, "the probability of slip, whose tip is held; respond takes it");
   std::vector<std::string> fixed;
   for (const auto& replacement : overrides) fixed.push_back(replacement.key);
@@ -170,10 +170,14 @@ void run(UncertaintyOptions options) {
     options.sampling.band = analytic::FrequencyBand{band.from, band.to};
     for (const double end : {band.from, band.to})
       data::require_magnitude("excitation.frequency_hz", end, "--band");
+    problem.numerics = numerics_up_to(band.to, options.problem, options.excitation, std::nullopt);
+    problem.excitation =
+        data::HarmonicExcitation({.frequency_hz = band.to, .amplitude = problem.excitation.amplitude()});
   }
-  studies::require_feasible(problem, studies::Inquiry::criterion);
+  const auto inquiry = options.band ? studies::Inquiry::design : studies::Inquiry::criterion;
+  studies::require_feasible(problem, inquiry);
   const auto result = result_of(problem, uncertainty, options.sampling);
-  const auto warnings = warnings_of(problem, studies::Inquiry::criterion);
+  const auto warnings = warnings_of(problem, inquiry);
   const Json answer = to_json(problem, uncertainty, options, result, warnings);
   require_finite(answer);
   print_warnings(warnings);

@@ -849,6 +849,42 @@ TEST_F(CommandAnswers, OptionsThatWouldChangeNothingAreRefused) {
   expect_refused("report --only fig1 --tests tests", "--tests excludes --only");
 }
 
+// The beam of the paper without settings. Its natural frequency 11 is 2028.94 Hz.
+TEST_F(CommandAnswers, SettingsFollowFromTheHighestFrequency) {
+  const auto at_the_end = json("criterion uncertain --hz 2040 --set excitation.duration=0.1");
+  const int modes = at_the_end["modes"];
+  EXPECT_GT(modes, 11);
+  const auto design = json(
+      "design uncertain --band 2020:2040 --amplitude 1e-6 --duration 0.1 --length 1.99:2 --force 499:500");
+  EXPECT_EQ(design["modes"], modes);
+  ASSERT_EQ(design["natural_frequencies_in_band"].size(), 1u);
+  EXPECT_EQ(design["natural_frequencies_in_band"][0]["mode"], 11);
+  const std::string uncertainty = "uncertainty uncertain --samples 5 --set excitation.duration=0.1 --band ";
+  EXPECT_TRUE(holds(run(uncertainty + "2020:2040").output, fmt::format(", N = {}; 5 samples", modes)));
+  for (const auto& [command, hz] :
+       {std::pair{"map uncertain --x frequency=30:2040:2 --y amplitude=1e-6:1e-5:2 --duration 0.1 ", 2040},
+        {"sweep uncertain --parameter frequency=500:600:2 --settle 0 --periods 1 ", 600}}) {
+    const auto settings =
+        json(fmt::format("respond uncertain --hz {} --duration 0.1 --every 1000 --output h.csv "
+                         "--method closed-form",
+                         hz))["numerics"];
+    const std::string answer = run(command).output;
+    EXPECT_NE(answer, "");
+    EXPECT_EQ(answer, run(fmt::format("{} --set numerics.modes={} --set numerics.time_step={}", command,
+                                      settings["modes"].get<int>(), settings["time_step"].get<double>()))
+                          .output);
+  }
+}
+
+// Not those at the frequency of the case, on which the answer does not depend.
+TEST_F(CommandAnswers, WarningsOfABandAreThoseOfADesign) {
+  const std::string band = " uncertain --band 24.9:30 --set excitation.duration=0.1 ";
+  const auto warnings = json("uncertainty" + band + "--samples 5")["warnings"];
+  EXPECT_EQ(warnings, json("design" + band + "--length 1.99:2 --force 499:500")["warnings"]);
+  EXPECT_EQ(json("uncertainty" + band + "--samples 5 --set excitation.frequency_hz=300")["warnings"],
+            warnings);
+}
+
 TEST_F(CommandAnswers, ScriptsOfFiguresThatAreMissingAreToldBeforeTheWork) {
   ::setenv("STICKSLIP_REPORTS", path("").c_str(), 1);
   expect_refused("respond paper --duration 0.01 --output h.csv --figure a.svg",
