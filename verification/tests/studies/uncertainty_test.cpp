@@ -432,6 +432,20 @@ TEST(SlipProbability, LetsACertainKineticCoefficientFollowTheStaticOne) {
   EXPECT_TRUE(within(static_cast<double>(both.valid) / 1000.0, 0.5, sampling(0.5, 1000)));
 }
 
+// With Coulomb friction the samples are those of any other law: the verdict depends on the static coefficient only.
+TEST(SlipProbability, OfCoulombFrictionIsThatOfItsStaticCoefficient) {
+  data::Case coulomb = problem();
+  coulomb.friction = data::FrictionLaw({.static_coefficient = 0.6, .kinetic_coefficient = 0.6, .decay = 0.0});
+  const auto coefficient = independent({{"friction.static_coefficient", uniform(0.3, 0.9)}});
+  const auto falling = studies::slip_uncertainty(problem(), coefficient, {.samples = 1000}),
+             constant = studies::slip_uncertainty(coulomb, coefficient, {.samples = 1000});
+  EXPECT_EQ(constant.valid, 1000u);
+  EXPECT_EQ(constant.slips, falling.slips);
+  for (std::size_t i = 0; i < falling.quantiles.size(); ++i)
+    EXPECT_EQ(constant.quantiles[i].margin.value, falling.quantiles[i].margin.value) << i;
+  EXPECT_EQ(constant.tornado[0].margin_high, falling.tornado[0].margin_high);
+}
+
 TEST(SlipProbability, HasIndicesOfUpToTwentyKeysAndTellsAShareThatGrowsToOne) {
   for (const std::size_t count : {20u, 21u}) {
     const std::vector<std::pair<std::string, Distribution>> keys(
