@@ -36,10 +36,7 @@ studies::SlipUncertainty result_of(const data::Case& problem, const data::Uncert
     return fmt::format("interrupted after {:.0f} % of the samples; nothing is kept",
                        100.0 * progress.share());
   });
-  auto result =
-      studies::slip_uncertainty(problem, uncertainty, sampling, [&](double share) { progress(share); });
-  progress.finish();
-  return result;
+  return studies::slip_uncertainty(problem, uncertainty, sampling, [&](double share) { progress(share); });
 }
 
 std::string with_interval(const studies::Estimate& estimate, int decimals) {
