@@ -57,6 +57,8 @@ constexpr std::array units{NamedUnit{"Hz", {"Hz"}},
                            NamedUnit{"kPa", {"Pa", 1e3}},
                            NamedUnit{"MPa", {"Pa", 1e6}},
                            NamedUnit{"GPa", {"Pa", 1e9}},
+                           NamedUnit{"rad", {"rad"}},
+                           NamedUnit{"deg", {"rad", std::numbers::pi, 180.0}},
                            NamedUnit{"J", {"J"}},
                            NamedUnit{"mJ", {"J", 1, 1e3}},
                            NamedUnit{"1", {""}},
@@ -69,7 +71,8 @@ std::string spelled(std::string_view name) {
   for (const auto& [from, to] : {std::pair<std::string_view, std::string_view>{"_per_", "/"},
                                  {"\u00b5", "u"},
                                  {"\u03bc", "u"},
-                                 {"\u00b2", "^2"}})
+                                 {"\u00b2", "^2"},
+                                 {"\u00b0", "deg"}})
     if (const auto at = text.find(from); at != std::string::npos) text.replace(at, from.size(), to);
   return text;
 }

@@ -231,7 +231,9 @@ class Comparer {
       return;
     }
     const Point point{.abscissa = abscissa,
-                      .theirs = theirs.value,
+                      .theirs = is_phase(quantity.unit, quantity.norm)
+                                    ? nearest_angle(theirs.value, reference->value)
+                                    : theirs.value,
                       .reference = reference->value,
                       .half_width = reference->half_width + theirs.half_width,
                       .where = where};
@@ -440,6 +442,7 @@ class Comparer {
   // skipped.
   [[nodiscard]] Rows comparable_rows(const Group& group, const Grid& grid) {
     const auto& abscissa = theirs_.column(rule_.abscissa)->values;
+    doubt_unit(abscissa[group.theirs.back()], grid.last);
     Rows rows;
     for (const std::size_t row : group.theirs) {
       const double x = abscissa[row];
@@ -451,6 +454,17 @@ class Comparer {
         rows.push_back(row);
     }
     return rows;
+  }
+
+  // Says so if the file goes so far that its abscissa may have another unit, such as ms for s.
+  void doubt_unit(double last, double last_reference) {
+    constexpr double suspicious = 100.0;
+    if (!doubt_.empty() || !(last >= suspicious * last_reference) || !(last_reference > 0.0)) return;
+    const std::string& unit = result_.abscissa_unit;
+    doubt_ = fmt::format(
+        "{0} goes up to {1:g}{2}{3} in the file and up to {4:g}{2}{3} in the data set: has it another unit?",
+        result_.abscissa, last, unit.empty() ? "" : " ", unit, last_reference);
+    result_.remarks.push_back(doubt_);
   }
 
   // Whether the file has rows of this group. If not, a remark says so.
@@ -559,7 +573,9 @@ class Comparer {
       const auto events = without_short_phases(events_of(reference_, group.reference), rule_.shortest_phase);
       const auto their_events =
           without_short_phases(in_words_of(events, events_of(theirs_, group.theirs)), rule_.shortest_phase);
-      const double end = settings_.until ? infinity : theirs_.column("time")->values[group.theirs.back()];
+      const double last = theirs_.column("time")->values[group.theirs.back()];
+      doubt_unit(last, reference_.column("time").values[group.reference.back()]);
+      const double end = settings_.until ? infinity : last;
       const SequenceMatch found = match(events, their_events, {horizon_, end, time_tolerance(rule_, events)});
       note_difference(sequence, group, found, events, their_events);
       note_unreached(group, found, events, end);
@@ -609,7 +625,8 @@ class Comparer {
     std::vector<TabulatedEvent> reference;
     std::optional<std::vector<TabulatedEvent>> theirs;
     std::vector<Window> windows;  // around the events, in which the phases may differ
-    double guard{};  // how far an event of the user may be from that of the reference, if unknown
+    double guard{};             // how far an event of the user may be from that of the reference, if unknown
+    double shortest{infinity};  // distance of two events of the reference
   };
 
   // The interval of a pair extends from one time to the other.
@@ -664,6 +681,8 @@ class Comparer {
       found.unreached = 0;  // the coverage of the history tells it
       note_difference(sequence, group, found, events.reference, *events.theirs);
     }
+    for (std::size_t i = 1; i < events.reference.size(); ++i)
+      events.shortest = std::min(events.shortest, events.reference[i].time - events.reference[i - 1].time);
     events.windows = windows_between(events, found);
     return events;
   }
@@ -701,7 +720,9 @@ class Comparer {
     for (std::size_t i = 0; i < comparable.size(); ++i) {
       const std::size_t their_row = comparable[i];
       const double t = times[their_row];
-      const double guard = events.theirs ? 0.0 : std::max(events.guard, sampling_distance(comparable, i));
+      // Their steps may be as long as their sampling distance, but not longer than the shortest phase.
+      const double step = std::min(events.shortest, sampling_distance(comparable, i));
+      const double guard = events.theirs ? 0.0 : std::max(events.guard, step);
       const bool is_at_event = std::ranges::any_of(events.windows, [&](const Window& window) {
         return t >= window.from - guard && t <= window.to + guard;
       });
@@ -759,8 +780,8 @@ class Comparer {
     std::string reasons;
     for (const auto& [reason, points] : result_.quantities.back().skipped)
       reasons += fmt::format("{}{} {}", reasons.empty() ? ": " : ", ", points, reason);
-    throw InputError(fmt::format("{}: none of the {} rows can be compared{}", theirs_.file.string(),
-                                 theirs_.rows(), reasons));
+    throw InputError(fmt::format("{}: none of the {} rows can be compared{}{}{}", theirs_.file.string(),
+                                 theirs_.rows(), reasons, doubt_.empty() ? "" : "; ", doubt_));
   }
 
   const data::ReferencePackage& package_;
@@ -772,6 +793,7 @@ class Comparer {
   const double horizon_;
   std::vector<std::string> group_columns_;
   std::vector<Group> groups_;
+  std::string doubt_;  // about the unit of the abscissa
   Comparison result_;
 };
 

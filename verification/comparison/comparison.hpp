@@ -117,8 +117,8 @@ struct Comparison {
 /// - phases: like curve, but with samples of the same phase only. Points between the event times of the
 ///   reference and of the user are skipped, and points at which the two sequences of events are in different
 ///   phases. If the user's event times are unknown, points within the tolerance of the event times and within
-///   one of the user's sampling intervals of an event of the reference are skipped. A sample in a different
-///   phase outside these intervals is an error of the quantity "phase".
+///   one of the user's sampling intervals (but no more than the shortest phase) of an event of the reference are
+///   skipped. A sample in a different phase outside these intervals is an error of the quantity "phase".
 ///
 /// Nothing is said to agree if the file covers less than least_range_coverage or least_table_coverage. A
 /// compared point of a curve covers a fortieth of the range on either side of it.

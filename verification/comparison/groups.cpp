@@ -2,10 +2,12 @@
 #include "comparison/groups.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 #include <set>
 
 #include "stickslip/data/case_file.hpp"
@@ -66,8 +68,30 @@ std::string Matcher::label(const std::vector<std::string>& columns, std::size_t 
 
 void Matcher::throw_unknown_row(const std::vector<std::string>& columns, std::size_t their_row) const {
   const auto cell = [&](const std::string& name) { return theirs_.column(name)->text[their_row]; };
-  throw data::InputError(fmt::format("{}: {} is not in the data set {}", theirs_.place(their_row),
-                                     label_of(columns, cell), reference_.resource.name));
+  throw data::InputError(fmt::format("{}: {} is not in the data set {}{}", theirs_.place(their_row),
+                                     label_of(columns, cell), reference_.resource.name,
+                                     allowed(columns, their_row)));
+}
+
+// ", where mode must be one of 1, 2, 3": the first column that leaves no row of the reference.
+std::string Matcher::allowed(const std::vector<std::string>& columns, std::size_t their_row) const {
+  Rows left(reference_.rows());
+  std::iota(left.begin(), left.end(), std::size_t{0});
+  for (const std::string& name : columns) {
+    const data::Column& column = reference_.column(name);
+    std::vector<std::string> values;
+    for (const std::size_t row : left)
+      if (std::ranges::count(values, column.text[row]) == 0) values.push_back(column.text[row]);
+    std::erase_if(left, [&](std::size_t row) {
+      return !are_alike(reference_.columns, row, theirs_.columns, their_row, {name});
+    });
+    if (!left.empty()) continue;
+    constexpr std::size_t most = 12;
+    return values.size() <= most ? fmt::format(", where {} must be one of {}", name, fmt::join(values, ", "))
+                                 : fmt::format(", where {} must be one of the {} from {} to {}", name,
+                                               values.size(), values.front(), values.back());
+  }
+  return "";
 }
 
 std::vector<Group> Matcher::groups(const std::vector<std::string>& columns) const {

@@ -46,6 +46,8 @@ class Matcher {
   [[nodiscard]] std::vector<Group> groups(const std::vector<std::string>& columns) const;
 
  private:
+  [[nodiscard]] std::string allowed(const std::vector<std::string>& columns, std::size_t their_row) const;
+
   const data::ReferenceTable& reference_;
   const data::UserTable& theirs_;
 };

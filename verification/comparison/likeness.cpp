@@ -120,6 +120,9 @@ class Search {
     const data::Beam* beam = problem ? &problem->beam : nullptr;
     Found found = pattern(values, beam);
     if (!found && is_of_other_events(quantity)) found = pattern(in_sequence(quantity, values), beam);
+    if (!found) found = other_column(quantity, values, group);
+    // A tip of which the displacement is 0 sticks, and a wrong model may say why.
+    if (!found && quantity.name != "tip_displacement") found = zeros_of(values);
     // Another data set may be near without being meant: beyond the tolerance a wrong model comes first.
     const Found other = found ? Found() : other_values(quantity, values, group);
     if (other && other->remaining <= quantity.tolerance) found = other;
@@ -130,6 +133,8 @@ class Search {
       const bool is_said = problem && diagnose_by_models(likeness, quantity, group, *problem);
       if (!likeness.diagnosis || likeness.diagnosis->finding == Finding::unexplained)
         found = other ? other : growth_of(values, beam);
+      if (!found && !(likeness.diagnosis && likeness.diagnosis->finding == Finding::mistaken))
+        found = single_values(group);
       // Events may be missing although the times agree.
       const bool is_of_interest =
           differs(group) || (likeness.diagnosis && likeness.diagnosis->finding == Finding::mistaken);
@@ -205,6 +210,55 @@ class Search {
         names.emplace_back(name);
     }
     return names;
+  }
+
+  // --- another column, single values
+
+  // The values of another compared column, at the same rows.
+  [[nodiscard]] Found other_column(const Comparison::Quantity& quantity, const ComparedValues& values,
+                                   const Series& group) const {
+    for (const Comparison::Quantity& other : comparison_.quantities)
+      for (const Series& series : other.series) {
+        if (other.name == quantity.name || series.group != group.group || series.abscissa != group.abscissa)
+          continue;
+        if (auto found = accepted(
+                values,
+                {.name = "other-column", .sentence = fmt::format("the values are those of {}", other.name)},
+                series.reference, 0, static_cast<int>(comparison_.quantities.size())))
+          return found;
+      }
+    return {};
+  }
+
+  // At most a twentieth of the values differ, or one, ten times as much as any other. Both numbers are empirical.
+  [[nodiscard]] Found single_values(const Series& group) const {
+    constexpr std::size_t fewest = 4, share = 20;
+    constexpr double least_ratio = 10.0;
+    const std::size_t size = group.theirs.size();
+    double largest = 0.0, least = std::numeric_limits<double>::infinity();
+    Rows wrong;
+    for (std::size_t i = 0; i < size; ++i) {
+      const double error = std::abs(group.theirs[i] - group.reference[i]) / group.allowed[i];
+      if (differs_at(group, i)) {
+        wrong.push_back(i);
+        least = std::min(least, error);
+      } else {
+        largest = std::max(largest, error);
+      }
+    }
+    const bool are_few = !wrong.empty() && wrong.size() <= std::max<std::size_t>(1, size / share);
+    if (size < fewest || !are_few || !(least_ratio * largest <= least)) return {};
+    Pattern pattern{.name = "single-values",
+                    .sentence = fmt::format("only {} of {} values differ{}", wrong.size(), size,
+                                            wrong.size() == 1 ? "s" : "")};
+    const bool has_place =
+        !comparison_.abscissa.empty() && (!is_of_rows() || reference_.resource.primary_key.size() == 1);
+    if (has_place)
+      pattern.sentence +=
+          fmt::format(", {}at {} = {:.9g}{}{}", wrong.size() == 1 ? "" : "the first ", comparison_.abscissa,
+                      group.abscissa[wrong.front()], comparison_.abscissa_unit.empty() ? "" : " ",
+                      comparison_.abscissa_unit);
+    return pattern;
   }
 
   // --- another data set
@@ -399,17 +453,21 @@ class Search {
     return pairs;
   }
 
+  // The wrong models are tried up to this time: five periods of stick and slip, or three without damping. Later on,
+  // small errors grow.
+  static double end_of(Quantity quantity, const data::Case& problem) {
+    const bool is_history = quantity == Quantity::tip_displacement || quantity == Quantity::friction_force;
+    const double periods = is_damped(problem) ? 5.0 : 3.0;
+    return is_history ? periods / problem.excitation.frequency_hz() : std::numeric_limits<double>::infinity();
+  }
+
   [[nodiscard]] Observed observed(const Comparison::Quantity& compared, Quantity quantity,
                                   const Series& group, const data::Case& problem) const {
     const bool is_event = quantity == Quantity::contact_event;
     const bool is_slow = quantity == Quantity::force_maximum || quantity == Quantity::critical_amplitude;
-    // Five periods of stick and slip, or three without damping: later on, small errors grow.
-    const double periods = is_damped(problem) ? 5.0 : 3.0;
-    const double end = quantity == Quantity::tip_displacement || quantity == Quantity::friction_force
-                           ? periods / problem.excitation.frequency_hz()
-                           : std::numeric_limits<double>::infinity();
     const auto pairs =
-        spread(is_event ? pairs_of_events() : pairs_of(group, compared.name, end), is_slow ? 8 : 400);
+        spread(is_event ? pairs_of_events() : pairs_of(group, compared.name, end_of(quantity, problem)),
+               is_slow ? 8 : 400);
     const data::Column &values = *theirs_.column(compared.name), &truth = reference_.column(compared.name);
     const auto half_width = reference_.radius_of(compared.name);
     const double scale = group.allowed.empty() ? compared.tolerance : group.allowed[0] - group.half_width[0];
@@ -438,6 +496,10 @@ class Search {
     return result;
   }
 
+  static std::string up_to(double time) {
+    return std::isfinite(time) ? fmt::format(" up to {:g} s", time) : "";
+  }
+
   // Whether there is a diagnosis, or a reason why there is none.
   bool diagnose_by_models(Likeness& likeness, const Comparison::Quantity& compared, const Series& group,
                           const data::Case& problem) {
@@ -448,6 +510,9 @@ class Search {
       if (seen.truth.empty()) return false;
       if (is_of_all_modes(seen)) {
         likeness.sentence = fmt::format("like all modes: the data set has {}", problem.numerics.modes());
+        const std::string of_all = comparison_.name + "-all-modes";
+        if (std::ranges::count(package_.resources, of_all, &data::Resource::name) > 0)
+          likeness.sentence += fmt::format(", and {} has all", of_all);
         likeness.diagnosis = Diagnosis{.finding = Finding::mistaken, .named = {"all-modes"}};
         return true;
       }
@@ -458,8 +523,8 @@ class Search {
       const Diagnosis found = studies::diagnose(relative_to_data(computed, seen.truth), seen.observation);
       likeness.sentence =
           found.finding == Finding::correct
-              ? fmt::format("no diagnosis: the difference of {} is too small to be assigned to a mistake",
-                            percent(found.from_reference))
+              ? fmt::format("no diagnosis: the difference of {}{} is too small to be assigned to a mistake",
+                            percent(found.from_reference), up_to(end_of(*quantity, problem)))
               : sentence(found) + where_told_apart(found, *quantity);
       likeness.diagnosis = found;
     } catch (const data::InputError& error) {  // there is no such state

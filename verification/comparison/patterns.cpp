@@ -11,6 +11,7 @@
 #include <numbers>
 #include <set>
 
+#include "comparison/points.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
 #include "studies/common/hertz.hpp"
 
@@ -106,6 +107,55 @@ Found factor_of(const ComparedValues& values) {
     if (auto found = with_factor(values, factor, text, 0)) return found;
   const double factor = fitted_factor(values);
   return with_factor(values, factor, fmt::format("{:.5g}", factor), 1);
+}
+
+// --- angles, constants, zeros
+
+// The conventions of a phase. sin(omega t + phase) = cos(omega t + phase - pi/2).
+struct AngleConvention {
+  double factor, plus;
+  const char* text;
+};
+constexpr double right_angle = std::numbers::pi / 2.0;
+constexpr std::array angle_conventions{
+    AngleConvention{1.0, 2.0 * right_angle, "plus half a turn: what they belong to has the opposite sign"},
+    AngleConvention{1.0, -right_angle, "minus a quarter turn: those of a cosine"},
+    AngleConvention{1.0, right_angle, "plus a quarter turn"},
+    AngleConvention{-1.0, 2.0 * right_angle, "with the opposite sign, plus half a turn"},
+    AngleConvention{-1.0, -right_angle, "with the opposite sign, minus a quarter turn"},
+    AngleConvention{-1.0, right_angle, "with the opposite sign, plus a quarter turn"},
+    AngleConvention{180.0 / std::numbers::pi, 0.0, "in degrees"}};
+
+Found angle_of(const ComparedValues& values) {
+  const auto with = [&values](double factor, double plus, const std::string& text) {
+    Values predicted;
+    for (std::size_t i = 0; i < values.theirs.size(); ++i)
+      predicted.push_back(nearest_angle(factor * values.reference[i] + plus, values.theirs[i]));
+    return accepted(values,
+                    {.name = "angle-convention",
+                     .sentence = fmt::format("all values are those of the data set {}", text)},
+                    predicted, 0, patterns_tried);
+  };
+  for (const auto& [factor, plus, text] : angle_conventions)
+    if (auto found = with(factor, plus, text)) return found;
+  for (const auto& [factor, text] : usual_factors)
+    if (auto found = with(factor, 0.0, fmt::format("times {}", text))) return found;
+  return {};
+}
+
+// The same constant added to all values.
+Found constant_of(const ComparedValues& values) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < values.theirs.size(); ++i) sum += values.theirs[i] - values.reference[i];
+  const double constant = sum / static_cast<double>(values.theirs.size());
+  Values predicted = values.reference;
+  for (double& value : predicted) value += constant;
+  return accepted(values,
+                  {.name = "constant-added",
+                   .sentence = fmt::format("all values are those of the data set {} {:.5g}{}{}",
+                                           constant > 0.0 ? "plus" : "minus", std::abs(constant),
+                                           values.unit.empty() ? "" : " ", values.unit)},
+                  predicted, 1, patterns_tried);
 }
 
 // --- shifts
@@ -385,13 +435,30 @@ Found accepted(const ComparedValues& values, Pattern pattern, const Values& pred
 
 Found pattern_of(const ComparedValues& values, const data::Beam* beam, bool is_slip) {
   if (values.theirs == values.reference) return {};
-  if (auto found = factor_of(values)) return found;
+  if (auto found = is_phase(values.unit, values.norm) ? angle_of(values) : factor_of(values)) return found;
   if (auto found = delay_of(values)) return found;
   if (is_of_frequencies(values)) {
     if (auto found = mixed_modes(values, beam)) return found;
     return beam == nullptr ? Found() : hermite_mesh(values, *beam, is_slip);
   }
-  return shift_of(values);
+  if (auto found = shift_of(values)) return found;
+  return constant_of(values);
+}
+
+Found zeros_of(const ComparedValues& values) {
+  constexpr double nearly = 1e-4;  // below the factor 1/1000 of another unit
+  double largest = 0.0, largest_reference = 0.0;
+  for (const double value : values.theirs) largest = std::max(largest, std::abs(value));
+  for (const double value : values.reference)
+    largest_reference = std::max(largest_reference, std::abs(value));
+  if (values.theirs.size() < 3 || !(largest < nearly * largest_reference)) return {};
+  return Pattern{.name = "zeros",
+                 .sentence = largest == 0.0
+                                 ? "all values are 0"
+                                 : fmt::format("all values are nearly 0: at most {:.2g} of the largest "
+                                               "of the data set",
+                                               largest / largest_reference),
+                 .difference = 1.0};
 }
 
 Found growth_of(const ComparedValues& values, const data::Beam* beam) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace stickslip::studies {
 
@@ -20,6 +21,12 @@ double unit_of(Norm norm, double reference, double scale) {
       break;
   }
   return 1.0;
+}
+
+bool is_phase(const std::string& unit, Norm norm) { return unit == "rad" && norm == Norm::absolute; }
+
+double nearest_angle(double angle, double reference) {
+  return reference + std::remainder(angle - reference, 2.0 * std::numbers::pi);
 }
 
 void skip(Comparison::Quantity& quantity, const std::string& reason) {

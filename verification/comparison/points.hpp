@@ -19,6 +19,12 @@ struct Point {
 /// that is 0, the scale.
 [[nodiscard]] double unit_of(data::Norm norm, double reference, double scale);
 
+/// Whether the values are phases, which are right to whole turns.
+[[nodiscard]] bool is_phase(const std::string& unit, data::Norm norm);
+
+/// The angle plus or minus whole turns that is nearest to the reference, rad.
+[[nodiscard]] double nearest_angle(double angle, double reference);
+
 /// Counts a point that was not compared.
 void skip(Comparison::Quantity& quantity, const std::string& reason);
 

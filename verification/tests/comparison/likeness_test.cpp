@@ -495,9 +495,102 @@ TEST(LikenessOfNumbers, IsAShiftOfTheCurveBetweenRowsOrOfEvents) {
     }
   }
   auto events = over_time({1, 2, 4, 7}, {0.75, 1.75, 3.75, 6.75});
-  EXPECT_EQ(said(studies::pattern_of(events)), "");
+  EXPECT_EQ(said(studies::pattern_of(events)), "all values are those of the data set minus 0.25 m");
   events.unit = "s";
   EXPECT_EQ(said(studies::pattern_of(events)), "all events are 0.25 s early");
+}
+
+TEST(LikenessOfNumbers, IsAnotherConventionOfAnAngle) {
+  const File right("damped-steady-state", "force_phase");
+  const auto turned = [&right](double factor, double plus) {
+    File file = right;
+    for (double& angle : file.values()) angle = factor * angle + plus;
+    return file;
+  };
+  constexpr double quarter = std::numbers::pi / 2.0;
+  for (const auto& [factor, plus, like] : {std::tuple{-1.0, 0.0, "times -1: the opposite sign"},
+                                           {1.0, 2.0 * quarter, "plus half a turn"},
+                                           {1.0, -quarter, "minus a quarter turn: those of a cosine"},
+                                           {1.0, quarter, "plus a quarter turn"},
+                                           {-1.0, 2.0 * quarter, "with the opposite sign, plus half a turn"},
+                                           {-1.0, -quarter, "with the opposite sign, minus a quarter turn"},
+                                           {-1.0, quarter, "with the opposite sign, plus a quarter turn"},
+                                           {180.0 / std::numbers::pi, 0.0, "in degrees"},
+                                           {0.25 / quarter, 0.0, "times 1/(2 pi)"}})
+    for (const double turns : {0.0, 4.0 * quarter})
+      EXPECT_TRUE(looks(turned(factor, plus + turns), like)) << like;
+  EXPECT_TRUE(looks(turned(1.0, 0.3), "plus 0.3 rad"));
+  EXPECT_EQ(turned(1.0, -4.0 * quarter).compared().agreement, studies::Agreement::agrees);
+  // A rotation is no phase.
+  auto rotation = over_time({0.1, 0.2, 0.4, 0.7}, {0.1, 0.2, 0.4, 0.7});
+  rotation.unit = "rad";
+  for (double& angle : rotation.theirs) angle *= 180.0 / std::numbers::pi;
+  EXPECT_EQ(said(studies::pattern_of(rotation)), "all values are those of the data set times 57.296");
+}
+
+TEST(LikenessOfNumbers, IsAConstantThatIsAdded) {
+  File file("undamped-history-25", "tip_displacement");
+  for (double& value : file.values()) value += 2e-4;
+  EXPECT_EQ(file.likeness(), "all values are those of the data set plus 0.0002 m\n");
+  File shape("static-shapes", "shape");
+  for (double& value : shape.values()) value += 1.0;
+  EXPECT_EQ(shape.likeness(), "all values are those of the data set plus 1\n");
+}
+
+TEST(LikenessOfNumbers, IsAnotherColumn) {
+  auto mine = published_copy("stick-history");
+  std::swap(mine["midspan_displacement"], mine["friction_force"]);
+  const auto likenesses = mine.diagnosed().likenesses;
+  ASSERT_EQ(likenesses.size(), 2u);
+  EXPECT_EQ(likenesses[0].sentence, "the values are those of friction_force");
+  EXPECT_EQ(likenesses[1].sentence, "the values are those of midspan_displacement");
+}
+
+TEST(LikenessOfNumbers, IsZeroWhereAllValuesAreNearlyZero) {
+  File force("stick-history", "friction_force");
+  const Values right = force.values();
+  std::ranges::fill(force.values(), 0.0);
+  EXPECT_EQ(force.likeness(), "all values are 0\n");
+  const double largest = std::abs(std::ranges::max(right, {}, [](double f) { return std::abs(f); }));
+  for (const double share : {0.9e-4, 1.1e-4}) {
+    for (std::size_t i = 0; i < right.size(); ++i)
+      force.values()[i] = share * largest * std::sin(static_cast<double>(i * i));
+    EXPECT_EQ(contains(force.likeness(), "all values are nearly 0: at most 9e-05 of"), share < 1e-4) << share;
+  }
+  // A tip that does not move sticks.
+  File tip("undamped-history-25", "tip_displacement");
+  std::ranges::fill(tip.values(), 0.0);
+  EXPECT_TRUE(looks(tip, "'second-moment-as-printed'"));
+}
+
+TEST(LikenessOfNumbers, IsSingleValuesWhereAllOthersAgree) {
+  const auto with_wrong = [](std::initializer_list<std::size_t> rows, double size) {
+    File file("damped-stick-history", "midspan_displacement");
+    for (const std::size_t row : rows) file.values()[row] += size;
+    return file;
+  };
+  EXPECT_EQ(with_wrong({100}, 1e-4).likeness(), "only 1 of 200 values differs, at time = 0.505 s\n");
+  EXPECT_EQ(with_wrong({199, 7, 30}, 1e-4).likeness(),
+            "only 3 of 200 values differ, the first at time = 0.04 s\n");
+  // At most a twentieth, ten times the error of any other.
+  File many = with_wrong({0, 20, 40, 60, 80, 100, 120, 140, 160, 180}, 1e-4);
+  EXPECT_TRUE(looks(many, "only 10 of 200 values differ"));
+  many.values()[190] += 1e-4;
+  EXPECT_EQ(many.likeness(), "");
+  const double allowed =
+      1e-3 * std::abs(std::ranges::max(many.values(), {}, [](double y) { return std::abs(y); }));
+  for (const double other : {0.15, 0.25}) {
+    File file = with_wrong({100}, 2.0 * allowed);
+    file.values()[50] += other * allowed;
+    EXPECT_EQ(contains(file.likeness(), "only 1 of 200"), other < 0.2) << file.likeness();
+  }
+  // Beside the rows that the wrong models are tried at.
+  File maxima("friction-maxima", "friction_force");
+  maxima.values()[60] *= 1.02;
+  EXPECT_EQ(maxima.likeness(), "only 1 of 120 values differs, at frequency = 61 Hz\n");
+  File three("stick-frequencies", "frequency");
+  three.keep_first(3).table.columns.back().values[0] += 1e-3;
+  EXPECT_FALSE(contains(three.likeness(), "only"));
 }
 
 TEST(LikenessOfNumbers, IsTheNodeBesideTheMiddle) {
@@ -589,7 +682,7 @@ TEST(LikenessOfModels, IsAllModesWhereTheDataSetHasTen) {
             data::HarmonicExcitation({.frequency_hz = file["frequency"][i], .amplitude = 0.5e-3}), 10.0, 40,
             analytic::SteadyPart::exact)
             .force_max.midpoint();
-  EXPECT_EQ(file.likeness(), "like all modes: the data set has 10\n");
+  EXPECT_EQ(file.likeness(), "like all modes: the data set has 10, and friction-maxima-all-modes has all\n");
 }
 
 TEST(LikenessOfModels, IsTheMistakeInEachRowThatIsACase) {

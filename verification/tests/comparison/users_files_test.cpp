@@ -106,6 +106,39 @@ TEST(ComparedTable, HasTheNumberOfTheRowAsAbscissaWithoutANumericalKey) {
             std::vector<double>{2.0});
 }
 
+TEST(ComparedAngle, IsTheSameAWholeTurnFurther) {
+  auto mine = published_copy("damped-steady-state");
+  constexpr double turn = 2.0 * std::numbers::pi;
+  for (double& phase : mine["midspan_phase"])
+    if (phase < 0.0) phase += turn;
+  for (double& phase : mine["force_phase"]) phase -= 3.0 * turn;
+  EXPECT_EQ(mine.compared().agreement, Agreement::agrees);
+  mine["midspan_phase"][50] += 2e-3;
+  const auto phase = mine.compared("midspan_phase");
+  EXPECT_EQ(phase.agreement, Agreement::differs);
+  EXPECT_TRUE(within(*phase.error, 2e-3, round_off(10.0, 1.0, turn)));
+}
+STICKSLIP_VERIFIES(ComparedAngle, "X20");
+
+TEST(ComparedSamples, FarBeyondTheDataSetMayBeInAnotherUnit) {
+  for (const double factor : {99.0, 1000.0}) {
+    auto mine = published_copy("stick-history");
+    for (double& time : mine["time"]) time *= factor;
+    const auto comparison = mine.compared(with_tolerance("", 1e9));
+    EXPECT_EQ(mentions(comparison, "has it another unit?"), factor > 100.0);
+  }
+  auto events = published_copy("stick-slip-events");
+  for (double& time : events["time"]) time *= 1e3;
+  EXPECT_TRUE(mentions(events.compared(), "has it another unit?"));
+  auto late = published_copy("stick-history");
+  late.erase(0);
+  for (double& time : late["time"]) time *= 1e3;
+  EXPECT_EQ(late.error_message(),
+            "mine.csv: none of the 999 rows can be compared: 999 outside the range of the data set; time "
+            "goes up to "
+            "1000 s in the file and up to 1 s in the data set: has it another unit?");
+}
+
 // --- alignment of events
 
 TabulatedEvent event(const std::string& change, double time) { return {change, time, 0.0, 0, 0}; }
@@ -263,6 +296,15 @@ TEST(ComparedHistory, IsComparedInAllPhasesThatBothHave) {
   EXPECT_GE(tip.compared + 2, total);  // one sample or two lie in the stick that they do not have
   mine["tip_displacement"].back() += 1.0;
   EXPECT_EQ(mine.compared("tip_displacement", settings).agreement, Agreement::differs);
+}
+
+TEST(ComparedHistory, IsJudgedWithoutTheirEventsWhereSamplesAreRarerThanEvents) {
+  // Every 10 ms, with 94 events a second. Two samples are within the shortest phase of 0.33 ms of an event.
+  auto mine = published_copy("stick-slip-energy");
+  EXPECT_EQ(mine.compared().agreement, Agreement::agrees);
+  EXPECT_EQ(mine.compared("friction_loss").compared, 48u);
+  for (double& loss : mine["friction_loss"]) loss *= -1.0;
+  EXPECT_EQ(mine.compared().agreement, Agreement::differs);
 }
 
 TEST(ComparedHistory, LeavesOutTheToleranceOfAnEventWithoutTheirs) {

@@ -89,6 +89,9 @@ TEST(InputLimits, HasTheUnitsOfEveryQuantity) {
                                                              {"kPa", "Pa", 1e3},
                                                              {"MPa", "Pa", 1e6},
                                                              {"GPa", "Pa", 1e9},
+                                                             {"rad", "rad", 1.0},
+                                                             {"deg", "rad", std::numbers::pi / 180.0},
+                                                             {"\u00b0", "rad", std::numbers::pi / 180.0},
                                                              {"J", "J", 1.0},
                                                              {"mJ", "J", 1e-3},
                                                              {"%", "", 1e-2}}) {
