@@ -24,6 +24,7 @@
 #include "stickslip/data/sha256.hpp"
 #include "stickslip/data/user_table.hpp"
 #include "support/command_line.hpp"
+#include "support/error_message.hpp"
 #include "support/requirements.hpp"
 
 namespace stickslip::testing {
@@ -294,25 +295,23 @@ TEST_F(CaseFileInput, IsRefusedInOneSentenceOrRead) {
   for (const BadInput& row : inputs) {
     SCOPED_TRACE(row.item + ", " + row.defect);
     const int line = write_case(row);
-    try {
-      (void)data::read_case(path("case.toml"));
-      EXPECT_FALSE(row.is_refused());
-    } catch (const data::InputError& error) {
-      const std::string sentence = error.what();
-      EXPECT_TRUE(row.is_refused()) << sentence;
-      expect_one_sentence(sentence);
-      const bool has_line = row.defect != "missing" && row.defect != "100 MB";
-      EXPECT_TRUE(sentence.starts_with(path("case.toml") + (has_line ? fmt::format(":{}: ", line) : ": ")))
-          << sentence;
-      const bool is_no_toml =
-          row.defect == "not UTF-8" || row.defect == "deep nesting" || row.defect == "100 MB";
-      EXPECT_TRUE(is_no_toml || holds(sentence, row.defect == "duplicate"
-                                                    ? in_quotes(row.item.substr(row.item.find('.') + 1))
-                                                    : row.item))
-          << sentence;
-      if (row.defect == "unknown") {
-        EXPECT_TRUE(holds(sentence, "did you mean " + row.item + "?"));
-      }
+    const auto message =
+        error_message_if_any<data::InputError>([&] { (void)data::read_case(path("case.toml")); });
+    EXPECT_EQ(message.has_value(), row.is_refused());
+    if (!message) continue;
+    const std::string& sentence = *message;
+    expect_one_sentence(sentence);
+    const bool has_line = row.defect != "missing" && row.defect != "100 MB";
+    EXPECT_TRUE(sentence.starts_with(path("case.toml") + (has_line ? fmt::format(":{}: ", line) : ": ")))
+        << sentence;
+    const bool is_no_toml =
+        row.defect == "not UTF-8" || row.defect == "deep nesting" || row.defect == "100 MB";
+    EXPECT_TRUE(is_no_toml ||
+                holds(sentence, row.defect == "duplicate" ? in_quotes(row.item.substr(row.item.find('.') + 1))
+                                                          : row.item))
+        << sentence;
+    if (row.defect == "unknown") {
+      EXPECT_TRUE(holds(sentence, "did you mean " + row.item + "?"));
     }
   }
 }
@@ -422,18 +421,15 @@ TEST_P(ColumnsOf, AreRefusedInOneSentenceOrCompared) {
     SCOPED_TRACE(row.item + ", " + row.defect);
     const std::string column = row.item.substr(set.size() + 1);
     write_table(row, set, column);
-    try {
-      compare(set);
-      EXPECT_FALSE(row.is_refused());
-    } catch (const data::InputError& error) {
-      const std::string sentence = error.what();
-      EXPECT_TRUE(row.is_refused()) << sentence;
-      expect_one_sentence(sentence);
-      EXPECT_TRUE(sentence.starts_with(path("mine.csv"))) << sentence;
-      EXPECT_TRUE(row.defect == "100 MB" || holds(sentence, column)) << sentence;
-      if (bad_values.contains(row.defect)) {
-        EXPECT_TRUE(holds(sentence, "mine.csv:4") || holds(sentence, " line 4")) << sentence;
-      }
+    const auto message = error_message_if_any<data::InputError>([&] { compare(set); });
+    EXPECT_EQ(message.has_value(), row.is_refused());
+    if (!message) continue;
+    const std::string& sentence = *message;
+    expect_one_sentence(sentence);
+    EXPECT_TRUE(sentence.starts_with(path("mine.csv"))) << sentence;
+    EXPECT_TRUE(row.defect == "100 MB" || holds(sentence, column)) << sentence;
+    if (bad_values.contains(row.defect)) {
+      EXPECT_TRUE(holds(sentence, "mine.csv:4") || holds(sentence, " line 4")) << sentence;
     }
   }
 }
@@ -488,14 +484,12 @@ class PackageInput : public CommandLine {
 
   // The sentence that refuses a package or one of its tables, empty if both are accepted.
   [[nodiscard]] std::string error_message(const std::string& folder, std::size_t resource = 0) const {
-    try {
+    const auto message = error_message_if_any<data::InputError>([&] {
       const auto package = data::load_reference(path(folder));
       (void)data::read_table(package, package.resources.at(resource).name);
-      return "";
-    } catch (const data::InputError& error) {
-      expect_one_sentence(error.what());
-      return error.what();
-    }
+    });
+    if (message) expect_one_sentence(*message);
+    return message.value_or("");
   }
 };
 

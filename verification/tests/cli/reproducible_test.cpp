@@ -13,6 +13,7 @@
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/data/user_table.hpp"
 #include "support/command_line.hpp"
+#include "support/error_message.hpp"
 #include "support/requirements.hpp"
 
 namespace stickslip::testing {
@@ -102,13 +103,8 @@ TEST_F(LocaleWithAComma, ChangesNothingThatIsReadOrWritten) {
 }
 
 TEST_F(LocaleWithAComma, RefusesWithTheSameSentence) {
-  const auto sentence = [&](const std::string& key, const std::string& value) -> std::string {
-    try {
-      (void)data::load_case("paper", {{key, value}});
-    } catch (const data::InputError& error) {
-      return error.what();
-    }
-    return "";
+  const auto sentence = [](const std::string& key, const std::string& value) {
+    return error_message_of<data::InputError>([&] { (void)data::load_case("paper", {{key, value}}); });
   };
   for (const auto& [key, value] : std::vector<std::pair<std::string, std::string>>{
            {"beam.length", "-1234.5"}, {"numerics.elements", "1234567"}, {"numerics.modes", "1234.5"}}) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "comparison/comparison.hpp"
+#include "support/error_message.hpp"
 
 namespace stickslip::testing {
 
@@ -111,12 +112,8 @@ class OwnCopy {
 
   /// Why it cannot be compared; "accepted" if it can.
   [[nodiscard]] std::string error_message(const studies::ComparisonSettings& settings = {}) const {
-    try {
-      static_cast<void>(compared(settings));
-    } catch (const data::InputError& error) {
-      return error.what();
-    }
-    return "accepted";
+    return error_message_if_any<data::InputError>([&] { static_cast<void>(compared(settings)); })
+        .value_or("accepted");
   }
 
  private:

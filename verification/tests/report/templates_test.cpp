@@ -25,6 +25,7 @@
 #include "render/text_file.hpp"
 #include "stickslip/data/input_error.hpp"
 #include "stickslip/data/paper.hpp"
+#include "support/error_message.hpp"
 #include "support/requirements.hpp"
 
 namespace stickslip {
@@ -68,12 +69,7 @@ class ReportTemplates : public ::testing::Test {
   }
 
   [[nodiscard]] std::string error_of(const std::string& text) const {
-    try {
-      (void)filled_in(text);
-    } catch (const std::runtime_error& error) {
-      return error.what();
-    }
-    return "";
+    return testing::error_message_of<std::runtime_error>([&] { (void)filled_in(text); });
   }
 
   const fs::path folder_ = fs::temp_directory_path() / ("stickslip-templates-" + std::to_string(::getpid()));

@@ -11,6 +11,7 @@
 #include "render/document.hpp"
 #include "render/output_folder.hpp"
 #include "support/command_line.hpp"
+#include "support/error_message.hpp"
 #include "support/requirements.hpp"
 
 namespace stickslip::testing {
@@ -23,12 +24,8 @@ class Typesetting : public Drawing {
     report::OutputFolder output(folder());
     output.write("fig2.png", "figure");
     output.write("vv-report.pdf", "old");
-    std::string sentence;
-    try {
-      report::typeset(output.scratch(), output);
-    } catch (const std::runtime_error& error) {
-      sentence = error.what();
-    }
+    const std::string sentence =
+        error_message_of<std::runtime_error>([&] { report::typeset(output.scratch(), output); });
     EXPECT_EQ(contents(folder() + "/fig2.png"), "figure");
     EXPECT_EQ(contents(folder() + "/vv-report.pdf"), "old");
     return sentence;

@@ -19,6 +19,7 @@
 #include "studies/criterion/model_form.hpp"
 #include "studies/stick_slip/event_history.hpp"
 #include "studies/stick_slip/regularisation.hpp"
+#include "support/error_message.hpp"
 #include "support/order.hpp"
 #include "support/requirements.hpp"
 #include "support/single_mass.hpp"
@@ -351,12 +352,9 @@ TEST(YieldingContactForce, RefusesASpringThatRoundingWouldLoad) {
   const double stiffest = 1e-4 * 300.0 / (std::numeric_limits<double>::epsilon() * 1e-3);
   EXPECT_NO_THROW(run(0.99 * stiffest, problem.friction));
   EXPECT_NO_THROW(run(1e24, data::FrictionLaw({})));  // nothing to hold
-  try {
-    run(1.01 * stiffest, problem.friction);
-    FAIL() << "not refused";
-  } catch (const data::FieldError& error) {
-    EXPECT_EQ(error.field(), "contact.tangential_stiffness");
-  }
+  const std::string message =
+      error_message_of<data::FieldError>([&] { run(1.01 * stiffest, problem.friction); });
+  EXPECT_TRUE(message.starts_with("contact.tangential_stiffness is ")) << message;
 }
 
 INSTANTIATE_TEST_SUITE_P(Contact, YieldingContact, ::testing::Values("spring", "softspring", "smooth"),

@@ -22,6 +22,7 @@
 #include "studies/common/problem_parameter.hpp"
 #include "studies/convergence/discretisation.hpp"
 #include "studies/criterion/problem_warnings.hpp"
+#include "support/error_message.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
@@ -330,22 +331,19 @@ TEST(ProblemWarnings, AreNoneWhereThePeriodsToFollowAreTooMany) {
 
 TEST(ProblemWarnings, AreRefusalsFromTheNumberOfPeriodsOnThatIsNamed) {
   const double tenth = analytic::stick_modes(paper_with().beam, 10).back().frequency_hz();
-  const auto error_message = [](double hz, double duration, Inquiry inquiry) -> std::string {
-    try {
+  const auto error_message = [](double hz, double duration, Inquiry inquiry) {
+    return error_message_if_any<data::FieldError>([&] {
       studies::require_feasible(paper_with({{"excitation.frequency_hz", digits(hz)},
                                             {"numerics.time_step", "1e-3"},
                                             {"excitation.duration", digits(duration)}}),
                                 inquiry);
-      return "";
-    } catch (const data::FieldError& error) {
-      return error.what();
-    }
+    });
   };
   for (const auto& [inquiry, periods, number] : {std::tuple{Inquiry::criterion, 1e8, "a hundred million"},
                                                  {Inquiry::event_driven_history, 1e6, "a million"}})
     for (const double hz : {25.0, 2000.0}) {
       const double highest = std::max(hz, tenth), longest = periods / highest;
-      EXPECT_EQ(error_message(hz, 0.999 * longest, inquiry), "");
+      EXPECT_EQ(error_message(hz, 0.999 * longest, inquiry), std::nullopt);
       EXPECT_EQ(
           error_message(hz, 1.001 * longest, inquiry),
           fmt::format("excitation.duration is {}, but must be at most {:.3g} s, {} periods of {}, {:.3g} Hz",

@@ -7,6 +7,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@
 #include "studies/criterion/design_guide.hpp"
 #include "studies/criterion/model_form.hpp"
 #include "studies/criterion/problem_warnings.hpp"
+#include "support/error_message.hpp"
 #include "support/order.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
@@ -188,13 +190,9 @@ analytic::Criterion criterion_of(const data::Case& problem) {
 STICKSLIP_VERIFIES(ShearScope, "X24");
 TEST(ShearScope, IsRefusedByNameWhereThereIsNoShear) {
   const data::Case problem = sheared_case();
-  const auto expect_refused = [](auto&& attempt) {
-    try {
-      attempt();
-      ADD_FAILURE() << "not refused";
-    } catch (const data::FieldError& error) {
-      EXPECT_EQ(error.field(), "beam.shear_stiffness");
-    }
+  const auto expect_refused = [](const std::function<void()>& attempt) {
+    const std::string message = error_message_of<data::FieldError>(attempt);
+    EXPECT_TRUE(message.starts_with("beam.shear_stiffness is ")) << message;
   };
   const data::Damping damping({.kelvin_voigt = 1e-5});
   expect_refused([&] { (void)analytic::stick_modes(problem.beam, 1); });

@@ -19,6 +19,7 @@
 #include "studies/criterion/design_guide.hpp"
 #include "studies/uncertainty/slip_probability.hpp"
 #include "support/beams.hpp"
+#include "support/error_message.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
@@ -290,12 +291,8 @@ double probability_below(double coefficient, double deviation = 0.05) {
 
 std::string refused_because(const data::Uncertainty& uncertainty,
                             const std::optional<analytic::FrequencyBand>& band = {}) {
-  try {
-    (void)studies::slip_uncertainty(problem(), uncertainty, {.samples = 100, .band = band});
-  } catch (const data::InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return error_message_of<data::InputError>(
+      [&] { (void)studies::slip_uncertainty(problem(), uncertainty, {.samples = 100, .band = band}); });
 }
 
 // mu_s alone: A_c is proportional to it, and the tip slips below mu_c = A_0 |f_max|/(A_0 P).

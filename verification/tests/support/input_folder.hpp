@@ -8,9 +8,11 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <string>
 
 #include "stickslip/data/input_error.hpp"
+#include "support/error_message.hpp"
 
 namespace stickslip::testing {
 
@@ -32,19 +34,13 @@ class InputFolder {
 
   /// The sentence with which an action refuses its input, without this folder in the names of files; "accepted" if it
   /// does not. It must be on one line.
-  template <class Action>
-  [[nodiscard]] std::string error_message(const Action& action) const {
-    try {
-      action();
-    } catch (const data::InputError& error) {
-      std::string sentence = error.what();
-      const std::string prefix = path_.string() + "/";
-      for (auto at = sentence.find(prefix); at != std::string::npos; at = sentence.find(prefix))
-        sentence.erase(at, prefix.size());
-      EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
-      return sentence;
-    }
-    return "accepted";
+  [[nodiscard]] std::string error_message(const std::function<void()>& action) const {
+    std::string sentence = error_message_if_any<data::InputError>(action).value_or("accepted");
+    const std::string prefix = path_.string() + "/";
+    for (auto at = sentence.find(prefix); at != std::string::npos; at = sentence.find(prefix))
+      sentence.erase(at, prefix.size());
+    EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
+    return sentence;
   }
 
  private:
