@@ -116,8 +116,7 @@ void expect_multipliers(const std::vector<Complex>& computed, const std::vector<
   for (const Complex value : expected) {
     const auto nearest =
         *std::ranges::min_element(computed, {}, [&](Complex z) { return std::abs(z - value); });
-    EXPECT_TRUE(within(std::abs(nearest - value), 0.0, tolerance))
-        << value << " is not there, but " << nearest;
+    EXPECT_TRUE(within(nearest, value, tolerance));
   }
 }
 
@@ -262,7 +261,7 @@ TEST(PeriodicMotion, OfAForcedPairReturnsAndForgetsWhatTheStopsTake) {
   for (std::size_t i = 0; i < 4; ++i)
     EXPECT_TRUE(within(end[i], coordinate(start, i), discretisation(1e-10, 1.0, "1e-12 a step")));
   EXPECT_LT(std::abs(motion->multipliers.front()), 1.0);
-  EXPECT_TRUE(within(std::abs(motion->multipliers.back()), 0.0, discretisation(1e-12, 1.0, "1e-13 a step")));
+  EXPECT_TRUE(within(motion->multipliers.back(), 0.0, discretisation(1e-12, 1.0, "1e-13 a step")));
 }
 
 TEST(PeriodicMotion, IsNotFoundWhereTheContactNeverSlips) {

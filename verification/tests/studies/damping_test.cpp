@@ -151,10 +151,6 @@ std::vector<Quantity> quantities(TipSupport tip) {
   return {{&Amplitudes::midspan, "midspan"}, {&Amplitudes::tip, "tip"}};
 }
 
-::testing::AssertionResult near(Complex computed, Complex expected, const Tolerance& tolerance) {
-  return within(std::abs(computed - expected), 0.0, tolerance) << computed << " instead of " << expected;
-}
-
 // The stiffness of n elements is known to n^4 eps; near a resonance an error of it grows with the response.
 Tolerance mesh_round_off(int elements, double response, double scale) {
   return round_off(1, std::pow(elements, 4) * (1.0 + response / amplitude), scale);
@@ -174,9 +170,9 @@ TEST(DampedFrequencyResponse, IsOfFourthOrderInTheMeshWithThePredictedAmplitudeA
         const auto [leading, next] = mesh_error.predicted(elements);
         const double rounding =
             mesh_round_off(elements, std::abs(exact.midspan), std::abs(exact.*member)).value;
-        EXPECT_TRUE(
-            near(error, leading.*member,
-                 discretisation(std::abs(next.*member) + rounding, 1.0, "terms of order l^6, and round-off")))
+        EXPECT_TRUE(within(
+            error, leading.*member,
+            discretisation(std::abs(next.*member) + rounding, 1.0, "terms of order l^6, and round-off")))
             << v.name() << ", " << name << ", " << elements << " elements";
         // Round-off grows as n^4: on more than 24 elements it is in the error's way.
         if (elements > 24) continue;
@@ -273,8 +269,8 @@ TEST_P(DampedSteppedResponse, IsThatOfTheSchemeInTheFrequencyDomain) {
     const Amplitudes computed = stepped_amplitudes(v, GetParam());
     const Amplitudes expected = FrequencyDomain(v, few_elements).stepped(time_step(v), GetParam());
     for (const auto& [member, name] : quantities(v.tip))
-      EXPECT_TRUE(near(computed.*member, expected.*member,
-                       step_round_off(std::abs(expected.midspan), std::abs(expected.*member))))
+      EXPECT_TRUE(within(computed.*member, expected.*member,
+                         step_round_off(std::abs(expected.midspan), std::abs(expected.*member))))
           << v.name() << ", " << name;
   }
 }

@@ -7,7 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <complex>
+#include <initializer_list>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -61,6 +64,13 @@ inline ::testing::AssertionResult within(double computed, double expected, const
        << tolerance.derivation << ")\n  margin    " << error / tolerance.value
        << " (error / tolerance, allowed up to 1)";
   return ::testing::AssertionFailure() << text.str();
+}
+
+/// The same of complex numbers: |computed - expected| <= tolerance.
+inline ::testing::AssertionResult within(std::complex<double> computed, std::complex<double> expected,
+                                         const Tolerance& tolerance) {
+  return within(std::abs(computed - expected), 0.0, tolerance) << "\n"
+                                                               << computed << " instead of " << expected;
 }
 
 }  // namespace stickslip::testing
