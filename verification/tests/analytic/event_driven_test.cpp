@@ -535,7 +535,7 @@ TEST(EventDriven, EventTimesFollowTheToleranceUnderWeakeningFriction) {
     error = 0.0;
     for (std::size_t i = 0; i < events.size(); ++i) {
       EXPECT_EQ(events[i].change, reference_events[i].change);
-      error = std::max(error, std::abs(events[i].time - reference_events[i].time));
+      error = largest_or_nan({error, std::abs(events[i].time - reference_events[i].time)});
     }
     EXPECT_LT(error, previous) << tolerance;
     EXPECT_LT(error, 1e3 * tolerance);

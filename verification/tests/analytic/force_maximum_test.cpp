@@ -75,7 +75,7 @@ TEST(ForceMaximum, EnclosesEverySampleAndIsAttained) {
       EXPECT_LE(bounds.upper - bounds.lower, width * bounds.lower + 3.0 * search.rounding());
       double largest = 0.0;
       for (int i = 0; i <= 20000; ++i)
-        largest = std::max(largest, std::abs(search.value(duration * i / 2e4)));
+        largest = largest_or_nan({largest, std::abs(search.value(duration * i / 2e4))});
       EXPECT_LE(largest, bounds.upper + search.rounding()) << hz;
       // Between samples a sinusoid of frequency w exceeds them by at most (w h)^2/8 of itself; the tenth mode
       // has 1e4 rad/s, but less than a thousandth of the amplitude.
@@ -123,7 +123,7 @@ TEST(ForceMaximum, RoundingBoundsTheDistanceToExtendedPrecision) {
     const double t = 10.0 * i / 5000.0;
     const long double exact =
         steady * std::sin(o * static_cast<long double>(t)) + free * std::sin(w * static_cast<long double>(t));
-    worst = std::max(worst, std::abs(static_cast<double>(search.value(t) - exact)));
+    worst = largest_or_nan({worst, std::abs(static_cast<double>(search.value(t) - exact))});
   }
   EXPECT_LE(worst, search.rounding());
   EXPECT_GE(worst, 1e-3 * search.rounding());  // and the bound is not out of all proportion

@@ -734,7 +734,7 @@ Values held_force(const data::Case& problem) {
 
 double largest_difference(const Values& a, const Values& b) {
   double largest = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  for (std::size_t i = 0; i < a.size(); ++i) largest = largest_or_nan({largest, std::abs(a[i] - b[i])});
   return largest;
 }
 

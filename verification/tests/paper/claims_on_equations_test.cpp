@@ -111,7 +111,7 @@ TEST(ClaimOnSection2, AxialMotionIsSmallAgainstTheLateralOne) {
       lateral = std::max(lateral, std::abs(now - run.base_displacement()));
       before = now;
     }
-    axial = std::max(axial, shortening);
+    axial = largest_or_nan({axial, shortening});
   }
   judge("sect2.axial-motion-neglected", {.as_printed = axial < 0.01 * lateral},
         fmt::format("at 25 Hz and 1 mm the deflection reaches {:.2f} mm and shortens the beam by {:.1e} mm",
@@ -124,8 +124,8 @@ TEST(ClaimOnEquation1, GovernsTheBeamWithACompressiveAxialForce) {
   for (int i = 0; i <= 10; ++i) {
     const double x = length() * i / 10;
     const double inertia = mass_per_length() * omega * omega * steady.displacement(x).real();
-    residual = std::max(residual, std::abs(bending_stiffness() * steady.derivative(4, x).real() +
-                                           axial_force() * steady.derivative(2, x).real() - inertia));
+    residual = largest_or_nan({residual, std::abs(bending_stiffness() * steady.derivative(4, x).real() +
+                                                  axial_force() * steady.derivative(2, x).real() - inertia)});
     scale = std::max(scale, std::abs(inertia));
   }
   const auto midspan = convergence(
@@ -147,8 +147,8 @@ TEST(ClaimOnEquation2, DeflectionAndSlopeVanishAtTheClamp) {
   double largest = 0.0;
   for (const TipSupport tip : {TipSupport::held, TipSupport::free}) {
     const auto steady = closed_form(tip);
-    largest = std::max({largest, std::abs(steady.displacement(0.0) - amplitude) / amplitude,
-                        std::abs(steady.derivative(1, 0.0)) * length() / amplitude});
+    largest = largest_or_nan({largest, std::abs(steady.displacement(0.0) - amplitude) / amplitude,
+                              std::abs(steady.derivative(1, 0.0)) * length() / amplitude});
   }
   const solver::BeamModel model(paper().beam, 20);
   const bool mesh = model.interpolation(0.0).isZero(0.0);
@@ -171,7 +171,8 @@ TEST(ClaimOnEquation3, TheStuckTipMovesAgainstTheBaseAndCarriesNoMoment) {
       start = deflection;
       start_base = run.base_displacement();
     }
-    departure = std::max(departure, std::abs(deflection - (start - (run.base_displacement() - start_base))));
+    departure =
+        largest_or_nan({departure, std::abs(deflection - (start - (run.base_displacement() - start_base)))});
   }
   const double moment =
       std::abs(closed_form(TipSupport::held).derivative(2, length())) * length() * length() / amplitude;
@@ -222,7 +223,7 @@ TEST(ClaimOnEquation4, StickContinuesOnlyWhileTheForceIsWithinTheLimit) {
   for (int n = 1; n <= 6000; ++n) {
     run.advance_to(5e-5 * n);
     if (run.state() == analytic::ContactPhase::stick)
-      largest = std::max(largest, std::abs(run.friction_force()));
+      largest = largest_or_nan({largest, std::abs(run.friction_force())});
   }
   const auto onsets =
       std::ranges::count(run.events(), analytic::ContactChange::onset, &analytic::ChangeOfContact::change);
@@ -285,7 +286,7 @@ TEST(ClaimOnEquation6, KineticFrictionOpposesTheSlidingVelocity) {
     ++slipping;
     opposing += on_beam * v < 0.0 ? 1 : 0;
     const double coefficient = 0.3 + (0.6 - 0.3) * std::exp(-1.0 * std::abs(v));
-    departure = std::max(departure, std::abs(std::abs(on_beam) - coefficient * axial_force()));
+    departure = largest_or_nan({departure, std::abs(std::abs(on_beam) - coefficient * axial_force())});
   }
   judge("eq6",
         {.as_printed = slipping > 1000 && opposing == slipping && departure <= round_off(10, 1, 300.0).value},
@@ -301,7 +302,7 @@ TEST(ClaimOnEquation7, TheCoefficientDecaysFromTheStaticOneToTheMinimum) {
   for (int i = 1; i <= 100; ++i) {
     const double v = 0.1 * i;
     decays &= mu(v) < mu(v - 0.1) && mu(-v) == mu(v);
-    departure = std::max(departure, std::abs(mu(v) - (0.3 + (0.6 - 0.3) * std::exp(-1.0 * v))));
+    departure = largest_or_nan({departure, std::abs(mu(v) - (0.3 + (0.6 - 0.3) * std::exp(-1.0 * v)))});
   }
   judge("eq7",
         {.as_printed = mu(0.0) == 0.6 && decays && departure <= round_off(10, 1, 0.6).value &&
@@ -319,10 +320,10 @@ TEST(ClaimOnSection2, MuSPIsTheRangeOfTheStaticForce) {
     const double force = std::abs(run.friction_force());
     if (run.state() == solver::ContactState::stick) {
       smallest_static = std::min(smallest_static, force);
-      largest_static = std::max(largest_static, force);
+      largest_static = largest_or_nan({largest_static, force});
     } else {
       smallest_kinetic = std::min(smallest_kinetic, force);
-      largest_kinetic = std::max(largest_kinetic, force);
+      largest_kinetic = largest_or_nan({largest_kinetic, force});
     }
   }
   // E7: the kinetic force lies between mu_m P and mu_s P; the tip slides at up to about 1 m/s, mu(1) = 0.41.

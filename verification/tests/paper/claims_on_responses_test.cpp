@@ -58,7 +58,8 @@ TEST(ClaimOnSection3, TheTimeStepGivesReasonableResults) {
     const auto refined =
         solver::first_slip(paper().beam, paper().friction, at, data::NumericalSettings(fine));
     verdicts_stay &= coarse.has_value() == refined.has_value();
-    if (coarse && refined) largest = std::max(largest, std::abs(*coarse - *refined) * printed.frequency_hz);
+    if (coarse && refined)
+      largest = largest_or_nan({largest, std::abs(*coarse - *refined) * printed.frequency_hz});
   }
   judge("sect3.time-step", {.as_printed = verdicts_stay && largest < 0.01},
         fmt::format("a tenth of the step leaves the eight verdicts of Figs. 4 and 5 as they are and moves "
@@ -114,10 +115,10 @@ TEST(ClaimOnSection3, TheTipIsStuckAtTheStart) {
   double closed_form = 0.0, finite_element = 0.0;
   for (const double hz : frequencies) {
     const solver::BeamSimulation run = run_at(hz, large);
-    closed_form =
-        std::max(closed_form,
-                 std::abs(analytic::StickResponse(paper().beam, excitation(hz, large)).friction_force(0.0)));
-    finite_element = std::max(finite_element, std::abs(run.friction_force()));
+    closed_form = largest_or_nan(
+        {closed_form,
+         std::abs(analytic::StickResponse(paper().beam, excitation(hz, large)).friction_force(0.0))});
+    finite_element = largest_or_nan({finite_element, std::abs(run.friction_force())});
   }
   judge("sect3.stuck-at-start",
         {.as_printed = closed_form < friction_limit() && finite_element < friction_limit()},
@@ -144,7 +145,7 @@ void judge_that_the_tip_never_moves(const std::string& claim, double hz) {
   double largest = 0.0;
   for (long n = solver::step_count(10.0, paper().numerics.time_step()); n > 0; --n) {
     run.step();
-    largest = std::max(largest, std::abs(run.tip_displacement()));
+    largest = largest_or_nan({largest, std::abs(run.tip_displacement())});
   }
   judge(claim,
         {.as_printed = run.integrator().events().empty() && largest <= round_off(1, 1, small).value &&

@@ -195,8 +195,9 @@ TEST(ContactChanges, LeaveNoCreepInStick) {
       const bool stuck = now.state() == ContactState::stick;
       if (stuck && !was_stuck) stuck_at = position, ++sticks;
       if (stuck) {
-        creep = std::max(creep, std::abs(position - stuck_at));
-        creep_velocity = std::max(creep_velocity, std::abs(now.velocity()[1] - wall.velocity(now.time())));
+        creep = largest_or_nan({creep, std::abs(position - stuck_at)});
+        creep_velocity =
+            largest_or_nan({creep_velocity, std::abs(now.velocity()[1] - wall.velocity(now.time()))});
       }
       was_stuck = stuck;
     });

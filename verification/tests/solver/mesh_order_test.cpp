@@ -186,7 +186,7 @@ ShapeErrors shape_errors(const solver::BeamModel& model, const solver::FiniteEle
   for (int node = 1; node <= model.elements(); ++node) {
     const double x = std::min(h * node, length), exact = scale * mode.shape(x);
     const double approximate = std::sqrt(density) * model.interpolation(x).dot(computed.shape);
-    errors.nodes = std::max(errors.nodes, std::abs(approximate - exact));
+    errors.nodes = largest_or_nan({errors.nodes, std::abs(approximate - exact)});
     largest = std::max(largest, std::abs(exact));
   }
   errors.nodes /= largest;

@@ -478,7 +478,7 @@ TEST(TimeShift, RestartFromAnyStepContinuesTheRunToSecondOrder) {
         whole->step();
         rest.step();
         const Eigen::VectorXd difference = whole->velocity() - rest.velocity();
-        largest = std::max(largest, difference.dot(model.mass() * difference));
+        largest = largest_or_nan({largest, difference.dot(model.mass() * difference)});
         motion = std::max(motion, std::sqrt(whole->velocity().dot(model.mass() * whole->velocity())));
       }
       steps.push_back(h);

@@ -57,7 +57,7 @@ double largest_difference(const std::vector<double>& one, const std::vector<doub
   EXPECT_EQ(one.size(), other.size());
   double difference = 0.0;
   for (std::size_t i = 0; i < std::min(one.size(), other.size()); ++i)
-    difference = std::max(difference, std::abs(one[i] - other[i]));
+    difference = largest_or_nan({difference, std::abs(one[i] - other[i])});
   return difference;
 }
 
@@ -289,10 +289,12 @@ TEST(ModalSteps, SeesTheContactChangesOfTheNodalRun) {
   for (int n = 0; n < 2500; ++n) {
     nodal.step();
     modal.step();
-    force_difference = std::max(force_difference, std::abs(nodal.friction_force() - modal.friction_force()));
-    tip_difference = std::max(tip_difference, std::abs(nodal.tip_displacement() - modal.tip_displacement()));
-    midspan_difference =
-        std::max(midspan_difference, std::abs(nodal.midspan_displacement() - modal.midspan_displacement()));
+    force_difference =
+        largest_or_nan({force_difference, std::abs(nodal.friction_force() - modal.friction_force())});
+    tip_difference =
+        largest_or_nan({tip_difference, std::abs(nodal.tip_displacement() - modal.tip_displacement())});
+    midspan_difference = largest_or_nan(
+        {midspan_difference, std::abs(nodal.midspan_displacement() - modal.midspan_displacement())});
     EXPECT_NEAR(nodal.displacement(1.3), modal.displacement(1.3), 1e-13);
   }
   ASSERT_GE(nodal.integrator().events().size(), 50u);

@@ -230,8 +230,9 @@ HistoryErrors history_errors(const ForcedPair& pair, const ExactPair& exact, dou
   for (std::size_t i = 0; i < std::min(events.size(), exact.events().size()); ++i) {
     const solver::ContactEvent& expected = exact.events()[i];
     EXPECT_EQ(events[i].kind, expected.kind) << "event " << i << " at " << expected.time << " s";
-    errors.time = std::max(errors.time, std::abs(events[i].time - expected.time));
-    errors.position = std::max(errors.position, std::abs(events[i].displacement - expected.displacement));
+    errors.time = largest_or_nan({errors.time, std::abs(events[i].time - expected.time)});
+    errors.position =
+        largest_or_nan({errors.position, std::abs(events[i].displacement - expected.displacement)});
   }
   errors.displacement = (integrator.displacement() - exact.displacement()).norm();
   errors.velocity = (integrator.velocity() - exact.velocity()).norm();

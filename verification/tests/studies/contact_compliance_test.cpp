@@ -121,7 +121,7 @@ double stepped_error(double h) {
     stepped.step();
     exact.advance_to(stepped.time());
     const double wall = system.wall.displacement(stepped.time());
-    largest = std::max(largest, std::abs(stepped.displacement()[0] - wall - exact.position()));
+    largest = largest_or_nan({largest, std::abs(stepped.displacement()[0] - wall - exact.position())});
   }
   EXPECT_EQ(stepped.events().size(), static_cast<std::size_t>(exact.changes())) << h;
   return largest;
@@ -146,7 +146,7 @@ double integral_error(double h) {
   for (std::size_t n = 0; n < count; ++n) {
     position += h * steps[n].sliding_velocity;
     exact.advance_to(static_cast<double>(n + 1) * h);
-    largest = std::max(largest, std::abs(position - exact.position()));
+    largest = largest_or_nan({largest, std::abs(position - exact.position())});
   }
   return largest;
 }
@@ -455,8 +455,9 @@ TEST(CompliantReaction, IsThatOfFiniteElementsWhoseSliderRests) {
       double largest = 0.0;
       while (simulation.time() < 0.1) {
         simulation.step();
-        largest = std::max(largest, std::abs(simulation.friction_force() -
-                                             paper.excitation.amplitude() * closed.value(simulation.time())));
+        largest = largest_or_nan(
+            {largest, std::abs(simulation.friction_force() -
+                               paper.excitation.amplitude() * closed.value(simulation.time()))});
       }
       return largest;
     };

@@ -62,7 +62,7 @@ double error_against(const data::ReferenceTable& table, const data::Case& proble
       position = run.contact_position();
     }
     const double share = (run.time() - time[i]) / run.time_step();
-    error = std::max(error, std::abs(std::lerp(position, before, share) - tip[i]));
+    error = largest_or_nan({error, std::abs(std::lerp(position, before, share) - tip[i])});
   }
   return error / (highest - lowest);
 }

@@ -113,7 +113,7 @@ TEST(OrderBound, HoldsWhateverTheSignsOfTheNextTerms) {
     EXPECT_TRUE(order_is(levels, 3.0, 1.0)) << signs;
     std::vector<double> errors;
     for (const OrderLevel& level : levels) errors.push_back(level.error);
-    largest = std::max(largest, std::abs(studies::observed_order(halved, errors) - 3.0));
+    largest = largest_or_nan({largest, std::abs(studies::observed_order(halved, errors) - 3.0)});
   }
   EXPECT_GT(largest, 0.8 * order_bound(cubic_levels(0)).slope);
   EXPECT_LT(order_bound(cubic_levels(0)).slope, 0.1);

@@ -248,8 +248,8 @@ Difference difference(const Events& a, const Events& b) {
   Difference largest;
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (a[i].change != b[i].change) return {HUGE_VAL, HUGE_VAL};
-    largest.time = std::max(largest.time, std::abs(a[i].time - b[i].time));
-    largest.position = std::max(largest.position, std::abs(a[i].position - b[i].position));
+    largest.time = largest_or_nan({largest.time, std::abs(a[i].time - b[i].time)});
+    largest.position = largest_or_nan({largest.position, std::abs(a[i].position - b[i].position)});
   }
   return largest;
 }

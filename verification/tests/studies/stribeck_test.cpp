@@ -141,7 +141,7 @@ TEST(StribeckLaw, GivesBothImplementationsOneHistoryAtSecondOrder) {
     ASSERT_EQ(stepped.events().size(), exact.events().size()) << h;
     double largest = 0.0;
     for (std::size_t i = 0; i < stepped.events().size(); ++i)
-      largest = std::max(largest, std::abs(stepped.events()[i].time - exact.events()[i].time));
+      largest = largest_or_nan({largest, std::abs(stepped.events()[i].time - exact.events()[i].time)});
     errors.push_back(largest);
   }
   expect_a_quarter_at_each_halving(errors);

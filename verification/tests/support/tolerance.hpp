@@ -73,4 +73,15 @@ inline ::testing::AssertionResult within(std::complex<double> computed, std::com
                                                                << computed << " instead of " << expected;
 }
 
+/// The largest of the values, or NaN if one of them is. std::max(largest, NaN) is `largest`, so that a test of the
+/// largest error would pass although an error is NaN.
+inline double largest_or_nan(std::initializer_list<double> values) {
+  double largest = -std::numeric_limits<double>::infinity();
+  for (const double value : values) {
+    if (std::isnan(value)) return value;
+    largest = std::max(largest, value);
+  }
+  return largest;
+}
+
 }  // namespace stickslip::testing
