@@ -198,7 +198,7 @@ TEST(StickModes, RefuseTheBucklingLoadAndSayWhy) {
   }
 }
 
-TEST(StickModes, LiveOrAreRefusedWithinRoundOffOfTheBucklingLoad) {
+TEST(StickModes, ArePositiveOrRefusedWithinRoundOffOfTheBucklingLoad) {
   const double load = stick_buckling_load(paper_beam());
   for (int ulps = 1; ulps <= 64; ulps *= 2) {
     const data::Beam beam = paper_beam_with_axial_force(load * (1.0 - ulps * 0.5 * kEpsilon));

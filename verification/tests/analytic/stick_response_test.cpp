@@ -234,7 +234,7 @@ TEST(StickResponse, ExactSteadyPartDoesNotDependOnTheModesKept) {
   }
 }
 
-TEST(StickResponse, ExactSteadyPartNeedsNoMoreModesThanItAsksFor) {
+TEST(StickResponse, ExactSteadyPartNeedsModesUpToTwiceTheExcitationOnly) {
   // Half way up to the highest mode kept, as far as is allowed, against forty modes more.
   for (const int count : {1, 2, 3, 8, 20, 60}) {
     const auto modes = stick_modes(paper_beam(), count);

@@ -617,7 +617,7 @@ TEST_F(CaseShorthand, IsRefusedWithoutAFiniteAmplitude) {
             "bar.toml: excitation.frequency_hz is missing, but a case must hold it");
 }
 
-TEST_F(CaseShorthand, TakesADurationAmongTheNumericsOnce) {
+TEST_F(CaseShorthand, TakesTheDurationAmongTheNumericsOrTheExcitationNotBoth) {
   EXPECT_EQ(data::read_case(write(case_with("excitation.duration", ""))).numerics.duration(), 10.0);
   const std::string older = "modes = 10\nduration = 3\n";
   EXPECT_EQ(error_message(case_with("numerics.modes", older)),

@@ -234,7 +234,7 @@ TEST(EnergyRecorder, BooksNoImpulseOfAContactOnASpring) {
   EXPECT_EQ(recorder.balance().capture_loss, 0.0);
 }
 
-TEST(EnergyRecorder, OfTheBeamSplitIntoElasticAndGeometricEnergy) {
+TEST(EnergyRecorder, OfTheBeamHasTheSumOfItsElasticAndGeometricEnergy) {
   const data::NumericalSettings numerics(paper_choices(0.06));
   solver::BeamSimulation simulation(paper_beam(), paper_friction(), data::HarmonicExcitation({25.0, 1e-3}),
                                     numerics);
@@ -250,7 +250,7 @@ TEST(EnergyRecorder, OfTheBeamSplitIntoElasticAndGeometricEnergy) {
   EXPECT_TRUE(within(elastic + geometric, recorder.balance().elastic, round_off(10, 2e3, 1.0)));
 }
 
-TEST(EnergyRecorder, RefuseASystemThatHasNoEnergyToBalance) {
+TEST(EnergyRecorder, RefusesASystemThatHasNoEnergyToBalance) {
   const auto record = [](const solver::ContactSystem& system) {
     StickSlipIntegrator integrator(system, {.time_step = 0.01, .spectral_radius = 1.0});
     integrator.start_stuck(Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());

@@ -319,7 +319,7 @@ TEST(ProblemWarnings, AreOneSentenceEach) {
       }
 }
 
-TEST(ProblemWarnings, AreNoneWhereThePeriodsToFollowAreTooMany) {
+TEST(ProblemWarnings, AreRefusalsWhereThePeriodsToFollowAreTooMany) {
   const data::Case problem = paper_with({{"excitation.duration", "1e5"}});
   for (const Inquiry inquiry :
        {Inquiry::criterion, Inquiry::closed_form_history, Inquiry::event_driven_history, Inquiry::design})
