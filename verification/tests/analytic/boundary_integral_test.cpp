@@ -52,6 +52,7 @@ TEST_P(GaussStages, FollowAFreeMassExactly) {
   const double mass = 3.0, h = 0.01;
   const auto weights =
       analytic::mobility_weights([&](Complex s) { return 1.0 / (mass * s); }, h, 300, GetParam());
+  ASSERT_EQ(weights.size(), 300u);
   for (std::size_t j = 0; j < weights.size(); ++j)
     ASSERT_TRUE(within(weights[j], (j == 0 ? 0.5 : 1.0) * h / mass, of_weights(h / mass))) << j;
 }

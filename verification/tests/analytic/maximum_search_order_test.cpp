@@ -92,6 +92,7 @@ TEST(MaximumForce, BySamplesIsEnclosedWithAGapThatFallsWithTheSquareOfTheStep) {
       const double gap = bounds.upper - bounds.lower;
       EXPECT_LE(bounds.lower, maximum.upper + fast.rounding()) << intervals;
       EXPECT_GE(bounds.upper, maximum.lower - fast.rounding()) << intervals;
+      EXPECT_GT(gap, 0.0) << intervals;
       if (gap_of_twice_the_step > 0.0) {
         EXPECT_TRUE(within(gap_of_twice_the_step / gap, 4.0, round_off(1, bounds.upper / gap, 4.0)));
       }

@@ -127,6 +127,7 @@ TEST(TimoshenkoModes, AreAllThoseOfASpectralDiscretisation) {
                    data::FieldError);
     }
     const Values exact = analytic::timoshenko_frequencies(beam, tip, static_cast<int>(count));
+    ASSERT_EQ(exact.size(), count);
     for (std::size_t n = 0; n < exact.size(); ++n) {
       // Round-off of the eigenvalue problem is relative to its largest eigenvalue: half of it in the frequency. What
       // four more terms change is many times what is left.

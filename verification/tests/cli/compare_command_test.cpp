@@ -190,12 +190,17 @@ TEST_F(CompareCommand, ComparesUpToTheHorizonWhateverLaterTimeIsGiven) {
   EXPECT_EQ(quantities("--until 1e3"), whole);
   const auto early = quantities("--until 0.05");
   ASSERT_EQ(early.size(), whole.size());
+  std::size_t curves = 0;  // of the deflection and the force; the phase has none
   for (std::size_t i = 0; i < whole.size(); ++i) {
     EXPECT_GT(early[i]["compared"], 0);
     EXPECT_LT(early[i]["compared"], whole[i]["compared"]);
-    for (const auto& series : early[i]["series"])
+    for (const auto& series : early[i]["series"]) {
+      ++curves;
+      EXPECT_EQ(series["abscissa"].size(), early[i]["compared"]);
       for (const double t : series["abscissa"]) EXPECT_LE(t, 0.05);
+    }
   }
+  EXPECT_EQ(curves, 2u);
 }
 
 TEST_F(CompareCommand, WritesTheNumbersAndTheDiagnosisAsJson) {

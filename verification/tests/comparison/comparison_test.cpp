@@ -39,6 +39,7 @@ TEST(ComparedCopy, OfEveryDataSetAgreesWithoutError) {
     EXPECT_EQ(comparison.name, set);
     EXPECT_TRUE(comparison.remarks.empty()) << set << ": " << comparison.remarks.front();
     EXPECT_TRUE(comparison.likenesses.empty());
+    EXPECT_FALSE(comparison.quantities.empty()) << set;
     for (const auto& one : comparison.quantities) {
       EXPECT_EQ(one.error, 0.0) << set << " " << one.name;
       EXPECT_EQ(one.agreement, Agreement::agrees) << set << " " << one.name;
@@ -262,7 +263,9 @@ TEST_P(ComparedUndamped, ShiftByOneSampleDiffers) {
     values[0] = 0.0;
   }
   // At least a period of the excitation has a hundred samples, of which each turns it by 2 pi/100.
-  for (const auto& one : mine.compared().quantities) {
+  const Comparison comparison = mine.compared();
+  EXPECT_EQ(comparison.quantities.size(), 2u);
+  for (const auto& one : comparison.quantities) {
     EXPECT_EQ(one.agreement, Agreement::differs);
     EXPECT_GT(*one.error, 0.02);
   }
@@ -270,6 +273,7 @@ TEST_P(ComparedUndamped, ShiftByOneSampleDiffers) {
 
 TEST_P(ComparedUndamped, BelowTheHalfWidthIsUndecided) {
   const Comparison comparison = mine.compared(with_tolerance("", 1e-6));
+  EXPECT_EQ(comparison.quantities.size(), 2u);
   for (const auto& one : comparison.quantities) EXPECT_EQ(one.agreement, Agreement::undecided) << one.name;
   EXPECT_EQ(comparison.agreement, Agreement::undecided);
 }

@@ -95,16 +95,19 @@ void expect_tolerance_below_a_third(const Diagnosed& diagnosed) {
   const double scale = compared.norm == data::Norm::range      ? greatest - least
                        : compared.norm == data::Norm::absolute ? 1.0
                                                                : std::max(-least, greatest);
+  int wrong_models = 0;
   for (const auto& member : models.wrong_models) {
     const auto& recipe = studies::recipe_of(member.name);
     if (std::ranges::count(recipe.wrong_model.changes, quantity) == 0 || is_of_discretisation(recipe))
       continue;
+    ++wrong_models;
     double change = 0.0;
     for (std::size_t i = 0; i < data.size(); ++i)
       change = std::max(change, std::abs(member.values[i] - data[i]) /
                                     (compared.norm == data::Norm::relative ? std::abs(data[i]) : scale));
     EXPECT_GE(change, 3.0 * compared.tolerance) << set << ", " << field << ": " << member.name;
   }
+  EXPECT_GE(wrong_models, 3) << set << ", " << field;
 }
 
 // Steps that damp what the mesh cannot resolve, as in the diagnosis.
@@ -180,6 +183,7 @@ std::string said(const std::optional<studies::Pattern>& pattern) { return patter
 
 STICKSLIP_VERIFIES(LikenessOfNumbers, "X20");
 TEST(LikenessOfNumbers, IsTheFactorInEveryComparedColumnOfEveryDataSet) {
+  int columns = 0;
   for (const data::Resource& resource : published_package().resources) {
     if (!resource.comparison) continue;
     for (const auto& compared : resource.comparison->values) {
@@ -191,11 +195,13 @@ TEST(LikenessOfNumbers, IsTheFactorInEveryComparedColumnOfEveryDataSet) {
       if (result.agreement != studies::Agreement::differs ||
           quantity_of(result, compared.field).agreement == studies::Agreement::agrees)
         continue;
+      ++columns;
       const std::string text = file.likeness();
       EXPECT_TRUE(contains(text, resource.name == "mode-shapes" ? "MAC = 1" : "times 2: "))
           << resource.name << ", " << compared.field << ": " << text;
     }
   }
+  EXPECT_GE(columns, 30);
 }
 
 TEST(LikenessOfNumbers, IsTheUsualNameOfAFactor) {

@@ -486,7 +486,9 @@ TEST(ComparedSamples, AreComparedWhereTheyAreAloneAndElseAtThoseOfTheDataSet) {
   // Values of the right times beside times that are rounded to single precision: the difference is uncertain.
   auto rounded = reference;
   for (double& x : rounded.abscissa) x *= 1.0 + 0x1p-25;
-  for (const auto& [x, value, known] : studies::by_own_interpolation(reference, rounded, 1.0, 1e-12).points)
+  const auto points = studies::by_own_interpolation(reference, rounded, 1.0, 1e-12).points;
+  EXPECT_EQ(points.size(), 11u);
+  for (const auto& [x, value, known] : points)
     EXPECT_TRUE(within(value.half_width, 0x1p-25 * x, round_off(40.0, 3.0, 10.0))) << x;
 }
 
@@ -507,6 +509,7 @@ TEST(ComparedSamples, MayHaveTimesOfSinglePrecision) {
     for (double& t : mine["time"]) t = static_cast<double>(static_cast<float>(t));
     const Comparison comparison = mine.compared();
     EXPECT_EQ(comparison.agreement, Agreement::agrees) << set;
+    EXPECT_FALSE(comparison.quantities.empty()) << set;
     for (const auto& one : comparison.quantities)
       EXPECT_LE(*one.error, 1e-3 * one.tolerance) << set << " " << one.name;
     for (auto& column : mine.table.columns)

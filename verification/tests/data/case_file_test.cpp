@@ -633,7 +633,9 @@ TEST_F(CaseShorthand, TakesTheDurationAmongTheNumericsOrTheExcitationNotBoth) {
 }
 
 TEST_F(CaseShorthand, HasAMaterialOnlyWithASource) {
-  for (const auto& material : data::list_materials()) {
+  const auto materials = data::list_materials();
+  EXPECT_FALSE(materials.empty());
+  for (const auto& material : materials) {
     EXPECT_FALSE(material.source.empty());
     const auto file = write(strip_case);
     EXPECT_EQ(data::read_case(file, {{"beam.material", material.name}}).beam.density(), material.density);

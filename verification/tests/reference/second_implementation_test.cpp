@@ -133,6 +133,7 @@ TEST(PublishedFields, OfUndampedStickSlipPassThroughItsHistory) {
   const auto fields = data::read_table(published(), "undamped-fields"),
              history = data::read_table(published(), "undamped-history-25");
   const auto radius = fields.radius_of("displacement");
+  int compared = 0;
   for (std::size_t row = 0; row < fields.rows(); ++row)
     for (const auto& [place, name] : {std::pair{1.0, "midspan_displacement"}, {2.0, "tip_displacement"}}) {
       if (fields.column("x").values[row] != place) continue;
@@ -140,7 +141,9 @@ TEST(PublishedFields, OfUndampedStickSlipPassThroughItsHistory) {
       EXPECT_NEAR(fields.column("displacement").values[row], history.column(name).values[at],
                   radius[row] + history.radius_of(name)[at])
           << row;
+      ++compared;
     }
+  EXPECT_EQ(compared, 20);  // two places at ten times
 }
 
 TEST(PublishedFields, HaveTheSpectrumOfAMeshOverTenSeconds) {

@@ -55,6 +55,7 @@ double next_term(double wave_number, double length, double margin) {
 // The frequencies of a study whose constants lack z/(beta L)^2 of themselves, z = P L^2/EI.
 void expect_order_four(const studies::FrequencyStudy& study, double first_wave_number, double margin,
                        double load_factor = 0.0) {
+  EXPECT_FALSE(study.modes.empty());
   for (const auto& mode : study.modes) {
     const double beta_length = first_wave_number + (mode.mode - 1) * std::numbers::pi;
     std::vector<OrderLevel> levels;

@@ -207,6 +207,7 @@ STICKSLIP_VERIFIES(ModalAnalysis, "F2");
 TEST(ModalAnalysis, ModesAreOrthonormalAndSolveTheirPencil) {
   const solver::BeamModel model(paper_beam(), 10);
   const auto modes = solver::stick_modes(model, 6);
+  ASSERT_EQ(modes.size(), 6u);
   for (std::size_t i = 0; i < modes.size(); ++i) {
     EXPECT_EQ(modes[i].shape[model.tip_deflection()], 0.0);
     for (std::size_t j = 0; j < modes.size(); ++j)

@@ -175,6 +175,7 @@ TEST_P(AxialDirection, GivesTheMeshTheSlipFrequenciesOfTheBeamWithOrderFour) {
   // As SlipFrequencyOrder; the axial force changes the constants, which are left out here, and lengthens the
   // trigonometric wave number, whose square is that of the hyperbolic one and the load factor, 2.
   const auto study = studies::slip_frequency_study(beam_with(GetParam(), 2.0), 3, {8, 12, 16, 24, 32});
+  EXPECT_EQ(study.modes.size(), 3u);
   for (const auto& mode : study.modes) {
     std::vector<OrderLevel> levels;
     for (std::size_t i = 0; i < study.elements.size(); ++i) {

@@ -231,6 +231,7 @@ TEST(ConvergedHistory, OfATipThatNeverSlipsIsOneStick) {
   EXPECT_DOUBLE_EQ(history.first_stick.end, 0.01);
   EXPECT_NEAR(history.first_stick.end_half_width, 0.01 / 320.0, 1e-16);
   EXPECT_TRUE(history.sticks.empty());
+  EXPECT_EQ(history.levels.size(), 4u);  // two of each method
   for (const auto& level : history.levels) EXPECT_EQ(level.changes, 0);
 }
 

@@ -130,8 +130,10 @@ TEST(CriterionMap, OfADampedBeamHoldsTheDampedForceOfEachCell) {
   const auto x = map_axis(Parameter::frequency, 20.0, 60.0, 3, false);
   for (const auto& y :
        {map_axis(Parameter::length, 0.8, 1.2, 2, false), map_axis(Parameter::amplitude, 1e-3, 4e-3, 2, false),
-        map_axis(Parameter::damping_ratio, 5e-3, 0.02, 2, false)})
-    for (const auto& cell : studies::criterion_map({.problem = problem, .x = x, .y = y}).cells) {
+        map_axis(Parameter::damping_ratio, 5e-3, 0.02, 2, false)}) {
+    const auto map = studies::criterion_map({.problem = problem, .x = x, .y = y});
+    EXPECT_EQ(map.cells.size(), 6u);
+    for (const auto& cell : map.cells) {
       const data::Case point = case_of(problem, x, y, cell);
       const double force = point.excitation.amplitude() *
                            analytic::DampedForce(analytic::damped_reaction(point.beam, point.damping, 10),
@@ -140,6 +142,7 @@ TEST(CriterionMap, OfADampedBeamHoldsTheDampedForceOfEachCell) {
                                .midpoint();
       EXPECT_TRUE(within(*cell.force_ratio, force / 300.0, reference(2e-10 * force, "width of the bounds")));
     }
+  }
 }
 
 TEST(CriterionMap, HasAnEstimateOfItsCostThatLeavesTheThreadsAlone) {
@@ -183,6 +186,7 @@ TEST(CriterionMap, ByFiniteElementsIsThatOfThePlainRun) {
     const auto y = map_axis(Parameter::length, 0.8, 1.4, 2, false);
     const auto map =
         studies::criterion_map({.problem = problem, .x = x, .y = y, .method = MapMethod::finite_elements});
+    EXPECT_EQ(map.cells.size(), 6u);
     for (const auto& cell : map.cells) {
       const data::Case point = case_of(problem, x, y, cell);
       const double force =

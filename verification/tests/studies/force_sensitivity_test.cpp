@@ -174,6 +174,7 @@ void ranges_are_those_of_the_rows_left_open() {
 }
 
 void printed_digits_are_the_methods_and_not_the_problems() {
+  EXPECT_EQ(study().digits.size(), study().frequency_hz.size());
   for (const studies::ForceDigits& digits : study().digits) {
     EXPECT_TRUE(digits.method.holds_printed) << digits.frequency_hz;
     EXPECT_FALSE(digits.problem.holds_printed) << digits.frequency_hz;
@@ -232,6 +233,7 @@ void no_trial_returns_all_printed_digits() {
 STICKSLIP_VERIFIES(ForceSensitivity, "X14");
 // One test, for every test is a process of its own and the study takes seconds.
 TEST(ForceSensitivity, IsWhatTheoryAllowsEachFactorAndThePrintedDigitsAreTheMethods) {
+  ASSERT_EQ(study().frequency_hz, (std::vector{15.0, 25.0, 35.0, 70.0}));
   truncation_moves_the_maximum_by_no_more_than_what_it_leaves_out();
   sampling_loses_no_more_than_the_curvature_allows();
   rows_are_those_of_their_settings();

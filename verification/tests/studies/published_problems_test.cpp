@@ -115,11 +115,17 @@ TEST(PublishedProblems, AForcedMassStopsAsOftenAsHongAndLiuSay) {
 }
 
 TEST(PublishedProblems, AForcedMassNeverStopsBeyondTheLimitOfDenHartog) {
-  for (const auto& [share, stops] : {std::pair{0.99, 2}, {1.01, 0}})
-    for (const auto& count : studies::stops_beside_the_limit(data::load_reference(), share)) {
+  const auto package = data::load_reference();
+  const std::size_t limits = data::read_table(package, "non-stop-limits").rows();
+  EXPECT_GT(limits, 0u);
+  for (const auto& [share, stops] : {std::pair{0.99, 2}, {1.01, 0}}) {
+    const auto counts = studies::stops_beside_the_limit(package, share);
+    EXPECT_EQ(counts.size(), limits);
+    for (const auto& count : counts) {
       EXPECT_EQ(count.event_driven, stops) << count.frequency_ratio;
       EXPECT_EQ(count.stepped, stops) << count.frequency_ratio;
     }
+  }
 }
 
 constexpr data::FrictionCoefficients jumping{

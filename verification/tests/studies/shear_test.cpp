@@ -218,6 +218,7 @@ TEST(ShearScope, HoldsTheMapsOfTheCriterion) {
         studies::criterion_map({.problem = problem,
                                 .x = studies::map_axis(parameter, 0.7 * value, 0.8 * value, 2, false),
                                 .y = studies::map_axis(studies::Parameter::amplitude, 1e-4, 1e-3, 2, false)});
+    EXPECT_EQ(map.cells.size(), 4u);
     for (const auto& cell : map.cells) {
       const data::Case at = studies::with_value(studies::with_value(problem, parameter, cell.x),
                                                 studies::Parameter::amplitude, cell.y);

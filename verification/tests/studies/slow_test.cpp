@@ -37,6 +37,7 @@ TEST(Figure9RefinedOnceMore, ForceErrorFallsOnAsPredicted) {
   // falls somewhat faster, towards h^2.
   EXPECT_GT(study.force_order.order, study.predicted_force_order - 0.05);
   EXPECT_LT(study.force_order.order, 1.3);
+  EXPECT_EQ(study.levels.size(), 5u);
   for (const auto& level : study.levels)
     EXPECT_TRUE(within(level.force_error, 0.0,
                        discretisation(level.predicted_force_error, 1.35,
@@ -244,6 +245,7 @@ TEST_P(ComparedUndampedLong, FineMeshWithSpectralRadiusZeroAgrees) {
     mine.columns[2].values[row] = run.midspan_displacement();
   }
   const studies::Comparison comparison = studies::compare(package, set, mine);
+  EXPECT_EQ(comparison.quantities.size(), 2u);
   for (const auto& quantity : comparison.quantities) {
     EXPECT_EQ(quantity.compared, 1001u);
     EXPECT_EQ(quantity.agreement, studies::Agreement::agrees)

@@ -198,6 +198,7 @@ TEST(SteadySliding, HasMultipliersThatAreTheExponentialsOfItsRoots) {
   const double period = 0.004;
   const auto image = analytic::poincare_map(model, {rest, analytic::ContactPhase::slip}, period);
   const auto multipliers = analytic::eigenvalues(image.derivative);
+  EXPECT_EQ(roots.size(), 4u);  // of three modes and the contact, one of each pair
   for (const Complex root : roots) {
     const Complex expected = std::exp(root * period);
     EXPECT_TRUE(
