@@ -23,10 +23,7 @@ using nlohmann::json;
 
 double relative_difference(double a, double b) { return std::abs(a / b - 1.0); }
 
-// What is not a number stays.
-void raise(double& largest, double value) {
-  if (!std::isnan(largest) && !(value <= largest)) largest = value;
-}
+void raise(double& largest, double value) { largest = studies::largest_or_nan({largest, value}); }
 
 // Each frequency of Fig. 7 on the mesh of the paper.
 json frequencies(StudyResults& results) {

@@ -58,9 +58,18 @@ OrderEstimate order_estimate(const std::vector<double>& steps, const std::vector
   return {slope, quantile * std::sqrt(residual / (freedom * spread)), levels};
 }
 
+double largest_or_nan(std::initializer_list<double> values) {
+  double largest = -std::numeric_limits<double>::infinity();
+  for (const double value : values) {
+    if (std::isnan(value)) return value;
+    largest = std::max(largest, value);
+  }
+  return largest;
+}
+
 double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
   double largest = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  for (std::size_t i = 0; i < a.size(); ++i) largest = largest_or_nan({largest, std::abs(a[i] - b[i])});
   return largest;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <vector>
 
 namespace stickslip::studies {
@@ -38,7 +39,11 @@ struct OrderEstimate {
 [[nodiscard]] OrderEstimate order_estimate(const std::vector<double>& steps,
                                            const std::vector<double>& errors);
 
-/// The largest absolute difference of two series of the same length.
+/// The largest of the values, or NaN if one of them is. std::max(largest, NaN) is `largest`, so that what is below a bound
+/// could have an error that is NaN.
+[[nodiscard]] double largest_or_nan(std::initializer_list<double> values);
+
+/// The largest absolute difference of two series of the same length, or NaN if one of the differences is.
 [[nodiscard]] double largest_difference(const std::vector<double>& a, const std::vector<double>& b);
 
 }  // namespace stickslip::studies

@@ -184,13 +184,14 @@ Errors errors_over_a_period(const Chain& chain, bool held, double spectral_radiu
     const double t = integrator.time();
     for (Eigen::Index i = 0; i < 2; ++i) {
       const Complex amplitude = exact.displacement[i];
-      errors.displacement =
-          std::max(errors.displacement, std::abs(integrator.displacement()[i] - at_time(amplitude, t)));
-      errors.velocity = std::max(
-          errors.velocity, std::abs(integrator.velocity()[i] - at_time(Complex(0.0, omega) * amplitude, t)));
+      errors.displacement = largest_or_nan(
+          {errors.displacement, std::abs(integrator.displacement()[i] - at_time(amplitude, t))});
+      errors.velocity =
+          largest_or_nan({errors.velocity,
+                          std::abs(integrator.velocity()[i] - at_time(Complex(0.0, omega) * amplitude, t))});
     }
     errors.reaction =
-        std::max(errors.reaction, std::abs(integrator.friction_force() - at_time(exact.reaction, t)));
+        largest_or_nan({errors.reaction, std::abs(integrator.friction_force() - at_time(exact.reaction, t))});
   }
   return errors;
 }

@@ -16,6 +16,7 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/common/common_digits.hpp"
 #include "studies/common/parallel.hpp"
+#include "studies/convergence/convergence.hpp"
 #include "studies/paper/printed_forces.hpp"
 
 namespace stickslip::studies {
@@ -308,7 +309,7 @@ SamplingSearch sampling_search(const data::Case& paper) {
         const data::PrintedNumber printed = printed_force(printed_frequencies[i]);
         trial.force.push_back(maxima[k * frequency_count + i][static_cast<std::size_t>(modes - 1)]);
         const double difference = std::abs(trial.force.back() - printed.value) / printed.half_digit;
-        trial.largest_difference = std::max(trial.largest_difference, difference);
+        trial.largest_difference = largest_or_nan({trial.largest_difference, difference});
         if (difference <= 1.0) ++trial.returned;
       }
       if (trial.returned == static_cast<int>(frequency_count)) ++search.returning_all;

@@ -14,6 +14,7 @@
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/common/problem_parameter.hpp"
+#include "studies/convergence/convergence.hpp"
 #include "studies/convergence/discretisation.hpp"
 #include "studies/stick_slip/contact_histories.hpp"
 #include "studies/stick_slip/converged_history.hpp"
@@ -157,7 +158,8 @@ double largest_difference(const BeamMotion& a, const BeamMotion& b, double until
   double largest = 0.0;
   for (std::size_t i = 0; i < a.snapshots.size() && a.snapshots[i].time <= until; ++i)
     for (std::size_t k = 0; k < a.position.size(); ++k)
-      largest = std::max(largest, std::abs(a.snapshots[i].displacement[k] - b.snapshots[i].displacement[k]));
+      largest = largest_or_nan(
+          {largest, std::abs(a.snapshots[i].displacement[k] - b.snapshots[i].displacement[k])});
   return largest;
 }
 

@@ -105,7 +105,8 @@ std::vector<double> half_widths(const std::vector<double>& finest, const std::ve
   std::vector<double> widths;
   double width = 1e-12 * range_of(finest);
   for (std::size_t i = 0; i < finest.size(); ++i) {
-    width = std::max({width, 2.0 * std::abs(finest[i] - coarser[i]), 2.0 * std::abs(finest[i] - other[i])});
+    width =
+        largest_or_nan({width, 2.0 * std::abs(finest[i] - coarser[i]), 2.0 * std::abs(finest[i] - other[i])});
     widths.push_back(width);
   }
   return widths;
@@ -128,7 +129,7 @@ std::optional<ConvergedStick> with_half_widths(ConvergedStick stick, double step
     const ConvergedStick* same = counterpart(stick, *run);
     if (same == nullptr) return std::nullopt;
     const auto widen = [](double& width, double a, double b) {
-      width = std::max(width, 2.0 * std::abs(a - b));
+      width = largest_or_nan({width, 2.0 * std::abs(a - b)});
     };
     widen(stick.begin_half_width, stick.begin, same->begin);
     widen(stick.end_half_width, stick.end, same->end);

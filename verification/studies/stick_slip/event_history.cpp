@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "studies/convergence/convergence.hpp"
+
 namespace stickslip::studies {
 
 std::vector<HistoryEvent> without_micro_sticks(const std::vector<HistoryEvent>& events,
@@ -76,8 +78,8 @@ EventDifference largest_difference(const std::vector<HistoryEvent>& a, const std
   EventDifference largest;
   for (std::size_t i = 0; i < count; ++i) {
     if (a[i].onset != b[i].onset) return {infinity, infinity};
-    largest.time = std::max(largest.time, std::abs(a[i].time - b[i].time));
-    largest.position = std::max(largest.position, std::abs(a[i].position - b[i].position));
+    largest.time = largest_or_nan({largest.time, std::abs(a[i].time - b[i].time)});
+    largest.position = largest_or_nan({largest.position, std::abs(a[i].position - b[i].position)});
   }
   return largest;
 }

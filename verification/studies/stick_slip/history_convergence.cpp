@@ -68,7 +68,7 @@ std::optional<double> growth_rate(const TipHistory& a, const TipHistory& b, doub
     if (end > a.time.back()) break;
     double largest = 0.0;
     for (; a.time[i] < end; ++i)
-      largest = std::max(largest, std::abs(a.tip_displacement[i] - b.tip_displacement[i]));
+      largest = largest_or_nan({largest, std::abs(a.tip_displacement[i] - b.tip_displacement[i])});
     if (largest > limit || largest == 0.0) break;
     times.push_back(end);
     logarithms.push_back(std::log(largest));

@@ -11,6 +11,7 @@
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/analytic/modal_contact_run.hpp"
 #include "stickslip/solver/stick_slip_integrator.hpp"
+#include "studies/convergence/convergence.hpp"
 
 namespace stickslip::studies {
 namespace {
@@ -253,15 +254,15 @@ ProblemErrors errors_of(const History& history, const Rows& rows) {
   ProblemErrors errors{.same_changes = true};
   if (rows.change.front() == "state") {
     for (std::size_t i = 0; i < rows.time.size(); ++i)
-      errors.position = std::max(errors.position, std::abs(history.positions[i] - rows.position[i]));
+      errors.position = largest_or_nan({errors.position, std::abs(history.positions[i] - rows.position[i])});
     return errors;
   }
   errors.same_changes = history.changes.size() >= rows.time.size();
   for (std::size_t i = 0; i < std::min(rows.time.size(), history.changes.size()); ++i) {
     const Change& change = history.changes[i];
     errors.same_changes &= change.kind == rows.change[i];
-    errors.time = std::max(errors.time, std::abs(change.time - rows.time[i]));
-    errors.position = std::max(errors.position, std::abs(change.position - rows.position[i]));
+    errors.time = largest_or_nan({errors.time, std::abs(change.time - rows.time[i])});
+    errors.position = largest_or_nan({errors.position, std::abs(change.position - rows.position[i])});
   }
   return errors;
 }

@@ -217,5 +217,18 @@ TEST(OrderCriterion, RefusesErrorsThatTheNextTermsDoNotExplain) {
   EXPECT_FALSE(order_is(levels, 3.0));
 }
 
+STICKSLIP_VERIFIES(LargestDifference, "X13");
+TEST(LargestDifference, IsNotANumberIfADifferenceIsNot) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(studies::largest_or_nan({-3.0, -1.0, -2.0}), -1.0);
+  EXPECT_EQ(studies::largest_difference({1.0, 2.0, 5.0}, {1.5, 2.0, 5.25}), 0.5);
+  for (const std::size_t place : {0U, 1U, 2U}) {
+    std::vector<double> values{1.0, 2.0, 3.0};
+    values[place] = nan;
+    EXPECT_TRUE(std::isnan(studies::largest_difference(values, {1.0, 2.0, 3.0}))) << place;
+    EXPECT_TRUE(std::isnan(studies::largest_or_nan({values[0], values[1], values[2]}))) << place;
+  }
+}
+
 }  // namespace
 }  // namespace stickslip::testing

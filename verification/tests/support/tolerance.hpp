@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <initializer_list>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -20,6 +19,7 @@
 
 namespace stickslip::testing {
 
+using studies::largest_or_nan;
 using studies::observed_order;
 
 /// An allowed absolute error, with its class and where it comes from.
@@ -71,17 +71,6 @@ inline ::testing::AssertionResult within(std::complex<double> computed, std::com
                                          const Tolerance& tolerance) {
   return within(std::abs(computed - expected), 0.0, tolerance) << "\n"
                                                                << computed << " instead of " << expected;
-}
-
-/// The largest of the values, or NaN if one of them is. std::max(largest, NaN) is `largest`, so that a test of the
-/// largest error would pass although an error is NaN.
-inline double largest_or_nan(std::initializer_list<double> values) {
-  double largest = -std::numeric_limits<double>::infinity();
-  for (const double value : values) {
-    if (std::isnan(value)) return value;
-    largest = std::max(largest, value);
-  }
-  return largest;
 }
 
 }  // namespace stickslip::testing
