@@ -18,9 +18,9 @@ namespace {
 ///
 /// With u = 2^-53, the argument w t of a sinusoid has the error w t 2u (rounding of w and of the product),
 /// and its sine has an additional error of 2u. The amplitude, the product and the sum of n terms add (n + 2)
-/// u. The error of f is therefore below u sum |a_i| (2 w_i t + n + 4), and that of f' is the same with |a_i|
-/// w_i and one more rounding. Both bounds are doubled. This covers the rounding of the bounds themselves and
-/// the radii of the balls, which are below u/64.
+/// u. The error of f is therefore below u sum |a_i| (2 |w_i| t + n + 4), and that of f' is the same with |a_i
+/// w_i| and one more rounding. Both bounds are doubled. This covers the rounding of the bounds themselves,
+/// the radii of the balls, which are below u/64, and the middle of the last cell, which may lie past the end.
 class DoubleForce {
  public:
   DoubleForce(const std::vector<Sinusoid>& sinusoids, double duration) {
@@ -29,9 +29,9 @@ class DoubleForce {
     for (const Sinusoid& sinusoid : sinusoids) {
       const double a = sinusoid.amplitude.nearest_double(), w = sinusoid.angular_frequency.nearest_double();
       terms_.push_back({a, w});
-      const double error = kEpsilon * std::abs(a) * (2.0 * w * duration + terms + 5.0);
+      const double error = kEpsilon * std::abs(a) * (2.0 * std::abs(w) * duration + terms + 5.0);
       value_error_ += error;
-      slope_error_ += error * w;
+      slope_error_ += error * std::abs(w);
       curvature_ += std::abs(a) * w * w * (1.0 + 1e-12);
     }
   }

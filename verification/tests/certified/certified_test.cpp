@@ -627,6 +627,14 @@ TEST(CertifiedMaximum, LiesAtTheEndOfAShortSpan) {
   }
 }
 
+TEST(CertifiedMaximum, IsThatOfTheOppositeAmplitudesWhereFrequenciesAreNegative) {
+  // w t of 1e6 rad: the error of the doubles, 4e-10, is larger than what the last cells are divided to, 1e-10.
+  const auto forwards = max_abs_of_sinusoids({{Real(1), Real(2)}, {Real(1), Real(1e6)}}, "1");
+  const auto backwards = max_abs_of_sinusoids({{Real(-1), Real(-2)}, {Real(-1), Real(-1e6)}}, "1");
+  EXPECT_TRUE(vanishes(backwards.value - forwards.value, 60));
+  EXPECT_TRUE(forwards.value > Real(1.999999));
+}
+
 TEST(CertifiedMaximum, NamesAllTimesThatCannotBeToldApart) {
   const auto maximum = max_abs_of_sinusoids({{Real(1), 2 * pi()}}, "1.6");  // at 1/4, 3/4, 5/4
   EXPECT_TRUE(vanishes(maximum.value - 1, 60));
