@@ -132,8 +132,8 @@ struct Candidate {
 };
 
 /// The stationary points of f in groups of neighbouring cells, and the end of the time interval if a group
-/// reaches it. (At t = 0 the force is 0.) The maximum is not at the border of a group, because the cells on
-/// both sides of it are kept.
+/// reaches it or begins there. (At t = 0 the force is 0.) The maximum is not at the border of a group, because
+/// the cells on both sides of it are kept.
 std::vector<Candidate> candidates(const BallForce& force, const Cells& cells, const Real& duration) {
   const Real width(cells.width), end = duration.lower();
   const auto time = [&](std::int64_t index) { return Real(static_cast<double>(index)) * width; };
@@ -142,11 +142,12 @@ std::vector<Candidate> candidates(const BallForce& force, const Cells& cells, co
   for (std::size_t i = 0; i < cells.indices.size();) {
     std::size_t next = i + 1;
     while (next < cells.indices.size() && cells.indices[next] == cells.indices[next - 1] + 1) ++next;
-    const Real past = time(cells.indices[next - 1] + 1);
+    const Real first = time(cells.indices[i]), past = time(cells.indices[next - 1] + 1);
     const bool reaches_end = !(past < end);
-    for (const Real& t : isolate_roots([&](const Real& at) { return force.slope(at); },
-                                       time(cells.indices[i]), reaches_end ? end : past))
-      add(t);
+    if (first < end)
+      for (const Real& t :
+           isolate_roots([&](const Real& at) { return force.slope(at); }, first, reaches_end ? end : past))
+        add(t);
     if (reaches_end) add(duration);
     i = next;
   }

@@ -627,6 +627,27 @@ TEST(CertifiedMaximum, LiesAtTheEndOfAShortSpan) {
   }
 }
 
+TEST(CertifiedMaximum, LiesBeforeAnEndAtWhichTheForceRisesAndIsNearlyAsLarge) {
+  // |f(1)| is 1e-7 below the maximum and rises by 4 in a second. The last cells, of 2^-20 s, begin at 1 s: the
+  // one before is removed, the one behind is not.
+  const Real w(12.7151659);
+  const auto maximum = max_abs_of_sinusoids({{Real(1), Real(1)}, {Real(0.3), w}}, "1");
+  ASSERT_EQ(maximum.times.size(), 1u);
+  const Real t = maximum.times.front();
+  EXPECT_TRUE(abs(t - Real(0.63441769241)) < Real(1e-9));
+  EXPECT_TRUE(vanishes(maximum.value - (sin(t) + Real(0.3) * sin(w * t)), 60));
+  const Real excess = maximum.value - (sin(Real(1)) + Real(0.3) * sin(w));
+  EXPECT_TRUE(Real(1.07e-7) < excess && excess < Real(1.09e-7));
+}
+
+TEST(CertifiedMaximum, IsRefusedWhereTheForceIsStationaryAtTheEnd) {
+  expect_error_message<std::runtime_error>(
+      [] {
+        (void)max_abs_of_sinusoids({{Real(1), 2 * pi()}}, "1.25");
+      },
+      {"certain sign at the ends"});
+}
+
 TEST(CertifiedMaximum, IsThatOfTheOppositeAmplitudesWhereFrequenciesAreNegative) {
   // w t of 1e6 rad: the error of the doubles, 4e-10, is larger than what the last cells are divided to, 1e-10.
   const auto forwards = max_abs_of_sinusoids({{Real(1), Real(2)}, {Real(1), Real(1e6)}}, "1");

@@ -26,7 +26,8 @@ struct ForceMaximum {
 ///
 /// Throws std::invalid_argument, naming excitation.duration, unless it is positive, or if a sinusoid is known
 /// to less than 60 bits. Throws std::domain_error if the evaluation in doubles is too inaccurate, which
-/// happens near a resonance (relative distance below about 1e-7), where large amplitudes cancel.
+/// happens near a resonance (relative distance below about 1e-7), where large amplitudes cancel, or if more
+/// than a million intervals remain. Throws what isolate_roots() throws if f is stationary at the very end.
 [[nodiscard]] ForceMaximum max_abs_of_sinusoids(const std::vector<Sinusoid>& sinusoids,
                                                 const Rational& duration);
 
