@@ -84,7 +84,12 @@ TEST(CertifiedReal, RefusesWhatIsNoNumber) {
     expect_error_message<std::invalid_argument>([&] { (void)Rational(value); }, {"not finite"});
     expect_error_message<std::invalid_argument>([&] { (void)Real(value); }, {"not finite"});
   }
-  expect_error_message<std::invalid_argument>([] { const PrecisionScope scope(8); }, {"8 bits"});
+  for (const long bits : {8L, 31L, 1'000'001L})
+    expect_error_message<std::invalid_argument>([=] { const PrecisionScope scope(bits); },
+                                                {(std::to_string(bits) + " bits").c_str()});
+  for (const long bits : {32L, 1'000'000L}) EXPECT_NO_THROW(const PrecisionScope scope(bits)) << bits;
+  for (const char* text : {"1e10001", "1e-10001"}) EXPECT_THROW((void)Rational(text), std::invalid_argument);
+  for (const char* text : {"1e10000", "1e-10000"}) EXPECT_EQ(Rational(text).sign(), 1);
 }
 
 TEST(CertifiedReal, OrdersOnlyWhatIsCertain) {
@@ -395,16 +400,19 @@ TEST(CertifiedStickModes, RefuseBuckledAndImpossibleBeams) {
                                           {"beam.axial_force is 20.190728557;"});
   expect_error_message<std::domain_error>([] { (void)QuasiStaticShape(unit_beam("21")); },
                                           {"20.19072855642663"});
-  expect_error_message<std::invalid_argument>(
-      [] {
-        (void)Beam({"-2", "1", "1", "1", "1", "0"});
-      },
-      {"beam.length is -2;"});
-  expect_error_message<std::invalid_argument>(
-      [] {
-        (void)Beam({"2", "1", "1", "1", "0", "0"});
-      },
-      {"beam.youngs_modulus is 0"});
+  for (const char* value : {"-2", "0"}) {
+    const auto refused = [&](Rational BeamData::*member, const char* field) {
+      BeamData data{"1", "1", "1", "1", "1", "0"};
+      data.*member = value;
+      expect_error_message<std::invalid_argument>([&] { (void)Beam(data); },
+                                                  {(std::string(field) + " is " + value + ";").c_str()});
+    };
+    refused(&BeamData::length, "beam.length");
+    refused(&BeamData::area, "beam.area");
+    refused(&BeamData::second_moment_of_area, "beam.second_moment_of_area");
+    refused(&BeamData::density, "beam.density");
+    refused(&BeamData::youngs_modulus, "beam.youngs_modulus");
+  }
   for (const int count : {0, 1001})
     expect_error_message<std::invalid_argument>([&] { (void)certified::stick_modes(paper_beam(), count); },
                                                 {"numerics.modes"});
@@ -443,8 +451,9 @@ TEST(CertifiedSlipModes, FlutterWhereBeckHasIt) {
                                           {"below the flutter load of the slip state, 20.0509536189737"});
   expect_error_message<std::domain_error>([] { (void)slip_frequencies(unit_beam("1000"), 2); },
                                           {"beam.axial_force is 1000"});
-  expect_error_message<std::invalid_argument>([] { (void)slip_frequencies(unit_beam("1"), 0); },
-                                              {"numerics.modes is 0"});
+  for (const int count : {0, 1001})
+    expect_error_message<std::invalid_argument>([&] { (void)slip_frequencies(unit_beam("1"), count); },
+                                                {("numerics.modes is " + std::to_string(count)).c_str()});
 }
 
 TEST(CertifiedSlipModes, AreContinuousWhereCompressionTurnsIntoTension) {
@@ -540,6 +549,9 @@ TEST(CertifiedResponse, RefusesImpossibleExcitations) {
                                               {"excitation.frequency_hz is 0"});
   expect_error_message<std::invalid_argument>([&] { (void)StickResponse(paper_beam(), backwards); },
                                               {"excitation.amplitude is -1"});
+  const StickResponse still(paper_beam(), {"1", "0"}, 1);
+  EXPECT_TRUE(still.friction_force(Rational("0.3")).contains(0));
+  EXPECT_TRUE(still.friction_force(Rational("0.3")).radius() <= 0);
 }
 
 // Mobility of the tip.
@@ -728,6 +740,7 @@ TEST(CertifiedMaximum, RefusesSpansThatAreNone) {
       {"excitation.duration is 3;"});
   const PrecisionScope scope(50);
   expect_error_message<std::invalid_argument>(refused({{pi(), Real(1)}}, "1"), {"60 bits"});
+  expect_error_message<std::invalid_argument>(refused({{Real(1), pi()}}, "1"), {"60 bits"});
   EXPECT_TRUE(max_abs_of_sinusoids({{Real(0), Real(1)}}, "1").value.contains(0));
 }
 
