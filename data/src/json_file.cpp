@@ -36,13 +36,18 @@ json read_json(const std::filesystem::path& file) {
       fail("the key " + printable(parsed.get<std::string>()) + " stands twice in an object");
     return true;
   };
+  // "[json.exception.parse_error.101] parse error at line 3, ..."
+  const auto what_of = [](const json::exception& error) {
+    constexpr std::size_t longest = 200;
+    const std::string_view message = error.what();
+    return printable(message.substr(message.find(']') + 2), longest);
+  };
   try {
     return json::parse(text, check);
   } catch (const json::parse_error& error) {
-    constexpr std::size_t longest = 200;
-    const std::string_view message =
-        error.what();  // "[json.exception.parse_error.101] parse error at line 3, ..."
-    fail("is not valid JSON: " + printable(message.substr(message.find(']') + 2), longest));
+    fail("is not valid JSON: " + what_of(error));
+  } catch (const json::out_of_range& error) {
+    fail("holds a number that no double holds: " + what_of(error));
   }
   return {};
 }

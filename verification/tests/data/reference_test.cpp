@@ -198,6 +198,8 @@ TEST_F(ReferenceReader, NamesTheValueThatIsWrong) {
             "the key name stands twice in an object"},
            {"{\n \"name\": \"small\",\n  oops\n}\n", "is not valid JSON: parse error at line 3, column 3: "},
            {"{\n \"name\": \"small\"", "is not valid JSON: parse error at line 2, column 17: "},
+           {R"({"name": 1e999})", "holds a number that no double holds: number overflow parsing '1e999'"},
+           {R"({"name": -1e999})", "holds a number that no double holds: number overflow parsing '-1e999'"},
            {R"({"name": {}})", "name is an object, but must be a string that is not empty"},
            {std::string(100, '[') + "1" + std::string(100, ']'),
             "the package is an array, but must be an object"},
