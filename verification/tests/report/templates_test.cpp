@@ -568,5 +568,86 @@ TEST_F(FigureTables, HoldTheErrorsOfEachMeshBesideTheirPrediction) {
   EXPECT_DOUBLE_EQ(std::stod(steps[0][4]), study.reaction_error[0]);
 }
 
+TEST_F(FigureTables, HoldTheMotionOfTheBeamFromItsBaseToItsTip) {
+  const auto rows = rows_of(figure("fig3").tables.front().table);
+  const auto& motions = results_.beam_motions();
+  std::size_t row = 0;
+  for (std::size_t panel = 0; panel < motions.size(); ++panel) {
+    const auto& study = motions[panel];
+    const auto& snapshots = study.finite_element.snapshots;
+    const double omega = 2.0 * std::numbers::pi * study.frequency_hz;
+    for (std::size_t i = 0; i < snapshots.size(); ++i)
+      for (std::size_t k = 0; k < study.finite_element.position.size(); ++k, ++row) {
+        ASSERT_LT(row, rows.size());
+        std::vector<double> cells;
+        for (const std::string& cell : rows[row]) cells.push_back(std::stod(cell));
+        ASSERT_EQ(cells.size(), 9U);
+        EXPECT_EQ(cells[0], static_cast<double>(panel + 1));
+        EXPECT_EQ(cells[1], study.frequency_hz);
+        EXPECT_EQ(cells[2], static_cast<double>(i + 1));
+        EXPECT_DOUBLE_EQ(cells[4], (cells[3] - snapshots.front().time) * study.frequency_hz);
+        EXPECT_EQ(cells[5] == 1.0, snapshots[i].sticks);
+        EXPECT_EQ(cells[7], snapshots[i].displacement[k]);
+        EXPECT_EQ(cells[8], study.reference.snapshots[i].displacement[k]);
+        if (cells[6] ==
+            0.0) {  // the base, whose phase omega t is below 20: rounding of 20 eps/2 of the amplitude
+          const double base = study.amplitude * std::sin(omega * cells[3]);
+          EXPECT_NEAR(cells[7], base, 20.0 * std::numeric_limits<double>::epsilon() * study.amplitude);
+          EXPECT_NEAR(cells[8], base, 20.0 * std::numeric_limits<double>::epsilon() * study.amplitude);
+        }
+      }
+  }
+  EXPECT_EQ(row, rows.size());
+}
+
+TEST_F(FigureTables, HoldTheLengthsOfResonanceAndOfBucklingUnderEachForce) {
+  const auto data = figure("fig14");
+  const auto ratios = rows_of(data.tables[0].table), limits = rows_of(data.tables[1].table);
+  EXPECT_EQ(value_of(data, "hz"), 25.0);
+  const double coefficient = value_of(data, "buckling_coefficient");  // z^2 with tan z = z
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  EXPECT_NEAR(std::tan(std::sqrt(coefficient)) / std::sqrt(coefficient), 1.0,
+              50.0 * epsilon);  // condition 20
+  const data::Beam& beam = results_.flat_section().beam;
+  const double rigidity = beam.youngs_modulus() * beam.second_moment_of_area();
+  const auto number = [](const std::string& cell) { return std::stod(cell); };
+  ASSERT_EQ(limits.size(), 100U);
+  ASSERT_EQ(ratios.size() % limits.size(), 0U);
+  const std::size_t lengths = ratios.size() / limits.size();
+  for (std::size_t line = 0; line < limits.size(); ++line) {
+    const double force = number(limits[line][0]), buckling = number(limits[line].back());
+    EXPECT_NEAR(buckling * buckling * force / (coefficient * rigidity), 1.0, 10.0 * epsilon);
+    std::size_t largest = line * lengths;
+    for (std::size_t row = line * lengths; row < (line + 1) * lengths; ++row) {
+      EXPECT_EQ(ratios[row][1], limits[line][0]);
+      EXPECT_LT(number(ratios[row][0]), buckling);
+      if (number(ratios[row][2]) > number(ratios[largest][2])) largest = row;
+    }
+    // Far from buckling the force is largest at the first resonance.
+    if (force < 500.0) {
+      EXPECT_EQ(ratios[largest][0], limits[line][1]) << force << " N";
+    }
+    if (!limits[line][2].empty()) {
+      EXPECT_LT(number(limits[line][1]), number(limits[line][2]));
+    }
+  }
+}
+
+TEST_F(FigureTables, HoldTheErrorsThroughEventsWithAndWithoutTheirLocation) {
+  const auto rows = rows_of(figure("event-order").tables.front().table);
+  std::size_t row = 0;
+  for (const auto& study : results_.event_orders())
+    for (std::size_t i = 0; i < study.time_step.size(); ++i, ++row) {
+      ASSERT_LT(row, rows.size());
+      std::vector<double> cells;
+      for (const std::string& cell : rows[row]) cells.push_back(std::stod(cell));
+      EXPECT_EQ(cells, (std::vector<double>{study.spectral_radius, study.time_step[i],
+                                            study.located.event_time_error[i],
+                                            study.at_end_of_step.event_time_error[i],
+                                            study.located.tip_error[i], study.at_end_of_step.tip_error[i]}));
+    }
+  EXPECT_EQ(row, rows.size());
+}
+
 }  // namespace
 }  // namespace stickslip
