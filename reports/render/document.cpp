@@ -60,7 +60,8 @@ void run_lualatex(const fs::path& folder) {
 }
 
 // The last line of what it says is its error message.
-void run_script(const fs::path& script, std::vector<std::string> arguments, const fs::path& folder) {
+void run_script(const fs::path& script, std::vector<std::string> arguments, const fs::path& folder,
+                std::string_view failure) {
   const fs::path log = folder / "render.log";
   arguments.insert(arguments.begin(), {"-I", "-B", (templates_directory() / script).string()});
   const int status = run_tool(python, arguments, folder, log);
@@ -69,11 +70,12 @@ void run_script(const fs::path& script, std::vector<std::string> arguments, cons
   while (message.ends_with('\n')) message.pop_back();
   message.erase(0, message.rfind('\n') + 1);
   if (status == 2) throw data::InputError(message);
-  throw std::runtime_error(fmt::format("the templates of the report cannot be filled in: {}", message));
+  throw std::runtime_error(fmt::format("{}: {}", failure, message));
 }
 
 void run_renderer(std::vector<std::string> arguments, const fs::path& folder) {
-  run_script(fs::path("report") / "render.py", std::move(arguments), folder);
+  run_script(fs::path("report") / "render.py", std::move(arguments), folder,
+             "the templates of the report cannot be filled in");
 }
 
 std::runtime_error no_pdf(const ToolMissing& missing, const OutputFolder& output) {
@@ -109,7 +111,7 @@ void write_site(const fs::path& values, OutputFolder& output) {
   run_script(fs::path("site") / "site.py",
              {(templates_directory() / "report").string(), data::data_directory().string(), values.string(),
               output.folder().string(), site.string()},
-             output.scratch());
+             output.scratch(), "the pages of evidence cannot be made");
   fs::remove_all(output.folder() / "site");
   output.publish(site);
 }

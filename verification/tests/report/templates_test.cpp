@@ -111,6 +111,14 @@ TEST_F(ReportTemplates, RefuseANumberWithoutDigitsAndOneThatIsNotFinite) {
             std::string::npos);
 }
 
+TEST_F(ReportTemplates, AreNotBlamedForWhatThePagesOfEvidenceLack) {
+  report::write_text(templates_ / "site" / "site.py", "raise SystemExit('a value is missing')\n");
+  report::OutputFolder output(folder_ / "output");
+  testing::expect_error_message<std::runtime_error>(
+      [&] { report::write_site(values(), output); },
+      {"the pages of evidence cannot be made: a value is missing"});
+}
+
 TEST_F(ReportTemplates, FormatNumbersAndWordsAsTheExamplesInTheRendererSay) {
   ::unsetenv("STICKSLIP_REPORTS");
   for (const fs::path script : {"report/render.py", "site/site.py"}) {
