@@ -269,6 +269,18 @@ std::optional<double> CsvReader::number(std::string_view cell) const {
   return finite_number(text);
 }
 
+Header header_of(std::string_view text) {
+  for (const auto& [open, close] : {std::pair{'[', ']'}, std::pair{'(', ')'}}) {
+    const auto begin = text.rfind(open);
+    if (begin != std::string_view::npos && text.ends_with(close))
+      return {std::string(trimmed(text.substr(0, begin))),
+              std::string(trimmed(text.substr(begin + 1, text.size() - begin - 2)))};
+  }
+  if (const auto slash = text.find(" / "); slash != std::string_view::npos)
+    return {std::string(trimmed(text.substr(0, slash))), std::string(trimmed(text.substr(slash + 3)))};
+  return {std::string(text), std::nullopt};
+}
+
 std::optional<double> finite_number(std::string_view text) {
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   double value{};

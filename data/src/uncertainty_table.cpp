@@ -14,6 +14,7 @@
 #include "stickslip/data/csv_text.hpp"
 #include "stickslip/data/input_text.hpp"
 #include "stickslip/data/toml_file.hpp"
+#include "stickslip/data/units.hpp"
 
 namespace stickslip::data {
 
@@ -121,21 +122,40 @@ class DistributionReader {
     return result;
   }
 
+  // That of a header such as "E [GPa]", "E (GPa)", "E / GPa" or "E_GPa"; that of the key, if it states none.
+  [[nodiscard]] Unit unit_in(const std::string& header) const {
+    const std::string_view si = unit_of(key_);
+    if (const auto stated = header_of(header).unit) {
+      const auto unit = unit_named(*stated);
+      if (!unit || unit->si != si)
+        fail(item("column") + " is " + printable(header), "a column in one of " + units_convertible_to(si));
+      return *unit;
+    }
+    for (auto at = header.find('_'); at != std::string::npos; at = header.find('_', at + 1))
+      if (const auto unit = unit_named(header.substr(at + 1)); unit && unit->si == si) return *unit;
+    return {.si = si};
+  }
+
   [[nodiscard]] std::vector<double> column(const Path& file, const std::string& name) const {
     const std::string content = read_table_text(file);
     CsvReader reader(file, content);
-    const auto found = std::ranges::find(reader.names(), name);
-    if (found == reader.names().end())
-      fail(item("column") + " is " + printable(name) + suggestion(name, reader.names()),
-           "a column of " + file.string() + ", which has " + joined(reader.names()));
-    const auto index = static_cast<std::size_t>(found - reader.names().begin());
+    const auto& names = reader.names();
+    auto found = std::ranges::find(names, name);
+    if (found == names.end())
+      found =
+          std::ranges::find(names, name, [](const std::string& header) { return header_of(header).name; });
+    if (found == names.end())
+      fail(item("column") + " is " + printable(name) + suggestion(name, names),
+           "a column of " + file.string() + ", which has " + joined(names));
+    const Unit unit = unit_in(*found);
+    const auto index = static_cast<std::size_t>(found - names.begin());
     std::vector<double> samples;
     while (const auto row = reader.next_row()) {
       const auto value = reader.number((*row)[index]);
-      if (!value)
+      if (!value || !std::isfinite(unit.to_si(*value)))
         throw InputError(reader.place(reader.line(), index) + ": " + printable((*row)[index]) +
                          " stands there, but must be a finite number");
-      samples.push_back(*value);
+      samples.push_back(unit.to_si(*value));
     }
     if (samples.size() < 2)
       throw InputError(file.string() + ": has " + std::to_string(samples.size()) +

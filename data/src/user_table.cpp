@@ -26,25 +26,6 @@ std::string folded(std::string_view name) {
   return text;
 }
 
-// A header's name and unit; the unit is nothing if there is none.
-struct Header {
-  std::string name;
-  std::optional<std::string> unit;
-};
-
-// "name [unit]", "name (unit)", "name / unit"
-Header header_of(std::string_view text) {
-  for (const auto& [open, close] : {std::pair{'[', ']'}, std::pair{'(', ')'}}) {
-    const auto begin = text.rfind(open);
-    if (begin != std::string_view::npos && text.ends_with(close))
-      return {std::string(trimmed(text.substr(0, begin))),
-              std::string(trimmed(text.substr(begin + 1, text.size() - begin - 2)))};
-  }
-  if (const auto slash = text.find(" / "); slash != std::string_view::npos)
-    return {std::string(trimmed(text.substr(0, slash))), std::string(trimmed(text.substr(slash + 3)))};
-  return {std::string(text), std::nullopt};
-}
-
 // The unit in a header such as name_unit, if the name is this one.
 std::optional<std::string> unit_behind(const std::string& name, const std::string& header) {
   if (header.size() <= name.size() + 1 || header[name.size()] != '_') return std::nullopt;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// The table [uncertainty] of a case file: what it says is read, anything else refused in one sentence.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -148,6 +149,24 @@ TEST_F(UncertaintyTable, IsRefusedInOneSentence) {
   EXPECT_EQ(error_message(""), "bar.toml:26: uncertainty has no distribution, but must have one or more");
 }
 
+TEST_F(UncertaintyTable, TakesSamplesInTheUnitOfTheirColumn) {
+  const auto samples = [&](const std::string& text, const std::string& column) {
+    folder_.write("l.csv", text);
+    return data::read_uncertainty(
+               write("\"beam.length\" = { distribution = 'samples', file = 'l.csv', column = '" + column +
+                     "' }\n"))
+        .keys.front()
+        .distribution.samples;
+  };
+  const std::vector millimetres{0.4, 0.5}, metres{400.0, 500.0};
+  for (const std::string head : {"L [mm]", "L (mm)", "L / mm", "L_mm"})
+    EXPECT_EQ(samples(fmt::format("\"{}\"\n500\n400\n", head), head), millimetres) << head;
+  EXPECT_EQ(samples("L [mm]\n500\n400\n", "L"), millimetres);
+  EXPECT_EQ(samples("L,n\nmm,1\n500,1\n400,2\n", "L"), millimetres);
+  for (const std::string head : {"L", "L [m]", "L_m", "L_s", "L_max"})
+    EXPECT_EQ(samples(fmt::format("\"{}\"\n500\n400\n", head), head), metres) << head;
+}
+
 TEST_F(UncertaintyTable, IsRefusedForItsSamples) {
   const auto samples = [&](const std::string& text) {
     folder_.write("l.csv", text);
@@ -156,6 +175,10 @@ TEST_F(UncertaintyTable, IsRefusedForItsSamples) {
   EXPECT_EQ(
       samples("M\n1\n2\n"),
       "bar.toml:27: uncertainty.\"beam.length\".column is L, but must be a column of l.csv, which has M");
+  for (const std::string unit : {"s", "furlong"})
+    EXPECT_EQ(samples("L [" + unit + "]\n1\n2\n"), "bar.toml:27: uncertainty.\"beam.length\".column is L [" +
+                                                       unit +
+                                                       "], but must be a column in one of m, cm, mm, um, nm");
   EXPECT_EQ(samples("L\n1\n"), "l.csv: has 1 rows, but must have at least 2");
   EXPECT_EQ(samples("L\n1\n1e9\n"),
             "bar.toml:27: beam.length is 1e+09, but must be from 1e-09 to 1e+06 (m) in magnitude");

@@ -69,6 +69,15 @@ class CsvReader {
   std::vector<std::string> names_;
 };
 
+/// A column's name and unit; the unit is nothing if there is none.
+struct Header {
+  std::string name;
+  std::optional<std::string> unit;
+};
+
+/// Takes "name [unit]", "name (unit)" or "name / unit" apart; any other text is a name.
+[[nodiscard]] Header header_of(std::string_view text);
+
 /// The finite number that the whole text is, if it is one; a leading + is allowed.
 [[nodiscard]] std::optional<double> finite_number(std::string_view text);
 

@@ -10,7 +10,7 @@
 ///
 /// normal and lognormal have the mean and the standard deviation of the quantity itself; uniform has lower and
 /// upper, triangular also mode; these numbers may have a unit ("5 mm"). samples has the name of a CSV file, relative to
-/// the case file, and a column in SI units.
+/// the case file, and a column in the unit that its name states ("E [GPa]"), or else in SI units.
 
 #include <filesystem>
 #include <string>
