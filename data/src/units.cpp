@@ -72,6 +72,8 @@ std::string spelled(std::string_view name) {
                                  {"\u00b5", "u"},
                                  {"\u03bc", "u"},
                                  {"\u00b2", "^2"},
+                                 {"\u00b3", "^3"},
+                                 {"\u2074", "^4"},
                                  {"\u00b0", "deg"}})
     if (const auto at = text.find(from); at != std::string::npos) text.replace(at, from.size(), to);
   return text;

@@ -84,6 +84,8 @@ TEST(InputLimits, HasTheUnitsOfEveryQuantity) {
                                                              {"mm_per_s", "m/s", 1e-3},
                                                              {"m/s^2", "m/s^2", 1.0},
                                                              {"m/s\u00b2", "m/s^2", 1.0},
+                                                             {"g/cm\u00b3", "kg/m^3", 1e3},
+                                                             {"mm\u2074", "m^4", 1e-12},
                                                              {"mm/s^2", "m/s^2", 1e-3},
                                                              {"Pa", "Pa", 1.0},
                                                              {"kPa", "Pa", 1e3},
