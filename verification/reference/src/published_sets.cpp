@@ -112,7 +112,8 @@ std::optional<Real> end_of_stick(const ForcedMass& mass, const Real& position, c
   return first;
 }
 
-/// All events up to the time `latest`, every decision certain. Without a velocity the mass starts stuck.
+/// All events up to the time `latest`, and perhaps one soon after it; every decision certain. Without a
+/// velocity the mass starts stuck.
 std::vector<MassEvent> events_of(const ForcedMass& mass, Real position, std::optional<Real> velocity,
                                  const Real& latest) {
   std::vector<MassEvent> events;
@@ -234,7 +235,8 @@ std::vector<MassEvent> den_hartog_events() {
   const Real x = shift - shift * cos(turn) - shift * tangent * sin(turn);
   const Real v = own * shift * (sin(turn) - tangent * cos(turn)) - forced * mass.rate;
   std::vector<MassEvent> events = events_of(mass, -x, -v, 10 * certified::pi() / mass.rate);
-  events.resize(10, events.front());
+  if (events.size() < 10) throw std::runtime_error("a turning point of the steady motion is missing");
+  events.erase(events.begin() + 10, events.end());
   return events;
 }
 
