@@ -470,6 +470,12 @@ class FigureTables : public ReportTemplates {
     return rows;
   }
 
+  static std::vector<double> numbers_of(const std::vector<std::string>& row) {
+    std::vector<double> numbers;
+    for (const std::string& cell : row) numbers.push_back(std::stod(cell));
+    return numbers;
+  }
+
   static double value_of(const report::FigureData& data, const std::string& name) {
     return std::ranges::find(data.values, name, &report::FigureData::Value::name)->value;
   }
@@ -584,11 +590,12 @@ TEST_F(FigureTables, HoldTheMotionOfTheBeamFromItsBaseToItsTip) {
     const auto& study = motions[panel];
     const auto& snapshots = study.finite_element.snapshots;
     const double omega = 2.0 * std::numbers::pi * study.frequency_hz;
+    // The phase omega t of the base is below 20, and so its sine is known to 20 eps.
+    const double rounding = 20.0 * std::numeric_limits<double>::epsilon() * study.amplitude;
     for (std::size_t i = 0; i < snapshots.size(); ++i)
       for (std::size_t k = 0; k < study.finite_element.position.size(); ++k, ++row) {
         ASSERT_LT(row, rows.size());
-        std::vector<double> cells;
-        for (const std::string& cell : rows[row]) cells.push_back(std::stod(cell));
+        const auto cells = numbers_of(rows[row]);
         ASSERT_EQ(cells.size(), 9U);
         EXPECT_EQ(cells[0], static_cast<double>(panel + 1));
         EXPECT_EQ(cells[1], study.frequency_hz);
@@ -597,11 +604,10 @@ TEST_F(FigureTables, HoldTheMotionOfTheBeamFromItsBaseToItsTip) {
         EXPECT_EQ(cells[5] == 1.0, snapshots[i].sticks);
         EXPECT_EQ(cells[7], snapshots[i].displacement[k]);
         EXPECT_EQ(cells[8], study.reference.snapshots[i].displacement[k]);
-        if (cells[6] ==
-            0.0) {  // the base, whose phase omega t is below 20: rounding of 20 eps/2 of the amplitude
+        if (cells[6] == 0.0) {  // the base
           const double base = study.amplitude * std::sin(omega * cells[3]);
-          EXPECT_NEAR(cells[7], base, 20.0 * std::numeric_limits<double>::epsilon() * study.amplitude);
-          EXPECT_NEAR(cells[8], base, 20.0 * std::numeric_limits<double>::epsilon() * study.amplitude);
+          EXPECT_NEAR(cells[7], base, rounding);
+          EXPECT_NEAR(cells[8], base, rounding);
         }
       }
   }
@@ -614,8 +620,8 @@ TEST_F(FigureTables, HoldTheLengthsOfResonanceAndOfBucklingUnderEachForce) {
   EXPECT_EQ(value_of(data, "hz"), 25.0);
   const double coefficient = value_of(data, "buckling_coefficient");  // z^2 with tan z = z
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  EXPECT_NEAR(std::tan(std::sqrt(coefficient)) / std::sqrt(coefficient), 1.0,
-              50.0 * epsilon);  // condition 20
+  const double z = std::sqrt(coefficient);
+  EXPECT_NEAR(std::tan(z) / z, 1.0, 50.0 * epsilon);  // condition number z^2 = 20
   const data::Beam& beam = results_.flat_section().beam;
   const double rigidity = beam.youngs_modulus() * beam.second_moment_of_area();
   const auto number = [](const std::string& cell) { return std::stod(cell); };
@@ -647,12 +653,11 @@ TEST_F(FigureTables, HoldTheErrorsThroughEventsWithAndWithoutTheirLocation) {
   for (const auto& study : results_.event_orders())
     for (std::size_t i = 0; i < study.time_step.size(); ++i, ++row) {
       ASSERT_LT(row, rows.size());
-      std::vector<double> cells;
-      for (const std::string& cell : rows[row]) cells.push_back(std::stod(cell));
-      EXPECT_EQ(cells, (std::vector<double>{study.spectral_radius, study.time_step[i],
-                                            study.located.event_time_error[i],
-                                            study.at_end_of_step.event_time_error[i],
-                                            study.located.tip_error[i], study.at_end_of_step.tip_error[i]}));
+      EXPECT_EQ(
+          numbers_of(rows[row]),
+          (std::vector<double>{study.spectral_radius, study.time_step[i], study.located.event_time_error[i],
+                               study.at_end_of_step.event_time_error[i], study.located.tip_error[i],
+                               study.at_end_of_step.tip_error[i]}));
     }
   EXPECT_EQ(row, rows.size());
 }
