@@ -87,11 +87,7 @@ double falling_slope(const data::FrictionLaw& friction, double normal_force, dou
 }
 
 double speed_of_slope(const data::FrictionLaw& friction, double normal_force, double slope) {
-  const data::FrictionLaw law = friction.in_slip();
-  const double at_rest = normal_force * (law.static_coefficient() - law.kinetic_coefficient()) * law.decay();
-  const double fallen = slope + law.viscous() * normal_force;
-  if (at_rest <= fallen) return 0.0;
-  return fallen > 0.0 ? std::log(at_rest / fallen) / law.decay() : std::numeric_limits<double>::infinity();
+  return speed_of_fall(friction.in_slip(), normal_force, slope);
 }
 
 SteadySliding steady_sliding(const data::Beam& beam, const data::FrictionLaw& friction,

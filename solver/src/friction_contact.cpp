@@ -10,11 +10,24 @@
 
 namespace stickslip::solver {
 
+namespace {
+
+// The steepest fall of mu by the exponential term, s/m.
+double weakening(const data::FrictionLaw& law) {
+  return (law.static_coefficient() - law.kinetic_coefficient()) * law.decay();
+}
+
+}  // namespace
+
 double friction_coefficient(const data::FrictionLaw& law, double sliding_velocity) {
   const double speed = std::abs(sliding_velocity);
   return law.kinetic_coefficient() +
          (law.static_coefficient() - law.kinetic_coefficient()) * std::exp(-law.decay() * speed) +
          law.viscous() * speed;
+}
+
+double friction_coefficient_slope(const data::FrictionLaw& law, double sliding_velocity) {
+  return law.viscous() - weakening(law) * std::exp(-law.decay() * std::abs(sliding_velocity));
 }
 
 FrictionContact::FrictionContact(const ContactSystem& system)
@@ -42,8 +55,7 @@ double FrictionContact::alpha_level_force(double direction, double free_velocity
     return -direction * law_.static_coefficient() * normal_force_;
   for (int iteration = 0; iteration < 100; ++iteration) {
     const double residual = w + strength * friction_coefficient(law_, w) - forward;
-    const double slope =
-        1.0 - strength * weakening() * std::exp(-law_.decay() * w) + strength * law_.viscous();
+    const double slope = 1.0 + strength * friction_coefficient_slope(law_, w);
     const double next = std::max(w - residual / slope, 0.0);
     if (std::abs(next - w) <= 1e-15 * std::max(w, forward)) break;
     w = next;
@@ -89,18 +101,13 @@ FrictionContact::Slider FrictionContact::moved(double slider, double position,
 }
 
 void FrictionContact::require_unique_force(double mobility, double time, double time_step) const {
-  const double fall = mobility * normal_force_ * weakening();
+  const double fall = mobility * normal_force_ * weakening(law_);
   if (fall < 1.0) return;
   std::ostringstream text;
   text << "time_step = " << time_step << " s: at t = " << time
        << " s the friction law falls faster than a step can follow; the step must be shorter than about "
        << time_step / fall << " s";
   throw std::runtime_error(text.str());
-}
-
-// (mu_s - mu_m) alpha, s/m: the steepest fall of mu.
-double FrictionContact::weakening() const noexcept {
-  return (law_.static_coefficient() - law_.kinetic_coefficient()) * law_.decay();
 }
 
 }  // namespace stickslip::solver

@@ -57,8 +57,6 @@ class FrictionContact {
   void require_unique_force(double mobility, double time, double time_step) const;
 
  private:
-  [[nodiscard]] double weakening() const noexcept;
-
   data::FrictionLaw law_;  // in slip
   data::TangentialContact tangential_;
   double normal_force_, limit_;  // N, mu_s N

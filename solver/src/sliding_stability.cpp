@@ -33,11 +33,8 @@ double steady_contact_displacement(const ContactSystem& system, double friction_
 }
 
 double falling_slope(const ContactSystem& system) {
-  const data::FrictionLaw law = system.friction.in_slip();
-  const double speed = std::abs(system.wall.velocity(0.0));
-  return system.normal_force * ((law.static_coefficient() - law.kinetic_coefficient()) * law.decay() *
-                                    std::exp(-law.decay() * speed) -
-                                law.viscous());
+  return -system.normal_force *
+         friction_coefficient_slope(system.friction.in_slip(), system.wall.velocity(0.0));
 }
 
 std::vector<std::complex<double>> sliding_eigenvalues(const ContactSystem& system, double slope) {

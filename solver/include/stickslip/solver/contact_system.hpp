@@ -46,4 +46,7 @@ struct ContactSystem {
 /// finite (data::FrictionLaw::in_slip).
 [[nodiscard]] double friction_coefficient(const data::FrictionLaw& law, double sliding_velocity);
 
+/// Its slope over the speed, d mu/d|v| = beta - (mu_s - mu_m) alpha exp(-alpha |v|), s/m.
+[[nodiscard]] double friction_coefficient_slope(const data::FrictionLaw& law, double sliding_velocity);
+
 }  // namespace stickslip::solver
