@@ -86,6 +86,15 @@ TEST(SteadySliding, HasTheDeflectionOfTheMeshInEveryDirectionOfTheForce) {
   }
 }
 
+TEST(SteadySliding, HasTheSlopeOfFrictionInBothImplementations) {
+  data::Case problem = reed();
+  problem.friction = data::FrictionLaw(
+      {.static_coefficient = 0.6, .kinetic_coefficient = 0.4, .decay = 2.0, .viscous = 0.3});
+  const double force = problem.beam.axial_force();
+  const double slope = analytic::falling_slope(problem.friction, force, problem.wall.speed());
+  EXPECT_TRUE(within(solver::falling_slope(mesh_of(problem, 2)), slope, round_off(10, 1, 0.7 * force)));
+}
+
 TEST(SteadySliding, HasNoImpedanceAtAnEigenvalue) {
   const auto mobility = analytic::contact_mobility(contact_model({.mass = 2.0, .stiffness = 50.0}));
   EXPECT_EQ(1.0 / mobility(std::complex<double>(0.0, 5.0)), 0.0);
