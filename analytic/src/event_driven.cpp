@@ -72,7 +72,7 @@ void EventDriven::start_stuck(const std::vector<double>& amplitudes, const std::
   const double force = holding_force();
   if (std::abs(force) <= limit_) return begin_stick();
   begin_slip(direction_against(force));
-  record(ContactChange::onset);
+  record(data::ContactChange::onset);
 }
 
 void EventDriven::start_slipping(const std::vector<double>& amplitudes, const std::vector<double>& rates,
@@ -87,7 +87,7 @@ void EventDriven::advance_to(double t) {
   checked_finite(t, "t");
   if (t < time_) throw wrong_argument("t", t, "at or after " + data::shortest_text(time_) + " s");
   for (;;) {
-    if (state_ == ContactPhase::stick) {
+    if (state_ == data::ContactState::stick) {
       const auto onset = stick_.first_excess(certain_until_, t, limit_);
       if (!onset) {
         certain_until_ = t;
@@ -95,7 +95,7 @@ void EventDriven::advance_to(double t) {
       }
       move_to(*onset);
       begin_slip(direction_against(holding_force()));
-      record(ContactChange::onset);
+      record(data::ContactChange::onset);
     } else {
       if (!ends_ && slip_->end_time() < t) {
         ends_ = slip_->step();
@@ -114,11 +114,11 @@ double EventDriven::drive_displacement() const {
 }
 
 double EventDriven::sliding_velocity() const {
-  return state_ == ContactPhase::stick ? 0.0 : now_.velocity - dynamics_->wall_velocity(time_);
+  return state_ == data::ContactState::stick ? 0.0 : now_.velocity - dynamics_->wall_velocity(time_);
 }
 
 double EventDriven::friction_force() const {
-  return state_ == ContactPhase::stick ? holding_force() : slip_->friction_force(sliding_velocity());
+  return state_ == data::ContactState::stick ? holding_force() : slip_->friction_force(sliding_velocity());
 }
 
 double EventDriven::holding_force() const { return dynamics_->holding_force(view(now_), time_); }
@@ -156,7 +156,7 @@ void EventDriven::prepare_slip() {
 }
 
 void EventDriven::begin_stick() {
-  state_ = ContactPhase::stick;
+  state_ = data::ContactState::stick;
   now_.velocity = dynamics_->wall_velocity(time_);
   stick_.begin(time_, now_);
   certain_until_ = works_until_ = time_;
@@ -164,7 +164,7 @@ void EventDriven::begin_stick() {
 }
 
 void EventDriven::begin_slip(double direction) {
-  state_ = ContactPhase::slip;
+  state_ = data::ContactState::slip;
   slip_->begin(time_, now_, direction);
   ends_ = false;
   works_before_phase_ = works_;
@@ -175,17 +175,17 @@ void EventDriven::end_slip() {
   const double force = slip_->holding_force(), previous = slip_->direction();
   if (std::abs(force) <= limit_) {
     begin_stick();
-    return record(ContactChange::capture);
+    return record(data::ContactChange::capture);
   }
   const double direction = direction_against(force);
   slip_->begin_next(direction);
   ends_ = false;
   works_before_phase_ = works_;
-  record(direction == previous ? ContactChange::graze : ContactChange::reversal);
+  record(direction == previous ? data::ContactChange::graze : data::ContactChange::reversal);
 }
 
 void EventDriven::move_to(double t) {
-  if (state_ == ContactPhase::stick) {
+  if (state_ == data::ContactState::stick) {
     now_ = stick_.state(t);
     if (settings_.keep_energy_balance) add_works_of_stick_until(t);
   } else {
@@ -210,7 +210,7 @@ void EventDriven::add_works_of_stick_until(double t) {
   works_until_ = t;
 }
 
-void EventDriven::record(ContactChange change) {
+void EventDriven::record(data::ContactChange change) {
   events_.push_back({change, time_, now_.displacement - dynamics_->wall_displacement(time_)});
   constexpr std::size_t crowd = 10000;
   if (events_.size() <= crowd) return;

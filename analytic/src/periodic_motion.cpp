@@ -75,13 +75,13 @@ class Variation {
     return rate;
   }
 
-  void change(const ChangeOfContact& event) {
+  void change(const data::ContactEvent& event) {
     advance_to(event.time);
-    if (event.change == ContactChange::graze) return;
+    if (event.change == data::ContactChange::graze) return;
     const std::vector<double> before = rate();
     std::vector<double> gradient(n_);
     double passage = 0.0;
-    if (event.change == ContactChange::onset) {
+    if (event.change == data::ContactChange::onset) {
       gradient = force_gradient();
       passage = stick_.force_rate(time_);
       begin_slip(dynamics_.holding_force(view(x_.data(), modes_), time_) > 0.0 ? -1.0 : 1.0);
@@ -89,16 +89,16 @@ class Variation {
       gradient.back() = 1.0;
       passage = before.back() - dynamics_.wall_acceleration(time_);
       x_.back() = dynamics_.wall_velocity(time_);
-      if (event.change == ContactChange::reversal) begin_slip(-direction_);
+      if (event.change == data::ContactChange::reversal) begin_slip(-direction_);
     }
-    const bool captured = event.change == ContactChange::capture;
+    const bool captured = event.change == data::ContactChange::capture;
     if (captured) sticks_ = true;
     jump(before, rate(), gradient, passage);
     if (captured) begin_stick();
   }
 
   [[nodiscard]] ContactStart state() const {
-    return {copy(view(x_.data(), modes_)), sticks_ ? ContactPhase::stick : ContactPhase::slip};
+    return {copy(view(x_.data(), modes_)), sticks_ ? data::ContactState::stick : data::ContactState::slip};
   }
 
   [[nodiscard]] const Matrix& derivative() const { return phi_; }
@@ -309,7 +309,7 @@ class Shooting {
 
 void start(EventDriven& run, const ContactModel& model, const ContactStart& from) {
   const ContactKinematics& state = from.kinematics;
-  if (from.phase == ContactPhase::stick)
+  if (from.phase == data::ContactState::stick)
     run.start_stuck(state.amplitudes, state.rates, state.displacement);
   else
     run.start_slipping(state.amplitudes, state.rates, state.displacement,
@@ -319,18 +319,18 @@ void start(EventDriven& run, const ContactModel& model, const ContactStart& from
 PoincareImage poincare_map(const ContactModel& model, const ContactStart& from, double duration) {
   EventDriven run(model);
   start(run, model, from);
-  const ContactPhase phase = run.state();  // slip, if it cannot stick
+  const data::ContactState phase = run.state();  // slip, if it cannot stick
   const double direction = run.friction_force() > 0.0 ? -1.0 : 1.0;
   run.advance_to(duration);
-  std::vector<ChangeOfContact> events = run.events();
+  std::vector<data::ContactEvent> events = run.events();
   Variation variation(model, from);
-  if (phase == ContactPhase::stick) {
+  if (phase == data::ContactState::stick) {
     variation.begin_stick();
   } else {
     variation.begin_slip(direction);
-    std::erase_if(events, [](const ChangeOfContact& event) { return event.time == 0.0; });
+    std::erase_if(events, [](const data::ContactEvent& event) { return event.time == 0.0; });
   }
-  for (const ChangeOfContact& event : events) variation.change(event);
+  for (const data::ContactEvent& event : events) variation.change(event);
   variation.advance_to(duration);
   return {variation.state(), variation.derivative(), variation.rate(), events};
 }
@@ -361,7 +361,8 @@ PeriodicSearch forced_motion(const ContactModel& model, int periods, int settle)
   const std::size_t events = run.events().size();
   const ContactStart start = state_of(run);
   run.advance_to((settle + periods) * period);
-  if (start.phase == ContactPhase::stick && run.events().size() == events) return {{}, NoMotion::sticks};
+  if (start.phase == data::ContactState::stick && run.events().size() == events)
+    return {{}, NoMotion::sticks};
   return {Shooting(model, start, periods * period, false).run(), NoMotion::unsettled};
 }
 
@@ -391,11 +392,11 @@ PeriodicSearch self_excited_motion(const ContactModel& model, double settle, dou
     }
     before = velocity;
   }
-  if (crossings.size() < 2 && run.state() == ContactPhase::stick) return {{}, NoMotion::sticks};
+  if (crossings.size() < 2 && run.state() == data::ContactState::stick) return {{}, NoMotion::sticks};
   if (largest < 1e-2 * std::abs(model.wall_speed)) return {{}, NoMotion::steady};
   for (std::size_t cycles = 1; cycles < crossings.size(); ++cycles) {
     const ContactStart& start = crossings.front().after;
-    if (start.phase == ContactPhase::stick) return {{}, NoMotion::unsettled};
+    if (start.phase == data::ContactState::stick) return {{}, NoMotion::unsettled};
     const double period = crossings[cycles].time - crossings.front().time;
     const PoincareImage image = poincare_map(model, start, period);
     const double miss = std::abs(image.end.kinematics.displacement - start.kinematics.displacement) +

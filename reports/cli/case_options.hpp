@@ -23,9 +23,6 @@ namespace stickslip::cli {
 
 using Json = nlohmann::ordered_json;
 
-/// Names of solver::ContactEvent::Kind and of analytic::ContactChange, which have the same order.
-inline constexpr std::array<std::string_view, 4> change_names{"onset", "capture", "reversal", "graze"};
-
 /// [CASE] --set table.key=value ... --json
 struct CaseOptions {
   std::string name = "paper";

@@ -68,8 +68,7 @@ void print_cycle(const studies::Cycle& cycle) {
   row("share of stick", fmt::format("{:.4g}", cycle.stick_share));
   std::string names;
   for (const auto& event : motion.events)
-    names += fmt::format("{}{}", names.empty() ? "" : ", ",
-                         change_names.at(static_cast<std::size_t>(event.change)));
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", data::name_of(event.change));
   row("changes of contact", fmt::format("{}{}{}", motion.events.size(), names.empty() ? "" : ": ", names));
   std::string moduli;
   for (std::size_t i = 0; i < motion.multipliers.size() && i < 4; ++i)
@@ -89,8 +88,7 @@ Json cycle_json(const studies::Cycle& cycle) {
   for (const auto multiplier : motion.multipliers)
     multipliers.push_back({{"real", multiplier.real()}, {"imaginary", multiplier.imag()}});
   for (const auto& event : motion.events)
-    events.push_back(
-        {{"time_s", event.time}, {"change", change_names.at(static_cast<std::size_t>(event.change))}});
+    events.push_back({{"time_s", event.time}, {"change", data::name_of(event.change)}});
   object.update({{"period_s", motion.period},
                  {"frequency_hz", 1.0 / motion.period},
                  {"tip_peak_to_peak_m", cycle.peak_to_peak},

@@ -155,7 +155,7 @@ Row row_of(const solver::BeamSimulation& simulation) {
           .midspan_displacement = simulation.midspan_displacement(),
           .sliding_velocity = simulation.sliding_velocity(),
           .friction_force = simulation.friction_force(),
-          .state = simulation.state() == solver::ContactState::stick ? "stick" : "slip"};
+          .state = simulation.state() == data::ContactState::stick ? "stick" : "slip"};
 }
 
 void write_closed_form(const data::Case& problem, const RespondOptions& options, Writer& writer) {
@@ -192,8 +192,8 @@ void write_finite_element(const data::Case& problem, const RespondOptions& optio
     if (n % options.every == 0) writer.write(row_of(simulation));
   }
   for (const auto& event : simulation.integrator().events())
-    writer.summary().events.push_back({event.time, change_names.at(static_cast<std::size_t>(event.kind)),
-                                       event.displacement + problem.wall.speed() * event.time});
+    writer.summary().events.push_back(
+        {event.time, data::name_of(event.change), event.position + problem.wall.speed() * event.time});
 }
 
 void write_event_driven(const data::Case& problem, const RespondOptions& options, Writer& writer) {
@@ -219,11 +219,11 @@ void write_event_driven(const data::Case& problem, const RespondOptions& options
                   .midspan_displacement = analytic::absolute_displacement(midspan, run),
                   .sliding_velocity = run.sliding_velocity(),
                   .friction_force = -run.friction_force(),
-                  .state = run.state() == analytic::ContactPhase::stick ? "stick" : "slip"});
+                  .state = run.state() == data::ContactState::stick ? "stick" : "slip"});
   }
   for (const auto& event : run.events())
-    writer.summary().events.push_back({event.time, change_names.at(static_cast<std::size_t>(event.change)),
-                                       event.position + model.wall_speed * event.time});
+    writer.summary().events.push_back(
+        {event.time, data::name_of(event.change), event.position + model.wall_speed * event.time});
 }
 
 // A run of the boundary integral with so many steps for each row of the output.

@@ -134,7 +134,7 @@ void ContactMotion::accept_trial_step(double new_time) {
 
 void ContactMotion::begin_stick() {
   held_contact_.remove_sliding_velocity(now_, time_);
-  phase_ = {.state = ContactState::stick, .wall_offset = position()};
+  phase_ = {.state = data::ContactState::stick, .wall_offset = position()};
   kernel_->restart(phase_, time_, now_);
 }
 
@@ -143,7 +143,8 @@ void ContactMotion::begin_yielding() {
   const bool is_smooth = system_.tangential.is_smooth();
   yielding_force_ = alpha_level_force_ = contact_.yielding_force(position(), position(), sliding_velocity());
   alpha_level_time_ = 0.0;
-  phase_ = {.state = is_smooth ? ContactState::slip : ContactState::stick, .wall_offset = position()};
+  phase_ = {.state = is_smooth ? data::ContactState::slip : data::ContactState::stick,
+            .wall_offset = position()};
   kernel_->restart(phase_, time_, now_);
 }
 
@@ -160,21 +161,21 @@ void ContactMotion::move_slider(double length) {
   alpha_level_time_ = level;
   notify();
   if (system_.tangential.is_smooth() || direction == (is_stuck() ? 0.0 : phase_.direction)) return;
-  record(is_stuck()         ? ContactEvent::Kind::onset
-         : direction == 0.0 ? ContactEvent::Kind::capture
-                            : ContactEvent::Kind::reversal);
-  phase_.state = direction == 0.0 ? ContactState::stick : ContactState::slip;
+  record(is_stuck()         ? data::ContactChange::onset
+         : direction == 0.0 ? data::ContactChange::capture
+                            : data::ContactChange::reversal);
+  phase_.state = direction == 0.0 ? data::ContactState::stick : data::ContactState::slip;
   phase_.direction = direction;
   notify();
 }
 
 void ContactMotion::begin_slip(double direction) {
-  phase_ = {.state = ContactState::slip, .direction = direction};
+  phase_ = {.state = data::ContactState::slip, .direction = direction};
   kernel_->restart(phase_, time_, now_);
 }
 
 void ContactMotion::leave_stick() {
-  record(ContactEvent::Kind::onset);
+  record(data::ContactChange::onset);
   begin_slip(-sign(holding_force()));
   notify();
 }
@@ -182,31 +183,31 @@ void ContactMotion::leave_stick() {
 void ContactMotion::settle_at_rest() {
   const double force = holding_force();
   if (contact_.excess(force) <= 0.0) {
-    record(ContactEvent::Kind::capture);
+    record(data::ContactChange::capture);
     begin_stick();
     return notify();
   }
   const double direction = -sign(force);
-  record(direction == phase_.direction ? ContactEvent::Kind::graze : ContactEvent::Kind::reversal);
+  record(direction == phase_.direction ? data::ContactChange::graze : data::ContactChange::reversal);
   begin_slip(direction);
   notify();
 }
 
 void ContactMotion::overwrite_sliding_velocity() {
-  record(ContactEvent::Kind::capture);
+  record(data::ContactChange::capture);
   now_.velocity[system_.contact] = system_.wall.velocity(time_);
-  phase_ = {.state = ContactState::stick, .wall_offset = position()};
+  phase_ = {.state = data::ContactState::stick, .wall_offset = position()};
   notify();
 }
 
 void ContactMotion::turn_to(double direction) {
-  record(is_stuck() ? ContactEvent::Kind::onset : ContactEvent::Kind::reversal);
-  phase_ = {.state = ContactState::slip, .direction = direction};
+  record(is_stuck() ? data::ContactChange::onset : data::ContactChange::reversal);
+  phase_ = {.state = data::ContactState::slip, .direction = direction};
   notify();
 }
 
-void ContactMotion::record(ContactEvent::Kind kind) {
-  events_.push_back({kind, time_, position(), sliding_velocity()});
+void ContactMotion::record(data::ContactChange change) {
+  events_.push_back({change, time_, position(), sliding_velocity()});
   if (++events_in_step_ <= max_events_per_step) return;
   std::ostringstream text;
   text << "more than " << max_events_per_step << " contact events in the step that ends at t = "

@@ -34,11 +34,11 @@ class ContactMotion {
   [[nodiscard]] const Kinematics& now() const noexcept { return now_; }
   [[nodiscard]] const StepPhase& phase() const noexcept { return phase_; }
   [[nodiscard]] bool yields() const noexcept { return contact_.yields(); }
-  [[nodiscard]] bool is_stuck() const noexcept { return phase_.state == ContactState::stick; }
+  [[nodiscard]] bool is_stuck() const noexcept { return phase_.state == data::ContactState::stick; }
   [[nodiscard]] const ContactSystem& system() const noexcept { return system_; }
   [[nodiscard]] const HeldContact& held_contact() const noexcept { return held_contact_; }
   [[nodiscard]] const IntegratorSettings& settings() const noexcept { return settings_; }
-  [[nodiscard]] const std::vector<ContactEvent>& events() const noexcept { return events_; }
+  [[nodiscard]] const std::vector<data::ContactEvent>& events() const noexcept { return events_; }
 
   /// Of the present state: v_s (whatever is left of it in stick), and the force that holding would take.
   [[nodiscard]] double sliding_velocity() const { return held_contact_.sliding_velocity(now_, time_); }
@@ -74,7 +74,7 @@ class ContactMotion {
   void begin_stick();
   void begin_slip(double direction);
   [[nodiscard]] double position() const;  // q[c] - w
-  void record(ContactEvent::Kind kind);
+  void record(data::ContactChange change);
   void notify() const;
 
   ContactSystem system_;
@@ -89,7 +89,7 @@ class ContactMotion {
   long steps_{};
   StepPhase phase_;
   int events_in_step_{};
-  std::vector<ContactEvent> events_;
+  std::vector<data::ContactEvent> events_;
   // Of a contact that yields: f_d now, and f_d and time of the last alpha level.
   double yielding_force_{}, alpha_level_force_{}, alpha_level_time_{};
   std::function<void()> observer_;

@@ -31,7 +31,8 @@ void EnergyRecorder::record(const StickSlipIntegrator& now) {
   const double h = now.time() - time_;
   const Powers before = powers_;
   const Eigen::VectorXd velocity_before = velocity_;
-  const bool is_captured = h == 0.0 && state_ == ContactState::slip && now.state() == ContactState::stick;
+  const bool is_captured =
+      h == 0.0 && state_ == data::ContactState::slip && now.state() == data::ContactState::stick;
   if (is_captured && now.system().tangential.is_rigid()) {
     const double impulse = -now.contact_mass() * sliding_velocity_;
     balance_.base_work += impulse * now.system().wall.velocity(time_);

@@ -111,7 +111,7 @@ const StepFactors& ModalKernel::factors_of(double length) {
 void ModalKernel::take_step(const StepPhase& phase, const Kinematics& now, double time, double end_time,
                             Kinematics& next) {
   const StepFactors& step = factors_of(end_time - time);
-  if (phase.state == ContactState::stick && !contact_.yields()) {
+  if (phase.state == data::ContactState::stick && !contact_.yields()) {
     take_stick_step(step, phase.wall_offset, now, time, end_time, next);
   } else {
     take_slip_step(step, phase, now, time, next);

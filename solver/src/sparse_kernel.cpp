@@ -124,7 +124,7 @@ void SparseKernel::take_step(const StepPhase& phase, const Kinematics& now, doub
                              Kinematics& next) {
   next = now;
   StepMatrices& step = matrices_of(end_time - time);
-  if (phase.state == ContactState::stick && !contact_.yields()) {
+  if (phase.state == data::ContactState::stick && !contact_.yields()) {
     take_stick_step(step, phase.wall_offset, time, end_time, next);
   } else {
     take_slip_step(step, phase, time, next);
@@ -182,7 +182,7 @@ void SparseKernel::restart(const StepPhase& phase, double time, Kinematics& now)
   alpha_level_ = now;
   alpha_level_.acceleration.setZero();
   residual_.noalias() = system_.load_history(time) * system_.load_shape;
-  if (phase.state == ContactState::slip || contact_.yields()) {
+  if (phase.state == data::ContactState::slip || contact_.yields()) {
     const Eigen::Index c = system_.contact;
     subtract_internal_forces(system_.slip_stiffness);
     const double sliding = now.velocity[c] - system_.wall.velocity(time);

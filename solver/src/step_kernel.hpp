@@ -11,7 +11,7 @@ namespace stickslip::solver {
 
 /// What a step must know of the contact.
 struct StepPhase {
-  ContactState state{ContactState::stick};
+  data::ContactState state{data::ContactState::stick};
   double direction{};    ///< in slip: d = +1 or -1
   double wall_offset{};  ///< in stick: q[c] - w, m; of a contact that yields, the slider's, always
 };

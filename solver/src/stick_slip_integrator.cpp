@@ -35,7 +35,7 @@ void StickSlipIntegrator::observe(Observer observer) {
 
 double StickSlipIntegrator::time() const noexcept { return motion_->time(); }
 long StickSlipIntegrator::steps() const noexcept { return motion_->steps(); }
-ContactState StickSlipIntegrator::state() const noexcept { return motion_->phase().state; }
+data::ContactState StickSlipIntegrator::state() const noexcept { return motion_->phase().state; }
 const Eigen::VectorXd& StickSlipIntegrator::displacement() const noexcept {
   return motion_->now().displacement;
 }
@@ -46,7 +46,9 @@ double StickSlipIntegrator::sliding_velocity() const {
 double StickSlipIntegrator::friction_force() const { return motion_->friction_force(); }
 double StickSlipIntegrator::holding_force() const { return motion_->holding_force(); }
 double StickSlipIntegrator::contact_mass() const noexcept { return motion_->held_contact().mass(); }
-const std::vector<ContactEvent>& StickSlipIntegrator::events() const noexcept { return motion_->events(); }
+const std::vector<data::ContactEvent>& StickSlipIntegrator::events() const noexcept {
+  return motion_->events();
+}
 const ContactSystem& StickSlipIntegrator::system() const noexcept { return motion_->system(); }
 
 }  // namespace stickslip::solver

@@ -43,7 +43,7 @@ std::vector<BeamState> beam_states(const data::Case& problem, int modes, const s
   for (const double time : times) {
     run.advance_to(time);
     BeamState& state = states.emplace_back();
-    state.is_stuck = run.state() == analytic::ContactPhase::stick;
+    state.is_stuck = run.state() == data::ContactState::stick;
     state.friction_force = -run.friction_force();
     state.tip_displacement = run.contact_position();
     if (has_energy) state.energy = run.energy_balance();

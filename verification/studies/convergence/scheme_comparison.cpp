@@ -8,7 +8,7 @@ namespace stickslip::studies {
 
 namespace {
 
-using solver::ContactEvent;
+using data::ContactEvent;
 using solver::ContactScheme;
 
 constexpr double last_plateau = 0.2;  // s, latest start of a plateau
@@ -18,10 +18,10 @@ constexpr double last_plateau = 0.2;  // s, latest start of a plateau
 std::vector<Plateau> plateaus_of(const std::vector<ContactEvent>& events, double end_time) {
   std::vector<Plateau> plateaus;
   for (std::size_t i = 0; i < events.size() && events[i].time <= last_plateau; ++i) {
-    if (events[i].kind != ContactEvent::Kind::capture) continue;
+    if (events[i].change != data::ContactChange::capture) continue;
     const double end = i + 1 < events.size() ? events[i + 1].time : end_time;
     if (end - events[i].time >= shortest_plateau)
-      plateaus.push_back({events[i].time, end, events[i].displacement});
+      plateaus.push_back({events[i].time, end, events[i].position});
   }
   return plateaus;
 }

@@ -104,7 +104,7 @@ BeamMotion finite_element_motion(const data::Case& problem, const MotionGrid& gr
   for (const long step : snapshot_steps(grid, problem.numerics.time_step())) {
     for (; done < step; ++done) simulation.step();
     motion.snapshots.push_back({.time = simulation.time(),
-                                .sticks = simulation.state() == solver::ContactState::stick,
+                                .sticks = simulation.state() == data::ContactState::stick,
                                 .friction_force = simulation.friction_force(),
                                 .displacement = {}});
     for (const double x : motion.position)
@@ -124,7 +124,7 @@ BeamMotion event_driven_motion(const data::Case& problem, const MotionGrid& grid
     const double t = static_cast<double>(step) * problem.numerics.time_step();
     run.advance_to(t);
     motion.snapshots.push_back({.time = t,
-                                .sticks = run.state() == analytic::ContactPhase::stick,
+                                .sticks = run.state() == data::ContactState::stick,
                                 .friction_force = -run.friction_force(),
                                 .displacement = {}});
     for (const auto& shape : shapes)

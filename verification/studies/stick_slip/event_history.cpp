@@ -42,8 +42,8 @@ TipHistory event_driven_history(const analytic::ContactModel& model, double dura
   }
   for (const auto& event : run.events()) {
     ++history.changes;
-    const bool onset = event.change == analytic::ContactChange::onset;
-    if (onset || event.change == analytic::ContactChange::capture)
+    const bool onset = event.change == data::ContactChange::onset;
+    if (onset || event.change == data::ContactChange::capture)
       history.events.push_back({onset, event.time, event.position});
   }
   return history;
@@ -64,9 +64,9 @@ TipHistory time_stepper_history(const data::Beam& beam, const data::FrictionLaw&
   }
   for (const auto& event : simulation.integrator().events()) {
     ++history.changes;
-    const bool onset = event.kind == solver::ContactEvent::Kind::onset;
-    if (onset || event.kind == solver::ContactEvent::Kind::capture)
-      history.events.push_back({onset, event.time, event.displacement});
+    const bool onset = event.change == data::ContactChange::onset;
+    if (onset || event.change == data::ContactChange::capture)
+      history.events.push_back({onset, event.time, event.position});
   }
   return history;
 }

@@ -49,8 +49,7 @@ TipHistory radiating_history(const solver::BeamModel& mesh, const solver::Contac
                                        system.wall.displacement(integrator.time()));
   }
   for (const auto& event : integrator.events())
-    history.events.push_back(
-        {event.kind == solver::ContactEvent::Kind::onset, event.time, event.displacement});
+    history.events.push_back({event.change == data::ContactChange::onset, event.time, event.position});
   history.changes = static_cast<int>(history.events.size());
   return history;
 }

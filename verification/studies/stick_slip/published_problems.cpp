@@ -19,7 +19,6 @@ namespace {
 using std::numbers::pi;
 
 constexpr double jump = std::numeric_limits<double>::infinity();
-constexpr std::array<const char*, 4> names_of_changes{"onset", "capture", "reversal", "graze"};
 
 /// One mass m x_tt + k x = F + G sin(Omega t) + f_d, or two: the second one hangs on the first one's spring,
 /// and F pulls it until `end_of_pull`.
@@ -138,7 +137,7 @@ void run_on(analytic::EventDriven& run, double start, const std::vector<double>&
   }
   for (const auto& change : run.events())
     history.changes.push_back(
-        {names_of_changes[static_cast<std::size_t>(change.change)], start + change.time, change.position});
+        {std::string(data::name_of(change.change)), start + change.time, change.position});
 }
 
 History event_driven(const MassProblem& problem, const std::vector<double>& times) {
@@ -192,8 +191,7 @@ void step_on(solver::StickSlipIntegrator& run, double start, const std::vector<d
     history.positions.push_back(run.displacement()[0]);
   }
   for (const auto& event : run.events())
-    history.changes.push_back(
-        {names_of_changes[static_cast<std::size_t>(event.kind)], start + event.time, event.displacement});
+    history.changes.push_back({std::string(data::name_of(event.change)), start + event.time, event.position});
 }
 
 History stepped(const MassProblem& problem, const std::vector<double>& times, double h) {

@@ -122,7 +122,7 @@ void measure(const analytic::ContactModel& model, const analytic::PeriodicMotion
     lowest = std::min(lowest, tip);
     highest = std::max(highest, tip);
     cycle.largest_sliding = std::max(cycle.largest_sliding, std::abs(run.sliding_velocity()));
-    stuck += run.state() == analytic::ContactPhase::stick ? 1 : 0;
+    stuck += run.state() == data::ContactState::stick ? 1 : 0;
   }
   cycle.peak_to_peak = highest - lowest;
   cycle.stick_share = static_cast<double>(stuck) / samples;

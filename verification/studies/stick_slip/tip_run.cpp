@@ -10,10 +10,10 @@ namespace stickslip::studies {
 
 namespace {
 
-std::vector<double> event_times(const std::vector<solver::ContactEvent>& events) {
+std::vector<double> event_times(const std::vector<data::ContactEvent>& events) {
   std::vector<double> times;
   for (const auto& event : events)
-    if (event.kind == solver::ContactEvent::Kind::onset || event.kind == solver::ContactEvent::Kind::capture)
+    if (event.change == data::ContactChange::onset || event.change == data::ContactChange::capture)
       times.push_back(event.time);
   return times;
 }

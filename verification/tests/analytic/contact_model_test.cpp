@@ -151,7 +151,7 @@ TEST(BeamContactModel, AbsoluteDisplacementIsTheBasesAtTheClampAndThatOfTheWallA
   analytic::EventDriven run(beam.model());
   for (const double t : {0.003, 0.011, 0.05}) {
     run.advance_to(t);
-    ASSERT_EQ(run.state(), analytic::ContactPhase::stick);
+    ASSERT_EQ(run.state(), data::ContactState::stick);
     EXPECT_TRUE(within(absolute_displacement(beam.shapes(0.0), run), 1e-3 * std::sin(50.0 * pi * t),
                        round_off(20, 50.0 * pi * t, 1e-3)));
     EXPECT_TRUE(within(absolute_displacement(beam.shapes(length), run), 0.0, round_off(20, 8.0, 1e-3)));

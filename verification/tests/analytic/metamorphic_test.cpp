@@ -27,11 +27,11 @@ namespace stickslip::testing {
 namespace {
 
 using analytic::BeamContactModel;
-using analytic::ChangeOfContact;
 using analytic::ContactModel;
 using analytic::EventDriven;
 using analytic::StickMode;
 using analytic::StickResponse;
+using data::ContactEvent;
 using std::numbers::pi;
 
 std::vector<double> stick_frequencies(const data::Beam& beam, int count) {
@@ -364,7 +364,7 @@ TEST(Similarity, FixesTheDampedSteadyState) {
 
 std::vector<EventAt> events_of(const EventDriven& history) {
   std::vector<EventAt> events;
-  for (const ChangeOfContact& event : history.events()) events.push_back({event.time, event.position});
+  for (const data::ContactEvent& event : history.events()) events.push_back({event.time, event.position});
   return events;
 }
 
@@ -533,7 +533,7 @@ EventDriven continued(const ContactModel& model, const EventDriven& from, double
     return values;
   };
   EventDriven rest(model);
-  if (from.state() == analytic::ContactPhase::stick) {
+  if (from.state() == data::ContactState::stick) {
     rest.start_stuck(seen(from.amplitudes()), seen(from.rates()), sign * from.contact_position());
   } else {
     rest.start_slipping(seen(from.amplitudes()), seen(from.rates()), sign * from.contact_position(),

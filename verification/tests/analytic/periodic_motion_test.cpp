@@ -64,7 +64,7 @@ TEST(MovingWall, CarriesAMassFromStickToSlipAsTheClosedFormSays) {
   double time = belt.first_onset();
   for (std::size_t i = 0; i < events.size(); ++i) {
     const bool onset = i % 2 == 0;
-    EXPECT_EQ(events[i].change, onset ? analytic::ContactChange::onset : analytic::ContactChange::capture);
+    EXPECT_EQ(events[i].change, onset ? data::ContactChange::onset : data::ContactChange::capture);
     // 1e-12 of the state in each of some 100 steps.
     EXPECT_TRUE(within(events[i].time, time, discretisation(1e-10, 1.0, "1e-12 a step")));
     time += onset ? belt.slip_time() : belt.stick_time();
@@ -145,7 +145,7 @@ TEST(PeriodicMotion, HasTheMultipliersOfTheLinearSystemInSteadySliding) {
   model.damping(0, 0) = damping;
   const double mu = 0.4 + 0.2 * std::exp(-2.0 * speed), slope = 10.0 * 0.4 * std::exp(-2.0 * speed);
   EXPECT_TRUE(within(analytic::falling_slope(model.friction, 10.0, speed), slope, round_off(5, 1, slope)));
-  const analytic::ContactStart start{{{}, {}, mu * 10.0 / stiffness, 0.0}, analytic::ContactPhase::slip};
+  const analytic::ContactStart start{{{}, {}, mu * 10.0 / stiffness, 0.0}, data::ContactState::slip};
   const double duration = 0.8, decay = 0.5 * (damping - slope) / mass;
   const Complex root(-decay, std::sqrt(stiffness / mass - decay * decay));
   const auto image = analytic::poincare_map(model, start, duration);
@@ -177,7 +177,7 @@ TEST(PeriodicMotion, OfDenHartogHasTheMultipliersInClosedForm) {
     const auto [motion, reason] = analytic::forced_motion(model, 1, 60);
     ASSERT_TRUE(motion);
     ASSERT_EQ(motion->events.size(), 2u);
-    EXPECT_EQ(motion->events.front().change, analytic::ContactChange::reversal);
+    EXPECT_EQ(motion->events.front().change, data::ContactChange::reversal);
     EXPECT_TRUE(within(std::abs(motion->events.front().position), amplitude,
                        discretisation(1e-10, 1.0, "1e-12 a step")));
     expect_multipliers(motion->multipliers, {std::pow(half + root, 2), std::pow(half - root, 2)},
@@ -213,7 +213,7 @@ void expect_derivative_of_differences(const analytic::ContactModel& model,
   const Flow flow{model, duration};
   constexpr double step = 1e-5;
   for (std::size_t j = 0; j < 4; ++j) {
-    if (j == 3 && start.phase == analytic::ContactPhase::stick) {  // no coordinate there
+    if (j == 3 && start.phase == data::ContactState::stick) {  // no coordinate there
       for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(image.derivative(i, j), 0.0);
       continue;
     }
@@ -236,9 +236,9 @@ TEST(PeriodicMotion, HasTheDerivativeOfFiniteDifferencesThroughAllChanges) {
     model.friction =
         data::FrictionLaw({.static_coefficient = 0.2, .kinetic_coefficient = 0.12, .decay = decay});
     model.wall_speed = 0.05;
-    std::set<analytic::ContactChange> seen;
+    std::set<data::ContactChange> seen;
     for (const auto& [phase, velocity] :
-         {std::pair{analytic::ContactPhase::slip, 0.9}, {analytic::ContactPhase::stick, 0.0}}) {
+         {std::pair{data::ContactState::slip, 0.9}, {data::ContactState::stick, 0.0}}) {
       const analytic::ContactStart start{{{0.1}, {-0.2}, 0.05, velocity}, phase};
       for (const double duration : {0.7, 2.1, 4.2}) {
         SCOPED_TRACE(duration);
@@ -318,10 +318,10 @@ TEST(PeriodicMotion, FollowsAStartThatCannotStickAsOneInSlip) {
       contact_model({.stiffness = 2.0,
                      .normal_force = 10.0,
                      .friction = {.static_coefficient = 0.1, .kinetic_coefficient = 0.1, .decay = 0.0}});
-  const auto image = [&](analytic::ContactPhase phase) {
+  const auto image = [&](data::ContactState phase) {
     return analytic::poincare_map(model, {{{}, {}, 0.6, 0.0}, phase}, 0.5);
   };
-  const auto held = image(analytic::ContactPhase::stick), slipping = image(analytic::ContactPhase::slip);
+  const auto held = image(data::ContactState::stick), slipping = image(data::ContactState::slip);
   EXPECT_TRUE(held.events.empty());
   EXPECT_EQ(held.derivative.values(), slipping.derivative.values());
 }

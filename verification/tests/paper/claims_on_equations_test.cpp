@@ -163,7 +163,7 @@ TEST(ClaimOnEquation3, TheStuckTipMovesAgainstTheBaseAndCarriesNoMoment) {
   std::size_t phases = 0, events = 0;
   for (int n = 0; n < 3000; ++n) {
     run.step();
-    if (run.state() != solver::ContactState::stick) continue;
+    if (run.state() != data::ContactState::stick) continue;
     const double deflection = run.tip_displacement() - run.base_displacement();
     if (phases == 0 || run.integrator().events().size() > events) {
       ++phases;
@@ -222,11 +222,11 @@ TEST(ClaimOnEquation4, StickContinuesOnlyWhileTheForceIsWithinTheLimit) {
   double largest = 0.0;
   for (int n = 1; n <= 6000; ++n) {
     run.advance_to(5e-5 * n);
-    if (run.state() == analytic::ContactPhase::stick)
+    if (run.state() == data::ContactState::stick)
       largest = largest_or_nan({largest, std::abs(run.friction_force())});
   }
   const auto onsets =
-      std::ranges::count(run.events(), analytic::ContactChange::onset, &analytic::ChangeOfContact::change);
+      std::ranges::count(run.events(), data::ContactChange::onset, &data::ContactEvent::change);
   judge("eq4.necessary-condition",
         {.as_printed =
              onsets > 3 && largest <= friction_limit() * (1.0 + 1e-9) && largest > 0.95 * friction_limit()},
@@ -239,7 +239,7 @@ TEST(ClaimOnEquation4, StickLastsUntilTheForceReachesTheLimit) {
   solver::BeamSimulation run = run_at(25.0, 1e-3);
   const double at_start = std::abs(run.friction_force());
   bool stayed_below = true;
-  while (run.state() == solver::ContactState::stick) {
+  while (run.state() == data::ContactState::stick) {
     stayed_below &= std::abs(run.friction_force()) <= friction_limit();
     run.step();
   }
@@ -282,7 +282,7 @@ TEST(ClaimOnEquation6, KineticFrictionOpposesTheSlidingVelocity) {
   for (int n = 0; n < 5000; ++n) {
     run.step();
     const double v = run.sliding_velocity(), on_beam = -run.friction_force();
-    if (run.state() == solver::ContactState::stick || v == 0.0) continue;
+    if (run.state() == data::ContactState::stick || v == 0.0) continue;
     ++slipping;
     opposing += on_beam * v < 0.0 ? 1 : 0;
     const double coefficient = 0.3 + (0.6 - 0.3) * std::exp(-1.0 * std::abs(v));
@@ -318,7 +318,7 @@ TEST(ClaimOnSection2, MuSPIsTheRangeOfTheStaticForce) {
   for (int n = 0; n < 5000; ++n) {
     run.step();
     const double force = std::abs(run.friction_force());
-    if (run.state() == solver::ContactState::stick) {
+    if (run.state() == data::ContactState::stick) {
       smallest_static = std::min(smallest_static, force);
       largest_static = largest_or_nan({largest_static, force});
     } else {

@@ -183,15 +183,15 @@ TipMotion tip_motion(double hz, double amplitude) {
     run.step();
     lowest = std::min(lowest, run.tip_displacement());
     highest = std::max(highest, run.tip_displacement());
-    motion.stick_share += run.state() == solver::ContactState::stick ? 1.0 / steps : 0.0;
+    motion.stick_share += run.state() == data::ContactState::stick ? 1.0 / steps : 0.0;
   }
   motion.range = highest - lowest;
   const auto& events = run.integrator().events();
   motion.sticks = captures(run);
   int long_sticks = 0;
   for (std::size_t i = 1; i < events.size(); ++i)
-    long_sticks += events[i - 1].kind == solver::ContactEvent::Kind::capture &&
-                   events[i].time - events[i - 1].time > 1e-3;
+    long_sticks +=
+        events[i - 1].change == data::ContactChange::capture && events[i].time - events[i - 1].time > 1e-3;
   if (!events.empty()) motion.sticks_per_period = long_sticks / (hz * (run.time() - events.front().time));
   return motion;
 }

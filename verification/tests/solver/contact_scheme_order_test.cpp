@@ -20,7 +20,7 @@
 namespace stickslip::testing {
 namespace {
 
-using solver::ContactEvent;
+using data::ContactEvent;
 using solver::ContactScheme;
 using solver::StickSlipIntegrator;
 
@@ -40,9 +40,9 @@ Errors errors_of(const History& history, const History& reference) {
   const std::size_t count = std::min(history.events.size(), reference.events.size());
   for (std::size_t i = 0; i < count; ++i) {
     const ContactEvent &event = history.events[i], &expected = reference.events[i];
-    EXPECT_EQ(event.kind, expected.kind) << "event " << i << " at " << expected.time << " s";
+    EXPECT_EQ(event.change, expected.change) << "event " << i << " at " << expected.time << " s";
     errors.time += std::abs(event.time - expected.time) / static_cast<double>(count);
-    errors.position += std::abs(event.displacement - expected.displacement) / static_cast<double>(count);
+    errors.position += std::abs(event.position - expected.position) / static_cast<double>(count);
   }
   errors.displacement = (history.displacement - reference.displacement).norm();
   errors.velocity = (history.velocity - reference.velocity).norm();

@@ -22,9 +22,9 @@
 namespace stickslip::testing {
 namespace {
 
-using solver::ContactEvent;
+using data::ContactEvent;
+using data::ContactState;
 using solver::ContactScheme;
-using solver::ContactState;
 using solver::IntegratorSettings;
 using solver::StickSlipIntegrator;
 using std::numbers::pi;
@@ -39,7 +39,7 @@ TEST(StickSlipIntegrator, CoulombSliderStopsWhereItMust) {
     const double deceleration = 0.1 * 30.0 / 2.0;
     ASSERT_EQ(slider->events().size(), 1u);
     const ContactEvent& stop = slider->events().front();
-    EXPECT_EQ(stop.kind, ContactEvent::Kind::capture);
+    EXPECT_EQ(stop.change, data::ContactChange::capture);
     EXPECT_TRUE(within(stop.time, 1.3 / deceleration,
                        discretisation(1e-11 * 0.07 + 1e-14, 1.0, "location tolerance 1e-11 h")));
     EXPECT_TRUE(within(slider->displacement()[0], 0.5 * 1.3 * 1.3 / deceleration, round_off(100, 1, 1.0)));
@@ -74,11 +74,11 @@ TEST(StickSlipIntegrator, CoulombOscillatorLosesTwiceTheDeadZoneEachHalfCycle) {
     const auto half_cycles = static_cast<double>(i + 1);
     const double expected_time = half_cycles * pi / 2.0;
     const double expected_position = (i % 2 == 0 ? -1.0 : 1.0) * (1.04 - 0.2 * half_cycles);
-    EXPECT_EQ(events[i].kind, i + 1 < 5 ? ContactEvent::Kind::reversal : ContactEvent::Kind::capture);
+    EXPECT_EQ(events[i].change, i + 1 < 5 ? data::ContactChange::reversal : data::ContactChange::capture);
     EXPECT_TRUE(
         within(events[i].time, expected_time,
                discretisation(expected_time * 4.0 * h * h / 12.0, 2.0, "period error (omega h)^2/12")));
-    EXPECT_TRUE(within(events[i].displacement, expected_position, round_off(1571.0 * half_cycles, 1, 1.04)));
+    EXPECT_TRUE(within(events[i].position, expected_position, round_off(1571.0 * half_cycles, 1, 1.04)));
   }
 }
 
@@ -93,7 +93,7 @@ TEST(StickSlipIntegrator, MassOnAShakenPlaneLetsGoWhenFrictionIsUsedUp) {
   mass.start_stuck(scalar(0.0), scalar(0.0));
   while (mass.events().empty() && mass.time() < 1.0) mass.step();
   ASSERT_FALSE(mass.events().empty());
-  EXPECT_EQ(mass.events().front().kind, ContactEvent::Kind::onset);
+  EXPECT_EQ(mass.events().front().change, data::ContactChange::onset);
   EXPECT_TRUE(within(mass.events().front().time, std::asin(1.0 / 15.0) / (2.0 * pi),
                      discretisation(1e-11 * 1e-3 + 1e-14, 1.0, "location tolerance 1e-11 h")));
 }
@@ -114,7 +114,7 @@ TEST(StickSlipIntegrator, ASpringPastTheFrictionLimitLetsGoAtOnce) {
       }
       EXPECT_EQ(mass.state(), ContactState::slip);
       ASSERT_EQ(mass.events().size(), 1u);
-      EXPECT_EQ(mass.events().front().kind, ContactEvent::Kind::onset);
+      EXPECT_EQ(mass.events().front().change, data::ContactChange::onset);
       EXPECT_EQ(mass.events().front().time, 0.0);
       EXPECT_DOUBLE_EQ(mass.friction_force(), position > 0.0 ? 1.0 : -1.0);
     }
@@ -186,8 +186,8 @@ double mean_friction_power_by_path(double amplitude, double time_step) {
   const std::size_t first = mass.events().size();
   const double last_position = run_to(12.0);
   for (std::size_t i = first; i < mass.events().size(); ++i) {
-    path += std::abs(mass.events()[i].displacement - position);
-    position = mass.events()[i].displacement;
+    path += std::abs(mass.events()[i].position - position);
+    position = mass.events()[i].position;
   }
   return 10.0 * (path + std::abs(last_position - position)) / 8.0;
 }
@@ -233,7 +233,7 @@ TEST(StickSlipIntegrator, CaptureRemovesExactlyTheEnergyOfTheImpulse) {
   const auto captured = run_until(0.3, 10.0);
   ASSERT_EQ(captured->events().size(), 1u);
   const ContactEvent& event = captured->events().front();
-  ASSERT_EQ(event.kind, ContactEvent::Kind::capture);
+  ASSERT_EQ(event.change, data::ContactChange::capture);
   const auto twin = run_until(0.0, event.time - 1e-9);
   ASSERT_TRUE(twin->events().empty());
   const auto kinetic_energy = [](const StickSlipIntegrator& s) {
@@ -290,7 +290,7 @@ TEST(StickSlipIntegrator, CapturesAtTheFirstStepThatEndsBelowTheThreshold) {
   const auto slider = run_from_slip(
       sliding_mass, {.time_step = 0.07, .spectral_radius = 0.9, .velocity_threshold = 0.2}, 0.0, 1.3, 0.8);
   ASSERT_EQ(slider->events().size(), 1u);
-  EXPECT_EQ(slider->events().front().kind, ContactEvent::Kind::capture);
+  EXPECT_EQ(slider->events().front().change, data::ContactChange::capture);
   EXPECT_DOUBLE_EQ(slider->events().front().time, 0.77);
   EXPECT_TRUE(within(slider->events().front().residual_velocity, 0.145, round_off(11, 1, 1.3)));
 }
@@ -320,10 +320,10 @@ TEST(StickSlipIntegrator, ASlowContactThatCannotBeHeldSlidesOn) {
   ASSERT_EQ(without.size(), 5u);
   ASSERT_EQ(with.size(), 5u);
   for (std::size_t i = 0; i < 4; ++i) {
-    EXPECT_EQ(with[i].kind, ContactEvent::Kind::reversal);
+    EXPECT_EQ(with[i].change, data::ContactChange::reversal);
     EXPECT_EQ(with[i].time, without[i].time);
   }
-  EXPECT_EQ(with[4].kind, ContactEvent::Kind::capture);
+  EXPECT_EQ(with[4].change, data::ContactChange::capture);
   EXPECT_LT(with[4].time, without[4].time);
 }
 
@@ -487,11 +487,11 @@ TEST(ContactScheme, OfThePaperJumpsOverItsThresholdWhenTheContactIsFast) {
   };
   const auto held = run(0.05), missed = run(0.03);
   ASSERT_EQ(held.size(), 1u);
-  EXPECT_EQ(held[0].kind, ContactEvent::Kind::capture);
+  EXPECT_EQ(held[0].change, data::ContactChange::capture);
   EXPECT_DOUBLE_EQ(held[0].time, 12 * 0.07);
   EXPECT_TRUE(within(held[0].residual_velocity, 0.04, round_off(12, 1, 1.3)));
   ASSERT_EQ(missed.size(), 17u);  // at the start of every step from the 14th to the 30th
-  for (const auto& event : missed) EXPECT_EQ(event.kind, ContactEvent::Kind::reversal);
+  for (const auto& event : missed) EXPECT_EQ(event.change, data::ContactChange::reversal);
 }
 
 TEST(ContactScheme, AtTheEndOfTheStepTakesAChangeThereAndAnImpulseAwayWithIt) {
@@ -500,7 +500,7 @@ TEST(ContactScheme, AtTheEndOfTheStepTakesAChangeThereAndAnImpulseAwayWithIt) {
   const auto slider = run_from_slip(sliding_mass, settings, 0.0, 1.3, 2.07);
   ASSERT_EQ(slider->events().size(), 1u);
   const ContactEvent& stop = slider->events().front();
-  EXPECT_EQ(stop.kind, ContactEvent::Kind::capture);
+  EXPECT_EQ(stop.change, data::ContactChange::capture);
   EXPECT_DOUBLE_EQ(stop.time, 13 * 0.07);
   EXPECT_TRUE(within(stop.residual_velocity, -0.065, round_off(13, 1, 1.3)));
   EXPECT_EQ(slider->velocity()[0], 0.0);
@@ -511,7 +511,7 @@ TEST(ContactScheme, AtTheEndOfTheStepTakesAChangeThereAndAnImpulseAwayWithIt) {
   mass.start_stuck(scalar(0.0), scalar(0.0));
   while (mass.steps() < 20) mass.step();
   ASSERT_FALSE(mass.events().empty());
-  EXPECT_EQ(mass.events()[0].kind, ContactEvent::Kind::onset);
+  EXPECT_EQ(mass.events()[0].change, data::ContactChange::onset);
   EXPECT_DOUBLE_EQ(mass.events()[0].time, 0.011);
 }
 

@@ -22,9 +22,9 @@
 namespace stickslip::testing {
 namespace {
 
-using solver::ContactEvent;
+using data::ContactEvent;
+using data::ContactState;
 using solver::ContactScheme;
-using solver::ContactState;
 using solver::EnergyRecorder;
 using solver::IntegratorSettings;
 using solver::StickSlipIntegrator;
@@ -119,7 +119,7 @@ std::vector<Change> changes_of_the_pair(const IntegratorSettings& settings) {
     const double wall = now.system().wall.velocity(now.time());
     if (now.time() == last_time)
       changes.push_back({last_energy, energy(now), last_sliding, wall, now.contact_mass(),
-                         now.events().back().kind == ContactEvent::Kind::capture});
+                         now.events().back().change == data::ContactChange::capture});
     last_time = now.time();
     last_energy = energy(now);
     last_sliding = now.velocity()[1] - wall;
@@ -227,7 +227,7 @@ TEST(EnergyRecorder, BooksNoImpulseOfAContactOnASpring) {
   keep(recorder, oscillator);
   while (oscillator.time() < 4.0) oscillator.step();
   ASSERT_TRUE(std::ranges::any_of(oscillator.events(), [](const ContactEvent& event) {
-    return event.kind == ContactEvent::Kind::capture && event.residual_velocity != 0.0;
+    return event.change == data::ContactChange::capture && event.residual_velocity != 0.0;
   }));
   EXPECT_EQ(recorder.balance().capture_loss, 0.0);
 }

@@ -26,9 +26,9 @@
 namespace stickslip::testing {
 namespace {
 
+using data::ContactEvent;
 using solver::BeamModel;
 using solver::BeamSimulation;
-using solver::ContactEvent;
 using solver::PrescribedMotion;
 using solver::StickSlipIntegrator;
 using std::numbers::pi;
@@ -82,7 +82,7 @@ std::unique_ptr<BeamSimulation> run(const StickSlipProblem& problem, const data:
 
 std::vector<EventAt> events_of(const StickSlipIntegrator& integrator) {
   std::vector<EventAt> events;
-  for (const ContactEvent& event : integrator.events()) events.push_back({event.time, event.displacement});
+  for (const ContactEvent& event : integrator.events()) events.push_back({event.time, event.position});
   return events;
 }
 
@@ -144,7 +144,7 @@ TEST(Symmetry, MirroredBaseMirrorsTheSteppedHistoryBitForBit) {
     ASSERT_EQ(plus->events().size(), minus->events().size());
     for (std::size_t i = 0; i < plus->events().size(); ++i) {
       const ContactEvent &a = plus->events()[i], &b = minus->events()[i];
-      ASSERT_EQ(a.kind, b.kind);
+      ASSERT_EQ(a.change, b.change);
       ASSERT_EQ(a.time, b.time);
       ASSERT_EQ(a.displacement, -b.displacement);
       ASSERT_EQ(a.residual_velocity, -b.residual_velocity);
@@ -202,7 +202,7 @@ TEST(UnitChange, ByPowersOfTwoLeavesTheSteppedHistoryTheSameBitForBit) {
     const auto &first = a->integrator().events(), &second = b->integrator().events();
     ASSERT_EQ(first.size(), second.size());
     for (std::size_t i = 0; i < first.size(); ++i) {
-      ASSERT_EQ(first[i].kind, second[i].kind);
+      ASSERT_EQ(first[i].change, second[i].change);
       ASSERT_EQ(first[i].time * units.time, second[i].time);
       ASSERT_EQ(first[i].displacement * units.length, second[i].displacement);
       ASSERT_EQ(first[i].residual_velocity * units.velocity(), second[i].residual_velocity);

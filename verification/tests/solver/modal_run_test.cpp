@@ -247,10 +247,10 @@ void expect_same_changes(const solver::StickSlipIntegrator& run, const solver::S
                          double time_tolerance, double position_tolerance) {
   ASSERT_EQ(run.events().size(), expected.events().size());
   for (std::size_t i = 0; i < run.events().size(); ++i) {
-    const solver::ContactEvent &event = run.events()[i], &change = expected.events()[i];
-    EXPECT_EQ(event.kind, change.kind) << i;
+    const data::ContactEvent &event = run.events()[i], &change = expected.events()[i];
+    EXPECT_EQ(event.change, change.change) << i;
     EXPECT_NEAR(event.time, change.time, time_tolerance) << i;
-    EXPECT_NEAR(event.displacement, change.displacement, position_tolerance) << i;
+    EXPECT_NEAR(event.position, change.position, position_tolerance) << i;
   }
 }
 

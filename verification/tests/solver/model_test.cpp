@@ -283,8 +283,8 @@ TEST(BeamSimulation, HandsItsNumericsToTheIntegrator) {
   }
   // The threshold took part: without one nothing is captured while it still slides.
   const auto& events = integrator.events();
-  EXPECT_TRUE(std::any_of(events.begin(), events.end(), [](const solver::ContactEvent& event) {
-    return event.kind == solver::ContactEvent::Kind::capture && std::abs(event.residual_velocity) > 1e-3;
+  EXPECT_TRUE(std::any_of(events.begin(), events.end(), [](const data::ContactEvent& event) {
+    return event.change == data::ContactChange::capture && std::abs(event.residual_velocity) > 1e-3;
   }));
 }
 

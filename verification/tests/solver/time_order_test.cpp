@@ -143,12 +143,12 @@ TEST(SlipOrder, IsTwoUnderWeakeningFrictionOnAMovingWall) {
 
 // A mass on a spring, let go at 1.04 m: every half swing of pi/2 s ends 2 mu N/k = 0.2 m nearer, so that the
 // fourth reversal is at 2 pi s and 0.24 m.
-solver::ContactEvent fourth_reversal(double time_step, double spectral_radius) {
+data::ContactEvent fourth_reversal(double time_step, double spectral_radius) {
   const auto oscillator = run_from_slip(
       oscillating_mass, {.time_step = time_step, .spectral_radius = spectral_radius}, 1.04, 0.0, 7.0);
   EXPECT_GE(oscillator->events().size(), 4u);
-  const solver::ContactEvent event = oscillator->events().at(3);
-  EXPECT_EQ(event.kind, solver::ContactEvent::Kind::reversal);
+  const data::ContactEvent event = oscillator->events().at(3);
+  EXPECT_EQ(event.change, data::ContactChange::reversal);
   return event;
 }
 
@@ -228,11 +228,10 @@ HistoryErrors history_errors(const ForcedPair& pair, const ExactPair& exact, dou
   HistoryErrors errors;
   EXPECT_EQ(events.size(), exact.events().size());
   for (std::size_t i = 0; i < std::min(events.size(), exact.events().size()); ++i) {
-    const solver::ContactEvent& expected = exact.events()[i];
-    EXPECT_EQ(events[i].kind, expected.kind) << "event " << i << " at " << expected.time << " s";
+    const data::ContactEvent& expected = exact.events()[i];
+    EXPECT_EQ(events[i].change, expected.change) << "event " << i << " at " << expected.time << " s";
     errors.time = largest_or_nan({errors.time, std::abs(events[i].time - expected.time)});
-    errors.position =
-        largest_or_nan({errors.position, std::abs(events[i].displacement - expected.displacement)});
+    errors.position = largest_or_nan({errors.position, std::abs(events[i].position - expected.position)});
   }
   errors.displacement = (integrator.displacement() - exact.displacement()).norm();
   errors.velocity = (integrator.velocity() - exact.velocity()).norm();
@@ -249,10 +248,10 @@ TEST_P(ContactHistoryOrder, IsTwoThroughOnsetsCapturesAndReversals) {
   const double duration = 12.0;
   ExactPair exact(pair);
   exact.run(duration);
-  for (const auto kind : {solver::ContactEvent::Kind::onset, solver::ContactEvent::Kind::capture,
-                          solver::ContactEvent::Kind::reversal})
+  for (const auto kind :
+       {data::ContactChange::onset, data::ContactChange::capture, data::ContactChange::reversal})
     ASSERT_GE(std::count_if(exact.events().begin(), exact.events().end(),
-                            [kind](const auto& event) { return event.kind == kind; }),
+                            [kind](const auto& event) { return event.change == kind; }),
               2);
   std::vector<double> lengths, times, positions, displacements, velocities;
   for (const int steps : {1000, 2000, 4000, 8000}) {

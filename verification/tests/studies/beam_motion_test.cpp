@@ -129,13 +129,13 @@ TEST(BeamMotion, EndsInTheTipThatTheSimulationsReport) {
     const auto& snapshot = by_elements.snapshots[i];
     EXPECT_EQ(snapshot.time, simulation.time());
     EXPECT_EQ(snapshot.friction_force, simulation.friction_force());
-    EXPECT_EQ(snapshot.sticks, simulation.state() == solver::ContactState::stick);
+    EXPECT_EQ(snapshot.sticks, simulation.state() == data::ContactState::stick);
     EXPECT_TRUE(within(snapshot.displacement.back(), simulation.tip_displacement(), round_off(4, 1, 1e-3)));
     // U_n(L) is zero but for round-off, in each of ten modes.
     EXPECT_TRUE(within(by_events.snapshots[i].displacement.back(), history.tip_displacement[i],
                        round_off(40, 1, studies::peak(by_events))));
     run.advance_to(by_events.snapshots[i].time);
-    EXPECT_EQ(by_events.snapshots[i].sticks, run.state() == analytic::ContactPhase::stick);
+    EXPECT_EQ(by_events.snapshots[i].sticks, run.state() == data::ContactState::stick);
     EXPECT_EQ(by_events.snapshots[i].friction_force, -run.friction_force());  // f = -f_d
     if (!snapshot.sticks) ++slips;
   }

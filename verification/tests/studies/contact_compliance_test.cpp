@@ -267,7 +267,7 @@ TEST(SmoothLaw, CreepsUnderAForceThatFrictionCouldHold) {
   EXPECT_TRUE(within(mass.sliding_velocity(), creep, round_off(1e4, 1, creep)));
   EXPECT_TRUE(within(steps.back().sliding_velocity, creep, round_off(1e4, 1, creep)));
   EXPECT_TRUE(mass.events().empty());
-  EXPECT_EQ(mass.state(), solver::ContactState::slip);
+  EXPECT_EQ(mass.state(), data::ContactState::slip);
 }
 
 // --- The beam

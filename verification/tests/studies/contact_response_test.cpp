@@ -224,7 +224,7 @@ TEST(MotionQuantities, AreThoseOfTheEventDrivenMotion) {
   }
   int captures = 0;
   for (std::size_t i = events; i < run.events().size(); ++i)
-    captures += run.events()[i].change == analytic::ContactChange::capture ? 1 : 0;
+    captures += run.events()[i].change == data::ContactChange::capture ? 1 : 0;
   const auto expect = [&](MotionQuantity quantity, double expected, double relative) {
     EXPECT_TRUE(within(response[quantity].value, expected,
                        discretisation(relative * expected, 1.0, "the scheme at 2.5e-5 s")))

@@ -136,7 +136,7 @@ TEST(FiniteElementContactModel, BalancesTheRowOfTheContactInEveryStickPhase) {
     acceleration = constrained.llt().solve(acceleration).eval();
     const double force = mass.row(c).dot(acceleration) - rest[c];
     ASSERT_TRUE(within(run.holding_force(), force, round_off(20, 100, 1e5))) << t;
-    stuck += run.state() == analytic::ContactPhase::stick ? 1 : 0;
+    stuck += run.state() == data::ContactState::stick ? 1 : 0;
   }
   EXPECT_GT(stuck, 50);
   EXPECT_LT(stuck, 85);
@@ -216,7 +216,7 @@ Events stepped(solver::StickSlipIntegrator& run, const Eigen::VectorXd& velocity
   while (run.steps() < std::lround(tenth_of_a_second / time_step)) run.step();
   Events events;
   for (const auto& event : run.events())
-    events.push_back({static_cast<int>(event.kind), event.time, event.displacement});
+    events.push_back({static_cast<int>(event.change), event.time, event.position});
   return events;
 }
 
@@ -372,8 +372,8 @@ TEST(EventDrivenAndStepped, LetGoAtOnceOfAStartThatTakesMoreThanTheLimit) {
     run.start_stuck({-static_shape(pair) * contact / mode_shape(pair)},
                     {-static_shape(pair) * wall_velocity / mode_shape(pair)}, contact);
     const bool holds = std::abs(contact) < 0.2;
-    EXPECT_EQ(stepped.state() == solver::ContactState::stick, holds) << contact;
-    EXPECT_EQ(run.state() == analytic::ContactPhase::stick, holds) << contact;
+    EXPECT_EQ(stepped.state() == data::ContactState::stick, holds) << contact;
+    EXPECT_EQ(run.state() == data::ContactState::stick, holds) << contact;
     EXPECT_TRUE(within(run.friction_force(), stepped.friction_force(), round_off(20, 10, 20.0))) << contact;
     EXPECT_EQ(stepped.events().size(), holds ? 0u : 1u);
     EXPECT_EQ(run.events().size(), holds ? 0u : 1u);

@@ -164,7 +164,7 @@ TEST(JumpOfFriction, HoldsMoreInStickThanInSlipInBothImplementations) {
   ASSERT_EQ(exact.events().size(), 2u);
   ASSERT_EQ(stepped.events().size(), 2u);
   EXPECT_TRUE(within(exact.contact_position(), 0.4, discretisation(1e-12, 10.0, "1e-12 a step")));
-  EXPECT_EQ(exact.events()[1].change, analytic::ContactChange::capture);
+  EXPECT_EQ(exact.events()[1].change, data::ContactChange::capture);
   // The numerical damping is of third order: (omega h)^3 = 3e-6.
   EXPECT_TRUE(within(stepped.displacement()[0], 0.4, discretisation(3e-6, 1.0, "(omega h)^3")));
 }

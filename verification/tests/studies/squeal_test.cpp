@@ -205,7 +205,7 @@ TEST(SteadySliding, HasMultipliersThatAreTheExponentialsOfItsRoots) {
                                    steady.friction_force / (model.contact_stiffness + model.contact_follower),
                                    0.0};
   const double period = 0.004;
-  const auto image = analytic::poincare_map(model, {rest, analytic::ContactPhase::slip}, period);
+  const auto image = analytic::poincare_map(model, {rest, data::ContactState::slip}, period);
   const auto multipliers = analytic::eigenvalues(image.derivative);
   EXPECT_EQ(roots.size(), 4u);  // of three modes and the contact, one of each pair
   for (const Complex root : roots) {
@@ -261,8 +261,8 @@ data::NumericalSettings mesh_modes_and_step(const data::Case& problem, int eleme
 }
 
 // The changes of contact of a run by time steps.
-std::vector<solver::ContactEvent> events_of(const data::Case& problem,
-                                            const data::NumericalSettings& numerics, double duration) {
+std::vector<data::ContactEvent> events_of(const data::Case& problem, const data::NumericalSettings& numerics,
+                                          double duration) {
   solver::BeamSimulation run(problem.beam, problem.friction, problem.excitation, numerics,
                              {.damping = problem.damping, .wall = problem.wall});
   while (run.time() < duration) run.step();
@@ -334,7 +334,7 @@ TEST(Cycles, OfTheReedAreTheSameForBothDirectionsOfTheWallAndEveryLaterSettling)
   const double period = cycle.search.motion->period;
   double sticking = 0.0, before = cycle.search.motion->events.back().time - period;
   for (const auto& event : cycle.search.motion->events) {
-    if (event.change == analytic::ContactChange::onset) sticking += event.time - before;
+    if (event.change == data::ContactChange::onset) sticking += event.time - before;
     before = event.time;
   }
   EXPECT_GT(cycle.stick_share, 0.05);
@@ -361,7 +361,7 @@ TEST(Cycles, OfTheReedHaveThePeriodThatTheTimeStepperSettlesTo) {
   for (const double step : {1e-5, 5e-6}) {
     std::vector<double> onsets;
     for (const auto& event : events_of(problem, mesh_modes_and_step(problem, 10, 5, step), 0.15))
-      if (event.kind == solver::ContactEvent::Kind::onset) onsets.push_back(event.time);
+      if (event.change == data::ContactChange::onset) onsets.push_back(event.time);
     ASSERT_GT(onsets.size(), 20u);
     const double stepped = (onsets.back() - onsets[onsets.size() - 6]) / 5.0;
     const double phase = 2.0 * std::numbers::pi * step / period;

@@ -112,9 +112,9 @@ void ExactPair::change_phase() {
   const bool holds = std::abs(force) <= pair_.friction_limit();
   const Kind kind = stuck() ? Kind::onset : holds ? Kind::capture : Kind::reversal;
   direction_ = kind == Kind::capture ? 0.0 : force > 0.0 ? -1.0 : 1.0;
-  events_.push_back({.kind = kind,
+  events_.push_back({.change = kind,
                      .time = time_,
-                     .displacement = state_[1] - pair_.wall_amplitude * state_[4],
+                     .position = state_[1] - pair_.wall_amplitude * state_[4],
                      .residual_velocity = sliding_velocity(state_)});
 }
 

@@ -45,7 +45,7 @@ class ExactPair {
   void run(
       double end_time, const std::function<void(const ExactPair&)>& visit = [](const ExactPair&) {});
 
-  [[nodiscard]] const std::vector<solver::ContactEvent>& events() const { return events_; }
+  [[nodiscard]] const std::vector<data::ContactEvent>& events() const { return events_; }
   [[nodiscard]] Eigen::Vector2d displacement() const { return state_.head<2>(); }
   [[nodiscard]] Eigen::Vector2d velocity() const { return state_.segment<2>(2); }
   [[nodiscard]] double time() const { return time_; }
@@ -57,7 +57,7 @@ class ExactPair {
   // (q_1, q_2, v_1, v_2, sin omega t, cos omega t, 1): every phase is x_t = A x.
   using State = Eigen::Matrix<double, 7, 1>;
   using Matrix = Eigen::Matrix<double, 7, 7>;
-  using Kind = solver::ContactEvent::Kind;
+  using Kind = data::ContactChange;
 
   using Rows = Eigen::Matrix<double, 2, 7>;
 
@@ -76,7 +76,7 @@ class ExactPair {
   State state_;
   double time_{};
   double direction_{};
-  std::vector<solver::ContactEvent> events_;
+  std::vector<data::ContactEvent> events_;
 };
 
 }  // namespace stickslip::testing

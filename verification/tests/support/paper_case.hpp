@@ -52,8 +52,8 @@ inline solver::BeamSimulation run_at(double hz, double amplitude, const solver::
 
 /// How often the tip has come to stick again.
 inline int captures(const solver::BeamSimulation& run) {
-  return static_cast<int>(std::ranges::count(run.integrator().events(), solver::ContactEvent::Kind::capture,
-                                             &solver::ContactEvent::kind));
+  return static_cast<int>(std::ranges::count(run.integrator().events(), data::ContactChange::capture,
+                                             &data::ContactEvent::change));
 }
 
 /// The largest |f| of the first millisecond at 15 Hz and 0.5 mm with the tip held, N, by steps of 1 us.

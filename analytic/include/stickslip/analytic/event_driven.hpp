@@ -25,25 +25,11 @@
 
 #include "stickslip/analytic/contact_dynamics.hpp"
 #include "stickslip/analytic/stick_propagator.hpp"
+#include "stickslip/data/contact_event.hpp"
 
 namespace stickslip::analytic {
 
 class SlipIntegrator;
-
-enum class ContactPhase { stick, slip };
-
-enum class ContactChange {
-  onset,     ///< stick to slip: |f_d| reached mu_s N
-  capture,   ///< slip to stick
-  reversal,  ///< slip to slip in the other direction
-  graze      ///< the sliding velocity touched zero and goes on in the same direction
-};
-
-struct ChangeOfContact {
-  ContactChange change{};
-  double time{};      ///< s
-  double position{};  ///< of the contact on the wall, u_c - w, m
-};
 
 /// Where the energy went since the start, J. kinetic + potential - (their values at the start) =
 /// base_work + follower_work - damping_loss - friction_loss.
@@ -88,7 +74,7 @@ class EventDriven {
   void advance_to(double t);
 
   [[nodiscard]] double time() const { return time_; }
-  [[nodiscard]] ContactPhase state() const { return state_; }
+  [[nodiscard]] data::ContactState state() const { return state_; }
   [[nodiscard]] const std::vector<double>& amplitudes() const { return now_.amplitudes; }  ///< T_n
   [[nodiscard]] const std::vector<double>& rates() const { return now_.rates; }            ///< T_n_t
   [[nodiscard]] double contact_displacement() const { return now_.displacement; }          ///< u_c, m
@@ -100,7 +86,7 @@ class EventDriven {
   [[nodiscard]] double sliding_velocity() const;  ///< v_s, m/s; zero in stick
   [[nodiscard]] double friction_force() const;    ///< f_d, N
   [[nodiscard]] double holding_force() const;     ///< f_d that holding the contact would take, N
-  [[nodiscard]] const std::vector<ChangeOfContact>& events() const { return events_; }
+  [[nodiscard]] const std::vector<data::ContactEvent>& events() const { return events_; }
   /// Throws std::logic_error unless settings.keep_energy_balance.
   [[nodiscard]] EventDrivenEnergy energy_balance() const;
 
@@ -112,7 +98,7 @@ class EventDriven {
   void end_slip();
   void move_to(double t);
   void add_works_of_stick_until(double t);
-  void record(ContactChange change);
+  void record(data::ContactChange change);
 
   EventDrivenSettings settings_;
   std::unique_ptr<const ContactDynamics> dynamics_;  // stick_ and slip_ refer to it
@@ -121,11 +107,11 @@ class EventDriven {
   double limit_;  // mu_s N
 
   double time_{};
-  ContactPhase state_{ContactPhase::stick};
+  data::ContactState state_{data::ContactState::stick};
   ContactKinematics now_;
   double certain_until_{};  // stick: no onset before
   bool ends_{};             // slip: v_s = 0 at the end of the last step
-  std::vector<ChangeOfContact> events_;
+  std::vector<data::ContactEvent> events_;
   Powers works_, works_before_phase_;
   double works_until_{};
 };

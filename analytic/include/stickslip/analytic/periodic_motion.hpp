@@ -30,7 +30,7 @@ namespace stickslip::analytic {
 /// A state at t = 0, or at a time that is like it.
 struct ContactStart {
   ContactKinematics kinematics;
-  ContactPhase phase{};
+  data::ContactState phase{};
 };
 
 /// Starts a run of the model there.
@@ -39,9 +39,9 @@ void start(EventDriven& run, const ContactModel& model, const ContactStart& from
 /// The flow over a time, from t = 0.
 struct PoincareImage {
   ContactStart end;
-  Matrix derivative;                    ///< Phi, n x n with n = 2 (m + 1)
-  std::vector<double> rate;             ///< x_t at the end; n
-  std::vector<ChangeOfContact> events;  ///< in (0, duration)
+  Matrix derivative;                       ///< Phi, n x n with n = 2 (m + 1)
+  std::vector<double> rate;                ///< x_t at the end; n
+  std::vector<data::ContactEvent> events;  ///< in (0, duration)
 };
 
 /// In stick the velocity of the contact is no coordinate: its row and column of Phi are zero. Accuracy: 1e-12 a step, as
@@ -56,7 +56,7 @@ struct PoincareImage {
 struct PeriodicMotion {
   ContactStart start;
   double period{};                                ///< s
-  std::vector<ChangeOfContact> events;            ///< of one period
+  std::vector<data::ContactEvent> events;         ///< of one period
   std::vector<std::complex<double>> multipliers;  ///< n, by falling modulus
   double residual{};                              ///< of x(period) = x(0), relative to the motion
   int iterations{};                               ///< of Newton's method

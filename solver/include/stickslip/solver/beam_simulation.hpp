@@ -106,7 +106,7 @@ class BeamSimulation {
   /// v_s = y_t(L) - V, m/s.
   [[nodiscard]] double sliding_velocity() const { return integrator_->sliding_velocity(); }
   [[nodiscard]] double friction_force() const { return -integrator_->friction_force(); }  ///< f, N
-  [[nodiscard]] ContactState state() const noexcept { return integrator_->state(); }
+  [[nodiscard]] data::ContactState state() const noexcept { return integrator_->state(); }
   [[nodiscard]] const BeamModel& model() const noexcept { return model_; }
   [[nodiscard]] const StickSlipIntegrator& integrator() const noexcept { return *integrator_; }
 

@@ -74,7 +74,7 @@ class EnergyRecorder {
   EnergyBalance balance_;
   // Of the last state recorded.
   double time_{};
-  ContactState state_{};
+  data::ContactState state_{};
   Eigen::VectorXd velocity_;
   double sliding_velocity_{};  // as the velocities have it, also in stick
   Powers powers_;

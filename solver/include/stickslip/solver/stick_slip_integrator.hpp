@@ -6,26 +6,11 @@
 #include <memory>
 #include <vector>
 
+#include "stickslip/data/contact_event.hpp"
 #include "stickslip/solver/contact_system.hpp"
 #include "stickslip/solver/generalized_alpha.hpp"
 
 namespace stickslip::solver {
-
-enum class ContactState { stick, slip };
-
-/// A change of the contact.
-struct ContactEvent {
-  enum class Kind {
-    onset,     ///< stick to slip: |f_d| reached mu_s N
-    capture,   ///< slip to stick
-    reversal,  ///< slip to slip in the other direction
-    graze      ///< the sliding velocity touched zero and goes on in the same direction
-  };
-  Kind kind{};
-  double time{};               ///< s
-  double displacement{};       ///< q[c] - w(t): the contact's position on the wall, m
-  double residual_velocity{};  ///< v_s that was left when the event was taken, m/s
-};
 
 /// When and how the contact changes. Use `located` for results; the others show what the location of changes gains.
 enum class ContactScheme {
@@ -131,7 +116,7 @@ class StickSlipIntegrator {
 
   [[nodiscard]] double time() const noexcept;
   [[nodiscard]] long steps() const noexcept;
-  [[nodiscard]] ContactState state() const noexcept;
+  [[nodiscard]] data::ContactState state() const noexcept;
   [[nodiscard]] const Eigen::VectorXd& displacement() const noexcept;
   [[nodiscard]] const Eigen::VectorXd& velocity() const noexcept;
   /// v_s, m/s; zero in stick, unless the contact yields.
@@ -142,7 +127,7 @@ class StickSlipIntegrator {
   [[nodiscard]] double holding_force() const;
   /// m_c = 1/(e_c . M^-1 e_c), kg.
   [[nodiscard]] double contact_mass() const noexcept;
-  [[nodiscard]] const std::vector<ContactEvent>& events() const noexcept;
+  [[nodiscard]] const std::vector<data::ContactEvent>& events() const noexcept;
   [[nodiscard]] const ContactSystem& system() const noexcept;
 
  private:

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// The states of the contact and their changes, as both implementations report them.
+
+#include <string_view>
+
+namespace stickslip::data {
+
+enum class ContactState { stick, slip };
+
+enum class ContactChange {
+  onset,     ///< stick to slip: |f_d| reached μ_s N
+  capture,   ///< slip to stick
+  reversal,  ///< slip to slip in the other direction
+  graze      ///< the sliding velocity touched zero and goes on in the same direction
+};
+
+struct ContactEvent {
+  ContactChange change{};
+  double time{};               ///< s
+  double position{};           ///< of the contact on the wall, u_c - w, m
+  double residual_velocity{};  ///< v_s that was left when a time stepper took the event, m/s
+};
+
+/// The name of the enumerator: "stick", "onset".
+[[nodiscard]] std::string_view name_of(ContactState state);
+[[nodiscard]] std::string_view name_of(ContactChange change);
+
+}  // namespace stickslip::data

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#include "stickslip/data/contact_event.hpp"
+
+namespace stickslip::data {
+
+std::string_view name_of(ContactState state) { return state == ContactState::stick ? "stick" : "slip"; }
+
+std::string_view name_of(ContactChange change) {
+  switch (change) {
+    case ContactChange::onset:
+      return "onset";
+    case ContactChange::capture:
+      return "capture";
+    case ContactChange::reversal:
+      return "reversal";
+    case ContactChange::graze:
+      return "graze";
+  }
+  return "";
+}
+
+}  // namespace stickslip::data
