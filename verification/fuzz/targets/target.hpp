@@ -43,7 +43,7 @@ void respond(Bytes bytes);
 
 /// A function with its name.
 struct Target {
-  std::string_view name;  ///< name of the program and of the folder of its corpus
+  std::string_view name;  ///< name of the program and of its corpus
   void (*function)(Bytes);
 };
 

@@ -22,18 +22,26 @@ namespace fs = std::filesystem;
 
 using Input = std::vector<std::uint8_t>;
 
-std::vector<fs::path> corpus_of(std::string_view target) {
-  std::vector<fs::path> files;
-  for (const auto& file :
-       fs::directory_iterator(fs::path(STICKSLIP_SOURCE_DIRECTORY) / "verification/fuzz/corpus" / target))
-    files.push_back(file.path());
-  std::ranges::sort(files);
-  return files;
-}
+struct Seed {
+  std::string name;
+  Input input;
+};
 
-Input bytes_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
+// verification/fuzz/corpus.py says what the file of a corpus looks like.
+std::vector<Seed> corpus_of(std::string_view target) {
+  constexpr std::string_view marker = "\n=== seed ";
+  std::ifstream stream(fs::path(STICKSLIP_SOURCE_DIRECTORY) / "verification/fuzz/corpus" / target,
+                       std::ios::binary);
+  const std::string text = "\n" + std::string(std::istreambuf_iterator<char>(stream), {});
+  std::vector<Seed> seeds;
+  for (std::size_t start = text.find(marker); start != std::string::npos;) {
+    const std::size_t name = start + marker.size(), line_break = text.find('\n', name);
+    start = text.find(marker, line_break);
+    const std::string_view content =
+        std::string_view(text).substr(0, std::min(start, text.size() - 1)).substr(line_break + 1);
+    seeds.push_back({text.substr(name, line_break - name), Input(content.begin(), content.end())});
+  }
+  return seeds;
 }
 
 // mt19937_64 is the same everywhere; the distributions of the standard library are not.
@@ -79,21 +87,21 @@ class FuzzTarget : public ::testing::TestWithParam<fuzz::Target> {};
 
 STICKSLIP_VERIFIES(FuzzTarget, "U11");
 TEST_P(FuzzTarget, HoldsOnItsCorpus) {
-  const auto files = corpus_of(GetParam().name);
-  ASSERT_FALSE(files.empty());
-  for (const fs::path& file : files) EXPECT_NO_THROW(GetParam().function(bytes_of(file))) << file;
+  const auto seeds = corpus_of(GetParam().name);
+  ASSERT_FALSE(seeds.empty());
+  for (const Seed& seed : seeds) EXPECT_NO_THROW(GetParam().function(seed.input)) << seed.name;
 }
 
 TEST_P(FuzzTarget, HoldsOnMutationsOfItsCorpus) {
-  const auto files = corpus_of(GetParam().name);
-  ASSERT_FALSE(files.empty());
-  const std::size_t rounds = (GetParam().name == "respond" ? 150 : 2000) / files.size() + 1;
+  const auto seeds = corpus_of(GetParam().name);
+  ASSERT_FALSE(seeds.empty());
+  const std::size_t rounds = (GetParam().name == "respond" ? 150 : 2000) / seeds.size() + 1;
   Mutator mutate;
   for (std::size_t round = 0; round < rounds; ++round)
-    for (const fs::path& file : files) {
-      const Input input = mutate(bytes_of(file));
+    for (const Seed& seed : seeds) {
+      const Input input = mutate(seed.input);
       ASSERT_NO_THROW(GetParam().function(input))
-          << file << ", round " << round << ": " << ::testing::PrintToString(input);
+          << seed.name << ", round " << round << ": " << ::testing::PrintToString(input);
     }
 }
 
