@@ -10,9 +10,8 @@
 #include <utility>
 
 #include "arguments.hpp"
-#include "exponential_difference.hpp"
-#include "largest_parabola.hpp"
 #include "separated_system.hpp"
+#include "special_functions.hpp"
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/contact_dynamics.hpp"
 #include "stickslip/analytic/force_maximum.hpp"

@@ -6,7 +6,7 @@
 
 #include "arguments.hpp"
 #include "beam_constants.hpp"
-#include "exponential_difference.hpp"
+#include "special_functions.hpp"
 
 namespace stickslip::analytic {
 namespace {

@@ -7,8 +7,7 @@
 #include <limits>
 
 #include "arguments.hpp"
-#include "largest_parabola.hpp"
-#include "sinc.hpp"
+#include "special_functions.hpp"
 
 namespace stickslip::analytic {
 namespace {

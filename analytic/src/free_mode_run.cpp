@@ -9,7 +9,7 @@
 #include "arguments.hpp"
 #include "beam_constants.hpp"
 #include "gauss_points.hpp"
-#include "sinc.hpp"
+#include "special_functions.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 
 namespace stickslip::analytic {

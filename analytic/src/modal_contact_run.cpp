@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "arguments.hpp"
-#include "exponential_difference.hpp"
 #include "separated_system.hpp"
+#include "special_functions.hpp"
 
 namespace stickslip::analytic {
 namespace {

@@ -14,9 +14,9 @@
 #include "gsl_handles.hpp"
 #include "gsl_status.hpp"
 #include "separated_system.hpp"
+#include "special_functions.hpp"
 #include "stickslip/analytic/contact_dynamics.hpp"
 #include "stickslip/analytic/periodic_motion.hpp"
-#include "stumpff.hpp"
 
 namespace stickslip::analytic {
 namespace {

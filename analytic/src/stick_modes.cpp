@@ -8,7 +8,7 @@
 #include "arguments.hpp"
 #include "beam_constants.hpp"
 #include "root_finding.hpp"
-#include "stumpff.hpp"
+#include "special_functions.hpp"
 #include "wave_numbers.hpp"
 
 namespace stickslip::analytic {

@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "exponential_difference.hpp"
 #include "root_finding.hpp"
 #include "separated_system.hpp"
+#include "special_functions.hpp"
 
 namespace stickslip::analytic {
 namespace {

@@ -12,7 +12,7 @@
 #include "arguments.hpp"
 #include "beam_constants.hpp"
 #include "exact_steady_part.hpp"
-#include "modal_coordinate.hpp"
+#include "special_functions.hpp"
 #include "stickslip/analytic/force_maximum.hpp"
 
 namespace stickslip::analytic {

@@ -12,8 +12,8 @@
 #include "beam_constants.hpp"
 #include "exact_steady_part.hpp"
 #include "root_finding.hpp"
+#include "special_functions.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
-#include "stumpff.hpp"
 
 namespace stickslip::analytic {
 namespace {

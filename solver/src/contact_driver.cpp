@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "event_location.hpp"
-#include "sign.hpp"
 
 namespace stickslip::solver {
 

@@ -6,8 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "sign.hpp"
-
 namespace stickslip::solver {
 
 namespace {

@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "bracketed_root.hpp"
-#include "sign.hpp"
 
 namespace stickslip::solver {
 

@@ -7,6 +7,9 @@
 
 namespace stickslip::solver {
 
+/// -1 or +1, the latter at zero.
+[[nodiscard]] inline double sign(double value) noexcept { return value < 0.0 ? -1.0 : 1.0; }
+
 /// What the contact of a ContactSystem holds, and how it resists sliding.
 class FrictionContact {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "stumpff.hpp"
+#include "special_functions.hpp"
 
 #include <cmath>
 
