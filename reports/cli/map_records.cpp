@@ -19,7 +19,7 @@
 #include "output_file.hpp"
 #include "range_text.hpp"
 #include "render/criterion_map.hpp"
-#include "render/text_file.hpp"
+#include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/input_text.hpp"
 #include "stickslip/data/sha256.hpp"
 #include "stickslip/version.hpp"
@@ -248,7 +248,7 @@ std::string shard_text(const studies::MapTask& task, const MapPart& part,
 bool holds_shard(const fs::path& file, const studies::MapTask& task, const MapPart& part) {
   std::error_code error;
   if (!fs::is_regular_file(file, error) || fs::file_size(file, error) > largest_shard) return false;
-  const std::string text = report::read_text(file), header = header_line(task, part);
+  const std::string text = data::read_text(file), header = header_line(task, part);
   if (!text.starts_with(header)) return false;
   studies::MapEvaluations evaluations(studies::evaluation_count(task));
   const auto numbers = part.numbers(evaluations.size());
@@ -299,7 +299,7 @@ UnfinishedMap::UnfinishedMap(fs::path file, const studies::MapTask& task, const 
     : file_(std::move(file)), header_(header_line(task, part)), evaluations_(evaluations) {
   if (file_.empty()) return;
   open();
-  const std::string text = report::read_text(file_);
+  const std::string text = data::read_text(file_);
   Taken taken;
   if (text.starts_with(header_)) {
     taken = take_records(text, header_.size(), part.numbers(evaluations.size()), evaluations);

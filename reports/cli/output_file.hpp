@@ -1,55 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdio>
-#include <filesystem>
 #include <optional>
-#include <stdexcept>
 #include <string>
-#include <string_view>
+
+#include "stickslip/data/atomic_file.hpp"
 
 namespace stickslip::cli {
 
-/// An output that cannot be written: names the path and the reason.
-class OutputError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-/// A file that appears under its name only when it is complete: written beside it under a temporary name
-/// (.NAME.PID, locked while it is written; what a killed run has left there the next one removes), flushed to
-/// the disk and renamed by commit(); removed if commit() is not reached. "-" is standard output. What exists
-/// and is no regular file (a pipe, /dev/null) is written to directly; a symbolic link stays and its target is
-/// replaced.
-class OutputFile {
- public:
-  /// Throws OutputError if the path cannot be written.
-  explicit OutputFile(const std::string& path);
-  ~OutputFile();
-  OutputFile(const OutputFile&) = delete;
-  OutputFile& operator=(const OutputFile&) = delete;
-
-  /// Throws OutputError, on a full disk for one.
-  void write(std::string_view text);
-
-  /// Puts the file in place. Throws OutputError.
-  void commit();
-
-  /// Removes what has not been put in place, for a program that ends here; from any thread.
-  void discard() const noexcept;
-
- private:
-  void open_directly();
-  void open_temporary();
-  [[noreturn]] void fail() const;
-
-  std::string path_;
-  std::filesystem::path target_;
-  std::filesystem::path temporary_;  // empty when written to directly; set once
-  std::FILE* stream_{};
-};
+using OutputFile = data::AtomicFile;
+using data::OutputError;
 
 /// Opens a file that has a name, before the work whose result it is to hold. Throws OutputError.
-void open_if_named(std::optional<OutputFile>& file, const std::string& path);
+inline void open_if_named(std::optional<OutputFile>& file, const std::string& path) {
+  if (!path.empty()) file.emplace(path);
+}
 
 }  // namespace stickslip::cli

@@ -17,7 +17,7 @@
 #include "render/output_folder.hpp"
 #include "render/progress.hpp"
 #include "render/report.hpp"
-#include "render/text_file.hpp"
+#include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "studies/stick_slip/beam_motion.hpp"
 
@@ -98,11 +98,11 @@ std::vector<fs::path> drawn_frames(const data::Case& problem, const studies::Bea
     const std::size_t last = std::min(first + batch, frames);
     progress(static_cast<double>(first) / static_cast<double>(frames));
     progress.stage(fmt::format("drawing frames {} to {} of {}", first + 1, last, frames));
-    write_text(output.scratch() / "frames.csv", table_of(problem, motion, first, last).text());
+    data::write_text(output.scratch() / "frames.csv", table_of(problem, motion, first, last).text());
     auto values = values_of(problem, motion);
     values.push_back({"first_frame", static_cast<double>(first + 1), "1"});
     values.push_back({"last_frame", static_cast<double>(last), "1"});
-    write_text(output.scratch() / "animation-values.csv", values_table(values).text());
+    data::write_text(output.scratch() / "animation-values.csv", values_table(values).text());
     std::vector<std::string> names;
     for (std::size_t i = first; i < last; ++i) names.push_back(frame_name(i));
     for (fs::path& file : draw_in_scratch("animation", "png", "../", names, output))

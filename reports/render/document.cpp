@@ -15,7 +15,7 @@
 #include "render/external_tool.hpp"
 #include "render/report.hpp"
 #include "render/temporary_folder.hpp"
-#include "render/text_file.hpp"
+#include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/data/installation.hpp"
 
@@ -31,7 +31,7 @@ constexpr int most_runs = 4;
 constexpr const char* python = "/usr/bin/python3";
 
 bool mentions(const fs::path& log, std::initializer_list<std::string_view> phrases) {
-  const std::string text = read_text(log);
+  const std::string text = data::read_text(log);
   return std::ranges::any_of(phrases,
                              [&](std::string_view phrase) { return text.find(phrase) != std::string::npos; });
 }
@@ -66,7 +66,7 @@ void run_script(const fs::path& script, std::vector<std::string> arguments, cons
   arguments.insert(arguments.begin(), {"-I", "-B", (templates_directory() / script).string()});
   const int status = run_tool(python, arguments, folder, log);
   if (status == 0) return;
-  std::string message = read_text(log);
+  std::string message = data::read_text(log);
   while (message.ends_with('\n')) message.pop_back();
   message.erase(0, message.rfind('\n') + 1);
   if (status == 2) throw data::InputError(message);
@@ -89,7 +89,7 @@ std::string read_test_results(const fs::path& tests) {
   const TemporaryFolder folder;
   const fs::path file = folder.path() / "tests.json";
   run_renderer({"tests", fs::absolute(tests).string(), file.string()}, folder.path());
-  return read_text(file);
+  return data::read_text(file);
 }
 
 fs::path fill_in_templates(const fs::path& values, const OutputFolder& output) {

@@ -10,7 +10,7 @@
 #include "render/external_tool.hpp"
 #include "render/report.hpp"
 #include "render/temporary_folder.hpp"
-#include "render/text_file.hpp"
+#include "stickslip/data/atomic_file.hpp"
 
 namespace stickslip::report {
 
@@ -22,7 +22,7 @@ namespace {
 void require_success(int status, const fs::path& drawing, const fs::path& log) {
   std::error_code error;
   const bool drawn = fs::exists(drawing, error) && fs::file_size(drawing, error) > 0;
-  const std::string words = read_text(log);
+  const std::string words = data::read_text(log);
   if (status == 0 && drawn && words.empty()) return;
   throw std::runtime_error(
       fmt::format("gnuplot could not draw {}: {}", drawing.filename().string(),
@@ -31,12 +31,12 @@ void require_success(int status, const fs::path& drawing, const fs::path& log) {
 
 // Blanks out when a PDF was made, in place, so that the same data make the same bytes.
 void remove_date(const fs::path& pdf) {
-  std::string bytes = read_text(pdf);
+  std::string bytes = data::read_text(pdf);
   const std::size_t begin = bytes.find("/CreationDate (");
   const std::size_t end = bytes.find(')', begin);
   if (begin == std::string::npos || end == std::string::npos) return;
   std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(begin), end + 1 - begin, ' ');
-  write_text(pdf, bytes);
+  data::write_text(pdf, bytes);
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ std::string drawing_of(const std::string& script, const std::string& format,
   const TemporaryFolder folder;
   OutputFolder output(folder.path());
   for (const auto& [name, text] : tables) output.write(name, text);
-  return read_text(draw_in_scratch(script, format, "../../", {script + "." + format}, output).front());
+  return data::read_text(draw_in_scratch(script, format, "../../", {script + "." + format}, output).front());
 }
 
 void draw(const std::string& name, OutputFolder& output) {

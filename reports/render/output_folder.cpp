@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "render/text_file.hpp"
+#include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/case_file.hpp"
 
 namespace stickslip::report {
@@ -67,8 +67,9 @@ void OutputFolder::clear_scratch() const noexcept {
 }
 
 void OutputFolder::write(const std::string& name, std::string_view text) {
-  if (std::error_code error; fs::exists(folder_ / name, error) && read_text(folder_ / name) == text) return;
-  write_text(scratch_ / name, text);
+  if (std::error_code error; fs::exists(folder_ / name, error) && data::read_text(folder_ / name) == text)
+    return;
+  data::write_text(scratch_ / name, text);
   publish(scratch_ / name);
 }
 

@@ -17,8 +17,8 @@
 #include "render/output_folder.hpp"
 #include "render/progress.hpp"
 #include "render/study_results.hpp"
-#include "render/text_file.hpp"
 #include "render/values.hpp"
+#include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/data/installation.hpp"
 
@@ -86,7 +86,7 @@ void write_report(const ReportOptions& options) {
   draw_all(chosen, progress, output);
   if (!options.only.empty()) return;
 
-  replace_text(values / "tests.json", tests);
+  data::write_text(values / "tests.json", tests);
   write_values(results, describe_environment(options, output.scratch()), values);
   progress.stage("typesetting vv-report.pdf");
   typeset(fill_in_templates(values, output), output);

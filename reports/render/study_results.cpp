@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "render/study_json.hpp"
-#include "render/text_file.hpp"
+#include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/paper.hpp"
 
 namespace stickslip::report {
@@ -90,7 +90,7 @@ const std::invoke_result_t<Study>& StudyResults::once(const std::string& name, c
     announce_(what);
     result = study();
     fs::create_directories(folder_);
-    replace_text(folder_ / (name + ".json"), json_text(*std::any_cast<Result>(&result)));
+    data::write_text(folder_ / (name + ".json"), json_text(*std::any_cast<Result>(&result)));
   }
   return *std::any_cast<Result>(&result);
 }

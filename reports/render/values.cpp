@@ -6,43 +6,21 @@
 
 #include "render/findings.hpp"
 #include "render/study_json.hpp"
-#include "render/text_file.hpp"
-#include "stickslip/benchmarks/speed_record.hpp"
-
-namespace stickslip::benchmarks {
-STICKSLIP_JSON(SpeedComparison::Load, flops_per_step, bytes_per_step, share_of_flops, share_of_bytes)
-STICKSLIP_JSON(SpeedComparison, work, plain, fast, fast_seconds, load, ratio())
-}  // namespace stickslip::benchmarks
+#include "stickslip/data/atomic_file.hpp"
 
 namespace stickslip::report {
 
 STICKSLIP_JSON(Environment, version, commit, date, compiler, eigen, gsl, rest)
 
-namespace {
-
-using nlohmann::json;
-
-json speed(const benchmarks::SpeedRecord& record) {
-  json scale = json::array();
-  for (std::size_t i = 0; i < record.elements.size(); ++i)
-    scale.push_back({{"elements", record.elements[i]},
-                     {"seconds_per_element", record.seconds_per_element[i]},
-                     {"relative", record.seconds_per_element[i] / record.seconds_per_element[0]}});
-  return {{"processor", record.processor}, {"comparisons", record.comparisons}, {"scale", scale}};
-}
-
-}  // namespace
-
 void write_values(StudyResults& results, const Environment& environment,
                   const std::filesystem::path& folder) {
   results.run_all();
-  const std::map<std::string, json> values{{"environment", environment},
-                                           {"paper", results.paper()},
-                                           {"flat_section", results.flat_section()},
-                                           {"stick_excitation", results.stick_excitation()},
-                                           {"findings", findings(results)},
-                                           {"speed", speed(benchmarks::read_speed_record())}};
-  for (const auto& [name, value] : values) replace_text(folder / (name + ".json"), json_text(value));
+  const std::map<std::string, nlohmann::json> values{{"environment", environment},
+                                                     {"paper", results.paper()},
+                                                     {"flat_section", results.flat_section()},
+                                                     {"stick_excitation", results.stick_excitation()},
+                                                     {"findings", findings(results)}};
+  for (const auto& [name, value] : values) data::write_text(folder / (name + ".json"), json_text(value));
 }
 
 }  // namespace stickslip::report

@@ -9,7 +9,7 @@
 namespace stickslip::report {
 
 /// Runs the studies that no figure has run and writes what the templates read besides the results of studies:
-/// environment, cases, findings and speed, each as <name>.json.
+/// environment, cases and findings, each as <name>.json.
 void write_values(StudyResults& results, const Environment& environment, const std::filesystem::path& folder);
 
 }  // namespace stickslip::report

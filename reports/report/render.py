@@ -337,6 +337,55 @@ def judged(result, environment, known):
 
 # ---- Report
 
+# ---- Speed
+
+SECONDS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
+
+
+def fastest_runs(run):
+    """Of what Google Benchmark wrote, the counters and the seconds of the shortest repetition of each benchmark."""
+    fastest = {}
+    for timed in run["benchmarks"]:
+        if timed["run_type"] != "iteration" or timed.get("error_occurred"):
+            continue
+        timed["seconds"] = timed["real_time"] * SECONDS[timed["time_unit"]]
+        name = timed["run_name"]
+        fastest[name] = min(timed, fastest.get(name, timed), key=lambda repetition: repetition["seconds"])
+    return fastest
+
+
+def speed_of(run, comparisons):
+    """The times of the plain and the fast methods in one run of the benchmarks.
+
+    >>> def timed(name, time, unit="ms", **counters):
+    ...     return {"run_type": "iteration", "run_name": name, "real_time": time, "time_unit": unit} | counters
+    >>> run = {"context": {"processor": "P"}, "benchmarks": [
+    ...     timed("plain", 30.0), timed("plain", 20.0), timed("fast", 4.0, steps=10, flops_per_step=2, bytes_per_step=4),
+    ...     timed("peak/flops", 2.0, flops=40), timed("peak/cache", 1.0, bytes=100),
+    ...     timed("elements/20", 100.0, "us"), timed("elements/100", 1.0)]}
+    >>> speed = speed_of(run, [{"work": "w", "plain": "p", "plain_benchmark": "plain", "fast": "f", "fast_benchmark": "fast", "repetitions": 2}])
+    >>> speed["comparisons"][0]["ratio"], speed["comparisons"][0]["load"]["share_of_flops"], speed["scale"][1]["relative"]
+    (10.0, 0.25, 2.0)
+    """
+    fastest = fastest_runs(run)
+    rate_of = lambda timed, unit, count=1: timed[unit] * count / timed["seconds"]
+    lines = []
+    for line in comparisons:
+        plain, fast = (fastest[line[f"{way}_benchmark"]] for way in ("plain", "fast"))
+        load = {}
+        for unit, peak in (("flops", "peak/flops"), ("bytes", "peak/cache")) if "steps" in fast else ():
+            load[f"{unit}_per_step"] = float(fast[f"{unit}_per_step"])
+            load[f"share_of_{unit}"] = rate_of(fast, f"{unit}_per_step", fast["steps"]) / rate_of(fastest[peak], unit)
+        lines.append(line | {"fast_seconds": fast["seconds"], "load": load,
+                             "ratio": line.get("repetitions", 1) * plain["seconds"] / fast["seconds"]})
+    # An iteration of "elements/N" is a hundred steps of N elements.
+    per_element = {int(name.partition("/")[2]): timed["seconds"] for name, timed in fastest.items() if name.startswith("elements/")}
+    scale = [{"elements": count, "seconds_per_element": seconds / (100 * count)} for count, seconds in per_element.items()]
+    for line in scale:
+        line["relative"] = line["seconds_per_element"] / scale[0]["seconds_per_element"]
+    return {"processor": run["context"]["processor"], "comparisons": lines, "scale": scale}
+
+
 
 class InputError(Exception):
     """Test results that cannot be used."""
@@ -355,6 +404,9 @@ def read_values(templates, data, values):
     known["scoreboard"] = list(csv.DictReader((mutants.parent / "peers" / "scoreboard.csv").read_text().splitlines()))
     known["requirements"] = list(requirements_of(known["tests"]))
     known["bad_input"] = bad_input_of(known["tests"])
+    benchmarks = mutants.parent / "benchmarks"
+    known["speed"] = speed_of(json.loads((benchmarks / "results" / "speed.json").read_text()),
+                              tomllib.loads((benchmarks / "comparisons.toml").read_text())["comparison"])
     known["named"], known["tolerances"] = ([entry for test in known["tests"] for entry in test[key]]
                                            for key in ("named", "tolerances"))
     accepted = tomllib.loads((templates.parent.parent / "verification" / "acceptance.toml").read_text())

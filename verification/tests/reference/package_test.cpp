@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "render/text_file.hpp"
+#include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/reference.hpp"
 #include "stickslip/reference/package.hpp"
 #include "support/published_data.hpp"
@@ -75,7 +75,7 @@ TEST(PublishedData, IsDescribedAsTheCodeDescribesIt) {
     return by_name;
   };
   const auto sets = quick_sets();
-  const auto published = resources(report::read_text(data::reference_directory() / "datapackage.json"));
+  const auto published = resources(data::read_text(data::reference_directory() / "datapackage.json"));
   const auto made = resources(reference::package_files(sets).at("datapackage.json"));
   EXPECT_EQ(made.size(), sets.size());
   for (const auto& [name, resource] : made) EXPECT_EQ(published.at(name), resource);
@@ -189,7 +189,7 @@ TEST(PublishedData, IsEnoughToSetAProblemUpSolveItAndAgree) {
   };
   EXPECT_EQ(status(), 0);
   // Another density is another beam.
-  std::string heavier = report::read_text(copy / "beams.csv");
+  std::string heavier = data::read_text(copy / "beams.csv");
   heavier.replace(heavier.find(",1000,"), 6, ",1001,");
   std::ofstream(copy / "beams.csv") << heavier;
   EXPECT_NE(status(), 0);

@@ -14,7 +14,7 @@
 #include "render/drawing.hpp"
 #include "render/output_folder.hpp"
 #include "render/report.hpp"
-#include "render/text_file.hpp"
+#include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "support/error_message.hpp"
 #include "support/requirements.hpp"
@@ -39,16 +39,16 @@ TEST_F(ReportOutput, WritesAFileUnderItsNameAndLeavesNothingElse) {
     report::OutputFolder output(folder_);
     output.write("a.csv", "1,2\n");
   }
-  EXPECT_EQ(report::read_text(folder_ / "a.csv"), "1,2\n");
+  EXPECT_EQ(data::read_text(folder_ / "a.csv"), "1,2\n");
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator{}), 1);
 }
 
 TEST_F(ReportOutput, ShowsNothingOfAFileThatIsNotPublished) {
   report::OutputFolder output(folder_);
-  report::write_text(output.scratch() / "a.pdf", "half");
+  data::write_text(output.scratch() / "a.pdf", "half");
   EXPECT_FALSE(fs::exists(folder_ / "a.pdf"));
   output.publish(output.scratch() / "a.pdf");
-  EXPECT_EQ(report::read_text(folder_ / "a.pdf"), "half");
+  EXPECT_EQ(data::read_text(folder_ / "a.pdf"), "half");
 }
 
 TEST_F(ReportOutput, KeepsTheOldFileWhenTheNewOneCannotBeWritten) {
@@ -56,20 +56,20 @@ TEST_F(ReportOutput, KeepsTheOldFileWhenTheNewOneCannotBeWritten) {
   output.write("a.csv", "old");
   fs::create_directory(output.scratch() / "a.csv");  // in the way of the new one
   EXPECT_THROW(output.write("a.csv", "new"), std::runtime_error);
-  EXPECT_EQ(report::read_text(folder_ / "a.csv"), "old");
+  EXPECT_EQ(data::read_text(folder_ / "a.csv"), "old");
 }
 
 TEST_F(ReportOutput, ClearsWhatAnInterruptedRunHasLeft) {
   fs::create_directories(folder_ / ".unfinished");
-  report::write_text(folder_ / ".unfinished" / "stale", "x");
+  data::write_text(folder_ / ".unfinished" / "stale", "x");
   const report::OutputFolder output(folder_);
   EXPECT_TRUE(fs::is_empty(output.scratch()));
 }
 
 TEST_F(ReportOutput, LeavesNothingOfATextThatCannotBePutInPlace) {
   fs::create_directories(folder_ / "a" / "in the way");
-  EXPECT_THROW(report::replace_text(folder_ / "a", "text"), std::runtime_error);
-  EXPECT_FALSE(fs::exists(folder_ / "a.unfinished"));
+  EXPECT_THROW(data::write_text(folder_ / "a", "text"), std::runtime_error);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator{}), 1);
 }
 
 TEST_F(ReportOutput, BelongsToOneReportAtATime) {
@@ -78,7 +78,7 @@ TEST_F(ReportOutput, BelongsToOneReportAtATime) {
 }
 
 TEST_F(ReportOutput, IsRefusedWhereAFileStands) {
-  report::write_text(folder_, "a file");
+  data::write_text(folder_, "a file");
   EXPECT_THROW(const report::OutputFolder output(folder_), data::InputError);
 }
 
@@ -130,10 +130,10 @@ class DrawnFigures : public ReportOutput {
 
 STICKSLIP_VERIFIES(DrawnFigures, "U3");
 TEST_F(DrawnFigures, AppearInAllFormatsOrInNone) {
-  const auto read = [&](const char* name) { return report::read_text(output_ / name); };
-  for (const char* name : {"fig7.png", "fig7.pdf"}) report::write_text(output_ / name, "old");
+  const auto read = [&](const char* name) { return data::read_text(output_ / name); };
+  for (const char* name : {"fig7.png", "fig7.pdf"}) data::write_text(output_ / name, "old");
   const fs::path script = templates_ / "figures" / "fig7.gp";
-  report::write_text(script, report::read_text(script) + "if (format eq 'png') exit error 'no colours'\n");
+  data::write_text(script, data::read_text(script) + "if (format eq 'png') exit error 'no colours'\n");
   EXPECT_THROW(draw(), std::runtime_error);
   EXPECT_EQ(read("fig7.pdf"), "old");
   EXPECT_EQ(read("fig7.png"), "old");
@@ -150,7 +150,7 @@ TEST_F(DrawnFigures, ComeFromTheirScriptsAndCsvFilesAlone) {
                                 "' && LC_ALL=C.UTF-8 gnuplot -e \"folder='" + tables.string() +
                                 "/'; format='png'; output='" + drawing + "'\" " + name + ".gp";
     ASSERT_EQ(std::system(command.c_str()), 0) << command;
-    EXPECT_EQ(report::read_text(drawing), report::read_text(output_ / (name + ".png"))) << name;
+    EXPECT_EQ(data::read_text(drawing), data::read_text(output_ / (name + ".png"))) << name;
   }
 }
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "render/report.hpp"
-#include "render/text_file.hpp"
+#include "stickslip/data/atomic_file.hpp"
 #include "support/requirements.hpp"
 
 namespace stickslip {
@@ -75,7 +75,7 @@ class ReportSources : public ::testing::TestWithParam<fs::path> {};
 
 STICKSLIP_VERIFIES(ReportSources, "U5");
 TEST_P(ReportSources, HoldNoLiteralResult) {
-  const std::string source = with_inline_formulas(report::read_text(GetParam()));
+  const std::string source = with_inline_formulas(data::read_text(GetParam()));
   ASSERT_FALSE(source.empty());
   for (const std::string& result : results_in(source))
     ADD_FAILURE() << GetParam().filename() << " holds " << result;
@@ -103,7 +103,7 @@ TEST(ReportFigureScripts, HoldNoLiteralResult) {
   for (const auto& entry : fs::directory_iterator(report::templates_directory() / "figures")) {
     if (entry.path().extension() != ".gp") continue;
     ++scripts;
-    const std::string text = without(report::read_text(entry.path()), "#[^\n']*\n");
+    const std::string text = without(data::read_text(entry.path()), "#[^\n']*\n");
     for (std::sregex_iterator match(text.begin(), text.end(), label), end; match != end; ++match)
       ADD_FAILURE() << entry.path().filename() << " holds " << match->str();
   }
@@ -114,7 +114,7 @@ TEST(ReportFigureScripts, HoldNoLiteralResult) {
 TEST(ReportFigureScripts, LeaveTheSizeOfTextToTheStyle) {
   for (const auto& entry : fs::directory_iterator(report::templates_directory() / "figures")) {
     if (entry.path().extension() != ".gp" || entry.path().filename() == "style.gp") continue;
-    const std::string text = without(report::read_text(entry.path()), "#[^\n']*\n");
+    const std::string text = without(data::read_text(entry.path()), "#[^\n']*\n");
     EXPECT_FALSE(std::regex_search(text, std::regex("\\bfont|\\{/"))) << entry.path().filename();
   }
 }

@@ -22,7 +22,7 @@
 #include "render/json_text.hpp"
 #include "render/output_folder.hpp"
 #include "render/report.hpp"
-#include "render/text_file.hpp"
+#include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/input_error.hpp"
 #include "stickslip/data/paper.hpp"
 #include "support/error_message.hpp"
@@ -46,13 +46,17 @@ class ReportTemplates : public ::testing::Test {
     fs::copy(report::templates_directory() / "report" / "render.py", templates_ / "report");
     fs::copy(report::templates_directory() / "report" / "macros.jinja", templates_ / "report");
     ::setenv("STICKSLIP_REPORTS", templates_.c_str(), 1);
-    report::write_text(values() / "tests.json", "[]");
+    data::write_text(values() / "tests.json", "[]");
     fs::create_directories(folder_ / "verification" / "mutants");
-    report::write_text(folder_ / "verification" / "mutants" / "summary.csv", "part,killed\n");
-    report::write_text(folder_ / "verification" / "mutants" / "survivors.toml", "equivalent = []\n");
-    report::write_text(folder_ / "verification" / "acceptance.toml", "result = []\n");
+    data::write_text(folder_ / "verification" / "mutants" / "summary.csv", "part,killed\n");
+    data::write_text(folder_ / "verification" / "mutants" / "survivors.toml", "equivalent = []\n");
+    data::write_text(folder_ / "verification" / "acceptance.toml", "result = []\n");
+    fs::create_directories(folder_ / "verification" / "benchmarks" / "results");
+    data::write_text(folder_ / "verification" / "benchmarks" / "comparisons.toml", "comparison = []\n");
+    data::write_text(folder_ / "verification" / "benchmarks" / "results" / "speed.json",
+                     R"({"context": {"processor": "one"}, "benchmarks": []})");
     fs::create_directories(folder_ / "verification" / "peers");
-    report::write_text(folder_ / "verification" / "peers" / "scoreboard.csv", "code,verdict\n");
+    data::write_text(folder_ / "verification" / "peers" / "scoreboard.csv", "code,verdict\n");
   }
   void TearDown() override {
     ::unsetenv("STICKSLIP_REPORTS");
@@ -63,9 +67,9 @@ class ReportTemplates : public ::testing::Test {
 
   /// What a template becomes.
   [[nodiscard]] std::string filled_in(const std::string& text) const {
-    report::write_text(templates_ / "report" / "a.tex", text);
+    data::write_text(templates_ / "report" / "a.tex", text);
     const report::OutputFolder output(folder_ / "output");
-    return report::read_text(report::fill_in_templates(values(), output) / "a.tex");
+    return data::read_text(report::fill_in_templates(values(), output) / "a.tex");
   }
 
   [[nodiscard]] std::string error_of(const std::string& text) const {
@@ -89,14 +93,14 @@ TEST_F(ReportTemplates, ReadEveryDigitOfAResult) {
       {"infinite", std::numeric_limits<double>::infinity()},
       {"nothing", std::optional<double>{}},
   };
-  report::write_text(values() / "results.json", report::json_text(results));
+  data::write_text(values() / "results.json", report::json_text(results));
   EXPECT_EQ(filled_in("<< results.intervals[0].to | plain >>, << results.intervals[0].length | fixed(3) >>, "
                       "<< results.infinite == 'inf' >>, << results.nothing is none >>"),
             "0.3333333333333333, 0.233, True, True");
 }
 
 TEST_F(ReportTemplates, NameAValueThatIsMissing) {
-  report::write_text(values() / "results.json", R"({"present": 1})");
+  data::write_text(values() / "results.json", R"({"present": 1})");
   const std::string text = error_of("<< results.present >>\n<< results.absent | fixed(2) >>\n");
   EXPECT_NE(text.find("a.tex, line 2: "), std::string::npos) << text;
   EXPECT_NE(text.find("'absent'"), std::string::npos) << text;
@@ -104,7 +108,7 @@ TEST_F(ReportTemplates, NameAValueThatIsMissing) {
 }
 
 TEST_F(ReportTemplates, RefuseANumberWithoutDigitsAndOneThatIsNotFinite) {
-  report::write_text(values() / "results.json", R"({"value": 0.25, "infinite": "inf"})");
+  data::write_text(values() / "results.json", R"({"value": 0.25, "infinite": "inf"})");
   EXPECT_NE(error_of("\n\n<< results.value >>").find("a.tex, line 3: the number 0.25 has no filter"),
             std::string::npos);
   EXPECT_NE(error_of("<< results.infinite | sig(2) >>").find("inf cannot stand in the report"),
@@ -112,7 +116,7 @@ TEST_F(ReportTemplates, RefuseANumberWithoutDigitsAndOneThatIsNotFinite) {
 }
 
 TEST_F(ReportTemplates, AreNotBlamedForWhatThePagesOfEvidenceLack) {
-  report::write_text(templates_ / "site" / "site.py", "raise SystemExit('a value is missing')\n");
+  data::write_text(templates_ / "site" / "site.py", "raise SystemExit('a value is missing')\n");
   report::OutputFolder output(folder_ / "output");
   testing::expect_error_message<std::runtime_error>(
       [&] { report::write_site(values(), output); },
@@ -145,7 +149,7 @@ TEST_F(PaperIndex, HasARequirementOrAClaimForEveryEquationAndFigure) {
                      {"requirement_text", ""},
                      {"named", json::array()},
                      {"tolerances", json::array()}});
-  report::write_text(values() / "tests.json", tests.dump());
+  data::write_text(values() / "tests.json", tests.dump());
   EXPECT_EQ(filled_in("<% for kind, count in (('Eq', 30), ('Fig', 14)) %>"
                       "<% for item in indexed(kind, count) if not item.tests and not item.claims %>"
                       "<< kind >> << item.number >> <% endfor %><% endfor %>"),
@@ -161,10 +165,10 @@ class TestResults : public ReportTemplates {
 
   void write(const std::string& file, const std::string& suite, const std::string& name,
              const std::string& inside) const {
-    report::write_text(xml_ / file, "<?xml version=\"1.0\"?><testsuites><testsuite name=\"" + suite +
-                                        "\"><testcase name=\"" + name + "\" classname=\"" + suite +
-                                        "\" file=\"verdict_test.cpp\" line=\"25\" status=\"run\">" + inside +
-                                        "</testcase></testsuite></testsuites>");
+    data::write_text(xml_ / file, "<?xml version=\"1.0\"?><testsuites><testsuite name=\"" + suite +
+                                      "\"><testcase name=\"" + name + "\" classname=\"" + suite +
+                                      "\" file=\"verdict_test.cpp\" line=\"25\" status=\"run\">" + inside +
+                                      "</testcase></testsuite></testsuites>");
   }
 
   static std::string property(const std::string& name, const std::string& value) {
@@ -233,7 +237,7 @@ TEST_F(TestResults, TellWhatWasSkippedAndCountBadInput) {
   ASSERT_EQ(tests.size(), 2U);
   EXPECT_EQ(tests[0]["skipped"], true);
   EXPECT_EQ(tests[0]["passed"], false);
-  report::write_text(values() / "tests.json", tests.dump());
+  data::write_text(values() / "tests.json", tests.dump());
   EXPECT_EQ(filled_in("<< bad_input.by_defect.zero.option.refused >>, << bad_input.by_reason[0][1] >>"),
             "3, 1");
 }
@@ -241,7 +245,7 @@ TEST_F(TestResults, TellWhatWasSkippedAndCountBadInput) {
 TEST_F(TestResults, AreRefusedWhereThereAreNoneOrTheyCannotBeRead) {
   EXPECT_THROW((void)read(), data::InputError);
   EXPECT_THROW((void)report::read_test_results(folder_ / "nowhere"), data::InputError);
-  report::write_text(xml_ / "unit.A.xml", "<testsuites><testsuite>");
+  data::write_text(xml_ / "unit.A.xml", "<testsuites><testsuite>");
   EXPECT_THROW((void)read(), data::InputError);
   for (const std::string& broken : {property("comparisons", "many"), property("comparisons", "1"),
                                     property("compared.x", "1; 2; 3"), property("tolerances.x", "1; 2")}) {

@@ -1,25 +1,24 @@
 // SPDX-License-Identifier: MIT
-#include "output_file.hpp"
+#include "stickslip/data/atomic_file.hpp"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <fstream>
+#include <iterator>
 #include <system_error>
 #include <utility>
 
-namespace stickslip::cli {
+namespace stickslip::data {
 
 namespace fs = std::filesystem;
 
 namespace {
 
-std::string prefix_of_temporaries(const fs::path& target) {
-  return fmt::format(".{}.", target.filename().string());
-}
+std::string prefix_of_temporaries(const fs::path& target) { return "." + target.filename().string() + "."; }
 
 // Temporary files of the target that no process holds any more.
 void remove_abandoned(const fs::path& target) {
@@ -52,7 +51,7 @@ int create_locked(const fs::path& file) {
 
 }  // namespace
 
-OutputFile::OutputFile(const std::string& path) : path_(path) {
+AtomicFile::AtomicFile(const std::string& path) : path_(path) {
   if (path == "-") {
     stream_ = stdout;
     return;
@@ -64,21 +63,21 @@ OutputFile::OutputFile(const std::string& path) : path_(path) {
     return;
   }
   target_ = fs::weakly_canonical(path, error);
-  if (error) throw OutputError(fmt::format("output {} cannot be written: {}", path, error.message()));
+  if (error) throw OutputError("output " + path + " cannot be written: " + error.message());
   open_temporary();
 }
 
-OutputFile::~OutputFile() {
+AtomicFile::~AtomicFile() {
   if (stream_ != nullptr && stream_ != stdout) std::fclose(stream_);
   discard();
 }
 
-void OutputFile::open_directly() {
+void AtomicFile::open_directly() {
   stream_ = std::fopen(path_.c_str(), "wb");
   if (stream_ == nullptr) fail();
 }
 
-void OutputFile::open_temporary() {
+void AtomicFile::open_temporary() {
   if (::access(target_.c_str(), W_OK) != 0 && errno != ENOENT) fail();
   remove_abandoned(target_);
   const fs::path beside =
@@ -90,11 +89,11 @@ void OutputFile::open_temporary() {
   if (stream_ == nullptr) fail();
 }
 
-void OutputFile::write(std::string_view text) {
+void AtomicFile::write(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), stream_) != text.size()) fail();
 }
 
-void OutputFile::commit() {
+void AtomicFile::commit() {
   if (std::fflush(stream_) != 0) fail();
   if (stream_ == stdout) return;
   if (!temporary_.empty() && ::fsync(::fileno(stream_)) != 0) fail();
@@ -103,18 +102,25 @@ void OutputFile::commit() {
   if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail();
 }
 
-void OutputFile::discard() const noexcept {
+void AtomicFile::discard() const noexcept {
   if (!temporary_.empty()) ::unlink(temporary_.c_str());  // once in place it has this name no longer
 }
 
-void OutputFile::fail() const {
+void AtomicFile::fail() const {
   const std::string reason = std::generic_category().message(errno);
-  throw OutputError(
-      fmt::format("output {} cannot be written: {}", path_ == "-" ? "to standard output" : path_, reason));
+  throw OutputError("output " + (path_ == "-" ? "to standard output" : path_) +
+                    " cannot be written: " + reason);
 }
 
-void open_if_named(std::optional<OutputFile>& file, const std::string& path) {
-  if (!path.empty()) file.emplace(path);
+void write_text(const std::filesystem::path& file, std::string_view text) {
+  AtomicFile output(file.string());
+  output.write(text);
+  output.commit();
 }
 
-}  // namespace stickslip::cli
+std::string read_text(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+}  // namespace stickslip::data
