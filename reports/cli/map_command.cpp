@@ -17,7 +17,7 @@
 #include "commands.hpp"
 #include "figure_format.hpp"
 #include "long_work.hpp"
-#include "map_records.hpp"
+#include "map_part.hpp"
 #include "output_file.hpp"
 #include "range_text.hpp"
 #include "render/criterion_map.hpp"
@@ -138,15 +138,13 @@ std::vector<std::string> quantity_names() {
 std::vector<studies::MotionQuantity> quantities_of(const std::string& text) {
   if (text == verdict) return {};
   const auto known = quantity_names();
-  std::vector<std::string> names;
-  for (const std::string_view name : split(text, ',')) {
-    names.emplace_back(name);
-    if (names.back() == verdict || std::ranges::find(known, names.back()) == known.end())
+  const auto names = split(text, ',');
+  for (const std::string_view name : names)
+    if (name == verdict || std::ranges::find(known, name) == known.end())
       throw data::FieldError(
-          "--quantity", fmt::format("'{}'", data::printable(names.back())),
+          "--quantity", fmt::format("'{}'", data::printable(name)),
           fmt::format("one of {}, or some of those after the first with commas between them{}",
-                      data::joined(known), data::suggestion(names.back(), known)));
-  }
+                      data::joined(known), data::suggestion(name, known)));
   return quantities_named(names);
 }
 
@@ -247,7 +245,7 @@ class Run {
 
   /// Whether an earlier run has finished the shard, and says so.
   [[nodiscard]] bool finds_shard(const studies::MapTask& task, const MapPart& part) {
-    if (!holds_shard(options_.output, task, part)) return false;
+    if (!holds_part(options_.output, task, part)) return false;
     evaluations_.resize(studies::evaluation_count(task));
     if (const auto file = unfinished_file(options_); std::filesystem::exists(file))  // killed as it ended
       UnfinishedMap(file, task, part, evaluations_).remove();
@@ -257,7 +255,7 @@ class Run {
 
   void finish_shard(const studies::MapTask& task, const MapPart& part,
                     const studies::MapEvaluations& evaluations) {
-    put_in_place(shard_text(task, part, evaluations));
+    put_in_place(part_text(task, part, evaluations));
     print_shard(task, part, false);
   }
 

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "map_records.hpp"
+#include "map_part.hpp"
 #include "output_file.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "support/requirements.hpp"

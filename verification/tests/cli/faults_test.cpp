@@ -50,8 +50,8 @@ TEST_F(Fault, DiskThatIsFullIsNamedAndLeavesTheOldFiles) {
                  "File too large");
   // What the map has finished is kept for the next run.
   EXPECT_EQ(all_files("."), (std::vector<std::string>{"map.csv.partial", "old.csv", "stderr", "stdout"}));
-  expect_failure(limited("report --quiet --only fig2 --output report"), 1, "fig2.csv", "File too large");
-  expect_failure(limited("animate --duration 0.1 --frames 5 --output film"), 1, "motion.csv",
+  expect_failure(limited("report --quiet --only fig2 --output report"), 2, "fig2.csv", "File too large");
+  expect_failure(limited("animate --duration 0.1 --frames 5 --output film"), 2, "motion.csv",
                  "File too large");
   EXPECT_EQ(all_files("report"), std::vector<std::string>{});
   EXPECT_EQ(all_files("film"), std::vector<std::string>{});

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// Evaluations of a map in files: what a part of the map hands in, and what is kept of an unfinished one.
+/// Parts of the evaluations of a map in CSV files: the output of --shard, and what is kept of an unfinished map.
 ///
-/// The first line is a JSON object that says which map it is (the case, the axes, the method, the program)
-/// and which part of it; each further line is an evaluation: its number and the bounds of |f_max| per metre
-/// of amplitude, with the digits that read back exactly, or its state and each quantity
-/// with its change. Every line ends with a check of itself
-/// and of the first line, 16 hexadecimal digits.
+/// The first line is a comment with a JSON object: which map it is (the case, the axes, the method, the program) and which
+/// part of it. Then come the names of the columns, and a row for each evaluation: its number, the bounds of |f_max| per metre
+/// of amplitude or the state of its cell, and the value and change of each quantity.
 
 #include <array>
+#include <atomic>
 #include <cstddef>
+#include <cstdio>
 #include <filesystem>
 #include <functional>
-#include <mutex>
 #include <span>
 #include <string>
 #include <string_view>
@@ -43,15 +42,19 @@ struct MapPart {
 [[nodiscard]] MapPart parse_part(std::string_view text);
 
 /// The quantities with these names (report::to_string), each once. Throws std::invalid_argument for another name.
-[[nodiscard]] std::vector<studies::MotionQuantity> quantities_named(const std::vector<std::string>& names);
+[[nodiscard]] std::vector<studies::MotionQuantity> quantities_named(
+    const std::vector<std::string_view>& names);
+
+/// The names of the quantities, with commas between them.
+[[nodiscard]] std::string names_of(const std::vector<studies::MotionQuantity>& quantities);
 
 /// The text of a file with all evaluations of a part.
-[[nodiscard]] std::string shard_text(const studies::MapTask& task, const MapPart& part,
-                                     const studies::MapEvaluations& evaluations);
+[[nodiscard]] std::string part_text(const studies::MapTask& task, const MapPart& part,
+                                    const studies::MapEvaluations& evaluations);
 
-/// Whether a file holds all evaluations of this part of this map, made by this program, undamaged.
-[[nodiscard]] bool holds_shard(const std::filesystem::path& file, const studies::MapTask& task,
-                               const MapPart& part);
+/// Whether a file holds all evaluations of this part of this map, made by this program.
+[[nodiscard]] bool holds_part(const std::filesystem::path& file, const studies::MapTask& task,
+                              const MapPart& part);
 
 struct MergedMap {
   studies::MapTask task;
@@ -59,7 +62,7 @@ struct MergedMap {
 };
 
 /// The map that the files of all its parts make. Throws data::InputError, naming the file and what is wrong
-/// with it, unless they belong to one map made by this program and none is missing, double or damaged.
+/// with it, unless they belong to one map made by this program and no evaluation is missing, double or unreadable.
 [[nodiscard]] MergedMap merged(const std::vector<std::string>& files);
 
 /// What is finished of a part, beside its output: added to as the work goes on, whatever ends it, and read
@@ -67,7 +70,7 @@ struct MergedMap {
 class UnfinishedMap {
  public:
   /// An empty path keeps nothing. Throws data::InputError, naming the file, if it belongs to other work or
-  /// to a run that goes on; OutputError if it cannot be written.
+  /// to a run that goes on; data::OutputError if it cannot be written.
   UnfinishedMap(std::filesystem::path file, const studies::MapTask& task, const MapPart& part,
                 studies::MapEvaluations& evaluations);
   ~UnfinishedMap();
@@ -76,9 +79,9 @@ class UnfinishedMap {
 
   [[nodiscard]] const std::filesystem::path& file() const noexcept { return file_; }
   [[nodiscard]] std::size_t found() const noexcept { return found_; }  ///< evaluations of earlier runs
-  [[nodiscard]] std::size_t kept() const;                              ///< and of this one; 0 without a file
+  [[nodiscard]] std::size_t kept() const noexcept { return kept_; }    ///< and of this one; 0 without a file
 
-  /// Throws OutputError.
+  /// Throws data::OutputError.
   void keep(std::span<const std::size_t> numbers);
 
   /// Does the work that keeps evaluations here. Removes the file if that throws data::InputError, since this
@@ -90,15 +93,15 @@ class UnfinishedMap {
 
  private:
   void open();
-  void append(const std::string& text);
+  void append(std::string_view text);
   [[noreturn]] void fail() const;
 
   std::filesystem::path file_;
-  std::string header_;
+  std::size_t quantities_{};
   const studies::MapEvaluations& evaluations_;
-  std::size_t found_{}, kept_{};
-  int descriptor_{-1};
-  mutable std::mutex guard_;
+  std::size_t found_{};
+  std::atomic<std::size_t> kept_{};  // read by the thread that an interruption wakes
+  std::FILE* stream_{};
 };
 
 }  // namespace stickslip::cli
