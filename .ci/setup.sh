@@ -32,6 +32,9 @@ fail() {
   exit 2
 }
 
+# say TEXT...: what is being done now, with the time.
+say() { echo "[$(date +%H:%M:%S)] $*"; }
+
 is_installed() {
   [[ "$(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null)" == installed ]]
 }

@@ -14,6 +14,7 @@
 #include "render/external_tool.hpp"
 #include "render/figures.hpp"
 #include "render/interruption.hpp"
+#include "render/json_text.hpp"
 #include "render/output_folder.hpp"
 #include "render/progress.hpp"
 #include "render/study_results.hpp"
@@ -62,6 +63,12 @@ void draw_all(const std::vector<Figure>& figures, Progress& progress, OutputFold
   }
 }
 
+// The commit that a run of the tests has noted in its folder; empty if there is none.
+std::string tested_commit(const std::filesystem::path& tests) {
+  const std::string text = tests.empty() ? "" : data::read_text(tests / "commit");
+  return text.substr(0, text.find('\n'));
+}
+
 }  // namespace
 
 void write_report(const ReportOptions& options) {
@@ -87,6 +94,7 @@ void write_report(const ReportOptions& options) {
   if (!options.only.empty()) return;
 
   data::write_text(values / "tests.json", tests);
+  data::write_text(values / "tested_commit.json", json_text(tested_commit(options.tests)));
   write_values(results, describe_environment(options, output.scratch()), values);
   progress.stage("typesetting vv-report.pdf");
   typeset(fill_in_templates(values, output), output);

@@ -239,7 +239,9 @@ def read_test(case, identity):
 
 
 def read_tests(folder):
-    """The tests of a folder by requirement, then suite, then name."""
+    """The tests of a folder by requirement, then suite, then name. No run has ended where its file `commit` is empty."""
+    if (folder / "commit").is_file() and not (folder / "commit").read_text().strip():
+        return []
     tests, file = [], folder
     try:
         for file in folder.rglob("*.xml"):
@@ -335,8 +337,6 @@ def judged(result, environment, known):
     return result | {"value": value, "value_of": result["value"], "passed": result.get("least", -math.inf) <= value <= result.get("most", math.inf)}
 
 
-# ---- Report
-
 # ---- Speed
 
 SECONDS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
@@ -386,6 +386,8 @@ def speed_of(run, comparisons):
     return {"processor": run["context"]["processor"], "comparisons": lines, "scale": scale}
 
 
+# ---- Report
+
 
 class InputError(Exception):
     """Test results that cannot be used."""
@@ -402,11 +404,11 @@ def read_values(templates, data, values):
     known["mutants"] = list(csv.DictReader((mutants / "summary.csv").read_text().splitlines()))
     known |= tomllib.loads((mutants / "survivors.toml").read_text())
     known["scoreboard"] = list(csv.DictReader((mutants.parent / "peers" / "scoreboard.csv").read_text().splitlines()))
-    known["requirements"] = list(requirements_of(known["tests"]))
-    known["bad_input"] = bad_input_of(known["tests"])
     benchmarks = mutants.parent / "benchmarks"
     known["speed"] = speed_of(json.loads((benchmarks / "results" / "speed.json").read_text()),
                               tomllib.loads((benchmarks / "comparisons.toml").read_text())["comparison"])
+    known["requirements"] = list(requirements_of(known["tests"]))
+    known["bad_input"] = bad_input_of(known["tests"])
     known["named"], known["tolerances"] = ([entry for test in known["tests"] for entry in test[key]]
                                            for key in ("named", "tolerances"))
     accepted = tomllib.loads((templates.parent.parent / "verification" / "acceptance.toml").read_text())

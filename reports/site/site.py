@@ -302,7 +302,8 @@ def write_site(known, templates, data, figures, output):
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(FOLDER), autoescape=True, undefined=jinja2.StrictUndefined,
                                      trim_blocks=True, lstrip_blocks=True)
     environment.tests["kind"] = lambda cell, kind: kind_of(cell) == kind
-    environment.globals |= {"pages": pages, "environment": known["environment"], "tests": known["tests"]}
+    environment.globals |= {"pages": pages, "environment": known["environment"], "tests": known["tests"],
+                            "tested_commit": known["tested_commit"]}
     write = lambda name, template, **values: (output / name).write_text(environment.get_template(template).render(**values))
     write("index.html", "index.html", root="", title="Evidence")
     for page in pages:

@@ -242,6 +242,14 @@ TEST_F(TestResults, TellWhatWasSkippedAndCountBadInput) {
             "3, 1");
 }
 
+TEST_F(TestResults, DoNotCountBeforeTheRunHasEnded) {
+  write("unit.A.xml", "A", "Holds", "");
+  data::write_text(xml_ / "commit", "");
+  EXPECT_EQ(read(), json::array());
+  data::write_text(xml_ / "commit", "0123456789ab\n");
+  EXPECT_EQ(read().size(), 1U);
+}
+
 TEST_F(TestResults, AreRefusedWhereThereAreNoneOrTheyCannotBeRead) {
   EXPECT_THROW((void)read(), data::InputError);
   EXPECT_THROW((void)report::read_test_results(folder_ / "nowhere"), data::InputError);
