@@ -196,10 +196,12 @@ ModalScheme with_damping_added(const data::Case& problem) {
 
 double sign(double v) { return v < 0.0 ? -1.0 : 1.0; }
 
-double weakened(const data::FrictionLaw& friction, double speed) {
+// mu_m + (mu_s - mu_m) exp(-alpha v) + beta |v|, the law itself for v >= 0.
+double coefficient_at(const data::FrictionLaw& friction, double v) {
   const data::FrictionLaw law = friction.in_slip();
   const double kinetic = law.kinetic_coefficient();
-  return kinetic + (law.static_coefficient() - kinetic) * std::exp(-law.decay() * speed);
+  return kinetic + (law.static_coefficient() - kinetic) * std::exp(-law.decay() * v) +
+         law.viscous() * std::abs(v);
 }
 
 void take_the_relative_displacement(const data::Case& problem, Quantity quantity,
@@ -522,23 +524,24 @@ Recipes of_the_friction_law() {
       {.wrong_model = {"kinetic-friction-at-once", "friction falls to mu_m P with the first slip", "Eq. (7)",
                        stick_slip},
        .law = FrictionRule{[](const data::FrictionLaw& law, double v) {
-         return sign(v) * law.kinetic_coefficient();
+         return sign(v) * (law.kinetic_coefficient() + law.viscous() * std::abs(v));
        }}},
       {.wrong_model = {"velocity-in-millimetres", "the sliding velocity enters the friction law in mm/s",
                        "Eq. (7)", stick_slip},
        .law = FrictionRule{[](const data::FrictionLaw& law, double v) {
-         return sign(v) * weakened(law, 1e3 * std::abs(v));
+         return sign(v) * coefficient_at(law, 1e3 * std::abs(v));
        }}},
       {.wrong_model = {"decay-without-magnitude", "exp(-alpha v) instead of exp(-alpha |v|)", "Eq. (7)",
                        stick_slip},
-       .law =
-           FrictionRule{[](const data::FrictionLaw& law, double v) { return sign(v) * weakened(law, v); }}},
+       .law = FrictionRule{[](const data::FrictionLaw& law, double v) {
+         return sign(v) * coefficient_at(law, v);
+       }}},
       {.wrong_model =
            {"regularised-friction",
             "the jump at v_s = 0 is smoothed over 10 mm/s, so that the tip creeps instead of sticking",
             "Eq. (6)", stick_slip},
        .law = FrictionRule{[](const data::FrictionLaw& law, double v) {
-                             return weakened(law, std::abs(v)) * std::tanh(v / 0.01);
+                             return coefficient_at(law, std::abs(v)) * std::tanh(v / 0.01);
                            },
                            false}},
   };
