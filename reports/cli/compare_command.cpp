@@ -9,6 +9,7 @@
 
 #include "case_options.hpp"
 #include "commands.hpp"
+#include "comparison/diagnosis/diagnosis.hpp"
 #include "comparison_output.hpp"
 #include "figure_format.hpp"
 #include "long_work.hpp"
@@ -31,14 +32,14 @@ struct CompareOptions {
 };
 
 // "QUANTITY=VALUE", or "VALUE" for all.
-studies::ComparisonSettings::Tolerance parse_tolerance(const std::string& text) {
+std::pair<std::string, double> parse_tolerance(const std::string& text) {
   const auto equals = text.find('=');
   const std::string number = equals == std::string::npos ? text : text.substr(equals + 1);
   const auto value = parse<double>(number);
   if (!value || equals == 0)
     throw data::FieldError("--tolerance", fmt::format("'{}'", data::printable(text)),
                            "a number or QUANTITY=NUMBER, as in frequency=1e-3");
-  return {.quantity = equals == std::string::npos ? "" : text.substr(0, equals), .value = *value};
+  return {equals == std::string::npos ? "" : text.substr(0, equals), *value};
 }
 
 std::vector<data::ColumnMapping> mappings_of(const CompareOptions& options) {
@@ -56,30 +57,33 @@ std::vector<data::ColumnMapping> mappings_for(const data::ReferenceTable& refere
   return mappings;
 }
 
-studies::Comparison compare(const CompareOptions& options, report::Progress& progress) {
+comparison::Comparison compare(const CompareOptions& options, report::Progress& progress) {
   const data::ReferencePackage package = data::load_reference(options.package);
-  const data::ReferenceTable reference = data::read_table(package, options.name);
-  const auto& rule = reference.resource.comparison;
-  studies::ComparisonSettings settings{.tolerances = {}, .until = options.until, .events = {}};
-  for (const std::string& text : options.tolerances) settings.tolerances.push_back(parse_tolerance(text));
+  const comparison::Reference reference = comparison::read_reference(package, options.name);
+  comparison::Settings settings{.tolerances = {}, .until = options.until, .events = {}};
+  for (const std::string& text : options.tolerances) {
+    const auto [quantity, value] = parse_tolerance(text);
+    settings.tolerances[quantity] = value;
+  }
 
   const auto mappings = mappings_of(options);
-  std::vector<const data::ReferenceTable*> references{&reference};
-  std::optional<data::ReferenceTable> events;
+  std::vector<const data::ReferenceTable*> references{&reference.table};
   if (!options.events.empty()) {
-    if (!rule || rule->kind != data::ComparisonKind::phases)
+    if (!reference.events)
       throw data::InputError(
           fmt::format("--events is given, but {} is no history with events of its own", options.name));
-    events = data::read_table(package, rule->events);
-    references.push_back(&*events);
+    references.push_back(&*reference.events);
   }
   data::require_known_columns(mappings, references);
-  if (events)
-    settings.events = data::read_user_table(options.events, *events, mappings_for(*events, mappings));
+  if (!options.events.empty())
+    settings.events =
+        data::read_user_table(options.events, *reference.events, mappings_for(*reference.events, mappings));
   const data::UserTable theirs =
-      data::read_user_table(options.file, reference, mappings_for(reference, mappings));
-  settings.progress = [&](double share) { progress(share); };
-  return studies::compare(package, options.name, theirs, settings);
+      data::read_user_table(options.file, reference.table, mappings_for(reference.table, mappings));
+  comparison::Comparison result = comparison::compare(reference, theirs, settings);
+  result.diagnoses =
+      comparison::diagnose(result, package, reference.table, theirs, [&](double share) { progress(share); });
+  return result;
 }
 
 void run(const CompareOptions& options) {
@@ -114,13 +118,13 @@ void run(const CompareOptions& options) {
     written.push_back(path == "-" ? "standard output" : path);
   };
 
-  const studies::Comparison comparison = compare(options, progress);
+  const comparison::Comparison result = compare(options, progress);
   progress.finish();
-  write(table, "-", [&] { return text_of(comparison); });
-  write(json, options.json, [&] { return json_of(comparison, options.file).dump(2) + "\n"; });
-  write(junit, options.junit, [&] { return junit_of(comparison, options.file); });
-  write(figure, options.figure, [&] { return report::draw(comparison, figure_format(options.figure)); });
-  if (comparison.agreement == studies::Agreement::differs) throw CLI::RuntimeError(1);
+  write(table, "-", [&] { return text_of(result); });
+  write(json, options.json, [&] { return json_of(result, options.file).dump(2) + "\n"; });
+  write(junit, options.junit, [&] { return junit_of(result, options.file); });
+  write(figure, options.figure, [&] { return report::draw(result, figure_format(options.figure)); });
+  if (result.agreement == comparison::Agreement::differs) throw CLI::RuntimeError(1);
 }
 
 }  // namespace

@@ -110,9 +110,6 @@ STICKSLIP_JSON(EnergyAudit, kelvin_voigt, duration, modes, event_driven, event_d
                meshes, event_driven_residual())
 STICKSLIP_JSON(Plateau, begin, end, tip_displacement)
 STICKSLIP_JSON(SchemeRun, first_slip, events, plateaus, largest_tip_displacement, energy, relative_residual())
-STICKSLIP_JSON(WrongModel, name, mistake, place)
-STICKSLIP_JSON(WrongModelEffect, wrong_model, stick_frequency, slip_frequency, force_maximum, stick_force,
-               stick_displacement, first_slip, tip_displacement)
 
 STICKSLIP_JSON(ForceRow, factor, setting, closed_form, left_open, force, change)
 STICKSLIP_JSON(InputSensitivity, input, relative, lowest_change, highest_change)
@@ -151,3 +148,11 @@ STICKSLIP_JSON(PrintedCheck, printed, computed, method, allowed, because, left_o
 STICKSLIP_JSON(ErratumEvidence, erratum, quantity, unit, as_printed, corrected, reference, tolerance,
                confirmed())
 }  // namespace stickslip::studies
+
+namespace stickslip::comparison {
+
+STICKSLIP_JSON(WrongModel, name, mistake, place)
+STICKSLIP_JSON(WrongModelEffect, wrong_model, stick_frequency, slip_frequency, force_maximum, stick_force,
+               stick_displacement, first_slip, tip_displacement)
+
+}  // namespace stickslip::comparison

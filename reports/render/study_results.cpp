@@ -325,9 +325,9 @@ const std::vector<studies::BeamMotionStudy>& StudyResults::beam_motions() {
   });
 }
 
-const std::vector<studies::WrongModelEffect>& StudyResults::wrong_models() {
+const std::vector<comparison::WrongModelEffect>& StudyResults::wrong_models() {
   return once("wrong_models", "what the known mistakes change", [&] {
-    return studies::wrong_model_effects(damped_, wrong_model_stick_duration, wrong_model_contact_duration);
+    return comparison::wrong_model_effects(damped_, wrong_model_stick_duration, wrong_model_contact_duration);
   });
 }
 

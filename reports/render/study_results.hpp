@@ -12,7 +12,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "comparison/wrong_models.hpp"
+#include "comparison/diagnosis/wrong_models.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "studies/convergence/manufactured_solution.hpp"
 #include "studies/convergence/scheme_comparison.hpp"
@@ -83,7 +83,7 @@ class StudyResults {
   const std::vector<studies::HistoryRefinement>& history_refinements();
   const std::vector<studies::EnergyAudit>& energy_audits();      ///< damped, then undamped, 25 Hz
   const std::vector<studies::SchemeRun>& schemes();              ///< paper's settings, 25 Hz, 1 mm
-  const std::vector<studies::WrongModelEffect>& wrong_models();  ///< of the damped benchmark, 25 Hz
+  const std::vector<comparison::WrongModelEffect>& wrong_models();  ///< of the damped benchmark, 25 Hz
   const studies::ForceSensitivity& force_sensitivity();          ///< of the four printed |f_max|
   const studies::SolutionVerification& solution_verification();
   const studies::CriterionMap&

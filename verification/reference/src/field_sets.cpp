@@ -185,8 +185,6 @@ DataSet fields_of(DataSet set, const data::Case& problem, double step) {
   return set;
 }
 
-}  // namespace
-
 DataSet stick_velocities() {
   return history_of(
       data_set("stick-velocities", "stick/velocities.csv", "Velocities of the held beam",
@@ -204,8 +202,6 @@ DataSet damped_stick_history() {
         [](const BeamState& state) { return state.displacement.front(); }},
        {"friction_force", "N", "f(t), of the tip on the wall", 2e-2, 1e-9, wall_force}});
 }
-
-namespace {
 
 // The events of the case damped, and their half-widths.
 const studies::DampedBenchmark& benchmark() {
@@ -233,8 +229,6 @@ data::Provenance benchmark_provenance() {
        "the same method on finite elements converges to it",
        "a hundred times the tolerance changes no event by 1e-9 s"});
 }
-
-}  // namespace
 
 DataSet stick_slip_events() {
   DataSet set = data_set(
@@ -318,8 +312,6 @@ DataSet stick_slip_energy() {
       true);
 }
 
-namespace {
-
 // y(L), y(L/2) and f at 64 equal times per period of the base.
 constexpr int per_period = 64, first_period = 250, last_period = 500;
 using Samples = std::array<std::vector<double>, 3>;
@@ -388,8 +380,6 @@ std::vector<double> parts_of(const std::vector<double>& samples) {
   for (const int harmonic : {1, 3, 5, 7}) parts.push_back(amplitude_at(samples, harmonic));
   return parts;
 }
-
-}  // namespace
 
 DataSet stick_slip_spectrum() {
   const std::vector<std::string> words{"rms",        "self-excited", "harmonic-1",
@@ -483,6 +473,23 @@ DataSet damped_steady_state() {
              converged(std::arg(force), relative), converged(heat, relative * heat)});
   }
   return set;
+}
+
+}  // namespace
+
+std::vector<Recipe> field_sets() {
+  return {
+      {"stick-velocities", stick_velocities, true, 160},
+      {"stick-fields", stick_fields, true, 170},
+      {"damped-stick-history", damped_stick_history, true, 180},
+      {"damped-steady-state", damped_steady_state, true, 190},
+      {"stick-slip-events", stick_slip_events, false, 220},
+      {"stick-slip-history", stick_slip_history, false, 230},
+      {"stick-slip-velocities", stick_slip_velocities, false, 240},
+      {"stick-slip-fields", stick_slip_fields, false, 250},
+      {"stick-slip-energy", stick_slip_energy, false, 260},
+      {"stick-slip-spectrum", stick_slip_spectrum, false, 270},
+  };
 }
 
 }  // namespace stickslip::reference

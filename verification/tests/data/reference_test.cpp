@@ -234,21 +234,22 @@ json spoiled(const Defect& defect) {
   return package;
 }
 
+// Each key that must be there, left out: of the package, of each object that describes a data set, and those that a
+// comparison of phases needs.
 std::vector<Defect> missing_keys() {
-  struct Object {
-    std::string place, name;
-    std::vector<std::string> keys;
-  };
-  const std::vector<Object> objects{
-      {"/", "the package", {"name", "title", "description", "version", "licenses", "resources"}},
-      {"", "resources/history", {"path", "title", "description", "schema", "provenance"}},
-      {"provenance/", "resources/history/provenance", {"class", "method", "settings", "software", "checks"}},
-      {"comparison/", "resources/history/comparison", {"kind", "values", "abscissa", "events"}},
-      {"comparison/values/0/", "resources/history/comparison/values/0", {"field", "norm", "tolerance"}},
-      {"diagnosis/", "resources/history/diagnosis", {"quantity", "case", "abscissa", "value"}}};
-  std::vector<Defect> list{{{{"name", ""}}, "resources/0 lacks name"}};
-  for (const auto& [place, name, keys] : objects)
-    for (const std::string& key : keys) list.push_back({{{place + key, ""}}, name + " lacks " + key});
+  std::vector<Defect> list{{{{"comparison/abscissa", ""}}, "resources/history/comparison lacks abscissa"},
+                           {{{"comparison/events", ""}}, "resources/history/comparison lacks events"}};
+  for (const char* key : {"name", "title", "description", "version", "licenses", "resources"})
+    list.push_back({{{std::string("/") + key, ""}}, std::string("the package lacks ") + key});
+  for (const auto& [place, keys] : data::required_keys()) {
+    if (!valid_package().contains(json::json_pointer("/resources/0" + (place.empty() ? "" : "/" + place))))
+      continue;
+    std::string name = "resources/history" + (place.empty() ? "" : "/" + place);
+    if (name.ends_with("fields/0")) name.back() = 't';
+    for (const std::string& key : keys)
+      list.push_back(
+          {{{place.empty() ? key : place + "/" + key, ""}}, (key == "name" ? "" : name) + " lacks " + key});
+  }
   return list;
 }
 
@@ -307,7 +308,11 @@ const std::vector<Defect> comparison_defects{
     {{{"comparison/values/0/tolerance", R"("1e-3")"}}, "must be a number"},
     {{{"comparison/values/-", R"({"field": "phase", "norm": "word", "tolerance": 0})"}},
      "but must be table or events, because words are compared"},
-    {{{"comparison/values/0/decided_by", "{}"}}, "decided_by is for words only"},
+    {{{"comparison/values/0/decided_by", R"({"field": "y", "threshold": 1})"}},
+     "decided_by is for words only"},
+    {{{"/resources/1/comparison/values/-", R"({"field": "change", "norm": "word", "tolerance": 0,
+                                               "decided_by": {"threshold": 1}})"}},
+     "comparison/values/1/decided_by lacks field"},
     {{{"comparison/values/-", R"({"field": "phase", "norm": "word", "tolerance": 0,
                                   "decided_by": {"field": "t", "threshold": 1}})"}},
      "but must be one of the compared values"},

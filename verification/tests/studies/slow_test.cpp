@@ -244,11 +244,11 @@ TEST_P(ComparedUndampedLong, FineMeshWithSpectralRadiusZeroAgrees) {
     mine.columns[1].values[row] = run.tip_displacement();
     mine.columns[2].values[row] = run.midspan_displacement();
   }
-  const studies::Comparison comparison = studies::compare(package, set, mine);
+  const auto comparison = comparison::compare(comparison::read_reference(package, set), mine);
   EXPECT_EQ(comparison.quantities.size(), 2u);
   for (const auto& quantity : comparison.quantities) {
     EXPECT_EQ(quantity.compared, 1001u);
-    EXPECT_EQ(quantity.agreement, studies::Agreement::agrees)
+    EXPECT_EQ(quantity.agreement, comparison::Agreement::agrees)
         << quantity.name << ": " << 100.0 * *quantity.error << " % at " << quantity.where;
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "comparison/wrong_models.hpp"
+#include "comparison/diagnosis/wrong_models.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "comparison/wrong_model_recipes.hpp"
+#include "comparison/diagnosis/wrong_model_recipes.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
@@ -19,10 +19,16 @@
 #include "studies/common/parallel.hpp"
 #include "studies/common/problem_parameter.hpp"
 
-namespace stickslip::studies {
+namespace stickslip::comparison {
 
 namespace {
 
+using studies::in_parallel;
+using studies::Parameter;
+using studies::StickReading;
+using studies::StickSum;
+using studies::two_pi;
+using studies::with_value;
 using enum Quantity;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -40,6 +46,19 @@ const WrongModelRecipe& right_model() {
 
 bool is_of_stick_slip(Quantity quantity) {
   return quantity == contact_event || quantity == tip_displacement || quantity == friction_force;
+}
+
+data::Norm norm_of(Quantity quantity) {
+  switch (quantity) {
+    case stick_frequency:
+    case slip_frequency:
+    case force_maximum:
+    case critical_amplitude:
+    case contact_event:
+      return data::Norm::relative;
+    default:
+      return data::Norm::scale;
+  }
 }
 
 bool counts(Quantity quantity) {
@@ -100,10 +119,10 @@ MeshedBeam linear_beam(const WrongModelRecipe& model, const data::Case& problem)
 StickSum sum_of(const WrongModelRecipe& model, const data::Case& problem, Quantity quantity) {
   if (uses_mesh(model, quantity)) {
     const MeshedBeam beam = linear_beam(model, problem);
-    return stick_sum(beam.mesh, beam.system,
-                     model.force_row ? model.force_row(beam.mesh) : Eigen::RowVectorXd());
+    return studies::stick_sum(beam.mesh, beam.system,
+                              model.force_row ? model.force_row(beam.mesh) : Eigen::RowVectorXd());
   }
-  StickSum sum = stick_sum(problem.beam, kept_free_vibrations);
+  StickSum sum = studies::stick_sum(problem.beam, kept_free_vibrations);
   if (model.equations) model.equations(sum, problem);
   return sum;
 }
@@ -115,7 +134,7 @@ struct HeldHistory {
 };
 
 HeldHistory held_in_closed_form(const data::Case& problem, StickReading reading, double end) {
-  if (is_damped(problem))
+  if (studies::is_damped(problem))
     throw data::InputError(
         "the case is damped, but must be undamped for forces and motions of the held beam");
   const auto response = std::make_shared<analytic::StickResponse>(
@@ -130,7 +149,7 @@ HeldHistory held_in_closed_form(const data::Case& problem, StickReading reading,
 }
 
 HeldHistory held_by_a_sum(const StickSum& sum, const data::Case& problem, StickReading reading, double end) {
-  const auto terms = sinusoids(sum, problem.excitation, reading);
+  const auto terms = studies::sinusoids(sum, problem.excitation, reading);
   if (sum.cosine) {
     const auto at = [terms](double t) {
       double value = 0.0;
@@ -144,8 +163,8 @@ HeldHistory held_by_a_sum(const StickSum& sum, const data::Case& problem, StickR
               return largest;
             }};
   }
-  return {[terms](double t) { return value_at(terms, t); },
-          [terms, end, step = problem.numerics.time_step()] { return max_abs(terms, end, step); }};
+  return {[terms](double t) { return studies::value_at(terms, t); },
+          [terms, end, step = problem.numerics.time_step()] { return studies::max_abs(terms, end, step); }};
 }
 
 double interpolated(const std::vector<double>& samples, double step, double t) {
@@ -155,10 +174,10 @@ double interpolated(const std::vector<double>& samples, double step, double t) {
   return (1.0 - share) * samples[before] + share * samples[before + 1];
 }
 
-HeldHistory held_in_steps(const StickSum& sum, const ModalScheme& scheme, const data::Case& problem,
+HeldHistory held_in_steps(const StickSum& sum, const studies::ModalScheme& scheme, const data::Case& problem,
                           StickReading reading, double end) {
   const long steps = std::max(std::lround(std::ceil(end / scheme.step - 1e-6)), 1L);
-  const auto samples = stepped(sum, scheme, problem.excitation, reading, steps);
+  const auto samples = studies::stepped(sum, scheme, problem.excitation, reading, steps);
   return {[samples, scheme](double t) { return interpolated(samples, scheme.step, t); },
           [samples] {
             double largest = 0.0;
@@ -177,7 +196,7 @@ HeldHistory held_history(const WrongModelRecipe& model, const data::Case& proble
   return held_in_closed_form(problem, reading, end);
 }
 
-using Values = std::optional<std::vector<double>>;
+using OptionalValues = std::optional<std::vector<double>>;
 
 template <typename Function>
 std::vector<double> at_each(const std::vector<double>& abscissa, const Function& function) {
@@ -187,7 +206,7 @@ std::vector<double> at_each(const std::vector<double>& abscissa, const Function&
 }
 
 // The entries of a list whose numbers, counted from 1, are the abscissas; empty if the list is too short.
-Values numbered(const std::vector<double>& list, const std::vector<double>& abscissa) {
+OptionalValues numbered(const std::vector<double>& list, const std::vector<double>& abscissa) {
   if (highest(abscissa) > static_cast<int>(list.size())) return std::nullopt;
   return at_each(abscissa, [&](double x) { return list[static_cast<std::size_t>(rounded(x) - 1)]; });
 }
@@ -206,8 +225,8 @@ std::vector<double> slip_frequencies(const solver::ContactSystem& system) {
   return hz;
 }
 
-Values modal_values(const WrongModelRecipe& model, const data::Case& problem, Quantity quantity,
-                    const std::vector<double>& abscissa) {
+OptionalValues modal_values(const WrongModelRecipe& model, const data::Case& problem, Quantity quantity,
+                            const std::vector<double>& abscissa) {
   const int count = highest(abscissa);
   const bool by_mesh = uses_mesh(model, quantity);
   std::vector<double> list;
@@ -225,8 +244,8 @@ Values modal_values(const WrongModelRecipe& model, const data::Case& problem, Qu
   return numbered(list, abscissa);
 }
 
-Values held_values(const WrongModelRecipe& model, const data::Case& problem, double normal_force,
-                   Quantity quantity, const std::vector<double>& abscissa) {
+OptionalValues held_values(const WrongModelRecipe& model, const data::Case& problem, double normal_force,
+                           Quantity quantity, const std::vector<double>& abscissa) {
   if (quantity == stick_force || quantity == stick_displacement)
     return at_each(abscissa, held_history(model, problem, quantity, std::ranges::max(abscissa)).at);
   const double duration = model.observed_for ? model.observed_for(problem) : problem.numerics.duration();
@@ -235,16 +254,19 @@ Values held_values(const WrongModelRecipe& model, const data::Case& problem, dou
   return std::vector{problem.friction.static_coefficient() * normal_force / largest};
 }
 
-Values stick_slip_values(const WrongModelRecipe& model, const data::Case& problem, double normal_force,
-                         Quantity quantity, const std::vector<double>& abscissa) {
+OptionalValues stick_slip_values(const WrongModelRecipe& model, const data::Case& problem,
+                                 double normal_force, Quantity quantity,
+                                 const std::vector<double>& abscissa) {
   if (!model.knows_stick_slip) return std::nullopt;
   const MeshedBeam beam = meshed_beam(model, problem, normal_force);
-  const RunEnd end = quantity == contact_event
-                         ? RunEnd{problem.numerics.duration(), static_cast<std::size_t>(highest(abscissa))}
-                         : RunEnd{std::ranges::max(abscissa)};
+  const studies::RunEnd end =
+      quantity == contact_event
+          ? studies::RunEnd{problem.numerics.duration(), static_cast<std::size_t>(highest(abscissa))}
+          : studies::RunEnd{std::ranges::max(abscissa)};
   const auto base = model.base(problem.excitation);
-  const TipRun run = model.law ? tip_run(beam.system, base, problem.numerics, *model.law, end)
-                               : tip_run(beam.system, base, problem.numerics, model.start, end);
+  const studies::TipRun run = model.law
+                                  ? studies::tip_run(beam.system, base, problem.numerics, *model.law, end)
+                                  : studies::tip_run(beam.system, base, problem.numerics, model.start, end);
   return at_each(abscissa, [&](double x) {
     if (quantity == contact_event) {
       const auto index = static_cast<std::size_t>(rounded(x) - 1);
@@ -256,11 +278,11 @@ Values stick_slip_values(const WrongModelRecipe& model, const data::Case& proble
 }
 
 // The result of a model for the case that it computes instead of the given one.
-Values raw_values(const WrongModelRecipe& model, const data::Case& given, Quantity quantity,
-                  const std::vector<double>& abscissa) {
-  const Values nothing;
+OptionalValues raw_values(const WrongModelRecipe& model, const data::Case& given, Quantity quantity,
+                          const std::vector<double>& abscissa) {
+  const OptionalValues none;
   const std::optional<data::Case> problem = model.inputs ? model.inputs(given) : given;
-  if (!problem) return nothing;
+  if (!problem) return none;
   const double normal_force = given.beam.axial_force();
   switch (quantity) {
     case stick_frequency:
@@ -286,12 +308,12 @@ Values raw_values(const WrongModelRecipe& model, const data::Case& given, Quanti
     case friction_force:
       return stick_slip_values(model, *problem, normal_force, quantity, abscissa);
   }
-  return nothing;
+  return none;
 }
 
-Values values_of(const WrongModelRecipe& model, const data::Case& problem, Quantity quantity,
-                 const std::vector<double>& abscissa) {
-  Values values;
+OptionalValues values_of(const WrongModelRecipe& model, const data::Case& problem, Quantity quantity,
+                         const std::vector<double>& abscissa) {
+  OptionalValues values;
   if (quantity == force_maximum || quantity == critical_amplitude) {
     values.emplace();
     data::Case here = problem;
@@ -309,8 +331,8 @@ Values values_of(const WrongModelRecipe& model, const data::Case& problem, Quant
 }
 
 // Empty if the model has no such state.
-Values wrong_values(const WrongModelRecipe& model, const data::Case& problem, Quantity quantity,
-                    const std::vector<double>& abscissa) {
+OptionalValues wrong_values(const WrongModelRecipe& model, const data::Case& problem, Quantity quantity,
+                            const std::vector<double>& abscissa) {
   try {
     return values_of(model, problem, quantity, abscissa);
   } catch (const data::InputError&) {
@@ -331,13 +353,16 @@ template <class Evaluate>
 void add_wrong_models(ModelResults& result, const Evaluate& values_by,
                       const std::function<void(double)>& progress) {
   const auto& models = wrong_model_recipes();
-  std::vector<Values> values(models.size());
+  std::vector<OptionalValues> values(models.size());
   in_parallel(
       models.size(), [&](std::size_t i) { values[i] = values_by(models[i]); }, progress);
   for (std::size_t i = 0; i < models.size(); ++i)
     if (values[i])
       result.wrong_models.push_back(
-          {models[i].wrong_model.name, *values[i], distance(result, result.reference, *values[i])});
+          {.name = models[i].wrong_model.name,
+           .values = *values[i],
+           .sentence = models[i].wrong_model.mistake,
+           .from_reference = distance(result.norm, result.reference, result.reference, *values[i])});
 }
 
 std::vector<double> times_up_to(double duration) {
@@ -347,8 +372,8 @@ std::vector<double> times_up_to(double duration) {
   return times;
 }
 
-const ModelResults::Member* member_of(const ModelResults& model_results, const std::string& name) {
-  const auto member = std::ranges::find(model_results.wrong_models, name, &ModelResults::Member::name);
+const Hypothesis* member_of(const ModelResults& model_results, const std::string& name) {
+  const auto member = std::ranges::find(model_results.wrong_models, name, &Hypothesis::name);
   return member == model_results.wrong_models.end() ? nullptr : &*member;
 }
 
@@ -404,8 +429,7 @@ std::optional<std::vector<double>> wrong_result(const data::Case& problem, std::
 
 ModelResults model_results(const data::Case& problem, Quantity quantity, const std::vector<double>& abscissa,
                            const std::function<void(double)>& progress) {
-  ModelResults result{.quantity = quantity,
-                      .abscissa = abscissa,
+  ModelResults result{.norm = norm_of(quantity),
                       .reference = reference_result(problem, quantity, abscissa),
                       .reference_uncertainty = closed_form_uncertainty,
                       .wrong_models = {}};
@@ -414,8 +438,9 @@ ModelResults model_results(const data::Case& problem, Quantity quantity, const s
         fmt::format("the reference of {} is 0 at every abscissa, but must have a value to compare with",
                     name_of(quantity)));
   if (is_of_stick_slip(quantity))
-    result.reference_uncertainty = distance(
-        result, result.reference, values_of(right_model(), coarser(problem), quantity, abscissa).value());
+    result.reference_uncertainty =
+        distance(result.norm, result.reference, result.reference,
+                 values_of(right_model(), coarser(problem), quantity, abscissa).value());
   add_wrong_models(
       result, [&](const auto& model) { return wrong_values(model, problem, quantity, abscissa); }, progress);
   return result;
@@ -424,7 +449,7 @@ ModelResults model_results(const data::Case& problem, Quantity quantity, const s
 ModelResults model_results(const std::vector<data::Case>& cases, Quantity quantity,
                            const std::vector<double>& abscissa, const std::function<void(double)>& progress) {
   const auto values_by = [&](const WrongModelRecipe& model) {
-    Values all(std::in_place);
+    OptionalValues all(std::in_place);
     for (std::size_t i = 0; all && i < cases.size(); ++i) {
       const auto one = wrong_values(model, cases[i], quantity, {abscissa[i]});
       if (one)
@@ -434,8 +459,7 @@ ModelResults model_results(const std::vector<data::Case>& cases, Quantity quanti
     }
     return all;
   };
-  ModelResults result{.quantity = quantity,
-                      .abscissa = abscissa,
+  ModelResults result{.norm = norm_of(quantity),
                       .reference = {},
                       .reference_uncertainty = closed_form_uncertainty,
                       .wrong_models = {}};
@@ -474,4 +498,4 @@ std::vector<WrongModelEffect> wrong_model_effects(const data::Case& problem, dou
   return effects;
 }
 
-}  // namespace stickslip::studies
+}  // namespace stickslip::comparison

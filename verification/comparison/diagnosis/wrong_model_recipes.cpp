@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "comparison/wrong_model_recipes.hpp"
+#include "comparison/diagnosis/wrong_model_recipes.hpp"
 
 #include <fmt/format.h>
 
@@ -13,10 +13,15 @@
 #include "stickslip/analytic/stick_modes.hpp"
 #include "studies/common/problem_parameter.hpp"
 
-namespace stickslip::studies {
+namespace stickslip::comparison {
 
 namespace {
 
+using studies::FrictionRule;
+using studies::ModalScheme;
+using studies::Parameter;
+using studies::StickSum;
+using studies::with_value;
 using enum Quantity;
 using Quantities = std::vector<Quantity>;
 
@@ -105,7 +110,7 @@ void use_one_wave_number(StickSum& sum, const data::Case& problem) {
   const double p = beam.axial_force() / rigidity(beam);
   const data::Case unloaded = with_value(problem, Parameter::axial_force, 0.0);
   const int count = static_cast<int>(sum.modes.size());
-  sum.modes = stick_sum(unloaded.beam, count).modes;
+  sum.modes = studies::stick_sum(unloaded.beam, count).modes;
   for (StickSum::Mode& mode : sum.modes) {
     const double beta_squared = mode.natural_frequency * std::sqrt(mass_per_length(beam) / rigidity(beam));
     mode.natural_frequency *= std::sqrt(1.0 + p / beta_squared);
@@ -196,10 +201,12 @@ ModalScheme with_damping_added(const data::Case& problem) {
 
 double sign(double v) { return v < 0.0 ? -1.0 : 1.0; }
 
-double weakened(const data::FrictionLaw& friction, double speed) {
+// mu_m + (mu_s - mu_m) exp(-alpha v) + beta |v|, the law itself for v >= 0.
+double coefficient_at(const data::FrictionLaw& friction, double v) {
   const data::FrictionLaw law = friction.in_slip();
   const double kinetic = law.kinetic_coefficient();
-  return kinetic + (law.static_coefficient() - kinetic) * std::exp(-law.decay() * speed);
+  return kinetic + (law.static_coefficient() - kinetic) * std::exp(-law.decay() * v) +
+         law.viscous() * std::abs(v);
 }
 
 void take_the_relative_displacement(const data::Case& problem, Quantity quantity,
@@ -243,7 +250,7 @@ WrongModelRecipe with_mesh_of(const std::string& name, const std::string& count,
 using Recipes = std::vector<WrongModelRecipe>;
 
 // The section and the axial force.
-Recipes of_the_beam() {
+Recipes beam_mistakes() {
   return {
       {.wrong_model = {"second-moment-as-printed", "I is the printed value, 1/100 of the correct one (E1)",
                        "Sect. 3, parameters", everything},
@@ -283,7 +290,7 @@ Recipes of_the_beam() {
 }
 
 // The friction force and the place where the tip is held.
-Recipes of_the_contact_force() {
+Recipes contact_force_mistakes() {
   return {
       {.wrong_model = {"reaction-without-follower-term",
                        "f is the reaction of the support, EI u''' + P u', instead of EI u'''", "Eq. (4)",
@@ -325,7 +332,7 @@ Recipes of_the_contact_force() {
 }
 
 // The load by the moving base.
-Recipes of_the_excitation() {
+Recipes excitation_mistakes() {
   return {
       {.wrong_model = {"base-load-sign", "the load is +rho A h_tt", "Eq. (1)",
                        Quantities{participation} + held_motion + stick_slip},
@@ -360,7 +367,7 @@ Recipes of_the_excitation() {
 }
 
 // The modal equations and the sum over the modes.
-Recipes of_the_modal_equations() {
+Recipes modal_equation_mistakes() {
   return {
       {.wrong_model = {"frequency-for-its-square", "omega_n T_n in the modal equation, as printed (E3)",
                        "Eq. (24)", held_motion},
@@ -389,7 +396,7 @@ Recipes of_the_modal_equations() {
 }
 
 // The initial conditions, the steady part and the time over which the largest force is searched.
-Recipes of_the_response() {
+Recipes response_mistakes() {
   return {
       {.wrong_model = {"zero-initial-velocity", "u_t(x,0) = 0 instead of S(x) h_t(0) (E4)",
                        "Sect. 3, initial conditions", held_motion + stick_slip},
@@ -419,7 +426,7 @@ Recipes of_the_response() {
 }
 
 // The mesh and the time steps.
-Recipes of_the_discretisation() {
+Recipes discretisation_mistakes() {
   return {
       {.wrong_model = {"lumped-mass", "masses are lumped at the nodes", "Eq. (8)",
                        natural_frequencies + held_motion + stick_slip},
@@ -475,7 +482,7 @@ Recipes of_the_discretisation() {
   };
 }
 
-Recipes of_damping() {
+Recipes damping_mistakes() {
   return {
       {.wrong_model = {"damping-added", "1 % of critical damping that the problem does not have", "Eq. (1)",
                        held_motion + stick_slip},
@@ -505,7 +512,7 @@ Recipes of_damping() {
   };
 }
 
-Recipes of_the_friction_law() {
+Recipes friction_law_mistakes() {
   return {
       {.wrong_model = {"kinetic-coefficient-as-limit", "mu_m limits the static friction force", "Eq. (4)",
                        Quantities{critical_amplitude} + stick_slip},
@@ -522,23 +529,24 @@ Recipes of_the_friction_law() {
       {.wrong_model = {"kinetic-friction-at-once", "friction falls to mu_m P with the first slip", "Eq. (7)",
                        stick_slip},
        .law = FrictionRule{[](const data::FrictionLaw& law, double v) {
-         return sign(v) * law.kinetic_coefficient();
+         return sign(v) * (law.kinetic_coefficient() + law.viscous() * std::abs(v));
        }}},
       {.wrong_model = {"velocity-in-millimetres", "the sliding velocity enters the friction law in mm/s",
                        "Eq. (7)", stick_slip},
        .law = FrictionRule{[](const data::FrictionLaw& law, double v) {
-         return sign(v) * weakened(law, 1e3 * std::abs(v));
+         return sign(v) * coefficient_at(law, 1e3 * std::abs(v));
        }}},
       {.wrong_model = {"decay-without-magnitude", "exp(-alpha v) instead of exp(-alpha |v|)", "Eq. (7)",
                        stick_slip},
-       .law =
-           FrictionRule{[](const data::FrictionLaw& law, double v) { return sign(v) * weakened(law, v); }}},
+       .law = FrictionRule{[](const data::FrictionLaw& law, double v) {
+         return sign(v) * coefficient_at(law, v);
+       }}},
       {.wrong_model =
            {"regularised-friction",
             "the jump at v_s = 0 is smoothed over 10 mm/s, so that the tip creeps instead of sticking",
             "Eq. (6)", stick_slip},
        .law = FrictionRule{[](const data::FrictionLaw& law, double v) {
-                             return weakened(law, std::abs(v)) * std::tanh(v / 0.01);
+                             return coefficient_at(law, std::abs(v)) * std::tanh(v / 0.01);
                            },
                            false}},
   };
@@ -547,8 +555,8 @@ Recipes of_the_friction_law() {
 Recipes all_recipes() {
   Recipes all;
   for (const Recipes& group :
-       {of_the_beam(), of_the_contact_force(), of_the_excitation(), of_the_modal_equations(),
-        of_the_response(), of_the_discretisation(), of_damping(), of_the_friction_law()})
+       {beam_mistakes(), contact_force_mistakes(), excitation_mistakes(), modal_equation_mistakes(),
+        response_mistakes(), discretisation_mistakes(), damping_mistakes(), friction_law_mistakes()})
     all.insert(all.end(), group.begin(), group.end());
   return all;
 }
@@ -570,4 +578,4 @@ const WrongModelRecipe& recipe_of(std::string_view wrong_model) {
   throw std::invalid_argument(fmt::format("there is no wrong model {}", wrong_model));
 }
 
-}  // namespace stickslip::studies
+}  // namespace stickslip::comparison

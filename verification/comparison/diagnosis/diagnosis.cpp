@@ -1,32 +1,34 @@
 // SPDX-License-Identifier: MIT
-#include "comparison/likeness.hpp"
+#include "comparison/diagnosis/diagnosis.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <map>
 #include <utility>
 
+#include "comparison/diagnosis/patterns.hpp"
+#include "comparison/diagnosis/wrong_models.hpp"
 #include "comparison/groups.hpp"
-#include "comparison/patterns.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/common/problem_parameter.hpp"
 
-namespace stickslip::studies {
+namespace stickslip::comparison {
 
 namespace {
 
-using Likeness = Comparison::Likeness;
+using studies::Parameter;
 using Series = Comparison::Series;
-using Found = std::optional<Pattern>;
+using Candidates = std::vector<Hypothesis>;
+using RowPairs = std::vector<std::pair<std::size_t, std::size_t>>;  // of the user and of the data set
 
-// A row of the user and the row of the data set with the same key.
-struct Pair {
-  std::size_t theirs{}, reference{};
-};
+Candidates all_of(std::optional<Hypothesis> found) {
+  return found ? Candidates{*std::move(found)} : Candidates{};
+}
 
 // The row of `table` whose key is that of a row of another table; columns that one of them lacks do not count.
 std::optional<std::size_t> row_like(const data::ReferenceTable& table, const std::vector<std::string>& key,
@@ -55,41 +57,54 @@ bool differs(const Series& series) {
   return false;
 }
 
-// What is said of several groups, with the first of them.
-struct Joined {
-  std::string key;
-  Likeness likeness;
-  int groups = 1;
-};
-
 class Search {
  public:
-  Search(Comparison& comparison, const data::ReferencePackage& package, const data::ReferenceTable& reference,
-         const data::UserTable& theirs, const ComparisonSettings& settings)
+  Search(const Comparison& comparison, const data::ReferencePackage& package,
+         const data::ReferenceTable& reference, const data::UserTable& theirs,
+         const std::function<void(double)>& progress)
       : comparison_(comparison),
         package_(package),
         reference_(reference),
         rule_(reference.resource.diagnosis ? &*reference.resource.diagnosis : nullptr),
-        theirs_(theirs),
-        settings_(settings) {}
+        theirs_(with_keys_of(reference, theirs, reference.resource.comparison->abscissa)),
+        progress_(progress) {}
 
-  void run() {
+  [[nodiscard]] std::vector<Diagnosis> run() {
     for (const Comparison::Quantity& quantity : comparison_.quantities) {
       if (reference_.resource.field(quantity.name) == nullptr) continue;  // a count of events or phases
       std::vector<Series> groups = quantity.series;
-      if (is_of_rows()) groups = {joined(groups)};
+      if (groups_are_rows()) groups = {joined(groups)};
       for (const Series& group : groups)
-        if (differs(group) || is_of_other_events(quantity)) add(quantity, group);
+        if (differs(group) || event_sequences_differ(quantity)) add(quantity, group);
     }
-    for (Joined& one : joined_) {
-      if (one.groups > 1) one.likeness.group += fmt::format(" and {} more", one.groups - 1);
-      comparison_.likenesses.push_back(std::move(one.likeness));
+    std::vector<Diagnosis> diagnoses;
+    for (MergedFinding& one : merged_) {
+      if (one.groups > 1) one.diagnosis.group += fmt::format(" and {} more", one.groups - 1);
+      diagnoses.push_back(std::move(one.diagnosis));
     }
+    return diagnoses;
   }
 
  private:
+  // What is to be explained: one quantity of one group.
+  struct Question {
+    const Comparison::Quantity& quantity;
+    const Series& group;
+    std::optional<data::Case> problem;
+    ComparedValues values;
+
+    [[nodiscard]] const data::Beam* beam() const { return problem ? &problem->beam : nullptr; }
+  };
+
+  // What is said of several groups, with the first of them.
+  struct MergedFinding {
+    std::string key;
+    Diagnosis diagnosis;
+    int groups = 1;
+  };
+
   // Whether each row of the data set is a case of its own.
-  [[nodiscard]] bool is_of_rows() const {
+  [[nodiscard]] bool groups_are_rows() const {
     return comparison_.kind == data::ComparisonKind::table && rule_ != nullptr && rule_->case_column.empty();
   }
 
@@ -103,7 +118,7 @@ class Search {
   }
 
   // Whether events are missing or additional, which the wrong models may explain.
-  [[nodiscard]] bool is_of_other_events(const Comparison::Quantity& quantity) const {
+  [[nodiscard]] bool event_sequences_differ(const Comparison::Quantity& quantity) const {
     return comparison_.kind == data::ComparisonKind::events && rule_ != nullptr &&
            quantity.name == rule_->value &&
            std::ranges::any_of(comparison_.quantities, [](const Comparison::Quantity& one) {
@@ -114,52 +129,57 @@ class Search {
   // --- the search for one group
 
   void add(const Comparison::Quantity& quantity, const Series& group) {
-    Likeness likeness{.group = group.group, .quantity = quantity.name, .sentence = {}, .diagnosis = {}};
-    const ComparedValues values = values_of(quantity, group);
-    const auto problem = case_of(group);
-    const data::Beam* beam = problem ? &problem->beam : nullptr;
-    Found found = pattern(values, beam);
-    if (!found && is_of_other_events(quantity)) found = pattern(in_sequence(quantity, values), beam);
-    if (!found) found = other_column(quantity, values, group);
-    // A tip of which the displacement is 0 sticks, and a wrong model may say why.
-    if (!found && quantity.name != "tip_displacement") found = zeros_of(values);
-    // Another data set may be near without being meant: beyond the tolerance a wrong model comes first.
-    const Found other = found ? Found() : other_values(quantity, values, group);
-    if (other && other->remaining <= quantity.tolerance) found = other;
-    if (!found && problem && quantity.name == "midspan_displacement")
-      found = beside_the_middle(values, *problem);
-    std::string key;
-    if (!found) {
-      const bool is_said = problem && diagnose_by_models(likeness, quantity, group, *problem);
-      if (!likeness.diagnosis || likeness.diagnosis->finding == Finding::unexplained)
-        found = other ? other : growth_of(values, beam);
-      if (!found && !(likeness.diagnosis && likeness.diagnosis->finding == Finding::mistaken))
-        found = single_values(group);
-      // Events may be missing although the times agree.
-      const bool is_of_interest =
-          differs(group) || (likeness.diagnosis && likeness.diagnosis->finding == Finding::mistaken);
-      if (!found && !(is_said && is_of_interest)) return;
-      key = likeness.group + likeness.sentence;
-    }
-    if (found) {
-      key = found->sentence;
-      describe(likeness, *found);
-    }
-    const auto known = std::ranges::find(joined_, quantity.name + key, &Joined::key);
-    if (known == joined_.end())
-      joined_.push_back({.key = quantity.name + key, .likeness = likeness});
+    auto found = finding_of({quantity, group, case_of(group), values_of(quantity, group)});
+    if (!found) return;
+    found->diagnosis.group = group.group;
+    found->diagnosis.quantity = quantity.name;
+    found->key = quantity.name + found->key;
+    const auto known = std::ranges::find(merged_, found->key, &MergedFinding::key);
+    if (known == merged_.end())
+      merged_.push_back(*std::move(found));
     else
       ++known->groups;
   }
 
-  void describe(Likeness& likeness, const Pattern& found) const {
-    likeness.sentence = found.sentence;
-    if (found.remaining > 1e-12) likeness.sentence += ", to " + percent(found.remaining);
-    likeness.diagnosis = Diagnosis{.finding = Finding::mistaken,
-                                   .from_reference = found.difference,
-                                   .named = named_by(found, likeness.quantity)};
-    if (likeness.diagnosis->named.size() > 1)
-      likeness.sentence += fmt::format(": like '{}'", likeness.diagnosis->named.back());
+  [[nodiscard]] std::optional<MergedFinding> finding_of(const Question& question) const {
+    if (auto found =
+            nearest_of({&Search::relations, &Search::relations_in_sequence, &Search::other_columns,
+                        &Search::all_zeros, &Search::data_sets_within_tolerance, &Search::other_places},
+                       question))
+      return found;
+    Diagnosis by_models = diagnose_by_models(question);
+    if (by_models.finding != Finding::mistaken) {
+      if (auto found = nearest_of({&Search::other_data_sets, &Search::growing_errors, &Search::single_values},
+                                  question))
+        return found;
+      // Events may be missing although the times agree.
+      if (by_models.sentence.empty() || !differs(question.group)) return std::nullopt;
+    }
+    return MergedFinding{.key = question.group.group + by_models.sentence, .diagnosis = by_models};
+  }
+
+  // Makes accepted hypotheses.
+  using Generator = Candidates (Search::*)(const Question&) const;
+
+  // The nearest one of the first generator that has any.
+  [[nodiscard]] std::optional<MergedFinding> nearest_of(std::initializer_list<Generator> generators,
+                                                        const Question& question) const {
+    for (const Generator generator : generators)
+      if (const Candidates found = (this->*generator)(question); !found.empty()) {
+        const Hypothesis& nearest = *std::ranges::min_element(found, {}, &Hypothesis::distance);
+        return MergedFinding{.key = nearest.sentence, .diagnosis = diagnosis_of(question, nearest)};
+      }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] Diagnosis diagnosis_of(const Question& question, const Hypothesis& found) const {
+    Diagnosis diagnosis{.sentence = found.sentence,
+                        .finding = Finding::mistaken,
+                        .from_reference = found.from_reference,
+                        .named = named_by(found, question)};
+    if (found.distance > 1e-12) diagnosis.sentence += ", to " + percent(found.distance);
+    if (diagnosis.named.size() > 1) diagnosis.sentence += fmt::format(": like '{}'", diagnosis.named.back());
+    return diagnosis;
   }
 
   [[nodiscard]] ComparedValues values_of(const Comparison::Quantity& quantity, const Series& group) const {
@@ -172,26 +192,30 @@ class Search {
             .reference = group.reference};
   }
 
+  // --- relations of the numbers
+
+  [[nodiscard]] Candidates relations(const Question& question) const {
+    const bool is_slip = rule_ != nullptr && rule_->quantity == name_of(Quantity::slip_frequency);
+    auto found = pattern_of(question.values, question.beam(), is_slip);
+    if (found && found->name == "constant-factor" && is_mode_shape()) {
+      found->name = "scaled-shape";
+      found->sentence = "MAC = 1: the same shape in another scale or with another sign";
+    }
+    return all_of(std::move(found));
+  }
+
   // Events by their number. A common factor or shift of the times leaves no pairs that are near in time.
-  [[nodiscard]] ComparedValues in_sequence(const Comparison::Quantity& quantity,
-                                           ComparedValues values) const {
-    values.theirs = theirs_.column(quantity.name)->values;
-    values.reference = reference_.column(quantity.name).values;
+  [[nodiscard]] Candidates relations_in_sequence(const Question& question) const {
+    if (!event_sequences_differ(question.quantity)) return {};
+    Question in_sequence = question;
+    ComparedValues& values = in_sequence.values;
+    values.theirs = theirs_.column(question.quantity.name)->values;
+    values.reference = reference_.column(question.quantity.name).values;
     const std::size_t count = std::min(values.theirs.size(), values.reference.size());
     values.theirs.resize(count);
     values.reference.resize(count);
     values.abscissa = values.reference;
-    return values;
-  }
-
-  [[nodiscard]] Found pattern(const ComparedValues& values, const data::Beam* beam) const {
-    Found found =
-        pattern_of(values, beam, rule_ != nullptr && rule_->quantity == name_of(Quantity::slip_frequency));
-    if (found && found->factor != 0.0 && is_mode_shape()) {
-      found->name = "scaled-shape";
-      found->sentence = "MAC = 1: the same shape in another scale or with another sign";
-    }
-    return found;
+    return relations(in_sequence);
   }
 
   [[nodiscard]] bool is_mode_shape() const {
@@ -199,39 +223,53 @@ class Search {
     return std::ranges::count(key, "mode") + std::ranges::count(key, "x") == 2;
   }
 
-  // The wrong models that only multiply the quantity.
-  [[nodiscard]] std::vector<std::string> named_by(const Pattern& found, const std::string& field) const {
+  // The hypothesis, and the wrong models that only multiply the quantity.
+  [[nodiscard]] std::vector<std::string> named_by(const Hypothesis& found, const Question& question) const {
     std::vector<std::string> names{found.name};
-    const auto quantity = quantity_of(field);
-    if (found.factor == 0.0 || !quantity) return names;
+    const auto quantity = quantity_of(question.quantity.name);
+    if (!quantity || (found.name != "constant-factor" && found.name != "scaled-shape")) return names;
     const double halved = *quantity == Quantity::critical_amplitude && !is_force_ratio() ? 2.0 : 0.5;
     for (const auto& [name, factor] : {std::pair{"force-sign", -1.0}, {"peak-to-peak-amplitude", halved}}) {
-      if (found.factor == factor && std::ranges::count(wrong_model_named(name).changes, *quantity) > 0)
+      const bool is_multiple = std::ranges::equal(found.values, question.values.reference, {}, {},
+                                                  [&](double x) { return factor * x; });
+      if (is_multiple && std::ranges::count(wrong_model_named(name).changes, *quantity) > 0)
         names.emplace_back(name);
     }
     return names;
   }
 
+  [[nodiscard]] Candidates all_zeros(const Question& question) const {
+    // A tip of which the displacement is 0 sticks, and a wrong model may say why.
+    return question.quantity.name == "tip_displacement" ? Candidates() : all_of(zeros_of(question.values));
+  }
+
+  [[nodiscard]] Candidates growing_errors(const Question& question) const {
+    return all_of(growth_of(question.values, question.beam()));
+  }
+
   // --- another column, single values
 
   // The values of another compared column, at the same rows.
-  [[nodiscard]] Found other_column(const Comparison::Quantity& quantity, const ComparedValues& values,
-                                   const Series& group) const {
-    for (const Comparison::Quantity& other : comparison_.quantities)
-      for (const Series& series : other.series) {
-        if (other.name == quantity.name || series.group != group.group || series.abscissa != group.abscissa)
+  [[nodiscard]] Candidates other_columns(const Question& question) const {
+    Candidates found;
+    for (const Comparison::Quantity& swapped : comparison_.quantities)
+      for (const Series& series : swapped.series) {
+        if (swapped.name == question.quantity.name || series.group != question.group.group ||
+            series.abscissa != question.group.abscissa)
           continue;
-        if (auto found = accepted(
-                values,
-                {.name = "other-column", .sentence = fmt::format("the values are those of {}", other.name)},
-                series.reference, 0, static_cast<int>(comparison_.quantities.size())))
-          return found;
+        if (auto one = accepted(question.values,
+                                {.name = "other-column",
+                                 .values = series.reference,
+                                 .sentence = fmt::format("the values are those of {}", swapped.name)},
+                                static_cast<int>(comparison_.quantities.size())))
+          found.push_back(*std::move(one));
       }
-    return {};
+    return found;
   }
 
   // At most a twentieth of the values differ, or one, ten times as much as any other. Both numbers are empirical.
-  [[nodiscard]] Found single_values(const Series& group) const {
+  [[nodiscard]] Candidates single_values(const Question& question) const {
+    const Series& group = question.group;
     constexpr std::size_t fewest = 4, share = 20;
     constexpr double least_ratio = 10.0;
     const std::size_t size = group.theirs.size();
@@ -248,36 +286,35 @@ class Search {
     }
     const bool are_few = !wrong.empty() && wrong.size() <= std::max<std::size_t>(1, size / share);
     if (size < fewest || !are_few || !(least_ratio * largest <= least)) return {};
-    Pattern pattern{.name = "single-values",
-                    .sentence = fmt::format("only {} of {} values differ{}", wrong.size(), size,
-                                            wrong.size() == 1 ? "s" : "")};
+    std::string text =
+        fmt::format("only {} of {} values differ{}", wrong.size(), size, wrong.size() == 1 ? "s" : "");
     const bool has_place =
-        !comparison_.abscissa.empty() && (!is_of_rows() || reference_.resource.primary_key.size() == 1);
+        !comparison_.abscissa.empty() && (!groups_are_rows() || reference_.resource.primary_key.size() == 1);
     if (has_place)
-      pattern.sentence +=
-          fmt::format(", {}at {} = {:.9g}{}{}", wrong.size() == 1 ? "" : "the first ", comparison_.abscissa,
-                      group.abscissa[wrong.front()], comparison_.abscissa_unit.empty() ? "" : " ",
-                      comparison_.abscissa_unit);
-    return pattern;
+      text += fmt::format(", {}at {} = {:.9g}{}{}", wrong.size() == 1 ? "" : "the first ",
+                          comparison_.abscissa, group.abscissa[wrong.front()],
+                          comparison_.abscissa_unit.empty() ? "" : " ", comparison_.abscissa_unit);
+    return {{.name = "single-values", .values = {}, .sentence = text}};
   }
 
   // --- another data set
 
   // It must have half of the user's rows, and explain a difference in one of them.
-  [[nodiscard]] Found other_values(const Comparison::Quantity& quantity, const ComparedValues& values,
-                                   const Series& group) const {
-    if (comparison_.abscissa.empty() || comparison_.kind == data::ComparisonKind::events || is_of_rows())
+  [[nodiscard]] Candidates other_data_sets(const Question& question) const {
+    const auto& [quantity, group, problem, values] = question;
+    if (comparison_.abscissa.empty() || comparison_.kind == data::ComparisonKind::events || groups_are_rows())
       return {};
-    const auto& key = reference_.resource.primary_key;
-    std::vector<data::ReferenceTable> tables;
+    std::vector<const data::Resource*> others;
     for (const data::Resource& other : package_.resources) {
       const data::Field* field = other.field(quantity.name);
       if (other.name != comparison_.name && field != nullptr && field->unit == quantity.unit &&
-          other.comparison && other.comparison->kind == comparison_.kind && other.primary_key == key)
-        tables.push_back(data::read_table(package_, other.name));
+          other.comparison && other.comparison->kind == comparison_.kind &&
+          other.primary_key == reference_.resource.primary_key)
+        others.push_back(&other);
     }
-    for (const data::ReferenceTable& table : tables) {
-      const auto predicted = at_the_same_rows(table, quantity.name, group);
+    Candidates found;
+    for (const data::Resource* other : others) {
+      const auto predicted = at_the_same_rows(data::read_table(package_, other->name), quantity.name, group);
       std::size_t shared = 0;
       bool differs_there = false;
       for (std::size_t i = 0; i < predicted.size(); ++i) {
@@ -286,13 +323,21 @@ class Search {
         differs_there = differs_there || differs_at(group, i);
       }
       if (2 * shared < predicted.size() || !differs_there) continue;
-      if (auto found = accepted(values,
-                                {.name = "other-data-set",
-                                 .sentence = fmt::format("the values are those of {}", table.resource.name)},
-                                predicted, 0, static_cast<int>(tables.size())))
-        return found;
+      if (auto one = accepted(values,
+                              {.name = "other-data-set",
+                               .values = predicted,
+                               .sentence = fmt::format("the values are those of {}", other->name)},
+                              static_cast<int>(others.size())))
+        found.push_back(*std::move(one));
     }
-    return {};
+    return found;
+  }
+
+  // Beyond the tolerance another data set may be near without being meant, and a wrong model comes first.
+  [[nodiscard]] Candidates data_sets_within_tolerance(const Question& question) const {
+    Candidates found = other_data_sets(question);
+    std::erase_if(found, [&](const Hypothesis& one) { return one.distance > question.quantity.tolerance; });
+    return found;
   }
 
   // The values of another data set in the rows of this group; NaN where it has none.
@@ -314,7 +359,7 @@ class Search {
   [[nodiscard]] std::string label_of(std::size_t row) const {
     std::vector<std::string> columns = data::group_columns(reference_.resource);
     std::erase(columns, comparison_.abscissa);
-    return Matcher(reference_, theirs_).label(columns, row);
+    return comparison::label_of(reference_, columns, row);
   }
 
   // --- the wrong models
@@ -366,7 +411,10 @@ class Search {
 
   // The values at the node beside the middle, on some mesh. Its effect is that on a run of 20 elements, to the nearest
   // step.
-  [[nodiscard]] Found beside_the_middle(const ComparedValues& values, const data::Case& problem) const {
+  [[nodiscard]] Candidates other_places(const Question& question) const {
+    if (!question.problem || question.quantity.name != "midspan_displacement") return {};
+    const data::Case& problem = *question.problem;
+    const ComparedValues& values = question.values;
     constexpr int finest = 40;
     constexpr double periods = 5.0;
     data::NumericalChoices choices = problem.numerics.choices();
@@ -390,18 +438,18 @@ class Search {
                                      run.midspan_displacement());
         }
     }
-    Found best;
+    Candidates found;
     for (const auto& [place, here] : predicted)
-      if (auto found =
+      if (auto one =
               accepted(early,
                        {.name = "beside-the-middle",
-                        .sentence = fmt::format("the values are those at x = {:.4g} L, the node beside the "
-                                                "middle on {:.0f} elements",
+                        .values = here,
+                        .sentence = fmt::format("the values are those at x = {:.4g} L, the node beside "
+                                                "the middle on {:.0f} elements",
                                                 place, 1.0 / std::abs(place - 0.5))},
-                       here, 0, static_cast<int>(predicted.size()));
-          found && (!best || found->remaining < best->remaining))
-        best = found;
-    return best;
+                       static_cast<int>(predicted.size())))
+        found.push_back(*std::move(one));
+    return found;
   }
 
   // The case with the values of the columns of a row.
@@ -411,35 +459,32 @@ class Search {
                                           {"length", Parameter::length},
                                           {"axial_force", Parameter::axial_force}})
       if (std::ranges::count(reference_.resource.primary_key, name) > 0)
-        problem = with_value(problem, parameter, reference_.column(name).values[row]);
+        problem = studies::with_value(problem, parameter, reference_.column(name).values[row]);
     return problem;
   }
 
   // What is observed, with the truth and, if each row is a case, the cases.
   struct Observed {
-    Observation observation;
-    std::vector<double> truth;
+    std::vector<double> abscissa, values, uncertainty, truth;
     std::vector<data::Case> cases;
   };
 
-  [[nodiscard]] std::vector<Pair> pairs_of(const Series& group, const std::string& field,
-                                           double latest) const {
-    std::vector<Pair> pairs;
-    const double end = std::min(
-        {latest, reference_.resource.comparison->horizon.value_or(latest), settings_.until.value_or(latest)});
+  [[nodiscard]] RowPairs pairs_of(const Series& group, const std::string& field, double latest) const {
+    RowPairs pairs;
+    const double end = std::min(latest, comparison_.horizon);
     const data::Column* time =
         comparison_.abscissa_unit == "s" ? theirs_.column(comparison_.abscissa) : nullptr;
     for (std::size_t row = 0; row < theirs_.rows(); ++row) {
       if (time != nullptr && time->values[row] > end) continue;
       const auto found = row_like(reference_, reference_.resource.primary_key, theirs_.columns, row);
       if (!found || !std::isfinite(reference_.column(field).values[*found])) continue;
-      if (group.group.empty() || label_of(*found) == group.group) pairs.push_back({row, *found});
+      if (group.group.empty() || label_of(*found) == group.group) pairs.emplace_back(row, *found);
     }
     return pairs;
   }
 
   // Onsets and captures, not reversals, in their sequence.
-  [[nodiscard]] std::vector<Pair> pairs_of_events() const {
+  [[nodiscard]] RowPairs pairs_of_events() const {
     const auto rows_of = [](const data::Column& change) {
       Rows rows;
       for (std::size_t row = 0; row < change.text.size(); ++row)
@@ -447,9 +492,9 @@ class Search {
       return rows;
     };
     const Rows theirs = rows_of(*theirs_.column("change")), reference = rows_of(reference_.column("change"));
-    std::vector<Pair> pairs;
+    RowPairs pairs;
     for (std::size_t i = 0; i < std::min({theirs.size(), reference.size(), std::size_t{12}}); ++i)
-      pairs.push_back({theirs[i], reference[i]});
+      pairs.emplace_back(theirs[i], reference[i]);
     return pairs;
   }
 
@@ -457,7 +502,7 @@ class Search {
   // small errors grow.
   static double end_of(Quantity quantity, const data::Case& problem) {
     const bool is_history = quantity == Quantity::tip_displacement || quantity == Quantity::friction_force;
-    const double periods = is_damped(problem) ? 5.0 : 3.0;
+    const double periods = studies::is_damped(problem) ? 5.0 : 3.0;
     return is_history ? periods / problem.excitation.frequency_hz() : std::numeric_limits<double>::infinity();
   }
 
@@ -471,9 +516,7 @@ class Search {
     const data::Column &values = *theirs_.column(compared.name), &truth = reference_.column(compared.name);
     const auto half_width = reference_.radius_of(compared.name);
     const double scale = group.allowed.empty() ? compared.tolerance : group.allowed[0] - group.half_width[0];
-    Observed result{.observation = {.quantity = quantity, .abscissa = {}, .values = {}, .uncertainty = {}},
-                    .truth = {},
-                    .cases = {}};
+    Observed result;
     for (const auto& [row, reference_row] : pairs) {
       double value = values.values[row], right = truth.values[reference_row];
       double uncertainty =
@@ -485,12 +528,11 @@ class Search {
         uncertainty *= amplitude / (right * right);
         value = amplitude / value, right = amplitude / right;
       }
-      result.observation.abscissa.push_back(is_event ? static_cast<double>(result.truth.size() + 1)
-                                            : is_slow
-                                                ? result.cases.back().excitation.frequency_hz()
-                                                : reference_.column(rule_->abscissa).values[reference_row]);
-      result.observation.values.push_back(value);
-      result.observation.uncertainty.push_back(uncertainty);
+      result.abscissa.push_back(is_event  ? static_cast<double>(result.truth.size() + 1)
+                                : is_slow ? result.cases.back().excitation.frequency_hz()
+                                          : reference_.column(rule_->abscissa).values[reference_row]);
+      result.values.push_back(value);
+      result.uncertainty.push_back(uncertainty);
       result.truth.push_back(right);
     }
     return result;
@@ -500,49 +542,52 @@ class Search {
     return std::isfinite(time) ? fmt::format(" up to {:g} s", time) : "";
   }
 
-  // Whether there is a diagnosis, or a reason why there is none.
-  bool diagnose_by_models(Likeness& likeness, const Comparison::Quantity& compared, const Series& group,
-                          const data::Case& problem) {
+  // The nearest wrong model, or the reason why there is none; no sentence where there is nothing to say.
+  [[nodiscard]] Diagnosis diagnose_by_models(const Question& question) const {
+    const auto& [compared, group, problem, values] = question;
     const auto quantity = quantity_of(compared.name);
-    if (!quantity) return false;
+    if (!problem || !quantity) return {};
     try {
-      const Observed seen = observed(compared, *quantity, group, problem);
-      if (seen.truth.empty()) return false;
-      if (is_of_all_modes(seen)) {
-        likeness.sentence = fmt::format("like all modes: the data set has {}", problem.numerics.modes());
-        const std::string of_all = comparison_.name + "-all-modes";
-        if (std::ranges::count(package_.resources, of_all, &data::Resource::name) > 0)
-          likeness.sentence += fmt::format(", and {} has all", of_all);
-        likeness.diagnosis = Diagnosis{.finding = Finding::mistaken, .named = {"all-modes"}};
-        return true;
-      }
-      const auto& [what, abscissa, values, uncertainty] = seen.observation;
+      const Observed seen = observed(compared, *quantity, group, *problem);
+      if (seen.truth.empty()) return {};
+      if (is_of_all_modes(seen, *quantity)) return all_modes(question);
       const ModelResults computed = seen.cases.empty()
-                                        ? model_results(problem, what, abscissa, settings_.progress)
-                                        : model_results(seen.cases, what, abscissa, settings_.progress);
-      const Diagnosis found = studies::diagnose(relative_to_data(computed, seen.truth), seen.observation);
-      likeness.sentence =
-          found.finding == Finding::correct
-              ? fmt::format("no diagnosis: the difference of {}{} is too small to be assigned to a mistake",
-                            percent(found.from_reference), up_to(end_of(*quantity, problem)))
-              : sentence(found) + where_told_apart(found, *quantity);
-      likeness.diagnosis = found;
+                                        ? model_results(*problem, *quantity, seen.abscissa, progress_)
+                                        : model_results(seen.cases, *quantity, seen.abscissa, progress_);
+      Diagnosis found =
+          comparison::diagnose(relative_to_data(computed, seen.truth), seen.values, seen.uncertainty);
+      if (found.finding == Finding::correct)
+        found.sentence =
+            fmt::format("no diagnosis: the difference of {}{} is too small to be assigned to a mistake",
+                        percent(found.from_reference), up_to(end_of(*quantity, *problem)));
+      else
+        found.sentence += where_told_apart(found, *quantity);
+      return found;
     } catch (const data::InputError& error) {  // there is no such state
-      likeness.sentence = fmt::format("no diagnosis: {}", error.what());
+      return {.sentence = fmt::format("no diagnosis: {}", error.what())};
     }
-    return true;
+  }
+
+  [[nodiscard]] Diagnosis all_modes(const Question& question) const {
+    Diagnosis diagnosis{
+        .sentence = fmt::format("like all modes: the data set has {}", question.problem->numerics.modes()),
+        .finding = Finding::mistaken,
+        .named = {"all-modes"}};
+    const std::string of_all = comparison_.name + "-all-modes";
+    if (std::ranges::count(package_.resources, of_all, &data::Resource::name) > 0)
+      diagnosis.sentence += fmt::format(", and {} has all", of_all);
+    return diagnosis;
   }
 
   // Whether the values of a maximum are three times nearer to those of all modes than to the data set. Three
   // is empirical.
-  static bool is_of_all_modes(const Observed& seen) {
+  static bool is_of_all_modes(const Observed& seen, Quantity quantity) {
     constexpr double ratio = 3.0;
     double all_modes = 0.0, data_set = 0.0;
     for (std::size_t i = 0; i < seen.cases.size(); ++i) {
-      const auto& [quantity, abscissa, values, uncertainty] = seen.observation;
-      const double right = reference_result(seen.cases[i], quantity, {abscissa[i]}).front();
-      all_modes += std::pow(values[i] / right - 1.0, 2);
-      data_set += std::pow(values[i] / seen.truth[i] - 1.0, 2);
+      const double right = reference_result(seen.cases[i], quantity, {seen.abscissa[i]}).front();
+      all_modes += std::pow(seen.values[i] / right - 1.0, 2);
+      data_set += std::pow(seen.values[i] / seen.truth[i] - 1.0, 2);
     }
     return ratio * std::sqrt(all_modes) < std::sqrt(data_set);
   }
@@ -561,21 +606,22 @@ class Search {
     return "";
   }
 
-  Comparison& comparison_;
+  const Comparison& comparison_;
   const data::ReferencePackage& package_;
   const data::ReferenceTable& reference_;
   const data::DiagnosisRule* rule_;
-  const data::UserTable& theirs_;
-  const ComparisonSettings& settings_;
-  std::vector<Joined> joined_;
+  const data::UserTable theirs_;
+  const std::function<void(double)>& progress_;
+  std::vector<MergedFinding> merged_;
 };
 
 }  // namespace
 
-void find_likenesses(Comparison& comparison, const data::ReferencePackage& package,
-                     const data::ReferenceTable& reference, const data::UserTable& theirs,
-                     const ComparisonSettings& settings) {
-  Search(comparison, package, reference, theirs, settings).run();
+std::vector<Diagnosis> diagnose(const Comparison& comparison, const data::ReferencePackage& package,
+                                const data::ReferenceTable& reference, const data::UserTable& theirs,
+                                const std::function<void(double)>& progress) {
+  if (comparison.agreement != Agreement::differs) return {};
+  return Search(comparison, package, reference, theirs, progress).run();
 }
 
-}  // namespace stickslip::studies
+}  // namespace stickslip::comparison

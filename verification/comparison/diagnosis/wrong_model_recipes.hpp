@@ -7,12 +7,12 @@
 #include <string_view>
 #include <vector>
 
-#include "comparison/wrong_models.hpp"
+#include "comparison/diagnosis/wrong_models.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/stick/stick_sum.hpp"
 #include "studies/stick_slip/tip_run.hpp"
 
-namespace stickslip::studies {
+namespace stickslip::comparison {
 
 /// How a wrong model is made. Each member that is given replaces a part of the right model; the rest is
 /// unchanged.
@@ -22,7 +22,7 @@ struct WrongModelRecipe {
   /// force is limited by the axial force of the given case.
   std::function<std::optional<data::Case>(const data::Case&)> inputs{};
   /// Changes the closed form of the stick state.
-  std::function<void(StickSum&, const data::Case&)> equations{};
+  std::function<void(studies::StickSum&, const data::Case&)> equations{};
   /// Changes the matrices and loads of the mesh. Natural frequencies and stick state are then computed on the
   /// mesh, unless `equations` is given. The mesh has 60 elements, or is that of the case if the mistake
   /// depends on the mesh.
@@ -31,13 +31,13 @@ struct WrongModelRecipe {
   /// The row of f = row . q on the mesh of the case in the stick state.
   std::function<Eigen::RowVectorXd(const solver::BeamModel&)> force_row{};
   /// The scheme of the time integration of the modal equations.
-  std::function<ModalScheme(const data::Case&)> scheme{};
+  std::function<studies::ModalScheme(const data::Case&)> scheme{};
   /// The motion of the base in stick-slip. The run starts with the quasi-static shape to its displacement.
   std::function<solver::PrescribedMotion(const data::HarmonicExcitation&)> base{solver::harmonic_motion};
   /// The duration (s) over which |f_max| is searched.
   std::function<double(const data::Case&)> observed_for{};
   solver::InitialVelocity start{solver::InitialVelocity::quasi_static};
-  std::optional<FrictionRule> law{};
+  std::optional<studies::FrictionRule> law{};
   /// What it makes of a right result.
   std::function<void(const data::Case&, Quantity, const std::vector<double>&, std::vector<double>&)>
       reading{};
@@ -62,4 +62,4 @@ template <class Change>
 /// The case with another number of elements.
 [[nodiscard]] data::Case with_elements(const data::Case& problem, int elements);
 
-}  // namespace stickslip::studies
+}  // namespace stickslip::comparison

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "comparison/patterns.hpp"
+#include "comparison/diagnosis/patterns.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,12 +15,13 @@
 #include "stickslip/solver/modal_analysis.hpp"
 #include "studies/common/hertz.hpp"
 
-namespace stickslip::studies {
+namespace stickslip::comparison {
 
 namespace {
 
+using studies::two_pi;
 using Values = std::vector<double>;
-using Found = std::optional<Pattern>;
+using Found = std::optional<Hypothesis>;
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr int patterns_tried = 30;  // 16 usual factors, a fitted one, 10 shifts by samples and some more
@@ -28,20 +29,6 @@ constexpr int patterns_tried = 30;  // 16 usual factors, a fitted one, 10 shifts
 bool is_of_frequencies(const ComparedValues& values) {
   return values.unit == "Hz" && values.abscissa_name == "mode" &&
          std::ranges::is_sorted(values.reference, std::less_equal());
-}
-
-// The root mean square of (a - b)/s, where s is the reference itself in a relative norm, else the root mean square of
-// the reference.
-double distance(const ComparedValues& values, const Values& a, const Values& b) {
-  const auto size = static_cast<double>(values.reference.size());
-  double square = 0.0, sum = 0.0;
-  for (const double reference : values.reference) square += reference * reference;
-  const double common = std::sqrt(square / size);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double s = values.norm == data::Norm::relative ? values.reference[i] : common;
-    sum += a[i] == b[i] ? 0.0 : std::pow((a[i] - b[i]) / s, 2);
-  }
-  return std::sqrt(sum / size);
 }
 
 // --- factors
@@ -92,14 +79,17 @@ double fitted_factor(const ComparedValues& values) {
 // small factor. A hundredth of the difference, and of the values, may remain; this is empirical.
 Found with_factor(const ComparedValues& values, double factor, const std::string& text, int free) {
   constexpr double least_ratio = 100.0;
-  Pattern pattern{.name = "constant-factor",
-                  .sentence = "all values are those of the data set times " + text,
-                  .factor = factor};
-  pattern.remaining = distance(values, multiplied(values.theirs, 1.0 / factor), values.reference);
-  pattern.difference = distance(values, values.theirs, values.reference);
-  const double ratio = std::max(least_ratio, required_ratio(values.theirs.size(), free, patterns_tried));
-  if (!(pattern.remaining * ratio <= std::min(pattern.difference, 1.0))) return {};
-  return pattern;
+  const auto& [abscissa_name, abscissa_unit, unit, norm, abscissa, theirs, reference] = values;
+  Hypothesis hypothesis{.name = "constant-factor",
+                        .values = multiplied(reference, factor),
+                        .free = free,
+                        .sentence = "all values are those of the data set times " + text};
+  hypothesis.distance = distance(norm, reference, multiplied(theirs, 1.0 / factor), reference);
+  hypothesis.from_reference = distance(norm, reference, hypothesis.values, reference);
+  const double ratio = std::max(least_ratio, required_ratio(theirs.size(), free, patterns_tried));
+  if (!(hypothesis.distance * ratio <= std::min(distance(norm, reference, theirs, reference), 1.0)))
+    return {};
+  return hypothesis;
 }
 
 Found factor_of(const ComparedValues& values) {
@@ -133,8 +123,9 @@ Found angle_of(const ComparedValues& values) {
       predicted.push_back(nearest_angle(factor * values.reference[i] + plus, values.theirs[i]));
     return accepted(values,
                     {.name = "angle-convention",
+                     .values = predicted,
                      .sentence = fmt::format("all values are those of the data set {}", text)},
-                    predicted, 0, patterns_tried);
+                    patterns_tried);
   };
   for (const auto& [factor, plus, text] : angle_conventions)
     if (auto found = with(factor, plus, text)) return found;
@@ -152,10 +143,12 @@ Found constant_of(const ComparedValues& values) {
   for (double& value : predicted) value += constant;
   return accepted(values,
                   {.name = "constant-added",
+                   .values = predicted,
+                   .free = 1,
                    .sentence = fmt::format("all values are those of the data set {} {:.5g}{}{}",
                                            constant > 0.0 ? "plus" : "minus", std::abs(constant),
                                            values.unit.empty() ? "" : " ", values.unit)},
-                  predicted, 1, patterns_tried);
+                  patterns_tried);
 }
 
 // --- shifts
@@ -219,27 +212,30 @@ Found shift_of(const ComparedValues& values) {
   if (values.abscissa.size() < fewest || !std::ranges::is_sorted(values.abscissa, std::less_equal()))
     return {};
   // Where only values at an end differ, a shift may leave none of them to explain.
-  const auto explains = [](const Found& found) { return found && found->difference > 0.0; };
+  const auto explains = [](const Found& found) { return found && found->from_reference > 0.0; };
   Found best;
   for (const int k : {1, -1, 2, -2, 3, -3, 4, -4, 5, -5})
     if (const auto found =
             accepted(values,
                      {.name = "shifted-by-samples",
+                      .values = later(values.reference, k),
                       .sentence = fmt::format("the values are {}: those of the data set {} row{} {}",
                                               place_of(values), std::abs(k), std::abs(k) == 1 ? "" : "s",
                                               k > 0 ? "further down" : "further up")},
-                     later(values.reference, k), 0, patterns_tried);
-        explains(found) && (!best || found->remaining < best->remaining))
+                     patterns_tried);
+        explains(found) && (!best || found->distance < best->distance))
       best = found;
   if (best || values.abscissa_unit.empty() || values.abscissa_unit == "Hz") return best;
   const double shift = fitted_shift(values);
   const auto found =
       accepted(values,
                {.name = "shifted",
+                .values = shifted(values, shift),
+                .free = 1,
                 .sentence = fmt::format("the values are {}: those of the data set at {} {} {:.3g} {}",
                                         place_of(values), values.abscissa_name, shift > 0.0 ? "+" : "-",
                                         std::abs(shift), values.abscissa_unit)},
-               shifted(values, shift), 1, patterns_tried);
+               patterns_tried);
   return explains(found) ? found : Found();
 }
 
@@ -253,9 +249,11 @@ Found delay_of(const ComparedValues& values) {
   for (double& time : predicted) time += delay;
   return accepted(values,
                   {.name = "shifted",
+                   .values = predicted,
+                   .free = 1,
                    .sentence = fmt::format("all events are {:.3g} s {}", std::abs(delay),
                                            delay > 0.0 ? "late" : "early")},
-                  predicted, 1, patterns_tried);
+                  patterns_tried);
 }
 
 // --- frequencies
@@ -309,7 +307,8 @@ Found mixed_modes(const ComparedValues& values, const data::Beam* beam) {
     text += fmt::format("{}mode {} of the data set is missing in the file", text.empty() ? "" : "; ",
                         fmt::join(missing, ", "));
   const int free = static_cast<int>(foreign.size() + missing.size());
-  return accepted(values, {.name = "mixed-modes", .sentence = text}, predicted, free, patterns_tried);
+  return accepted(values, {.name = "mixed-modes", .values = predicted, .free = free, .sentence = text},
+                  patterns_tried);
 }
 
 // The lowest natural frequencies on a mesh of cubic Hermite elements, Hz, as many as the mesh has but at most
@@ -352,11 +351,15 @@ Found hermite_mesh(const ComparedValues& values, const data::Beam& beam, bool is
       for (std::size_t j = 0; j < predicted.size(); ++j)
         if (const auto mode = static_cast<std::size_t>(values.abscissa[j]); mode <= mesh.size())
           predicted[j] = mesh[mode - 1];
-      Pattern pattern{.name = "mesh",
-                      .sentence = fmt::format("the error is that of a mesh of {} cubic Hermite elements; its "
-                                              "leading term is (beta l)^4/1440",
-                                              elements)};
-      if (auto found = accepted(values, pattern, predicted, 1, patterns_tried)) return found;
+      if (auto found = accepted(values,
+                                {.name = "mesh",
+                                 .values = predicted,
+                                 .free = 1,
+                                 .sentence = fmt::format("the error is that of a mesh of {} cubic Hermite "
+                                                         "elements; its leading term is (beta l)^4/1440",
+                                                         elements)},
+                                patterns_tried))
+        return found;
     }
   }
   return {};
@@ -407,35 +410,9 @@ std::string fourth_power_growth(double coefficient, const data::Beam* beam) {
 
 }  // namespace
 
-double required_ratio(std::size_t values, int free, int tried) {
-  constexpr double accidental_share = 0.01, least_ratio = 10.0;
-  const double n = static_cast<double>(std::min<std::size_t>(values, 6)) - free;
-  if (n <= 0.0) return std::numeric_limits<double>::infinity();
-  const double choices = tried / (accidental_share * (free == 0 ? std::numbers::ln10 : 1.0));
-  return std::max(least_ratio, std::pow(choices, 1.0 / n));
-}
-
-Found accepted(const ComparedValues& values, Pattern pattern, const Values& predicted, int free, int tried) {
-  ComparedValues kept = values;
-  kept.theirs.clear(), kept.reference.clear();
-  Values expected;
-  for (std::size_t i = 0; i < predicted.size(); ++i) {
-    if (std::isnan(predicted[i])) continue;
-    kept.theirs.push_back(values.theirs[i]);
-    kept.reference.push_back(values.reference[i]);
-    expected.push_back(predicted[i]);
-  }
-  if (expected.size() < 3) return {};
-  pattern.remaining = distance(kept, kept.theirs, expected);
-  pattern.difference = distance(kept, kept.theirs, kept.reference);
-  const double ratio = required_ratio(expected.size(), free, tried);
-  if (!std::isfinite(pattern.difference) || !(pattern.remaining * ratio <= pattern.difference)) return {};
-  return pattern;
-}
-
 Found pattern_of(const ComparedValues& values, const data::Beam* beam, bool is_slip) {
   if (values.theirs == values.reference) return {};
-  if (auto found = is_phase(values.unit, values.norm) ? angle_of(values) : factor_of(values)) return found;
+  if (auto found = is_angle(values.unit, values.norm) ? angle_of(values) : factor_of(values)) return found;
   if (auto found = delay_of(values)) return found;
   if (is_of_frequencies(values)) {
     if (auto found = mixed_modes(values, beam)) return found;
@@ -452,13 +429,14 @@ Found zeros_of(const ComparedValues& values) {
   for (const double value : values.reference)
     largest_reference = std::max(largest_reference, std::abs(value));
   if (values.theirs.size() < 3 || !(largest < nearly * largest_reference)) return {};
-  return Pattern{.name = "zeros",
-                 .sentence = largest == 0.0
-                                 ? "all values are 0"
-                                 : fmt::format("all values are nearly 0: at most {:.2g} of the largest "
-                                               "of the data set",
-                                               largest / largest_reference),
-                 .difference = 1.0};
+  return Hypothesis{.name = "zeros",
+                    .values = Values(values.theirs.size(), 0.0),
+                    .sentence = largest == 0.0
+                                    ? "all values are 0"
+                                    : fmt::format("all values are nearly 0: at most {:.2g} of the largest "
+                                                  "of the data set",
+                                                  largest / largest_reference),
+                    .from_reference = 1.0};
 }
 
 Found growth_of(const ComparedValues& values, const data::Beam* beam) {
@@ -480,21 +458,22 @@ Found growth_of(const ComparedValues& values, const data::Beam* beam) {
     std::ranges::sort(sorted);
     const double middle = sorted[sorted.size() / 2];
     if (!std::ranges::all_of(ratios, [&](double c) { return std::abs(c / middle - 1.0) < spread; })) continue;
-    Pattern pattern{.name = power == 4 ? "error-of-fourth-power" : "error-of-second-power", .sentence = {}};
-    pattern.remaining = spread * std::ranges::max(errors);
-    pattern.difference = std::ranges::max(errors);
     // c of an error c beta^power in the highest mode: the lower ones feel the ends more.
     const double highest_ratio = ratios.back();
     const double coefficient = beam == nullptr
                                    ? highest_ratio
                                    : highest_ratio / std::pow(squared_wave_number(*beam, 1.0), power / 2);
-    pattern.sentence =
-        fmt::format("the relative error of a frequency grows with the {} of the mode number, {}",
-                    power == 4 ? "fourth power" : "square",
-                    power == 4 ? fourth_power_growth(coefficient, beam) : square_growth(coefficient, beam));
-    return pattern;
+    return Hypothesis{
+        .name = power == 4 ? "error-of-fourth-power" : "error-of-second-power",
+        .free = 1,
+        .sentence = fmt::format(
+            "the relative error of a frequency grows with the {} of the mode number, {}",
+            power == 4 ? "fourth power" : "square",
+            power == 4 ? fourth_power_growth(coefficient, beam) : square_growth(coefficient, beam)),
+        .distance = spread * std::ranges::max(errors),
+        .from_reference = std::ranges::max(errors)};
   }
   return {};
 }
 
-}  // namespace stickslip::studies
+}  // namespace stickslip::comparison
