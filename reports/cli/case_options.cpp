@@ -107,14 +107,14 @@ data::NumericalSettings numerics_up_to(double frequency_hz, const CaseOptions& o
   return load_case(options, excitation, duration).numerics;
 }
 
-void require_no_fixed_value(const ExcitationOptions& excitation, studies::Parameter varied,
+void require_no_fixed_value(const ExcitationOptions& excitation, std::string_view varied,
                             std::string_view option) {
   const auto require_none = [&](const std::optional<double>& value, std::string_view fixed) {
     if (value)
-      throw data::InputError(fmt::format("{} is given, but {} varies {}", fixed, option, field_of(varied)));
+      throw data::InputError(fmt::format("{} is given, but {} varies {}", fixed, option, varied));
   };
-  if (varied == studies::Parameter::frequency) require_none(excitation.frequency_hz, "--hz");
-  if (varied == studies::Parameter::amplitude) require_none(excitation.amplitude, "--amplitude");
+  if (varied == "excitation.frequency_hz") require_none(excitation.frequency_hz, "--hz");
+  if (varied == "excitation.amplitude") require_none(excitation.amplitude, "--amplitude");
 }
 
 data::Override override_with(const std::string& key, double value, const std::string& option) {

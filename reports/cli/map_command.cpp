@@ -124,7 +124,7 @@ void require_output_files(const MapOptions& options) {
 studies::MapAxis axis_of(const std::string& option, const std::string& text) {
   studies::MapAxis axis = parse_axis(option, text);
   for (const double end : {axis.values.front(), axis.values.back()})
-    data::require_magnitude(studies::field_of(axis.parameter), end, option);
+    data::require_magnitude(axis.parameter, end, option);
   return axis;
 }
 
@@ -178,7 +178,7 @@ studies::MapTask task_of(const MapOptions& options) {
                         .tolerance = options.tolerance.value_or(usual_tolerance)};
   for (const auto& [axis, option] : {std::pair(&task.x, "--x"), std::pair(&task.y, "--y")}) {
     require_no_fixed_value(options.excitation, axis->parameter, option);
-    if (axis->parameter == studies::Parameter::frequency)
+    if (axis->parameter == "excitation.frequency_hz")
       task.problem.numerics =
           numerics_up_to(axis->values.back(), options.problem, options.excitation, options.duration);
   }

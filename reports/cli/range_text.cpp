@@ -22,17 +22,17 @@ using studies::ParameterRange;
 constexpr int most_values = 2000;  // along one axis
 
 constexpr std::array<std::pair<std::string_view, studies::Parameter>, 11> parameters{
-    {{"frequency", studies::Parameter::frequency},
-     {"amplitude", studies::Parameter::amplitude},
-     {"length", studies::Parameter::length},
-     {"force", studies::Parameter::axial_force},
-     {"stiffness", studies::Parameter::youngs_modulus},
-     {"friction", studies::Parameter::static_coefficient},
-     {"direction", studies::Parameter::axial_direction},
-     {"kinetic", studies::Parameter::kinetic_coefficient},
-     {"decay", studies::Parameter::decay},
-     {"damping", studies::Parameter::damping_ratio},
-     {"kelvin-voigt", studies::Parameter::kelvin_voigt}}};
+    {{"frequency", "excitation.frequency_hz"},
+     {"amplitude", "excitation.amplitude"},
+     {"length", "beam.length"},
+     {"force", "beam.axial_force"},
+     {"stiffness", "beam.youngs_modulus"},
+     {"friction", "friction.static_coefficient"},
+     {"direction", "beam.axial_direction"},
+     {"kinetic", "friction.kinetic_coefficient"},
+     {"decay", "friction.decay"},
+     {"damping", "damping.ratio"},
+     {"kelvin-voigt", "damping.kelvin_voigt"}}};
 
 [[noreturn]] void fail_unless(std::string_view allowed, std::string_view option, std::string_view part,
                               std::string_view value) {
@@ -57,21 +57,21 @@ ParameterRange from_to(std::string_view option, std::string_view text, bool equa
   return range_of(option, parts[0], parts[1], false, equal);
 }
 
-bool may_be_zero(studies::Parameter parameter) {
+bool may_be_zero(std::string_view parameter) {
   switch (parameter) {
-    case studies::Parameter::amplitude:
-    case studies::Parameter::axial_direction:
-    case studies::Parameter::kinetic_coefficient:
-    case studies::Parameter::decay:
-    case studies::Parameter::damping_ratio:
-    case studies::Parameter::kelvin_voigt:
+    case "excitation.amplitude":
+    case "beam.axial_direction":
+    case "friction.kinetic_coefficient":
+    case "friction.decay":
+    case "damping.ratio":
+    case "damping.kelvin_voigt":
       return true;
     default:
       return false;
   }
 }
 
-studies::Parameter parameter_of(std::string_view option, std::string_view name) {
+std::string_view parameter_of(std::string_view option, std::string_view name) {
   std::vector<std::string> names;
   for (const auto& [known, parameter] : parameters) {
     if (known == name) return parameter;
@@ -115,7 +115,7 @@ studies::MapAxis parse_axis(std::string_view option, std::string_view text) {
   const bool logarithmic = parts.size() == 4 && parts[3] == "log";
   if (equals == std::string_view::npos || (parts.size() != 3 && !logarithmic))
     fail_unless("PARAMETER=FROM:TO:COUNT or PARAMETER=FROM:TO:COUNT:log", option, "the axis", text);
-  const studies::Parameter parameter = parameter_of(option, text.substr(0, equals));
+  const std::string_view parameter = parameter_of(option, text.substr(0, equals));
   const bool zero = may_be_zero(parameter) && !logarithmic;
   const ParameterRange range = range_of(option, parts[0], parts[1], zero, false);
   if (logarithmic && !std::isfinite(range.to / range.from))

@@ -89,29 +89,29 @@ std::string to_string(studies::CellState state) {
 
 std::string to_string(studies::MotionQuantity quantity) { return std::string(text_of(quantity).name); }
 
-CsvColumn column_of(studies::Parameter parameter) {
+CsvColumn column_of(std::string_view parameter) {
   switch (parameter) {
-    case studies::Parameter::frequency:
+    case "excitation.frequency_hz":
       return {"frequency_Hz", "Hz"};
-    case studies::Parameter::amplitude:
+    case "excitation.amplitude":
       return {"amplitude_m", "m"};
-    case studies::Parameter::length:
+    case "beam.length":
       return {"length_m", "m"};
-    case studies::Parameter::axial_force:
+    case "beam.axial_force":
       return {"axial_force_N", "N"};
-    case studies::Parameter::youngs_modulus:
+    case "beam.youngs_modulus":
       return {"youngs_modulus_Pa", "Pa"};
-    case studies::Parameter::static_coefficient:
+    case "friction.static_coefficient":
       return {"static_coefficient", "1"};
-    case studies::Parameter::axial_direction:
+    case "beam.axial_direction":
       return {"axial_direction", "1"};
-    case studies::Parameter::kinetic_coefficient:
+    case "friction.kinetic_coefficient":
       return {"kinetic_coefficient", "1"};
-    case studies::Parameter::decay:
+    case "friction.decay":
       return {"decay_s_per_m", "s/m"};
-    case studies::Parameter::damping_ratio:
+    case "damping.ratio":
       return {"damping_ratio", "1"};
-    case studies::Parameter::kelvin_voigt:
+    case "damping.kelvin_voigt":
       return {"kelvin_voigt_s", "s"};
   }
   return {};

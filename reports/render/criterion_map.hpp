@@ -16,7 +16,7 @@ namespace stickslip::report {
 [[nodiscard]] std::string to_string(studies::MotionQuantity quantity);
 
 /// The column and the unit of a parameter.
-[[nodiscard]] CsvColumn column_of(studies::Parameter parameter);
+[[nodiscard]] CsvColumn column_of(std::string_view parameter);
 
 /// One row per cell, with a force ratio only where there is a stick state; an empty line after each y. A
 /// quantity has a column with its value, where that has converged, and one with its change.

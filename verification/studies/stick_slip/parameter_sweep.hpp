@@ -29,7 +29,7 @@ enum class SweepDirection { up, down, both };
 /// A quasi-static sweep by analytic::ModalContactRun.
 struct SweepTask {
   data::Case problem;
-  Parameter parameter{};
+  std::string_view parameter{};
   std::vector<double> values;  ///< ascending, SI units
   SweepDirection direction{};
   int settle{};   ///< periods of the base motion that pass at each value

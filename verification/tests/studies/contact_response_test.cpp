@@ -317,15 +317,15 @@ TEST(MotionQuantities, SayThatTheyHaveNotConverged) {
 // One set of modes serves all cells where no axis changes the modes, and only there. A buckled beam has no motion.
 TEST(MotionQuantities, AreMappedWithTheModesOfEachCellThatHasAStickState) {
   studies::MapTask task{.problem = case_with_step("damped", 25.0, 1e-3, 1e-4, 0.2, 10),
-                        .x = studies::map_axis(studies::Parameter::frequency, 25.0, 26.0, 2, false),
+                        .x = studies::map_axis("excitation.frequency_hz", 25.0, 26.0, 2, false),
                         .y = {},
                         .quantities = {MotionQuantity::work},
                         .transient = 0.08};
-  for (const auto& [parameter, from, to] : {std::tuple{studies::Parameter::damping_ratio, 0.0, 0.02},
-                                            {studies::Parameter::axial_direction, 0.0, 1.0},
-                                            {studies::Parameter::length, 1.9, 2.0},
-                                            {studies::Parameter::kinetic_coefficient, 0.3, 0.5},
-                                            {studies::Parameter::axial_force, 500.0, 1e5}}) {
+  for (const auto& [parameter, from, to] : {std::tuple{std::string_view("damping.ratio"), 0.0, 0.02},
+                                            {"beam.axial_direction", 0.0, 1.0},
+                                            {"beam.length", 1.9, 2.0},
+                                            {"friction.kinetic_coefficient", 0.3, 0.5},
+                                            {"beam.axial_force", 500.0, 1e5}}) {
     task.y = studies::map_axis(parameter, from, to, 2, false);
     const auto cells = studies::criterion_map(task).cells;
     ASSERT_EQ(cells.size(), 4u);
@@ -335,12 +335,12 @@ TEST(MotionQuantities, AreMappedWithTheModesOfEachCellThatHasAStickState) {
         EXPECT_TRUE(cell.response.empty());
         continue;
       }
-      const auto point = studies::with_value(
-          studies::with_value(task.problem, studies::Parameter::frequency, cell.x), parameter, cell.y);
+      const auto point = data::with_value(
+          data::with_value(task.problem, "excitation.frequency_hz", cell.x), parameter, cell.y);
       const auto response = studies::contact_response(point, 0.08);
       EXPECT_EQ(cell.response.at(0).value, response[MotionQuantity::work].value);
       EXPECT_EQ(cell.state, response.slips ? studies::CellState::stick_slip : studies::CellState::stick);
-      EXPECT_TRUE(response.slips || parameter != studies::Parameter::damping_ratio);
+      EXPECT_TRUE(response.slips || parameter != "damping.ratio");
     }
   }
 }
@@ -349,7 +349,7 @@ TEST(MotionQuantities, AreMappedWithTheModesOfEachCellThatHasAStickState) {
 studies::SweepTask sweep(double frequency_hz, const std::vector<double>& amplitudes, int settle,
                          int periods) {
   return {.problem = case_with_step("damped", frequency_hz, amplitudes.front(), 1e-4, 10.0, 10),
-          .parameter = studies::Parameter::amplitude,
+          .parameter = "excitation.amplitude",
           .values = amplitudes,
           .direction = studies::SweepDirection::up,
           .settle = settle,
