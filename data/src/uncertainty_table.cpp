@@ -81,7 +81,8 @@ class DistributionReader {
     const auto* node = table_->get(name);
     if (node == nullptr) fail(item(name) + " is missing", "a finite number");
     try {
-      const double value = number_of(item(name), {.unit = key_named(key_).magnitudes.unit}, entry_of(*node, place_));
+      const double value =
+          number_of(item(name), {.unit = key_named(key_).magnitudes.unit}, entry_of(*node, place_));
       if (std::isfinite(value)) return value;
     } catch (const FieldError& error) {
       throw InputError(place_ + ": " + error.what());

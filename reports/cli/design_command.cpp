@@ -50,10 +50,9 @@ struct Ranges {
 };
 
 Ranges ranges_of(const data::Case& problem, const DesignOptions& options) {
-  const Ranges ranges{
-      parse_band("--band", options.band),
-      range_of(problem, "beam.length", "--length", options.length, 0.5, 2.0),
-      range_of(problem, "beam.axial_force", "--force", options.force, 0.1, 10.0)};
+  const Ranges ranges{parse_band("--band", options.band),
+                      range_of(problem, "beam.length", "--length", options.length, 0.5, 2.0),
+                      range_of(problem, "beam.axial_force", "--force", options.force, 0.1, 10.0)};
   const auto require_allowed = [&](const studies::ParameterRange& range, const std::string& key,
                                    const std::string& option) {
     for (const double end : {range.from, range.to}) {
@@ -93,11 +92,10 @@ studies::Design design_of(const data::Case& problem, const Ranges& ranges) {
   progress.stage("margin");
   design.margin = studies::band_margin(problem, design.band);
   progress.stage("lengths");
-  design.lengths =
-      studies::design_scan(problem, "beam.length", ranges.lengths, design.band, half_from(0.0));
+  design.lengths = studies::design_scan(problem, "beam.length", ranges.lengths, design.band, half_from(0.0));
   progress.stage("axial forces");
-  design.forces = studies::design_scan(problem, "beam.axial_force", ranges.forces, design.band,
-                                       half_from(0.5));
+  design.forces =
+      studies::design_scan(problem, "beam.axial_force", ranges.forces, design.band, half_from(0.5));
   return design;
 }
 

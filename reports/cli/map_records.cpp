@@ -42,9 +42,9 @@ std::map<std::string, double> numbers_of(const Json& json) {
   return numbers;
 }
 
-std::vector<std::string> names_of(const std::vector<studies::MotionQuantity>& quantities) {
+std::vector<std::string> names_of(const std::vector<const studies::MotionQuantity*>& quantities) {
   std::vector<std::string> names;
-  for (const auto quantity : quantities) names.push_back(report::to_string(quantity));
+  for (const auto* quantity : quantities) names.emplace_back(quantity->name);
   return names;
 }
 
@@ -211,16 +211,11 @@ void require_all(const std::vector<std::string>& file_of_part, const std::string
 
 }  // namespace
 
-std::vector<studies::MotionQuantity> quantities_named(const std::vector<std::string>& names) {
-  std::vector<studies::MotionQuantity> quantities;
-  for (const std::string& name : names) {
-    const auto named =
-        std::ranges::find(studies::all_motion_quantities, name,
-                          [](studies::MotionQuantity quantity) { return report::to_string(quantity); });
-    if (named == studies::all_motion_quantities.end())
-      throw std::invalid_argument("there is no quantity " + name);
-    if (std::ranges::count(quantities, *named) == 0) quantities.push_back(*named);
-  }
+std::vector<const studies::MotionQuantity*> quantities_named(const std::vector<std::string>& names) {
+  std::vector<const studies::MotionQuantity*> quantities;
+  for (const std::string& name : names)
+    if (const auto* named = &studies::motion_quantity(name); std::ranges::count(quantities, named) == 0)
+      quantities.push_back(named);
   return quantities;
 }
 

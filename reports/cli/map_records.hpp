@@ -43,7 +43,8 @@ struct MapPart {
 [[nodiscard]] MapPart parse_part(std::string_view text);
 
 /// The quantities with these names (report::to_string), each once. Throws std::invalid_argument for another name.
-[[nodiscard]] std::vector<studies::MotionQuantity> quantities_named(const std::vector<std::string>& names);
+[[nodiscard]] std::vector<const studies::MotionQuantity*> quantities_named(
+    const std::vector<std::string>& names);
 
 /// The text of a file with all evaluations of a part.
 [[nodiscard]] std::string shard_text(const studies::MapTask& task, const MapPart& part,

@@ -349,8 +349,7 @@ const studies::CriterionMap& StudyResults::stiffness_map() {
     return studies::criterion_map(
         {.problem = problem,
          .x = studies::map_axis("excitation.frequency_hz", 1.0, highest_frequency, 239, false),
-         .y =
-             studies::map_axis("beam.youngs_modulus", 0.25 * modulus, 4.0 * modulus, 61, true)});
+         .y = studies::map_axis("beam.youngs_modulus", 0.25 * modulus, 4.0 * modulus, 61, true)});
   });
 }
 

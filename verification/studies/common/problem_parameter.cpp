@@ -40,8 +40,7 @@ void require_resting_wall(const data::Case& problem) {
 
 void require_friction(const data::Case& problem) {
   if (problem.friction.static_coefficient() > 0.0) return;
-  throw data::FieldError("friction.static_coefficient", "0",
-                         "above 0: without friction nothing sticks");
+  throw data::FieldError("friction.static_coefficient", "0", "above 0: without friction nothing sticks");
 }
 
 }  // namespace stickslip::studies

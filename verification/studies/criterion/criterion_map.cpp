@@ -153,8 +153,8 @@ class Responses {
       const ContactResponse response =
           contact_response(point, task_.transient, common_ ? &*common_ : nullptr);
       if (response.slips) evaluation.state = CellState::stick_slip;
-      for (const MotionQuantity quantity : task_.quantities)
-        evaluation.response.push_back(response[quantity]);
+      for (const MotionQuantity* quantity : task_.quantities)
+        evaluation.response.push_back(response[*quantity]);
     } catch (const analytic::InseparableModes&) {
       evaluation.response.assign(task_.quantities.size(), {.value = 0.0, .change = 1.0});
     }

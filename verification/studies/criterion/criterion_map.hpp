@@ -47,7 +47,7 @@ struct CriterionMap {
   };
   MapAxis x, y;
   bool states_only{};
-  std::vector<MotionQuantity> quantities;
+  std::vector<const MotionQuantity*> quantities;
   double tolerance{};
   std::vector<Cell> cells;  ///< x varies fastest
 };
@@ -59,7 +59,7 @@ struct MapTask {
   MapMethod method{};
   bool states_only{};  ///< compute the states only, without the force ratio
   /// What to map in place of the criterion; empty for the criterion.
-  std::vector<MotionQuantity> quantities{};
+  std::vector<const MotionQuantity*> quantities{};
   double transient{};  ///< that the quantities leave out, s
   double tolerance{};  ///< the largest ResponseValue::change of a value that counts as converged
 };
@@ -76,7 +76,8 @@ using MapEvaluations = std::vector<std::optional<MapEvaluation>>;
 
 /// An axis of `count` values from `from` to `to`, in equal steps or, if `logarithmic`, in equal ratios. The
 /// first and the last value are exact.
-[[nodiscard]] MapAxis map_axis(std::string_view parameter, double from, double to, int count, bool logarithmic);
+[[nodiscard]] MapAxis map_axis(std::string_view parameter, double from, double to, int count,
+                               bool logarithmic);
 
 /// The number of evaluations that a map needs. |f_max| is proportional to the amplitude and does not depend
 /// on mu_s, so that an axis of either parameter needs no additional evaluation; a quantity of the motion has one

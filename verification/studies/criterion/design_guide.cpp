@@ -34,8 +34,7 @@ void require_margin(const data::Case& problem) {
     throw data::FieldError("beam.shear_stiffness", problem.beam.shear_stiffness(),
                            "0 for a design over a band of frequencies; map and criterion have shear");
   if (problem.excitation.amplitude() > 0.0) return;
-  throw data::FieldError("excitation.amplitude", "0",
-                         "above 0 (m): without excitation nothing slips");
+  throw data::FieldError("excitation.amplitude", "0", "above 0 (m): without excitation nothing slips");
 }
 
 analytic::BandMaximum search_of(const data::Case& problem, const analytic::FrequencyBand& band) {
@@ -70,7 +69,8 @@ class Candidate {
 // The scan of one range of the parameter for one band of frequencies.
 class Scan {
  public:
-  Scan(const data::Case& problem, std::string_view parameter, const analytic::FrequencyBand& band, double resolution)
+  Scan(const data::Case& problem, std::string_view parameter, const analytic::FrequencyBand& band,
+       double resolution)
       : problem_(problem), parameter_(parameter), band_(band), resolution_(resolution) {}
 
   [[nodiscard]] Candidate at(double value) const {
@@ -218,7 +218,8 @@ DesignScan design_scan(const data::Case& problem, std::string_view parameter, co
   return result;
 }
 
-ParameterRange range_below_buckling(const data::Case& problem, std::string_view parameter, double from, double to) {
+ParameterRange range_below_buckling(const data::Case& problem, std::string_view parameter, double from,
+                                    double to) {
   return {from, std::min(to, 0.999 * buckling_value(problem, parameter))};
 }
 

@@ -55,8 +55,8 @@ struct DesignInterval {
 
 /// Consecutive intervals that cover the whole range.
 struct DesignScan {
-  std::string_view parameter{};  ///< length or axial_force
-  double accuracy{};      ///< of the ends of intervals
+  std::string_view parameter;  ///< beam.length or beam.axial_force
+  double accuracy{};           ///< of the ends of intervals
   std::vector<DesignInterval> intervals;
 };
 
@@ -89,8 +89,8 @@ struct Design {
 
 /// The range from `from` to `to`, or to just below the buckling value of the case if that is smaller. Throws
 /// what buckling_value() throws.
-[[nodiscard]] ParameterRange range_below_buckling(const data::Case& problem, std::string_view parameter, double from,
-                                                  double to);
+[[nodiscard]] ParameterRange range_below_buckling(const data::Case& problem, std::string_view parameter,
+                                                  double from, double to);
 
 /// The length or the axial force at which the beam of the case, the other being as it is, has no stick state
 /// any more. Throws std::invalid_argument for another parameter, data::InputError, naming beam.axial_force,

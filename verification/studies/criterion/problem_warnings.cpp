@@ -276,7 +276,8 @@ std::optional<Warning> growth_warning(const data::Case& problem, Inquiry inquiry
   return Warning{Concern::growth, run_bound, allowed, sentence};
 }
 
-std::vector<Warning> warnings_common_to(const data::Case& problem, const std::vector<std::string_view>& varied) {
+std::vector<Warning> warnings_common_to(const data::Case& problem,
+                                        const std::vector<std::string_view>& varied) {
   if (problem.beam.axial_force() >= analytic::stick_buckling_load(problem.beam)) return {};
   const auto moves_a_frequency = [](std::string_view parameter) {
     return parameter != "excitation.amplitude" && parameter != "friction.static_coefficient" &&
@@ -288,9 +289,8 @@ std::vector<Warning> warnings_common_to(const data::Case& problem, const std::ve
   };
   auto warnings = warnings_without_effect(problem, Inquiry::criterion, 0);
   std::erase_if(warnings, [&](const Warning& warning) {
-    return warning.concern == Concern::resonance
-               ? std::ranges::any_of(varied, moves_a_frequency)
-               : std::ranges::any_of(varied, changes_the_proportions);
+    return warning.concern == Concern::resonance ? std::ranges::any_of(varied, moves_a_frequency)
+                                                 : std::ranges::any_of(varied, changes_the_proportions);
   });
   return warnings;
 }

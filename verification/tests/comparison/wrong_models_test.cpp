@@ -769,10 +769,9 @@ TEST(Diagnosis, BlamesNobodyForAMistakeThatIsNotOnTheList) {
           Quantity::force_maximum, Quantity::stick_force, Quantity::stick_displacement}) {
       const data::Case problem = case_for(name, quantity);
       const ModelResults model_results = model_results_of(problem, quantity);
-      const data::Case too_long =
-          data::with_value(problem, "beam.length", 1.04 * problem.beam.length());
-      const data::Case too_soft = data::with_value(problem, "beam.youngs_modulus",
-                                                      0.93 * problem.beam.youngs_modulus());
+      const data::Case too_long = data::with_value(problem, "beam.length", 1.04 * problem.beam.length());
+      const data::Case too_soft =
+          data::with_value(problem, "beam.youngs_modulus", 0.93 * problem.beam.youngs_modulus());
       for (const data::Case& wrong : {too_long, too_soft}) {
         const Diagnosis diagnosis = studies::diagnose(
             model_results,

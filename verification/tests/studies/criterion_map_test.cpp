@@ -219,10 +219,10 @@ TEST(CriterionMap, MarksWhatIsAtOrOverTheBucklingLoad) {
 TEST(CriterionMap, OfStatesOnlyHasTheStatesOfTheWholeMap) {
   const data::Case problem = with_value(flat_case_of(0.5), "excitation.amplitude", 4e-3);
   const auto x = map_axis("beam.length", 0.8, 3.0, 7, false);
-  for (const auto& y : {map_axis("beam.axial_force", 200.0, 900.0, 5, true),
-                        map_axis("excitation.amplitude", 0.0, 4e-3, 5, false),
-                        map_axis("damping.ratio", 0.0, 0.02, 3, false),
-                        map_axis("friction.static_coefficient", 0.05, 0.9, 5, false)}) {
+  for (const auto& y :
+       {map_axis("beam.axial_force", 200.0, 900.0, 5, true),
+        map_axis("excitation.amplitude", 0.0, 4e-3, 5, false), map_axis("damping.ratio", 0.0, 0.02, 3, false),
+        map_axis("friction.static_coefficient", 0.05, 0.9, 5, false)}) {
     const studies::MapTask task{.problem = problem, .x = x, .y = y, .states_only = true};
     const auto states = studies::criterion_map(task).cells;
     const auto whole = studies::criterion_map({.problem = problem, .x = x, .y = y}).cells;

@@ -235,9 +235,8 @@ TEST(DesignScan, OfALengthOverBucklingSaysSo) {
   EXPECT_EQ(range(2.0 * longest).from, 0.4);
   EXPECT_DOUBLE_EQ(range(2.0 * longest).to, 0.999 * longest);
   EXPECT_EQ(range(0.9 * longest).to, 0.9 * longest);
-  EXPECT_THROW(
-      (void)studies::buckling_value(with_value(problem, "beam.axial_force", 0.0), "beam.length"),
-      data::InputError);
+  EXPECT_THROW((void)studies::buckling_value(with_value(problem, "beam.axial_force", 0.0), "beam.length"),
+               data::InputError);
 }
 
 TEST(DesignScan, RefusesAnotherParameterAndARangeThatFalls) {

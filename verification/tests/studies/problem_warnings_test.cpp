@@ -289,7 +289,8 @@ TEST(ProblemWarnings, OfThePapersCaseAreItsResonanceAlone) {
 }
 
 TEST(ProblemWarnings, OfAMapAreThoseThatItsAxesLeaveAsTheyAre) {
-  const auto concerns = [](const std::vector<data::Override>& overrides, const std::vector<std::string_view>& axes) {
+  const auto concerns = [](const std::vector<data::Override>& overrides,
+                           const std::vector<std::string_view>& axes) {
     return concerns_of(studies::warnings_common_to(paper_with(overrides), axes));
   };
   const std::vector<data::Override> resonant, fast{{"excitation.frequency_hz", "300"}};

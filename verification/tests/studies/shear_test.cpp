@@ -220,8 +220,8 @@ TEST(ShearScope, HoldsTheMapsOfTheCriterion) {
                                 .y = studies::map_axis("excitation.amplitude", 1e-4, 1e-3, 2, false)});
     EXPECT_EQ(map.cells.size(), 4u);
     for (const auto& cell : map.cells) {
-      const data::Case at = data::with_value(data::with_value(problem, parameter, cell.x),
-                                                "excitation.amplitude", cell.y);
+      const data::Case at =
+          data::with_value(data::with_value(problem, parameter, cell.x), "excitation.amplitude", cell.y);
       const auto criterion = criterion_of(at);
       EXPECT_TRUE(within(*cell.force_ratio, criterion.force_max.midpoint() / criterion.friction_limit,
                          reference(2e-10 * *cell.force_ratio, "the width of the bounds")));

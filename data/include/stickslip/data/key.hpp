@@ -92,7 +92,8 @@ struct Key {
 /// section and Poisson's ratio; a kinetic coefficient above the static one becomes equal to it. A case whose area, second
 /// moment or shear stiffness is changed itself forgets the section or Poisson's ratio. Throws FieldError for a value
 /// that a field does not allow, and for a key of a section that the case was not given by.
-[[nodiscard]] Case with_values(const Case& problem, std::span<const std::pair<std::string_view, double>> values);
+[[nodiscard]] Case with_values(const Case& problem,
+                               std::span<const std::pair<std::string_view, double>> values);
 [[nodiscard]] Case with_value(const Case& problem, std::string_view path, double value);
 
 }  // namespace stickslip::data

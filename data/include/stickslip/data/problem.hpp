@@ -68,11 +68,13 @@ class Beam {
 /// The cross-section, if the beam was given by its sides: those of one shape, NaN for the others. Field names are the keys of
 /// the table [section]; poissons_ratio is one of [beam].
 struct Section {
-  double width{std::numeric_limits<double>::quiet_NaN()};           ///< b of a rectangle, m
-  double height{std::numeric_limits<double>::quiet_NaN()};          ///< of a rectangle, in the direction of vibration, m
+  double width{std::numeric_limits<double>::quiet_NaN()};  ///< b of a rectangle, m
+  double height{
+      std::numeric_limits<double>::quiet_NaN()};  ///< of a rectangle, in the direction of vibration, m
   double diameter{std::numeric_limits<double>::quiet_NaN()};        ///< d of a circle, outer one of a tube, m
   double wall_thickness{std::numeric_limits<double>::quiet_NaN()};  ///< t of a tube, m, at most d/2
-  double poissons_ratio{std::numeric_limits<double>::quiet_NaN()};  ///< nu; NaN if the shear stiffness is not from it
+  double poissons_ratio{
+      std::numeric_limits<double>::quiet_NaN()};  ///< nu; NaN if the shear stiffness is not from it
 
   [[nodiscard]] bool is_given() const noexcept;
   /// Throws FieldError for a side that is not above 0, or for another number that no section has.
