@@ -10,6 +10,8 @@ namespace stickslip::data {
 
 namespace {
 
+namespace key_table {
+
 template <auto Table, auto Field>
 constexpr KeyMember member() {
   using Number = std::remove_cvref_t<decltype((CaseNumbers{}.*Table).*Field)>;
@@ -39,7 +41,7 @@ constexpr bool may_be_zero = true;
 
 // A further parameter is one more entry here.
 // clang-format off
-constexpr std::array keys{
+constexpr std::array all{
     Key{"beam.length", beam<&BeamProperties::length>, {1e-9, 1e6, "m"}, required,
         {"length", "length_m", "beam length L / m"}},
     Key{"beam.area", beam<&BeamProperties::area>, {1e-18, 1e12, "m^2"}, required,
@@ -102,6 +104,8 @@ constexpr std::array keys{
 };
 // clang-format on
 
+}  // namespace key_table
+
 CaseNumbers numbers_in(const Case& problem) {
   return {.beam = problem.beam.properties(),
           .friction = problem.friction.coefficients(),
@@ -127,11 +131,11 @@ double shear_area(const Section& section) {
 
 }  // namespace
 
-std::span<const Key> case_keys() { return keys; }
+std::span<const Key> case_keys() { return key_table::all; }
 
 const Key& key_named(std::string_view path) {
-  const auto* const found = std::ranges::find(keys, path, &Key::path);
-  if (found == keys.end()) throw std::invalid_argument("there is no key " + std::string(path));
+  const auto* const found = std::ranges::find(key_table::all, path, &Key::path);
+  if (found == key_table::all.end()) throw std::invalid_argument("there is no key " + std::string(path));
   return *found;
 }
 
@@ -150,14 +154,14 @@ Case case_of(const std::string& name, const CaseNumbers& numbers) {
 std::map<std::string, double> numbers_of(const Case& problem) {
   const CaseNumbers all = numbers_in(problem);
   std::map<std::string, double> numbers;
-  for (const Key& key : keys)
+  for (const Key& key : key_table::all)
     if (has(all, key)) numbers.emplace(key.path, key.member.get(all));
   return numbers;
 }
 
 Case case_with(const std::string& name, const std::map<std::string, double>& numbers) {
   CaseNumbers all;
-  for (const Key& key : keys) {
+  for (const Key& key : key_table::all) {
     const std::string path(key.path);
     if (has(all, key) || numbers.contains(path)) key.member.set(all, numbers.at(path));
   }
