@@ -1042,7 +1042,7 @@ TEST_F(OptionInput, ThatIsRefusedIsNamedWithWhatIsAllowed) {
   expect_refused("map --quantity work --transient 10",
                  "excitation.duration is 10, but must be long enough for the transient and two periods of "
                  "the base motion, 12 s");
-  expect_refused("sweep --parameter density=1:2:3", "--parameter: PARAMETER is 'density'");
+  expect_refused("sweep --parameter modes=1:2:3", "--parameter: PARAMETER is 'modes'");
   expect_refused("map --x length=1e-300:1:2",
                  "--x: beam.length is 1e-300, but must be from 1e-09 to 1e+06 (m)");
   expect_refused("map --x length=1:1e7:2", "--x: beam.length is 1e+07, but must be from 1e-09 to 1e+06 (m)");

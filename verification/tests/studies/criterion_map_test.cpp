@@ -91,12 +91,16 @@ TEST(MapAxis, ChangesTheFieldOfItsParameterAndNoOther) {
 
 STICKSLIP_VERIFIES(CriterionMap, "X7");
 TEST(CriterionMap, HoldsTheCriterionOfEachCell) {
-  const data::Case problem = flat_case_of(2.0);
+  data::Case problem = flat_case_of(2.0);
+  problem.section = {.width = 0.1, .height = 0.01};
+  problem = with_value(problem, "section.height", 0.01);
   const std::vector<studies::MapAxis> axes{map_axis("excitation.frequency_hz", 20.0, 90.0, 4, false),
                                            map_axis("excitation.amplitude", 0.0, 2e-3, 3, false),
                                            map_axis("beam.length", 0.5, 2.0, 4, false),
                                            map_axis("beam.axial_force", 50.0, 1200.0, 3, true),
                                            map_axis("beam.youngs_modulus", 1e9, 8e9, 3, true),
+                                           map_axis("beam.density", 900.0, 1100.0, 2, false),
+                                           map_axis("section.height", 5e-3, 0.02, 3, false),
                                            map_axis("friction.static_coefficient", 0.1, 0.9, 3, false)};
   for (const auto& x : axes)
     for (const auto& y : axes) {
@@ -122,6 +126,20 @@ TEST(CriterionMap, HoldsTheCriterionOfEachCell) {
         EXPECT_EQ(cell.state == CellState::stick_slip, criterion.verdict == analytic::Verdict::stick_slip);
       }
     }
+}
+
+// At one load factor the beams of a map still differ.
+TEST(CriterionMap, HoldsBeamsOfOneLoadFactor) {
+  const data::Case problem = flat_case_of(0.1);
+  const auto x = map_axis("beam.density", 900.0, 1100.0, 2, false),
+             y = map_axis("beam.area", 1e-3, 2e-3, 2, false);
+  for (const auto& cell : studies::criterion_map({.problem = problem, .x = x, .y = y}).cells) {
+    const data::Case point = case_of(problem, x, y, cell);
+    const auto criterion = analytic::evaluate_criterion(point.beam, point.friction, point.excitation, 0.1);
+    const double ratio = criterion.force_max.midpoint() / criterion.friction_limit;
+    EXPECT_TRUE(
+        within(*cell.force_ratio, ratio, reference(1e-10 * ratio, "the relative width of the bounds")));
+  }
 }
 
 TEST(CriterionMap, OfADampedBeamHoldsTheDampedForceOfEachCell) {
