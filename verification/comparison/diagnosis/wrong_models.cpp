@@ -24,7 +24,6 @@ namespace stickslip::comparison {
 namespace {
 
 using studies::in_parallel;
-using studies::Parameter;
 using studies::StickReading;
 using studies::StickSum;
 using studies::two_pi;
@@ -317,9 +316,9 @@ OptionalValues values_of(const WrongModelRecipe& model, const data::Case& proble
   if (quantity == force_maximum || quantity == critical_amplitude) {
     values.emplace();
     data::Case here = problem;
-    if (quantity == critical_amplitude) here = with_value(here, Parameter::amplitude, unit_amplitude);
+    if (quantity == critical_amplitude) here = with_value(here, "excitation.amplitude", unit_amplitude);
     for (const double hz : abscissa) {
-      const auto one = raw_values(model, with_value(here, Parameter::frequency, hz), quantity, {hz});
+      const auto one = raw_values(model, with_value(here, "excitation.frequency_hz", hz), quantity, {hz});
       if (!one) return std::nullopt;
       values->push_back(one->front());
     }
