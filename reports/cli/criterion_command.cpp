@@ -105,7 +105,7 @@ double unit_steady_force(const data::Case& problem) {
 SteadyState steady_state(const data::Case& problem) {
   const double unit_force = unit_steady_force(problem);
   const double force = problem.excitation.amplitude() * unit_force;
-  const double limit = problem.friction.static_coefficient() * problem.beam.axial_force();
+  const double limit = studies::friction_limit(problem);
   return {.force = force,
           .critical_amplitude = limit / unit_force,
           .verdict = force > limit ? analytic::Verdict::stick_slip : analytic::Verdict::stick};

@@ -127,13 +127,13 @@ FigureData figure3(StudyResults& results) {
   int panel = 0;
   for (const auto& study : results.beam_motions()) {
     ++panel;
-    const auto& snapshots = study.finite_element.snapshots;
-    for (std::size_t i = 0; i < snapshots.size(); ++i)
-      for (std::size_t k = 0; k < study.finite_element.position.size(); ++k)
+    const auto& rows = study.finite_element.rows;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      for (std::size_t k = 0; k < study.position.size(); ++k)
         table.add_numbers({static_cast<double>(panel), study.frequency_hz, static_cast<double>(i + 1),
-                           snapshots[i].time, (snapshots[i].time - snapshots[0].time) * study.frequency_hz,
-                           snapshots[i].sticks ? 1.0 : 0.0, study.finite_element.position[k],
-                           snapshots[i].displacement[k], study.reference.snapshots[i].displacement[k]});
+                           rows[i].time, (rows[i].time - rows[0].time) * study.frequency_hz,
+                           rows[i].state == data::ContactState::stick ? 1.0 : 0.0, study.position[k],
+                           rows[i].displacement[k], study.reference.rows[i].displacement[k]});
   }
   FigureData data;
   data.tables.push_back({"fig3", std::move(table)});
@@ -371,9 +371,9 @@ FigureData benchmark(StudyResults& results) {
   const auto& all = results.damped_benchmarks();
   CsvTable histories("Damped benchmark: tip displacement y(L, t) of the reference",
                      {{"time_s", "s"}, {"tip_25hz_m", "m"}, {"tip_70hz_m", "m"}});
-  for (std::size_t n = 0; n < all.front().history.time.size(); ++n)
-    histories.add_numbers({all.front().history.time[n], all.front().history.tip_displacement[n],
-                           all.back().history.tip_displacement[n]});
+  const auto &low = all.front().history.rows, &high = all.back().history.rows;
+  for (std::size_t n = 0; n < low.size(); ++n)
+    histories.add_numbers({low[n].time, low[n].tip_displacement, high[n].tip_displacement});
   CsvTable events("Damped benchmark: events of the reference and differences of other runs to it",
                   {{"frequency_Hz", "Hz"},
                    {"run", "1"},
@@ -387,20 +387,20 @@ FigureData benchmark(StudyResults& results) {
                    {"position_difference_m", "m"}});
   FigureData data;
   for (const auto& benchmark : all) {
-    const auto add = [&](std::size_t run, const std::string& method, int size, double step, std::size_t i,
-                         double time, double position) {
-      const auto& event = benchmark.events[i].event;
-      events.add_row({csv_number(benchmark.frequency_hz), std::to_string(run), method, std::to_string(size),
-                      csv_number(step), csv_number(event.time), event.onset ? "onset" : "capture",
-                      csv_number(event.position), csv_number(time), csv_number(position)});
+    const auto add = [&](std::size_t number, const std::string& method, int size, double step,
+                         const std::vector<studies::EventDifference>& differences) {
+      for (std::size_t i = 0; i < differences.size(); ++i) {
+        const auto& event = benchmark.events[i];
+        events.add_row({csv_number(benchmark.frequency_hz), std::to_string(number), method,
+                        std::to_string(size), csv_number(step), csv_number(event.time),
+                        std::string(data::name_of(event.change)), csv_number(event.position),
+                        csv_number(differences[i].time), csv_number(differences[i].position)});
+      }
     };
-    for (std::size_t i = 0; i < benchmark.events.size(); ++i)
-      add(0, "uncertainty of the reference", benchmark.modes, 0.0, i, benchmark.events[i].time_uncertainty,
-          benchmark.events[i].position_uncertainty);
+    add(0, "uncertainty of the reference", benchmark.modes, 0.0, benchmark.uncertainties);
     for (std::size_t k = 0; k < benchmark.runs.size(); ++k) {
       const auto& run = benchmark.runs[k];
-      for (std::size_t i = 0; i < run.each.size(); ++i)
-        add(k + 1, run.method, run.size, run.time_step, i, run.each[i].time, run.each[i].position);
+      add(k + 1, run.method, run.size, run.time_step, run.each);
     }
   }
   data.values.push_back({"shown", all.front().duration, "s"});

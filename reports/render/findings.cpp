@@ -213,7 +213,7 @@ json benchmark_extremes(const std::vector<studies::DampedBenchmark>& benchmarks,
     raise(all.time, run.all.time);
     raise(all.position, run.all.position);
     events += benchmark.events.size();
-    merged += (benchmark.history.events.size() - benchmark.events.size()) / 2;
+    merged += (studies::onsets_and_captures(benchmark.history.events).size() - benchmark.events.size()) / 2;
   }
   return {{"elements", finest_stepped(benchmarks.front()).size},
           {"time_step", finest_stepped(benchmarks.front()).time_step},

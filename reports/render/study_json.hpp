@@ -17,6 +17,9 @@ STICKSLIP_JSON(HarmonicExcitation, frequency_hz(), amplitude())
 STICKSLIP_JSON(NumericalSettings, elements(), time_step(), spectral_radius(), velocity_threshold(), modes(),
                duration())
 STICKSLIP_JSON(Case, beam, friction, excitation, numerics)
+inline void to_json(nlohmann::json& text, ContactState state) { text = name_of(state); }
+inline void to_json(nlohmann::json& text, ContactChange change) { text = name_of(change); }
+STICKSLIP_JSON(ContactEvent, change, time, position)
 STICKSLIP_JSON(PrintedNumber, id, value, unit, printed, printed_unit, place, meaning)
 }  // namespace stickslip::data
 
@@ -77,10 +80,10 @@ STICKSLIP_JSON(LengthForceMap, lines)
 STICKSLIP_JSON(CriterionMap::Cell, x, y, force_ratio, state)
 STICKSLIP_JSON(CriterionMap, cells)
 
-STICKSLIP_JSON(BeamMotion::Snapshot, time, sticks, friction_force, displacement)
-STICKSLIP_JSON(BeamMotion, position, snapshots)
-STICKSLIP_JSON(BeamMotionStudy, frequency_hz, amplitude, finite_element, reference, half_width, first_slip,
-               peak, stick_difference, predicted_stick_difference, difference)
+STICKSLIP_JSON(HistoryRow, time, tip_displacement, friction_force, state, displacement)
+STICKSLIP_JSON(History, rows, events)
+STICKSLIP_JSON(BeamMotionStudy, frequency_hz, amplitude, position, finite_element, reference, half_width,
+               first_slip, peak, stick_difference, predicted_stick_difference, difference)
 STICKSLIP_JSON(ConvergedStick, begin, end, position, begin_half_width, end_half_width, position_half_width)
 STICKSLIP_JSON(HistoryLevel, method, time_step, modes, changes, difference)
 STICKSLIP_JSON(ConvergedHistory, frequency_hz, amplitude, time, tip, midspan, tip_half_width,
@@ -94,13 +97,10 @@ STICKSLIP_JSON(StepRule, name, angle, time_step, spectral_radius, radiating_shar
 STICKSLIP_JSON(HistoryRun, elements, time_step, spectral_radius, highest_angle, growth_bound, observed_growth,
                error, changes)
 STICKSLIP_JSON(HistoryRefinement, rule, frequency_hz, runs, order)
-STICKSLIP_JSON(HistoryEvent, onset, time, position)
-STICKSLIP_JSON(TipHistory, time, tip_displacement, events, changes)
 STICKSLIP_JSON(EventDifference, time, position)
-STICKSLIP_JSON(BenchmarkEvent, event, time_uncertainty, position_uncertainty)
 STICKSLIP_JSON(BenchmarkRun, method, size, time_step, first_ten, all, each)
 STICKSLIP_JSON(DampedBenchmark, frequency_hz, amplitude, kelvin_voigt, duration, shortest_stick, modes,
-               events, tolerance_effect, history, runs)
+               events, uncertainties, tolerance_effect, history, runs)
 STICKSLIP_JSON(EventOrder, event_time_error, event_position_error, tip_error, event_time_order,
                event_position_order, tip_order)
 STICKSLIP_JSON(EventOrderStudy, spectral_radius, elements, events, duration, time_step, located,

@@ -458,7 +458,7 @@ class Search {
                                           {"length", "beam.length"},
                                           {"axial_force", "beam.axial_force"}})
       if (std::ranges::count(reference_.resource.primary_key, name) > 0)
-        problem = studies::with_value(problem, parameter, reference_.column(name).values[row]);
+        problem = data::with_value(problem, parameter, reference_.column(name).values[row]);
     return problem;
   }
 

@@ -20,7 +20,7 @@ namespace {
 using studies::FrictionRule;
 using studies::ModalScheme;
 using studies::StickSum;
-using studies::with_value;
+using data::with_value;
 using enum Quantity;
 using Quantities = std::vector<Quantity>;
 

@@ -27,7 +27,7 @@ using studies::in_parallel;
 using studies::StickReading;
 using studies::StickSum;
 using studies::two_pi;
-using studies::with_value;
+using data::with_value;
 using enum Quantity;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();

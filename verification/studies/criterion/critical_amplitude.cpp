@@ -6,6 +6,7 @@
 
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/common/parallel.hpp"
+#include "studies/common/problem_parameter.hpp"
 
 namespace stickslip::studies {
 
@@ -19,7 +20,7 @@ CriticalAmplitudeSearch search(const data::Beam& beam, const data::FrictionLaw& 
   };
   CriticalAmplitudeSearch result;
   result.frequency_hz = hz;
-  const double limit = friction.static_coefficient() * beam.axial_force();
+  const double limit = friction_limit(friction, beam);
   result.linear = increment * limit / solver::max_abs_friction_force(beam, at(increment), numerics);
   const double multiple = std::floor(result.linear / increment) + 1.0;
   if (multiple <= steps) result.stepped_linear = multiple * increment;

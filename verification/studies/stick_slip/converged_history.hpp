@@ -65,8 +65,4 @@ struct ConvergedEffort {
 [[nodiscard]] ConvergedHistory converged_history(const data::Case& problem,
                                                  const ConvergedEffort& effort = {});
 
-/// The number of free modes for a FreeModeRun with the step h: those with omega_k h <= 20, where omega_k
-/// grows with k^2, but at least 20 and at most 1000. Throws what slip_modes() throws.
-[[nodiscard]] int free_modes_for(const data::Beam& beam, double time_step);
-
 }  // namespace stickslip::studies

@@ -5,16 +5,9 @@
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
-#include "studies/stick_slip/event_history.hpp"
+#include "studies/history/history.hpp"
 
 namespace stickslip::studies {
-
-/// An event of the reference history with its uncertainty.
-struct BenchmarkEvent {
-  HistoryEvent event;
-  double time_uncertainty{};      ///< s
-  double position_uncertainty{};  ///< m
-};
 
 /// The same history by another method or discretisation.
 struct BenchmarkRun {
@@ -35,11 +28,12 @@ struct BenchmarkRun {
 /// the integrator's tolerance, which is measured by a run with a hundred times that tolerance.
 struct DampedBenchmark {
   double frequency_hz{}, amplitude{}, kelvin_voigt{}, duration{};
-  double shortest_stick{};  ///< s; shorter stick phases are merged (without_micro_sticks())
-  int modes{};              ///< of the reference
-  std::vector<BenchmarkEvent> events;
+  double shortest_stick{};                 ///< s; shorter stick phases are merged (without_micro_sticks())
+  int modes{};                             ///< of the reference
+  std::vector<data::ContactEvent> events;  ///< onsets and captures
+  std::vector<EventDifference> uncertainties;  ///< of the events
   double tolerance_effect{};  ///< largest time difference at a hundred times the tolerance, s
-  TipHistory history;         ///< of the reference, every 0.1 ms
+  History history;            ///< of the reference, every 0.1 ms
   std::vector<BenchmarkRun> runs;
 };
 

@@ -6,7 +6,7 @@
 
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
-#include "studies/stick_slip/event_history.hpp"
+#include "studies/history/history.hpp"
 
 namespace stickslip::studies {
 
@@ -14,10 +14,9 @@ namespace {
 
 solver::EnergyBalance stepped_balance(const data::Case& problem, double duration, int elements,
                                       double time_step) {
-  data::NumericalChoices choices = refined(problem.numerics, elements, time_step).choices();
-  choices.spectral_radius = 1.0;
   solver::BeamSimulation simulation(problem.beam, problem.friction, problem.excitation,
-                                    data::NumericalSettings(choices), {.damping = problem.damping});
+                                    refined(problem, elements, time_step, duration, 1.0).numerics,
+                                    {.damping = problem.damping});
   solver::EnergyRecorder recorder(simulation.integrator());
   simulation.observe([&recorder](const solver::StickSlipIntegrator& now) { recorder.record(now); });
   for (long n = solver::step_count(duration, time_step); n > 0; --n) simulation.step();

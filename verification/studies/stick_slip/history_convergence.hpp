@@ -10,8 +10,8 @@
 
 #include "stickslip/data/problem.hpp"
 #include "studies/convergence/convergence.hpp"
+#include "studies/history/history.hpp"
 #include "studies/stick_slip/converged_history.hpp"
-#include "studies/stick_slip/event_history.hpp"
 
 namespace stickslip::studies {
 
@@ -33,7 +33,7 @@ struct HistoryRun {
 /// The rate, 1/s, at which two histories at the same times separate: the slope of the logarithm of the largest
 /// |difference| of y(L) in each whole period (s) from the first event of `a` on, before the first period in which it
 /// exceeds `limit` (m). Nothing if there are fewer than three such periods.
-[[nodiscard]] std::optional<double> growth_rate(const TipHistory& a, const TipHistory& b, double period,
+[[nodiscard]] std::optional<double> growth_rate(const History& a, const History& b, double period,
                                                 double limit);
 
 /// One run with its growth bound and its error. The growth is observed in periods of the load, with a tenth of the range

@@ -600,12 +600,12 @@ TEST_F(FigureTables, HoldTheMotionOfTheBeamFromItsBaseToItsTip) {
   std::size_t row = 0;
   for (std::size_t panel = 0; panel < motions.size(); ++panel) {
     const auto& study = motions[panel];
-    const auto& snapshots = study.finite_element.snapshots;
+    const auto& snapshots = study.finite_element.rows;
     const double omega = 2.0 * std::numbers::pi * study.frequency_hz;
     // The phase omega t of the base is below 20, and so its sine is known to 20 eps.
     const double rounding = 20.0 * std::numeric_limits<double>::epsilon() * study.amplitude;
     for (std::size_t i = 0; i < snapshots.size(); ++i)
-      for (std::size_t k = 0; k < study.finite_element.position.size(); ++k, ++row) {
+      for (std::size_t k = 0; k < study.position.size(); ++k, ++row) {
         ASSERT_LT(row, rows.size());
         const auto cells = numbers_of(rows[row]);
         ASSERT_EQ(cells.size(), 9U);
@@ -613,9 +613,9 @@ TEST_F(FigureTables, HoldTheMotionOfTheBeamFromItsBaseToItsTip) {
         EXPECT_EQ(cells[1], study.frequency_hz);
         EXPECT_EQ(cells[2], static_cast<double>(i + 1));
         EXPECT_DOUBLE_EQ(cells[4], (cells[3] - snapshots.front().time) * study.frequency_hz);
-        EXPECT_EQ(cells[5] == 1.0, snapshots[i].sticks);
+        EXPECT_EQ(cells[5] == 1.0, snapshots[i].state == data::ContactState::stick);
         EXPECT_EQ(cells[7], snapshots[i].displacement[k]);
-        EXPECT_EQ(cells[8], study.reference.snapshots[i].displacement[k]);
+        EXPECT_EQ(cells[8], study.reference.rows[i].displacement[k]);
         if (cells[6] == 0.0) {  // the base
           const double base = study.amplitude * std::sin(omega * cells[3]);
           EXPECT_NEAR(cells[7], base, rounding);

@@ -17,10 +17,10 @@
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/criterion/model_form.hpp"
-#include "studies/stick_slip/event_history.hpp"
-#include "studies/stick_slip/regularisation.hpp"
+#include "studies/history/runs.hpp"
 #include "support/error_message.hpp"
 #include "support/order.hpp"
+#include "support/regularisation.hpp"
 #include "support/requirements.hpp"
 #include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
@@ -285,11 +285,8 @@ data::Case damped_case(const data::TangentialContact& contact, double duration) 
 // Every `divisor`-th step.
 std::vector<double> stepped_tip(const data::Case& problem, int elements, int divisor) {
   const double h = problem.numerics.time_step() / divisor;
-  return studies::time_stepper_history(problem.beam, problem.friction, problem.excitation,
-                                       studies::refined(problem.numerics, elements, h),
-                                       {.damping = problem.damping, .tangential = problem.contact},
-                                       problem.numerics.duration(), divisor)
-      .tip_displacement;
+  return studies::tip_displacements(studies::finite_element_history(
+      studies::refined(problem, elements, h, problem.numerics.duration()), {.every = divisor}));
 }
 
 class YieldingContact : public ::testing::TestWithParam<const char*> {
@@ -317,11 +314,11 @@ TEST_P(YieldingContact, MovesTheBeamAlikeInBothImplementations) {
 
 // In the coordinates of the held tip the same steps are taken, without damping.
 TEST_P(YieldingContact, StepsAlikeInModalCoordinates) {
-  const data::Case problem = damped_case(contact(), 0.1);
+  data::Case problem = damped_case(contact(), 0.1);
+  problem.damping = {};
   const auto tip = [&](solver::Coordinates coordinates) {
-    return studies::time_stepper_history(problem.beam, problem.friction, problem.excitation, problem.numerics,
-                                         {.coordinates = coordinates, .tangential = problem.contact}, 0.1)
-        .tip_displacement;
+    return studies::tip_displacements(
+        studies::finite_element_history(problem, {}, {.coordinates = coordinates}));
   };
   EXPECT_LT(studies::largest_difference(tip(solver::Coordinates::nodal), tip(solver::Coordinates::modal)),
             1e-10);
@@ -362,9 +359,8 @@ INSTANTIATE_TEST_SUITE_P(Contact, YieldingContact, ::testing::Values("spring", "
 
 // --- On the way to the set-valued law
 
-const studies::RegularisationRate& rate(const std::vector<studies::RegularisationRate>& rates,
-                                        const std::string& quantity) {
-  return *std::ranges::find(rates, quantity, &studies::RegularisationRate::quantity);
+const RegularisationRate& rate(const std::vector<RegularisationRate>& rates, const std::string& quantity) {
+  return *std::ranges::find(rates, quantity, &RegularisationRate::quantity);
 }
 
 // Stated before it was measured: the spring moves the tip by f/k_t while it sticks, which changes the forces by O(1/k_t)
@@ -377,8 +373,8 @@ TEST(Regularisation, TendsToTheSetValuedLawAtFirstOrderInMotionAndOnset) {
   std::vector<data::ContactProperties> stiffer, narrower;
   for (const double k : {3.2e7, 1.28e8, 5.12e8, 2.048e9}) stiffer.push_back({.tangential_stiffness = k});
   for (const double width : {4e-4, 1e-4, 2.5e-5, 6.25e-6}) narrower.push_back(smooth(width).properties());
-  const auto springs = studies::regularisation_rates(problem, stiffer, 4e-6);
-  const auto laws = studies::regularisation_rates(problem, narrower, 4e-6);
+  const auto springs = regularisation_rates(problem, stiffer, 4e-6);
+  const auto laws = regularisation_rates(problem, narrower, 4e-6);
   for (const auto& rates : {springs, laws})
     for (const char* quantity : {"first slip", "position"})
       EXPECT_NEAR(rate(rates, quantity).order, 1.0, 0.05) << quantity;
@@ -399,14 +395,14 @@ TEST(Regularisation, ChangesFirstSlipTravelAndWorkAsTheManualSays) {
     std::string name;
     double first_slip, travel, work;
   };
-  const auto settings = studies::code_settings(problem);
+  const auto settings = code_settings(problem);
   for (const Row& row : std::vector<Row>{{"set-valued law", 9.48e-3, 3.087e-3, 0.777},
                                          {"elastic slip 0.005 of a face", 10.87e-3, 3.684e-3, 0.809},
                                          {"transition at 100 mm/s", 9.90e-3, 3.267e-3, 0.813}}) {
-    const auto setting = std::ranges::find(settings, row.name, &studies::CodeSetting::name);
+    const auto setting = std::ranges::find(settings, row.name, &CodeSetting::name);
     ASSERT_NE(setting, settings.end()) << row.name;
     problem.contact = data::TangentialContact(setting->contact);
-    const studies::ContactSummary summary = studies::contact_summary(problem, 8e-6);
+    const ContactSummary summary = contact_summary(problem, 8e-6);
     EXPECT_NEAR(summary.first_slip, row.first_slip, 1e-5)
         << row.name;  // two digits behind the point of a ms, and a step
     EXPECT_TRUE(within(summary.travel, row.travel, discretisation(row.travel * 3e-4, 10.0, "half the step")));
@@ -429,7 +425,7 @@ TEST(Regularisation, WorkOfCoulombFrictionIsTheForceTimesThePathOfTheSlider) {
   problem.friction = data::FrictionLaw({.static_coefficient = 0.6, .kinetic_coefficient = 0.6});
   problem.contact = data::TangentialContact({.tangential_stiffness = 6e5});
   const auto difference = [&](double step) {
-    const studies::ContactSummary summary = studies::contact_summary(problem, step);
+    const ContactSummary summary = contact_summary(problem, step);
     return std::abs(summary.work / (300.0 * summary.travel) - 1.0);
   };
   const double coarse = difference(8e-6), fine = difference(4e-6);

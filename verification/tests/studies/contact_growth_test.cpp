@@ -23,9 +23,9 @@
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/criterion/problem_warnings.hpp"
+#include "studies/history/runs.hpp"
 #include "studies/stick_slip/contact_growth.hpp"
 #include "studies/stick_slip/converged_history.hpp"
-#include "studies/stick_slip/event_history.hpp"
 #include "studies/stick_slip/history_convergence.hpp"
 #include "support/beams.hpp"
 #include "support/contact_models.hpp"
@@ -338,17 +338,15 @@ studies::ConvergedHistory grid(double duration) {
 // last period is cut off before its largest value.
 TEST(HistoryConvergence, ObservesTheGrowthOfADifferenceInWholePeriods) {
   const double sigma = 30.0, period = 0.04, start = 0.06, step = 1e-4;
-  studies::TipHistory a, b;
+  studies::History a, b;
   for (int n = 0; n <= 2800; ++n) {
     const double t = step * n;
-    a.time.push_back(t);
-    a.tip_displacement.push_back(1e-3);
-    b.tip_displacement.push_back(1e-3 +
-                                 1e-8 * std::exp(sigma * t) * std::sin(2.0 * std::numbers::pi * t / period));
+    const double apart = 1e-8 * std::exp(sigma * t) * std::sin(2.0 * std::numbers::pi * t / period);
+    a.rows.push_back({.time = t, .tip_displacement = 1e-3});
+    b.rows.push_back({.time = t, .tip_displacement = 1e-3 + apart});
   }
-  b.time = a.time;
   EXPECT_FALSE(growth_rate(a, b, period, 1.0).has_value());  // no event
-  a.events = {{true, start, 1e-3}, {false, 0.2, 1e-3}};
+  a.events = {{data::ContactChange::onset, start, 1e-3}, {data::ContactChange::capture, 0.2, 1e-3}};
   // 1e-8 exp(sigma t) beside 1e-3: rounding by eps 1e-3/1e-8 of the first values.
   const Tolerance rounding = round_off(10, 1e5, 1.0 / period);
   EXPECT_TRUE(within(growth_rate(a, b, period, 1.0).value(), sigma, rounding));
@@ -372,14 +370,13 @@ TEST(HistoryConvergence, ObservesNoMoreGrowthThanItsBound) {
 TEST(HistoryConvergence, MeasuresTheErrorAgainstTheHistoryGiven) {
   auto reference = grid(0.1);
   const auto problem = paper_case();
-  const auto history = studies::time_stepper_history(problem.beam, problem.friction, problem.excitation,
-                                                     studies::refined(problem.numerics, 10, 1e-4),
-                                                     {.coordinates = solver::Coordinates::modal}, 0.1, 5);
-  reference.tip = history.tip_displacement;
+  const auto history = studies::finite_element_history(studies::refined(problem, 10, 1e-4, 0.1), {.every = 5},
+                                                       {.coordinates = solver::Coordinates::modal});
+  reference.tip = studies::tip_displacements(history);
   reference.tip[60] += 6e-4;
   const auto run = studies::history_run(problem, reference, 10, 1e-4, 0.9, false);
   EXPECT_TRUE(within(run.error, 0.1, round_off(10, 10.0, 0.1)));
-  EXPECT_EQ(run.changes, history.changes);
+  EXPECT_EQ(run.changes, history.events.size());
   EXPECT_FALSE(run.observed_growth.has_value());
   EXPECT_DOUBLE_EQ(run.time_step, 1e-4);
   EXPECT_EQ(run.highest_angle, mesh(10).angular_frequencies().maxCoeff() * run.time_step);

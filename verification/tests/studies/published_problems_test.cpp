@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Friction problems of others, and a friction law that jumps, in both implementations.
 
-#include "studies/stick_slip/published_problems.hpp"
+#include "support/published_problems.hpp"
 
 #include <gtest/gtest.h>
 
@@ -25,8 +25,8 @@
 namespace stickslip::testing {
 namespace {
 
-const std::vector<studies::PublishedProblem>& problems() {
-  static const auto solved = studies::published_problems(data::load_reference());
+const std::vector<PublishedProblem>& problems() {
+  static const auto solved = published_problems(data::load_reference());
   return solved;
 }
 
@@ -103,7 +103,7 @@ TEST(PublishedProblems, ASpringStopsLateByTheErrorOfItsPeriod) {
 }
 
 TEST(PublishedProblems, AForcedMassStopsAsOftenAsHongAndLiuSay) {
-  const auto counts = studies::stops_per_period(data::load_reference());
+  const auto counts = stops_per_period(data::load_reference());
   EXPECT_EQ(counts.size(), 36u);
   std::set<int> seen;
   for (const auto& count : counts) {
@@ -119,7 +119,7 @@ TEST(PublishedProblems, AForcedMassNeverStopsBeyondTheLimitOfDenHartog) {
   const std::size_t limits = data::read_table(package, "non-stop-limits").rows();
   EXPECT_GT(limits, 0u);
   for (const auto& [share, stops] : {std::pair{0.99, 2}, {1.01, 0}}) {
-    const auto counts = studies::stops_beside_the_limit(package, share);
+    const auto counts = stops_beside_the_limit(package, share);
     EXPECT_EQ(counts.size(), limits);
     for (const auto& count : counts) {
       EXPECT_EQ(count.event_driven, stops) << count.frequency_ratio;

@@ -18,7 +18,7 @@
 #include "studies/convergence/discretisation.hpp"
 #include "studies/criterion/problem_warnings.hpp"
 #include "studies/criterion/scope.hpp"
-#include "studies/stick_slip/event_history.hpp"
+#include "studies/history/runs.hpp"
 #include "studies/stick_slip/history_convergence.hpp"
 #include "support/paper_case.hpp"
 #include "support/requirements.hpp"
@@ -179,16 +179,18 @@ TEST(LateSlips, GoOnButMoveTheTipLittleByTwoFormulations) {
   const double filtering = studies::time_step_of({.angle = studies::filtering_angle}, paper().beam, 40);
   for (const auto& [elements, step, radius, duration, every] :
        {std::tuple{40, filtering, 0.0, 0.5, 1}, {20, 1e-4, 0.9, 10.0, 10}, {40, 1e-4, 0.9, 10.0, 10}}) {
-    data::NumericalChoices choices = studies::refined(paper().numerics, elements, step).choices();
-    choices.spectral_radius = radius;
-    const auto history = studies::time_stepper_history(
-        paper().beam, paper().friction, excitation(35.0, 1e-3), data::NumericalSettings(choices),
-        {.coordinates = solver::Coordinates::modal}, duration, every);
+    data::Case problem = paper();
+    problem.excitation = excitation(35.0, 1e-3);
+    const auto history =
+        studies::finite_element_history(studies::refined(problem, elements, step, duration, radius),
+                                        {.every = every}, {.coordinates = solver::Coordinates::modal});
+    std::vector<double> time;
+    for (const auto& row : history.rows) time.push_back(row.time);
     double last_onset = 0.0;
     for (const auto& event : history.events)
-      if (event.onset) last_onset = event.time;
-    expect_late_slips(fmt::format("finite elements, {}, {:.2g} s", elements, step), history.time,
-                      history.tip_displacement, last_onset);
+      if (event.change == data::ContactChange::onset) last_onset = event.time;
+    expect_late_slips(fmt::format("finite elements, {}, {:.2g} s", elements, step), time,
+                      studies::tip_displacements(history), last_onset);
   }
 }
 

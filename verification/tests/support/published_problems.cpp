@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "studies/stick_slip/published_problems.hpp"
+#include "support/published_problems.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,13 +10,15 @@
 
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/analytic/modal_contact_run.hpp"
+#include "stickslip/data/contact_event.hpp"
 #include "stickslip/solver/stick_slip_integrator.hpp"
 #include "studies/convergence/convergence.hpp"
 
-namespace stickslip::studies {
+namespace stickslip::testing {
 namespace {
 
 using std::numbers::pi;
+using studies::largest_or_nan;
 
 constexpr double jump = std::numeric_limits<double>::infinity();
 
@@ -91,18 +93,20 @@ MassProblem problem_named(const std::string& name) {
   throw std::logic_error("the study has no problem " + name);
 }
 
-struct Change {
-  std::string kind;
-  double time{}, position{};
-};
-
 // The changes up to the last of the times, and the positions at the times.
-struct History {
-  std::vector<Change> changes;
+struct MassHistory {
+  std::vector<data::ContactEvent> changes;
   std::vector<double> positions;
+
+  void add(const std::vector<data::ContactEvent>& events, double start) {
+    for (data::ContactEvent event : events) {
+      event.time += start;
+      changes.push_back(event);
+    }
+  }
   [[nodiscard]] int captures_between(double from, double to) const {
-    return static_cast<int>(std::ranges::count_if(changes, [&](const Change& change) {
-      return change.kind == "capture" && change.time > from && change.time < to;
+    return static_cast<int>(std::ranges::count_if(changes, [&](const data::ContactEvent& event) {
+      return event.change == data::ContactChange::capture && event.time > from && event.time < to;
     }));
   }
 };
@@ -130,18 +134,17 @@ analytic::ContactModel contact_model(const MassProblem& problem) {
   return model;
 }
 
-void run_on(analytic::EventDriven& run, double start, const std::vector<double>& times, History& history) {
+void run_on(analytic::EventDriven& run, double start, const std::vector<double>& times,
+            MassHistory& history) {
   for (const double t : times) {
     run.advance_to(t - start);
     history.positions.push_back(run.contact_position());
   }
-  for (const auto& change : run.events())
-    history.changes.push_back(
-        {std::string(data::name_of(change.change)), start + change.time, change.position});
+  history.add(run.events(), start);
 }
 
-History event_driven(const MassProblem& problem, const std::vector<double>& times) {
-  History history;
+MassHistory event_driven(const MassProblem& problem, const std::vector<double>& times) {
+  MassHistory history;
   analytic::EventDriven run(contact_model(problem));
   if (!problem.is_pair) {
     if (problem.velocity)
@@ -185,16 +188,15 @@ solver::ContactSystem contact_system(const MassProblem& problem) {
 
 // Steps to the last of the times, which must be on the grid where the position is asked for.
 void step_on(solver::StickSlipIntegrator& run, double start, const std::vector<double>& times, double h,
-             History& history) {
+             MassHistory& history) {
   for (const double t : times) {
     while (run.time() < t - start - 1e-9 * h) run.step();
     history.positions.push_back(run.displacement()[0]);
   }
-  for (const auto& event : run.events())
-    history.changes.push_back({std::string(data::name_of(event.change)), start + event.time, event.position});
+  history.add(run.events(), start);
 }
 
-History stepped(const MassProblem& problem, const std::vector<double>& times, double h) {
+MassHistory stepped(const MassProblem& problem, const std::vector<double>& times, double h) {
   const solver::IntegratorSettings settings{.time_step = h, .spectral_radius = 0.9};
   solver::StickSlipIntegrator run(contact_system(problem), settings);
   const Eigen::Index n = problem.is_pair ? 2 : 1;
@@ -203,7 +205,7 @@ History stepped(const MassProblem& problem, const std::vector<double>& times, do
     run.start_slipping(position, *problem.velocity * Eigen::VectorXd::Unit(n, 0));
   else
     run.start_stuck(position, Eigen::VectorXd::Zero(n));
-  History history;
+  MassHistory history;
   if (!problem.is_pair) {
     step_on(run, 0.0, times, h, history);
     return history;
@@ -218,7 +220,7 @@ History stepped(const MassProblem& problem, const std::vector<double>& times, do
 }
 
 // About so long steps: a whole number in a period.
-History fixed_steps(const MassProblem& problem, double end, double h) {
+MassHistory fixed_steps(const MassProblem& problem, double end, double h) {
   const analytic::ContactModel model = contact_model(problem);
   const analytic::ContactModes modes(model);
   analytic::ModalContactRun run(modes, model, static_cast<int>(std::lround(2.0 * pi / problem.rate / h)));
@@ -227,17 +229,18 @@ History fixed_steps(const MassProblem& problem, double end, double h) {
              .displacement = problem.position,
              .velocity = problem.velocity.value_or(0.0)});
   const auto direction = [&] { return run.slips() ? std::copysign(1.0, run.sliding_velocity()) : 0.0; };
-  History history;
+  MassHistory history;
   while (run.time() < end) {
     const double before = direction(), position = run.contact_position();
     run.step();
     const bool starts_to_slip = run.steps() == 1 && problem.velocity;  // which is no change
     if (direction() == before || (starts_to_slip && before == 0.0)) continue;
     if (before == 0.0)
-      history.changes.push_back({"onset", run.time() - run.time_step(), position});
+      history.changes.push_back({data::ContactChange::onset, run.time() - run.time_step(), position});
     else
       history.changes.push_back(
-          {direction() == 0.0 ? "capture" : "reversal", run.time(), run.contact_position()});
+          {direction() == 0.0 ? data::ContactChange::capture : data::ContactChange::reversal, run.time(),
+           run.contact_position()});
   }
   return history;
 }
@@ -248,7 +251,7 @@ struct Rows {
   std::vector<double> time, position;
 };
 
-ProblemErrors errors_of(const History& history, const Rows& rows) {
+ProblemErrors errors_of(const MassHistory& history, const Rows& rows) {
   ProblemErrors errors{.same_changes = true};
   if (rows.change.front() == "state") {
     for (std::size_t i = 0; i < rows.time.size(); ++i)
@@ -257,8 +260,8 @@ ProblemErrors errors_of(const History& history, const Rows& rows) {
   }
   errors.same_changes = history.changes.size() >= rows.time.size();
   for (std::size_t i = 0; i < std::min(rows.time.size(), history.changes.size()); ++i) {
-    const Change& change = history.changes[i];
-    errors.same_changes &= change.kind == rows.change[i];
+    const data::ContactEvent& change = history.changes[i];
+    errors.same_changes &= data::name_of(change.change) == rows.change[i];
     errors.time = largest_or_nan({errors.time, std::abs(change.time - rows.time[i])});
     errors.position = largest_or_nan({errors.position, std::abs(change.position - rows.position[i])});
   }
@@ -332,4 +335,4 @@ std::vector<StopCount> stops_beside_the_limit(const data::ReferencePackage& pack
   return stop_counts(data::read_table(package, "non-stop-limits"), share, 40);
 }
 
-}  // namespace stickslip::studies
+}  // namespace stickslip::testing

@@ -11,7 +11,7 @@
 
 #include "stickslip/data/reference.hpp"
 
-namespace stickslip::studies {
+namespace stickslip::testing {
 
 /// Largest errors over the rows of a problem.
 struct ProblemErrors {
@@ -53,4 +53,4 @@ struct StopCount {
 [[nodiscard]] std::vector<StopCount> stops_beside_the_limit(const data::ReferencePackage& package,
                                                             double share);
 
-}  // namespace stickslip::studies
+}  // namespace stickslip::testing

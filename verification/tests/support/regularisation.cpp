@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "studies/stick_slip/regularisation.hpp"
+#include "support/regularisation.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "stickslip/analytic/beam_boundary_integral.hpp"
 #include "stickslip/solver/contact_system.hpp"
+#include "studies/common/problem_parameter.hpp"
 #include "studies/convergence/convergence.hpp"
 
-namespace stickslip::studies {
+namespace stickslip::testing {
 
 namespace {
 
@@ -77,7 +78,7 @@ ContactSummary contact_summary(const data::Case& problem, double step) {
 
 std::vector<CodeSetting> code_settings(const data::Case& problem) {
   constexpr double face = 0.1;  // m
-  const double limit = problem.friction.static_coefficient() * problem.beam.axial_force();
+  const double limit = studies::friction_limit(problem);
   const auto elastic_slip = [&](double slip) {
     return data::ContactProperties{.tangential_stiffness = limit / slip};
   };
@@ -111,15 +112,15 @@ std::vector<RegularisationRate> regularisation_rates(const data::Case& problem,
     parameter.push_back(smooth ? contact.regularisation_velocity : 1.0 / contact.tangential_stiffness);
     first_slips.push_back(
         std::abs(first_slip(problem, steps, step, sliding) - first_slip(problem, rigid, step, sliding)));
-    distances.push_back(largest_difference(positions(steps, step), rigid_position));
+    distances.push_back(studies::largest_difference(positions(steps, step), rigid_position));
     travels.push_back(std::abs(travel(steps, 0, step, contact.tangential_stiffness) -
                                travel(rigid, 0, step, problem.contact.tangential_stiffness())));
     forces.push_back(force);
   }
-  return {{"first slip", observed_order(parameter, first_slips)},
-          {"position", observed_order(parameter, distances)},
-          {"travel", observed_order(parameter, travels)},
-          {"friction force", observed_order(parameter, forces)}};
+  return {{"first slip", studies::observed_order(parameter, first_slips)},
+          {"position", studies::observed_order(parameter, distances)},
+          {"travel", studies::observed_order(parameter, travels)},
+          {"friction force", studies::observed_order(parameter, forces)}};
 }
 
-}  // namespace stickslip::studies
+}  // namespace stickslip::testing

@@ -8,7 +8,7 @@
 
 #include "stickslip/data/problem.hpp"
 
-namespace stickslip::studies {
+namespace stickslip::testing {
 
 /// A run by the boundary integral, summed up. Per period: mean over the last half of the run, which must hold whole
 /// periods of the excitation.
@@ -48,4 +48,4 @@ struct RegularisationRate {
 [[nodiscard]] std::vector<RegularisationRate> regularisation_rates(
     const data::Case& problem, const std::vector<data::ContactProperties>& refined, double step);
 
-}  // namespace stickslip::studies
+}  // namespace stickslip::testing
