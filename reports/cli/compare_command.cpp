@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "case_options.hpp"
+#include "command.hpp"
 #include "commands.hpp"
 #include "comparison/diagnosis/diagnosis.hpp"
 #include "comparison_output.hpp"
-#include "figure_format.hpp"
-#include "long_work.hpp"
-#include "output_file.hpp"
+#include "exit_status.hpp"
 #include "render/comparison_figure.hpp"
-#include "render/interruption.hpp"
 #include "stickslip/data/input_text.hpp"
 
 namespace stickslip::cli {
@@ -86,88 +82,71 @@ comparison::Comparison compare(const CompareOptions& options, report::Progress& 
   return result;
 }
 
-void run(const CompareOptions& options) {
+Answer compared(const CompareOptions& options, Outputs& outputs) {
   if (options.json == "-" && options.junit == "-")
     throw data::InputError(
         "--json - and --junit - both want standard output, but one of them must be a file");
   if (options.file == "-" && options.events == "-")
     throw data::InputError("FILE and --events both are standard input, but one of them must be a file");
-  require_different_files(
-      {{"--json", options.json}, {"--junit", options.junit}, {"--figure", options.figure}});
-  std::optional<OutputFile> table, json, junit, figure;
-  if (!options.quiet && options.json != "-" && options.junit != "-") table.emplace("-");
-  open_if_named(json, options.json);
-  open_if_named(junit, options.junit);
-  open_figure(figure, options.figure);
+  const bool has_table = !options.quiet && options.json != "-" && options.junit != "-";
+  outputs.open({{"the table", has_table ? "-" : ""},
+                {"--json", options.json},
+                {"--junit", options.junit},
+                {"--figure", options.figure}});
+  const comparison::Comparison result = compare(options, outputs.progress(": known mistakes"));
+  outputs.write("the table", [&] { return text_of(result); });
+  outputs.write("--json", [&] { return json_of(result, options.file).dump(2) + "\n"; });
+  outputs.write("--junit", [&] { return junit_of(result, options.file); });
+  outputs.draw([&](const std::string& format) { return report::draw(result, format); });
+  Answer answer;
+  if (result.agreement == comparison::Agreement::differs) answer.status = failed;
+  return answer;
+}
 
-  std::vector<std::string> written;
-  report::Progress progress("stickslip compare: known mistakes",
-                            report::Progress::standard_error(options.quiet || is_quiet()));
-  report::Interruption interruption([&] {
-    progress.finish();
-    for (const auto* file : {&json, &junit, &figure})
-      if (*file) (*file)->discard();
-    if (written.empty()) return std::string("interrupted; nothing is written");
-    return fmt::format("interrupted; nothing is written but {}", fmt::join(written, " and "));
-  });
-  const auto write = [&](std::optional<OutputFile>& file, const std::string& path, const auto& text) {
-    if (!file) return;
-    const auto undisturbed = interruption.hold();
-    file->write(text());
-    file->commit();
-    written.push_back(path == "-" ? "standard output" : path);
-  };
-
-  const comparison::Comparison result = compare(options, progress);
-  progress.finish();
-  write(table, "-", [&] { return text_of(result); });
-  write(json, options.json, [&] { return json_of(result, options.file).dump(2) + "\n"; });
-  write(junit, options.junit, [&] { return junit_of(result, options.file); });
-  write(figure, options.figure, [&] { return report::draw(result, figure_format(options.figure)); });
-  if (result.agreement == comparison::Agreement::differs) throw CLI::RuntimeError(1);
+void add_options(CLI::App& command, CompareOptions& options) {
+  command.add_option("NAME", options.name, "A data set that 'stickslip reference list' lists")->required();
+  command
+      .add_option("FILE", options.file,
+                  "CSV file with the columns of the data set, '-' for standard input; a unit may follow a "
+                  "name, as in 'frequency [kHz]'")
+      ->check(file_name())
+      ->required();
+  command
+      .add_option("--events", options.events,
+                  "CSV file with the changes of contact of the same run, for a history with stick and slip")
+      ->check(file_name());
+  command
+      .add_option("--column", options.columns,
+                  "Which column of yours is which, and in which unit, as in frequency=f1:kHz; repeatable")
+      ->type_name("REFERENCE=YOURS[:UNIT]")
+      ->allow_extra_args(false);
+  command
+      .add_option("--tolerance", options.tolerances,
+                  "Instead of that of the data set, of one quantity or of all; repeatable")
+      ->type_name("[QUANTITY=]NUMBER")
+      ->allow_extra_args(false);
+  command.add_option("--until", options.until, "Compare nothing later, s; a run of yours must reach it")
+      ->check(time());
+  command.add_option("--json", options.json, "JSON file with all numbers, '-' for standard output")
+      ->check(file_name());
+  command.add_option("--junit", options.junit, "XML file in JUnit's format, '-' for standard output")
+      ->check(file_name());
+  add_figure_option(command, options.figure);
+  add_package_option(command, options.package);
+  command.add_flag("--quiet", options.quiet, "Print nothing");
 }
 
 }  // namespace
 
 void add_compare_command(CLI::App& app) {
-  auto* command = app.add_subcommand("compare",
-                                     "Results of your own against the reference data. Exit status 0: they "
-                                     "agree, or nothing differs; 1: they "
-                                     "differ; 2: they cannot be compared");
-  auto options = std::make_shared<CompareOptions>();
-  command->add_option("NAME", options->name, "A data set that 'stickslip reference list' lists")->required();
-  command
-      ->add_option("FILE", options->file,
-                   "CSV file with the columns of the data set, '-' for standard input; a unit may follow a "
-                   "name, as in 'frequency [kHz]'")
-      ->check(file_name())
-      ->required();
-  command
-      ->add_option("--events", options->events,
-                   "CSV file with the changes of contact of the same run, for a history with stick and slip")
-      ->check(file_name());
-  command
-      ->add_option("--column", options->columns,
-                   "Which column of yours is which, and in which unit, as in frequency=f1:kHz; repeatable")
-      ->type_name("REFERENCE=YOURS[:UNIT]")
-      ->allow_extra_args(false);
-  command
-      ->add_option("--tolerance", options->tolerances,
-                   "Instead of that of the data set, of one quantity or of all; repeatable")
-      ->type_name("[QUANTITY=]NUMBER")
-      ->allow_extra_args(false);
-  command->add_option("--until", options->until, "Compare nothing later, s; a run of yours must reach it")
-      ->check(time());
-  command->add_option("--json", options->json, "JSON file with all numbers, '-' for standard output")
-      ->check(file_name());
-  command->add_option("--junit", options->junit, "XML file in JUnit's format, '-' for standard output")
-      ->check(file_name());
-  add_figure_option(*command, options->figure);
-  add_package_option(*command, options->package);
-  command->add_flag("--quiet", options->quiet, "Print nothing");
-  add_examples(*command, {"stickslip reference export stick-frequencies --output mine.csv",
-                          "stickslip compare stick-frequencies mine.csv --tolerance 1e-6"});
-  command->callback([options] { run(*options); });
+  add<CompareOptions>(
+      app, {.name = "compare",
+            .help = "Results of your own against the reference data. Exit status 0: they agree, or nothing "
+                    "differs; 1: they differ; 2: they cannot be compared",
+            .examples = {"stickslip reference export stick-frequencies --output mine.csv",
+                         "stickslip compare stick-frequencies mine.csv --tolerance 1e-6"},
+            .add_options = add_options,
+            .run = compared});
 }
 
 }  // namespace stickslip::cli
