@@ -26,7 +26,7 @@ do for [k = 1:3] {
   set format y (k == 2 ? '' : '%g')
   set ylabel (k == 1 ? 'growth / s^{−1}' : k == 3 ? 'largest error / % of the range' : '') offset 1
   if (k == 1) { set key at screen 0.5, 0.005 center bottom maxrows 2 vertical samplen 3 } else { unset key }
-  plot for [i = 1:4] file using (strcol(1) eq value('rule'.i) ? $2 : NaN):4 + k with linespoints linecolor rgb colours[i] linewidth 1.2 \
+  plot for [i = 1:4] file using ($1 == i ? $2 : NaN):4 + k with linespoints linecolor rgb colours[i] linewidth 1.2 \
          dashtype dashes[i] pointtype shapes[i] pointsize 0.8 title value('rule'.i), \
        (k < 3 ? beam : NaN) with lines linecolor rgb black linewidth 1.2 dashtype 3 title 'bound σ* of the beam'
 }

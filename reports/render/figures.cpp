@@ -429,8 +429,9 @@ FigureData event_order(StudyResults& results) {
   return data;
 }
 
+// Rule k of the table has the name rule<k>.
 FigureData growth(StudyResults& results) {
-  CsvTable table("Undamped histories of generalised-alpha on meshes", {{"rule", "-"},
+  CsvTable table("Undamped histories of generalised-alpha on meshes", {{"rule", "1"},
                                                                        {"elements", "1"},
                                                                        {"time_step_s", "s"},
                                                                        {"spectral_radius", "1"},
@@ -440,10 +441,9 @@ FigureData growth(StudyResults& results) {
   FigureData data;
   const auto& series = results.history_growth();
   for (std::size_t k = 0; k < series.size(); ++k) {
-    const std::string& rule = series[k].rule.name;
-    data.values.push_back({fmt::format("rule{}", k + 1), rule, "-"});
+    data.values.push_back({fmt::format("rule{}", k + 1), series[k].rule.name, "-"});
     for (const auto& run : series[k].runs)
-      table.add(CsvText(rule))
+      table.add(static_cast<double>(k + 1))
           .add(run.elements)
           .add(run.time_step)
           .add(run.spectral_radius)
