@@ -75,18 +75,6 @@ void add(CsvTable& table, const studies::CriterionMap::Cell& cell, std::size_t q
 
 }  // namespace
 
-std::string to_string(studies::CellState state) {
-  switch (state) {
-    case studies::CellState::stick:
-      return "stick";
-    case studies::CellState::stick_slip:
-      return "stick-slip";
-    case studies::CellState::no_stick_state:
-      return "no stick state";
-  }
-  return {};
-}
-
 std::string to_string(studies::MotionQuantity quantity) { return std::string(text_of(quantity).name); }
 
 CsvColumn column_of(studies::Parameter parameter) {

@@ -9,8 +9,7 @@
 
 namespace stickslip::report {
 
-/// "stick", "stick-slip" or "no stick state".
-[[nodiscard]] std::string to_string(studies::CellState state);
+using studies::to_string;
 
 /// "slip-share" and the like, as the command line has them.
 [[nodiscard]] std::string to_string(studies::MotionQuantity quantity);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/report.hpp"
+#include "studies/common/members.hpp"
 
 namespace stickslip::report {
 
@@ -18,6 +19,8 @@ struct Environment {
   std::string eigen, gsl;
   std::vector<std::pair<std::string, std::string>> rest;  ///< build type, system, tools
 };
+STICKSLIP_MEMBERS(Environment, (version, "-"), (commit, "-"), (date, "-"), (compiler, "-"), (eigen, "-"),
+                  (gsl, "-"), (rest, "-"))
 
 [[nodiscard]] Environment describe_environment(const ReportOptions& options,
                                                const std::filesystem::path& scratch);

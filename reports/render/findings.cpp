@@ -8,10 +8,11 @@
 #include <limits>
 #include <numbers>
 
-#include "render/study_json.hpp"
+#include "render/json_text.hpp"
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/paper.hpp"
+#include "studies/common/described_types.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/stick_slip/contact_growth.hpp"
 

@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <limits>
 
-#include "render/study_json.hpp"
+#include "render/json_text.hpp"
 #include "render/text_file.hpp"
 #include "stickslip/data/paper.hpp"
+#include "studies/common/described_types.hpp"
 
 namespace stickslip::report {
 

@@ -5,18 +5,19 @@
 #include <string>
 
 #include "render/findings.hpp"
-#include "render/study_json.hpp"
+#include "render/json_text.hpp"
 #include "render/text_file.hpp"
 #include "stickslip/benchmarks/speed_record.hpp"
+#include "studies/common/described_types.hpp"
 
 namespace stickslip::benchmarks {
-STICKSLIP_JSON(SpeedComparison::Load, flops_per_step, bytes_per_step, share_of_flops, share_of_bytes)
-STICKSLIP_JSON(SpeedComparison, work, plain, fast, fast_seconds, load, ratio())
+STICKSLIP_MEMBERS(SpeedComparison::Load, (flops_per_step, "1"), (bytes_per_step, "B"), (share_of_flops, "1"),
+                  (share_of_bytes, "1"))
+STICKSLIP_MEMBERS(SpeedComparison, (work, "-"), (plain, "-"), (fast, "-"), (fast_seconds, "s"), (load),
+                  (ratio(), "1"))
 }  // namespace stickslip::benchmarks
 
 namespace stickslip::report {
-
-STICKSLIP_JSON(Environment, version, commit, date, compiler, eigen, gsl, rest)
 
 namespace {
 

@@ -8,6 +8,7 @@
 #include "stickslip/data/problem.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/energy_balance.hpp"
+#include "studies/common/members.hpp"
 
 namespace stickslip::studies {
 
@@ -19,6 +20,7 @@ struct Plateau {
   double begin{}, end{};      ///< s
   double tip_displacement{};  ///< y(L), m
 };
+STICKSLIP_MEMBERS(Plateau, (begin, "s"), (end, "s"), (tip_displacement, "m"))
 
 /// The result of one contact scheme.
 struct SchemeRun {
@@ -29,6 +31,8 @@ struct SchemeRun {
   solver::EnergyBalance energy;                    ///< at the end
   [[nodiscard]] double relative_residual() const;  ///< energy.residual() over the work of the base
 };
+STICKSLIP_MEMBERS(SchemeRun, (first_slip, "s"), (events, "1"), (plateaus), (largest_tip_displacement, "m"),
+                  (energy), (relative_residual(), "1"))
 
 /// Runs the same beam over numerics.duration() by three schemes in this order: with located changes, with
 /// changes at the end of the step, and exactly as Sects. 2 and 3 of the paper describe. The rule of switching

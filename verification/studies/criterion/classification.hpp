@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
+#include "studies/common/members.hpp"
 
 namespace stickslip::studies {
 
@@ -15,6 +16,8 @@ struct ClassifiedPoint {
   bool finite_element_slips{};  ///< the tip slipped in a run with contact
   bool in_guard_band{};         ///< the amplitude is within the predicted error of the critical one
 };
+STICKSLIP_MEMBERS(ClassifiedPoint, (frequency_hz, "Hz"), (amplitude, "m"), (closed_form_slips, "1"),
+                  (finite_element_slips, "1"), (in_guard_band, "1"))
 
 /// One frequency of Fig. 12 with the predicted errors that define the guard band.
 struct ClassifiedFrequency {
@@ -28,6 +31,9 @@ struct ClassifiedFrequency {
     return relative_truncation_error + relative_discretisation_error;
   }
 };
+STICKSLIP_MEMBERS(ClassifiedFrequency, (frequency_hz, "Hz"), (critical_amplitude, "m"),
+                  (relative_truncation_error, "1"), (relative_discretisation_error, "1"),
+                  (relative_guard(), "1"))
 
 /// The classification of a grid of excitations by both implementations.
 struct ClassificationStudy {
@@ -40,6 +46,8 @@ struct ClassificationStudy {
   /// Sets the three numbers from the points.
   void count_points();
 };
+STICKSLIP_MEMBERS(ClassificationStudy, (frequencies), (points), (agreeing, "1"), (in_guard_band, "1"),
+                  (disagreeing_outside, "1"))
 
 /// Classifies each point of the grid by both implementations. For finite elements each point is a separate
 /// run with contact, which ends at its first slip. Uses thread_count() threads; the result does not depend on

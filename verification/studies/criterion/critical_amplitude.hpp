@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
+#include "studies/common/members.hpp"
 
 namespace stickslip::studies {
 
@@ -22,6 +23,8 @@ struct CriticalAmplitudeSearch {
 
   [[nodiscard]] bool agree() const { return searched == stepped_linear; }
 };
+STICKSLIP_MEMBERS(CriticalAmplitudeSearch, (frequency_hz, "Hz"), (searched, "m"), (runs, "1"), (linear, "m"),
+                  (stepped_linear, "m"), (agree(), "1"))
 
 /// Raises the amplitude by `increment` (m) from zero until the tip slips within numerics.duration(), up to
 /// `cap` (m), and compares with the linear run. Predicted: agree() at all frequencies, because the stick

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
+#include "studies/common/members.hpp"
 
 namespace stickslip::studies {
 
@@ -21,6 +22,9 @@ struct LengthForceMap {
   };
   std::vector<Line> lines;  ///< all lines have the same number of lengths
 };
+STICKSLIP_MEMBERS(LengthForceMap::Line, (axial_force, "N"), (buckling_length, "m"), (resonance_1, "m"),
+                  (resonance_2, "m"), (length, "m"), (force_ratio, "1"))
+STICKSLIP_MEMBERS(LengthForceMap, (lines))
 
 /// Evaluates lengths from `shortest` to `longest` (m), or to 0.999 of the buckling length if that is smaller,
 /// at each axial force (N, above 0 and below the buckling load of `shortest`). Cross section, excitation,

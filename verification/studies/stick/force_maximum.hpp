@@ -5,6 +5,7 @@
 
 #include "stickslip/analytic/bounds.hpp"
 #include "stickslip/data/problem.hpp"
+#include "studies/common/members.hpp"
 
 namespace stickslip::studies {
 
@@ -19,6 +20,9 @@ struct ForceMaximumStudy {
   double predicted_finite_element{};  ///< PredictedForce::max_abs
   double prediction_uncertainty{};    ///< PredictedForce::uncertainty
 };
+STICKSLIP_MEMBERS(ForceMaximumStudy, (frequency_hz, "Hz"), (amplitude, "m"), (sampled, "N"), (truncated, "N"),
+                  (converged, "N"), (finite_element, "N"), (predicted_finite_element, "N"),
+                  (prediction_uncertainty, "N"))
 
 [[nodiscard]] ForceMaximumStudy force_maximum_study(const data::Beam& beam,
                                                     const data::HarmonicExcitation& excitation,
@@ -29,6 +33,7 @@ struct CriticalAmplitudePoint {
   double frequency_hz{};
   double critical_amplitude{};  ///< m
 };
+STICKSLIP_MEMBERS(CriticalAmplitudePoint, (frequency_hz, "Hz"), (critical_amplitude, "m"))
 /// The critical amplitude at each frequency (Hz).
 [[nodiscard]] std::vector<CriticalAmplitudePoint> critical_amplitude_curve(
     const data::Beam& beam, const data::FrictionLaw& friction, const data::NumericalSettings& numerics,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
+#include "studies/common/members.hpp"
 
 namespace stickslip::studies {
 
@@ -29,6 +30,9 @@ struct BeamMotion {
   std::vector<double> position;  ///< x, m
   std::vector<Snapshot> snapshots;
 };
+STICKSLIP_MEMBERS(BeamMotion::Snapshot, (time, "s"), (sticks, "1"), (friction_force, "N"),
+                  (displacement, "m"))
+STICKSLIP_MEMBERS(BeamMotion, (position, "m"), (snapshots))
 
 /// The motion by three methods: finite elements; the event-driven method with numerics.modes() modes of the
 /// continuous beam; and the closed form of the stick state, Eq. (27), with the exact steady part. All use the
@@ -69,6 +73,9 @@ struct BeamMotionStudy {
   double predicted_stick_difference{};
   double difference{};  ///< largest difference over all snapshots, m
 };
+STICKSLIP_MEMBERS(BeamMotionStudy, (frequency_hz, "Hz"), (amplitude, "m"), (finite_element), (reference),
+                  (half_width, "m"), (first_slip, "s"), (peak, "m"), (stick_difference, "m"),
+                  (predicted_stick_difference, "m"), (difference, "m"))
 
 /// Compares one period of the excitation: the first period if the tip sticks throughout numerics.duration(),
 /// otherwise the period that begins a quarter of a period before the first slip (but not before t = 0). For

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
+#include "studies/common/members.hpp"
 #include "studies/stick_slip/converged_history.hpp"
 
 namespace stickslip::studies {
@@ -20,6 +21,8 @@ struct ContactHistory {
   std::optional<double> closed_form_slip;     ///< first time at which |f| > mu_s P in the closed form, s
   bool criterion_slips{};                     ///< Eqs. (29), (30) over numerics.duration()
 };
+STICKSLIP_MEMBERS(ContactHistory, (frequency_hz, "Hz"), (amplitude, "m"), (converged),
+                  (finite_element_slip, "s"), (closed_form_slip, "s"), (criterion_slips, "1"))
 
 /// Computes the history of an undamped case over `shown` seconds. The decisions on slip use
 /// numerics.duration().
@@ -35,6 +38,8 @@ struct PracticeRun {
   double largest_error{};    ///< of y(L) at the times of the history, as a fraction of its range
   std::vector<double> tip_displacement{};  ///< y(L) at the times of the history, m
 };
+STICKSLIP_MEMBERS(PracticeRun, (method, "-"), (elements, "1"), (time_step, "s"), (spectral_radius, "1"),
+                  (changes, "1"), (largest_error, "1"), (tip_displacement, "m"))
 
 /// Runs with usual settings, all with the time step of `numerics` where there is one: the scheme of the
 /// paper; located changes with the spectral radii 0.5, 0.9 and 1; and event-driven runs on

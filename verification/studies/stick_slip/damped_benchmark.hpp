@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
+#include "studies/common/members.hpp"
 #include "studies/stick_slip/event_history.hpp"
 
 namespace stickslip::studies {
@@ -15,6 +16,7 @@ struct BenchmarkEvent {
   double time_uncertainty{};      ///< s
   double position_uncertainty{};  ///< m
 };
+STICKSLIP_MEMBERS(BenchmarkEvent, (event), (time_uncertainty, "s"), (position_uncertainty, "m"))
 
 /// The same history by another method or discretisation.
 struct BenchmarkRun {
@@ -26,6 +28,7 @@ struct BenchmarkRun {
   /// For each event of the reference: the difference of the event with the same number in the run.
   std::vector<EventDifference> each;
 };
+STICKSLIP_MEMBERS(BenchmarkRun, (method, "-"), (size, "1"), (time_step, "s"), (first_ten), (all), (each))
 
 /// A damped stick-slip history whose events all converge, by the event-driven method on the modes of the
 /// continuous beam.
@@ -42,6 +45,9 @@ struct DampedBenchmark {
   TipHistory history;         ///< of the reference, every 0.1 ms
   std::vector<BenchmarkRun> runs;
 };
+STICKSLIP_MEMBERS(DampedBenchmark, (frequency_hz, "Hz"), (amplitude, "m"), (kelvin_voigt, "s"),
+                  (duration, "s"), (shortest_stick, "s"), (modes, "1"), (events), (tolerance_effect, "s"),
+                  (history), (runs))
 
 /// The settings of the benchmark.
 struct BenchmarkEffort {

@@ -6,6 +6,7 @@
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/data/problem.hpp"
 #include "stickslip/solver/energy_balance.hpp"
+#include "studies/common/members.hpp"
 #include "studies/convergence/convergence.hpp"
 
 namespace stickslip::studies {
@@ -31,6 +32,9 @@ struct EnergyAudit {
            event_driven.follower_work + event_driven.damping_loss + event_driven.friction_loss;
   }
 };
+STICKSLIP_MEMBERS(EnergyAudit::Mesh, (elements, "1"), (stepped), (observed_order))
+STICKSLIP_MEMBERS(EnergyAudit, (kelvin_voigt, "s"), (duration, "s"), (modes, "1"), (event_driven),
+                  (event_driven_initial, "J"), (time_step, "s"), (meshes), (event_driven_residual(), "J"))
 
 /// One event-driven run, and one run per mesh and time step. Predicted residual of the event-driven run: the
 /// tolerance of the integrator. Predicted order of the time integration: 2 in h, for the modes that h

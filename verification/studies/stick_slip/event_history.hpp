@@ -9,6 +9,7 @@
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/data/problem.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
+#include "studies/common/members.hpp"
 
 namespace stickslip::studies {
 
@@ -18,6 +19,7 @@ struct HistoryEvent {
   double time{};      ///< s
   double position{};  ///< y(L), m
 };
+STICKSLIP_MEMBERS(HistoryEvent, (onset, "1"), (time, "s"), (position, "m"))
 
 /// The tip displacement y(L) at given times, and the events.
 struct TipHistory {
@@ -27,6 +29,7 @@ struct TipHistory {
   /// Number of all changes of contact, including reversals and grazing contacts.
   int changes{};
 };
+STICKSLIP_MEMBERS(TipHistory, (time, "s"), (tip_displacement, "m"), (events), (changes, "1"))
 
 /// The events without micro-sticks: a stick phase shorter than `shortest_stick` (s) counts as part of the
 /// slip phase around it, so its capture and its onset are removed. Slip phases are never removed, nor is a
@@ -53,6 +56,7 @@ struct EventDifference {
   double time{};      ///< s
   double position{};  ///< m
 };
+STICKSLIP_MEMBERS(EventDifference, (time, "s"), (position, "m"))
 [[nodiscard]] EventDifference largest_difference(const std::vector<HistoryEvent>& a,
                                                  const std::vector<HistoryEvent>& b, std::size_t count);
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
+#include "studies/common/members.hpp"
 #include "studies/convergence/convergence.hpp"
 #include "studies/stick_slip/converged_history.hpp"
 #include "studies/stick_slip/event_history.hpp"
@@ -29,6 +30,8 @@ struct HistoryRun {
   double error{};  ///< largest |difference| of y(L) from the converged history, over its range
   int changes{};   ///< number of changes of contact
 };
+STICKSLIP_MEMBERS(HistoryRun, (elements, "1"), (time_step, "s"), (spectral_radius, "1"), (highest_angle, "1"),
+                  (growth_bound, "1/s"), (observed_growth, "1/s"), (error, "1"), (changes, "1"))
 
 /// The rate, 1/s, at which two histories at the same times separate: the slope of the logarithm of the largest
 /// |difference| of y(L) in each whole period (s) from the first event of `a` on, before the first period in which it
@@ -52,6 +55,8 @@ struct StepRule {
   double spectral_radius{};
   double radiating_share{};  ///< see history_run()
 };
+STICKSLIP_MEMBERS(StepRule, (name, "-"), (angle, "1"), (time_step, "s"), (spectral_radius, "1"),
+                  (radiating_share, "1"))
 
 /// The time step of a rule, s.
 [[nodiscard]] double time_step_of(const StepRule& rule, const data::Beam& beam, int elements);
@@ -67,6 +72,7 @@ struct HistoryRefinement {
   std::vector<HistoryRun> runs;
   OrderEstimate order;  ///< observed; there is no theoretical order
 };
+STICKSLIP_MEMBERS(HistoryRefinement, (rule), (frequency_hz, "Hz"), (runs), (order))
 [[nodiscard]] HistoryRefinement history_refinement(const data::Case& problem,
                                                    const ConvergedHistory& reference, const StepRule& rule,
                                                    const std::vector<int>& elements, int observed_elements);

@@ -80,7 +80,7 @@ struct Interval {
   double from{}, to{};
   [[nodiscard]] double length() const { return to - from; }
 };
-STICKSLIP_JSON(Interval, from, to, length())
+STICKSLIP_MEMBERS(Interval, (from, "m"), (to, "m"), (length(), "m"))
 
 STICKSLIP_VERIFIES(ReportTemplates, "U4");
 TEST_F(ReportTemplates, ReadEveryDigitOfAResult) {
