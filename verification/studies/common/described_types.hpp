@@ -35,5 +35,5 @@ STICKSLIP_MEMBERS(EventDrivenEnergy, (kinetic, "J"), (potential, "J"), (base_wor
 namespace stickslip::solver {
 STICKSLIP_MEMBERS(EnergyBalance, (kinetic, "J"), (elastic, "J"), (base_work, "J"), (follower_work, "J"),
                   (damping_loss, "J"), (friction_loss, "J"), (capture_loss, "J"), (initial_energy, "J"),
-                  (residual(), "J"))
+                  (change(), "J"), (residual(), "J"))
 }  // namespace stickslip::solver

@@ -95,9 +95,10 @@ struct SamplingSearch {
   int returning_all{};                 ///< number of trials that reproduce all printed values
   SamplingTrial closest;               ///< the trial with the smallest largest_difference
   SamplingTrial most_returned;         ///< the trial that reproduces most values; of several, the closest
+  [[nodiscard]] int trials() const { return most_modes * static_cast<int>(sampling_steps.size()); }
 };
 STICKSLIP_MEMBERS(SamplingSearch, (most_modes, "1"), (sampling_steps, "s"), (returning_all, "1"), (closest),
-                  (most_returned))
+                  (most_returned), (trials(), "1"))
 
 /// The complete study. The vectors of forces have one entry per frequency.
 struct ForceSensitivity {

@@ -18,9 +18,12 @@ struct StickHistoryLevel {
   double force_error{};                   ///< max |f_h - f| over the common times, N
   double predicted_displacement_error{};  ///< drift_bound of the free vibrations, m
   double predicted_force_error{};         ///< N
+  double relative_displacement_error{};   ///< over displacement_peak
+  double relative_force_error{};          ///< over force_peak
 };
 STICKSLIP_MEMBERS(StickHistoryLevel, (elements, "1"), (time_step, "s"), (displacement_error, "m"),
-                  (force_error, "N"), (predicted_displacement_error, "m"), (predicted_force_error, "N"))
+                  (force_error, "N"), (predicted_displacement_error, "m"), (predicted_force_error, "N"),
+                  (relative_displacement_error, "1"), (relative_force_error, "1"))
 
 /// The histories of Fig. 9 and their errors on all levels.
 struct StickHistoryStudy {

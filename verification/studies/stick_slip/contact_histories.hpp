@@ -20,13 +20,25 @@ struct ContactHistory {
   std::optional<double> finite_element_slip;  ///< time of the first slip, s
   std::optional<double> closed_form_slip;     ///< first time at which |f| > mu_s P in the closed form, s
   bool criterion_slips{};                     ///< Eqs. (29), (30) over numerics.duration()
+  std::string figure{};                       ///< of the paper, such as "4a"
+  bool printed_slips{};                       ///< according to the paper
+  /// Whether paper, criterion and finite elements have the same verdict.
+  [[nodiscard]] bool verdicts_agree() const {
+    return printed_slips == criterion_slips && printed_slips == finite_element_slip.has_value();
+  }
+  /// |finite_element_slip - closed_form_slip|, s, if there are both.
+  [[nodiscard]] std::optional<double> first_slip_difference() const;
 };
 STICKSLIP_MEMBERS(ContactHistory, (frequency_hz, "Hz"), (amplitude, "m"), (converged),
-                  (finite_element_slip, "s"), (closed_form_slip, "s"), (criterion_slips, "1"))
+                  (finite_element_slip, "s"), (closed_form_slip, "s"), (criterion_slips, "1"), (figure, "-"),
+                  (printed_slips, "1"), (verdicts_agree(), "1"), (first_slip_difference(), "s"))
 
 /// Computes the history of an undamped case over `shown` seconds. The decisions on slip use
 /// numerics.duration().
 [[nodiscard]] ContactHistory contact_history(const data::Case& problem, double shown);
+
+/// The panels of Figs. 4 and 5, in the paper's order, with the case of data/cases/paper.toml.
+[[nodiscard]] std::vector<ContactHistory> contact_histories(const data::Case& paper, double shown);
 
 /// An undamped history with usual settings, compared with the converged one.
 struct PracticeRun {

@@ -44,10 +44,17 @@ struct DampedBenchmark {
   double tolerance_effect{};  ///< largest time difference at a hundred times the tolerance, s
   TipHistory history;         ///< of the reference, every 0.1 ms
   std::vector<BenchmarkRun> runs;
+  double damping_ratio{};  ///< fraction of critical damping of stick mode 1
+  double tolerance{};      ///< of the reference: relative error allowed per step of the slip phases
+  /// Sticks of the reference that are too short to be among `events`.
+  [[nodiscard]] std::size_t merged_sticks() const { return (history.events.size() - events.size()) / 2; }
+  /// The time stepper's run on the most elements, of these the one with the shortest step.
+  [[nodiscard]] const BenchmarkRun& finest_stepped() const;
 };
 STICKSLIP_MEMBERS(DampedBenchmark, (frequency_hz, "Hz"), (amplitude, "m"), (kelvin_voigt, "s"),
                   (duration, "s"), (shortest_stick, "s"), (modes, "1"), (events), (tolerance_effect, "s"),
-                  (history), (runs))
+                  (history), (runs), (damping_ratio, "1"), (tolerance, "1"), (merged_sticks(), "1"),
+                  (finest_stepped()))
 
 /// The settings of the benchmark.
 struct BenchmarkEffort {

@@ -16,11 +16,10 @@
 
 namespace stickslip::studies {
 
-/// The relative change of the amplitude whose effect is observed.
-inline constexpr double perturbation = 1e-9;
-
 /// One run in modal coordinates, with located changes and the velocity threshold 0.
 struct HistoryRun {
+  /// The relative change of the amplitude whose effect is observed.
+  static constexpr double perturbation = 1e-9;
   int elements{};
   double time_step{};  ///< h, s
   double spectral_radius{};
@@ -30,8 +29,9 @@ struct HistoryRun {
   double error{};  ///< largest |difference| of y(L) from the converged history, over its range
   int changes{};   ///< number of changes of contact
 };
-STICKSLIP_MEMBERS(HistoryRun, (elements, "1"), (time_step, "s"), (spectral_radius, "1"), (highest_angle, "1"),
-                  (growth_bound, "1/s"), (observed_growth, "1/s"), (error, "1"), (changes, "1"))
+STICKSLIP_MEMBERS(HistoryRun, (perturbation, "1"), (elements, "1"), (time_step, "s"), (spectral_radius, "1"),
+                  (highest_angle, "1"), (growth_bound, "1/s"), (observed_growth, "1/s"), (error, "1"),
+                  (changes, "1"))
 
 /// The rate, 1/s, at which two histories at the same times separate: the slope of the logarithm of the largest
 /// |difference| of y(L) in each whole period (s) from the first event of `a` on, before the first period in which it
@@ -70,9 +70,11 @@ struct HistoryRefinement {
   StepRule rule;
   double frequency_hz{};
   std::vector<HistoryRun> runs;
-  OrderEstimate order;  ///< observed; there is no theoretical order
+  OrderEstimate order;         ///< observed; there is no theoretical order
+  double beam_growth_bound{};  ///< sigma* of the continuous beam, 1/s
 };
-STICKSLIP_MEMBERS(HistoryRefinement, (rule), (frequency_hz, "Hz"), (runs), (order))
+STICKSLIP_MEMBERS(HistoryRefinement, (rule), (frequency_hz, "Hz"), (runs), (order),
+                  (beam_growth_bound, "1/s"))
 [[nodiscard]] HistoryRefinement history_refinement(const data::Case& problem,
                                                    const ConvergedHistory& reference, const StepRule& rule,
                                                    const std::vector<int>& elements, int observed_elements);
