@@ -17,7 +17,6 @@
 #include "number_text.hpp"
 #include "output_file.hpp"
 #include "render/drawing.hpp"
-#include "render/figures.hpp"
 #include "render/interruption.hpp"
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/damped_steady_state.hpp"

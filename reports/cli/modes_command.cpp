@@ -13,7 +13,6 @@
 #include "number_text.hpp"
 #include "output_file.hpp"
 #include "render/drawing.hpp"
-#include "render/figures.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/timoshenko_modes.hpp"

@@ -15,7 +15,6 @@
 #include "figure_format.hpp"
 #include "output_file.hpp"
 #include "render/drawing.hpp"
-#include "render/figures.hpp"
 #include "render/interruption.hpp"
 #include "stickslip/analytic/amplitude_spectrum.hpp"
 #include "stickslip/analytic/beam_boundary_integral.hpp"

@@ -12,7 +12,6 @@
 #include "render/csv_table.hpp"
 #include "render/drawing.hpp"
 #include "render/external_tool.hpp"
-#include "render/figures.hpp"
 #include "render/interruption.hpp"
 #include "render/output_folder.hpp"
 #include "render/progress.hpp"

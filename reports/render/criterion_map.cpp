@@ -10,9 +10,6 @@
 #include <string_view>
 #include <vector>
 
-#include "render/drawing.hpp"
-#include "render/map_figure.hpp"
-
 namespace stickslip::report {
 
 namespace {

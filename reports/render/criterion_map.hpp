@@ -4,6 +4,7 @@
 #include <string>
 
 #include "render/csv_table.hpp"
+#include "render/drawing.hpp"
 #include "stickslip/data/problem.hpp"
 #include "studies/criterion/criterion_map.hpp"
 
@@ -20,6 +21,9 @@ using studies::to_string;
 /// One row per cell, with a force ratio only where there is a stick state; an empty line after each y. A
 /// quantity has a column with its value, where that has converged, and one with its change.
 [[nodiscard]] CsvTable table_of(const data::Case& problem, const studies::CriterionMap& map);
+
+/// The table and the values of figures/map.gp.
+[[nodiscard]] FigureData figure_of(const data::Case& problem, const studies::CriterionMap& map);
 
 /// The map drawn by gnuplot (figures/map.gp) from its table, as the bytes of a file. `format` is "pdf", "png"
 /// or "svg". Throws std::runtime_error if gnuplot is missing or fails.

@@ -10,13 +10,11 @@
 
 #include "render/document.hpp"
 #include "render/drawing.hpp"
-#include "render/environment.hpp"
 #include "render/external_tool.hpp"
-#include "render/figures.hpp"
 #include "render/interruption.hpp"
 #include "render/output_folder.hpp"
 #include "render/progress.hpp"
-#include "render/study_results.hpp"
+#include "render/studies.hpp"
 #include "render/text_file.hpp"
 #include "render/values.hpp"
 #include "stickslip/data/case_file.hpp"
@@ -77,7 +75,7 @@ void write_report(const ReportOptions& options) {
     return fmt::format("interrupted after {:.0f} % of the report; what is finished is in {}",
                        100.0 * progress.share(), output.folder().string());
   });
-  StudyResults results([&](const std::string& what) { progress.stage(what); }, values);
+  Results results([&](const std::string& what) { progress.stage(what); }, values);
 
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     progress(share_done(chosen.size(), i));
@@ -86,8 +84,10 @@ void write_report(const ReportOptions& options) {
   draw_all(chosen, progress, output);
   if (!options.only.empty()) return;
 
+  results.run_all();
   replace_text(values / "tests.json", tests);
-  write_values(results, describe_environment(options, output.scratch()), values);
+  replace_text(values / "environment.json", environment_json(options, output.scratch()));
+  replace_text(values / "speed.json", speed_json());
   progress.stage("typesetting vv-report.pdf");
   typeset(fill_in_templates(values, output), output);
   progress.stage("writing the pages of evidence");
