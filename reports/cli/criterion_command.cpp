@@ -8,7 +8,6 @@
 #include "command.hpp"
 #include "commands.hpp"
 #include "render/drawing.hpp"
-#include "render/figures.hpp"
 #include "studies/analyses/criterion_answer.hpp"
 
 namespace stickslip::cli {

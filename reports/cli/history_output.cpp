@@ -8,7 +8,6 @@
 
 #include "figure_format.hpp"
 #include "render/drawing.hpp"
-#include "render/figures.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/history/spectrum.hpp"
@@ -25,7 +24,7 @@ std::string csv_line(const studies::HistoryRow& row) {
       data::throw_overflow(fmt::format("the history is not finite at {} s", data::shortest_text(row.time)));
     line += "," + data::shortest_text(value + 0.0);  // -0 becomes 0
   }
-  return fmt::format("{},{}\n", line, data::name_of(row.state));
+  return fmt::format("{},{}\n", line, data::to_string(row.state));
 }
 
 }  // namespace
@@ -60,7 +59,7 @@ void HistoryOutput::finish(const studies::History& history) {
   if (events_) {
     events_->write("time_s,change,tip_displacement_m\n");
     for (const data::ContactEvent& event : history.events)
-      events_->write(fmt::format("{},{},{}\n", data::shortest_text(event.time), data::name_of(event.change),
+      events_->write(fmt::format("{},{},{}\n", data::shortest_text(event.time), data::to_string(event.change),
                                  data::shortest_text(event.position)));
     events_->commit();
   }

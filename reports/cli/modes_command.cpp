@@ -8,7 +8,6 @@
 #include "command.hpp"
 #include "commands.hpp"
 #include "render/drawing.hpp"
-#include "render/figures.hpp"
 #include "studies/analyses/natural_frequencies.hpp"
 
 namespace stickslip::cli {

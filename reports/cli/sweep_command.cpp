@@ -17,7 +17,6 @@
 #include "range_text.hpp"
 #include "render/criterion_map.hpp"
 #include "render/drawing.hpp"
-#include "render/figures.hpp"
 #include "render/interruption.hpp"
 #include "render/progress.hpp"
 #include "studies/stick_slip/parameter_sweep.hpp"

@@ -12,7 +12,6 @@
 #include "render/csv_table.hpp"
 #include "render/drawing.hpp"
 #include "render/external_tool.hpp"
-#include "render/figures.hpp"
 #include "render/interruption.hpp"
 #include "render/output_folder.hpp"
 #include "render/progress.hpp"
@@ -80,7 +79,7 @@ std::vector<FigureData::Value> values_of(const data::Case& problem, const studie
   const double limit = studies::friction_limit(problem);
   double largest_force = limit;
   for (const auto& row : motion.rows) largest_force = std::max(largest_force, std::abs(row.friction_force));
-  return {{"points", positions, "1"},
+  return {{"points", static_cast<double>(positions), "1"},
           {"length", problem.beam.length(), "m"},
           {"hz", problem.excitation.frequency_hz(), "Hz"},
           {"amplitude", problem.excitation.amplitude(), "m"},
@@ -99,7 +98,8 @@ std::vector<fs::path> drawn_frames(const data::Case& problem, const studies::His
     const std::size_t last = std::min(first + batch, frames);
     progress(static_cast<double>(first) / static_cast<double>(frames));
     progress.stage(fmt::format("drawing frames {} to {} of {}", first + 1, last, frames));
-    data::write_text(output.scratch() / "frames.csv", table_of(problem, motion, position, first, last).text());
+    data::write_text(output.scratch() / "frames.csv",
+                     table_of(problem, motion, position, first, last).text());
     auto values = values_of(problem, motion);
     values.push_back({"first_frame", static_cast<double>(first + 1), "1"});
     values.push_back({"last_frame", static_cast<double>(last), "1"});

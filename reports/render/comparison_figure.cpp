@@ -9,7 +9,6 @@
 
 #include "render/csv_table.hpp"
 #include "render/drawing.hpp"
-#include "render/figures.hpp"
 
 namespace stickslip::report {
 

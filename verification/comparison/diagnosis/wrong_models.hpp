@@ -17,6 +17,7 @@
 
 #include "comparison/diagnosis/ranking.hpp"
 #include "stickslip/data/problem.hpp"
+#include "studies/common/members.hpp"
 
 namespace stickslip::comparison {
 
@@ -52,6 +53,7 @@ struct WrongModel {
   std::string place;    ///< the equation or section of the paper that it concerns
   std::vector<Quantity> changes;
 };
+STICKSLIP_MEMBERS(WrongModel, (name, "-"), (mistake, "-"), (place, "-"))
 
 /// All wrong models: mistakes in inputs, equations, initial conditions, mesh and time steps, and friction.
 [[nodiscard]] const std::vector<WrongModel>& wrong_models();
@@ -97,6 +99,9 @@ struct WrongModelEffect {
   std::optional<double> first_slip;                       ///< of its time; infinite if it never slips
   std::optional<double> tip_displacement;                 ///< distance of the history
 };
+STICKSLIP_MEMBERS(WrongModelEffect, (wrong_model), (stick_frequency, "1"), (slip_frequency, "1"),
+                  (force_maximum, "1"), (stick_force, "1"), (stick_displacement, "1"), (first_slip, "1"),
+                  (tip_displacement, "1"))
 
 /// The effects of all wrong models on one case: over `stick_duration` (s) with the tip held,
 /// including |f_max| and without the damping of the case, and over `contact_duration` (s) with stick-slip.

@@ -252,7 +252,7 @@ DataSet stick_slip_events() {
   int index = 0;
   for (const data::ContactEvent& event : benchmark().events) {
     const auto& [time, position] = benchmark().uncertainties[static_cast<std::size_t>(index)];
-    add_row(set, {++index, std::string(data::name_of(event.change)),
+    add_row(set, {++index, std::string(data::to_string(event.change)),
                   converged(event.time, time + benchmark().tolerance_effect),
                   converged(event.position, position + 1e-13)});
   }

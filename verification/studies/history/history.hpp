@@ -10,6 +10,7 @@
 
 #include "stickslip/data/contact_event.hpp"
 #include "stickslip/data/problem.hpp"
+#include "studies/common/members.hpp"
 
 namespace stickslip::studies {
 
@@ -33,6 +34,10 @@ struct History {
   /// Estimated error: the largest change of y(L) over the rows on twice the step of the method, m.
   std::optional<double> step_effect{};
 };
+
+STICKSLIP_MEMBERS(HistoryRow, (time, "s"), (tip_displacement, "m"), (friction_force, "N"), (state, "-"),
+                  (displacement, "m"))
+STICKSLIP_MEMBERS(History, (rows), (events))
 
 /// Where a history has rows. Methods in time steps take the step next to a time.
 struct Sampling {
@@ -83,6 +88,7 @@ struct EventDifference {
   double time{};      ///< s
   double position{};  ///< m
 };
+STICKSLIP_MEMBERS(EventDifference, (time, "s"), (position, "m"))
 
 /// The largest differences of the first `count` events of two histories; infinite if their kinds differ or if
 /// one history has fewer events.

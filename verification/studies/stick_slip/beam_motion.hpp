@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
+#include "studies/common/members.hpp"
 #include "studies/history/history.hpp"
 
 namespace stickslip::studies {
@@ -48,7 +49,14 @@ struct BeamMotionStudy {
   double stick_difference{};         ///< largest difference up to the first slip, m
   double predicted_stick_difference{};
   double difference{};  ///< largest difference over all snapshots, m
+  /// Both over the peak.
+  [[nodiscard]] double relative_difference() const { return difference / peak; }
+  [[nodiscard]] double relative_half_width() const { return half_width / peak; }
 };
+STICKSLIP_MEMBERS(BeamMotionStudy, (frequency_hz, "Hz"), (amplitude, "m"), (position, "m"), (finite_element),
+                  (reference), (half_width, "m"), (first_slip, "s"), (peak, "m"), (stick_difference, "m"),
+                  (predicted_stick_difference, "m"), (difference, "m"), (relative_difference(), "1"),
+                  (relative_half_width(), "1"))
 
 /// Compares one period of the excitation: the first period if the tip sticks throughout numerics.duration(),
 /// otherwise the period that begins a quarter of a period before the first slip (but not before t = 0). For

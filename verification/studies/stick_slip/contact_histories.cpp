@@ -8,6 +8,7 @@
 
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/data/paper.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/common/parallel.hpp"
 #include "studies/common/problem_parameter.hpp"
@@ -63,6 +64,23 @@ ContactHistory contact_history(const data::Case& problem, double shown) {
                                                     .with_midspan = false});
   }
   return history;
+}
+
+std::optional<double> ContactHistory::first_slip_difference() const {
+  if (!finite_element_slip || !closed_form_slip) return std::nullopt;
+  return std::abs(*finite_element_slip - *closed_form_slip);
+}
+
+std::vector<ContactHistory> contact_histories(const data::Case& paper, double shown) {
+  std::vector<ContactHistory> histories;
+  for (const auto& verdict : data::printed_verdicts()) {
+    data::Case problem = paper;
+    problem.excitation = data::HarmonicExcitation({verdict.frequency_hz, verdict.amplitude});
+    histories.push_back(contact_history(problem, shown));
+    histories.back().figure = verdict.figure;
+    histories.back().printed_slips = verdict.verdict == "stick-slip";
+  }
+  return histories;
 }
 
 std::vector<PracticeRun> usual_practice(data::Case problem, const ConvergedHistory& converged) {

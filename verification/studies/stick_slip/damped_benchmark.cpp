@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "stickslip/analytic/beam_contact_model.hpp"
+#include "studies/common/hertz.hpp"
 #include "studies/history/runs.hpp"
 #include "studies/stick_slip/finite_element_contact_model.hpp"
 
@@ -16,6 +17,7 @@ namespace stickslip::studies {
 namespace {
 
 constexpr double history_step = 1e-4, least_stick = 2e-5;  // s
+constexpr double reference_tolerance = 1e-12;
 
 // Of the events with the same number, up to the first ones of different kinds.
 std::vector<EventDifference> differences(const std::vector<data::ContactEvent>& a,
@@ -35,6 +37,8 @@ class Benchmark {
     result_.amplitude = problem_.excitation.amplitude();
     result_.kelvin_voigt = problem_.damping.kelvin_voigt();
     result_.duration = effort_.duration;
+    result_.damping_ratio = std::numbers::pi * result_.kelvin_voigt * stick_hz(problem_.beam, 1);
+    result_.tolerance = reference_tolerance;
     result_.shortest_stick = least_stick;
     result_.modes = effort_.modes;
     set_reference();
@@ -49,7 +53,7 @@ class Benchmark {
   }
 
  private:
-  [[nodiscard]] History held(int modes, double tolerance = 1e-12) const {
+  [[nodiscard]] History held(int modes, double tolerance = reference_tolerance) const {
     const analytic::BeamContactModel beam(problem_.beam, problem_.friction, problem_.excitation,
                                           problem_.damping, modes);
     return event_driven_history(beam.model(), times_, tolerance);
@@ -60,7 +64,7 @@ class Benchmark {
     reference_ = result_.events = events_of(result_.history);
     const int fewer_modes = static_cast<int>(std::lround(effort_.modes / std::numbers::sqrt2));
     const auto fewer = events_of(held(fewer_modes));
-    const auto rougher = events_of(held(fewer_modes, 1e-10));
+    const auto rougher = events_of(held(fewer_modes, 100.0 * reference_tolerance));
     if (fewer.size() != reference_.size() ||
         std::isinf(largest_difference(fewer, reference_, reference_.size()).time))
       throw std::runtime_error("the reference history has not converged: its events depend on the modes.");
@@ -96,6 +100,13 @@ class Benchmark {
 };
 
 }  // namespace
+
+const BenchmarkRun& DampedBenchmark::finest_stepped() const {
+  const auto fineness = [](const BenchmarkRun& run) {
+    return run.time_step > 0.0 ? std::pair(run.size, -run.time_step) : std::pair(0, 0.0);
+  };
+  return *std::ranges::max_element(runs, {}, fineness);
+}
 
 DampedBenchmark damped_benchmark(const data::Case& problem, const BenchmarkEffort& effort) {
   return Benchmark(problem, effort).run();

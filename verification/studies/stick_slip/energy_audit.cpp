@@ -25,6 +25,25 @@ solver::EnergyBalance stepped_balance(const data::Case& problem, double duration
 
 }  // namespace
 
+std::vector<double> EnergyAudit::Mesh::residual() const {
+  std::vector<double> values;
+  for (const auto& balance : stepped) values.push_back(balance.residual());
+  return values;
+}
+
+std::vector<double> EnergyAudit::Mesh::base_work() const {
+  std::vector<double> values;
+  for (const auto& balance : stepped) values.push_back(balance.base_work);
+  return values;
+}
+
+double EnergyAudit::Mesh::largest_unexplained() const {
+  double largest = 0.0;
+  for (const auto& balance : stepped)
+    largest = largest_or_nan({largest, std::abs(balance.residual() / balance.base_work)});
+  return largest;
+}
+
 EnergyAudit energy_audit(const data::Case& problem, double duration, const std::vector<int>& elements,
                          int modes, const std::vector<double>& time_steps) {
   const analytic::BeamContactModel beam(problem.beam, problem.friction, problem.excitation, problem.damping,

@@ -111,8 +111,9 @@ HistoryRun history_run(const data::Case& problem, const ConvergedHistory& refere
                     .changes = static_cast<int>(run.events.size())};
   result.error = largest_difference(tip_displacements(run), reference.tip) / reference.tip_range;
   if (observe_growth)
-    result.observed_growth = growth_rate(run, history(perturbation), 1.0 / problem.excitation.frequency_hz(),
-                                         observed_until * reference.tip_range);
+    result.observed_growth =
+        growth_rate(run, history(HistoryRun::perturbation), 1.0 / problem.excitation.frequency_hz(),
+                    observed_until * reference.tip_range);
   return result;
 }
 
@@ -122,6 +123,7 @@ HistoryRefinement history_refinement(const data::Case& problem, const ConvergedH
   HistoryRefinement refinement;
   refinement.rule = rule;
   refinement.frequency_hz = problem.excitation.frequency_hz();
+  refinement.beam_growth_bound = beam_growth_bound(problem.beam, problem.friction);
   std::vector<double> lengths, errors;
   for (const int count : elements) {
     refinement.runs.push_back(history_run(problem, reference, count, time_step_of(rule, problem.beam, count),

@@ -86,11 +86,29 @@ TEST(LengthForceMap, HoldsTheCriterionOfEachPoint) {
           << line.length[i] << " m, " << line.axial_force << " N";
     }
   }
+  // Far from buckling the force is largest at the first resonance.
+  const auto& ratios = map.lines[0].force_ratio;
+  EXPECT_EQ(std::ranges::max_element(ratios) - ratios.begin(), 40);
   EXPECT_EQ(map.lines[0].length.back(), 2.0);
   const double buckling = map.lines[1].buckling_length;
   EXPECT_DOUBLE_EQ(map.lines[1].length.back(), 0.999 * buckling);
   EXPECT_TRUE(
       within(analytic::stick_buckling_load(flat_beam(buckling, 0.0)), 4000.0, round_off(10, 2, 4000.0)));
+}
+
+TEST(LengthForceMap, StatesSectionBucklingAndResonancesOfTheCase) {
+  const data::Case problem = flat_case();
+  const auto map = studies::length_force_map(problem, 0.4, 0.5, {50.0});
+  EXPECT_EQ(map.frequency_hz, 25.0);
+  const double z = std::sqrt(map.buckling_coefficient);  // tan z = z, with the condition number z^2 = 20
+  EXPECT_TRUE(within(std::tan(z) / z, 1.0, round_off(50, 1, 1.0)));
+  const double height = map.section_height, width = map.section_width;
+  EXPECT_DOUBLE_EQ(width * height, problem.beam.area());
+  EXPECT_DOUBLE_EQ(width * height * height * height / 12.0, problem.beam.second_moment_of_area());
+  ASSERT_EQ(map.resonance_lengths.size(), 2U);
+  for (const int mode : {1, 2})
+    EXPECT_EQ(map.resonance_lengths[static_cast<std::size_t>(mode - 1)],
+              studies::resonance_length(problem.beam, mode, 25.0));
 }
 
 TEST(LengthForceMap, GivesTheForceAndTheVerdictOfFiniteElements) {

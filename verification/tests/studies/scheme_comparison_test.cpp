@@ -73,7 +73,7 @@ TEST(ContactSchemes, WithoutLocationFindThePlateausOfACoarseDampedBeam) {
     EXPECT_TRUE(within(late[i].tip_displacement, located[i].tip_displacement,
                        discretisation(static_cast<double>(i + 1) * back, 1.0, "d h^2/2 a slip")));
   for (std::size_t i = 0; i < 7; ++i) {
-    EXPECT_GE(located[i].end - located[i].begin, studies::shortest_plateau);
+    EXPECT_GE(located[i].end - located[i].begin, studies::SchemeRun::shortest_plateau);
     EXPECT_GE(located[i].begin, i == 0 ? runs[0].first_slip.value() : located[i - 1].end);
   }
   // A run that ends in a stick phase has its part of it.

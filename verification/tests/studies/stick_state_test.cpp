@@ -302,6 +302,12 @@ TEST(StickState, ModeShapesOfBothImplementationsAreTheSame) {
       const auto [least, most] = std::ranges::minmax(*shape);
       EXPECT_DOUBLE_EQ(std::max(-least, most), 1.0);
       EXPECT_GT((*shape)[1], 0.0);
+      EXPECT_NEAR(shape->front(), 0.0, 1e-12);
+      // The tip is at rest in stick and moves in slip.
+      if (curve.slip)
+        EXPECT_GT(std::abs(shape->back()), 0.5);
+      else
+        EXPECT_NEAR(shape->back(), 0.0, 1e-9);
     }
   }
 }

@@ -261,7 +261,7 @@ ProblemErrors errors_of(const MassHistory& history, const Rows& rows) {
   errors.same_changes = history.changes.size() >= rows.time.size();
   for (std::size_t i = 0; i < std::min(rows.time.size(), history.changes.size()); ++i) {
     const data::ContactEvent& change = history.changes[i];
-    errors.same_changes &= data::name_of(change.change) == rows.change[i];
+    errors.same_changes &= data::to_string(change.change) == rows.change[i];
     errors.time = largest_or_nan({errors.time, std::abs(change.time - rows.time[i])});
     errors.position = largest_or_nan({errors.position, std::abs(change.position - rows.position[i])});
   }
