@@ -28,7 +28,7 @@
 #include "support/beams.hpp"
 #include "support/flat_beam.hpp"
 #include "support/requirements.hpp"
-#include "support/single_mass.hpp"
+#include "support/contact_models.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {

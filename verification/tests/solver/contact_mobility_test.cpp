@@ -13,9 +13,9 @@
 #include "stickslip/solver/contact_mobility.hpp"
 #include "stickslip/solver/generalized_alpha.hpp"
 #include "support/beams.hpp"
+#include "support/contact_models.hpp"
 #include "support/parameter_name.hpp"
 #include "support/requirements.hpp"
-#include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {

@@ -14,12 +14,12 @@
 #include "stickslip/solver/modal_analysis.hpp"
 #include "studies/convergence/convergence.hpp"
 #include "support/beams.hpp"
+#include "support/contact_models.hpp"
 #include "support/error_message.hpp"
 #include "support/free_tip.hpp"
 #include "support/order.hpp"
 #include "support/parameter_name.hpp"
 #include "support/requirements.hpp"
-#include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {

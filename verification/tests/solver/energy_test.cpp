@@ -12,11 +12,11 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/energy_balance.hpp"
 #include "support/beams.hpp"
+#include "support/contact_models.hpp"
 #include "support/energy.hpp"
 #include "support/error_message.hpp"
 #include "support/exact_pair.hpp"
 #include "support/requirements.hpp"
-#include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {

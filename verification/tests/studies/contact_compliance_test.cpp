@@ -19,10 +19,10 @@
 #include "studies/criterion/model_form.hpp"
 #include "studies/stick_slip/event_history.hpp"
 #include "studies/stick_slip/regularisation.hpp"
+#include "support/contact_models.hpp"
 #include "support/error_message.hpp"
 #include "support/order.hpp"
 #include "support/requirements.hpp"
-#include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -110,8 +110,7 @@ class ExactMassOnASpring {
 constexpr double stiffness = 400.0, shaking = 2.0, until = 2.0;
 
 double stepped_error(double h) {
-  solver::ContactSystem system =
-      contact_system({.normal_force = 10.0, .friction = coulomb}, shaken(shaking, 1.0));
+  solver::ContactSystem system = contact_system(shaken_plane(shaking));
   system.tangential = spring(stiffness);
   solver::StickSlipIntegrator stepped(system, {.time_step = h, .spectral_radius = 0.9});
   stepped.start_stuck(scalar(0.0), scalar(0.0));

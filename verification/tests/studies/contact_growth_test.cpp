@@ -31,7 +31,6 @@
 #include "support/contact_models.hpp"
 #include "support/parameter_name.hpp"
 #include "support/requirements.hpp"
-#include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -81,7 +80,7 @@ TEST(ContactGrowth, OfAMassIsKappaOverItWithAndWithoutASpring) {
   for (const double stiffness : {50.0, 5e4}) {
     const SingleMass mass{.mass = 2.0, .stiffness = stiffness, .normal_force = 1.0};
     const auto contact = studies::continuous_contact(solver::ContactMobility(contact_system(mass)));
-    const auto model = contact_model(MassModel{.mass = 2.0, .stiffness = stiffness, .normal_force = 1.0});
+    const auto model = contact_model(SingleMass{.mass = 2.0, .stiffness = stiffness, .normal_force = 1.0});
     EXPECT_TRUE(within(growth_bound(contact, 3.0), 1.5, searched(1.5)));
     EXPECT_TRUE(within(growth_bound(studies::continuous_contact(model), 3.0), 1.5, searched(1.5)));
     // Re Z = sigma (m + k/|s|^2) falls up to the last frequency searched, where |s|^2 = 9 k/m + sigma^2.

@@ -25,7 +25,6 @@
 #include "support/order.hpp"
 #include "support/parameter_name.hpp"
 #include "support/requirements.hpp"
-#include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -361,25 +360,6 @@ INSTANTIATE_TEST_SUITE_P(Beam, MeshedHistory, ::testing::Values(25.0, 70.0),
                          [](const auto& instance) { return parameter_name(instance.param) + "Hz"; });
 
 STICKSLIP_VERIFIES(EventDrivenAndStepped, "X9");
-TEST(EventDrivenAndStepped, LetGoAtOnceOfAStartThatTakesMoreThanTheLimit) {
-  const ForcedPair pair;
-  for (const double contact : {-0.4, -0.1, 0.1, 0.4}) {
-    const Eigen::Vector2d q(0.0, contact), v(0.0, 0.0);
-    solver::StickSlipIntegrator stepped(contact_system(pair), {.time_step = 1e-3, .spectral_radius = 0.9});
-    stepped.start_stuck(q, v);
-    EventDriven run(contact_model(pair));
-    const double wall_velocity = pair.omega * pair.wall_amplitude;
-    run.start_stuck({-static_shape(pair) * contact / mode_shape(pair)},
-                    {-static_shape(pair) * wall_velocity / mode_shape(pair)}, contact);
-    const bool holds = std::abs(contact) < 0.2;
-    EXPECT_EQ(stepped.state() == data::ContactState::stick, holds) << contact;
-    EXPECT_EQ(run.state() == data::ContactState::stick, holds) << contact;
-    EXPECT_TRUE(within(run.friction_force(), stepped.friction_force(), round_off(20, 10, 20.0))) << contact;
-    EXPECT_EQ(stepped.events().size(), holds ? 0u : 1u);
-    EXPECT_EQ(run.events().size(), holds ? 0u : 1u);
-  }
-}
-
 TEST(EventDrivenAndStepped, KeepTheSameEnergyBalanceThroughOnsetsAndCaptures) {
   // The same mesh, so that the step alone is between them: of second order.
   const MeshedBeam beam(6, 25.0);

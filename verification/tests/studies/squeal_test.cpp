@@ -24,7 +24,6 @@
 #include "support/beams.hpp"
 #include "support/contact_models.hpp"
 #include "support/requirements.hpp"
-#include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {

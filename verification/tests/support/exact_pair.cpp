@@ -28,8 +28,8 @@ solver::ContactSystem contact_system(const ForcedPair& pair) {
                                          .decay = 0.0})};
 }
 
-ExactPair::ExactPair(const ForcedPair& pair) : pair_(pair) {
-  state_ << 0.0, 0.0, 0.0, pair.omega * pair.wall_amplitude, 0.0, 1.0, 1.0;
+ExactPair::ExactPair(const ForcedPair& pair, double position) : pair_(pair) {
+  state_ << 0.0, position, 0.0, pair.omega * pair.wall_amplitude, 0.0, 1.0, 1.0;
 }
 
 void ExactPair::run(double end_time, const std::function<void(const ExactPair&)>& visit) {

@@ -34,10 +34,12 @@ inline double next_term_of_the_pair(double time_step) { return (6.0 + 23.0 / 12.
 
 [[nodiscard]] solver::ContactSystem contact_system(const ForcedPair& pair);
 
-/// The exact motion of a ForcedPair that starts stuck, at the displacement of rest, with the wall's velocity.
+/// The exact motion of a ForcedPair that starts stuck with the wall's velocity, its first mass at rest at the origin. If holding
+/// the second mass takes more than the limit, it slips from the start.
 class ExactPair {
  public:
-  explicit ExactPair(const ForcedPair& pair);
+  /// The second mass starts at `position`, m.
+  explicit ExactPair(const ForcedPair& pair, double position = 0.0);
 
   /// Runs to end_time; looks for the end of a phase on a grid of 1/1000 of it. Visits the start, the points
   /// of the grid and both sides of every change: between two visits at different times lies a piece of one
