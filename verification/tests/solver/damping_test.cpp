@@ -16,7 +16,7 @@
 #include "support/beams.hpp"
 #include "support/contact_models.hpp"
 #include "support/error_message.hpp"
-#include "support/free_tip.hpp"
+#include "support/mesh.hpp"
 #include "support/order.hpp"
 #include "support/parameter_name.hpp"
 #include "support/requirements.hpp"

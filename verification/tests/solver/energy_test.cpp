@@ -13,7 +13,7 @@
 #include "stickslip/solver/energy_balance.hpp"
 #include "support/beams.hpp"
 #include "support/contact_models.hpp"
-#include "support/energy.hpp"
+#include "support/mesh.hpp"
 #include "support/error_message.hpp"
 #include "support/exact_pair.hpp"
 #include "support/requirements.hpp"

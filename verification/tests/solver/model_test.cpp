@@ -17,7 +17,7 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
 #include "support/beams.hpp"
-#include "support/energy.hpp"
+#include "support/mesh.hpp"
 #include "support/error_message.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"

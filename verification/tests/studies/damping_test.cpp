@@ -23,7 +23,7 @@
 #include "stickslip/solver/modal_analysis.hpp"
 #include "studies/common/simpson.hpp"
 #include "support/beams.hpp"
-#include "support/free_tip.hpp"
+#include "support/mesh.hpp"
 #include "support/order.hpp"
 #include "support/parameter_name.hpp"
 #include "support/requirements.hpp"

@@ -178,56 +178,5 @@ TEST(Similarity, OfAllBeamsLeavesTheFirstSlipTheSame) {
   });
 }
 
-/// Displacement of the tip by a force at x, and of x by a force at the tip, m/N, in slip at angular frequency
-/// omega.
-struct Flexibility {
-  double of_the_tip{}, of_the_point{};
-};
-
-Flexibility flexibility(const data::Beam& beam, int elements, double x, double omega) {
-  const solver::BeamModel model(beam, elements);
-  const Eigen::MatrixXd dynamic = model.slip_stiffness() - omega * omega * model.mass();
-  const Eigen::PartialPivLU<Eigen::MatrixXd> solve(dynamic);
-  const Eigen::VectorXd at = model.interpolation(x);
-  const Eigen::VectorXd tip = Eigen::VectorXd::Unit(model.degrees_of_freedom(), model.tip_deflection());
-  return {tip.dot(solve.solve(at)), at.dot(solve.solve(tip))};
-}
-
-STICKSLIP_VERIFIES(Reciprocity, "M2");
-// Betti's reciprocity, lost in slip by what the follower force does. By the biorthogonal modes the tip moves
-// by sum g_k psi*_k(x)/(omega_k^2 - omega^2) per unit of force at x, and x by the same with psi_k.
-TEST(Reciprocity, IsLostInSlipAlikeOnAMeshAndInClosedForm) {
-  constexpr int elements = 8, modes = 16;
-  double largest = 0.0;
-  on_random_beams(20, {0.1, 0.9}, [&](const data::Beam& beam, RandomNumbers& numbers) {
-    const double x = beam.length() * numbers.whole(2, elements - 1) / elements;
-    const auto slip = analytic::slip_modes(beam, modes);
-    std::vector<double> natural;
-    for (const auto& mode : slip) natural.push_back(mode.angular_frequency());
-    const double omega = 2.0 * pi * random_frequency_hz(numbers, natural, 0.1);
-    const auto free = analytic::free_modes(beam, modes);
-    Flexibility exact, last;
-    for (std::size_t k = 0; k < modes; ++k) {
-      const double weight = free[k].input / (natural[k] * natural[k] - omega * omega);
-      last = {weight * slip[k].adjoint_shape(x), weight * slip[k].shape(x)};
-      exact.of_the_tip += last.of_the_tip;
-      exact.of_the_point += last.of_the_point;
-      last = {weight, weight};
-    }
-    const Flexibility coarse = flexibility(beam, elements, x, omega);
-    const Flexibility fine = flexibility(beam, 2 * elements, x, omega);
-    // Shapes of size 1 and more; terms fall as k^-4. The fine mesh is off by a fifteenth of what it differs.
-    const double tail = 2.0 * std::abs(last.of_the_tip) * modes / 3.0;
-    const auto agrees = [&](double of_fine, double of_coarse, double expected) {
-      return within(of_fine, expected,
-                    discretisation(std::abs(of_fine - of_coarse) / 15.0 + tail, 2.0, "k^-4 and l^4"));
-    };
-    EXPECT_TRUE(agrees(fine.of_the_tip, coarse.of_the_tip, exact.of_the_tip));
-    EXPECT_TRUE(agrees(fine.of_the_point, coarse.of_the_point, exact.of_the_point));
-    largest = largest_or_nan({largest, std::abs(exact.of_the_tip / exact.of_the_point - 1.0)});
-  });
-  EXPECT_GT(largest, 0.5);
-}
-
 }  // namespace
 }  // namespace stickslip::testing
