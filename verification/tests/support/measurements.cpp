@@ -231,14 +231,15 @@ void add_sample(const Engine& engine, double position, History& history) {
 History stepped_history(const Scene& scene) {
   const StickSlipProblem& problem = scene.problem;
   const auto numerics = settings(problem, scene.periods);
+  const double time_step = 0.5 * numerics.time_step();  // as long as the law of friction of every beam allows
   const double speed = 2.0 * pi * problem.excitation.frequency_hz() * problem.excitation.amplitude();
   const auto run = started(
       problem, transformed(solver::harmonic_motion(problem.excitation), scene.is_mirrored ? -1.0 : 1.0),
-      {.time_step = numerics.time_step(),
+      {.time_step = time_step,
        .spectral_radius = 0.9,
        .velocity_threshold = scene.has_threshold ? 0.01 * speed : 0.0});
   const solver::BeamModel model(problem.beam, mesh_elements);
-  const long steps = solver::step_count(numerics.duration(), numerics.time_step());
+  const long steps = solver::step_count(numerics.duration(), time_step);
   History history;
   for (int eighth = 1; eighth <= 8; ++eighth) {
     while (run->steps() < eighth * steps / 8) run->step();
