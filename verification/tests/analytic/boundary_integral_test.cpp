@@ -53,7 +53,7 @@ TEST_P(GaussStages, FollowAFreeMassExactly) {
     ASSERT_TRUE(within(weights[j], (j == 0 ? 0.5 : 1.0) * h / mass, of_weights(h / mass))) << j;
 }
 
-TEST_P(GaussStages, TurnAnOscillatorByThePhaseOfTheirPadeApproximant) {
+TEST_P(GaussStages, HaveThePhaseErrorOfTheirPadeApproximant) {
   // With a = omega h the exact weights are 2 (1 - cos a) cos(j a)/(omega^2 h). The approximant (k, k) of
   // exp(x) is off by (k!)^2/((2k)! (2k+1)!) x^(2k+1), which turns each step by as much with x = a. After 100
   // rad that is 100 a^2k of this constant, next to which the error of the amplitudes, a^2k of the same
@@ -132,7 +132,7 @@ TEST(BoundaryIntegral, RefusesMoreValuesThanWeights) {
   EXPECT_THROW((void)analytic::contact_steps({1.0, 2.0}, {}, {1.0, 1.0, 1.0}), std::invalid_argument);
 }
 
-TEST(BoundaryIntegral, SolvesTheContactOfAStepAndFindsTheOnlySolution) {
+TEST(BoundaryIntegral, FindsTheOnlySolutionOfAStep) {
   // kappa W = 0.3 * 500 * 2e-3 = 0.3.
   const ContactLaw law{500.0, paper_friction()};
   const double weight = 2e-3, limit = 300.0;

@@ -48,7 +48,7 @@ TEST(Criterion, ForceIsThatOfTheStickResponse) {
   EXPECT_TRUE(within(criterion.force_max.upper, bounds.upper, round_off(1, 1, bounds.upper)));
 }
 
-TEST(Criterion, CriticalAmplitudeDoesNotDependOnTheAmplitudeNotEvenOnZero) {
+TEST(Criterion, CriticalAmplitudeIgnoresTheAmplitude) {
   const Criterion none = criterion_of(35.0, 0.0), some = criterion_of(35.0, 1e-3);
   EXPECT_EQ(none.critical_amplitude.lower, some.critical_amplitude.lower);
   EXPECT_EQ(none.critical_amplitude.upper, some.critical_amplitude.upper);
@@ -57,7 +57,7 @@ TEST(Criterion, CriticalAmplitudeDoesNotDependOnTheAmplitudeNotEvenOnZero) {
   EXPECT_EQ(none.verdict, Verdict::stick);
 }
 
-TEST(Criterion, CriticalAmplitudesAreExchangedWithTheBoundsOfTheForce) {
+TEST(Criterion, CriticalAmplitudeBoundsInvertTheForceBounds) {
   const auto enclosed = [](double width) {
     return evaluate_criterion(paper_beam(), paper_friction(), shaking(35.0, 1e-3), 1.0, 10,
                               SteadyPart::modal_sum, width)

@@ -204,7 +204,7 @@ TEST(ModalReactionTable, OfOneLoadFactorHoldsThat) {
                        round_off(20, 1, exact.modes[n].coefficient)));
 }
 
-TEST(ModalReactionTable, RefusesWhatIsOutsideItsRangeAndARangeWithoutSense) {
+TEST(ModalReactionTable, RefusesFrequenciesOutsideItsRange) {
   const double z = load_factor(paper_beam());
   EXPECT_THROW((void)ModalReactionTable(2.0 * z, 3.0 * z, 3).at(paper_beam()), std::invalid_argument);
   EXPECT_THROW((void)ModalReactionTable(0.0, 0.5 * z, 3).at(paper_beam()), std::invalid_argument);

@@ -19,10 +19,10 @@
 #include "studies/paper/paper_checks.hpp"
 #include "studies/stick/force_maximum.hpp"
 #include "studies/stick/frequencies.hpp"
-#include "support/claim.hpp"
+#include "support/claims.hpp"
+#include "support/order.hpp"
 #include "support/paper_case.hpp"
 #include "support/tolerance.hpp"
-#include "support/trend.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -108,7 +108,7 @@ TEST(ClaimOnEquation30, AboveTheLimitTheTipSticksAndSlips) {
                     slipping, probes.size()));
 }
 
-TEST(ClaimOnFigure10, TenSecondsHoldTheAbsoluteMaximumAwayFromTheNaturalFrequencies) {
+TEST(ClaimOnFigure10, TenSecondsHoldTheMaximumOffResonance) {
   constexpr std::array points{15.0, 25.0, 35.0, 70.0};
   std::array<double, 4> growth{};
   for (std::size_t i = 0; i < 4; ++i) growth[i] = force_max(points[i], 100.0) / force_max(points[i]);
@@ -352,7 +352,7 @@ TEST(ClaimOnFigure13, ScalingPutsTheResonancesInTheSamePlaces) {
                     c.second_half_hz, c.second_whole_hz));
 }
 
-TEST(ClaimOnFigure13, TheCriticalAmplitudeIsLargerAwayFromTheSecondResonance) {
+TEST(ClaimOnFigure13, CriticalAmplitudeIsLargerOffResonance) {
   const ScaledComparison& c = scaled_comparison();
   judge(
       "fig13.larger-critical-amplitude",
@@ -363,7 +363,7 @@ TEST(ClaimOnFigure13, TheCriticalAmplitudeIsLargerAwayFromTheSecondResonance) {
                   c.larger, c.all, c.median, c.lowest, c.lowest_at_hz, c.second_half_hz, c.second_whole_hz));
 }
 
-TEST(ClaimOnFigure13, ALowRigidityBeamBetterResistsStickSlipAtTheNormalisedFrequencyOnly) {
+TEST(ClaimOnFigure13, LowRigidityResistsAtNormalisedFrequencyOnly) {
   // As it stands: at the same excitation.
   const studies::SofterBeam same_hz = studies::softer_beam(paper(), 120);
   // |f_max| of finite elements at one frequency in ten: the same beam is the better one.
@@ -412,7 +412,7 @@ TEST(ClaimInConclusions, StickSlipOccursMoreReadilyTowardsANaturalFrequency) {
                     falls, all));
 }
 
-TEST(ClaimInConclusions, LowerRigidityIsMoreStableAtTheNormalisedFrequencyAwayFromTheSecondResonance) {
+TEST(ClaimInConclusions, LowerRigidityIsMoreStableOffResonance) {
   const ScaledComparison& c = scaled_comparison();
   judge("sect6.lower-rigidity",
         {.as_printed = c.larger == c.all, .instead = c.exceptions_are_near_second && c.larger > 0.95 * c.all},

@@ -14,10 +14,10 @@
 #include "studies/criterion/critical_amplitude.hpp"
 #include "studies/stick/force_maximum.hpp"
 #include "studies/stick/frequencies.hpp"
-#include "support/claim.hpp"
+#include "support/claims.hpp"
+#include "support/order.hpp"
 #include "support/paper_case.hpp"
 #include "support/tolerance.hpp"
-#include "support/trend.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -100,7 +100,7 @@ TEST(ClaimOnFigure6, CriticalAmplitudeHasADeepValleyAt80Hz) {
                     mm(c.finite_element[3])));
 }
 
-TEST(ClaimOnFigure6, TheSmallAmplitudesAreAt25And80HzNextToTheNaturalFrequencies) {
+TEST(ClaimOnFigure6, SmallAmplitudesAreAt25And80Hz) {
   const auto modes = analytic::stick_modes(paper().beam, 2);
   const auto nearest = [](double hz) {
     const auto grid = studies::figure6_frequencies();
@@ -114,7 +114,7 @@ TEST(ClaimOnFigure6, TheSmallAmplitudesAreAt25And80HzNextToTheNaturalFrequencies
                     first, modes[0].frequency_hz(), second, modes[1].frequency_hz()));
 }
 
-TEST(ClaimOnFigure6, TheSlippingTipMovesFartherThanTheBaseNearANaturalFrequency) {
+TEST(ClaimOnFigure6, TipMovesFartherThanBaseNearResonance) {
   const auto largest = [](double hz) {
     solver::BeamSimulation run = run_at(hz, 0.5e-3);
     double tip = 0.0;

@@ -14,7 +14,6 @@
 #include "stickslip/solver/stick_slip_integrator.hpp"
 #include "support/contact_models.hpp"
 #include "support/error_message.hpp"
-#include "support/exact_pair.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
@@ -77,7 +76,7 @@ TEST(StickSlipIntegrator, ContactMassIsTheInverseOfTheContactMobility) {
   EXPECT_TRUE(within(integrator.contact_mass(), (2.0 - 0.09) / 2.0, round_off(10, 1, 1.0)));
 }
 
-TEST(StickSlipIntegrator, FrictionForceBalancesTheContactInStickAndIsThatOfTheLawInSlip) {
+TEST(StickSlipIntegrator, FrictionForceMeetsBalanceAndLaw) {
   // The first row of M q_tt + C v + K q = s(t) p gives the acceleration of the first mass, the second one the force on
   // the contact, which in stick has the acceleration of the wall. The largest term is K q, about 30 N.
   const ForcedPair pair;
@@ -107,7 +106,7 @@ TEST(StickSlipIntegrator, FrictionForceBalancesTheContactInStickAndIsThatOfTheLa
   EXPECT_LT(stuck, 380);
 }
 
-TEST(StickSlipIntegrator, CapturesAtTheFirstStepThatEndsBelowTheThreshold) {
+TEST(StickSlipIntegrator, CapturesAtTheFirstStepBelowThreshold) {
   // v = 1.3 - 1.5 t: 0.25 m/s after ten steps, 0.145 m/s after eleven.
   const auto slider = run_from_slip(
       sliding_mass, {.time_step = 0.07, .spectral_radius = 0.9, .velocity_threshold = 0.2}, 0.0, 1.3, 0.8);
@@ -223,7 +222,7 @@ TEST(StickSlipIntegrator, RefusesAStartOfAnotherSize) {
   EXPECT_THROW(mass.start_slipping(one, two), std::invalid_argument);
 }
 
-TEST(StickSlipIntegrator, FrictionLawHoldsToRoundOffInAStepAsLongAsTheLawAllows) {
+TEST(StickSlipIntegrator, FrictionLawHoldsInTheLongestStep) {
   // At spectral radius 0 the balance holds at the end of the step: m (2 a_1 - a_0) = -mu(v_1) N with
   // v_1 = v_0 + h (3 a_1 - a_0)/2. The step is 99 % of the longest one, 4 m/(3 N (mu_s - mu_m) alpha).
   const data::FrictionCoefficients weakening{
@@ -252,7 +251,7 @@ TEST(StickSlipIntegrator, StopsWhenItsStateIsNoLongerFinite) {
   EXPECT_THROW(slider.step(), std::runtime_error);
 }
 
-TEST(StickSlipIntegrator, NeverSolvesWithAMatrixThatCouldNotBeFactorised) {
+TEST(StickSlipIntegrator, RefusesMatricesWithoutFactorisation) {
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(2);
   solver::ContactSystem overflown = pair_at_rest(1.0);
   overflown.slip_stiffness.coeffRef(0, 0) = std::nan("");
@@ -268,7 +267,7 @@ TEST(StickSlipIntegrator, NeverSolvesWithAMatrixThatCouldNotBeFactorised) {
     EXPECT_THROW(stuck.start_stuck(zero, zero), std::runtime_error);
 }
 
-TEST(StickSlipIntegrator, StopsWithAMessageWhenTheFrictionLawFallsTooFastForTheStep) {
+TEST(StickSlipIntegrator, StopsWhereTheLawIsTooSteepForTheStep) {
   StickSlipIntegrator slider(
       contact_system({.normal_force = 1e3,
                       .friction = {.static_coefficient = 1.0, .kinetic_coefficient = 0.0, .decay = 1e3}}),
@@ -279,7 +278,7 @@ TEST(StickSlipIntegrator, StopsWithAMessageWhenTheFrictionLawFallsTooFastForTheS
 }
 
 STICKSLIP_VERIFIES(ContactScheme, "F6");
-TEST(ContactScheme, OfThePaperJumpsOverItsThresholdWhenTheContactIsFast) {
+TEST(ContactScheme, PaperSchemeJumpsOverItsThreshold) {
   // v = 1.3 - 1.5 t in steps of 0.07 s: v falls by 0.105 m/s a step, from 0.04 to -0.065 m/s. A threshold of
   // 0.05 m/s is met at 0.04 m/s; one of 0.03 m/s is not, and friction flips for ever.
   const auto run = [](double threshold) {
@@ -300,7 +299,7 @@ TEST(ContactScheme, OfThePaperJumpsOverItsThresholdWhenTheContactIsFast) {
   for (const auto& event : missed) EXPECT_EQ(event.change, data::ContactChange::reversal);
 }
 
-TEST(ContactScheme, AtTheEndOfTheStepTakesAChangeThereAndAnImpulseAwayWithIt) {
+TEST(ContactScheme, EndOfStepSchemeTakesChangesThere) {
   const IntegratorSettings settings{
       .time_step = 0.07, .spectral_radius = 0.9, .scheme = ContactScheme::end_of_step};
   const auto slider = run_from_slip(sliding_mass, settings, 0.0, 1.3, 2.07);

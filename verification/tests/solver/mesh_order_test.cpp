@@ -95,7 +95,7 @@ TEST_P(StickFrequencyOrder, IsFourWithThePredictedConstant) {
 INSTANTIATE_TEST_SUITE_P(AxialForce, StickFrequencyOrder, ::testing::Values(-5.0, 0.0, 0.12, 10.0),
                          NameOfDouble());
 
-TEST(StickFrequencyOrder, ConstantWithoutAxialForceIsBetaLToTheFourthOver720) {
+TEST(StickFrequencyOrder, ConstantWithoutForceIsOneOver720) {
   const data::Beam beam = paper_beam_with_axial_force(0.0);
   const auto study = studies::stick_frequency_study(beam, 3, {12, 24});
   const double roots[] = {3.926602312047919, 7.068582745628732, 10.210176122813031};
@@ -225,14 +225,14 @@ void expect_shapes_of_order_four(double load_factor, double first_wave_number, d
 }
 
 STICKSLIP_VERIFIES(StickShapeOrder, "F3");
-TEST(StickShapeOrder, IsFourInTheMeanAndAtTheNodesWithThePredictedConstants) {
+TEST(StickShapeOrder, IsFourWithThePredictedConstants) {
   for (const double load_factor : {0.0, 0.12})
     expect_shapes_of_order_four(load_factor, 1.25 * std::numbers::pi, 1.1, analytic::stick_modes,
                                 solver::stick_modes);
 }
 
 STICKSLIP_VERIFIES(SlipShapeOrder, "F3");
-TEST(SlipShapeOrder, IsFourInTheMeanAndAtTheNodesWithThePredictedConstants) {
+TEST(SlipShapeOrder, IsFourWithThePredictedConstants) {
   // The next term of the norm of I U is int U^(6) U dx = -beta^4 (int U'^2 dx - U U'(L)), the last of which,
   // zero between supports, is the largest of a free tip: 5 times (beta l)^2/40.
   for (const double load_factor : {0.0, 0.12})
@@ -273,7 +273,7 @@ STICKSLIP_VERIFIES(ReactionOrder, "F4");
 // Taylor's series EI [u''' - l/2 u'''' + 3/20 l^2 u^(5) - l^3/42 ... u^(6) + l^4/168 u^(7)] at x = L. It
 // would be of order one, were u'''' not zero there: EI u'''' = -rho A y_tt - P u'', and a stuck tip neither
 // accelerates nor bends; u^(6) vanishes for the same reason.
-TEST(ReactionOrder, IsFourByTheResidualAndTwoByTheShapeFunctionsWithThePredictedConstants) {
+TEST(ReactionOrder, IsFourByResidualAndTwoByShapeFunctions) {
   for (const double hz : {15.0, 35.0, 70.0}) {
     const Vibration vibration{hz, data::Damping(), analytic::TipSupport::held};
     const double omega = vibration.omega();
@@ -321,7 +321,7 @@ STICKSLIP_VERIFIES(StaticShapeOrder, "F2");
 // Between the nodes the interpolation error, l^4/24 s^2 (1 - s)^2 u'''', and at them l^4/720 times an
 // integral over u'''' and the influence function: both of order four, the latter because of the axial force
 // alone.
-TEST(StaticShapeOrder, IsFourAgainstTheClosedFormInTheElementsAndAtTheNodes) {
+TEST(StaticShapeOrder, IsFourInElementsAndAtNodes) {
   // At half the buckling load the shape is no cubic: the mesh must converge to S(x), waves of sqrt(P/EI)
   // long.
   const data::Beam beam = paper_beam_with_axial_force(42e3);

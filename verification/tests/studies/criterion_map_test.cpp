@@ -21,7 +21,7 @@
 #include "studies/common/problem_parameter.hpp"
 #include "studies/criterion/criterion_map.hpp"
 #include "studies/criterion/map_estimate.hpp"
-#include "support/flat_beam.hpp"
+#include "support/beams.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 

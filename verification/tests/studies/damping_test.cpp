@@ -157,7 +157,7 @@ Tolerance mesh_round_off(int elements, double response, double scale) {
 }
 
 STICKSLIP_VERIFIES(DampedFrequencyResponse, "X8");
-TEST(DampedFrequencyResponse, IsOfFourthOrderInTheMeshWithThePredictedAmplitudeAndPhase) {
+TEST(DampedFrequencyResponse, HasOrderFourInAmplitudeAndPhase) {
   std::vector<std::string> without_order;
   for (const Vibration& v : vibrations()) {
     const Amplitudes exact = exact_amplitudes(v);

@@ -281,7 +281,7 @@ Refinement expect_order_two(const History& history, const Events& exact, const N
 class TimeStepper : public ::testing::TestWithParam<std::tuple<double, double>> {};
 
 STICKSLIP_VERIFIES(TimeStepper, "X9");
-TEST_P(TimeStepper, ConvergesToTheEventDrivenHistoryOfItsMeshWithOrderTwo) {
+TEST_P(TimeStepper, ConvergesToItsEventDrivenHistory) {
   const double hz = std::get<0>(GetParam()), spectral_radius = std::get<1>(GetParam());
   const MeshedBeam beam(10, hz);
   const Events exact = event_driven(beam.reduced().model());
@@ -314,7 +314,7 @@ INSTANTIATE_TEST_SUITE_P(Beam, TimeStepper,
                          });
 
 STICKSLIP_VERIFIES(ModalSteps, "F11");
-TEST(ModalSteps, ConvergesToTheEventDrivenHistoryOfItsMeshWithOrderTwo) {
+TEST(ModalSteps, ConvergeToTheEventDrivenHistory) {
   // Undamped, and on three elements, so that the steps resolve every mode. The next terms: omega h of mode 2,
   // as each change splits a step anywhere, and (omega h)^2 of the highest.
   const MeshedBeam beam(3, 25.0, data::Damping());
@@ -333,7 +333,7 @@ TEST(ModalSteps, ConvergesToTheEventDrivenHistoryOfItsMeshWithOrderTwo) {
 class MeshedHistory : public ::testing::TestWithParam<double> {};
 
 STICKSLIP_VERIFIES(MeshedHistory, "X9");
-TEST_P(MeshedHistory, DiffersFromTheHistoryWithoutAMeshByTheFourthPowerOfTheElement) {
+TEST_P(MeshedHistory, ErrorFallsWithTheFourthPowerOfTheElement) {
   // Cubic elements: frequencies, the deflection of the tip and the friction force from the residual of its
   // row all err as l^4, and event times are smooth functions of them; the next term is (beta l)^2/10 or so
   // for mode 4, beta L = 13.35. Three meshes that cost little are no order (EventDrivenBeamFiner has the

@@ -14,7 +14,7 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/convergence/discretisation.hpp"
 #include "studies/criterion/length_force_map.hpp"
-#include "support/flat_beam.hpp"
+#include "support/beams.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 

@@ -37,7 +37,7 @@ double random_angular_frequency(RandomNumbers& numbers, const data::Beam& beam) 
 
 STICKSLIP_VERIFIES(Reciprocity, "M2");
 // A force at a, with the tip held, moves b as far as the same force at b moves a.
-TEST(Reciprocity, HoldsInTheStickStateAtRestAndInVibration) {
+TEST(Reciprocity, HoldsInStickAtRestAndInVibration) {
   on_random_beams(60, any_force, [](const data::Beam& beam, RandomNumbers& numbers) {
     const int elements = numbers.whole(3, 8);
     const BeamModel model(beam, elements);
@@ -64,7 +64,7 @@ TEST(Reciprocity, HoldsInTheStickStateAtRestAndInVibration) {
 // whose flexibility is F: by Sherman and Morrison
 //
 //     G_ab - G_ba = -P (F_aw F_theta b - F_bw F_theta a)/(1 + P F_theta w).
-TEST(Reciprocity, IsLostInSlipByWhatTheFollowerForceDoes) {
+TEST(Reciprocity, LossInSlipIsThatOfTheFollowerForce) {
   on_random_beams(60, any_force, [](const data::Beam& beam, RandomNumbers& numbers) {
     const int elements = numbers.whole(3, 8);
     const BeamModel model(beam, elements);
@@ -121,7 +121,7 @@ TEST(Reciprocity, HoldsBetweenTheModesAndTheStaticShape) {
 }
 
 // Without axial force the slip state is its own adjoint; with one, the adjoint differs by the follower force.
-TEST(Reciprocity, OfTheSlipStateIsLostToTheFollowerForceAlone) {
+TEST(Reciprocity, SlipModesAreSelfAdjointWithoutForce) {
   on_random_beams(50, no_force, [](const data::Beam& beam, RandomNumbers& numbers) {
     const double x = beam.length() * numbers.uniform(0.05, 0.95);
     for (const auto& mode : analytic::slip_modes(beam, 8))
@@ -151,7 +151,7 @@ Flexibility flexibility(const data::Beam& beam, int elements, double x, double o
 
 // Betti's reciprocity, lost in slip by what the follower force does. By the biorthogonal modes the tip moves
 // by sum g_k psi*_k(x)/(omega_k^2 - omega^2) per unit of force at x, and x by the same with psi_k.
-TEST(Reciprocity, IsLostInSlipAlikeOnAMeshAndInClosedForm) {
+TEST(Reciprocity, LossInSlipIsThatOfTheClosedForm) {
   constexpr int elements = 8, modes = 16;
   double largest = 0.0;
   on_random_beams(20, {0.1, 0.9}, [&](const data::Beam& beam, RandomNumbers& numbers) {

@@ -48,7 +48,7 @@ class SteadyForce : public ::testing::TestWithParam<double> {
 };
 
 STICKSLIP_VERIFIES(SteadyForce, "X22");
-TEST_P(SteadyForce, OfAMeshDiffersFromTheClosedFormByTheFourthPowerOfTheElementLength) {
+TEST_P(SteadyForce, OfTheMeshHasOrderFour) {
   const double steady = studies::steady_force(problem_, {}).steady;
   const double coarse = finite_element_steady_force(problem_, 20),
                fine = finite_element_steady_force(problem_, 40);
@@ -192,14 +192,14 @@ TEST(LateSlips, GoOnButMoveTheTipLittleByTwoFormulations) {
   }
 }
 
-TEST(LateSlips, BeginWithTheFirstSampleFromWhichAllAreNearTheLast) {
+TEST(LateSlips, BeginWhereAllLaterSamplesAgree) {
   const auto slips = studies::late_slips({0.0, 0.1, 0.2, 0.3, 0.4}, {0.0, 1.0, 0.06, 0.02, 0.04});
   EXPECT_EQ(slips.range, 1.0);
   EXPECT_EQ(slips.settled, 0.2);
   EXPECT_DOUBLE_EQ(slips.later_range, 0.04);
 }
 
-TEST(LateSlips, AreAPartOfTheStudyBesideThoseAtItsFrequenciesAndAmplitudes) {
+TEST(LateSlips, ArePartOfTheStudy) {
   const studies::ScopeRange whole;
   EXPECT_EQ(whole.frequencies_hz, (std::vector{15.0, 25.0, 35.0, 70.0}));
   EXPECT_EQ(whole.durations, (std::vector{0.1, 1.0, 10.0, 100.0, 1000.0}));

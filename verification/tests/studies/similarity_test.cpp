@@ -22,7 +22,6 @@
 #include "support/random_beams.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
-#include "support/units.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -51,7 +50,7 @@ double next_term(const analytic::StickMode& mode, double element_length) {
 STICKSLIP_VERIFIES(RayleighBound, "M2");
 // The mesh's functions are admissible: no frequency can lie below that of the beam, whatever the mode. Of the
 // modes that the mesh resolves, beta l < 1, the excess of omega^2 is (beta l)^4/720 at P = 0.
-TEST(RayleighBound, IsKeptByEveryModeAndNotByMoreThanTheInterpolationErrorWhereResolved) {
+TEST(RayleighBound, HoldsWithinTheInterpolationError) {
   on_random_beams(60, any_force, [](const data::Beam& beam, RandomNumbers& numbers) {
     const int elements = numbers.whole(1, 10);
     const double element_length = beam.length() / elements;
@@ -73,7 +72,7 @@ TEST(RayleighBound, IsKeptByEveryModeAndNotByMoreThanTheInterpolationErrorWhereR
   });
 }
 
-TEST(RayleighBound, IsKeptByTheBucklingLoadOfAnyMesh) {
+TEST(RayleighBound, HoldsForTheBucklingLoad) {
   on_random_beams(40, any_force, [](const data::Beam& beam, RandomNumbers& numbers) {
     EXPECT_GT(solver::stick_buckling_load(solver::BeamModel(beam, numbers.whole(1, 12))),
               analytic::stick_buckling_load(beam));
@@ -89,7 +88,7 @@ double static_shape_error(const data::Beam& beam, int elements) {
 
 STICKSLIP_VERIFIES(Similarity, "M1");
 // One in mm, t, s or with another beam, the other in metres: nothing of a unit is left between them.
-TEST(Similarity, OfABeamAndAMeshOfAnotherLeavesTheDiscretisationErrorAlone) {
+TEST(Similarity, LeavesTheDiscretisationErrorOfModes) {
   constexpr int elements = 8;
   on_random_beams(30, any_force, [](const data::Beam& beam, RandomNumbers& numbers) {
     const double element_length = beam.length() / elements;
@@ -116,7 +115,7 @@ TEST(Similarity, OfABeamAndAMeshOfAnotherLeavesTheDiscretisationErrorAlone) {
 // The largest reaction that theory expects of the finite elements, steps and resonance included. What its
 // uncertainty leaves out: the error of the mesh's static shape, which counts near buckling, and that a tenth
 // off resonance the response has five times the error of a frequency.
-TEST(Similarity, OfAllBeamsLeavesTheForceMaximumThePredictedOne) {
+TEST(Similarity, LeavesTheErrorOfTheForceMaximum) {
   on_random_beams(15, compression, [](const data::Beam& beam, RandomNumbers& numbers) {
     const auto natural = angular_frequencies(analytic::stick_modes(beam, 6));
     const double hz = random_frequency_hz(numbers, natural, 0.1),
@@ -142,7 +141,7 @@ TEST(Similarity, OfAllBeamsLeavesTheForceMaximumThePredictedOne) {
   });
 }
 
-TEST(Similarity, OfAllBeamsLeavesTheFirstSlipTheSame) {
+TEST(Similarity, LeavesTheFirstSlipUnchanged) {
   on_random_beams(5, compression, [](const data::Beam& beam, RandomNumbers& numbers) {
     const auto natural = angular_frequencies(analytic::stick_modes(beam, 6));
     const double hz = random_frequency_hz(numbers, natural, 0.05);

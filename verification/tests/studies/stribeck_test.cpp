@@ -13,9 +13,9 @@
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/solver/energy_balance.hpp"
 #include "support/contact_models.hpp"
+#include "support/random_beams.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
-#include "support/units.hpp"
 
 namespace stickslip::testing {
 namespace {

@@ -34,7 +34,7 @@ Complex mesh_mobility(const data::Beam& beam, const data::Damping& damping, int 
 }
 
 STICKSLIP_VERIFIES(TipMobilityOrder, "A9");
-TEST(TipMobilityOrder, OfTheMeshIsFourWithThePredictedConstantWithoutAxialForce) {
+TEST(TipMobilityOrder, IsFourWithThePredictedConstant) {
   // Of MeshError, with the motion under a unit force at the tip as the dual one, which it is at P = 0: D
   // u'''' = -rho A s^2 u, and with the velocity T(x) per unit force
   //

@@ -231,7 +231,8 @@ void add_sample(const Engine& engine, double position, History& history) {
 History stepped_history(const Scene& scene) {
   const StickSlipProblem& problem = scene.problem;
   const auto numerics = settings(problem, scene.periods);
-  const double time_step = 0.5 * numerics.time_step();  // as long as the law of friction of every beam allows
+  const double time_step =
+      0.25 * numerics.time_step();  // as long as the law of friction of every beam allows
   const double speed = 2.0 * pi * problem.excitation.frequency_hz() * problem.excitation.amplitude();
   const auto run = started(
       problem, transformed(solver::harmonic_motion(problem.excitation), scene.is_mirrored ? -1.0 : 1.0),

@@ -14,8 +14,8 @@
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/data/contact_event.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
+#include "support/random_beams.hpp"
 #include "support/tolerance.hpp"
-#include "support/units.hpp"
 
 namespace stickslip::testing {
 
