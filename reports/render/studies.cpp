@@ -10,6 +10,7 @@
 #include "comparison/diagnosis/wrong_models.hpp"
 #include "render/criterion_map.hpp"
 #include "render/study_table.hpp"
+#include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/paper.hpp"
 #include "studies/common/described_types.hpp"
 #include "studies/common/problem_parameter.hpp"

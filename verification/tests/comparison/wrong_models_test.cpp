@@ -26,9 +26,8 @@
 #include "studies/convergence/discretisation.hpp"
 #include "studies/stick_slip/tip_run.hpp"
 #include "support/beams.hpp"
-#include "support/flat_beam.hpp"
+#include "support/contact_models.hpp"
 #include "support/requirements.hpp"
-#include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {

@@ -58,7 +58,7 @@ TEST(BeamBoundaryIntegral, HoldsTheTipWithEquation28EvenInResonance) {
   }
 }
 
-TEST(BeamBoundaryIntegral, HoldsTheTipOfADampedBeamWithTheForceInTheMiddleOfEachStep) {
+TEST(BeamBoundaryIntegral, HoldingForceOfADampedBeamIsTheClosedForm) {
   const data::Damping damping({.kelvin_voigt = 1e-5});
   const TimeGrid grid{1e-5, 1000};
   const double h = grid.time_step;
@@ -226,7 +226,7 @@ TEST(ConvergedHistory, OfATipThatNeverSlipsIsOneStick) {
   for (const auto& level : history.levels) EXPECT_EQ(level.changes, 0);
 }
 
-TEST(ConvergedHistory, TakesTheFreeModesBelowTwentyRadiansAStepButFrom20To1000) {
+TEST(ConvergedHistory, TakesFreeModesBelowTwentyRadiansAStep) {
   for (const auto& [step, least, most] : {std::tuple{1.0, 20, 20}, {2e-5, 100, 103}, {1e-12, 1000, 1000}}) {
     const int modes = studies::free_modes_for(paper_beam(), step);
     EXPECT_GE(modes, least);

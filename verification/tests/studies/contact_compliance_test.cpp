@@ -18,11 +18,11 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/criterion/model_form.hpp"
 #include "studies/history/runs.hpp"
+#include "support/contact_models.hpp"
 #include "support/error_message.hpp"
 #include "support/order.hpp"
 #include "support/regularisation.hpp"
 #include "support/requirements.hpp"
-#include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -110,8 +110,7 @@ class ExactMassOnASpring {
 constexpr double stiffness = 400.0, shaking = 2.0, until = 2.0;
 
 double stepped_error(double h) {
-  solver::ContactSystem system =
-      contact_system({.normal_force = 10.0, .friction = coulomb}, shaken(shaking, 1.0));
+  solver::ContactSystem system = contact_system(shaken_plane(shaking));
   system.tangential = spring(stiffness);
   solver::StickSlipIntegrator stepped(system, {.time_step = h, .spectral_radius = 0.9});
   stepped.start_stuck(scalar(0.0), scalar(0.0));
@@ -162,7 +161,7 @@ void expect_second_order(const std::function<double(double)>& error) {
 }
 
 STICKSLIP_VERIFIES(ContactSpring, "X25");
-TEST(ContactSpring, CarriesAMassAsTheExactSolutionSaysAtSecondOrderInBothImplementations) {
+TEST(ContactSpring, HasOrderTwoInBothImplementations) {
   ExactMassOnASpring exact(stiffness, shaking);
   exact.advance_to(until);
   ASSERT_GE(exact.changes(), 6);
@@ -174,7 +173,7 @@ TEST(ContactSpring, CarriesAMassAsTheExactSolutionSaysAtSecondOrderInBothImpleme
 // theta = 1 - 2 mu N/(F + mu N), and the mass leaves with the velocity (F + mu N) sin(theta)/omega. Set-valued friction
 // turns at once. Behind the turn they differ by t [(F + mu N) sin(theta) - (F - mu N) theta]/omega: of the order 1/2 in
 // 1/k_t. The next term is smaller by some theta/(omega t).
-TEST(ContactSpring, TendsToTheSetValuedLawAtHalfOrderWhereAMassTurnsInSlip) {
+TEST(ContactSpring, TendsToTheSetValuedLawAtHalfOrder) {
   constexpr double force = 3.0, start = 2.0, after = 1.0;
   const double turn = start / (force + 1.0), theta = std::acos(1.0 - 2.0 / (force + 1.0));
   const double leading = (force + 1.0) * std::sin(theta) - (force - 1.0) * theta;
@@ -223,7 +222,7 @@ void expect_second_order_of_the_smooth_law(const std::function<double(double)>& 
 }
 
 STICKSLIP_VERIFIES(SmoothLaw, "X25");
-TEST(SmoothLaw, AcceleratesAMassAsTheClosedFormSaysAtSecondOrderInBothImplementations) {
+TEST(SmoothLaw, HasOrderTwoInBothImplementations) {
   expect_second_order_of_the_smooth_law([](double h) {
     auto mass = pushed_mass(push, width_of_law, h);
     mass.start_stuck(scalar(0.0), scalar(0.0));
@@ -368,7 +367,7 @@ const RegularisationRate& rate(const std::vector<RegularisationRate>& rates, con
 // force jumps at a capture. The spring takes a time tau for that, k_t Y(1/tau) tau = 1 with Y ~ s^-1/2 of the undamped and
 // s^-3/4 of the Kelvin-Voigt beam: tau ~ k_t^-2/3 to k_t^-4/7, so that the mean of |delta f| lies between that and 1/k_t.
 STICKSLIP_VERIFIES(Regularisation, "X25");
-TEST(Regularisation, TendsToTheSetValuedLawAtFirstOrderInMotionAndOnset) {
+TEST(Regularisation, HasOrderOneInMotionAndOnset) {
   const data::Case problem = damped_case({}, 0.08);
   std::vector<data::ContactProperties> stiffer, narrower;
   for (const double k : {3.2e7, 1.28e8, 5.12e8, 2.048e9}) stiffer.push_back({.tangential_stiffness = k});
@@ -418,7 +417,7 @@ TEST(Regularisation, ChangesFirstSlipTravelAndWorkAsTheManualSays) {
 
 // The slider dissipates mu N times its path. The window ends at other forces than it begins with, so that what the spring
 // stores counts: up to (300 N)^2/(2 k_t) = 0.075 J. The work is a sum over the ends of steps: of first order.
-TEST(Regularisation, WorkOfCoulombFrictionIsTheForceTimesThePathOfTheSlider) {
+TEST(Regularisation, CoulombWorkIsForceTimesPath) {
   data::Case problem = data::load_case(
       "damped",
       {{"excitation.frequency_hz", "70"}, {"excitation.amplitude", "1e-3"}, {"excitation.duration", "0.09"}});
@@ -465,7 +464,7 @@ TEST(CompliantReaction, IsThatOfFiniteElementsWhoseSliderRests) {
 
 // A start with the tip at rest strikes the spring: x_t(0) misses that of the static part by x_s Omega = s Omega/k_t, which the
 // mass m of a finite number of modes turns into a force s Omega (m/k_t)^1/2. The steady part is of first order.
-TEST(CompliantReaction, TendsToThatOfTheHeldTipAtFirstOrderButForTheStart) {
+TEST(CompliantReaction, TendsToTheHeldTipAtFirstOrder) {
   const data::Case paper = data::load_case("paper");
   const double omega = 2.0 * pi * 35.0;
   const double held =

@@ -31,7 +31,6 @@
 #include "support/contact_models.hpp"
 #include "support/parameter_name.hpp"
 #include "support/requirements.hpp"
-#include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -81,7 +80,7 @@ TEST(ContactGrowth, OfAMassIsKappaOverItWithAndWithoutASpring) {
   for (const double stiffness : {50.0, 5e4}) {
     const SingleMass mass{.mass = 2.0, .stiffness = stiffness, .normal_force = 1.0};
     const auto contact = studies::continuous_contact(solver::ContactMobility(contact_system(mass)));
-    const auto model = contact_model(MassModel{.mass = 2.0, .stiffness = stiffness, .normal_force = 1.0});
+    const auto model = contact_model(SingleMass{.mass = 2.0, .stiffness = stiffness, .normal_force = 1.0});
     EXPECT_TRUE(within(growth_bound(contact, 3.0), 1.5, searched(1.5)));
     EXPECT_TRUE(within(growth_bound(studies::continuous_contact(model), 3.0), 1.5, searched(1.5)));
     // Re Z = sigma (m + k/|s|^2) falls up to the last frequency searched, where |s|^2 = 9 k/m + sigma^2.
@@ -142,7 +141,7 @@ TEST(ContactGrowth, OfTheBeamIsSearchedFromTheFrequenciesOfSliding) {
 }
 
 // In steps of h there is no frequency above pi/h.
-TEST(ContactGrowth, OfTheBeamInStepsIsSearchedFromTheFrequenciesBelowThatOfTheSteps) {
+TEST(ContactGrowth, SteppedBeamIsSearchedBelowTheStepFrequency) {
   constexpr double h = 1e-4, highest = std::numbers::pi / h;
   auto expected = studies::continuous_contact(paper_beam()).frequencies;
   std::erase_if(expected, [](double omega) { return omega >= highest; });
@@ -178,7 +177,7 @@ TEST(ContactGrowth, DoublesWithEachRefinementOfAMeshInContinuousTime) {
   EXPECT_GT(before, 100.0 * beam_bound);
 }
 
-TEST(ContactGrowth, OfAMeshWithARadiatingTipIsThatOfTheBeamOrLessOnEveryMeshInContinuousTime) {
+TEST(ContactGrowth, RadiatingTipKeepsTheGrowthOfTheBeam) {
   // 0.03 rho A l of the 0.0722 rho A l that the tip opposes to an impulse, behind a dashpot of kappa. Without
   // the dashpot it is kappa/(0.0422 rho A l), which doubles with the mesh.
   for (const int elements : {5, 10, 20, 40}) {
@@ -385,7 +384,7 @@ TEST(HistoryConvergence, MeasuresTheErrorAgainstTheHistoryGiven) {
   EXPECT_DOUBLE_EQ(studies::history_run(problem, grid(0.01), 10, 1.3e-4, 0.9, false).time_step, 1.25e-4);
 }
 
-TEST(HistoryConvergence, OfARefinementIsThatOfItsRunsAndObservesGrowthOnSmallMeshes) {
+TEST(HistoryConvergence, RefinementObservesGrowthOnSmallMeshes) {
   const auto study = studies::history_refinement(
       paper_case(), grid(0.3), {"filtering step", studies::filtering_angle, 0.0, 0.0}, {5, 10}, 5);
   EXPECT_EQ(study.rule.name, "filtering step");
@@ -453,7 +452,7 @@ TEST(GrowthWarning, SuggestsSettingsThatKeepTheGrowthAtThatOfTheBeam) {
                 found->value, 36.0 / found->value));
 }
 
-TEST(GrowthWarning, SaysWhenNoDiscretisationHelpsUnlessTheClosedFormDoesNotKnowTheDamping) {
+TEST(GrowthWarning, SaysWhenNoDiscretisationHelps) {
   const struct {
     std::vector<data::Override> overrides;
     std::string phrase;

@@ -181,7 +181,7 @@ TEST(FixedSteps, KeepTheEnergyAtSecondOrder) {
 }
 
 // A mass of 1 kg on a spring: its velocity per unit force after a step h is W = sin(omega h)/omega. N (mu_s - mu_m) = 1 N.
-TEST(FixedSteps, AreRefusedWhereALawFallsTooFastForOneSolutionOrAPeriodHasTooFew) {
+TEST(FixedSteps, AreRefusedWhereTheyAreTooLong) {
   constexpr double omega = 2.0, step = 2.0 * std::numbers::pi / 64.0;
   const auto model = [&](double fall) {
     return contact_model({.stiffness = omega * omega,
@@ -283,7 +283,7 @@ TEST(MotionQuantities, NeedTheTransientAndTwoPeriods) {
 }
 
 // The halves of a record, and the record on twice the step, are what other runs record.
-TEST(MotionQuantities, ChangeByTheirSpreadOverTheRecordItsHalvesAndTwiceTheStep) {
+TEST(MotionQuantities, ErrorIsTheSpreadOverHalvesAndSteps) {
   const auto response = [](double step, double duration, double transient) {
     return studies::contact_response(case_with_step("damped", 25.0, 1e-3, step, duration, 10), transient);
   };

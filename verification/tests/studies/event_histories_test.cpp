@@ -45,7 +45,7 @@ TEST(MicroSticks, ShorterThanTheSpanAreMergedIntoTheSlipAroundThem) {
   EXPECT_TRUE(studies::without_micro_sticks({}, 1.0).empty());
 }
 
-TEST(MicroSticks, OfAChatterAreMergedOneAfterTheOther) {
+TEST(MicroSticks, AreMergedInOrder) {
   const std::vector<ContactEvent> chatter{{onset, 1.0, 0.0},    {capture, 2.0, 0.1}, {onset, 2.01, 0.1},
                                           {capture, 2.02, 0.1}, {onset, 2.03, 0.1},  {capture, 3.0, 0.2}};
   EXPECT_EQ(times_of(studies::without_micro_sticks(chatter, 0.1)), (std::vector<double>{1.0, 3.0}));
@@ -108,7 +108,7 @@ TEST(DampedBenchmark, RefusesAReferenceWithoutAnEventThatFewerModesHave) {
 
 class DampedBenchmark : public ::testing::TestWithParam<double> {};
 
-TEST_P(DampedBenchmark, IsTheSameByFiniteElementsInTimeStepsAndByContinuousModesFromEventToEvent) {
+TEST_P(DampedBenchmark, IsTheSameInBothImplementations) {
   const auto benchmark = studies::damped_benchmark(damped_problem(GetParam()), {.duration = 0.12,
                                                                                 .modes = 28,
                                                                                 .other_modes = {20},

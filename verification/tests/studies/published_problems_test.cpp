@@ -19,7 +19,6 @@
 #include "studies/stick_slip/contact_growth.hpp"
 #include "support/contact_models.hpp"
 #include "support/requirements.hpp"
-#include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -147,7 +146,7 @@ TEST(JumpOfFriction, HoldsMoreInStickThanInSlipInBothImplementations) {
   const SingleMass mass{.stiffness = 2.0, .normal_force = 10.0, .friction = jumping};
   solver::StickSlipIntegrator stepped(contact_system(mass), {.time_step = 1e-2, .spectral_radius = 0.9});
   analytic::EventDriven exact(
-      contact_model(MassModel{.stiffness = 2.0, .normal_force = 10.0, .friction = jumping}));
+      contact_model(SingleMass{.stiffness = 2.0, .normal_force = 10.0, .friction = jumping}));
   stepped.start_stuck(scalar(1.25), scalar(0.0));
   exact.start_stuck({}, {}, 1.25);
   EXPECT_EQ(stepped.friction_force(), 2.5);
@@ -171,7 +170,7 @@ TEST(JumpOfFriction, HoldsMoreInStickThanInSlipInBothImplementations) {
 
 TEST(JumpOfFriction, KeepsTheEnergyBalanceUnderAConstantForce) {
   // 4 N pull a mass that 2 N hold in slip: x = t^2, of which half the work is lost.
-  analytic::ContactModel model = contact_model(MassModel{.normal_force = 10.0, .friction = jumping});
+  analytic::ContactModel model = contact_model(SingleMass{.normal_force = 10.0, .friction = jumping});
   model.contact_force = 4.0;
   analytic::EventDriven run(model, {.keep_energy_balance = true});
   run.start_stuck({}, {});

@@ -22,7 +22,6 @@
 #include "support/random_beams.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
-#include "support/units.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -51,7 +50,7 @@ double next_term(const analytic::StickMode& mode, double element_length) {
 STICKSLIP_VERIFIES(RayleighBound, "M2");
 // The mesh's functions are admissible: no frequency can lie below that of the beam, whatever the mode. Of the
 // modes that the mesh resolves, beta l < 1, the excess of omega^2 is (beta l)^4/720 at P = 0.
-TEST(RayleighBound, IsKeptByEveryModeAndNotByMoreThanTheInterpolationErrorWhereResolved) {
+TEST(RayleighBound, HoldsWithinTheInterpolationError) {
   on_random_beams(60, any_force, [](const data::Beam& beam, RandomNumbers& numbers) {
     const int elements = numbers.whole(1, 10);
     const double element_length = beam.length() / elements;
@@ -73,7 +72,7 @@ TEST(RayleighBound, IsKeptByEveryModeAndNotByMoreThanTheInterpolationErrorWhereR
   });
 }
 
-TEST(RayleighBound, IsKeptByTheBucklingLoadOfAnyMesh) {
+TEST(RayleighBound, HoldsForTheBucklingLoad) {
   on_random_beams(40, any_force, [](const data::Beam& beam, RandomNumbers& numbers) {
     EXPECT_GT(solver::stick_buckling_load(solver::BeamModel(beam, numbers.whole(1, 12))),
               analytic::stick_buckling_load(beam));
@@ -89,7 +88,7 @@ double static_shape_error(const data::Beam& beam, int elements) {
 
 STICKSLIP_VERIFIES(Similarity, "M1");
 // One in mm, t, s or with another beam, the other in metres: nothing of a unit is left between them.
-TEST(Similarity, OfABeamAndAMeshOfAnotherLeavesTheDiscretisationErrorAlone) {
+TEST(Similarity, LeavesTheDiscretisationErrorOfModes) {
   constexpr int elements = 8;
   on_random_beams(30, any_force, [](const data::Beam& beam, RandomNumbers& numbers) {
     const double element_length = beam.length() / elements;
@@ -116,7 +115,7 @@ TEST(Similarity, OfABeamAndAMeshOfAnotherLeavesTheDiscretisationErrorAlone) {
 // The largest reaction that theory expects of the finite elements, steps and resonance included. What its
 // uncertainty leaves out: the error of the mesh's static shape, which counts near buckling, and that a tenth
 // off resonance the response has five times the error of a frequency.
-TEST(Similarity, OfAllBeamsLeavesTheForceMaximumThePredictedOne) {
+TEST(Similarity, LeavesTheErrorOfTheForceMaximum) {
   on_random_beams(15, compression, [](const data::Beam& beam, RandomNumbers& numbers) {
     const auto natural = angular_frequencies(analytic::stick_modes(beam, 6));
     const double hz = random_frequency_hz(numbers, natural, 0.1),
@@ -142,7 +141,7 @@ TEST(Similarity, OfAllBeamsLeavesTheForceMaximumThePredictedOne) {
   });
 }
 
-TEST(Similarity, OfAllBeamsLeavesTheFirstSlipTheSame) {
+TEST(Similarity, LeavesTheFirstSlipUnchanged) {
   on_random_beams(5, compression, [](const data::Beam& beam, RandomNumbers& numbers) {
     const auto natural = angular_frequencies(analytic::stick_modes(beam, 6));
     const double hz = random_frequency_hz(numbers, natural, 0.05);
@@ -176,57 +175,6 @@ TEST(Similarity, OfAllBeamsLeavesTheFirstSlipTheSame) {
     EXPECT_TRUE(within(engine.events().front().time, *expected,
                        discretisation(omitted / std::abs(slope) + located, 1.5, "omitted modes")));
   });
-}
-
-/// Displacement of the tip by a force at x, and of x by a force at the tip, m/N, in slip at angular frequency
-/// omega.
-struct Flexibility {
-  double of_the_tip{}, of_the_point{};
-};
-
-Flexibility flexibility(const data::Beam& beam, int elements, double x, double omega) {
-  const solver::BeamModel model(beam, elements);
-  const Eigen::MatrixXd dynamic = model.slip_stiffness() - omega * omega * model.mass();
-  const Eigen::PartialPivLU<Eigen::MatrixXd> solve(dynamic);
-  const Eigen::VectorXd at = model.interpolation(x);
-  const Eigen::VectorXd tip = Eigen::VectorXd::Unit(model.degrees_of_freedom(), model.tip_deflection());
-  return {tip.dot(solve.solve(at)), at.dot(solve.solve(tip))};
-}
-
-STICKSLIP_VERIFIES(Reciprocity, "M2");
-// Betti's reciprocity, lost in slip by what the follower force does. By the biorthogonal modes the tip moves
-// by sum g_k psi*_k(x)/(omega_k^2 - omega^2) per unit of force at x, and x by the same with psi_k.
-TEST(Reciprocity, IsLostInSlipAlikeOnAMeshAndInClosedForm) {
-  constexpr int elements = 8, modes = 16;
-  double largest = 0.0;
-  on_random_beams(20, {0.1, 0.9}, [&](const data::Beam& beam, RandomNumbers& numbers) {
-    const double x = beam.length() * numbers.whole(2, elements - 1) / elements;
-    const auto slip = analytic::slip_modes(beam, modes);
-    std::vector<double> natural;
-    for (const auto& mode : slip) natural.push_back(mode.angular_frequency());
-    const double omega = 2.0 * pi * random_frequency_hz(numbers, natural, 0.1);
-    const auto free = analytic::free_modes(beam, modes);
-    Flexibility exact, last;
-    for (std::size_t k = 0; k < modes; ++k) {
-      const double weight = free[k].input / (natural[k] * natural[k] - omega * omega);
-      last = {weight * slip[k].adjoint_shape(x), weight * slip[k].shape(x)};
-      exact.of_the_tip += last.of_the_tip;
-      exact.of_the_point += last.of_the_point;
-      last = {weight, weight};
-    }
-    const Flexibility coarse = flexibility(beam, elements, x, omega);
-    const Flexibility fine = flexibility(beam, 2 * elements, x, omega);
-    // Shapes of size 1 and more; terms fall as k^-4. The fine mesh is off by a fifteenth of what it differs.
-    const double tail = 2.0 * std::abs(last.of_the_tip) * modes / 3.0;
-    const auto agrees = [&](double of_fine, double of_coarse, double expected) {
-      return within(of_fine, expected,
-                    discretisation(std::abs(of_fine - of_coarse) / 15.0 + tail, 2.0, "k^-4 and l^4"));
-    };
-    EXPECT_TRUE(agrees(fine.of_the_tip, coarse.of_the_tip, exact.of_the_tip));
-    EXPECT_TRUE(agrees(fine.of_the_point, coarse.of_the_point, exact.of_the_point));
-    largest = largest_or_nan({largest, std::abs(exact.of_the_tip / exact.of_the_point - 1.0)});
-  });
-  EXPECT_GT(largest, 0.5);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "support/ledgers.hpp"
+#include "support/claims.hpp"
 
 #include <filesystem>
 

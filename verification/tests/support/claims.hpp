@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// How a test judges a claim of the paper (data/paper/claims.toml). The verdict follows from what was
+/// The ledgers data/paper/claims.toml and data/paper/errata.toml, and how a test judges a claim. The verdict follows from what was
 /// measured; the ledger's must be the same. The results of the test run hold what was found, for the report.
 
 #include <gtest/gtest.h>
@@ -9,11 +9,34 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "support/ledgers.hpp"
+#include "stickslip/data/paper.hpp"
 #include "support/requirements.hpp"
 
 namespace stickslip::testing {
+
+/// A statement of the paper that can be true or false.
+struct Claim {
+  std::string id;  ///< "fig6.generally-decreases"
+  data::ClaimVerdict verdict{};
+  std::string correction;  ///< what holds instead; empty if the claim holds
+  std::string figure;      ///< the label of the report's figure or table that shows it, or empty
+  std::string erratum;     ///< id of the erratum about it ("E10"), or empty
+};
+
+struct Erratum {
+  std::string id;              ///< "E1"
+  data::ClaimVerdict verdict;  ///< of the printed text
+};
+
+/// In the order of the files. Throw data::InputError, naming file, line and key, for a key that is missing, empty or unknown
+/// and for a verdict that is none of data::ClaimVerdict.
+[[nodiscard]] std::vector<Claim> claims();
+[[nodiscard]] std::vector<Erratum> errata();
+
+/// What is used where the paper does not say.
+[[nodiscard]] std::vector<std::string> unstated_choices();
 
 /// What a test measured.
 struct Evidence {
