@@ -455,6 +455,25 @@ TEST_F(ReferenceReader, RefusesEveryDefectOfATableAtItsPlace) {
   }
 }
 
+// A key that becomes optional by mistake leaves the table above, too.
+TEST_F(ReferenceReader, RequiresTheseKeysOfADataSet) {
+  const data::KeysByPlace keys = data::required_keys();
+  EXPECT_EQ((std::map<std::string, std::vector<std::string>>(keys.begin(), keys.end())),
+            (std::map<std::string, std::vector<std::string>>{
+                {"", {"name", "path", "bytes", "hash", "title", "description", "schema", "provenance"}},
+                {"schema", {"fields"}},
+                {"schema/fields/0", {"name", "type"}},
+                {"schema/fields/0/constraints", {}},
+                {"schema/foreignKeys/0", {"fields", "reference"}},
+                {"schema/foreignKeys/0/reference", {"resource", "fields"}},
+                {"comparison", {"kind", "values"}},
+                {"comparison/values/0", {"field", "norm", "tolerance"}},
+                {"comparison/values/0/decided_by", {"field", "threshold"}},
+                {"comparison/interpolation", {"order", "error"}},
+                {"diagnosis", {"quantity", "case", "abscissa", "value"}},
+                {"provenance", {"class", "method", "settings", "software", "checks"}}}));
+}
+
 STICKSLIP_VERIFIES(ReferenceKeys, "P5");
 TEST(ReferenceKeys, AreTheSameTo1e9) {
   EXPECT_TRUE(data::is_same_key(25.0, 25.0 * (1.0 + 0.9e-9)));
