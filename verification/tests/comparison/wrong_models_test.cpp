@@ -883,7 +883,7 @@ TEST(Diagnosis, IsASentenceThatNamesAtMostThreeMistakesAndNoneThatChangesNothing
   const auto said = [&](Finding finding, const std::vector<std::string>& named) {
     diagnosis.finding = finding;
     diagnosis.named = named;
-    return diagnosis.sentence;
+    return comparison::sentence(diagnosis);
   };
   const std::vector<std::string> three{"tension", "one-mode", "two-modes"},
       four{"tension", "one-mode", "two-modes", "three-modes"};
