@@ -12,33 +12,6 @@ namespace stickslip::validation {
 
 namespace {
 
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
-
-// Indices of turning points, beginning with a maximum and alternating.
-std::vector<std::size_t> turning_points(std::span<const double> values, double threshold) {
-  std::vector<std::size_t> points;
-  std::size_t high = 0, low = 0;
-  bool falls = false;  // whether the last point was a maximum
-  for (std::size_t i = 1; i < values.size(); ++i) {
-    if (values[i] > values[high]) high = i;
-    if (values[i] < values[low]) low = i;
-    if (!falls && values[high] - values[i] > threshold) {
-      points.push_back(high);
-      falls = true;
-      low = i;
-    } else if (falls && values[i] - values[low] > threshold) {
-      points.push_back(low);
-      falls = false;
-      high = i;
-    }
-  }
-  return points;
-}
-
 // The time at which the values pass the level between i and i + 1.
 double crossing(const Record& record, std::span<const double> values, std::size_t i, double level) {
   const double share = (level - values[i]) / (values[i + 1] - values[i]);
@@ -98,12 +71,19 @@ double first_maximum(std::span<const double> values, std::size_t from) {
 
 }  // namespace
 
+double median_of(std::vector<double> values) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
 double noise_of(std::span<const double> values) {
   std::vector<double> differences;
   for (std::size_t i = 3; i < values.size(); ++i)
     differences.push_back(std::abs(values[i] - 3.0 * values[i - 1] + 3.0 * values[i - 2] - values[i - 3]));
   // 0.6745: the median of |x| of a standard normal x; 20 = 1 + 9 + 9 + 1.
-  return differences.empty() ? 0.0 : median_of(std::move(differences)) / (0.6745 * std::sqrt(20.0));
+  return median_of(std::move(differences)) / (0.6745 * std::sqrt(20.0));
 }
 
 std::vector<double> running_median(std::span<const double> values, std::size_t width) {
@@ -115,6 +95,26 @@ std::vector<double> running_median(std::span<const double> values, std::size_t w
     medians.push_back(median_of({window.begin(), window.end()}));
   }
   return medians;
+}
+
+std::vector<std::size_t> turning_points(std::span<const double> values, double threshold) {
+  std::vector<std::size_t> points;
+  std::size_t high = 0, low = 0;
+  bool falls = false;  // whether the last point was a maximum
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    if (values[i] > values[high]) high = i;
+    if (values[i] < values[low]) low = i;
+    if (!falls && values[high] - values[i] > threshold) {
+      points.push_back(high);
+      falls = true;
+      low = i;
+    } else if (falls && values[i] - values[low] > threshold) {
+      points.push_back(low);
+      falls = false;
+      high = i;
+    }
+  }
+  return points;
 }
 
 std::vector<Cycle> cycles_of(const Record& record, double threshold) {

@@ -33,4 +33,11 @@ struct Slider {
 /// by eight times the noise. The uncertainty holds half of what counting from twelve times changes, and the noise that is left.
 [[nodiscard]] Figures read_slider(const Record& record, const Slider& slider);
 
+/// Reads off a record of the damper, over the cycles within 5 % of the largest stroke: `amplitude`, m, half the stroke;
+/// `slip_force`, N, half the difference of the medians of the force in the second half of the strokes up and down, without
+/// their last 5 %; `force_offset`, N, half the sum of these; `energy`, J, the integral of the force over a cycle;
+/// `contact_stiffness`, N/m, the slope from 80 to 30 % of the force after a reversal; `play`, m, the way between 10 % of the
+/// force on either side of zero.
+[[nodiscard]] Figures read_damper(const Record& record);
+
 }  // namespace stickslip::validation
