@@ -78,7 +78,7 @@ std::vector<std::pair<Stroke, Stroke>> full_cycles(const Record& record) {
 
 }  // namespace
 
-double Slider::angular_frequency() const { return std::sqrt(stiffness / mass); }
+double Slider::angular_frequency() const { return std::sqrt(stiffness / moved_mass); }
 
 double Slider::stick_rate() const { return stiffness * speed / (mass * gravity); }
 
@@ -102,6 +102,7 @@ Figures read_slider(const Record& record, const Slider& slider) {
   figures["fall_time"] = read([](const Cycle& c) { return c.fall_time; }, step / std::sqrt(12.0));
   figures["rise_ratio"] = read([&](const Cycle& c) { return c.rise_rate / slider.stick_rate(); }, 0.0);
   figures["mean_force"] = mean_of(record.force, 0.0);
+  if (slider.speed > 1e-3) figures["second_period"] = period_by_autocorrelation(smooth, natural_period);
   return figures;
 }
 
@@ -112,6 +113,7 @@ Figures read_damper(const Record& record) {
     values["amplitude"].push_back(0.25 * (up.way.back() + down.way.back()));
     values["slip_force"].push_back(force);
     values["force_offset"].push_back(0.5 * (plateau(up) - plateau(down)));
+    values["peak_force"].push_back(0.5 * (std::ranges::max(up.force) + std::ranges::max(down.force)));
     values["energy"].push_back(work(up) + work(down));
     for (const auto& [stroke, before] : {std::pair(up, down), std::pair(down, up)}) {
       const double top = plateau(before);

@@ -2,7 +2,9 @@
 /// Makes the tables of data/measurements from the raw records:
 ///
 ///     stickslip_validation_tables figures FOLDER [calibration]    figures.csv, of all records or of those of calibration
-///     stickslip_validation_tables predictions                     the rows of predictions.csv
+///     stickslip_validation_tables predictions [ENTRY]             the rows of predictions.csv
+///     stickslip_validation_tables comparison                      E and u_val of every prediction
+///     stickslip_validation_tables bias                            over all points of a quantity
 
 #include <fmt/format.h>
 
@@ -28,11 +30,29 @@ void print_figures(const std::string& folder, bool only_calibration) {
     }
 }
 
-void print_predictions() {
+void print_predictions(const std::string& entry) {
   fmt::print("entry,record,quantity,form,value,u_input,u_num\n");
   for (const Prediction& one : predictions())
-    fmt::print("{},{},{},{},{:.6g},{:.2g},{:.2g}\n", one.entry, one.record, one.quantity, one.form, one.value,
-               one.input_uncertainty, one.numerical_uncertainty);
+    if (entry.empty() || entry == std::to_string(one.entry))
+      fmt::print("{},{},{},{},{:.6g},{:.2g},{:.2g}\n", one.entry, one.record, one.quantity, one.form,
+                 one.value, one.input_uncertainty, one.numerical_uncertainty);
+}
+
+void print_comparison() {
+  fmt::print("experiment,record,quantity,form,D,u_D,S,u_input,u_num,E,u_val,resolved\n");
+  for (const Comparison& one : comparisons())
+    fmt::print("{},{},{},{},{:.5g},{:.2g},{:.5g},{:.2g},{:.2g},{:.3g},{:.2g},{}\n", one.experiment,
+               one.prediction.record, one.prediction.quantity, one.prediction.form, one.measured.value,
+               one.measured.uncertainty, one.prediction.value, one.prediction.input_uncertainty,
+               one.prediction.numerical_uncertainty, one.error(), one.uncertainty(),
+               one.is_resolved() ? "yes" : "no");
+}
+
+void print_bias() {
+  fmt::print("experiment,quantity,form,points,resolved,beyond,mean,spread\n");
+  for (const Bias& one : biases(comparisons()))
+    fmt::print("{},{},{},{},{},{},{:.3f},{:.3f}\n", one.experiment, one.quantity, one.form, one.points,
+               one.resolved, one.beyond, one.mean, one.spread);
 }
 
 }  // namespace
@@ -42,10 +62,16 @@ int main(int argc, char** argv) {
   try {
     if (what == "figures" && (argc == 3 || argc == 4)) {
       print_figures(argv[2], argc == 4);
-    } else if (what == "predictions" && argc == 2) {
-      print_predictions();
+    } else if (what == "predictions" && argc <= 3) {
+      print_predictions(argc == 3 ? argv[2] : "");
+    } else if (what == "comparison" && argc == 2) {
+      print_comparison();
+    } else if (what == "bias" && argc == 2) {
+      print_bias();
     } else {
-      fmt::print(stderr, "usage: stickslip_validation_tables figures FOLDER [calibration] | predictions\n");
+      fmt::print(stderr,
+                 "usage: stickslip_validation_tables figures FOLDER [calibration] | predictions [ENTRY] | "
+                 "comparison | bias\n");
       return 1;
     }
   } catch (const std::exception& error) {

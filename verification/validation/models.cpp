@@ -10,9 +10,9 @@ using std::numbers::pi;
 
 Values rigid_slider(const Slider& slider, double kinetic, double excess) {
   const double omega = slider.angular_frequency();
-  const double ratio = excess * slider.gravity / (omega * slider.speed);
+  const double ratio = excess * omega / slider.stick_rate();
   const double period = 2.0 / omega * (pi - std::atan(ratio) + ratio);
-  const double range = 2.0 * std::hypot(excess, omega * slider.speed / slider.gravity);
+  const double range = 2.0 * std::hypot(excess, slider.stick_rate() / omega);
   return {{"period", period},
           {"force_range", range},
           {"fall_time", (std::acos(-0.8) - std::acos(0.8)) / omega},
@@ -22,12 +22,11 @@ Values rigid_slider(const Slider& slider, double kinetic, double excess) {
 
 double rigid_slider_force(const Slider& slider, double kinetic, double excess, double t) {
   const double omega = slider.angular_frequency();
-  const double ratio = excess * slider.gravity / (omega * slider.speed);
+  const double ratio = excess * omega / slider.stick_rate();
   const double slip = 2.0 * (pi - std::atan(ratio)) / omega;
   const double since = std::fmod(t, slip + 2.0 * ratio / omega);
   if (since > slip) return kinetic - excess + slider.stick_rate() * (since - slip);
-  return kinetic + excess * std::cos(omega * since) +
-         omega * slider.speed / slider.gravity * std::sin(omega * since);
+  return kinetic + excess * std::cos(omega * since) + slider.stick_rate() / omega * std::sin(omega * since);
 }
 
 Values damper_loop(double amplitude, double slip_force, double contact_stiffness, double play) {

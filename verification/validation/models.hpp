@@ -15,9 +15,9 @@ namespace stickslip::validation {
 /// Values by the names of their quantities.
 using Values = std::map<std::string, double>;
 
-/// The slider with a rigid contact and constant coefficients (theory.md, Sect. 17): with D = (mu_s - mu_k) g/(omega V)
+/// The slider with a rigid contact and constant coefficients (theory.md, Sect. 17): with D = (mu_s - mu_k) m g omega/(k V)
 ///
-///     period = (2/omega) (pi - arctan D + D),     force_range = 2 sqrt((mu_s - mu_k)^2 + (omega V/g)^2),
+///     period = (2/omega) (pi - arctan D + D),     force_range = 2 sqrt((mu_s - mu_k)^2 + (k V/(omega m g))^2),
 ///     fall_time = (arccos(-0.8) - arccos(0.8))/omega,     mean_force = mu_k,
 ///     rise_ratio = force_range m g/(k V (period - pi/omega)).
 [[nodiscard]] Values rigid_slider(const Slider& slider, double kinetic, double excess);

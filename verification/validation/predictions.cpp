@@ -61,26 +61,44 @@ double reading_error(const Slider& slider, const Friction& friction, const std::
   return std::abs(read_slider(record, slider).at(quantity).value - exact);
 }
 
-void predict_slider(const SetPoint& point, const Friction& friction, std::vector<Prediction>& all) {
-  const Slider slider = point.slider();
+// The moved mass by the fall of the force at 42 um/s with the softest spring, whose slips are the longest: k (t/1.8546)^2. There
+// the fall does not depend on the friction.
+Input calibrated_mass(const FigureTable& figures, const std::vector<SetPoint>& points) {
+  const auto softest = std::ranges::min_element(points, {}, [](const SetPoint& point) {
+    return std::pair(point.role != "calibration" || point.experiment != "paper-slider", point.stiffness);
+  });
+  const Figure& fall = figures.at({softest->record, "fall_time"});
+  const double time = fall.value / (std::acos(-0.8) - std::acos(0.8));
+  return {softest->stiffness * time * time,
+          2.0 * softest->stiffness * time * time * fall.uncertainty / fall.value};
+}
+
+// The moved mass is that of the weight, or `moved_mass` where that has a value.
+void predict_slider(const SetPoint& point, const Friction& friction, const Input& moved_mass,
+                    std::vector<Prediction>& all) {
+  Slider slider = point.slider();
+  const bool is_lighter = moved_mass.value > 0.0;
+  if (is_lighter) slider.moved_mass = moved_mass.value;
   const auto model = [&](const std::vector<double>& x) {
-    return rigid_slider({.mass = x[2], .stiffness = x[3], .speed = x[4]}, x[0], x[1]);
+    return rigid_slider(
+        {.mass = x[2], .stiffness = x[3], .speed = x[4], .moved_mass = is_lighter ? x[5] : x[2]}, x[0], x[1]);
   };
   const auto results = propagated(model, {friction.kinetic,
                                           friction.excess,
                                           {slider.mass, relative_mass * slider.mass},
                                           {slider.stiffness, relative_stiffness * slider.stiffness},
-                                          {slider.speed, relative_speed * slider.speed}});
+                                          {slider.speed, relative_speed * slider.speed},
+                                          moved_mass});
   for (const auto& [quantity, result] : results) {
-    // At the points of calibration the fall of the force alone is a prediction.
-    if (point.role == "calibration" && quantity != "fall_time") continue;
+    // At the points of calibration the fall of the force alone is a prediction, unless the mass is calibrated on it.
+    if (point.role == "calibration" && (quantity != "fall_time" || is_lighter)) continue;
     all.push_back({.record = point.record,
                    .quantity = quantity,
-                   .form = "rigid",
+                   .form = is_lighter ? "lighter" : "rigid",
                    .value = result.value,
                    .input_uncertainty = result.uncertainty,
                    .numerical_uncertainty = reading_error(slider, friction, quantity, result.value),
-                   .entry = 1});
+                   .entry = is_lighter ? 2 : 1});
   }
 }
 
@@ -113,6 +131,8 @@ void predict_damper(const SetPoint& point, const FigureTable& figures, const std
                        .numerical_uncertainty = 0.0,
                        .entry = 1});
   }
+  const Input force = input("slip_force");  // constant friction has no peak
+  all.push_back({point.record, "peak_force", "spring", force.value, force.uncertainty, 0.0, 2});
 }
 
 }  // namespace
@@ -121,10 +141,12 @@ std::vector<Prediction> predictions() {
   const std::vector<SetPoint> points = set_points();
   const FigureTable figures = measured_figures();
   const Friction friction = calibrated_friction(figures, points);
+  const Input moved_mass = calibrated_mass(figures, points);
   std::vector<Prediction> all;
   for (const SetPoint& point : points) {
     if (point.experiment == "paper-slider") {
-      predict_slider(point, friction, all);
+      predict_slider(point, friction, {}, all);
+      predict_slider(point, friction, moved_mass, all);
     } else if (point.role == "prediction") {
       predict_damper(point, figures, points, all);
     }

@@ -60,4 +60,30 @@ struct Prediction {
 /// Those of predictions.csv. Throws data::InputError for an entry whose rows are not those that log.csv has the digest of.
 [[nodiscard]] std::vector<Prediction> recorded_predictions();
 
+/// A prediction beside the figure measured.
+struct Comparison {
+  std::string experiment;
+  Prediction prediction;  ///< S, u_input, u_num
+  Figure measured;        ///< D, u_D
+
+  [[nodiscard]] double error() const;        ///< E = S - D
+  [[nodiscard]] double uncertainty() const;  ///< u_val = sqrt(u_D^2 + u_input^2 + u_num^2)
+  /// Whether |E| >= u_val: the error of the model lies in E +- 2 u_val. Otherwise nothing was resolved.
+  [[nodiscard]] bool is_resolved() const;
+  [[nodiscard]] bool contains_zero() const;  ///< whether E +- 2 u_val does
+};
+
+/// Every recorded prediction, that of its latest entry, in the order of the table.
+[[nodiscard]] std::vector<Comparison> comparisons();
+
+/// Bias and spread of one quantity over all points of an experiment.
+struct Bias {
+  std::string experiment, quantity, form;
+  std::size_t points{}, resolved{}, beyond{};  ///< all; with |E| >= u_val; with zero outside E +- 2 u_val
+  double mean{};                               ///< of E/D
+  double spread{};                             ///< its standard deviation
+};
+
+[[nodiscard]] std::vector<Bias> biases(const std::vector<Comparison>& comparisons);
+
 }  // namespace stickslip::validation
