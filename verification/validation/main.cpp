@@ -4,6 +4,7 @@
 ///     stickslip_validation_tables figures FOLDER [calibration]    figures.csv, of all records or of those of calibration
 ///     stickslip_validation_tables predictions [ENTRY]             the rows of predictions.csv
 ///     stickslip_validation_tables comparison                      E and u_val of every prediction
+///     stickslip_validation_tables rig                             what an experiment with the beam must measure
 ///     stickslip_validation_tables bias                            over all points of a quantity
 
 #include <fmt/format.h>
@@ -13,6 +14,8 @@
 #include <string>
 #include <string_view>
 
+#include "stickslip/data/case_file.hpp"
+#include "validation/rig.hpp"
 #include "validation/study.hpp"
 
 namespace {
@@ -55,6 +58,14 @@ void print_bias() {
                one.resolved, one.beyond, one.mean, one.spread);
 }
 
+void print_rig() {
+  const auto beam = stickslip::data::load_case("rig").beam;
+  fmt::print("length,load,following,fixed,accuracy,load_accuracy\n");
+  for (const FrequencyPair& pair : axial_direction_experiment(beam))
+    fmt::print("{},{},{:.5g},{:.5g},{:.2g},{:.2g}\n", pair.length, pair.load, pair.following, pair.fixed,
+               pair.accuracy, allowed_load_error(beam, pair));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -68,10 +79,12 @@ int main(int argc, char** argv) {
       print_comparison();
     } else if (what == "bias" && argc == 2) {
       print_bias();
+    } else if (what == "rig" && argc == 2) {
+      print_rig();
     } else {
       fmt::print(stderr,
                  "usage: stickslip_validation_tables figures FOLDER [calibration] | predictions [ENTRY] | "
-                 "comparison | bias\n");
+                 "comparison | bias | rig\n");
       return 1;
     }
   } catch (const std::exception& error) {
