@@ -26,7 +26,7 @@ set xtics ('period' 1, 'range of the force' 2, 'fall time' 3, 'mean force' 4, 'r
 plot file using (chosen('paper-slider', 'rigid') ? next(strcol(3)) : NaN):(error(0)):(error(-2)):(error(2)) \
        with yerrorbars pointtype 7 pointsize 0.4 linecolor rgb vermillion title 'published mass', \
      '' using (chosen('paper-slider', 'lighter') ? next(strcol(3)) : NaN):(error(0)):(error(-2)):(error(2)) \
-       with yerrorbars pointtype 5 pointsize 0.4 linecolor rgb blue title 'mass by the fall in one record'
+       with yerrorbars pointtype 5 pointsize 0.4 linecolor rgb blue title 'mass by one fall'
 do for [i = 1:8] { used[i] = 0 }
 set key bottom left
 set title 'Friction damper'

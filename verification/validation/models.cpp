@@ -34,11 +34,11 @@ Values damper_loop(double amplitude, double slip_force, double contact_stiffness
           {"energy", 4.0 * slip_force * (amplitude - slip_force / contact_stiffness - 0.5 * play)}};
 }
 
-std::map<std::string, Input> propagated(const std::function<Values(const std::vector<double>&)>& model,
-                                        const std::vector<Input>& inputs) {
+Figures propagated(const std::function<Values(const std::vector<double>&)>& model,
+                   const std::vector<Figure>& inputs) {
   std::vector<double> values;
-  for (const Input& input : inputs) values.push_back(input.value);
-  std::map<std::string, Input> results;
+  for (const Figure& input : inputs) values.push_back(input.value);
+  Figures results;
   for (const auto& [quantity, value] : model(values)) results[quantity].value = value;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     values[i] = inputs[i].value + inputs[i].uncertainty;

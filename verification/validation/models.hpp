@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "validation/experiments.hpp"
+#include "validation/estimators.hpp"
 
 namespace stickslip::validation {
 
@@ -29,15 +29,9 @@ using Values = std::map<std::string, double>;
 /// b/2: slip_force = F, energy = 4 F (X - F/k_t - b/2) a cycle.
 [[nodiscard]] Values damper_loop(double amplitude, double slip_force, double contact_stiffness, double play);
 
-/// A value with its standard uncertainty.
-struct Input {
-  double value{};
-  double uncertainty{};
-};
-
 /// What a model says at its inputs, and the standard uncertainty by independent inputs to first order: the root of the sum of
 /// squares of half the differences between the model at value + uncertainty and value - uncertainty.
-[[nodiscard]] std::map<std::string, Input> propagated(
-    const std::function<Values(const std::vector<double>&)>& model, const std::vector<Input>& inputs);
+[[nodiscard]] Figures propagated(const std::function<Values(const std::vector<double>&)>& model,
+                                 const std::vector<Figure>& inputs);
 
 }  // namespace stickslip::validation

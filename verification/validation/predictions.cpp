@@ -13,24 +13,23 @@ namespace stickslip::validation {
 
 namespace {
 
-// Standard uncertainties of the conditions, which are not published. Of k by the mean rate of the force at rest in the two
-// records at 42 um/s that stick, 1.07 and 1.00 times k V/(m g); of V and m by what is usual.
+// Standard uncertainties of the conditions, which are not published: assumed.
 constexpr double relative_stiffness = 0.05, relative_speed = 0.02, relative_mass = 0.002;
 // Of the amplitude of the damper's displacement, by the difference of its first and last full cycles.
 constexpr double relative_amplitude = 0.005;
 
 // The mean of values and the standard deviation of one of them, joined with the mean of their own uncertainties.
-Input spread_of(const std::vector<Figure>& figures) {
+Figure spread_of(const std::vector<Figure>& figures) {
   const auto n = static_cast<double>(figures.size());
   double mean = 0.0, square = 0.0, own = 0.0;
   for (const Figure& figure : figures)
     mean += figure.value / n, own += figure.uncertainty * figure.uncertainty / n;
   for (const Figure& figure : figures) square += (figure.value - mean) * (figure.value - mean) / (n - 1.0);
-  return {mean, std::sqrt(square + own)};
+  return {mean, std::sqrt(square + own), figures.size()};
 }
 
 struct Friction {
-  Input kinetic, excess;  // mu_k, mu_s - mu_k
+  Figure kinetic, excess;  // mu_k, mu_s - mu_k
 };
 
 // Of the records at 42 um/s: mu_k is the mean force; mu_s - mu_k half the range of those that stick, where the force
@@ -63,18 +62,18 @@ double reading_error(const Slider& slider, const Friction& friction, const std::
 
 // The moved mass by the fall of the force at 42 um/s with the softest spring, whose slips are the longest: k (t/1.8546)^2. There
 // the fall does not depend on the friction.
-Input calibrated_mass(const FigureTable& figures, const std::vector<SetPoint>& points) {
+Figure calibrated_mass(const FigureTable& figures, const std::vector<SetPoint>& points) {
   const auto softest = std::ranges::min_element(points, {}, [](const SetPoint& point) {
     return std::pair(point.role != "calibration" || point.experiment != "paper-slider", point.stiffness);
   });
   const Figure& fall = figures.at({softest->record, "fall_time"});
   const double time = fall.value / (std::acos(-0.8) - std::acos(0.8));
-  return {softest->stiffness * time * time,
-          2.0 * softest->stiffness * time * time * fall.uncertainty / fall.value};
+  const double mass = softest->stiffness * time * time;
+  return {mass, 2.0 * mass * fall.uncertainty / fall.value, fall.count};
 }
 
 // The moved mass is that of the weight, or `moved_mass` where that has a value.
-void predict_slider(const SetPoint& point, const Friction& friction, const Input& moved_mass,
+void predict_slider(const SetPoint& point, const Friction& friction, const Figure& moved_mass,
                     std::vector<Prediction>& all) {
   Slider slider = point.slider();
   const bool is_lighter = moved_mass.value > 0.0;
@@ -83,22 +82,16 @@ void predict_slider(const SetPoint& point, const Friction& friction, const Input
     return rigid_slider(
         {.mass = x[2], .stiffness = x[3], .speed = x[4], .moved_mass = is_lighter ? x[5] : x[2]}, x[0], x[1]);
   };
-  const auto results = propagated(model, {friction.kinetic,
-                                          friction.excess,
-                                          {slider.mass, relative_mass * slider.mass},
-                                          {slider.stiffness, relative_stiffness * slider.stiffness},
-                                          {slider.speed, relative_speed * slider.speed},
-                                          moved_mass});
+  const auto relative = [](double value, double share) { return Figure{value, share * value, 0}; };
+  const auto results =
+      propagated(model, {friction.kinetic, friction.excess, relative(slider.mass, relative_mass),
+                         relative(slider.stiffness, relative_stiffness),
+                         relative(slider.speed, relative_speed), moved_mass});
   for (const auto& [quantity, result] : results) {
     // At the points of calibration the fall of the force alone is a prediction, unless the mass is calibrated on it.
     if (point.role == "calibration" && (quantity != "fall_time" || is_lighter)) continue;
-    all.push_back({.record = point.record,
-                   .quantity = quantity,
-                   .form = is_lighter ? "lighter" : "rigid",
-                   .value = result.value,
-                   .input_uncertainty = result.uncertainty,
-                   .numerical_uncertainty = reading_error(slider, friction, quantity, result.value),
-                   .entry = is_lighter ? 2 : 1});
+    all.push_back({point.record, quantity, is_lighter ? "lighter" : "rigid", result.value, result.uncertainty,
+                   reading_error(slider, friction, quantity, result.value), is_lighter ? 2 : 1});
   }
 }
 
@@ -110,28 +103,20 @@ void predict_damper(const SetPoint& point, const FigureTable& figures, const std
            other.record.substr(0, 8) == point.record.substr(0, 8);
   });
   if (base == points.end()) throw std::logic_error("no record of calibration for " + point.record);
-  const auto input = [&](const std::string& quantity) {
-    const Figure& figure = figures.at({base->record, quantity});
-    return Input{figure.value, figure.uncertainty};
-  };
+  const auto input = [&](const std::string& quantity) { return figures.at({base->record, quantity}); };
   const double amplitude = figures.at({point.record, "amplitude"}).value;
   for (const bool has_play : {false, true}) {
     const auto model = [](const std::vector<double>& x) { return damper_loop(x[0], x[1], x[2], x[3]); };
-    const auto results = propagated(model, {{amplitude, relative_amplitude * amplitude},
+    const auto results = propagated(model, {{amplitude, relative_amplitude * amplitude, 0},
                                             input("slip_force"),
                                             input("contact_stiffness"),
-                                            has_play ? input("play") : Input{}});
+                                            has_play ? input("play") : Figure{}});
     for (const auto& [quantity, result] : results)
       if (!has_play || quantity == "energy")  // play leaves the force as it is
-        all.push_back({.record = point.record,
-                       .quantity = quantity,
-                       .form = has_play ? "spring-and-play" : "spring",
-                       .value = result.value,
-                       .input_uncertainty = result.uncertainty,
-                       .numerical_uncertainty = 0.0,
-                       .entry = 1});
+        all.push_back({point.record, quantity, has_play ? "spring-and-play" : "spring", result.value,
+                       result.uncertainty, 0.0, 1});
   }
-  const Input force = input("slip_force");  // constant friction has no peak
+  const Figure force = input("slip_force");  // constant friction has no peak
   all.push_back({point.record, "peak_force", "spring", force.value, force.uncertainty, 0.0, 2});
 }
 
@@ -141,7 +126,7 @@ std::vector<Prediction> predictions() {
   const std::vector<SetPoint> points = set_points();
   const FigureTable figures = measured_figures();
   const Friction friction = calibrated_friction(figures, points);
-  const Input moved_mass = calibrated_mass(figures, points);
+  const Figure moved_mass = calibrated_mass(figures, points);
   std::vector<Prediction> all;
   for (const SetPoint& point : points) {
     if (point.experiment == "paper-slider") {

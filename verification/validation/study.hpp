@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "validation/experiments.hpp"
+#include "validation/estimators.hpp"
 
 namespace stickslip::validation {
 

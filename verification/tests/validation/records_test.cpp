@@ -15,7 +15,7 @@
 
 #include "stickslip/data/input_error.hpp"
 #include "support/requirements.hpp"
-#include "validation/experiments.hpp"
+#include "validation/models.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -93,22 +93,11 @@ TEST(MeasuredRecords, DamperFileInInchesAndKips) {
                data::InputError);
 }
 
-// The force of the spring in parts of the weight, by the equations of theory.md (17.2): stick on a line, slip on a cosine.
 struct SliderMotion {
   validation::Slider slider;
-  double kinetic{}, excess{};  // mu_k, mu_s - mu_k
-
-  [[nodiscard]] double omega() const { return slider.angular_frequency(); }
-  [[nodiscard]] double ratio() const { return excess * slider.gravity / (omega() * slider.speed); }
-  [[nodiscard]] double slip_time() const { return 2.0 * (std::numbers::pi - std::atan(ratio())) / omega(); }
-  [[nodiscard]] double period() const { return slip_time() + 2.0 * ratio() / omega(); }
-  [[nodiscard]] double amplitude() const {
-    return std::hypot(excess, omega() * slider.speed / slider.gravity);
-  }
-  [[nodiscard]] double force(double t) const {
-    const double since = std::fmod(t, period());
-    if (since > slip_time()) return kinetic - excess + slider.stick_rate() * (since - slip_time());
-    return kinetic + amplitude() * std::cos(omega() * since - std::atan2(1.0, ratio()));
+  double excess{};  // mu_s - mu_k
+  [[nodiscard]] double exact(const char* quantity) const {
+    return validation::rigid_slider(slider, 0.3, excess).at(quantity);
   }
 };
 
@@ -119,16 +108,17 @@ Record disturbed(const SliderMotion& motion, double duration, double noise) {
   Record record;
   for (int i = 0; i < static_cast<int>(2000.0 * duration); ++i) {
     const double t = 5e-4 * i, impulse = i % 997 == 0 ? 2.0 : 0.0;
-    const double drift = 5.0 * motion.amplitude() * std::sin(2.0 * std::numbers::pi * t / duration);
+    const double drift = 2.5 * motion.exact("force_range") * std::sin(2.0 * std::numbers::pi * t / duration);
     if (i % 100 == 57) continue;
     record.time.push_back(t);
-    record.force.push_back(motion.force(t) + drift + impulse + normal(random));
+    record.force.push_back(validation::rigid_slider_force(motion.slider, 0.3, motion.excess, t) + drift +
+                           impulse + normal(random));
   }
   return record;
 }
 
-constexpr SliderMotion slow{{.stiffness = 168.0, .speed = 42e-6}, 0.3, 0.02};
-constexpr SliderMotion fast{{.stiffness = 1002.0, .speed = 4300e-6}, 0.3, 0.03};
+constexpr SliderMotion slow{{.stiffness = 168.0, .speed = 42e-6}, 0.02};
+constexpr SliderMotion fast{{.stiffness = 1002.0, .speed = 4300e-6}, 0.03};
 
 void expect_within(const Figure& figure, double exact, double relative) {
   EXPECT_NEAR(figure.value, exact, 3.0 * figure.uncertainty);
@@ -143,24 +133,23 @@ TEST(CycleEstimators, NoiseWithoutImpulsesAndSignal) {
 // The width of the median rounds the maxima of the fast motion by up to 1 - cos(pi/12) of the amplitude.
 TEST(CycleEstimators, FiguresOfNoisyStickSlip) {
   for (const SliderMotion& motion : {slow, fast}) {
-    const double noise = 0.02 * motion.amplitude();
-    const Record record = disturbed(motion, 40.0 * motion.period(), noise);
+    const double range = motion.exact("force_range");
+    const Record record = disturbed(motion, 40.0 * motion.exact("period"), 0.01 * range);
     const validation::Figures figures = validation::read_slider(record, motion.slider);
-    expect_within(figures.at("period"), motion.period(), 0.02);
-    expect_within(figures.at("fall_time"),
-                  2.0 * std::acos(-0.8) / motion.omega() - std::numbers::pi / motion.omega(), 0.05);
-    EXPECT_NEAR(figures.at("force_range").value, 2.0 * motion.amplitude(), 0.2 * motion.amplitude());
+    for (const char* quantity : {"period", "fall_time"})
+      expect_within(figures.at(quantity), motion.exact(quantity), 0.05);
+    EXPECT_NEAR(figures.at("force_range").value, range, 0.1 * range);
   }
 }
 
 TEST(CycleEstimators, GapsLeaveNoLongCycle) {
-  Record record = disturbed(slow, 40.0 * slow.period(), 1e-4);
+  Record record = disturbed(slow, 40.0 * slow.exact("period"), 1e-4);
   const auto begin = record.time.begin() + 8000, end = begin + 4000;
   record.force.erase(record.force.begin() + 8000, record.force.begin() + 12000);
   record.time.erase(begin, end);
   const Figure period = validation::read_slider(record, slow.slider).at("period");
-  EXPECT_NEAR(period.value, slow.period(), 3.0 * period.uncertainty);
-  EXPECT_LT(period.uncertainty, 0.01 * slow.period());
+  EXPECT_NEAR(period.value, slow.exact("period"), 3.0 * period.uncertainty);
+  EXPECT_LT(period.uncertainty, 0.01 * slow.exact("period"));
 }
 
 TEST(CycleEstimators, AutocorrelationFindsTheFundamental) {

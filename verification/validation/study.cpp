@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include "validation/study.hpp"
+
 #include <algorithm>
-#include <stdexcept>
+#include <cmath>
+#include <tuple>
 
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/data/csv_text.hpp"
 #include "stickslip/data/input_error.hpp"
 #include "stickslip/data/input_text.hpp"
 #include "stickslip/data/sha256.hpp"
-#include "validation/study.hpp"
 
 namespace stickslip::validation {
 
@@ -65,15 +67,9 @@ std::string lines_of_entry(const std::string& entry) {
 std::vector<SetPoint> set_points() {
   std::vector<SetPoint> points;
   for (const Row& row : rows_of("records.csv"))
-    points.push_back({.record = cell(row, "record"),
-                      .experiment = cell(row, "experiment"),
-                      .file = cell(row, "file"),
-                      .sha256 = cell(row, "sha256"),
-                      .role = cell(row, "role"),
-                      .stiffness = number(row, "stiffness"),
-                      .speed = number(row, "speed"),
-                      .tension = number(row, "tension"),
-                      .frequency = number(row, "frequency")});
+    points.push_back({cell(row, "record"), cell(row, "experiment"), cell(row, "file"), cell(row, "sha256"),
+                      cell(row, "role"), number(row, "stiffness"), number(row, "speed"),
+                      number(row, "tension"), number(row, "frequency")});
   return points;
 }
 
@@ -100,13 +96,56 @@ std::vector<Prediction> recorded_predictions() {
                              " are not those that log.csv has the digest of");
   std::vector<Prediction> all;
   for (const Row& row : rows_of("predictions.csv"))
-    all.push_back({.record = cell(row, "record"),
-                   .quantity = cell(row, "quantity"),
-                   .form = cell(row, "form"),
-                   .value = number(row, "value"),
-                   .input_uncertainty = number(row, "u_input"),
-                   .numerical_uncertainty = number(row, "u_num"),
-                   .entry = static_cast<int>(number(row, "entry"))});
+    all.push_back({cell(row, "record"), cell(row, "quantity"), cell(row, "form"), number(row, "value"),
+                   number(row, "u_input"), number(row, "u_num"), static_cast<int>(number(row, "entry"))});
+  return all;
+}
+
+double Comparison::error() const { return prediction.value - measured.value; }
+
+double Comparison::uncertainty() const {
+  return std::hypot(measured.uncertainty, prediction.input_uncertainty, prediction.numerical_uncertainty);
+}
+
+bool Comparison::is_resolved() const { return std::abs(error()) >= uncertainty(); }
+
+bool Comparison::contains_zero() const { return std::abs(error()) <= 2.0 * uncertainty(); }
+
+std::vector<Comparison> comparisons() {
+  const FigureTable figures = measured_figures();
+  std::map<std::string, std::string> experiments;
+  for (const SetPoint& point : set_points()) experiments[point.record] = point.experiment;
+  std::vector<Comparison> all;
+  std::map<std::tuple<std::string, std::string, std::string>, std::size_t> places;
+  for (const Prediction& one : recorded_predictions()) {
+    const auto [place, is_new] = places.try_emplace({one.record, one.quantity, one.form}, all.size());
+    if (is_new) all.emplace_back();
+    all[place->second] = {experiments.at(one.record), one, figures.at({one.record, one.quantity})};
+  }
+  return all;
+}
+
+std::vector<Bias> biases(const std::vector<Comparison>& comparisons) {
+  std::vector<Bias> all;
+  std::map<std::tuple<std::string, std::string, std::string>, std::vector<const Comparison*>> groups;
+  for (const Comparison& one : comparisons)
+    groups[{one.experiment, one.prediction.quantity, one.prediction.form}].push_back(&one);
+  for (const auto& [key, group] : groups) {
+    Bias bias{.experiment = std::get<0>(key),
+              .quantity = std::get<1>(key),
+              .form = std::get<2>(key),
+              .points = group.size()};
+    const auto n = static_cast<double>(group.size());
+    for (const Comparison* one : group) {
+      bias.mean += one->error() / one->measured.value / n;
+      if (one->is_resolved()) ++bias.resolved;
+      if (!one->contains_zero()) ++bias.beyond;
+    }
+    for (const Comparison* one : group)
+      bias.spread += std::pow(one->error() / one->measured.value - bias.mean, 2) / std::max(1.0, n - 1.0);
+    bias.spread = std::sqrt(bias.spread);
+    all.push_back(bias);
+  }
   return all;
 }
 
