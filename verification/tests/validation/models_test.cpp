@@ -213,8 +213,10 @@ TEST(MeasuredComparison, FormOfTheComparison) {
   EXPECT_DOUBLE_EQ(one.uncertainty(), 7.0);
   EXPECT_FALSE(one.is_resolved());
   EXPECT_TRUE(one.contains_zero());
-  one.prediction.value = 16.0;
+  one.prediction.value = 11.0;
   EXPECT_TRUE(one.is_resolved());
+  EXPECT_TRUE(one.contains_zero());
+  one.prediction.value = 16.0;
   EXPECT_FALSE(one.contains_zero());
 }
 
