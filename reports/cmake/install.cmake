@@ -35,7 +35,7 @@ install(FILES ${CMAKE_BINARY_DIR}/stickslip-config.cmake ${CMAKE_BINARY_DIR}/sti
         DESTINATION ${package_files})
 
 install(
-  DIRECTORY data/cases data/paper data/reference
+  DIRECTORY data/cases data/measurements data/paper data/reference
   DESTINATION ${shared_files}/data)
 install(
   DIRECTORY reports/figures reports/report reports/site

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// What the models say of the quantities that the records are read for.
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "validation/estimators.hpp"
+
+namespace stickslip::validation {
+
+/// Values by the names of their quantities.
+using Values = std::map<std::string, double>;
+
+/// The slider with a rigid contact and constant coefficients (theory.md, Sect. 17): with D = (mu_s - mu_k) m g omega/(k V)
+///
+///     period = (2/omega) (pi - arctan D + D),     force_range = 2 sqrt((mu_s - mu_k)^2 + (k V/(omega m g))^2),
+///     fall_time = (arccos(-0.8) - arccos(0.8))/omega,     mean_force = mu_k,
+///     rise_ratio = force_range m g/(k V (period - pi/omega)).
+[[nodiscard]] Values rigid_slider(const Slider& slider, double kinetic, double excess);
+
+/// The force of the spring of that motion in parts of the weight, t in s after the start of a slip.
+[[nodiscard]] double rigid_slider_force(const Slider& slider, double kinetic, double excess, double t);
+
+/// A contact spring k_t (N/m) in series with constant friction F (N) and a play b (m) under a stroke of 2 X (m), X > F/k_t +
+/// b/2: slip_force = F, energy = 4 F (X - F/k_t - b/2) a cycle.
+[[nodiscard]] Values damper_loop(double amplitude, double slip_force, double contact_stiffness, double play);
+
+/// What a model says at its inputs, and the standard uncertainty by independent inputs to first order: the root of the sum of
+/// squares of half the differences between the model at value + uncertainty and value - uncertainty.
+[[nodiscard]] Figures propagated(const std::function<Values(const std::vector<double>&)>& model,
+                                 const std::vector<Figure>& inputs);
+
+}  // namespace stickslip::validation

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "validation/study.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "stickslip/data/case_file.hpp"
+#include "stickslip/data/csv_text.hpp"
+#include "stickslip/data/input_error.hpp"
+#include "stickslip/data/input_text.hpp"
+#include "stickslip/data/sha256.hpp"
+
+namespace stickslip::validation {
+
+namespace {
+
+constexpr std::size_t longest_file = 50'000'000;
+
+using Row = std::map<std::string, std::string>;
+
+std::filesystem::path table(const std::string& name) {
+  return data::data_directory() / "measurements" / name;
+}
+
+std::vector<Row> rows_of(const std::string& name) {
+  const std::string text = data::read_table_text(table(name));
+  data::CsvReader reader(table(name), text);
+  std::vector<Row> rows;
+  while (const auto cells = reader.next_row()) {
+    Row row;
+    for (std::size_t i = 0; i < cells->size(); ++i) row[reader.names()[i]] = (*cells)[i];
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+const std::string& cell(const Row& row, const std::string& column) {
+  const auto found = row.find(column);
+  if (found == row.end()) throw data::InputError("a table of measurements lacks the column " + column);
+  return found->second;
+}
+
+double number(const Row& row, const std::string& column) {
+  const auto value = data::finite_number(cell(row, column));
+  if (!value)
+    throw data::InputError("a table of measurements has no number in the column " + column + ": " +
+                           cell(row, column));
+  return *value;
+}
+
+// The lines of predictions.csv that belong to an entry, as they stand.
+std::string lines_of_entry(const std::string& entry) {
+  const std::string text = data::read_bounded(table("predictions.csv"), longest_file);
+  std::string lines;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    if (text.compare(begin, entry.size() + 1, entry + ",") == 0)
+      lines += text.substr(begin, end - begin) + "\n";
+    begin = end + 1;
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::vector<SetPoint> set_points() {
+  std::vector<SetPoint> points;
+  for (const Row& row : rows_of("records.csv"))
+    points.push_back({cell(row, "record"), cell(row, "experiment"), cell(row, "file"), cell(row, "sha256"),
+                      cell(row, "role"), number(row, "stiffness"), number(row, "speed"),
+                      number(row, "tension"), number(row, "frequency")});
+  return points;
+}
+
+FigureTable measured_figures() {
+  FigureTable figures;
+  for (const Row& row : rows_of("figures.csv"))
+    figures[{cell(row, "record"), cell(row, "quantity")}] = {number(row, "value"), number(row, "uncertainty"),
+                                                             static_cast<std::size_t>(number(row, "count"))};
+  return figures;
+}
+
+Figures read_raw(const SetPoint& point, const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / point.file;
+  if (data::sha256(data::read_bounded(file, longest_file)) != point.sha256)
+    throw data::InputError(file.string() + ": is not the file that records.csv has the digest of");
+  return point.experiment == "paper-slider" ? read_slider(read_slider_record(file), point.slider())
+                                            : read_damper(read_damper_record(file));
+}
+
+std::vector<Prediction> recorded_predictions() {
+  for (const Row& row : rows_of("log.csv"))
+    if (data::sha256(lines_of_entry(cell(row, "entry"))) != cell(row, "sha256"))
+      throw data::InputError("predictions.csv: the rows of entry " + cell(row, "entry") +
+                             " are not those that log.csv has the digest of");
+  std::vector<Prediction> all;
+  for (const Row& row : rows_of("predictions.csv"))
+    all.push_back({cell(row, "record"), cell(row, "quantity"), cell(row, "form"), number(row, "value"),
+                   number(row, "u_input"), number(row, "u_num"), static_cast<int>(number(row, "entry"))});
+  return all;
+}
+
+double Comparison::error() const { return prediction.value - measured.value; }
+
+double Comparison::uncertainty() const {
+  return std::hypot(measured.uncertainty, prediction.input_uncertainty, prediction.numerical_uncertainty);
+}
+
+bool Comparison::is_resolved() const { return std::abs(error()) >= uncertainty(); }
+
+bool Comparison::contains_zero() const { return std::abs(error()) <= 2.0 * uncertainty(); }
+
+std::vector<Comparison> comparisons() {
+  const FigureTable figures = measured_figures();
+  std::map<std::string, std::string> experiments;
+  for (const SetPoint& point : set_points()) experiments[point.record] = point.experiment;
+  std::vector<Comparison> all;
+  std::map<std::tuple<std::string, std::string, std::string>, std::size_t> places;
+  for (const Prediction& one : recorded_predictions()) {
+    const auto [place, is_new] = places.try_emplace({one.record, one.quantity, one.form}, all.size());
+    if (is_new) all.emplace_back();
+    all[place->second] = {experiments.at(one.record), one, figures.at({one.record, one.quantity})};
+  }
+  return all;
+}
+
+std::vector<Bias> biases(const std::vector<Comparison>& comparisons) {
+  std::vector<Bias> all;
+  std::map<std::tuple<std::string, std::string, std::string>, std::vector<const Comparison*>> groups;
+  for (const Comparison& one : comparisons)
+    groups[{one.experiment, one.prediction.quantity, one.prediction.form}].push_back(&one);
+  for (const auto& [key, group] : groups) {
+    Bias bias{.experiment = std::get<0>(key),
+              .quantity = std::get<1>(key),
+              .form = std::get<2>(key),
+              .points = group.size()};
+    const auto n = static_cast<double>(group.size());
+    for (const Comparison* one : group) {
+      bias.mean += one->error() / one->measured.value / n;
+      if (one->is_resolved()) ++bias.resolved;
+      if (!one->contains_zero()) ++bias.beyond;
+    }
+    for (const Comparison* one : group)
+      bias.spread += std::pow(one->error() / one->measured.value - bias.mean, 2) / std::max(1.0, n - 1.0);
+    bias.spread = std::sqrt(bias.spread);
+    all.push_back(bias);
+  }
+  return all;
+}
+
+}  // namespace stickslip::validation
