@@ -148,7 +148,7 @@ FigureData figure7(StudyResults& results) {
   const auto& study = results.mode_shapes();
   std::vector<CsvColumn> columns{{"x_over_L", "1"}};
   FigureData data;
-  data.values.push_back({"points_per_element", static_cast<double>(StudyResults::points_per_element), "1"});
+  data.values.push_back({"points_per_element", StudyResults::points_per_element, "1"});
   for (std::size_t i = 0; i < study.curves.size(); ++i) {
     const auto& curve = study.curves[i];
     const std::string name = fmt::format("{}_{}", state_of(curve), curve.mode);
@@ -441,7 +441,7 @@ FigureData growth(StudyResults& results) {
   FigureData data;
   const auto& series = results.history_growth();
   for (std::size_t k = 0; k < series.size(); ++k) {
-    data.values.push_back({fmt::format("rule{}", k + 1), series[k].rule.name, "-"});
+    data.values.push_back({fmt::format("rule{}", k + 1), 0.0, "-", series[k].rule.name});
     for (const auto& run : series[k].runs)
       table.add(static_cast<double>(k + 1))
           .add(run.elements)
@@ -518,10 +518,8 @@ FigureData map(StudyResults& results) {
 
 CsvTable values_table(const std::vector<FigureData::Value>& values) {
   CsvTable table("Single values of the figure", {{"name", "-"}, {"value", "see last column"}, {"unit", "-"}});
-  for (const auto& [name, value, unit] : values) {
-    const auto* text = std::get_if<std::string>(&value);
-    table.add_row({name, text != nullptr ? *text : csv_number(std::get<double>(value)), unit});
-  }
+  for (const auto& [name, value, unit, text] : values)
+    table.add_row({name, text.empty() ? csv_number(value) : text, unit});
   return table;
 }
 

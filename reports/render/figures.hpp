@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "render/csv_table.hpp"
@@ -19,8 +18,9 @@ struct FigureData {
   };
   struct Value {
     std::string name;  ///< the gnuplot variable
-    std::variant<double, std::string> value;
-    std::string unit;  ///< "-" of a text
+    double value{};
+    std::string unit;
+    std::string text{};  ///< in place of the value, with the unit "-"
   };
   std::vector<Table> tables;
   std::vector<Value> values;
