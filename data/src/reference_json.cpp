@@ -35,26 +35,26 @@ class Members {
  public:
   using Description = std::function<void(Members&)>;
 
-  static void read(const JsonNode& node, const Description& describe) {
+  static void read(const JsonNode& node, const Description& describe_members) {
     Members list, reader;
-    describe(list);
+    describe_members(list);
     node.require_spelling(list.known_);
     reader.node_ = &node;
-    describe(reader);
+    describe_members(reader);
   }
 
-  static Json written(const Description& describe) {
+  static Json written(const Description& describe_members) {
     Members writer;
     writer.json_ = Json::object();
-    describe(writer);
+    describe_members(writer);
     return *writer.json_;
   }
 
-  static void list(const std::string& place, const Description& describe, KeysByPlace& all) {
+  static void list(const std::string& place, const Description& describe_members, KeysByPlace& all) {
     Members lister;
     lister.place_ = place.empty() ? "" : place + "/";
     lister.all_ = &all;
-    describe(lister);
+    describe_members(lister);
     all.emplace_back(place, lister.required_);
   }
 
@@ -111,25 +111,25 @@ class Members {
         [&] { return Json::parse(text); });
   }
 
-  void object(const std::string& key, const Description& describe, bool is_required = true,
+  void object(const std::string& key, const Description& describe_members, bool is_required = true,
               bool is_given = true) {
     member(
-        key, is_required, is_given, [&](const JsonNode& node) { read(node, describe); },
-        [&] { return written(describe); });
-    if (all_ != nullptr) list(place_ + key, describe, *all_);
+        key, is_required, is_given, [&](const JsonNode& node) { read(node, describe_members); },
+        [&] { return written(describe_members); });
+    if (all_ != nullptr) list(place_ + key, describe_members, *all_);
   }
   template <class T>
-  void optional(const std::string& key, std::optional<T>& value, void (*describe)(Members&, T&)) {
+  void optional(const std::string& key, std::optional<T>& value, void (*describe_members)(Members&, T&)) {
     T item = value.value_or(T());
     object(
-        key, [&](Members& members) { describe(members, item); }, false, value.has_value());
+        key, [&](Members& members) { describe_members(members, item); }, false, value.has_value());
     if (node_ != nullptr && node_->find(key)) value = item;
   }
   template <class T>
-  void objects(const std::string& key, std::vector<T>& items, void (*describe)(Members&, T&),
+  void objects(const std::string& key, std::vector<T>& items, void (*describe_members)(Members&, T&),
                bool is_required = true) {
-    const auto of = [describe](T& item) {
-      return [describe, &item](Members& members) { describe(members, item); };
+    const auto of = [describe_members](T& item) {
+      return [describe_members, &item](Members& members) { describe_members(members, item); };
     };
     member(
         key, is_required, !items.empty(),
@@ -158,7 +158,7 @@ class Members {
 
 // --- the members of each struct
 
-void describe(Members& members, Field& field) {
+void describe_members(Members& members, Field& field) {
   constexpr std::array<std::string_view, 3> types{"string", "integer", "number"};
   members.required("name", field.name);
   members.word("type", field.type, types);
@@ -182,7 +182,7 @@ void describe(Members& members, Field& field) {
   members.also({"title", "format"});
 }
 
-void describe(Members& members, ForeignKey& key) {
+void describe_members(Members& members, ForeignKey& key) {
   members.required("fields", key.column);
   members.object("reference", [&](Members& reference) {
     reference.required("resource", key.resource);
@@ -190,34 +190,34 @@ void describe(Members& members, ForeignKey& key) {
   });
 }
 
-void describe(Members& members, DecidingValue& value) {
+void describe_members(Members& members, DecidingValue& value) {
   members.required("field", value.field);
   members.required("threshold", value.threshold);
 }
 
-void describe(Members& members, ComparedValue& value) {
+void describe_members(Members& members, ComparedValue& value) {
   members.required("field", value.field);
   members.word("norm", value.norm, norm_names);
   members.required("tolerance", value.tolerance);
-  members.optional<DecidingValue>("decided_by", value.decided_by, describe);
+  members.optional<DecidingValue>("decided_by", value.decided_by, describe_members);
 }
 
-void describe(Members& members, Interpolation& interpolation) {
+void describe_members(Members& members, Interpolation& interpolation) {
   members.required("order", interpolation.order);
   members.required("error", interpolation.error);
 }
 
-void describe(Members& members, ComparisonRule& rule) {
+void describe_members(Members& members, ComparisonRule& rule) {
   members.word("kind", rule.kind, comparison_kind_names);
-  members.objects<ComparedValue>("values", rule.values, describe);
+  members.objects<ComparedValue>("values", rule.values, describe_members);
   members.optional("abscissa", rule.abscissa);
-  members.optional<Interpolation>("interpolation", rule.interpolation, describe);
+  members.optional<Interpolation>("interpolation", rule.interpolation, describe_members);
   members.optional("events", rule.events);
   members.optional("horizon", rule.horizon);
   members.optional("shortest_phase", rule.shortest_phase);
 }
 
-void describe(Members& members, DiagnosisRule& rule) {
+void describe_members(Members& members, DiagnosisRule& rule) {
   members.required("quantity", rule.quantity);
   const auto of_column = [&](Members& object) { object.required("column", rule.case_column); };
   members.member(
@@ -233,7 +233,7 @@ void describe(Members& members, DiagnosisRule& rule) {
   members.required("value", rule.value);
 }
 
-void describe(Members& members, Provenance& provenance) {
+void describe_members(Members& members, Provenance& provenance) {
   members.word("class", provenance.value_class, value_class_names);
   members.required("method", provenance.method);
   members.json("settings", provenance.settings, true);
@@ -242,18 +242,18 @@ void describe(Members& members, Provenance& provenance) {
 }
 
 void describe_schema(Members& members, Resource& resource) {
-  members.objects<Field>("fields", resource.fields, describe);
+  members.objects<Field>("fields", resource.fields, describe_members);
   members.member(
       "primaryKey", false, !resource.primary_key.empty(),
       [&](const JsonNode& node) {
         resource.primary_key = node.value().is_string() ? std::vector{node.text()} : node.texts();
       },
       [&] { return resource.primary_key; });
-  members.objects<ForeignKey>("foreignKeys", resource.foreign_keys, describe, false);
+  members.objects<ForeignKey>("foreignKeys", resource.foreign_keys, describe_members, false);
   members.also({"missingValues"});
 }
 
-void describe(Members& members, Resource& resource) {
+void describe_members(Members& members, Resource& resource) {
   constexpr std::string_view method = "sha256:";
   members.required("name", resource.name);
   members.member(
@@ -284,9 +284,10 @@ void describe(Members& members, Resource& resource) {
   members.required("description", resource.description);
   members.json("problem", resource.problem, false);
   members.object("schema", [&](Members& schema) { describe_schema(schema, resource); });
-  members.optional<ComparisonRule>("comparison", resource.comparison, describe);
-  members.optional<DiagnosisRule>("diagnosis", resource.diagnosis, describe);
-  members.object("provenance", [&](Members& provenance) { describe(provenance, resource.provenance); });
+  members.optional<ComparisonRule>("comparison", resource.comparison, describe_members);
+  members.optional<DiagnosisRule>("diagnosis", resource.diagnosis, describe_members);
+  members.object("provenance",
+                 [&](Members& provenance) { describe_members(provenance, resource.provenance); });
   members.also({"licenses", "sources", "dialect"});
 }
 
@@ -294,19 +295,19 @@ void describe(Members& members, Resource& resource) {
 
 Resource read_description(const JsonNode& node) {
   Resource resource;
-  Members::read(node, [&](Members& members) { describe(members, resource); });
+  Members::read(node, [&](Members& members) { describe_members(members, resource); });
   return resource;
 }
 
 std::string json_text(Resource resource) {
-  return Members::written([&](Members& members) { describe(members, resource); }).dump();
+  return Members::written([&](Members& members) { describe_members(members, resource); }).dump();
 }
 
 KeysByPlace required_keys() {
   KeysByPlace keys;
   Resource resource;
   Members::list(
-      "", [&](Members& members) { describe(members, resource); }, keys);
+      "", [&](Members& members) { describe_members(members, resource); }, keys);
   return keys;
 }
 

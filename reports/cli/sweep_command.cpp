@@ -63,7 +63,7 @@ report::CsvTable table_of(const studies::SweepTask& task, const std::vector<stud
 
 std::string drawn(const report::CsvTable& table, const studies::SweepTask& task, const std::string& format) {
   const data::KeyAxis& axis = data::key_named(task.parameter).axis;
-  const std::vector<report::FigureData::Value> values{{"label", std::string(axis.label), "-"},
+  const std::vector<report::FigureData::Value> values{{"label", 0.0, "-", std::string(axis.label)},
                                                       {"label_scale", axis.scale, "1"}};
   return report::drawing_of(
       "sweep", format,

@@ -79,7 +79,7 @@ std::vector<FigureData::Value> values_of(const data::Case& problem, const studie
   const double limit = studies::friction_limit(problem);
   double largest_force = limit;
   for (const auto& row : motion.rows) largest_force = std::max(largest_force, std::abs(row.friction_force));
-  return {{"points", static_cast<double>(positions), "1"},
+  return {{"points", positions, "1"},
           {"length", problem.beam.length(), "m"},
           {"hz", problem.excitation.frequency_hz(), "Hz"},
           {"amplitude", problem.excitation.amplitude(), "m"},

@@ -17,7 +17,7 @@ namespace {
 // What the axis `name` (x or y) shows, and whether its values are in equal ratios.
 void add_axis(const std::string& name, const studies::MapAxis& axis, std::vector<FigureData::Value>& values) {
   const data::KeyAxis& shown = data::key_named(axis.parameter).axis;
-  values.push_back({name + "_label", std::string(shown.label), "-"});
+  values.push_back({name + "_label", 0.0, "-", std::string(shown.label)});
   values.push_back({name + "_scale", shown.scale, "1"});
   values.push_back({name + "_log", axis.logarithmic ? 1.0 : 0.0, "1"});
 }
@@ -29,7 +29,7 @@ std::vector<FigureData::Value> values_of(const studies::CriterionMap& map) {
   values.push_back({"states_only", map.states_only ? 1.0 : 0.0, "1"});
   values.push_back({"quantities", static_cast<double>(map.quantities.size()), "1"});
   if (!map.quantities.empty())
-    values.push_back({"quantity_label", std::string(map.quantities.front()->label), "-"});
+    values.push_back({"quantity_label", 0.0, "-", std::string(map.quantities.front()->label)});
   return values;
 }
 

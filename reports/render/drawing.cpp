@@ -43,10 +43,8 @@ void remove_date(const fs::path& pdf) {
 
 CsvTable values_table(const std::vector<FigureData::Value>& values) {
   CsvTable table("Single values of the figure", {{"name", "-"}, {"value", "see last column"}, {"unit", "-"}});
-  for (const auto& [name, value, unit] : values) {
-    const auto* text = std::get_if<std::string>(&value);
-    table.add_row({name, text != nullptr ? *text : csv_number(std::get<double>(value)), unit});
-  }
+  for (const auto& [name, value, unit, text] : values)
+    table.add_row({name, text.empty() ? csv_number(value) : text, unit});
   return table;
 }
 

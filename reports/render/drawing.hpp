@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <map>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "render/csv_table.hpp"
@@ -21,8 +20,9 @@ struct FigureData {
   };
   struct Value {
     std::string name;  ///< the gnuplot variable
-    std::variant<double, std::string> value;
-    std::string unit;  ///< "-" of a text
+    double value{};
+    std::string unit;    ///< "-" of a text
+    std::string text{};  ///< instead of the value, if there is any
   };
   std::vector<Table> tables;
   std::vector<Value> values;

@@ -463,7 +463,7 @@ FigureData convergence(Results& r) {
 FigureData figure7(Results& r) {
   const auto& study = r(mode_shapes);
   std::string columns = "position as x_over_L";
-  std::vector<FigureData::Value> values{{"points_per_element", static_cast<double>(points_per_element), "1"}};
+  std::vector<FigureData::Value> values{{"points_per_element", points_per_element, "1"}};
   for (std::size_t i = 0; i < study.curves.size(); ++i) {
     const auto& curve = study.curves[i];
     for (const char* method : {"closed_form", "finite_element"})
@@ -699,7 +699,7 @@ FigureData growth(Results& r) {
              {{"beam", r(history_growth).front().beam_growth_bound, "1/s"}});
   int rule = 0;
   for (const auto& series : r(history_growth))
-    data.values.push_back({fmt::format("rule{}", ++rule), series.rule.name, "-"});
+    data.values.push_back({fmt::format("rule{}", ++rule), 0.0, "-", series.rule.name});
   return data;
 }
 

@@ -97,15 +97,15 @@ TEST(MapAxis, ChangesTheFieldOfItsParameterAndNoOther) {
 STICKSLIP_VERIFIES(CriterionMap, "X7");
 TEST(CriterionMap, HoldsTheCriterionOfEachCell) {
   data::Case problem = flat_case_of(2.0);
-  problem.section = {.width = 0.1, .height = 0.01};
-  problem = with_value(problem, "section.height", 0.01);
+  problem.section = {.width = 0.1, .height = 0.03};
+  problem = with_value(problem, "section.height", 0.03);
   const std::vector<studies::MapAxis> axes{map_axis("excitation.frequency_hz", 20.0, 90.0, 4, false),
                                            map_axis("excitation.amplitude", 0.0, 2e-3, 3, false),
                                            map_axis("beam.length", 0.5, 2.0, 4, false),
                                            map_axis("beam.axial_force", 50.0, 1200.0, 3, true),
                                            map_axis("beam.youngs_modulus", 1e9, 8e9, 3, true),
                                            map_axis("beam.density", 900.0, 1100.0, 2, false),
-                                           map_axis("section.height", 5e-3, 0.02, 3, false),
+                                           map_axis("section.height", 0.015, 0.05, 3, false),
                                            map_axis("friction.static_coefficient", 0.1, 0.9, 3, false)};
   for (const auto& x : axes)
     for (const auto& y : axes) {
