@@ -1,25 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// The values of a case file as they were given: numbers, or texts such as "1.5 mm".
+/// The values of a case file as they were given: numbers, or texts such as "1.5 mm"; and what becomes of them.
 
 #include <cstdint>
-#include <limits>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <string_view>
 #include <variant>
 
+#include "stickslip/data/key.hpp"
 #include "stickslip/data/toml_file.hpp"
+#include "stickslip/data/uncertainty.hpp"
 
 namespace stickslip::data {
-
-/// Magnitudes that a quantity may have unless it is 0: far wider than any beam, and so narrow that no product
-/// of powers of them leaves the range of a double. The unit is the SI unit of the quantity.
-struct Magnitudes {
-  double smallest{}, largest{std::numeric_limits<double>::infinity()};
-  std::string_view unit;
-};
 
 /// A value as it was given, and where.
 struct Entry {
@@ -51,5 +46,17 @@ using Entries = std::map<std::string, Entry>;  // by "table.key"
 
 /// Throws FieldError.
 void require_magnitude(std::string_view path, const Magnitudes& magnitudes, double value);
+
+/// Adds what the shorthand stands for: a section by its shape, a material by its name, a shear stiffness by Poisson's ratio,
+/// the motion of the base by the amplitude of its velocity or acceleration. Throws FieldError, naming the shorthand, for a
+/// value that it does not allow, InputError if a quantity is given in two ways or a key of a shape is missing.
+void expand_shorthand(Entries& entries);
+
+/// Takes out of the entries what the key replaces: of the amplitudes of displacement, velocity and
+/// acceleration one alone is given, and the duration and the shear stiffness once.
+void erase_alternatives(std::string_view key, Entries& entries);
+
+/// What the node at `uncertainty` of a case file says.
+[[nodiscard]] Uncertainty uncertainty_of(const std::filesystem::path& file, const toml::node& node);
 
 }  // namespace stickslip::data

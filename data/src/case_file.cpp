@@ -2,113 +2,23 @@
 #include "stickslip/data/case_file.hpp"
 
 #include <algorithm>
-#include <array>
 #include <fstream>
-#include <map>
 #include <system_error>
-#include <type_traits>
 #include <utility>
-#include <variant>
 
 #include "case_entry.hpp"
-#include "case_shorthand.hpp"
 #include "stickslip/data/default_numerics.hpp"
 #include "stickslip/data/installation.hpp"
 #include "stickslip/data/toml_file.hpp"
 #include "stickslip/data/toml_record.hpp"
-#include "uncertainty_table.hpp"
 
 namespace stickslip::data {
 
 namespace {
 
-// What a case file fills in before the problem types check it.
-struct Draft {
-  BeamProperties beam;
-  FrictionCoefficients friction;
-  HarmonicMotion excitation;
-  NumericalChoices numerics;
-  DampingProperties damping;
-  ContactProperties contact;
-  WallProperties wall;
-};
-
-using Target = std::variant<double*, int*>;
-
-// required, or with a default: that of a Draft, or of default_numerics()
-enum class Presence { required, optional };
-
-struct Key {
-  std::string_view table, name;
-  Target (*target)(Draft&);
-  Magnitudes magnitudes;
-  Presence presence{Presence::required};
-
-  [[nodiscard]] std::string path() const { return std::string(table) + "." + std::string(name); }
-};
-
-template <auto Table, auto Field>
-Target member(Draft& draft) {
-  return &((draft.*Table).*Field);
-}
-
-// Every key of a case file; a further one is one more line here.
-constexpr std::array keys{
-    Key{"beam", "length", member<&Draft::beam, &BeamProperties::length>, Magnitudes{1e-9, 1e6, "m"}},
-    Key{"beam", "area", member<&Draft::beam, &BeamProperties::area>, Magnitudes{1e-18, 1e12, "m^2"}},
-    Key{"beam", "second_moment_of_area", member<&Draft::beam, &BeamProperties::second_moment_of_area>,
-        Magnitudes{1e-36, 1e24, "m^4"}},
-    Key{"beam", "density", member<&Draft::beam, &BeamProperties::density>, Magnitudes{1e-6, 1e9, "kg/m^3"}},
-    Key{"beam", "youngs_modulus", member<&Draft::beam, &BeamProperties::youngs_modulus>,
-        Magnitudes{1e-3, 1e18, "Pa"}},
-    Key{"beam", "axial_force", member<&Draft::beam, &BeamProperties::axial_force>,
-        Magnitudes{1e-18, 1e18, "N"}},
-    Key{"beam", "axial_direction", member<&Draft::beam, &BeamProperties::axial_direction>,
-        Magnitudes{1e-9, 1.0, ""}, Presence::optional},
-    Key{"beam", "shear_stiffness", member<&Draft::beam, &BeamProperties::shear_stiffness>,
-        Magnitudes{1e-18, 1e24, "N"}, Presence::optional},
-    Key{"friction", "static_coefficient", member<&Draft::friction, &FrictionCoefficients::static_coefficient>,
-        Magnitudes{1e-9, 1e6, ""}},
-    Key{"friction", "kinetic_coefficient",
-        member<&Draft::friction, &FrictionCoefficients::kinetic_coefficient>, Magnitudes{1e-9, 1e6, ""}},
-    Key{"friction", "decay", member<&Draft::friction, &FrictionCoefficients::decay>,
-        Magnitudes{1e-15, 1e15, "s/m"}},
-    Key{"friction", "viscous", member<&Draft::friction, &FrictionCoefficients::viscous>,
-        Magnitudes{1e-15, 1e15, "s/m"}, Presence::optional},
-    Key{"excitation", "frequency_hz", member<&Draft::excitation, &HarmonicMotion::frequency_hz>,
-        Magnitudes{1e-9, 1e12, "Hz"}},
-    Key{"excitation", "amplitude", member<&Draft::excitation, &HarmonicMotion::amplitude>,
-        Magnitudes{1e-18, 1e6, "m"}},
-    Key{"excitation", "duration", member<&Draft::numerics, &NumericalChoices::duration>,
-        Magnitudes{1e-15, 1e15, "s"}, Presence::optional},
-    Key{"numerics", "elements", member<&Draft::numerics, &NumericalChoices::elements>, Magnitudes{},
-        Presence::optional},
-    Key{"numerics", "time_step", member<&Draft::numerics, &NumericalChoices::time_step>,
-        Magnitudes{1e-15, 1e9, "s"}, Presence::optional},
-    Key{"numerics", "spectral_radius", member<&Draft::numerics, &NumericalChoices::spectral_radius>,
-        Magnitudes{}, Presence::optional},
-    Key{"numerics", "velocity_threshold", member<&Draft::numerics, &NumericalChoices::velocity_threshold>,
-        Magnitudes{1e-18, 1e9, "m/s"}, Presence::optional},
-    Key{"numerics", "modes", member<&Draft::numerics, &NumericalChoices::modes>, Magnitudes{},
-        Presence::optional},
-    Key{"damping", "kelvin_voigt", member<&Draft::damping, &DampingProperties::kelvin_voigt>,
-        Magnitudes{1e-18, 1e6, "s"}, Presence::optional},
-    Key{"damping", "ratio", member<&Draft::damping, &DampingProperties::ratio>, Magnitudes{1e-9, 1.0, ""},
-        Presence::optional},
-    Key{"contact", "tangential_stiffness", member<&Draft::contact, &ContactProperties::tangential_stiffness>,
-        Magnitudes{1e-18, 1e24, "N/m"}, Presence::optional},
-    Key{"contact", "regularisation_velocity",
-        member<&Draft::contact, &ContactProperties::regularisation_velocity>, Magnitudes{1e-18, 1e9, "m/s"},
-        Presence::optional},
-    Key{"wall", "speed", member<&Draft::wall, &WallProperties::speed>, Magnitudes{1e-15, 1e9, "m/s"},
-        Presence::optional},
-};
-
 std::vector<std::string> key_paths() {
   std::vector<std::string> paths;
-  paths.reserve(keys.size() + shorthand_keys().size());
-  for (const auto& key : keys) paths.push_back(key.path());
-  paths.insert(paths.end(), shorthand_keys().begin(), shorthand_keys().end());
+  for (const Key& key : case_keys()) paths.emplace_back(key.path);
   return paths;
 }
 
@@ -158,17 +68,9 @@ void collect_table(const std::filesystem::path& file, std::string_view name, con
   }
 }
 
-std::vector<std::string> real_key_paths() {
-  std::vector<std::string> paths;
-  Draft draft;
-  for (const auto& key : keys)
-    if (std::holds_alternative<double*>(key.target(draft))) paths.push_back(key.path());
-  return paths;
-}
-
 Uncertainty uncertainty_in(const std::filesystem::path& file, const toml::table& document) {
   const auto* node = document.get("uncertainty");
-  return node == nullptr ? Uncertainty() : uncertainty_of(file, *node, real_key_paths());
+  return node == nullptr ? Uncertainty() : uncertainty_of(file, *node);
 }
 
 // The means of the uncertain keys.
@@ -210,54 +112,38 @@ void apply(const Override& replacement, Entries& entries) {
   entries.insert_or_assign(replacement.key, std::move(entry));
 }
 
-void assign(const Key& key, const Entry& entry, double& field) {
-  field = number_of(key.path(), key.magnitudes, entry);
-}
-
-void assign(const Key& key, const Entry& entry, int& field) { field = integer_of(key.path(), entry); }
-
 // How a missing key could have been given otherwise.
 std::string alternative_to(const Key& key) {
-  if (key.name == "area" || key.name == "second_moment_of_area") return " or the table [section]";
-  if (key.name == "density" || key.name == "youngs_modulus") return " or beam.material";
-  if (key.path() == "excitation.amplitude")
+  if (key.name() == "area" || key.name() == "second_moment_of_area") return " or the table [section]";
+  if (key.name() == "density" || key.name() == "youngs_modulus") return " or beam.material";
+  if (key.path == "excitation.amplitude")
     return " or excitation.velocity_amplitude or excitation.acceleration_amplitude";
   return "";
 }
 
-void fill_table(const std::filesystem::path& file, const Entries& entries, std::string_view table,
-                Draft& draft) {
-  for (const auto& key : keys) {
-    if (key.table != table) continue;
-    const auto found = entries.find(key.path());
+void fill(const std::filesystem::path& file, const Entries& entries, bool numerics, CaseNumbers& numbers) {
+  for (const Key& key : case_keys()) {
+    if (key.presence == Presence::shorthand || (key.table() == "numerics") != numerics) continue;
+    const std::string path(key.path);
+    const auto found = entries.find(path);
     if (found != entries.end())
-      std::visit([&](auto* field) { assign(key, found->second, *field); }, key.target(draft));
+      key.member.set(numbers, key.member.is_integer ? integer_of(path, found->second)
+                                                    : number_of(path, key.magnitudes, found->second));
     else if (key.presence == Presence::required)
-      throw InputError(file.string() + ": " + key.path() + " is missing, but a case must hold it" +
+      throw InputError(file.string() + ": " + path + " is missing, but a case must hold it" +
                        alternative_to(key));
   }
 }
 
-Draft draft_of(const std::filesystem::path& file, const Entries& entries) {
-  Draft draft;
-  draft.numerics.duration = default_duration;
-  for (const std::string_view table : {"beam", "friction", "excitation", "damping", "contact", "wall"})
-    fill_table(file, entries, table, draft);
-  draft.numerics =
-      default_numerics(Beam(draft.beam), HarmonicExcitation(draft.excitation), draft.numerics.duration);
-  fill_table(file, entries, "numerics", draft);
-  return draft;
-}
-
-Case case_of(const std::string& name, const Draft& draft) {
-  return {.name = name,
-          .beam = Beam(draft.beam),
-          .friction = FrictionLaw(draft.friction),
-          .excitation = HarmonicExcitation(draft.excitation),
-          .numerics = NumericalSettings(draft.numerics),
-          .damping = Damping(draft.damping),
-          .contact = TangentialContact(draft.contact),
-          .wall = Wall(draft.wall)};
+// The settings last, as their defaults follow from the rest.
+CaseNumbers numbers_in(const std::filesystem::path& file, const Entries& entries) {
+  CaseNumbers numbers;
+  numbers.numerics.duration = default_duration;
+  fill(file, entries, false, numbers);
+  numbers.numerics =
+      default_numerics(Beam(numbers.beam), HarmonicExcitation(numbers.excitation), numbers.numerics.duration);
+  fill(file, entries, true, numbers);
+  return numbers;
 }
 
 // What is missing has its mean, unless a shorthand stands for it.
@@ -265,7 +151,7 @@ Case case_of(const std::filesystem::path& file, Entries entries, Entries means) 
   try {
     entries.merge(means);
     expand_shorthand(entries);
-    return case_of(file.stem().string(), draft_of(file, entries));
+    return case_of(file.stem().string(), numbers_in(file, entries));
   } catch (const FieldError& error) {
     const auto given = entries.find(error.field());
     throw InputError((given == entries.end() ? file.string() : given->second.place) + ": " + error.what());
@@ -323,13 +209,9 @@ std::filesystem::path find_case(const std::string& name_or_path) {
                    suggestion(name_or_path, names) + ", but must be a file or one of " + joined(names));
 }
 
-std::string_view unit_of(std::string_view key) {
-  return std::ranges::find(keys, key, &Key::path)->magnitudes.unit;
-}
-
 void require_magnitude(std::string_view key, double value, const std::string& place) {
   try {
-    require_magnitude(key, std::ranges::find(keys, key, &Key::path)->magnitudes, value);
+    require_magnitude(key, key_named(key).magnitudes, value);
   } catch (const FieldError& error) {
     throw InputError(place + ": " + error.what());
   }
@@ -353,32 +235,6 @@ Case parse_case(const std::filesystem::path& file, const std::string& text) {
 
 Case load_case(const std::string& name_or_path, const std::vector<Override>& overrides) {
   return read_case(find_case(name_or_path), overrides);
-}
-
-std::map<std::string, double> numbers_of(const Case& problem) {
-  const auto& [name, beam, friction, excitation, numerics, damping, contact, wall] = problem;
-  Draft draft{.beam = beam.properties(),
-              .friction = friction.coefficients(),
-              .excitation = {excitation.frequency_hz(), excitation.amplitude()},
-              .numerics = numerics.choices(),
-              .damping = {damping.kelvin_voigt(), damping.ratio()},
-              .contact = contact.properties(),
-              .wall = {wall.speed()}};
-  std::map<std::string, double> numbers;
-  for (const auto& key : keys)
-    std::visit([&](const auto* field) { numbers[key.path()] = *field; }, key.target(draft));
-  return numbers;
-}
-
-Case case_with(const std::string& name, const std::map<std::string, double>& numbers) {
-  Draft draft;
-  for (const auto& key : keys)
-    std::visit(
-        [&](auto* field) {
-          *field = static_cast<std::remove_pointer_t<decltype(field)>>(numbers.at(key.path()));
-        },
-        key.target(draft));
-  return case_of(name, draft);
 }
 
 std::vector<Material> list_materials() {

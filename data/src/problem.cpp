@@ -2,6 +2,7 @@
 #include "stickslip/data/problem.hpp"
 
 #include <cmath>
+#include <numbers>
 
 namespace stickslip::data {
 
@@ -41,6 +42,47 @@ Beam::Beam(const BeamProperties& properties) : properties_(properties) {
     throw FieldError("beam.axial_direction", axial_direction(),
                      "a number from 0 (follows the tip) to 1 (keeps its direction)");
   require_not_negative("beam.shear_stiffness", shear_stiffness(), " (N; 0: rigid in shear)");
+}
+
+bool Section::is_given() const noexcept { return !std::isnan(width) || !std::isnan(diameter); }
+
+void Section::require_valid() const {
+  const auto require_side = [](std::string_view field, double side) {
+    if (!std::isnan(side)) require_positive(field, side, " (m)");
+  };
+  require_side("section.width", width);
+  require_side("section.height", height);
+  require_side("section.diameter", diameter);
+  require_side("section.wall_thickness", wall_thickness);
+  if (wall_thickness > 0.5 * diameter)
+    throw FieldError("section.wall_thickness", wall_thickness,
+                     "at most half of section.diameter, which is " + shortest_text(diameter));
+  if (poissons_ratio <= -1.0 || poissons_ratio >= 0.5)
+    throw FieldError("beam.poissons_ratio", poissons_ratio, "a number above -1 and below 0.5");
+}
+
+double Section::area() const noexcept {
+  if (!std::isnan(width)) return width * height;
+  if (std::isnan(wall_thickness)) return std::numbers::pi * diameter * diameter / 4.0;
+  return std::numbers::pi * wall_thickness * (diameter - wall_thickness);
+}
+
+// Of a tube with the inner diameter b: d^4 - b^4 = (d^2 - b^2) (d^2 + b^2), without a difference of near numbers.
+double Section::second_moment_of_area() const noexcept {
+  if (!std::isnan(width)) return width * height * height * height / 12.0;
+  const double d = diameter, b = d - 2.0 * wall_thickness;
+  if (std::isnan(wall_thickness)) return std::numbers::pi * d * d * d * d / 64.0;
+  return area() * (d * d + b * b) / 16.0;
+}
+
+double Section::shear_coefficient() const noexcept {
+  const double nu = poissons_ratio;
+  if (std::isnan(nu)) return 1.0;
+  if (!std::isnan(width)) return 10.0 * (1.0 + nu) / (12.0 + 11.0 * nu);
+  if (std::isnan(wall_thickness)) return 6.0 * (1.0 + nu) / (7.0 + 6.0 * nu);
+  const double b = diameter - 2.0 * wall_thickness, ratio = b * b / (diameter * diameter);
+  const double sum = (1.0 + ratio) * (1.0 + ratio);
+  return 6.0 * (1.0 + nu) * sum / ((7.0 + 6.0 * nu) * sum + (20.0 + 12.0 * nu) * ratio);
 }
 
 FrictionLaw::FrictionLaw(const FrictionCoefficients& coefficients) : coefficients_(coefficients) {

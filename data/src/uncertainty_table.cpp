@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "uncertainty_table.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -83,7 +81,8 @@ class DistributionReader {
     const auto* node = table_->get(name);
     if (node == nullptr) fail(item(name) + " is missing", "a finite number");
     try {
-      const double value = number_of(item(name), {.unit = unit_of(key_)}, entry_of(*node, place_));
+      const double value =
+          number_of(item(name), {.unit = key_named(key_).magnitudes.unit}, entry_of(*node, place_));
       if (std::isfinite(value)) return value;
     } catch (const FieldError& error) {
       throw InputError(place_ + ": " + error.what());
@@ -124,7 +123,7 @@ class DistributionReader {
 
   // That of a header such as "E [GPa]", "E (GPa)", "E / GPa" or "E_GPa"; that of the key, if it states none.
   [[nodiscard]] Unit unit_in(const std::string& header) const {
-    const std::string_view si = unit_of(key_);
+    const std::string_view si = key_named(key_).magnitudes.unit;
     if (const auto stated = header_of(header).unit) {
       const auto unit = unit_named(*stated);
       if (!unit || unit->si != si)
@@ -251,10 +250,13 @@ std::vector<double> cholesky_factor(const std::vector<double>& matrix, std::size
   return factor;
 }
 
-Uncertainty uncertainty_of(const Path& file, const toml::node& node, const std::vector<std::string>& keys) {
+Uncertainty uncertainty_of(const Path& file, const toml::node& node) {
   const auto* table = node.as_table();
   if (table == nullptr)
     throw InputError(place_of(file, node) + ": uncertainty is " + describe(node) + ", but must be a table");
+  std::vector<std::string> keys;
+  for (const Key& key : case_keys())
+    if (key.is_real()) keys.emplace_back(key.path);
   Uncertainty result;
   for (const auto& [name, value] : *table) {
     const std::string key(name.str());

@@ -107,14 +107,13 @@ data::NumericalSettings numerics_up_to(double frequency_hz, const CaseOptions& o
   return load_case(options, excitation, duration).numerics;
 }
 
-void require_no_fixed_value(const ExcitationOptions& excitation, studies::Parameter varied,
+void require_no_fixed_value(const ExcitationOptions& excitation, std::string_view varied,
                             std::string_view option) {
   const auto require_none = [&](const std::optional<double>& value, std::string_view fixed) {
-    if (value)
-      throw data::InputError(fmt::format("{} is given, but {} varies {}", fixed, option, field_of(varied)));
+    if (value) throw data::InputError(fmt::format("{} is given, but {} varies {}", fixed, option, varied));
   };
-  if (varied == studies::Parameter::frequency) require_none(excitation.frequency_hz, "--hz");
-  if (varied == studies::Parameter::amplitude) require_none(excitation.amplitude, "--amplitude");
+  if (varied == "excitation.frequency_hz") require_none(excitation.frequency_hz, "--hz");
+  if (varied == "excitation.amplitude") require_none(excitation.amplitude, "--amplitude");
 }
 
 data::Override override_with(const std::string& key, double value, const std::string& option) {
@@ -175,12 +174,13 @@ Json bounds_json(const analytic::Bounds& bounds) {
 }
 
 Json numerics_json(const data::Case& problem) {
-  const data::NumericalChoices& choices = problem.numerics.choices();
-  return {{"elements", choices.elements},
-          {"time_step", choices.time_step},
-          {"spectral_radius", choices.spectral_radius},
-          {"velocity_threshold", choices.velocity_threshold},
-          {"modes", choices.modes}};
+  Json settings;
+  for (const data::Key& key : data::case_keys()) {
+    if (key.table() != "numerics" || key.presence == data::Presence::shorthand) continue;
+    const double value = data::value_of(problem, key.path);
+    settings[std::string(key.name())] = key.member.is_integer ? Json(static_cast<int>(value)) : Json(value);
+  }
+  return settings;
 }
 
 void require_finite(const Json& answer, const std::string& name) {

@@ -77,7 +77,7 @@ template <class Number>
                                                      const std::optional<double>& duration);
 
 /// Throws data::InputError if --hz or --amplitude gives what the option varies, such as --x.
-void require_no_fixed_value(const ExcitationOptions& excitation, studies::Parameter varied,
+void require_no_fixed_value(const ExcitationOptions& excitation, std::string_view varied,
                             std::string_view option);
 
 /// What an option of its own sets a key to.

@@ -36,11 +36,11 @@ constexpr std::string_view guarantee =
     "slipping; what slips at two neighbours\ncounts as slipping in between.";
 
 // The range asked for, or else `below` to `above` times the value of the case, under the buckling load.
-studies::ParameterRange range_of(const data::Case& problem, studies::Parameter parameter,
+studies::ParameterRange range_of(const data::Case& problem, std::string_view parameter,
                                  std::string_view option, const std::optional<std::string>& text,
                                  double below, double above) {
   if (text) return parse_range(option, *text);
-  const double value = studies::value_of(problem, parameter);
+  const double value = data::value_of(problem, parameter);
   return studies::range_below_buckling(problem, parameter, below * value, above * value);
 }
 
@@ -50,10 +50,9 @@ struct Ranges {
 };
 
 Ranges ranges_of(const data::Case& problem, const DesignOptions& options) {
-  const Ranges ranges{
-      parse_band("--band", options.band),
-      range_of(problem, studies::Parameter::length, "--length", options.length, 0.5, 2.0),
-      range_of(problem, studies::Parameter::axial_force, "--force", options.force, 0.1, 10.0)};
+  const Ranges ranges{parse_band("--band", options.band),
+                      range_of(problem, "beam.length", "--length", options.length, 0.5, 2.0),
+                      range_of(problem, "beam.axial_force", "--force", options.force, 0.1, 10.0)};
   const auto require_allowed = [&](const studies::ParameterRange& range, const std::string& key,
                                    const std::string& option) {
     for (const double end : {range.from, range.to}) {
@@ -93,11 +92,10 @@ studies::Design design_of(const data::Case& problem, const Ranges& ranges) {
   progress.stage("margin");
   design.margin = studies::band_margin(problem, design.band);
   progress.stage("lengths");
-  design.lengths =
-      studies::design_scan(problem, studies::Parameter::length, ranges.lengths, design.band, half_from(0.0));
+  design.lengths = studies::design_scan(problem, "beam.length", ranges.lengths, design.band, half_from(0.0));
   progress.stage("axial forces");
-  design.forces = studies::design_scan(problem, studies::Parameter::axial_force, ranges.forces, design.band,
-                                       half_from(0.5));
+  design.forces =
+      studies::design_scan(problem, "beam.axial_force", ranges.forces, design.band, half_from(0.5));
   return design;
 }
 

@@ -92,7 +92,7 @@ Json to_json(const studies::MapTask& task, const MapOptions& options) {
   if (task.quantities.empty()) {
     object["method"] = task.method == studies::MapMethod::closed_form ? closed_form_method : "fe";
   } else {
-    for (const auto quantity : task.quantities) object["quantities"].push_back(report::to_string(quantity));
+    for (const auto* quantity : task.quantities) object["quantities"].push_back(quantity->name);
     object["transient_s"] = task.transient;
     object["tolerance"] = task.tolerance;
   }
@@ -120,22 +120,14 @@ void require_output_files(const MapOptions& options) {
   require_different_files({{"--output", options.output}, {"--figure", options.figure}});
 }
 
-// An axis whose ends a case may have.
-studies::MapAxis axis_of(const std::string& option, const std::string& text) {
-  studies::MapAxis axis = parse_axis(option, text);
-  for (const double end : {axis.values.front(), axis.values.back()})
-    data::require_magnitude(studies::field_of(axis.parameter), end, option);
-  return axis;
-}
-
 std::vector<std::string> quantity_names() {
   std::vector<std::string> names{verdict};
-  for (const auto quantity : studies::all_motion_quantities) names.push_back(report::to_string(quantity));
+  for (const auto& quantity : studies::motion_quantities) names.emplace_back(quantity.name);
   return names;
 }
 
 // NAME or NAME,NAME...; none for the verdict.
-std::vector<studies::MotionQuantity> quantities_of(const std::string& text) {
+std::vector<const studies::MotionQuantity*> quantities_of(const std::string& text) {
   if (text == verdict) return {};
   const auto known = quantity_names();
   const auto names = split(text, ',');
@@ -166,8 +158,8 @@ studies::MapTask task_of(const MapOptions& options) {
   const auto quantities = quantities_of(options.quantity);
   require_consistent(options, !quantities.empty());
   studies::MapTask task{.problem = load_case(options.problem, options.excitation, options.duration),
-                        .x = axis_of("--x", options.x),
-                        .y = axis_of("--y", options.y),
+                        .x = parse_axis("--x", options.x),
+                        .y = parse_axis("--y", options.y),
                         .method = options.method == finite_element_method
                                       ? studies::MapMethod::finite_elements
                                       : studies::MapMethod::closed_form,
@@ -176,7 +168,7 @@ studies::MapTask task_of(const MapOptions& options) {
                         .tolerance = options.tolerance.value_or(usual_tolerance)};
   for (const auto& [axis, option] : {std::pair(&task.x, "--x"), std::pair(&task.y, "--y")}) {
     require_no_fixed_value(options.excitation, axis->parameter, option);
-    if (axis->parameter == studies::Parameter::frequency)
+    if (axis->parameter == "excitation.frequency_hz")
       task.problem.numerics =
           numerics_up_to(axis->values.back(), options.problem, options.excitation, options.duration);
   }
@@ -402,13 +394,13 @@ void add_shard_options(CLI::App& command, MapOptions& options) {
 }
 
 void add_motion_options(CLI::App& command, MapOptions& options) {
+  std::string quantities;
+  for (const auto& quantity : studies::motion_quantities)
+    quantities += fmt::format("{} ({}), ", quantity.name, quantity.label);
   command
-      .add_option(
-          "--quantity", options.quantity,
-          "What to map: the verdict of the criterion, or of the motion slip-share (of the time), peak-speed "
-          "and rms-speed (of sliding, m/s), travel (m) and work (of friction, J) in a period of the base, "
-          "largest-force (N), sticks (in a period) or period (of the motion, in periods of the base; 0 if "
-          "none up to 16); some with commas between them give a column each")
+      .add_option("--quantity", options.quantity,
+                  "What to map: the verdict of the criterion, or of the motion " + quantities +
+                      "where a period is that of the base; some with commas between them give a column each")
       ->type_name("NAME")
       ->capture_default_str();
   command
@@ -434,9 +426,8 @@ void add_map_command(CLI::App& app) {
   add_excitation_options(*command, options->excitation);
   const std::string axis =
       "PARAMETER=FROM:TO:COUNT, in equal steps, or PARAMETER=FROM:TO:COUNT:log, in equal ratios; PARAMETER "
-      "is frequency (Hz), amplitude (m), length (m), force (P, N), stiffness (Young's modulus, Pa), friction "
-      "(static coefficient), kinetic (coefficient), decay (s/m), damping (ratio), kelvin-voigt (s) or "
-      "direction (of P, chi)";
+      "is one of " +
+      axis_help();
   command->add_option("--x", options->x, axis)->type_name("AXIS")->capture_default_str();
   command->add_option("--y", options->y, "As --x, another parameter")
       ->type_name("AXIS")

@@ -78,8 +78,7 @@ studies::MapTask task_of(const Json& json) {
 // The first two lines of a file.
 std::string header(const studies::MapTask& task, const MapPart& part) {
   std::string text = fmt::format("# {}\nevaluation,lower,upper,state", to_json(task, part).dump());
-  for (const auto quantity : task.quantities)
-    text += fmt::format(",{0},{0}_change", report::to_string(quantity));
+  for (const auto* quantity : task.quantities) text += fmt::format(",{0},{0}_change", quantity->name);
   return text + "\n";
 }
 
@@ -204,23 +203,18 @@ void require_all(const std::vector<std::string>& file_of_part, const std::string
 
 }  // namespace
 
-std::vector<studies::MotionQuantity> quantities_named(const std::vector<std::string_view>& names) {
-  std::vector<studies::MotionQuantity> quantities;
-  for (const std::string_view name : names) {
-    const auto named =
-        std::ranges::find(studies::all_motion_quantities, name,
-                          [](studies::MotionQuantity quantity) { return report::to_string(quantity); });
-    if (named == studies::all_motion_quantities.end())
-      throw std::invalid_argument("there is no quantity " + std::string(name));
-    if (std::ranges::count(quantities, *named) == 0) quantities.push_back(*named);
-  }
+std::vector<const studies::MotionQuantity*> quantities_named(const std::vector<std::string_view>& names) {
+  std::vector<const studies::MotionQuantity*> quantities;
+  for (const std::string_view name : names)
+    if (const auto* named = &studies::motion_quantity(name); std::ranges::count(quantities, named) == 0)
+      quantities.push_back(named);
   return quantities;
 }
 
-std::string names_of(const std::vector<studies::MotionQuantity>& quantities) {
+std::string names_of(const std::vector<const studies::MotionQuantity*>& quantities) {
   std::string names;
-  for (const auto quantity : quantities)
-    names += fmt::format("{}{}", names.empty() ? "" : ",", report::to_string(quantity));
+  for (const auto* quantity : quantities)
+    names += fmt::format("{}{}", names.empty() ? "" : ",", quantity->name);
   return names;
 }
 

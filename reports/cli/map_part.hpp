@@ -41,12 +41,12 @@ struct MapPart {
 /// "K/M". Throws data::InputError, naming the option --shard, unless 1 <= K <= M <= 1000000.
 [[nodiscard]] MapPart parse_part(std::string_view text);
 
-/// The quantities with these names (report::to_string), each once. Throws std::invalid_argument for another name.
-[[nodiscard]] std::vector<studies::MotionQuantity> quantities_named(
+/// The quantities with these names, each once. Throws std::invalid_argument for another name.
+[[nodiscard]] std::vector<const studies::MotionQuantity*> quantities_named(
     const std::vector<std::string_view>& names);
 
 /// The names of the quantities, with commas between them.
-[[nodiscard]] std::string names_of(const std::vector<studies::MotionQuantity>& quantities);
+[[nodiscard]] std::string names_of(const std::vector<const studies::MotionQuantity*>& quantities);
 
 /// The text of a file with all evaluations of a part.
 [[nodiscard]] std::string part_text(const studies::MapTask& task, const MapPart& part,

@@ -3,11 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "case_options.hpp"
@@ -20,19 +17,6 @@ namespace {
 using studies::ParameterRange;
 
 constexpr int most_values = 2000;  // along one axis
-
-constexpr std::array<std::pair<std::string_view, studies::Parameter>, 11> parameters{
-    {{"frequency", studies::Parameter::frequency},
-     {"amplitude", studies::Parameter::amplitude},
-     {"length", studies::Parameter::length},
-     {"force", studies::Parameter::axial_force},
-     {"stiffness", studies::Parameter::youngs_modulus},
-     {"friction", studies::Parameter::static_coefficient},
-     {"direction", studies::Parameter::axial_direction},
-     {"kinetic", studies::Parameter::kinetic_coefficient},
-     {"decay", studies::Parameter::decay},
-     {"damping", studies::Parameter::damping_ratio},
-     {"kelvin-voigt", studies::Parameter::kelvin_voigt}}};
 
 [[noreturn]] void fail_unless(std::string_view allowed, std::string_view option, std::string_view part,
                               std::string_view value) {
@@ -57,25 +41,12 @@ ParameterRange from_to(std::string_view option, std::string_view text, bool equa
   return range_of(option, parts[0], parts[1], false, equal);
 }
 
-bool may_be_zero(studies::Parameter parameter) {
-  switch (parameter) {
-    case studies::Parameter::amplitude:
-    case studies::Parameter::axial_direction:
-    case studies::Parameter::kinetic_coefficient:
-    case studies::Parameter::decay:
-    case studies::Parameter::damping_ratio:
-    case studies::Parameter::kelvin_voigt:
-      return true;
-    default:
-      return false;
-  }
-}
-
-studies::Parameter parameter_of(std::string_view option, std::string_view name) {
+const data::Key& axis_named(std::string_view option, std::string_view name) {
   std::vector<std::string> names;
-  for (const auto& [known, parameter] : parameters) {
-    if (known == name) return parameter;
-    names.emplace_back(known);
+  for (const data::Key& key : data::case_keys()) {
+    if (key.axis.name.empty()) continue;
+    if (key.axis.name == name || key.path == name) return key;
+    names.emplace_back(key.axis.name);
   }
   fail_unless(fmt::format("one of {}{}", data::joined(names), data::suggestion(name, names)), option,
               "PARAMETER", name);
@@ -102,11 +73,20 @@ ParameterRange parse_band(std::string_view option, std::string_view text) {
 }
 
 std::string axis_text(const studies::MapAxis& axis) {
-  const auto named =
-      std::ranges::find(parameters, axis.parameter, &std::pair<std::string_view, studies::Parameter>::second);
-  return fmt::format("{}={}:{}:{}{}", named->first, data::shortest_text(axis.values.front()),
-                     data::shortest_text(axis.values.back()), axis.values.size(),
-                     axis.logarithmic ? ":log" : "");
+  return fmt::format("{}={}:{}:{}{}", data::key_named(axis.parameter).axis.name,
+                     data::shortest_text(axis.values.front()), data::shortest_text(axis.values.back()),
+                     axis.values.size(), axis.logarithmic ? ":log" : "");
+}
+
+std::string axis_help() {
+  std::string help;
+  for (const data::Key& key : data::case_keys()) {
+    if (key.axis.name.empty()) continue;
+    const std::string_view unit = key.magnitudes.unit;
+    help += fmt::format("{}{} ({}{}{})", help.empty() ? "" : ", ", key.axis.name, key.path,
+                        unit.empty() ? "" : ", ", unit);
+  }
+  return help;
 }
 
 studies::MapAxis parse_axis(std::string_view option, std::string_view text) {
@@ -115,15 +95,16 @@ studies::MapAxis parse_axis(std::string_view option, std::string_view text) {
   const bool logarithmic = parts.size() == 4 && parts[3] == "log";
   if (equals == std::string_view::npos || (parts.size() != 3 && !logarithmic))
     fail_unless("PARAMETER=FROM:TO:COUNT or PARAMETER=FROM:TO:COUNT:log", option, "the axis", text);
-  const studies::Parameter parameter = parameter_of(option, text.substr(0, equals));
-  const bool zero = may_be_zero(parameter) && !logarithmic;
+  const data::Key& key = axis_named(option, text.substr(0, equals));
+  const bool zero = key.axis.may_be_zero && !logarithmic;
   const ParameterRange range = range_of(option, parts[0], parts[1], zero, false);
   if (logarithmic && !std::isfinite(range.to / range.from))
     fail_unless(fmt::format("at most 1e308 times FROM, {}", parts[0]), option, "TO", parts[1]);
   const auto count = parse<int>(parts[2]);
   if (!count || *count < 2 || *count > most_values)
     fail_unless(fmt::format("an integer from 2 to {}", most_values), option, "COUNT", parts[2]);
-  return studies::map_axis(parameter, range.from, range.to, *count, logarithmic);
+  for (const double end : {range.from, range.to}) data::require_magnitude(key.path, end, std::string(option));
+  return studies::map_axis(key.path, range.from, range.to, *count, logarithmic);
 }
 
 }  // namespace stickslip::cli

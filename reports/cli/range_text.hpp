@@ -21,10 +21,13 @@ namespace stickslip::cli {
 [[nodiscard]] studies::ParameterRange parse_band(std::string_view option, std::string_view text);
 
 /// "PARAMETER=FROM:TO:COUNT" in equal steps, or "PARAMETER=FROM:TO:COUNT:log" in equal ratios; FROM may be 0
-/// in equal steps, but not for a frequency, length, force, stiffness or static coefficient.
+/// in equal steps if the key may be. Throws data::InputError, too, for ends that no case may have.
 [[nodiscard]] studies::MapAxis parse_axis(std::string_view option, std::string_view text);
 
 /// What parse_axis() makes the same axis from.
 [[nodiscard]] std::string axis_text(const studies::MapAxis& axis);
+
+/// The parameters that an axis may have: "length (beam.length, m), ...".
+[[nodiscard]] std::string axis_help();
 
 }  // namespace stickslip::cli

@@ -53,7 +53,7 @@ report::CsvTable table_of(const studies::SweepTask& task, const std::vector<stud
     for (const studies::SectionPoint& at : point.section) {
       for (const double value : {at.displacement, at.velocity, at.friction_force})
         if (!std::isfinite(value))
-          data::throw_overflow(fmt::format("the motion at {} = {} is not finite", field_of(task.parameter),
+          data::throw_overflow(fmt::format("the motion at {} = {} is not finite", task.parameter,
                                            data::shortest_text(point.value)));
       table.add_row({point.up ? "up" : "down", report::csv_number(point.value),
                      report::csv_number(at.displacement), report::csv_number(at.velocity + 0.0),
@@ -63,8 +63,9 @@ report::CsvTable table_of(const studies::SweepTask& task, const std::vector<stud
 }
 
 std::string drawn(const report::CsvTable& table, const studies::SweepTask& task, const std::string& format) {
-  const std::vector<report::FigureData::Value> values{
-      {"parameter", static_cast<double>(task.parameter) + 1.0, "1"}};
+  const data::KeyAxis& axis = data::key_named(task.parameter).axis;
+  const std::vector<report::FigureData::Value> values{{"label", std::string(axis.label), "-"},
+                                                      {"label_scale", axis.scale, "1"}};
   return report::drawing_of(
       "sweep", format,
       {{"sweep.csv", table.text()}, {"sweep-values.csv", report::values_table(values).text()}});
@@ -90,11 +91,9 @@ std::size_t values_with_hysteresis(const std::vector<studies::SweepPoint>& point
 
 studies::SweepTask task_of(const SweepOptions& options) {
   const studies::MapAxis axis = parse_axis("--parameter", options.parameter);
-  for (const double end : {axis.values.front(), axis.values.back()})
-    data::require_magnitude(studies::field_of(axis.parameter), end, "--parameter");
   require_no_fixed_value(options.excitation, axis.parameter, "--parameter");
   data::Case problem = load_case(options.problem, options.excitation, {});
-  if (axis.parameter == studies::Parameter::frequency)
+  if (axis.parameter == "excitation.frequency_hz")
     problem.numerics = numerics_up_to(axis.values.back(), options.problem, options.excitation, {});
   data::require_rigid(problem.contact, "a sweep; respond takes it");
   studies::require_resting_wall(problem);

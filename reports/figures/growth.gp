@@ -6,7 +6,6 @@ load 'style.gp'
 values = folder.'growth-values.csv'
 load 'values.gp'
 file = folder.'growth.csv'
-array rules[4] = ['resolved in time', 'fixed step', 'filtering step', 'radiating tip']
 array dashes[4] = [1, 2, 1, 2]
 array titles[3] = ['Growth: bound σ*', 'Growth: observed', 'Error of the tip']
 array low[3] = [1, 1, 0.1]
@@ -28,7 +27,7 @@ do for [k = 1:3] {
   set ylabel (k == 1 ? 'growth / s^{−1}' : k == 3 ? 'largest error / % of the range' : '') offset 1
   if (k == 1) { set key at screen 0.5, 0.005 center bottom maxrows 2 vertical samplen 3 } else { unset key }
   plot for [i = 1:4] file using ($1 == i ? $2 : NaN):4 + k with linespoints linecolor rgb colours[i] linewidth 1.2 \
-         dashtype dashes[i] pointtype shapes[i] pointsize 0.8 title rules[i], \
+         dashtype dashes[i] pointtype shapes[i] pointsize 0.8 title value('rule'.i), \
        (k < 3 ? beam : NaN) with lines linecolor rgb black linewidth 1.2 dashtype 3 title 'bound σ* of the beam'
 }
 unset multiplot

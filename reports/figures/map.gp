@@ -1,27 +1,20 @@
 # SPDX-License-Identifier: MIT
 # The criterion over two parameters: |f_max|/(mu_s P) by colour and its contour 1, from a table of x, y, ratio and
-# state. Which parameter an axis has is x_parameter or y_parameter; its values follow each other in equal steps, or in
-# equal ratios where x_log or y_log is 1. Blue sticks, orange slips, the lighter the larger the force; hatched has no stick state.
-# Where states_only is 1 the table has no ratio, and the regions have one colour each. Where quantity is not 0 the table has
-# the value and the change of as many quantities as `quantities` says, and the first one is drawn: hatched where it has not converged.
+# state. An axis has the label x_label or y_label and is scaled by x_scale or y_scale; its values follow each other in equal
+# steps, or in equal ratios where x_log or y_log is 1. Blue sticks, orange slips, the lighter the larger the force; hatched has no stick state.
+# Where states_only is 1 the table has no ratio, and the regions have one colour each. Where `quantities` is not 0 the table
+# has the value and the change of so many, and the first one, quantity_label, is drawn: hatched where it has not converged.
 width = 16
 height = 10
 load 'style.gp'
 values = folder.'map-values.csv'
 load 'values.gp'
-load 'parameters.gp'
-x_label = names[int(x_parameter)]
-y_label = names[int(y_parameter)]
-x_scale = scales[int(x_parameter)]
-y_scale = scales[int(y_parameter)]
 file = folder.'map.csv'
 # Cells of an image have one size: axes in equal ratios are drawn over the decadic logarithm.
 x_of(x) = x_log ? log10(x_scale * x) : x_scale * x
 y_of(y) = y_log ? log10(y_scale * y) : y_scale * y
 region(text) = text eq 'stick' ? -0.75 : text eq 'stick-slip' ? 0.75 : NaN
-array quantity_names[8] = ['share of the time in slip', 'largest sliding speed / (m/s)', \
-    'rms sliding speed / (m/s)', 'travel in a period / m', 'work of friction in a period / J', 'largest |f| / N', \
-    'sticks in a period', 'period of the motion (0: none)']
+quantity = quantities > 0
 ratio(text) = states_only ? region(text) : text eq '' ? NaN : quantity ? real(text) : log10(real(text))
 state_column = quantity ? 3 + 2 * int(quantities) : 4 - int(states_only)
 # Whether a cell is left empty.
@@ -74,7 +67,7 @@ set yrange [axis_min_y:axis_max_y]
 if (quantity) {
   set palette defined (0 '#08306B', 1 '#2171B5', 2 '#7FB8DE', 3 '#EE9A33', 4 '#FDCB75')
   set cbrange [*:*]
-  set cblabel quantity_names[int(quantity)] offset -0.5
+  set cblabel quantity_label offset -0.5
 } else {
   eval ratio_palette
   set cbrange [-log10(30):log10(30)]

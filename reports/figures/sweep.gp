@@ -6,10 +6,9 @@ height = 11
 load 'style.gp'
 values = folder.'sweep-values.csv'
 load 'values.gp'
-load 'parameters.gp'
 file = folder.'sweep.csv'
 of(direction, y) = strcol(1) eq direction ? y : NaN
-x(value) = scales[int(parameter)] * value
+x(value) = label_scale * value
 set multiplot
 set lmargin at screen 0.11
 set rmargin at screen 0.98
@@ -25,7 +24,7 @@ plot file using (x($2)):(of('down', $3 * 1e3)) with points pointtype 7 pointsize
 set tmargin at screen 0.50
 set bmargin at screen 0.12
 set format x '%g'
-set xlabel names[int(parameter)]
+set xlabel label
 set ylabel 'friction force / N'
 plot file using (x($2)):(of('down', $5)) with points pointtype 7 pointsize 0.25 linecolor rgb vermillion notitle, \
      '' using (x($2)):(of('up', $5)) with points pointtype 1 pointsize 0.35 linecolor rgb blue notitle

@@ -11,35 +11,16 @@
 #include <vector>
 
 #include "render/drawing.hpp"
-#include "render/map_figure.hpp"
 
 namespace stickslip::report {
 
 namespace {
 
-struct QuantityText {
-  std::string_view name;
-  const char *column, *unit;
-};
-
-// In the order of MotionQuantity.
-constexpr std::array<QuantityText, studies::all_motion_quantities.size()> quantity_texts{
-    {{"slip-share", "slip_share", "1"},
-     {"peak-speed", "peak_speed_m_per_s", "m/s"},
-     {"rms-speed", "rms_speed_m_per_s", "m/s"},
-     {"travel", "travel_m", "m"},
-     {"work", "work_J", "J"},
-     {"largest-force", "largest_force_N", "N"},
-     {"sticks", "sticks", "1"},
-     {"period", "period", "1"}}};
-
-const QuantityText& text_of(studies::MotionQuantity quantity) {
-  return quantity_texts[static_cast<std::size_t>(quantity)];
-}
-
-// What the axis `name` (x or y) shows, counted from 1, and whether its values are in equal ratios.
+// What the axis `name` (x or y) shows, and whether its values are in equal ratios.
 void add_axis(const std::string& name, const studies::MapAxis& axis, std::vector<FigureData::Value>& values) {
-  values.push_back({name + "_parameter", static_cast<double>(axis.parameter) + 1.0, "1"});
+  const data::KeyAxis& shown = data::key_named(axis.parameter).axis;
+  values.push_back({name + "_label", std::string(shown.label), "-"});
+  values.push_back({name + "_scale", shown.scale, "1"});
   values.push_back({name + "_log", axis.logarithmic ? 1.0 : 0.0, "1"});
 }
 
@@ -48,9 +29,9 @@ std::vector<FigureData::Value> values_of(const studies::CriterionMap& map) {
   add_axis("x", map.x, values);
   add_axis("y", map.y, values);
   values.push_back({"states_only", map.states_only ? 1.0 : 0.0, "1"});
-  values.push_back(
-      {"quantity", map.quantities.empty() ? 0.0 : static_cast<double>(map.quantities.front()) + 1.0, "1"});
   values.push_back({"quantities", static_cast<double>(map.quantities.size()), "1"});
+  if (!map.quantities.empty())
+    values.push_back({"quantity_label", std::string(map.quantities.front()->label), "-"});
   return values;
 }
 
@@ -87,43 +68,19 @@ std::string to_string(studies::CellState state) {
   return {};
 }
 
-std::string to_string(studies::MotionQuantity quantity) { return std::string(text_of(quantity).name); }
-
-CsvColumn column_of(studies::Parameter parameter) {
-  switch (parameter) {
-    case studies::Parameter::frequency:
-      return {"frequency_Hz", "Hz"};
-    case studies::Parameter::amplitude:
-      return {"amplitude_m", "m"};
-    case studies::Parameter::length:
-      return {"length_m", "m"};
-    case studies::Parameter::axial_force:
-      return {"axial_force_N", "N"};
-    case studies::Parameter::youngs_modulus:
-      return {"youngs_modulus_Pa", "Pa"};
-    case studies::Parameter::static_coefficient:
-      return {"static_coefficient", "1"};
-    case studies::Parameter::axial_direction:
-      return {"axial_direction", "1"};
-    case studies::Parameter::kinetic_coefficient:
-      return {"kinetic_coefficient", "1"};
-    case studies::Parameter::decay:
-      return {"decay_s_per_m", "s/m"};
-    case studies::Parameter::damping_ratio:
-      return {"damping_ratio", "1"};
-    case studies::Parameter::kelvin_voigt:
-      return {"kelvin_voigt_s", "s"};
-  }
-  return {};
+CsvColumn column_of(std::string_view parameter) {
+  const data::Key& key = data::key_named(parameter);
+  const std::string_view unit = key.magnitudes.unit;
+  return {std::string(key.axis.column), unit.empty() ? "1" : std::string(unit)};
 }
 
 CsvTable table_of(const data::Case& problem, const studies::CriterionMap& map) {
   std::vector<CsvColumn> columns{column_of(map.x.parameter), column_of(map.y.parameter)};
   const bool has_ratio = !map.states_only && map.quantities.empty();
   if (has_ratio) columns.push_back({"force_ratio", "1"});
-  for (const studies::MotionQuantity quantity : map.quantities) {
-    columns.push_back({text_of(quantity).column, text_of(quantity).unit});
-    std::string change = to_string(quantity) + "_change";
+  for (const studies::MotionQuantity* quantity : map.quantities) {
+    columns.push_back({std::string(quantity->column), std::string(quantity->unit)});
+    std::string change = std::string(quantity->name) + "_change";
     std::ranges::replace(change, '-', '_');
     columns.push_back({change, "1"});
   }

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "render/csv_table.hpp"
+#include "render/figures.hpp"
 #include "stickslip/data/problem.hpp"
 #include "studies/criterion/criterion_map.hpp"
 
@@ -12,15 +14,15 @@ namespace stickslip::report {
 /// "stick", "stick-slip" or "no stick state".
 [[nodiscard]] std::string to_string(studies::CellState state);
 
-/// "slip-share" and the like, as the command line has them.
-[[nodiscard]] std::string to_string(studies::MotionQuantity quantity);
-
-/// The column and the unit of a parameter.
-[[nodiscard]] CsvColumn column_of(studies::Parameter parameter);
+/// The column and the unit of a key that may be an axis.
+[[nodiscard]] CsvColumn column_of(std::string_view parameter);
 
 /// One row per cell, with a force ratio only where there is a stick state; an empty line after each y. A
 /// quantity has a column with its value, where that has converged, and one with its change.
 [[nodiscard]] CsvTable table_of(const data::Case& problem, const studies::CriterionMap& map);
+
+/// The table and the values of figures/map.gp.
+[[nodiscard]] FigureData figure_of(const data::Case& problem, const studies::CriterionMap& map);
 
 /// The map drawn by gnuplot (figures/map.gp) from its table, as the bytes of a file. `format` is "pdf", "png"
 /// or "svg". Throws std::runtime_error if gnuplot is missing or fails.

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "render/criterion_map.hpp"
 #include "render/findings.hpp"
-#include "render/map_figure.hpp"
 #include "stickslip/data/paper.hpp"
 #include "stickslip/solver/contact_system.hpp"
 #include "studies/common/problem_parameter.hpp"
@@ -148,7 +148,7 @@ FigureData figure7(StudyResults& results) {
   const auto& study = results.mode_shapes();
   std::vector<CsvColumn> columns{{"x_over_L", "1"}};
   FigureData data;
-  data.values.push_back({"points_per_element", StudyResults::points_per_element, "1"});
+  data.values.push_back({"points_per_element", static_cast<double>(StudyResults::points_per_element), "1"});
   for (std::size_t i = 0; i < study.curves.size(); ++i) {
     const auto& curve = study.curves[i];
     const std::string name = fmt::format("{}_{}", state_of(curve), curve.mode);
@@ -429,7 +429,7 @@ FigureData event_order(StudyResults& results) {
   return data;
 }
 
-// Rule k in the order of the table.
+// Rule k of the table has the name rule<k>.
 FigureData growth(StudyResults& results) {
   CsvTable table("Undamped histories of generalised-alpha on meshes", {{"rule", "1"},
                                                                        {"elements", "1"},
@@ -438,8 +438,10 @@ FigureData growth(StudyResults& results) {
                                                                        {"growth_bound_per_s", "1/s"},
                                                                        {"observed_growth_per_s", "1/s"},
                                                                        {"error_percent", "%"}});
+  FigureData data;
   const auto& series = results.history_growth();
-  for (std::size_t k = 0; k < series.size(); ++k)
+  for (std::size_t k = 0; k < series.size(); ++k) {
+    data.values.push_back({fmt::format("rule{}", k + 1), series[k].rule.name, "-"});
     for (const auto& run : series[k].runs)
       table.add(static_cast<double>(k + 1))
           .add(run.elements)
@@ -449,7 +451,7 @@ FigureData growth(StudyResults& results) {
           .add(run.observed_growth)
           .add(100.0 * run.error)
           .end_row();
-  FigureData data;
+  }
   data.values.push_back(
       {"beam", studies::beam_growth_bound(results.paper().beam, results.paper().friction), "1/s"});
   data.tables.push_back({"growth", std::move(table)});
@@ -516,7 +518,10 @@ FigureData map(StudyResults& results) {
 
 CsvTable values_table(const std::vector<FigureData::Value>& values) {
   CsvTable table("Single values of the figure", {{"name", "-"}, {"value", "see last column"}, {"unit", "-"}});
-  for (const auto& [name, value, unit] : values) table.add_row({name, csv_number(value), unit});
+  for (const auto& [name, value, unit] : values) {
+    const auto* text = std::get_if<std::string>(&value);
+    table.add_row({name, text != nullptr ? *text : csv_number(std::get<double>(value)), unit});
+  }
   return table;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "render/csv_table.hpp"
@@ -18,8 +19,8 @@ struct FigureData {
   };
   struct Value {
     std::string name;  ///< the gnuplot variable
-    double value{};
-    std::string unit;
+    std::variant<double, std::string> value;
+    std::string unit;  ///< "-" of a text
   };
   std::vector<Table> tables;
   std::vector<Value> values;

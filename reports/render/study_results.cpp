@@ -348,9 +348,8 @@ const studies::CriterionMap& StudyResults::stiffness_map() {
     const double modulus = paper_.beam.youngs_modulus();
     return studies::criterion_map(
         {.problem = problem,
-         .x = studies::map_axis(studies::Parameter::frequency, 1.0, highest_frequency, 239, false),
-         .y =
-             studies::map_axis(studies::Parameter::youngs_modulus, 0.25 * modulus, 4.0 * modulus, 61, true)});
+         .x = studies::map_axis("excitation.frequency_hz", 1.0, highest_frequency, 239, false),
+         .y = studies::map_axis("beam.youngs_modulus", 0.25 * modulus, 4.0 * modulus, 61, true)});
   });
 }
 
@@ -358,14 +357,14 @@ const studies::Design& StudyResults::design_example() {
   return once("design_example", "lengths and forces that avoid slipping", [&] {
     const double hz = flat_section_.excitation.frequency_hz();
     const analytic::FrequencyBand band{hz - 1.0, hz + 1.0};
-    const auto scan = [&](studies::Parameter parameter, double from, double to) {
+    const auto scan = [&](std::string_view parameter, double from, double to) {
       return studies::design_scan(flat_section_, parameter,
                                   studies::range_below_buckling(flat_section_, parameter, from, to), band);
     };
     return studies::Design{.band = band,
                            .margin = studies::band_margin(flat_section_, band),
-                           .lengths = scan(studies::Parameter::length, 0.4, 2.0),
-                           .forces = scan(studies::Parameter::axial_force, 50.0, 5000.0)};
+                           .lengths = scan("beam.length", 0.4, 2.0),
+                           .forces = scan("beam.axial_force", 50.0, 5000.0)};
   });
 }
 

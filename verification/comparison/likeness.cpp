@@ -406,10 +406,10 @@ class Search {
 
   // The case with the values of the columns of a row.
   [[nodiscard]] data::Case case_of_row(data::Case problem, std::size_t row) const {
-    for (const auto& [name, parameter] : {std::pair{"frequency", Parameter::frequency},
-                                          {"amplitude", Parameter::amplitude},
-                                          {"length", Parameter::length},
-                                          {"axial_force", Parameter::axial_force}})
+    for (const auto& [name, parameter] : {std::pair{"frequency", "excitation.frequency_hz"},
+                                          {"amplitude", "excitation.amplitude"},
+                                          {"length", "beam.length"},
+                                          {"axial_force", "beam.axial_force"}})
       if (std::ranges::count(reference_.resource.primary_key, name) > 0)
         problem = with_value(problem, parameter, reference_.column(name).values[row]);
     return problem;

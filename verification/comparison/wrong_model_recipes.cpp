@@ -51,7 +51,7 @@ data::Case with_damping(data::Case problem, const data::Damping& damping) {
 using Inputs = std::function<std::optional<data::Case>(const data::Case&)>;
 
 // One number of the case times a factor.
-Inputs with_multiple(Parameter parameter, double factor) {
+Inputs with_multiple(std::string_view parameter, double factor) {
   return [=](const data::Case& problem) {
     return with_value(problem, parameter, factor * value_of(problem, parameter));
   };
@@ -103,7 +103,7 @@ std::optional<data::Case> unless_coulomb(const data::Case& problem, double coeff
 void use_one_wave_number(StickSum& sum, const data::Case& problem) {
   const data::Beam& beam = problem.beam;
   const double p = beam.axial_force() / rigidity(beam);
-  const data::Case unloaded = with_value(problem, Parameter::axial_force, 0.0);
+  const data::Case unloaded = with_value(problem, "beam.axial_force", 0.0);
   const int count = static_cast<int>(sum.modes.size());
   sum.modes = stick_sum(unloaded.beam, count).modes;
   for (StickSum::Mode& mode : sum.modes) {
@@ -255,14 +255,14 @@ Recipes of_the_beam() {
                        "Sect. 3, parameters", everything},
        .inputs = about_the_other_axis},
       {.wrong_model = {"stiffness-doubled", "EI is twice the right one", "Sect. 3, parameters", everything},
-       .inputs = with_multiple(Parameter::youngs_modulus, 2.0)},
+       .inputs = with_multiple("beam.youngs_modulus", 2.0)},
       {.wrong_model = {"stiffness-halved", "EI is half the right one", "Sect. 3, parameters", everything},
-       .inputs = with_multiple(Parameter::youngs_modulus, 0.5)},
+       .inputs = with_multiple("beam.youngs_modulus", 0.5)},
       {.wrong_model = {"tension", "P is tensile instead of compressive", "Eq. (1)", everything},
-       .inputs = with_multiple(Parameter::axial_force, -1.0)},
+       .inputs = with_multiple("beam.axial_force", -1.0)},
       {.wrong_model = {"axial-force-left-out", "P presses the tip to the wall but does not bend the beam",
                        "Eq. (1)", everything},
-       .inputs = [](const data::Case& problem) { return with_value(problem, Parameter::axial_force, 0.0); }},
+       .inputs = [](const data::Case& problem) { return with_value(problem, "beam.axial_force", 0.0); }},
       {.wrong_model = {"one-wave-number", "both wave numbers have the printed sign of P/(2EI) (E2)",
                        "Eq. (23)", Quantities{stick_frequency, participation} + held_motion},
        .equations = use_one_wave_number,
@@ -271,7 +271,7 @@ Recipes of_the_beam() {
                        Quantities{slip_frequency} + held_force + stick_slip},
        .inputs = [](const data::Case& problem) -> std::optional<data::Case> {
          if (problem.beam.axial_direction() == 1.0) return std::nullopt;
-         return with_value(problem, Parameter::axial_direction, 1.0);
+         return with_value(problem, "beam.axial_direction", 1.0);
        }},
       {.wrong_model = {"follower-term-sign", "the term P u'(L) at the tip has the wrong sign", "Eq. (9)",
                        Quantities{slip_frequency} + held_force + stick_slip},
@@ -346,7 +346,7 @@ Recipes of_the_excitation() {
                        "Sect. 3, excitation", held_motion + stick_slip},
        .inputs =
            [](const data::Case& problem) {
-             return with_value(problem, Parameter::frequency,
+             return with_value(problem, "excitation.frequency_hz",
                                problem.excitation.frequency_hz() / (2.0 * std::numbers::pi));
            }},
       {.wrong_model = {"cosine-for-sine", "the base moves by A0 cos(Omega t), a quarter of a period earlier",
@@ -355,7 +355,7 @@ Recipes of_the_excitation() {
        .base = cosine_motion},
       {.wrong_model = {"peak-to-peak-amplitude", "the amplitude is used as the peak-to-peak travel",
                        "Sect. 3, excitation", held_motion + stick_slip},
-       .inputs = with_multiple(Parameter::amplitude, 0.5)},
+       .inputs = with_multiple("excitation.amplitude", 0.5)},
   };
 }
 

@@ -295,9 +295,9 @@ Values values_of(const WrongModelRecipe& model, const data::Case& problem, Quant
   if (quantity == force_maximum || quantity == critical_amplitude) {
     values.emplace();
     data::Case here = problem;
-    if (quantity == critical_amplitude) here = with_value(here, Parameter::amplitude, unit_amplitude);
+    if (quantity == critical_amplitude) here = with_value(here, "excitation.amplitude", unit_amplitude);
     for (const double hz : abscissa) {
-      const auto one = raw_values(model, with_value(here, Parameter::frequency, hz), quantity, {hz});
+      const auto one = raw_values(model, with_value(here, "excitation.frequency_hz", hz), quantity, {hz});
       if (!one) return std::nullopt;
       values->push_back(one->front());
     }

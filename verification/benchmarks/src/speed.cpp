@@ -280,8 +280,8 @@ void map_of(benchmark::State& state, const studies::MapTask& task) {
 // Figs. 10 to 12 as a map of a million cells.
 void frequency_amplitude(benchmark::State& state) {
   map_of(state, {.problem = paper_case(),
-                 .x = studies::map_axis(studies::Parameter::frequency, 0.1, 120.0, 1200, false),
-                 .y = studies::map_axis(studies::Parameter::amplitude, 1e-6, 1e-3, 1000, false),
+                 .x = studies::map_axis("excitation.frequency_hz", 0.1, 120.0, 1200, false),
+                 .y = studies::map_axis("excitation.amplitude", 1e-6, 1e-3, 1000, false),
                  .method = studies::MapMethod::closed_form});
 }
 BENCHMARK(frequency_amplitude)
@@ -303,8 +303,8 @@ data::Case flat_case() {
 
 void length_force(benchmark::State& state) {
   map_of(state, {.problem = flat_case(),
-                 .x = studies::map_axis(studies::Parameter::length, 0.4, 2.0, 1000, false),
-                 .y = studies::map_axis(studies::Parameter::axial_force, 5.0, 33000.0, 1000, true),
+                 .x = studies::map_axis("beam.length", 0.4, 2.0, 1000, false),
+                 .y = studies::map_axis("beam.axial_force", 5.0, 33000.0, 1000, true),
                  .method = studies::MapMethod::closed_form,
                  .states_only = true});
 }

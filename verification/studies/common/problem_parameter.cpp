@@ -1,78 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "studies/common/problem_parameter.hpp"
 
-#include <algorithm>
-#include <cstddef>
-#include <iterator>
 #include <numbers>
-#include <string>
-
-#include "stickslip/data/case_file.hpp"
 
 namespace stickslip::studies {
-
-namespace {
-
-/// What the parameters are fields of.
-struct Properties {
-  data::BeamProperties beam;
-  data::HarmonicMotion motion;
-  data::FrictionCoefficients friction;
-  data::DampingProperties damping;
-};
-
-struct Field {
-  std::string_view name;
-  double& (*in)(Properties&);
-};
-
-// In the order of Parameter.
-constexpr Field fields[] = {
-    {"excitation.frequency_hz", [](Properties& of) -> double& { return of.motion.frequency_hz; }},
-    {"excitation.amplitude", [](Properties& of) -> double& { return of.motion.amplitude; }},
-    {"beam.length", [](Properties& of) -> double& { return of.beam.length; }},
-    {"beam.axial_force", [](Properties& of) -> double& { return of.beam.axial_force; }},
-    {"beam.youngs_modulus", [](Properties& of) -> double& { return of.beam.youngs_modulus; }},
-    {"friction.static_coefficient", [](Properties& of) -> double& { return of.friction.static_coefficient; }},
-    {"beam.axial_direction", [](Properties& of) -> double& { return of.beam.axial_direction; }},
-    {"friction.kinetic_coefficient",
-     [](Properties& of) -> double& { return of.friction.kinetic_coefficient; }},
-    {"friction.decay", [](Properties& of) -> double& { return of.friction.decay; }},
-    {"damping.ratio", [](Properties& of) -> double& { return of.damping.ratio; }},
-    {"damping.kelvin_voigt", [](Properties& of) -> double& { return of.damping.kelvin_voigt; }}};
-
-static_assert(std::size(fields) == static_cast<std::size_t>(Parameter::kelvin_voigt) + 1);
-
-const Field& field(Parameter parameter) { return fields[static_cast<std::size_t>(parameter)]; }
-
-}  // namespace
-
-std::string_view field_of(Parameter parameter) { return field(parameter).name; }
-
-double value_of(const data::Case& problem, Parameter parameter) {
-  return data::numbers_of(problem).at(std::string(field_of(parameter)));
-}
-
-data::Case with_value(const data::Case& problem, Parameter parameter, double value) {
-  Properties properties{
-      .beam = problem.beam.properties(),
-      .motion = {.frequency_hz = problem.excitation.frequency_hz(),
-                 .amplitude = problem.excitation.amplitude()},
-      .friction = problem.friction.coefficients(),
-      .damping = {.kelvin_voigt = problem.damping.kelvin_voigt(), .ratio = problem.damping.ratio()}};
-  if (parameter == Parameter::youngs_modulus)  // G is proportional to E
-    properties.beam.shear_stiffness *= value / properties.beam.youngs_modulus;
-  field(parameter).in(properties) = value;
-  if (parameter == Parameter::static_coefficient)
-    properties.friction.kinetic_coefficient =
-        std::min(properties.friction.kinetic_coefficient, std::max(value, 0.0));
-  data::Case changed = problem;
-  changed.beam = data::Beam(properties.beam);
-  changed.excitation = data::HarmonicExcitation(properties.motion);
-  changed.friction = data::FrictionLaw(properties.friction);
-  changed.damping = data::Damping(properties.damping);
-  return changed;
-}
 
 double angular_frequency(const data::HarmonicExcitation& excitation) {
   return 2.0 * std::numbers::pi * excitation.frequency_hz();
@@ -109,8 +40,7 @@ void require_resting_wall(const data::Case& problem) {
 
 void require_friction(const data::Case& problem) {
   if (problem.friction.static_coefficient() > 0.0) return;
-  throw data::FieldError(field_of(Parameter::static_coefficient), "0",
-                         "above 0: without friction nothing sticks");
+  throw data::FieldError("friction.static_coefficient", "0", "above 0: without friction nothing sticks");
 }
 
 }  // namespace stickslip::studies

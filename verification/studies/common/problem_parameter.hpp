@@ -1,37 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string_view>
-
-#include "stickslip/data/problem.hpp"
+#include "stickslip/data/key.hpp"
 
 namespace stickslip::studies {
-
-/// A quantity of a case that a map or a design may vary.
-enum class Parameter {
-  frequency,
-  amplitude,
-  length,
-  axial_force,
-  youngs_modulus,
-  static_coefficient,
-  axial_direction,
-  kinetic_coefficient,
-  decay,
-  damping_ratio,
-  kelvin_voigt
-};
-
-/// The name of the parameter's field in a case file, such as "beam.length".
-[[nodiscard]] std::string_view field_of(Parameter parameter);
-
-/// The value of the parameter in SI units.
-[[nodiscard]] double value_of(const data::Case& problem, Parameter parameter);
-
-/// A copy of the case with the parameter set to `value` (SI units); the cross section of the beam does not
-/// change, and its shear stiffness is proportional to Young's modulus. If the static coefficient falls below
-/// the kinetic one, the kinetic one is set to the same value. Throws data::FieldError if the field does not allow the value.
-[[nodiscard]] data::Case with_value(const data::Case& problem, Parameter parameter, double value);
 
 /// Angular frequency Omega = 2 pi f of the excitation, rad/s.
 [[nodiscard]] double angular_frequency(const data::HarmonicExcitation& excitation);

@@ -7,12 +7,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <initializer_list>
 #include <limits>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/damped_reaction.hpp"
@@ -27,24 +27,23 @@ namespace stickslip::studies {
 namespace {
 
 // |f_max| is proportional to the amplitude, and the friction limit mu_s P to the static coefficient.
-bool is_a_factor(Parameter parameter) {
-  return parameter == Parameter::amplitude || parameter == Parameter::static_coefficient;
+bool is_a_factor(std::string_view parameter) {
+  return parameter == "excitation.amplitude" || parameter == "friction.static_coefficient";
 }
 
-bool varies_one_of(const MapTask& task, std::initializer_list<Parameter> parameters) {
-  return std::ranges::any_of(parameters, [&](Parameter parameter) {
-    return task.x.parameter == parameter || task.y.parameter == parameter;
+// Whether the cells have different beams, but for the direction of P. Some of them may be buckled and others not.
+bool varies_beam(const MapTask& task) {
+  return std::ranges::any_of(std::array{task.x.parameter, task.y.parameter}, [](std::string_view parameter) {
+    return (parameter.starts_with("beam.") || parameter.starts_with("section.")) &&
+           parameter != "beam.axial_direction";
   });
-}
-
-// Whether the beam may be buckled in some cells of the map and not in others.
-bool may_buckle(const MapTask& task) {
-  return varies_one_of(task, {Parameter::length, Parameter::axial_force, Parameter::youngs_modulus});
 }
 
 // Whether the modes depend on more than the load factor, or a cell may be damped and another one not.
 bool varies_direction_or_damping(const MapTask& task) {
-  return varies_one_of(task, {Parameter::axial_direction, Parameter::damping_ratio, Parameter::kelvin_voigt});
+  return std::ranges::any_of(std::array{task.x.parameter, task.y.parameter}, [](std::string_view parameter) {
+    return parameter == "beam.axial_direction" || parameter.starts_with("damping.");
+  });
 }
 
 // How many values of an axis need separate evaluations of the force.
@@ -72,7 +71,7 @@ class Forces {
   explicit Forces(const MapTask& task) : method_(task.method), modes_(task.problem.numerics.modes()) {
     if (method_ != MapMethod::closed_form || varies_direction_or_damping(task)) return;
     const data::Case& problem = task.problem;
-    if (!may_buckle(task)) {  // all points have the same beam
+    if (!varies_beam(task)) {  // all points have the same beam
       if (is_damped(problem))
         common_damped_ = analytic::damped_reaction(problem.beam, problem.damping, modes_);
       else
@@ -88,12 +87,9 @@ class Forces {
         lowest = std::min(lowest, load_factor(beam));
         highest = std::max(highest, load_factor(beam));
       }
-    const data::Beam first = case_at(task, 0, 0).beam;
-    highest = std::min(highest, just_below_buckling(first));
+    highest = std::min(highest, just_below_buckling(case_at(task, 0, 0).beam));
     if (lowest > 0.0 && lowest < highest)
       table_.emplace(lowest, highest, modes_, problem.beam.axial_direction());
-    else if (lowest == highest)
-      common_ = analytic::modal_reaction(first, modes_);
   }
 
   // |f_max| per metre of amplitude, N/m.
@@ -147,7 +143,7 @@ class Forces {
 class Responses {
  public:
   explicit Responses(const MapTask& task) : task_(task) {
-    if (!may_buckle(task) && !varies_direction_or_damping(task))
+    if (!varies_beam(task) && !varies_direction_or_damping(task))
       common_.emplace(response_model(case_at(task, 0, 0)));
   }
 
@@ -157,8 +153,8 @@ class Responses {
       const ContactResponse response =
           contact_response(point, task_.transient, common_ ? &*common_ : nullptr);
       if (response.slips) evaluation.state = CellState::stick_slip;
-      for (const MotionQuantity quantity : task_.quantities)
-        evaluation.response.push_back(response[quantity]);
+      for (const MotionQuantity* quantity : task_.quantities)
+        evaluation.response.push_back(response[*quantity]);
     } catch (const analytic::InseparableModes&) {
       evaluation.response.assign(task_.quantities.size(), {.value = 0.0, .change = 1.0});
     }
@@ -174,10 +170,10 @@ class Responses {
 struct Factors {
   double amplitude{}, static_coefficient{}, axial_force{};
 
-  void set(Parameter parameter, double value) {
-    if (parameter == Parameter::amplitude) amplitude = value;
-    if (parameter == Parameter::static_coefficient) static_coefficient = value;
-    if (parameter == Parameter::axial_force) axial_force = value;
+  void set(std::string_view parameter, double value) {
+    if (parameter == "excitation.amplitude") amplitude = value;
+    if (parameter == "friction.static_coefficient") static_coefficient = value;
+    if (parameter == "beam.axial_force") axial_force = value;
   }
 };
 
@@ -195,7 +191,7 @@ void complete(CriterionMap::Cell& cell, const MapEvaluation& evaluation, const F
 
 }  // namespace
 
-MapAxis map_axis(Parameter parameter, double from, double to, int count, bool logarithmic) {
+MapAxis map_axis(std::string_view parameter, double from, double to, int count, bool logarithmic) {
   MapAxis axis{.parameter = parameter, .values = {}, .logarithmic = logarithmic};
   for (int i = 0; i < count; ++i) {
     const double share = static_cast<double>(i) / (count - 1);
@@ -209,7 +205,7 @@ std::size_t evaluation_count(const MapTask& task) {
   const data::Case& problem = task.problem;
   const MapAxis &x = task.x, &y = task.y;
   if (x.parameter == y.parameter)
-    throw data::InputError("both axes of the map are " + std::string(field_of(x.parameter)) +
+    throw data::InputError("both axes of the map are " + std::string(x.parameter) +
                            ", but must be two parameters");
   for (const double value : x.values) (void)with_value(problem, x.parameter, value);
   for (const double value : y.values) (void)with_value(problem, y.parameter, value);
@@ -242,7 +238,7 @@ void evaluate(const MapTask& task, std::span<const std::size_t> numbers, MapEval
     throw std::invalid_argument(
         fmt::format("the vector of evaluations has the size {}, but must have the size {}",
                     evaluations.size(), evaluation_count(task)));
-  const bool may_be_buckled = may_buckle(task);
+  const bool may_be_buckled = varies_beam(task);
   const bool decide_only =
       task.states_only && !is_a_factor(task.x.parameter) && !is_a_factor(task.y.parameter);
   std::optional<Forces> forces;

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "stickslip/analytic/bounds.hpp"
@@ -27,9 +28,9 @@ enum class CellState {
   no_stick_state  ///< P is not below the buckling load 20.19 EI/L^2 of the clamped-pinned beam
 };
 
-/// The parameter that an axis of a map varies, and its values in ascending order.
+/// The key that an axis of a map varies, "beam.length", and its values in ascending order.
 struct MapAxis {
-  Parameter parameter{};
+  std::string_view parameter;
   std::vector<double> values;  ///< SI units
   bool logarithmic{};          ///< in equal ratios; otherwise in equal steps
 };
@@ -46,7 +47,7 @@ struct CriterionMap {
   };
   MapAxis x, y;
   bool states_only{};
-  std::vector<MotionQuantity> quantities;
+  std::vector<const MotionQuantity*> quantities;
   double tolerance{};
   std::vector<Cell> cells;  ///< x varies fastest
 };
@@ -58,7 +59,7 @@ struct MapTask {
   MapMethod method{};
   bool states_only{};  ///< compute the states only, without the force ratio
   /// What to map in place of the criterion; empty for the criterion.
-  std::vector<MotionQuantity> quantities{};
+  std::vector<const MotionQuantity*> quantities{};
   double transient{};  ///< that the quantities leave out, s
   double tolerance{};  ///< the largest ResponseValue::change of a value that counts as converged
 };
@@ -75,7 +76,8 @@ using MapEvaluations = std::vector<std::optional<MapEvaluation>>;
 
 /// An axis of `count` values from `from` to `to`, in equal steps or, if `logarithmic`, in equal ratios. The
 /// first and the last value are exact.
-[[nodiscard]] MapAxis map_axis(Parameter parameter, double from, double to, int count, bool logarithmic);
+[[nodiscard]] MapAxis map_axis(std::string_view parameter, double from, double to, int count,
+                               bool logarithmic);
 
 /// The number of evaluations that a map needs. |f_max| is proportional to the amplitude and does not depend
 /// on mu_s, so that an axis of either parameter needs no additional evaluation; a quantity of the motion has one
@@ -102,7 +104,7 @@ void evaluate(const MapTask& task, std::span<const std::size_t> numbers, MapEval
 ///
 /// Throws std::invalid_argument if both axes are the same parameter or mu_s is 0 somewhere, data::FieldError
 /// for a value that its field refuses, and data::InputError, naming beam.axial_force, if P <= 0 somewhere,
-/// or if the beam is buckled and neither axis changes that.
+/// or if the beam is buckled and neither axis is a number of it.
 [[nodiscard]] CriterionMap criterion_map(const MapTask& task);
 
 }  // namespace stickslip::studies

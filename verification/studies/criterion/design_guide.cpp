@@ -34,8 +34,7 @@ void require_margin(const data::Case& problem) {
     throw data::FieldError("beam.shear_stiffness", problem.beam.shear_stiffness(),
                            "0 for a design over a band of frequencies; map and criterion have shear");
   if (problem.excitation.amplitude() > 0.0) return;
-  throw data::FieldError(field_of(Parameter::amplitude), "0",
-                         "above 0 (m): without excitation nothing slips");
+  throw data::FieldError("excitation.amplitude", "0", "above 0 (m): without excitation nothing slips");
 }
 
 analytic::BandMaximum search_of(const data::Case& problem, const analytic::FrequencyBand& band) {
@@ -70,7 +69,8 @@ class Candidate {
 // The scan of one range of the parameter for one band of frequencies.
 class Scan {
  public:
-  Scan(const data::Case& problem, Parameter parameter, const analytic::FrequencyBand& band, double resolution)
+  Scan(const data::Case& problem, std::string_view parameter, const analytic::FrequencyBand& band,
+       double resolution)
       : problem_(problem), parameter_(parameter), band_(band), resolution_(resolution) {}
 
   [[nodiscard]] Candidate at(double value) const {
@@ -150,7 +150,7 @@ class Scan {
   }
 
   const data::Case& problem_;
-  Parameter parameter_;
+  std::string_view parameter_;
   analytic::FrequencyBand band_;
   double resolution_;
 };
@@ -194,10 +194,10 @@ BandMargin band_margin(const data::Case& problem, const analytic::FrequencyBand&
   return margin;
 }
 
-DesignScan design_scan(const data::Case& problem, Parameter parameter, const ParameterRange& range,
+DesignScan design_scan(const data::Case& problem, std::string_view parameter, const ParameterRange& range,
                        const analytic::FrequencyBand& band, const std::function<void(double)>& progress) {
   if (!(range.from > 0.0 && range.from < range.to))
-    throw data::FieldError("the range of " + std::string(field_of(parameter)),
+    throw data::FieldError("the range of " + std::string(parameter),
                            data::shortest_text(range.from) + " to " + data::shortest_text(range.to),
                            "from a number above 0 to a larger one");
   require_margin(problem);
@@ -218,14 +218,15 @@ DesignScan design_scan(const data::Case& problem, Parameter parameter, const Par
   return result;
 }
 
-ParameterRange range_below_buckling(const data::Case& problem, Parameter parameter, double from, double to) {
+ParameterRange range_below_buckling(const data::Case& problem, std::string_view parameter, double from,
+                                    double to) {
   return {from, std::min(to, 0.999 * buckling_value(problem, parameter))};
 }
 
-double buckling_value(const data::Case& problem, Parameter parameter) {
-  if (parameter == Parameter::axial_force) return analytic::stick_buckling_load(problem.beam);
-  if (parameter != Parameter::length)
-    throw std::invalid_argument(std::string(field_of(parameter)) +
+double buckling_value(const data::Case& problem, std::string_view parameter) {
+  if (parameter == "beam.axial_force") return analytic::stick_buckling_load(problem.beam);
+  if (parameter != "beam.length")
+    throw std::invalid_argument(std::string(parameter) +
                                 " is varied in a design, but must be beam.length or beam.axial_force");
   // Throws with a message about the axial force.
   if (problem.beam.axial_force() <= 0.0) analytic::require_contact(problem.beam);

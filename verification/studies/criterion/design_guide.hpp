@@ -55,8 +55,8 @@ struct DesignInterval {
 
 /// Consecutive intervals that cover the whole range.
 struct DesignScan {
-  Parameter parameter{};  ///< length or axial_force
-  double accuracy{};      ///< of the ends of intervals
+  std::string_view parameter;  ///< beam.length or beam.axial_force
+  double accuracy{};           ///< of the ends of intervals
   std::vector<DesignInterval> intervals;
 };
 
@@ -76,7 +76,7 @@ struct DesignScan {
 /// Uses thread_count() threads; the result does not depend on their number. `progress`, if given, receives
 /// the completed fraction. Throws what band_margin() throws, data::FieldError unless 0 < from < to, and
 /// std::invalid_argument for another parameter.
-[[nodiscard]] DesignScan design_scan(const data::Case& problem, Parameter parameter,
+[[nodiscard]] DesignScan design_scan(const data::Case& problem, std::string_view parameter,
                                      const ParameterRange& range, const analytic::FrequencyBand& band,
                                      const std::function<void(double)>& progress = {});
 
@@ -89,12 +89,12 @@ struct Design {
 
 /// The range from `from` to `to`, or to just below the buckling value of the case if that is smaller. Throws
 /// what buckling_value() throws.
-[[nodiscard]] ParameterRange range_below_buckling(const data::Case& problem, Parameter parameter, double from,
-                                                  double to);
+[[nodiscard]] ParameterRange range_below_buckling(const data::Case& problem, std::string_view parameter,
+                                                  double from, double to);
 
 /// The length or the axial force at which the beam of the case, the other being as it is, has no stick state
 /// any more. Throws std::invalid_argument for another parameter, data::InputError, naming beam.axial_force,
 /// for a length without compression.
-[[nodiscard]] double buckling_value(const data::Case& problem, Parameter parameter);
+[[nodiscard]] double buckling_value(const data::Case& problem, std::string_view parameter);
 
 }  // namespace stickslip::studies

@@ -37,7 +37,7 @@ void count_cells(ModelPlane& plane, const CriterionMap& paper, const CriterionMa
     count_cell(plane, paper.cells[i].force_ratio, other.cells[i].force_ratio);
 }
 
-MapAxis axis_of(Parameter parameter, std::vector<double> values) {
+MapAxis axis_of(std::string_view parameter, std::vector<double> values) {
   return {.parameter = parameter, .values = std::move(values)};
 }
 
@@ -51,19 +51,19 @@ struct FigurePlane {
 // Of Fig. 14 every `stride`-th axial force.
 std::vector<FigurePlane> figure_planes(const data::Case& paper, const data::Case& half_stiffness,
                                        const data::Case& flat_section, int lengths, std::size_t stride) {
-  const MapAxis frequencies = axis_of(Parameter::frequency, figure12_frequencies());
-  const MapAxis amplitudes = axis_of(Parameter::amplitude, figure12_amplitudes());
+  const MapAxis frequencies = axis_of("excitation.frequency_hz", figure12_frequencies());
+  const MapAxis amplitudes = axis_of("excitation.amplitude", figure12_amplitudes());
   const std::vector<double> all = figure14_axial_forces();
   std::vector<double> axial_forces;
   for (std::size_t i = 0; i < all.size(); i += stride) axial_forces.push_back(all[i]);
   return {{"10 to 12", paper, frequencies, amplitudes},
           {"13", half_stiffness, frequencies, amplitudes},
-          {"14", flat_section, map_axis(Parameter::length, 0.4, 2.0, lengths, false),
-           axis_of(Parameter::axial_force, axial_forces)}};
+          {"14", flat_section, map_axis("beam.length", 0.4, 2.0, lengths, false),
+           axis_of("beam.axial_force", axial_forces)}};
 }
 
 data::Case with_dead_load(const data::Case& problem) {
-  return with_value(problem, Parameter::axial_direction, 1.0);
+  return with_value(problem, "beam.axial_direction", 1.0);
 }
 
 AxialDirectionPlane direction_plane(const FigurePlane& figure, const CriterionMap& follower) {
@@ -108,7 +108,7 @@ VariantPlane variant_plane(const FigurePlane& figure, const ModelVariant& varian
   VariantPlane plane;
   plane.figures = figure.figures;
   plane.variant = variant;
-  const bool y_is_factor = y.parameter == Parameter::amplitude;
+  const bool y_is_factor = y.parameter == "excitation.amplitude";
   const std::size_t rows = y_is_factor ? 1 : y.values.size(), columns = x.values.size();
   const auto case_at = [&](std::size_t i, std::size_t j) {
     return with_value(with_value(figure.problem, x.parameter, x.values[i]), y.parameter, y.values[j]);
@@ -150,8 +150,8 @@ ModelForm model_form(const data::Case& paper, const data::Case& half_stiffness,
   }
   const auto over_frequencies = [](const data::Case& problem) {
     return criterion_map({.problem = problem,
-                          .x = axis_of(Parameter::frequency, figure12_frequencies()),
-                          .y = axis_of(Parameter::amplitude, {1e-3})});
+                          .x = axis_of("excitation.frequency_hz", figure12_frequencies()),
+                          .y = axis_of("excitation.amplitude", {1e-3})});
   };
   const CriterionMap follower = over_frequencies(paper), dead = over_frequencies(with_dead_load(paper));
   for (std::size_t i = 0; i < follower.cells.size(); ++i)

@@ -276,17 +276,21 @@ std::optional<Warning> growth_warning(const data::Case& problem, Inquiry inquiry
   return Warning{Concern::growth, run_bound, allowed, sentence};
 }
 
-std::vector<Warning> warnings_common_to(const data::Case& problem, const std::vector<Parameter>& varied) {
+std::vector<Warning> warnings_common_to(const data::Case& problem,
+                                        const std::vector<std::string_view>& varied) {
   if (problem.beam.axial_force() >= analytic::stick_buckling_load(problem.beam)) return {};
-  const auto moves_a_frequency = [](Parameter parameter) {
-    return parameter != Parameter::amplitude && parameter != Parameter::static_coefficient &&
-           parameter != Parameter::axial_direction;
+  const auto moves_a_frequency = [](std::string_view parameter) {
+    return parameter != "excitation.amplitude" && parameter != "friction.static_coefficient" &&
+           parameter != "beam.axial_direction";
+  };
+  const auto changes_the_proportions = [](std::string_view parameter) {
+    return parameter == "beam.length" || parameter == "beam.area" ||
+           parameter == "beam.second_moment_of_area" || parameter.starts_with("section.");
   };
   auto warnings = warnings_without_effect(problem, Inquiry::criterion, 0);
   std::erase_if(warnings, [&](const Warning& warning) {
-    return warning.concern == Concern::resonance
-               ? std::ranges::any_of(varied, moves_a_frequency)
-               : std::ranges::find(varied, Parameter::length) != varied.end();
+    return warning.concern == Concern::resonance ? std::ranges::any_of(varied, moves_a_frequency)
+                                                 : std::ranges::any_of(varied, changes_the_proportions);
   });
   return warnings;
 }

@@ -101,10 +101,10 @@ constexpr double share_that_matters = 0.01;
 [[nodiscard]] std::optional<Warning> growth_warning(const data::Case& problem, Inquiry inquiry);
 
 /// The warnings for the criterion that hold for all values of the varied parameters: no resonance warning if
-/// one of them changes a frequency, no thick-beam warning if the length is varied, and no warning if P is not
+/// one of them changes a frequency, no thick-beam warning if the length or the section is varied, and no warning if P is not
 /// below the buckling load.
 [[nodiscard]] std::vector<Warning> warnings_common_to(const data::Case& problem,
-                                                      const std::vector<Parameter>& varied);
+                                                      const std::vector<std::string_view>& varied);
 
 /// The step of the boundary integral (s): numerics.time_step() divided by a power of two, so that it is at
 /// most 1/20000 of the period of the first stick mode and of the excitation. Throws what stick_modes()

@@ -81,7 +81,7 @@ SlenderForce slender_force(const data::Case& paper) {
 }
 
 SofterBeam softer_beam(const data::Case& paper, int last_hz) {
-  const data::Case softer = with_value(paper, Parameter::youngs_modulus, 0.5 * paper.beam.youngs_modulus());
+  const data::Case softer = with_value(paper, "beam.youngs_modulus", 0.5 * paper.beam.youngs_modulus());
   const auto critical = [](const data::Case& problem, double hz) {
     return analytic::evaluate_criterion(problem.beam, problem.friction, at(problem, hz, 1e-3).excitation,
                                         problem.numerics.duration(), problem.numerics.modes(),

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <stdexcept>
+#include <string>
 
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/data/input_error.hpp"
@@ -70,25 +72,22 @@ Sums period_of_motion(analytic::ModalContactRun& run, int steps) {
   return sums;
 }
 
-using Values = std::array<double, all_motion_quantities.size()>;
-
-// In the order of MotionQuantity.
-Values values_of(const Sums& sums, std::span<const Sample> samples, int steps_per_period) {
+MotionValues values_of(const Sums& sums, std::span<const Sample> samples, int steps_per_period) {
   const auto periods = static_cast<double>(samples.size() - 1);
   const double steps = periods * steps_per_period;
-  return {static_cast<double>(sums.slip_steps) / steps,
-          sums.peak_speed,
-          std::sqrt(sums.squares / steps),
-          sums.travel / periods,
-          sums.work / periods,
-          sums.largest_force,
-          static_cast<double>(sums.captures) / periods,
-          static_cast<double>(period_of(samples))};
+  return {.slip_share = static_cast<double>(sums.slip_steps) / steps,
+          .peak_speed = sums.peak_speed,
+          .rms_speed = std::sqrt(sums.squares / steps),
+          .travel = sums.travel / periods,
+          .work = sums.work / periods,
+          .largest_force = sums.largest_force,
+          .sticks = static_cast<double>(sums.captures) / periods,
+          .period = static_cast<double>(period_of(samples))};
 }
 
 struct Record {
   bool slips{};
-  Values whole{}, first{}, second{};
+  MotionValues whole{}, first{}, second{};
 };
 
 Record record_of(analytic::ModalContactRun& run, const ResponseGrid& grid) {
@@ -113,17 +112,24 @@ Record record_of(analytic::ModalContactRun& run, const ResponseGrid& grid) {
   return record;
 }
 
-ResponseValue checked(MotionQuantity quantity, const std::array<double, 4>& values) {
+ResponseValue checked(const MotionQuantity& quantity, const std::array<double, 4>& values) {
   if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); }))
     return {.value = 0.0, .change = 1.0};
   const auto [least, largest] = std::ranges::minmax(values);
   const double spread = largest - least;
-  if (quantity == MotionQuantity::period) return {values[0], spread > 0.0 ? 1.0 : 0.0};
+  if (quantity.value == &MotionValues::period) return {values[0], spread > 0.0 ? 1.0 : 0.0};
   // The work is not negative but for rounding.
   return {values[0], spread > 0.0 ? std::min(spread / std::max(largest, -least), 1.0) : 0.0};
 }
 
 }  // namespace
+
+const MotionQuantity& motion_quantity(std::string_view name) {
+  const auto* const found = std::ranges::find(motion_quantities, name, &MotionQuantity::name);
+  if (found == motion_quantities.end())
+    throw std::invalid_argument("there is no quantity " + std::string(name));
+  return *found;
+}
 
 int period_of(std::span<const Sample> samples) {
   constexpr std::size_t longest = 16;
@@ -181,11 +187,13 @@ ContactResponse contact_response(const data::Case& problem, double transient,
   ResponseGrid coarser = grid;
   coarser.steps_per_period /= 2;
   const Record check = record_of(coarse, coarser);
-  ContactResponse response{.slips = record.slips, .values = {}};
-  for (const MotionQuantity quantity : all_motion_quantities) {
-    const auto q = static_cast<std::size_t>(quantity);
-    response.values[q] =
-        checked(quantity, {record.whole[q], record.first[q], record.second[q], check.whole[q]});
+  ContactResponse response{.slips = record.slips, .values = {}, .changes = {}};
+  for (const MotionQuantity& quantity : motion_quantities) {
+    const auto of = quantity.value;
+    const auto [value, change] =
+        checked(quantity, {record.whole.*of, record.first.*of, record.second.*of, check.whole.*of});
+    response.values.*of = value;
+    response.changes.*of = change;
   }
   return response;
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <complex>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "stickslip/analytic/modal_contact_run.hpp"
@@ -11,22 +12,40 @@
 
 namespace stickslip::studies {
 
-/// A number that says something about a whole motion.
-enum class MotionQuantity {
-  slip_share,     ///< share of the time in slip
-  peak_speed,     ///< largest sliding speed, m/s
-  rms_speed,      ///< root of the mean square of the sliding speed over all the time, m/s
-  travel,         ///< distance slid in a period of the base motion, m
-  work,           ///< energy that friction dissipates in a period, J
-  largest_force,  ///< largest |f|, N
-  sticks,         ///< number of times in a period that the tip comes to stick
-  period          ///< of the motion in periods of the base motion, 1 ... 16; 0 if it has none of these
+/// Numbers that say something about a whole motion.
+struct MotionValues {
+  double slip_share{};     ///< share of the time in slip
+  double peak_speed{};     ///< largest sliding speed, m/s
+  double rms_speed{};      ///< root of the mean square of the sliding speed over all the time, m/s
+  double travel{};         ///< distance slid in a period of the base motion, m
+  double work{};           ///< energy that friction dissipates in a period, J
+  double largest_force{};  ///< largest |f|, N
+  double sticks{};         ///< number of times in a period that the tip comes to stick
+  double period{};  ///< of the motion in periods of the base motion, 1 ... 16; 0 if it has none of these
 };
 
-inline constexpr std::array all_motion_quantities{MotionQuantity::slip_share, MotionQuantity::peak_speed,
-                                                  MotionQuantity::rms_speed,  MotionQuantity::travel,
-                                                  MotionQuantity::work,       MotionQuantity::largest_force,
-                                                  MotionQuantity::sticks,     MotionQuantity::period};
+/// One of them, with its names.
+struct MotionQuantity {
+  std::string_view name;          ///< "peak-speed", as map --quantity takes it
+  std::string_view column, unit;  ///< of a table
+  std::string_view label;         ///< of a figure
+  double MotionValues::*value;
+};
+
+inline constexpr std::array motion_quantities{
+    MotionQuantity{"slip-share", "slip_share", "1", "share of the time in slip", &MotionValues::slip_share},
+    MotionQuantity{"peak-speed", "peak_speed_m_per_s", "m/s", "largest sliding speed / (m/s)",
+                   &MotionValues::peak_speed},
+    MotionQuantity{"rms-speed", "rms_speed_m_per_s", "m/s", "rms sliding speed / (m/s)",
+                   &MotionValues::rms_speed},
+    MotionQuantity{"travel", "travel_m", "m", "travel in a period / m", &MotionValues::travel},
+    MotionQuantity{"work", "work_J", "J", "work of friction in a period / J", &MotionValues::work},
+    MotionQuantity{"largest-force", "largest_force_N", "N", "largest |f| / N", &MotionValues::largest_force},
+    MotionQuantity{"sticks", "sticks", "1", "sticks in a period", &MotionValues::sticks},
+    MotionQuantity{"period", "period", "1", "period of the motion (0: none)", &MotionValues::period}};
+
+/// The quantity with this name. Throws std::invalid_argument if there is none.
+[[nodiscard]] const MotionQuantity& motion_quantity(std::string_view name);
 
 /// A quantity with its convergence check.
 struct ResponseValue {
@@ -38,10 +57,10 @@ struct ResponseValue {
 
 struct ContactResponse {
   bool slips{};  ///< after the transient
-  std::array<ResponseValue, all_motion_quantities.size()> values;
+  MotionValues values, changes;
 
-  [[nodiscard]] const ResponseValue& operator[](MotionQuantity quantity) const {
-    return values[static_cast<std::size_t>(quantity)];
+  [[nodiscard]] ResponseValue operator[](const MotionQuantity& quantity) const {
+    return {values.*quantity.value, changes.*quantity.value};
   }
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <string_view>
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
@@ -29,7 +30,7 @@ enum class SweepDirection { up, down, both };
 /// A quasi-static sweep by analytic::ModalContactRun.
 struct SweepTask {
   data::Case problem;
-  Parameter parameter{};
+  std::string_view parameter;  ///< the path of its key
   std::vector<double> values;  ///< ascending, SI units
   SweepDirection direction{};
   int settle{};   ///< periods of the base motion that pass at each value

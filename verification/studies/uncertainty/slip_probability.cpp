@@ -45,9 +45,7 @@ class Verdicts {
  public:
   Verdicts(const data::Case& problem, const data::Uncertainty& uncertainty,
            const std::optional<analytic::FrequencyBand>& band)
-      : problem_(problem), numbers_(data::numbers_of(problem)), keys_(uncertainty.keys), band_(band) {
-    follows_ = std::ranges::none_of(
-        keys_, [](const auto& key) { return key.key == "friction.kinetic_coefficient"; });
+      : problem_(problem), keys_(uncertainty.keys), band_(band) {
     if (std::ranges::any_of(keys_, [](const auto& key) { return moves_the_force(key.key); })) return;
     force_ = band ? search_of(problem).refined_to(common_width) : unit_force(problem);
   }
@@ -99,14 +97,12 @@ class Verdicts {
 
  private:
   [[nodiscard]] data::Case case_at(std::span<const double> values) const {
-    auto numbers = numbers_;
+    std::vector<std::pair<std::string_view, double>> numbers;
     for (std::size_t i = 0; i < values.size(); ++i) {
       require_finite(keys_[i].key, values[i]);
-      numbers[keys_[i].key] = values[i];
+      numbers.emplace_back(keys_[i].key, values[i]);
     }
-    auto& kinetic = numbers.at("friction.kinetic_coefficient");
-    if (follows_) kinetic = std::min(kinetic, numbers.at("friction.static_coefficient"));
-    return data::case_with(problem_.name, numbers);
+    return with_values(problem_, numbers);
   }
 
   static void require_finite(const std::string& key, double value) {
@@ -142,10 +138,8 @@ class Verdicts {
   }
 
   data::Case problem_;
-  std::map<std::string, double> numbers_;
   std::vector<data::UncertainKey> keys_;
   std::optional<analytic::FrequencyBand> band_;
-  bool follows_{};
   std::optional<analytic::Bounds> force_;
   std::optional<analytic::ModalReactionTable> table_;
 };

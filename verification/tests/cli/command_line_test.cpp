@@ -577,9 +577,10 @@ TEST_F(MapCommand, RefusesAxesThatAreNoneInOneSentence) {
   expect_refused("map --x 15:35:3" + y, "--x: the axis is '15:35:3', but must be PARAMETER=FROM:TO:COUNT");
   expect_refused("map --x frequency=15:35" + y, "--x: the axis is 'frequency=15:35', but must be");
   expect_refused("map --x frequency=15:35:3:ln" + y, "--x: the axis is");
-  expect_refused("map --x density=15:35:3" + y,
-                 "--x: PARAMETER is 'density', but must be one of frequency, amplitude, length, force, "
-                 "stiffness, friction");
+  expect_refused("map --x hight=15:35:3" + y, "--x: PARAMETER is 'hight', but must be one of length, area, ");
+  expect_refused("map --x hight=15:35:3" + y, " (did you mean height?)");
+  expect_refused("map --x height=1e-3:2e-3:3" + y,
+                 "section.height is 0.001, but must be missing: the case has no section with it");
   expect_refused("map --x length=-1:2:3" + y, "--x: FROM is '-1', but must be a finite number above 0");
   expect_refused("map --x length=0:2:3" + y, "--x: FROM is '0', but must be a finite number above 0");
   expect_refused("map --x length=nan:2:3" + y, "--x: FROM is 'nan'");

@@ -59,8 +59,8 @@ template <class Error>
 bool keeps_its_file(const Error& error) {
   const std::filesystem::path file = ::testing::TempDir() + "map.csv.partial";
   const studies::MapTask task{.problem = data::load_case("paper"),
-                              .x = studies::map_axis(studies::Parameter::frequency, 1.0, 2.0, 2, false),
-                              .y = studies::map_axis(studies::Parameter::length, 1.0, 2.0, 2, false)};
+                              .x = studies::map_axis("excitation.frequency_hz", 1.0, 2.0, 2, false),
+                              .y = studies::map_axis("beam.length", 1.0, 2.0, 2, false)};
   studies::MapEvaluations evaluations(studies::evaluation_count(task));
   evaluations[0] = studies::MapEvaluation{.unit_force = {}, .state = studies::CellState::stick};
   {

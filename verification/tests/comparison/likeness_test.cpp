@@ -696,8 +696,8 @@ TEST(LikenessOfModels, IsTheMistakeInEachRowThatIsACase) {
   File file("length-force", "force_ratio");
   file.keep([](std::size_t row) { return row % 15 == 0; });
   for (std::size_t i = 0; i < file.values().size(); ++i) {
-    data::Case row = studies::with_value(problem, studies::Parameter::length, file["length"][i]);
-    row = studies::with_value(row, studies::Parameter::axial_force, file["axial_force"][i]);
+    data::Case row = data::with_value(problem, "beam.length", file["length"][i]);
+    row = data::with_value(row, "beam.axial_force", file["axial_force"][i]);
     const double hz = row.excitation.frequency_hz();
     file.values()[i] *=
         studies::reference_result(row, Quantity::critical_amplitude, {hz})[0] /

@@ -588,9 +588,9 @@ TEST(WrongModel, OneWaveNumberIsThatWithoutAxialForceInTheDispersionRelation) {
   // tan(beta L) = tanh(beta L) and rho A omega^2 = EI beta^4 + P beta^2.
   const Values modes{1.0, 2.0, 3.0};
   for (const double force : {0.0, 20.0}) {
-    const data::Case problem = studies::with_value(strip_case(0.3), studies::Parameter::axial_force, force);
+    const data::Case problem = data::with_value(strip_case(0.3), "beam.axial_force", force);
     const data::Beam& beam = problem.beam;
-    const data::Case unloaded = studies::with_value(problem, studies::Parameter::axial_force, 0.0);
+    const data::Case unloaded = data::with_value(problem, "beam.axial_force", 0.0);
     const Values without = studies::reference_result(unloaded, Quantity::stick_frequency, modes);
     const Values computed = wrong_values(problem, "one-wave-number", Quantity::stick_frequency, modes);
     for (std::size_t i = 0; i < modes.size(); ++i) {
@@ -605,7 +605,7 @@ TEST(WrongModel, OneWaveNumberIsThatWithoutAxialForceInTheDispersionRelation) {
 }
 
 TEST(WrongModel, WithAClampedTipHasTheFrequenciesOfABeamClampedAtBothEnds) {
-  const data::Case problem = studies::with_value(strip_case(0.3), studies::Parameter::axial_force, 0.0);
+  const data::Case problem = data::with_value(strip_case(0.3), "beam.axial_force", 0.0);
   const double held = studies::reference_result(problem, Quantity::stick_frequency, {1.0})[0],
                clamped = wrong_values(problem, "tip-clamped-in-stick", Quantity::stick_frequency, {1.0})[0];
   // beta L of both; 60 elements have (beta l)^4/1440 and a clamp of 1e8 EI/L up to the share 4e-8 of 4 EI/L.
@@ -769,10 +769,9 @@ TEST(Diagnosis, BlamesNobodyForAMistakeThatIsNotOnTheList) {
           Quantity::force_maximum, Quantity::stick_force, Quantity::stick_displacement}) {
       const data::Case problem = case_for(name, quantity);
       const ModelResults model_results = model_results_of(problem, quantity);
-      const data::Case too_long =
-          studies::with_value(problem, studies::Parameter::length, 1.04 * problem.beam.length());
-      const data::Case too_soft = studies::with_value(problem, studies::Parameter::youngs_modulus,
-                                                      0.93 * problem.beam.youngs_modulus());
+      const data::Case too_long = data::with_value(problem, "beam.length", 1.04 * problem.beam.length());
+      const data::Case too_soft =
+          data::with_value(problem, "beam.youngs_modulus", 0.93 * problem.beam.youngs_modulus());
       for (const data::Case& wrong : {too_long, too_soft}) {
         const Diagnosis diagnosis = studies::diagnose(
             model_results,

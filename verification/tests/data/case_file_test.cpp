@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -501,6 +502,87 @@ TEST_F(CaseShorthand, KnowsCirclesAndTubes) {
   EXPECT_NEAR(thin.area(), pi * 0.02 * 2e-8, 1.1e-6 * thin.area());
   EXPECT_NEAR(thin.second_moment_of_area(), thin.area() * 0.02 * 0.02 / 8.0,
               2.2e-6 * thin.second_moment_of_area());
+}
+
+// But for the settings, which are chosen when a file is read.
+void expect_same_numbers(const data::Case& problem, const data::Case& expected) {
+  const auto numbers = data::numbers_of(problem), others = data::numbers_of(expected);
+  ASSERT_EQ(numbers.size(), others.size());
+  for (const auto& [path, value] : others)
+    if (!path.starts_with("numerics.")) EXPECT_DOUBLE_EQ(numbers.at(path), value) << path;
+}
+
+const std::map<std::string, std::vector<std::string>> sections{
+    {strip, {"section.width", "section.height"}},
+    {"shape = 'circle'\ndiameter = 0.02\n", {"section.diameter"}},
+    {"shape = 'tube'\ndiameter = 0.02\nwall_thickness = 2e-3\n",
+     {"section.diameter", "section.wall_thickness"}}};
+
+// A case with a changed side is the case of a file with that side.
+TEST_F(CaseShorthand, FollowsTheSidesOfTheSection) {
+  for (const std::string ratio : {"", "poissons_ratio = 0.3\n", "shear_stiffness = 3e6\n"})
+    for (const auto& [section, sides] : sections) {
+      const auto file = write("[beam]\n" + ratio + workshop_case(section, "amplitude = 1e-3\n").substr(7));
+      const data::Case problem = data::read_case(file);
+      std::vector<std::string> keys = sides;
+      if (ratio.starts_with("poissons")) keys.emplace_back("beam.poissons_ratio");
+      for (const std::string& key : keys) {
+        const double value = 1.1 * data::value_of(problem, key);
+        data::Case expected = data::read_case(file, {{key, data::shortest_text(value)}});
+        if (ratio.starts_with("shear"))  // which the file does not derive from the section
+          expected = data::with_value(expected, "beam.shear_stiffness",
+                                      3e6 * expected.beam.area() / problem.beam.area());
+        expect_same_numbers(data::with_value(problem, key, value), expected);
+      }
+    }
+}
+
+TEST_F(CaseShorthand, TakesTwoSidesAtOnce) {
+  const auto file = write(workshop_case(sections.rbegin()->first, "amplitude = 1e-3\n"));
+  const std::vector<std::pair<std::string_view, double>> values{{"section.wall_thickness", 0.02},
+                                                                {"section.diameter", 0.05}};
+  expect_same_numbers(
+      data::with_values(data::read_case(file), values),
+      data::read_case(file, {{"section.wall_thickness", "0.02"}, {"section.diameter", "0.05"}}));
+  EXPECT_EQ(error_message_of(
+                [&] { (void)data::with_value(data::read_case(file), "section.wall_thickness", 0.011); }),
+            "section.wall_thickness is 0.011, but must be at most half of section.diameter, which is 0.02");
+}
+
+TEST_F(CaseShorthand, ForgetsASectionThatIsNotThatOfTheArea) {
+  const data::Case problem = data::read_case(write(strip_case), {{"beam.poissons_ratio", "0.3"}});
+  EXPECT_EQ(data::value_of(problem, "section.height"), 1.5e-3);
+  EXPECT_TRUE(std::isnan(data::value_of(problem, "section.diameter")));
+  for (const std::string key : {"beam.area", "beam.second_moment_of_area"}) {
+    const data::Case changed = data::with_value(problem, key, 1e-6);
+    EXPECT_EQ(data::value_of(changed, key), 1e-6);
+    EXPECT_EQ(error_message_of([&] { (void)data::with_value(changed, "section.height", 1e-3); }),
+              "section.height is 0.001, but must be missing: the case has no section with it");
+  }
+  const data::Case sheared = data::with_value(problem, "beam.shear_stiffness", 2e6);
+  EXPECT_EQ(sheared.beam.shear_stiffness(), 2e6);
+  EXPECT_TRUE(std::isnan(data::value_of(sheared, "beam.poissons_ratio")));
+  EXPECT_EQ(data::value_of(sheared, "section.height"), 1.5e-3);
+  expect_same_numbers(data::case_with("bar", data::numbers_of(problem)), problem);
+}
+
+// Each value as it is, and what follows from others only where it is not among them.
+TEST_F(CaseShorthand, ChangesOnlyWhatIsNotGiven) {
+  const data::Case problem = data::read_case(write(strip_case), {{"beam.shear_stiffness", "3e6"}});
+  const double modulus = problem.beam.youngs_modulus();
+  const std::vector<std::pair<std::string_view, double>> values{{"beam.youngs_modulus", 2.0 * modulus},
+                                                                {"beam.shear_stiffness", 4e6},
+                                                                {"friction.static_coefficient", 0.4},
+                                                                {"friction.kinetic_coefficient", 0.2}};
+  const data::Case changed = data::with_values(problem, values);
+  for (const auto& [key, value] : values) EXPECT_EQ(data::value_of(changed, key), value) << key;
+  EXPECT_EQ(data::with_value(problem, "beam.youngs_modulus", 2.0 * modulus).beam.shear_stiffness(), 6e6);
+  EXPECT_EQ(data::with_value(problem, "friction.static_coefficient", 0.4).friction.kinetic_coefficient(),
+            0.4);
+  const std::vector<std::pair<std::string_view, double>> rising{{"friction.static_coefficient", 0.4},
+                                                                {"friction.kinetic_coefficient", 0.5}};
+  EXPECT_THROW((void)data::with_values(problem, rising), data::FieldError);
+  EXPECT_THROW((void)data::with_value(problem, "beam.lenght", 1.0), std::invalid_argument);
 }
 
 // Shear coefficients of Cowper (1966): at nu = 0 those of a rectangle, a circle and a thin tube are 5/6, 6/7 and 1/2; at

@@ -489,7 +489,7 @@ class FigureTables : public ReportTemplates {
   }
 
   static double value_of(const report::FigureData& data, const std::string& name) {
-    return std::ranges::find(data.values, name, &report::FigureData::Value::name)->value;
+    return std::get<double>(std::ranges::find(data.values, name, &report::FigureData::Value::name)->value);
   }
 
   report::StudyResults results_{[](const std::string&) {}, values()};

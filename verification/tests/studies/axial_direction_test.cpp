@@ -45,7 +45,7 @@ data::Beam beam_with(double axial_direction, double factor) {
 }
 
 data::Case case_with_direction(const std::string& name, double axial_direction) {
-  return studies::with_value(data::load_case(name), studies::Parameter::axial_direction, axial_direction);
+  return data::with_value(data::load_case(name), "beam.axial_direction", axial_direction);
 }
 
 double critical_factor(double axial_direction) {
@@ -195,7 +195,7 @@ TEST_P(AxialDirection, GivesTheMeshTheSteadyForceOfTheHeldBeamWithOrderFour) {
   // above it the constant passes zero.
   const data::Case damped = case_with_direction("damped", GetParam());
   for (const double hz : {5.0, 20.0}) {
-    const data::Case at = studies::with_value(damped, studies::Parameter::frequency, hz);
+    const data::Case at = data::with_value(damped, "excitation.frequency_hz", hz);
     const double force =
         std::abs(analytic::DampedSteadyState(at.beam, at.excitation, at.damping, analytic::TipSupport::held)
                      .friction_force());
@@ -365,8 +365,8 @@ TEST(ModelForm, OfTheAxialForceIsThatOfTheMapsAndBucklesTheSectionOfFigure14) {
   // Over the direction itself, by the map: neither by the table nor by one reaction for all cells.
   const auto map = studies::criterion_map(
       {.problem = data::load_case("paper"),
-       .x = studies::map_axis(studies::Parameter::axial_direction, 0.0, 1.0, 2, false),
-       .y = {.parameter = studies::Parameter::frequency, .values = {form.forces.front().frequency_hz}}});
+       .x = studies::map_axis("beam.axial_direction", 0.0, 1.0, 2, false),
+       .y = {.parameter = "excitation.frequency_hz", .values = {form.forces.front().frequency_hz}}});
   EXPECT_TRUE(within(*map.cells[1].force_ratio / *map.cells[0].force_ratio, form.forces.front().ratio,
                      reference(2e-10, "the width of the bounds")));
 }

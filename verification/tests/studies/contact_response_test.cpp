@@ -30,7 +30,6 @@ namespace {
 
 using analytic::ContactModes;
 using analytic::ModalContactRun;
-using studies::MotionQuantity;
 
 data::Case case_with_step(const std::string& name, double frequency_hz, double amplitude, double step,
                           double duration, int modes) {
@@ -225,19 +224,17 @@ TEST(MotionQuantities, AreThoseOfTheEventDrivenMotion) {
   int captures = 0;
   for (std::size_t i = events; i < run.events().size(); ++i)
     captures += run.events()[i].change == data::ContactChange::capture ? 1 : 0;
-  const auto expect = [&](MotionQuantity quantity, double expected, double relative) {
-    EXPECT_TRUE(within(response[quantity].value, expected,
-                       discretisation(relative * expected, 1.0, "the scheme at 2.5e-5 s")))
-        << static_cast<int>(quantity);
+  const auto expect = [&](double value, double expected, double relative) {
+    EXPECT_TRUE(within(value, expected, discretisation(relative * expected, 1.0, "the scheme at 2.5e-5 s")));
   };
   EXPECT_TRUE(response.slips);
-  expect(MotionQuantity::slip_share, slip, 2e-3);  // each change is off by up to a step
-  expect(MotionQuantity::peak_speed, peak, 1e-3);
-  expect(MotionQuantity::rms_speed, std::sqrt(squares), 1e-3);
-  expect(MotionQuantity::travel, travel, 1e-3);
-  expect(MotionQuantity::work, (run.energy_balance().friction_loss - work) / 8.0, 1e-3);
-  expect(MotionQuantity::largest_force, force, 1e-3);
-  EXPECT_DOUBLE_EQ(response[MotionQuantity::sticks].value, captures / 8.0);
+  expect(response.values.slip_share, slip, 2e-3);  // each change is off by up to a step
+  expect(response.values.peak_speed, peak, 1e-3);
+  expect(response.values.rms_speed, std::sqrt(squares), 1e-3);
+  expect(response.values.travel, travel, 1e-3);
+  expect(response.values.work, (run.energy_balance().friction_loss - work) / 8.0, 1e-3);
+  expect(response.values.largest_force, force, 1e-3);
+  EXPECT_DOUBLE_EQ(response.values.sticks, captures / 8.0);
 }
 
 TEST(MotionQuantities, TellPeriodsApart) {
@@ -292,16 +289,16 @@ TEST(MotionQuantities, ChangeByTheirSpreadOverTheRecordItsHalvesAndTwiceTheStep)
   };
   const auto whole = response(1e-4, 0.4, 0.08), first = response(1e-4, 0.24, 0.08),
              second = response(1e-4, 0.4, 0.24), coarse = response(2e-4, 0.4, 0.08);
-  for (const MotionQuantity q : studies::all_motion_quantities) {
+  for (const auto& q : studies::motion_quantities) {
     const auto [least, largest] =
         std::minmax({whole[q].value, first[q].value, second[q].value, coarse[q].value});
     const double spread = largest - least;
     EXPECT_NEAR(whole[q].change,
-                spread == 0.0                 ? 0.0
-                : q == MotionQuantity::period ? 1.0
-                                              : std::min(spread / largest, 1.0),
+                spread == 0.0        ? 0.0
+                : q.name == "period" ? 1.0
+                                     : std::min(spread / largest, 1.0),
                 1e-12)
-        << static_cast<int>(q);
+        << q.name;
   }
 }
 
@@ -310,22 +307,22 @@ TEST(MotionQuantities, ChangeByTheirSpreadOverTheRecordItsHalvesAndTwiceTheStep)
 TEST(MotionQuantities, SayThatTheyHaveNotConverged) {
   EXPECT_FALSE(studies::contact_response(case_with_step("damped", 25.0, 1e-6, 1e-4, 0.2, 10), 0.08).slips);
   const auto response = studies::contact_response(case_with_step("paper", 25.0, 1e-3, 1e-4, 2.0, 20), 1.0);
-  EXPECT_GT(response[MotionQuantity::sticks].change, 0.05);
-  EXPECT_EQ(response[MotionQuantity::period].value, 0.0);
+  EXPECT_GT(response.changes.sticks, 0.05);
+  EXPECT_EQ(response.values.period, 0.0);
 }
 
 // One set of modes serves all cells where no axis changes the modes, and only there. A buckled beam has no motion.
 TEST(MotionQuantities, AreMappedWithTheModesOfEachCellThatHasAStickState) {
   studies::MapTask task{.problem = case_with_step("damped", 25.0, 1e-3, 1e-4, 0.2, 10),
-                        .x = studies::map_axis(studies::Parameter::frequency, 25.0, 26.0, 2, false),
+                        .x = studies::map_axis("excitation.frequency_hz", 25.0, 26.0, 2, false),
                         .y = {},
-                        .quantities = {MotionQuantity::work},
+                        .quantities = {&studies::motion_quantity("work")},
                         .transient = 0.08};
-  for (const auto& [parameter, from, to] : {std::tuple{studies::Parameter::damping_ratio, 0.0, 0.02},
-                                            {studies::Parameter::axial_direction, 0.0, 1.0},
-                                            {studies::Parameter::length, 1.9, 2.0},
-                                            {studies::Parameter::kinetic_coefficient, 0.3, 0.5},
-                                            {studies::Parameter::axial_force, 500.0, 1e5}}) {
+  for (const auto& [parameter, from, to] : {std::tuple{std::string_view("damping.ratio"), 0.0, 0.02},
+                                            {"beam.axial_direction", 0.0, 1.0},
+                                            {"beam.length", 1.9, 2.0},
+                                            {"friction.kinetic_coefficient", 0.3, 0.5},
+                                            {"beam.axial_force", 500.0, 1e5}}) {
     task.y = studies::map_axis(parameter, from, to, 2, false);
     const auto cells = studies::criterion_map(task).cells;
     ASSERT_EQ(cells.size(), 4u);
@@ -335,12 +332,12 @@ TEST(MotionQuantities, AreMappedWithTheModesOfEachCellThatHasAStickState) {
         EXPECT_TRUE(cell.response.empty());
         continue;
       }
-      const auto point = studies::with_value(
-          studies::with_value(task.problem, studies::Parameter::frequency, cell.x), parameter, cell.y);
+      const auto point = data::with_value(data::with_value(task.problem, "excitation.frequency_hz", cell.x),
+                                          parameter, cell.y);
       const auto response = studies::contact_response(point, 0.08);
-      EXPECT_EQ(cell.response.at(0).value, response[MotionQuantity::work].value);
+      EXPECT_EQ(cell.response.at(0).value, response.values.work);
       EXPECT_EQ(cell.state, response.slips ? studies::CellState::stick_slip : studies::CellState::stick);
-      EXPECT_TRUE(response.slips || parameter != studies::Parameter::damping_ratio);
+      EXPECT_TRUE(response.slips || parameter != "damping.ratio");
     }
   }
 }
@@ -349,7 +346,7 @@ TEST(MotionQuantities, AreMappedWithTheModesOfEachCellThatHasAStickState) {
 studies::SweepTask sweep(double frequency_hz, const std::vector<double>& amplitudes, int settle,
                          int periods) {
   return {.problem = case_with_step("damped", frequency_hz, amplitudes.front(), 1e-4, 10.0, 10),
-          .parameter = studies::Parameter::amplitude,
+          .parameter = "excitation.amplitude",
           .values = amplitudes,
           .direction = studies::SweepDirection::up,
           .settle = settle,

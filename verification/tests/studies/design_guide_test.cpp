@@ -25,14 +25,13 @@ namespace {
 using analytic::FrequencyBand;
 using studies::DesignInterval;
 using studies::DesignScan;
-using studies::Parameter;
 
 // Whether the criterion says stick at every one of `count` frequencies of the band.
 bool sticks_on_a_grid(const data::Case& problem, const FrequencyBand& band, int count) {
   for (int i = 0; i < count; ++i) {
     const double share = count > 1 ? static_cast<double>(i) / (count - 1) : 0.0;
     const auto excitation =
-        with_value(problem, Parameter::frequency, std::lerp(band.from_hz, band.to_hz, share)).excitation;
+        with_value(problem, "excitation.frequency_hz", std::lerp(band.from_hz, band.to_hz, share)).excitation;
     const auto criterion =
         analytic::evaluate_criterion(problem.beam, problem.friction, excitation, problem.numerics.duration());
     if (criterion.verdict == analytic::Verdict::stick_slip) return false;
@@ -119,11 +118,11 @@ TEST(BandMargin, IsNoLargerThanThatOfAnyFrequencyInTheBand) {
 TEST(BandMargin, RefusesWhatHasNone) {
   const data::Case problem = flat_case();
   const FrequencyBand band{20.0, 30.0};
-  EXPECT_THROW((void)studies::band_margin(with_value(problem, Parameter::amplitude, 0.0), band),
+  EXPECT_THROW((void)studies::band_margin(with_value(problem, "excitation.amplitude", 0.0), band),
                data::FieldError);
-  EXPECT_THROW((void)studies::band_margin(with_value(problem, Parameter::static_coefficient, 0.0), band),
+  EXPECT_THROW((void)studies::band_margin(with_value(problem, "friction.static_coefficient", 0.0), band),
                data::FieldError);
-  EXPECT_THROW((void)studies::band_margin(with_value(problem, Parameter::axial_force, 0.0), band),
+  EXPECT_THROW((void)studies::band_margin(with_value(problem, "beam.axial_force", 0.0), band),
                data::InputError);
   EXPECT_THROW((void)studies::band_margin(problem, {30.0, 20.0}), std::invalid_argument);
 }
@@ -131,7 +130,7 @@ TEST(BandMargin, RefusesWhatHasNone) {
 STICKSLIP_VERIFIES(DesignScan, "X15");
 TEST(DesignScan, AvoidsTheTwoLengthsOfFigure14) {
   const data::Case problem = flat_case();
-  const auto scan = studies::design_scan(problem, Parameter::length, {0.4, 2.0}, {25.0, 25.0});
+  const auto scan = studies::design_scan(problem, "beam.length", {0.4, 2.0}, {25.0, 25.0});
   expect_to_tile(scan, 0.4, 2.0);
   EXPECT_DOUBLE_EQ(scan.accuracy, 2e-5);
   ASSERT_EQ(scan.intervals.size(), 5u);
@@ -146,7 +145,7 @@ TEST(DesignScan, AvoidsTheTwoLengthsOfFigure14) {
   expect_ends_of_the_criterion(problem, scan, 25.0);
   for (int i = 0; i <= 400; ++i) {
     const double length = 0.4 + 0.004 * i;
-    EXPECT_EQ(sticks_on_a_grid(with_value(problem, Parameter::length, length), {25.0, 25.0}, 1),
+    EXPECT_EQ(sticks_on_a_grid(with_value(problem, "beam.length", length), {25.0, 25.0}, 1),
               interval_at(scan, length).sticks)
         << length;
   }
@@ -154,11 +153,11 @@ TEST(DesignScan, AvoidsTheTwoLengthsOfFigure14) {
 
 TEST(DesignScan, FindsTheEndsOfAxialForcesAndTheBucklingLoad) {
   const data::Case problem = flat_case();
-  const auto scan = studies::design_scan(problem, Parameter::axial_force, {20.0, 3000.0}, {25.0, 25.0});
+  const auto scan = studies::design_scan(problem, "beam.axial_force", {20.0, 3000.0}, {25.0, 25.0});
   expect_to_tile(scan, 20.0, 3000.0);
   EXPECT_FALSE(scan.intervals.front().sticks);
   EXPECT_TRUE(scan.intervals.back().buckled);
-  const double load = studies::buckling_value(problem, Parameter::axial_force);
+  const double load = studies::buckling_value(problem, "beam.axial_force");
   EXPECT_EQ(load, analytic::stick_buckling_load(problem.beam));
   EXPECT_TRUE(within(scan.intervals.back().from, load, reference(2e-6 * load, "resolution of the scan")));
   expect_ends_of_the_criterion(problem, scan, 25.0);
@@ -166,8 +165,8 @@ TEST(DesignScan, FindsTheEndsOfAxialForcesAndTheBucklingLoad) {
 
 TEST(DesignScan, FindsAResonanceFarNarrowerThanItsSpacing) {
   // At 30 um the tip slips only next to resonance, over less than 1 % of the length.
-  const data::Case problem = with_value(flat_case(), Parameter::amplitude, 3e-5);
-  const auto scan = studies::design_scan(problem, Parameter::length, {0.4, 1.3}, {25.0, 25.0});
+  const data::Case problem = with_value(flat_case(), "excitation.amplitude", 3e-5);
+  const auto scan = studies::design_scan(problem, "beam.length", {0.4, 1.3}, {25.0, 25.0});
   ASSERT_EQ(scan.intervals.size(), 3u);
   const DesignInterval& avoided = scan.intervals[1];
   const double resonance = *studies::resonance_length(problem.beam, 1, 25.0);
@@ -184,15 +183,15 @@ TEST(DesignScan, FindsAPeakBetweenTheValuesOfItsGrid) {
     data::Case problem = flat_case();
     problem.numerics = data::NumericalSettings(paper_choices(duration));
     const auto critical_amplitude = [&](double length) {
-      const data::Case there = with_value(problem, Parameter::length, length);
+      const data::Case there = with_value(problem, "beam.length", length);
       return 1e-3 * studies::band_margin(there, {25.0, 25.0}).margin.upper;
     };
     double least = critical_amplitude(0.8), worst = 0.8;
     for (double length = 0.8; length < 1.0; length += 1e-4)
       if (const double critical = critical_amplitude(length); critical < least)
         std::tie(least, worst) = std::pair(critical, length);
-    const auto scan = studies::design_scan(with_value(problem, Parameter::amplitude, 1.0005 * least),
-                                           Parameter::length, {0.8, 1.0}, {25.0, 25.0});
+    const auto scan = studies::design_scan(with_value(problem, "excitation.amplitude", 1.0005 * least),
+                                           "beam.length", {0.8, 1.0}, {25.0, 25.0});
     EXPECT_FALSE(interval_at(scan, worst).sticks) << duration;
   }
 }
@@ -201,7 +200,7 @@ TEST(DesignScan, HoldsThroughoutABand) {
   data::Case problem = flat_case();
   problem.numerics = data::NumericalSettings(paper_choices(3.0));
   const FrequencyBand band{22.0, 27.0};
-  const auto scan = studies::design_scan(problem, Parameter::length, {0.7, 1.7}, band);
+  const auto scan = studies::design_scan(problem, "beam.length", {0.7, 1.7}, band);
   expect_to_tile(scan, 0.7, 1.7);
   for (const int mode : {1, 2})
     for (const double hz : {22.0, 24.0, 27.0}) {
@@ -212,7 +211,7 @@ TEST(DesignScan, HoldsThroughoutABand) {
   for (const DesignInterval& interval : scan.intervals)
     for (int i = 0; i <= 10; ++i) {
       const double length = std::lerp(interval.from, interval.to, i / 10.0);
-      const data::Case there = with_value(problem, Parameter::length, length);
+      const data::Case there = with_value(problem, "beam.length", length);
       if (interval.sticks) {
         EXPECT_TRUE(sticks_on_a_grid(there, band, 51)) << length;
       } else if (0 < i && i < 10) {
@@ -223,31 +222,30 @@ TEST(DesignScan, HoldsThroughoutABand) {
 
 TEST(DesignScan, OfALengthOverBucklingSaysSo) {
   const data::Case problem = flat_case();
-  const double longest = studies::buckling_value(problem, Parameter::length);
+  const double longest = studies::buckling_value(problem, "beam.length");
   EXPECT_TRUE(within(analytic::stick_buckling_load(flat_beam(longest, 0.0)), 500.0, round_off(10, 2, 500.0)));
-  const auto scan = studies::design_scan(problem, Parameter::length, {longest, 2.0 * longest}, {25.0, 25.0});
+  const auto scan = studies::design_scan(problem, "beam.length", {longest, 2.0 * longest}, {25.0, 25.0});
   ASSERT_EQ(scan.intervals.size(), 1u);
   expect_to_tile(scan, longest, 2.0 * longest);
   EXPECT_TRUE(scan.intervals.front().buckled);
   EXPECT_FALSE(scan.intervals.front().sticks);
   const auto range = [&](double to) {
-    return studies::range_below_buckling(problem, Parameter::length, 0.4, to);
+    return studies::range_below_buckling(problem, "beam.length", 0.4, to);
   };
   EXPECT_EQ(range(2.0 * longest).from, 0.4);
   EXPECT_DOUBLE_EQ(range(2.0 * longest).to, 0.999 * longest);
   EXPECT_EQ(range(0.9 * longest).to, 0.9 * longest);
-  EXPECT_THROW(
-      (void)studies::buckling_value(with_value(problem, Parameter::axial_force, 0.0), Parameter::length),
-      data::InputError);
+  EXPECT_THROW((void)studies::buckling_value(with_value(problem, "beam.axial_force", 0.0), "beam.length"),
+               data::InputError);
 }
 
 TEST(DesignScan, RefusesAnotherParameterAndARangeThatFalls) {
   const data::Case problem = flat_case();
-  EXPECT_THROW((void)studies::design_scan(problem, Parameter::frequency, {1.0, 2.0}, {25.0, 25.0}),
+  EXPECT_THROW((void)studies::design_scan(problem, "excitation.frequency_hz", {1.0, 2.0}, {25.0, 25.0}),
                std::invalid_argument);
   for (const auto& range : {studies::ParameterRange{2.0, 1.0}, {1.0, 1.0}, {0.0, 1.0}})
     EXPECT_TRUE(error_message_of<data::FieldError>([&] {
-                  (void)studies::design_scan(problem, Parameter::length, range, {25.0, 25.0});
+                  (void)studies::design_scan(problem, "beam.length", range, {25.0, 25.0});
                 }).ends_with("from a number above 0 to a larger one"));
 }
 

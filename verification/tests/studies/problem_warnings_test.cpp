@@ -289,22 +289,22 @@ TEST(ProblemWarnings, OfThePapersCaseAreItsResonanceAlone) {
 }
 
 TEST(ProblemWarnings, OfAMapAreThoseThatItsAxesLeaveAsTheyAre) {
-  using studies::Parameter;
-  const auto concerns = [](const std::vector<data::Override>& overrides, const std::vector<Parameter>& axes) {
+  const auto concerns = [](const std::vector<data::Override>& overrides,
+                           const std::vector<std::string_view>& axes) {
     return concerns_of(studies::warnings_common_to(paper_with(overrides), axes));
   };
   const std::vector<data::Override> resonant, fast{{"excitation.frequency_hz", "300"}};
-  for (const Parameter axis : {Parameter::static_coefficient, Parameter::axial_direction})
-    EXPECT_EQ(concerns(resonant, {Parameter::amplitude, axis}), std::vector{Concern::resonance});
-  EXPECT_EQ(concerns(fast, {Parameter::amplitude, Parameter::static_coefficient}),
+  for (const std::string_view axis : {"friction.static_coefficient", "beam.axial_direction"})
+    EXPECT_EQ(concerns(resonant, {"excitation.amplitude", axis}), std::vector{Concern::resonance});
+  EXPECT_EQ(concerns(fast, {"excitation.amplitude", "friction.static_coefficient"}),
             std::vector{Concern::thick_beam});
-  for (const Parameter axis :
-       {Parameter::frequency, Parameter::length, Parameter::axial_force, Parameter::youngs_modulus}) {
-    EXPECT_EQ(concerns(resonant, {axis, Parameter::amplitude}), std::vector<Concern>{});
-    EXPECT_EQ(concerns(fast, {Parameter::amplitude, axis}),
-              axis == Parameter::length ? std::vector<Concern>{} : std::vector{Concern::thick_beam});
+  for (const std::string_view axis :
+       {"excitation.frequency_hz", "beam.length", "beam.axial_force", "beam.youngs_modulus"}) {
+    EXPECT_EQ(concerns(resonant, {axis, "excitation.amplitude"}), std::vector<Concern>{});
+    EXPECT_EQ(concerns(fast, {"excitation.amplitude", axis}),
+              axis == "beam.length" ? std::vector<Concern>{} : std::vector{Concern::thick_beam});
   }
-  EXPECT_EQ(concerns({{"beam.axial_force", "1e5"}}, {Parameter::amplitude, Parameter::axial_force}),
+  EXPECT_EQ(concerns({{"beam.axial_force", "1e5"}}, {"excitation.amplitude", "beam.axial_force"}),
             std::vector<Concern>{});
 }
 

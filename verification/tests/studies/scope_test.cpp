@@ -114,7 +114,7 @@ TEST(DampedForce, OfALongRunIsTheClosedFormAtTheFrequencyOfTheRun) {
   const analytic::StickMode mode = analytic::stick_modes(problem.beam, 1).front();
   const double in_run = studies::discrete_oscillation(problem.beam, mode, problem.numerics).angular_frequency;
   const data::Case softer =
-      with_value(problem, studies::Parameter::youngs_modulus,
+      with_value(problem, "beam.youngs_modulus",
                  problem.beam.youngs_modulus() * std::pow(in_run / mode.angular_frequency(), 2));
   const double predicted = std::abs(studies::damped_force(softer).steady - force.steady);
   // Of the free vibration exp(-zeta omega_1 T) is left after 20 s, 2e-7 of the force.

@@ -212,16 +212,16 @@ TEST(ShearScope, IsRefusedByNameWhereThereIsNoShear) {
 // A map over the frequency shares one reaction, one over the length does not; each cell is the criterion of its case.
 TEST(ShearScope, HoldsTheMapsOfTheCriterion) {
   const data::Case problem = sheared_case();
-  for (const auto parameter : {studies::Parameter::frequency, studies::Parameter::length}) {
-    const double value = studies::value_of(problem, parameter);
+  for (const auto parameter : {"excitation.frequency_hz", "beam.length"}) {
+    const double value = data::value_of(problem, parameter);
     const auto map =
         studies::criterion_map({.problem = problem,
                                 .x = studies::map_axis(parameter, 0.7 * value, 0.8 * value, 2, false),
-                                .y = studies::map_axis(studies::Parameter::amplitude, 1e-4, 1e-3, 2, false)});
+                                .y = studies::map_axis("excitation.amplitude", 1e-4, 1e-3, 2, false)});
     EXPECT_EQ(map.cells.size(), 4u);
     for (const auto& cell : map.cells) {
-      const data::Case at = studies::with_value(studies::with_value(problem, parameter, cell.x),
-                                                studies::Parameter::amplitude, cell.y);
+      const data::Case at =
+          data::with_value(data::with_value(problem, parameter, cell.x), "excitation.amplitude", cell.y);
       const auto criterion = criterion_of(at);
       EXPECT_TRUE(within(*cell.force_ratio, criterion.force_max.midpoint() / criterion.friction_limit,
                          reference(2e-10 * *cell.force_ratio, "the width of the bounds")));
@@ -250,10 +250,10 @@ TEST(ShearEffect, IsInTheWarningOfAThickBeam) {
   // An amplitude between the critical ones of the two, and a load between their buckling loads.
   const double amplitude =
       0.5 * (criterion.critical_amplitude.midpoint() + slender.critical_amplitude.midpoint());
-  EXPECT_TRUE(studies::shear_effect(studies::with_value(thick, studies::Parameter::amplitude, amplitude))
+  EXPECT_TRUE(studies::shear_effect(data::with_value(thick, "excitation.amplitude", amplitude))
                   .ends_with(", and the verdict is stick-slip instead of stick"));
   const double load = analytic::stick_buckling_load(thick.beam);
-  EXPECT_EQ(studies::shear_effect(studies::with_value(thick, studies::Parameter::axial_force, 0.99 * load)),
+  EXPECT_EQ(studies::shear_effect(data::with_value(thick, "beam.axial_force", 0.99 * load)),
             "with beam.shear_stiffness = 6.41e+06 (k = 5/6, nu = 0.3) the beam buckles");
   EXPECT_EQ(thick_beam(studies::problem_warnings(sheared, studies::Inquiry::criterion)), "");
   thick.damping = data::Damping({.ratio = 0.01});

@@ -2,7 +2,7 @@
 #pragma once
 
 /// Cases as TOML files: the tables [beam], [friction], [excitation], [numerics], [damping], [contact] and [wall], whose
-/// keys are the field names of problem.hpp. A value is a number in SI units, or a text of a number and a unit ("1.5 mm").
+/// keys are those of key.hpp. A value is a number in SI units, or a text of a number and a unit ("1.5 mm").
 /// These keys may be missing:
 ///   those of [damping], [contact] and [wall], friction.viscous, beam.axial_direction, beam.shear_stiffness: they have the
 ///     defaults of problem.hpp;
@@ -19,13 +19,12 @@
 /// of its distribution.
 
 #include <filesystem>
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "stickslip/data/input_error.hpp"
-#include "stickslip/data/problem.hpp"
+#include "stickslip/data/key.hpp"
 
 namespace stickslip::data {
 
@@ -51,11 +50,8 @@ struct Override {
 /// Throws InputError, naming the cases there are, if neither exists.
 [[nodiscard]] std::filesystem::path find_case(const std::string& name_or_path);
 
-/// The SI unit of a key of problem.hpp, as "m" of "beam.length"; empty for a number without a unit.
-[[nodiscard]] std::string_view unit_of(std::string_view key);
-
 /// Throws InputError, naming the place, if no case may have a number of that magnitude at the key, as
-/// "beam.length", which must be one of problem.hpp.
+/// "beam.length", which must be one of case_keys().
 void require_magnitude(std::string_view key, double value, const std::string& place);
 
 /// Reads and validates a case, of at most 1 MB; the last override of a key wins, and one of the three amplitudes
@@ -70,13 +66,6 @@ void require_magnitude(std::string_view key, double value, const std::string& pl
 
 /// find_case, then read_case.
 [[nodiscard]] Case load_case(const std::string& name_or_path, const std::vector<Override>& overrides = {});
-
-/// Every number of a case by its key, as "beam.length".
-[[nodiscard]] std::map<std::string, double> numbers_of(const Case& problem);
-
-/// The case that has these numbers, every key among them. Throws std::out_of_range for a key that is missing,
-/// and FieldError.
-[[nodiscard]] Case case_with(const std::string& name, const std::map<std::string, double>& numbers);
 
 /// A material by its name.
 struct Material {

@@ -65,13 +65,32 @@ class Beam {
   BeamProperties properties_;
 };
 
+/// The cross-section, if the beam was given by its sides: those of one shape, NaN for the others. Field names are the keys of
+/// the table [section]; poissons_ratio is one of [beam].
+struct Section {
+  double width{std::numeric_limits<double>::quiet_NaN()};  ///< b of a rectangle, m
+  double height{
+      std::numeric_limits<double>::quiet_NaN()};  ///< of a rectangle, in the direction of vibration, m
+  double diameter{std::numeric_limits<double>::quiet_NaN()};        ///< d of a circle, outer one of a tube, m
+  double wall_thickness{std::numeric_limits<double>::quiet_NaN()};  ///< t of a tube, m, at most d/2
+  double poissons_ratio{
+      std::numeric_limits<double>::quiet_NaN()};  ///< nu; NaN if the shear stiffness is not from it
+
+  [[nodiscard]] bool is_given() const noexcept;
+  /// Throws FieldError for a side that is not above 0, or for another number that no section has.
+  void require_valid() const;
+  [[nodiscard]] double area() const noexcept;
+  [[nodiscard]] double second_moment_of_area() const noexcept;
+  /// k of k G A: Cowper, J. Appl. Mech. 33, 335-340 (1966); 1 without Poisson's ratio.
+  [[nodiscard]] double shear_coefficient() const noexcept;
+};
+
 /// What a FrictionLaw is built from; field names are the keys of the table [friction].
 struct FrictionCoefficients {
-  double static_coefficient{};  ///< mu_s, >= 0
-  double
-      kinetic_coefficient{};  ///< mu_m, 0 <= mu_m <= mu_s: what the exponential leaves at high sliding velocity
-  double decay{};             ///< alpha, s/m, >= 0; infinite for a jump from mu_s to mu_m
-  double viscous{};           ///< beta, s/m, >= 0
+  double static_coefficient{};   ///< mu_s, >= 0
+  double kinetic_coefficient{};  ///< mu_m, 0 <= mu_m <= mu_s: what the exponential leaves at high velocity
+  double decay{};                ///< alpha, s/m, >= 0; infinite for a jump from mu_s to mu_m
+  double viscous{};              ///< beta, s/m, >= 0
 };
 
 /// The exponential friction law of Eq. (7) with a viscous term, mu(v) = mu_m + (mu_s - mu_m) exp(-alpha |v|) +
@@ -240,6 +259,7 @@ struct Case {
   Damping damping{};
   TangentialContact contact{};
   Wall wall{};
+  Section section{};  ///< the beam's, as long as its area and second moment of area follow from it
 };
 
 }  // namespace stickslip::data

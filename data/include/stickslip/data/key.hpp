@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// The one list of the parameters of a case: each key of a case file with all that readers, commands, maps and figures
+/// need to know of it. A parameter is named by its path, "beam.length".
+
+#include <limits>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "stickslip/data/problem.hpp"
+
+namespace stickslip::data {
+
+/// Every number of a case, before the problem types check it.
+struct CaseNumbers {
+  BeamProperties beam;
+  FrictionCoefficients friction;
+  HarmonicMotion excitation;
+  NumericalChoices numerics;
+  DampingProperties damping;
+  ContactProperties contact;
+  WallProperties wall;
+  Section section;
+};
+
+/// Magnitudes that a quantity may have unless it is 0: far wider than any beam, and so narrow that no product
+/// of powers of them leaves the range of a double. The unit is the SI unit of the quantity, "" for a pure number.
+struct Magnitudes {
+  double smallest{}, largest{std::numeric_limits<double>::infinity()};
+  std::string_view unit;
+};
+
+enum class Presence {
+  required,
+  optional,  ///< it has a default, or belongs to a section
+  shorthand  ///< stands for other keys while the file is read, and is no number of a case
+};
+
+/// How the number of a key is read and changed; empty for a shorthand.
+struct KeyMember {
+  double (*get)(const CaseNumbers&){};
+  void (*set)(CaseNumbers&, double){};
+  bool is_integer{};
+};
+
+/// A key as the axis of a map, a sweep or a figure; empty if it cannot be one.
+struct KeyAxis {
+  std::string_view name;    ///< "force", as in --x force=100:500:5
+  std::string_view column;  ///< of a table, "axial_force_N"
+  std::string_view label;   ///< of a figure, "axial force P / N"
+  double scale{1.0};        ///< from SI units to those of the label
+  bool may_be_zero{};
+};
+
+struct Key {
+  std::string_view path;  ///< "beam.length"
+  KeyMember member;
+  Magnitudes magnitudes;
+  Presence presence{Presence::required};
+  KeyAxis axis{};
+
+  [[nodiscard]] std::string_view table() const { return path.substr(0, path.find('.')); }
+  [[nodiscard]] std::string_view name() const { return path.substr(path.find('.') + 1); }
+  /// A number of the case that is no integer: it may be uncertain.
+  [[nodiscard]] bool is_real() const { return member.get != nullptr && !member.is_integer; }
+};
+
+/// Every key of a case file, in the order of the manual.
+[[nodiscard]] std::span<const Key> case_keys();
+
+/// The key with this path. Throws std::invalid_argument if there is none.
+[[nodiscard]] const Key& key_named(std::string_view path);
+
+/// The case with these numbers. Throws FieldError for a number that the problem types do not allow.
+[[nodiscard]] Case case_of(const std::string& name, const CaseNumbers& numbers);
+
+/// The numbers of a case by their paths; without the keys of a section that it was not given by.
+[[nodiscard]] std::map<std::string, double> numbers_of(const Case& problem);
+
+/// The case with these numbers_of(). Throws std::out_of_range for one that is missing, and FieldError.
+[[nodiscard]] Case case_with(const std::string& name, const std::map<std::string, double>& numbers);
+
+/// The value of a key in SI units; NaN for a key of a section that the case was not given by.
+[[nodiscard]] double value_of(const Case& problem, std::string_view path);
+
+/// The case with other values of some keys, SI units. What follows from them follows, unless it is among them: area and
+/// second moment of area from the sides of the section; the shear stiffness k G A from Young's modulus (G ~ E), the
+/// section and Poisson's ratio; a kinetic coefficient above the static one becomes equal to it. A case whose area, second
+/// moment or shear stiffness is changed itself forgets the section or Poisson's ratio. Throws FieldError for a value
+/// that a field does not allow, and for a key of a section that the case was not given by.
+[[nodiscard]] Case with_values(const Case& problem,
+                               std::span<const std::pair<std::string_view, double>> values);
+[[nodiscard]] Case with_value(const Case& problem, std::string_view path, double value);
+
+}  // namespace stickslip::data

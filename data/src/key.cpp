@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+#include "stickslip/data/key.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+namespace stickslip::data {
+
+namespace {
+
+namespace key_table {
+
+template <auto Table, auto Field>
+constexpr KeyMember member() {
+  using Number = std::remove_cvref_t<decltype((CaseNumbers{}.*Table).*Field)>;
+  return {.get = [](const CaseNumbers& of) { return static_cast<double>((of.*Table).*Field); },
+          .set = [](CaseNumbers& of, double value) { (of.*Table).*Field = static_cast<Number>(value); },
+          .is_integer = std::is_integral_v<Number>};
+}
+
+template <auto Field>
+constexpr KeyMember beam = member<&CaseNumbers::beam, Field>();
+template <auto Field>
+constexpr KeyMember friction = member<&CaseNumbers::friction, Field>();
+template <auto Field>
+constexpr KeyMember excitation = member<&CaseNumbers::excitation, Field>();
+template <auto Field>
+constexpr KeyMember numerics = member<&CaseNumbers::numerics, Field>();
+template <auto Field>
+constexpr KeyMember damping = member<&CaseNumbers::damping, Field>();
+template <auto Field>
+constexpr KeyMember contact = member<&CaseNumbers::contact, Field>();
+template <auto Field>
+constexpr KeyMember section = member<&CaseNumbers::section, Field>();
+constexpr KeyMember none{};
+
+constexpr auto optional = Presence::optional, required = Presence::required, shorthand = Presence::shorthand;
+constexpr bool may_be_zero = true;
+
+// A further parameter is one more entry here.
+// clang-format off
+constexpr std::array all{
+    Key{"beam.length", beam<&BeamProperties::length>, {1e-9, 1e6, "m"}, required,
+        {"length", "length_m", "beam length L / m"}},
+    Key{"beam.area", beam<&BeamProperties::area>, {1e-18, 1e12, "m^2"}, required,
+        {"area", "area_m2", "area of the section A / mm²", 1e6}},
+    Key{"beam.second_moment_of_area", beam<&BeamProperties::second_moment_of_area>, {1e-36, 1e24, "m^4"},
+        required, {"second-moment", "second_moment_m4", "second moment of area I / mm⁴", 1e12}},
+    Key{"beam.density", beam<&BeamProperties::density>, {1e-6, 1e9, "kg/m^3"}, required,
+        {"density", "density_kg_per_m3", "density ρ / (kg/m³)"}},
+    Key{"beam.youngs_modulus", beam<&BeamProperties::youngs_modulus>, {1e-3, 1e18, "Pa"}, required,
+        {"stiffness", "youngs_modulus_Pa", "Young's modulus E / GPa", 1e-9}},
+    Key{"beam.axial_force", beam<&BeamProperties::axial_force>, {1e-18, 1e18, "N"}, required,
+        {"force", "axial_force_N", "axial force P / N"}},
+    Key{"beam.axial_direction", beam<&BeamProperties::axial_direction>, {1e-9, 1.0, ""}, optional,
+        {"direction", "axial_direction", "direction of the axial force χ", 1.0, may_be_zero}},
+    Key{"beam.shear_stiffness", beam<&BeamProperties::shear_stiffness>, {1e-18, 1e24, "N"}, optional,
+        {"shear", "shear_stiffness_N", "shear stiffness k G A / N"}},
+    Key{"beam.material", none, {}, shorthand},
+    Key{"beam.poissons_ratio", section<&Section::poissons_ratio>, {1e-9, 1.0, ""}, optional,
+        {"poisson", "poissons_ratio", "Poisson's ratio ν", 1.0, may_be_zero}},
+    Key{"friction.static_coefficient", friction<&FrictionCoefficients::static_coefficient>, {1e-9, 1e6, ""},
+        required, {"friction", "static_coefficient", "static friction coefficient μ_s"}},
+    Key{"friction.kinetic_coefficient", friction<&FrictionCoefficients::kinetic_coefficient>, {1e-9, 1e6, ""},
+        required, {"kinetic", "kinetic_coefficient", "kinetic friction coefficient μ_m", 1.0, may_be_zero}},
+    Key{"friction.decay", friction<&FrictionCoefficients::decay>, {1e-15, 1e15, "s/m"}, required,
+        {"decay", "decay_s_per_m", "decay of the friction α / (s/m)", 1.0, may_be_zero}},
+    Key{"friction.viscous", friction<&FrictionCoefficients::viscous>, {1e-15, 1e15, "s/m"}, optional,
+        {"viscous", "viscous_s_per_m", "viscous friction β / (s/m)", 1.0, may_be_zero}},
+    Key{"excitation.frequency_hz", excitation<&HarmonicMotion::frequency_hz>, {1e-9, 1e12, "Hz"}, required,
+        {"frequency", "frequency_Hz", "excitation frequency / Hz"}},
+    Key{"excitation.amplitude", excitation<&HarmonicMotion::amplitude>, {1e-18, 1e6, "m"}, required,
+        {"amplitude", "amplitude_m", "excitation amplitude A_0 / mm", 1e3, may_be_zero}},
+    Key{"excitation.duration", numerics<&NumericalChoices::duration>, {1e-15, 1e15, "s"}, optional},
+    Key{"excitation.velocity_amplitude", none, {1e-18, 1e18, "m/s"}, shorthand},
+    Key{"excitation.acceleration_amplitude", none, {1e-18, 1e18, "m/s^2"}, shorthand},
+    Key{"numerics.elements", numerics<&NumericalChoices::elements>, {}, optional},
+    Key{"numerics.time_step", numerics<&NumericalChoices::time_step>, {1e-15, 1e9, "s"}, optional},
+    Key{"numerics.spectral_radius", numerics<&NumericalChoices::spectral_radius>, {}, optional},
+    Key{"numerics.velocity_threshold", numerics<&NumericalChoices::velocity_threshold>, {1e-18, 1e9, "m/s"},
+        optional},
+    Key{"numerics.modes", numerics<&NumericalChoices::modes>, {}, optional},
+    Key{"numerics.duration", none, {1e-15, 1e15, "s"}, shorthand},
+    Key{"damping.kelvin_voigt", damping<&DampingProperties::kelvin_voigt>, {1e-18, 1e6, "s"}, optional,
+        {"kelvin-voigt", "kelvin_voigt_s", "Kelvin-Voigt damping η / s", 1.0, may_be_zero}},
+    Key{"damping.ratio", damping<&DampingProperties::ratio>, {1e-9, 1.0, ""}, optional,
+        {"damping", "damping_ratio", "damping ratio ζ", 1.0, may_be_zero}},
+    Key{"contact.tangential_stiffness", contact<&ContactProperties::tangential_stiffness>, {1e-18, 1e24, "N/m"},
+        optional},
+    Key{"contact.regularisation_velocity", contact<&ContactProperties::regularisation_velocity>,
+        {1e-18, 1e9, "m/s"}, optional},
+    Key{"wall.speed", member<&CaseNumbers::wall, &WallProperties::speed>(), {1e-15, 1e9, "m/s"}, optional},
+    Key{"section.shape", none, {}, shorthand},
+    Key{"section.width", section<&Section::width>, {1e-9, 1e6, "m"}, optional,
+        {"width", "width_m", "width of the section / mm", 1e3}},
+    Key{"section.height", section<&Section::height>, {1e-9, 1e6, "m"}, optional,
+        {"height", "height_m", "height of the section / mm", 1e3}},
+    Key{"section.diameter", section<&Section::diameter>, {1e-9, 1e6, "m"}, optional,
+        {"diameter", "diameter_m", "diameter of the section / mm", 1e3}},
+    Key{"section.wall_thickness", section<&Section::wall_thickness>, {1e-9, 1e6, "m"}, optional,
+        {"wall-thickness", "wall_thickness_m", "wall thickness of the section / mm", 1e3}},
+};
+// clang-format on
+
+}  // namespace key_table
+
+CaseNumbers numbers_in(const Case& problem) {
+  return {.beam = problem.beam.properties(),
+          .friction = problem.friction.coefficients(),
+          .excitation = {problem.excitation.frequency_hz(), problem.excitation.amplitude()},
+          .numerics = problem.numerics.choices(),
+          .damping = {problem.damping.kelvin_voigt(), problem.damping.ratio()},
+          .contact = problem.contact.properties(),
+          .wall = {problem.wall.speed()},
+          .section = problem.section};
+}
+
+// Whether a case has the number: not every section has every side.
+bool has(const CaseNumbers& numbers, const Key& key) {
+  return key.member.get != nullptr && !std::isnan(key.member.get(numbers));
+}
+
+// k A/(1 + nu) of the section, to which k G A is proportional with G = E/(2 (1 + nu)).
+double shear_area(const Section& section) {
+  if (!section.is_given()) return 1.0;
+  return section.shear_coefficient() * section.area() /
+         (std::isnan(section.poissons_ratio) ? 1.0 : 1.0 + section.poissons_ratio);
+}
+
+}  // namespace
+
+std::span<const Key> case_keys() { return key_table::all; }
+
+const Key& key_named(std::string_view path) {
+  const auto* const found = std::ranges::find(key_table::all, path, &Key::path);
+  if (found == key_table::all.end()) throw std::invalid_argument("there is no key " + std::string(path));
+  return *found;
+}
+
+Case case_of(const std::string& name, const CaseNumbers& numbers) {
+  return {.name = name,
+          .beam = Beam(numbers.beam),
+          .friction = FrictionLaw(numbers.friction),
+          .excitation = HarmonicExcitation(numbers.excitation),
+          .numerics = NumericalSettings(numbers.numerics),
+          .damping = Damping(numbers.damping),
+          .contact = TangentialContact(numbers.contact),
+          .wall = Wall(numbers.wall),
+          .section = numbers.section};
+}
+
+std::map<std::string, double> numbers_of(const Case& problem) {
+  const CaseNumbers all = numbers_in(problem);
+  std::map<std::string, double> numbers;
+  for (const Key& key : key_table::all)
+    if (has(all, key)) numbers.emplace(key.path, key.member.get(all));
+  return numbers;
+}
+
+Case case_with(const std::string& name, const std::map<std::string, double>& numbers) {
+  CaseNumbers all;
+  for (const Key& key : key_table::all) {
+    const std::string path(key.path);
+    if (has(all, key) || numbers.contains(path)) key.member.set(all, numbers.at(path));
+  }
+  return case_of(name, all);
+}
+
+double value_of(const Case& problem, std::string_view path) {
+  return key_named(path).member.get(numbers_in(problem));
+}
+
+Case with_values(const Case& problem, std::span<const std::pair<std::string_view, double>> values) {
+  const auto has_value = [&](std::string_view path) {
+    return std::ranges::find(values, path, &std::pair<std::string_view, double>::first) != values.end();
+  };
+  const CaseNumbers before = numbers_in(problem);
+  CaseNumbers after = before;
+  for (const auto& [path, value] : values) {
+    const Key& key = key_named(path);
+    if (!has(before, key)) throw FieldError(path, value, "missing: the case has no section with it");
+    key.member.set(after, value);
+  }
+  after.section.require_valid();
+  if (std::ranges::any_of(values, [](const auto& value) { return value.first.starts_with("section."); })) {
+    if (!has_value("beam.area")) after.beam.area = after.section.area();
+    if (!has_value("beam.second_moment_of_area"))
+      after.beam.second_moment_of_area = after.section.second_moment_of_area();
+  }
+  if (has_value("beam.shear_stiffness"))
+    after.section.poissons_ratio = Section{}.poissons_ratio;
+  else
+    after.beam.shear_stiffness *= after.beam.youngs_modulus / before.beam.youngs_modulus *
+                                  (shear_area(after.section) / shear_area(before.section));
+  if (has_value("beam.area") || has_value("beam.second_moment_of_area")) after.section = {};
+  if (!has_value("friction.kinetic_coefficient"))
+    after.friction.kinetic_coefficient =
+        std::min(after.friction.kinetic_coefficient, after.friction.static_coefficient);
+  return case_of(problem.name, after);
+}
+
+Case with_value(const Case& problem, std::string_view path, double value) {
+  const std::array values{std::pair(path, value)};
+  return with_values(problem, values);
+}
+
+}  // namespace stickslip::data
