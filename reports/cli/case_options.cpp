@@ -11,10 +11,6 @@
 
 namespace stickslip::cli {
 
-void add_json_option(CLI::App& command, bool& json) {
-  command.add_flag("--json", json, "Print one JSON object, numbers with all digits");
-}
-
 void add_package_option(CLI::App& command, std::string& package) {
   command.add_option("--package", package, "Folder with another data package (else that of stickslip)")
       ->check(file_name());
@@ -27,11 +23,7 @@ void add_case_options(CLI::App& command, CaseOptions& options) {
       .add_option("--set", options.overrides, "Replace a key of the case, as in beam.length=1.8; repeatable")
       ->type_name("TABLE.KEY=VALUE")
       ->allow_extra_args(false);
-  add_json_option(command, options.json);
-}
-
-void add_examples(CLI::App& command, const std::vector<std::string>& lines) {
-  command.footer(fmt::format("Examples:\n  {}", fmt::join(lines, "\n  ")));
+  command.add_flag("--json", options.json, json_help);
 }
 
 namespace {
@@ -165,10 +157,6 @@ void print_warnings(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) fmt::print(stderr, "stickslip: warning: {}\n", warning);
 }
 
-Json optional_json(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
-
-Json finite_json(double value) { return std::isfinite(value) ? Json(value) : Json(); }
-
 Json bounds_json(const analytic::Bounds& bounds) {
   return {{"lower", bounds.lower}, {"upper", bounds.upper}};
 }
@@ -181,19 +169,6 @@ Json numerics_json(const data::Case& problem) {
     settings[std::string(key.name())] = key.member.is_integer ? Json(static_cast<int>(value)) : Json(value);
   }
   return settings;
-}
-
-void require_finite(const Json& answer, const std::string& name) {
-  if (answer.is_structured()) {
-    for (const auto& [key, value] : answer.items()) require_finite(value, answer.is_object() ? key : name);
-  } else if (answer.is_number_float() && !std::isfinite(answer.get<double>())) {
-    data::throw_overflow(fmt::format("{} comes out as {}, but must be finite", name,
-                                     data::shortest_text(answer.get<double>())));
-  }
-}
-
-void print_json(const Json& object) {
-  fmt::print("{}\n", object.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 
 }  // namespace stickslip::cli

@@ -6,7 +6,6 @@
 #include <CLI/CLI.hpp>
 #include <array>
 #include <charconv>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,19 +13,18 @@
 #include <utility>
 #include <vector>
 
-#include "stickslip/analytic/bounds.hpp"
+#include "answer.hpp"
+#include "command.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/criterion/problem_warnings.hpp"
 
 namespace stickslip::cli {
 
-using Json = nlohmann::ordered_json;
-
 /// [CASE] --set table.key=value ... --json
 struct CaseOptions {
   std::string name = "paper";
-  std::vector<std::string> overrides;
+  std::vector<std::string> overrides{};
   bool json{};
 };
 
@@ -36,13 +34,9 @@ struct ExcitationOptions {
   std::optional<double> amplitude;
 };
 
-void add_json_option(CLI::App& command, bool& json);
 void add_package_option(CLI::App& command, std::string& package);
 void add_case_options(CLI::App& command, CaseOptions& options);
 void add_excitation_options(CLI::App& command, ExcitationOptions& options);
-
-/// Ends the help of a command with example command lines, which a test runs in this order.
-void add_examples(CLI::App& command, const std::vector<std::string>& lines);
 
 /// The number that the whole text is, if it is one.
 template <class Number>
@@ -101,23 +95,10 @@ void require_undamped(const data::Case& problem, std::string_view what);
 /// One line on standard error for each.
 void print_warnings(const std::vector<std::string>& warnings);
 
-/// The number, or null where there is none.
-[[nodiscard]] Json optional_json(const std::optional<double>& value);
-
-/// The number, or null where it is not finite.
-[[nodiscard]] Json finite_json(double value);
-
 /// {"lower": ..., "upper": ...}
 [[nodiscard]] Json bounds_json(const analytic::Bounds& bounds);
 
 /// The settings that the case states or default_numerics() has chosen, by their keys.
 [[nodiscard]] Json numerics_json(const data::Case& problem);
-
-/// Throws data::InputError, naming the key, if a number of the answer is not finite: see
-/// data::throw_overflow().
-void require_finite(const Json& answer, const std::string& name = "the answer");
-
-/// One JSON object on standard output.
-void print_json(const Json& object);
 
 }  // namespace stickslip::cli

@@ -1,44 +1,33 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <memory>
-
-#include "case_options.hpp"
+#include "command.hpp"
 #include "commands.hpp"
+#include "stickslip/data/case_file.hpp"
 
 namespace stickslip::cli {
 
 namespace {
 
-void print_table(const std::vector<data::CaseListing>& cases) {
-  std::size_t width = 0;
-  for (const auto& listing : cases) width = std::max(width, listing.name.size());
-  for (const auto& listing : cases) fmt::print("{:<{}}  {}\n", listing.name, width, listing.title);
-}
+struct CasesOptions {};
 
-Json to_json(const std::vector<data::CaseListing>& cases) {
-  Json list = Json::array();
-  for (const auto& listing : cases)
-    list.push_back(
-        {{"name", listing.name}, {"title", listing.title}, {"file", data::find_case(listing.name).string()}});
-  return {{"cases", list}};
+Answer listed_cases(const CasesOptions& /*options*/, Outputs& /*outputs*/) {
+  Table table{.columns = {{"name", "name"}, {"title", "title"}, {"", "file"}}, .rows = {}};
+  for (const auto& listing : data::list_cases())
+    table.rows.push_back(
+        {word(listing.name), word(listing.title), word(data::find_case(listing.name).string())});
+  Answer answer;
+  answer.text = table.text(false);
+  answer.add_members({{"cases", table.json()}});
+  return answer;
 }
 
 }  // namespace
 
 void add_cases_command(CLI::App& app) {
-  auto* command = app.add_subcommand("cases", "List the published cases");
-  auto json = std::make_shared<bool>(false);
-  add_json_option(*command, *json);
-  add_examples(*command, {"stickslip cases", "stickslip cases --json"});
-  command->callback([json] {
-    const auto cases = data::list_cases();
-    if (*json)
-      print_json(to_json(cases));
-    else
-      print_table(cases);
-  });
+  add<CasesOptions>(app, {.name = "cases",
+                          .help = "List the published cases",
+                          .examples = {"stickslip cases", "stickslip cases --json"},
+                          .add_options = [](CLI::App& command, CasesOptions&) { add_json_option(command); },
+                          .run = listed_cases});
 }
 
 }  // namespace stickslip::cli

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <pugixml.hpp>
 #include <sstream>
@@ -33,30 +32,18 @@ std::string verdict_of(const Comparison::Quantity& quantity) {
   return fmt::format("{} ({} of {})", verdict, quantity.undecided, quantity.compared);
 }
 
-using Row = std::array<std::string, 8>;
-
-Row row_of(const Comparison::Quantity& quantity) {
-  return {quantity.name,
-          std::string(to_string(quantity.norm)),
-          std::to_string(quantity.compared),
-          measured(quantity.error, quantity),
-          quantity.where.empty() ? "-" : quantity.where,
-          measured(quantity.uncertainty, quantity),
-          measured(quantity.tolerance, quantity),
-          verdict_of(quantity)};
-}
-
-std::string aligned(const std::vector<Row>& rows) {
-  std::array<std::size_t, std::tuple_size_v<Row>> widths{};
-  for (const Row& row : rows)
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
-  std::string text;
-  for (const Row& row : rows) {
-    std::string line;
-    for (std::size_t i = 0; i < row.size(); ++i) line += fmt::format("{:<{}}  ", row[i], widths[i]);
-    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
-  }
-  return text;
+Table table_of(const std::vector<Comparison::Quantity>& quantities) {
+  Table table;
+  for (const char* header :
+       {"quantity", "norm", "compared", "error", "at", "uncertainty", "tolerance", "verdict"})
+    table.columns.push_back({header, ""});
+  for (const auto& quantity : quantities)
+    table.rows.push_back({word(quantity.name), word(to_string(quantity.norm)), count(quantity.compared),
+                          word(measured(quantity.error, quantity)),
+                          word(quantity.where.empty() ? "-" : quantity.where),
+                          word(measured(quantity.uncertainty, quantity)),
+                          word(measured(quantity.tolerance, quantity)), word(verdict_of(quantity))});
+  return table;
 }
 
 // "2 beyond the horizon, 3 outside the range of the data set"
@@ -154,10 +141,7 @@ auto count_of(const Comparison& comparison, Agreement agreement) {
 
 std::string text_of(const Comparison& comparison) {
   std::string text = fmt::format("{}: {}\n\n", comparison.name, comparison.title);
-  std::vector<Row> rows{
-      {"quantity", "norm", "compared", "error", "at", "uncertainty", "tolerance", "verdict"}};
-  for (const auto& quantity : comparison.quantities) rows.push_back(row_of(quantity));
-  text += aligned(rows) + "\n";
+  text += table_of(comparison.quantities).text() + "\n";
   for (const auto& quantity : comparison.quantities)
     if (const std::string skipped = skipped_of(quantity); !skipped.empty())
       text += fmt::format("{}: not compared: {}\n", quantity.name, skipped);

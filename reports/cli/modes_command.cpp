@@ -10,7 +10,6 @@
 #include "case_options.hpp"
 #include "commands.hpp"
 #include "figure_format.hpp"
-#include "number_text.hpp"
 #include "output_file.hpp"
 #include "render/drawing.hpp"
 #include "render/figures.hpp"

@@ -2,20 +2,22 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <memory>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "case_options.hpp"
+#include "command.hpp"
 #include "commands.hpp"
 #include "periodic_output.hpp"
-#include "render/interruption.hpp"
+#include "stickslip/data/input_text.hpp"
 
 namespace stickslip::cli {
 
 namespace {
 
 struct PeriodicOptions {
-  CaseOptions problem;
+  CaseOptions problem{.name = "reed"};
   ExcitationOptions excitation;
   int periods = 1;
   int settle = 200;
@@ -30,97 +32,90 @@ std::string_view reason_of(const studies::Cycle& cycle) {
   return reasons.at(static_cast<std::size_t>(cycle.search.reason));
 }
 
-void run(const PeriodicOptions& options) {
+std::vector<Row> rows_of(const studies::Cycle& cycle) {
+  const auto& motion = *cycle.search.motion;
+  Json multipliers = Json::array(), events = Json::array();
+  for (const auto multiplier : motion.multipliers)
+    multipliers.push_back({{"real", multiplier.real()}, {"imaginary", multiplier.imag()}});
+  std::vector<std::string> names, moduli;
+  for (const auto& event : motion.events) {
+    events.push_back({{"time_s", event.time}, {"change", data::name_of(event.change)}});
+    names.emplace_back(data::name_of(event.change));
+  }
+  for (std::size_t i = 0; i < motion.multipliers.size() && i < 4; ++i)
+    moduli.push_back(fmt::format("{:.6g}", std::abs(motion.multipliers[i])));
+  return {{"period / s", "period_s", rounded(motion.period, 10)},
+          {"frequency / Hz", "frequency_hz", rounded(1.0 / motion.period, 10)},
+          {"tip, peak to peak / m", "tip_peak_to_peak_m", rounded(cycle.peak_to_peak, 7)},
+          {"largest sliding velocity / (m/s)", "largest_sliding_velocity_m_per_s",
+           rounded(cycle.largest_sliding, 7)},
+          {"share of stick", "stick_share", rounded(cycle.stick_share, 4)},
+          {"changes of contact",
+           "changes_of_contact",
+           {events, fmt::format("{}{}{}", names.size(), names.empty() ? "" : ": ", data::joined(names))}},
+          {"largest Floquet multipliers", "multipliers", {multipliers, data::joined(moduli)}},
+          {"verdict", "verdict", word(studies::is_stable(cycle) ? "stable" : "unstable")},
+          {"", "residual", exact(motion.residual)},
+          {"", "iterations", count(static_cast<std::size_t>(motion.iterations))}};
+}
+
+Answer periodic_motion(const PeriodicOptions& options, Outputs& outputs) {
   const data::Case problem = load_case(options.problem, options.excitation, std::nullopt);
   data::require_rigid(problem.contact, "a periodic motion; respond takes it");
   if (options.periods > 1 && problem.excitation.amplitude() == 0.0)
     throw data::FieldError("--periods", options.periods, "1 where excitation.amplitude is 0: the base rests");
   const auto inquiry = studies::Inquiry::event_driven_history;
   studies::require_feasible(problem, inquiry);
-  const report::Interruption interruption([] { return "interrupted before there was a result"; });
-  const studies::Cycle cycle = studies::cycle_of(problem, options.periods, options.settle);
-  const auto warnings = warnings_of(problem, inquiry);
-  Json answer{{"case", problem.name}};
-  answer.update(cycle_json(cycle));
-  answer["numerics"] = numerics_json(problem);
-  answer["warnings"] = warnings;
-  require_finite(answer);
-  print_warnings(warnings);
-  if (options.problem.json) return print_json(answer);
-  fmt::print("{}: ", problem.name);
-  print_cycle(cycle);
+  outputs.open({});
+  Answer answer(34);
+  answer.add_members({{"case", problem.name}});
+  answer.text = problem.name + ": ";
+  add_cycle(answer, studies::cycle_of(problem, options.periods, options.settle));
+  answer.add_members({{"numerics", numerics_json(problem)}});
+  answer.warnings = warnings_of(problem, inquiry);
+  return answer;
+}
+
+void add_options(CLI::App& command, PeriodicOptions& options) {
+  add_case_options(command, options.problem);
+  add_excitation_options(command, options.excitation);
+  command.add_option("--periods", options.periods, "Periods of the base that the motion takes")
+      ->check(integer_between(1, 1000))
+      ->capture_default_str();
+  command
+      .add_option(
+          "--settle", options.settle,
+          "Periods of the base, or of the first mode where it does not move, before the motion is looked for")
+      ->check(integer_between(1, 100'000))
+      ->capture_default_str();
 }
 
 }  // namespace
 
-void print_cycle(const studies::Cycle& cycle) {
-  if (!cycle.search.motion) return fmt::print("{}\n", reason_of(cycle));
-  const auto& motion = *cycle.search.motion;
-  const auto row = [](std::string_view name, const std::string& value) {
-    fmt::print("{:<34}{}\n", name, value);
-  };
-  fmt::print("{}, {}\n\n", cycle.forced ? "a periodic motion" : "a limit cycle",
-             cycle.stick_share > 0.0 ? "with stick and slip" : "without stick");
-  row("period / s", fmt::format("{:.10g}", motion.period));
-  row("frequency / Hz", fmt::format("{:.10g}", 1.0 / motion.period));
-  row("tip, peak to peak / m", fmt::format("{:.7g}", cycle.peak_to_peak));
-  row("largest sliding velocity / (m/s)", fmt::format("{:.7g}", cycle.largest_sliding));
-  row("share of stick", fmt::format("{:.4g}", cycle.stick_share));
-  std::string names;
-  for (const auto& event : motion.events)
-    names += fmt::format("{}{}", names.empty() ? "" : ", ", data::name_of(event.change));
-  row("changes of contact", fmt::format("{}{}{}", motion.events.size(), names.empty() ? "" : ": ", names));
-  std::string moduli;
-  for (std::size_t i = 0; i < motion.multipliers.size() && i < 4; ++i)
-    moduli += fmt::format("{}{:.6g}", i == 0 ? "" : ", ", std::abs(motion.multipliers[i]));
-  row("largest Floquet multipliers", moduli);
-  row("verdict", studies::is_stable(cycle) ? "stable" : "unstable");
-}
-
-Json cycle_json(const studies::Cycle& cycle) {
-  Json object{{"forced", cycle.forced}, {"found", cycle.search.motion.has_value()}};
-  if (!cycle.search.motion) {
-    object["reason"] = reason_of(cycle);
-    return object;
+void add_cycle(Answer& answer, const studies::Cycle& cycle, const std::string& key) {
+  Answer part(answer.label_width);
+  part.add_members({{"forced", cycle.forced}, {"found", cycle.search.motion.has_value()}});
+  if (cycle.search.motion) {
+    part.add_line(fmt::format("{}, {}\n", cycle.forced ? "a periodic motion" : "a limit cycle",
+                              cycle.stick_share > 0.0 ? "with stick and slip" : "without stick"));
+    for (const Row& row : rows_of(cycle)) part.add_row(row);
+  } else {
+    part.add_line(reason_of(cycle));
+    part.add_members({{"reason", reason_of(cycle)}});
   }
-  const auto& motion = *cycle.search.motion;
-  Json multipliers = Json::array(), events = Json::array();
-  for (const auto multiplier : motion.multipliers)
-    multipliers.push_back({{"real", multiplier.real()}, {"imaginary", multiplier.imag()}});
-  for (const auto& event : motion.events)
-    events.push_back({{"time_s", event.time}, {"change", data::name_of(event.change)}});
-  object.update({{"period_s", motion.period},
-                 {"frequency_hz", 1.0 / motion.period},
-                 {"tip_peak_to_peak_m", cycle.peak_to_peak},
-                 {"largest_sliding_velocity_m_per_s", cycle.largest_sliding},
-                 {"stick_share", cycle.stick_share},
-                 {"changes_of_contact", events},
-                 {"multipliers", multipliers},
-                 {"verdict", studies::is_stable(cycle) ? "stable" : "unstable"},
-                 {"residual", motion.residual},
-                 {"iterations", motion.iterations}});
-  return object;
+  answer.text += part.text;
+  answer.add_members(key.empty() ? part.json : Json{{key, part.json}});
 }
 
 void add_periodic_command(CLI::App& app) {
-  auto* command = app.add_subcommand(
-      "periodic",
-      "A periodic motion by shooting, with its Floquet multipliers: forced by the base or self-excited");
-  auto options = std::make_shared<PeriodicOptions>();
-  options->problem.name = "reed";
-  add_case_options(*command, options->problem);
-  add_excitation_options(*command, options->excitation);
-  command->add_option("--periods", options->periods, "Periods of the base that the motion takes")
-      ->check(integer_between(1, 1000))
-      ->capture_default_str();
-  command
-      ->add_option(
-          "--settle", options->settle,
-          "Periods of the base, or of the first mode where it does not move, before the motion is looked for")
-      ->check(integer_between(1, 100'000))
-      ->capture_default_str();
-  add_examples(*command, {"stickslip periodic reed --json", "stickslip periodic damped --settle 50"});
-  command->callback([options] { run(*options); });
+  add<PeriodicOptions>(
+      app,
+      {.name = "periodic",
+       .help =
+           "A periodic motion by shooting, with its Floquet multipliers: forced by the base or self-excited",
+       .examples = {"stickslip periodic reed --json", "stickslip periodic damped --settle 50"},
+       .add_options = add_options,
+       .run = periodic_motion});
 }
 
 }  // namespace stickslip::cli

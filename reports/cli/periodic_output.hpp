@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "case_options.hpp"
+#include "answer.hpp"
 #include "studies/stick_slip/squeal.hpp"
 
 namespace stickslip::cli {
 
-/// Period, amplitude, multipliers and verdict of a periodic motion, or why there is none.
-void print_cycle(const studies::Cycle& cycle);
-[[nodiscard]] Json cycle_json(const studies::Cycle& cycle);
+/// Adds a periodic motion, or the reason why there is none; its members stand in an object with the key, if there is one.
+void add_cycle(Answer& answer, const studies::Cycle& cycle, const std::string& key = "");
 
 }  // namespace stickslip::cli

@@ -8,7 +8,6 @@
 #include "case_options.hpp"
 #include "commands.hpp"
 #include "long_work.hpp"
-#include "number_text.hpp"
 #include "range_text.hpp"
 #include "render/interruption.hpp"
 #include "render/progress.hpp"

@@ -150,6 +150,13 @@ Cycle cycle_of(const data::Case& problem, int periods, int settle) {
   return cycle;
 }
 
+Cycle limit_cycle_of(const data::Case& problem, int settle) {
+  data::Case still = problem;
+  still.excitation =
+      data::HarmonicExcitation({.frequency_hz = problem.excitation.frequency_hz(), .amplitude = 0.0});
+  return cycle_of(still, 1, settle);
+}
+
 bool is_stable(const Cycle& cycle) {
   return std::ranges::all_of(cycle.search.motion->multipliers, [&](Complex multiplier) {
     // The multiplier 1 of a shift in time is known to the accuracy of the motion.

@@ -65,6 +65,9 @@ struct Cycle {
 /// periods of the base. Throws data::FieldError if neither base nor wall moves, and what EventDriven throws.
 [[nodiscard]] Cycle cycle_of(const data::Case& problem, int periods, int settle);
 
+/// cycle_of() with a base that rests: what the wall alone excites.
+[[nodiscard]] Cycle limit_cycle_of(const data::Case& problem, int settle);
+
 /// No multiplier but the one of a shift in time is outside of the unit circle.
 [[nodiscard]] bool is_stable(const Cycle& cycle);
 

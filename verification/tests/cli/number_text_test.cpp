@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Numbers on the command line: the digits that hold, and no others.
 
-#include "number_text.hpp"
+#include "answer.hpp"
 
 #include <gtest/gtest.h>
 #include "support/requirements.hpp"

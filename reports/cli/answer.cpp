@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "answer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "stickslip/data/case_file.hpp"
+#include "studies/common/common_digits.hpp"
+
+namespace stickslip::cli {
+
+namespace {
+
+constexpr std::size_t value_width = 20;  // of values side by side
+
+std::string without_blanks_at_the_end(const std::string& line) {
+  return line.substr(0, line.find_last_not_of(' ') + 1);
+}
+
+}  // namespace
+
+int digits_that_hold(double relative_error) {
+  const double resolved = std::max(relative_error, std::numeric_limits<double>::epsilon());
+  return std::max(1, static_cast<int>(std::floor(-std::log10(resolved))));
+}
+
+std::string significant(double value, int digits) {
+  std::string text = fmt::format("{:#.{}g}", value, digits);
+  if (const auto bare = text.find(".e"); bare != std::string::npos)
+    text.erase(bare, 1);  // 3.e+01 becomes 3e+01
+  // fmt ends 25 to two digits with ".0", which would be a third one.
+  const auto shown = std::ranges::count_if(text, [](char c) { return c >= '0' && c <= '9'; });
+  if (text.ends_with(".0") && shown > digits) text.erase(text.size() - 2);
+  return text;
+}
+
+std::string common_digits(const analytic::Bounds& bounds) {
+  if (bounds.lower == bounds.upper) return data::shortest_text(bounds.lower);
+  if (const int digits = studies::common_digits(bounds); digits > 0) return significant(bounds.lower, digits);
+  return fmt::format("{} ... {}", significant(bounds.lower, 2), significant(bounds.upper, 2));
+}
+
+Value exact(double value) { return {value, data::shortest_text(value)}; }
+
+Value rounded(double value, int digits) { return {value, fmt::format("{:.{}g}", value, digits)}; }
+
+Value between(const analytic::Bounds& bounds) {
+  return {{{"lower", bounds.lower}, {"upper", bounds.upper}}, common_digits(bounds)};
+}
+
+Value word(std::string_view text) { return {text, std::string(text)}; }
+
+Value count(std::size_t number) { return {number, std::to_string(number)}; }
+
+std::string Table::text(bool with_headers) const {
+  std::vector<std::vector<std::string>> lines(rows.size() + 1);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (columns[i].header.empty()) continue;
+    lines[0].push_back(columns[i].header);
+    for (std::size_t n = 0; n < rows.size(); ++n) lines[n + 1].push_back(rows[n].at(i).text);
+  }
+  if (!with_headers) lines.erase(lines.begin());
+  std::vector<std::size_t> widths;
+  for (const Column& column : columns)
+    if (!column.header.empty()) widths.push_back(column.width);
+  for (std::size_t i = 0; i < widths.size(); ++i)
+    if (widths[i] == 0)
+      for (const auto& line : lines) widths[i] = std::max(widths[i], line[i].size() + 2);
+  std::string text;
+  for (const auto& line : lines) {
+    std::string cells;
+    for (std::size_t i = 0; i < line.size(); ++i) cells += fmt::format("{:<{}}", line[i], widths[i]);
+    text += without_blanks_at_the_end(cells) + "\n";
+  }
+  return text;
+}
+
+Json Table::json() const {
+  Json array = Json::array();
+  for (const auto& row : rows) {
+    Json object = Json::object();
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      if (!columns[i].key.empty()) object[columns[i].key] = row.at(i).json;
+    array.push_back(object);
+  }
+  return array;
+}
+
+void Answer::add_line(std::string_view line) { text.append(line) += '\n'; }
+
+void Answer::add_members(const Json& members) { json.update(members); }
+
+void Answer::add_row(const Row& row) {
+  if (!row.label.empty()) add_row(row.label, {row.value.text});
+  if (!row.key.empty()) json[row.key] = row.value.json;
+}
+
+void Answer::add_row(std::string_view label, const std::vector<std::string>& values) {
+  std::string line = fmt::format("{:<{}}", label, label_width);
+  for (const std::string& value : values) line += fmt::format("{:<{}}", value, value_width);
+  add_line(without_blanks_at_the_end(line));
+}
+
+void Answer::add_table(const std::string& key, const Table& table) {
+  text += table.text();
+  json[key] = table.json();
+}
+
+Json optional_json(const std::optional<double>& value) { return value ? finite_json(*value) : Json(); }
+
+Json finite_json(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+void require_finite(const Json& answer, const std::string& name) {
+  if (answer.is_structured()) {
+    for (const auto& [key, value] : answer.items()) require_finite(value, answer.is_object() ? key : name);
+  } else if (answer.is_number_float() && !std::isfinite(answer.get<double>())) {
+    data::throw_overflow(fmt::format("{} comes out as {}, but must be finite", name,
+                                     data::shortest_text(answer.get<double>())));
+  }
+}
+
+void print_json(const Json& object) {
+  fmt::print("{}\n", object.dump(2, ' ', false, Json::error_handler_t::replace));
+}
+
+}  // namespace stickslip::cli

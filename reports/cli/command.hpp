@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// The frame of a subcommand. A subcommand is a name, a help text, options and a function that returns an Answer; the frame prints
+/// the answer as text or as JSON, with its warnings, and owns the output files, the progress and the end by Ctrl-C.
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "answer.hpp"
+#include "output_file.hpp"
+#include "render/interruption.hpp"
+#include "render/progress.hpp"
+
+namespace stickslip::cli {
+
+/// The output files of a running subcommand. Each appears under its name when it is whole, and is removed if it does not come to
+/// that.
+class Outputs {
+ public:
+  /// The option that names a file, and the name, empty for none.
+  struct Named {
+    std::string option, path;
+  };
+
+  /// Of a subcommand whose arguments have been read.
+  explicit Outputs(const CLI::App& command);
+  Outputs(const Outputs&) = delete;
+  Outputs& operator=(const Outputs&) = delete;
+
+  /// Opens the files that have a name, before the work whose results they are to hold. From here on Ctrl-C and SIGTERM end the
+  /// program in good order. Throws data::InputError if two options name the same file, if --json and a file both want standard
+  /// output, or if --figure has a name that no figure can have; OutputError if a file cannot be written.
+  void open(const std::vector<Named>& files);
+
+  /// One sentence in place of the one that says how far the work is and what is written; it is made when a signal comes.
+  void on_interrupt(std::function<std::string()> sentence);
+
+  /// Shows the progress of the work on standard error, unless --quiet, as that of "stickslip COMMAND" or a part of it.
+  report::Progress& progress(std::string_view part = "", std::size_t items = 0);
+
+  [[nodiscard]] bool has(std::string_view option) { return find(option) != nullptr; }
+
+  /// The file of an option that is given, to write in parts; commit() puts it in place.
+  [[nodiscard]] OutputFile& file(std::string_view option);
+  void commit(std::string_view option);
+
+  /// Writes the whole file of an option and puts it in place; without the option `text` is not called.
+  void write(std::string_view option, const std::function<std::string()>& text);
+
+  /// The same for --figure; `drawing` is given the format, "pdf", "png" or "svg".
+  void draw(const std::function<std::string(const std::string&)>& drawing);
+
+  /// No signal ends the program while the result lives. After open().
+  [[nodiscard]] std::unique_lock<std::mutex> hold() { return interruption_->hold(); }
+
+  [[nodiscard]] bool is_json() const noexcept { return is_json_; }
+  [[nodiscard]] bool is_quiet() const noexcept { return is_quiet_; }
+
+  /// "a.csv and b.csv", what is in place; empty for nothing.
+  [[nodiscard]] std::string written() const;
+
+  /// The warnings on standard error and, unless a file has taken standard output, the answer on it.
+  void print(Answer answer);
+
+ private:
+  struct Open {
+    explicit Open(const Named& named) : name(named), file(named.path) {}
+    Named name;
+    OutputFile file;
+    bool is_written{};
+  };
+
+  [[nodiscard]] Open* find(std::string_view option);
+  [[nodiscard]] std::string last_words();
+
+  std::string command_;
+  bool is_json_{}, is_quiet_{};
+  std::list<Open> files_;
+  std::optional<report::Progress> progress_;
+  std::function<std::string()> sentence_;
+  std::optional<report::Interruption> interruption_;  // ends before the rest
+};
+
+/// A subcommand with options of its own, which are as their type makes them until the arguments are read.
+template <class Options>
+struct Command {
+  std::string name, help;
+  std::vector<std::string> examples;  ///< command lines that end the help, which a test runs in this order
+  void (*add_options)(CLI::App& command, Options& options) = nullptr;
+  Answer (*run)(const Options& options, Outputs& outputs) = nullptr;
+};
+
+/// Ends the help of a command with example command lines.
+void add_examples(CLI::App& command, const std::vector<std::string>& lines);
+
+/// Prints the answer. Throws CLI::RuntimeError with the status of the answer if that is not 0.
+void finish(Answer answer, Outputs& outputs);
+
+/// Adds the subcommand, which runs when it is found among the arguments.
+template <class Options>
+void add(CLI::App& app, const Command<Options>& command) {
+  auto* const added = app.add_subcommand(command.name, command.help);
+  const auto options = std::make_shared<Options>();
+  command.add_options(*added, *options);
+  add_examples(*added, command.examples);
+  added->callback([added, options, run = command.run] {
+    Outputs outputs(*added);
+    finish(run(*options, outputs), outputs);
+  });
+}
+
+/// --json, for an answer with members for it.
+constexpr const char* json_help = "Print one JSON object, numbers with all digits";
+void add_json_option(CLI::App& command);
+
+}  // namespace stickslip::cli
