@@ -20,6 +20,10 @@ std::string_view to_string(Verdict verdict) noexcept {
   return verdict == Verdict::stick ? "stick" : "stick-slip";
 }
 
+Verdict verdict_of(const Bounds& force, double limit) noexcept {
+  return force.lower > limit ? Verdict::stick_slip : Verdict::stick;
+}
+
 void require_contact(const data::Beam& beam) {
   if (beam.axial_force() > 0.0 && beam.axial_force() < stick_buckling_load(beam)) return;
   throw data::FieldError("beam.axial_force", beam.axial_force(),
@@ -40,8 +44,7 @@ Criterion evaluate_criterion(const data::Beam& beam, const data::FrictionLaw& fr
   criterion.force_max = {excitation.amplitude() * per_unit.lower, excitation.amplitude() * per_unit.upper};
   criterion.critical_amplitude = {amplitude_at(criterion.friction_limit, per_unit.upper),
                                   amplitude_at(criterion.friction_limit, per_unit.lower)};
-  criterion.verdict =
-      criterion.force_max.lower > criterion.friction_limit ? Verdict::stick_slip : Verdict::stick;
+  criterion.verdict = verdict_of(criterion.force_max, criterion.friction_limit);
   return criterion;
 }
 

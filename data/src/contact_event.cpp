@@ -3,9 +3,9 @@
 
 namespace stickslip::data {
 
-std::string_view name_of(ContactState state) { return state == ContactState::stick ? "stick" : "slip"; }
+std::string_view to_string(ContactState state) { return state == ContactState::stick ? "stick" : "slip"; }
 
-std::string_view name_of(ContactChange change) {
+std::string_view to_string(ContactChange change) {
   switch (change) {
     case ContactChange::onset:
       return "onset";

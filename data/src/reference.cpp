@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "json_file.hpp"
+#include "reference_json.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/data/csv_text.hpp"
 #include "stickslip/data/input_text.hpp"
@@ -20,15 +20,6 @@ namespace stickslip::data {
 namespace {
 
 constexpr std::string_view radius_suffix = "_radius";
-
-template <std::size_t N>
-std::vector<std::string> words(const std::array<std::string_view, N>& names) {
-  return {names.begin(), names.end()};
-}
-
-ValueClass value_class_of(const JsonNode& node) {
-  return static_cast<ValueClass>(node.one_of(words(value_class_names)));
-}
 
 std::string optional_text(const JsonNode& node, const std::string& key) {
   const auto member = node.find(key);
@@ -42,40 +33,32 @@ std::vector<std::string> names_of(const std::vector<Named>& items) {
   return names;
 }
 
-// The name of a column that the schema has.
-std::string column_in(const Resource& resource, const JsonNode& node) {
-  std::string name = node.text();
-  if (resource.field(name) == nullptr)
+const Field& require_column(const Resource& resource, const JsonNode& node) {
+  const std::string name = node.text();
+  const Field* const field = resource.field(name);
+  if (field == nullptr)
     node.fail_unless("a field of the schema" + suggestion(name, names_of(resource.fields)) + ": " +
                      joined(names_of(resource.fields)));
-  return name;
+  return *field;
 }
 
-std::string number_column_in(const Resource& resource, const JsonNode& node) {
-  std::string name = column_in(resource, node);
-  if (resource.field(name)->type == FieldType::string) node.fail_unless("a field of numbers");
-  return name;
+void require_number_column(const Resource& resource, const JsonNode& node) {
+  if (require_column(resource, node).type == FieldType::string) node.fail_unless("a field of numbers");
 }
 
-Field field_of(const JsonNode& node) {
-  node.require_spelling({"name", "type", "unit", "description", "class", "constraints", "title", "format"});
-  Field field;
-  field.name = node.at("name").text();
-  field.type = static_cast<FieldType>(node.at("type").one_of({"string", "integer", "number"}));
-  field.unit = optional_text(node, "unit");
-  field.description = optional_text(node, "description");
-  if (const auto value_class = node.find("class")) field.value_class = value_class_of(*value_class);
-  if (const auto constraints = node.find("constraints")) {
-    constraints->require_spelling(
-        {"required", "unique", "minimum", "maximum", "minLength", "maxLength", "pattern", "enum"});
-    if (const auto required = constraints->find("required")) field.required = required->flag();
-    if (const auto allowed = constraints->find("enum")) {
-      field.allowed = allowed->texts();
-      if (field.allowed.empty() || field.type != FieldType::string)
-        allowed->fail_unless("an array of the words of a field of words");
-    }
-  }
-  return field;
+void require_positive(const JsonNode& node) {
+  if (!(node.number() > 0.0)) node.fail_unless("a number above 0");
+}
+
+void require_not_negative(const JsonNode& node) {
+  if (!(node.number() >= 0.0)) node.fail_unless("a number that is not negative");
+}
+
+std::vector<JsonNode> require_elements(const JsonNode& node,
+                                       const char* allowed = "an array that is not empty") {
+  auto elements = node.elements();
+  if (elements.empty()) node.fail_unless(allowed);
+  return elements;
 }
 
 // A radius for each value that needs one, in its unit, and none without a value.
@@ -101,82 +84,55 @@ void require_radii(const Resource& resource, const std::vector<JsonNode>& nodes)
   }
 }
 
-ForeignKey foreign_key_of(const JsonNode& node, const Resource& resource) {
-  node.require_spelling({"fields", "reference"});
-  const JsonNode reference = node.at("reference");
-  reference.require_spelling({"resource", "fields"});
-  return {.column = column_in(resource, node.at("fields")),
-          .resource = reference.at("resource").text(),
-          .reference_column = reference.at("fields").text()};
-}
-
-void read_schema(const JsonNode& schema, Resource& resource) {
-  schema.require_spelling({"fields", "primaryKey", "foreignKeys", "missingValues"});
-  const auto nodes = schema.at("fields").elements();
-  if (nodes.empty()) schema.at("fields").fail_unless("an array of fields that is not empty");
-  for (const JsonNode& node : nodes) {
-    Field field = field_of(node);
-    if (resource.field(field.name) != nullptr) node.at("name").fail("stands twice: " + field.name);
-    resource.fields.push_back(std::move(field));
+void check_schema(const JsonNode& schema, const Resource& resource) {
+  const auto nodes = require_elements(schema.at("fields"), "an array of fields that is not empty");
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const Field& field = resource.fields[i];
+    if (!names.insert(field.name).second) nodes[i].at("name").fail("stands twice: " + field.name);
+    const auto constraints = nodes[i].find("constraints");
+    const auto allowed = constraints ? constraints->find("enum") : std::nullopt;
+    if (allowed && (field.allowed.empty() || field.type != FieldType::string))
+      allowed->fail_unless("an array of the words of a field of words");
   }
   require_radii(resource, nodes);
   if (const auto keys = schema.find("foreignKeys"))
-    for (const JsonNode& node : keys->elements())
-      resource.foreign_keys.push_back(foreign_key_of(node, resource));
+    for (const JsonNode& node : keys->elements()) require_column(resource, node.at("fields"));
   const auto key = schema.find("primaryKey");
   if (!key) return;
-  if (key->value().is_string()) {
-    resource.primary_key = {column_in(resource, *key)};
-    return;
-  }
-  for (const JsonNode& column : key->elements()) resource.primary_key.push_back(column_in(resource, column));
+  if (key->value().is_string())
+    require_column(resource, *key);
+  else
+    for (const JsonNode& column : key->elements()) require_column(resource, column);
 }
 
-double positive(const JsonNode& node) {
-  const double value = node.number();
-  if (!(value > 0.0)) node.fail_unless("a number above 0");
-  return value;
-}
-
-double not_negative(const JsonNode& node) {
-  const double value = node.number();
-  if (!(value >= 0.0)) node.fail_unless("a number that is not negative");
-  return value;
-}
-
-Interpolation interpolation_of(const JsonNode& node, const Resource& resource) {
-  node.require_spelling({"order", "error"});
-  Interpolation interpolation;
+void check_interpolation(const JsonNode& node, const Resource& resource) {
   const JsonNode order = node.at("order");
   if (order.integer() < 1 || order.integer() > 9) order.fail_unless("an integer from 1 to 9");
-  interpolation.order = static_cast<int>(order.integer());
   for (const auto& [field, bound] : node.at("error").members()) {
     if (resource.field(field) == nullptr)
       bound.fail("is of no field of the schema" + suggestion(field, names_of(resource.fields)));
-    interpolation.error[field] = not_negative(bound);
+    require_not_negative(bound);
   }
-  return interpolation;
+  for (const ComparedValue& value : resource.comparison->values)
+    if (!resource.comparison->interpolation->error.contains(value.field))
+      node.at("error").fail("lacks " + value.field + ", which is compared");
 }
 
-ComparedValue compared_value_of(const JsonNode& node, const Resource& resource) {
-  node.require_spelling({"field", "norm", "tolerance", "decided_by"});
-  ComparedValue value;
-  value.norm = static_cast<Norm>(node.at("norm").one_of(words(norm_names)));
-  value.tolerance = not_negative(node.at("tolerance"));
+void check_compared_value(const JsonNode& node, const ComparedValue& value, const Resource& resource) {
+  require_not_negative(node.at("tolerance"));
   const JsonNode field = node.at("field");
+  const auto deciding = node.find("decided_by");
   if (value.norm != Norm::word) {
-    if (const auto deciding = node.find("decided_by")) deciding->fail("is for words only");
-    value.field = number_column_in(resource, field);
-    return value;
+    if (deciding) deciding->fail("is for words only");
+    require_number_column(resource, field);
+    return;
   }
-  value.field = column_in(resource, field);
-  if (resource.field(value.field)->type != FieldType::string) field.fail_unless("a column of words");
-  if (const auto deciding = node.find("decided_by")) {
-    deciding->require_spelling({"field", "threshold"});
-    value.decided_by = {.field = number_column_in(resource, deciding->at("field")),
-                        .threshold = deciding->at("threshold").number()};
-  }
-  return value;
+  if (require_column(resource, field).type != FieldType::string) field.fail_unless("a column of words");
+  if (!deciding) return;
+  require_number_column(resource, deciding->at("field"));
+  if (std::ranges::count(resource.comparison->values, value.decided_by->field, &ComparedValue::field) == 0)
+    deciding->at("field").fail_unless("one of the compared values");
 }
 
 // The columns that a comparison of this kind works on.
@@ -207,49 +163,27 @@ void require_keys_of(ComparisonKind kind, const JsonNode& node) {
       member->fail("is given, but must be missing for the kind " + std::string(to_string(kind)));
 }
 
-ComparisonRule comparison_of(const JsonNode& node, const Resource& resource) {
-  node.require_spelling(
-      {"kind", "values", "abscissa", "interpolation", "events", "horizon", "shortest_phase"});
-  ComparisonRule rule;
-  rule.kind = static_cast<ComparisonKind>(node.at("kind").one_of(words(comparison_kind_names)));
+void check_comparison(const JsonNode& node, const Resource& resource) {
+  const ComparisonRule& rule = *resource.comparison;
   require_columns(rule.kind, node, resource);
   require_keys_of(rule.kind, node);
-  const auto values = node.at("values").elements();
-  if (values.empty()) node.at("values").fail_unless("an array that is not empty");
-  for (const JsonNode& value : values) rule.values.push_back(compared_value_of(value, resource));
-  for (const JsonNode& value : values)
-    if (const auto deciding = value.find("decided_by"))
-      if (std::ranges::count(rule.values, deciding->at("field").text(), &ComparedValue::field) == 0)
-        deciding->at("field").fail_unless("one of the compared values");
+  const auto values = require_elements(node.at("values"));
+  for (std::size_t i = 0; i < values.size(); ++i) check_compared_value(values[i], rule.values[i], resource);
   const bool is_sampled = rule.kind == ComparisonKind::curve || rule.kind == ComparisonKind::phases;
-  if (is_sampled) rule.abscissa = number_column_in(resource, node.at("abscissa"));
+  if (is_sampled) require_number_column(resource, node.at("abscissa"));
   if (is_sampled && std::ranges::count(rule.values, Norm::word, &ComparedValue::norm) > 0)
     node.at("kind").fail_unless("table or events, because words are compared");
-  if (const auto interpolation = node.find("interpolation")) {
-    rule.interpolation = interpolation_of(*interpolation, resource);
-    for (const ComparedValue& value : rule.values)
-      if (!rule.interpolation->error.contains(value.field))
-        interpolation->at("error").fail("lacks " + value.field + ", which is compared");
-  }
-  if (rule.kind == ComparisonKind::phases) rule.events = node.at("events").text();
-  if (const auto horizon = node.find("horizon")) rule.horizon = positive(*horizon);
-  if (const auto shortest = node.find("shortest_phase")) rule.shortest_phase = not_negative(*shortest);
-  return rule;
+  if (const auto interpolation = node.find("interpolation")) check_interpolation(*interpolation, resource);
+  if (rule.kind == ComparisonKind::phases) static_cast<void>(node.at("events"));
+  if (const auto horizon = node.find("horizon")) require_positive(*horizon);
+  if (const auto shortest = node.find("shortest_phase")) require_not_negative(*shortest);
 }
 
-DiagnosisRule diagnosis_of(const JsonNode& node, const Resource& resource) {
-  node.require_spelling({"quantity", "case", "abscissa", "value"});
-  DiagnosisRule rule;
-  rule.quantity = node.at("quantity").text();
-  if (const JsonNode problem = node.at("case"); problem.value().is_object()) {
-    problem.require_spelling({"column"});
-    rule.case_column = column_in(resource, problem.at("column"));
-  } else {
-    rule.case_name = problem.text();
-  }
-  rule.abscissa = number_column_in(resource, node.at("abscissa"));
-  rule.value = number_column_in(resource, node.at("value"));
-  return rule;
+void check_diagnosis(const JsonNode& node, const Resource& resource) {
+  if (const JsonNode problem = node.at("case"); problem.value().is_object())
+    require_column(resource, problem.at("column"));
+  require_number_column(resource, node.at("abscissa"));
+  require_number_column(resource, node.at("value"));
 }
 
 // Numbers, words, columns that the schema has, and objects of them.
@@ -260,10 +194,10 @@ void require_problem(const JsonNode& node, const Resource& resource) {
                          "poisson_ratio"});
   if (const auto tip = node.find("tip")) static_cast<void>(tip->one_of({"held", "free", "friction"}));
   if (const auto duration = node.find("duration"); duration && !duration->value().is_object())
-    static_cast<void>(positive(*duration));
+    require_positive(*duration);
   for (const auto& [key, member] : node.members()) {
     if (key == "column")
-      static_cast<void>(column_in(resource, member));
+      require_column(resource, member);
     else if (member.value().is_object())
       require_problem(member, resource);
     else if (!member.value().is_number() && !member.value().is_string())
@@ -283,77 +217,28 @@ StatedProblem stated_problem(const JsonNode& node) {
   return stated;
 }
 
-Provenance provenance_of(const JsonNode& node) {
-  node.require_spelling({"class", "method", "settings", "software", "checks"});
-  Provenance provenance;
-  provenance.value_class = value_class_of(node.at("class"));
-  provenance.method = node.at("method").text();
-  if (const JsonNode settings = node.at("settings"); settings.value().is_object())
-    provenance.settings = settings.value().dump();
-  else
-    settings.fail_unless("an object");
-  provenance.software = node.at("software").text();
-  provenance.checks = node.at("checks").texts();
-  if (provenance.checks.empty()) node.at("checks").fail_unless("an array that is not empty");
-  return provenance;
-}
-
-// Inside the package.
-std::filesystem::path safe_path(const JsonNode& node) {
-  std::filesystem::path path = node.text();
-  if (path.is_absolute() || std::ranges::count(path, std::filesystem::path("..")) > 0)
-    node.fail_unless("a path inside the folder of the package");
-  return path;
-}
-
-std::string digest_of(const JsonNode& node) {
-  constexpr std::string_view method = "sha256:";
-  const std::string text = node.text();
-  const std::string digest = text.substr(std::min(text.size(), method.size()));
-  const bool is_digest =
-      digest.size() == 64 && digest.find_first_not_of("0123456789abcdef") == std::string::npos;
-  if (!text.starts_with(method) || !is_digest) node.fail_unless("sha256: and 64 hexadecimal digits");
-  return digest;
-}
-
 void require_word(const JsonNode& node, const std::string& key, const std::string& word) {
   if (const auto member = node.find(key)) static_cast<void>(member->one_of({word}));
 }
 
 Resource resource_of(const JsonNode& node) {
-  node.require_spelling({"name", "path", "profile", "format", "mediatype", "encoding", "bytes", "hash",
-                         "title", "description", "problem", "schema", "comparison", "diagnosis", "provenance",
-                         "licenses", "sources", "dialect"});
-  Resource resource;
-  resource.name = node.at("name").text();
-  resource.path = safe_path(node.at("path"));
-  require_word(node, "profile", "tabular-data-resource");
-  require_word(node, "format", "csv");
-  require_word(node, "mediatype", "text/csv");
-  require_word(node, "encoding", "utf-8");
-  const long bytes = node.at("bytes").integer();
-  if (bytes < 1) node.at("bytes").fail_unless("an integer above 0");
-  resource.bytes = static_cast<std::size_t>(bytes);
-  resource.sha256 = digest_of(node.at("hash"));
-  resource.title = node.at("title").text();
-  resource.description = node.at("description").text();
-  read_schema(node.at("schema"), resource);
+  Resource resource = read_description(node);
+  if (resource.path.is_absolute() || std::ranges::count(resource.path, std::filesystem::path("..")) > 0)
+    node.at("path").fail_unless("a path inside the folder of the package");
+  check_schema(node.at("schema"), resource);
   if (const auto problem = node.find("problem")) {
     require_problem(*problem, resource);
-    resource.problem = problem->value().dump();
     resource.stated = stated_problem(*problem);
   }
-  if (const auto comparison = node.find("comparison"))
-    resource.comparison = comparison_of(*comparison, resource);
-  if (const auto diagnosis = node.find("diagnosis")) resource.diagnosis = diagnosis_of(*diagnosis, resource);
-  resource.provenance = provenance_of(node.at("provenance"));
+  if (resource.comparison) check_comparison(node.at("comparison"), resource);
+  if (resource.diagnosis) check_diagnosis(node.at("diagnosis"), resource);
+  require_elements(node.at("provenance").at("checks"));
   return resource;
 }
 
 void require_licenses(const JsonNode& licenses) {
   const std::vector<std::string> keys{"name", "path", "title"};
-  if (licenses.elements().empty()) licenses.fail_unless("an array that is not empty");
-  for (const JsonNode& license : licenses.elements()) {
+  for (const JsonNode& license : require_elements(licenses)) {
     license.require_spelling(keys);
     for (const std::string& key : keys) static_cast<void>(optional_text(license, key));
   }
@@ -467,10 +352,10 @@ class TableReader {
     std::vector<const Column*> key;
     for (const std::string& name : resource_.primary_key)
       key.push_back(&*std::ranges::find(columns_, name, [](const Column& c) { return c.field.name; }));
-    if (const auto twice = repeated_key(key))
-      throw InputError(csv_.place(lines_[twice->second]) + ": the primary key " +
+    if (const auto rows = duplicate_rows(key))
+      throw InputError(csv_.place(lines_[rows->second]) + ": the primary key " +
                        joined(resource_.primary_key) + " stands in line " +
-                       std::to_string(lines_[twice->first]) + " already, but must stand once");
+                       std::to_string(lines_[rows->first]) + " already, but must stand once");
   }
 
   [[noreturn]] void fail_unless(const std::string& allowed, std::size_t i, const std::string& cell) const {
@@ -530,8 +415,7 @@ ReferencePackage load_reference(const std::filesystem::path& folder) {
                            .resources = {}};
   require_word(root, "profile", "tabular-data-package");
   require_licenses(root.at("licenses"));
-  const auto nodes = root.at("resources").elements();
-  if (nodes.empty()) root.at("resources").fail_unless("an array that is not empty");
+  const auto nodes = require_elements(root.at("resources"));
   for (const JsonNode& node : nodes) package.resources.push_back(resource_of(node));
   require_consistent(package, nodes);
   return package;
@@ -558,7 +442,7 @@ bool is_same_key(double a, double b) {
   return a == b || std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
 }
 
-std::optional<Twice> repeated_key(const std::vector<const Column*>& key) {
+std::optional<std::pair<std::size_t, std::size_t>> duplicate_rows(const std::vector<const Column*>& key) {
   const auto is_word = [](const Column* column) { return column->field.type == FieldType::string; };
   const auto is_before = [&](std::size_t a, std::size_t b) {
     for (const Column* column : key) {
@@ -579,7 +463,7 @@ std::optional<Twice> repeated_key(const std::vector<const Column*>& key) {
   std::ranges::stable_sort(order, is_before);
   const auto twice = std::ranges::adjacent_find(order, is_same);
   if (twice == order.end()) return std::nullopt;
-  return Twice{std::min(*twice, *(twice + 1)), std::max(*twice, *(twice + 1))};
+  return std::minmax({*twice, *(twice + 1)});
 }
 
 }  // namespace stickslip::data

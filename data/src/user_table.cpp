@@ -234,7 +234,7 @@ class UserTableReader {
     if (resource().primary_key.empty() || !has_key) return;
     std::vector<const Column*> key;
     for (const std::string& name : resource().primary_key) key.push_back(table_.column(name));
-    const auto twice = repeated_key(key);
+    const auto twice = duplicate_rows(key);
     if (!twice) return;
     std::string values;
     for (const std::string& name : resource().primary_key)

@@ -46,17 +46,11 @@ void run(const AnimateOptions& options) {
         fmt::format("at most one per time step of {} s, of which {} s have {}",
                     data::shortest_text(problem.numerics.time_step()), data::shortest_text(duration),
                     static_cast<long>(duration / problem.numerics.time_step() * (1.0 + 1e-12)) + 1));
-  const bool by_elements = options.method == "fe";
-  const auto inquiry =
-      by_elements ? studies::Inquiry::stepped_history : studies::Inquiry::event_driven_history;
-  studies::require_feasible(problem, inquiry);
-  report::write_animation(problem, {.method = by_elements ? report::MotionMethod::finite_elements
-                                                          : report::MotionMethod::event_driven,
-                                    .duration = duration,
-                                    .frames = options.frames,
-                                    .output = options.output,
-                                    .quiet = is_quiet()});
-  const auto warnings = warnings_of(problem, inquiry);
+  const studies::Method& method = studies::method(options.method);
+  method.require(problem);
+  report::write_animation(
+      problem, {.method = &method, .frames = options.frames, .output = options.output, .quiet = is_quiet()});
+  const auto warnings = warnings_of(problem, method.inquiry);
   print_warnings(warnings);
   if (options.problem.json)
     print_json({{"case", problem.name},

@@ -111,7 +111,8 @@ std::string Outputs::last_words() {
   if (sentence_) return sentence_();
   if (const std::string paths = written(); !paths.empty())
     return fmt::format("interrupted; nothing is written but {}", paths);
-  return progress_ ? fmt::format("interrupted after {:.0f} %; nothing is written", 100.0 * progress_->share())
+  return progress_ ? fmt::format("interrupted after {:.0f} % of the work; nothing is kept",
+                                 100.0 * progress_->share())
                    : "interrupted before there was a result";
 }
 

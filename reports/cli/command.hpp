@@ -15,6 +15,8 @@
 #include <vector>
 
 #include "answer.hpp"
+#include "figure_format.hpp"
+#include "long_work.hpp"
 #include "output_file.hpp"
 #include "render/interruption.hpp"
 #include "render/progress.hpp"

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "case_options.hpp"
+#include "command.hpp"
 #include "commands.hpp"
+#include "comparison/diagnosis/diagnosis.hpp"
 #include "comparison_output.hpp"
-#include "figure_format.hpp"
-#include "long_work.hpp"
-#include "output_file.hpp"
+#include "exit_status.hpp"
 #include "render/comparison_figure.hpp"
-#include "render/interruption.hpp"
 #include "stickslip/data/input_text.hpp"
 
 namespace stickslip::cli {
@@ -31,14 +28,14 @@ struct CompareOptions {
 };
 
 // "QUANTITY=VALUE", or "VALUE" for all.
-studies::ComparisonSettings::Tolerance parse_tolerance(const std::string& text) {
+std::pair<std::string, double> parse_tolerance(const std::string& text) {
   const auto equals = text.find('=');
   const std::string number = equals == std::string::npos ? text : text.substr(equals + 1);
   const auto value = parse<double>(number);
   if (!value || equals == 0)
     throw data::FieldError("--tolerance", fmt::format("'{}'", data::printable(text)),
                            "a number or QUANTITY=NUMBER, as in frequency=1e-3");
-  return {.quantity = equals == std::string::npos ? "" : text.substr(0, equals), .value = *value};
+  return {equals == std::string::npos ? "" : text.substr(0, equals), *value};
 }
 
 std::vector<data::ColumnMapping> mappings_of(const CompareOptions& options) {
@@ -56,114 +53,100 @@ std::vector<data::ColumnMapping> mappings_for(const data::ReferenceTable& refere
   return mappings;
 }
 
-studies::Comparison compare(const CompareOptions& options, report::Progress& progress) {
+comparison::Comparison compare(const CompareOptions& options, report::Progress& progress) {
   const data::ReferencePackage package = data::load_reference(options.package);
-  const data::ReferenceTable reference = data::read_table(package, options.name);
-  const auto& rule = reference.resource.comparison;
-  studies::ComparisonSettings settings{.tolerances = {}, .until = options.until, .events = {}};
-  for (const std::string& text : options.tolerances) settings.tolerances.push_back(parse_tolerance(text));
+  const comparison::Reference reference = comparison::read_reference(package, options.name);
+  comparison::Settings settings{.tolerances = {}, .until = options.until, .events = {}};
+  for (const std::string& text : options.tolerances) {
+    const auto [quantity, value] = parse_tolerance(text);
+    settings.tolerances[quantity] = value;
+  }
 
   const auto mappings = mappings_of(options);
-  std::vector<const data::ReferenceTable*> references{&reference};
-  std::optional<data::ReferenceTable> events;
+  std::vector<const data::ReferenceTable*> references{&reference.table};
   if (!options.events.empty()) {
-    if (!rule || rule->kind != data::ComparisonKind::phases)
+    if (!reference.events)
       throw data::InputError(
           fmt::format("--events is given, but {} is no history with events of its own", options.name));
-    events = data::read_table(package, rule->events);
-    references.push_back(&*events);
+    references.push_back(&*reference.events);
   }
   data::require_known_columns(mappings, references);
-  if (events)
-    settings.events = data::read_user_table(options.events, *events, mappings_for(*events, mappings));
+  if (!options.events.empty())
+    settings.events =
+        data::read_user_table(options.events, *reference.events, mappings_for(*reference.events, mappings));
   const data::UserTable theirs =
-      data::read_user_table(options.file, reference, mappings_for(reference, mappings));
-  settings.progress = [&](double share) { progress(share); };
-  return studies::compare(package, options.name, theirs, settings);
+      data::read_user_table(options.file, reference.table, mappings_for(reference.table, mappings));
+  comparison::Comparison result = comparison::compare(reference, theirs, settings);
+  result.diagnoses =
+      comparison::diagnose(result, package, reference.table, theirs, [&](double share) { progress(share); });
+  return result;
 }
 
-void run(const CompareOptions& options) {
+Answer compared(const CompareOptions& options, Outputs& outputs) {
   if (options.json == "-" && options.junit == "-")
     throw data::InputError(
         "--json - and --junit - both want standard output, but one of them must be a file");
   if (options.file == "-" && options.events == "-")
     throw data::InputError("FILE and --events both are standard input, but one of them must be a file");
-  require_different_files(
-      {{"--json", options.json}, {"--junit", options.junit}, {"--figure", options.figure}});
-  std::optional<OutputFile> table, json, junit, figure;
-  if (!options.quiet && options.json != "-" && options.junit != "-") table.emplace("-");
-  open_if_named(json, options.json);
-  open_if_named(junit, options.junit);
-  open_figure(figure, options.figure);
+  const bool has_table = !options.quiet && options.json != "-" && options.junit != "-";
+  outputs.open({{"the table", has_table ? "-" : ""},
+                {"--json", options.json},
+                {"--junit", options.junit},
+                {"--figure", options.figure}});
+  const comparison::Comparison result = compare(options, outputs.progress(": known mistakes"));
+  outputs.write("the table", [&] { return text_of(result); });
+  outputs.write("--json", [&] { return json_of(result, options.file).dump(2) + "\n"; });
+  outputs.write("--junit", [&] { return junit_of(result, options.file); });
+  outputs.draw([&](const std::string& format) { return report::draw(result, format); });
+  Answer answer;
+  if (result.agreement == comparison::Agreement::differs) answer.status = failed;
+  return answer;
+}
 
-  std::vector<std::string> written;
-  report::Progress progress("stickslip compare: known mistakes",
-                            report::Progress::standard_error(options.quiet || is_quiet()));
-  report::Interruption interruption([&] {
-    progress.finish();
-    for (const auto* file : {&json, &junit, &figure})
-      if (*file) (*file)->discard();
-    if (written.empty()) return std::string("interrupted; nothing is written");
-    return fmt::format("interrupted; nothing is written but {}", fmt::join(written, " and "));
-  });
-  const auto write = [&](std::optional<OutputFile>& file, const std::string& path, const auto& text) {
-    if (!file) return;
-    const auto undisturbed = interruption.hold();
-    file->write(text());
-    file->commit();
-    written.push_back(path == "-" ? "standard output" : path);
-  };
-
-  const studies::Comparison comparison = compare(options, progress);
-  progress.finish();
-  write(table, "-", [&] { return text_of(comparison); });
-  write(json, options.json, [&] { return json_of(comparison, options.file).dump(2) + "\n"; });
-  write(junit, options.junit, [&] { return junit_of(comparison, options.file); });
-  write(figure, options.figure, [&] { return report::draw(comparison, figure_format(options.figure)); });
-  if (comparison.agreement == studies::Agreement::differs) throw CLI::RuntimeError(1);
+void add_options(CLI::App& command, CompareOptions& options) {
+  command.add_option("NAME", options.name, "A data set that 'stickslip reference list' lists")->required();
+  command
+      .add_option("FILE", options.file,
+                  "CSV file with the columns of the data set, '-' for standard input; a unit may follow a "
+                  "name, as in 'frequency [kHz]'")
+      ->check(file_name())
+      ->required();
+  command
+      .add_option("--events", options.events,
+                  "CSV file with the changes of contact of the same run, for a history with stick and slip")
+      ->check(file_name());
+  command
+      .add_option("--column", options.columns,
+                  "Which column of yours is which, and in which unit, as in frequency=f1:kHz; repeatable")
+      ->type_name("REFERENCE=YOURS[:UNIT]")
+      ->allow_extra_args(false);
+  command
+      .add_option("--tolerance", options.tolerances,
+                  "Instead of that of the data set, of one quantity or of all; repeatable")
+      ->type_name("[QUANTITY=]NUMBER")
+      ->allow_extra_args(false);
+  command.add_option("--until", options.until, "Compare nothing later, s; a run of yours must reach it")
+      ->check(time());
+  command.add_option("--json", options.json, "JSON file with all numbers, '-' for standard output")
+      ->check(file_name());
+  command.add_option("--junit", options.junit, "XML file in JUnit's format, '-' for standard output")
+      ->check(file_name());
+  add_figure_option(command, options.figure);
+  add_package_option(command, options.package);
+  command.add_flag("--quiet", options.quiet, "Print nothing");
 }
 
 }  // namespace
 
 void add_compare_command(CLI::App& app) {
-  auto* command = app.add_subcommand("compare",
-                                     "Results of your own against the reference data. Exit status 0: they "
-                                     "agree, or nothing differs; 1: they "
-                                     "differ; 2: they cannot be compared");
-  auto options = std::make_shared<CompareOptions>();
-  command->add_option("NAME", options->name, "A data set that 'stickslip reference list' lists")->required();
-  command
-      ->add_option("FILE", options->file,
-                   "CSV file with the columns of the data set, '-' for standard input; a unit may follow a "
-                   "name, as in 'frequency [kHz]'")
-      ->check(file_name())
-      ->required();
-  command
-      ->add_option("--events", options->events,
-                   "CSV file with the changes of contact of the same run, for a history with stick and slip")
-      ->check(file_name());
-  command
-      ->add_option("--column", options->columns,
-                   "Which column of yours is which, and in which unit, as in frequency=f1:kHz; repeatable")
-      ->type_name("REFERENCE=YOURS[:UNIT]")
-      ->allow_extra_args(false);
-  command
-      ->add_option("--tolerance", options->tolerances,
-                   "Instead of that of the data set, of one quantity or of all; repeatable")
-      ->type_name("[QUANTITY=]NUMBER")
-      ->allow_extra_args(false);
-  command->add_option("--until", options->until, "Compare nothing later, s; a run of yours must reach it")
-      ->check(time());
-  command->add_option("--json", options->json, "JSON file with all numbers, '-' for standard output")
-      ->check(file_name());
-  command->add_option("--junit", options->junit, "XML file in JUnit's format, '-' for standard output")
-      ->check(file_name());
-  add_figure_option(*command, options->figure);
-  add_package_option(*command, options->package);
-  command->add_flag("--quiet", options->quiet, "Print nothing");
-  add_examples(*command, {"stickslip reference export stick-frequencies --output mine.csv",
-                          "stickslip compare stick-frequencies mine.csv --tolerance 1e-6"});
-  command->callback([options] { run(*options); });
+  add<CompareOptions>(
+      app, {.name = "compare",
+            .help = "Results of your own against the reference data. Exit status 0: they agree, or nothing "
+                    "differs; 1: they differ; 2: they cannot be compared",
+            .examples = {"stickslip reference export stick-frequencies --output mine.csv",
+                         "stickslip compare stick-frequencies mine.csv --tolerance 1e-6"},
+            .add_options = add_options,
+            .run = compared});
 }
 
 }  // namespace stickslip::cli

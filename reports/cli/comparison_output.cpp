@@ -13,8 +13,8 @@ namespace stickslip::cli {
 
 namespace {
 
-using studies::Agreement;
-using studies::Comparison;
+using comparison::Agreement;
+using comparison::Comparison;
 
 std::string number_of(std::optional<double> value) { return value ? fmt::format("{:.3g}", *value) : "-"; }
 
@@ -27,7 +27,7 @@ std::string measured(std::optional<double> value, const Comparison::Quantity& qu
 }
 
 std::string verdict_of(const Comparison::Quantity& quantity) {
-  const auto verdict = studies::to_string(quantity.agreement);
+  const auto verdict = comparison::to_string(quantity.agreement);
   if (quantity.agreement != Agreement::undecided || quantity.compared == 0) return std::string(verdict);
   return fmt::format("{} ({} of {})", verdict, quantity.undecided, quantity.compared);
 }
@@ -73,22 +73,22 @@ std::string coverage_of(const Comparison& comparison) {
 }
 
 std::string conclusion_of(const Comparison& comparison) {
-  const auto verdict = studies::to_string(comparison.agreement);
+  const auto verdict = comparison::to_string(comparison.agreement);
   if (comparison.agreement != Agreement::undecided) return std::string(verdict);
   if (!is_covered(comparison))
     return fmt::format("{}: nothing differs, but the file covers too little", verdict);
   return fmt::format("{}: nothing differs, but the reference does not settle everything", verdict);
 }
 
-std::string finding_name(studies::Finding finding) {
+std::string finding_name(comparison::Finding finding) {
   switch (finding) {
-    case studies::Finding::correct:
+    case comparison::Finding::correct:
       return "correct";
-    case studies::Finding::mistaken:
+    case comparison::Finding::mistaken:
       return "mistaken";
-    case studies::Finding::undecided:
+    case comparison::Finding::undecided:
       return "undecided";
-    case studies::Finding::unexplained:
+    case comparison::Finding::unexplained:
       break;
   }
   return "unexplained";
@@ -98,7 +98,7 @@ Json json_of(const Comparison::Quantity& quantity) {
   Json object{{"quantity", quantity.name},        {"unit", quantity.unit},
               {"norm", to_string(quantity.norm)}, {"error", optional_json(quantity.error)},
               {"where", quantity.where},          {"uncertainty", optional_json(quantity.uncertainty)},
-              {"tolerance", quantity.tolerance},  {"verdict", studies::to_string(quantity.agreement)},
+              {"tolerance", quantity.tolerance},  {"verdict", comparison::to_string(quantity.agreement)},
               {"compared", quantity.compared},    {"undecided", quantity.undecided},
               {"skipped", Json::array()},         {"series", Json::array()}};
   for (const auto& [reason, points] : quantity.skipped)
@@ -113,20 +113,19 @@ Json json_of(const Comparison::Quantity& quantity) {
   return object;
 }
 
-Json json_of(const Comparison::Likeness& likeness) {
-  Json object{{"group", likeness.group},
-              {"quantity", likeness.quantity},
-              {"sentence", likeness.sentence},
+Json json_of(const comparison::Diagnosis& diagnosis) {
+  Json object{{"group", diagnosis.group},
+              {"quantity", diagnosis.quantity},
+              {"sentence", diagnosis.sentence},
               {"finding", nullptr}};
-  if (!likeness.diagnosis) return object;
-  const studies::Diagnosis& diagnosis = *likeness.diagnosis;
-  object["finding"] = finding_name(diagnosis.finding);
+  if (!diagnosis.finding) return object;
+  object["finding"] = finding_name(*diagnosis.finding);
   object["distance_from_truth"] = diagnosis.from_reference;
   object["uncertainty"] = diagnosis.uncertainty;
   object["required_ratio"] = diagnosis.required_ratio;
   object["named"] = diagnosis.named;
   object["ranking"] = Json::array();
-  for (const studies::Candidate& suspect : diagnosis.ranked)
+  for (const comparison::Hypothesis& suspect : diagnosis.ranked)
     object["ranking"].push_back({{"name", suspect.name},
                                  {"distance", suspect.distance},
                                  {"distance_from_truth", suspect.from_reference}});
@@ -147,9 +146,9 @@ std::string text_of(const Comparison& comparison) {
       text += fmt::format("{}: not compared: {}\n", quantity.name, skipped);
   for (const std::string& remark : comparison.remarks) text += remark + "\n";
   text += coverage_of(comparison) + "\n";
-  for (const auto& likeness : comparison.likenesses)
-    text += fmt::format("{}{}{}\n", prefix_of(comparison.quantities.size() > 1 ? likeness.quantity : ""),
-                        prefix_of(likeness.group), likeness.sentence);
+  for (const auto& diagnosis : comparison.diagnoses)
+    text += fmt::format("{}{}{}\n", prefix_of(comparison.quantities.size() > 1 ? diagnosis.quantity : ""),
+                        prefix_of(diagnosis.group), diagnosis.sentence);
   return text + fmt::format("{}\n", conclusion_of(comparison));
 }
 
@@ -158,7 +157,7 @@ Json json_of(const Comparison& comparison, const std::string& file) {
               {"title", comparison.title},
               {"kind", to_string(comparison.kind)},
               {"file", file},
-              {"verdict", studies::to_string(comparison.agreement)},
+              {"verdict", comparison::to_string(comparison.agreement)},
               {"abscissa", comparison.abscissa},
               {"abscissa_unit", comparison.abscissa_unit},
               {"coverage", comparison.coverage},
@@ -167,7 +166,7 @@ Json json_of(const Comparison& comparison, const std::string& file) {
               {"remarks", comparison.remarks},
               {"diagnoses", Json::array()}};
   for (const auto& quantity : comparison.quantities) object["quantities"].push_back(json_of(quantity));
-  for (const auto& likeness : comparison.likenesses) object["diagnoses"].push_back(json_of(likeness));
+  for (const auto& diagnosis : comparison.diagnoses) object["diagnoses"].push_back(json_of(diagnosis));
   return object;
 }
 

@@ -4,16 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <optional>
 #include <string>
 
 #include "case_options.hpp"
+#include "command.hpp"
 #include "commands.hpp"
-#include "long_work.hpp"
 #include "range_text.hpp"
-#include "render/interruption.hpp"
-#include "render/progress.hpp"
 #include "stickslip/analytic/criterion.hpp"
 #include "studies/criterion/design_guide.hpp"
 
@@ -77,14 +74,9 @@ data::Case at_the_end_of(const data::Case& problem, const studies::ParameterRang
   return end;
 }
 
-studies::Design design_of(const data::Case& problem, const Ranges& ranges) {
+studies::Design design_of(const data::Case& problem, const Ranges& ranges, report::Progress& progress) {
   studies::Design design{
       .band = {ranges.band.from, ranges.band.to}, .margin = {}, .lengths = {}, .forces = {}};
-  report::Progress progress("stickslip design", progress_surroundings());
-  const report::Interruption interruption([&] {
-    progress.finish();
-    return fmt::format("interrupted after {:.0f} % of the design; nothing is kept", 100.0 * progress.share());
-  });
   const auto half_from = [&progress](double start) {
     return [&progress, start](double share) { progress(start + 0.5 * share); };
   };
@@ -105,79 +97,64 @@ std::string reason_for(const studies::DesignInterval& interval) {
   return fmt::format("slips: natural frequency {} in the band", fmt::join(interval.resonances, ", "));
 }
 
-void print_scan(const std::string& title, const studies::DesignScan& scan) {
-  fmt::print("\n{}, ends to {}\n", title, significant(scan.accuracy, 2));
+void add_scan(Answer& answer, const std::string& title, const std::string& key,
+              const studies::DesignScan& scan) {
   const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(scan.accuracy))));
-  const auto end = [&](double value) { return fmt::format("{:.{}f}", value, decimals); };
-  for (const auto& interval : scan.intervals)
-    fmt::print("{:<28}{}\n", fmt::format("{} ... {}", end(interval.from), end(interval.to)),
-               reason_for(interval));
-}
-
-std::string resonance_text(const std::vector<studies::Resonance>& resonances) {
-  if (resonances.empty()) return "none";
-  std::vector<std::string> texts;
-  for (const auto& resonance : resonances)
-    texts.push_back(fmt::format("{} at {}", resonance.mode, significant(resonance.frequency_hz, 7)));
-  return fmt::format("{}", fmt::join(texts, ", "));
-}
-
-void print_table(const data::Case& problem, const studies::Design& design) {
-  const auto row = [](std::string_view name, std::string_view value) {
-    fmt::print("{:<34}{}\n", name, value);
-  };
-  fmt::print("{}: {} to {} Hz, {} m, 0 to {} s, N = {}\n\n", problem.name,
-             data::shortest_text(design.band.from_hz), data::shortest_text(design.band.to_hz),
-             data::shortest_text(problem.excitation.amplitude()),
-             data::shortest_text(problem.numerics.duration()), problem.numerics.modes());
-  const auto& margin = design.margin;
-  row("smallest margin mu_s P/|f_max|",
-      common_digits(margin.margin) + (margin.margin.lower < 1.0 ? ": slips" : ": sticks"));
-  row("at / Hz", significant(margin.frequency_hz, 7));
-  row("largest |f| / N", common_digits(margin.force_max));
-  row("friction limit mu_s P / N", data::shortest_text(margin.friction_limit));
-  row("natural frequencies in the band", resonance_text(margin.resonances));
-  print_scan(fmt::format("length / m at P = {} N", data::shortest_text(problem.beam.axial_force())),
-             design.lengths);
-  print_scan(fmt::format("axial force / N at L = {} m", data::shortest_text(problem.beam.length())),
-             design.forces);
-  fmt::print("\n{}\n", guarantee);
-}
-
-Json to_json(const studies::DesignScan& scan) {
+  answer.add_line(fmt::format("\n{}, ends to {}", title, significant(scan.accuracy, 2)));
   Json intervals = Json::array();
-  for (const auto& interval : scan.intervals)
+  for (const auto& interval : scan.intervals) {
+    answer.add_line(fmt::format("{:<28}{}",
+                                fmt::format("{1:.{0}f} ... {2:.{0}f}", decimals, interval.from, interval.to),
+                                reason_for(interval)));
     intervals.push_back({{"from", interval.from},
                          {"to", interval.to},
                          {"state", interval.buckled  ? "no stick state"
                                    : interval.sticks ? "stick"
                                                      : "stick-slip"},
                          {"natural_frequencies_in_band", interval.resonances}});
-  return {{"accuracy", scan.accuracy}, {"intervals", intervals}};
+  }
+  answer.add_members({{key, {{"accuracy", scan.accuracy}, {"intervals", intervals}}}});
 }
 
-Json to_json(const data::Case& problem, const studies::Design& design,
-             const std::vector<std::string>& warnings) {
-  Json resonances = Json::array();
-  for (const auto& resonance : design.margin.resonances)
-    resonances.push_back({{"mode", resonance.mode}, {"frequency_hz", resonance.frequency_hz}});
-  return {{"case", problem.name},
-          {"band_hz", {design.band.from_hz, design.band.to_hz}},
-          {"amplitude_m", problem.excitation.amplitude()},
-          {"duration_s", problem.numerics.duration()},
-          {"modes", problem.numerics.modes()},
-          {"margin", bounds_json(design.margin.margin)},
-          {"frequency_hz", design.margin.frequency_hz},
-          {"force_max_N", bounds_json(design.margin.force_max)},
-          {"friction_limit_N", design.margin.friction_limit},
-          {"evaluations", design.margin.evaluations},
-          {"natural_frequencies_in_band", resonances},
-          {"lengths_m", to_json(design.lengths)},
-          {"axial_forces_N", to_json(design.forces)},
-          {"warnings", warnings}};
+Value resonances_of(const std::vector<studies::Resonance>& resonances) {
+  Value value{Json::array(), resonances.empty() ? "none" : ""};
+  for (const auto& [mode, hz] : resonances) {
+    value.json.push_back({{"mode", mode}, {"frequency_hz", hz}});
+    value.text += fmt::format("{}{} at {}", value.text.empty() ? "" : ", ", mode, significant(hz, 7));
+  }
+  return value;
 }
 
-void run(const DesignOptions& options) {
+Answer answer_of(const data::Case& problem, const studies::Design& design) {
+  const auto& [force, limit, margin_bounds, worst_hz, evaluations, resonances] = design.margin;
+  Answer answer(34);
+  answer.add_members({{"case", problem.name},
+                      {"band_hz", {design.band.from_hz, design.band.to_hz}},
+                      {"amplitude_m", problem.excitation.amplitude()},
+                      {"duration_s", problem.numerics.duration()},
+                      {"modes", problem.numerics.modes()}});
+  answer.add_line(fmt::format(
+      "{}: {} to {} Hz, {} m, 0 to {} s, N = {}\n", problem.name, data::shortest_text(design.band.from_hz),
+      data::shortest_text(design.band.to_hz), data::shortest_text(problem.excitation.amplitude()),
+      data::shortest_text(problem.numerics.duration()), problem.numerics.modes()));
+  Value margin = between(margin_bounds);
+  margin.text += margin_bounds.lower < 1.0 ? ": slips" : ": sticks";  // on the safe side
+  answer.add_row({"smallest margin mu_s P/|f_max|", "margin", margin});
+  answer.add_row({"at / Hz", "frequency_hz", {worst_hz, significant(worst_hz, 7)}});
+  answer.add_row({"largest |f| / N", "force_max_N", between(force)});
+  answer.add_row({"friction limit mu_s P / N", "friction_limit_N", exact(limit)});
+  answer.add_members({{"evaluations", evaluations}});
+  answer.add_row(
+      {"natural frequencies in the band", "natural_frequencies_in_band", resonances_of(resonances)});
+  add_scan(answer, fmt::format("length / m at P = {} N", data::shortest_text(problem.beam.axial_force())),
+           "lengths_m", design.lengths);
+  add_scan(answer, fmt::format("axial force / N at L = {} m", data::shortest_text(problem.beam.length())),
+           "axial_forces_N", design.forces);
+  answer.add_line(fmt::format("\n{}", guarantee));
+  return answer;
+}
+
+Answer design(const DesignOptions& options, Outputs& outputs) {
   const ExcitationOptions excitation{.frequency_hz = {}, .amplitude = options.amplitude};
   data::Case problem = load_case(options.problem, excitation, options.duration);
   data::require_rigid(problem.contact, "the design guide, whose tip is held; respond takes it");
@@ -187,45 +164,42 @@ void run(const DesignOptions& options) {
   problem.numerics = numerics_up_to(ranges.band.to, options.problem, excitation, options.duration);
   for (const double length : {problem.beam.length(), ranges.lengths.from})
     studies::require_feasible(at_the_end_of(problem, ranges.band, length), studies::Inquiry::design);
-  const studies::Design design = design_of(problem, ranges);
-  const auto warnings =
+  outputs.open({});
+  Answer answer = answer_of(problem, design_of(problem, ranges, outputs.progress()));
+  answer.warnings =
       warnings_of(at_the_end_of(problem, ranges.band, problem.beam.length()), studies::Inquiry::design);
-  const Json answer = to_json(problem, design, warnings);
-  require_finite(answer);
-  print_warnings(warnings);
-  if (options.problem.json)
-    print_json(answer);
-  else
-    print_table(problem, design);
+  return answer;
+}
+
+void add_options(CLI::App& command, DesignOptions& options) {
+  add_case_options(command, options.problem);
+  command.add_option("--band", options.band, "Excitation frequencies, Hz; both ends may be the same")
+      ->type_name("FROM:TO")
+      ->required();
+  command.add_option("--amplitude", options.amplitude, "Amplitude at all of them, m (else that of the case)")
+      ->check(number());
+  command
+      .add_option("--length", options.length,
+                  "Lengths to look at, m (default: half to twice that of the case, below buckling)")
+      ->type_name("FROM:TO");
+  command
+      .add_option("--force", options.force,
+                  "Axial forces to look at, N (default: a tenth to ten times that of the case, below "
+                  "buckling)")
+      ->type_name("FROM:TO");
+  command.add_option("--duration", options.duration, "Duration, s (else that of the case)")->check(number());
+  add_threads_option(command);
 }
 
 }  // namespace
 
 void add_design_command(CLI::App& app) {
-  auto* command = app.add_subcommand(
-      "design", "Margin to slipping over a band of frequencies; lengths and axial forces that avoid it");
-  auto options = std::make_shared<DesignOptions>();
-  add_case_options(*command, options->problem);
-  command->add_option("--band", options->band, "Excitation frequencies, Hz; both ends may be the same")
-      ->type_name("FROM:TO")
-      ->required();
-  command
-      ->add_option("--amplitude", options->amplitude, "Amplitude at all of them, m (else that of the case)")
-      ->check(number());
-  command
-      ->add_option("--length", options->length,
-                   "Lengths to look at, m (default: half to twice that of the case, below buckling)")
-      ->type_name("FROM:TO");
-  command
-      ->add_option("--force", options->force,
-                   "Axial forces to look at, N (default: a tenth to ten times that of the case, below "
-                   "buckling)")
-      ->type_name("FROM:TO");
-  command->add_option("--duration", options->duration, "Duration, s (else that of the case)")
-      ->check(number());
-  add_threads_option(*command);
-  add_examples(*command, {"stickslip design steel-strip --band 24:26 --length 0.25:0.35 --force 10:40"});
-  command->callback([options] { run(*options); });
+  add<DesignOptions>(
+      app, {.name = "design",
+            .help = "Margin to slipping over a band of frequencies; lengths and axial forces that avoid it",
+            .examples = {"stickslip design steel-strip --band 24:26 --length 0.25:0.35 --force 10:40"},
+            .add_options = add_options,
+            .run = design});
 }
 
 }  // namespace stickslip::cli

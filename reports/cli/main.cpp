@@ -24,23 +24,8 @@ void add_commands(CLI::App& app) {
   app.require_subcommand(0, 1);  // run() requires one, so that a misspelt one is named
   app.option_defaults()->disable_flag_override();
   app.set_version_flag("--version", fmt::format("stickslip {} (commit {})", version, commit));
-  add_new_command(app);
-  add_modes_command(app);
-  add_respond_command(app);
-  add_animate_command(app);
-  add_criterion_command(app);
-  add_map_command(app);
-  add_sweep_command(app);
-  add_design_command(app);
-  add_uncertainty_command(app);
-  add_squeal_command(app);
-  add_periodic_command(app);
-  add_reference_command(app);
-  add_compare_command(app);
-  add_report_command(app);
-  add_cases_command(app);
+  for (const auto add_to : all_commands) add_to(app);
   add_quiet_option(app);
-  add_complete_command(app);
   add_examples(app, {"stickslip criterion steel-strip", "stickslip criterion --help"});
 }
 

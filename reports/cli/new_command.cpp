@@ -6,15 +6,14 @@
 #include <array>
 #include <filesystem>
 #include <iostream>
-#include <memory>
 #include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include "case_options.hpp"
+#include "command.hpp"
 #include "commands.hpp"
-#include "output_file.hpp"
 #include "stickslip/data/input_text.hpp"
 #include "stickslip/data/toml_file.hpp"
 
@@ -173,7 +172,7 @@ void ask_all(std::vector<Line>& lines, const std::string& file) {
   }
 }
 
-void run(const NewOptions& options) {
+Answer new_case(const NewOptions& options, Outputs& outputs) {
   std::error_code unusable;  // which OutputFile reports
   if (std::filesystem::exists(options.file, unusable))
     throw data::FieldError("FILE", data::printable(options.file), "a file that does not exist yet");
@@ -183,29 +182,35 @@ void run(const NewOptions& options) {
       options.overrides.empty() && ::isatty(STDIN_FILENO) == 1 && ::isatty(STDERR_FILENO) == 1;
   require_case(lines, options.file);
   if (options.ask || at_a_terminal) ask_all(lines, options.file);
-  OutputFile file(options.file);
-  file.write(text_of(for_shape(lines), options.file));
-  file.commit();
-  fmt::print("{} written; whether it slips: stickslip criterion {}\n", options.file, options.file);
+  outputs.open({{"FILE", options.file}});
+  outputs.write("FILE", [&] { return text_of(for_shape(lines), options.file); });
+  Answer answer;
+  answer.add_line(fmt::format("{0} written; whether it slips: stickslip criterion {0}", options.file));
+  return answer;
+}
+
+void add_options(CLI::App& command, NewOptions& options) {
+  command.add_option("FILE", options.file, "TOML file to write, which must not exist yet")
+      ->check(file_name())
+      ->required();
+  command
+      .add_option("--set", options.overrides,
+                  "A value of the new case, as in 'beam.length=250 mm'; repeatable. On a terminal, without "
+                  "--set, the values are asked for")
+      ->type_name("TABLE.KEY=VALUE")
+      ->allow_extra_args(false);
+  command.add_flag("--ask", options.ask, "Ask for the values that --set does not give, terminal or not");
 }
 
 }  // namespace
 
 void add_new_command(CLI::App& app) {
-  auto* command = app.add_subcommand("new", "Write a case file with comments, to start from");
-  auto options = std::make_shared<NewOptions>();
-  command->add_option("FILE", options->file, "TOML file to write, which must not exist yet")
-      ->check(file_name())
-      ->required();
-  command
-      ->add_option("--set", options->overrides,
-                   "A value of the new case, as in 'beam.length=250 mm'; repeatable. On a terminal, without "
-                   "--set, the values are asked for")
-      ->type_name("TABLE.KEY=VALUE")
-      ->allow_extra_args(false);
-  command->add_flag("--ask", options->ask, "Ask for the values that --set does not give, terminal or not");
-  add_examples(*command, {"stickslip new my-tube.toml --set section.shape=tube --set 'beam.length=1.2 m'"});
-  command->callback([options] { run(*options); });
+  add<NewOptions>(
+      app, {.name = "new",
+            .help = "Write a case file with comments, to start from",
+            .examples = {"stickslip new my-tube.toml --set section.shape=tube --set 'beam.length=1.2 m'"},
+            .add_options = add_options,
+            .run = new_case});
 }
 
 }  // namespace stickslip::cli

@@ -39,8 +39,8 @@ std::vector<Row> rows_of(const studies::Cycle& cycle) {
     multipliers.push_back({{"real", multiplier.real()}, {"imaginary", multiplier.imag()}});
   std::vector<std::string> names, moduli;
   for (const auto& event : motion.events) {
-    events.push_back({{"time_s", event.time}, {"change", data::name_of(event.change)}});
-    names.emplace_back(data::name_of(event.change));
+    events.push_back({{"time_s", event.time}, {"change", data::to_string(event.change)}});
+    names.emplace_back(data::to_string(event.change));
   }
   for (std::size_t i = 0; i < motion.multipliers.size() && i < 4; ++i)
     moduli.push_back(fmt::format("{:.6g}", std::abs(motion.multipliers[i])));

@@ -17,7 +17,6 @@
 #include "range_text.hpp"
 #include "render/criterion_map.hpp"
 #include "render/drawing.hpp"
-#include "render/figures.hpp"
 #include "render/interruption.hpp"
 #include "render/progress.hpp"
 #include "studies/stick_slip/parameter_sweep.hpp"
@@ -50,13 +49,13 @@ report::CsvTable table_of(const studies::SweepTask& task, const std::vector<stud
                           {"friction_force_N", "N"},
                           {"period", "1"}});
   for (const studies::SweepPoint& point : points)
-    for (const studies::SectionPoint& at : point.section) {
-      for (const double value : {at.displacement, at.velocity, at.friction_force})
+    for (const studies::HistoryRow& at : point.section) {
+      for (const double value : {at.tip_displacement, at.sliding_velocity, at.friction_force})
         if (!std::isfinite(value))
           data::throw_overflow(fmt::format("the motion at {} = {} is not finite", task.parameter,
                                            data::shortest_text(point.value)));
       table.add_row({point.up ? "up" : "down", report::csv_number(point.value),
-                     report::csv_number(at.displacement), report::csv_number(at.velocity + 0.0),
+                     report::csv_number(at.tip_displacement), report::csv_number(at.sliding_velocity + 0.0),
                      report::csv_number(at.friction_force + 0.0), std::to_string(point.period)});
     }
   return table;
@@ -69,24 +68,6 @@ std::string drawn(const report::CsvTable& table, const studies::SweepTask& task,
   return report::drawing_of(
       "sweep", format,
       {{"sweep.csv", table.text()}, {"sweep-values.csv", report::values_table(values).text()}});
-}
-
-// The number of values at which up and down have other sections.
-std::size_t values_with_hysteresis(const std::vector<studies::SweepPoint>& points) {
-  const auto extent = [](const studies::SweepPoint& point) {
-    return std::ranges::minmax(point.section, {}, &studies::SectionPoint::friction_force);
-  };
-  constexpr double apart = 0.01;  // of the larger force
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < points.size() / 2; ++i) {
-    const auto up = extent(points[i]), down = extent(points[points.size() - 1 - i]);
-    const double scale = std::max({std::abs(up.min.friction_force), std::abs(up.max.friction_force),
-                                   std::abs(down.min.friction_force), std::abs(down.max.friction_force)});
-    if (std::abs(up.min.friction_force - down.min.friction_force) > apart * scale ||
-        std::abs(up.max.friction_force - down.max.friction_force) > apart * scale)
-      ++count;
-  }
-  return count;
 }
 
 studies::SweepTask task_of(const SweepOptions& options) {
@@ -132,7 +113,7 @@ void run(const SweepOptions& options) {
   const auto warnings = sentences_of(studies::warnings_common_to(task.problem, {task.parameter}));
   print_warnings(warnings);
   const std::size_t hysteresis =
-      task.direction == studies::SweepDirection::both ? values_with_hysteresis(points) : 0;
+      task.direction == studies::SweepDirection::both ? studies::values_with_hysteresis(points) : 0;
   if (options.problem.json) {
     Json object{{"case", task.problem.name},
                 {"parameter", axis_text({task.parameter, task.values})},

@@ -12,13 +12,13 @@
 #include "render/csv_table.hpp"
 #include "render/drawing.hpp"
 #include "render/external_tool.hpp"
-#include "render/figures.hpp"
 #include "render/interruption.hpp"
 #include "render/output_folder.hpp"
 #include "render/progress.hpp"
 #include "render/report.hpp"
 #include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/case_file.hpp"
+#include "studies/common/problem_parameter.hpp"
 #include "studies/stick_slip/beam_motion.hpp"
 
 namespace stickslip::report {
@@ -40,22 +40,21 @@ void refuse_later_frames(const OutputFolder& output, int frames) {
                     output.folder().string(), next.filename().string()));
 }
 
-studies::BeamMotion motion_of(const data::Case& problem, const AnimationOptions& options) {
-  const studies::MotionGrid grid{0.0, options.duration, options.frames, positions};
-  studies::BeamMotion motion = options.method == MotionMethod::finite_elements
-                                   ? studies::finite_element_motion(problem, grid)
-                                   : studies::event_driven_motion(problem, grid);
-  const auto is_finite = [](double value) { return std::isfinite(value); };
-  for (const auto& snapshot : motion.snapshots)
-    if (!is_finite(snapshot.friction_force) || !std::ranges::all_of(snapshot.displacement, is_finite))
-      data::throw_overflow(
-          fmt::format("the motion is not finite at {} s", data::shortest_text(snapshot.time)));
+studies::History motion_of(const data::Case& problem, const AnimationOptions& options,
+                           const studies::Sampling& sampling) {
+  const auto require_finite = [](const studies::HistoryRow& row) {
+    const auto is_finite = [](double value) { return std::isfinite(value); };
+    if (!is_finite(row.friction_force) || !std::ranges::all_of(row.displacement, is_finite))
+      data::throw_overflow(fmt::format("the motion is not finite at {} s", data::shortest_text(row.time)));
+  };
+  studies::History motion = options.method->run(problem, sampling, {}, {});
+  std::ranges::for_each(motion.rows, require_finite);
   return motion;
 }
 
 // Frames first ... last - 1, `positions` rows each.
-CsvTable table_of(const data::Case& problem, const studies::BeamMotion& motion, std::size_t first,
-                  std::size_t last) {
+CsvTable table_of(const data::Case& problem, const studies::History& motion,
+                  const std::vector<double>& position, std::size_t first, std::size_t last) {
   CsvTable table(
       fmt::format("Motion of the beam at {} Hz, {} m", data::shortest_text(problem.excitation.frequency_hz()),
                   data::shortest_text(problem.excitation.amplitude())),
@@ -66,21 +65,21 @@ CsvTable table_of(const data::Case& problem, const studies::BeamMotion& motion, 
        {"position_m", "m"},
        {"displacement_m", "m"}});
   for (std::size_t i = first; i < last; ++i) {
-    const auto& snapshot = motion.snapshots[i];
-    for (std::size_t k = 0; k < motion.position.size(); ++k)
-      table.add_numbers({static_cast<double>(i + 1), snapshot.time, snapshot.sticks ? 1.0 : 0.0,
-                         snapshot.friction_force, motion.position[k], snapshot.displacement[k]});
+    const studies::HistoryRow& row = motion.rows[i];
+    const double sticks = row.state == data::ContactState::stick ? 1.0 : 0.0;
+    for (std::size_t k = 0; k < position.size(); ++k)
+      table.add_numbers({static_cast<double>(i + 1), row.time, sticks, row.friction_force, position[k],
+                         row.displacement[k]});
   }
   return table;
 }
 
 // What the script needs to keep the axes of all frames alike.
-std::vector<FigureData::Value> values_of(const data::Case& problem, const studies::BeamMotion& motion) {
-  const double limit = problem.friction.static_coefficient() * problem.beam.axial_force();
+std::vector<FigureData::Value> values_of(const data::Case& problem, const studies::History& motion) {
+  const double limit = studies::friction_limit(problem);
   double largest_force = limit;
-  for (const auto& snapshot : motion.snapshots)
-    largest_force = std::max(largest_force, std::abs(snapshot.friction_force));
-  return {{"points", positions, "1"},
+  for (const auto& row : motion.rows) largest_force = std::max(largest_force, std::abs(row.friction_force));
+  return {{"points", static_cast<double>(positions), "1"},
           {"length", problem.beam.length(), "m"},
           {"hz", problem.excitation.frequency_hz(), "Hz"},
           {"amplitude", problem.excitation.amplitude(), "m"},
@@ -90,15 +89,17 @@ std::vector<FigureData::Value> values_of(const data::Case& problem, const studie
 }
 
 // The drawings, in the scratch folder.
-std::vector<fs::path> drawn_frames(const data::Case& problem, const studies::BeamMotion& motion,
-                                   Progress& progress, OutputFolder& output) {
-  const std::size_t frames = motion.snapshots.size();
+std::vector<fs::path> drawn_frames(const data::Case& problem, const studies::History& motion,
+                                   const std::vector<double>& position, Progress& progress,
+                                   OutputFolder& output) {
+  const std::size_t frames = motion.rows.size();
   std::vector<fs::path> drawn;
   for (std::size_t first = 0; first < frames; first += batch) {
     const std::size_t last = std::min(first + batch, frames);
     progress(static_cast<double>(first) / static_cast<double>(frames));
     progress.stage(fmt::format("drawing frames {} to {} of {}", first + 1, last, frames));
-    data::write_text(output.scratch() / "frames.csv", table_of(problem, motion, first, last).text());
+    data::write_text(output.scratch() / "frames.csv",
+                     table_of(problem, motion, position, first, last).text());
     auto values = values_of(problem, motion);
     values.push_back({"first_frame", static_cast<double>(first + 1), "1"});
     values.push_back({"last_frame", static_cast<double>(last), "1"});
@@ -128,11 +129,13 @@ void write_animation(const data::Case& problem, const AnimationOptions& options)
                        100.0 * progress.share(), has_motion ? "; the motion is in " + table : "");
   });
   progress.stage("following the beam");
-  const studies::BeamMotion motion = motion_of(problem, options);
-  output.write("motion.csv", table_of(problem, motion, 0, motion.snapshots.size()).text());
+  const studies::Sampling sampling =
+      studies::snapshots_of(problem, 0.0, problem.numerics.duration(), options.frames, positions);
+  const studies::History motion = motion_of(problem, options, sampling);
+  output.write("motion.csv", table_of(problem, motion, sampling.positions, 0, motion.rows.size()).text());
   has_motion = true;
   try {
-    const std::vector<fs::path> frames = drawn_frames(problem, motion, progress, output);
+    const std::vector<fs::path> frames = drawn_frames(problem, motion, sampling.positions, progress, output);
     const auto undisturbed = interruption.hold();
     for (const fs::path& frame : frames) output.publish(frame);
   } catch (const ToolMissing& missing) {

@@ -5,15 +5,13 @@
 #include <string>
 
 #include "stickslip/data/problem.hpp"
+#include "studies/history/method.hpp"
 
 namespace stickslip::report {
 
-enum class MotionMethod { finite_elements, event_driven };
-
 struct AnimationOptions {
-  MotionMethod method{MotionMethod::finite_elements};
-  double duration{};             ///< s, from t = 0
-  int frames{};                  ///< 2 ... most_frames, evenly over the duration, its ends included
+  const studies::Method* method{};
+  int frames{};                  ///< 2 ... most_frames, evenly over numerics.duration(), its ends included
   std::filesystem::path output;  ///< folder that receives the frames; made if missing
   bool quiet{};                  ///< no progress on standard error
 };
@@ -24,7 +22,7 @@ inline constexpr int most_frames = 9999;
 /// the same size and axes. The frames appear when the last one is drawn, or not at all.
 ///
 /// Throws data::InputError for an output folder that cannot be used or holds later frames of a longer
-/// animation, what studies::finite_element_motion() and event_driven_motion() throw, and std::runtime_error
+/// animation, what studies::snapshots_of() and the method throw, and std::runtime_error
 /// if gnuplot is missing or fails (motion.csv is in place by then).
 void write_animation(const data::Case& problem, const AnimationOptions& options);
 

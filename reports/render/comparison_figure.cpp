@@ -9,13 +9,12 @@
 
 #include "render/csv_table.hpp"
 #include "render/drawing.hpp"
-#include "render/figures.hpp"
 
 namespace stickslip::report {
 
 namespace {
 
-using Quantity = studies::Comparison::Quantity;
+using Quantity = comparison::Comparison::Quantity;
 
 // "tip displacement / m", without what gnuplot takes for markup.
 std::string label(std::string name, const std::string& unit) {
@@ -24,7 +23,7 @@ std::string label(std::string name, const std::string& unit) {
 }
 
 // An empty line after each series, so that no line joins two of them.
-CsvTable table_of(const studies::Comparison& comparison, const Quantity& quantity) {
+CsvTable table_of(const comparison::Comparison& comparison, const Quantity& quantity) {
   CsvTable table(fmt::format("{} of {}", quantity.name, comparison.name),
                  {{"abscissa", comparison.abscissa_unit},
                   {"theirs", quantity.unit},
@@ -47,7 +46,7 @@ bool is_smooth(data::ComparisonKind kind) {
 
 }  // namespace
 
-std::string draw(const studies::Comparison& comparison, const std::string& format) {
+std::string draw(const comparison::Comparison& comparison, const std::string& format) {
   CsvTable labels("Labels of the axes: the abscissa, then one for each quantity", {{"label", "-"}});
   labels.add_row(
       {comparison.abscissa.empty() ? "row" : label(comparison.abscissa, comparison.abscissa_unit)});

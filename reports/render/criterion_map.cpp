@@ -10,8 +10,6 @@
 #include <string_view>
 #include <vector>
 
-#include "render/drawing.hpp"
-
 namespace stickslip::report {
 
 namespace {
@@ -55,18 +53,6 @@ void add(CsvTable& table, const studies::CriterionMap::Cell& cell, std::size_t q
 }
 
 }  // namespace
-
-std::string to_string(studies::CellState state) {
-  switch (state) {
-    case studies::CellState::stick:
-      return "stick";
-    case studies::CellState::stick_slip:
-      return "stick-slip";
-    case studies::CellState::no_stick_state:
-      return "no stick state";
-  }
-  return {};
-}
 
 CsvColumn column_of(std::string_view parameter) {
   const data::Key& key = data::key_named(parameter);

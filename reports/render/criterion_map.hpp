@@ -5,14 +5,13 @@
 #include <string_view>
 
 #include "render/csv_table.hpp"
-#include "render/figures.hpp"
+#include "render/drawing.hpp"
 #include "stickslip/data/problem.hpp"
 #include "studies/criterion/criterion_map.hpp"
 
 namespace stickslip::report {
 
-/// "stick", "stick-slip" or "no stick state".
-[[nodiscard]] std::string to_string(studies::CellState state);
+using studies::to_string;
 
 /// The column and the unit of a key that may be an axis.
 [[nodiscard]] CsvColumn column_of(std::string_view parameter);

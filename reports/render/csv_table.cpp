@@ -4,13 +4,12 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
-#include <utility>
 
 #include "stickslip/data/problem.hpp"
 
 namespace stickslip::report {
 
-CsvText::CsvText(std::string text) : text_(std::move(text)) {
+CsvText::CsvText(std::string_view text) : text_(text) {
   if (text_.find_first_of(",\"\r\n") != std::string::npos)
     throw std::invalid_argument(
         fmt::format("the cell '{}' holds a comma, a quote or a line break, but must hold none", text_));

@@ -18,7 +18,7 @@ struct CsvColumn {
 class CsvText {
  public:
   /// Throws std::invalid_argument if it holds a comma, a quote or a line break.
-  explicit CsvText(std::string text);
+  explicit CsvText(std::string_view text);
 
   [[nodiscard]] const std::string& text() const noexcept { return text_; }
 

@@ -41,6 +41,15 @@ void remove_date(const fs::path& pdf) {
 
 }  // namespace
 
+CsvTable values_table(const std::vector<FigureData::Value>& values) {
+  CsvTable table("Single values of the figure", {{"name", "-"}, {"value", "see last column"}, {"unit", "-"}});
+  for (const auto& [name, value, unit] : values) {
+    const auto* text = std::get_if<std::string>(&value);
+    table.add_row({name, text != nullptr ? *text : csv_number(std::get<double>(value)), unit});
+  }
+  return table;
+}
+
 std::vector<fs::path> draw_in_scratch(const std::string& script, const std::string& format,
                                       const std::string& tables, const std::vector<std::string>& drawings,
                                       OutputFolder& output) {

@@ -4,11 +4,32 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <variant>
 #include <vector>
 
+#include "render/csv_table.hpp"
 #include "render/output_folder.hpp"
 
 namespace stickslip::report {
+
+/// What a gnuplot script gets, all of it as `<name>.csv`: tables, and a table of single values if there are
+/// any.
+struct FigureData {
+  struct Table {
+    std::string name;  ///< without .csv; the first one is the figure's own
+    CsvTable table;
+  };
+  struct Value {
+    std::string name;  ///< the gnuplot variable
+    std::variant<double, std::string> value;
+    std::string unit;  ///< "-" of a text
+  };
+  std::vector<Table> tables;
+  std::vector<Value> values;
+};
+
+/// The values of a figure as a table with the columns name, value and unit.
+[[nodiscard]] CsvTable values_table(const std::vector<FigureData::Value>& values);
 
 /// Runs figures/<script>.gp once, which makes these drawings in the scratch folder, and returns their paths.
 /// `tables` is the folder of its tables as seen from there. Throws as draw() does.

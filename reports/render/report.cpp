@@ -10,14 +10,12 @@
 
 #include "render/document.hpp"
 #include "render/drawing.hpp"
-#include "render/environment.hpp"
 #include "render/external_tool.hpp"
-#include "render/figures.hpp"
 #include "render/interruption.hpp"
 #include "render/json_text.hpp"
 #include "render/output_folder.hpp"
 #include "render/progress.hpp"
-#include "render/study_results.hpp"
+#include "render/studies.hpp"
 #include "render/values.hpp"
 #include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/case_file.hpp"
@@ -84,7 +82,7 @@ void write_report(const ReportOptions& options) {
     return fmt::format("interrupted after {:.0f} % of the report; what is finished is in {}",
                        100.0 * progress.share(), output.folder().string());
   });
-  StudyResults results([&](const std::string& what) { progress.stage(what); }, values);
+  Results results([&](const std::string& what) { progress.stage(what); }, values);
 
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     progress(share_done(chosen.size(), i));
@@ -93,9 +91,10 @@ void write_report(const ReportOptions& options) {
   draw_all(chosen, progress, output);
   if (!options.only.empty()) return;
 
+  results.run_all();
   data::write_text(values / "tests.json", tests);
   data::write_text(values / "tested_commit.json", json_text(tested_commit(options.tests)));
-  write_values(results, describe_environment(options, output.scratch()), values);
+  data::write_text(values / "environment.json", environment_json(options, output.scratch()));
   progress.stage("typesetting vv-report.pdf");
   typeset(fill_in_templates(values, output), output);
   progress.stage("writing the pages of evidence");

@@ -2,14 +2,15 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
-#include "render/environment.hpp"
-#include "render/study_results.hpp"
+#include "render/report.hpp"
 
 namespace stickslip::report {
 
-/// Runs the studies that no figure has run and writes what the templates read besides the results of studies:
-/// environment, cases and findings, each as <name>.json.
-void write_values(StudyResults& results, const Environment& environment, const std::filesystem::path& folder);
+/// What made the report, as JSON for the templates: version and commit, date (ISO 8601, UTC; SOURCE_DATE_EPOCH if that is
+/// set), compiler, libraries, system and tools.
+[[nodiscard]] std::string environment_json(const ReportOptions& options,
+                                           const std::filesystem::path& scratch);
 
 }  // namespace stickslip::report

@@ -316,6 +316,16 @@ def distance_from(value, target):
     return abs(value - target)
 
 
+def largest(values):
+    """The largest of the values that there are, or NaN if one of them is.
+
+    >>> largest([1.0, None, "inf"]), largest([1.0, "nan", 2.0])
+    (inf, nan)
+    """
+    numbers = [float(value) for value in values if value is not None]
+    return math.nan if any(map(math.isnan, numbers)) else max(numbers)
+
+
 def error_ratio(errors, elements, order):
     """The ratio of the errors on the two finest meshes over what an order predicts.
 
@@ -425,7 +435,7 @@ def shown(value):
     return value
 
 
-FILTERS = (fixed, sig, sci, up, plain, compact, order, signed, escape, breakable, typeset, powers, distance_from, error_ratio)
+FILTERS = (fixed, sig, sci, up, plain, compact, order, signed, escape, breakable, typeset, powers, distance_from, error_ratio, largest)
 
 
 def environment_for(templates):

@@ -15,11 +15,11 @@
 
 #include "comparison/event_sequence.hpp"
 #include "comparison/groups.hpp"
-#include "comparison/likeness.hpp"
 #include "comparison/points.hpp"
 #include "comparison/samples.hpp"
+#include "stickslip/data/input_error.hpp"
 
-namespace stickslip::studies {
+namespace stickslip::comparison {
 
 namespace {
 
@@ -32,7 +32,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 const std::string beyond_horizon = "beyond the horizon";
 const std::string outside_range = "outside the range of the data set";
-const std::string no_value = "without a value in the data set";
 const std::string at_event = "between the two times of an event, or next to it";
 const std::string past_last_sample = "between an event and the samples of the phase";
 const std::string other_phase = "in another phase";
@@ -69,8 +68,8 @@ std::vector<TabulatedEvent> events_of(const data::UserTable& table, const Rows& 
 
 // The user's events without reversals, if the data set has none: it takes a reversal for a short stick, which
 // is left out.
-std::vector<TabulatedEvent> in_words_of(const std::vector<TabulatedEvent>& reference,
-                                        std::vector<TabulatedEvent> theirs) {
+std::vector<TabulatedEvent> without_reversals_if_reference_has_none(
+    const std::vector<TabulatedEvent>& reference, std::vector<TabulatedEvent> theirs) {
   if (std::ranges::count(reference, "reversal", &TabulatedEvent::change) == 0)
     std::erase_if(theirs, [](const TabulatedEvent& event) { return event.change == "reversal"; });
   return theirs;
@@ -85,23 +84,22 @@ struct Window {
 
 class Comparer {
  public:
-  Comparer(const data::ReferencePackage& package, const std::string& name, const data::UserTable& theirs,
-           const ComparisonSettings& settings)
-      : package_(package),
-        settings_(settings),
-        reference_(data::read_table(package, name)),
+  Comparer(const Reference& reference, const data::UserTable& theirs, const Settings& settings)
+      : settings_(settings),
+        reference_(reference.table),
+        reference_events_(reference.events),
         rule_(rule_of(reference_.resource)),
         theirs_(with_keys_of(reference_, theirs, rule_.abscissa)),
-        matcher_(reference_, theirs_),
         horizon_(std::min(rule_.horizon.value_or(infinity), settings.until.value_or(infinity))) {}
 
   [[nodiscard]] Comparison run() {
     result_.name = reference_.resource.name;
     result_.title = reference_.resource.title;
     result_.kind = rule_.kind;
+    result_.horizon = horizon_;
     add_quantities();
     choose_abscissa();
-    groups_ = matcher_.groups(group_columns_);
+    groups_ = groups_of(reference_, theirs_, group_columns_);
     sort_reference();
     switch (rule_.kind) {
       case ComparisonKind::table:
@@ -118,8 +116,6 @@ class Comparer {
         break;
     }
     conclude();
-    if (settings_.diagnose && result_.agreement == Agreement::differs)
-      find_likenesses(result_, package_, reference_, theirs_, settings_);
     return std::move(result_);
   }
 
@@ -136,8 +132,9 @@ class Comparer {
     double tolerance = value.tolerance;
     // The tolerance of one quantity replaces that for all. Words have only their own.
     for (const std::string& name : {std::string(), value.field})
-      for (const auto& [quantity, replacement] : settings_.tolerances)
-        if (quantity == name && (value.norm != Norm::word || !name.empty())) tolerance = replacement;
+      if (const auto own = settings_.tolerances.find(name);
+          own != settings_.tolerances.end() && (value.norm != Norm::word || !name.empty()))
+        tolerance = own->second;
     return tolerance;
   }
 
@@ -223,23 +220,6 @@ class Comparer {
     return 1.0;
   }
 
-  // Compares one value of the user with the reference, unless the reference has no value there.
-  static void judge_at(Comparison::Quantity& quantity, double abscissa, const Interpolated& theirs,
-                       const std::optional<Interpolated>& reference, double scale, const std::string& where) {
-    if (!reference || !std::isfinite(reference->value)) {
-      skip(quantity, no_value);
-      return;
-    }
-    const Point point{.abscissa = abscissa,
-                      .theirs = is_phase(quantity.unit, quantity.norm)
-                                    ? nearest_angle(theirs.value, reference->value)
-                                    : theirs.value,
-                      .reference = reference->value,
-                      .half_width = reference->half_width + theirs.half_width,
-                      .where = where};
-    judge(quantity, point, scale);
-  }
-
   void skip_in_all(const std::string& reason) {
     for (Comparison::Quantity& quantity : result_.quantities) skip(quantity, reason);
   }
@@ -269,9 +249,10 @@ class Comparer {
                                     ? static_cast<double>(pair.row + 1)
                                     : reference_.column(result_.abscissa).values[pair.row];
         const bool is_event_time = rule_.kind == ComparisonKind::events && quantity.name == "time";
-        judge_at(quantity, abscissa,
-                 is_event_time ? pair.their_time : Interpolated{their_values[pair.their_row], 0.0},
-                 Interpolated{values[pair.row], radius[pair.row]}, scale, where(pair));
+        judge(quantity,
+              {abscissa, is_event_time ? pair.their_time : Interpolated{their_values[pair.their_row], 0.0},
+               Interpolated{values[pair.row], radius[pair.row]}},
+              scale, where(pair));
       }
     }
   }
@@ -318,12 +299,12 @@ class Comparer {
         const auto found = std::ranges::find_if(absent, [&](std::size_t row) {
           return are_alike(reference_.columns, row, theirs_.columns, their_row, key);
         });
-        if (found == absent.end()) matcher_.throw_unknown_row(key, their_row);
+        if (found == absent.end()) throw_unknown_row(reference_, theirs_, key, their_row);
         pairs.push_back({*found, their_row});
         absent.erase(found);
       }
-      compare_pairs(group, pairs, [&](const Pair& pair) { return matcher_.label(key, pair.row); });
-      for (const std::size_t row : absent) missing.push_back(matcher_.label(key, row));
+      compare_pairs(group, pairs, [&](const Pair& pair) { return label_of(reference_, key, pair.row); });
+      for (const std::size_t row : absent) missing.push_back(label_of(reference_, key, row));
     }
     note_missing(std::move(missing));
     cover_table();
@@ -335,7 +316,7 @@ class Comparer {
     for (const std::string& name : reference_.resource.primary_key)
       if (reference_.resource.field(name)->type == data::FieldType::string) words.push_back(name);
     result_.required_coverage = least_table_coverage;
-    for (const Group& part : matcher_.groups(words)) {
+    for (const Group& part : groups_of(reference_, theirs_, words)) {
       if (part.theirs.empty()) continue;
       const double share =
           static_cast<double>(part.theirs.size()) / static_cast<double>(part.reference.size());
@@ -434,15 +415,15 @@ class Comparer {
             : by_own_interpolation(reference, theirs, grid.spacing, grid.coincidence);
     for (std::size_t i = 0; i < found.between; ++i) skip(quantity, between_samples);
     for (std::size_t i = 0; i < found.past_last; ++i) skip(quantity, past_last_sample);
-    for (const auto& [x, value, known] : found.points)
-      judge_at(quantity, x, value, known, scale, where_of(group, x));
+    for (const ComparedSample& point : found.points)
+      judge(quantity, point, scale, where_of(group, point.abscissa));
   }
 
   // The user's rows of a group up to the horizon and in the range of the reference. The others are counted as
   // skipped.
   [[nodiscard]] Rows comparable_rows(const Group& group, const Grid& grid) {
     const auto& abscissa = theirs_.column(rule_.abscissa)->values;
-    doubt_unit(abscissa[group.theirs.back()], grid.last);
+    warn_if_unit_differs(abscissa[group.theirs.back()], grid.last);
     Rows rows;
     for (const std::size_t row : group.theirs) {
       const double x = abscissa[row];
@@ -457,7 +438,7 @@ class Comparer {
   }
 
   // Says so if the file goes so far that its abscissa may have another unit, such as ms for s.
-  void doubt_unit(double last, double last_reference) {
+  void warn_if_unit_differs(double last, double last_reference) {
     constexpr double suspicious = 100.0;
     if (!doubt_.empty() || !(last >= suspicious * last_reference) || !(last_reference > 0.0)) return;
     const std::string& unit = result_.abscissa_unit;
@@ -571,10 +552,11 @@ class Comparer {
       open_series(group);
       if (!has_begun(group)) continue;
       const auto events = without_short_phases(events_of(reference_, group.reference), rule_.shortest_phase);
-      const auto their_events =
-          without_short_phases(in_words_of(events, events_of(theirs_, group.theirs)), rule_.shortest_phase);
+      const auto their_events = without_short_phases(
+          without_reversals_if_reference_has_none(events, events_of(theirs_, group.theirs)),
+          rule_.shortest_phase);
       const double last = theirs_.column("time")->values[group.theirs.back()];
-      doubt_unit(last, reference_.column("time").values[group.reference.back()]);
+      warn_if_unit_differs(last, reference_.column("time").values[group.reference.back()]);
       const double end = settings_.until ? infinity : last;
       const SequenceMatch found = match(events, their_events, {horizon_, end, time_tolerance(rule_, events)});
       note_difference(sequence, group, found, events, their_events);
@@ -674,8 +656,9 @@ class Comparer {
     events.guard = time_tolerance(rule, events.reference);
     SequenceMatch found;
     if (settings_.events) {
-      events.theirs = without_short_phases(in_words_of(events.reference, events_in(*settings_.events, group)),
-                                           rule.shortest_phase);
+      events.theirs = without_short_phases(
+          without_reversals_if_reference_has_none(events.reference, events_in(*settings_.events, group)),
+          rule.shortest_phase);
       const double end = theirs_.column(rule_.abscissa)->values[group.theirs.back()];
       found = match(events.reference, *events.theirs, {horizon_, end, events.guard});
       found.unreached = 0;  // the coverage of the history tells it
@@ -688,7 +671,7 @@ class Comparer {
   }
 
   void compare_phases() {
-    const data::ReferenceTable table = data::read_table(package_, rule_.events);
+    const data::ReferenceTable& table = reference_events_.value();
     Comparison::Quantity phase = count_of("phase", "samples"), sequence = count_of("sequence", "events");
     for (const Group& group : groups_) {
       open_series(group);
@@ -784,12 +767,11 @@ class Comparer {
                                  theirs_.rows(), reasons, doubt_.empty() ? "" : "; ", doubt_));
   }
 
-  const data::ReferencePackage& package_;
-  const ComparisonSettings& settings_;
-  const data::ReferenceTable reference_;
+  const Settings& settings_;
+  const data::ReferenceTable& reference_;
+  const std::optional<data::ReferenceTable>& reference_events_;
   const data::ComparisonRule& rule_;
   const data::UserTable theirs_;
-  const Matcher matcher_;
   const double horizon_;
   std::vector<std::string> group_columns_;
   std::vector<Group> groups_;
@@ -811,9 +793,15 @@ std::string_view to_string(Agreement agreement) noexcept {
   return "undecided";
 }
 
-Comparison compare(const data::ReferencePackage& package, const std::string& name,
-                   const data::UserTable& theirs, const ComparisonSettings& settings) {
-  return Comparer(package, name, theirs, settings).run();
+Reference read_reference(const data::ReferencePackage& package, const std::string& name) {
+  Reference reference{.table = data::read_table(package, name)};
+  if (const auto& rule = reference.table.resource.comparison; rule && rule->kind == ComparisonKind::phases)
+    reference.events = data::read_table(package, rule->events);
+  return reference;
 }
 
-}  // namespace stickslip::studies
+Comparison compare(const Reference& reference, const data::UserTable& theirs, const Settings& settings) {
+  return Comparer(reference, theirs, settings).run();
+}
+
+}  // namespace stickslip::comparison

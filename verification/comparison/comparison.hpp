@@ -4,17 +4,19 @@
 /// The comparison of a user's results with the published reference data.
 
 #include <cstddef>
-#include <functional>
+#include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "comparison/wrong_models.hpp"
+#include "comparison/hypothesis.hpp"
 #include "stickslip/data/reference.hpp"
 #include "stickslip/data/user_table.hpp"
 
-namespace stickslip::studies {
+namespace stickslip::comparison {
 
 /// The result of a comparison. With the error e of a point, the uncertainty u of the reference there and the
 /// tolerance tol, all in the norm of the quantity, the point
@@ -34,29 +36,25 @@ constexpr double least_range_coverage = 0.9;
 /// The share of the rows of a table. It counts in each part of the table that the file begins, such as a beam.
 constexpr double least_table_coverage = 0.1;
 
+/// A data set to compare with, read once.
+struct Reference {
+  data::ReferenceTable table;
+  std::optional<data::ReferenceTable> events{};  ///< of a history with stick and slip
+};
+
+/// Throws what data::read_table() throws.
+[[nodiscard]] Reference read_reference(const data::ReferencePackage& package, const std::string& name);
+
 /// The settings of a comparison.
-struct ComparisonSettings {
-  /// A tolerance that replaces that of the data set.
-  struct Tolerance {
-    std::string quantity;  ///< the quantity; empty for all quantities
-    double value{};
-  };
-  std::vector<Tolerance> tolerances;
+struct Settings {
+  /// Tolerances that replace those of the data set, by the quantity; "" for all quantities.
+  std::map<std::string, double> tolerances;
   std::optional<double> until;  ///< latest time to compare, s; it cannot extend the horizon of the data set
   std::optional<data::UserTable> events;  ///< events of the same run, for a data set of the kind phases
-  /// Whether it is searched what quantities that differ look like.
-  bool diagnose = true;
-  /// Is told the completed fraction of a search that takes longer.
-  std::function<void(double)> progress{};
 };
 
 /// The result of a comparison and the compared values.
 struct Comparison {
-  struct Skipped {
-    std::string reason;  ///< such as "beyond the horizon"
-    std::size_t points{};
-  };
-
   /// The compared points of one curve or of one sequence.
   struct Series {
     std::string group;             ///< such as "beam = paper"; empty if there is only one
@@ -77,17 +75,9 @@ struct Comparison {
     std::string where;
     Agreement agreement{};
     std::size_t compared{}, undecided{};
-    std::vector<Skipped> skipped;
+    /// Points that were not compared, with the reason, such as "beyond the horizon".
+    std::vector<std::pair<std::string, std::size_t>> skipped;
     std::vector<Series> series;
-  };
-
-  /// What one quantity of one group looks like: a mistake that the numbers show, another data set, or the wrong
-  /// model that is nearest to the result.
-  struct Likeness {
-    std::string group;     ///< the first of several with the same sentence
-    std::string quantity;  ///< the name of the compared quantity
-    std::string sentence;
-    std::optional<Diagnosis> diagnosis;  ///< empty if no diagnosis is possible; the sentence gives the reason
   };
 
   std::string name, title;
@@ -99,7 +89,8 @@ struct Comparison {
   double coverage{1.0}, required_coverage{};
   std::vector<Quantity> quantities;
   std::vector<std::string> remarks;  ///< rows and columns that are missing on either side, as sentences
-  std::vector<Likeness> likenesses;
+  double horizon = std::numeric_limits<double>::infinity();  ///< s; nothing later was compared
+  std::vector<Diagnosis> diagnoses;  ///< of what differs, if diagnose() was asked (diagnosis/diagnosis.hpp)
 };
 
 /// Compares the values of a user's table with a data set, point by point, according to the kind of the data
@@ -123,12 +114,9 @@ struct Comparison {
 /// Nothing is said to agree if the file covers less than least_range_coverage or least_table_coverage. A
 /// compared point of a curve covers a fortieth of the range on either side of it.
 ///
-/// It is then searched what quantities that differ look like (likeness.hpp). The tolerance is taken as the
-/// uncertainty of the user's values.
-///
-/// Throws data::InputError for an unknown data set, quantity of a tolerance, row, abscissa or word, and if
-/// nothing can be compared.
-[[nodiscard]] Comparison compare(const data::ReferencePackage& package, const std::string& name,
-                                 const data::UserTable& theirs, const ComparisonSettings& settings = {});
+/// Throws data::InputError for an unknown quantity of a tolerance, row, abscissa or word, and if nothing can be
+/// compared.
+[[nodiscard]] Comparison compare(const Reference& reference, const data::UserTable& theirs,
+                                 const Settings& settings = {});
 
-}  // namespace stickslip::studies
+}  // namespace stickslip::comparison

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace stickslip::studies {
+namespace stickslip::comparison {
 
 namespace {
 
@@ -126,7 +126,7 @@ SequenceMatch match(const std::vector<TabulatedEvent>& reference, const std::vec
     } else if ((step == Step::pair ? within[i] : theirs[j]).time > limits.horizon) {
       ++result.beyond;
     } else if (step == Step::pair) {
-      result.pairs.push_back({i, j});
+      result.pairs.emplace_back(i, j);
     } else {
       result.extra.push_back(j);
     }
@@ -137,4 +137,4 @@ SequenceMatch match(const std::vector<TabulatedEvent>& reference, const std::vec
   return result;
 }
 
-}  // namespace stickslip::studies
+}  // namespace stickslip::comparison

@@ -6,9 +6,10 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
-namespace stickslip::studies {
+namespace stickslip::comparison {
 
 /// A change of contact in a table.
 struct TabulatedEvent {
@@ -41,10 +42,7 @@ struct SequenceLimits {
 
 /// The alignment of two sequences. All numbers are indices of events.
 struct SequenceMatch {
-  struct Pair {
-    std::size_t reference{}, theirs{};
-  };
-  std::vector<Pair> pairs;
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;  ///< of the reference and of the user
   /// Events of the reference without a partner, and events of the user without one, within the limits.
   std::vector<std::size_t> missing, extra;
   std::size_t unreached{};  ///< events of the reference after the end of the user's run
@@ -58,4 +56,4 @@ struct SequenceMatch {
 [[nodiscard]] SequenceMatch match(const std::vector<TabulatedEvent>& reference,
                                   const std::vector<TabulatedEvent>& theirs, const SequenceLimits& limits);
 
-}  // namespace stickslip::studies
+}  // namespace stickslip::comparison

@@ -12,12 +12,12 @@
 
 #include "stickslip/data/case_file.hpp"
 
-namespace stickslip::studies {
+namespace stickslip::comparison {
 
 namespace {
 
 template <class Cell>
-std::string label_of(const std::vector<std::string>& columns, const Cell& cell) {
+std::string joined_cells(const std::vector<std::string>& columns, const Cell& cell) {
   std::string text;
   for (const std::string& name : columns)
     text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", name, cell(name));
@@ -28,6 +28,28 @@ const data::Column* column_of(const std::vector<data::Column>& columns, const st
   const auto found = std::ranges::find(
       columns, name, [](const data::Column& one) -> const auto& { return one.field.name; });
   return found == columns.end() ? nullptr : &*found;
+}
+
+// ", where mode must be one of 1, 2, 3": the first column that leaves no row of the reference.
+std::string allowed(const data::ReferenceTable& reference, const data::UserTable& theirs,
+                    const std::vector<std::string>& columns, std::size_t their_row) {
+  Rows left(reference.rows());
+  std::iota(left.begin(), left.end(), std::size_t{0});
+  for (const std::string& name : columns) {
+    const data::Column& column = reference.column(name);
+    std::vector<std::string> values;
+    for (const std::size_t row : left)
+      if (std::ranges::count(values, column.text[row]) == 0) values.push_back(column.text[row]);
+    std::erase_if(left, [&](std::size_t row) {
+      return !are_alike(reference.columns, row, theirs.columns, their_row, {name});
+    });
+    if (!left.empty()) continue;
+    constexpr std::size_t most = 12;
+    return values.size() <= most ? fmt::format(", where {} must be one of {}", name, fmt::join(values, ", "))
+                                 : fmt::format(", where {} must be one of the {} from {} to {}", name,
+                                               values.size(), values.front(), values.back());
+  }
+  return "";
 }
 
 }  // namespace
@@ -62,58 +84,40 @@ data::UserTable with_keys_of(const data::ReferenceTable& reference, data::UserTa
   return theirs;
 }
 
-std::string Matcher::label(const std::vector<std::string>& columns, std::size_t row) const {
-  return label_of(columns, [&](const std::string& name) { return reference_.column(name).text[row]; });
+std::string label_of(const data::ReferenceTable& reference, const std::vector<std::string>& columns,
+                     std::size_t row) {
+  return joined_cells(columns, [&](const std::string& name) { return reference.column(name).text[row]; });
 }
 
-void Matcher::throw_unknown_row(const std::vector<std::string>& columns, std::size_t their_row) const {
-  const auto cell = [&](const std::string& name) { return theirs_.column(name)->text[their_row]; };
-  throw data::InputError(fmt::format("{}: {} is not in the data set {}{}", theirs_.place(their_row),
-                                     label_of(columns, cell), reference_.resource.name,
-                                     allowed(columns, their_row)));
+void throw_unknown_row(const data::ReferenceTable& reference, const data::UserTable& theirs,
+                       const std::vector<std::string>& columns, std::size_t their_row) {
+  const auto cell = [&](const std::string& name) { return theirs.column(name)->text[their_row]; };
+  throw data::InputError(fmt::format("{}: {} is not in the data set {}{}", theirs.place(their_row),
+                                     joined_cells(columns, cell), reference.resource.name,
+                                     allowed(reference, theirs, columns, their_row)));
 }
 
-// ", where mode must be one of 1, 2, 3": the first column that leaves no row of the reference.
-std::string Matcher::allowed(const std::vector<std::string>& columns, std::size_t their_row) const {
-  Rows left(reference_.rows());
-  std::iota(left.begin(), left.end(), std::size_t{0});
-  for (const std::string& name : columns) {
-    const data::Column& column = reference_.column(name);
-    std::vector<std::string> values;
-    for (const std::size_t row : left)
-      if (std::ranges::count(values, column.text[row]) == 0) values.push_back(column.text[row]);
-    std::erase_if(left, [&](std::size_t row) {
-      return !are_alike(reference_.columns, row, theirs_.columns, their_row, {name});
-    });
-    if (!left.empty()) continue;
-    constexpr std::size_t most = 12;
-    return values.size() <= most ? fmt::format(", where {} must be one of {}", name, fmt::join(values, ", "))
-                                 : fmt::format(", where {} must be one of the {} from {} to {}", name,
-                                               values.size(), values.front(), values.back());
-  }
-  return "";
-}
-
-std::vector<Group> Matcher::groups(const std::vector<std::string>& columns) const {
+std::vector<Group> groups_of(const data::ReferenceTable& reference, const data::UserTable& theirs,
+                             const std::vector<std::string>& columns) {
   std::vector<Group> list;
-  for (std::size_t row = 0; row < reference_.rows(); ++row) {
+  for (std::size_t row = 0; row < reference.rows(); ++row) {
     const auto known = std::ranges::find_if(list, [&](const Group& group) {
-      return are_alike(reference_.columns, group.reference.front(), reference_.columns, row, columns);
+      return are_alike(reference.columns, group.reference.front(), reference.columns, row, columns);
     });
     if (known == list.end())
-      list.push_back({.label = label(columns, row), .reference = {row}, .theirs = {}});
+      list.push_back({.label = label_of(reference, columns, row), .reference = {row}, .theirs = {}});
     else
       known->reference.push_back(row);
   }
   if (list.size() == 1) list.front().label.clear();
-  for (std::size_t row = 0; row < theirs_.rows(); ++row) {
+  for (std::size_t row = 0; row < theirs.rows(); ++row) {
     const auto group = std::ranges::find_if(list, [&](const Group& one) {
-      return are_alike(reference_.columns, one.reference.front(), theirs_.columns, row, columns);
+      return are_alike(reference.columns, one.reference.front(), theirs.columns, row, columns);
     });
-    if (group == list.end()) throw_unknown_row(columns, row);
+    if (group == list.end()) throw_unknown_row(reference, theirs, columns, row);
     group->theirs.push_back(row);
   }
   return list;
 }
 
-}  // namespace stickslip::studies
+}  // namespace stickslip::comparison

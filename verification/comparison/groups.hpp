@@ -10,7 +10,7 @@
 #include "stickslip/data/reference.hpp"
 #include "stickslip/data/user_table.hpp"
 
-namespace stickslip::studies {
+namespace stickslip::comparison {
 
 using Rows = std::vector<std::size_t>;
 
@@ -31,25 +31,17 @@ struct Group {
 [[nodiscard]] data::UserTable with_keys_of(const data::ReferenceTable& reference, data::UserTable theirs,
                                            const std::string& abscissa);
 
-/// Finds the rows of two tables that have the same keys.
-class Matcher {
- public:
-  Matcher(const data::ReferenceTable& reference, const data::UserTable& theirs)
-      : reference_(reference), theirs_(theirs) {}
+/// The words or numbers of a row in these columns, such as "beam = paper, mode = 3".
+[[nodiscard]] std::string label_of(const data::ReferenceTable& reference,
+                                   const std::vector<std::string>& columns, std::size_t row);
 
-  /// For example "beam = paper, mode = 3".
-  [[nodiscard]] std::string label(const std::vector<std::string>& columns, std::size_t row) const;
+/// Throws data::InputError: the data set lacks the user's row.
+[[noreturn]] void throw_unknown_row(const data::ReferenceTable& reference, const data::UserTable& theirs,
+                                    const std::vector<std::string>& columns, std::size_t their_row);
 
-  [[noreturn]] void throw_unknown_row(const std::vector<std::string>& columns, std::size_t their_row) const;
+/// The groups of the reference with the user's rows. Throws data::InputError for a row of no group.
+[[nodiscard]] std::vector<Group> groups_of(const data::ReferenceTable& reference,
+                                           const data::UserTable& theirs,
+                                           const std::vector<std::string>& columns);
 
-  /// The groups of the reference with the user's rows. Throws data::InputError for a row of no group.
-  [[nodiscard]] std::vector<Group> groups(const std::vector<std::string>& columns) const;
-
- private:
-  [[nodiscard]] std::string allowed(const std::vector<std::string>& columns, std::size_t their_row) const;
-
-  const data::ReferenceTable& reference_;
-  const data::UserTable& theirs_;
-};
-
-}  // namespace stickslip::studies
+}  // namespace stickslip::comparison

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace stickslip::studies {
+namespace stickslip::comparison {
 
 using data::Norm;
 
@@ -23,32 +23,39 @@ double unit_of(Norm norm, double reference, double scale) {
   return 1.0;
 }
 
-bool is_phase(const std::string& unit, Norm norm) { return unit == "rad" && norm == Norm::absolute; }
+bool is_angle(const std::string& unit, Norm norm) { return unit == "rad" && norm == Norm::absolute; }
 
 double nearest_angle(double angle, double reference) {
   return reference + std::remainder(angle - reference, 2.0 * std::numbers::pi);
 }
 
 void skip(Comparison::Quantity& quantity, const std::string& reason) {
-  const auto known = std::ranges::find(quantity.skipped, reason, &Comparison::Skipped::reason);
+  const auto known = std::ranges::find(quantity.skipped, reason, &std::pair<std::string, std::size_t>::first);
   if (known == quantity.skipped.end())
-    quantity.skipped.push_back({reason, 1});
+    quantity.skipped.emplace_back(reason, 1);
   else
-    ++known->points;
+    ++known->second;
 }
 
-void judge(Comparison::Quantity& quantity, const Point& point, double scale) {
+void judge(Comparison::Quantity& quantity, const ComparedSample& point, double scale,
+           const std::string& where) {
+  if (!point.reference || !std::isfinite(point.reference->value))
+    return skip(quantity, "without a value in the data set");
+  const double reference = point.reference->value,
+               theirs = is_angle(quantity.unit, quantity.norm) ? nearest_angle(point.theirs.value, reference)
+                                                               : point.theirs.value,
+               half_width = point.reference->half_width + point.theirs.half_width,
+               unit = unit_of(quantity.norm, reference, scale);
   Comparison::Series& series = quantity.series.back();
   series.abscissa.push_back(point.abscissa);
-  series.theirs.push_back(point.theirs);
-  series.reference.push_back(point.reference);
-  series.half_width.push_back(point.half_width);
-  const double unit = unit_of(quantity.norm, point.reference, scale);
-  series.allowed.push_back(point.half_width + quantity.tolerance * unit);
+  series.theirs.push_back(theirs);
+  series.reference.push_back(reference);
+  series.half_width.push_back(half_width);
+  series.allowed.push_back(half_width + quantity.tolerance * unit);
   ++quantity.compared;
 
-  const double error = std::abs(point.theirs - point.reference) / unit;
-  const double uncertainty = point.half_width / unit;
+  const double error = std::abs(theirs - reference) / unit;
+  const double uncertainty = half_width / unit;
   const bool differs = error > quantity.tolerance + uncertainty;
   const bool undecided = !differs && uncertainty > quantity.tolerance;
   quantity.undecided += undecided ? 1 : 0;
@@ -59,7 +66,7 @@ void judge(Comparison::Quantity& quantity, const Point& point, double scale) {
   if (!quantity.error || error - uncertainty > *quantity.error - *quantity.uncertainty) {
     quantity.error = error;
     quantity.uncertainty = uncertainty;
-    quantity.where = point.where;
+    quantity.where = where;
   }
 }
 
@@ -76,4 +83,4 @@ void count(Comparison::Quantity& quantity, const std::string& where) {
   if (*quantity.error > quantity.tolerance) quantity.agreement = Agreement::differs;
 }
 
-}  // namespace stickslip::studies
+}  // namespace stickslip::comparison

@@ -6,21 +6,16 @@
 #include <string>
 
 #include "comparison/comparison.hpp"
+#include "comparison/samples.hpp"
 
-namespace stickslip::studies {
-
-/// One point of one quantity, in the unit of the quantity.
-struct Point {
-  double abscissa{}, theirs{}, reference{}, half_width{};
-  std::string where;
-};
+namespace stickslip::comparison {
 
 /// The divisor that converts an error to the norm of the quantity: for the norm relative |reference| or, where
 /// that is 0, the scale.
 [[nodiscard]] double unit_of(data::Norm norm, double reference, double scale);
 
-/// Whether the values are phases, which are right to whole turns.
-[[nodiscard]] bool is_phase(const std::string& unit, data::Norm norm);
+/// Whether the values are angles, which are right to whole turns.
+[[nodiscard]] bool is_angle(const std::string& unit, data::Norm norm);
 
 /// The angle plus or minus whole turns that is nearest to the reference, rad.
 [[nodiscard]] double nearest_angle(double angle, double reference);
@@ -28,8 +23,10 @@ struct Point {
 /// Counts a point that was not compared.
 void skip(Comparison::Quantity& quantity, const std::string& reason);
 
-/// Adds the point to the last series and updates the result of the quantity.
-void judge(Comparison::Quantity& quantity, const Point& point, double scale);
+/// Adds the point to the last series and updates the result of the quantity; skips it where the reference has no
+/// value.
+void judge(Comparison::Quantity& quantity, const ComparedSample& point, double scale,
+           const std::string& where);
 
 /// A quantity that counts deviations, such as words that differ or events that are missing. It differs if there
 /// are more of them than its tolerance.
@@ -37,4 +34,4 @@ void judge(Comparison::Quantity& quantity, const Point& point, double scale);
                                             data::Norm norm = data::Norm::absolute, double tolerance = 0.0);
 void count(Comparison::Quantity& quantity, const std::string& where);
 
-}  // namespace stickslip::studies
+}  // namespace stickslip::comparison

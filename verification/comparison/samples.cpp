@@ -8,7 +8,7 @@
 #include <numeric>
 #include <span>
 
-namespace stickslip::studies {
+namespace stickslip::comparison {
 
 namespace {
 
@@ -144,4 +144,4 @@ ComparedSamples by_own_interpolation(const Samples& reference, const Samples& th
   return result;
 }
 
-}  // namespace stickslip::studies
+}  // namespace stickslip::comparison

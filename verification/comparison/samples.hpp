@@ -10,7 +10,7 @@
 
 #include "stickslip/data/reference.hpp"
 
-namespace stickslip::studies {
+namespace stickslip::comparison {
 
 /// The samples of a curve. The abscissas increase.
 struct Samples {
@@ -63,4 +63,4 @@ struct ComparedSamples {
 [[nodiscard]] ComparedSamples by_own_interpolation(const Samples& reference, const Samples& theirs,
                                                    double spacing, double coincidence);
 
-}  // namespace stickslip::studies
+}  // namespace stickslip::comparison

@@ -16,7 +16,7 @@ PARTS = {
     "analytic": (["analytic"], ["analytic"]),
     "data": (["data"], ["data"]),
     "studies": (["verification/studies"], ["studies", "cross"]),
-    "comparison": (["verification/comparison"], ["compar", "wrong_model", "diagnos", "likeness", "users_files"]),
+    "comparison": (["verification/comparison"], ["compar", "wrong_model", "diagnos", "users_files"]),
     "cli": (["reports/cli"], ["cli", "command"]),
 }
 

@@ -15,6 +15,7 @@
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
+#include "studies/common/problem_parameter.hpp"
 #include "studies/criterion/criterion_map.hpp"
 #include "studies/stick_slip/contact_response.hpp"
 
@@ -333,7 +334,7 @@ enum class Procedure { raised, linear, modal };
 
 void critical_amplitude(benchmark::State& state, Procedure procedure) {
   constexpr double increment = 1e-5;
-  const double limit = paper_friction.static_coefficient() * paper_beam.axial_force();
+  const double limit = studies::friction_limit(paper_friction, paper_beam);
   const auto numerics = settings(20);
   double found = 0.0;
   for (auto _ : state) {

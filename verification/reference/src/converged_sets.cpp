@@ -15,6 +15,8 @@
 
 namespace stickslip::reference {
 
+namespace {
+
 DataSet stick_history() {
   DataSet set =
       data_set("stick-history", "stick/history.csv", "The held beam with all its modes",
@@ -95,8 +97,6 @@ DataSet length_force_ratios() {
   return set;
 }
 
-namespace {
-
 // max |f| per metre of amplitude over 10 s with all modes, and its half-width.
 std::pair<double, double> all_modes_maximum(const NamedBeam& named, int hz) {
   static std::map<std::pair<std::string, int>, std::pair<double, double>> known;
@@ -123,8 +123,6 @@ data::Provenance all_modes_provenance() {
       {"200 free vibrations change no value by more than its half-width",
        "finite elements with a held tip, to their predicted error"});
 }
-
-}  // namespace
 
 DataSet all_modes_maxima() {
   DataSet set =
@@ -168,6 +166,17 @@ DataSet all_modes_amplitudes() {
       add_row(set, {named.name, hz, converged(300.0 / value, 300.0 * radius / (value * (value - radius)))});
     }
   return set;
+}
+
+}  // namespace
+
+std::vector<Recipe> converged_sets() {
+  return {
+      {"stick-history", stick_history, true, 110},
+      {"length-force", length_force_ratios, true, 150},
+      {"friction-maxima-all-modes", all_modes_maxima, false, 200},
+      {"critical-amplitudes-all-modes", all_modes_amplitudes, false, 210},
+  };
 }
 
 }  // namespace stickslip::reference

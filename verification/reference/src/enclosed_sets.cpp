@@ -33,8 +33,6 @@ void set_problem(data::Resource& resource, std::string_view tip) {
   resource.foreign_keys = {beam_key()};
 }
 
-}  // namespace
-
 DataSet beam_table() {
   DataSet set = data_set("beams", "beams.csv", "Beams",
                          "Uniform beams, clamped at x = 0 and pressed against a wall at x = L by the axial "
@@ -229,8 +227,6 @@ DataSet stick_history_of_ten_modes() {
   return set;
 }
 
-namespace {
-
 const Rational ten_seconds("10");
 
 // 5 to 120 Hz in steps of 5 Hz.
@@ -260,8 +256,6 @@ const NamedBeam& half_stiffness() {
   static const NamedBeam named = named_beam("paper-half-stiffness");
   return named;
 }
-
-}  // namespace
 
 DataSet friction_maxima() {
   DataSet set =
@@ -336,6 +330,24 @@ DataSet classification() {
       add_row(set, {hz, amplitude, side > 0 ? "stick-slip" : "stick", enclosed(ratio)});
     }
   return set;
+}
+
+}  // namespace
+
+std::vector<Recipe> enclosed_sets() {
+  return {
+      {"beams", beam_table, true, 10},
+      {"stick-frequencies", stick_frequencies, true, 20},
+      {"slip-frequencies", slip_frequencies, true, 30},
+      {"critical-loads", critical_loads, true, 60},
+      {"participation", participation, true, 70},
+      {"static-shapes", static_shapes, true, 80},
+      {"mode-shapes", mode_shapes, true, 90},
+      {"stick-history-ten-modes", stick_history_of_ten_modes, true, 100},
+      {"friction-maxima", friction_maxima, true, 120},
+      {"critical-amplitudes", critical_amplitudes, true, 130},
+      {"classification", classification, true, 140},
+  };
 }
 
 }  // namespace stickslip::reference

@@ -17,8 +17,6 @@ namespace {
 
 constexpr long exact_bits = 256;
 
-}  // namespace
-
 DataSet single_mass_events() {
   DataSet set = data_set(
       "single-mass-events", "single-mass/events.csv", "Stops and reversals of one mass with Coulomb friction",
@@ -189,6 +187,17 @@ DataSet manufactured_motion() {
                     enclosed(rigidity * phi[2], 10.0), enclosed(rigidity * phi[3], 10.0)});
     }
   return set;
+}
+
+}  // namespace
+
+std::vector<Recipe> exact_sets() {
+  return {
+      {"single-mass-events", single_mass_events, true, 350},
+      {"friction-powers", friction_powers, true, 360},
+      {"manufactured-motion", manufactured_motion, true, 370},
+      {"beam-matrices", beam_matrices, true, 410},
+  };
 }
 
 }  // namespace stickslip::reference

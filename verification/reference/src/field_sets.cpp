@@ -17,7 +17,7 @@
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/damped_steady_state.hpp"
 #include "stickslip/analytic/event_driven.hpp"
-#include "stickslip/solver/beam_simulation.hpp"
+#include "studies/history/runs.hpp"
 #include "studies/stick_slip/damped_benchmark.hpp"
 #include "studies/stick_slip/finite_element_contact_model.hpp"
 
@@ -185,8 +185,6 @@ DataSet fields_of(DataSet set, const data::Case& problem, double step) {
   return set;
 }
 
-}  // namespace
-
 DataSet stick_velocities() {
   return history_of(
       data_set("stick-velocities", "stick/velocities.csv", "Velocities of the held beam",
@@ -204,8 +202,6 @@ DataSet damped_stick_history() {
         [](const BeamState& state) { return state.displacement.front(); }},
        {"friction_force", "N", "f(t), of the tip on the wall", 2e-2, 1e-9, wall_force}});
 }
-
-namespace {
 
 // The events of the case damped, and their half-widths.
 const studies::DampedBenchmark& benchmark() {
@@ -234,8 +230,6 @@ data::Provenance benchmark_provenance() {
        "a hundred times the tolerance changes no event by 1e-9 s"});
 }
 
-}  // namespace
-
 DataSet stick_slip_events() {
   DataSet set = data_set(
       "stick-slip-events", "stick-slip/events.csv", "Onsets and captures of the damped stick-slip vibration",
@@ -256,10 +250,12 @@ DataSet stick_slip_events() {
   state_run(resource, data::load_case("damped"));
   resource.provenance = benchmark_provenance();
   int index = 0;
-  for (const studies::BenchmarkEvent& entry : benchmark().events)
-    add_row(set, {++index, entry.event.onset ? "onset" : "capture",
-                  converged(entry.event.time, entry.time_uncertainty + benchmark().tolerance_effect),
-                  converged(entry.event.position, entry.position_uncertainty + 1e-13)});
+  for (const data::ContactEvent& event : benchmark().events) {
+    const auto& [time, position] = benchmark().uncertainties[static_cast<std::size_t>(index)];
+    add_row(set, {++index, std::string(data::to_string(event.change)),
+                  converged(event.time, time + benchmark().tolerance_effect),
+                  converged(event.position, position + 1e-13)});
+  }
   return set;
 }
 
@@ -278,8 +274,8 @@ DataSet stick_slip_history() {
   set.resource.fields.push_back(exact_number("event_distance", "s", "to the nearest event"));
   for (std::vector<std::string>& row : set.rows) {
     double nearest = std::numeric_limits<double>::infinity();
-    for (const auto& entry : benchmark().events)
-      nearest = std::min(nearest, std::abs(entry.event.time - std::stod(row.front())));
+    for (const data::ContactEvent& event : benchmark().events)
+      nearest = std::min(nearest, std::abs(event.time - std::stod(row.front())));
     row.push_back(fmt::format("{:.3e}", nearest));
   }
   return set;
@@ -318,50 +314,48 @@ DataSet stick_slip_energy() {
       true);
 }
 
-namespace {
-
 // y(L), y(L/2) and f at 64 equal times per period of the base.
 constexpr int per_period = 64, first_period = 250, last_period = 500;
 using Samples = std::array<std::vector<double>, 3>;
 
-Samples event_driven_samples(const data::Case& problem, int modes) {
-  std::vector<double> times;
-  for (int i = first_period * per_period; i < last_period * per_period; ++i)
-    times.push_back(i / (per_period * problem.excitation.frequency_hz()));
+Samples samples_of(const studies::History& motion, const studies::History& forces) {
   Samples samples;
-  for (const BeamState& state :
-       beam_states(problem, modes, times, {0.5 * problem.beam.length(), problem.beam.length()})) {
-    samples[0].push_back(state.displacement.back());
-    samples[1].push_back(state.displacement.front());
-    samples[2].push_back(state.friction_force);
+  for (const studies::HistoryRow& row : motion.rows) {
+    samples[0].push_back(row.displacement.front());
+    samples[1].push_back(row.midspan_displacement);
   }
+  for (const studies::HistoryRow& row : forces.rows) samples[2].push_back(row.friction_force);
   return samples;
 }
 
+studies::Sampling at_samples(const data::Case& problem, const std::function<double(int)>& time) {
+  studies::Sampling sampling{.positions = {problem.beam.length()}};
+  for (int i = first_period * per_period; i < last_period * per_period; ++i)
+    sampling.times.push_back(time(i));
+  return sampling;
+}
+
+Samples event_driven_samples(data::Case problem, int modes) {
+  data::NumericalChoices choices = problem.numerics.choices();
+  choices.modes = modes;
+  problem.numerics = data::NumericalSettings(choices);
+  const double rate = per_period * problem.excitation.frequency_hz();
+  const studies::History history =
+      studies::event_driven_history(problem, at_samples(problem, [rate](int i) { return i / rate; }));
+  return samples_of(history, history);
+}
+
 // By generalised-alpha; the force, which has peaks far above mu_s P in its steps, from event to event.
-Samples finite_element_samples(const data::Case& problem, int elements, int steps, int force_elements) {
+Samples finite_element_samples(data::Case problem, int elements, int steps, int force_elements) {
   data::NumericalChoices choices = problem.numerics.choices();
   choices.elements = elements;
   choices.time_step = 1.0 / (steps * per_period * problem.excitation.frequency_hz());
-  solver::BeamSimulation run(problem.beam, problem.friction, problem.excitation,
-                             data::NumericalSettings(choices), {.damping = problem.damping});
-  const solver::BeamModel mesh(problem.beam, force_elements);
-  const studies::FiniteElementContactModel contact(
-      solver::beam_contact_system(mesh, problem.friction, solver::harmonic_motion(problem.excitation),
-                                  problem.damping),
-      studies::harmonic_drive(problem.excitation));
-  analytic::EventDriven forces(contact.model());
-  Samples samples;
-  for (int i = 0; i < last_period * per_period; ++i) {
-    if (i >= first_period * per_period) {
-      samples[0].push_back(run.tip_displacement());
-      samples[1].push_back(run.midspan_displacement());
-      forces.advance_to(i * steps * choices.time_step);
-      samples[2].push_back(-forces.friction_force());
-    }
-    for (int k = 0; k < steps; ++k) run.step();
-  }
-  return samples;
+  problem.numerics = data::NumericalSettings(choices);
+  const studies::Sampling sampling =
+      at_samples(problem, [&](int i) { return i * steps * choices.time_step; });
+  return samples_of(studies::finite_element_history(problem, sampling),
+                    studies::event_driven_history(
+                        studies::finite_element_contact_model(problem, force_elements), sampling.times));
 }
 
 // The amplitude at `cycles` per period of the base, with the weights 1 - cos of Hann.
@@ -388,8 +382,6 @@ std::vector<double> parts_of(const std::vector<double>& samples) {
   for (const int harmonic : {1, 3, 5, 7}) parts.push_back(amplitude_at(samples, harmonic));
   return parts;
 }
-
-}  // namespace
 
 DataSet stick_slip_spectrum() {
   const std::vector<std::string> words{"rms",        "self-excited", "harmonic-1",
@@ -483,6 +475,23 @@ DataSet damped_steady_state() {
              converged(std::arg(force), relative), converged(heat, relative * heat)});
   }
   return set;
+}
+
+}  // namespace
+
+std::vector<Recipe> field_sets() {
+  return {
+      {"stick-velocities", stick_velocities, true, 160},
+      {"stick-fields", stick_fields, true, 170},
+      {"damped-stick-history", damped_stick_history, true, 180},
+      {"damped-steady-state", damped_steady_state, true, 190},
+      {"stick-slip-events", stick_slip_events, false, 220},
+      {"stick-slip-history", stick_slip_history, false, 230},
+      {"stick-slip-velocities", stick_slip_velocities, false, 240},
+      {"stick-slip-fields", stick_slip_fields, false, 250},
+      {"stick-slip-energy", stick_slip_energy, false, 260},
+      {"stick-slip-spectrum", stick_slip_spectrum, false, 270},
+  };
 }
 
 }  // namespace stickslip::reference

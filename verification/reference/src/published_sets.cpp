@@ -284,8 +284,6 @@ data::Provenance published_provenance(std::string method, std::vector<std::strin
           .checks = std::move(checks)};
 }
 
-}  // namespace
-
 DataSet published_problems() {
   DataSet set =
       data_set("published-problems", "single-mass/published-problems.csv",
@@ -356,6 +354,16 @@ DataSet non_stop_limits() {
   for (const char* r : {"0.6", "0.7", "0.8", "0.9", "1.1", "1.25", "1.5", "2", "3"})
     add_row(set, {r, enclosed(non_stop_limit(r))});
   return set;
+}
+
+}  // namespace
+
+std::vector<Recipe> published_sets() {
+  return {
+      {"published-problems", published_problems, true, 380},
+      {"stops-per-period", stops_per_period, true, 390},
+      {"non-stop-limits", non_stop_limits, true, 400},
+  };
 }
 
 }  // namespace stickslip::reference

@@ -119,43 +119,13 @@ void compare_along(data::Resource& resource, std::string abscissa);
 [[nodiscard]] data::Provenance converged_by(std::string method, std::string settings,
                                             std::vector<std::string> checks);
 
-// The data sets.
-[[nodiscard]] DataSet beam_table();
-[[nodiscard]] DataSet stick_frequencies();
-[[nodiscard]] DataSet slip_frequencies();
-[[nodiscard]] DataSet timoshenko_frequencies(bool is_held);
-[[nodiscard]] DataSet critical_loads();
-[[nodiscard]] DataSet participation();
-[[nodiscard]] DataSet static_shapes();
-[[nodiscard]] DataSet mode_shapes();
-[[nodiscard]] DataSet stick_history_of_ten_modes();
-[[nodiscard]] DataSet stick_history();
-[[nodiscard]] DataSet friction_maxima();
-[[nodiscard]] DataSet critical_amplitudes();
-[[nodiscard]] DataSet classification();
-[[nodiscard]] DataSet length_force_ratios();
-[[nodiscard]] DataSet all_modes_maxima();
-[[nodiscard]] DataSet all_modes_amplitudes();
-[[nodiscard]] DataSet stick_velocities();
-[[nodiscard]] DataSet stick_fields();
-[[nodiscard]] DataSet damped_stick_history();
-[[nodiscard]] DataSet damped_steady_state();
-[[nodiscard]] DataSet stick_slip_velocities();
-[[nodiscard]] DataSet stick_slip_fields();
-[[nodiscard]] DataSet stick_slip_energy();
-[[nodiscard]] DataSet stick_slip_spectrum();
-[[nodiscard]] DataSet beam_matrices();
-[[nodiscard]] DataSet stick_slip_events();
-[[nodiscard]] DataSet stick_slip_history();
-[[nodiscard]] DataSet undamped_history(
-    std::string_view name);  ///< of the data set, one of those in recipes()
-[[nodiscard]] DataSet undamped_sticks();
-[[nodiscard]] DataSet undamped_fields();
-[[nodiscard]] DataSet single_mass_events();
-[[nodiscard]] DataSet friction_powers();
-[[nodiscard]] DataSet manufactured_motion();
-[[nodiscard]] DataSet published_problems();
-[[nodiscard]] DataSet stops_per_period();
-[[nodiscard]] DataSet non_stop_limits();
+/// The recipes of the data sets in each file.
+[[nodiscard]] std::vector<Recipe> enclosed_sets();
+[[nodiscard]] std::vector<Recipe> timoshenko_sets();
+[[nodiscard]] std::vector<Recipe> converged_sets();
+[[nodiscard]] std::vector<Recipe> field_sets();
+[[nodiscard]] std::vector<Recipe> undamped_sets();
+[[nodiscard]] std::vector<Recipe> exact_sets();
+[[nodiscard]] std::vector<Recipe> published_sets();
 
 }  // namespace stickslip::reference

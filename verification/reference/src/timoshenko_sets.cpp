@@ -37,8 +37,6 @@ struct TimoshenkoBeam {
   }
 };
 
-}  // namespace
-
 DataSet timoshenko_frequencies(bool is_held) {
   const std::string tip = is_held ? "held" : "free", state = is_held ? "stick" : "slip";
   DataSet set = data_set(fmt::format("timoshenko-{}-frequencies", state),
@@ -76,6 +74,15 @@ DataSet timoshenko_frequencies(bool is_held) {
                              (2 * certified::pi()))});
   }
   return set;
+}
+
+}  // namespace
+
+std::vector<Recipe> timoshenko_sets() {
+  return {
+      {"timoshenko-stick-frequencies", [] { return timoshenko_frequencies(true); }, true, 40},
+      {"timoshenko-slip-frequencies", [] { return timoshenko_frequencies(false); }, true, 50},
+  };
 }
 
 }  // namespace stickslip::reference

@@ -21,22 +21,24 @@ namespace {
 struct Run {
   std::string_view set, file, title, beam, case_name;
   double frequency_hz{}, amplitude{}, duration{};
+  int position{};
   int steps_per_sample{4096};
 };
 
 // Half a second for the beam of the paper, twelve periods of the excitation for the others.
 constexpr std::array<Run, 5> runs{{
     {"undamped-history-25", "stick-slip/undamped-25.csv", "Undamped stick-slip of the paper's beam, 25 Hz",
-     "The paper's beam", "paper", 25.0, 1e-3, 0.5},
+     "The paper's beam", "paper", 25.0, 1e-3, 0.5, 280},
     {"undamped-history-35", "stick-slip/undamped-35.csv", "Undamped stick-slip of the paper's beam, 35 Hz",
-     "The paper's beam", "paper", 35.0, 1e-3, 0.5},
+     "The paper's beam", "paper", 35.0, 1e-3, 0.5, 290},
     {"undamped-history-70", "stick-slip/undamped-70.csv", "Undamped stick-slip of the paper's beam, 70 Hz",
-     "The paper's beam", "paper", 70.0, 1e-3, 0.5, 8192},
+     "The paper's beam", "paper", 70.0, 1e-3, 0.5, 300, 8192},
     {"undamped-history-steel-strip", "stick-slip/undamped-steel-strip.csv",
-     "Undamped stick-slip of a steel strip, 60 Hz", "The beam steel-strip", "steel-strip", 60.0, 6e-3, 0.2},
+     "Undamped stick-slip of a steel strip, 60 Hz", "The beam steel-strip", "steel-strip", 60.0, 6e-3, 0.2,
+     310},
     {"undamped-history-soft-short", "stick-slip/undamped-soft-short.csv",
      "Undamped stick-slip of a soft short beam, 400 Hz", "The beam soft-short", "soft-short", 400.0, 0.7e-3,
-     0.03},
+     0.03, 320},
 }};
 
 constexpr double tolerance = 5e-3;  // relative to the range
@@ -105,10 +107,7 @@ Fields free_mode_fields(const data::Case& problem, const analytic::TimeGrid& gri
   return fields;
 }
 
-}  // namespace
-
-DataSet undamped_history(std::string_view name) {
-  const Run& run = *std::ranges::find(runs, name, &Run::set);
+DataSet undamped_history(const Run& run) {
   const studies::ConvergedEffort effort = effort_of(run);
   DataSet set = data_set(
       std::string(run.set), std::string(run.file), std::string(run.title),
@@ -225,6 +224,18 @@ DataSet undamped_sticks() {
         add(stick);
   }
   return set;
+}
+
+}  // namespace
+
+std::vector<Recipe> undamped_sets() {
+  std::vector<Recipe> recipes{
+      {"undamped-sticks", undamped_sticks, false, 330},
+      {"undamped-fields", undamped_fields, false, 340},
+  };
+  for (const Run& run : runs)
+    recipes.push_back({run.set, [&run] { return undamped_history(run); }, false, run.position});
+  return recipes;
 }
 
 }  // namespace stickslip::reference

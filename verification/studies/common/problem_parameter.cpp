@@ -9,9 +9,11 @@ double angular_frequency(const data::HarmonicExcitation& excitation) {
   return 2.0 * std::numbers::pi * excitation.frequency_hz();
 }
 
-double friction_limit(const data::Case& problem) {
-  return problem.friction.static_coefficient() * problem.beam.axial_force();
+double friction_limit(const data::FrictionLaw& friction, const data::Beam& beam) {
+  return friction.static_coefficient() * beam.axial_force();
 }
+
+double friction_limit(const data::Case& problem) { return friction_limit(problem.friction, problem.beam); }
 
 bool is_damped(const data::Case& problem) {
   return problem.damping.kelvin_voigt() > 0.0 || problem.damping.ratio() > 0.0;
@@ -32,10 +34,7 @@ data::Beam without_shear(const data::Beam& beam) {
 
 void require_resting_wall(const data::Case& problem) {
   if (problem.wall.speed() == 0.0) return;
-  throw data::FieldError(
-      "wall.speed", data::shortest_text(problem.wall.speed()),
-      "0 here: a wall that moves bends the beam until it slips; respond (by finite elements or "
-      "event-driven), animate, squeal and periodic follow it");
+  throw data::FieldError("wall.speed", data::shortest_text(problem.wall.speed()), std::string(resting_wall));
 }
 
 void require_friction(const data::Case& problem) {

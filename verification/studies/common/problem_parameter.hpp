@@ -9,6 +9,7 @@ namespace stickslip::studies {
 [[nodiscard]] double angular_frequency(const data::HarmonicExcitation& excitation);
 
 /// mu_s P, N.
+[[nodiscard]] double friction_limit(const data::FrictionLaw& friction, const data::Beam& beam);
 [[nodiscard]] double friction_limit(const data::Case& problem);
 
 /// Whether the case has Kelvin-Voigt damping or a damping ratio above 0.
@@ -20,6 +21,12 @@ constexpr double shear_flexibility = 3.12;
 /// The beam with the shear stiffness E A/shear_flexibility unless it has one; and rigid in shear.
 [[nodiscard]] data::Beam with_shear(const data::Beam& beam);
 [[nodiscard]] data::Beam without_shear(const data::Beam& beam);
+
+/// What wall.speed must be for them, and why, as the end of an error message.
+inline constexpr std::string_view resting_wall =
+    "0 here: a wall that moves bends the beam until it slips; respond (by finite elements or event-driven), "
+    "animate, "
+    "squeal and periodic follow it";
 
 /// Throws data::FieldError if wall.speed is not 0: the wall then bends the beam until it slips, so that neither
 /// the criterion nor the closed form of the stick state holds.

@@ -5,6 +5,8 @@
 #include <initializer_list>
 #include <vector>
 
+#include "studies/common/members.hpp"
+
 namespace stickslip::studies {
 
 /// Slope of the least-squares line of y over x. Precondition: at least two points with different x.
@@ -34,6 +36,7 @@ struct OrderEstimate {
   double half_width{};
   int levels{};
 };
+STICKSLIP_MEMBERS(OrderEstimate, (order, "1"), (half_width, "1"), (levels, "1"))
 
 /// The observed order with its confidence interval. Throws what observed_order() throws.
 [[nodiscard]] OrderEstimate order_estimate(const std::vector<double>& steps,

@@ -15,9 +15,11 @@
 /// is not a polynomial, and none of its derivatives that are used here vanishes at the tip.
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
+#include "studies/common/members.hpp"
 #include "studies/convergence/convergence.hpp"
 
 namespace stickslip::studies {
@@ -28,6 +30,8 @@ enum class ManufacturedTip {
   slip,     ///< free, with the required tip force as a load; g = cos(omega t)
   friction  ///< free, the required tip force is that of the friction law; g = exp(-lambda t), with damping
 };
+/// "stick", "slip" or "slip, friction law".
+[[nodiscard]] std::string_view to_string(ManufacturedTip tip) noexcept;
 
 /// Errors over a sequence of levels, with the predicted error of each level where theory gives one.
 struct PredictedErrors {
@@ -45,6 +49,7 @@ struct PredictedErrors {
     return predicted.empty() ? std::nullopt : std::optional(error.back() / predicted.back());
   }
 };
+STICKSLIP_MEMBERS(PredictedErrors, (error), (predicted), (floor), (order), (over_predicted(), "1"))
 
 /// Spatial errors at one instant against the exact motion. The time steps are so short that their error is
 /// far smaller. The run starts on the semi-discrete solution, so that it excites no additional free
@@ -82,6 +87,8 @@ struct ManufacturedSpaceErrors {
   /// With friction: the change of f_d with a deviation of the tip, alpha lambda |f_d|, over 3 EI/L^3.
   std::optional<double> friction_coupling;
 };
+STICKSLIP_MEMBERS(ManufacturedSpaceErrors, (tip, "-"), (load_factor, "1"), (elements, "1"),
+                  (element_length, "m"), (deflection), (slope), (curvature), (tip_deflection), (force))
 
 /// Temporal errors against the semi-discrete manufactured problem on one mesh. Its exact solution is the
 /// vector of the nodal values of phi times g, so that the spatial error does not enter.
@@ -109,6 +116,8 @@ struct ManufacturedTimeErrors {
   PredictedErrors velocity;      ///< L2 norm, m^(3/2)/s; no prediction
   PredictedErrors force;         ///< f_d, N; empty in slip, no prediction with friction
 };
+STICKSLIP_MEMBERS(ManufacturedTimeErrors, (tip, "-"), (load_factor, "1"), (spectral_radius, "1"),
+                  (time_step, "s"), (displacement), (velocity), (force))
 
 /// Spatial errors of one problem with P = load_factor EI/L^2 on meshes with the given numbers of elements.
 [[nodiscard]] ManufacturedSpaceErrors manufactured_space_errors(const data::Beam& beam, ManufacturedTip tip,
@@ -125,6 +134,7 @@ struct ManufacturedSolutionStudy {
   std::vector<ManufacturedSpaceErrors> space;
   std::vector<ManufacturedTimeErrors> time;
 };
+STICKSLIP_MEMBERS(ManufacturedSolutionStudy, (space), (time))
 
 /// Computes the study for the cross section, the length and the material of `beam`.
 [[nodiscard]] ManufacturedSolutionStudy manufactured_solution_study(const data::Beam& beam);

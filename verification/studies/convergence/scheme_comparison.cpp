@@ -20,7 +20,7 @@ std::vector<Plateau> plateaus_of(const std::vector<ContactEvent>& events, double
   for (std::size_t i = 0; i < events.size() && events[i].time <= last_plateau; ++i) {
     if (events[i].change != data::ContactChange::capture) continue;
     const double end = i + 1 < events.size() ? events[i + 1].time : end_time;
-    if (end - events[i].time >= shortest_plateau)
+    if (end - events[i].time >= SchemeRun::shortest_plateau)
       plateaus.push_back({events[i].time, end, events[i].position});
   }
   return plateaus;

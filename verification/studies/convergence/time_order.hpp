@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "studies/common/members.hpp"
 #include "studies/convergence/convergence.hpp"
 
 namespace stickslip::studies {
@@ -23,6 +24,9 @@ struct TimeOrderStudy {
   double displacement_constant{}, velocity_constant{}, reaction_constant{};  ///< per s^2
   OrderEstimate displacement_order, velocity_order, reaction_order;
 };
+STICKSLIP_MEMBERS(TimeOrderStudy, (spectral_radius, "1"), (time_step, "s"), (displacement_error, "m"),
+                  (velocity_error, "m/s"), (reaction_error, "N"), (displacement_order), (velocity_order),
+                  (reaction_order))
 
 /// Runs the study for each number of steps per period.
 [[nodiscard]] TimeOrderStudy time_order_study(double spectral_radius,

@@ -65,13 +65,15 @@ ClassificationStudy classification_study(const data::Beam& beam, const data::Fri
     for (std::size_t row = 0; row < amplitudes.size(); ++row) {
       const double amplitude = amplitudes[row];
       const data::HarmonicExcitation excitation({.frequency_hz = hz, .amplitude = amplitude});
-      const double distance = std::abs(amplitude / frequency.critical_amplitude - 1.0);
+      const double distance = amplitude / frequency.critical_amplitude - 1.0;
       study.points[column * amplitudes.size() + row] = {
           .frequency_hz = hz,
           .amplitude = amplitude,
           .closed_form_slips = amplitude > frequency.critical_amplitude,
           .finite_element_slips = solver::first_slip(beam, friction, excitation, numerics).has_value(),
-          .in_guard_band = distance <= frequency.relative_guard()};
+          .in_guard_band = std::abs(distance) <= frequency.relative_guard(),
+          .distance = distance,
+          .relative_guard = frequency.relative_guard()};
     }
   };
   in_parallel(frequencies_hz.size(), classify_column);

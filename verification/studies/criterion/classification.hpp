@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
+#include "studies/common/members.hpp"
 
 namespace stickslip::studies {
 
@@ -14,7 +15,15 @@ struct ClassifiedPoint {
   bool closed_form_slips{};     ///< |f_max| > mu_s P by Eq. (28), N modes
   bool finite_element_slips{};  ///< the tip slipped in a run with contact
   bool in_guard_band{};         ///< the amplitude is within the predicted error of the critical one
+  double distance{};            ///< of the amplitude from the critical one, relative and signed
+  double relative_guard{};      ///< of its frequency
+  /// "stick-slip" or "stick".
+  [[nodiscard]] const char* closed_form() const { return closed_form_slips ? "stick-slip" : "stick"; }
+  [[nodiscard]] const char* finite_element() const { return finite_element_slips ? "stick-slip" : "stick"; }
 };
+STICKSLIP_MEMBERS(ClassifiedPoint, (frequency_hz, "Hz"), (amplitude, "m"), (closed_form_slips, "1"),
+                  (finite_element_slips, "1"), (in_guard_band, "1"), (distance, "1"), (relative_guard, "1"),
+                  (closed_form(), "-"), (finite_element(), "-"))
 
 /// One frequency of Fig. 12 with the predicted errors that define the guard band.
 struct ClassifiedFrequency {
@@ -28,6 +37,9 @@ struct ClassifiedFrequency {
     return relative_truncation_error + relative_discretisation_error;
   }
 };
+STICKSLIP_MEMBERS(ClassifiedFrequency, (frequency_hz, "Hz"), (critical_amplitude, "m"),
+                  (relative_truncation_error, "1"), (relative_discretisation_error, "1"),
+                  (relative_guard(), "1"))
 
 /// The classification of a grid of excitations by both implementations.
 struct ClassificationStudy {
@@ -36,10 +48,15 @@ struct ClassificationStudy {
   int agreeing{};  ///< number of points on which both implementations agree
   int in_guard_band{};
   int disagreeing_outside{};  ///< disagreeing points outside the guard band; must be 0
+  [[nodiscard]] int disagreeing_inside() const {
+    return static_cast<int>(points.size()) - agreeing - disagreeing_outside;
+  }
 
   /// Sets the three numbers from the points.
   void count_points();
 };
+STICKSLIP_MEMBERS(ClassificationStudy, (frequencies), (points), (agreeing, "1"), (in_guard_band, "1"),
+                  (disagreeing_outside, "1"), (disagreeing_inside(), "1"))
 
 /// Classifies each point of the grid by both implementations. For finite elements each point is a separate
 /// run with contact, which ends at its first slip. Uses thread_count() threads; the result does not depend on

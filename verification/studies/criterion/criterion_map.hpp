@@ -10,6 +10,7 @@
 
 #include "stickslip/analytic/bounds.hpp"
 #include "stickslip/data/problem.hpp"
+#include "studies/common/members.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/stick_slip/contact_response.hpp"
 
@@ -27,6 +28,8 @@ enum class CellState {
   stick_slip,
   no_stick_state  ///< P is not below the buckling load 20.19 EI/L^2 of the clamped-pinned beam
 };
+/// "stick", "stick-slip" or "no stick state".
+[[nodiscard]] std::string_view to_string(CellState state) noexcept;
 
 /// The key that an axis of a map varies, "beam.length", and its values in ascending order.
 struct MapAxis {
@@ -51,6 +54,8 @@ struct CriterionMap {
   double tolerance{};
   std::vector<Cell> cells;  ///< x varies fastest
 };
+STICKSLIP_MEMBERS(CriterionMap::Cell, (x), (y), (force_ratio, "1"), (state, "-"))
+STICKSLIP_MEMBERS(CriterionMap, (cells))
 
 /// The definition of a map.
 struct MapTask {

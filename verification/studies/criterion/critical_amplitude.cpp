@@ -6,6 +6,7 @@
 
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/common/parallel.hpp"
+#include "studies/common/problem_parameter.hpp"
 
 namespace stickslip::studies {
 
@@ -13,13 +14,16 @@ namespace {
 
 CriticalAmplitudeSearch search(const data::Beam& beam, const data::FrictionLaw& friction,
                                const data::NumericalSettings& numerics, double hz, double increment,
-                               int steps) {
+                               double cap) {
+  const int steps = static_cast<int>(std::lround(cap / increment));
   const auto at = [&](double amplitude) {
     return data::HarmonicExcitation({.frequency_hz = hz, .amplitude = amplitude});
   };
   CriticalAmplitudeSearch result;
   result.frequency_hz = hz;
-  const double limit = friction.static_coefficient() * beam.axial_force();
+  result.increment = increment;
+  result.cap = cap;
+  const double limit = friction_limit(friction, beam);
   result.linear = increment * limit / solver::max_abs_friction_force(beam, at(increment), numerics);
   const double multiple = std::floor(result.linear / increment) + 1.0;
   if (multiple <= steps) result.stepped_linear = multiple * increment;
@@ -39,9 +43,8 @@ std::vector<CriticalAmplitudeSearch> critical_amplitude_searches(const data::Bea
                                                                  const std::vector<double>& frequencies_hz,
                                                                  double increment, double cap) {
   std::vector<CriticalAmplitudeSearch> searches(frequencies_hz.size());
-  const int steps = static_cast<int>(std::lround(cap / increment));
   in_parallel(searches.size(), [&](std::size_t i) {
-    searches[i] = search(beam, friction, numerics, frequencies_hz[i], increment, steps);
+    searches[i] = search(beam, friction, numerics, frequencies_hz[i], increment, cap);
   });
   return searches;
 }

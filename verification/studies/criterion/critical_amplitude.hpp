@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
+#include "studies/common/members.hpp"
 
 namespace stickslip::studies {
 
@@ -20,8 +21,15 @@ struct CriticalAmplitudeSearch {
   /// The first multiple of the increment above `linear`, m; empty if it is above the cap.
   std::optional<double> stepped_linear;
 
+  double increment{}, cap{};  ///< of the search, m
   [[nodiscard]] bool agree() const { return searched == stepped_linear; }
+  /// The cap if the search found nothing.
+  [[nodiscard]] double searched_amplitude() const { return searched.value_or(cap); }
+  [[nodiscard]] bool above_the_cap() const { return !searched; }
 };
+STICKSLIP_MEMBERS(CriticalAmplitudeSearch, (frequency_hz, "Hz"), (searched, "m"), (runs, "1"), (linear, "m"),
+                  (stepped_linear, "m"), (increment, "m"), (cap, "m"), (agree(), "1"),
+                  (searched_amplitude(), "m"), (above_the_cap(), "1"))
 
 /// Raises the amplitude by `increment` (m) from zero until the tip slips within numerics.duration(), up to
 /// `cap` (m), and compares with the linear run. Predicted: agree() at all frequencies, because the stick

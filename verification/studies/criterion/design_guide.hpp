@@ -11,6 +11,7 @@
 #include "stickslip/analytic/band_maximum.hpp"
 #include "stickslip/analytic/bounds.hpp"
 #include "stickslip/data/problem.hpp"
+#include "studies/common/members.hpp"
 #include "studies/common/problem_parameter.hpp"
 
 namespace stickslip::studies {
@@ -20,6 +21,7 @@ struct Resonance {
   int mode{};
   double frequency_hz{};
 };
+STICKSLIP_MEMBERS(Resonance, (mode, "1"), (frequency_hz, "Hz"))
 
 /// The margin against slipping at the worst frequency of the band.
 struct BandMargin {
@@ -32,6 +34,8 @@ struct BandMargin {
   int evaluations{};                  ///< number of frequencies at which |f_max| was computed
   std::vector<Resonance> resonances;  ///< ascending
 };
+STICKSLIP_MEMBERS(BandMargin, (force_max, "N"), (friction_limit, "N"), (margin, "1"), (frequency_hz, "Hz"),
+                  (evaluations, "1"), (resonances))
 
 /// Searches the whole band, resonances included (analytic::BandMaximum), until the bounds of the force are
 /// `relative_width` apart. Throws data::InputError, naming beam.axial_force, unless 0 < P < P_cr,
@@ -52,6 +56,7 @@ struct DesignInterval {
   /// Modes with a natural frequency inside the band somewhere in the interval.
   std::vector<int> resonances{};
 };
+STICKSLIP_MEMBERS(DesignInterval, (from), (to), (sticks, "1"), (buckled, "1"), (resonances, "1"))
 
 /// Consecutive intervals that cover the whole range.
 struct DesignScan {
@@ -59,6 +64,7 @@ struct DesignScan {
   double accuracy{};           ///< of the ends of intervals
   std::vector<DesignInterval> intervals;
 };
+STICKSLIP_MEMBERS(DesignScan, (accuracy), (intervals))
 
 /// Divides a range of lengths (m) or axial forces (N) into intervals that avoid slipping over the whole band
 /// and intervals that do not. At each tested value the result holds for the whole band, as in band_margin().
@@ -86,6 +92,7 @@ struct Design {
   BandMargin margin;
   DesignScan lengths, forces;
 };
+STICKSLIP_MEMBERS(Design, (band, "Hz"), (margin), (lengths), (forces))
 
 /// The range from `from` to `to`, or to just below the buckling value of the case if that is smaller. Throws
 /// what buckling_value() throws.

@@ -80,6 +80,15 @@ LengthForceMap length_force_map(const data::Case& problem, double shortest, doub
   map.lines.resize(axial_forces.size());
   in_parallel(axial_forces.size(),
               [&](std::size_t i) { map.lines[i] = line_of(problem, shortest, longest, axial_forces[i]); });
+  const data::Beam& beam = problem.beam;
+  const double rigidity = beam.youngs_modulus() * beam.second_moment_of_area();
+  map.frequency_hz = problem.excitation.frequency_hz();
+  map.buckling_coefficient = analytic::stick_buckling_load(beam) * beam.length() * beam.length() / rigidity;
+  map.section_height = std::sqrt(12.0 * beam.second_moment_of_area() / beam.area());
+  map.section_width = beam.area() / map.section_height;
+  for (const int mode : {1, 2})
+    if (const auto length = resonance_length(beam, mode, map.frequency_hz))
+      map.resonance_lengths.push_back(*length);
   return map;
 }
 

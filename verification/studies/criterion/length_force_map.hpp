@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
+#include "studies/common/members.hpp"
 
 namespace stickslip::studies {
 
@@ -19,8 +20,16 @@ struct LengthForceMap {
     std::vector<double> length;       ///< L, m
     std::vector<double> force_ratio;  ///< |f_max| / (mu_s P), to 0.1 %; stick-slip above 1
   };
-  std::vector<Line> lines;  ///< all lines have the same number of lengths
+  std::vector<Line> lines;                   ///< all lines have the same number of lengths
+  double frequency_hz{};                     ///< of the excitation
+  double buckling_coefficient{};             ///< buckling load of the stick state over EI/L^2
+  double section_height{}, section_width{};  ///< of the rectangular section, m
+  std::vector<double> resonance_lengths;     ///< of modes 1 and 2 under the axial force of the case, m
 };
+STICKSLIP_MEMBERS(LengthForceMap::Line, (axial_force, "N"), (buckling_length, "m"), (resonance_1, "m"),
+                  (resonance_2, "m"), (length, "m"), (force_ratio, "1"))
+STICKSLIP_MEMBERS(LengthForceMap, (lines), (frequency_hz, "Hz"), (buckling_coefficient, "1"),
+                  (section_height, "m"), (section_width, "m"), (resonance_lengths, "m"))
 
 /// Evaluates lengths from `shortest` to `longest` (m), or to 0.999 of the buckling length if that is smaller,
 /// at each axial force (N, above 0 and below the buckling load of `shortest`). Cross section, excitation,

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
+#include "studies/common/members.hpp"
 
 namespace stickslip::studies {
 
@@ -29,6 +30,7 @@ struct ModelPlane {
     return static_cast<double>(to_stick + to_slip) / static_cast<double>(cells);
   }
 };
+STICKSLIP_MEMBERS(ModelPlane, (figures, "-"), (lost, "1"), (flipped_share(), "1"))
 
 /// chi = 1 against chi = 0.
 struct AxialDirectionPlane : ModelPlane {
@@ -37,17 +39,21 @@ struct AxialDirectionPlane : ModelPlane {
     return static_cast<double>(buckled) / static_cast<double>(cells);
   }
 };
+STICKSLIP_MEMBERS(AxialDirectionPlane, (figures, "-"), (lost, "1"), (lowest_ratio, "1"), (highest_ratio, "1"),
+                  (flipped_share(), "1"), (buckled_share(), "1"))
 
 /// |f_max| with chi = 1 over that with chi = 0 at one frequency, numerics.duration() and modes() of the case.
 struct AxialDirectionForce {
   double frequency_hz{}, ratio{};
 };
+STICKSLIP_MEMBERS(AxialDirectionForce, (frequency_hz, "Hz"), (ratio, "1"))
 
 struct ModelForm {
   std::vector<AxialDirectionForce> forces;  ///< of the paper's beam at the frequencies of Fig. 12
   std::vector<AxialDirectionPlane> planes;  ///< Figs. 10 to 12, which share one plane, 13 and 14
   std::vector<ModelPlane> shear;            ///< the same planes, of the beams of with_shear()
 };
+STICKSLIP_MEMBERS(ModelForm, (forces), (planes), (shear))
 
 /// `paper`, `half_stiffness` and `flat_section` are the cases of Figs. 10 to 12, 13 and 14. The planes are the
 /// excitations of Fig. 12 and, for Fig. 14, `lengths` from 0.4 to 2 m (at least 2) by figure14_axial_forces().
@@ -60,12 +66,14 @@ struct ModelVariant {
   double stiffness_ratio{std::numeric_limits<double>::infinity()};
   double damping_ratio{};  ///< damping.ratio
 };
+STICKSLIP_MEMBERS(ModelVariant, (stiffness_ratio, "1"), (damping_ratio, "1"))
 
 /// The variant against the rigid contact and the undamped beam, both with the exact steady part of the rigid contact. A law
 /// that falls with the velocity lets a compliant contact slip at less than mu_s P: that is not in here.
 struct VariantPlane : ModelPlane {
   ModelVariant variant;
 };
+STICKSLIP_MEMBERS(VariantPlane, (variant), (lost, "1"), (flipped_share(), "1"))
 
 /// The variant on the planes of model_form(). Of Fig. 14 every `stride`-th axial force is taken.
 [[nodiscard]] std::vector<VariantPlane> variant_planes(const ModelVariant& variant, const data::Case& paper,

@@ -276,6 +276,20 @@ std::optional<Warning> growth_warning(const data::Case& problem, Inquiry inquiry
   return Warning{Concern::growth, run_bound, allowed, sentence};
 }
 
+std::vector<std::string> warnings_after(const data::Case& problem, Inquiry inquiry, const History& history) {
+  std::vector<std::string> sentences;
+  for (const Warning& warning : problem_warnings(problem, inquiry)) sentences.push_back(warning.sentence);
+  if (inquiry == Inquiry::closed_form_history && history.first_slip)
+    sentences.push_back(
+        fmt::format("the closed form holds while the tip sticks, but |f| exceeds mu_s P = {} N first at {} "
+                    "s; --method fe "
+                    "and --method event-driven follow the slip",
+                    data::shortest_text(friction_limit(problem)), data::shortest_text(*history.first_slip)));
+  if (!history.events.empty())
+    if (const auto growth = growth_warning(problem, inquiry)) sentences.push_back(growth->sentence);
+  return sentences;
+}
+
 std::vector<Warning> warnings_common_to(const data::Case& problem,
                                         const std::vector<std::string_view>& varied) {
   if (problem.beam.axial_force() >= analytic::stick_buckling_load(problem.beam)) return {};
@@ -295,40 +309,12 @@ std::vector<Warning> warnings_common_to(const data::Case& problem,
   return warnings;
 }
 
-double boundary_integral_step(const data::Case& problem) {
-  constexpr double steps_per_period = 20000.0;
-  const double highest = std::max(problem.excitation.frequency_hz(),
-                                  analytic::stick_modes(problem.beam, 1).front().frequency_hz());
-  double step = problem.numerics.time_step();
-  while (step * highest * steps_per_period > 1.0) step *= 0.5;
-  return step;
-}
-
 void require_feasible(const data::Case& problem, Inquiry inquiry) {
-  if (is_about_frequencies(inquiry) || inquiry == Inquiry::stepped_history) return;
-  if (inquiry != Inquiry::event_driven_history) require_resting_wall(problem);
-  if (inquiry == Inquiry::boundary_integral_history) {
-    if (problem.damping.ratio() != 0.0)
-      throw data::FieldError("damping.ratio", data::shortest_text(problem.damping.ratio()),
-                             "0 with the boundary integral, which allows Kelvin-Voigt damping only");
-    const double most_steps = std::ldexp(1.0, 24), step = boundary_integral_step(problem);
-    if (problem.numerics.duration() <= most_steps * step) return;
-    throw data::FieldError("excitation.duration", data::shortest_text(problem.numerics.duration()),
-                           fmt::format("at most {:.3g} s, 2^24 steps of {:.3g} s", most_steps * step, step));
-  }
-  const bool is_event_driven = inquiry == Inquiry::event_driven_history;
-  const double most_periods = is_event_driven ? 1e6 : 1e8;  // minutes of work
-  const double natural =
-      analytic::modal_forces(problem.beam, problem.numerics.modes()).back().angular_frequency / (2.0 * pi);
-  const double highest = std::max(natural, problem.excitation.frequency_hz());
-  if (problem.numerics.duration() * highest <= most_periods) return;
-  throw data::FieldError("excitation.duration", data::shortest_text(problem.numerics.duration()),
-                         fmt::format("at most {:.3g} s, {} periods of {}, {:.3g} Hz", most_periods / highest,
-                                     is_event_driven ? "a million" : "a hundred million",
-                                     natural > problem.excitation.frequency_hz()
-                                         ? fmt::format("natural frequency {}", problem.numerics.modes())
-                                         : "the excitation",
-                                     highest));
+  for (const Method& each : methods())
+    if (each.inquiry == inquiry) return each.require_feasible(problem);
+  if (is_about_frequencies(inquiry)) return;
+  require_resting_wall(problem);
+  require_periods(problem, most_periods_in_closed_form);
 }
 
 }  // namespace stickslip::studies

@@ -11,20 +11,9 @@
 
 #include "stickslip/data/problem.hpp"
 #include "studies/common/problem_parameter.hpp"
+#include "studies/history/method.hpp"
 
 namespace stickslip::studies {
-
-/// The kind of result that is asked for.
-enum class Inquiry {
-  stick_frequencies,
-  slip_frequencies,
-  criterion,            ///< |f_max|, in closed form
-  closed_form_history,  ///< Eqs. (26) to (28)
-  event_driven_history,
-  boundary_integral_history,
-  stepped_history,  ///< finite elements and generalised-alpha
-  design            ///< |f_max| over a band up to the excitation frequency of the case
-};
 
 /// The subject of a warning.
 enum class Concern { flutter, buckling, resonance, thick_beam, long_step, growth };
@@ -100,23 +89,20 @@ constexpr double share_that_matters = 0.01;
 /// Throws what the run itself throws.
 [[nodiscard]] std::optional<Warning> growth_warning(const data::Case& problem, Inquiry inquiry);
 
+/// The warnings of problem_warnings() for a history that was computed by a method with that inquiry, then
+/// growth_warning() if the contact changed, and that the closed form does not hold beyond its first slip.
+[[nodiscard]] std::vector<std::string> warnings_after(const data::Case& problem, Inquiry inquiry,
+                                                      const History& history);
+
 /// The warnings for the criterion that hold for all values of the varied parameters: no resonance warning if
 /// one of them changes a frequency, no thick-beam warning if the length or the section is varied, and no warning if P is not
 /// below the buckling load.
 [[nodiscard]] std::vector<Warning> warnings_common_to(const data::Case& problem,
                                                       const std::vector<std::string_view>& varied);
 
-/// The step of the boundary integral (s): numerics.time_step() divided by a power of two, so that it is at
-/// most 1/20000 of the period of the first stick mode and of the excitation. Throws what stick_modes()
-/// throws.
-[[nodiscard]] double boundary_integral_step(const data::Case& problem);
-
-/// Throws data::FieldError for a wall that moves, unless the inquiry is about frequencies or a history that
-/// follows it, and for a computation that would take more than minutes. It names excitation.duration if a
-/// closed form needs more than 1e8 periods of the highest natural frequency or of the excitation, an
-/// event-driven history more than 1e6 periods, or a boundary integral more than 2^24 steps. It names
-/// damping.ratio for a boundary integral, because its mobility is known in closed form with Kelvin-Voigt
-/// damping only.
+/// Throws data::FieldError, naming excitation.duration, for a computation that would take more than minutes: a history as
+/// Method::require_feasible; a criterion or a design with more than 1e8 periods of the highest natural frequency or of
+/// the excitation, and for a wall that moves.
 void require_feasible(const data::Case& problem, Inquiry inquiry);
 
 }  // namespace stickslip::studies

@@ -9,6 +9,7 @@
 
 #include "stickslip/analytic/bounds.hpp"
 #include "stickslip/data/problem.hpp"
+#include "studies/common/members.hpp"
 #include "studies/stick_slip/converged_history.hpp"
 
 namespace stickslip::studies {
@@ -18,6 +19,7 @@ struct ForceHorizon {
   double duration{};           ///< T, s
   analytic::Bounds force_max;  ///< all modes, N
 };
+STICKSLIP_MEMBERS(ForceHorizon, (duration, "s"), (force_max, "N"))
 
 /// The force of the undamped held beam at one frequency.
 struct SteadyForce {
@@ -26,6 +28,8 @@ struct SteadyForce {
   bool grows{};     ///< |f| grows over all of numerics.duration() (Concern::resonance)
   std::vector<ForceHorizon> horizons;
 };
+STICKSLIP_MEMBERS(SteadyForce, (frequency_hz, "Hz"), (amplitude, "m"), (steady, "N"), (grows, "1"),
+                  (horizons))
 
 /// Steady force of a beam with Kelvin-Voigt damping and its tip held.
 struct SteadyDampedForce {
@@ -34,6 +38,8 @@ struct SteadyDampedForce {
   double undamped_force_max{};         ///< |f_max| over numerics.duration() without damping, N
   double steady{};                     ///< closed form (analytic::DampedSteadyState), N
 };
+STICKSLIP_MEMBERS(SteadyDampedForce, (frequency_hz, "Hz"), (amplitude, "m"), (ratio, "1"),
+                  (undamped_force_max, "N"), (steady, "N"))
 
 /// |f_max| of Euler-Bernoulli theory and with rotary inertia and shear (with_shear()).
 struct SlenderForce {
@@ -42,12 +48,15 @@ struct SlenderForce {
   std::vector<double> model_errors;
   double force_max{}, shifted_force_max{};  ///< N
 };
+STICKSLIP_MEMBERS(SlenderForce, (frequency_hz, "Hz"), (model_errors, "1"), (force_max, "N"),
+                  (shifted_force_max, "N"))
 
 /// The critical amplitude with half of E I against that with E I, at the same frequency in Hz.
 struct SofterBeam {
   int larger{}, all{};             ///< frequencies at which it is larger, of how many
   double lowest_ratio{}, at_hz{};  ///< softer over stiffer
 };
+STICKSLIP_MEMBERS(SofterBeam, (larger, "1"), (all, "1"), (lowest_ratio, "1"), (at_hz, "Hz"))
 
 /// What is left of a history after its large slips.
 struct LateSlips {
@@ -55,6 +64,7 @@ struct LateSlips {
   double settled{};      ///< from here on y(L) is within settled_share of the range from its last value, s
   double later_range{};  ///< of y(L) from then on, m
 };
+STICKSLIP_MEMBERS(LateSlips, (range, "m"), (settled, "s"), (later_range, "m"))
 inline constexpr double settled_share = 0.05;
 
 /// The complete study.
@@ -66,6 +76,7 @@ struct Scope {
   SofterBeam softer;
   LateSlips late_slips;
 };
+STICKSLIP_MEMBERS(Scope, (friction_limit, "N"), (steady), (damped), (slender), (softer), (late_slips))
 
 /// The parts of the study, for the case of data/cases/paper.toml at its frequency and amplitude.
 [[nodiscard]] SteadyForce steady_force(const data::Case& paper, const std::vector<double>& durations);

@@ -11,6 +11,7 @@
 #include "stickslip/analytic/bounds.hpp"
 #include "stickslip/data/paper.hpp"
 #include "stickslip/data/problem.hpp"
+#include "studies/common/members.hpp"
 
 namespace stickslip::studies {
 
@@ -27,6 +28,8 @@ struct ForceRow {
   std::vector<double> force;   ///< N, one per frequency
   std::vector<double> change;  ///< of `force` from the unchanged row of the same method, %
 };
+STICKSLIP_MEMBERS(ForceRow, (factor, "-"), (setting, "-"), (closed_form, "1"), (left_open, "1"), (force, "N"),
+                  (change, "%"))
 
 /// The effect of one given quantity on |f_max|. Young's modulus also represents I, and the density also
 /// represents A, because only E I and rho A enter.
@@ -41,6 +44,8 @@ struct InputSensitivity {
   /// Change of |f_max| for changes of the input within 0.1 %: lowest and highest of 41 values, %.
   std::vector<double> lowest_change, highest_change;
 };
+STICKSLIP_MEMBERS(InputSensitivity, (input, "-"), (relative, "1"), (lowest_change, "%"),
+                  (highest_change, "%"))
 
 /// A range of |f_max|, compared with the printed value.
 struct ForceRange {
@@ -48,6 +53,7 @@ struct ForceRange {
   int digits{};            ///< common_digits of both ends
   bool holds_printed{};    ///< contains the printed value to half a unit of its last digit
 };
+STICKSLIP_MEMBERS(ForceRange, (force, "N"), (digits, "1"), (holds_printed, "1"))
 
 /// The digits of one |f_max| that do not depend on what the paper leaves open, and those of the problem
 /// itself.
@@ -66,6 +72,8 @@ struct ForceDigits {
     return method.holds_printed ? data::ClaimVerdict::not_determined : data::ClaimVerdict::does_not_hold;
   }
 };
+STICKSLIP_MEMBERS(ForceDigits, (frequency_hz, "Hz"), (printed, "N"), (half_digit, "N"), (formula), (method),
+                  (problem), (uncertainty, "N"), (verdict(), "-"))
 
 /// One way of sampling Eq. (28).
 struct SamplingTrial {
@@ -76,6 +84,8 @@ struct SamplingTrial {
   double largest_difference{};
   int returned{};  ///< number of printed values that it reproduces to the last digit
 };
+STICKSLIP_MEMBERS(SamplingTrial, (modes, "1"), (sampling_step, "s"), (force, "N"), (largest_difference, "1"),
+                  (returned, "1"))
 
 /// A search for a number of modes and a sampling step that reproduce all four printed values to the last
 /// digit.
@@ -85,7 +95,10 @@ struct SamplingSearch {
   int returning_all{};                 ///< number of trials that reproduce all printed values
   SamplingTrial closest;               ///< the trial with the smallest largest_difference
   SamplingTrial most_returned;         ///< the trial that reproduces most values; of several, the closest
+  [[nodiscard]] int trials() const { return most_modes * static_cast<int>(sampling_steps.size()); }
 };
+STICKSLIP_MEMBERS(SamplingSearch, (most_modes, "1"), (sampling_steps, "s"), (returning_all, "1"), (closest),
+                  (most_returned), (trials(), "1"))
 
 /// The complete study. The vectors of forces have one entry per frequency.
 struct ForceSensitivity {
@@ -95,6 +108,7 @@ struct ForceSensitivity {
   std::vector<ForceDigits> digits;
   SamplingSearch search;
 };
+STICKSLIP_MEMBERS(ForceSensitivity, (frequency_hz, "Hz"), (rows), (inputs), (digits), (search))
 
 /// Runs the study for the case of data/cases/paper.toml. Uses thread_count() threads; the result does not
 /// depend on their number.

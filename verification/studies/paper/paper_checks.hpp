@@ -12,6 +12,7 @@
 #include "stickslip/analytic/bounds.hpp"
 #include "stickslip/data/paper.hpp"
 #include "stickslip/data/problem.hpp"
+#include "studies/common/members.hpp"
 
 namespace stickslip::studies {
 
@@ -35,6 +36,8 @@ struct PrintedCheck {
   }
   [[nodiscard]] bool agrees() const { return verdict() == data::ClaimVerdict::holds; }
 };
+STICKSLIP_MEMBERS(PrintedCheck, (printed), (computed), (method, "-"), (allowed), (because, "-"), (left_open),
+                  (error()), (verdict(), "-"), (agrees(), "1"))
 
 /// |f_max| at a printed frequency between the smallest and the largest that the paper's own settings give:
 /// ten modes of Eq. (28) at any time, every 1e-4 s (its time step) and every 5e-3 s, and finite elements. The
@@ -59,6 +62,8 @@ struct ErratumEvidence {
     return std::abs(corrected - reference) <= tolerance && std::abs(as_printed - reference) > tolerance;
   }
 };
+STICKSLIP_MEMBERS(ErratumEvidence, (erratum, "-"), (quantity, "-"), (unit, "-"), (as_printed), (corrected),
+                  (reference), (tolerance), (confirmed(), "1"))
 
 /// At least one row per erratum that contains a number, except E7 and E12, which concern wording, and E6, which
 /// is a number that the paper's text does not determine (printed_checks()).

@@ -17,11 +17,12 @@
 #include "stickslip/solver/modal_analysis.hpp"
 #include "studies/common/hertz.hpp"
 #include "studies/common/parallel.hpp"
+#include "studies/common/problem_parameter.hpp"
 #include "studies/convergence/discretisation.hpp"
 #include "studies/criterion/length_force_map.hpp"
+#include "studies/history/runs.hpp"
 #include "studies/paper/printed_forces.hpp"
 #include "studies/stick_slip/contact_histories.hpp"
-#include "studies/stick_slip/event_history.hpp"
 
 namespace stickslip::studies {
 
@@ -201,9 +202,9 @@ void add_figure9(const data::Case& paper, std::vector<Plan>& plans) {
 
 // y(L) in the first stick phase after the first slip that lasts for at least shortest_stick.
 double first_stick_position(const data::Case& problem, const Settings& at) {
-  const TipHistory history =
-      time_stepper_history(problem.beam, problem.friction, problem.excitation,
-                           refined(at, at.elements(), at.time_step()), {}, first_stick_duration);
+  const History history = finite_element_history(
+      refined(problem, at.elements(), at.time_step(), first_stick_duration, at.spectral_radius()), {},
+      {.coordinates = solver::Coordinates::nodal});
   return first_capture(without_micro_sticks(history.events, ConvergedEffort{}.shortest_stick))
       .value()
       .position;
@@ -261,8 +262,7 @@ VerifiedResult verified(const Plan& plan, std::vector<VerificationLevel> compute
 // mu_s P over |f_max| per unit amplitude at the minimum of Fig. 6, from the levels of |f_max|.
 VerifiedResult critical_amplitude(const data::Case& paper, double reference_force,
                                   std::vector<VerificationLevel> levels_of_force) {
-  const double scale =
-      paper.friction.static_coefficient() * paper.beam.axial_force() * printed_excitation(25.0).amplitude();
+  const double scale = friction_limit(paper) * printed_excitation(25.0).amplitude();
   const Plan plan{"figure6.minimum.amplitude",
                   "critical amplitude at 25 Hz",
                   "m",

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
+#include "studies/common/members.hpp"
 
 namespace stickslip::studies {
 
@@ -31,6 +32,8 @@ struct GridConvergence {
   double safety_factor{};  ///< 1.25 or 3
   double index{};          ///< GCI, in the unit of the values
 };
+STICKSLIP_MEMBERS(GridConvergence, (observed_order, "1"), (asymptotic, "1"), (extrapolated),
+                  (safety_factor, "1"), (index))
 
 /// The grid convergence of three values. Throws std::invalid_argument unless there are three values, ratio >
 /// 1 and formal_order > 0.
@@ -43,6 +46,7 @@ struct VerificationLevel {
   double time_step{};  ///< s; 0 for results without time integration
   double value{};
 };
+STICKSLIP_MEMBERS(VerificationLevel, (elements, "1"), (time_step, "s"), (value))
 
 /// One result with its discretisation uncertainty.
 struct VerifiedResult {
@@ -60,6 +64,8 @@ struct VerifiedResult {
   double uncertainty{};
   std::string obtained;  ///< how `uncertainty` was determined
 };
+STICKSLIP_MEMBERS(VerifiedResult, (id, "-"), (quantity, "-"), (unit, "-"), (printed), (levels), (convergence),
+                  (reference), (true_error), (covered, "1"), (uncertainty), (obtained, "-"))
 
 /// The results with their discretisation uncertainties.
 struct SolutionVerification {
@@ -67,6 +73,7 @@ struct SolutionVerification {
   double formal_order{};  ///< in the element length; the time step is proportional to its square
   std::vector<VerifiedResult> results;
 };
+STICKSLIP_MEMBERS(SolutionVerification, (ratio, "1"), (formal_order, "1"), (results))
 
 /// Verifies the results of the case of data/cases/paper.toml with 20, 30 and 45 elements. The time step is
 /// proportional to the square of the element length, 1e-4 s for the first level, so that the errors of time

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "studies/stick/force_maximum.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/data/paper.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/convergence/discretisation.hpp"
 
@@ -14,7 +20,29 @@ constexpr int reference_modes = 100;
 // Number of modes whose discrete frequency is predicted well enough on the meshes used here.
 constexpr int predicted_modes = 20;
 
+double relative_difference(double a, double b) { return std::abs(a / b - 1.0); }
+
 }  // namespace
+
+double ForceMaximumStudy::sampling_difference() const {
+  return relative_difference(sampled, truncated.midpoint());
+}
+
+double ForceMaximumStudy::truncation_difference() const {
+  return relative_difference(truncated.midpoint(), converged.midpoint());
+}
+
+double ForceMaximumStudy::discretisation_difference() const {
+  return relative_difference(finite_element, converged.midpoint());
+}
+
+double ForceMaximumStudy::prediction_difference() const {
+  return relative_difference(finite_element, predicted_finite_element);
+}
+
+double ForceMaximumStudy::printed_difference() const {
+  return relative_difference(sampled, data::printed_number(fmt::format("force_max.{}", frequency_hz)).value);
+}
 
 ForceMaximumStudy force_maximum_study(const data::Beam& beam, const data::HarmonicExcitation& excitation,
                                       const data::NumericalSettings& numerics) {
@@ -44,6 +72,18 @@ std::vector<CriticalAmplitudePoint> critical_amplitude_curve(const data::Beam& b
     curve.push_back({hz, criterion.critical_amplitude.midpoint()});
   }
   return curve;
+}
+
+AmplitudeRatio amplitude_ratio(const std::vector<CriticalAmplitudePoint>& curve,
+                               const std::vector<CriticalAmplitudePoint>& reference) {
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < curve.size(); ++i)
+    ratios.push_back(curve[i].critical_amplitude / reference[i].critical_amplitude);
+  std::ranges::sort(ratios);
+  const std::size_t tenth = ratios.size() / 10;
+  return {.low_tenth = ratios[tenth],
+          .median = ratios[ratios.size() / 2],
+          .high_tenth = ratios[ratios.size() - 1 - tenth]};
 }
 
 }  // namespace stickslip::studies

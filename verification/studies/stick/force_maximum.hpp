@@ -5,6 +5,7 @@
 
 #include "stickslip/analytic/bounds.hpp"
 #include "stickslip/data/problem.hpp"
+#include "studies/common/members.hpp"
 
 namespace stickslip::studies {
 
@@ -18,7 +19,20 @@ struct ForceMaximumStudy {
   double finite_element{};            ///< largest |f| over the time steps of a run with a bonded tip
   double predicted_finite_element{};  ///< PredictedForce::max_abs
   double prediction_uncertainty{};    ///< PredictedForce::uncertainty
+
+  /// Relative differences: of `sampled` from `truncated`, of that from `converged`, of `finite_element` from `converged`
+  /// and from its prediction, and of `sampled` from the printed value, which must exist for the frequency.
+  [[nodiscard]] double sampling_difference() const;
+  [[nodiscard]] double truncation_difference() const;
+  [[nodiscard]] double discretisation_difference() const;
+  [[nodiscard]] double prediction_difference() const;
+  [[nodiscard]] double printed_difference() const;
 };
+STICKSLIP_MEMBERS(ForceMaximumStudy, (frequency_hz, "Hz"), (amplitude, "m"), (sampled, "N"), (truncated, "N"),
+                  (converged, "N"), (finite_element, "N"), (predicted_finite_element, "N"),
+                  (prediction_uncertainty, "N"), (sampling_difference(), "1"), (truncation_difference(), "1"),
+                  (discretisation_difference(), "1"), (prediction_difference(), "1"),
+                  (printed_difference(), "1"))
 
 [[nodiscard]] ForceMaximumStudy force_maximum_study(const data::Beam& beam,
                                                     const data::HarmonicExcitation& excitation,
@@ -29,9 +43,19 @@ struct CriticalAmplitudePoint {
   double frequency_hz{};
   double critical_amplitude{};  ///< m
 };
+STICKSLIP_MEMBERS(CriticalAmplitudePoint, (frequency_hz, "Hz"), (critical_amplitude, "m"))
 /// The critical amplitude at each frequency (Hz).
 [[nodiscard]] std::vector<CriticalAmplitudePoint> critical_amplitude_curve(
     const data::Beam& beam, const data::FrictionLaw& friction, const data::NumericalSettings& numerics,
     const std::vector<double>& frequencies_hz);
+
+/// The ratio of two such curves, point by point: the values below which a tenth, half and nine tenths of all are.
+struct AmplitudeRatio {
+  double low_tenth{}, median{}, high_tenth{};
+};
+STICKSLIP_MEMBERS(AmplitudeRatio, (low_tenth, "1"), (median, "1"), (high_tenth, "1"))
+/// Of `curve` over `reference`, which has as many points.
+[[nodiscard]] AmplitudeRatio amplitude_ratio(const std::vector<CriticalAmplitudePoint>& curve,
+                                             const std::vector<CriticalAmplitudePoint>& reference);
 
 }  // namespace stickslip::studies

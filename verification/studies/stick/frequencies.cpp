@@ -19,14 +19,16 @@ using FiniteElementModes = std::vector<solver::FiniteElementMode>;
 
 // `predicted_error` is a function of the exact mode and the length of an element.
 template <typename AnalyticMode, typename PredictedError>
-FrequencyStudy frequency_study(const data::Beam& beam, const std::vector<int>& elements,
+FrequencyStudy frequency_study(const char* state, const data::Beam& beam, const std::vector<int>& elements,
                                const std::vector<AnalyticMode>& exact,
                                FiniteElementModes (*finite_element_modes)(const solver::BeamModel&, int),
                                const PredictedError& predicted_error) {
-  FrequencyStudy study{.elements = elements, .modes = std::vector<FrequencyConvergence>(exact.size())};
-  std::vector<double> element_lengths;
+  FrequencyStudy study{.state = state,
+                       .elements = elements,
+                       .element_length = {},
+                       .modes = std::vector<FrequencyConvergence>(exact.size())};
   for (const int n : elements) {
-    element_lengths.push_back(beam.length() / n);
+    study.element_length.push_back(beam.length() / n);
     const FiniteElementModes computed =
         finite_element_modes(solver::BeamModel(beam, n), static_cast<int>(exact.size()));
     for (std::size_t i = 0; i < exact.size(); ++i) {
@@ -34,7 +36,7 @@ FrequencyStudy frequency_study(const data::Beam& beam, const std::vector<int>& e
       const double ratio = hz / exact[i].frequency_hz();
       study.modes[i].finite_element_hz.push_back(hz);
       study.modes[i].relative_error.push_back((ratio - 1.0) * (ratio + 1.0));
-      study.modes[i].predicted_error.push_back(predicted_error(exact[i], element_lengths.back()));
+      study.modes[i].predicted_error.push_back(predicted_error(exact[i], study.element_length.back()));
     }
   }
   for (std::size_t i = 0; i < exact.size(); ++i) {
@@ -43,7 +45,7 @@ FrequencyStudy frequency_study(const data::Beam& beam, const std::vector<int>& e
     mode.closed_form_hz = exact[i].frequency_hz();
     std::vector<double> magnitudes;
     for (const double error : mode.relative_error) magnitudes.push_back(std::abs(error));
-    mode.observed_order = order_estimate(element_lengths, magnitudes);
+    mode.observed_order = order_estimate(study.element_length, magnitudes);
     mode.leading_constant_ratio = mode.relative_error.back() / mode.predicted_error.back();
   }
   return study;
@@ -100,19 +102,25 @@ ModeShapeStudy::Curve shape_curve(const AnalyticMode& exact, const solver::Finit
 }  // namespace
 
 FrequencyStudy stick_frequency_study(const data::Beam& beam, int modes, const std::vector<int>& elements) {
-  return frequency_study(beam, elements, analytic::stick_modes(beam, modes), solver::stick_modes,
+  return frequency_study("stick", beam, elements, analytic::stick_modes(beam, modes), solver::stick_modes,
                          [&beam](const analytic::StickMode& mode, double length) {
                            return hermite_eigenvalue_error(beam, mode, length);
                          });
 }
 
 FrequencyStudy slip_frequency_study(const data::Beam& beam, int modes, const std::vector<int>& elements) {
-  return frequency_study(beam, elements, analytic::slip_modes(beam, modes), solver::slip_modes,
+  return frequency_study("slip", beam, elements, analytic::slip_modes(beam, modes), solver::slip_modes,
                          [](const analytic::SlipMode& mode, double length) {
                            const double wave_number_squared =
                                mode.hyperbolic_wave_number() * mode.trigonometric_wave_number();
                            return std::pow(length, 4) / 720.0 * wave_number_squared * wave_number_squared;
                          });
+}
+
+std::vector<double> FlutterStudy::relative_error() const {
+  std::vector<double> errors;
+  for (const double load : finite_element) errors.push_back(load / closed_form - 1.0);
+  return errors;
 }
 
 FlutterStudy flutter_study(const data::Beam& beam, const std::vector<int>& elements) {

@@ -63,11 +63,12 @@ StickHistoryStudy stick_history_study(const data::Beam& beam, const data::Harmon
   for (int k = 0; k < levels; ++k) {
     const data::NumericalSettings level = refined(numerics, k);
     SampledHistory computed = finite_element_history(beam, excitation, level, 1L << (2 * k));
-    study.levels.push_back({level.elements(), level.time_step(),
-                            largest_difference(computed.displacement, study.displacement),
-                            largest_difference(computed.force, study.force),
+    const double displacement_error = largest_difference(computed.displacement, study.displacement);
+    const double force_error = largest_difference(computed.force, study.force);
+    study.levels.push_back({level.elements(), level.time_step(), displacement_error, force_error,
                             drift_bound(beam, exact.modes(), free_displacement, level, numerics.duration()),
-                            drift_bound(beam, exact.modes(), free_force, level, numerics.duration())});
+                            drift_bound(beam, exact.modes(), free_force, level, numerics.duration()),
+                            displacement_error / study.displacement_peak, force_error / study.force_peak});
     if (k == 0) {
       study.first_displacement = std::move(computed.displacement);
       study.first_force = std::move(computed.force);

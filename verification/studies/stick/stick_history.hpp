@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
+#include "studies/common/members.hpp"
 #include "studies/convergence/convergence.hpp"
 
 namespace stickslip::studies {
@@ -17,7 +18,12 @@ struct StickHistoryLevel {
   double force_error{};                   ///< max |f_h - f| over the common times, N
   double predicted_displacement_error{};  ///< drift_bound of the free vibrations, m
   double predicted_force_error{};         ///< N
+  double relative_displacement_error{};   ///< over displacement_peak
+  double relative_force_error{};          ///< over force_peak
 };
+STICKSLIP_MEMBERS(StickHistoryLevel, (elements, "1"), (time_step, "s"), (displacement_error, "m"),
+                  (force_error, "N"), (predicted_displacement_error, "m"), (predicted_force_error, "N"),
+                  (relative_displacement_error, "1"), (relative_force_error, "1"))
 
 /// The histories of Fig. 9 and their errors on all levels.
 struct StickHistoryStudy {
@@ -33,6 +39,10 @@ struct StickHistoryStudy {
   std::vector<double> displacement, force;              ///< closed form, m and N
   std::vector<double> first_displacement, first_force;  ///< finite elements, first level, m and N
 };
+STICKSLIP_MEMBERS(StickHistoryStudy, (displacement_peak, "m"), (force_peak, "N"), (levels),
+                  (displacement_order), (force_order), (predicted_displacement_order, "1"),
+                  (predicted_force_order, "1"), (time, "s"), (displacement, "m"), (force, "N"),
+                  (first_displacement, "m"), (first_force, "N"))
 
 /// Compares the histories on the times of the first level over 0 ... numerics.duration(). Level k has the
 /// time step h/4^k and 2^k times the elements of `numerics`, so that the errors of time (h^2) and mesh (l^4)

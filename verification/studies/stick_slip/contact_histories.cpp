@@ -8,10 +8,12 @@
 
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/data/paper.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/common/parallel.hpp"
+#include "studies/common/problem_parameter.hpp"
 #include "studies/convergence/convergence.hpp"
-#include "studies/stick_slip/event_history.hpp"
+#include "studies/history/runs.hpp"
 #include "studies/stick_slip/finite_element_contact_model.hpp"
 
 namespace stickslip::studies {
@@ -25,7 +27,7 @@ constexpr double sample = 2e-4;
 std::optional<double> closed_form_first_slip(const data::Beam& beam, const data::FrictionLaw& friction,
                                              const data::HarmonicExcitation& excitation, double duration) {
   const analytic::StickResponse response(beam, excitation, 60, analytic::SteadyPart::exact);
-  const double limit = friction.static_coefficient() * beam.axial_force();
+  const double limit = friction_limit(friction, beam);
   const auto exceeded = [&](double t) { return std::abs(response.friction_force(t)) > limit; };
   const double scan =
       std::min(1.0 / excitation.frequency_hz(), 1.0 / response.modes().front().frequency_hz()) / 2000.0;
@@ -64,6 +66,23 @@ ContactHistory contact_history(const data::Case& problem, double shown) {
   return history;
 }
 
+std::optional<double> ContactHistory::first_slip_difference() const {
+  if (!finite_element_slip || !closed_form_slip) return std::nullopt;
+  return std::abs(*finite_element_slip - *closed_form_slip);
+}
+
+std::vector<ContactHistory> contact_histories(const data::Case& paper, double shown) {
+  std::vector<ContactHistory> histories;
+  for (const auto& verdict : data::printed_verdicts()) {
+    data::Case problem = paper;
+    problem.excitation = data::HarmonicExcitation({verdict.frequency_hz, verdict.amplitude});
+    histories.push_back(contact_history(problem, shown));
+    histories.back().figure = verdict.figure;
+    histories.back().printed_slips = verdict.verdict == "stick-slip";
+  }
+  return histories;
+}
+
 std::vector<PracticeRun> usual_practice(data::Case problem, const ConvergedHistory& converged) {
   problem.excitation = data::HarmonicExcitation({converged.frequency_hz, converged.amplitude});
   const data::NumericalSettings& numerics = problem.numerics;
@@ -85,23 +104,26 @@ std::vector<PracticeRun> usual_practice(data::Case problem, const ConvergedHisto
   std::vector<PracticeRun> runs(std::size(stepped) + std::size(meshes));
   in_parallel(runs.size(), [&](std::size_t i) {
     PracticeRun& run = runs[i];
-    TipHistory history;
+    History history;
     if (i < std::size(stepped)) {
       const auto& [method, radius, scheme, threshold] = stepped[i];
       data::NumericalChoices choices = numerics.choices();
       choices.spectral_radius = radius;
       choices.velocity_threshold = threshold;
-      history = time_stepper_history(problem.beam, problem.friction, problem.excitation,
-                                     data::NumericalSettings(choices), {.scheme = scheme}, duration,
-                                     static_cast<int>(std::lround(spacing / h)));
+      choices.duration = duration;
+      data::Case at = problem;
+      at.numerics = data::NumericalSettings(choices);
+      history = finite_element_history(at, {.every = std::lround(spacing / h)},
+                                       {.scheme = scheme, .coordinates = solver::Coordinates::nodal});
       run = {.method = method, .elements = elements, .time_step = h, .spectral_radius = radius};
     } else {
       run = {.method = "event-driven", .elements = meshes[i - std::size(stepped)]};
-      history = event_driven_history(finite_element_contact_model(problem, run.elements), duration, spacing);
+      history = event_driven_history(finite_element_contact_model(problem, run.elements),
+                                     sample_times(duration, spacing));
     }
-    run.changes = history.changes;
-    run.largest_error = largest_difference(converged.tip, history.tip_displacement) / converged.tip_range;
-    run.tip_displacement = history.tip_displacement;
+    run.changes = static_cast<int>(history.events.size());
+    run.tip_displacement = tip_displacements(history);
+    run.largest_error = largest_difference(converged.tip, run.tip_displacement) / converged.tip_range;
   });
   return runs;
 }

@@ -10,12 +10,11 @@
 #include <iterator>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
-#include "stickslip/analytic/beam_boundary_integral.hpp"
-#include "stickslip/analytic/free_mode_run.hpp"
-#include "stickslip/analytic/slip_modes.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/convergence/convergence.hpp"
+#include "studies/history/runs.hpp"
 
 namespace stickslip::studies {
 
@@ -27,72 +26,46 @@ struct Run {
   HistoryLevel level;
 };
 
-/// Records the stick phases and the values at the samples from the steps of a run.
-class RunRecorder {
- public:
-  RunRecorder(Run& run, double time_step, std::size_t every)
-      : run_(run), time_step_(time_step), every_(every) {
-    run_.tip = {0.0};
+// The stick phases between the changes of contact. The last one may end with the run.
+std::vector<ConvergedStick> sticks_of(const std::vector<data::ContactEvent>& events, double duration) {
+  std::vector<ConvergedStick> sticks{{.begin = 0.0, .end = duration, .position = 0.0}};
+  for (const data::ContactEvent& event : events) {
+    if (event.change == data::ContactChange::onset) sticks.back().end = event.time;
+    if (event.change == data::ContactChange::capture)
+      sticks.push_back({.begin = event.time, .end = duration, .position = event.position});
   }
+  return sticks;
+}
 
-  void add(const analytic::ContactStep& step) {
-    const double time = static_cast<double>(steps_) * time_step_;
-    const bool stuck = step.sliding_velocity == 0.0;
-    if (stuck && !stuck_) run_.sticks.push_back({.begin = time, .end = time, .position = position_});
-    if (steps_ > 0 && stuck != stuck_) ++run_.level.changes;
-    position_ += time_step_ * step.sliding_velocity;
-    if (stuck) run_.sticks.back().end = time + time_step_;
-    stuck_ = stuck;
-    if (++steps_ % every_ == 0) run_.tip.push_back(position_);
-  }
+// With rows at the samples.
+data::Case sampled(const data::Case& problem, const ConvergedEffort& effort) {
+  return refined(problem, problem.numerics.elements(), effort.duration / effort.samples, effort.duration);
+}
 
- private:
-  Run& run_;
-  double time_step_, position_{};
-  std::size_t every_, steps_{};
-  bool stuck_{};
-};
-
-analytic::TimeGrid grid_of(const ConvergedEffort& effort, int steps_per_sample) {
-  return {effort.duration / effort.samples / steps_per_sample,
-          static_cast<std::size_t>(effort.samples) * static_cast<std::size_t>(steps_per_sample)};
+Run run_of(const History& history, HistoryLevel level, const ConvergedEffort& effort) {
+  Run run{.tip = tip_displacements(history),
+          .midspan = {},
+          .sticks = sticks_of(history.events, effort.duration),
+          .level = std::move(level)};
+  if (effort.with_midspan)
+    for (const HistoryRow& row : history.rows) run.midspan.push_back(row.midspan_displacement);
+  run.level.changes = static_cast<int>(onsets_and_captures(history.events).size());
+  return run;
 }
 
 Run run_boundary_integral(const data::Case& problem, const ConvergedEffort& effort, int steps_per_sample) {
-  const analytic::TimeGrid grid = grid_of(effort, steps_per_sample);
-  const auto every = static_cast<std::size_t>(steps_per_sample);
-  const analytic::BeamBoundaryIntegral beam(problem.beam, problem.friction, problem.excitation, {}, grid);
-  Run run;
-  run.level = {.method = "boundary integral", .time_step = grid.time_step};
-  RunRecorder recorder(run, grid.time_step, every);
-  for (const analytic::ContactStep& step : beam.steps()) recorder.add(step);
-  if (effort.with_midspan) run.midspan = beam.displacement(0.5 * problem.beam.length(), every);
-  return run;
+  const data::Case at = sampled(problem, effort);
+  return run_of(boundary_integral_history(at, {.with_midspan = effort.with_midspan}, steps_per_sample),
+                {.method = "boundary integral", .time_step = at.numerics.time_step() / steps_per_sample},
+                effort);
 }
 
 Run run_free_modes(const data::Case& problem, const ConvergedEffort& effort, int steps_per_sample) {
-  const analytic::TimeGrid grid = grid_of(effort, steps_per_sample);
-  const auto every = static_cast<std::size_t>(steps_per_sample);
-  const int modes = free_modes_for(problem.beam, grid.time_step);
-  const double middle = 0.5 * problem.beam.length();
-  std::vector<double> shapes;
-  if (effort.with_midspan)
-    for (const analytic::SlipMode& mode : analytic::slip_modes(problem.beam, modes))
-      shapes.push_back(mode.shape(middle));
-  const std::vector<double> held = analytic::holding_force(problem.beam, problem.excitation, {}, grid);
-  analytic::FreeModeRun beam(analytic::free_modes(problem.beam, modes),
-                             {problem.beam.axial_force(), problem.friction}, grid.time_step);
-  Run run;
-  run.level = {.method = "free modes", .time_step = grid.time_step, .modes = modes};
-  RunRecorder recorder(run, grid.time_step, every);
-  run.midspan = analytic::held_displacement(problem.beam, problem.excitation, {}, grid, middle, every);
-  for (std::size_t n = 0; n < held.size(); ++n) {
-    recorder.add(beam.step(held[n]));
-    if ((n + 1) % every != 0) continue;
-    for (std::size_t k = 0; k < shapes.size(); ++k)
-      run.midspan[(n + 1) / every] += shapes[k] * beam.amplitudes()[k];
-  }
-  return run;
+  const data::Case at = sampled(problem, effort);
+  const double step = at.numerics.time_step() / steps_per_sample;
+  return run_of(free_mode_history(at, {.with_midspan = effort.with_midspan}, steps_per_sample),
+                {.method = "free modes", .time_step = step, .modes = free_modes_for(problem.beam, step)},
+                effort);
 }
 
 double range_of(const std::vector<double>& values) {
@@ -141,12 +114,6 @@ std::optional<ConvergedStick> with_half_widths(ConvergedStick stick, double step
 }
 
 }  // namespace
-
-int free_modes_for(const data::Beam& beam, double time_step) {
-  constexpr int probe = 20, most = 1000;
-  const double omega = analytic::slip_modes(beam, probe).back().angular_frequency();
-  return std::clamp(static_cast<int>(probe * std::sqrt(20.0 / (omega * time_step))), probe, most);
-}
 
 double ConvergedHistory::largest_half_width() const { return tip_half_width.back() / tip_range; }
 

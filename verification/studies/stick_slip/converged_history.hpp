@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
+#include "studies/common/members.hpp"
 
 namespace stickslip::studies {
 
@@ -15,6 +16,8 @@ struct ConvergedStick {
   double begin_half_width{}, end_half_width{};  ///< s
   double position_half_width{};                 ///< m
 };
+STICKSLIP_MEMBERS(ConvergedStick, (begin, "s"), (end, "s"), (position, "m"), (begin_half_width, "s"),
+                  (end_half_width, "s"), (position_half_width, "m"))
 
 /// One run of the convergence study.
 struct HistoryLevel {
@@ -24,6 +27,8 @@ struct HistoryLevel {
   int changes{};        ///< number of steps at which the contact changes between stick and slip
   double difference{};  ///< largest |difference| of y(L) from the finest boundary integral, over its range
 };
+STICKSLIP_MEMBERS(HistoryLevel, (method, "-"), (time_step, "s"), (modes, "1"), (changes, "1"),
+                  (difference, "1"))
 
 /// A history of the beam with its estimated error. The history is the boundary integral with the finest of
 /// several steps. It is compared with the boundary integral with twice this step, and with the free modes
@@ -48,6 +53,9 @@ struct ConvergedHistory {
   /// The largest half-width of y(L) as a fraction of its range.
   [[nodiscard]] double largest_half_width() const;
 };
+STICKSLIP_MEMBERS(ConvergedHistory, (frequency_hz, "Hz"), (amplitude, "m"), (time, "s"), (tip, "m"),
+                  (midspan, "m"), (tip_half_width, "m"), (midspan_half_width, "m"), (tip_range, "m"),
+                  (midspan_range, "m"), (first_stick), (sticks), (levels), (largest_half_width(), "1"))
 
 /// The settings of the convergence study.
 struct ConvergedEffort {
@@ -64,9 +72,5 @@ struct ConvergedEffort {
 /// a case with damping, and what analytic::BeamBoundaryIntegral throws.
 [[nodiscard]] ConvergedHistory converged_history(const data::Case& problem,
                                                  const ConvergedEffort& effort = {});
-
-/// The number of free modes for a FreeModeRun with the step h: those with omega_k h <= 20, where omega_k
-/// grows with k^2, but at least 20 and at most 1000. Throws what slip_modes() throws.
-[[nodiscard]] int free_modes_for(const data::Beam& beam, double time_step);
 
 }  // namespace stickslip::studies

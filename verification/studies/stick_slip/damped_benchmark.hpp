@@ -5,16 +5,10 @@
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
-#include "studies/stick_slip/event_history.hpp"
+#include "studies/common/members.hpp"
+#include "studies/history/history.hpp"
 
 namespace stickslip::studies {
-
-/// An event of the reference history with its uncertainty.
-struct BenchmarkEvent {
-  HistoryEvent event;
-  double time_uncertainty{};      ///< s
-  double position_uncertainty{};  ///< m
-};
 
 /// The same history by another method or discretisation.
 struct BenchmarkRun {
@@ -26,6 +20,7 @@ struct BenchmarkRun {
   /// For each event of the reference: the difference of the event with the same number in the run.
   std::vector<EventDifference> each;
 };
+STICKSLIP_MEMBERS(BenchmarkRun, (method, "-"), (size, "1"), (time_step, "s"), (first_ten), (all), (each))
 
 /// A damped stick-slip history whose events all converge, by the event-driven method on the modes of the
 /// continuous beam.
@@ -35,13 +30,26 @@ struct BenchmarkRun {
 /// the integrator's tolerance, which is measured by a run with a hundred times that tolerance.
 struct DampedBenchmark {
   double frequency_hz{}, amplitude{}, kelvin_voigt{}, duration{};
-  double shortest_stick{};  ///< s; shorter stick phases are merged (without_micro_sticks())
-  int modes{};              ///< of the reference
-  std::vector<BenchmarkEvent> events;
+  double shortest_stick{};                 ///< s; shorter stick phases are merged (without_micro_sticks())
+  int modes{};                             ///< of the reference
+  std::vector<data::ContactEvent> events;  ///< onsets and captures
+  std::vector<EventDifference> uncertainties;  ///< of the events
   double tolerance_effect{};  ///< largest time difference at a hundred times the tolerance, s
-  TipHistory history;         ///< of the reference, every 0.1 ms
+  History history;            ///< of the reference, every 0.1 ms
   std::vector<BenchmarkRun> runs;
+  double damping_ratio{};  ///< fraction of critical damping of stick mode 1
+  double tolerance{};      ///< of the reference: relative error allowed per step of the slip phases
+  /// Sticks of the reference that are too short to be among `events`.
+  [[nodiscard]] std::size_t merged_sticks() const {
+    return (onsets_and_captures(history.events).size() - events.size()) / 2;
+  }
+  /// The time stepper's run on the most elements, of these the one with the shortest step.
+  [[nodiscard]] const BenchmarkRun& finest_stepped() const;
 };
+STICKSLIP_MEMBERS(DampedBenchmark, (frequency_hz, "Hz"), (amplitude, "m"), (kelvin_voigt, "s"),
+                  (duration, "s"), (shortest_stick, "s"), (modes, "1"), (events), (uncertainties),
+                  (tolerance_effect, "s"), (history), (runs), (damping_ratio, "1"), (tolerance, "1"),
+                  (merged_sticks(), "1"), (finest_stepped()))
 
 /// The settings of the benchmark.
 struct BenchmarkEffort {

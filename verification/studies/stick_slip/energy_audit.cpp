@@ -6,7 +6,7 @@
 
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
-#include "studies/stick_slip/event_history.hpp"
+#include "studies/history/history.hpp"
 
 namespace stickslip::studies {
 
@@ -14,10 +14,9 @@ namespace {
 
 solver::EnergyBalance stepped_balance(const data::Case& problem, double duration, int elements,
                                       double time_step) {
-  data::NumericalChoices choices = refined(problem.numerics, elements, time_step).choices();
-  choices.spectral_radius = 1.0;
   solver::BeamSimulation simulation(problem.beam, problem.friction, problem.excitation,
-                                    data::NumericalSettings(choices), {.damping = problem.damping});
+                                    refined(problem, elements, time_step, duration, 1.0).numerics,
+                                    {.damping = problem.damping});
   solver::EnergyRecorder recorder(simulation.integrator());
   simulation.observe([&recorder](const solver::StickSlipIntegrator& now) { recorder.record(now); });
   for (long n = solver::step_count(duration, time_step); n > 0; --n) simulation.step();
@@ -25,6 +24,25 @@ solver::EnergyBalance stepped_balance(const data::Case& problem, double duration
 }
 
 }  // namespace
+
+std::vector<double> EnergyAudit::Mesh::residual() const {
+  std::vector<double> values;
+  for (const auto& balance : stepped) values.push_back(balance.residual());
+  return values;
+}
+
+std::vector<double> EnergyAudit::Mesh::base_work() const {
+  std::vector<double> values;
+  for (const auto& balance : stepped) values.push_back(balance.base_work);
+  return values;
+}
+
+double EnergyAudit::Mesh::largest_unexplained() const {
+  double largest = 0.0;
+  for (const auto& balance : stepped)
+    largest = largest_or_nan({largest, std::abs(balance.residual() / balance.base_work)});
+  return largest;
+}
 
 EnergyAudit energy_audit(const data::Case& problem, double duration, const std::vector<int>& elements,
                          int modes, const std::vector<double>& time_steps) {

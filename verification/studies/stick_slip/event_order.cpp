@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/stick_slip/event_order.hpp"
 
-#include "studies/stick_slip/event_history.hpp"
+#include "studies/history/runs.hpp"
 #include "studies/stick_slip/finite_element_contact_model.hpp"
 
 namespace stickslip::studies {
@@ -9,25 +9,25 @@ namespace stickslip::studies {
 EventOrderStudy event_order_study(const data::Case& problem, double duration, int elements,
                                   double spectral_radius, const std::vector<int>& divisors) {
   constexpr double longest_step = 1e-4;
-  const TipHistory exact =
-      event_driven_history(finite_element_contact_model(problem, elements), duration, longest_step);
+  const History exact = event_driven_history(finite_element_contact_model(problem, elements),
+                                             sample_times(duration, longest_step));
+  const auto events = onsets_and_captures(exact.events);
   EventOrderStudy study{.spectral_radius = spectral_radius,
                         .elements = elements,
-                        .events = static_cast<int>(exact.events.size()),
+                        .events = static_cast<int>(events.size()),
                         .duration = duration,
                         .time_step = {},
                         .located = {},
                         .at_end_of_step = {}};
   const auto add = [&](EventOrder& order, solver::ContactScheme scheme, int divisor) {
-    data::NumericalChoices choices = refined(problem.numerics, elements, longest_step / divisor).choices();
-    choices.spectral_radius = spectral_radius;
-    const TipHistory history = time_stepper_history(
-        problem.beam, problem.friction, problem.excitation, data::NumericalSettings(choices),
-        {.damping = problem.damping, .scheme = scheme}, duration, divisor);
-    const EventDifference difference = largest_difference(history.events, exact.events, exact.events.size());
+    const History history =
+        finite_element_history(refined(problem, elements, longest_step / divisor, duration, spectral_radius),
+                               {.every = divisor}, {.scheme = scheme});
+    const EventDifference difference =
+        largest_difference(onsets_and_captures(history.events), events, events.size());
     order.event_time_error.push_back(difference.time);
     order.event_position_error.push_back(difference.position);
-    order.tip_error.push_back(largest_difference(history.tip_displacement, exact.tip_displacement));
+    order.tip_error.push_back(largest_difference(tip_displacements(history), tip_displacements(exact)));
   };
   for (const int divisor : divisors) {
     study.time_step.push_back(longest_step / divisor);

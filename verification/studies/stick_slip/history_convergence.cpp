@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "studies/history/runs.hpp"
 #include "studies/stick_slip/contact_growth.hpp"
 
 namespace stickslip::studies {
@@ -30,44 +31,42 @@ solver::ContactSystem system_of(const data::Case& problem, const solver::BeamMod
       weakening(problem.friction, beam.axial_force()));
 }
 
-// Like time_stepper_history(), for a system with a radiating contact. In the frame of the base the wall moves
+// Like finite_element_history(), for a system with a radiating contact. In the frame of the base the wall moves
 // by -h.
-TipHistory radiating_history(const solver::BeamModel& mesh, const solver::ContactSystem& system,
-                             const solver::IntegratorSettings& settings, double duration, int every) {
+History radiating_history(const solver::BeamModel& mesh, const solver::ContactSystem& system,
+                          const solver::IntegratorSettings& settings, double duration, int every) {
   solver::StickSlipIntegrator integrator(system, settings);
   const Eigen::Index size = system.mass.rows();
   Eigen::VectorXd velocity(size);
   velocity << mesh.unit_tip_deflection(), 1.0;
   integrator.start_stuck(Eigen::VectorXd::Zero(size), system.wall.velocity(0.0) * velocity);
-  TipHistory history;
+  History history;
   const long steps = solver::step_count(duration, settings.time_step);
   for (long n = 0; n <= steps; ++n) {
     if (n > 0) integrator.step();
     if (n % every != 0) continue;
-    history.time.push_back(integrator.time());
-    history.tip_displacement.push_back(integrator.displacement()[system.contact] -
-                                       system.wall.displacement(integrator.time()));
+    history.rows.push_back({.time = integrator.time(),
+                            .tip_displacement = integrator.displacement()[system.contact] -
+                                                system.wall.displacement(integrator.time())});
   }
-  for (const auto& event : integrator.events())
-    history.events.push_back({event.change == data::ContactChange::onset, event.time, event.position});
-  history.changes = static_cast<int>(history.events.size());
+  history.events = integrator.events();
   return history;
 }
 
 }  // namespace
 
-std::optional<double> growth_rate(const TipHistory& a, const TipHistory& b, double period, double limit) {
+std::optional<double> growth_rate(const History& a, const History& b, double period, double limit) {
   if (a.events.empty()) return std::nullopt;
   const double start = a.events.front().time;
   std::vector<double> times, logarithms;
   std::size_t i = 0;
-  while (i < a.time.size() && a.time[i] < start) ++i;
+  while (i < a.rows.size() && a.rows[i].time < start) ++i;
   for (;;) {
     const double end = start + static_cast<double>(times.size() + 1) * period;
-    if (end > a.time.back()) break;
+    if (end > a.rows.back().time) break;
     double largest = 0.0;
-    for (; a.time[i] < end; ++i)
-      largest = largest_or_nan({largest, std::abs(a.tip_displacement[i] - b.tip_displacement[i])});
+    for (; a.rows[i].time < end; ++i)
+      largest = largest_or_nan({largest, std::abs(a.rows[i].tip_displacement - b.rows[i].tip_displacement)});
     if (largest > limit || largest == 0.0) break;
     times.push_back(end);
     logarithms.push_back(std::log(largest));
@@ -88,33 +87,33 @@ HistoryRun history_run(const data::Case& problem, const ConvergedHistory& refere
                        double radiating_share) {
   const double sample = reference.time[1] - reference.time[0];
   const int every = static_cast<int>(std::ceil(sample / time_step * (1.0 - 1e-9)));
-  data::NumericalChoices choices = refined(problem.numerics, elements, sample / every).choices();
-  choices.spectral_radius = spectral_radius;
+  const double duration = reference.time.back();
+  const data::Case at = refined(problem, elements, sample / every, duration, spectral_radius);
+  const double step = at.numerics.time_step();
   const solver::BeamModel mesh(problem.beam, elements);
   const auto history = [&](double change) {
     if (radiating_share > 0.0)
       return radiating_history(mesh, system_of(problem, mesh, change, radiating_share),
-                               {.time_step = choices.time_step, .spectral_radius = spectral_radius},
-                               reference.time.back(), every);
-    const data::HarmonicExcitation excitation(
+                               {.time_step = step, .spectral_radius = spectral_radius}, duration, every);
+    data::Case changed = at;
+    changed.excitation = data::HarmonicExcitation(
         {problem.excitation.frequency_hz(), problem.excitation.amplitude() * (1.0 + change)});
-    return time_stepper_history(problem.beam, problem.friction, excitation, data::NumericalSettings(choices),
-                                {.coordinates = solver::Coordinates::modal}, reference.time.back(), every);
+    return finite_element_history(changed, {.every = every}, {.coordinates = solver::Coordinates::modal});
   };
-  const TipHistory run = history(0.0);
+  const History run = history(0.0);
   const solver::ContactMobility mobility(system_of(problem, mesh, 0.0, radiating_share));
-  HistoryRun result{
-      .elements = elements,
-      .time_step = choices.time_step,
-      .spectral_radius = spectral_radius,
-      .highest_angle = mobility.angular_frequencies().maxCoeff() * choices.time_step,
-      .growth_bound = growth_bound(stepped_contact(mobility, choices.time_step, spectral_radius),
-                                   weakening(problem.friction, problem.beam.axial_force())),
-      .changes = run.changes};
-  result.error = largest_difference(run.tip_displacement, reference.tip) / reference.tip_range;
+  HistoryRun result{.elements = elements,
+                    .time_step = step,
+                    .spectral_radius = spectral_radius,
+                    .highest_angle = mobility.angular_frequencies().maxCoeff() * step,
+                    .growth_bound = growth_bound(stepped_contact(mobility, step, spectral_radius),
+                                                 weakening(problem.friction, problem.beam.axial_force())),
+                    .changes = static_cast<int>(run.events.size())};
+  result.error = largest_difference(tip_displacements(run), reference.tip) / reference.tip_range;
   if (observe_growth)
-    result.observed_growth = growth_rate(run, history(perturbation), 1.0 / problem.excitation.frequency_hz(),
-                                         observed_until * reference.tip_range);
+    result.observed_growth =
+        growth_rate(run, history(HistoryRun::perturbation), 1.0 / problem.excitation.frequency_hz(),
+                    observed_until * reference.tip_range);
   return result;
 }
 
@@ -124,6 +123,7 @@ HistoryRefinement history_refinement(const data::Case& problem, const ConvergedH
   HistoryRefinement refinement;
   refinement.rule = rule;
   refinement.frequency_hz = problem.excitation.frequency_hz();
+  refinement.beam_growth_bound = beam_growth_bound(problem.beam, problem.friction);
   std::vector<double> lengths, errors;
   for (const int count : elements) {
     refinement.runs.push_back(history_run(problem, reference, count, time_step_of(rule, problem.beam, count),

@@ -9,17 +9,17 @@
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
+#include "studies/common/members.hpp"
 #include "studies/convergence/convergence.hpp"
+#include "studies/history/history.hpp"
 #include "studies/stick_slip/converged_history.hpp"
-#include "studies/stick_slip/event_history.hpp"
 
 namespace stickslip::studies {
 
-/// The relative change of the amplitude whose effect is observed.
-inline constexpr double perturbation = 1e-9;
-
 /// One run in modal coordinates, with located changes and the velocity threshold 0.
 struct HistoryRun {
+  /// The relative change of the amplitude whose effect is observed.
+  static constexpr double perturbation = 1e-9;
   int elements{};
   double time_step{};  ///< h, s
   double spectral_radius{};
@@ -29,11 +29,14 @@ struct HistoryRun {
   double error{};  ///< largest |difference| of y(L) from the converged history, over its range
   int changes{};   ///< number of changes of contact
 };
+STICKSLIP_MEMBERS(HistoryRun, (perturbation, "1"), (elements, "1"), (time_step, "s"), (spectral_radius, "1"),
+                  (highest_angle, "1"), (growth_bound, "1/s"), (observed_growth, "1/s"), (error, "1"),
+                  (changes, "1"))
 
 /// The rate, 1/s, at which two histories at the same times separate: the slope of the logarithm of the largest
 /// |difference| of y(L) in each whole period (s) from the first event of `a` on, before the first period in which it
 /// exceeds `limit` (m). Nothing if there are fewer than three such periods.
-[[nodiscard]] std::optional<double> growth_rate(const TipHistory& a, const TipHistory& b, double period,
+[[nodiscard]] std::optional<double> growth_rate(const History& a, const History& b, double period,
                                                 double limit);
 
 /// One run with its growth bound and its error. The growth is observed in periods of the load, with a tenth of the range
@@ -52,6 +55,8 @@ struct StepRule {
   double spectral_radius{};
   double radiating_share{};  ///< see history_run()
 };
+STICKSLIP_MEMBERS(StepRule, (name, "-"), (angle, "1"), (time_step, "s"), (spectral_radius, "1"),
+                  (radiating_share, "1"))
 
 /// The time step of a rule, s.
 [[nodiscard]] double time_step_of(const StepRule& rule, const data::Beam& beam, int elements);
@@ -65,8 +70,11 @@ struct HistoryRefinement {
   StepRule rule;
   double frequency_hz{};
   std::vector<HistoryRun> runs;
-  OrderEstimate order;  ///< observed; there is no theoretical order
+  OrderEstimate order;         ///< observed; there is no theoretical order
+  double beam_growth_bound{};  ///< sigma* of the continuous beam, 1/s
 };
+STICKSLIP_MEMBERS(HistoryRefinement, (rule), (frequency_hz, "Hz"), (runs), (order),
+                  (beam_growth_bound, "1/s"))
 [[nodiscard]] HistoryRefinement history_refinement(const data::Case& problem,
                                                    const ConvergedHistory& reference, const StepRule& rule,
                                                    const std::vector<int>& elements, int observed_elements);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "studies/stick_slip/parameter_sweep.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <complex>
 #include <optional>
 
@@ -37,7 +39,9 @@ SweepPoint point_at(const SweepTask& task, double value, bool up,
   std::vector<std::vector<std::complex<double>>> samples;
   for (int period = 0; period < task.periods; ++period) {
     pass_period();
-    point.section.push_back({run.contact_position(), run.sliding_velocity(), -run.friction_force()});
+    point.section.push_back({.tip_displacement = run.contact_position(),
+                             .sliding_velocity = run.sliding_velocity(),
+                             .friction_force = -run.friction_force()});
     samples.push_back(run.amplitudes());
   }
   point.period = period_of(samples);
@@ -63,6 +67,23 @@ std::vector<SweepPoint> parameter_sweep(const SweepTask& task, const std::functi
     if (progress) progress(static_cast<double>(points.size()) / static_cast<double>(way.size()));
   }
   return points;
+}
+
+std::size_t values_with_hysteresis(const std::vector<SweepPoint>& points) {
+  const auto extent = [](const SweepPoint& point) {
+    return std::ranges::minmax(point.section, {}, &HistoryRow::friction_force);
+  };
+  constexpr double apart = 0.01;  // of the larger force
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < points.size() / 2; ++i) {
+    const auto up = extent(points[i]), down = extent(points[points.size() - 1 - i]);
+    const double scale = std::max({std::abs(up.min.friction_force), std::abs(up.max.friction_force),
+                                   std::abs(down.min.friction_force), std::abs(down.max.friction_force)});
+    if (std::abs(up.min.friction_force - down.min.friction_force) > apart * scale ||
+        std::abs(up.max.friction_force - down.max.friction_force) > apart * scale)
+      ++count;
+  }
+  return count;
 }
 
 }  // namespace stickslip::studies

@@ -1,28 +1,25 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string_view>
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
 #include "studies/common/problem_parameter.hpp"
+#include "studies/history/history.hpp"
 
 namespace stickslip::studies {
-
-/// The tip at the begin of a period of the base motion, h = 0 and h_t > 0: a point of the Poincare section.
-struct SectionPoint {
-  double displacement{};    ///< y(L), m
-  double velocity{};        ///< y_t(L), m/s
-  double friction_force{};  ///< f, N, mean over the step before
-};
 
 /// One value of the parameter.
 struct SweepPoint {
   bool up{};
   double value{};
-  std::vector<SectionPoint> section;  ///< one for each period
-  int period{};                       ///< as of period_of()
+  /// The Poincare section: the tip at the begin of each period of the base motion, h = 0 and h_t > 0; y(L), v_s and the
+  /// mean f over the step before.
+  std::vector<HistoryRow> section;
+  int period{};  ///< as of period_of()
 };
 
 enum class SweepDirection { up, down, both };
@@ -44,5 +41,9 @@ struct SweepTask {
 /// value that its field refuses, and what response_model() and ModalContactRun throw.
 [[nodiscard]] std::vector<SweepPoint> parameter_sweep(const SweepTask& task,
                                                       const std::function<void(double)>& progress = {});
+
+/// The number of values at which up and down have other sections: by more than 1 % of the larger |f|, in the smallest or
+/// the largest f of the section. Of a sweep in both directions.
+[[nodiscard]] std::size_t values_with_hysteresis(const std::vector<SweepPoint>& points);
 
 }  // namespace stickslip::studies

@@ -257,6 +257,10 @@ void require_answerable(const data::Case& problem, const data::Uncertainty& unce
     throw data::InputError(
         "uncertainty is missing, but the case must have a table [uncertainty] with one key or more "
         "that --set does not fix");
+  for (const auto& key : uncertainty.keys)
+    if (key.key.starts_with("contact."))
+      throw data::FieldError("[uncertainty]", key.key,
+                             "a key of another table: here the tip is held or slides");
   require_friction(problem);
   if (!sampling.band) return;
   for (const auto& key : uncertainty.keys)

@@ -142,7 +142,7 @@ double bend_over_frequency(double hz, double duration, double step_hz) {
   return largest;
 }
 
-TEST(BandMaximum, BoundsTheBendOfTheForceOverFrequencyFromAboveAndNotFarAbove) {
+TEST(BandMaximum, BoundsTheCurvatureOverFrequencyClosely) {
   // Next to a resonance, between two, and above; durations on both sides of one second. Triangle inequalities
   // cost a factor of two for each sinusoid that is taken for one (the mean of sin^2) and one for each mode.
   for (const double duration : {0.3, 3.0, 30.0})
@@ -156,7 +156,7 @@ TEST(BandMaximum, BoundsTheBendOfTheForceOverFrequencyFromAboveAndNotFarAbove) {
     }
 }
 
-TEST(BandMaximum, BoundsTheForceOfAnIntervalFromAboveAndNotFarAbove) {
+TEST(BandMaximum, BoundsTheForceOfAnIntervalClosely) {
   for (const double duration : {0.3, 3.0, 30.0})
     for (const double hz : {10.0, 24.9, 25.2, 50.0, 81.0, 110.0}) {
       const double width = 1e-3 / duration;
@@ -169,7 +169,7 @@ TEST(BandMaximum, BoundsTheForceOfAnIntervalFromAboveAndNotFarAbove) {
     }
 }
 
-TEST(BandMaximum, BoundsAtOneFrequencyAndOneModeAreSumsOfExactSuprema) {
+TEST(BandMaximum, BoundsOfOneModeAreSumsOfSuprema) {
   // f = A sin(Omega t) - B sin(omega_1 t) with A = F + c p and B = c p Omega/omega_1, p = Omega^2/(Omega^2 -
   // omega_1^2): |f| <= |A| + |B| and |f_OmegaOmega| <= T^2 |A| + 2 T |A'| + |A''| + |B''|. Derivatives by
   // central differences, off by (h/(Omega - omega_1))^2 and by round-off eps/h^2.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The boundary integral equation of a contact: its weights, its steps, and its histories of one and two
-/// masses against exact ones.
+/// The boundary integral equation of a contact: its weights and its steps. contact_battery_test.cpp has its histories.
 
 #include "stickslip/analytic/boundary_integral.hpp"
 
@@ -16,12 +15,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/analytic/free_mode_run.hpp"
 #include "stickslip/analytic/tip_mobility.hpp"
 #include "support/beams.hpp"
-#include "support/contact_models.hpp"
-#include "support/parameter_name.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
@@ -57,7 +53,7 @@ TEST_P(GaussStages, FollowAFreeMassExactly) {
     ASSERT_TRUE(within(weights[j], (j == 0 ? 0.5 : 1.0) * h / mass, of_weights(h / mass))) << j;
 }
 
-TEST_P(GaussStages, TurnAnOscillatorByThePhaseOfTheirPadeApproximant) {
+TEST_P(GaussStages, HaveThePhaseErrorOfTheirPadeApproximant) {
   // With a = omega h the exact weights are 2 (1 - cos a) cos(j a)/(omega^2 h). The approximant (k, k) of
   // exp(x) is off by (k!)^2/((2k)! (2k+1)!) x^(2k+1), which turns each step by as much with x = a. After 100
   // rad that is 100 a^2k of this constant, next to which the error of the amplitudes, a^2k of the same
@@ -136,7 +132,7 @@ TEST(BoundaryIntegral, RefusesMoreValuesThanWeights) {
   EXPECT_THROW((void)analytic::contact_steps({1.0, 2.0}, {}, {1.0, 1.0, 1.0}), std::invalid_argument);
 }
 
-TEST(BoundaryIntegral, SolvesTheContactOfAStepAndFindsTheOnlySolution) {
+TEST(BoundaryIntegral, FindsTheOnlySolutionOfAStep) {
   // kappa W = 0.3 * 500 * 2e-3 = 0.3.
   const ContactLaw law{500.0, paper_friction()};
   const double weight = 2e-3, limit = 300.0;
@@ -194,30 +190,6 @@ std::vector<double> shaking(double amplitude, double h, double end) {
   return forces;
 }
 
-class BoundaryIntegralOfAShakenPlane : public ::testing::TestWithParam<FrictionPower> {};
-
-STICKSLIP_VERIFIES(BoundaryIntegralOfAShakenPlane, "D4");
-TEST_P(BoundaryIntegralOfAShakenPlane, HasThePublishedFrictionPower) {
-  // Mean of 10 N |v_s| over 4 <= t <= 12 s. The friction force of a step in which the contact changes is off
-  // by at most 2 mu N, the velocity behind it by 2 mu N h/m = 2 h, and friction never amplifies a difference
-  // of velocities: 20 h W.
-  for (const double h : {1e-3, 1e-4}) {
-    analytic::FreeModeRun run({{0.0, 1.0}}, one_newton, h);  // a mass of 1 kg
-    double sum = 0.0, time = 0.0;
-    for (const double force : shaking(GetParam().amplitude, h, 12.0)) {
-      const ContactStep step = run.step(force);
-      if (time > 4.0 - 0.5 * h) sum += 10.0 * std::abs(step.sliding_velocity) * h / 8.0;
-      time += h;
-    }
-    EXPECT_TRUE(within(sum, GetParam().mean,
-                       discretisation(20.0 * h * std::min(1.0, GetParam().mean), 1.0, "20 h W")));
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(Sdnd104, BoundaryIntegralOfAShakenPlane,
-                         ::testing::ValuesIn(sdnd104_friction_powers),
-                         [](const auto& instance) { return parameter_name(instance.param.amplitude); });
-
 TEST(BoundaryIntegral, IsTheRunOfAFreeMassByItsOneMode) {
   const double h = 1e-3;
   const auto forces = shaking(1.5, h, 4.0);
@@ -228,79 +200,6 @@ TEST(BoundaryIntegral, IsTheRunOfAFreeMassByItsOneMode) {
     ASSERT_TRUE(
         within(steps[n].sliding_velocity, run.step(forces[n]).sliding_velocity, of_weights(4000.0 * h)))
         << n;
-}
-
-// The force that holds the contact of a pair, at the middle of each of `count` steps of length h.
-std::vector<double> holding_forces(const ForcedPair& pair, double h, std::size_t count) {
-  analytic::ContactModel model = contact_model(pair);
-  model.friction = data::FrictionLaw({.static_coefficient = 1e6, .kinetic_coefficient = 0.0, .decay = 0.0});
-  analytic::EventDriven held(model);
-  held.start_stuck({0.0}, {-static_shape(pair) * pair.omega * pair.wall_amplitude / mode_shape(pair)});
-  std::vector<double> forces;
-  for (std::size_t n = 0; n < count; ++n) {
-    held.advance_to((static_cast<double>(n) + 0.5) * h);
-    forces.push_back(held.holding_force());
-  }
-  return forces;
-}
-
-struct Change {
-  double time, position;
-};
-
-// The changes of the direction of sliding after which the new one, or stick, lasts three steps or more.
-std::vector<Change> lasting_changes(const std::vector<ContactStep>& steps, double h) {
-  std::vector<Change> changes;
-  double position = 0.0, direction = 0.0, settled = 0.0;
-  Change latest{};
-  std::size_t lasting = 0;
-  for (std::size_t n = 0; n < steps.size(); ++n) {
-    const double velocity = steps[n].sliding_velocity;
-    const double now = velocity == 0.0 ? 0.0 : std::copysign(1.0, velocity);
-    if (now != direction) {
-      direction = now;
-      lasting = 0;
-      latest = {static_cast<double>(n) * h, position};
-    }
-    position += velocity * h;
-    if (++lasting < 3 || direction == settled) continue;
-    settled = direction;
-    changes.push_back(latest);
-  }
-  return changes;
-}
-
-TEST(BoundaryIntegral, FollowsTwoMassesThroughTheir23Changes) {
-  // Velocities are off by the impulse of a step at each change, 2 mu N h/m_c = 4.4 h with m_c = 0.91 kg,
-  // which friction and damping do not amplify. Stops decelerate at 1 m/s^2 or more, so that times are off
-  // by 4.4 h and a step; positions gather 4.4 h for at most 12 s. The velocity left at a capture, 2.2 h at
-  // most, changes its sign from step to step in stick, with a force of 2 mu N at most: where that is clipped
-  // there are slips of one step, which are left out.
-  const ForcedPair pair;
-  ExactPair exact(pair);
-  exact.run(12.0);
-  const Eigen::Matrix2d &m = pair.mass, &c = pair.damping, &k = pair.slip_stiffness;
-  const auto mobility = [&](Complex s) {
-    const Eigen::Matrix2cd dynamic = s * s * m + s * c + k;
-    return s * dynamic(0, 0) / (dynamic(0, 0) * dynamic(1, 1) - dynamic(0, 1) * dynamic(1, 0));
-  };
-  const ContactLaw law{
-      pair.normal_force,
-      data::FrictionLaw({.static_coefficient = 0.2, .kinetic_coefficient = 0.2, .decay = 0.0})};
-  for (const std::size_t count : {std::size_t{12000}, std::size_t{96000}}) {
-    const double h = 12.0 / static_cast<double>(count);
-    const auto changes =
-        lasting_changes(analytic::contact_steps(analytic::mobility_weights(mobility, h, count, 2), law,
-                                                holding_forces(pair, h, count)),
-                        h);
-    ASSERT_EQ(changes.size(), 23u);
-    for (std::size_t i = 0; i < changes.size(); ++i) {
-      const auto& expected = exact.events().at(i);
-      EXPECT_TRUE(within(changes[i].time, expected.time, discretisation(5.4 * h, 1.0, "4.4 h and a step")));
-      EXPECT_TRUE(within(changes[i].position, expected.displacement,
-                         discretisation(4.4 * h * 12.0, 1.0, "4.4 h for 12 s")));
-    }
-  }
 }
 
 }  // namespace

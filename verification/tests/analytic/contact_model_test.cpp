@@ -146,7 +146,7 @@ TEST(BeamContactModel, ShapesMeetTheSupports) {
   }
 }
 
-TEST(BeamContactModel, AbsoluteDisplacementIsTheBasesAtTheClampAndThatOfTheWallAtTheTip) {
+TEST(BeamContactModel, DisplacementMatchesBaseAtClampAndWallAtTip) {
   const BeamContactModel beam = beam_model(4);
   analytic::EventDriven run(beam.model());
   for (const double t : {0.003, 0.011, 0.05}) {
@@ -158,7 +158,7 @@ TEST(BeamContactModel, AbsoluteDisplacementIsTheBasesAtTheClampAndThatOfTheWallA
   }
 }
 
-TEST(BeamContactModel, SlipFrequenciesConvergeToTheClosedFormWithTheThirdOrder) {
+TEST(BeamContactModel, SlipFrequenciesConvergeWithOrderThree) {
   // P N^-3 + N^-5: steeper than 3 while the second term counts, never less steep in the end; 0.2 for the wave
   // numbers, which are proportional to n + 1/4 and not to n.
   const auto exact = analytic::slip_modes(paper_beam(), 3);
@@ -174,7 +174,7 @@ TEST(BeamContactModel, SlipFrequenciesConvergeToTheClosedFormWithTheThirdOrder) 
   }
 }
 
-TEST(BeamContactModel, SteadyReactionIsTheClosedFormUpToTheFirstOmittedTerm) {
+TEST(BeamContactModel, SteadyReactionErrorIsTheFirstOmittedTerm) {
   // (l_n - a_n Omega^2) T_n alternates in sign and falls as P n^-4 + n^-6: what is left out is less than its
   // first term, which does so with the order 4.
   const double omega = 50.0 * pi;
@@ -201,7 +201,7 @@ TEST(BeamContactModel, SteadyReactionIsTheClosedFormUpToTheFirstOmittedTerm) {
   EXPECT_GT(observed_order(inverse, errors), 3.9);
 }
 
-TEST(BeamContactModel, HoldingForceIsTheStickResponseUpToTheOmittedModes) {
+TEST(BeamContactModel, HoldingForceErrorIsThatOfOmittedModes) {
   // Undamped modes are apart in stick: what N of them leave out of f_d is the sum of a_n T_tt + l_n T with T
   // = steady (sin(Omega t) - Omega/omega_n sin(omega_n t)), less than the sum of the amplitudes. The free
   // vibrations set it: n^-4 a term, N^-3 all of them.
@@ -238,7 +238,7 @@ TEST(BeamContactModel, HoldingForceIsTheStickResponseUpToTheOmittedModes) {
   EXPECT_GT(observed_order(inverse, errors), 2.8);
 }
 
-TEST(BeamContactModel, KelvinVoigtDampingIsProportionalToTheBendingEnergy) {
+TEST(BeamContactModel, KelvinVoigtDampingFollowsTheBendingEnergy) {
   const double eta = 6.4e-5;
   const BeamContactModel beam = beam_model(6, {.kelvin_voigt = eta});
   const Curvatures curvature(beam, 6);

@@ -116,7 +116,7 @@ TEST(DampedSteadyState, DerivativesAreThoseOfTheDisplacement) {
     }
 }
 
-TEST(DampedSteadyState, WithoutDampingIsTheSteadyPartOfTheStickResponse) {
+TEST(DampedSteadyState, IsTheUndampedSteadyPartWithoutDamping) {
   for (const double axial_force : {-3e4, 0.0, 500.0, 4e4})
     for (const double hz : {5.0, 15.0, 35.0, 70.0}) {
       const Vibration v = vibration(axial_force, hz, 0.0, TipSupport::held);

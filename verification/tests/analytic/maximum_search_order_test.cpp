@@ -55,7 +55,7 @@ std::string name_of(const Search& search) {
 }
 
 STICKSLIP_VERIFIES(MaximumForce, "A5");
-TEST(MaximumForce, ByHalvingIsEnclosedAtEveryWidthWithAGapThatFallsWithTheSquareOfTheInterval) {
+TEST(MaximumForce, GapOfHalvingIsOfSecondOrder) {
   for (const Search& search : searches()) {
     SCOPED_TRACE(name_of(search));
     const StickResponse response = response_of(search);
@@ -79,7 +79,7 @@ TEST(MaximumForce, ByHalvingIsEnclosedAtEveryWidthWithAGapThatFallsWithTheSquare
   }
 }
 
-TEST(MaximumForce, BySamplesIsEnclosedWithAGapThatFallsWithTheSquareOfTheStep) {
+TEST(MaximumForce, GapOfSamplesIsOfSecondOrder) {
   for (const Search& search : searches()) {
     SCOPED_TRACE(name_of(search));
     const StickResponse response = response_of(search);
@@ -101,7 +101,7 @@ TEST(MaximumForce, BySamplesIsEnclosedWithAGapThatFallsWithTheSquareOfTheStep) {
   }
 }
 
-TEST(MaximumForce, IsEnclosedByTheFastSearchAtEveryWidthInABeatToo) {
+TEST(MaximumForce, FastSearchEnclosesBeats) {
   // In runs as short as these a mode and the excitation do not part: one beat stands for both.
   const double resonance = analytic::stick_modes(paper_beam(), 1).front().frequency_hz();
   for (const double hz : {resonance, resonance + 0.05, 35.0})
@@ -119,7 +119,7 @@ TEST(MaximumForce, IsEnclosedByTheFastSearchAtEveryWidthInABeatToo) {
       }
 }
 
-TEST(MaximumForce, OfOneSinusoidIsEnclosedToItsRoundingForAnyDuration) {
+TEST(MaximumForce, EnclosesOneSinusoidToRounding) {
   // sin(t) rises to sin(T); where T^2/8, which the chord leaves open, is less than rounding, rounding alone
   // keeps the two bounds apart.
   for (double duration = 1.5; duration > 1e-20; duration *= 0.3) {
@@ -132,7 +132,7 @@ TEST(MaximumForce, OfOneSinusoidIsEnclosedToItsRoundingForAnyDuration) {
   }
 }
 
-TEST(MaximumForce, OfTheCubeOfASineIsEnclosedToItsRoundingForAnyDuration) {
+TEST(MaximumForce, EnclosesTheCubeOfASineToRounding) {
   // A mode three times as fast as the excitation: f = (sin(3t) - 3 sin(t))/24 = -sin(t)^3/6, which bends away
   // from zero at first. The reference is off by the half unit of the sine three times, of the power and of
   // the quotient once: 5 eps/2.

@@ -121,7 +121,7 @@ void expect_multipliers(const std::vector<Complex>& computed, const std::vector<
 }
 
 STICKSLIP_VERIFIES(PeriodicMotion, "W3");
-TEST(PeriodicMotion, OfAMassOnABeltHasThePeriodInClosedFormAndIsSuperstable) {
+TEST(PeriodicMotion, MassOnABeltHasTheClosedFormPeriod) {
   const Belt belt;
   const auto [motion, reason] = analytic::self_excited_motion(jumping_belt(belt), 20.0, 0.01);
   ASSERT_TRUE(motion);
@@ -133,7 +133,7 @@ TEST(PeriodicMotion, OfAMassOnABeltHasThePeriodInClosedFormAndIsSuperstable) {
 }
 
 // A mass with a damper that slides with falling friction is linear but for the change of the slope.
-TEST(PeriodicMotion, HasTheMultipliersOfTheLinearSystemInSteadySliding) {
+TEST(PeriodicMotion, SteadySlidingHasTheLinearMultipliers) {
   const double mass = 2.0, stiffness = 50.0, damping = 0.7, speed = 0.4;
   analytic::ContactModel model =
       contact_model({.mass = mass,
@@ -229,8 +229,8 @@ void expect_derivative_of_differences(const analytic::ContactModel& model,
   }
 }
 
-// The pair of exact_pair.hpp on a moving wall with a falling law: stops, onsets and reversals.
-TEST(PeriodicMotion, HasTheDerivativeOfFiniteDifferencesThroughAllChanges) {
+// The pair of masses on a moving wall with a falling law: stops, onsets and reversals.
+TEST(PeriodicMotion, DerivativeIsThatOfFiniteDifferences) {
   analytic::ContactModel model = contact_model(ForcedPair());
   for (const double decay : {1.5, std::numeric_limits<double>::infinity()}) {
     model.friction =
@@ -251,7 +251,7 @@ TEST(PeriodicMotion, HasTheDerivativeOfFiniteDifferencesThroughAllChanges) {
   }
 }
 
-TEST(PeriodicMotion, OfAForcedPairReturnsAndForgetsWhatTheStopsTake) {
+TEST(PeriodicMotion, ForcedPairReturnsWithZeroMultipliers) {
   analytic::ContactModel model = contact_model(ForcedPair());
   const auto [motion, reason] = analytic::forced_motion(model, 1, 20);
   ASSERT_TRUE(motion);
@@ -273,7 +273,7 @@ TEST(PeriodicMotion, IsNotFoundWhereTheContactNeverSlips) {
 
 // Without a spring the wall drags a mass with a damper c to the velocity mu_m N/c, here 0.015 and 0.005 of the wall's 2 m/s:
 // steady is what stays below a hundredth. On a spring it rings down to as much in the time that the run settles.
-TEST(PeriodicMotion, IsToldFromSteadySlidingByAHundredthOfTheSpeedOfTheWall) {
+TEST(PeriodicMotion, CycleExceedsOnePercentOfTheWallSpeed) {
   const auto reason = [](double stiffness, double damping, const data::FrictionCoefficients& friction,
                          double settle) {
     analytic::ContactModel model =
@@ -293,7 +293,7 @@ TEST(PeriodicMotion, IsToldFromSteadySlidingByAHundredthOfTheSpeedOfTheWall) {
   EXPECT_EQ(reason(1.0, 0.0, {100.0, 100.0}, 1.0), analytic::NoMotion::sticks);
 }
 
-TEST(PeriodicMotion, ExcitesItselfOnlyOnAWallThatMovesAndWithoutALoad) {
+TEST(PeriodicMotion, SelfExcitationNeedsAMovingWallAndNoLoad) {
   const auto search = [](const analytic::ContactModel& model) {
     (void)analytic::self_excited_motion(model, 1.0, 0.01);
   };

@@ -183,7 +183,7 @@ TEST(AdjointSlipModes, AreBiorthogonalToTheModes) {
   }
 }
 
-TEST(AdjointSlipModes, MeetTheBoundaryConditionsOfTheAdjointProblemAndHaveTheirCurvature) {
+TEST(AdjointSlipModes, MeetTheAdjointBoundaryConditions) {
   for (const auto& [factor, chi] : adjoint_loads) {
     SCOPED_TRACE(fmt::format("{}, {}", factor, chi));
     const data::Beam beam = beam_with_load_factor(factor, chi);
@@ -211,13 +211,13 @@ TEST(AdjointSlipModes, MeetTheBoundaryConditionsOfTheAdjointProblemAndHaveTheirC
   }
 }
 
-TEST(SlipModes, AreTheirOwnAdjointsIfTheForceKeepsItsDirection) {
+TEST(SlipModes, AreSelfAdjointUnderADeadLoad) {
   for (const SlipMode& mode : slip_modes(beam_with_load_factor(2.0, 1.0), 4))
     for (const double x : {0.3, 0.9, 1.7})
       EXPECT_TRUE(within(mode.adjoint_shape(x), mode.shape(x), round_off(20, 5, 1.0))) << mode.number();
 }
 
-TEST(SlipModes, FrequencySquaredFollowsTheAxialForceByBothModes) {
+TEST(SlipModes, FrequencySlopeOverForceNeedsTheAdjoint) {
   // d(omega^2)/dP = int psi* psi'' / (rho A int psi* psi), with the adjoint mode psi*: the boundary
   // conditions of psi do not hold P.
   for (const double factor : {-20.0, 0.0, 5.0, 15.0})
@@ -238,7 +238,7 @@ TEST(SlipModes, FrequencySquaredFollowsTheAxialForceByBothModes) {
     }
 }
 
-TEST(SlipModes, FollowerForceRaisesTheFirstFrequencyWhereADeadLoadWouldBuckle) {
+TEST(SlipModes, FollowerForceRaisesTheFirstFrequency) {
   const double dead_load_buckling = 2.467;
   EXPECT_GT(slip_modes(beam_with_load_factor(dead_load_buckling), 1).front().angular_frequency(),
             slip_modes(beam_with_load_factor(0.0), 1).front().angular_frequency());
@@ -258,7 +258,7 @@ TEST(FlutterLoad, DoesNotDependOnTheBeamsOwnAxialForce) {
   EXPECT_EQ(slip_critical_load(paper_beam_with_axial_force(-1e4)), slip_critical_load(paper_beam()));
 }
 
-TEST(FlutterLoad, IsWhereTheTwoLowestFrequenciesCoalesceAsASquareRoot) {
+TEST(FlutterLoad, IsTheSquareRootCoalescenceOfFrequencies) {
   // The next term: without a load, at the distance 1, the gap is 5 % less than the square root leads to. The
   // flutter load is known to 1e-12.
   std::vector<OrderLevel> levels;

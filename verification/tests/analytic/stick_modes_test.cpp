@@ -130,7 +130,7 @@ TEST(StickModes, ConditionNumberIsTheSensitivityToTheAxialForce) {
     }
 }
 
-TEST(StickModes, FirstFrequencySquaredFallsLinearlyToZeroAtTheBucklingLoad) {
+TEST(StickModes, FirstFrequencyVanishesAtTheBucklingLoad) {
   // First-order perturbation with the buckling shape: omega^2 = 0.6 z_cr (P_cr - P)/(rho A L^2), since
   // int U'^2 = y^2/(2 L) and int U^2 = 5 L/6 there. The relative remainder is of first order in 1 - P/P_cr.
   const double buckling_load = stick_buckling_load(paper_beam());
@@ -198,7 +198,7 @@ TEST(StickModes, RefuseTheBucklingLoadAndSayWhy) {
   }
 }
 
-TEST(StickModes, ArePositiveOrRefusedWithinRoundOffOfTheBucklingLoad) {
+TEST(StickModes, ArePositiveOrRefusedAtTheBucklingLoad) {
   const double load = stick_buckling_load(paper_beam());
   for (int ulps = 1; ulps <= 64; ulps *= 2) {
     const data::Beam beam = paper_beam_with_axial_force(load * (1.0 - ulps * 0.5 * kEpsilon));
@@ -235,7 +235,7 @@ TEST(StickModes, AThousandMeetTheirBoundaryConditions) {
   }
 }
 
-TEST(StickModes, DerivativesFollowFromTheShapeAndSatisfyTheEquation) {
+TEST(StickModes, DerivativesSatisfyTheEquation) {
   for (const double factor : kLoadFactors) {
     SCOPED_TRACE(factor);
     const data::Beam beam = paper_beam_with_load_factor(factor);
@@ -313,7 +313,7 @@ TEST(QuasiStaticShape, MeetsItsBoundaryConditions) {
   }
 }
 
-TEST(QuasiStaticShape, DerivativesFollowFromTheShapeAndSatisfyTheEquation) {
+TEST(QuasiStaticShape, DerivativesSatisfyTheEquation) {
   for (const double factor : kLoadFactors) {
     SCOPED_TRACE(factor);
     const data::Beam beam = paper_beam_with_load_factor(factor);

@@ -66,7 +66,7 @@ TEST_P(StickPropagatorOf, ThreeModesHasTheRateOfItsForce) {
   }
 }
 
-TEST_P(StickPropagatorOf, ThreeModesBoundsTheBendOfItsForceAndNotFarAbove) {
+TEST_P(StickPropagatorOf, ThreeModesBoundsTheForceCurvatureClosely) {
   // Moduli are added for the parts of f, which do not peak together: some times too much, but no decade.
   const double h = 1e-3;
   for (int k = 1; k <= 40; ++k)

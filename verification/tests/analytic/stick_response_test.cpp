@@ -108,7 +108,7 @@ TEST(StickResponse, SatisfiesTheEquationOfMotionAtRandomPoints) {
   }
 }
 
-TEST(StickResponse, ForceIsTheThirdDerivativeOfTheDeflectionAtTheTip) {
+TEST(StickResponse, ForceIsTheThirdDerivativeAtTheTip) {
   for (const SteadyPart steady : kBothSums) {
     const StickResponse response(paper_beam(), shaking(15.0), 4, steady);
     const double wave = response.modes().back().trigonometric_wave_number();
@@ -234,7 +234,7 @@ TEST(StickResponse, ExactSteadyPartDoesNotDependOnTheModesKept) {
   }
 }
 
-TEST(StickResponse, ExactSteadyPartNeedsModesUpToTwiceTheExcitationOnly) {
+TEST(StickResponse, ExactSteadyPartNeedsFewModes) {
   // Half way up to the highest mode kept, as far as is allowed, against forty modes more.
   for (const int count : {1, 2, 3, 8, 20, 60}) {
     const auto modes = stick_modes(paper_beam(), count);
@@ -348,7 +348,7 @@ struct TermsOfTheForce {
   }
 };
 
-TEST(StickResponse, ModalSumOfTheForceConvergesAsTheSquareOfOneOverNWithAlternatingSign) {
+TEST(StickResponse, ModalSumConvergesWithOrderTwoAlternating) {
   // The terms a(n) alternate, and the sum misses half of what lies half a term further, a(N + 1/2)/2 but for
   // a''/(8 a) = 3/(4 N^2) of it: for b = (n + 1/4) pi that is A/(2 pi^2) (N + 3/4)^-2.
   const TermsOfTheForce terms;
@@ -374,7 +374,7 @@ TEST(StickResponse, ModalSumOfTheForceConvergesAsTheSquareOfOneOverNWithAlternat
   EXPECT_TRUE(order_is(of_terms, 2.0, terms.scale));
 }
 
-TEST(StickResponse, FreeVibrationsFallAsTheFourthPowerOfTheModeNumber) {
+TEST(StickResponse, FreeVibrationsFallWithTheFourthPower) {
   const TermsOfTheForce terms;
   const auto transient = StickResponse(paper_beam(), shaking(35.0), 200).transient_force();
   std::vector<OrderLevel> levels;
@@ -406,7 +406,7 @@ TEST(StickResponse, OmittedTransientBoundHoldsWhereTheLawIsReached) {
       StickResponse(paper_beam_with_load_factor(-1e4), shaking(35.0), 10).omitted_transient_bound()));
 }
 
-TEST(StickResponse, RefusesAnExactSteadyPartAboveItsModesAndSaysWhy) {
+TEST(StickResponse, RefusesExactSteadyPartAboveItsModes) {
   expect_error_message<std::invalid_argument>(
       [] { StickResponse(paper_beam(), shaking(50.0), 2, SteadyPart::exact); },
       {"numerics.modes is 2, but must be so large"});
@@ -449,7 +449,7 @@ TEST(SampledMaximum, UpperBoundHoldsBetweenSamplesFarApart) {
     }
 }
 
-TEST(SampledMaximum, ExcessIsAnEighthOfTheSecondDerivativeTimesTheSquareOfTheStep) {
+TEST(SampledMaximum, ExcessIsTheInterpolationErrorOfTheStep) {
   // Far from resonance the bound of |f''| is the sum over the sinusoids, that at Omega taken as one.
   const StickResponse response = response_at(35.0, 4);
   const double omega = 2.0 * pi * 35.0, step = 1e-4;
@@ -462,7 +462,7 @@ TEST(SampledMaximum, ExcessIsAnEighthOfTheSecondDerivativeTimesTheSquareOfTheSte
 }
 
 STICKSLIP_VERIFIES(MaximumForce, "A5");
-TEST(MaximumForce, AtThePapersFourFrequenciesIsWithinOnePercentOfWhatIsPrinted) {
+TEST(MaximumForce, IsWithinOnePercentOfThePrintedValues) {
   // A0 = 0.5 mm over 10 s: ten modes and the limit of many modes, both sampled every 1e-4 s, and the latter's
   // true maximum.
   struct Maximum {

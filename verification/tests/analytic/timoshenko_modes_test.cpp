@@ -168,7 +168,7 @@ TEST(TimoshenkoModes, AreThoseOfAPublishedTable) {
 
 // Shear lowers a frequency by s^2 times a number of the mode, to first order: half the compliance, half the difference. The
 // next order is s^2 n^2 of it, and twice that in the ratio; what is left of rotary inertia is r^2 n^2/2.
-TEST(TimoshenkoModes, GoToThoseOfEulerAndBernoulliAsTheInverseOfTheShearStiffness) {
+TEST(TimoshenkoModes, TendToEulerBernoulliWithInverseStiffness) {
   constexpr double stiffness = 1e11;
   const data::Beam rigid = thin(0.0);
   const auto classical = analytic::stick_modes(rigid, 8);
@@ -219,7 +219,7 @@ TEST(TimoshenkoModes, AreThoseOfAStringWhereShearIsAll) {
 STICKSLIP_VERIFIES(TimoshenkoReaction, "A12");
 // Rotary inertia and shear leave (r^2 + s^2) n^2/2 < 1e-12 in the frequencies of twenty modes, and a few times that in the
 // shares.
-TEST(TimoshenkoReaction, IsThatOfEulerAndBernoulliWithoutShearAndRotaryInertia) {
+TEST(TimoshenkoReaction, IsEulerBernoulliWithoutShear) {
   for (const double axial_force : {-3000.0, 0.0, 500.0, 50e3})
     for (const double axial_direction : {0.0, 0.3, 1.0}) {
       const auto rigid = analytic::modal_reaction(thin(0.0, axial_force, axial_direction), 20);
@@ -266,7 +266,7 @@ TEST(TimoshenkoReaction, SumsUpToTheSteadyVibration) {
 
 // Of a mode whose share is c, c Omega^3/((omega_n^2 - Omega^2) omega_n) vibrates freely: 1/24 of c at omega_n = 3 and Omega =
 // 1. Only the last four modes count, times the number of all.
-TEST(TimoshenkoReaction, LeavesOutAsMuchAsTheLargestOfTheLastFourModesSays) {
+TEST(TimoshenkoReaction, OmittedPartIsBoundedByTheLastFourModes) {
   analytic::ModalReaction reaction{.quasi_static = 1.0, .modes = {{3.0, -2.4}}};
   EXPECT_DOUBLE_EQ(analytic::timoshenko_omitted_transient(reaction, 1.0), 0.1);
   reaction.modes = {{0.5, 1.0}, {3.0, -2.4}, {3.0, 1.2}, {3.0, 0.0}, {3.0, 1.2}};

@@ -155,7 +155,7 @@ Waves waves(double z, double eta, Complex s) {
   return result;
 }
 
-TEST(TipMobility, SolvesTheBoundaryValueProblemWithAndWithoutDamping) {
+TEST(TipMobility, SolvesTheBoundaryValueProblem) {
   for (const double z : {-14.4, 0.0, 0.12, 12.0})
     for (const double eta : {0.0, 6.4e-5, 5e-3})
       for (const Complex k : {Complex(0.2, 0.7), Complex(0.0, 9.0), Complex(5.0, 40.0), Complex(0.3, -300.0),
@@ -222,7 +222,7 @@ TEST(TipMobility, IsThatOfTheHalfInfiniteBeamAtHighFrequency) {
   }
 }
 
-TEST(TipMobility, StaysFiniteOnTheImaginaryAxisAndIsRightToThePhaseOfTheWaves) {
+TEST(TipMobility, IsAccurateOnTheImaginaryAxis) {
   // Of l_1 = alpha only what decays is left, l_2 = i beta: with t = tan(beta L),
   // Y = i omega (alpha^2 + beta^2) (t/beta - 1/alpha)/{EI alpha beta [2 alpha beta - (alpha^2 - beta^2) t]}.
   for (const double z : {-14.4, 0.0, 15.0})
@@ -256,7 +256,7 @@ double least_passivity(double z, double eta) {
   return least;
 }
 
-TEST(TipMobility, IsPassiveAsLongAsTheFirstSlipFrequencyIsBelowTheFirstStickFrequency) {
+TEST(TipMobility, IsPassiveWhileSlipFrequencyIsBelowStick) {
   // Undamped, Re Y > 0 for Re s > 0 if and only if poles and zeros alternate, g_k > 0. The follower force
   // ends that before flutter: between P L^2/EI = 16 and 16.1 the first zero passes the first pole.
   for (const double z : {-14.4, -5.0, 0.0, 0.12, 10.0, 16.0, 16.1, 19.0}) {
@@ -269,14 +269,14 @@ TEST(TipMobility, IsPassiveAsLongAsTheFirstSlipFrequencyIsBelowTheFirstStickFreq
   }
 }
 
-TEST(TipMobility, IsPassiveWithDampingUnderAModerateAxialForceOnly) {
+TEST(TipMobility, IsPassiveWithDampingUnderModerateForce) {
   for (const double z : {-5.0, 0.0, 0.12, 5.0})
     for (const double eta : {6.4e-5, 5e-3}) EXPECT_GT(least_passivity(z, eta), 0.0) << z << ", " << eta;
   // Damping destabilises a column under a follower force well below its undamped flutter load (Ziegler 1952).
   for (const double eta : {6.4e-5, 5e-3}) EXPECT_LT(least_passivity(12.0, eta), 0.0) << eta;
 }
 
-TEST(TipMobility, IsConjugateAtTheConjugateFrequencyAndOddWithoutDamping) {
+TEST(TipMobility, IsConjugateSymmetric) {
   for (const double eta : {0.0, 6.4e-5})
     for (const Complex k : {Complex(0.1, 0.2), Complex(2.0, 30.0), Complex(1e3, 1e6), Complex(1e10, 1e9)}) {
       const TipMobility mobility(paper_beam(), kelvin_voigt(eta));

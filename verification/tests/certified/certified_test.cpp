@@ -525,7 +525,7 @@ TEST(CertifiedResponse, ForceIsTheSumOfItsSinusoids) {
   }
 }
 
-TEST(CertifiedResponse, HoldsAcrossResonanceWhatFrequenciesCannotTellApart) {
+TEST(CertifiedResponse, EnclosesTheForceAcrossResonance) {
   // At 100 bits the excitation cannot be told from the mode, at 256 it can: two formulas for one number.
   const std::string natural =
       enclosure(certified::stick_modes(paper_beam(), 1).front().frequency_hz, 40).value;
@@ -579,7 +579,7 @@ TEST(CertifiedTipMobility, TendsToTheStaticFlexibility) {
   EXPECT_TRUE(abs(tip_mobility(unit_beam("-4"), s, 0).real / s - (y * cosh(y) - sinh(y)) / 8) < Real(1e-35));
 }
 
-TEST(CertifiedTipMobility, ChangesItsSignInEveryBallOfASlipAndOfAStickFrequency) {
+TEST(CertifiedTipMobility, ChangesSignInEveryFrequencyBall) {
   for (const char* force : {"-9000", "0", "500", "60000"}) {
     const Beam beam = paper_beam(force);
     const auto changes = [&](const Real& omega) {
@@ -639,7 +639,7 @@ TEST(CertifiedMaximum, LiesAtTheEndOfAShortSpan) {
   }
 }
 
-TEST(CertifiedMaximum, LiesBeforeAnEndAtWhichTheForceRisesAndIsNearlyAsLarge) {
+TEST(CertifiedMaximum, LiesBeforeARisingEnd) {
   // |f(1)| is 1e-7 below the maximum and rises by 4 in a second. The last cells, of 2^-20 s, begin at 1 s: the
   // one before is removed, the one behind is not.
   const Real w(12.7151659);
@@ -660,7 +660,7 @@ TEST(CertifiedMaximum, IsRefusedWhereTheForceIsStationaryAtTheEnd) {
       {"certain sign at the ends"});
 }
 
-TEST(CertifiedMaximum, IsThatOfTheOppositeAmplitudesWhereFrequenciesAreNegative) {
+TEST(CertifiedMaximum, IsOddInNegativeFrequencies) {
   // w t of 1e6 rad: the error of the doubles, 4e-10, is larger than what the last cells are divided to, 1e-10.
   const auto forwards = max_abs_of_sinusoids({{Real(1), Real(2)}, {Real(1), Real(1e6)}}, "1");
   const auto backwards = max_abs_of_sinusoids({{Real(-1), Real(-2)}, {Real(-1), Real(-1e6)}}, "1");

@@ -315,7 +315,7 @@ TEST(EnclosedMaximum, LiesInTheBoundsOfTheDoubles) {
   }
 }
 
-TEST(EnclosedMaximum, GivesTheCriticalAmplitudeAndTheVerdictOfTheDoubles) {
+TEST(EnclosedMaximum, MatchesCriticalAmplitudeAndVerdict) {
   for (const double hz : {15.0, 25.0, 35.0, 70.0}) {
     const data::HarmonicExcitation excitation({.frequency_hz = hz, .amplitude = 0.5e-3});
     const auto criterion = analytic::evaluate_criterion(paper_beam(), paper_friction(), excitation, 10.0);

@@ -14,7 +14,7 @@
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "support/beams.hpp"
-#include "support/energy.hpp"
+#include "support/mesh.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 #include "support/vibration.hpp"

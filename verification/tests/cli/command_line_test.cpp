@@ -487,7 +487,8 @@ TEST_F(CommandLine, UncertaintyGivesTheProbabilityOfSlip) {
     head += fmt::format("{:<12}", fmt::format("{:.0f} %", 100.0 * quantile["probability"].get<double>()));
     margins += fmt::format("{:<12}", fmt::format("{:#.4g}", quantile["margin"]["value"].get<double>()));
   }
-  lines.insert(lines.end(), {head, margins});
+  for (const std::string& line : {head, margins})
+    lines.push_back(line.substr(0, line.find_last_not_of(' ') + 1));
   EXPECT_EQ(answer["quantiles"].size(), 5u);
   for (const std::string& line : lines) EXPECT_TRUE(holds(table, "\n" + line + "\n"));
 }
@@ -506,7 +507,7 @@ TEST_F(CommandLine, UncertaintyCountsBeamsThatAreNoneAndHasNoIndicesOfCorrelated
   const std::string table = run(command).output;
   for (const std::string& part :
        {fmt::format("\nsamples that are no beam    {}: beam.axial_force\n", invalid),
-        std::string(" ... no beam "), std::string("There are no indices: keys are")})
+        std::string(" ... no beam\n"), std::string("There are no indices: keys are")})
     EXPECT_TRUE(holds(table, part));
 }
 

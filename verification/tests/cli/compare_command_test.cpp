@@ -219,16 +219,16 @@ TEST_F(CompareCommand, WritesTheNumbersAndTheDiagnosisAsJson) {
 }
 
 // A comparison that differs and covers too little, with all that can be said of a quantity.
-studies::Comparison made_up() {
-  using studies::Agreement;
-  studies::Comparison comparison;
+comparison::Comparison made_up() {
+  using comparison::Agreement;
+  comparison::Comparison comparison;
   comparison.name = "set", comparison.title = "A title";
   comparison.abscissa = "x", comparison.abscissa_unit = "m";
   comparison.agreement = Agreement::differs;
   comparison.coverage = 0.5834, comparison.required_coverage = 0.9;
   comparison.remarks = {"a remark"};
   const auto add = [&](const char* name, const char* unit, data::Norm norm, std::optional<double> error,
-                       Agreement agreement) -> studies::Comparison::Quantity& {
+                       Agreement agreement) -> comparison::Comparison::Quantity& {
     auto& one = comparison.quantities.emplace_back();
     one.name = name, one.unit = unit, one.norm = norm, one.agreement = agreement;
     one.tolerance = 0.005, one.error = error;
@@ -243,10 +243,16 @@ studies::Comparison made_up() {
   t.where = "event 1", t.compared = 6, t.undecided = 5;
   add("f", "N", data::Norm::relative, {}, Agreement::undecided);
   add("w", "", data::Norm::word, 0.0, Agreement::agrees).compared = 4;
-  studies::Diagnosis diagnosis{
-      .finding = studies::Finding::unexplained, .from_reference = 0.1, .uncertainty = 0.25};
-  diagnosis.required_ratio = 4.0, diagnosis.ranked = {{"tension", 0.5, 0.75}}, diagnosis.named = {"one"};
-  comparison.likenesses = {{"run = a", "y", "like one", diagnosis}, {"", "t", "no diagnosis", {}}};
+  comparison.diagnoses = {{.group = "run = a",
+                           .quantity = "y",
+                           .sentence = "like one",
+                           .finding = comparison::Finding::unexplained,
+                           .from_reference = 0.1,
+                           .uncertainty = 0.25,
+                           .required_ratio = 4.0,
+                           .ranked = {{.name = "tension", .distance = 0.5, .from_reference = 0.75}},
+                           .named = {"one"}},
+                          {.quantity = "t", .sentence = "no diagnosis"}};
   return comparison;
 }
 
@@ -280,7 +286,7 @@ TEST_F(CompareCommand, SaysAllThatTheComparisonFound) {
     <testcase classname="set" name="w" />
     <system-out>mine.csv
 )" + text + "differs\n</system-out>\n  </testsuite>\n</testsuites>\n");
-  comparison.agreement = studies::Agreement::undecided;
+  comparison.agreement = comparison::Agreement::undecided;
   EXPECT_TRUE(
       cli::text_of(comparison).ends_with("\nundecided: nothing differs, but the file covers too little\n"));
   comparison.coverage = comparison.required_coverage;

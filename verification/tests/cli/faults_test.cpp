@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "support/killed_run.hpp"
 #include "support/requirements.hpp"
+#include "support/signalled_run.hpp"
 
 namespace stickslip::testing {
 namespace {

@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-#include "comparison/comparison.hpp"
+#include "comparison/diagnosis/diagnosis.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/data/reference.hpp"
 #include "stickslip/data/sha256.hpp"
@@ -435,8 +435,10 @@ class ColumnInput : public CommandLine {
   }
 
   void compare(const std::string& set) const {
-    const auto comparison =
-        studies::compare(package(), set, data::read_user_table(path("mine.csv"), table_of(set), {}), {});
+    const auto reference = comparison::read_reference(package(), set);
+    const auto theirs = data::read_user_table(path("mine.csv"), reference.table);
+    const auto comparison = comparison::compare(reference, theirs);
+    static_cast<void>(comparison::diagnose(comparison, package(), reference.table, theirs));
     for (const auto& quantity : comparison.quantities)
       EXPECT_TRUE(!quantity.error || std::isfinite(*quantity.error)) << quantity.name;
   }

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "support/requirements.hpp"
-#include "support/sleeping_tool.hpp"
+#include "support/signalled_run.hpp"
 
 namespace stickslip::testing {
 namespace {

@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <string>
 
-#include "support/killed_run.hpp"
 #include "support/requirements.hpp"
+#include "support/signalled_run.hpp"
 
 namespace stickslip::testing {
 namespace {

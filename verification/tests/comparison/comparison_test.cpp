@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "comparison/wrong_models.hpp"
+#include "comparison/diagnosis/wrong_models.hpp"
 #include "own_copy.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/case_file.hpp"
@@ -22,10 +22,10 @@
 namespace stickslip::testing {
 namespace {
 
-using studies::Agreement;
-using studies::Comparison;
-using studies::ComparisonSettings;
-using studies::Finding;
+using comparison::Agreement;
+using comparison::Comparison;
+using comparison::Finding;
+using comparison::Settings;
 using Values = std::vector<double>;
 
 // --- copies
@@ -38,7 +38,7 @@ TEST(ComparedCopy, OfEveryDataSetAgreesWithoutError) {
     EXPECT_EQ(comparison.agreement, Agreement::agrees) << set;
     EXPECT_EQ(comparison.name, set);
     EXPECT_TRUE(comparison.remarks.empty()) << set << ": " << comparison.remarks.front();
-    EXPECT_TRUE(comparison.likenesses.empty());
+    EXPECT_TRUE(comparison.diagnoses.empty());
     EXPECT_FALSE(comparison.quantities.empty()) << set;
     for (const auto& one : comparison.quantities) {
       EXPECT_EQ(one.error, 0.0) << set << " " << one.name;
@@ -111,9 +111,9 @@ TEST(ComparedTable, MatchesRowsByKeyInAnyOrderAndNamesThoseThatAreMissing) {
 TEST(ComparedTable, SaysOnceWhatSeveralGroupsLookLike) {
   auto mine = own_copy("stick-frequencies");
   for (double& frequency : mine["frequency"]) frequency *= 2.0;
-  const auto likenesses = mine.diagnosed().likenesses;
-  ASSERT_EQ(likenesses.size(), 1u);
-  EXPECT_EQ(likenesses[0].group, "beam = paper and 1 more");
+  const auto diagnoses = mine.diagnosed().diagnoses;
+  ASSERT_EQ(diagnoses.size(), 1u);
+  EXPECT_EQ(diagnoses[0].group, "beam = paper and 1 more");
 }
 
 TEST(ComparedTable, RefusesRowsThatTheDataSetLacks) {
@@ -295,7 +295,7 @@ STICKSLIP_VERIFIES(ComparedVerdict, "X20");
 TEST(ComparedVerdict, IsUndecidedWhereTheReferenceIsNotKnownWellEnough) {
   const auto right = own_copy("damped-events");
   const double radius = right.reference().radius_of("time")[2], tolerance = 1e-9;
-  const ComparisonSettings settings = with_tolerance("time", tolerance);
+  const Settings settings = with_tolerance("time", tolerance);
   const auto verdict = [&](double error) {
     auto mine = right;
     mine["time"][2] += error;
@@ -481,7 +481,7 @@ STICKSLIP_VERIFIES(ComparedHistory, "X20");
 TEST(ComparedHistory, IsInterpolatedWithinItsPhaseOnly) {
   for (const bool events : {false, true}) {
     const Comparison comparison =
-        between_samples().compared(events ? with_events(own_copy("cubic-events")) : ComparisonSettings());
+        between_samples().compared(events ? with_events(own_copy("cubic-events")) : Settings());
     EXPECT_EQ(comparison.agreement, Agreement::agrees);
     const auto y = quantity_of(comparison, "y");
     // One step over a jump would be an error of 1 m or more.
@@ -575,30 +575,30 @@ struct Mistake {
   const char *set, *wrong_model, *problem;
 };
 
-class LikenedTo : public ::testing::TestWithParam<Mistake> {};
+class DiagnosisOfMistake : public ::testing::TestWithParam<Mistake> {};
 
-STICKSLIP_VERIFIES(LikenedTo, "X20");
-TEST_P(LikenedTo, TheMistakeThatWasMade) {
+STICKSLIP_VERIFIES(DiagnosisOfMistake, "X20");
+TEST_P(DiagnosisOfMistake, TheMistakeThatWasMade) {
   const auto& [set, wrong_model, problem] = GetParam();
   const data::DiagnosisRule& rule = *small_package().resource(set).diagnosis;
-  const auto what = *std::ranges::find(studies::all_quantities, rule.quantity, studies::name_of);
+  const auto what = *std::ranges::find(comparison::all_quantities, rule.quantity, comparison::name_of);
   auto mine = own_copy(set, {"beam", "change", rule.abscissa, rule.value});
-  if (std::string(set) == "stick-frequencies" || what == studies::Quantity::contact_event) mine.keep_first(6);
-  const auto values =
-      studies::wrong_result(with_the_settings_of_the_paper(problem), wrong_model, what, mine[rule.abscissa]);
+  if (std::string(set) == "stick-frequencies" || what == comparison::Quantity::contact_event)
+    mine.keep_first(6);
+  const auto values = comparison::wrong_result(with_the_settings_of_the_paper(problem), wrong_model, what,
+                                               mine[rule.abscissa]);
   ASSERT_TRUE(values.has_value());
   mine[rule.value] = *values;
   const Comparison comparison = mine.diagnosed();
   EXPECT_EQ(comparison.agreement, Agreement::differs);
-  ASSERT_EQ(comparison.likenesses.size(), 1u);
-  const auto& likeness = comparison.likenesses.front();
-  ASSERT_TRUE(likeness.diagnosis.has_value()) << likeness.sentence;
-  EXPECT_EQ(likeness.diagnosis->finding, Finding::mistaken) << likeness.sentence;
-  EXPECT_GT(std::ranges::count(likeness.diagnosis->named, wrong_model), 0) << likeness.sentence;
-  EXPECT_NE(likeness.sentence.find(wrong_model), std::string::npos) << likeness.sentence;
+  ASSERT_EQ(comparison.diagnoses.size(), 1u);
+  const auto& diagnosis = comparison.diagnoses.front();
+  EXPECT_EQ(diagnosis.finding, Finding::mistaken) << diagnosis.sentence;
+  EXPECT_GT(std::ranges::count(diagnosis.named, wrong_model), 0) << diagnosis.sentence;
+  EXPECT_NE(diagnosis.sentence.find(wrong_model), std::string::npos) << diagnosis.sentence;
 }
 
-INSTANTIATE_TEST_SUITE_P(WrongModels, LikenedTo,
+INSTANTIATE_TEST_SUITE_P(WrongModels, DiagnosisOfMistake,
                          ::testing::Values(Mistake{"stick-frequencies", "second-moment-as-printed", "paper"},
                                            Mistake{"stick-frequencies", "lumped-mass", "paper"},
                                            Mistake{"stick-frequencies", "axial-force-left-out", "paper"},
@@ -618,8 +618,8 @@ INSTANTIATE_TEST_SUITE_P(WrongModels, LikenedTo,
                            return name;
                          });
 
-STICKSLIP_VERIFIES(LikenedToNothing, "X20");
-TEST(LikenedToNothing, IsNoise) {
+STICKSLIP_VERIFIES(DiagnosisOfNothing, "X20");
+TEST(DiagnosisOfNothing, IsNoise) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     std::mt19937 generator(seed);
     std::uniform_real_distribution<double> error(-1.0, 1.0);
@@ -631,36 +631,34 @@ TEST(LikenedToNothing, IsNoise) {
     for (const OwnCopy& copy : {mine, shape}) {
       const Comparison comparison = copy.diagnosed();
       EXPECT_EQ(comparison.agreement, Agreement::differs);
-      ASSERT_EQ(comparison.likenesses.size(), 1u);
-      EXPECT_EQ(comparison.likenesses[0].diagnosis.value().finding, Finding::unexplained)
-          << comparison.likenesses[0].sentence;
+      ASSERT_EQ(comparison.diagnoses.size(), 1u);
+      EXPECT_EQ(comparison.diagnoses[0].finding, Finding::unexplained) << comparison.diagnoses[0].sentence;
     }
   }
 }
 
-TEST(LikenedToNothing, IsWhatHasNoCaseOfItsOwnOrNoKnownMistake) {
+TEST(DiagnosisOfNothing, IsWhatHasNoCaseOfItsOwnOrNoKnownMistake) {
   auto curve = own_copy("cubic-history");
   for (std::size_t row = 0; row < curve["y"].size(); ++row) curve["y"][row] += row % 2 == 0 ? 1.0 : -1.0;
-  EXPECT_TRUE(curve.diagnosed().likenesses.empty());
+  EXPECT_TRUE(curve.diagnosed().diagnoses.empty());
   auto mine = own_copy("damped-history");
   for (std::size_t row = 0; row < mine.table.rows(); ++row)
     mine["friction_force"][row] += row % 2 == 0 ? 30.0 : -30.0;
   const Comparison comparison = mine.diagnosed();
   EXPECT_EQ(comparison.agreement, Agreement::differs);
-  ASSERT_EQ(comparison.likenesses.size(), 1u);  // of the force, not of the displacement
-  EXPECT_EQ(comparison.likenesses[0].quantity, "friction_force");
-  EXPECT_EQ(comparison.likenesses[0].diagnosis.value().finding, Finding::unexplained)
-      << comparison.likenesses[0].sentence;
+  ASSERT_EQ(comparison.diagnoses.size(), 1u);  // of the force, not of the displacement
+  EXPECT_EQ(comparison.diagnoses[0].quantity, "friction_force");
+  EXPECT_EQ(comparison.diagnoses[0].finding, Finding::unexplained) << comparison.diagnoses[0].sentence;
 }
 
-TEST(LikenedToNothing, IsADifferenceThatTheModelsCannotResolve) {
+TEST(DiagnosisOfNothing, IsADifferenceThatTheModelsCannotResolve) {
   auto mine = own_copy("damped-history", {"t", "tip_displacement"});
   double sign = 1.0;
   for (double& y : mine["tip_displacement"]) y *= 1.0 + 1e-4 * (sign = -sign);
   const Comparison comparison = mine.diagnosed(with_tolerance("tip_displacement", 1e-5));
   EXPECT_EQ(comparison.agreement, Agreement::differs);
-  ASSERT_EQ(comparison.likenesses.size(), 1u);
-  EXPECT_EQ(comparison.likenesses[0].sentence,
+  ASSERT_EQ(comparison.diagnoses.size(), 1u);
+  EXPECT_EQ(comparison.diagnoses[0].sentence,
             "no diagnosis: the difference of 0.01 % up to 0.2 s is too small to be assigned to a mistake");
 }
 

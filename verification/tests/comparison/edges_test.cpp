@@ -24,8 +24,8 @@
 namespace stickslip::testing {
 namespace {
 
-using studies::Agreement;
-using studies::ComparisonSettings;
+using comparison::Agreement;
+using comparison::Settings;
 
 namespace fs = std::filesystem;
 
@@ -190,8 +190,8 @@ TEST(ComparedVerdict, AKeyNearTwoRowsIsNeither) {
                      .text = {},
                      .values = {1.0 + 0.4e-6, 2.0 - 0.9e-6, 2.0 + 2.1e-6, 1.0 - 0.5e-6, -3.0 + 2e-6}}};
   const std::vector<double> expected{1.0 + 0.4e-6, 2.0, 2.0 + 2.1e-6, 1.0, -3.0};
-  EXPECT_EQ(studies::with_keys_of(reference, theirs, "").columns[0].values, expected);
-  EXPECT_EQ(studies::with_keys_of(reference, theirs, "x").columns[0].values, theirs.columns[0].values);
+  EXPECT_EQ(comparison::with_keys_of(reference, theirs, "").columns[0].values, expected);
+  EXPECT_EQ(comparison::with_keys_of(reference, theirs, "x").columns[0].values, theirs.columns[0].values);
 }
 
 // --- horizons
@@ -317,7 +317,7 @@ TEST(ComparedVerdict, TheLargerDistanceToANeighbourGuardsAnEventOnBothSides) {
 TEST(ComparedVerdict, AfterALastEventThatIsMissingTheyAreInAnotherPhase) {
   auto mine = own_copy("cubic-history"), events = own_copy("cubic-events");
   events.erase(2);  // they have no capture at 0.805 s
-  const ComparisonSettings settings = with_events(events);
+  const Settings settings = with_events(events);
   EXPECT_EQ(mine.compared("sequence", settings).error, 1.0);
   EXPECT_EQ(mine.compared("sequence", settings).compared, 4u);
   for (std::size_t row = 81; row <= 95; ++row) mine["y"][row] = 1e3;

@@ -12,7 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "comparison/comparison.hpp"
+#include "comparison/diagnosis/diagnosis.hpp"
+#include "stickslip/data/input_error.hpp"
 #include "support/error_message.hpp"
 
 namespace stickslip::testing {
@@ -36,23 +37,21 @@ inline data::ReferencePackage with_rule(const std::string& set,
   return package;
 }
 
-inline studies::ComparisonSettings with_tolerance(const std::string& quantity, double tolerance,
-                                                  std::optional<double> until = std::nullopt) {
+inline comparison::Settings with_tolerance(const std::string& quantity, double tolerance,
+                                           std::optional<double> until = std::nullopt) {
   return {.tolerances = {{quantity, tolerance}}, .until = until, .events = {}};
 }
-inline studies::ComparisonSettings until(double time) {
-  return {.tolerances = {}, .until = time, .events = {}};
+inline comparison::Settings until(double time) { return {.tolerances = {}, .until = time, .events = {}}; }
+
+inline comparison::Comparison::Quantity quantity_of(const comparison::Comparison& comparison,
+                                                    const std::string& name) {
+  return *std::ranges::find(comparison.quantities, name, &comparison::Comparison::Quantity::name);
 }
 
-inline studies::Comparison::Quantity quantity_of(const studies::Comparison& comparison,
-                                                 const std::string& name) {
-  return *std::ranges::find(comparison.quantities, name, &studies::Comparison::Quantity::name);
-}
-
-inline std::size_t skipped_for(const studies::Comparison::Quantity& quantity, const std::string& reason) {
+inline std::size_t skipped_for(const comparison::Comparison::Quantity& quantity, const std::string& reason) {
   const auto found = std::ranges::find_if(
-      quantity.skipped, [&](const auto& skipped) { return skipped.reason.starts_with(reason); });
-  return found == quantity.skipped.end() ? 0 : found->points;
+      quantity.skipped, [&](const auto& skipped) { return skipped.first.starts_with(reason); });
+  return found == quantity.skipped.end() ? 0 : found->second;
 }
 
 /// A data set as its own result, or some of its columns, in which a test changes rows and cells.
@@ -60,18 +59,18 @@ class OwnCopy {
  public:
   OwnCopy(const data::ReferencePackage& package, const std::string& set,
           const std::vector<std::string>& columns = {})
-      : package_(&package), reference_(data::read_table(package, set)) {
+      : package_(&package), reference_(comparison::read_reference(package, set)) {
     table.file = "mine.csv";
-    table.lines.resize(reference_.rows());
+    table.lines.resize(reference().rows());
     std::iota(table.lines.begin(), table.lines.end(), 2);
-    for (const data::Column& column : reference_.columns)
+    for (const data::Column& column : reference().columns)
       if (columns.empty() || std::ranges::count(columns, column.field.name) > 0)
         table.columns.push_back(column);
   }
 
   data::UserTable table;
 
-  [[nodiscard]] const data::ReferenceTable& reference() const { return reference_; }
+  [[nodiscard]] const data::ReferenceTable& reference() const { return reference_.table; }
   [[nodiscard]] std::vector<double>& operator[](const std::string& name) { return column(name).values; }
   [[nodiscard]] std::vector<std::string>& words(const std::string& name) { return column(name).text; }
 
@@ -98,20 +97,21 @@ class OwnCopy {
   }
 
   /// The comparison with the data set, and that for one quantity, without and with a diagnosis.
-  [[nodiscard]] studies::Comparison compared(studies::ComparisonSettings settings = {}) const {
-    settings.diagnose = false;
-    return diagnosed(settings);
+  [[nodiscard]] comparison::Comparison compared(const comparison::Settings& settings = {}) const {
+    return comparison::compare(reference_, table, settings);
   }
-  [[nodiscard]] studies::Comparison::Quantity compared(
-      const std::string& quantity, const studies::ComparisonSettings& settings = {}) const {
+  [[nodiscard]] comparison::Comparison::Quantity compared(const std::string& quantity,
+                                                          const comparison::Settings& settings = {}) const {
     return quantity_of(compared(settings), quantity);
   }
-  [[nodiscard]] studies::Comparison diagnosed(const studies::ComparisonSettings& settings = {}) const {
-    return studies::compare(*package_, reference_.resource.name, table, settings);
+  [[nodiscard]] comparison::Comparison diagnosed(const comparison::Settings& settings = {}) const {
+    comparison::Comparison result = compared(settings);
+    result.diagnoses = comparison::diagnose(result, *package_, reference(), table);
+    return result;
   }
 
   /// Why it cannot be compared; "accepted" if it can.
-  [[nodiscard]] std::string error_message(const studies::ComparisonSettings& settings = {}) const {
+  [[nodiscard]] std::string error_message(const comparison::Settings& settings = {}) const {
     return error_message_if_any<data::InputError>([&] { static_cast<void>(compared(settings)); })
         .value_or("accepted");
   }
@@ -130,7 +130,7 @@ class OwnCopy {
   }
 
   const data::ReferencePackage* package_;
-  data::ReferenceTable reference_;
+  comparison::Reference reference_;
 };
 
 /// A data set of the small package, and one that is published.
@@ -142,7 +142,7 @@ inline OwnCopy published_copy(const std::string& set, const std::vector<std::str
 }
 
 /// The settings with the events of the same run.
-inline studies::ComparisonSettings with_events(const OwnCopy& events) {
+inline comparison::Settings with_events(const OwnCopy& events) {
   return {.tolerances = {}, .until = {}, .events = events.table};
 }
 

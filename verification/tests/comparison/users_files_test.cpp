@@ -20,10 +20,10 @@
 namespace stickslip::testing {
 namespace {
 
-using studies::Agreement;
-using studies::Comparison;
-using studies::ComparisonSettings;
-using studies::TabulatedEvent;
+using comparison::Agreement;
+using comparison::Comparison;
+using comparison::Settings;
+using comparison::TabulatedEvent;
 
 bool mentions(const Comparison& comparison, const std::string& part) {
   return std::ranges::any_of(
@@ -152,22 +152,21 @@ TEST(EventSequence, IsAlignedWithEventsMissingAndEventsTooMany) {
   const std::vector<TabulatedEvent> theirs{event("onset", 1.1),  event("capture", 2.9),
                                            event("onset", 4.1),  event("capture", 4.5),
                                            event("onset", 4.52), event("capture", 5.0)};
-  const auto found = studies::match(reference, theirs, {});
+  const auto found = comparison::match(reference, theirs, {});
   ASSERT_EQ(found.pairs.size(), 4u);
-  EXPECT_EQ(found.pairs[1].reference, 3u);
-  EXPECT_EQ(found.pairs[1].theirs, 1u);
+  EXPECT_EQ(found.pairs[1], (std::pair<std::size_t, std::size_t>(3, 1)));
   EXPECT_EQ(found.missing, (std::vector<std::size_t>{1, 2}));
   EXPECT_EQ(found.extra, (std::vector<std::size_t>{3, 4}));
   // Their run ends with the second event.
-  const auto begin = studies::match(reference, {theirs[0], theirs[1]}, {.end = 2.9});
+  const auto begin = comparison::match(reference, {theirs[0], theirs[1]}, {.end = 2.9});
   EXPECT_EQ(begin.missing.size(), 2u);
   EXPECT_EQ(begin.unreached, 2u);
 }
 
 TEST(EventSequence, TakesEventsAtItsLimitsAsWithinThem) {
   const std::vector<TabulatedEvent> reference{event("onset", 1.0), {"capture", 2.0, 0.02, 0, 0}};
-  const auto pairs = [&](double time, const studies::SequenceLimits& limits) {
-    return studies::match(reference, {event("onset", 1.0), event("capture", time)}, limits).pairs.size();
+  const auto pairs = [&](double time, const comparison::SequenceLimits& limits) {
+    return comparison::match(reference, {event("onset", 1.0), event("capture", time)}, limits).pairs.size();
   };
   // Without partners two events cost 1 s within the limits, and one of them half of it.
   EXPECT_EQ(pairs(2.9, {.horizon = 2.9}), 2u);
@@ -176,9 +175,9 @@ TEST(EventSequence, TakesEventsAtItsLimitsAsWithinThem) {
   // An event nearer to the horizon than 0.1 s + 0.02 s costs as much.
   EXPECT_EQ(pairs(2.115, {.horizon = 2.11, .time_tolerance = 0.1}), 2u);
   EXPECT_EQ(pairs(2.125, {.horizon = 2.11, .time_tolerance = 0.1}), 1u);
-  EXPECT_EQ(studies::match({}, {event("onset", 2.0)}, {.horizon = 2.0}).extra.size(), 1u);
-  const auto unreached = [&](const studies::SequenceLimits& limits) {
-    return studies::match(reference, {event("onset", 1.0)}, limits).unreached;
+  EXPECT_EQ(comparison::match({}, {event("onset", 2.0)}, {.horizon = 2.0}).extra.size(), 1u);
+  const auto unreached = [&](const comparison::SequenceLimits& limits) {
+    return comparison::match(reference, {event("onset", 1.0)}, limits).unreached;
   };
   EXPECT_EQ(unreached({.end = 2.0}), 0u);
   EXPECT_EQ(unreached({.horizon = 2.11, .end = 1.0, .time_tolerance = 0.1}), 0u);
@@ -188,7 +187,7 @@ TEST(EventSequence, TakesEventsAtItsLimitsAsWithinThem) {
 TEST(EventSequence, HasNoPairFartherApartThanTheMeanDistance) {
   const std::vector<TabulatedEvent> reference{event("onset", 1.0), event("capture", 2.0)};  // 1 s
   for (const double shift : {0.99, 1.01}) {
-    const auto found = studies::match(reference, {event("onset", 1.0), event("capture", 2.0 + shift)}, {});
+    const auto found = comparison::match(reference, {event("onset", 1.0), event("capture", 2.0 + shift)}, {});
     EXPECT_EQ(found.pairs.size(), shift < 1.0 ? 2u : 1u) << shift;
     EXPECT_EQ(found.missing.size(), shift < 1.0 ? 0u : 1u) << shift;
     EXPECT_EQ(found.extra.size(), shift < 1.0 ? 0u : 1u) << shift;
@@ -198,7 +197,7 @@ TEST(EventSequence, HasNoPairFartherApartThanTheMeanDistance) {
 TEST(EventSequence, LeavesShortPhasesOutAndKeepsThoseOfTheLimit) {
   const double limit = 0.125;
   const auto kept = [&](const std::vector<TabulatedEvent>& events) {
-    return studies::without_short_phases(events, limit).size();
+    return comparison::without_short_phases(events, limit).size();
   };
   EXPECT_EQ(kept({event("onset", 1.0), event("capture", 2.0), event("onset", 2.1)}), 1u);  // a stick
   EXPECT_EQ(kept({event("onset", 1.0), event("capture", 1.1), event("onset", 2.0)}), 1u);  // a slip
@@ -207,9 +206,9 @@ TEST(EventSequence, LeavesShortPhasesOutAndKeepsThoseOfTheLimit) {
   EXPECT_EQ(kept({event("reversal", 1.0), event("reversal", 1.1)}), 2u);
   // Short phases in a row between slip and stick are one capture.
   const auto block =
-      studies::without_short_phases({event("onset", 1.0), event("capture", 2.0), event("onset", 2.1),
-                                     event("reversal", 2.15), event("capture", 2.2), event("onset", 3.0)},
-                                    limit);
+      comparison::without_short_phases({event("onset", 1.0), event("capture", 2.0), event("onset", 2.1),
+                                        event("reversal", 2.15), event("capture", 2.2), event("onset", 3.0)},
+                                       limit);
   ASSERT_EQ(block.size(), 3u);
   EXPECT_EQ(block[1].change, "capture");
   EXPECT_TRUE(within(block[1].time, 2.1, round_off(2.0, 1.0, 2.1)));
@@ -221,8 +220,8 @@ TEST(EventSequence, SaysTheContactAtATime) {
                                            event("capture", 3.0)};
   for (const auto& [t, contact] : std::vector<std::pair<double, int>>{
            {0.5, 0}, {1.0, 1}, {1.5, 1}, {2.0, -1}, {2.5, -1}, {3.0, 0}, {9.0, 0}})
-    EXPECT_EQ(studies::contact_at(events, t), contact) << t;
-  EXPECT_EQ(studies::contact_at({event("capture", 1.0)}, 0.5), 1);
+    EXPECT_EQ(comparison::contact_at(events, t), contact) << t;
+  EXPECT_EQ(comparison::contact_at({event("capture", 1.0)}, 0.5), 1);
 }
 
 // The shortest stick of the data set lasts 0.33 ms.
@@ -289,7 +288,7 @@ TEST(ComparedHistory, IsComparedInAllPhasesThatBothHave) {
   auto mine = published_copy("stick-slip-history"), events = published_copy("stick-slip-events");
   const std::size_t stick = shortest_stick(events), total = mine.table.rows();
   events.keep([&](std::size_t row) { return row != stick && row != stick + 1; });
-  const ComparisonSettings settings = with_events(events);
+  const Settings settings = with_events(events);
   EXPECT_EQ(mine.compared("sequence", settings).error, 2.0);
   const auto tip = mine.compared("tip_displacement", settings);
   EXPECT_EQ(tip.agreement, Agreement::agrees);
@@ -382,7 +381,7 @@ TEST(ComparedCoverage, OfEventsEndsWithTheLastOneUnlessALatestTimeIsGiven) {
   // The first eight are named.
   EXPECT_EQ(mine.compared(until(0.5)).remarks.size(), 9u);
   EXPECT_EQ(mine.compared(until(0.5)).remarks.back(), "27 events are missing or not in the data set");
-  const auto told = [](std::size_t rows, const ComparisonSettings& settings) {
+  const auto told = [](std::size_t rows, const Settings& settings) {
     return published_copy("stick-slip-events").keep_first(rows).compared(settings).remarks;
   };
   EXPECT_EQ(told(39, until(0.5)).size(), 8u);
@@ -412,8 +411,8 @@ TEST(ComparedCoverage, OfATableMustBeATenthOfEachPartThatTheFileBegins) {
 
 // --- times between those of the data set
 
-studies::Samples sampled(std::size_t size, double step, const std::function<double(double)>& curve) {
-  studies::Samples samples;
+comparison::Samples sampled(std::size_t size, double step, const std::function<double(double)>& curve) {
+  comparison::Samples samples;
   for (std::size_t i = 0; i < size; ++i) {
     samples.abscissa.push_back(step * static_cast<double>(i));
     samples.values.push_back(curve(samples.abscissa.back()));
@@ -427,14 +426,14 @@ TEST(ComparedSamples, AreInterpolatedWithinTheEstimatedError) {
   const double h = 0.1;
   const auto sine = sampled(21, h, [](double x) { return std::sin(x); });
   for (double x = h + 0.013; x < 19.0 * h; x += 0.017) {
-    const auto found = studies::interpolated(sine, x);
+    const auto found = comparison::interpolated(sine, x);
     // The largest of |(x - x0)(x - x1)(x - x2)(x - x3)|/24 between the two in the middle is 3/128 h^4.
     EXPECT_TRUE(within(found->value, std::sin(x),
                        discretisation(3.0 / 128.0 * std::pow(h, 4), 1.0, "3/128 h^4 max |f''''|")));
     EXPECT_GE(found->half_width, std::abs(found->value - std::sin(x)));
     EXPECT_LE(found->half_width, 2.0 * std::pow(h, 4) / 4.0);  // at the second sample 1 1 2 3 h^4/24
   }
-  EXPECT_FALSE(studies::interpolated({{0.0, 1.0}, {0.0, 1.0}, {0.0, 0.0}}, 0.5).has_value());
+  EXPECT_FALSE(comparison::interpolated({{0.0, 1.0}, {0.0, 1.0}, {0.0, 0.0}}, 0.5).has_value());
 }
 
 TEST(ComparedSamples, OfAQuarticHaveTheErrorOfTheCubicThroughFourNeighbours) {
@@ -442,31 +441,31 @@ TEST(ComparedSamples, OfAQuarticHaveTheErrorOfTheCubicThroughFourNeighbours) {
     return sampled(size, 1.0, [](double x) { return x * x * x * x; });
   };
   const auto width = [&](std::size_t size, double x, double most_rough = 1e9) {
-    return studies::interpolated(quartic(size), x, most_rough)->half_width;
+    return comparison::interpolated(quartic(size), x, most_rough)->half_width;
   };
   // The product of the distances to them: 2 1 1 2, and 1 1 2 3 beside an end.
   const auto rounding = round_off(20.0, 3.0, std::pow(39.0, 4));
   for (const auto& [x, error] : std::vector<std::pair<double, double>>{
            {0.5, 6.0}, {8.5, 6.0}, {9.5, 4.0}, {29.5, 4.0}, {30.5, 6.0}, {38.5, 6.0}}) {
-    EXPECT_TRUE(within(studies::roughness_at(quartic(40), x), error, rounding)) << x;
+    EXPECT_TRUE(within(comparison::roughness_at(quartic(40), x), error, rounding)) << x;
     EXPECT_TRUE(within(width(40, x), 2.0 * error, rounding)) << x;
   }
   EXPECT_TRUE(within(width(40, 20.25), 6.0, rounding));
   EXPECT_EQ(width(40, 20.25, 1.0), 1.5);
   EXPECT_TRUE(within(width(5, 1.5), 12.0, rounding));
   // Fewer samples: the cubic or the parabola against the straight line.
-  EXPECT_TRUE(std::isinf(studies::roughness_at(quartic(4), 1.5)));
+  EXPECT_TRUE(std::isinf(comparison::roughness_at(quartic(4), 1.5)));
   EXPECT_TRUE(within(width(4, 1.5), 4.0, rounding));
   EXPECT_TRUE(within(width(3, 0.5), 1.75, rounding));
   const data::Interpolation cubic{.order = 3, .error = {}};
-  EXPECT_TRUE(within(studies::interpolated(quartic(4), 1.5, cubic, 0.25)->value, 4.5, rounding));
-  EXPECT_FALSE(studies::interpolated(quartic(3), 1.5, cubic, 0.25).has_value());
+  EXPECT_TRUE(within(comparison::interpolated(quartic(4), 1.5, cubic, 0.25)->value, 4.5, rounding));
+  EXPECT_FALSE(comparison::interpolated(quartic(3), 1.5, cubic, 0.25).has_value());
 }
 
 TEST(ComparedSamples, AreComparedWhereTheyAreAloneAndElseAtThoseOfTheDataSet) {
   const auto reference = sampled(11, 1.0, [](double x) { return x; });
   const auto compared = [&](const std::vector<double>& x) {
-    return studies::by_own_interpolation(reference, {x, x, std::vector(x.size(), 0.0)}, 1.0, 1e-9);
+    return comparison::by_own_interpolation(reference, {x, x, std::vector(x.size(), 0.0)}, 1.0, 1e-9);
   };
   struct Expected {
     std::vector<double> theirs, points;
@@ -486,7 +485,7 @@ TEST(ComparedSamples, AreComparedWhereTheyAreAloneAndElseAtThoseOfTheDataSet) {
   // Values of the right times beside times that are rounded to single precision: the difference is uncertain.
   auto rounded = reference;
   for (double& x : rounded.abscissa) x *= 1.0 + 0x1p-25;
-  const auto points = studies::by_own_interpolation(reference, rounded, 1.0, 1e-12).points;
+  const auto points = comparison::by_own_interpolation(reference, rounded, 1.0, 1e-12).points;
   EXPECT_EQ(points.size(), 11u);
   for (const auto& [x, value, known] : points)
     EXPECT_TRUE(within(value.half_width, 0x1p-25 * x, round_off(40.0, 3.0, 10.0))) << x;
@@ -497,7 +496,7 @@ TEST(ComparedSamples, ThatAreTooFarApartForTheCurveSaySo) {
   const auto curve = [](double x) { return std::sin(2.0 * std::numbers::pi * 0.6 * x); };
   const auto fast = sampled(101, 1.0, curve);
   for (double x = 10.5; x < 90.0; x += 0.37) {
-    const auto found = studies::interpolated(fast, x);
+    const auto found = comparison::interpolated(fast, x);
     EXPECT_GE(found->half_width, std::abs(found->value - curve(x))) << x;
   }
 }

@@ -14,9 +14,9 @@
 
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/data/paper.hpp"
+#include "support/claims.hpp"
 #include "support/error_message.hpp"
 #include "support/input_folder.hpp"
-#include "support/ledgers.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
@@ -72,7 +72,7 @@ TEST(PrintedNumbers, HoldTheResultsOfSection5) {
     EXPECT_EQ(data::printed_number(id).value, value) << id;
 }
 
-TEST(PrintedNumbers, DifferFromThePapersCaseInTheSecondMomentOfAreaOnly) {
+TEST(PrintedNumbers, DifferFromTheCaseInSecondMomentOnly) {
   const auto problem = data::load_case("paper");
   const auto printed = [](const std::string& key) { return data::printed_number("parameter." + key).value; };
   EXPECT_EQ(printed("length"), problem.beam.length());
@@ -141,7 +141,7 @@ TEST(Unstated, NamesWhatTheCaseFileChose) {
 }
 
 STICKSLIP_VERIFIES(Claims, "V3");
-TEST(Claims, HaveIdsOfTheirOwnAndACorrectionWhereTheyDoNotHoldAsPrinted) {
+TEST(Claims, HaveUniqueIdsAndCorrections) {
   std::set<std::string> ids;
   for (const auto& row : testing::claims()) {
     EXPECT_TRUE(ids.insert(row.id).second) << row.id;

@@ -98,7 +98,7 @@ void expect_refused(const Field& field, double value, const std::string& text, c
 }
 
 STICKSLIP_VERIFIES(ProblemTypes, "P1");
-TEST(ProblemTypes, RefuseADirectionOfTheAxialForceThatIsNotBetweenTheTwo) {
+TEST(ProblemTypes, RefuseADirectionOutsideZeroToOne) {
   const Field direction = beam_field("axial_direction", &data::BeamProperties::axial_direction);
   const std::string allowed = "a number from 0 (follows the tip) to 1 (keeps its direction)";
   expect_refused(direction, -0.1, "-0.1", allowed);
@@ -194,7 +194,7 @@ TEST(Beam, AcceptsAnyFiniteAxialForce) {
 }
 
 STICKSLIP_VERIFIES(FrictionLaw, "P2");
-TEST(FrictionLaw, AcceptsCoulombAndRefusesFrictionThatGrowsWithSpeed) {
+TEST(FrictionLaw, RefusesAKineticAboveTheStaticCoefficient) {
   EXPECT_NO_THROW(data::FrictionLaw({.static_coefficient = 0.3, .kinetic_coefficient = 0.3, .decay = 0.0}));
   expect_refused(friction_field("kinetic_coefficient", &data::FrictionCoefficients::kinetic_coefficient), 0.7,
                  "0.7", "at most friction.static_coefficient, which is 0.6");

@@ -234,21 +234,23 @@ json spoiled(const Defect& defect) {
   return package;
 }
 
+// Each key that must be there, left out: of the package, of each object that describes a data set, and those that a
+// comparison of phases needs.
 std::vector<Defect> missing_keys() {
-  struct Object {
-    std::string place, name;
-    std::vector<std::string> keys;
-  };
-  const std::vector<Object> objects{
-      {"/", "the package", {"name", "title", "description", "version", "licenses", "resources"}},
-      {"", "resources/history", {"path", "title", "description", "schema", "provenance"}},
-      {"provenance/", "resources/history/provenance", {"class", "method", "settings", "software", "checks"}},
-      {"comparison/", "resources/history/comparison", {"kind", "values", "abscissa", "events"}},
-      {"comparison/values/0/", "resources/history/comparison/values/0", {"field", "norm", "tolerance"}},
-      {"diagnosis/", "resources/history/diagnosis", {"quantity", "case", "abscissa", "value"}}};
-  std::vector<Defect> list{{{{"name", ""}}, "resources/0 lacks name"}};
-  for (const auto& [place, name, keys] : objects)
-    for (const std::string& key : keys) list.push_back({{{place + key, ""}}, name + " lacks " + key});
+  std::vector<Defect> list{{{{"comparison/abscissa", ""}}, "resources/history/comparison lacks abscissa"},
+                           {{{"comparison/events", ""}}, "resources/history/comparison lacks events"}};
+  for (const char* key : {"name", "title", "description", "version", "licenses", "resources"})
+    list.push_back({{{std::string("/") + key, ""}}, std::string("the package lacks ") + key});
+  for (const auto& [place, keys] : data::required_keys()) {
+    if (!valid_package().contains(json::json_pointer("/resources/0" + (place.empty() ? "" : "/" + place))))
+      continue;
+    std::string name = "resources/history" + (place.empty() ? "" : "/" + place);
+    if (name.ends_with("fields/0")) name.back() = 't';
+    for (const std::string& key : keys)
+      if (key != "bytes" && key != "hash")  // which are written with the tables
+        list.push_back(
+            {{{place.empty() ? key : place + "/" + key, ""}}, (key == "name" ? "" : name) + " lacks " + key});
+  }
   return list;
 }
 
@@ -307,7 +309,11 @@ const std::vector<Defect> comparison_defects{
     {{{"comparison/values/0/tolerance", R"("1e-3")"}}, "must be a number"},
     {{{"comparison/values/-", R"({"field": "phase", "norm": "word", "tolerance": 0})"}},
      "but must be table or events, because words are compared"},
-    {{{"comparison/values/0/decided_by", "{}"}}, "decided_by is for words only"},
+    {{{"comparison/values/0/decided_by", R"({"field": "y", "threshold": 1})"}},
+     "decided_by is for words only"},
+    {{{"/resources/1/comparison/values/-", R"({"field": "change", "norm": "word", "tolerance": 0,
+                                               "decided_by": {"threshold": 1}})"}},
+     "comparison/values/1/decided_by lacks field"},
     {{{"comparison/values/-", R"({"field": "phase", "norm": "word", "tolerance": 0,
                                   "decided_by": {"field": "t", "threshold": 1}})"}},
      "but must be one of the compared values"},
@@ -385,11 +391,14 @@ TEST_F(ReferenceReader, RefusesDigestsAndSizesThatAreNone) {
     write_package(valid_package());
     json package = json::parse(std::ifstream(folder() / "datapackage.json"));
     package["resources"][0][key] = value;
+    if (value.is_null()) package["resources"][0].erase(key);
     folder_.write("datapackage.json", package.dump(1));
     return error_message("history");
   };
   for (const char* hash : {"sha256:12", "md5:0", "", "sha256:"})
     EXPECT_TRUE(contains(with("hash", hash), "hash is \"")) << with("hash", hash);
+  for (const char* key : {"bytes", "hash"})
+    EXPECT_TRUE(contains(with(key, nullptr), std::string("history lacks ") + key)) << with(key, nullptr);
   EXPECT_TRUE(contains(with("hash", "sha256:" + std::string(64, 'g')), "64 hexadecimal digits"));
   EXPECT_TRUE(contains(with("bytes", 0), "bytes is 0, but must be an integer above 0"));
   EXPECT_TRUE(contains(with("bytes", "12"), "bytes is \"12\", but must be an integer"));
@@ -444,6 +453,25 @@ TEST_F(ReferenceReader, RefusesEveryDefectOfATableAtItsPlace) {
     write_history(csv);
     EXPECT_EQ(error_message("history"), "history.csv:" + sentence);
   }
+}
+
+// A key that becomes optional by mistake leaves the table above, too.
+TEST_F(ReferenceReader, RequiresTheseKeysOfADataSet) {
+  const data::KeysByPlace keys = data::required_keys();
+  EXPECT_EQ((std::map<std::string, std::vector<std::string>>(keys.begin(), keys.end())),
+            (std::map<std::string, std::vector<std::string>>{
+                {"", {"name", "path", "bytes", "hash", "title", "description", "schema", "provenance"}},
+                {"schema", {"fields"}},
+                {"schema/fields/0", {"name", "type"}},
+                {"schema/fields/0/constraints", {}},
+                {"schema/foreignKeys/0", {"fields", "reference"}},
+                {"schema/foreignKeys/0/reference", {"resource", "fields"}},
+                {"comparison", {"kind", "values"}},
+                {"comparison/values/0", {"field", "norm", "tolerance"}},
+                {"comparison/values/0/decided_by", {"field", "threshold"}},
+                {"comparison/interpolation", {"order", "error"}},
+                {"diagnosis", {"quantity", "case", "abscissa", "value"}},
+                {"provenance", {"class", "method", "settings", "software", "checks"}}}));
 }
 
 STICKSLIP_VERIFIES(ReferenceKeys, "P5");

@@ -46,7 +46,7 @@ const std::string normal = R"({ distribution = "normal", mean = 0.55, standard_d
 const std::string mu = "\"friction.static_coefficient\" = " + normal + "\n";
 
 STICKSLIP_VERIFIES(UncertaintyTable, "P7");
-TEST_F(UncertaintyTable, IsReadAsItStands) {
+TEST_F(UncertaintyTable, ReadsEveryField) {
   folder_.write("e.csv", "E_Pa,n\n2.1e9,1\n1.9e9,2\n");
   const auto read = data::read_uncertainty(
       write(mu + R"("beam.length" = { distribution = "uniform", lower = "1900 mm", upper = 2 }

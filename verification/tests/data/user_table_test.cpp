@@ -171,7 +171,7 @@ TEST_F(UserTable, ConvertsEveryUnitToThatOfTheDataSet) {
   expect("quasi-static-shape", "x,", "shape", "1,", {{"1", 1.0}, {"-", 1.0}, {"%", 1e-2}});
 }
 
-TEST_F(UserTable, DividesByPowersOfTenSoThatDecimalsStayTheNearestDouble) {
+TEST_F(UserTable, DividesByPowersOfTenExactly) {
   const auto table = read("stick-force", "t_ms,friction_force_mN\n9,300\n18,7\n");
   EXPECT_EQ(table.column("t")->values, (std::vector<double>{0.009, 0.018}));
   EXPECT_EQ(table.column("friction_force")->values, (std::vector<double>{0.3, 0.007}));

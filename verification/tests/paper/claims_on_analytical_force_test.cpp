@@ -20,7 +20,7 @@
 #include "stickslip/solver/modal_analysis.hpp"
 #include "studies/stick/stick_history.hpp"
 #include "support/beams.hpp"
-#include "support/claim.hpp"
+#include "support/claims.hpp"
 #include "support/paper_case.hpp"
 #include "support/tolerance.hpp"
 
@@ -234,7 +234,7 @@ double cubic(double x, int k) {
                   : -3.0 * (1.0 - xi) / (l * l);
 }
 
-TEST(ClaimOnEquation17, TheStaticShapeHasTheBoundaryValuesOfAUnitBaseDisplacement) {
+TEST(ClaimOnEquation17, StaticShapeHasTheBoundaryValues) {
   const double residual = boundary_residual([](double x, int k) { return printed_static_shape(x, k); });
   judge("eq17", {.as_printed = residual <= round_off(20, static_shape_condition(), 1.0).value},
         fmt::format("S(0), L S'(0), S(L) + 1 and L^2 S''(L) of Eq. (18) are at most {:.0e}", residual));

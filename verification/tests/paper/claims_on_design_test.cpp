@@ -13,8 +13,8 @@
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/paper.hpp"
 #include "studies/criterion/length_force_map.hpp"
-#include "support/claim.hpp"
-#include "support/flat_beam.hpp"
+#include "support/beams.hpp"
+#include "support/claims.hpp"
 #include "support/paper_case.hpp"
 
 namespace stickslip::testing {
@@ -115,7 +115,7 @@ void judge_printed_length(const std::string& claim, int mode) {
 TEST(ClaimOnFigure14, TheFirstNaturalFrequencyIs25HzAt0_88mAnd500N) { judge_printed_length("fig14.l1", 1); }
 TEST(ClaimOnFigure14, TheSecondNaturalFrequencyIs25HzAt1_58mAnd500N) { judge_printed_length("fig14.l2", 2); }
 
-TEST(ClaimOnFigure14, EscapeNearTheResonanceLengthsTakesAnExtremelyHighForce) {
+TEST(ClaimOnFigure14, EscapeNearResonanceTakesAHighForce) {
   const double first = resonance(1, printed_axial_force), second = resonance(2, printed_axial_force);
   const double between = 0.5 * (first + second);
   const double at_first = escape_force(first), at_second = escape_force(second),
@@ -127,7 +127,7 @@ TEST(ClaimOnFigure14, EscapeNearTheResonanceLengthsTakesAnExtremelyHighForce) {
                     100.0 * at_second / buckling_load(second), reference, between));
 }
 
-TEST(ClaimOnFigure14, ALargerAxialForceAvoidsStickSlipNearTheResonanceLengths) {
+TEST(ClaimOnFigure14, LargerForceAvoidsStickSlipNearResonance) {
   // "Inevitable": at every axial force up to the buckling load.
   bool always = true, escapes = true;
   std::vector<double> shares;
@@ -147,7 +147,7 @@ TEST(ClaimOnFigure14, ALargerAxialForceAvoidsStickSlipNearTheResonanceLengths) {
                     shares[0], shares[1]));
 }
 
-TEST(ClaimOnFigure14, LengthsAwayFromTheResonanceOnesOfTheirAxialForceAvoidStickSlip) {
+TEST(ClaimOnFigure14, LengthsOffResonanceAvoidStickSlip) {
   const auto all_are_far = [](double length, const std::vector<double>& others) {
     return std::ranges::all_of(others, [length](double other) { return std::abs(length - other) > 0.1; });
   };

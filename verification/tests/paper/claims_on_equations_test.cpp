@@ -20,7 +20,7 @@
 #include "studies/convergence/scheme_comparison.hpp"
 #include "studies/stick/frequencies.hpp"
 #include "support/beams.hpp"
-#include "support/claim.hpp"
+#include "support/claims.hpp"
 #include "support/paper_case.hpp"
 #include "support/tolerance.hpp"
 
@@ -203,7 +203,7 @@ HoldingForce holding_force() {
           closed_form(TipSupport::held).friction_force().real()};
 }
 
-TEST(ClaimOnEquation4, TheStaticFrictionForceIsTheShearForceUnderAFollowerForceOnly) {
+TEST(ClaimOnEquation4, FrictionIsTheShearForceUnderAFollowerForce) {
   const HoldingForce force = holding_force();
   // Fourth order of the mesh: (beta_1 l)^4/720 = 1.3e-7 in the first mode, amplified by its nearness.
   const double allowed = 1e-5 * std::abs(force.shear);
@@ -401,7 +401,7 @@ TEST(ClaimOnEquation9, TheForceInItIsTheKineticOne) {
                     force.follower, f_of_28, f_d));
 }
 
-TEST(ClaimOnEquation10, TheSolutionDoesNotDependOnTheSplitAndIsThatOfEquation1) {
+TEST(ClaimOnEquation10, SolutionDoesNotDependOnTheSplit) {
   const solver::BeamModel model(paper().beam, 20);
   const Eigen::VectorXd by_tip = held_steady_state(model, only_the_tip(model));
   const Eigen::VectorXd by_static_shape = held_steady_state(model, -amplitude * model.unit_tip_deflection());

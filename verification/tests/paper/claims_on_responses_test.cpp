@@ -15,7 +15,7 @@
 #include "stickslip/data/paper.hpp"
 #include "studies/stick_slip/contact_histories.hpp"
 #include "support/beams.hpp"
-#include "support/claim.hpp"
+#include "support/claims.hpp"
 #include "support/paper_case.hpp"
 #include "support/tolerance.hpp"
 
@@ -127,7 +127,7 @@ TEST(ClaimOnSection3, TheTipIsStuckAtTheStart) {
                     closed_form, finite_element));
 }
 
-TEST(ClaimOnSection3, AHundredTimesThePrintedSecondMomentOfAreaGivesTheNaturalFrequencies) {
+TEST(ClaimOnSection3, HundredfoldSecondMomentGivesTheFrequencies) {
   data::BeamProperties as_printed = paper_beam_properties();
   as_printed.second_moment_of_area = data::printed_number("parameter.second_moment_of_area").value;
   const auto first = [](const data::Beam& beam) { return analytic::stick_modes(beam, 1)[0].frequency_hz(); };

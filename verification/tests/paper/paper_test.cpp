@@ -19,7 +19,7 @@
 #include "studies/paper/paper_checks.hpp"
 #include "studies/stick/stick_sum.hpp"
 #include "support/beams.hpp"
-#include "support/ledgers.hpp"
+#include "support/claims.hpp"
 #include "support/paper_case.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
@@ -40,7 +40,7 @@ TEST(PaperCase, IsTheBeamOfSection3WithTheCorrectedSection) {
 }
 
 STICKSLIP_VERIFIES(PrintedNumbers, "P3");
-TEST(PrintedNumbers, AllComeBackButThoseOfErrataWhichHaveTheVerdictOfTheErratum) {
+TEST(PrintedNumbers, AreReproducedUnlessAnErratumSaysNot) {
   const auto ledger = errata();
   std::set<std::string> numbers;
   for (const auto& check : studies::printed_checks(paper())) {
@@ -133,7 +133,7 @@ TEST(Errata, ValuesOfThePrintedTextAreThoseOfTheory) {
   for (const char* erratum : {"E4", "E8", "E9"}) EXPECT_TRUE(with_evidence.contains(erratum)) << erratum;
 }
 
-TEST(Errata, EachHasEvidenceButThoseOfWordingAndTheUndeterminedForces) {
+TEST(Errata, HaveEvidenceUnlessOfWording) {
   std::set<std::string> with_evidence{"E6", "E7", "E12"};
   for (const auto& row : studies::errata_evidence(paper())) with_evidence.insert(row.erratum);
   for (const auto& erratum : errata()) EXPECT_TRUE(with_evidence.contains(erratum.id)) << erratum.id;
@@ -166,7 +166,7 @@ TEST(Errata, E4RestInTheFrameOfTheBaseGivesAnImpulsiveReaction) {
 
 // The printed 169.3 Hz is what 11 to 31 elements round to. With the leading term 1277 Hz/n^4 of the error, the ends of
 // the range, 169.25 and 169.35 Hz, are reached at n = 31.6 and 10.6.
-TEST(Errata, E5ElevenToThirtyOneElementsRoundToThePrintedFrequency) {
+TEST(Errata, E5IsMetByElevenToThirtyOneElements) {
   const auto rounded = [](int elements) {
     const auto modes = solver::stick_modes(solver::BeamModel(paper().beam, elements), 3);
     return std::round(10.0 * modes.back().angular_frequency / (2.0 * std::numbers::pi)) / 10.0;

@@ -12,7 +12,7 @@
 
 #include "render/report.hpp"
 #include "support/requirements.hpp"
-#include "support/sleeping_tool.hpp"
+#include "support/signalled_run.hpp"
 
 namespace stickslip::testing {
 namespace {

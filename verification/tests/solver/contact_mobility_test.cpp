@@ -13,9 +13,9 @@
 #include "stickslip/solver/contact_mobility.hpp"
 #include "stickslip/solver/generalized_alpha.hpp"
 #include "support/beams.hpp"
+#include "support/contact_models.hpp"
 #include "support/parameter_name.hpp"
 #include "support/requirements.hpp"
-#include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -32,7 +32,7 @@ solver::ContactSystem beam_system(int elements, const data::Damping& damping = {
 const data::Damping light({.kelvin_voigt = 6.4e-5});
 
 STICKSLIP_VERIFIES(ContactMobility, "X12");
-TEST(ContactMobility, OfAMassOnASpringAndADashpotIsThatOfTheTextbook) {
+TEST(ContactMobility, OfADampedOscillatorIsTheClosedForm) {
   for (const double damping : {0.0, 3.0}) {
     const SingleMass mass{.mass = 2.0, .stiffness = 50.0, .damping = damping, .normal_force = 1.0};
     const solver::ContactMobility mobility(contact_system(mass));
@@ -48,7 +48,7 @@ TEST(ContactMobility, OfAMassOnASpringAndADashpotIsThatOfTheTextbook) {
 }
 
 // The eigenvalues of the modes are known to eps times the largest: 64 n eps lambda_max against |s^2|.
-TEST(ContactMobility, IsTheInverseOfTheDynamicStiffnessFollowerForceIncluded) {
+TEST(ContactMobility, IsTheInverseOfTheDynamicStiffness) {
   for (const data::Damping& damping : {data::Damping(), light}) {
     const solver::ContactSystem system = beam_system(6, damping);
     const solver::ContactMobility mobility(system);
@@ -64,7 +64,7 @@ TEST(ContactMobility, IsTheInverseOfTheDynamicStiffnessFollowerForceIncluded) {
   }
 }
 
-TEST(ContactMobility, HasTheContactMassAndDampingOfItsHighFrequencies) {
+TEST(ContactMobility, HasContactMassAtHighFrequencies) {
   const solver::ContactSystem system = beam_system(4, light);
   const solver::ContactMobility mobility(system);
   EXPECT_TRUE(
@@ -84,7 +84,7 @@ class SteppedMobility : public ::testing::TestWithParam<double> {};
 STICKSLIP_VERIFIES(SteppedMobility, "X12");
 // The sliding velocities at the alpha level after a unit friction force in the first step alone. At |zeta| =
 // 1/2 what follows step 80 is below 2^-80.
-TEST_P(SteppedMobility, IsTheGeneratingFunctionOfTheResponseToOneStepOfForce) {
+TEST_P(SteppedMobility, IsTheGeneratingFunctionOfAStepResponse) {
   for (const data::Damping& damping : {data::Damping(), light}) {
     for (const double h : {1e-5, 1e-4, 1e-3}) {
       const solver::ContactSystem system = beam_system(3, damping);

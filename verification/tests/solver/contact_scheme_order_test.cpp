@@ -11,7 +11,7 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/convergence/convergence.hpp"
 #include "support/beams.hpp"
-#include "support/exact_pair.hpp"
+#include "support/contact_models.hpp"
 #include "support/order.hpp"
 #include "support/parameter_name.hpp"
 #include "support/requirements.hpp"
@@ -144,7 +144,7 @@ INSTANTIATE_TEST_SUITE_P(SpectralRadius, ContactSchemeOrder, ::testing::Values(0
                          NameOfDouble());
 
 STICKSLIP_VERIFIES(ContactSchemeOrderOfTheBeam, "X9");
-TEST(ContactSchemeOrderOfTheBeam, IsOneForTheTimesWithoutLocationAndTwoForAllElse) {
+TEST(ContactSchemeOrderOfTheBeam, IsOneForUnlocatedTimesElseTwo) {
   // The damped beam of 10 elements through four slips without a reversal, against a run in steps of 0.4 us,
   // whose own error is (1/9.4)^2 of that of the finest level.
   const double duration = 0.12;

@@ -14,12 +14,12 @@
 #include "stickslip/solver/modal_analysis.hpp"
 #include "studies/convergence/convergence.hpp"
 #include "support/beams.hpp"
+#include "support/contact_models.hpp"
 #include "support/error_message.hpp"
-#include "support/free_tip.hpp"
+#include "support/mesh.hpp"
 #include "support/order.hpp"
 #include "support/parameter_name.hpp"
 #include "support/requirements.hpp"
-#include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -33,14 +33,14 @@ TEST(DampingMatrix, IsEmptyWithoutDamping) {
   EXPECT_EQ(solver::damping_matrix(solver::BeamModel(paper_beam(), 5), {}).nonZeros(), 0);
 }
 
-TEST(DampingMatrix, OfKelvinVoigtIsTheElasticStiffnessWithoutTheAxialForce) {
+TEST(DampingMatrix, KelvinVoigtIgnoresTheAxialForce) {
   const Eigen::MatrixXd strained =
       solver::damping_matrix(solver::BeamModel(paper_beam_with_axial_force(4e4), 5), kelvin_voigt(6.4e-5));
   const Eigen::MatrixXd unloaded = solver::BeamModel(paper_beam_with_axial_force(0.0), 5).stick_stiffness();
   EXPECT_EQ((strained - 6.4e-5 * unloaded).cwiseAbs().maxCoeff(), 0.0);
 }
 
-TEST(DampingMatrix, OfARatioIsTheSameForEveryAxialForceAndSymmetric) {
+TEST(DampingMatrix, ModalDampingIgnoresTheAxialForce) {
   const Eigen::MatrixXd loaded =
       solver::damping_matrix(solver::BeamModel(paper_beam_with_axial_force(4e4), 5), of_critical(0.02));
   const Eigen::MatrixXd unloaded =
@@ -52,7 +52,7 @@ TEST(DampingMatrix, OfARatioIsTheSameForEveryAxialForceAndSymmetric) {
 
 // Round-off: the matrix is accurate to eps omega_max for every mode. The modes, from an unsymmetric eigenproblem for
 // 1/omega^2, are accurate to eps omega_n^2/omega_1^2.
-TEST(DampingMatrix, OfARatioDampsEveryModeOfTheFreeTipByThatFractionOfCritical) {
+TEST(DampingMatrix, ModalDampingHasTheRatioInEveryFreeTipMode) {
   constexpr double zeta = 0.02;
   const solver::BeamModel model(paper_beam_with_axial_force(0.0), 10);
   const Eigen::MatrixXd damping = solver::damping_matrix(model, of_critical(zeta));

@@ -115,7 +115,7 @@ TEST(BeamElement, MassOfARigidBodyIsThatOfARod) {
   expect_equal(m * translation, mass_per_length * solver::consistent_load(length), 10);
 }
 
-TEST(BeamElement, HasTwoRigidMotionsWithoutStrainAndOneWithoutSlope) {
+TEST(BeamElement, RigidMotionsHaveNoStrain) {
   const auto eigenvalues = [](const ElementMatrix& matrix) {
     return Eigen::SelfAdjointEigenSolver<ElementMatrix>(matrix).eigenvalues();
   };
@@ -154,7 +154,7 @@ Eigen::VectorXd patch_values(const std::array<double, 4>& c) {
   return values;
 }
 
-TEST(BeamElement, UnequalElementsPassThePatchTestsOfConstantAndLinearCurvature) {
+TEST(BeamElement, PassesPatchTestsOfCurvature) {
   // Nothing but the moments EI w'' and the shear forces -EI w''' at the ends holds them.
   const Eigen::MatrixXd k =
       assembled_patch([](double l) { return solver::bending_stiffness(flexural_rigidity, l); });
@@ -174,7 +174,7 @@ TEST(BeamElement, UnequalElementsPassThePatchTestsOfConstantAndLinearCurvature) 
   expect_forces({0.4, -1.3, 0.0, 0.0}, Eigen::VectorXd::Zero(8));
 }
 
-TEST(BeamElement, UnequalElementsUnderAxialForcePassThePatchTestOfConstantSlope) {
+TEST(BeamElement, PassesPatchTestOfSlopeUnderForce) {
   // w = x: a string under unit tension, pulled down at one end and up at the other.
   const Eigen::VectorXd forces = assembled_patch([](double l) { return solver::geometric_stiffness(l); }) *
                                  patch_values({0.0, 1.0, 0.0, 0.0});

@@ -12,11 +12,10 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/energy_balance.hpp"
 #include "support/beams.hpp"
-#include "support/energy.hpp"
+#include "support/contact_models.hpp"
 #include "support/error_message.hpp"
-#include "support/exact_pair.hpp"
+#include "support/mesh.hpp"
 #include "support/requirements.hpp"
-#include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -48,7 +47,7 @@ TEST(EnergyRecorder, FrictionTakesAllThatASliderHad) {
   }
 }
 
-TEST(EnergyRecorder, FrictionTakesItsForceTimesThePathOfAnOscillator) {
+TEST(EnergyRecorder, FrictionLossIsForceTimesPath) {
   // k/2 (1.04^2 - 0.04^2) = 2.16 J over the turning points 1.04, -0.84, 0.64, -0.44, 0.24, -0.04. At spectral radius 1
   // the turning points are exact, and the trapezoidal rule sums the constant force times the path of each of the 7854
   // steps up to 5 pi/2 s.
@@ -68,7 +67,7 @@ TEST(EnergyRecorder, FrictionTakesItsForceTimesThePathOfAnOscillator) {
   EXPECT_EQ(recorder.balance().friction_loss, loss);
 }
 
-TEST(EnergyRecorder, ResidualOfASlipAtSpectralRadiusOneIsTheDifferenceOfTwoRules) {
+TEST(EnergyRecorder, SlipResidualIsTheDifferenceOfTwoRules) {
   // At spectral radius 1 a step changes the energy by h times the products of mean values and the load at
   // mid-step, exactly; the balance takes means of products. On a wall that runs ahead the friction is constant.
   const ForcedPair pair;
@@ -206,7 +205,7 @@ TEST(ContactChanges, LeaveNoCreepInStick) {
   }
 }
 
-TEST(EnergyRecorder, OverwritingOneVelocityAtACaptureLeavesAResidual) {
+TEST(EnergyRecorder, OverwrittenVelocityLeavesAResidual) {
   // As the paper states it: (1/2) v.M v falls by more or less than the impulse takes.
   const auto residual = [](ContactScheme scheme) {
     return std::abs(
@@ -232,7 +231,7 @@ TEST(EnergyRecorder, BooksNoImpulseOfAContactOnASpring) {
   EXPECT_EQ(recorder.balance().capture_loss, 0.0);
 }
 
-TEST(EnergyRecorder, OfTheBeamHasTheSumOfItsElasticAndGeometricEnergy) {
+TEST(EnergyRecorder, BeamEnergyIsElasticPlusGeometric) {
   const data::NumericalSettings numerics(paper_choices(0.06));
   solver::BeamSimulation simulation(paper_beam(), paper_friction(), data::HarmonicExcitation({25.0, 1e-3}),
                                     numerics);

@@ -71,7 +71,7 @@ TEST(GeneralizedAlpha, AmplificationIsThatOfThePublishedEquations) {
     }
 }
 
-TEST(GeneralizedAlpha, SpectralRadiusAtInfiniteFrequencyIsTheOneAskedFor) {
+TEST(GeneralizedAlpha, SpectralRadiusAtInfinityIsAsAsked) {
   // All three eigenvalues meet there, so that an error e of the matrix moves them by e^(1/3); at omega h =
   // 1e4 the matrix is 1/(omega h)^2 from its limit.
   for (const double radius : {0.0, 0.3, 0.5, 0.9, 1.0})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Observed orders in the mesh, with their constants.
+/// Orders of convergence of the mesh, with the constants that theory predicts.
 
 #include <gtest/gtest.h>
 
@@ -7,15 +7,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/analytic/tip_mobility.hpp"
 #include "stickslip/solver/beam_model.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
 #include "studies/convergence/convergence.hpp"
 #include "studies/stick/frequencies.hpp"
@@ -28,6 +32,8 @@
 
 namespace stickslip::testing {
 namespace {
+
+using Complex = std::complex<double>;
 
 const std::vector<int> meshes{8, 12, 16, 24, 32, 48};
 
@@ -95,7 +101,7 @@ TEST_P(StickFrequencyOrder, IsFourWithThePredictedConstant) {
 INSTANTIATE_TEST_SUITE_P(AxialForce, StickFrequencyOrder, ::testing::Values(-5.0, 0.0, 0.12, 10.0),
                          NameOfDouble());
 
-TEST(StickFrequencyOrder, ConstantWithoutAxialForceIsBetaLToTheFourthOver720) {
+TEST(StickFrequencyOrder, ConstantWithoutForceIsOneOver720) {
   const data::Beam beam = paper_beam_with_axial_force(0.0);
   const auto study = studies::stick_frequency_study(beam, 3, {12, 24});
   const double roots[] = {3.926602312047919, 7.068582745628732, 10.210176122813031};
@@ -225,14 +231,14 @@ void expect_shapes_of_order_four(double load_factor, double first_wave_number, d
 }
 
 STICKSLIP_VERIFIES(StickShapeOrder, "F3");
-TEST(StickShapeOrder, IsFourInTheMeanAndAtTheNodesWithThePredictedConstants) {
+TEST(StickShapeOrder, IsFourWithThePredictedConstants) {
   for (const double load_factor : {0.0, 0.12})
     expect_shapes_of_order_four(load_factor, 1.25 * std::numbers::pi, 1.1, analytic::stick_modes,
                                 solver::stick_modes);
 }
 
 STICKSLIP_VERIFIES(SlipShapeOrder, "F3");
-TEST(SlipShapeOrder, IsFourInTheMeanAndAtTheNodesWithThePredictedConstants) {
+TEST(SlipShapeOrder, IsFourWithThePredictedConstants) {
   // The next term of the norm of I U is int U^(6) U dx = -beta^4 (int U'^2 dx - U U'(L)), the last of which,
   // zero between supports, is the largest of a free tip: 5 times (beta l)^2/40.
   for (const double load_factor : {0.0, 0.12})
@@ -273,7 +279,7 @@ STICKSLIP_VERIFIES(ReactionOrder, "F4");
 // Taylor's series EI [u''' - l/2 u'''' + 3/20 l^2 u^(5) - l^3/42 ... u^(6) + l^4/168 u^(7)] at x = L. It
 // would be of order one, were u'''' not zero there: EI u'''' = -rho A y_tt - P u'', and a stuck tip neither
 // accelerates nor bends; u^(6) vanishes for the same reason.
-TEST(ReactionOrder, IsFourByTheResidualAndTwoByTheShapeFunctionsWithThePredictedConstants) {
+TEST(ReactionOrder, IsFourByResidualAndTwoByShapeFunctions) {
   for (const double hz : {15.0, 35.0, 70.0}) {
     const Vibration vibration{hz, data::Damping(), analytic::TipSupport::held};
     const double omega = vibration.omega();
@@ -321,7 +327,7 @@ STICKSLIP_VERIFIES(StaticShapeOrder, "F2");
 // Between the nodes the interpolation error, l^4/24 s^2 (1 - s)^2 u'''', and at them l^4/720 times an
 // integral over u'''' and the influence function: both of order four, the latter because of the axial force
 // alone.
-TEST(StaticShapeOrder, IsFourAgainstTheClosedFormInTheElementsAndAtTheNodes) {
+TEST(StaticShapeOrder, IsFourInElementsAndAtNodes) {
   // At half the buckling load the shape is no cubic: the mesh must converge to S(x), waves of sqrt(P/EI)
   // long.
   const data::Beam beam = paper_beam_with_axial_force(42e3);
@@ -349,6 +355,64 @@ TEST(StaticShapeOrder, IsFourAgainstTheClosedFormInTheElementsAndAtTheNodes) {
   const double floor = round_off(32, 10.0, 1.0).value;
   EXPECT_TRUE(order_is(order_levels(lengths, middles, of_middles, floor), 4.0));
   EXPECT_TRUE(order_is(order_levels(lengths, nodes, of_nodes, floor), 4.0));
+}
+
+constexpr double rigidity = 2e9 * 1e-4 / 12.0;  // EI, N m^2
+
+/// s e^T (s^2 M + s C + K_slip)^-1 e, e the tip's deflection.
+Complex mesh_mobility(const data::Beam& beam, const data::Damping& damping, int elements, Complex s) {
+  const solver::BeamModel model(beam, elements);
+  const Eigen::MatrixXcd dynamic =
+      s * s * Eigen::MatrixXcd(model.mass().cast<Complex>()) +
+      s * Eigen::MatrixXcd(solver::damping_matrix(model, damping).cast<Complex>()) +
+      Eigen::MatrixXcd(model.slip_stiffness().cast<Complex>());
+  const Eigen::VectorXcd force = Eigen::VectorXcd::Unit(model.degrees_of_freedom(), model.tip_deflection());
+  return s * dynamic.partialPivLu().solve(force)[model.tip_deflection()];
+}
+
+STICKSLIP_VERIFIES(TipMobilityOrder, "A9");
+TEST(TipMobilityOrder, IsFourWithThePredictedConstant) {
+  // Of MeshError, with the motion under a unit force at the tip as the dual one, which it is at P = 0: D
+  // u'''' = -rho A s^2 u, and with the velocity T(x) per unit force
+  //
+  //     Y_h - Y = -l^4 s^3 (rho A)^2/(720 D) int T^2 dx,
+  //
+  // of which the next term is l^2 (2 int T T''/42 + 8 int T'^2/105)/int T^2, with (|r| l)^2/8 more. Other
+  // forces have another constant; the size of their next term is taken from the same formula.
+  constexpr int n = 200;
+  for (const double axial_force : {0.0, 500.0, 5e3, -5e3})
+    for (const double eta : {0.0, 1e-4})
+      for (const Complex s :
+           {Complex(100.0), Complex(60.0, 150.0), Complex(0.0, 120.0), Complex(0.0, 400.0)}) {
+        const data::Beam beam = paper_beam_with_axial_force(axial_force);
+        const data::Damping damping({.kelvin_voigt = eta});
+        const analytic::TipMobility mobility(beam, damping);
+        const double step = beam.length() / n;
+        std::vector<Complex> velocity;
+        for (int i = 0; i <= n; ++i) velocity.push_back(mobility.transfer(step * i, s));
+        Complex square = 0.0, slope_square = 0.0;
+        for (std::size_t i = 0; i <= n; ++i) {
+          square += simpson_weight(static_cast<int>(i), n) * step / 3.0 * std::pow(velocity[i], 2);
+          if (i > 0) slope_square += std::pow(velocity[i] - velocity[i - 1], 2) / step;
+        }
+        // int T T'' = T T'(L) - int T'^2.
+        const Complex bend = velocity[n] * (velocity[n] - velocity[n - 1]) / step - slope_square;
+        const double next =
+            (2.0 / 42.0 * std::abs(bend) + 8.0 / 105.0 * std::abs(slope_square)) / std::abs(square);
+        const double constant = std::abs(s * s * s * 100.0 / (720.0 * rigidity * (1.0 + eta * s)) * square);
+        const double wave = std::abs(s * std::sqrt(10.0 / rigidity));  // |r|^2
+        std::vector<OrderLevel> levels;
+        for (const int elements : {8, 12, 16, 24}) {
+          const double l = beam.length() / elements;
+          const Complex error = mesh_mobility(beam, damping, elements, s) - mobility(s);
+          levels.push_back({.step = l,
+                            .error = std::abs(error),
+                            .next_term = next * l * l * (1.0 + wave * l * l / 8.0),
+                            .floor = round_off(1, std::pow(elements, 4), std::abs(mobility(s))).value});
+        }
+        EXPECT_TRUE(order_is(levels, 4.0, axial_force == 0.0 ? std::optional(constant) : std::nullopt))
+            << "P = " << axial_force << ", eta = " << eta << ", s = " << s;
+      }
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ Tolerance rounding_of_the_plain_loop(const data::Beam& beam, int elements, const
 }
 
 STICKSLIP_VERIFIES(ModalStickRun, "F11");
-TEST(ModalStickRun, GivesTheForceOfThePlainLoopForEverySpectralRadius) {
+TEST(ModalStickRun, ReproducesTheNodalForce) {
   for (const double radius : {0.0, 0.5, 0.9, 1.0})
     for (const auto velocity : {InitialVelocity::quasi_static, InitialVelocity::zero})
       for (const auto& [elements, axial_force] : {std::pair{20, 500.0}, {7, 75000.0}, {3, -2000.0}}) {
@@ -104,7 +104,7 @@ TEST(ModalStickRun, GivesTheForceOfThePlainLoopForEverySpectralRadius) {
       }
 }
 
-TEST(ModalStickRun, StaysWithinTenToTheMinusTenOfThePlainLoopOverTenSeconds) {
+TEST(ModalStickRun, StaysWithin1em10OfTheNodalRun) {
   constexpr long steps = 100000;
   for (const double hz : {25.0, 35.0}) {  // in the first resonance and off it
     const History plain = plain_history(paper_beam(), shaking(hz, 0.5e-3), settings(20, 0.9),
@@ -117,7 +117,7 @@ TEST(ModalStickRun, StaysWithinTenToTheMinusTenOfThePlainLoopOverTenSeconds) {
   }
 }
 
-TEST(ModalStickRun, GivesTheDisplacementAnywhereOnTheBeam) {
+TEST(ModalStickRun, ReproducesTheNodalDisplacement) {
   constexpr long steps = 300;
   const auto excitation = shaking(60.0, 0.5e-3);
   for (const double x : {0.0, 0.13, 1.0, 1.97, 2.0}) {
@@ -132,7 +132,7 @@ TEST(ModalStickRun, GivesTheDisplacementAnywhereOnTheBeam) {
   }
 }
 
-TEST(ModalStickRun, MaximumIsThatOfItsHistoryWhereverTheRunEnds) {
+TEST(ModalStickRun, MaximumIsThatOfItsHistory) {
   // Blocks of 64 steps, 64 blocks at a time: the ends around a whole one of each.
   const ModalStickRun run(paper_beam(), shaking(35.0, 0.5e-3), settings(6, 0.9));
   const auto whole = run.friction_force(9000);
@@ -143,7 +143,7 @@ TEST(ModalStickRun, MaximumIsThatOfItsHistoryWhereverTheRunEnds) {
   }
 }
 
-TEST(ModalStickRun, IsNearerToExtendedPrecisionThanThePlainLoopWhereNothingIsDamped) {
+TEST(ModalStickRun, IsMorePreciseThanTheNodalRun) {
   // At a spectral radius of 1 the roundings of the highest modes stay for ever in the plain loop. The
   // recurrence of each mode as the class states it, in extended precision, from the same modes.
   constexpr long steps = 20000;
@@ -189,7 +189,7 @@ TEST(ModalStickRun, IsNearerToExtendedPrecisionThanThePlainLoopWhereNothingIsDam
       within(of_fast, 0.0, round_off(static_cast<double>(steps) / 64.0, 10.0, largest(displacement))));
 }
 
-TEST(ModalStickRun, IsWhatTheMaximumInModalCoordinatesComesFrom) {
+TEST(ModalStickRun, ReproducesTheForceMaximum) {
   const auto numerics = settings(20, 0.9);
   const double plain = solver::max_abs_friction_force(paper_beam(), shaking(70.0, 0.5e-3), numerics);
   const double modal =
@@ -208,7 +208,7 @@ TEST(ModalStickRun, RefusesABuckledBeam) {
 }
 
 STICKSLIP_VERIFIES(HeldTipBasis, "F11");
-TEST(HeldTipBasis, DiagonalisesTheStickStateAndLeavesTheTipToTheStaticShape) {
+TEST(HeldTipBasis, DiagonalisesTheStickState) {
   for (const int elements : {1, 2, 20}) {
     const BeamModel model(paper_beam(), elements);
     const HeldTipBasis basis = held_tip_basis(model);
@@ -255,7 +255,7 @@ void expect_same_changes(const solver::StickSlipIntegrator& run, const solver::S
 }
 
 STICKSLIP_VERIFIES(ModalSteps, "F11");
-TEST(ModalSteps, TakesTheStepsOfTheGeneralIntegratorInTheSameCoordinates) {
+TEST(ModalSteps, MatchTheGeneralIntegrator) {
   // From the same start through stick, onset, slip, reversals and captures, until rounding has grown visibly.
   const BeamModel model(paper_beam(), 8);
   const auto base = solver::harmonic_motion(shaking(25.0, 1e-3));
@@ -280,7 +280,7 @@ TEST(ModalSteps, TakesTheStepsOfTheGeneralIntegratorInTheSameCoordinates) {
   }
 }
 
-TEST(ModalSteps, SeesTheContactChangesOfTheNodalRun) {
+TEST(ModalSteps, HaveTheEventsOfTheNodalRun) {
   // Rounding, 1e-16 m at first, grows with every change; a quarter of a second has more than fifty.
   const data::NumericalSettings numerics(paper_choices(0.25));
   BeamSimulation nodal = slipping_run(numerics);
@@ -304,7 +304,7 @@ TEST(ModalSteps, SeesTheContactChangesOfTheNodalRun) {
   EXPECT_LE(midspan_difference, 1e-13);
 }
 
-TEST(ModalSteps, SlipsFirstWhenTheNodalRunDoes) {
+TEST(ModalSteps, HaveTheFirstSlipOfTheNodalRun) {
   const data::NumericalSettings numerics(paper_choices(1.0));
   for (const auto& [hz, amplitude] : {std::pair{25.0, 1e-3}, {70.0, 0.5e-3}, {35.0, 0.4e-3}}) {
     const auto nodal = solver::first_slip(paper_beam(), paper_friction(), shaking(hz, amplitude), numerics);
@@ -317,7 +317,7 @@ TEST(ModalSteps, SlipsFirstWhenTheNodalRunDoes) {
   }
 }
 
-TEST(ModalSteps, SeeTheContactChangesOfTheNodalRunAtTheEndOfSteps) {
+TEST(ModalSteps, HaveTheEventsOfTheNodalRunAtEndsOfSteps) {
   const auto run = [](Coordinates coordinates) {
     BeamSimulation simulation = slipping_run(data::NumericalSettings(paper_choices(0.1)),
                                              {.initial_velocity = InitialVelocity::zero,
@@ -332,7 +332,7 @@ TEST(ModalSteps, SeeTheContactChangesOfTheNodalRunAtTheEndOfSteps) {
   EXPECT_NEAR(modal.tip_displacement(), nodal.tip_displacement(), 1e-13);
 }
 
-TEST(ModalSteps, StopsWithTheTimeWhereTheStateIsNoLongerFiniteAsTheNodalRunDoes) {
+TEST(ModalSteps, StopWhereTheStateIsNotFinite) {
   for (const Coordinates coordinates : {Coordinates::nodal, Coordinates::modal}) {
     BeamSimulation run(paper_beam(), paper_friction(), shaking(1000.0, 1e303), settings(20, 0.9),
                        {.contact = TipContact::bonded, .coordinates = coordinates});

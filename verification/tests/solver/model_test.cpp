@@ -17,8 +17,8 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
 #include "support/beams.hpp"
-#include "support/energy.hpp"
 #include "support/error_message.hpp"
+#include "support/mesh.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
@@ -41,7 +41,7 @@ TEST(BeamModel, TipLoadBendsTheCantileverExactly) {
   }
 }
 
-TEST(BeamModel, UniformAccelerationBendsTheCantileverExactlyAtItsTip) {
+TEST(BeamModel, CantileverTipDeflectionIsExact) {
   const data::Beam beam = paper_beam_with_axial_force(0.0);
   const solver::BeamModel model(beam, 5);
   const double per_length = beam.density() * beam.area();
@@ -78,7 +78,7 @@ TEST(BeamModel, FollowerTermIsTheAxialForceInTheTipRowAlone) {
   EXPECT_EQ(difference.cwiseAbs().maxCoeff(), 0.0);
 }
 
-TEST(BeamModel, WithoutTheFollowerTermAFreeTipBucklesUnderADeadLoad) {
+TEST(BeamModel, FreeTipBucklesUnderADeadLoad) {
   // Euler: pi^2/4. The load error of a Hermite mesh is (pi/2 l/L)^4/720 at leading order.
   const data::Beam beam = paper_beam();
   const solver::BeamModel model(beam, 10);
@@ -169,7 +169,7 @@ TEST(BeamModel, FormsOfPolynomialsAreTheirIntegrals) {
   }
 }
 
-TEST(BeamModel, SlipStateHoldsAParabolaByItsLoadAndItsTipMomentAlone) {
+TEST(BeamModel, SlipStateHoldsAParabola) {
   // EI w'''' + P w'' = 2 P along the beam, EI w'' = 2 EI at the tip, EI w''' = 0: no tip force, although P w'
   // is not zero there. In stick the tip's row keeps -P w'(L).
   for (const double axial_force : {-4e4, 9e3}) {
@@ -192,7 +192,7 @@ TEST(BeamModel, SlipStateHoldsAParabolaByItsLoadAndItsTipMomentAlone) {
   }
 }
 
-TEST(BeamModel, MatricesOfTheClampedBeamArePositiveDefiniteAndSymmetric) {
+TEST(BeamModel, MatricesArePositiveDefinite) {
   const solver::BeamModel model(paper_beam_with_axial_force(-1e4), 6);
   for (const solver::SparseMatrix* sparse :
        {&model.mass(), &model.elastic_stiffness(), &model.geometric_stiffness(), &model.stick_stiffness()}) {

@@ -13,11 +13,10 @@
 #include "studies/convergence/convergence.hpp"
 #include "studies/convergence/discretisation.hpp"
 #include "studies/convergence/time_order.hpp"
-#include "support/exact_pair.hpp"
+#include "support/contact_models.hpp"
 #include "support/order.hpp"
 #include "support/parameter_name.hpp"
 #include "support/requirements.hpp"
-#include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -193,7 +192,7 @@ TEST(ContactLocation, TimeOfReversalsIsOfSecondOrder) {
 // The velocity at a turning point is zero, so that a small error in time does not change the position. The error of
 // the position is the numerical dissipation: the half swings of 0.94, 0.74, 0.54 and 0.34 m about 0.1 and -0.1 m in
 // turn decay as a free vibration does by this method, exp(-rate t) with rate = O(h^3).
-TEST(ContactLocation, PositionOfReversalsIsOfThirdOrderByTheMethodsDissipation) {
+TEST(ContactLocation, PositionOfReversalsIsOfThirdOrder) {
   const double swings = (0.94 + 0.74 + 0.54 + 0.34) * std::numbers::pi / 2.0;
   for (const double radius : {0.0, 0.5, 0.9}) {
     const auto rate = [radius](double h) {

@@ -2,7 +2,8 @@
 # Checks the structure that the targets of this project make; the configuration stops where it is broken:
 # - no target sees the folder `src` of another folder;
 # - no target outside verification/tests is given a path in verification/tests;
-# - the folders do not depend on each other in a cycle.
+# - the folders do not depend on each other in a cycle;
+# - verification/comparison uses data alone.
 # The folder of a target is that of its CMakeLists.txt.
 
 function(stickslip_targets_below directory result)
@@ -93,4 +94,12 @@ endforeach()
 list(REMOVE_DUPLICATES all_folders)
 foreach(folder IN LISTS all_folders)
   stickslip_check_cycles("${folder}" "")
+endforeach()
+
+# Who judges results of others needs no physics.
+get_property(used_by_judge GLOBAL PROPERTY "stickslip_uses_verification/comparison")
+foreach(folder IN LISTS used_by_judge)
+  if(NOT folder STREQUAL data)
+    message(SEND_ERROR "The folder verification/comparison judges files, but uses ${folder}.")
+  endif()
 endforeach()

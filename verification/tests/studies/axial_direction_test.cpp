@@ -83,7 +83,7 @@ class BucklingInSlip : public ::testing::TestWithParam<double> {};
 // [1 - 11 y^2/(210 n^2)]), y^2 the load factor, whatever the condition at the tip. (The strain energy of the
 // interpolant lacks y^4/(720 n^4) [1 - y^2/(35 n^2)], the work of P has y^6/(30240 n^6) too little.)
 STICKSLIP_VERIFIES(BucklingInSlip, "X23");
-TEST_P(BucklingInSlip, OfTheMeshConvergesToTheClosedFormWithOrderFourAndThePredictedConstant) {
+TEST_P(BucklingInSlip, OfTheMeshHasOrderFourAndItsConstant) {
   const double exact = critical_factor(GetParam());
   std::vector<OrderLevel> levels;
   for (const int n : {3, 4, 6, 8}) {
@@ -99,7 +99,7 @@ TEST_P(BucklingInSlip, OfTheMeshConvergesToTheClosedFormWithOrderFourAndThePredi
 INSTANTIATE_TEST_SUITE_P(AxialDirection, BucklingInSlip, ::testing::Values(0.501, 0.6, 0.8, 1.0),
                          NameOfDouble());
 
-TEST(SlipCriticalLoad, OfTheMeshConvergesWithOrderFourWhereItIsFlutter) {
+TEST(SlipCriticalLoad, FlutterLoadOfTheMeshHasOrderFour) {
   // As FlutterLoadOrder: beta_bar L = 5.0 where the modes meet, four times (beta_bar l)^2/40 at a free tip.
   for (const double axial_direction : {0.2, 0.45}) {
     const double exact = critical_factor(axial_direction);
@@ -128,7 +128,7 @@ double least_chi(const std::function<double(double)>& stiffness_over_follower) {
   return 1.0 + stiffness_over_follower(0.5 * (low + high));
 }
 
-TEST(SlipCriticalLoad, ChangesFromFlutterToBucklingAtOneHalfInBothImplementations) {
+TEST(SlipCriticalLoad, ChangesFromFlutterToBucklingAtOneHalf) {
   const auto beam_ratio = [](double factor) {
     const analytic::BeamContactModel beam(beam_with(0.0, factor), paper_friction(),
                                           data::HarmonicExcitation({25.0, 1e-3}), {}, 1);
@@ -171,7 +171,7 @@ TEST_P(AxialDirection, LeavesTheStickFrequenciesAlone) {
   }
 }
 
-TEST_P(AxialDirection, GivesTheMeshTheSlipFrequenciesOfTheBeamWithOrderFour) {
+TEST_P(AxialDirection, SlipFrequenciesOfTheMeshHaveOrderFour) {
   // As SlipFrequencyOrder; the axial force changes the constants, which are left out here, and lengthens the
   // trigonometric wave number, whose square is that of the hyperbolic one and the load factor, 2.
   const auto study = studies::slip_frequency_study(beam_with(GetParam(), 2.0), 3, {8, 12, 16, 24, 32});
@@ -190,7 +190,7 @@ TEST_P(AxialDirection, GivesTheMeshTheSlipFrequenciesOfTheBeamWithOrderFour) {
   }
 }
 
-TEST_P(AxialDirection, GivesTheMeshTheSteadyForceOfTheHeldBeamWithOrderFour) {
+TEST_P(AxialDirection, SteadyForceOfTheMeshHasOrderFour) {
   // (beta l)^2/10 as in MeshedHistory, with beta L = 3.9 of mode 1, below whose frequency the excitation stays:
   // above it the constant passes zero.
   const data::Case damped = case_with_direction("damped", GetParam());
@@ -209,7 +209,7 @@ TEST_P(AxialDirection, GivesTheMeshTheSteadyForceOfTheHeldBeamWithOrderFour) {
   }
 }
 
-TEST_P(AxialDirection, GivesTheMobilityItsPolesZerosAndStaticLimitAndTheMeshTheSameWithOrderFour) {
+TEST_P(AxialDirection, MobilityHasItsPolesZerosAndStaticLimit) {
   const double factor = 2.0, y = std::sqrt(factor), chi = GetParam();
   const data::Beam beam = beam_with(chi, factor);
   const analytic::TipMobility mobility(beam);
@@ -242,7 +242,7 @@ TEST_P(AxialDirection, GivesTheMobilityItsPolesZerosAndStaticLimitAndTheMeshTheS
   EXPECT_TRUE(order_is(levels, 4.0));
 }
 
-TEST_P(AxialDirection, KeepsTheFreeTipOfTheDampedSteadyStateFreeOfForce) {
+TEST_P(AxialDirection, DampedFreeTipIsFreeOfForce) {
   const data::Beam beam = beam_with(GetParam(), 2.0);
   for (const double hz : {1.0, 25.0, 400.0})
     for (const double eta : {0.0, 6.4e-5}) {
@@ -286,7 +286,7 @@ TEST_P(AxialDirection, IsInTheStaticReactionAndInTheTableOfReactions) {
   }
 }
 
-TEST_P(AxialDirection, BalancesTheEnergyOfADampedHistoryWithTheShareOfTheForceThatFollows) {
+TEST_P(AxialDirection, EnergyOfADampedHistoryBalances) {
   const auto audit = studies::energy_audit(case_with_direction("damped", GetParam()), 0.09, {6}, 10,
                                            {1e-5, 5e-6, 2.5e-6, 1.25e-6});
   const double work = audit.event_driven.base_work;
@@ -309,7 +309,7 @@ TEST_P(AxialDirection, BalancesTheEnergyOfADampedHistoryWithTheShareOfTheForceTh
 INSTANTIATE_TEST_SUITE_P(Chi, AxialDirection, ::testing::Values(0.0, 0.3, 1.0), NameOfDouble());
 
 STICKSLIP_VERIFIES(DeadLoadHistory, "X23");
-TEST(DeadLoadHistory, IsTheSameByFiniteElementsInTimeStepsAndByContinuousModesFromEventToEvent) {
+TEST(DeadLoadHistory, IsTheSameInBothImplementations) {
   const auto benchmark =
       studies::damped_benchmark(case_with_direction("damped", 1.0), {.duration = 0.1,
                                                                      .modes = 28,
@@ -332,7 +332,7 @@ TEST(DeadLoadHistory, IsTheSameByFiniteElementsInTimeStepsAndByContinuousModesFr
 }
 
 STICKSLIP_VERIFIES(ModelForm, "X23");
-TEST(ModelForm, OfTheAxialForceIsThatOfTheMapsAndBucklesTheSectionOfFigure14) {
+TEST(ModelForm, OfTheAxialForceBucklesTheFlatSection) {
   const data::Case flat = data::load_case("paper-figure14");
   const auto form =
       studies::model_form(data::load_case("paper"), data::load_case("paper-half-stiffness"), flat, 5);

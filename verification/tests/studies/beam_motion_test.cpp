@@ -17,7 +17,7 @@
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/convergence/discretisation.hpp"
-#include "studies/stick_slip/event_history.hpp"
+#include "studies/history/runs.hpp"
 #include "support/beams.hpp"
 #include "support/parameter_name.hpp"
 #include "support/requirements.hpp"
@@ -25,6 +25,13 @@
 
 namespace stickslip::testing {
 namespace {
+
+data::Case with_modes(data::Case at, int modes) {
+  data::NumericalChoices choices = at.numerics.choices();
+  choices.modes = modes;
+  at.numerics = data::NumericalSettings(choices);
+  return at;
+}
 
 class BeamMotionAt : public ::testing::TestWithParam<double> {};
 
@@ -40,18 +47,18 @@ TEST_P(BeamMotionAt, AgreesWithinThePredictionWhileTheTipSticks) {
   // One period, from a quarter of it before the first slip on, and the reference sticks up to there.
   const double period = 1.0 / GetParam();
   const double start = study.first_slip ? *study.first_slip - 0.25 * period : 0.0;
-  EXPECT_NEAR(study.reference.snapshots.front().time, start, 0.5001e-4);
-  EXPECT_NEAR(study.reference.snapshots.back().time, start + period, 0.5001e-4);
-  // The free modes say the mean force of the last step, 1e-4/128 s: off by half a step times the largest slope.
+  EXPECT_NEAR(study.reference.rows.front().time, start, 0.5001e-4);
+  EXPECT_NEAR(study.reference.rows.back().time, start + period, 0.5001e-4);
+  // The free modes say means over steps of 1e-4/128 s: off by less than half a step times the largest slope.
   const data::Case at = paper_problem(GetParam(), 0.5e-3);
   const analytic::StickResponse response(at.beam, at.excitation, 60, analytic::SteadyPart::exact);
   double slope = 2.0 * std::numbers::pi * GetParam() * std::abs(response.steady_force_amplitude());
   for (const auto& [amplitude, omega] : response.transient_force()) slope += std::abs(amplitude) * omega;
   const double force_error = response.omitted_transient_bound() + 0.5 * 1e-4 / 128.0 * slope;
-  for (const auto& snapshot : study.reference.snapshots) {
-    if (study.first_slip && snapshot.time > *study.first_slip) break;
-    EXPECT_TRUE(snapshot.sticks);
-    EXPECT_TRUE(within(snapshot.friction_force, response.friction_force(snapshot.time),
+  for (const auto& row : study.reference.rows) {
+    if (study.first_slip && row.time > *study.first_slip) break;
+    EXPECT_EQ(row.state, data::ContactState::stick);
+    EXPECT_TRUE(within(row.friction_force, response.friction_force(row.time),
                        discretisation(force_error, 1.01, "mean over a step")));
   }
   constexpr double always = std::numeric_limits<double>::infinity();
@@ -65,9 +72,10 @@ INSTANTIATE_TEST_SUITE_P(Hertz, BeamMotionAt, ::testing::Values(15.0, 25.0, 35.0
 STICKSLIP_VERIFIES(BeamMotion, "X6");
 TEST(BeamMotion, PredictionHoldsWhereAModeIsInResonance) {
   const data::Case at = paper_problem(24.972, 0.5e-3);
-  const studies::MotionGrid grid{0.0, 0.09, 31, 21};
-  const auto finite_element = studies::finite_element_motion(at, grid);
-  const auto closed_form = studies::closed_form_motion(at, grid, 60);
+  const auto grid = studies::snapshots_of(at, 0.0, 0.09, 31, 21);
+  const auto finite_element = studies::finite_element_history(at, grid);
+  const auto closed_form =
+      studies::closed_form_history(with_modes(at, 60), grid, analytic::SteadyPart::exact);
   const double predicted = studies::predicted_stick_difference(at, grid, 0.09);
   EXPECT_TRUE(within(studies::largest_difference(finite_element, closed_form, 0.09), 0.0,
                      discretisation(predicted, 1.1, "response of every discrete mode")));
@@ -94,14 +102,15 @@ TEST(BeamMotion, PredictionIsTheSumOverTheModes) {
     }
   const double expected = largest + 0.25 * std::pow(omega * h, 2) * motion;
   // Angles up to 365000 rad/s for 0.04 s are rounded by 2e-12, against a difference of 1e-4 and more of g.
-  EXPECT_NEAR(studies::predicted_stick_difference(at, {0.0, 0.05, 6, 3}, 0.045), expected, 1e-7 * expected);
+  EXPECT_NEAR(studies::predicted_stick_difference(at, studies::snapshots_of(at, 0.0, 0.05, 6, 3), 0.045),
+              expected, 1e-7 * expected);
 }
 
 TEST(BeamMotion, EventDrivenIsTheClosedFormUntilTheFirstSlip) {
   const data::Case at = paper_problem(25.0, 0.5e-3);
-  const studies::MotionGrid grid{0.0, 0.0969, 31, 21};  // the first slip is at 0.09692 s
-  const auto events = studies::event_driven_motion(at, grid);
-  const auto closed_form = studies::closed_form_motion(at, grid, at.numerics.modes());
+  const auto grid = studies::snapshots_of(at, 0.0, 0.0969, 31, 21);  // the first slip is at 0.09692 s
+  const auto events = studies::event_driven_history(at, grid);
+  const auto closed_form = studies::closed_form_history(at, grid, analytic::SteadyPart::exact);
   // They differ in the steady part of the modes n > 10: A0 (Omega/omega_n)^2 |U_n C_n|, which falls as n^-5,
   // so that its tail is n/4 times its first term. |U_n| <= 1.6.
   const auto next = analytic::stick_modes(at.beam, at.numerics.modes() + 1).back();
@@ -112,48 +121,48 @@ TEST(BeamMotion, EventDrivenIsTheClosedFormUntilTheFirstSlip) {
 }
 
 // Stick, the first slip at 0.0552 s, and the plateau after it; three points in each of 20 elements.
-constexpr studies::MotionGrid slip_grid{0.0, 0.08, 9, 61};
+studies::Sampling slip_grid(const data::Case& at) { return studies::snapshots_of(at, 0.0, 0.08, 9, 61); }
 
 TEST(BeamMotion, EndsInTheTipThatTheSimulationsReport) {
   const data::Case at = paper_problem(25.0, 1e-3);
-  const auto by_elements = studies::finite_element_motion(at, slip_grid);
-  const auto by_events = studies::event_driven_motion(at, slip_grid);
+  const auto by_elements = studies::finite_element_history(at, slip_grid(at));
+  const auto by_events = studies::event_driven_history(at, slip_grid(at));
   const analytic::BeamContactModel beam(at.beam, at.friction, at.excitation, at.damping, at.numerics.modes());
-  const auto history = studies::event_driven_history(beam.model(), 0.08, 0.01);
+  const auto history = studies::event_driven_history(beam.model(), studies::sample_times(0.08, 0.01));
   solver::BeamSimulation simulation(at.beam, at.friction, at.excitation, at.numerics,
                                     {.coordinates = solver::Coordinates::fastest});
   analytic::EventDriven run(beam.model());
   int slips = 0;
-  for (std::size_t i = 0; i < by_elements.snapshots.size(); ++i) {
+  for (std::size_t i = 0; i < by_elements.rows.size(); ++i) {
     for (int n = 0; i > 0 && n < 100; ++n) simulation.step();
-    const auto& snapshot = by_elements.snapshots[i];
+    const auto& snapshot = by_elements.rows[i];
     EXPECT_EQ(snapshot.time, simulation.time());
     EXPECT_EQ(snapshot.friction_force, simulation.friction_force());
-    EXPECT_EQ(snapshot.sticks, simulation.state() == data::ContactState::stick);
+    EXPECT_EQ(snapshot.state, simulation.state());
     EXPECT_TRUE(within(snapshot.displacement.back(), simulation.tip_displacement(), round_off(4, 1, 1e-3)));
     // U_n(L) is zero but for round-off, in each of ten modes.
-    EXPECT_TRUE(within(by_events.snapshots[i].displacement.back(), history.tip_displacement[i],
+    EXPECT_TRUE(within(by_events.rows[i].displacement.back(), history.rows[i].tip_displacement,
                        round_off(40, 1, studies::peak(by_events))));
-    run.advance_to(by_events.snapshots[i].time);
-    EXPECT_EQ(by_events.snapshots[i].sticks, run.state() == data::ContactState::stick);
-    EXPECT_EQ(by_events.snapshots[i].friction_force, -run.friction_force());  // f = -f_d
-    if (!snapshot.sticks) ++slips;
+    run.advance_to(by_events.rows[i].time);
+    EXPECT_EQ(by_events.rows[i].state, run.state());
+    EXPECT_EQ(by_events.rows[i].friction_force, -run.friction_force());  // f = -f_d
+    if (snapshot.state == data::ContactState::slip) ++slips;
   }
   EXPECT_GT(slips, 0);
 }
 
 TEST(BeamMotion, BeginsInTheBaseWithoutSlope) {
   const data::Case at = paper_problem(25.0, 1e-3);
-  const auto by_elements = studies::finite_element_motion(at, slip_grid);
-  const auto by_events = studies::event_driven_motion(at, slip_grid);
-  const double h = by_elements.position[1];
+  const auto by_elements = studies::finite_element_history(at, slip_grid(at));
+  const auto by_events = studies::event_driven_history(at, slip_grid(at));
+  const double h = slip_grid(at).positions[1];
   const auto slope = [h](const std::vector<double>& y) {
     return (-11.0 * y[0] + 18.0 * y[1] - 9.0 * y[2] + 2.0 * y[3]) / (6.0 * h);
   };
-  for (std::size_t i = 0; i < by_elements.snapshots.size(); ++i) {
-    const double base = 1e-3 * std::sin(2.0 * std::numbers::pi * 25.0 * by_elements.snapshots[i].time);
-    const auto& mesh = by_elements.snapshots[i].displacement;
-    const auto& exact = by_events.snapshots[i].displacement;
+  for (std::size_t i = 0; i < by_elements.rows.size(); ++i) {
+    const double base = 1e-3 * std::sin(2.0 * std::numbers::pi * 25.0 * by_elements.rows[i].time);
+    const auto& mesh = by_elements.rows[i].displacement;
+    const auto& exact = by_events.rows[i].displacement;
     EXPECT_TRUE(within(mesh[0], base, round_off(20, 1, 1e-3)));
     EXPECT_TRUE(within(exact[0], base, round_off(20, 1, 1e-3)));
     // Exact for the cubic of an element but for the rounding of four values.
@@ -171,12 +180,12 @@ TEST(BeamMotion, BeginsInTheBaseWithoutSlope) {
 
 TEST(BeamMotion, RefusesAGridThatCannotBeSampled) {
   const data::Case at = paper_problem(25.0, 0.5e-3);
-  EXPECT_THROW((void)studies::finite_element_motion(at, {-1.0, 0.1, 9, 9}), data::FieldError);
-  EXPECT_THROW((void)studies::finite_element_motion(at, {0.0, 0.1, 1, 9}), data::FieldError);
-  EXPECT_THROW((void)studies::event_driven_motion(at, {0.0, 0.1, 9, 1}), data::FieldError);
-  EXPECT_THROW((void)studies::closed_form_motion(at, {0.0, 1e-3, 12, 9}, 10), data::FieldError);
-  EXPECT_EQ(studies::closed_form_motion(at, {0.0, 1e-3, 11, 9}, 10).snapshots.size(), 11U);
-  EXPECT_EQ(studies::closed_form_motion(at, {0.0, 1e-3, 2, 2}, 10).snapshots.size(), 2U);
+  EXPECT_THROW((void)studies::snapshots_of(at, -1.0, 0.1, 9, 9), data::FieldError);
+  EXPECT_THROW((void)studies::snapshots_of(at, 0.0, 0.1, 1, 9), data::FieldError);
+  EXPECT_THROW((void)studies::snapshots_of(at, 0.0, 0.1, 9, 1), data::FieldError);
+  EXPECT_THROW((void)studies::snapshots_of(at, 0.0, 1e-3, 12, 9), data::FieldError);
+  EXPECT_EQ(studies::snapshots_of(at, 0.0, 1e-3, 11, 9).times.size(), 11U);
+  EXPECT_EQ(studies::snapshots_of(at, 0.0, 1e-3, 2, 2).positions.size(), 2U);
 }
 
 }  // namespace

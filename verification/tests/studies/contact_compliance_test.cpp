@@ -17,12 +17,12 @@
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/criterion/model_form.hpp"
-#include "studies/stick_slip/event_history.hpp"
-#include "studies/stick_slip/regularisation.hpp"
+#include "studies/history/runs.hpp"
+#include "support/contact_models.hpp"
 #include "support/error_message.hpp"
 #include "support/order.hpp"
+#include "support/regularisation.hpp"
 #include "support/requirements.hpp"
-#include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -110,8 +110,7 @@ class ExactMassOnASpring {
 constexpr double stiffness = 400.0, shaking = 2.0, until = 2.0;
 
 double stepped_error(double h) {
-  solver::ContactSystem system =
-      contact_system({.normal_force = 10.0, .friction = coulomb}, shaken(shaking, 1.0));
+  solver::ContactSystem system = contact_system(shaken_plane(shaking));
   system.tangential = spring(stiffness);
   solver::StickSlipIntegrator stepped(system, {.time_step = h, .spectral_radius = 0.9});
   stepped.start_stuck(scalar(0.0), scalar(0.0));
@@ -162,7 +161,7 @@ void expect_second_order(const std::function<double(double)>& error) {
 }
 
 STICKSLIP_VERIFIES(ContactSpring, "X25");
-TEST(ContactSpring, CarriesAMassAsTheExactSolutionSaysAtSecondOrderInBothImplementations) {
+TEST(ContactSpring, HasOrderTwoInBothImplementations) {
   ExactMassOnASpring exact(stiffness, shaking);
   exact.advance_to(until);
   ASSERT_GE(exact.changes(), 6);
@@ -174,7 +173,7 @@ TEST(ContactSpring, CarriesAMassAsTheExactSolutionSaysAtSecondOrderInBothImpleme
 // theta = 1 - 2 mu N/(F + mu N), and the mass leaves with the velocity (F + mu N) sin(theta)/omega. Set-valued friction
 // turns at once. Behind the turn they differ by t [(F + mu N) sin(theta) - (F - mu N) theta]/omega: of the order 1/2 in
 // 1/k_t. The next term is smaller by some theta/(omega t).
-TEST(ContactSpring, TendsToTheSetValuedLawAtHalfOrderWhereAMassTurnsInSlip) {
+TEST(ContactSpring, TendsToTheSetValuedLawAtHalfOrder) {
   constexpr double force = 3.0, start = 2.0, after = 1.0;
   const double turn = start / (force + 1.0), theta = std::acos(1.0 - 2.0 / (force + 1.0));
   const double leading = (force + 1.0) * std::sin(theta) - (force - 1.0) * theta;
@@ -223,7 +222,7 @@ void expect_second_order_of_the_smooth_law(const std::function<double(double)>& 
 }
 
 STICKSLIP_VERIFIES(SmoothLaw, "X25");
-TEST(SmoothLaw, AcceleratesAMassAsTheClosedFormSaysAtSecondOrderInBothImplementations) {
+TEST(SmoothLaw, HasOrderTwoInBothImplementations) {
   expect_second_order_of_the_smooth_law([](double h) {
     auto mass = pushed_mass(push, width_of_law, h);
     mass.start_stuck(scalar(0.0), scalar(0.0));
@@ -285,11 +284,8 @@ data::Case damped_case(const data::TangentialContact& contact, double duration) 
 // Every `divisor`-th step.
 std::vector<double> stepped_tip(const data::Case& problem, int elements, int divisor) {
   const double h = problem.numerics.time_step() / divisor;
-  return studies::time_stepper_history(problem.beam, problem.friction, problem.excitation,
-                                       studies::refined(problem.numerics, elements, h),
-                                       {.damping = problem.damping, .tangential = problem.contact},
-                                       problem.numerics.duration(), divisor)
-      .tip_displacement;
+  return studies::tip_displacements(studies::finite_element_history(
+      studies::refined(problem, elements, h, problem.numerics.duration()), {.every = divisor}));
 }
 
 class YieldingContact : public ::testing::TestWithParam<const char*> {
@@ -317,11 +313,11 @@ TEST_P(YieldingContact, MovesTheBeamAlikeInBothImplementations) {
 
 // In the coordinates of the held tip the same steps are taken, without damping.
 TEST_P(YieldingContact, StepsAlikeInModalCoordinates) {
-  const data::Case problem = damped_case(contact(), 0.1);
+  data::Case problem = damped_case(contact(), 0.1);
+  problem.damping = {};
   const auto tip = [&](solver::Coordinates coordinates) {
-    return studies::time_stepper_history(problem.beam, problem.friction, problem.excitation, problem.numerics,
-                                         {.coordinates = coordinates, .tangential = problem.contact}, 0.1)
-        .tip_displacement;
+    return studies::tip_displacements(
+        studies::finite_element_history(problem, {}, {.coordinates = coordinates}));
   };
   EXPECT_LT(studies::largest_difference(tip(solver::Coordinates::nodal), tip(solver::Coordinates::modal)),
             1e-10);
@@ -362,9 +358,8 @@ INSTANTIATE_TEST_SUITE_P(Contact, YieldingContact, ::testing::Values("spring", "
 
 // --- On the way to the set-valued law
 
-const studies::RegularisationRate& rate(const std::vector<studies::RegularisationRate>& rates,
-                                        const std::string& quantity) {
-  return *std::ranges::find(rates, quantity, &studies::RegularisationRate::quantity);
+const RegularisationRate& rate(const std::vector<RegularisationRate>& rates, const std::string& quantity) {
+  return *std::ranges::find(rates, quantity, &RegularisationRate::quantity);
 }
 
 // Stated before it was measured: the spring moves the tip by f/k_t while it sticks, which changes the forces by O(1/k_t)
@@ -372,13 +367,13 @@ const studies::RegularisationRate& rate(const std::vector<studies::Regularisatio
 // force jumps at a capture. The spring takes a time tau for that, k_t Y(1/tau) tau = 1 with Y ~ s^-1/2 of the undamped and
 // s^-3/4 of the Kelvin-Voigt beam: tau ~ k_t^-2/3 to k_t^-4/7, so that the mean of |delta f| lies between that and 1/k_t.
 STICKSLIP_VERIFIES(Regularisation, "X25");
-TEST(Regularisation, TendsToTheSetValuedLawAtFirstOrderInMotionAndOnset) {
+TEST(Regularisation, HasOrderOneInMotionAndOnset) {
   const data::Case problem = damped_case({}, 0.08);
   std::vector<data::ContactProperties> stiffer, narrower;
   for (const double k : {3.2e7, 1.28e8, 5.12e8, 2.048e9}) stiffer.push_back({.tangential_stiffness = k});
   for (const double width : {4e-4, 1e-4, 2.5e-5, 6.25e-6}) narrower.push_back(smooth(width).properties());
-  const auto springs = studies::regularisation_rates(problem, stiffer, 4e-6);
-  const auto laws = studies::regularisation_rates(problem, narrower, 4e-6);
+  const auto springs = regularisation_rates(problem, stiffer, 4e-6);
+  const auto laws = regularisation_rates(problem, narrower, 4e-6);
   for (const auto& rates : {springs, laws})
     for (const char* quantity : {"first slip", "position"})
       EXPECT_NEAR(rate(rates, quantity).order, 1.0, 0.05) << quantity;
@@ -399,14 +394,14 @@ TEST(Regularisation, ChangesFirstSlipTravelAndWorkAsTheManualSays) {
     std::string name;
     double first_slip, travel, work;
   };
-  const auto settings = studies::code_settings(problem);
+  const auto settings = code_settings(problem);
   for (const Row& row : std::vector<Row>{{"set-valued law", 9.48e-3, 3.087e-3, 0.777},
                                          {"elastic slip 0.005 of a face", 10.87e-3, 3.684e-3, 0.809},
                                          {"transition at 100 mm/s", 9.90e-3, 3.267e-3, 0.813}}) {
-    const auto setting = std::ranges::find(settings, row.name, &studies::CodeSetting::name);
+    const auto setting = std::ranges::find(settings, row.name, &CodeSetting::name);
     ASSERT_NE(setting, settings.end()) << row.name;
     problem.contact = data::TangentialContact(setting->contact);
-    const studies::ContactSummary summary = studies::contact_summary(problem, 8e-6);
+    const ContactSummary summary = contact_summary(problem, 8e-6);
     EXPECT_NEAR(summary.first_slip, row.first_slip, 1e-5)
         << row.name;  // two digits behind the point of a ms, and a step
     EXPECT_TRUE(within(summary.travel, row.travel, discretisation(row.travel * 3e-4, 10.0, "half the step")));
@@ -422,14 +417,14 @@ TEST(Regularisation, ChangesFirstSlipTravelAndWorkAsTheManualSays) {
 
 // The slider dissipates mu N times its path. The window ends at other forces than it begins with, so that what the spring
 // stores counts: up to (300 N)^2/(2 k_t) = 0.075 J. The work is a sum over the ends of steps: of first order.
-TEST(Regularisation, WorkOfCoulombFrictionIsTheForceTimesThePathOfTheSlider) {
+TEST(Regularisation, CoulombWorkIsForceTimesPath) {
   data::Case problem = data::load_case(
       "damped",
       {{"excitation.frequency_hz", "70"}, {"excitation.amplitude", "1e-3"}, {"excitation.duration", "0.09"}});
   problem.friction = data::FrictionLaw({.static_coefficient = 0.6, .kinetic_coefficient = 0.6});
   problem.contact = data::TangentialContact({.tangential_stiffness = 6e5});
   const auto difference = [&](double step) {
-    const studies::ContactSummary summary = studies::contact_summary(problem, step);
+    const ContactSummary summary = contact_summary(problem, step);
     return std::abs(summary.work / (300.0 * summary.travel) - 1.0);
   };
   const double coarse = difference(8e-6), fine = difference(4e-6);
@@ -469,7 +464,7 @@ TEST(CompliantReaction, IsThatOfFiniteElementsWhoseSliderRests) {
 
 // A start with the tip at rest strikes the spring: x_t(0) misses that of the static part by x_s Omega = s Omega/k_t, which the
 // mass m of a finite number of modes turns into a force s Omega (m/k_t)^1/2. The steady part is of first order.
-TEST(CompliantReaction, TendsToThatOfTheHeldTipAtFirstOrderButForTheStart) {
+TEST(CompliantReaction, TendsToTheHeldTipAtFirstOrder) {
   const data::Case paper = data::load_case("paper");
   const double omega = 2.0 * pi * 35.0;
   const double held =

@@ -23,15 +23,14 @@
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/criterion/problem_warnings.hpp"
+#include "studies/history/runs.hpp"
 #include "studies/stick_slip/contact_growth.hpp"
 #include "studies/stick_slip/converged_history.hpp"
-#include "studies/stick_slip/event_history.hpp"
 #include "studies/stick_slip/history_convergence.hpp"
 #include "support/beams.hpp"
 #include "support/contact_models.hpp"
 #include "support/parameter_name.hpp"
 #include "support/requirements.hpp"
-#include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -81,7 +80,7 @@ TEST(ContactGrowth, OfAMassIsKappaOverItWithAndWithoutASpring) {
   for (const double stiffness : {50.0, 5e4}) {
     const SingleMass mass{.mass = 2.0, .stiffness = stiffness, .normal_force = 1.0};
     const auto contact = studies::continuous_contact(solver::ContactMobility(contact_system(mass)));
-    const auto model = contact_model(MassModel{.mass = 2.0, .stiffness = stiffness, .normal_force = 1.0});
+    const auto model = contact_model(SingleMass{.mass = 2.0, .stiffness = stiffness, .normal_force = 1.0});
     EXPECT_TRUE(within(growth_bound(contact, 3.0), 1.5, searched(1.5)));
     EXPECT_TRUE(within(growth_bound(studies::continuous_contact(model), 3.0), 1.5, searched(1.5)));
     // Re Z = sigma (m + k/|s|^2) falls up to the last frequency searched, where |s|^2 = 9 k/m + sigma^2.
@@ -142,7 +141,7 @@ TEST(ContactGrowth, OfTheBeamIsSearchedFromTheFrequenciesOfSliding) {
 }
 
 // In steps of h there is no frequency above pi/h.
-TEST(ContactGrowth, OfTheBeamInStepsIsSearchedFromTheFrequenciesBelowThatOfTheSteps) {
+TEST(ContactGrowth, SteppedBeamIsSearchedBelowTheStepFrequency) {
   constexpr double h = 1e-4, highest = std::numbers::pi / h;
   auto expected = studies::continuous_contact(paper_beam()).frequencies;
   std::erase_if(expected, [](double omega) { return omega >= highest; });
@@ -178,7 +177,7 @@ TEST(ContactGrowth, DoublesWithEachRefinementOfAMeshInContinuousTime) {
   EXPECT_GT(before, 100.0 * beam_bound);
 }
 
-TEST(ContactGrowth, OfAMeshWithARadiatingTipIsThatOfTheBeamOrLessOnEveryMeshInContinuousTime) {
+TEST(ContactGrowth, RadiatingTipKeepsTheGrowthOfTheBeam) {
   // 0.03 rho A l of the 0.0722 rho A l that the tip opposes to an impulse, behind a dashpot of kappa. Without
   // the dashpot it is kappa/(0.0422 rho A l), which doubles with the mesh.
   for (const int elements : {5, 10, 20, 40}) {
@@ -338,17 +337,15 @@ studies::ConvergedHistory grid(double duration) {
 // last period is cut off before its largest value.
 TEST(HistoryConvergence, ObservesTheGrowthOfADifferenceInWholePeriods) {
   const double sigma = 30.0, period = 0.04, start = 0.06, step = 1e-4;
-  studies::TipHistory a, b;
+  studies::History a, b;
   for (int n = 0; n <= 2800; ++n) {
     const double t = step * n;
-    a.time.push_back(t);
-    a.tip_displacement.push_back(1e-3);
-    b.tip_displacement.push_back(1e-3 +
-                                 1e-8 * std::exp(sigma * t) * std::sin(2.0 * std::numbers::pi * t / period));
+    const double apart = 1e-8 * std::exp(sigma * t) * std::sin(2.0 * std::numbers::pi * t / period);
+    a.rows.push_back({.time = t, .tip_displacement = 1e-3});
+    b.rows.push_back({.time = t, .tip_displacement = 1e-3 + apart});
   }
-  b.time = a.time;
   EXPECT_FALSE(growth_rate(a, b, period, 1.0).has_value());  // no event
-  a.events = {{true, start, 1e-3}, {false, 0.2, 1e-3}};
+  a.events = {{data::ContactChange::onset, start, 1e-3}, {data::ContactChange::capture, 0.2, 1e-3}};
   // 1e-8 exp(sigma t) beside 1e-3: rounding by eps 1e-3/1e-8 of the first values.
   const Tolerance rounding = round_off(10, 1e5, 1.0 / period);
   EXPECT_TRUE(within(growth_rate(a, b, period, 1.0).value(), sigma, rounding));
@@ -372,14 +369,13 @@ TEST(HistoryConvergence, ObservesNoMoreGrowthThanItsBound) {
 TEST(HistoryConvergence, MeasuresTheErrorAgainstTheHistoryGiven) {
   auto reference = grid(0.1);
   const auto problem = paper_case();
-  const auto history = studies::time_stepper_history(problem.beam, problem.friction, problem.excitation,
-                                                     studies::refined(problem.numerics, 10, 1e-4),
-                                                     {.coordinates = solver::Coordinates::modal}, 0.1, 5);
-  reference.tip = history.tip_displacement;
+  const auto history = studies::finite_element_history(studies::refined(problem, 10, 1e-4, 0.1), {.every = 5},
+                                                       {.coordinates = solver::Coordinates::modal});
+  reference.tip = studies::tip_displacements(history);
   reference.tip[60] += 6e-4;
   const auto run = studies::history_run(problem, reference, 10, 1e-4, 0.9, false);
   EXPECT_TRUE(within(run.error, 0.1, round_off(10, 10.0, 0.1)));
-  EXPECT_EQ(run.changes, history.changes);
+  EXPECT_EQ(run.changes, history.events.size());
   EXPECT_FALSE(run.observed_growth.has_value());
   EXPECT_DOUBLE_EQ(run.time_step, 1e-4);
   EXPECT_EQ(run.highest_angle, mesh(10).angular_frequencies().maxCoeff() * run.time_step);
@@ -388,7 +384,7 @@ TEST(HistoryConvergence, MeasuresTheErrorAgainstTheHistoryGiven) {
   EXPECT_DOUBLE_EQ(studies::history_run(problem, grid(0.01), 10, 1.3e-4, 0.9, false).time_step, 1.25e-4);
 }
 
-TEST(HistoryConvergence, OfARefinementIsThatOfItsRunsAndObservesGrowthOnSmallMeshes) {
+TEST(HistoryConvergence, RefinementObservesGrowthOnSmallMeshes) {
   const auto study = studies::history_refinement(
       paper_case(), grid(0.3), {"filtering step", studies::filtering_angle, 0.0, 0.0}, {5, 10}, 5);
   EXPECT_EQ(study.rule.name, "filtering step");
@@ -456,7 +452,7 @@ TEST(GrowthWarning, SuggestsSettingsThatKeepTheGrowthAtThatOfTheBeam) {
                 found->value, 36.0 / found->value));
 }
 
-TEST(GrowthWarning, SaysWhenNoDiscretisationHelpsUnlessTheClosedFormDoesNotKnowTheDamping) {
+TEST(GrowthWarning, SaysWhenNoDiscretisationHelps) {
   const struct {
     std::vector<data::Override> overrides;
     std::string phrase;

@@ -181,7 +181,7 @@ TEST(FixedSteps, KeepTheEnergyAtSecondOrder) {
 }
 
 // A mass of 1 kg on a spring: its velocity per unit force after a step h is W = sin(omega h)/omega. N (mu_s - mu_m) = 1 N.
-TEST(FixedSteps, AreRefusedWhereALawFallsTooFastForOneSolutionOrAPeriodHasTooFew) {
+TEST(FixedSteps, AreRefusedWhereTheyAreTooLong) {
   constexpr double omega = 2.0, step = 2.0 * std::numbers::pi / 64.0;
   const auto model = [&](double fall) {
     return contact_model({.stiffness = omega * omega,
@@ -283,7 +283,7 @@ TEST(MotionQuantities, NeedTheTransientAndTwoPeriods) {
 }
 
 // The halves of a record, and the record on twice the step, are what other runs record.
-TEST(MotionQuantities, ChangeByTheirSpreadOverTheRecordItsHalvesAndTwiceTheStep) {
+TEST(MotionQuantities, ErrorIsTheSpreadOverHalvesAndSteps) {
   const auto response = [](double step, double duration, double transient) {
     return studies::contact_response(case_with_step("damped", 25.0, 1e-3, step, duration, 10), transient);
   };
@@ -369,14 +369,14 @@ TEST(ParameterSweep, FindsAMotionOfPeriodThree) {
     positions.push_back(run.contact_position());
     // Up to 10 m/s^2 for a step make 1e-3 m/s; the force is a mean over the step before.
     const auto& point = points[0].section[static_cast<std::size_t>(n - 121)];
-    EXPECT_NEAR(point.velocity, run.sliding_velocity(), 2e-3);
+    EXPECT_NEAR(point.sliding_velocity, run.sliding_velocity(), 2e-3);
     EXPECT_NEAR(point.friction_force, -run.friction_force(), 2.0);
   }
   const auto [lowest, highest] = std::ranges::minmax(positions);
   EXPECT_GT(highest - lowest, 1e-4);
   for (std::size_t n = 0; n < 3; ++n) {
     EXPECT_NEAR(positions[n + 3], positions[n], 1e-3 * (highest - lowest));
-    EXPECT_TRUE(within(points[0].section[n].displacement, positions[n],
+    EXPECT_TRUE(within(points[0].section[n].tip_displacement, positions[n],
                        discretisation(2e-3 * (highest - lowest), 5.0, "the error at 1e-4 s")));
   }
 }
@@ -385,8 +385,8 @@ TEST(ParameterSweep, GoesOnFromOneValueToTheNextAsIfItWereOneRun) {
   const auto next = studies::parameter_sweep(sweep(25.0, {1e-3, 1e-3}, 4, 3)).at(1).section;
   const auto alone = studies::parameter_sweep(sweep(25.0, {1e-3}, 11, 3)).at(0).section;
   for (std::size_t n = 0; n < 3; ++n) {
-    EXPECT_NEAR(next[n].displacement, alone[n].displacement, 1e-9);
-    EXPECT_NEAR(next[n].velocity, alone[n].velocity, 1e-7);
+    EXPECT_NEAR(next[n].tip_displacement, alone[n].tip_displacement, 1e-9);
+    EXPECT_NEAR(next[n].sliding_velocity, alone[n].sliding_velocity, 1e-7);
     EXPECT_NEAR(next[n].friction_force, alone[n].friction_force, 1e-4);
   }
 }
@@ -407,19 +407,39 @@ TEST(ParameterSweep, ShowsHysteresis) {
   const auto points = studies::parameter_sweep(task);
   ASSERT_EQ(points.size(), 8u);
   const auto slides = [](const studies::SweepPoint& point) {
-    return point.section.back().displacement > 5e-3;
+    return point.section.back().tip_displacement > 5e-3;
   };
   for (std::size_t up = 0; up <= 3; ++up) {
     EXPECT_TRUE(points[up].up);
     EXPECT_EQ(slides(points[up]), up == 3) << up;
     if (up < 3) {  // in a step of a stick the velocity is zero at the ends only
-      EXPECT_NEAR(points[up].section.front().displacement, points[up].section.back().displacement, 1e-8)
+      EXPECT_NEAR(points[up].section.front().tip_displacement, points[up].section.back().tip_displacement,
+                  1e-8)
           << up;
     }
     EXPECT_EQ(points[7 - up].value, points[up].value);
     EXPECT_EQ(slides(points[7 - up]), up > 0) << up;
   }
   for (std::size_t down = 4; down <= 6; ++down) EXPECT_EQ(points[down].period, 1);
+}
+
+TEST(ParameterSweep, CountsValuesWithHysteresis) {
+  const auto point = [](bool up, double value, double least, double largest) {
+    return studies::SweepPoint{.up = up,
+                               .value = value,
+                               .section = {{.friction_force = least}, {.friction_force = largest}},
+                               .period = 2};
+  };
+  // Of 200 N: 1 N is less than 1 %, 3 N more, in either force.
+  const auto count = [&](double least, double largest) {
+    return studies::values_with_hysteresis({point(true, 1.0, -200.0, 100.0), point(true, 2.0, 10.0, 20.0),
+                                            point(false, 2.0, 10.0, 20.0),
+                                            point(false, 1.0, least, largest)});
+  };
+  EXPECT_EQ(count(-200.0, 100.0), 0u);
+  EXPECT_EQ(count(-199.0, 101.0), 0u);
+  EXPECT_EQ(count(-197.0, 100.0), 1u);
+  EXPECT_EQ(count(-200.0, 103.0), 1u);
 }
 
 }  // namespace

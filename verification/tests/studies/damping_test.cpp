@@ -23,7 +23,7 @@
 #include "stickslip/solver/modal_analysis.hpp"
 #include "studies/common/simpson.hpp"
 #include "support/beams.hpp"
-#include "support/free_tip.hpp"
+#include "support/mesh.hpp"
 #include "support/order.hpp"
 #include "support/parameter_name.hpp"
 #include "support/requirements.hpp"
@@ -157,7 +157,7 @@ Tolerance mesh_round_off(int elements, double response, double scale) {
 }
 
 STICKSLIP_VERIFIES(DampedFrequencyResponse, "X8");
-TEST(DampedFrequencyResponse, IsOfFourthOrderInTheMeshWithThePredictedAmplitudeAndPhase) {
+TEST(DampedFrequencyResponse, HasOrderFourInAmplitudeAndPhase) {
   std::vector<std::string> without_order;
   for (const Vibration& v : vibrations()) {
     const Amplitudes exact = exact_amplitudes(v);

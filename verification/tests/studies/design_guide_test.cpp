@@ -14,8 +14,8 @@
 #include "stickslip/analytic/criterion.hpp"
 #include "studies/criterion/design_guide.hpp"
 #include "studies/criterion/length_force_map.hpp"
+#include "support/beams.hpp"
 #include "support/error_message.hpp"
-#include "support/flat_beam.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "stickslip/analytic/beam_contact_model.hpp"
-#include "studies/stick_slip/event_history.hpp"
+#include "studies/history/runs.hpp"
 #include "studies/stick_slip/event_order.hpp"
 #include "support/beams.hpp"
 #include "support/damped_benchmark.hpp"
@@ -23,49 +23,51 @@
 namespace stickslip::testing {
 namespace {
 
-using studies::HistoryEvent;
+using data::ContactEvent;
 
-std::vector<double> times_of(const std::vector<HistoryEvent>& events) {
+constexpr auto onset = data::ContactChange::onset, capture = data::ContactChange::capture;
+
+std::vector<double> times_of(const std::vector<ContactEvent>& events) {
   std::vector<double> times;
-  for (const HistoryEvent& event : events) times.push_back(event.time);
+  for (const ContactEvent& event : events) times.push_back(event.time);
   return times;
 }
 
 STICKSLIP_VERIFIES(MicroSticks, "X9");
 TEST(MicroSticks, ShorterThanTheSpanAreMergedIntoTheSlipAroundThem) {
-  const std::vector<HistoryEvent> events{{true, 1.0, 0.0},  {false, 2.0, 0.1}, {true, 2.01, 0.1},
-                                         {false, 3.0, 0.2}, {true, 4.0, 0.2},  {false, 4.001, 0.2}};
+  const std::vector<ContactEvent> events{{onset, 1.0, 0.0},   {capture, 2.0, 0.1}, {onset, 2.01, 0.1},
+                                         {capture, 3.0, 0.2}, {onset, 4.0, 0.2},   {capture, 4.001, 0.2}};
   EXPECT_EQ(times_of(studies::without_micro_sticks(events, 0.1)),
             (std::vector<double>{1.0, 3.0, 4.0, 4.001}));
   // A span of zero merges nothing, and neither a micro-slip nor an unfinished stick is ever merged.
   EXPECT_EQ(studies::without_micro_sticks(events, 0.0).size(), events.size());
-  EXPECT_EQ(studies::without_micro_sticks({{false, 2.0, 0.1}, {true, 2.5, 0.1}}, 0.5).size(), 2u);
+  EXPECT_EQ(studies::without_micro_sticks({{capture, 2.0, 0.1}, {onset, 2.5, 0.1}}, 0.5).size(), 2u);
   EXPECT_TRUE(studies::without_micro_sticks({}, 1.0).empty());
 }
 
-TEST(MicroSticks, OfAChatterAreMergedOneAfterTheOther) {
-  const std::vector<HistoryEvent> chatter{{true, 1.0, 0.0},   {false, 2.0, 0.1}, {true, 2.01, 0.1},
-                                          {false, 2.02, 0.1}, {true, 2.03, 0.1}, {false, 3.0, 0.2}};
+TEST(MicroSticks, AreMergedInOrder) {
+  const std::vector<ContactEvent> chatter{{onset, 1.0, 0.0},    {capture, 2.0, 0.1}, {onset, 2.01, 0.1},
+                                          {capture, 2.02, 0.1}, {onset, 2.03, 0.1},  {capture, 3.0, 0.2}};
   EXPECT_EQ(times_of(studies::without_micro_sticks(chatter, 0.1)), (std::vector<double>{1.0, 3.0}));
 }
 
 TEST(MicroSticks, LeaveNoCaptureWhereThereIsNone) {
-  const std::vector<HistoryEvent> events{
-      {true, 1.0, 0.0}, {false, 2.0, 0.1}, {true, 2.01, 0.1}, {false, 3.0, 0.2}};
+  const std::vector<ContactEvent> events{
+      {onset, 1.0, 0.0}, {capture, 2.0, 0.1}, {onset, 2.01, 0.1}, {capture, 3.0, 0.2}};
   EXPECT_EQ(studies::first_capture(events).value().position, 0.1);
   EXPECT_EQ(studies::first_capture(studies::without_micro_sticks(events, 0.1)).value().position, 0.2);
-  EXPECT_FALSE(studies::first_capture({{true, 1.0, 0.0}}).has_value());
+  EXPECT_FALSE(studies::first_capture({{onset, 1.0, 0.0}}).has_value());
   EXPECT_FALSE(studies::first_capture({}).has_value());
 }
 
 STICKSLIP_VERIFIES(EventDifferences, "X9");
 TEST(EventDifferences, AreInfiniteBetweenDifferentSequences) {
-  const std::vector<HistoryEvent> a{{true, 1.0, 0.0}, {false, 2.0, 0.1}}, b{{true, 1.5, 0.25}};
+  const std::vector<ContactEvent> a{{onset, 1.0, 0.0}, {capture, 2.0, 0.1}}, b{{onset, 1.5, 0.25}};
   EXPECT_EQ(studies::largest_difference(a, b, 1).time, 0.5);
   EXPECT_EQ(studies::largest_difference(a, b, 1).position, 0.25);
   EXPECT_TRUE(std::isinf(studies::largest_difference(a, b, 2).time));
-  const std::vector<HistoryEvent> capture{{false, 1.0, 0.0}};
-  EXPECT_TRUE(std::isinf(studies::largest_difference(a, capture, 1).position));
+  const std::vector<ContactEvent> other{{capture, 1.0, 0.0}};
+  EXPECT_TRUE(std::isinf(studies::largest_difference(a, other, 1).position));
 }
 
 STICKSLIP_VERIFIES(DampedBenchmark, "X9");
@@ -74,19 +76,19 @@ TEST(DampedBenchmark, MeetsRecordedEvents) {
   const data::Case problem = damped_problem(25.0);
   const analytic::BeamContactModel beam(problem.beam, problem.friction, problem.excitation, problem.damping,
                                         20);
-  const auto history = studies::event_driven_history(beam.model(), 0.09, 1e-3);
-  const HistoryEvent recorded[] = {{true, 0.055321, 0.0},
-                                   {false, 0.068022, 1.6961e-3},
-                                   {true, 0.07289, 1.6961e-3},
-                                   {false, 0.089036, -2.5093e-3}};
-  ASSERT_EQ(history.events.size(), std::size(recorded));
-  EXPECT_GE(history.changes, 4);
-  EXPECT_EQ(history.time.size(), 91u);
-  for (std::size_t i = 0; i < history.events.size(); ++i) {
-    EXPECT_EQ(history.events[i].onset, recorded[i].onset);
+  const auto history = studies::event_driven_history(beam.model(), studies::sample_times(0.09, 1e-3));
+  const ContactEvent recorded[] = {{onset, 0.055321, 0.0},
+                                   {capture, 0.068022, 1.6961e-3},
+                                   {onset, 0.07289, 1.6961e-3},
+                                   {capture, 0.089036, -2.5093e-3}};
+  const auto events = studies::onsets_and_captures(history.events);
+  ASSERT_EQ(events.size(), std::size(recorded));
+  EXPECT_EQ(history.rows.size(), 91u);
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    EXPECT_EQ(events[i].change, recorded[i].change);
     // Half a unit of the last digit, and 2e-6 s, by which that computation's mesh moves the third event.
-    EXPECT_TRUE(within(history.events[i].time, recorded[i].time, reference(2.5e-6, "the record")));
-    EXPECT_TRUE(within(history.events[i].position, recorded[i].position, reference(1e-7, "the record")));
+    EXPECT_TRUE(within(events[i].time, recorded[i].time, reference(2.5e-6, "the record")));
+    EXPECT_TRUE(within(events[i].position, recorded[i].position, reference(1e-7, "the record")));
   }
 }
 
@@ -106,7 +108,7 @@ TEST(DampedBenchmark, RefusesAReferenceWithoutAnEventThatFewerModesHave) {
 
 class DampedBenchmark : public ::testing::TestWithParam<double> {};
 
-TEST_P(DampedBenchmark, IsTheSameByFiniteElementsInTimeStepsAndByContinuousModesFromEventToEvent) {
+TEST_P(DampedBenchmark, IsTheSameInBothImplementations) {
   const auto benchmark = studies::damped_benchmark(damped_problem(GetParam()), {.duration = 0.12,
                                                                                 .modes = 28,
                                                                                 .other_modes = {20},
@@ -115,17 +117,17 @@ TEST_P(DampedBenchmark, IsTheSameByFiniteElementsInTimeStepsAndByContinuousModes
                                                                                 .time_steps = {1e-5, 5e-6}});
   ASSERT_GE(benchmark.events.size(), 7u);
   for (std::size_t i = 0; i < std::min<std::size_t>(10, benchmark.events.size()); ++i) {
-    EXPECT_LT(benchmark.events[i].time_uncertainty, 1e-6);
-    EXPECT_LT(benchmark.events[i].position_uncertainty, 1e-7);
+    EXPECT_LT(benchmark.uncertainties[i].time, 1e-6);
+    EXPECT_LT(benchmark.uncertainties[i].position, 1e-7);
   }
   const auto fewer = benchmark_run(benchmark, "event-driven on held modes", 20, 0.0);  // 28/sqrt(2)
   for (std::size_t i = 0; i < benchmark.events.size(); ++i) {
-    EXPECT_EQ(benchmark.events[i].time_uncertainty, fewer.each.at(i).time);
-    EXPECT_EQ(benchmark.events[i].position_uncertainty, fewer.each.at(i).position);
+    EXPECT_EQ(benchmark.uncertainties[i].time, fewer.each.at(i).time);
+    EXPECT_EQ(benchmark.uncertainties[i].position, fewer.each.at(i).position);
   }
   EXPECT_LT(benchmark.tolerance_effect, 1e-9);
   EXPECT_GT(benchmark.tolerance_effect, 0.0);
-  EXPECT_DOUBLE_EQ(benchmark.history.time.at(1), 1e-4);
+  EXPECT_DOUBLE_EQ(benchmark.history.rows.at(1).time, 1e-4);
   EXPECT_EQ(benchmark.runs.size(), 6u);
   for (const auto& each : benchmark.runs) {
     double largest = 0.0;

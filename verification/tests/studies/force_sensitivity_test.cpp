@@ -232,7 +232,7 @@ void no_trial_returns_all_printed_digits() {
 
 STICKSLIP_VERIFIES(ForceSensitivity, "X14");
 // One test, for every test is a process of its own and the study takes seconds.
-TEST(ForceSensitivity, IsWhatTheoryAllowsEachFactorAndThePrintedDigitsAreTheMethods) {
+TEST(ForceSensitivity, IsTheoreticalAndPrintedDigitsAreTheMethods) {
   ASSERT_EQ(study().frequency_hz, (std::vector{15.0, 25.0, 35.0, 70.0}));
   truncation_moves_the_maximum_by_no_more_than_what_it_leaves_out();
   sampling_loses_no_more_than_the_curvature_allows();

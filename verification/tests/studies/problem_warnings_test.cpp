@@ -245,7 +245,7 @@ TEST(Flutter, IsWarnedOfFromItsLoadOnAndTheRunGoesOn) {
   }
 }
 
-TEST(Flutter, GivesWayToBucklingIfTheAxialForceKeepsItsDirection) {
+TEST(Flutter, GivesWayToBucklingUnderADeadLoad) {
   for (const double share : {0.99, 1.01}) {
     // Euler's load of the cantilever.
     const double euler = std::pow(0.5 * std::numbers::pi / 2.0, 2) * 2e9 * 1e-4 / 12.0;

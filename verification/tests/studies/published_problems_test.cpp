@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Friction problems of others, and a friction law that jumps, in both implementations.
 
-#include "studies/stick_slip/published_problems.hpp"
+#include "support/published_problems.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,14 +19,13 @@
 #include "studies/stick_slip/contact_growth.hpp"
 #include "support/contact_models.hpp"
 #include "support/requirements.hpp"
-#include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
 namespace {
 
-const std::vector<studies::PublishedProblem>& problems() {
-  static const auto solved = studies::published_problems(data::load_reference());
+const std::vector<PublishedProblem>& problems() {
+  static const auto solved = published_problems(data::load_reference());
   return solved;
 }
 
@@ -103,7 +102,7 @@ TEST(PublishedProblems, ASpringStopsLateByTheErrorOfItsPeriod) {
 }
 
 TEST(PublishedProblems, AForcedMassStopsAsOftenAsHongAndLiuSay) {
-  const auto counts = studies::stops_per_period(data::load_reference());
+  const auto counts = stops_per_period(data::load_reference());
   EXPECT_EQ(counts.size(), 36u);
   std::set<int> seen;
   for (const auto& count : counts) {
@@ -119,7 +118,7 @@ TEST(PublishedProblems, AForcedMassNeverStopsBeyondTheLimitOfDenHartog) {
   const std::size_t limits = data::read_table(package, "non-stop-limits").rows();
   EXPECT_GT(limits, 0u);
   for (const auto& [share, stops] : {std::pair{0.99, 2}, {1.01, 0}}) {
-    const auto counts = studies::stops_beside_the_limit(package, share);
+    const auto counts = stops_beside_the_limit(package, share);
     EXPECT_EQ(counts.size(), limits);
     for (const auto& count : counts) {
       EXPECT_EQ(count.event_driven, stops) << count.frequency_ratio;
@@ -147,7 +146,7 @@ TEST(JumpOfFriction, HoldsMoreInStickThanInSlipInBothImplementations) {
   const SingleMass mass{.stiffness = 2.0, .normal_force = 10.0, .friction = jumping};
   solver::StickSlipIntegrator stepped(contact_system(mass), {.time_step = 1e-2, .spectral_radius = 0.9});
   analytic::EventDriven exact(
-      contact_model(MassModel{.stiffness = 2.0, .normal_force = 10.0, .friction = jumping}));
+      contact_model(SingleMass{.stiffness = 2.0, .normal_force = 10.0, .friction = jumping}));
   stepped.start_stuck(scalar(1.25), scalar(0.0));
   exact.start_stuck({}, {}, 1.25);
   EXPECT_EQ(stepped.friction_force(), 2.5);
@@ -171,7 +170,7 @@ TEST(JumpOfFriction, HoldsMoreInStickThanInSlipInBothImplementations) {
 
 TEST(JumpOfFriction, KeepsTheEnergyBalanceUnderAConstantForce) {
   // 4 N pull a mass that 2 N hold in slip: x = t^2, of which half the work is lost.
-  analytic::ContactModel model = contact_model(MassModel{.normal_force = 10.0, .friction = jumping});
+  analytic::ContactModel model = contact_model(SingleMass{.normal_force = 10.0, .friction = jumping});
   model.contact_force = 4.0;
   analytic::EventDriven run(model, {.keep_energy_balance = true});
   run.start_stuck({}, {});

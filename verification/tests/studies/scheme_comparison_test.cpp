@@ -73,7 +73,7 @@ TEST(ContactSchemes, WithoutLocationFindThePlateausOfACoarseDampedBeam) {
     EXPECT_TRUE(within(late[i].tip_displacement, located[i].tip_displacement,
                        discretisation(static_cast<double>(i + 1) * back, 1.0, "d h^2/2 a slip")));
   for (std::size_t i = 0; i < 7; ++i) {
-    EXPECT_GE(located[i].end - located[i].begin, studies::shortest_plateau);
+    EXPECT_GE(located[i].end - located[i].begin, studies::SchemeRun::shortest_plateau);
     EXPECT_GE(located[i].begin, i == 0 ? runs[0].first_slip.value() : located[i - 1].end);
   }
   // A run that ends in a stick phase has its part of it.
@@ -95,7 +95,7 @@ TEST(ContactSchemes, ByTheLetterOfThePaperFindNoPlateauAtItsStep) {
     }
 }
 
-TEST(ContactSchemes, ByTheLetterOfThePaperFindThePlateausInATenthOfItsStep) {
+TEST(ContactSchemes, PaperSchemeFindsPlateausInATenthOfTheStep) {
   // ... of the damped beam on 10 elements, to a twentieth of the range of the tip's motion.
   const auto runs = compare({damped, 10, 0.9, 1e-5, 0.25});
   ASSERT_EQ(runs[0].plateaus.size(), 7u);
@@ -105,7 +105,7 @@ TEST(ContactSchemes, ByTheLetterOfThePaperFindThePlateausInATenthOfItsStep) {
                        discretisation(2e-4, 1.0, "a twentieth of the range of the tip's motion")));
 }
 
-TEST(ContactSchemes, ByTheLetterOfThePaperLeaveMoreEnergyUnexplained) {
+TEST(ContactSchemes, PaperSchemeLeavesMoreEnergyUnexplained) {
   // Found here: 9 to 110 times the residual of the located changes, in half a second.
   for (const data::Damping& damping : {data::Damping(), damped})
     for (const int elements : {10, 20})
@@ -117,13 +117,13 @@ TEST(ContactSchemes, ByTheLetterOfThePaperLeaveMoreEnergyUnexplained) {
       }
 }
 
-TEST(ContactSchemes, StayBoundedAtThePapersStepWithoutNumericalDissipation) {
+TEST(ContactSchemes, StayBoundedWithoutNumericalDissipation) {
   const auto runs = compare({data::Damping(), 10, 1.0, 1e-4, 2.0});
   ASSERT_EQ(runs.size(), 3u);
   for (const SchemeRun& run : runs) EXPECT_LT(run.largest_tip_displacement, 7e-3);
 }
 
-TEST(ContactSchemes, ByTheLetterOfThePaperPutEnergyInThatGrowsOnACoarseStep) {
+TEST(ContactSchemes, PaperSchemeAddsEnergyOnACoarseStep) {
   // At ten times the paper's step nearly every capture overwrites a velocity that is not small, and nothing
   // dissipates it: the tip leaves the beam theory, on energy that no work explains.
   const auto runs = compare({data::Damping(), 40, 1.0, 1e-3, 1.0});

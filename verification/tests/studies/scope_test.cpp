@@ -1,25 +1,32 @@
 // SPDX-License-Identifier: MIT
-/// The largest force of a start-up against the steady force, and what duration, damping and shear change, by both
-/// implementations.
+/// The largest force of a start-up against the steady force, what duration, damping and shear change, and what both
+/// implementations refuse.
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
 #include <cmath>
 #include <complex>
+#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <vector>
 
+#include "stickslip/analytic/beam_contact_model.hpp"
+#include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/modal_reaction.hpp"
+#include "stickslip/analytic/slip_modes.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
+#include "stickslip/solver/modal_analysis.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/convergence/discretisation.hpp"
 #include "studies/criterion/problem_warnings.hpp"
 #include "studies/criterion/scope.hpp"
-#include "studies/stick_slip/event_history.hpp"
+#include "studies/history/runs.hpp"
 #include "studies/stick_slip/history_convergence.hpp"
+#include "support/beams.hpp"
 #include "support/paper_case.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
@@ -48,7 +55,7 @@ class SteadyForce : public ::testing::TestWithParam<double> {
 };
 
 STICKSLIP_VERIFIES(SteadyForce, "X22");
-TEST_P(SteadyForce, OfAMeshDiffersFromTheClosedFormByTheFourthPowerOfTheElementLength) {
+TEST_P(SteadyForce, OfTheMeshHasOrderFour) {
   const double steady = studies::steady_force(problem_, {}).steady;
   const double coarse = finite_element_steady_force(problem_, 20),
                fine = finite_element_steady_force(problem_, 40);
@@ -179,27 +186,29 @@ TEST(LateSlips, GoOnButMoveTheTipLittleByTwoFormulations) {
   const double filtering = studies::time_step_of({.angle = studies::filtering_angle}, paper().beam, 40);
   for (const auto& [elements, step, radius, duration, every] :
        {std::tuple{40, filtering, 0.0, 0.5, 1}, {20, 1e-4, 0.9, 10.0, 10}, {40, 1e-4, 0.9, 10.0, 10}}) {
-    data::NumericalChoices choices = studies::refined(paper().numerics, elements, step).choices();
-    choices.spectral_radius = radius;
-    const auto history = studies::time_stepper_history(
-        paper().beam, paper().friction, excitation(35.0, 1e-3), data::NumericalSettings(choices),
-        {.coordinates = solver::Coordinates::modal}, duration, every);
+    data::Case problem = paper();
+    problem.excitation = excitation(35.0, 1e-3);
+    const auto history =
+        studies::finite_element_history(studies::refined(problem, elements, step, duration, radius),
+                                        {.every = every}, {.coordinates = solver::Coordinates::modal});
+    std::vector<double> time;
+    for (const auto& row : history.rows) time.push_back(row.time);
     double last_onset = 0.0;
     for (const auto& event : history.events)
-      if (event.onset) last_onset = event.time;
-    expect_late_slips(fmt::format("finite elements, {}, {:.2g} s", elements, step), history.time,
-                      history.tip_displacement, last_onset);
+      if (event.change == data::ContactChange::onset) last_onset = event.time;
+    expect_late_slips(fmt::format("finite elements, {}, {:.2g} s", elements, step), time,
+                      studies::tip_displacements(history), last_onset);
   }
 }
 
-TEST(LateSlips, BeginWithTheFirstSampleFromWhichAllAreNearTheLast) {
+TEST(LateSlips, BeginWhereAllLaterSamplesAgree) {
   const auto slips = studies::late_slips({0.0, 0.1, 0.2, 0.3, 0.4}, {0.0, 1.0, 0.06, 0.02, 0.04});
   EXPECT_EQ(slips.range, 1.0);
   EXPECT_EQ(slips.settled, 0.2);
   EXPECT_DOUBLE_EQ(slips.later_range, 0.04);
 }
 
-TEST(LateSlips, AreAPartOfTheStudyBesideThoseAtItsFrequenciesAndAmplitudes) {
+TEST(LateSlips, ArePartOfTheStudy) {
   const studies::ScopeRange whole;
   EXPECT_EQ(whole.frequencies_hz, (std::vector{15.0, 25.0, 35.0, 70.0}));
   EXPECT_EQ(whole.durations, (std::vector{0.1, 1.0, 10.0, 100.0, 1000.0}));
@@ -233,6 +242,70 @@ TEST(LateSlips, AreAPartOfTheStudyBesideThoseAtItsFrequenciesAndAmplitudes) {
   EXPECT_EQ(study.softer.all, 2);
   EXPECT_EQ(study.softer.lowest_ratio, studies::softer_beam(problem, 2).lowest_ratio);
   EXPECT_EQ(study.late_slips.range, 2.0);
+}
+
+constexpr int ten_elements = 10;
+
+data::HarmonicExcitation shaking() {
+  return data::HarmonicExcitation({.frequency_hz = 25.0, .amplitude = 1e-3});
+}
+
+template <class Exception, class Action>
+bool refuses(Action&& action) {
+  try {
+    action();
+  } catch (const Exception&) {
+    return true;
+  }
+  return false;
+}
+
+STICKSLIP_VERIFIES(Refusals, "X18");
+// Where the tip is not pressed against the wall, and from the buckling load on. Ten elements buckle later than the beam
+// by (y l/L)^4/720 of the load, y = 4.49: 6e-5.
+TEST(Refusals, OfARunAreForForcesWithoutAStickState) {
+  auto choices = paper_choices(1e-3);
+  choices.elements = ten_elements;
+  const data::NumericalSettings numerics(choices);
+  const double buckling = analytic::stick_buckling_load(paper_beam());
+  for (const double axial_force : {-1e4, -1e-3, 0.0, 1e-3, 0.999 * buckling, 1.001 * buckling, 1.5 * buckling,
+                                   3.99 * buckling, 8.0 * buckling}) {
+    const data::Beam beam = paper_beam_with_axial_force(axial_force);
+    const bool refused = axial_force <= 0.0 || axial_force > buckling;
+    EXPECT_EQ(refuses<data::InputError>(
+                  [&] { (void)solver::first_slip(beam, paper_friction(), shaking(), numerics); }),
+              refused)
+        << axial_force;
+    EXPECT_EQ(refuses<data::InputError>(
+                  [&] { (void)analytic::evaluate_criterion(beam, paper_friction(), shaking(), 1e-3); }),
+              refused)
+        << axial_force;
+  }
+}
+
+TEST(Refusals, OfStickModesAndStaticShapesBeginAtTheBucklingLoad) {
+  const double buckling = analytic::stick_buckling_load(paper_beam());
+  for (const double share : {-3.0, 0.0, 0.999, 1.001, 2.5, 8.0}) {
+    const data::Beam beam = paper_beam_with_axial_force(share * buckling);
+    const solver::BeamModel model(beam, ten_elements);
+    EXPECT_EQ(refuses<data::InputError>([&] { (void)solver::stick_modes(model, 1); }), share > 1.0) << share;
+    EXPECT_EQ(refuses<data::InputError>([&] { (void)analytic::stick_modes(beam, 1); }), share > 1.0) << share;
+    EXPECT_EQ(refuses<data::InputError>([&] { (void)model.unit_tip_deflection(); }), share > 1.0) << share;
+    EXPECT_EQ(refuses<data::InputError>([&] { (void)analytic::QuasiStaticShape{beam}; }), share > 1.0)
+        << share;
+  }
+}
+
+TEST(Refusals, OfModesAreForCountsWithoutAny) {
+  const solver::BeamModel model(paper_beam(), ten_elements);
+  for (const int count : {-1, 0, 1}) {
+    EXPECT_EQ(refuses<std::invalid_argument>([&] { (void)solver::stick_modes(model, count); }), count < 1);
+    EXPECT_EQ(refuses<std::invalid_argument>([&] { (void)analytic::stick_modes(paper_beam(), count); }),
+              count < 1);
+    EXPECT_EQ(refuses<std::invalid_argument>([&] { (void)solver::slip_modes(model, count); }), count < 1);
+    EXPECT_EQ(refuses<std::invalid_argument>([&] { (void)analytic::slip_modes(paper_beam(), count); }),
+              count < 1);
+  }
 }
 
 }  // namespace

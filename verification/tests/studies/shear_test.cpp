@@ -64,7 +64,7 @@ FrequencyErrors frequency_errors(const data::Beam& beam, double omega, double l)
 STICKSLIP_VERIFIES(ShearOrder, "X24");
 // Elements shorter than the section is high: of second order, with the bending error as next term, and rotary inertia,
 // 2 (beta r)^2 (k G A)/EI r^2 = 0.64 (beta r)^2 of the leading term.
-TEST(ShearOrder, OfFrequenciesIsTwoWhereElementsAreShorterThanTheSection) {
+TEST(ShearOrder, IsTwoForElementsShorterThanTheSection) {
   for (const auto& [tip_is_held, length] : {std::pair{true, 2.0}, {true, 0.5}, {false, 2.0}}) {
     const data::Beam beam = sheared_beam(length, 0.0);
     const double omega = analytic::timoshenko_frequencies(

@@ -45,7 +45,7 @@ TEST(Figure9RefinedOnceMore, ForceErrorFallsOnAsPredicted) {
 }
 
 STICKSLIP_VERIFIES(Figure12Finer, "X3");
-TEST(Figure12Finer, BothImplementationsClassifyAlikeOutsideTheGuardBand) {
+TEST(Figure12Finer, ClassifiesAlikeOutsideTheGuardBand) {
   std::vector<double> frequencies, amplitudes;
   for (int i = 2; i <= 48; ++i) frequencies.push_back(2.5 * i);
   for (int i = 1; i <= 40; ++i) amplitudes.push_back(0.025e-3 * i);
@@ -143,7 +143,7 @@ void expect_bounded(const GridRun& grid) {
             (grid.time_step > 5e-4 ? 0.03 : 0.003) * recorder.balance().base_work);
 }
 
-TEST(StickSlipBeamLong, StaysBoundedWithoutNumericalDissipationOrSaysWhyItStops) {
+TEST(StickSlipBeamLong, StaysBoundedOrSaysWhyItStops) {
   for (const data::Damping& damping : {data::Damping(), light_damping()})
     for (const int elements : {5, 10, 20, 40, 80, 160})
       for (const auto& [time_step, duration] :
@@ -191,7 +191,7 @@ class HistoryConvergenceLong : public ::testing::TestWithParam<double> {};
 STICKSLIP_VERIFIES(HistoryConvergenceLong, "X12");
 // Empirical: the errors and their fall are measured, 0.96, 0.01 and 0.75 % of the range on 80 elements at 25,
 // 35 and 70 Hz, and 3.3, 0.30 and 4.8 % on 20.
-TEST_P(HistoryConvergenceLong, UndampedMeshesConvergeWhereTheStepKeepsTheirGrowthAtThatOfTheBeam) {
+TEST_P(HistoryConvergenceLong, UndampedMeshesConvergeAtResolvedSteps) {
   const data::Case problem = paper_problem(GetParam(), 1e-3);
   const auto reference = studies::converged_history(problem, {.steps_per_sample = 1024, .levels = 2});
   const auto filtered = studies::history_refinement(
@@ -244,11 +244,11 @@ TEST_P(ComparedUndampedLong, FineMeshWithSpectralRadiusZeroAgrees) {
     mine.columns[1].values[row] = run.tip_displacement();
     mine.columns[2].values[row] = run.midspan_displacement();
   }
-  const studies::Comparison comparison = studies::compare(package, set, mine);
+  const auto comparison = comparison::compare(comparison::read_reference(package, set), mine);
   EXPECT_EQ(comparison.quantities.size(), 2u);
   for (const auto& quantity : comparison.quantities) {
     EXPECT_EQ(quantity.compared, 1001u);
-    EXPECT_EQ(quantity.agreement, studies::Agreement::agrees)
+    EXPECT_EQ(quantity.agreement, comparison::Agreement::agrees)
         << quantity.name << ": " << 100.0 * *quantity.error << " % at " << quantity.where;
   }
 }

@@ -174,7 +174,7 @@ void references_are_those_of_their_figures() {
 
 STICKSLIP_VERIFIES(SolutionVerification, "X16");
 // One test, for every test is a process of its own and the study takes seconds.
-TEST(SolutionVerification, CoversTheTrueErrorsAndClaimsTheAsymptoticRangeWhereItIs) {
+TEST(SolutionVerification, CoversTheTrueErrors) {
   uncertainties_cover_the_true_errors();
   frequencies_and_their_lengths_are_asymptotic_of_order_four();
   force_maxima_are_asymptotic_only_where_one_mode_makes_them();

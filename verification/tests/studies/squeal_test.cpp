@@ -24,7 +24,6 @@
 #include "support/beams.hpp"
 #include "support/contact_models.hpp"
 #include "support/requirements.hpp"
-#include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {
@@ -57,7 +56,7 @@ Complex nearest(const std::vector<Complex>& values, Complex to) {
 }
 
 STICKSLIP_VERIFIES(SteadySliding, "W2");
-TEST(SteadySliding, HasTheDeflectionOfTheMeshInEveryDirectionOfTheForce) {
+TEST(SteadySliding, DeflectionIsThatOfTheMesh) {
   for (const double direction : {0.0, 0.4, 1.0}) {
     data::BeamProperties properties = paper_beam().properties();
     properties.axial_force = 4000.0;  // almost half of Euler's load
@@ -100,7 +99,7 @@ TEST(SteadySliding, HasNoImpedanceAtAnEigenvalue) {
   EXPECT_EQ(1.0 / mobility(std::complex<double>(0.0, 5.0)), 0.0);
 }
 
-TEST(SteadySliding, OfAMassLosesItsStabilityWhereTheDamperEqualsTheSlope) {
+TEST(SteadySliding, MassLosesStabilityAtTheSlopeOfFriction) {
   analytic::ContactModel model = contact_model({.mass = 2.0, .stiffness = 50.0});
   model.damping = analytic::Matrix(1, 1);
   model.damping(0, 0) = 0.7;
@@ -141,7 +140,7 @@ Complex eigenvalue_at_the_limit(const solver::ContactSystem& mesh, const analyti
 }
 
 // Eigenvalues of matrices on one side, the characteristic equation of the mobility on the other: the same mesh.
-TEST(SteadySliding, CrossesTheAxisInEigenvaluesWhereTheMobilityOfTheSameMeshSays) {
+TEST(SteadySliding, EigenvaluesCrossWhereTheMobilitySays) {
   const data::Case problem = viscous_reed();
   const auto mesh = mesh_of(problem, 8);
   const solver::ContactMobility mobility(mesh);
@@ -174,7 +173,7 @@ TEST(SteadySliding, OfTheMeshConvergesToTheClosedFormWithOrderFour) {
 
 // kappa g_k/2 = zeta_k omega_k, with the g_k of the modes without damping. The contact couples the modes: the slope that all
 // of them hold differs from it by a term of second order in the damping.
-TEST(SteadySliding, HoldsInOneModeWhatTheFormulaOfNegativeDampingSays) {
+TEST(SteadySliding, OneModeHasTheFormulaOfNegativeDamping) {
   std::vector<double> coupling;
   for (const std::string damping : {"4e-6", "2e-6"}) {
     const data::Case problem = reed({{"damping.ratio", "0.0"}, {"damping.kelvin_voigt", damping}});
@@ -215,7 +214,7 @@ TEST(SteadySliding, HasMultipliersThatAreTheExponentialsOfItsRoots) {
   }
 }
 
-TEST(SteadySliding, IsMappedOverSpeedAndDampingWithTheBoundaryOfTheHopfPoint) {
+TEST(SteadySliding, MapHasTheBoundaryOfTheHopfPoint) {
   const data::Case problem = reed();
   const auto squeal = studies::squeal_of(problem, 3);
   const double speed = *squeal.modes.front().critical_speed;
@@ -326,7 +325,7 @@ TEST(MovingWallOfTheMesh, HasTheChangesOfTheEventDrivenRun) {
 // --- From rest
 
 STICKSLIP_VERIFIES(Cycles, "W3");
-TEST(Cycles, OfTheReedAreTheSameForBothDirectionsOfTheWallAndEveryLaterSettling) {
+TEST(Cycles, AreIndependentOfWallDirectionAndSettling) {
   const auto cycle = studies::cycle_of(reed({{"numerics.modes", "4"}}), 1, 60);
   ASSERT_TRUE(cycle.search.motion);
   EXPECT_TRUE(studies::is_stable(cycle));
@@ -350,7 +349,7 @@ TEST(Cycles, OfTheReedAreTheSameForBothDirectionsOfTheWallAndEveryLaterSettling)
 }
 
 // A step lengthens the period of a vibration by (omega h)^2/12, to second order.
-TEST(Cycles, OfTheReedHaveThePeriodThatTheTimeStepperSettlesTo) {
+TEST(Cycles, HaveThePeriodOfTheTimeStepper) {
   data::Case problem = viscous_reed();
   problem.numerics = mesh_modes_and_step(problem, 10, 5, problem.numerics.time_step());
   const auto cycle = studies::cycle_of(problem, 1, 40);
@@ -372,7 +371,7 @@ TEST(Cycles, OfTheReedHaveThePeriodThatTheTimeStepperSettlesTo) {
   EXPECT_GT(errors[0] / errors[1], 3.5);
 }
 
-TEST(Cycles, AreNotFoundWhereTheReedSlidesSteadilyOrNothingMoves) {
+TEST(Cycles, AreNotFoundInSteadySliding) {
   const auto cycle = studies::cycle_of(reed({{"wall.speed", "4.0"}, {"numerics.modes", "2"}}), 1, 200);
   EXPECT_FALSE(cycle.search.motion);
   EXPECT_EQ(cycle.search.reason, analytic::NoMotion::steady);
@@ -381,7 +380,7 @@ TEST(Cycles, AreNotFoundWhereTheReedSlidesSteadilyOrNothingMoves) {
 
 // Converged in the modes (1.2414 with 10 and 20), a pair of multipliers is outside of the unit circle: the history of this case
 // does not settle to its period.
-TEST(Cycles, OfTheDampedBeamOnAShakingBaseReturnButAreUnstable) {
+TEST(Cycles, OfTheShakenBeamReturnButAreUnstable) {
   const data::Case problem = data::load_case("damped", {{"numerics.modes", "3"}});
   const auto cycle = studies::cycle_of(problem, 1, 200);
   ASSERT_TRUE(cycle.search.motion);

@@ -13,10 +13,9 @@
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/solver/energy_balance.hpp"
 #include "support/contact_models.hpp"
+#include "support/random_beams.hpp"
 #include "support/requirements.hpp"
-#include "support/single_mass.hpp"
 #include "support/tolerance.hpp"
-#include "support/units.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -94,7 +93,7 @@ TEST(StribeckLaw, StopsASliderAtTheTimeOfTheClosedForm) {
   const data::FrictionCoefficients viscous{
       .static_coefficient = 0.3, .kinetic_coefficient = 0.3, .viscous = 0.2};
   const double v0 = 1.5, stop = std::log(1.0 + 0.2 * v0 / 0.3) / (normal_force * 0.2);
-  analytic::EventDriven exact(contact_model(MassModel{.normal_force = normal_force, .friction = viscous}),
+  analytic::EventDriven exact(contact_model(SingleMass{.normal_force = normal_force, .friction = viscous}),
                               {.keep_energy_balance = true});
   exact.start_slipping({}, {}, 0.0, v0);
   exact.advance_to(1.0);
@@ -122,20 +121,17 @@ TEST(StribeckLaw, StopsASliderAtTheTimeOfTheClosedForm) {
 
 TEST(StribeckLaw, GivesBothImplementationsOneHistoryAtSecondOrder) {
   // A mass on a shaken plane sticks, slips through the minimum of the law, and sticks again.
-  const double amplitude = 12.0, omega = 2.0 * std::numbers::pi;
-  analytic::EventDriven exact(contact_model(MassModel{.stiffness = 3.0,
-                                                      .normal_force = normal_force,
-                                                      .friction = stribeck,
-                                                      .wall_acceleration = amplitude,
-                                                      .omega = omega}));
+  const SingleMass mass{.stiffness = 3.0,
+                        .normal_force = normal_force,
+                        .friction = stribeck,
+                        .wall_acceleration = 12.0,
+                        .omega = 2.0 * std::numbers::pi};
+  analytic::EventDriven exact(contact_model(mass));
   exact.advance_to(2.0);
   ASSERT_GE(exact.events().size(), 4u);
   std::vector<double> errors;
   for (const double h : {2e-3, 1e-3, 5e-4, 2.5e-4}) {
-    solver::StickSlipIntegrator stepped(
-        contact_system({.stiffness = 3.0, .normal_force = normal_force, .friction = stribeck},
-                       shaken(amplitude, 1.0)),
-        {.time_step = h, .spectral_radius = 0.9});
+    solver::StickSlipIntegrator stepped(contact_system(mass), {.time_step = h, .spectral_radius = 0.9});
     stepped.start_stuck(scalar(0.0), scalar(0.0));
     while (stepped.time() < 2.0 - 0.5 * h) stepped.step();
     ASSERT_EQ(stepped.events().size(), exact.events().size()) << h;

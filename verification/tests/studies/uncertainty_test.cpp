@@ -188,7 +188,7 @@ TEST(SobolIndices, OfIshigamisFunctionAreItsClosedForms) {
   expect_index(result.indices[2].total, both / variance);
 }
 
-TEST(SobolIndices, OfASumAreTheSharesOfItsTermsAndDoNotDependOnThreads) {
+TEST(SobolIndices, OfASumAreTheSharesOfItsTerms) {
   const auto model = [](std::span<const double> u) -> std::optional<double> {
     return 3.0 * u[0] - 2.0 * u[1] + u[2] + 5.0;
   };
@@ -443,7 +443,7 @@ TEST(SlipProbability, OfCoulombFrictionIsThatOfItsStaticCoefficient) {
   EXPECT_EQ(constant.tornado[0].margin_high, falling.tornado[0].margin_high);
 }
 
-TEST(SlipProbability, HasIndicesOfUpToTwentyKeysAndTellsAShareThatGrowsToOne) {
+TEST(SlipProbability, HasIndicesOfUpToTwentyKeys) {
   for (const std::size_t count : {20u, 21u}) {
     const std::vector<std::pair<std::string, Distribution>> keys(
         count, {"friction.static_coefficient", uniform(0.4, 0.5)});

@@ -11,8 +11,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <functional>
+#include <limits>
+#include <map>
+#include <random>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -106,6 +110,133 @@ class SignalledRun : public Drawing {
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
     EXPECT_TRUE(is_so());
   }
+};
+
+/// The command line, ended by a signal while it waits for another program.
+class SleepingTool : public SignalledRun {
+ protected:
+  void SetUp() override {
+    SignalledRun::SetUp();
+    std::filesystem::create_directory(temporary_);
+    ::setenv("TMPDIR", temporary_.c_str(), 1);
+  }
+  void TearDown() override {
+    ::unsetenv("TMPDIR");
+    SignalledRun::TearDown();
+  }
+
+  /// A program that would take two minutes, most of it in a program that it starts.
+  void install_sleeper(const std::string& name) const {
+    install_tool(name, "[ \"$1\" = --version ] && exit\nparent=$$ sh -c 'echo $parent $$ >" +
+                           path("unfinished") + "; mv " + path("unfinished") + " " + path("processes") +
+                           "; exec sleep 120'\n");
+  }
+
+  [[nodiscard]] static bool is_running(const std::string& process) {
+    const std::string status = contents("/proc/" + process + "/stat");
+    return !status.empty() && status.substr(status.rfind(')') + 2, 1) != "Z";
+  }
+
+  [[nodiscard]] bool sleeps() const { return std::filesystem::exists(path("processes")); }
+
+  /// Runs until the sleeper sleeps, sends the signal and returns what is said, without the program's name.
+  [[nodiscard]] std::string said_after(int signal, const std::string& arguments) const {
+    const Ending ending = signalled(arguments, signal, [&] { wait_until([&] { return sleeps(); }); });
+    EXPECT_EQ(ending.status, 128 + signal) << arguments;
+    std::istringstream processes(contents(path("processes")));
+    for (std::string process; processes >> process;) wait_until([&] { return !is_running(process); });
+    std::filesystem::remove(path("processes"));
+    EXPECT_EQ(all_files(temporary_), std::vector<std::string>{}) << arguments;
+    return one_sentence(ending);
+  }
+
+  [[nodiscard]] static std::string one_sentence(const Ending& ending) {
+    const std::string name = "stickslip: ";
+    EXPECT_TRUE(ending.errors.starts_with(name)) << ending.errors;
+    EXPECT_EQ(std::ranges::count(ending.errors, '\n'), 1) << ending.errors;
+    return ending.errors.substr(std::min(name.size(), ending.errors.size()));
+  }
+
+ private:
+  const std::filesystem::path temporary_ = path("temporary");
+};
+
+/// Commands that are killed at any moment: what has a name of its own is whole each time, and the same command
+/// completes.
+class KilledRun : public SignalledRun {
+ protected:
+  using Contents = std::map<std::string, std::string>;  // of files, by name
+
+  /// Kills a command `kills` times while it works, each at a random moment of the time that it takes
+  /// undisturbed, and lets it go on from what is there; once its outputs are complete it begins anew. What is
+  /// under the name of an output has the bytes of the undisturbed run, and nothing else is left in the end.
+  void kill(int kills, const std::string& command, std::vector<std::string> outputs) {
+    const double whole = seconds_of(command);
+    Contents undisturbed;
+    for (const std::string& name : outputs) {
+      undisturbed[name] = contents(out(name));
+      ASSERT_NE(undisturbed[name], "") << name;
+    }
+    std::ranges::sort(outputs);
+    EXPECT_EQ(all_files(out()), outputs);
+    ASSERT_NO_FATAL_FAILURE(kill_at_random(kills, command, undisturbed, whole));
+    const Outcome again = run(command);
+    EXPECT_EQ(again.status, 0) << again.errors;
+    for (const auto& [name, text] : undisturbed) EXPECT_TRUE(contents(out(name)) == text) << name;
+    EXPECT_EQ(all_files(out()), outputs);
+  }
+
+  /// The runs that are killed at moments up to `latest` seconds, and those that end before.
+  void kill_at_random(int kills, const std::string& command, const Contents& undisturbed, double latest) {
+    const auto is_complete = [&] {
+      return std::ranges::all_of(undisturbed,
+                                 [&](const auto& file) { return std::filesystem::exists(out(file.first)); });
+    };
+    std::uniform_real_distribution<double> moments(0.0, latest);
+    for (int killed = 0, runs = 0; killed < kills; ++runs) {
+      ASSERT_LT(runs, 6 * kills);
+      if (is_complete()) clear();
+      const Ending ending = signalled(command, SIGKILL, std::chrono::duration<double>(moments(generator_)));
+      if (ending.status == 128 + SIGKILL) {
+        ++killed;
+      } else {
+        ASSERT_EQ(ending.status, 0) << ending.errors;
+      }
+      ASSERT_NO_FATAL_FAILURE(expect_only_whole(undisturbed));
+    }
+  }
+
+  /// The files that are there have the bytes of the undisturbed run, or the name of an unfinished one.
+  void expect_only_whole(const Contents& undisturbed) const {
+    for (const std::string& name : all_files(out()))
+      EXPECT_TRUE(undisturbed.contains(name) || name.starts_with('.') || name.ends_with(".partial")) << name;
+    for (const auto& [name, text] : undisturbed)
+      if (std::filesystem::exists(out(name))) {
+        ASSERT_TRUE(contents(out(name)) == text) << name;
+      }
+  }
+
+  /// What a whole run takes: the shortest of three, since other work may delay one.
+  [[nodiscard]] double seconds_of(const std::string& command) const {
+    double shortest = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 3; ++i) {
+      clear();
+      const auto begin = std::chrono::steady_clock::now();
+      const Outcome outcome = run(command);
+      const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+      EXPECT_EQ(outcome.status, 0) << outcome.errors;
+      shortest = std::min(shortest, took.count());
+    }
+    return shortest;
+  }
+
+  void clear() const {
+    std::filesystem::remove_all(out());
+    std::filesystem::create_directory(out());
+  }
+
+ private:
+  std::mt19937 generator_{1};
 };
 
 }  // namespace stickslip::testing

@@ -17,12 +17,16 @@ enum class Verdict { stick, stick_slip };
 /// "stick" or "stick-slip".
 [[nodiscard]] std::string_view to_string(Verdict verdict) noexcept;
 
+/// Stick-slip if the force exceeds the limit for certain, force.lower > limit, else stick: bounds that hold the limit, and a force
+/// that just reaches it, do not make the tip slip. Both in N.
+[[nodiscard]] Verdict verdict_of(const Bounds& force, double limit) noexcept;
+
 struct Criterion {
   Bounds force_max;           ///< max |f|, N, rigorous for the modes kept
   double friction_limit{};    ///< mu_s P, N
   Bounds critical_amplitude;  ///< A0 at which max |f| = mu_s P, m; infinite when max |f| is 0 for every
                               ///< amplitude
-  Verdict verdict{};          ///< stick_slip if force_max.lower > friction_limit, else stick
+  Verdict verdict{};          ///< verdict_of(force_max, friction_limit)
 };
 
 /// Throws data::FieldError, naming beam.axial_force, unless 0 < P < P_cr: without compression there is no

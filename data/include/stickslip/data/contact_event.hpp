@@ -24,7 +24,7 @@ struct ContactEvent {
 };
 
 /// The name of the enumerator: "stick", "onset".
-[[nodiscard]] std::string_view name_of(ContactState state);
-[[nodiscard]] std::string_view name_of(ContactChange change);
+[[nodiscard]] std::string_view to_string(ContactState state);
+[[nodiscard]] std::string_view to_string(ContactChange change);
 
 }  // namespace stickslip::data

@@ -15,6 +15,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace stickslip::data {
@@ -26,7 +27,7 @@ enum class ValueClass {
   enclosed,   ///< between rigorous bounds
   exact,      ///< to all its digits
   converged,  ///< by a sequence of meshes, steps or modes
-  external    ///< somebody else's
+  external    ///< published elsewhere
 };
 
 inline constexpr std::array<std::string_view, 4> value_class_names{"enclosed", "exact", "converged",
@@ -105,7 +106,7 @@ struct ComparisonRule {
   double shortest_phase = 0.0;
 };
 
-/// Which quantity of the wrong models (studies::Quantity) a data set is; "force ratio" is |f|_max/(mu_s P) of a
+/// Which quantity of the wrong models (comparison::Quantity) a data set is; "force ratio" is |f|_max/(mu_s P) of a
 /// case in each row.
 struct DiagnosisRule {
   std::string quantity;     ///< "stick frequency"
@@ -198,9 +199,15 @@ struct ReferenceTable {
 
 /// The first two rows with the same key, which has one column or more: the same words, and the same numbers as
 /// is_same_key() compares them.
-struct Twice {
-  std::size_t first, second;
-};
-[[nodiscard]] std::optional<Twice> repeated_key(const std::vector<const Column*>& key);
+[[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> duplicate_rows(
+    const std::vector<const Column*>& key);
+
+/// The JSON object of a data set in datapackage.json, from which load_reference() makes the same one.
+[[nodiscard]] std::string json_text(Resource resource);
+
+/// The keys that each object in the description of a data set must have, by its place: a JSON pointer without the first
+/// "/", such as "comparison/values/0"; "" is the data set itself.
+using KeysByPlace = std::vector<std::pair<std::string, std::vector<std::string>>>;
+[[nodiscard]] KeysByPlace required_keys();
 
 }  // namespace stickslip::data

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// Somebody else's results as a CSV file, to be compared with a data set.
+/// A user's results as a CSV file, to be compared with a data set.
 ///
 /// Columns are found by their names, in any order and in any case; a unit may follow the name and is
 /// converted to that of the data set: `frequency [kHz]`, `frequency (kHz)`, `frequency / kHz`,

@@ -20,10 +20,10 @@ struct EnergyBalance {
   double initial_energy{};  ///< kinetic + elastic at the beginning of the record
 
   [[nodiscard]] double energy() const noexcept { return kinetic + elastic; }
+  [[nodiscard]] double change() const noexcept { return energy() - initial_energy; }
   /// What no entry explains: the change of the energy less all works, plus all losses.
   [[nodiscard]] double residual() const noexcept {
-    return energy() - initial_energy - base_work - follower_work + damping_loss + friction_loss +
-           capture_loss;
+    return change() - base_work - follower_work + damping_loss + friction_loss + capture_loss;
   }
 };
 

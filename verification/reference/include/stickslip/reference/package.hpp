@@ -25,6 +25,7 @@ struct Recipe {
   std::string_view name;
   std::function<DataSet()> make;
   bool is_quick{};  ///< computed within about a second
+  int position{};   ///< among all, in the package
 };
 
 /// The recipes of all data sets, in the order of the package. A recipe throws what its computation throws,

@@ -1,0 +1,781 @@
+// SPDX-License-Identifier: MIT
+#include "render/studies.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <type_traits>
+
+#include "comparison/diagnosis/wrong_models.hpp"
+#include "render/criterion_map.hpp"
+#include "render/study_table.hpp"
+#include "stickslip/data/atomic_file.hpp"
+#include "stickslip/data/paper.hpp"
+#include "studies/common/described_types.hpp"
+#include "studies/common/problem_parameter.hpp"
+#include "studies/convergence/manufactured_solution.hpp"
+#include "studies/convergence/scheme_comparison.hpp"
+#include "studies/convergence/time_order.hpp"
+#include "studies/criterion/classification.hpp"
+#include "studies/criterion/criterion_map.hpp"
+#include "studies/criterion/critical_amplitude.hpp"
+#include "studies/criterion/design_guide.hpp"
+#include "studies/criterion/length_force_map.hpp"
+#include "studies/criterion/model_form.hpp"
+#include "studies/criterion/scope.hpp"
+#include "studies/paper/agreement.hpp"
+#include "studies/paper/figure_curves.hpp"
+#include "studies/paper/force_sensitivity.hpp"
+#include "studies/paper/paper_checks.hpp"
+#include "studies/paper/solution_verification.hpp"
+#include "studies/stick/force_maximum.hpp"
+#include "studies/stick/frequencies.hpp"
+#include "studies/stick/stick_history.hpp"
+#include "studies/stick_slip/beam_motion.hpp"
+#include "studies/stick_slip/contact_histories.hpp"
+#include "studies/stick_slip/damped_benchmark.hpp"
+#include "studies/stick_slip/energy_audit.hpp"
+#include "studies/stick_slip/event_order.hpp"
+#include "studies/stick_slip/history_convergence.hpp"
+
+namespace stickslip::report {
+
+namespace {
+
+std::vector<std::function<void(Results&)>>& all_studies() {
+  static std::vector<std::function<void(Results&)>> studies;
+  return studies;
+}
+
+}  // namespace
+
+/// A study: the name of its JSON file and what is announced before it runs. Every object is one of all_studies().
+template <typename Result>
+class Study {
+ public:
+  Study(const char* file, const char* sentence, Result (*function)(Results&))
+      : name(file), what(sentence), run(function) {
+    all_studies().emplace_back([this](Results& r) { r(*this); });
+  }
+
+  const char *const name, *const what;
+  Result (*const run)(Results&);
+};
+template <typename Function>
+Study(const char*, const char*, Function) -> Study<std::invoke_result_t<Function, Results&>>;
+
+template <typename Result>
+const Result& Results::operator()(const Study<Result>& study) {
+  std::any& result = results_[study.name];
+  if (!result.has_value()) {
+    announce_(study.what);
+    result = study.run(*this);
+    std::filesystem::create_directories(folder_);
+    data::write_text(folder_ / fmt::format("{}.json", study.name),
+                     json_text(*std::any_cast<Result>(&result)));
+  }
+  return *std::any_cast<Result>(&result);
+}
+
+void Results::run_all() {
+  for (const auto& run : all_studies()) run(*this);
+}
+
+namespace {
+
+// ---- Cases
+
+data::NumericalSettings with_duration(const data::NumericalSettings& numerics, double duration) {
+  data::NumericalChoices choices = numerics.choices();
+  choices.duration = duration;
+  return data::NumericalSettings(choices);
+}
+
+data::HarmonicExcitation printed_excitation(const std::string& frequency_id,
+                                            const std::string& amplitude_id) {
+  return data::HarmonicExcitation({.frequency_hz = data::printed_number(frequency_id).value,
+                                   .amplitude = data::printed_number(amplitude_id).value});
+}
+
+// The excitations of Sect. 5, whose |f_max| the paper prints.
+std::vector<data::HarmonicExcitation> printed_excitations() {
+  std::vector<data::HarmonicExcitation> excitations;
+  for (const int hz : {15, 25, 35, 70})
+    excitations.push_back(
+        printed_excitation(fmt::format("excitation.frequency.{}", hz), "force_max.amplitude"));
+  return excitations;
+}
+
+data::Case at_frequency(data::Case problem, double hz) {
+  problem.excitation = data::HarmonicExcitation({hz, problem.excitation.amplitude()});
+  return problem;
+}
+
+data::Case undamped_at(const Results& r, double hz) {
+  data::Case problem = at_frequency(r.damped, hz);
+  problem.damping = data::Damping();
+  return problem;
+}
+
+const Study paper("paper", "the paper's case", [](Results& r) { return r.paper; });
+const Study flat_section("flat_section", "the case of Fig. 14", [](Results& r) { return r.flat_section; });
+const Study stick_excitation("stick_excitation", "the excitation of Fig. 9", [](Results& /*r*/) {
+  return printed_excitation("figure9.frequency", "figure9.amplitude");
+});
+
+// ---- Studies
+
+constexpr int shown_modes = 3;
+const std::vector<int> meshes{4, 6, 8, 12, 16, 24, 32};
+
+const Study stick_frequencies("stick_frequencies", "natural frequencies of the stick state", [](Results& r) {
+  return studies::stick_frequency_study(r.paper.beam, shown_modes, meshes);
+});
+const Study slip_frequencies("slip_frequencies", "natural frequencies of the slip state", [](Results& r) {
+  return studies::slip_frequency_study(r.paper.beam, shown_modes, meshes);
+});
+const Study half_stiffness_frequencies("half_stiffness_frequencies",
+                                       "natural frequencies at half the stiffness", [](Results& r) {
+                                         return studies::stick_frequency_study(r.half_stiffness.beam,
+                                                                               shown_modes, meshes);
+                                       });
+
+const Study flutter("flutter", "flutter load", [](Results& r) {
+  return studies::flutter_study(r.paper.beam, {4, 8, 16, 32});
+});
+
+constexpr int points_per_element = 10;
+const Study mode_shapes("mode_shapes", "mode shapes (Fig. 7)", [](Results& r) {
+  const int elements = r.paper.numerics.elements();
+  return studies::mode_shape_study(r.paper.beam, shown_modes, elements, points_per_element * elements + 1);
+});
+
+const Study time_orders("time_orders", "orders of the time integration", [](Results& /*r*/) {
+  std::vector<studies::TimeOrderStudy> orders;
+  for (const double radius : {0.0, 0.5, 0.9, 1.0})
+    orders.push_back(studies::time_order_study(radius, {50, 100, 200, 400, 800, 1600}));
+  return orders;
+});
+
+const Study manufactured_solution("manufactured_solution", "manufactured solutions", [](Results& r) {
+  return studies::manufactured_solution_study(r.paper.beam);
+});
+
+const Study stick_history("stick_history", "stick-state histories under refinement (Fig. 9)", [](Results& r) {
+  constexpr int levels = 4;
+  return studies::stick_history_study(r.paper.beam, r(stick_excitation), with_duration(r.paper.numerics, 1.0),
+                                      levels);
+});
+
+const Study force_maxima("force_maxima", "largest static friction forces", [](Results& r) {
+  std::vector<studies::ForceMaximumStudy> maxima;
+  for (const auto& excitation : printed_excitations())
+    maxima.push_back(studies::force_maximum_study(r.paper.beam, excitation, r.paper.numerics));
+  return maxima;
+});
+
+// Of Figs. 10 to 13: every quarter of a hertz, and every hundredth within half a hertz of a resonance, where the
+// curve has a spike.
+std::vector<double> criterion_frequencies(const studies::FrequencyStudy& natural) {
+  constexpr double highest = 120.0;
+  std::vector<double> frequencies;
+  for (int i = 4; i <= static_cast<int>(4.0 * highest); ++i) frequencies.push_back(0.25 * i);
+  for (const auto& mode : natural.modes)
+    for (int i = -50; i <= 50; ++i)
+      if (const double hz = mode.closed_form_hz + 0.01 * i; hz < highest) frequencies.push_back(hz);
+  std::ranges::sort(frequencies);
+  return frequencies;
+}
+
+const Study criterion("criterion", "critical amplitudes (Fig. 11)", [](Results& r) {
+  return studies::critical_amplitude_curve(r.paper.beam, r.paper.friction, r.paper.numerics,
+                                           criterion_frequencies(r(stick_frequencies)));
+});
+
+// Point i is at the frequency of criterion[i] times the ratio of the first natural frequencies.
+const Study half_stiffness_criterion(
+    "half_stiffness_criterion", "critical amplitudes at half the stiffness (Fig. 13)", [](Results& r) {
+      const double ratio = r(half_stiffness_frequencies).modes.front().closed_form_hz /
+                           r(stick_frequencies).modes.front().closed_form_hz;
+      std::vector<double> frequencies = criterion_frequencies(r(stick_frequencies));
+      for (double& hz : frequencies) hz *= ratio;
+      const data::Case& problem = r.half_stiffness;
+      return studies::critical_amplitude_curve(problem.beam, problem.friction, problem.numerics, frequencies);
+    });
+
+const Study half_stiffness_ratio("half_stiffness_ratio",
+                                 "critical amplitudes at half the stiffness, compared", [](Results& r) {
+                                   return studies::amplitude_ratio(r(half_stiffness_criterion), r(criterion));
+                                 });
+
+const Study force_surface("force_surface",
+                          "largest static friction forces over frequency and amplitude (Fig. 10)",
+                          [](Results& r) {
+                            std::vector<double> natural;
+                            for (const auto& mode : r(stick_frequencies).modes)
+                              natural.push_back(mode.closed_form_hz);
+                            return studies::force_surface(studies::friction_limit(r.paper), r(criterion),
+                                                          natural);
+                          });
+
+const Study friction_curve("friction_curve", "friction law (Fig. 2)", [](Results& r) {
+  return studies::friction_curve(r.paper.friction, r.paper.beam.axial_force());
+});
+
+const Study searches("searches", "critical amplitudes by the paper's procedure (Fig. 6)", [](Results& r) {
+  constexpr double increment = 1e-5, cap = 1e-3;  // m
+  return studies::critical_amplitude_searches(r.paper.beam, r.paper.friction, r.paper.numerics,
+                                              studies::figure6_frequencies(), increment, cap);
+});
+
+const Study length_force_map("length_force_map", "criterion over length and axial force (Fig. 14)",
+                             [](Results& r) {
+                               return studies::length_force_map(r.flat_section, 0.4, 2.0,
+                                                                studies::figure14_axial_forces());
+                             });
+
+const Study classification("classification", "classification of excitations (Fig. 12), the longest of all",
+                           [](Results& r) {
+                             return studies::classification_study(
+                                 r.paper.beam, r.paper.friction, r.paper.numerics,
+                                 studies::figure12_frequencies(), studies::figure12_amplitudes());
+                           });
+
+constexpr double shown_duration = 0.5;  // s
+const Study contact_histories("contact_histories", "stick-slip histories (Figs. 4 and 5)",
+                              [](Results& r) { return studies::contact_histories(r.paper, shown_duration); });
+
+// Those of contact_histories that slip at 1 mm: 25, 35 and 70 Hz, undamped.
+const Study converged_histories("converged_histories", "converged histories", [](Results& r) {
+  std::vector<studies::ConvergedHistory> converged;
+  for (const auto& history : r(contact_histories))
+    if (history.converged && history.amplitude == r.damped.excitation.amplitude())
+      converged.push_back(*history.converged);
+  return converged;
+});
+
+const Study usual_practice("usual_practice", "undamped histories as they are usually computed",
+                           [](Results& r) {
+                             std::vector<std::vector<studies::PracticeRun>> runs;
+                             for (const auto& history : r(converged_histories))
+                               runs.push_back(studies::usual_practice(r.paper, history));
+                             return runs;
+                           });
+
+// Resolved in time, 80 elements would take half a minute and 160 minutes.
+const Study history_growth("history_growth", "growth of a disturbance on meshes", [](Results& r) {
+  const studies::ConvergedHistory& reference = r(converged_histories).front();
+  const data::Case problem = undamped_at(r, reference.frequency_hz);
+  const auto refined = [&](const studies::StepRule& rule, const std::vector<int>& elements) {
+    return studies::history_refinement(problem, reference, rule, elements, elements.back());
+  };
+  const std::vector<int> resolved{5, 10, 20, 40};
+  const double radius = r.paper.numerics.spectral_radius(), step = r.paper.numerics.time_step();
+  return std::vector{refined({"resolved in time", 0.3, 0.0, radius}, resolved),
+                     refined({"fixed step", 0.0, step, radius}, {5, 10, 20, 40, 80, 160}),
+                     refined({"filtering step", studies::filtering_angle, 0.0, 0.0}, {5, 10, 20, 40, 80}),
+                     refined({"radiating tip", 1.2, 0.0, 1.0, 0.01}, resolved)};
+});
+
+const Study history_refinements("history_refinements", "refinement of undamped histories on meshes",
+                                [](Results& r) {
+                                  std::vector<studies::HistoryRefinement> refinements;
+                                  for (const auto& reference : r(converged_histories)) {
+                                    const auto refine = [&](double radius, const std::vector<int>& elements) {
+                                      refinements.push_back(studies::history_refinement(
+                                          undamped_at(r, reference.frequency_hz), reference,
+                                          {"filtering step", studies::filtering_angle, 0.0, radius}, elements,
+                                          0));
+                                    };
+                                    refine(0.0, {10, 20, 40, 80, 160});
+                                    refine(0.5, {10, 20, 40, 80});
+                                  }
+                                  return refinements;
+                                });
+
+const Study event_orders("event_orders", "orders through the events of a damped history", [](Results& r) {
+  constexpr double duration = 0.12;  // s: seven events
+  constexpr int elements = 10;
+  std::vector<studies::EventOrderStudy> orders;
+  for (const double radius : {r.paper.numerics.spectral_radius(), 1.0})
+    orders.push_back(
+        studies::event_order_study(r.damped, duration, elements, radius, {1, 2, 4, 8, 16, 32, 64}));
+  return orders;
+});
+
+const Study damped_benchmarks("damped_benchmarks", "the damped benchmark by every method", [](Results& r) {
+  std::vector<studies::DampedBenchmark> benchmarks;
+  for (const int hz : {25, 70}) benchmarks.push_back(studies::damped_benchmark(at_frequency(r.damped, hz)));
+  return benchmarks;
+});
+
+const Study energy_audits("energy_audits", "energy balance", [](Results& r) {
+  const auto audit = [](const data::Case& problem, const std::vector<int>& elements) {
+    constexpr double duration = 0.12;  // s
+    constexpr int modes = 20;
+    return studies::energy_audit(problem, duration, elements, modes,
+                                 {2e-5, 1e-5, 5e-6, 2.5e-6, 1.25e-6, 6.25e-7});
+  };
+  return std::vector{audit(r.damped, {10}),
+                     audit(undamped_at(r, r.damped.excitation.frequency_hz()), {5, 10, 20})};
+});
+
+const Study schemes("schemes", "contact schemes", [](Results& r) {
+  return studies::compare_schemes(r.paper.beam, r.paper.friction, r.damped.excitation,
+                                  with_duration(r.paper.numerics, shown_duration), data::Damping());
+});
+
+const Study beam_motions("beam_motions", "motions of the whole beam (Fig. 3)", [](Results& r) {
+  constexpr int snapshots = 9, positions = 61;
+  std::vector<studies::BeamMotionStudy> motions;
+  for (const auto& excitation : printed_excitations()) {
+    data::Case problem = r.paper;
+    problem.excitation = excitation;
+    motions.push_back(studies::beam_motion_study(problem, snapshots, positions));
+  }
+  return motions;
+});
+
+const Study wrong_models("wrong_models", "what the known mistakes change", [](Results& r) {
+  constexpr double stick_duration = 1.0, contact_duration = 0.12;  // s
+  return comparison::wrong_model_effects(r.damped, stick_duration, contact_duration);
+});
+
+const Study force_sensitivity("force_sensitivity", "what moves the printed forces",
+                              [](Results& r) { return studies::force_sensitivity(r.paper); });
+
+const Study solution_verification("solution_verification", "grid convergence of each result",
+                                  [](Results& r) { return studies::solution_verification(r.paper); });
+
+data::Case stick_case(Results& r) {
+  data::Case problem = r.paper;
+  problem.excitation = r(stick_excitation);
+  return problem;
+}
+
+// At the amplitude of Fig. 4.
+const Study stiffness_map("stiffness_map", "criterion over frequency and stiffness", [](Results& r) {
+  const double modulus = r.paper.beam.youngs_modulus();
+  using studies::map_axis;
+  return studies::criterion_map(
+      {.problem = stick_case(r),
+       .x = map_axis("excitation.frequency_hz", 1.0, 120.0, 239, false),
+       .y = map_axis("beam.youngs_modulus", 0.25 * modulus, 4.0 * modulus, 61, true)});
+});
+
+// The section of Fig. 14 over a band around its frequency.
+const Study design_example("design_example", "lengths and forces that avoid slipping", [](Results& r) {
+  const data::Case& problem = r.flat_section;
+  const double hz = problem.excitation.frequency_hz();
+  const analytic::FrequencyBand band{hz - 1.0, hz + 1.0};
+  const auto scan = [&](std::string_view parameter, double from, double to) {
+    return studies::design_scan(problem, parameter,
+                                studies::range_below_buckling(problem, parameter, from, to), band);
+  };
+  return studies::Design{.band = band,
+                         .margin = studies::band_margin(problem, band),
+                         .lengths = scan("beam.length", 0.4, 2.0),
+                         .forces = scan("beam.axial_force", 50.0, 5000.0)};
+});
+
+const Study scope("scope", "scope of the criterion", [](Results& r) {
+  const auto& histories = r(converged_histories);
+  const auto slow = std::ranges::find(histories, 35.0, &studies::ConvergedHistory::frequency_hz);
+  return studies::scope(r.paper, r.damped, *slow);
+});
+
+const Study model_form("model_form", "criterion with an axial force of fixed direction", [](Results& r) {
+  constexpr int lengths = 81;  // every 2 cm
+  return studies::model_form(r.paper, r.half_stiffness, r.flat_section, lengths);
+});
+
+const Study model_variants(
+    "model_variants", "criterion with contact compliance and with damping", [](Results& r) {
+      constexpr int lengths = 17;        // every 10 cm
+      constexpr std::size_t stride = 5;  // of the axial forces
+      constexpr double rigid = std::numeric_limits<double>::infinity();
+      std::vector<std::vector<studies::VariantPlane>> rows;
+      for (const studies::ModelVariant& variant :
+           {studies::ModelVariant{10.0, 0.0}, {100.0, 0.0}, {1000.0, 0.0}, {rigid, 0.005}, {rigid, 0.02}})
+        rows.push_back(
+            studies::variant_planes(variant, r.paper, r.half_stiffness, r.flat_section, lengths, stride));
+      return rows;
+    });
+
+const Study printed_checks("printed_checks", "printed numbers",
+                           [](Results& r) { return studies::printed_checks(r.paper); });
+const Study errata_evidence("errata_evidence", "errata",
+                            [](Results& r) { return studies::errata_evidence(r.paper); });
+const Study agreement("agreement", "agreement with printed numbers and with results without a mesh",
+                      [](Results& r) {
+                        return studies::agreement(r(printed_checks), r(solution_verification));
+                      });
+
+// ---- Figures
+
+FigureData figure(const std::string& name, CsvTable table, std::vector<FigureData::Value> values = {}) {
+  return {{{name, std::move(table)}}, std::move(values)};
+}
+
+// Drawings that hold no numbers.
+FigureData schematic(Results& /*r*/) { return {}; }
+
+FigureData scatter(Results& r) {
+  const studies::Agreement& found = r(agreement);
+  std::vector<FigureData::Value> values;
+  for (const auto& [name, differences] : {std::pair{"printed", found.printed}, {"exact", found.exact}}) {
+    values.push_back({fmt::format("{}_count", name), static_cast<double>(differences.count), "1"});
+    values.push_back({fmt::format("{}_bias", name), differences.bias, "1"});
+    values.push_back({fmt::format("{}_spread", name), differences.spread, "1"});
+  }
+  return figure("scatter",
+                study_table("Computed values against their references", found.results,
+                            "what, reference, known_erratum, computed, expected, relative_difference"),
+                values);
+}
+
+FigureData figure2(Results& r) {
+  const data::FrictionLaw& law = r.paper.friction;
+  const char* title =
+      "Fig. 2: friction coefficient mu(v) of Eq. (7) and friction force f_d = -sgn(v) mu(v) P";
+  return figure("fig2",
+                study_table(title, r(friction_curve), "sliding_velocity, coefficient, friction_force"),
+                {{"static_coefficient", law.static_coefficient(), "1"},
+                 {"kinetic_coefficient", law.kinetic_coefficient(), "1"},
+                 {"axial_force", r.paper.beam.axial_force(), "N"}});
+}
+
+FigureData convergence(Results& r) {
+  FigureData data =
+      figure("convergence", study_table("Relative error of the eigenvalue omega^2 on Hermite elements",
+                                        std::vector{r(stick_frequencies), r(slip_frequencies)},
+                                        "state, modes.mode, elements, element_length, modes.relative_error, "
+                                        "modes.predicted_error"));
+  data.tables.push_back(
+      {"convergence-time",
+       study_table("Error of generalised-alpha on a damped chain of two masses", r(time_orders),
+                   "spectral_radius, time_step, displacement_error, velocity_error, reaction_error")});
+  return data;
+}
+
+// Panel i, by rows, has the columns 2 i and 2 i + 1 and the value hz<i>; stick stands left, slip right.
+FigureData figure7(Results& r) {
+  const auto& study = r(mode_shapes);
+  std::string columns = "position as x_over_L";
+  std::vector<FigureData::Value> values{{"points_per_element", static_cast<double>(points_per_element), "1"}};
+  for (std::size_t i = 0; i < study.curves.size(); ++i) {
+    const auto& curve = study.curves[i];
+    for (const char* method : {"closed_form", "finite_element"})
+      columns += fmt::format(", curves.{}.{} as {}_{}_{}", i, method, curve.state(), curve.mode, method);
+    values.push_back({fmt::format("hz{}", i + 1), curve.closed_form_hz, "Hz"});
+  }
+  return figure(
+      "fig7", study_table("Fig. 7: mode shapes scaled to a largest deflection of 1", study, columns), values);
+}
+
+FigureData refinement(Results& r) {
+  return figure("refinement",
+                study_table("Sup-norm difference of finite elements and closed form in the stick state",
+                            r(stick_history).levels,
+                            "elements, time_step, displacement_error, predicted_displacement_error, "
+                            "force_error, predicted_force_error"));
+}
+
+FigureData event_order(Results& r) {
+  return figure("event-order",
+                study_table("Errors through the events of a damped history", r(event_orders),
+                            "spectral_radius, time_step, located.event_time_error as located_event_time, "
+                            "at_end_of_step.event_time_error as end_of_step_event_time, "
+                            "located.tip_error as located_tip, at_end_of_step.tip_error as end_of_step_tip"),
+                {{"radius", r(event_orders).front().spectral_radius, "1"}});
+}
+
+FigureData energy(Results& r) {
+  const auto& audits = r(energy_audits);
+  std::vector<FigureData::Value> values{
+      {"damped_elements", static_cast<double>(audits.front().meshes.front().elements), "1"}};
+  int number = 0;
+  for (const auto& mesh : audits.back().meshes)
+    values.push_back({fmt::format("undamped_elements{}", ++number), static_cast<double>(mesh.elements), "1"});
+  return figure(
+      "energy",
+      study_table("Unexplained energy of the time stepper over the base work, spectral radius 1", audits,
+                  "kelvin_voigt, meshes.elements, time_step, meshes.residual, meshes.base_work, "
+                  "event_driven_residual"),
+      values);
+}
+
+FigureData figure9(Results& r) {
+  const char* title =
+      "Fig. 9: midspan displacement y(L/2, t) and static friction force f(t) of the stick state";
+  return figure("fig9", study_table(title, r(stick_history),
+                                    "time, displacement as displacement_closed_form, "
+                                    "first_displacement as displacement_finite_element, "
+                                    "force as force_closed_form, first_force as force_finite_element"));
+}
+
+FigureData figure6(Results& r) {
+  return figure(
+      "fig6",
+      study_table("Fig. 6: critical amplitude by finite elements, by search and by one linear run",
+                  r(searches),
+                  "frequency_hz, searched_amplitude, above_the_cap, linear as linear_amplitude, runs"));
+}
+
+CsvTable criterion_table(Results& r) {
+  return study_table("Critical amplitude of stick-slip, closed form", r(criterion),
+                     "frequency_hz, critical_amplitude");
+}
+
+void add_natural_frequencies(const studies::FrequencyStudy& study, const char* name, FigureData& data) {
+  for (const auto& mode : study.modes)
+    data.values.push_back({fmt::format("{}{}", name, mode.mode), mode.closed_form_hz, "Hz"});
+}
+
+FigureData figure11(Results& r) {
+  FigureData data = figure("fig11", criterion_table(r));
+  add_natural_frequencies(r(stick_frequencies), "natural", data);
+  return data;
+}
+
+FigureData figure12(Results& r) {
+  FigureData data =
+      figure("fig12", study_table("Fig. 12: verdict of either implementation at each excitation",
+                                  r(classification).points,
+                                  "frequency_hz, amplitude, closed_form, finite_element, in_guard_band"));
+  data.tables.push_back({"fig12-curve", criterion_table(r)});
+  add_natural_frequencies(r(stick_frequencies), "natural", data);
+  return data;
+}
+
+// Long form: panel and snapshot count from 1 in columns 1 and 3.
+FigureData figure3(Results& r) {
+  CsvTable table(
+      "Fig. 3: motion y(x, t) of the beam over one period, by finite elements and without a mesh (closed "
+      "form where the tip sticks throughout, else converged on free modes)",
+      {{"panel", "1"},
+       {"frequency_Hz", "Hz"},
+       {"snapshot", "1"},
+       {"time_s", "s"},
+       {"periods_since_first_snapshot", "1"},
+       {"tip_sticks", "1"},
+       {"position_m", "m"},
+       {"finite_element_displacement_m", "m"},
+       {"continuous_beam_displacement_m", "m"}});
+  int panel = 0;
+  for (const auto& study : r(beam_motions)) {
+    ++panel;
+    const auto& rows = study.finite_element.rows;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      for (std::size_t k = 0; k < study.position.size(); ++k)
+        table.add_numbers({static_cast<double>(panel), study.frequency_hz, static_cast<double>(i + 1),
+                           rows[i].time, (rows[i].time - rows[0].time) * study.frequency_hz,
+                           rows[i].state == data::ContactState::stick ? 1.0 : 0.0, study.position[k],
+                           rows[i].displacement[k], study.reference.rows[i].displacement[k]});
+  }
+  return {{{"fig3", std::move(table)}}, {}};
+}
+
+// Four tip histories of one amplitude; panel i has the values hz<i> and slips<i>, and the columns 2 i and 2 i
+// + 1. A tip that sticks throughout has zeros.
+FigureData tip_histories(Results& r, const std::string& number) {
+  std::vector<studies::ContactHistory> panels = r(contact_histories);
+  std::erase_if(panels, [&](const auto& panel) { return !panel.figure.starts_with(number); });
+  const auto slips = [](const studies::ContactHistory& panel) { return panel.converged.has_value(); };
+  const studies::ConvergedHistory slipping = *std::ranges::find_if(panels, slips)->converged;
+  std::string columns = "0.converged.time";
+  std::vector<FigureData::Value> values{{"shown", shown_duration, "s"}};
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const double hz = panels[i].frequency_hz;
+    values.push_back({fmt::format("hz{}", i + 1), hz, "Hz"});
+    values.push_back({fmt::format("slips{}", i + 1), slips(panels[i]) ? 1.0 : 0.0, "1"});
+    columns += fmt::format(", {0}.converged.tip as tip_displacement_{1}hz", i, hz);
+    columns += fmt::format(", {0}.converged.tip_half_width as half_width_{1}hz", i, hz);
+    if (slips(panels[i])) continue;
+    panels[i].converged = slipping;
+    panels[i].converged->tip.assign(slipping.time.size(), 0.0);
+    panels[i].converged->tip_half_width = panels[i].converged->tip;
+  }
+  const std::string title =
+      fmt::format("Fig. {}: tip displacement y(L, t) at A0 = {} m, converged, with half-width", number,
+                  panels.front().amplitude);
+  return figure("fig" + number, study_table(title, panels, columns), values);
+}
+
+FigureData figure4(Results& r) { return tip_histories(r, "4"); }
+FigureData figure5(Results& r) { return tip_histories(r, "5"); }
+
+// Run 0 is the uncertainty of the reference.
+CsvTable benchmark_events(const std::vector<studies::DampedBenchmark>& benchmarks) {
+  CsvTable events("Damped benchmark: events of the reference and differences of other runs to it",
+                  {{"frequency_Hz", "Hz"},
+                   {"run", "1"},
+                   {"method", "-"},
+                   {"elements_or_modes", "1"},
+                   {"time_step_s", "s"},
+                   {"event_time_s", "s"},
+                   {"change", "-"},
+                   {"position_m", "m"},
+                   {"time_difference_s", "s"},
+                   {"position_difference_m", "m"}});
+  for (const auto& benchmark : benchmarks) {
+    const auto add = [&](int number, const studies::BenchmarkRun& run, std::size_t i,
+                         const studies::EventDifference& difference) {
+      const auto& event = benchmark.events[i];
+      events.add(benchmark.frequency_hz)
+          .add(number)
+          .add(CsvText(run.method))
+          .add(run.size)
+          .add(run.time_step);
+      events.add(event.time).add(CsvText(data::to_string(event.change))).add(event.position);
+      events.add(difference.time).add(difference.position).end_row();
+    };
+    studies::BenchmarkRun reference;
+    reference.method = "uncertainty of the reference";
+    reference.size = benchmark.modes;
+    for (std::size_t i = 0; i < benchmark.events.size(); ++i)
+      add(0, reference, i, benchmark.uncertainties[i]);
+    int number = 0;
+    for (const auto& run : benchmark.runs) {
+      ++number;
+      for (std::size_t i = 0; i < run.each.size(); ++i) add(number, run, i, run.each[i]);
+    }
+  }
+  return events;
+}
+
+FigureData benchmark(Results& r) {
+  const auto& all = r(damped_benchmarks);
+  FigureData data = figure("benchmark", benchmark_events(all),
+                           {{"shown", all.front().duration, "s"},
+                            {"hz1", all.front().frequency_hz, "Hz"},
+                            {"hz2", all.back().frequency_hz, "Hz"}});
+  data.tables.push_back(
+      {"benchmark-histories", study_table("Damped benchmark: tip displacement y(L, t) of the reference", all,
+                                          "0.history.rows.time, 0.history.rows.tip_displacement as tip_25hz, "
+                                          "1.history.rows.tip_displacement as tip_70hz")});
+  return data;
+}
+
+// Undamped histories as they are usually computed, next to the converged one. Row j of panels has the value
+// hz<j>.
+FigureData practice(Results& r) {
+  CsvTable table("Undamped tip displacement y(L, t): converged (run 0) and as usually computed",
+                 {{"frequency_Hz", "Hz"},
+                  {"run", "1"},
+                  {"method", "-"},
+                  {"elements", "1"},
+                  {"time_step_s", "s"},
+                  {"spectral_radius", "1"},
+                  {"largest_error_percent", "%"},
+                  {"time_s", "s"},
+                  {"tip_displacement_m", "m"}});
+  FigureData data{{}, {{"shown", shown_duration, "s"}}};
+  for (std::size_t j = 0; j < r(converged_histories).size(); ++j) {
+    const auto& converged = r(converged_histories)[j];
+    data.values.push_back({fmt::format("hz{}", j + 1), converged.frequency_hz, "Hz"});
+    std::vector<studies::PracticeRun> runs = r(usual_practice)[j];
+    runs.insert(runs.begin(), {.method = "converged", .tip_displacement = converged.tip});
+    for (std::size_t k = 0; k < runs.size(); ++k)
+      for (std::size_t n = 0; n < converged.time.size(); ++n) {
+        table.add(converged.frequency_hz).add(static_cast<double>(k)).add(CsvText(runs[k].method));
+        table.add(runs[k].elements).add(runs[k].time_step).add(runs[k].spectral_radius);
+        table.add(100.0 * runs[k].largest_error).add(converged.time[n]).add(runs[k].tip_displacement[n]);
+        table.end_row();
+      }
+  }
+  data.tables.push_back({"practice", std::move(table)});
+  return data;
+}
+
+// Rule k of the table has the name rule<k>.
+FigureData growth(Results& r) {
+  FigureData data =
+      figure("growth",
+             study_table("Undamped histories of generalised-alpha on meshes", r(history_growth),
+                         "# as rule, runs.elements, runs.time_step, runs.spectral_radius, runs.growth_bound, "
+                         "runs.observed_growth, runs.error in %"),
+             {{"beam", r(history_growth).front().beam_growth_bound, "1/s"}});
+  int rule = 0;
+  for (const auto& series : r(history_growth))
+    data.values.push_back({fmt::format("rule{}", ++rule), series.rule.name, "-"});
+  return data;
+}
+
+// The points are the excitations A to D whose |f_max| the paper prints.
+FigureData figure10(Results& r) {
+  FigureData data =
+      figure("fig10",
+             study_table("Fig. 10: largest static friction force |f_max| over 0 to 10 s, closed form",
+                         r(force_surface), "frequency_hz, amplitude, force_max", TableShape::grid),
+             {{"limit", studies::friction_limit(r.paper), "N"}});
+  CsvTable points("Fig. 10: the excitations A to D",
+                  {{"letter", "-"}, {"frequency_Hz", "Hz"}, {"amplitude_m", "m"}, {"force_max_N", "N"}});
+  const char* letter = "ACBD";
+  for (const auto& force : r(force_maxima)) {
+    points.add(CsvText(std::string_view(letter++, 1))).add(force.frequency_hz).add(force.amplitude);
+    points.add(force.truncated.midpoint()).end_row();
+  }
+  data.tables.push_back({"fig10-points", std::move(points)});
+  return data;
+}
+
+FigureData figure13(Results& r) {
+  FigureData data = figure(
+      "fig13",
+      study_table("Fig. 13: critical amplitude with the flexural rigidity EI and with EI/2, closed form",
+                  std::vector{r(criterion), r(half_stiffness_criterion)},
+                  "0.frequency_hz, 0.critical_amplitude, 1.frequency_hz as half_stiffness_frequency, "
+                  "1.critical_amplitude as half_stiffness_critical_amplitude"));
+  add_natural_frequencies(r(stick_frequencies), "natural", data);
+  add_natural_frequencies(r(half_stiffness_frequencies), "half", data);
+  return data;
+}
+
+// Grid lines of one axial force.
+FigureData figure14(Results& r) {
+  const auto& study = r(length_force_map);
+  FigureData data =
+      figure("fig14",
+             study_table("Fig. 14: |f_max|/(mu_s P) over beam length and axial force, closed form",
+                         study.lines, "length, axial_force, force_ratio", TableShape::grid),
+             {{"hz", study.frequency_hz, "Hz"}, {"buckling_coefficient", study.buckling_coefficient, "1"}});
+  data.tables.push_back(
+      {"fig14-limits", study_table("Fig. 14: lengths of resonance with the excitation and of buckling",
+                                   study.lines, "axial_force, resonance_1, resonance_2, buckling_length")});
+  return data;
+}
+
+FigureData map(Results& r) { return figure_of(stick_case(r), r(stiffness_map)); }
+
+}  // namespace
+
+const std::vector<Figure>& all_figures() {
+  static const std::vector<Figure> figures{{"scatter", scatter},
+                                           {"fig1", schematic},
+                                           {"fig2", figure2},
+                                           {"fig8", schematic},
+                                           {"convergence", convergence},
+                                           {"fig7", figure7},
+                                           {"refinement", refinement},
+                                           {"event-order", event_order},
+                                           {"energy", energy},
+                                           {"fig9", figure9},
+                                           {"fig6", figure6},
+                                           {"fig12", figure12},
+                                           {"fig3", figure3},
+                                           {"fig4", figure4},
+                                           {"fig5", figure5},
+                                           {"benchmark", benchmark},
+                                           {"practice", practice},
+                                           {"growth", growth},
+                                           {"fig10", figure10},
+                                           {"fig11", figure11},
+                                           {"fig13", figure13},
+                                           {"fig14", figure14},
+                                           {"map", map}};
+  return figures;
+}
+
+}  // namespace stickslip::report

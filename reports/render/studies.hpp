@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// What the report draws and quotes: each study, run on the paper's case with the settings chosen in studies.cpp, and each
+/// figure. A study is run on first use.
+
+#include <any>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "render/drawing.hpp"
+#include "stickslip/data/case_file.hpp"
+
+namespace stickslip::report {
+
+template <typename Result>
+class Study;
+
+class Results {
+ public:
+  /// `announce` is told what starts, before each study; `folder` receives each result as <name>.json.
+  Results(std::function<void(const std::string&)> announce, std::filesystem::path folder)
+      : announce_(std::move(announce)), folder_(std::move(folder)) {}
+
+  template <typename Result>
+  const Result& operator()(const Study<Result>& study);
+
+  /// Runs every study that has not run.
+  void run_all();
+
+  const data::Case paper = data::load_case("paper");
+  const data::Case damped = data::load_case("damped");
+  const data::Case half_stiffness = data::load_case("paper-half-stiffness");
+  const data::Case flat_section = data::load_case("paper-figure14");
+
+ private:
+  std::function<void(const std::string&)> announce_;
+  std::filesystem::path folder_;
+  std::map<std::string, std::any> results_;
+};
+
+/// A figure: its name is that of figures/<name>.gp.
+struct Figure {
+  std::string name;
+  FigureData (*data)(Results&);
+};
+
+/// All figures, in the order of the report.
+[[nodiscard]] const std::vector<Figure>& all_figures();
+
+}  // namespace stickslip::report

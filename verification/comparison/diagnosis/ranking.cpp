@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include "comparison/diagnosis/ranking.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include "stickslip/data/input_error.hpp"
+
+namespace stickslip::comparison {
+
+namespace {
+
+using Values = std::vector<double>;
+
+// Allowed probability that an unrelated error is assigned to a hypothesis.
+constexpr double accidental_share = 0.01;
+constexpr std::size_t most_named = 3;  // in a sentence
+
+double root_mean_square(const Values& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value * value;
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+// (a - b)/s for each entry, s of distance().
+Values scaled_difference(data::Norm norm, const Values& reference, const Values& a, const Values& b) {
+  const double common = root_mean_square(reference);
+  Values difference;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    difference.push_back(a[i] == b[i] ? 0.0
+                                      : (a[i] - b[i]) /
+                                            (norm == data::Norm::relative ? std::abs(reference[i]) : common));
+  return difference;
+}
+
+// The R of the wrong models that change more than the uncertainty.
+double ratio_for(const ModelResults& results, double uncertainty) {
+  constexpr double least = 3.0;
+  std::vector<Values> directions;
+  for (const Hypothesis& one : results.wrong_models) {
+    if (!std::isfinite(one.from_reference) || one.from_reference <= uncertainty) continue;
+    directions.push_back(scaled_difference(results.norm, results.reference, one.values, results.reference));
+    const double length = root_mean_square(directions.back());
+    for (double& component : directions.back()) component /= length;
+  }
+  if (directions.empty()) return least;
+  double sum = 0.0;
+  for (const auto& a : directions)
+    for (const auto& b : directions) {
+      double cosine = 0.0;
+      for (std::size_t i = 0; i < a.size(); ++i) cosine += a[i] * b[i];
+      cosine /= static_cast<double>(a.size());
+      sum += cosine * cosine;
+    }
+  const auto count = static_cast<double>(directions.size());
+  return required_ratio(count, count * count / sum, 0, least);
+}
+
+void require_usable(const ModelResults& results, const Values& values, const Values& uncertainty) {
+  for (const std::size_t size : {values.size(), uncertainty.size()})
+    if (size != results.reference.size())
+      throw std::invalid_argument(fmt::format("there are {} values or uncertainties, but must be {}", size,
+                                              results.reference.size()));
+  for (const double value : values)
+    if (!std::isfinite(value)) throw data::FieldError("a value", value, "finite");
+  for (const double bound : uncertainty)
+    if (!(bound >= 0.0 && std::isfinite(bound)))
+      throw data::FieldError("an uncertainty", bound, "finite and not negative");
+}
+
+// The nearest wrong model that changes something: the others are no explanation. Null if there is none.
+const Hypothesis* nearest_of(const Diagnosis& diagnosis) {
+  const auto found = std::ranges::find_if(
+      diagnosis.ranked, [&](const Hypothesis& one) { return one.from_reference > diagnosis.uncertainty; });
+  return found == diagnosis.ranked.end() ? nullptr : &*found;
+}
+
+std::string quoted(const std::vector<std::string>& names) {
+  return fmt::format("'{}'", fmt::join(names, "', '"));
+}
+
+}  // namespace
+
+double distance(data::Norm norm, const Values& reference, const Values& a, const Values& b) {
+  const double result = root_mean_square(scaled_difference(norm, reference, a, b));
+  return std::isfinite(result) ? result : std::numeric_limits<double>::infinity();
+}
+
+double required_ratio(double tried, double dimension, int free, double least) {
+  const double n = dimension - free;
+  if (n <= 0.0) return std::numeric_limits<double>::infinity();
+  const double choices = tried / (accidental_share * (free == 0 ? std::numbers::ln10 : 1.0));
+  return std::max(least, std::pow(choices, 1.0 / n));
+}
+
+double required_ratio(std::size_t values, int free, int tried) {
+  constexpr std::size_t most_independent = 6;
+  return required_ratio(tried, static_cast<double>(std::min(values, most_independent)), free, 10.0);
+}
+
+std::optional<Hypothesis> accepted(const ComparedValues& values, Hypothesis hypothesis, int tried) {
+  Values theirs, reference, expected;
+  for (std::size_t i = 0; i < hypothesis.values.size(); ++i) {
+    if (std::isnan(hypothesis.values[i])) continue;
+    theirs.push_back(values.theirs[i]);
+    reference.push_back(values.reference[i]);
+    expected.push_back(hypothesis.values[i]);
+  }
+  if (expected.size() < 3) return {};
+  const double whole = distance(values.norm, reference, theirs, reference);
+  hypothesis.distance = distance(values.norm, reference, theirs, expected);
+  hypothesis.from_reference = distance(values.norm, reference, expected, reference);
+  const double ratio = required_ratio(expected.size(), hypothesis.free, tried);
+  if (!std::isfinite(whole) || !(hypothesis.distance * ratio <= whole)) return {};
+  return hypothesis;
+}
+
+ModelResults relative_to_data(ModelResults results, const Values& data) {
+  const Values right = std::exchange(results.reference, data);
+  for (Hypothesis& one : results.wrong_models) {
+    for (std::size_t i = 0; i < data.size(); ++i)
+      one.values[i] = results.norm == data::Norm::relative ? data[i] * (one.values[i] / right[i])
+                                                           : data[i] + (one.values[i] - right[i]);
+    one.from_reference = distance(results.norm, data, one.values, data);
+  }
+  results.reference_uncertainty = distance(results.norm, data, right, data);
+  return results;
+}
+
+Diagnosis diagnose(const ModelResults& results, const Values& values, const Values& uncertainty) {
+  require_usable(results, values, uncertainty);
+  const auto& [norm, reference, reference_uncertainty, wrong_models] = results;
+  Diagnosis diagnosis;
+  diagnosis.from_reference = distance(norm, reference, values, reference);
+  diagnosis.uncertainty =
+      reference_uncertainty + distance(norm, reference, uncertainty, Values(uncertainty.size(), 0.0));
+  diagnosis.required_ratio = ratio_for(results, diagnosis.uncertainty);
+  diagnosis.ranked = wrong_models;
+  for (Hypothesis& one : diagnosis.ranked) one.distance = distance(norm, reference, values, one.values);
+  std::ranges::stable_sort(diagnosis.ranked, {}, &Hypothesis::distance);
+
+  const auto name_indistinguishable_from = [&](const Values& model, double least_change) {
+    for (const Hypothesis& one : diagnosis.ranked)
+      if (one.from_reference > least_change &&
+          distance(norm, reference, one.values, model) <= 2.0 * diagnosis.uncertainty)
+        diagnosis.named.push_back(one.name);
+  };
+  if (!std::isfinite(diagnosis.uncertainty)) {
+    diagnosis.finding = Finding::undecided;
+  } else if (diagnosis.from_reference <= diagnosis.uncertainty) {
+    diagnosis.finding = Finding::correct;
+    name_indistinguishable_from(reference, -1.0);
+  } else if (const Hypothesis* const nearest = nearest_of(diagnosis);
+             nearest != nullptr && nearest->distance * diagnosis.required_ratio <= diagnosis.from_reference) {
+    diagnosis.finding = Finding::mistaken;
+    name_indistinguishable_from(nearest->values, diagnosis.uncertainty);
+  } else {
+    diagnosis.finding = Finding::unexplained;
+  }
+  diagnosis.sentence = sentence(diagnosis);
+  return diagnosis;
+}
+
+std::string percent(double share) { return fmt::format("{:.2g} %", 100.0 * share); }
+
+std::string sentence(const Diagnosis& diagnosis) {
+  const std::string from_reference = percent(diagnosis.from_reference);
+  switch (diagnosis.finding.value()) {
+    case Finding::correct: {
+      std::string text = fmt::format("correct: {} from the reference, within the uncertainty of {}",
+                                     from_reference, percent(diagnosis.uncertainty));
+      if (diagnosis.named.size() > most_named)
+        text += fmt::format("; {} known mistakes cannot be distinguished from the reference",
+                            diagnosis.named.size());
+      else if (!diagnosis.named.empty())
+        text += fmt::format("; {} cannot be distinguished from the reference", quoted(diagnosis.named));
+      return text;
+    }
+    case Finding::mistaken: {
+      const Hypothesis& nearest = *nearest_of(diagnosis);
+      const std::vector<std::string> others(diagnosis.named.begin() + 1, diagnosis.named.end());
+      const bool are_many = diagnosis.named.size() > most_named;
+      std::string text =
+          are_many ? fmt::format("like {} known mistakes that cannot be told apart here, the nearest ",
+                                 diagnosis.named.size())
+                   : "like ";
+      text += fmt::format("'{}' ({}) to {}, while the reference is {} away", nearest.name, nearest.sentence,
+                          percent(nearest.distance), from_reference);
+      if (!others.empty() && !are_many) text += fmt::format("; it could as well be {}", quoted(others));
+      return text;
+    }
+    case Finding::undecided:
+      return fmt::format("undecided: {} from the reference, which another mesh and step do not confirm",
+                         from_reference);
+    case Finding::unexplained:
+      break;
+  }
+  std::string text = fmt::format("wrong by {}, not near any known mistake", from_reference);
+  if (const Hypothesis* const nearest = nearest_of(diagnosis))
+    text +=
+        fmt::format("; the nearest, '{}', is {} away and would have to be within {}", nearest->name,
+                    percent(nearest->distance), percent(diagnosis.from_reference / diagnosis.required_ratio));
+  return text;
+}
+
+}  // namespace stickslip::comparison

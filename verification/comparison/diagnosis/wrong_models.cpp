@@ -1,0 +1,500 @@
+// SPDX-License-Identifier: MIT
+#include "comparison/diagnosis/wrong_models.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+
+#include "comparison/diagnosis/wrong_model_recipes.hpp"
+#include "stickslip/analytic/slip_modes.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/analytic/stick_response.hpp"
+#include "studies/common/hertz.hpp"
+#include "studies/common/parallel.hpp"
+#include "studies/common/problem_parameter.hpp"
+
+namespace stickslip::comparison {
+
+namespace {
+
+using studies::in_parallel;
+using studies::StickReading;
+using studies::StickSum;
+using studies::two_pi;
+using data::with_value;
+using enum Quantity;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr int kept_free_vibrations = 60;
+constexpr int fine_elements = 60;
+constexpr double closed_form_uncertainty = 1e-9;
+// m; the critical amplitude does not depend on the amplitude of the case.
+constexpr double unit_amplitude = 1e-3;
+
+// The right model has a recipe without changes.
+const WrongModelRecipe& right_model() {
+  static const WrongModelRecipe model;
+  return model;
+}
+
+bool is_of_stick_slip(Quantity quantity) {
+  return quantity == contact_event || quantity == tip_displacement || quantity == friction_force;
+}
+
+data::Norm norm_of(Quantity quantity) {
+  switch (quantity) {
+    case stick_frequency:
+    case slip_frequency:
+    case force_maximum:
+    case critical_amplitude:
+    case contact_event:
+      return data::Norm::relative;
+    default:
+      return data::Norm::scale;
+  }
+}
+
+bool counts(Quantity quantity) {
+  return quantity == stick_frequency || quantity == slip_frequency || quantity == participation ||
+         quantity == contact_event;
+}
+
+void require_abscissa(const data::Case& problem, Quantity quantity, const std::vector<double>& abscissa) {
+  const auto require = [&](bool allowed, double x, const std::string& what) {
+    if (!allowed) throw data::FieldError(fmt::format("an abscissa of {}", name_of(quantity)), x, what);
+  };
+  if (abscissa.empty())
+    throw std::invalid_argument(fmt::format("the abscissa of {} is empty", name_of(quantity)));
+  for (const double x : abscissa) {
+    if (counts(quantity))
+      require(x >= 1.0 && x <= 1000.0 && x == std::floor(x), x, "a whole number from 1 to 1000");
+    else if (quantity == quasi_static_shape)
+      require(x >= 0.0 && x <= problem.beam.length(), x,
+              fmt::format("a position from 0 to {} m", problem.beam.length()));
+    else if (quantity == force_maximum || quantity == critical_amplitude)
+      require(x > 0.0 && std::isfinite(x), x, "a frequency above 0 Hz");
+    else
+      require(x >= 0.0 && std::isfinite(x), x, "a time from 0 s on");
+  }
+}
+
+int rounded(double number) { return static_cast<int>(std::lround(number)); }
+
+int highest(const std::vector<double>& abscissa) { return rounded(std::ranges::max(abscissa)); }
+
+// The mesh of a model with its matrices. The friction force is limited by `normal_force`.
+struct MeshedBeam {
+  solver::BeamModel mesh;
+  solver::ContactSystem system;
+};
+MeshedBeam meshed_beam(const WrongModelRecipe& model, const data::Case& problem, double normal_force) {
+  solver::BeamModel mesh(problem.beam, problem.numerics.elements());
+  solver::require_stable_stick_state(mesh);
+  solver::ContactSystem system =
+      solver::beam_contact_system(mesh, problem.friction, model.base(problem.excitation), problem.damping);
+  system.normal_force = normal_force;
+  if (model.mesh) model.mesh(system, mesh);
+  return {std::move(mesh), std::move(system)};
+}
+
+// Whether natural frequencies and the stick state are computed on the mesh.
+bool uses_mesh(const WrongModelRecipe& model, Quantity quantity) {
+  return (model.mesh || model.force_row) && !model.equations &&
+         std::ranges::count(model.wrong_model.changes, quantity) > 0;
+}
+
+MeshedBeam linear_beam(const WrongModelRecipe& model, const data::Case& problem) {
+  const bool as_given = model.depends_on_mesh || model.force_row;
+  return meshed_beam(model, as_given ? problem : with_elements(problem, fine_elements), 0.0);
+}
+
+// The modal sum of the stick state of a model.
+StickSum sum_of(const WrongModelRecipe& model, const data::Case& problem, Quantity quantity) {
+  if (uses_mesh(model, quantity)) {
+    const MeshedBeam beam = linear_beam(model, problem);
+    return studies::stick_sum(beam.mesh, beam.system,
+                              model.force_row ? model.force_row(beam.mesh) : Eigen::RowVectorXd());
+  }
+  StickSum sum = studies::stick_sum(problem.beam, kept_free_vibrations);
+  if (model.equations) model.equations(sum, problem);
+  return sum;
+}
+
+// f(t) or y(L/2, t) with the tip held, and its largest magnitude up to some time.
+struct HeldHistory {
+  std::function<double(double)> at;
+  std::function<double()> max_abs;
+};
+
+HeldHistory held_in_closed_form(const data::Case& problem, StickReading reading, double end) {
+  if (studies::is_damped(problem))
+    throw data::InputError(
+        "the case is damped, but must be undamped for forces and motions of the held beam");
+  const auto response = std::make_shared<analytic::StickResponse>(
+      problem.beam, problem.excitation, kept_free_vibrations, analytic::SteadyPart::exact);
+  if (reading == StickReading::displacement)
+    return {[response, middle = 0.5 * problem.beam.length()](double t) {
+              return response->absolute_displacement(middle, t);
+            },
+            {}};
+  return {[response](double t) { return response->friction_force(t); },
+          [response, end] { return response->max_abs_friction_force(end, 1e-6).midpoint(); }};
+}
+
+HeldHistory held_by_a_sum(const StickSum& sum, const data::Case& problem, StickReading reading, double end) {
+  const auto terms = studies::sinusoids(sum, problem.excitation, reading);
+  if (sum.cosine) {
+    const auto at = [terms](double t) {
+      double value = 0.0;
+      for (const auto& term : terms) value += term.amplitude * std::cos(term.angular_frequency * t);
+      return value;
+    };
+    return {at, [at, end, step = problem.numerics.time_step()] {
+              double largest = 0.0;
+              for (long n = 0; n <= std::lround(end / step); ++n)
+                largest = std::max(largest, std::abs(at(static_cast<double>(n) * step)));
+              return largest;
+            }};
+  }
+  return {[terms](double t) { return studies::value_at(terms, t); },
+          [terms, end, step = problem.numerics.time_step()] { return studies::max_abs(terms, end, step); }};
+}
+
+double interpolated(const std::vector<double>& samples, double step, double t) {
+  const double position = std::min(t / step, static_cast<double>(samples.size() - 1));
+  const auto before = std::min(static_cast<std::size_t>(position), samples.size() - 2);
+  const double share = position - static_cast<double>(before);
+  return (1.0 - share) * samples[before] + share * samples[before + 1];
+}
+
+HeldHistory held_in_steps(const StickSum& sum, const studies::ModalScheme& scheme, const data::Case& problem,
+                          StickReading reading, double end) {
+  const long steps = std::max(std::lround(std::ceil(end / scheme.step - 1e-6)), 1L);
+  const auto samples = studies::stepped(sum, scheme, problem.excitation, reading, steps);
+  return {[samples, scheme](double t) { return interpolated(samples, scheme.step, t); },
+          [samples] {
+            double largest = 0.0;
+            for (const double sample : samples) largest = std::max(largest, std::abs(sample));
+            return largest;
+          }};
+}
+
+HeldHistory held_history(const WrongModelRecipe& model, const data::Case& problem, Quantity quantity,
+                         double end) {
+  const auto reading = quantity == stick_displacement ? StickReading::displacement : StickReading::force;
+  if (model.scheme)
+    return held_in_steps(sum_of(model, problem, quantity), model.scheme(problem), problem, reading, end);
+  if (model.equations || uses_mesh(model, quantity))
+    return held_by_a_sum(sum_of(model, problem, quantity), problem, reading, end);
+  return held_in_closed_form(problem, reading, end);
+}
+
+using OptionalValues = std::optional<std::vector<double>>;
+
+template <typename Function>
+std::vector<double> at_each(const std::vector<double>& abscissa, const Function& function) {
+  std::vector<double> values;
+  for (const double x : abscissa) values.push_back(function(x));
+  return values;
+}
+
+// The entries of a list whose numbers, counted from 1, are the abscissas; empty if the list is too short.
+OptionalValues numbered(const std::vector<double>& list, const std::vector<double>& abscissa) {
+  if (highest(abscissa) > static_cast<int>(list.size())) return std::nullopt;
+  return at_each(abscissa, [&](double x) { return list[static_cast<std::size_t>(rounded(x) - 1)]; });
+}
+
+// Natural frequencies of K_slip and M, Hz, ascending; empty if one is complex.
+std::vector<double> slip_frequencies(const solver::ContactSystem& system) {
+  const Eigen::MatrixXd flexibility_times_mass =
+      Eigen::MatrixXd(system.slip_stiffness).partialPivLu().solve(Eigen::MatrixXd(system.mass));
+  const Eigen::EigenSolver<Eigen::MatrixXd> eigen(flexibility_times_mass, false);
+  std::vector<double> hz;
+  for (const std::complex<double>& mu : eigen.eigenvalues()) {
+    if (mu.imag() != 0.0 || mu.real() <= 0.0) return {};
+    hz.push_back(1.0 / (two_pi * std::sqrt(mu.real())));
+  }
+  std::ranges::sort(hz);
+  return hz;
+}
+
+OptionalValues modal_values(const WrongModelRecipe& model, const data::Case& problem, Quantity quantity,
+                            const std::vector<double>& abscissa) {
+  const int count = highest(abscissa);
+  const bool by_mesh = uses_mesh(model, quantity);
+  std::vector<double> list;
+  if (quantity == slip_frequency && by_mesh) {
+    list = slip_frequencies(linear_beam(model, problem).system);
+  } else if (quantity == slip_frequency) {
+    for (const auto& mode : analytic::slip_modes(problem.beam, count)) list.push_back(mode.frequency_hz());
+  } else if (model.equations || by_mesh) {
+    for (const StickSum::Mode& mode : sum_of(model, problem, quantity).modes)
+      list.push_back(quantity == participation ? mode.participation : mode.natural_frequency / two_pi);
+  } else {
+    for (const auto& mode : analytic::stick_modes(problem.beam, count))
+      list.push_back(quantity == participation ? mode.participation() : mode.frequency_hz());
+  }
+  return numbered(list, abscissa);
+}
+
+OptionalValues held_values(const WrongModelRecipe& model, const data::Case& problem, double normal_force,
+                           Quantity quantity, const std::vector<double>& abscissa) {
+  if (quantity == stick_force || quantity == stick_displacement)
+    return at_each(abscissa, held_history(model, problem, quantity, std::ranges::max(abscissa)).at);
+  const double duration = model.observed_for ? model.observed_for(problem) : problem.numerics.duration();
+  const double largest = held_history(model, problem, quantity, duration).max_abs();
+  if (quantity == force_maximum) return std::vector{largest};
+  return std::vector{problem.friction.static_coefficient() * normal_force / largest};
+}
+
+OptionalValues stick_slip_values(const WrongModelRecipe& model, const data::Case& problem,
+                                 double normal_force, Quantity quantity,
+                                 const std::vector<double>& abscissa) {
+  if (!model.knows_stick_slip) return std::nullopt;
+  const MeshedBeam beam = meshed_beam(model, problem, normal_force);
+  const studies::RunEnd end =
+      quantity == contact_event
+          ? studies::RunEnd{problem.numerics.duration(), static_cast<std::size_t>(highest(abscissa))}
+          : studies::RunEnd{std::ranges::max(abscissa)};
+  const auto base = model.base(problem.excitation);
+  const studies::TipRun run = model.law
+                                  ? studies::tip_run(beam.system, base, problem.numerics, *model.law, end)
+                                  : studies::tip_run(beam.system, base, problem.numerics, model.start, end);
+  return at_each(abscissa, [&](double x) {
+    if (quantity == contact_event) {
+      const auto index = static_cast<std::size_t>(rounded(x) - 1);
+      return index < run.events.size() ? run.events[index] : infinity;
+    }
+    return interpolated(quantity == tip_displacement ? run.tip_displacement : run.friction_force, run.step,
+                        x);
+  });
+}
+
+// The result of a model for the case that it computes instead of the given one.
+OptionalValues raw_values(const WrongModelRecipe& model, const data::Case& given, Quantity quantity,
+                          const std::vector<double>& abscissa) {
+  const OptionalValues none;
+  const std::optional<data::Case> problem = model.inputs ? model.inputs(given) : given;
+  if (!problem) return none;
+  const double normal_force = given.beam.axial_force();
+  switch (quantity) {
+    case stick_frequency:
+    case slip_frequency:
+    case participation:
+      return modal_values(model, *problem, quantity, abscissa);
+    case quasi_static_shape: {
+      const analytic::QuasiStaticShape shape(problem->beam);
+      return at_each(abscissa, [&](double x) { return shape.value(x); });
+    }
+    case stick_force:
+    case stick_displacement:
+    case force_maximum:
+      return held_values(model, *problem, normal_force, quantity, abscissa);
+    case critical_amplitude: {
+      // Converts to the given amplitude, which the model may have changed.
+      auto values = held_values(model, *problem, normal_force, quantity, abscissa);
+      if (values) values->front() *= given.excitation.amplitude();
+      return values;
+    }
+    case contact_event:
+    case tip_displacement:
+    case friction_force:
+      return stick_slip_values(model, *problem, normal_force, quantity, abscissa);
+  }
+  return none;
+}
+
+OptionalValues values_of(const WrongModelRecipe& model, const data::Case& problem, Quantity quantity,
+                         const std::vector<double>& abscissa) {
+  OptionalValues values;
+  if (quantity == force_maximum || quantity == critical_amplitude) {
+    values.emplace();
+    data::Case here = problem;
+    if (quantity == critical_amplitude) here = with_value(here, "excitation.amplitude", unit_amplitude);
+    for (const double hz : abscissa) {
+      const auto one = raw_values(model, with_value(here, "excitation.frequency_hz", hz), quantity, {hz});
+      if (!one) return std::nullopt;
+      values->push_back(one->front());
+    }
+  } else {
+    values = raw_values(model, problem, quantity, abscissa);
+  }
+  if (values && model.reading) model.reading(problem, quantity, abscissa, *values);
+  return values;
+}
+
+// Empty if the model has no such state.
+OptionalValues wrong_values(const WrongModelRecipe& model, const data::Case& problem, Quantity quantity,
+                            const std::vector<double>& abscissa) {
+  try {
+    return values_of(model, problem, quantity, abscissa);
+  } catch (const data::InputError&) {
+    return std::nullopt;
+  }
+}
+
+data::Case coarser(const data::Case& problem) {
+  return with_settings(problem, [](data::NumericalChoices& choices) {
+    choices.elements = std::max(choices.elements / 2, 1);
+    choices.time_step *= 2.0;
+    choices.duration = std::max(choices.duration, choices.time_step);
+  });
+}
+
+// The results of all wrong models by `values_by`.
+template <class Evaluate>
+void add_wrong_models(ModelResults& result, const Evaluate& values_by,
+                      const std::function<void(double)>& progress) {
+  const auto& models = wrong_model_recipes();
+  std::vector<OptionalValues> values(models.size());
+  in_parallel(
+      models.size(), [&](std::size_t i) { values[i] = values_by(models[i]); }, progress);
+  for (std::size_t i = 0; i < models.size(); ++i)
+    if (values[i])
+      result.wrong_models.push_back(
+          {.name = models[i].wrong_model.name,
+           .values = *values[i],
+           .sentence = models[i].wrong_model.mistake,
+           .from_reference = distance(result.norm, result.reference, result.reference, *values[i])});
+}
+
+std::vector<double> times_up_to(double duration) {
+  constexpr int count = 200;
+  std::vector<double> times;
+  for (int i = 1; i <= count; ++i) times.push_back(duration * i / count);
+  return times;
+}
+
+const Hypothesis* member_of(const ModelResults& model_results, const std::string& name) {
+  const auto member = std::ranges::find(model_results.wrong_models, name, &Hypothesis::name);
+  return member == model_results.wrong_models.end() ? nullptr : &*member;
+}
+
+// The relative change of the first entry.
+std::optional<double> relative_change(const ModelResults& model_results, const std::string& name) {
+  const auto* member = member_of(model_results, name);
+  return member ? std::optional(member->values.front() / model_results.reference.front() - 1.0)
+                : std::nullopt;
+}
+
+std::optional<double> distance_of(const ModelResults& model_results, const std::string& name) {
+  const auto* member = member_of(model_results, name);
+  return member ? std::optional(member->from_reference) : std::nullopt;
+}
+
+}  // namespace
+
+std::string_view name_of(Quantity quantity) {
+  static constexpr std::array<std::string_view, all_quantities.size()> names{
+      "stick frequency", "slip frequency",     "participation", "quasi-static shape",
+      "force maximum",   "critical amplitude", "stick force",   "stick displacement",
+      "contact event",   "tip displacement",   "friction force"};
+  return names.at(static_cast<std::size_t>(quantity));
+}
+
+const std::vector<WrongModel>& wrong_models() {
+  static const std::vector<WrongModel> all = [] {
+    std::vector<WrongModel> list;
+    for (const WrongModelRecipe& model : wrong_model_recipes()) list.push_back(model.wrong_model);
+    return list;
+  }();
+  return all;
+}
+
+const WrongModel& wrong_model_named(std::string_view name) { return recipe_of(name).wrong_model; }
+
+std::vector<double> reference_result(const data::Case& problem, Quantity quantity,
+                                     const std::vector<double>& abscissa) {
+  require_abscissa(problem, quantity, abscissa);
+  std::vector<double> values = values_of(right_model(), problem, quantity, abscissa).value();
+  if (const auto none = std::ranges::find(values, infinity); none != values.end())
+    throw data::FieldError("an abscissa of contact event", *std::ranges::max_element(abscissa),
+                           fmt::format("at most {}, the changes of contact within excitation.duration",
+                                       std::ranges::count_if(values, [](double t) { return t < infinity; })));
+  return values;
+}
+
+std::optional<std::vector<double>> wrong_result(const data::Case& problem, std::string_view wrong_model,
+                                                Quantity quantity, const std::vector<double>& abscissa) {
+  require_abscissa(problem, quantity, abscissa);
+  return wrong_values(recipe_of(wrong_model), problem, quantity, abscissa);
+}
+
+ModelResults model_results(const data::Case& problem, Quantity quantity, const std::vector<double>& abscissa,
+                           const std::function<void(double)>& progress) {
+  ModelResults result{.norm = norm_of(quantity),
+                      .reference = reference_result(problem, quantity, abscissa),
+                      .reference_uncertainty = closed_form_uncertainty,
+                      .wrong_models = {}};
+  if (std::ranges::all_of(result.reference, [](double value) { return value == 0.0; }))
+    throw data::InputError(
+        fmt::format("the reference of {} is 0 at every abscissa, but must have a value to compare with",
+                    name_of(quantity)));
+  if (is_of_stick_slip(quantity))
+    result.reference_uncertainty =
+        distance(result.norm, result.reference, result.reference,
+                 values_of(right_model(), coarser(problem), quantity, abscissa).value());
+  add_wrong_models(
+      result, [&](const auto& model) { return wrong_values(model, problem, quantity, abscissa); }, progress);
+  return result;
+}
+
+ModelResults model_results(const std::vector<data::Case>& cases, Quantity quantity,
+                           const std::vector<double>& abscissa, const std::function<void(double)>& progress) {
+  const auto values_by = [&](const WrongModelRecipe& model) {
+    OptionalValues all(std::in_place);
+    for (std::size_t i = 0; all && i < cases.size(); ++i) {
+      const auto one = wrong_values(model, cases[i], quantity, {abscissa[i]});
+      if (one)
+        all->push_back(one->front());
+      else
+        all.reset();
+    }
+    return all;
+  };
+  ModelResults result{.norm = norm_of(quantity),
+                      .reference = {},
+                      .reference_uncertainty = closed_form_uncertainty,
+                      .wrong_models = {}};
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    result.reference.push_back(reference_result(cases[i], quantity, {abscissa[i]}).front());
+  add_wrong_models(result, values_by, progress);
+  return result;
+}
+
+std::vector<WrongModelEffect> wrong_model_effects(const data::Case& problem, double stick_duration,
+                                                  double contact_duration) {
+  const auto with_duration = [&](double duration) {
+    return with_settings(problem, [=](data::NumericalChoices& choices) { choices.duration = duration; });
+  };
+  const double hz = problem.excitation.frequency_hz();
+  data::Case held = with_duration(stick_duration);
+  held.damping = {};
+  const data::Case sliding = with_duration(contact_duration);
+  const ModelResults stick = model_results(held, stick_frequency, {1.0}),
+                     slip = model_results(held, slip_frequency, {1.0}),
+                     largest = model_results(held, force_maximum, {hz}),
+                     force = model_results(held, stick_force, times_up_to(stick_duration)),
+                     displacement = model_results(held, stick_displacement, times_up_to(stick_duration)),
+                     first_slip = model_results(sliding, contact_event, {1.0}),
+                     tip = model_results(sliding, tip_displacement, times_up_to(contact_duration));
+  std::vector<WrongModelEffect> effects;
+  for (const WrongModel& wrong_model : wrong_models())
+    effects.push_back({.wrong_model = wrong_model,
+                       .stick_frequency = relative_change(stick, wrong_model.name),
+                       .slip_frequency = relative_change(slip, wrong_model.name),
+                       .force_maximum = relative_change(largest, wrong_model.name),
+                       .stick_force = distance_of(force, wrong_model.name),
+                       .stick_displacement = distance_of(displacement, wrong_model.name),
+                       .first_slip = relative_change(first_slip, wrong_model.name),
+                       .tip_displacement = distance_of(tip, wrong_model.name)});
+  return effects;
+}
+
+}  // namespace stickslip::comparison

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "studies/analyses/criterion_answer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <string>
+
+#include "stickslip/analytic/damped_reaction.hpp"
+#include "stickslip/analytic/damped_steady_state.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/analytic/timoshenko_modes.hpp"
+#include "stickslip/data/case_file.hpp"
+#include "studies/common/parallel.hpp"
+#include "studies/criterion/problem_warnings.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+using analytic::SteadyPart;
+
+constexpr double bounds_width = 1e-10;  // relative
+
+// The free vibrations that are kept where no truncation is asked for. Damping couples them.
+int kept_modes(const data::Case& problem) { return is_damped(problem) ? 40 : 200; }
+
+data::HarmonicExcitation unit_excitation(double frequency_hz) {
+  return data::HarmonicExcitation({.frequency_hz = frequency_hz, .amplitude = 1.0});
+}
+
+analytic::Criterion criterion_of(const data::Case& problem, const data::HarmonicExcitation& excitation,
+                                 int modes, SteadyPart steady_part, double width = bounds_width) {
+  return analytic::evaluate_criterion(problem.beam, problem.friction, excitation, problem.numerics.duration(),
+                                      modes, steady_part, width, problem.damping);
+}
+
+// What the modes that are not kept can add to the undamped reaction at most, N per m.
+double omitted_transient_bound(const data::Case& problem, const data::HarmonicExcitation& unit) {
+  const int modes = kept_modes(problem);
+  if (problem.beam.shear_stiffness() > 0.0)
+    return analytic::timoshenko_omitted_transient(analytic::timoshenko_reaction(problem.beam, modes),
+                                                  angular_frequency(unit));
+  return analytic::StickResponse(problem.beam, unit, modes, SteadyPart::exact).omitted_transient_bound();
+}
+
+// Evaluated at an amplitude of 1 m and scaled, since the reaction is proportional to the amplitude.
+analytic::Criterion with_all_modes(const data::Case& problem) {
+  const auto unit = unit_excitation(problem.excitation.frequency_hz());
+  const double omitted = omitted_transient_bound(problem, unit);
+  const auto criterion = criterion_of(problem, unit, kept_modes(problem), SteadyPart::exact);
+  const analytic::Bounds per_unit{std::max(0.0, criterion.force_max.lower - omitted),
+                                  criterion.force_max.upper + omitted};
+  const double limit = criterion.friction_limit, amplitude = problem.excitation.amplitude();
+  const analytic::Bounds force{amplitude * per_unit.lower, amplitude * per_unit.upper};
+  return {.force_max = force,
+          .friction_limit = limit,
+          .critical_amplitude = {limit / per_unit.upper, limit / per_unit.lower},
+          .verdict = analytic::verdict_of(force, limit)};
+}
+
+// N per m: with a damping ratio by the modes kept, else exact.
+double steady_force_per_unit(const data::Case& problem) {
+  const auto unit = unit_excitation(problem.excitation.frequency_hz());
+  const double omega = angular_frequency(unit);
+  if (problem.damping.ratio() > 0.0)
+    return analytic::DampedForce(analytic::damped_reaction(problem.beam, problem.damping, kept_modes(problem),
+                                                           SteadyPart::exact),
+                                 omega, problem.numerics.duration())
+        .steady_amplitude();
+  if (problem.damping.kelvin_voigt() > 0.0)
+    return std::abs(
+        analytic::DampedSteadyState(problem.beam, unit, problem.damping, analytic::TipSupport::held)
+            .friction_force());
+  if (problem.beam.shear_stiffness() > 0.0)
+    return std::abs(analytic::timoshenko_steady_force(problem.beam, omega));
+  return std::abs(analytic::StickResponse(problem.beam, unit, kept_modes(problem), SteadyPart::exact)
+                      .steady_force_amplitude());
+}
+
+std::optional<SteadyState> steady_state(const data::Case& problem) {
+  const auto warnings = problem_warnings(problem, Inquiry::criterion);
+  if (std::ranges::find(warnings, Concern::resonance, &Warning::concern) != warnings.end())
+    return std::nullopt;
+  const double per_unit = steady_force_per_unit(problem), limit = friction_limit(problem);
+  const double force = problem.excitation.amplitude() * per_unit;
+  return SteadyState{.force = force,
+                     .critical_amplitude = limit / per_unit,
+                     .verdict = analytic::verdict_of({force, force}, limit)};
+}
+
+// with_all_modes() refuses a case whose kept_modes() have none.
+StickFrequency next_stick_frequency(const data::Case& problem) {
+  const auto shares = analytic::modal_forces(problem.beam, kept_modes(problem));
+  const auto next = std::ranges::upper_bound(shares, angular_frequency(problem.excitation), {},
+                                             &analytic::ModalForce::angular_frequency);
+  return {static_cast<int>(next - shares.begin()) + 1, next->angular_frequency / (2.0 * std::numbers::pi)};
+}
+
+// Changes after which there is no stick state are left out.
+Change best_change_of(const data::Case& problem) {
+  Change best;
+  for (const std::string_view key :
+       {"excitation.amplitude", "excitation.frequency_hz", "beam.length", "beam.axial_force",
+        "beam.youngs_modulus", "beam.density", "friction.static_coefficient"})
+    for (const double factor : {0.9, 1.1}) {
+      const data::Case changed = data::with_value(problem, key, factor * data::value_of(problem, key));
+      if (changed.beam.axial_force() >= analytic::stick_buckling_load(changed.beam)) continue;
+      const double margin = margin_of(criterion_of(changed, changed.excitation, changed.numerics.modes(),
+                                                   SteadyPart::modal_sum))
+                                .lower;
+      if (margin > best.margin) best = {key, factor, margin};
+    }
+  return best;
+}
+
+}  // namespace
+
+analytic::Bounds margin_of(const analytic::Criterion& criterion) {
+  return {criterion.friction_limit / criterion.force_max.upper,
+          criterion.friction_limit / criterion.force_max.lower};
+}
+
+CriterionAnswer criterion_answer(const data::Case& problem) {
+  CriterionAnswer answer{
+      .truncated = criterion_of(problem, problem.excitation, problem.numerics.modes(), SteadyPart::modal_sum),
+      .all_modes = with_all_modes(problem),
+      .steady = steady_state(problem),
+      .next = next_stick_frequency(problem),
+      .best_change = {}};
+  if (problem.excitation.amplitude() > 0.0) {
+    const Change best = best_change_of(problem);
+    if (!best.key.empty()) answer.best_change = best;
+  }
+  return answer;
+}
+
+CriticalAmplitudeCurve critical_amplitude_curve(const data::Case& problem) {
+  constexpr int steps = 240;
+  constexpr double reach = 4.0, width = 1e-3;
+  const double here = problem.excitation.frequency_hz();
+  CriticalAmplitudeCurve curve;
+  for (int i = 0; i <= steps; ++i) curve.hz.push_back(here * std::pow(reach, 2.0 * i / steps - 1.0));
+  const double first = curve.hz.front();
+  for (const auto& share : analytic::modal_forces(problem.beam, problem.numerics.modes())) {
+    const double hz = share.angular_frequency / (2.0 * std::numbers::pi);
+    curve.natural_hz.push_back(hz);
+    if (hz > first && hz < here * reach) curve.hz.push_back(hz);
+  }
+  std::ranges::sort(curve.hz);
+  curve.amplitudes.resize(curve.hz.size());
+  in_parallel(curve.hz.size(), [&](std::size_t i) {
+    curve.amplitudes[i] = criterion_of(problem, unit_excitation(curve.hz[i]), problem.numerics.modes(),
+                                       SteadyPart::modal_sum, width)
+                              .critical_amplitude.midpoint();
+  });
+  return curve;
+}
+
+}  // namespace stickslip::studies

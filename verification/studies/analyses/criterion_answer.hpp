@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// What the criterion of stick-slip occurrence says of a case, and what an engineer asks next.
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "stickslip/analytic/criterion.hpp"
+#include "stickslip/data/problem.hpp"
+
+namespace stickslip::studies {
+
+/// The amplitude of f in the steady vibration of the held beam, the excitation amplitude at which it is μₛ P, and the verdict on it.
+struct SteadyState {
+  double force{};               ///< N
+  double critical_amplitude{};  ///< m
+  analytic::Verdict verdict{};
+};
+
+/// A natural frequency of the stick state.
+struct StickFrequency {
+  int mode{};
+  double hz{};
+};
+
+/// One key of the case times a factor, and the margin μₛ P/max|f| that it gives.
+struct Change {
+  std::string_view key;
+  double factor{}, margin{};
+};
+
+struct CriterionAnswer {
+  analytic::Criterion truncated;      ///< with numerics.modes, as in the paper
+  analytic::Criterion all_modes;      ///< without truncation
+  std::optional<SteadyState> steady;  ///< nothing where the undamped force grows over all of the duration
+  StickFrequency next;                ///< the first natural frequency above that of the excitation
+  std::optional<Change> best_change;  ///< by a tenth; nothing for an excitation amplitude of 0
+};
+
+/// The criterion of a case with a rigid contact by all routes. The criterion without truncation has the exact steady part, many
+/// free vibrations, and bounds of those that are left out; each key that it depends on is then changed by a tenth, and the change
+/// with the largest margin is kept. Throws what evaluate_criterion() throws.
+[[nodiscard]] CriterionAnswer criterion_answer(const data::Case& problem);
+
+/// μₛ P over the largest |f|: below 1 the tip slips.
+[[nodiscard]] analytic::Bounds margin_of(const analytic::Criterion& criterion);
+
+/// The critical amplitude with numerics.modes against the excitation frequency, from a quarter of that of the case to four times
+/// it, in equal ratios and at the natural frequencies.
+struct CriticalAmplitudeCurve {
+  std::vector<double> natural_hz;  ///< of the modes, ascending
+  std::vector<double> hz;          ///< ascending
+  std::vector<double> amplitudes;  ///< at hz, m, to a relative 1e-3
+};
+
+/// Uses thread_count() threads. Throws what evaluate_criterion() throws.
+[[nodiscard]] CriticalAmplitudeCurve critical_amplitude_curve(const data::Case& problem);
+
+}  // namespace stickslip::studies

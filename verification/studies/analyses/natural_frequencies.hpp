@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// Natural frequencies and modes of a case in the stick state (tip held) or the slip state (tip free), in closed form or on the
+/// mesh of the case, with how far to trust them.
+
+#include <vector>
+
+#include "stickslip/analytic/timoshenko_modes.hpp"
+#include "stickslip/data/problem.hpp"
+
+namespace stickslip::studies {
+
+struct EstimatedFrequency {
+  double hz{};
+  double relative_error{};  ///< estimate
+};
+
+/// Those of the continuous beam, from the lowest. The error is rounding: that of the wave numbers times the condition of the
+/// frequency, in the slip state that of the characteristic function over its slope, which vanishes where two frequencies coalesce.
+/// Throws what stick_modes(), slip_modes() and timoshenko_frequencies() throw.
+[[nodiscard]] std::vector<EstimatedFrequency> closed_form_frequencies(const data::Beam& beam,
+                                                                      analytic::TipSupport tip, int count);
+
+/// Those of the mesh of numerics.elements. The error is mesh_frequency_error(). Throws what the modal analysis throws.
+[[nodiscard]] std::vector<EstimatedFrequency> mesh_frequencies(const data::Case& problem,
+                                                               analytic::TipSupport tip, int count);
+
+/// Leading relative discretisation error of a natural frequency ω (rad/s) on elements of length l (m): (β l)⁴/1440 with
+/// β⁴ = ρA ω²/EI, and with shear ρA ω² l²/(24 k G A) more. The axial force is left out; hermite_eigenvalue_error() has it.
+[[nodiscard]] double mesh_frequency_error(const data::Beam& beam, double omega, double element_length);
+
+/// The value of each mode at the points (m), divided by that of largest modulus: [point][mode].
+[[nodiscard]] std::vector<std::vector<double>> closed_form_shapes(const data::Beam& beam,
+                                                                  analytic::TipSupport tip, int count,
+                                                                  const std::vector<double>& points);
+[[nodiscard]] std::vector<std::vector<double>> mesh_shapes(const data::Case& problem,
+                                                           analytic::TipSupport tip, int count,
+                                                           const std::vector<double>& points);
+
+}  // namespace stickslip::studies

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "stickslip/analytic/event_driven.hpp"
+
+#include <utility>
+
+#include "stickslip/analytic/beam_contact_model.hpp"
+#include "studies/history/runs.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+HistoryRow row_of(const analytic::EventDriven& run) {
+  return {.time = run.time(),
+          .base_displacement = -run.drive_displacement(),
+          .tip_displacement = run.contact_displacement() - run.drive_displacement(),
+          .sliding_velocity = run.sliding_velocity(),
+          .friction_force = -run.friction_force(),
+          .state = run.state()};
+}
+
+// Positions on the wall become positions in the frame at rest.
+std::vector<data::ContactEvent> events_of(const analytic::EventDriven& run, double wall_speed) {
+  auto events = run.events();
+  for (auto& event : events) event.position += wall_speed * event.time;
+  return events;
+}
+
+// u_t = sigma w_t + sum U_n T_n_t: zero rates are the quasi-static start, and -a_n w_t a beam at rest.
+std::vector<double> rates_of(const analytic::ContactModel& model, solver::InitialVelocity start) {
+  std::vector<double> rates;
+  if (start == solver::InitialVelocity::zero)
+    for (const double coupling : model.mass_coupling)
+      rates.push_back(-coupling * (model.wall_amplitude * model.load_angular_frequency + model.wall_speed));
+  return rates;
+}
+
+}  // namespace
+
+History event_driven_history(const data::Case& problem, const Sampling& sampling, const RunChoices& choices,
+                             const RowSink& sink) {
+  const analytic::BeamContactModel beam(problem.beam, problem.friction, problem.excitation, problem.damping,
+                                        problem.numerics.modes(), problem.wall);
+  const std::vector<double> midspan = beam.shapes(0.5 * problem.beam.length());
+  std::vector<std::vector<double>> shapes;
+  for (const double x : sampling.positions) shapes.push_back(beam.shapes(x));
+  analytic::EventDriven run(beam.model());
+  run.start_stuck({}, rates_of(beam.model(), choices.initial_velocity));
+  History history;
+  for_each_row(problem, sampling, [&](long, double time) {
+    run.advance_to(time);
+    HistoryRow row = row_of(run);
+    row.midspan_displacement = analytic::absolute_displacement(midspan, run);
+    for (const auto& shape : shapes) row.displacement.push_back(analytic::absolute_displacement(shape, run));
+    add_row(history, sink, std::move(row));
+  });
+  set_events(history, events_of(run, beam.model().wall_speed));
+  return history;
+}
+
+History event_driven_history(const analytic::ContactModel& model, const std::vector<double>& times,
+                             double tolerance) {
+  analytic::EventDriven run(model, {.tolerance = tolerance});
+  History history;
+  for (const double time : times) {
+    run.advance_to(time);
+    history.rows.push_back(row_of(run));
+  }
+  set_events(history, events_of(run, model.wall_speed));
+  return history;
+}
+
+}  // namespace stickslip::studies

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include <utility>
+
+#include "stickslip/solver/beam_simulation.hpp"
+#include "studies/history/runs.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+HistoryRow row_of(const solver::BeamSimulation& simulation, const std::vector<double>& positions) {
+  HistoryRow row{.time = simulation.time(),
+                 .base_displacement = simulation.base_displacement(),
+                 .tip_displacement = simulation.tip_displacement(),
+                 .midspan_displacement = simulation.midspan_displacement(),
+                 .sliding_velocity = simulation.sliding_velocity(),
+                 .friction_force = simulation.friction_force(),
+                 .state = simulation.state()};
+  for (const double x : positions) row.displacement.push_back(simulation.displacement(x));
+  return row;
+}
+
+}  // namespace
+
+History finite_element_history(const data::Case& problem, const Sampling& sampling, const RunChoices& choices,
+                               const RowSink& sink) {
+  solver::BeamSimulation simulation(problem.beam, problem.friction, problem.excitation, problem.numerics,
+                                    {.initial_velocity = choices.initial_velocity,
+                                     .damping = problem.damping,
+                                     .scheme = choices.scheme.value_or(solver::ContactScheme::located),
+                                     .coordinates = choices.coordinates,
+                                     .tangential = problem.contact,
+                                     .wall = problem.wall});
+  History history;
+  long done = 0;
+  const auto step_to = [&](long step) {
+    for (; done < step; ++done) simulation.step();
+  };
+  step_to(for_each_row(problem, sampling, [&](long step, double) {
+    step_to(step);
+    add_row(history, sink, row_of(simulation, sampling.positions));
+  }));
+  auto events = simulation.integrator().events();
+  for (auto& event : events) event.position += problem.wall.speed() * event.time;
+  set_events(history, std::move(events));
+  return history;
+}
+
+}  // namespace stickslip::studies

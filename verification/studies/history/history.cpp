@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "studies/history/history.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+#include "stickslip/solver/beam_simulation.hpp"
+#include "studies/convergence/convergence.hpp"
+
+namespace stickslip::studies {
+
+using data::ContactChange;
+using data::ContactEvent;
+
+void add_row(History& history, const RowSink& sink, HistoryRow row) {
+  if (sink)
+    sink(row);
+  else
+    history.rows.push_back(std::move(row));
+}
+
+long for_each_row(const data::Case& problem, const Sampling& sampling,
+                  const std::function<void(long step, double time)>& row) {
+  const double time_step = problem.numerics.time_step();
+  if (sampling.times.empty()) {
+    const long last = solver::step_count(problem.numerics.duration(), time_step);
+    for (long step = 0; step <= last; step += sampling.every)
+      row(step, static_cast<double>(step) * time_step);
+    return last;
+  }
+  long step = 0;
+  for (const double time : sampling.times) row(step = std::lround(time / time_step), time);
+  return step;
+}
+
+void set_events(History& history, std::vector<ContactEvent> events) {
+  history.events = std::move(events);
+  if (!history.events.empty()) history.first_slip = history.events.front().time;
+}
+
+std::vector<double> sample_times(double duration, double sample) {
+  std::vector<double> times;
+  for (long n = 0; n <= std::lround(duration / sample); ++n) times.push_back(static_cast<double>(n) * sample);
+  return times;
+}
+
+std::vector<double> tip_displacements(const History& history) {
+  std::vector<double> tip;
+  for (const HistoryRow& row : history.rows) tip.push_back(row.tip_displacement);
+  return tip;
+}
+
+std::vector<ContactEvent> onsets_and_captures(const std::vector<ContactEvent>& events) {
+  std::vector<ContactEvent> kept;
+  std::ranges::copy_if(events, std::back_inserter(kept), [](const ContactEvent& event) {
+    return event.change == ContactChange::onset || event.change == ContactChange::capture;
+  });
+  return kept;
+}
+
+std::vector<ContactEvent> without_micro_sticks(const std::vector<ContactEvent>& events,
+                                               double shortest_stick) {
+  std::vector<ContactEvent> kept;
+  for (const ContactEvent& event : onsets_and_captures(events)) {
+    const bool ends_micro_stick = event.change == ContactChange::onset && !kept.empty() &&
+                                  kept.back().change == ContactChange::capture &&
+                                  event.time - kept.back().time < shortest_stick;
+    if (ends_micro_stick)
+      kept.pop_back();
+    else
+      kept.push_back(event);
+  }
+  return kept;
+}
+
+std::optional<ContactEvent> first_capture(const std::vector<ContactEvent>& events) {
+  const auto found = std::ranges::find(events, ContactChange::capture, &ContactEvent::change);
+  return found == events.end() ? std::nullopt : std::optional(*found);
+}
+
+EventDifference largest_difference(const std::vector<ContactEvent>& a, const std::vector<ContactEvent>& b,
+                                   std::size_t count) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (std::min(a.size(), b.size()) < count) return {infinity, infinity};
+  EventDifference largest;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (a[i].change != b[i].change) return {infinity, infinity};
+    largest.time = largest_or_nan({largest.time, std::abs(a[i].time - b[i].time)});
+    largest.position = largest_or_nan({largest.position, std::abs(a[i].position - b[i].position)});
+  }
+  return largest;
+}
+
+data::Case refined(data::Case problem, int elements, double time_step, double duration,
+                   const std::optional<double>& spectral_radius) {
+  data::NumericalChoices choices = problem.numerics.choices();
+  choices.elements = elements;
+  choices.time_step = time_step;
+  choices.duration = duration;
+  choices.velocity_threshold = 0.0;
+  choices.spectral_radius = spectral_radius.value_or(choices.spectral_radius);
+  problem.numerics = data::NumericalSettings(choices);
+  return problem;
+}
+
+}  // namespace stickslip::studies

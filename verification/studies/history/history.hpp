@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// A motion of the beam in time, by whatever method it is computed (method.hpp), and the comparison of its events.
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "stickslip/data/contact_event.hpp"
+#include "stickslip/data/problem.hpp"
+#include "studies/common/members.hpp"
+
+namespace stickslip::studies {
+
+/// The motion at one time. Displacements are absolute, y = h + u.
+struct HistoryRow {
+  double time{};                  ///< s
+  double base_displacement{};     ///< h, m
+  double tip_displacement{};      ///< y(L), m
+  double midspan_displacement{};  ///< y(L/2), m
+  double sliding_velocity{};      ///< v_s, m/s
+  double friction_force{};        ///< f of Eq. (28), N
+  data::ContactState state{data::ContactState::stick};
+  std::vector<double> displacement{};  ///< y at Sampling::positions, m
+};
+
+struct History {
+  std::vector<HistoryRow> rows{};
+  std::vector<data::ContactEvent>
+      events{};                        ///< all changes of contact; the position is y(L), in the frame at rest
+  std::optional<double> first_slip{};  ///< s; closed form: the first row with |f| > mu_s P
+  /// Estimated error: the largest change of y(L) over the rows on twice the step of the method, m.
+  std::optional<double> step_effect{};
+};
+
+STICKSLIP_MEMBERS(HistoryRow, (time, "s"), (tip_displacement, "m"), (friction_force, "N"), (state, "-"),
+                  (displacement, "m"))
+STICKSLIP_MEMBERS(History, (rows), (events))
+
+/// Where a history has rows. Methods in time steps take the step next to a time.
+struct Sampling {
+  /// From 0 to numerics.duration(), a row each so many steps of numerics.time_step().
+  long every{1};
+  std::vector<double>
+      times{};  ///< if any: rows at these ascending times instead, s; the run ends with the last
+  std::vector<double> positions{};  ///< x of HistoryRow::displacement, 0 ... L, m
+  bool with_midspan{
+      true};  ///< else midspan_displacement may be 0; the boundary integral takes half the time then
+};
+
+/// Receives rows as they come.
+using RowSink = std::function<void(const HistoryRow&)>;
+
+/// Hands the row to the sink or, without one, keeps it in the history.
+void add_row(History& history, const RowSink& sink, HistoryRow row);
+
+/// Calls `row` with the step of numerics.time_step() and the time (s) of each row, ascending. Returns the step with which
+/// the run ends.
+long for_each_row(const data::Case& problem, const Sampling& sampling,
+                  const std::function<void(long step, double time)>& row);
+
+/// With first_slip as the first of the events.
+void set_events(History& history, std::vector<data::ContactEvent> events);
+
+/// The times n `sample` from 0 to `duration`, s.
+[[nodiscard]] std::vector<double> sample_times(double duration, double sample);
+
+/// y(L) of each row, m.
+[[nodiscard]] std::vector<double> tip_displacements(const History& history);
+
+/// The onsets and captures among the events: between them the tip sticks, or slips.
+[[nodiscard]] std::vector<data::ContactEvent> onsets_and_captures(
+    const std::vector<data::ContactEvent>& events);
+
+/// The onsets and captures without micro-sticks: a stick phase shorter than `shortest_stick` (s) counts as part of
+/// the slip phase around it, so its capture and its onset are removed. Slip phases are never removed, nor is a
+/// stick phase at the beginning or at the end of the history.
+[[nodiscard]] std::vector<data::ContactEvent> without_micro_sticks(
+    const std::vector<data::ContactEvent>& events, double shortest_stick);
+
+/// The first change from slip to stick, if there is one.
+[[nodiscard]] std::optional<data::ContactEvent> first_capture(const std::vector<data::ContactEvent>& events);
+
+/// How far events of two histories are apart.
+struct EventDifference {
+  double time{};      ///< s
+  double position{};  ///< m
+};
+STICKSLIP_MEMBERS(EventDifference, (time, "s"), (position, "m"))
+
+/// The largest differences of the first `count` events of two histories; infinite if their kinds differ or if
+/// one history has fewer events.
+[[nodiscard]] EventDifference largest_difference(const std::vector<data::ContactEvent>& a,
+                                                 const std::vector<data::ContactEvent>& b, std::size_t count);
+
+/// The case with another mesh, time step (s), duration (s) and, if given, spectral radius, and with the velocity threshold
+/// 0. Located events do not need a threshold. A capture at |v_s| = epsilon would be early by epsilon/|v_s_t|, which
+/// is 1e-5 s for the 1e-4 m/s of the paper. Throws data::FieldError.
+[[nodiscard]] data::Case refined(data::Case problem, int elements, double time_step, double duration,
+                                 const std::optional<double>& spectral_radius = std::nullopt);
+
+}  // namespace stickslip::studies

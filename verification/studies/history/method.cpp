@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "studies/history/method.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include "stickslip/analytic/modal_reaction.hpp"
+#include "stickslip/data/input_error.hpp"
+#include "studies/common/problem_parameter.hpp"
+#include "studies/history/runs.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+const std::vector<std::pair<Feature, std::string_view>> features{
+    {Feature::slip, "slip, and changes of contact (`--events`)"},
+    {Feature::kelvin_voigt, "`damping.kelvin_voigt`"},
+    {Feature::damping_ratio, "`damping.ratio`"},
+    {Feature::yielding_contact, "a spring or a smooth law (`[contact]`)"},
+    {Feature::moving_wall, "`wall.speed`"},
+    {Feature::shear, "`beam.shear_stiffness`"},
+    {Feature::fixed_axial_force, "`beam.axial_direction`"},
+    {Feature::start_at_rest, "`--initial-velocity zero`"},
+    {Feature::contact_scheme, "`--scheme`"}};
+
+const std::string undamped =
+    "0 for the closed form: Eq. (26) is that of the undamped beam; respond --method fe follows the damped "
+    "one";
+const std::string quasi_static = "quasi-static for --method {}, whose equation assumes it";
+const std::string rigid =
+    "--method {}; fe and boundary-integral take it";  // after "inf (a rigid contact) for"
+const std::string resting = std::string(resting_wall);
+const std::string no_shear = "0 for --method {}, whose beam is rigid in shear; --method fe has shear";
+const std::string elements_only = "fe where --scheme is given";
+
+// All of them feasible: a run in time steps says how far it is.
+void require_nothing(const data::Case&) {}
+
+void require_steps(const data::Case& problem) {
+  const double most_steps = std::ldexp(1.0, 24), step = boundary_integral_step(problem);
+  if (problem.numerics.duration() <= most_steps * step) return;
+  throw data::FieldError("excitation.duration", data::shortest_text(problem.numerics.duration()),
+                         fmt::format("at most {:.3g} s, 2^24 steps of {:.3g} s", most_steps * step, step));
+}
+
+}  // namespace
+
+const std::vector<Method>& methods() {
+  static const std::vector<Method> all{
+      {"boundary-integral",
+       Inquiry::boundary_integral_history,
+       {{Feature::damping_ratio, "0 with the boundary integral, which allows Kelvin-Voigt damping only"},
+        {Feature::moving_wall, resting},
+        {Feature::shear, no_shear},
+        {Feature::start_at_rest, quasi_static},
+        {Feature::contact_scheme, elements_only}},
+       require_steps,
+       boundary_integral_history},
+      {"closed-form",
+       Inquiry::closed_form_history,
+       {{Feature::slip,
+         "one that follows the slip (fe, event-driven or boundary-integral) where --events is given"},
+        {Feature::kelvin_voigt, undamped},
+        {Feature::damping_ratio, undamped},
+        {Feature::yielding_contact, rigid},
+        {Feature::moving_wall, resting},
+        {Feature::shear, no_shear},
+        {Feature::start_at_rest, quasi_static},
+        {Feature::contact_scheme, elements_only}},
+       [](const data::Case& problem) { require_periods(problem, most_periods_in_closed_form); },
+       [](const data::Case& problem, const Sampling& sampling, const RunChoices&, const RowSink& sink) {
+         return closed_form_history(problem, sampling, analytic::SteadyPart::modal_sum, sink);
+       }},
+      {"event-driven",
+       Inquiry::event_driven_history,
+       {{Feature::yielding_contact, rigid},
+        {Feature::shear, no_shear},
+        {Feature::contact_scheme, elements_only}},
+       [](const data::Case& problem) { require_periods(problem, most_periods_by_events); },
+       event_driven_history},
+      {"fe", Inquiry::stepped_history, {}, require_nothing, finite_element_history}};
+  return all;
+}
+
+std::vector<std::string> method_names() {
+  std::vector<std::string> names;
+  for (const Method& each : methods()) names.push_back(each.name);
+  return names;
+}
+
+const Method& method(std::string_view name) {
+  const auto found = std::ranges::find(methods(), name, &Method::name);
+  if (found == methods().end()) throw std::out_of_range(fmt::format("no method has the name {}", name));
+  return *found;
+}
+
+const std::map<std::string, solver::ContactScheme>& contact_schemes() {
+  static const std::map<std::string, solver::ContactScheme> schemes{
+      {"located", solver::ContactScheme::located},
+      {"end-of-step", solver::ContactScheme::end_of_step},
+      {"paper", solver::ContactScheme::paper}};
+  return schemes;
+}
+
+void Method::require(Feature feature, std::string_view field, const std::string& value) const {
+  if (refused.contains(feature))
+    throw data::FieldError(std::string(field), value, fmt::format(fmt::runtime(refused.at(feature)), name));
+}
+
+void Method::require(const data::Case& problem, const RunChoices& choices) const {
+  const auto require_zero = [&](Feature feature, std::string_view field, double value) {
+    if (value != 0.0) require(feature, field, data::shortest_text(value));
+  };
+  if (choices.initial_velocity == solver::InitialVelocity::zero)
+    require(Feature::start_at_rest, "--initial-velocity", "zero");
+  if (choices.scheme) require(Feature::contact_scheme, "--method", name);
+  require_zero(Feature::kelvin_voigt, "damping.kelvin_voigt", problem.damping.kelvin_voigt());
+  require_zero(Feature::damping_ratio, "damping.ratio", problem.damping.ratio());
+  if (const auto reason = refused.find(Feature::yielding_contact); reason != refused.end())
+    data::require_rigid(problem.contact, fmt::format(fmt::runtime(reason->second), name));
+  for (const auto& [scheme, value] : contact_schemes())
+    if (choices.scheme == value && value != solver::ContactScheme::located)
+      data::require_rigid(problem.contact, "--scheme " + scheme);
+  require_zero(Feature::moving_wall, "wall.speed", problem.wall.speed());
+  require_zero(Feature::shear, "beam.shear_stiffness", problem.beam.shear_stiffness());
+  require_feasible(problem);
+}
+
+std::string table_of_methods() {
+  std::string table = "| |", rule = "\n| --- |";
+  for (const Method& each : methods()) {
+    table += fmt::format(" `{}` |", each.name);
+    rule += " --- |";
+  }
+  table += rule;
+  for (const auto& [feature, name] : features) {
+    table += fmt::format("\n| {} |", name);
+    for (const Method& each : methods()) table += each.refused.contains(feature) ? " no |" : " yes |";
+  }
+  return table + "\n";
+}
+
+void require_periods(const data::Case& problem, double most_periods) {
+  const double natural =
+      analytic::modal_forces(problem.beam, problem.numerics.modes()).back().angular_frequency /
+      (2.0 * std::numbers::pi);
+  const double highest = std::max(natural, problem.excitation.frequency_hz());
+  if (problem.numerics.duration() * highest <= most_periods) return;
+  throw data::FieldError(
+      "excitation.duration", data::shortest_text(problem.numerics.duration()),
+      fmt::format("at most {:.3g} s, {} periods of {}, {:.3g} Hz", most_periods / highest,
+                  most_periods == most_periods_by_events ? "a million" : "a hundred million",
+                  natural > problem.excitation.frequency_hz()
+                      ? fmt::format("natural frequency {}", problem.numerics.modes())
+                      : "the excitation",
+                  highest));
+}
+
+}  // namespace stickslip::studies

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// The methods that compute a history, each with what it refuses: stated once, here.
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "stickslip/data/problem.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
+#include "studies/history/history.hpp"
+
+namespace stickslip::studies {
+
+/// What is asked for.
+enum class Inquiry {
+  stick_frequencies,
+  slip_frequencies,
+  criterion,            ///< |f_max|, in closed form
+  closed_form_history,  ///< Eqs. (26) to (28)
+  event_driven_history,
+  boundary_integral_history,
+  stepped_history,  ///< finite elements and generalised-alpha
+  design            ///< |f_max| over a band up to the excitation frequency of the case
+};
+
+/// What not every method can do.
+enum class Feature {
+  slip,               ///< the motion after the first slip, with its changes of contact
+  kelvin_voigt,       ///< damping.kelvin_voigt
+  damping_ratio,      ///< damping.ratio
+  yielding_contact,   ///< a spring or a smooth law of friction, [contact]
+  moving_wall,        ///< wall.speed
+  shear,              ///< beam.shear_stiffness
+  fixed_axial_force,  ///< beam.axial_direction
+  start_at_rest,      ///< u_t(x,0) = 0
+  contact_scheme      ///< a choice of solver::ContactScheme
+};
+
+/// How a run differs from the default.
+struct RunChoices {
+  solver::InitialVelocity initial_velocity{solver::InitialVelocity::quasi_static};
+  std::optional<solver::ContactScheme> scheme{};                  ///< else located
+  solver::Coordinates coordinates{solver::Coordinates::fastest};  ///< of finite elements
+};
+
+/// One method.
+struct Method {
+  std::string name{};
+  Inquiry inquiry{};
+  /// What it cannot do. The text, with the reason, is the end of the error message "<field> is <value>, but must be".
+  std::map<Feature, std::string> refused{};
+  /// Throws data::FieldError, naming excitation.duration, for a history that would take more than minutes.
+  void (*require_feasible)(const data::Case& problem){};
+  /// The history of a case that require() accepts. With a sink, rows go there as they come, and History::rows is empty.
+  /// Throws what the implementation throws.
+  History (*run)(const data::Case& problem, const Sampling& sampling, const RunChoices& choices,
+                 const RowSink& sink){};
+
+  /// Throws data::FieldError if the method cannot do the feature, which the field with that value asks for.
+  void require(Feature feature, std::string_view field, const std::string& value) const;
+  /// Throws data::FieldError for a case or a choice that the method refuses or that is not feasible.
+  void require(const data::Case& problem, const RunChoices& choices = {}) const;
+};
+
+/// All methods, by name.
+[[nodiscard]] const std::vector<Method>& methods();
+[[nodiscard]] std::vector<std::string> method_names();
+/// Throws std::out_of_range if there is none of that name.
+[[nodiscard]] const Method& method(std::string_view name);
+
+/// The contact schemes of finite elements, by name.
+[[nodiscard]] const std::map<std::string, solver::ContactScheme>& contact_schemes();
+
+/// What each method can do, as a Markdown table.
+[[nodiscard]] std::string table_of_methods();
+
+inline constexpr double most_periods_in_closed_form = 1e8, most_periods_by_events = 1e6;  // minutes of work
+/// Throws data::FieldError, naming excitation.duration, if that holds more than so many periods of the excitation or of
+/// the highest of numerics.modes() modes.
+void require_periods(const data::Case& problem, double most_periods);
+
+}  // namespace stickslip::studies

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+/// What users ask of a case: the criterion with its outlook, and natural frequencies with their errors.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/data/case_file.hpp"
+#include "studies/analyses/criterion_answer.hpp"
+#include "studies/analyses/natural_frequencies.hpp"
+#include "studies/common/problem_parameter.hpp"
+#include "support/requirements.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+using analytic::Verdict;
+
+data::Case paper_at(const std::string& hz, const std::string& amplitude) {
+  return data::load_case("paper", {{"excitation.frequency_hz", hz, "the test"},
+                                   {"excitation.amplitude", amplitude, "the test"}});
+}
+
+STICKSLIP_VERIFIES(CriterionVerdict, "U1");
+TEST(CriterionVerdict, SlipIsAForceAboveTheLimitForCertain) {
+  EXPECT_EQ(analytic::verdict_of({2.0, 3.0}, 1.0), Verdict::stick_slip);
+  EXPECT_EQ(analytic::verdict_of({0.5, 3.0}, 1.0), Verdict::stick);  // the bounds hold the limit
+  EXPECT_EQ(analytic::verdict_of({1.0, 1.0}, 1.0), Verdict::stick);  // the limit is reached and not passed
+}
+
+STICKSLIP_VERIFIES(CriterionAnswer, "U1");
+TEST(CriterionAnswer, VerdictsChangeAtTheCriticalAmplitudes) {
+  const auto answer = studies::criterion_answer(paper_at("35", "1e-3"));
+  const auto at = [&](double amplitude) {
+    return studies::criterion_answer(paper_at("35", data::shortest_text(amplitude)));
+  };
+  ASSERT_TRUE(answer.steady);
+  const auto above = [](double amplitude) { return amplitude * (1.0 + 1e-9); };
+  const auto below = [](double amplitude) { return amplitude * (1.0 - 1e-9); };
+  EXPECT_EQ(at(above(answer.truncated.critical_amplitude.upper)).truncated.verdict, Verdict::stick_slip);
+  EXPECT_EQ(at(below(answer.truncated.critical_amplitude.lower)).truncated.verdict, Verdict::stick);
+  EXPECT_EQ(at(above(answer.all_modes.critical_amplitude.upper)).all_modes.verdict, Verdict::stick_slip);
+  EXPECT_EQ(at(below(answer.all_modes.critical_amplitude.lower)).all_modes.verdict, Verdict::stick);
+  EXPECT_EQ(at(above(answer.steady->critical_amplitude)).steady->verdict, Verdict::stick_slip);
+  EXPECT_EQ(at(below(answer.steady->critical_amplitude)).steady->verdict, Verdict::stick);
+}
+
+TEST(CriterionAnswer, MarginIsTheLimitOverTheForce) {
+  const auto margin = studies::margin_of(
+      {.force_max = {2.0, 4.0}, .friction_limit = 8.0, .critical_amplitude = {}, .verdict = {}});
+  EXPECT_EQ(margin.lower, 2.0);
+  EXPECT_EQ(margin.upper, 4.0);
+}
+
+TEST(CriterionAnswer, BestChangeHasTheLargestMargin) {
+  const data::Case problem = paper_at("35", "1e-3");
+  const auto best = studies::criterion_answer(problem).best_change;
+  ASSERT_TRUE(best);
+  double largest = 0.0;
+  for (const std::string_view key :
+       {"excitation.amplitude", "excitation.frequency_hz", "beam.length", "beam.axial_force",
+        "beam.youngs_modulus", "friction.static_coefficient"})
+    for (const double factor : {0.9, 1.1}) {
+      const auto changed = data::with_value(problem, key, factor * data::value_of(problem, key));
+      const auto criterion = analytic::evaluate_criterion(changed.beam, changed.friction, changed.excitation,
+                                                          changed.numerics.duration(), 10);
+      const double margin = criterion.friction_limit / criterion.force_max.upper;
+      largest = std::max(largest, margin);
+      if (key == best->key && factor == best->factor) {
+        EXPECT_NEAR(best->margin, margin, 1e-9 * margin);  // the bounds are 1e-10 apart
+      }
+    }
+  EXPECT_GE(best->margin, largest * (1.0 - 1e-9));
+  EXPECT_FALSE(studies::criterion_answer(paper_at("35", "0")).best_change);
+}
+
+TEST(CriterionAnswer, NextFrequencyFollowsThatOfTheExcitation) {
+  const data::Case problem = paper_at("35", "1e-3");
+  const auto next = studies::criterion_answer(problem).next;
+  const auto modes = analytic::stick_modes(problem.beam, next.mode);
+  EXPECT_DOUBLE_EQ(next.hz, modes.back().frequency_hz());
+  EXPECT_GT(next.hz, 35.0);
+  ASSERT_GE(next.mode, 2);
+  EXPECT_LE(modes[modes.size() - 2].frequency_hz(), 35.0);
+}
+
+TEST(CriterionAnswer, ResonanceHasNoSteadyForce) {
+  EXPECT_FALSE(studies::criterion_answer(paper_at("25", "1e-3")).steady);
+}
+
+STICKSLIP_VERIFIES(CriticalAmplitudeCurve, "U1");
+TEST(CriticalAmplitudeCurve, AmplitudesAreThoseOfTheCriterion) {
+  const data::Case problem = paper_at("35", "1e-3");
+  const auto curve = studies::critical_amplitude_curve(problem);
+  EXPECT_DOUBLE_EQ(curve.hz.front(), 35.0 / 4.0);
+  EXPECT_DOUBLE_EQ(curve.hz.back(), 4.0 * 35.0);
+  EXPECT_TRUE(std::ranges::is_sorted(curve.hz));
+  ASSERT_EQ(curve.natural_hz.size(), 10u);
+  EXPECT_EQ(std::ranges::count(curve.hz, curve.natural_hz.front()), 1);
+  for (const std::size_t i : {0u, 77u, 200u}) {
+    const auto criterion = analytic::evaluate_criterion(
+        problem.beam, problem.friction,
+        data::HarmonicExcitation({.frequency_hz = curve.hz[i], .amplitude = 1.0}),
+        problem.numerics.duration(), 10);
+    EXPECT_NEAR(curve.amplitudes[i] / criterion.critical_amplitude.midpoint(), 1.0, 1e-3) << curve.hz[i];
+  }
+}
+
+STICKSLIP_VERIFIES(NaturalFrequencies, "U1");
+TEST(NaturalFrequencies, ShapesAreOneAtTheirLargestAndAgreeWithTheMesh) {
+  const data::Case problem = data::load_case("paper", {{"numerics.elements", "40", "the test"}});
+  const double length = problem.beam.length();
+  std::vector<double> points;
+  for (int i = 0; i <= 40; ++i) points.push_back(length * i / 40.0);
+  for (const auto tip : {analytic::TipSupport::held, analytic::TipSupport::free}) {
+    const auto exact = studies::closed_form_shapes(problem.beam, tip, 3, points);
+    const auto mesh = studies::mesh_shapes(problem, tip, 3, points);
+    for (std::size_t n = 0; n < 3; ++n) {
+      double largest = 0.0;
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        largest = std::max(largest, exact[i][n]);
+        // (β l)⁴/96 of a shape with β l = 10.2/40 in the third mode is 4e-5.
+        EXPECT_NEAR(mesh[i][n], exact[i][n], 1e-4) << n << " " << points[i];
+      }
+      EXPECT_EQ(largest, 1.0);
+    }
+    EXPECT_EQ(std::abs(exact.back()[0]) < 1e-9, tip == analytic::TipSupport::held);
+  }
+}
+
+}  // namespace
+}  // namespace stickslip::testing

@@ -1,0 +1,461 @@
+// SPDX-License-Identifier: MIT
+/// Every engine that runs a contact, on the problems of contact_battery.hpp.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "stickslip/analytic/event_driven.hpp"
+#include "stickslip/analytic/free_mode_run.hpp"
+#include "support/contact_battery.hpp"
+#include "support/parameter_name.hpp"
+#include "support/requirements.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+using data::ContactState;
+using std::numbers::pi;
+using Kind = ContactProblemKind;
+
+Tolerance error_per_step(double error) { return discretisation(error, 1.0, "error per step times steps"); }
+
+/// The way slid until `time`, by the positions of the changes before and the position then.
+double way_until(double time, double position, const ContactProblem& problem,
+                 const std::vector<data::ContactEvent>& events) {
+  double way = 0.0, last = problem.position;
+  for (const data::ContactEvent& event : events) {
+    if (event.time > time) break;
+    way += std::abs(event.position - last);
+    last = event.position;
+  }
+  return way + std::abs(position - last);
+}
+
+/// The second of two runs, since a start must forget the run before. start() starts the engine, advance(t) runs it and returns
+/// the contact then.
+template <class Engine, class Start, class Advance>
+ContactHistory run_twice(Engine& engine, const ContactProblem& problem, const Start& start,
+                         const Advance& advance) {
+  ContactHistory history;
+  for (int run = 0; run < 2; ++run) {
+    history.samples.clear();
+    start();
+    for (const double time : problem.sample_times) {
+      history.samples.push_back(advance(time));
+      ContactSample& now = history.samples.back();
+      now.way = way_until(time, now.position, problem, engine.events());
+    }
+  }
+  history.events = engine.events();
+  return history;
+}
+
+// The time stepper.
+
+ContactHistory run_stepper(const ContactProblem& problem, const solver::IntegratorSettings& settings) {
+  const bool is_pair = problem.is_pair();
+  solver::StickSlipIntegrator stepper(is_pair ? contact_system(problem.pair) : contact_system(problem.mass),
+                                      settings);
+  const Eigen::Index contact = stepper.system().contact;
+  const auto at_contact = [&](double value) {
+    return Eigen::VectorXd(value * Eigen::VectorXd::Unit(contact + 1, contact));
+  };
+  const auto start = [&] {
+    if (problem.start == ContactState::stick) {
+      stepper.start_stuck(at_contact(problem.position), at_contact(0.0));
+    } else {
+      stepper.start_slipping(at_contact(problem.position), at_contact(problem.velocity));
+    }
+  };
+  return run_twice(stepper, problem, start, [&](double time) -> ContactSample {
+    while (stepper.steps() < std::lround(time / settings.time_step)) stepper.step();
+    return {stepper.state(),
+            stepper.displacement()[contact] - stepper.system().wall.displacement(stepper.time()),
+            stepper.sliding_velocity(), stepper.friction_force()};
+  });
+}
+
+/// The force on a mass that slides is constant and the wall's motion is exact, so that the order 2 has nothing to act on: what is
+/// left is the location of the events, 1e-11 h. An instant that is off by dt leaves a sliding velocity of at most 2 A dt, for less
+/// than a second. With a spring, the error of the period is (omega h)^2/12; at spectral radius 1 a step changes the energy by the
+/// work of the constant friction, so that turning points are exact but for the rounding of 1571 steps each.
+std::optional<ContactErrors> stepper_errors(const ContactProblem& problem,
+                                            const solver::IntegratorSettings& settings) {
+  const double h = settings.time_step, instant = 1e-11 * h + 1e-14;
+  const bool locates = settings.scheme == solver::ContactScheme::located;
+  const Tolerance located = discretisation(instant, 1.0, "location tolerance 1e-11 h");
+  const auto location = [located](std::size_t) { return located; };
+  ContactErrors errors{.time = location, .position = [](std::size_t) { return round_off(100, 1, 1.0); }};
+  const auto& exact = problem.exact;
+  switch (problem.kind) {
+    case Kind::slider:
+      errors.sample_position = errors.sample_velocity = round_off(100, 1, 1.0);
+      errors.friction_force = round_off(0.5, 1, 3.0);
+      return locates && h == 0.07 ? std::optional(errors) : std::nullopt;
+    case Kind::spring:
+      // A step adds h^3/2 u_tttt to the velocity at most; u_tttt = omega^4 (0.6 - 0.5).
+      errors.sample_velocity = discretisation(0.5 * h * h * 0.4 * 0.1, 1.0, "h^2/2 u_tttt t");
+      errors.sample_position = errors.sample_velocity;
+      errors.friction_force = round_off(0.5, 1, 1.2);
+      return h == 0.01 ? std::optional(errors) : std::nullopt;
+    case Kind::oscillator:
+      errors.time = [=](std::size_t i) {
+        return i == 0 ? located
+                      : discretisation(static_cast<double>(i) * pi / 2.0 * 4.0 * h * h / 12.0, 2.0,
+                                       "period error (omega h)^2/12");
+      };
+      errors.position = [](std::size_t i) { return round_off(1571.0 * static_cast<double>(i), 1, 1.04); };
+      errors.sample_position = round_off(1571.0 * 5.0, 1, 1.04);
+      errors.friction_force = round_off(1571.0 * 5.0, 4.0, 1.04);
+      return settings.spectral_radius == 1.0 && locates && h == 1e-3 ? std::optional(errors) : std::nullopt;
+    case Kind::plane_below_limit:
+      errors.sample_position = round_off(2, 1, 0.3);
+      errors.friction_force = round_off(20, 80, 1.0);
+      return locates && h < 0.02 ? std::optional(errors) : std::nullopt;
+    case Kind::shaken_plane: {
+      const double amplitude = problem.mass.wall_acceleration;
+      errors.time = [=, &problem](std::size_t i) {
+        const bool onset = exact.events[i].change == data::ContactChange::onset;
+        const double rounding = round_off(2, 1, exact.events[i].time).value;
+        const double velocity = 2.0 * amplitude * instant * static_cast<double>(i) +
+                                round_off(exact.events[i].time / h, 1, 0.5).value;
+        return discretisation(instant + rounding + (onset ? 0.0 : velocity / problem.rates[i]), 1.0,
+                              "events located to 1e-11 h, and round-off");
+      };
+      errors.position = [=](std::size_t i) {
+        return discretisation(
+            6.0 * exact.events[i].time * 2.0 * amplitude * instant + round_off(100, 1, 1.0).value, 1.0,
+            "events located to 1e-11 h, and round-off");
+      };
+      errors.friction_power =
+          discretisation(10.0 * 6.0 * instant * 2.0 * amplitude, 1.0, "events located to 1e-11 h");
+      return locates && h < 0.02 ? std::optional(errors) : std::nullopt;
+    }
+    case Kind::two_masses:
+      return std::nullopt;  // ContactHistoryOrder has its order
+  }
+  return std::nullopt;
+}
+
+ContactEngine stepper(const std::string& name, const solver::IntegratorSettings& settings) {
+  return {name, "F6", [settings](const ContactProblem& problem) { return run_stepper(problem, settings); },
+          [settings](const ContactProblem& problem) { return stepper_errors(problem, settings); }};
+}
+
+// The event-driven engine.
+
+ContactHistory run_event_driven(const ContactProblem& problem) {
+  const bool is_pair = problem.is_pair();
+  const ForcedPair& pair = problem.pair;
+  analytic::EventDriven engine(is_pair ? contact_model(pair) : contact_model(problem.mass));
+  const auto start = [&] {
+    if (problem.start == ContactState::slip) {
+      engine.start_slipping({}, {}, problem.position, problem.velocity);
+    } else if (is_pair) {  // the first mass at rest at the origin
+      const double share = -static_shape(pair) / mode_shape(pair);
+      engine.start_stuck({share * problem.position}, {share * pair.omega * pair.wall_amplitude},
+                         problem.position);
+    } else {
+      engine.start_stuck({}, {}, problem.position);
+    }
+  };
+  return run_twice(engine, problem, start, [&](double time) -> ContactSample {
+    engine.advance_to(time);
+    return {engine.state(), engine.contact_position(), engine.sliding_velocity(), engine.friction_force()};
+  });
+}
+
+/// The slip phases add an error of at most 1e-12 in each step, and neither friction nor damping lets it grow; steps are counted
+/// generously at 10 per radian of the fastest motion.
+std::optional<ContactErrors> event_driven_errors(const ContactProblem& problem) {
+  const auto always = [](const Tolerance& tolerance) {
+    return [tolerance](std::size_t) { return tolerance; };
+  };
+  const auto& events = problem.exact.events;
+  switch (problem.kind) {
+    case Kind::slider:  // a quadratic is integrated exactly
+      return ContactErrors{always(round_off(20, 1, 1.0)), always(round_off(20, 1, 1.0)),
+                           round_off(20, 1, 1.0),         round_off(20, 1, 1.0),
+                           round_off(0.5, 1, 3.0),        {}};
+    case Kind::spring:
+      return ContactErrors{always(round_off(1, 1, 0.0)), always(round_off(1, 1, 0.0)),
+                           error_per_step(1e-12 * 2.0),  error_per_step(1e-12 * 2.0),
+                           round_off(0.5, 1, 1.2),       {}};
+    case Kind::oscillator:  // a turning point of amplitude 0.1 or more dates within the error over it
+      return ContactErrors{
+          [](std::size_t i) { return error_per_step(1e-12 * 10.0 * pi * static_cast<double>(i) / 0.4); },
+          [](std::size_t i) { return error_per_step(1e-12 * 10.0 * pi * static_cast<double>(i)); },
+          error_per_step(1e-12 * 50.0 * pi),
+          {},
+          error_per_step(4e-12 * 50.0 * pi),
+          {}};
+    case Kind::plane_below_limit:
+      return ContactErrors{always({}), always({}), round_off(2, 1, 0.3), {}, round_off(20, 80, 1.0), {}};
+    case Kind::shaken_plane: {
+      const double omega = 2.0 * pi, amplitude = problem.mass.wall_acceleration, scale = amplitude / omega;
+      const auto rounding = [=](double t) { return round_off(20, omega * t, scale).value; };
+      const auto time = [=, &problem, &events](std::size_t i) {
+        const double t = events[i].time;
+        if (events[i].change == data::ContactChange::onset)
+          return round_off(10, omega * t, amplitude / problem.rates[i]);
+        std::size_t onset = i;
+        while (events[onset].change != data::ContactChange::onset) --onset;
+        return error_per_step((1e-12 * 10.0 * omega * (t - events[onset].time) * scale + rounding(t)) /
+                              problem.rates[i]);
+      };
+      const auto position = [=, &events](std::size_t i) {
+        const double t = events[i].time;
+        return error_per_step(1e-12 * 10.0 * omega * t * scale + static_cast<double>(i + 1) * rounding(t));
+      };
+      return ContactErrors{
+          time, position, {},
+          {},   {},       reference(1e-10 * *problem.friction_power, "ten digits of a 40-digit computation")};
+    }
+    case Kind::two_masses: {
+      // Up to 4.6 rad/s with slips of about 1 m/s; the slowest stops decelerate at 1 m/s^2, so that times are as good as
+      // velocities. ExactPair bisects to round-off: 1000 exponentials of 4 s matrices, 1e-13.
+      const Tolerance tolerance = error_per_step(1e-12 * 10.0 * 4.6 * 12.0);
+      return ContactErrors{always(tolerance), always(tolerance), tolerance, tolerance, {}, {}};
+    }
+  }
+  return std::nullopt;
+}
+
+// The boundary integral, by the mobility of the system or by its free modes.
+
+using Complex = std::complex<double>;
+
+/// The mean over each step of the force that holds the contact, or that force in its middle, N.
+std::vector<double> holding_forces(const ContactProblem& problem, double h) {
+  const auto count = static_cast<std::size_t>(std::lround(problem.sample_times.back() / h));
+  std::vector<double> forces;
+  if (!problem.is_pair()) {
+    const double half = 0.5 * problem.mass.omega * h;
+    for (std::size_t n = 0; n < count; ++n)
+      forces.push_back(problem.mass.stiffness * problem.position +
+                       problem.mass.mass * problem.mass.wall_acceleration *
+                           std::sin(half * static_cast<double>(2 * n + 1)) * std::sin(half) / half);
+    return forces;
+  }
+  const ForcedPair& pair = problem.pair;
+  analytic::ContactModel model = contact_model(pair);
+  model.friction = data::FrictionLaw({.static_coefficient = 1e6, .kinetic_coefficient = 0.0, .decay = 0.0});
+  analytic::EventDriven held(model);
+  held.start_stuck({0.0}, {-static_shape(pair) * pair.omega * pair.wall_amplitude / mode_shape(pair)});
+  for (std::size_t n = 0; n < count; ++n) {
+    held.advance_to((static_cast<double>(n) + 0.5) * h);
+    forces.push_back(held.holding_force());
+  }
+  return forces;
+}
+
+/// Velocity of the free contact per unit force on it.
+Complex mobility(const ContactProblem& problem, Complex s) {
+  if (!problem.is_pair()) return s / (problem.mass.mass * s * s + problem.mass.stiffness);
+  const Eigen::Matrix2cd dynamic =
+      s * s * problem.pair.mass + s * problem.pair.damping + problem.pair.slip_stiffness;
+  return s * dynamic(0, 0) / (dynamic(0, 0) * dynamic(1, 1) - dynamic(0, 1) * dynamic(1, 0));
+}
+
+/// Changes of the direction of sliding after which the new one, or stick, lasts three steps or more: the velocity that is left at
+/// a capture changes its sign from step to step, and where the force that goes with it is clipped there are slips of one step.
+ContactHistory history_of(const ContactProblem& problem, const std::vector<analytic::ContactStep>& steps,
+                          double h) {
+  using enum data::ContactChange;
+  ContactHistory history;
+  data::ContactEvent latest;
+  double position = problem.position, direction = 0.0, settled = 0.0, way = 0.0;
+  int lasting = 0;
+  auto sample_time = problem.sample_times.begin();
+  for (std::size_t n = 0; n < steps.size(); ++n) {
+    const double velocity = steps[n].sliding_velocity, time = static_cast<double>(n) * h;
+    const double now = velocity == 0.0 ? 0.0 : std::copysign(1.0, velocity);
+    if (now != direction) {
+      latest = {settled == 0.0 ? onset : now == 0.0 ? capture : reversal, time, position};
+      direction = now;
+      lasting = 0;
+    }
+    position += velocity * h;
+    way += std::abs(velocity) * h;
+    if (++lasting >= 3 && direction != settled) {
+      settled = direction;
+      history.events.push_back(latest);
+    }
+    for (; sample_time != problem.sample_times.end() && *sample_time < time + 1.5 * h; ++sample_time)
+      history.samples.push_back({steps[n].slides ? ContactState::slip : ContactState::stick, position,
+                                 velocity, steps[n].friction_force, way});
+  }
+  return history;
+}
+
+analytic::ContactLaw law_of(const ContactProblem& problem) {
+  if (!problem.is_pair()) return {problem.mass.normal_force, data::FrictionLaw(problem.mass.friction)};
+  const double mu = problem.pair.friction_coefficient;
+  return {problem.pair.normal_force,
+          data::FrictionLaw({.static_coefficient = mu, .kinetic_coefficient = mu, .decay = 0.0})};
+}
+
+ContactHistory run_boundary_integral(const ContactProblem& problem, double h) {
+  const auto forces = holding_forces(problem, h);
+  const auto weights =
+      analytic::mobility_weights([&](Complex s) { return mobility(problem, s); }, h, forces.size(), 2);
+  return history_of(problem, analytic::contact_steps(weights, law_of(problem), forces), h);
+}
+
+ContactHistory run_free_modes(const ContactProblem& problem, double h) {
+  const double mass = problem.mass.mass;
+  analytic::FreeModeRun run({{std::sqrt(problem.mass.stiffness / mass), 1.0 / mass}}, law_of(problem), h);
+  std::vector<analytic::ContactStep> steps;
+  for (const double force : holding_forces(problem, h)) steps.push_back(run.step(force));
+  return history_of(problem, steps, h);
+}
+
+/// The friction force of a step in which the contact changes is off by at most 2 mu N, the velocity behind it by 2 mu N h/m, and
+/// neither friction nor damping amplifies a difference of velocities: 20 h W for the power of the plane. With two masses
+/// 2 mu N h/m_c = 4.4 h; their stops decelerate at 1 m/s^2 or more, so that times are off by 4.4 h and a step, and positions
+/// gather 4.4 h for at most 12 s.
+std::optional<ContactErrors> boundary_integral_errors(const ContactProblem& problem, double h) {
+  if (problem.start == ContactState::slip) return std::nullopt;
+  const auto always = [](double error, const char* law) {
+    return [=](std::size_t) { return discretisation(error, 1.0, law); };
+  };
+  switch (problem.kind) {
+    case Kind::oscillator:
+      return ContactErrors{[=, &problem](std::size_t i) {
+                             const double late =
+                                 i == 0 ? 0.0 : 0.8 * h * static_cast<double>(i) / problem.rates[i];
+                             return discretisation(h + late, 1.0, "a step, and 2 mu N h/m an event");
+                           },
+                           always(0.8 * h * 5.0 * 12.0, "2 mu N h/m an event for 12 s"),
+                           {},
+                           {},
+                           {},
+                           {}};
+    case Kind::plane_below_limit:
+      return ContactErrors{always(0.0, "none"),
+                           always(0.0, "none"),
+                           round_off(2, 1, 0.3),
+                           {},
+                           discretisation(0.5 * h * 2.0 * pi * 0.99, 1.01, "half a step"),
+                           {}};
+    case Kind::shaken_plane: {
+      const double power = *problem.friction_power;
+      return ContactErrors{{}, {}, {},
+                           {}, {}, discretisation(20.0 * h * std::min(1.0, power), 1.0, "20 h W")};
+    }
+    case Kind::two_masses:
+      if (problem.position != 0.0) return std::nullopt;
+      return ContactErrors{
+          always(5.4 * h, "4.4 h and a step"), always(4.4 * h * 12.0, "4.4 h for 12 s"), {}, {}, {}, {}};
+    case Kind::slider:
+    case Kind::spring:
+      return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+std::vector<ContactEngine> contact_engines() {
+  using solver::ContactScheme;
+  std::vector<ContactEngine> engines;
+  const auto add_stepper = [&](const std::string& name, double h, double radius, double threshold = 0.0,
+                               ContactScheme scheme = ContactScheme::located) {
+    engines.push_back(stepper(name, {h, radius, threshold, scheme}));
+  };
+  for (const double radius : {0.0, 0.5, 0.9, 1.0})
+    add_stepper("Stepper" + parameter_name(radius), 0.07, radius);
+  add_stepper("LocatedStepper", 0.01, 0.9, 1e-6);
+  add_stepper("EndOfStepStepper", 0.01, 0.9, 1e-6, ContactScheme::end_of_step);
+  add_stepper("PaperStepper", 0.01, 0.9, 1e-6, ContactScheme::paper);
+  add_stepper("CoarseStepper", 1e-2, 1.0);
+  add_stepper("Stepper1ms", 1e-3, 1.0);
+  add_stepper("DampedStepper1ms", 1e-3, 0.9);
+  add_stepper("FineStepper", 1e-4, 0.9);
+  engines.push_back({"EventDriven", "D1", run_event_driven, event_driven_errors});
+  for (const double h : {1e-3, 1.25e-4}) {
+    const auto errors = [h](const ContactProblem& problem) { return boundary_integral_errors(problem, h); };
+    engines.push_back({"BoundaryIntegral" + parameter_name(1e3 * h) + "ms", "D4",
+                       [h](const ContactProblem& problem) { return run_boundary_integral(problem, h); },
+                       errors});
+    engines.push_back({"FreeModes" + parameter_name(1e3 * h) + "ms", "D4",
+                       [h](const ContactProblem& problem) { return run_free_modes(problem, h); },
+                       [errors](const ContactProblem& problem) {
+                         return problem.is_pair() ? std::nullopt : errors(problem);
+                       }});
+  }
+  return engines;
+}
+
+// Every engine on every problem that it can run.
+
+struct Run {
+  const ContactProblem* problem;
+  ContactEngine engine;
+};
+
+std::vector<Run> all_runs() {
+  std::vector<Run> runs;
+  for (const ContactProblem& problem : contact_problems())
+    for (const ContactEngine& engine : contact_engines())
+      if (engine.errors(problem)) runs.push_back({&problem, engine});
+  return runs;
+}
+
+void PrintTo(const Run& run, std::ostream* stream) {
+  *stream << run.engine.name << " on " << run.problem->name;
+}
+
+class ContactBattery : public ::testing::TestWithParam<Run> {};
+
+void expect_events(const ContactHistory& computed, const ContactHistory& exact, const ContactErrors& errors) {
+  ASSERT_EQ(computed.events.size(), exact.events.size());
+  for (std::size_t i = 0; i < exact.events.size(); ++i) {
+    const data::ContactEvent &event = computed.events[i], &expected = exact.events[i];
+    EXPECT_EQ(event.change, expected.change) << i;
+    EXPECT_TRUE(within(event.time, expected.time, errors.time(i))) << i;
+    EXPECT_TRUE(within(event.position, expected.position, errors.position(i))) << i;
+  }
+}
+
+void expect_sample(const ContactSample& computed, const ContactSample& exact, const ContactErrors& errors) {
+  const auto expect = [](double value, double expected, const std::optional<Tolerance>& tolerance) {
+    if (tolerance) {
+      EXPECT_TRUE(within(value, expected, *tolerance));
+    }
+  };
+  EXPECT_EQ(computed.state, exact.state);
+  if (exact.state == ContactState::stick) {
+    EXPECT_EQ(computed.sliding_velocity, 0.0);
+  }
+  expect(computed.position, exact.position, errors.sample_position);
+  expect(computed.sliding_velocity, exact.sliding_velocity, errors.sample_velocity);
+  expect(computed.friction_force, exact.friction_force, errors.friction_force);
+}
+
+TEST_P(ContactBattery, FollowsTheExactHistory) {
+  const auto& [problem, engine] = GetParam();
+  record_requirement(engine.requirement);
+  const ContactErrors errors = engine.errors(*problem).value();
+  const ContactHistory computed = engine.run(*problem);
+  ASSERT_EQ(computed.samples.size(), problem->sample_times.size());
+  if (errors.time) expect_events(computed, problem->exact, errors);
+  if (errors.sample_position)
+    for (std::size_t i = 0; i < problem->exact.samples.size(); ++i) {
+      SCOPED_TRACE(problem->sample_times[i]);
+      expect_sample(computed.samples[i], problem->exact.samples[i], errors);
+    }
+  if (!errors.friction_power) return;
+  const double way = computed.samples[1].way - computed.samples[0].way;
+  EXPECT_TRUE(within(problem->mass.normal_force * way / (problem->sample_times[1] - problem->sample_times[0]),
+                     *problem->friction_power, *errors.friction_power));
+}
+
+INSTANTIATE_TEST_SUITE_P(Contact, ContactBattery, ::testing::ValuesIn(all_runs()), [](const auto& instance) {
+  return instance.param.problem->name + "_" + instance.param.engine.name;
+});
+
+}  // namespace
+}  // namespace stickslip::testing

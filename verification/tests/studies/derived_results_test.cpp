@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+/// Numbers that follow from the results of studies. The results here differ from each other, so that one taken for another
+/// shows.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "stickslip/data/paper.hpp"
+#include "studies/common/problem_parameter.hpp"
+#include "studies/criterion/classification.hpp"
+#include "studies/criterion/critical_amplitude.hpp"
+#include "studies/paper/agreement.hpp"
+#include "studies/paper/figure_curves.hpp"
+#include "studies/stick/force_maximum.hpp"
+#include "studies/stick/frequencies.hpp"
+#include "studies/stick_slip/beam_motion.hpp"
+#include "studies/stick_slip/contact_histories.hpp"
+#include "studies/stick_slip/damped_benchmark.hpp"
+#include "studies/stick_slip/energy_audit.hpp"
+#include "support/paper_case.hpp"
+#include "support/requirements.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+STICKSLIP_VERIFIES(ForceMaximumStudy, "U5");
+TEST(ForceMaximumStudy, HasTheDifferencesOfTwoRoutes) {
+  const double printed = data::printed_number("force_max.15").value;
+  const studies::ForceMaximumStudy row{.frequency_hz = 15.0,
+                                       .sampled = 1.01 * printed,
+                                       .truncated = {1.01 * printed, 1.03 * printed},
+                                       .converged = {1.04 * printed, 1.06 * printed},
+                                       .finite_element = 1.10 * printed,
+                                       .predicted_finite_element = 1.15 * printed};
+  // To the rounding of a quotient near 1.
+  EXPECT_NEAR(row.sampling_difference(), 1.0 - 1.01 / 1.02, 1e-15);
+  EXPECT_NEAR(row.truncation_difference(), 1.0 - 1.02 / 1.05, 1e-15);
+  EXPECT_NEAR(row.discretisation_difference(), 1.10 / 1.05 - 1.0, 1e-15);
+  EXPECT_NEAR(row.prediction_difference(), 1.0 - 1.10 / 1.15, 1e-15);
+  EXPECT_NEAR(row.printed_difference(), 0.01, 1e-15);
+}
+
+STICKSLIP_VERIFIES(AmplitudeRatio, "U5");
+TEST(AmplitudeRatio, HasMedianAndTenths) {
+  std::vector<studies::CriticalAmplitudePoint> reference, curve;
+  for (int i = 1; i <= 21; ++i) {
+    reference.push_back({1.0, 2.0});
+    curve.push_back({0.7, 2.0 * (22 - i)});
+  }
+  const auto ratio = studies::amplitude_ratio(curve, reference);
+  EXPECT_EQ(ratio.median, 11.0);
+  EXPECT_EQ(ratio.low_tenth, 3.0);
+  EXPECT_EQ(ratio.high_tenth, 19.0);
+}
+
+STICKSLIP_VERIFIES(FlutterStudy, "U5");
+TEST(FlutterStudy, HasSignedRelativeErrors) {
+  const studies::FlutterStudy study{20.0, {4, 8}, {21.0, 19.0}, {}};
+  const auto errors = study.relative_error();
+  ASSERT_EQ(errors.size(), 2U);
+  EXPECT_NEAR(errors[0], 0.05, 1e-15);
+  EXPECT_NEAR(errors[1], -0.05, 1e-15);
+}
+
+STICKSLIP_VERIFIES(CriticalAmplitudeSearch, "U5");
+TEST(CriticalAmplitudeSearch, HasTheCapWhereItFoundNothing) {
+  studies::CriticalAmplitudeSearch search;
+  search.cap = 1e-3;
+  EXPECT_TRUE(search.above_the_cap());
+  EXPECT_EQ(search.searched_amplitude(), 1e-3);
+  search.searched = 2e-4;
+  EXPECT_FALSE(search.above_the_cap());
+  EXPECT_EQ(search.searched_amplitude(), 2e-4);
+}
+
+STICKSLIP_VERIFIES(GuardBand, "U5");
+TEST(GuardBand, IsThatOfTheFrequencyOfAPoint) {
+  const auto study = studies::classification_study(paper().beam, paper().friction, paper().numerics,
+                                                   {35.0, 70.0}, {0.5e-3, 1e-3});
+  ASSERT_EQ(study.points.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto& point = study.points[i];
+    const auto& frequency = study.frequencies[i / 2];
+    EXPECT_EQ(point.relative_guard, frequency.relative_guard());
+    EXPECT_DOUBLE_EQ((1.0 + point.distance) * frequency.critical_amplitude, point.amplitude);
+    EXPECT_EQ(point.in_guard_band, std::abs(point.distance) <= point.relative_guard);
+    EXPECT_STREQ(point.closed_form(), point.distance > 0.0 ? "stick-slip" : "stick");
+    EXPECT_STREQ(point.finite_element(), point.finite_element_slips ? "stick-slip" : "stick");
+  }
+}
+
+STICKSLIP_VERIFIES(ContactHistory, "U5");
+TEST(ContactHistory, AgreesIfPaperCriterionAndFiniteElementsDo) {
+  studies::ContactHistory panel;
+  EXPECT_TRUE(panel.verdicts_agree());
+  EXPECT_FALSE(panel.first_slip_difference());
+  panel.finite_element_slip = 0.5;
+  EXPECT_FALSE(panel.verdicts_agree());
+  panel.criterion_slips = true;
+  EXPECT_FALSE(panel.verdicts_agree());
+  panel.printed_slips = true;
+  EXPECT_TRUE(panel.verdicts_agree());
+  EXPECT_FALSE(panel.first_slip_difference());
+  panel.closed_form_slip = 0.625;
+  EXPECT_EQ(panel.first_slip_difference(), 0.125);
+}
+
+STICKSLIP_VERIFIES(DampedBenchmark, "U5");
+TEST(DampedBenchmark, FinestRunHasMostElementsAndShortestStep) {
+  const auto run = [](int size, double step) {
+    studies::BenchmarkRun made;
+    made.size = size;
+    made.time_step = step;
+    return made;
+  };
+  studies::DampedBenchmark benchmark;
+  benchmark.runs = {run(40, 2e-5), run(40, 1e-5), run(20, 1e-6), run(80, 0.0)};
+  EXPECT_EQ(&benchmark.finest_stepped(), &benchmark.runs[1]);
+  std::ranges::reverse(benchmark.runs);
+  EXPECT_EQ(&benchmark.finest_stepped(), &benchmark.runs[2]);
+}
+
+STICKSLIP_VERIFIES(EnergyAudit, "U5");
+TEST(EnergyAudit, HasTheShareThatTheBalanceLeavesUnexplained) {
+  studies::EnergyAudit audit;
+  audit.event_driven = {.kinetic = 7.0,
+                        .potential = 2.0,
+                        .base_work = 4.0,
+                        .follower_work = 8.0,
+                        .damping_loss = 0.5,
+                        .friction_loss = 3.5};
+  audit.event_driven_initial = 3.0;
+  EXPECT_EQ(audit.event_driven_change(), 6.0);
+  EXPECT_EQ(audit.event_driven_residual(), -2.0);
+  EXPECT_EQ(audit.event_driven_unexplained(), 0.5);  // whatever its sign
+  const solver::EnergyBalance fine{.kinetic = 5.0,
+                                   .elastic = 6.0,
+                                   .base_work = 16.0,
+                                   .follower_work = -4.0,
+                                   .damping_loss = 1.5,
+                                   .friction_loss = 2.5,
+                                   .capture_loss = 0.25,
+                                   .initial_energy = 1.0};
+  solver::EnergyBalance coarse = fine;
+  coarse.initial_energy = -1.0;
+  studies::EnergyAudit::Mesh mesh{.elements = 10, .stepped = {coarse, fine}, .observed_order = {}};
+  EXPECT_EQ(fine.change(), 10.0);
+  EXPECT_EQ(mesh.residual(), (std::vector{4.25, 2.25}));
+  EXPECT_EQ(mesh.base_work(), (std::vector{16.0, 16.0}));
+  EXPECT_EQ(mesh.largest_unexplained(), 4.25 / 16.0);  // with any of the steps
+  mesh.stepped[1].kinetic = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(std::isnan(mesh.largest_unexplained()));
+}
+
+STICKSLIP_VERIFIES(Agreement, "U5");
+TEST(Agreement, HoldsEachValueAgainstItsReference) {
+  studies::PrintedCheck holds;
+  holds.printed.id = "a", holds.method = "hand";
+  holds.printed.value = 4.0, holds.computed = 5.0, holds.allowed = 1.0;
+  studies::PrintedCheck fails = holds;
+  fails.allowed = 0.5;
+  studies::VerifiedResult verified;
+  verified.reference = 8.0;
+  verified.levels = {{10, 0.0, 9.0}, {20, 0.0, 7.0}};
+  studies::SolutionVerification verification;
+  verification.results = {verified};
+  const auto found = studies::agreement({holds, fails}, verification);
+  ASSERT_EQ(found.results.size(), 3U);
+  EXPECT_EQ(found.results[0].what, "a by hand");
+  EXPECT_EQ(found.results[0].reference, "printed");
+  EXPECT_EQ(found.results[0].relative_difference(), 0.25);
+  EXPECT_FALSE(found.results[0].known_erratum);
+  EXPECT_TRUE(found.results[1].known_erratum);
+  EXPECT_EQ(found.results[2].reference, "mesh-free");
+  EXPECT_EQ(found.results[2].relative_difference(), 0.125);
+  EXPECT_EQ(found.printed.count, 1U);
+  EXPECT_EQ(found.exact.bias, 0.125);
+}
+
+TEST(Agreement, HasMeanAndStandardDeviation) {
+  const auto value = [](double computed, bool erratum = false, const char* reference = "printed") {
+    return studies::CheckedResult{"", reference, erratum, computed, 1.0};
+  };
+  const auto found = studies::differences_from(
+      {value(1.0), value(1.25), value(1.5), value(7.0, true), value(7.0, false, "mesh-free")}, "printed");
+  EXPECT_EQ(found.count, 3U);
+  EXPECT_DOUBLE_EQ(found.bias, 0.25);
+  EXPECT_DOUBLE_EQ(found.spread, 0.25);  // sqrt((0.25^2 + 0 + 0.25^2)/2)
+}
+
+STICKSLIP_VERIFIES(FrictionCurve, "P2");
+TEST(FrictionCurve, OpposesTheSlidingVelocity) {
+  const auto& law = paper().friction;
+  const double normal_force = paper().beam.axial_force();
+  std::vector<double> at_rest;
+  for (const auto& point : studies::friction_curve(law, normal_force)) {
+    const double expected =
+        law.kinetic_coefficient() + (law.static_coefficient() - law.kinetic_coefficient()) *
+                                        std::exp(-law.decay() * std::abs(point.sliding_velocity));
+    EXPECT_DOUBLE_EQ(point.coefficient, expected);
+    EXPECT_DOUBLE_EQ(std::abs(point.friction_force), expected * normal_force);
+    EXPECT_LE(point.friction_force * point.sliding_velocity, 0.0) << point.sliding_velocity;
+    if (point.sliding_velocity == 0.0) at_rest.push_back(point.friction_force);
+  }
+  EXPECT_EQ(at_rest, (std::vector{300.0, -300.0}));
+}
+
+STICKSLIP_VERIFIES(ForceSurface, "A6");
+TEST(ForceSurface, HoldsTheForceMaximaOfItsPoints) {
+  std::vector<double> hz;
+  for (int quarter = 4 * 20; quarter <= 4 * 35; ++quarter) hz.push_back(0.25 * quarter);
+  const double natural = 24.97;
+  const auto surface = studies::force_surface(
+      studies::friction_limit(paper()),
+      studies::critical_amplitude_curve(paper().beam, paper().friction, paper().numerics, hz), {natural});
+  // Every hertz, and the 12 quarters between 23 and 26.97 Hz.
+  EXPECT_EQ(surface.size(), 16U + 12U);
+  for (const double at : {25.0, 35.0}) {
+    const auto line = std::ranges::find(surface, at, &studies::ForceLine::frequency_hz);
+    ASSERT_NE(line, surface.end());
+    EXPECT_DOUBLE_EQ(line->amplitude[9], 0.5e-3);
+    const auto study =
+        studies::force_maximum_study(paper().beam, data::HarmonicExcitation({at, 0.5e-3}), paper().numerics);
+    EXPECT_NEAR(line->force_max[9] / study.truncated.midpoint(), 1.0, 1e-4);  // two searches of one maximum
+  }
+}
+
+}  // namespace
+}  // namespace stickslip::testing

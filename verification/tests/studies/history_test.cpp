@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: MIT
+/// Histories by all methods: their rows, events and estimated error, and what each method refuses.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "stickslip/analytic/beam_boundary_integral.hpp"
+#include "stickslip/data/case_file.hpp"
+#include "studies/convergence/convergence.hpp"
+#include "studies/history/runs.hpp"
+#include "studies/history/spectrum.hpp"
+#include "support/error_message.hpp"
+#include "support/requirements.hpp"
+#include "support/tolerance.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+using data::ContactChange;
+using data::ContactState;
+using studies::Feature;
+
+data::Case case_of(const std::string& name, std::vector<data::Override> overrides = {}) {
+  overrides.insert(
+      overrides.begin(),
+      {{"excitation.frequency_hz", "25"}, {"excitation.amplitude", "1e-3"}, {"excitation.duration", "0.08"}});
+  return data::load_case(name, overrides);
+}
+
+// Stick, slip forwards, slip backwards, stick: velocity, force, slides.
+const std::vector<analytic::ContactStep> steps_of_contact{
+    {0.0, 1.0, false}, {0.0, 3.0, false}, {0.2, -6.0, true}, {-0.1, 5.0, true}, {0.0, 4.0, false}};
+
+STICKSLIP_VERIFIES(BoundaryIntegralContact, "D4");
+TEST(BoundaryIntegralContact, IsTheMeanOfTheStepsBesideARow) {
+  const auto expect = [](std::size_t step, double velocity, double force, ContactState state) {
+    const studies::HistoryRow row = studies::contact_between(steps_of_contact, step);
+    EXPECT_DOUBLE_EQ(row.sliding_velocity, velocity) << step;
+    EXPECT_DOUBLE_EQ(row.friction_force, force) << step;  // f = -f_d
+    EXPECT_EQ(row.state, state) << step;
+  };
+  expect(0, 0.0, -0.0, ContactState::stick);  // on the line through 1 and 3
+  expect(1, 0.0, -2.0, ContactState::stick);
+  expect(2, 0.0, 1.5, ContactState::stick);  // at rest until then
+  expect(3, 0.05, 0.5, ContactState::slip);
+  expect(4, -0.05, -4.5, ContactState::slip);
+  expect(5, 0.0, -4.0, ContactState::stick);
+  const std::vector<analytic::ContactStep> one{{0.0, 2.0, false}};
+  EXPECT_EQ(studies::contact_between(one, 0).friction_force, -2.0);
+}
+
+TEST(BoundaryIntegralContact, ChangesWhereTheDirectionOfSlidingChanges) {
+  const auto events = studies::events_between(steps_of_contact, 0.5);
+  ASSERT_EQ(events.size(), 3u);
+  const auto expect = [&](std::size_t i, ContactChange change, double time, double position) {
+    EXPECT_EQ(events[i].change, change);
+    EXPECT_DOUBLE_EQ(events[i].time, time);
+    EXPECT_DOUBLE_EQ(events[i].position, position);
+  };
+  expect(0, ContactChange::onset, 1.0, 0.0);
+  expect(1, ContactChange::reversal, 1.5, 0.1);
+  expect(2, ContactChange::capture, 2.0, 0.05);
+  EXPECT_TRUE(studies::events_between({{0.0, 1.0, false}}, 0.5).empty());
+}
+
+TEST(BoundaryIntegralContact, StepEffectIsTheDifferenceToTwiceTheStep) {
+  const data::Case problem = case_of("damped", {{"numerics.time_step", "2e-4"}});
+  const studies::Method& method = studies::method("boundary-integral");
+  const auto history = method.run(problem, {}, {}, {});
+  const int steps =
+      static_cast<int>(std::lround(problem.numerics.time_step() / studies::boundary_integral_step(problem)));
+  ASSERT_GT(steps, 1);
+  const auto tip = [&](int count) {
+    return studies::tip_displacements(
+        studies::boundary_integral_history(problem, {.with_midspan = false}, count));
+  };
+  EXPECT_EQ(history.step_effect, studies::largest_difference(tip(steps), tip(steps / 2)));
+  EXPECT_EQ(studies::tip_displacements(history), tip(steps));
+  EXPECT_GT(*history.step_effect, 0.0);
+  // Whatever rows are asked for.
+  EXPECT_EQ(method.run(problem, {.every = 7}, {}, {}).step_effect, history.step_effect);
+  // A time step as long as the method's own leaves nothing to halve.
+  EXPECT_FALSE(method
+                   .run(case_of("damped", {{"numerics.time_step", "1e-6"}, {"excitation.duration", "1e-3"}}),
+                        {}, {}, {})
+                   .step_effect.has_value());
+}
+
+class HistoryBy : public ::testing::TestWithParam<std::string> {
+ protected:
+  [[nodiscard]] static const studies::Method& method() { return studies::method(GetParam()); }
+  [[nodiscard]] static data::Case problem() {
+    return case_of(method().refused.contains(Feature::kelvin_voigt) ? "paper" : "damped");
+  }
+};
+
+STICKSLIP_VERIFIES(HistoryBy, "X9");
+TEST_P(HistoryBy, HasTheRowsOfItsSampling) {
+  const double h = problem().numerics.time_step();
+  const auto all = method().run(problem(), {}, {}, {});
+  ASSERT_EQ(all.rows.size(), static_cast<std::size_t>(std::lround(0.08 / h)) + 1);
+  const auto some = method().run(problem(), {.every = 7}, {}, {});
+  ASSERT_EQ(some.rows.size(), (all.rows.size() - 1) / 7 + 1);
+  const double length = problem().beam.length();
+  const auto chosen = method().run(
+      problem(), {.times = {7 * h, 21 * h, 700 * h}, .positions = {0.0, 0.5 * length, length}}, {}, {});
+  ASSERT_EQ(chosen.rows.size(), 3u);
+  const Tolerance rounding = round_off(100, 100, 1e-3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t n = std::vector<std::size_t>{7, 21, 700}[i];
+    const studies::HistoryRow &row = chosen.rows[i], &same = all.rows[n], &seventh = some.rows[n / 7];
+    EXPECT_DOUBLE_EQ(row.time, same.time);
+    EXPECT_EQ(seventh.time, same.time);
+    EXPECT_EQ(row.state, same.state);
+    EXPECT_TRUE(within(seventh.tip_displacement, same.tip_displacement, rounding));
+    EXPECT_TRUE(within(row.tip_displacement, same.tip_displacement, rounding));
+    EXPECT_TRUE(within(row.displacement[0], row.base_displacement, rounding));
+    EXPECT_TRUE(within(row.displacement[1], same.midspan_displacement, rounding));
+    EXPECT_TRUE(within(row.displacement[2], same.tip_displacement, rounding));
+  }
+}
+
+TEST_P(HistoryBy, GivesItsRowsToASinkAndKeepsNone) {
+  std::vector<double> times;
+  const auto history = method().run(problem(), {.every = 100}, {},
+                                    [&](const studies::HistoryRow& row) { times.push_back(row.time); });
+  EXPECT_TRUE(history.rows.empty());
+  EXPECT_EQ(times.size(),
+            static_cast<std::size_t>(std::lround(0.08 / problem().numerics.time_step())) / 100 + 1);
+  EXPECT_TRUE(std::ranges::is_sorted(times));
+}
+
+// The first slip is at 0.0552 s without damping, 0.0553 s with it.
+TEST_P(HistoryBy, SlipsFirstAtTheFirstOnset) {
+  const auto history = method().run(problem(), {}, {}, {});
+  ASSERT_TRUE(history.first_slip.has_value());
+  EXPECT_NEAR(*history.first_slip, 0.05525, 1.5e-4);
+  EXPECT_EQ(history.events.empty(), method().refused.contains(Feature::slip));
+  if (history.events.empty()) return;
+  EXPECT_EQ(history.events.front().change, ContactChange::onset);
+  EXPECT_EQ(history.events.front().time, *history.first_slip);
+  for (const auto& event : history.events) {
+    // Within a step of the event the tip moves by less than 0.5 m/s times the step.
+    const auto after = std::ranges::find_if(
+        history.rows, [&](const studies::HistoryRow& row) { return row.time >= event.time; });
+    if (after != history.rows.end()) EXPECT_NEAR(after->tip_displacement, event.position, 0.5e-4);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Method, HistoryBy, ::testing::ValuesIn(studies::method_names()),
+                         [](const auto& name) {
+                           std::string text = name.param;
+                           std::erase(text, '-');
+                           return text;
+                         });
+
+STICKSLIP_VERIFIES(EventPosition, "X9");
+// On a wall that moves a tip that sticks goes with it.
+TEST(EventPosition, IsInTheFrameAtRest) {
+  const data::Case problem = case_of("damped", {{"wall.speed", "0.02"}});
+  const auto stepped = studies::method("fe").run(problem, {}, {}, {}),
+             by_events = studies::method("event-driven").run(problem, {}, {}, {});
+  for (const studies::History* history : {&stepped, &by_events}) {
+    const auto onset = history->events.front();
+    ASSERT_EQ(onset.change, ContactChange::onset);
+    EXPECT_TRUE(within(onset.position, 0.02 * onset.time, round_off(100, 1, 1e-3)));
+  }
+  EXPECT_NEAR(stepped.events.front().time, by_events.events.front().time, 1e-5);
+}
+
+STICKSLIP_VERIFIES(MethodRefusals, "X18");
+TEST(MethodRefusals, NameTheKeyAndTheReason) {
+  const auto message = [](const std::string& name, const data::Case& problem,
+                          const studies::RunChoices& choices) {
+    return error_message_if_any<data::FieldError>([&] { studies::method(name).require(problem, choices); });
+  };
+  const data::Case spring = case_of("damped", {{"contact.tangential_stiffness", "1e6"}}),
+                   ratio = case_of("paper", {{"damping.ratio", "0.01"}}),
+                   shear = case_of("paper", {{"beam.shear_stiffness", "6e6"}});
+  EXPECT_EQ(
+      message("event-driven", spring, {}),
+      "contact.tangential_stiffness is 1e+06, but must be inf (a rigid contact) for --method event-driven; "
+      "fe and boundary-integral take it");
+  EXPECT_EQ(message("boundary-integral", ratio, {}),
+            "damping.ratio is 0.01, but must be 0 with the boundary integral, which allows Kelvin-Voigt "
+            "damping only");
+  EXPECT_EQ(
+      message("event-driven", shear, {}),
+      "beam.shear_stiffness is 6e+06, but must be 0 for --method event-driven, whose beam is rigid in shear; "
+      "--method fe has shear");
+  EXPECT_EQ(
+      message("boundary-integral", case_of("paper"), {.initial_velocity = solver::InitialVelocity::zero}),
+      "--initial-velocity is zero, but must be quasi-static for --method boundary-integral, whose equation "
+      "assumes it");
+  EXPECT_EQ(message("fe", spring, {.scheme = solver::ContactScheme::paper}),
+            "contact.tangential_stiffness is 1e+06, but must be inf (a rigid contact) for --scheme paper");
+}
+
+// What the table says, by each method on a case or a choice with each feature.
+TEST(MethodRefusals, AreThoseOfTheTable) {
+  const auto with = [](const std::string& key, const std::string& value) {
+    return case_of("paper", {{key, value}});
+  };
+  const std::vector<std::pair<Feature, data::Case>> cases{
+      {Feature::kelvin_voigt, with("damping.kelvin_voigt", "1e-5")},
+      {Feature::damping_ratio, with("damping.ratio", "0.01")},
+      {Feature::yielding_contact, with("contact.tangential_stiffness", "1e6")},
+      {Feature::yielding_contact, with("contact.regularisation_velocity", "1e-3")},
+      {Feature::moving_wall, with("wall.speed", "0.1")},
+      {Feature::shear, with("beam.shear_stiffness", "6e6")},
+      {Feature::fixed_axial_force, with("beam.axial_direction", "1")}};
+  for (const studies::Method& method : studies::methods()) {
+    SCOPED_TRACE(method.name);
+    const auto refuses = [&](const data::Case& problem, const studies::RunChoices& choices) {
+      return error_message_if_any<data::FieldError>([&] { method.require(problem, choices); }).has_value();
+    };
+    EXPECT_FALSE(refuses(case_of("paper"), {}));
+    for (const auto& [feature, problem] : cases) {
+      EXPECT_EQ(refuses(problem, {}), method.refused.contains(feature)) << static_cast<int>(feature);
+      if (!method.refused.contains(feature))
+        EXPECT_NO_THROW((void)method.run(problem, {.every = 100}, {}, {})) << static_cast<int>(feature);
+    }
+    EXPECT_EQ(refuses(case_of("paper"), {.initial_velocity = solver::InitialVelocity::zero}),
+              method.refused.contains(Feature::start_at_rest));
+    EXPECT_EQ(refuses(case_of("paper"), {.scheme = solver::ContactScheme::located}),
+              method.refused.contains(Feature::contact_scheme));
+  }
+}
+
+TEST(MethodRefusals, AreInTheUserGuide) {
+  std::ifstream file(std::filesystem::path(STICKSLIP_SOURCE_DIRECTORY) / "reports/manual/user-guide.md");
+  const std::string guide{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_NE(guide.find("\n" + studies::table_of_methods() + "\n"), std::string::npos)
+      << "the table of methods is\n"
+      << studies::table_of_methods();
+}
+
+STICKSLIP_VERIFIES(HistorySpectrum, "X9");
+TEST(HistorySpectrum, HasTheLinesOfWholePeriods) {
+  // 0.18 s of 25 Hz: its second half has two whole periods.
+  const data::Case problem =
+      case_of("paper", {{"excitation.duration", "0.18"}, {"numerics.time_step", "1e-3"}});
+  EXPECT_EQ(studies::spectrum_rows(problem, 1), 80u);
+  EXPECT_EQ(studies::spectrum_rows(problem, 5), 16u);
+  EXPECT_THROW((void)studies::spectrum_rows(problem, 25), data::FieldError);
+  EXPECT_THROW((void)studies::spectrum_rows(case_of("paper", {{"excitation.duration", "0.07"}}), 1),
+               data::FieldError);
+  std::vector<double> tip, force;
+  for (int n = 0; n <= 180; ++n) {
+    const double phase = 2.0 * std::numbers::pi * 25.0 * 1e-3 * n;
+    tip.push_back(1e-3 + 2e-3 * std::sin(phase));
+    force.push_back(3.0 * std::cos(2.0 * phase));
+  }
+  const auto lines = studies::spectrum_of(tip, force, 80, 1e-3);
+  EXPECT_DOUBLE_EQ(lines[2].frequency_hz, 25.0);
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    EXPECT_NEAR(lines[k].tip_displacement, k == 0 ? 1e-3 : k == 2 ? 2e-3 : 0.0, 1e-15);
+    EXPECT_NEAR(lines[k].friction_force, k == 4 ? 3.0 : 0.0, 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace stickslip::testing
