@@ -3,6 +3,7 @@
 # - no target sees the folder `src` of another folder;
 # - no target outside verification/tests is given a path in verification/tests;
 # - the folders do not depend on each other in a cycle;
+# - nothing in verification uses reports but the tests, and the fuzz targets, which try the parsers of the command line;
 # - verification/comparison uses data alone.
 # The folder of a target is that of its CMakeLists.txt.
 
@@ -59,6 +60,9 @@ function(stickslip_note_uses target folder)
       continue()
     endif()
     stickslip_folder_of(${library} used)
+    if(folder MATCHES "^verification/" AND NOT folder MATCHES "^verification/(tests|fuzz)$" AND used MATCHES "^reports")
+      message(SEND_ERROR "The target ${target} of ${folder} uses ${library} of ${used}, which stands above it.")
+    endif()
     if(NOT used STREQUAL folder AND NOT used STREQUAL "")
       set_property(GLOBAL APPEND PROPERTY "stickslip_uses_${folder}" ${used})
     endif()

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+#include "map_work.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <system_error>
+
+#include "case_options.hpp"
+#include "range_text.hpp"
+#include "render/criterion_map.hpp"
+#include "studies/criterion/map_estimate.hpp"
+
+namespace stickslip::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+auto cells_in(const studies::CriterionMap& map, studies::CellState state) {
+  return std::ranges::count(map.cells, state, &studies::CriterionMap::Cell::state);
+}
+
+// Cells with a value of each quantity.
+std::ptrdiff_t converged_cells(const studies::CriterionMap& map) {
+  return std::ranges::count_if(map.cells, [&](const studies::CriterionMap::Cell& cell) {
+    return !cell.response.empty() &&
+           std::ranges::all_of(cell.response, [&](const studies::ResponseValue& value) {
+             return value.change <= map.tolerance;
+           });
+  });
+}
+
+Json to_json(const studies::MapTask& task, const MapFiles& files) {
+  Json object{{"case", task.problem.name}};
+  if (task.quantities.empty()) {
+    object["method"] =
+        task.method == studies::MapMethod::closed_form ? closed_form_method : finite_element_method;
+  } else {
+    for (const auto* quantity : task.quantities) object["quantities"].push_back(quantity->name);
+    object["transient_s"] = task.transient;
+    object["tolerance"] = task.tolerance;
+  }
+  object["x"] = axis_text(task.x);
+  object["y"] = axis_text(task.y);
+  object["output"] = files.output;
+  return object;
+}
+
+Answer answer_of(const studies::MapTask& task, const studies::CriterionMap& map, const MapFiles& files) {
+  Answer answer;
+  Json object = to_json(task, files);
+  object["figure"] = files.figure.empty() ? Json() : Json(files.figure);
+  object["cells"] = map.cells.size();
+  std::string counts;
+  for (const auto state : all_states) {
+    object["states"][report::to_string(state)] = cells_in(map, state);
+    counts +=
+        fmt::format("{}{} {}", counts.empty() ? "" : ", ", cells_in(map, state), report::to_string(state));
+  }
+  if (!map.quantities.empty()) {
+    object["converged"] = converged_cells(map);
+    counts += fmt::format("; {} converged", converged_cells(map));
+  }
+  answer.add_line(fmt::format("{} cells written to {}: {}", map.cells.size(), files.output, counts));
+  if (!files.figure.empty()) answer.add_line("Drawn in " + files.figure);
+  answer.add_members(object);
+  answer.warnings =
+      sentences_of(studies::warnings_common_to(task.problem, {task.x.parameter, task.y.parameter}));
+  return answer;
+}
+
+Answer answer_of(const studies::MapTask& task, const MapPart& part, bool found, const MapFiles& files) {
+  const std::size_t all = studies::evaluation_count(task), count = part.numbers(all).size();
+  Answer answer;
+  answer.add_line(fmt::format("Shard {} of {}, {} of {} evaluations, {} {}", part.part, part.parts, count,
+                              all, found ? "is complete already in" : "written to", files.output));
+  answer.add_members(to_json(task, files));
+  answer.add_members(
+      {{"shard", part.part}, {"shards", part.parts}, {"evaluations", count}, {"complete_already", found}});
+  return answer;
+}
+
+void open(Outputs& outputs, const MapFiles& files) {
+  outputs.open({{"--output", files.output}, {"--figure", files.figure}});
+}
+
+std::string is_written(const Outputs& outputs) {
+  return fmt::format("interrupted; {} is written", outputs.written());
+}
+
+Answer finish(const studies::MapTask& task, const studies::MapEvaluations& evaluations, const MapFiles& files,
+              Outputs& outputs, UnfinishedMap* unfinished = nullptr) {
+  const studies::CriterionMap map = studies::criterion_map(task, evaluations);
+  const report::CsvTable table = report::table_of(task.problem, map);
+  outputs.write("--output", [&] { return table.text(); });
+  if (unfinished != nullptr) unfinished->remove();
+  try {
+    outputs.draw([&](const std::string& format) { return report::draw(table, map, format); });
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(fmt::format("{}; the map itself is in {}", error.what(),
+                                         files.output == "-" ? "standard output" : files.output));
+  }
+  return answer_of(task, map, files);
+}
+
+// Nothing is kept of what goes to a pipe or a device.
+fs::path unfinished_file(const std::string& output) {
+  std::error_code error;
+  const auto status = fs::status(output, error);
+  return output != "-" && (!fs::exists(status) || fs::is_regular_file(status)) ? output + ".partial" : "";
+}
+
+// Makes the evaluations of a part that an earlier run has not left.
+std::shared_ptr<UnfinishedMap> evaluate(const studies::MapTask& task, const MapPart& part,
+                                        const MapFiles& files, studies::MapEvaluations& evaluations,
+                                        Outputs& outputs) {
+  auto numbers = part.numbers(evaluations.size());
+  const std::size_t count = numbers.size();
+  const auto unfinished =
+      std::make_shared<UnfinishedMap>(unfinished_file(files.output), task, part, evaluations);
+  report::Progress& progress = outputs.progress("", count);
+  outputs.on_interrupt([&outputs, unfinished, count] {
+    if (!outputs.written().empty()) return is_written(outputs);
+    if (unfinished->kept() > 0)
+      return fmt::format(
+          "interrupted; {} of {} evaluations are kept in {}, from which the same command goes on",
+          unfinished->kept(), count, unfinished->file().string());
+    unfinished->remove();
+    return std::string("interrupted; no evaluation is kept");
+  });
+  std::size_t done = unfinished->found();
+  const auto share = [&] { return static_cast<double>(done) / static_cast<double>(count); };
+  if (done > 0) {
+    if (!outputs.is_quiet())
+      fmt::print(stderr, "stickslip map: going on from {}, which holds {} of {} evaluations\n",
+                 unfinished->file().string(), done, count);
+    progress.start_at(share());
+    std::erase_if(numbers, [&](std::size_t number) { return evaluations[number].has_value(); });
+  }
+  unfinished->remove_if_impossible([&] {
+    studies::evaluate(task, numbers, evaluations, [&](std::span<const std::size_t> settled) {
+      unfinished->keep(settled);
+      done += settled.size();
+      progress(share());
+    });
+  });
+  progress.finish();
+  return unfinished;
+}
+
+}  // namespace
+
+Answer whole_map(const studies::MapTask& task, const MapFiles& files, Outputs& outputs) {
+  open(outputs, files);
+  studies::MapEvaluations evaluations(studies::evaluation_count(task));
+  const auto unfinished = evaluate(task, MapPart(), files, evaluations, outputs);
+  return finish(task, evaluations, files, outputs, unfinished.get());
+}
+
+Answer part_of_map(const studies::MapTask& task, const MapPart& part, const MapFiles& files,
+                   Outputs& outputs) {
+  open(outputs, files);
+  const bool found = holds_part(files.output, task, part);
+  studies::MapEvaluations evaluations(studies::evaluation_count(task));
+  if (found) {
+    if (const auto file = unfinished_file(files.output); fs::exists(file))  // killed as it ended
+      UnfinishedMap(file, task, part, evaluations).remove();
+  } else {
+    const auto unfinished = evaluate(task, part, files, evaluations, outputs);
+    outputs.write("--output", [&] { return part_text(task, part, evaluations); });
+    unfinished->remove();
+  }
+  return answer_of(task, part, found, files);
+}
+
+Answer merged_map(const std::vector<std::string>& parts, const MapFiles& files, Outputs& outputs) {
+  const MergedMap map = merged(parts);
+  open(outputs, files);
+  outputs.on_interrupt([&outputs] {
+    return outputs.written().empty() ? "interrupted; the map is not written" : is_written(outputs);
+  });
+  return finish(map.task, map.evaluations, files, outputs);
+}
+
+Answer cost_of_map(const studies::MapTask& task, const MapPart& part, Outputs& outputs) {
+  const auto numbers = part.numbers(studies::evaluation_count(task));
+  if (numbers.empty())
+    throw data::FieldError(
+        "--shard", fmt::format("{}/{}", part.part, part.parts),
+        fmt::format("of at most {} parts, the evaluations of this map", studies::evaluation_count(task)));
+  outputs.open({});
+  outputs.on_interrupt([] { return std::string("interrupted; nothing is written"); });
+  const studies::MapEstimate estimate = studies::map_estimate(task, numbers);
+  const std::size_t cells = task.x.values.size() * task.y.values.size();
+  Answer answer;
+  answer.add_line(fmt::format("{} cells, {} evaluations, of which {} were timed", cells, estimate.evaluations,
+                              estimate.sample));
+  answer.add_line(fmt::format("one thread   {:.3g} ms for each, {:.3g} core hours in all",
+                              1e3 * estimate.seconds_each, estimate.core_hours()));
+  if (estimate.threads > 1)
+    answer.add_line(fmt::format("{} threads    {:.2f} times as fast, {:.3g} hours in all", estimate.threads,
+                                estimate.speedup, estimate.hours()));
+  answer.add_members({{"cells", cells},
+                      {"evaluations", estimate.evaluations},
+                      {"sample", estimate.sample},
+                      {"milliseconds_each", 1e3 * estimate.seconds_each},
+                      {"core_hours", estimate.core_hours()},
+                      {"threads", estimate.threads},
+                      {"speedup", estimate.speedup},
+                      {"hours", estimate.hours()}});
+  return answer;
+}
+
+}  // namespace stickslip::cli
