@@ -137,8 +137,8 @@ TEST_P(ShakenPlane, MovesBetweenEventsAsItsAccelerationIntegratedTwiceSays) {
   ASSERT_GT(events.size(), 20u);
   const bool reversing = amplitude > 2.0;
   for (std::size_t i = 0; i + 1 < events.size(); ++i) {
-    const auto& [change, t1, p1] = events[i];
-    const auto& [next, t2, p2] = events[i + 1];
+    const auto& [change, t1, p1, v1] = events[i];
+    const auto& [next, t2, p2, v2] = events[i + 1];
     if (change == ContactChange::capture) {
       EXPECT_EQ(next, ContactChange::onset);
       EXPECT_TRUE(within(p2, p1, round_off(2, 1, amplitude / (omega * omega))));

@@ -146,7 +146,7 @@ TEST(Symmetry, MirroredBaseMirrorsTheSteppedHistoryBitForBit) {
       const ContactEvent &a = plus->events()[i], &b = minus->events()[i];
       ASSERT_EQ(a.change, b.change);
       ASSERT_EQ(a.time, b.time);
-      ASSERT_EQ(a.displacement, -b.displacement);
+      ASSERT_EQ(a.position, -b.position);
       ASSERT_EQ(a.residual_velocity, -b.residual_velocity);
     }
     events += static_cast<int>(plus->events().size());
@@ -204,7 +204,7 @@ TEST(UnitChange, ByPowersOfTwoLeavesTheSteppedHistoryTheSameBitForBit) {
     for (std::size_t i = 0; i < first.size(); ++i) {
       ASSERT_EQ(first[i].change, second[i].change);
       ASSERT_EQ(first[i].time * units.time, second[i].time);
-      ASSERT_EQ(first[i].displacement * units.length, second[i].displacement);
+      ASSERT_EQ(first[i].position * units.length, second[i].position);
       ASSERT_EQ(first[i].residual_velocity * units.velocity(), second[i].residual_velocity);
     }
     EXPECT_EQ(a->friction_force() * units.force(), b->friction_force());

@@ -205,12 +205,12 @@ TEST(ContactLocation, PositionOfReversalsIsOfThirdOrderByTheMethodsDissipation) 
     const double settling = 4.0 / (1.0 - std::abs(alpha_m / (1.0 - alpha_m))) / (2.0 * std::numbers::pi);
     const auto next_term = [settling](double h) { return next_term_of_the_oscillator(h) + settling * h; };
     std::vector<double> steps{0.04, 0.02, 0.01, 0.005}, errors;
-    for (const double h : steps) errors.push_back(std::abs(fourth_reversal(h, radius).displacement - 0.24));
+    for (const double h : steps) errors.push_back(std::abs(fourth_reversal(h, radius).position - 0.24));
     EXPECT_TRUE(order_is(order_levels(steps, errors, next_term, round_off(2000, 1, 1.0).value), 3.0,
                          swings * rate(steps.back()) / std::pow(steps.back(), 3)))
         << radius;
   }
-  EXPECT_TRUE(within(fourth_reversal(0.02, 1.0).displacement, 0.24, round_off(4, 1, 1.0)));
+  EXPECT_TRUE(within(fourth_reversal(0.02, 1.0).position, 0.24, round_off(4, 1, 1.0)));
 }
 
 struct HistoryErrors {
