@@ -17,6 +17,7 @@
 #include "stickslip/solver/modal_analysis.hpp"
 #include "studies/common/hertz.hpp"
 #include "studies/common/parallel.hpp"
+#include "studies/common/problem_parameter.hpp"
 #include "studies/convergence/discretisation.hpp"
 #include "studies/criterion/length_force_map.hpp"
 #include "studies/paper/printed_forces.hpp"
@@ -261,8 +262,7 @@ VerifiedResult verified(const Plan& plan, std::vector<VerificationLevel> compute
 // mu_s P over |f_max| per unit amplitude at the minimum of Fig. 6, from the levels of |f_max|.
 VerifiedResult critical_amplitude(const data::Case& paper, double reference_force,
                                   std::vector<VerificationLevel> levels_of_force) {
-  const double scale =
-      paper.friction.static_coefficient() * paper.beam.axial_force() * printed_excitation(25.0).amplitude();
+  const double scale = friction_limit(paper) * printed_excitation(25.0).amplitude();
   const Plan plan{"figure6.minimum.amplitude",
                   "critical amplitude at 25 Hz",
                   "m",
