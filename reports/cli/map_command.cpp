@@ -14,8 +14,9 @@
 #include <vector>
 
 #include "case_options.hpp"
-#include "command.hpp"
 #include "commands.hpp"
+#include "figure_format.hpp"
+#include "long_work.hpp"
 #include "map_records.hpp"
 #include "output_file.hpp"
 #include "range_text.hpp"

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "case_options.hpp"
-#include "command.hpp"
 #include "commands.hpp"
+#include "figure_format.hpp"
 #include "output_file.hpp"
 #include "render/drawing.hpp"
 #include "render/figures.hpp"
