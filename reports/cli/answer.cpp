@@ -93,7 +93,7 @@ void Answer::add_line(std::string_view line) { text.append(line) += '\n'; }
 
 void Answer::add_members(const Json& members) { json.update(members); }
 
-void Answer::add_row(const Row& row) {
+void Answer::add_row(const LabelledValue& row) {
   if (!row.label.empty()) add_row(row.label, {row.value.text});
   if (!row.key.empty()) json[row.key] = row.value.json;
 }

@@ -44,7 +44,7 @@ struct Value {
 
 /// A value with its label, which gives the unit as in "length / m", and its key, as in "length_m". Without a label the text leaves
 /// it out, without a key JSON does.
-struct Row {
+struct LabelledValue {
   std::string label, key;
   Value value;
 };
@@ -79,7 +79,7 @@ struct Answer {
   void add_members(const Json& members);
 
   /// A value in both, and a line of the text alone with some values side by side.
-  void add_row(const Row& row);
+  void add_row(const LabelledValue& row);
   void add_row(std::string_view label, const std::vector<std::string>& values);
 
   /// A table in both.

@@ -16,13 +16,14 @@ void add_package_option(CLI::App& command, std::string& package) {
       ->check(file_name());
 }
 
+void add_set_option(CLI::App& command, std::vector<std::string>& overrides, const std::string& help) {
+  command.add_option("--set", overrides, help)->type_name("TABLE.KEY=VALUE")->allow_extra_args(false);
+}
+
 void add_case_options(CLI::App& command, CaseOptions& options) {
   command.add_option("CASE", options.name, "A name that 'stickslip cases' lists, or the path of a TOML file")
       ->capture_default_str();
-  command
-      .add_option("--set", options.overrides, "Replace a key of the case, as in beam.length=1.8; repeatable")
-      ->type_name("TABLE.KEY=VALUE")
-      ->allow_extra_args(false);
+  add_set_option(command, options.overrides, "Replace a key of the case, as in beam.length=1.8; repeatable");
   command.add_flag("--json", options.json, json_help);
 }
 
@@ -157,8 +158,11 @@ void print_warnings(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) fmt::print(stderr, "stickslip: warning: {}\n", warning);
 }
 
-Json bounds_json(const analytic::Bounds& bounds) {
-  return {{"lower", bounds.lower}, {"upper", bounds.upper}};
+std::string conditions_of(const data::Case& problem, const std::string& hz) {
+  return fmt::format("{}: {} Hz, {} m, 0 to {} s", problem.name,
+                     hz.empty() ? data::shortest_text(problem.excitation.frequency_hz()) : hz,
+                     data::shortest_text(problem.excitation.amplitude()),
+                     data::shortest_text(problem.numerics.duration()));
 }
 
 Json numerics_json(const data::Case& problem) {

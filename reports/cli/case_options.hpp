@@ -35,6 +35,7 @@ struct ExcitationOptions {
 };
 
 void add_package_option(CLI::App& command, std::string& package);
+void add_set_option(CLI::App& command, std::vector<std::string>& overrides, const std::string& help);
 void add_case_options(CLI::App& command, CaseOptions& options);
 void add_excitation_options(CLI::App& command, ExcitationOptions& options);
 
@@ -95,8 +96,8 @@ void require_undamped(const data::Case& problem, std::string_view what);
 /// One line on standard error for each.
 void print_warnings(const std::vector<std::string>& warnings);
 
-/// {"lower": ..., "upper": ...}
-[[nodiscard]] Json bounds_json(const analytic::Bounds& bounds);
+/// "NAME: 30 Hz, 0.001 m, 0 to 2 s", with another text for the frequency if it is given.
+[[nodiscard]] std::string conditions_of(const data::Case& problem, const std::string& hz = "");
 
 /// The settings that the case states or default_numerics() has chosen, by their keys.
 [[nodiscard]] Json numerics_json(const data::Case& problem);

@@ -5,17 +5,20 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <stdexcept>
 
-#include "figure_format.hpp"
-#include "long_work.hpp"
+#include "case_options.hpp"
 #include "render/report.hpp"
 #include "stickslip/data/input_error.hpp"
 #include "stickslip/data/input_text.hpp"
+#include "studies/common/parallel.hpp"
 
 namespace stickslip::cli {
 
 namespace {
+
+bool quiet = false;  // of the one command line there is
 
 bool has_flag(const CLI::App& command, const std::string& name) {
   const CLI::Option* const option = command.get_option_no_throw(name);
@@ -142,5 +145,42 @@ void finish(Answer answer, Outputs& outputs) {
 }
 
 void add_json_option(CLI::App& command) { command.add_flag("--json", json_help); }
+
+void add_quiet_option(CLI::App& app) {
+  if (app.get_option_no_throw("--quiet") == nullptr)  // a subcommand may have one that says more
+    app.add_flag("--quiet", quiet, "No progress on standard error");
+  for (CLI::App* command : app.get_subcommands(nullptr)) add_quiet_option(*command);
+}
+
+bool is_quiet() noexcept { return quiet; }
+
+report::Progress::Surroundings progress_surroundings() { return report::Progress::standard_error(quiet); }
+
+void add_threads_option(CLI::App& command) {
+  command
+      .add_option_function<unsigned>(
+          "--threads", [](const unsigned& count) { studies::set_thread_count(count); },
+          "Threads to work on, of which no result depends (default: as many as the machine runs at once)")
+      ->check(integer_between(1, 1024));
+}
+
+std::string figure_format(const std::string& figure) {
+  const std::string extension = std::filesystem::path(figure).extension().string();
+  if (extension == ".pdf" || extension == ".png" || extension == ".svg") return extension.substr(1);
+  throw data::FieldError("--figure", fmt::format("'{}'", data::printable(figure)),
+                         "a file whose name ends in .pdf, .png or .svg");
+}
+
+void open_figure(std::optional<OutputFile>& file, const std::string& figure) {
+  if (figure.empty()) return;
+  (void)figure_format(figure);
+  (void)report::templates_directory();  // throws now rather than after the work
+  file.emplace(figure);
+}
+
+void add_figure_option(CLI::App& command, std::string& figure, const std::string& what) {
+  command.add_option("--figure", figure, what + ", a .png, .pdf or .svg file (needs gnuplot)")
+      ->check(file_name());
+}
 
 }  // namespace stickslip::cli

@@ -15,8 +15,6 @@
 #include <vector>
 
 #include "answer.hpp"
-#include "figure_format.hpp"
-#include "long_work.hpp"
 #include "output_file.hpp"
 #include "render/interruption.hpp"
 #include "render/progress.hpp"
@@ -122,5 +120,25 @@ void add(CLI::App& app, const Command<Options>& command) {
 /// --json, for an answer with members for it.
 constexpr const char* json_help = "Print one JSON object, numbers with all digits";
 void add_json_option(CLI::App& command);
+
+/// --quiet, before or after the subcommand: no progress on standard error.
+void add_quiet_option(CLI::App& app);
+[[nodiscard]] bool is_quiet() noexcept;
+
+/// Standard error, unless --quiet.
+[[nodiscard]] report::Progress::Surroundings progress_surroundings();
+
+/// --threads N, which sets studies::thread_count().
+void add_threads_option(CLI::App& command);
+
+/// The option --figure.
+void add_figure_option(CLI::App& command, std::string& figure, const std::string& what = "Figure to draw");
+
+/// "pdf", "png" or "svg", by the name of the file. Throws data::InputError for another one.
+[[nodiscard]] std::string figure_format(const std::string& figure);
+
+/// open_if_named() for a figure. Throws data::InputError if the name has no format or the scripts of the figures
+/// are missing.
+void open_figure(std::optional<OutputFile>& file, const std::string& figure);
 
 }  // namespace stickslip::cli

@@ -20,8 +20,8 @@ struct CriterionOptions {
   std::string figure;
 };
 
-std::vector<Row> rows_of(const analytic::Criterion& criterion, bool has_margin) {
-  std::vector<Row> rows{
+std::vector<LabelledValue> rows_of(const analytic::Criterion& criterion, bool has_margin) {
+  std::vector<LabelledValue> rows{
       {"largest |f| / N", "force_max_N", between(criterion.force_max)},
       {"friction limit mu_s P / N", "friction_limit_N", exact(criterion.friction_limit)},
       {"", "critical_amplitude_m", exact(criterion.critical_amplitude.midpoint())},
@@ -38,7 +38,7 @@ void add_criteria(Answer& answer, const data::Case& problem, const studies::Crit
   answer.add_row("", {fmt::format("N = {}", problem.numerics.modes()), "all modes"});
   Answer all_modes;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const Row& row = truncated[i];
+    const LabelledValue& row = truncated[i];
     if (!row.label.empty()) answer.add_row(row.label, {row.value.text, all[i].value.text});
     if (!row.key.empty()) answer.add_members({{row.key, row.value.json}});
     all_modes.add_row(all[i]);
@@ -88,10 +88,7 @@ Answer answer_of(const data::Case& problem, const studies::CriterionAnswer& foun
     answer.add_members(
         {{"damping",
           {{"kelvin_voigt_s", problem.damping.kelvin_voigt()}, {"ratio", problem.damping.ratio()}}}});
-  answer.add_line(fmt::format(
-      "{}: {} Hz, {} m, 0 to {} s{}\n", problem.name, data::shortest_text(problem.excitation.frequency_hz()),
-      data::shortest_text(problem.excitation.amplitude()), data::shortest_text(problem.numerics.duration()),
-      is_damped ? ", with damping" : ""));
+  answer.add_line(conditions_of(problem) + (is_damped ? ", with damping\n" : "\n"));
   add_criteria(answer, problem, found);
   add_steady_state(answer, found.steady);
   add_outlook(answer, found);

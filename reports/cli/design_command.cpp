@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -74,22 +75,6 @@ data::Case at_the_end_of(const data::Case& problem, const studies::ParameterRang
   return end;
 }
 
-studies::Design design_of(const data::Case& problem, const Ranges& ranges, report::Progress& progress) {
-  studies::Design design{
-      .band = {ranges.band.from, ranges.band.to}, .margin = {}, .lengths = {}, .forces = {}};
-  const auto half_from = [&progress](double start) {
-    return [&progress, start](double share) { progress(start + 0.5 * share); };
-  };
-  progress.stage("margin");
-  design.margin = studies::band_margin(problem, design.band);
-  progress.stage("lengths");
-  design.lengths = studies::design_scan(problem, "beam.length", ranges.lengths, design.band, half_from(0.0));
-  progress.stage("axial forces");
-  design.forces =
-      studies::design_scan(problem, "beam.axial_force", ranges.forces, design.band, half_from(0.5));
-  return design;
-}
-
 std::string reason_for(const studies::DesignInterval& interval) {
   if (interval.buckled) return "no stick state: P is at the buckling load 20.19 EI/L^2 or over it";
   if (interval.sticks) return "sticks";
@@ -133,10 +118,9 @@ Answer answer_of(const data::Case& problem, const studies::Design& design) {
                       {"amplitude_m", problem.excitation.amplitude()},
                       {"duration_s", problem.numerics.duration()},
                       {"modes", problem.numerics.modes()}});
-  answer.add_line(fmt::format(
-      "{}: {} to {} Hz, {} m, 0 to {} s, N = {}\n", problem.name, data::shortest_text(design.band.from_hz),
-      data::shortest_text(design.band.to_hz), data::shortest_text(problem.excitation.amplitude()),
-      data::shortest_text(problem.numerics.duration()), problem.numerics.modes()));
+  const std::string band = fmt::format("{} to {}", data::shortest_text(design.band.from_hz),
+                                       data::shortest_text(design.band.to_hz));
+  answer.add_line(fmt::format("{}, N = {}\n", conditions_of(problem, band), problem.numerics.modes()));
   Value margin = between(margin_bounds);
   margin.text += margin_bounds.lower < 1.0 ? ": slips" : ": sticks";  // on the safe side
   answer.add_row({"smallest margin mu_s P/|f_max|", "margin", margin});
@@ -165,7 +149,11 @@ Answer design(const DesignOptions& options, Outputs& outputs) {
   for (const double length : {problem.beam.length(), ranges.lengths.from})
     studies::require_feasible(at_the_end_of(problem, ranges.band, length), studies::Inquiry::design);
   outputs.open({});
-  Answer answer = answer_of(problem, design_of(problem, ranges, outputs.progress()));
+  report::Progress& progress = outputs.progress();
+  Answer answer =
+      answer_of(problem, studies::design(
+                             problem, {ranges.band.from, ranges.band.to}, ranges.lengths, ranges.forces,
+                             [&](std::string_view stage) { progress.stage(stage); }, std::ref(progress)));
   answer.warnings =
       warnings_of(at_the_end_of(problem, ranges.band, problem.beam.length()), studies::Inquiry::design);
   return answer;

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+/// With which status the program ends, and with which sentence if an argument is wrong.
+
+#include <CLI/CLI.hpp>
 #include <functional>
+#include <string>
 
 namespace stickslip::cli {
 
@@ -16,5 +20,13 @@ enum ExitStatus : int {
 /// sentence on standard error: `unusable` for data::InputError and OutputError, else `failed`.
 /// std::logic_error is told as a mistake of the program.
 [[nodiscard]] int exit_status_of(const std::function<int()>& work);
+
+/// What is wrong with the arguments, in one sentence: names the option or the argument, what was given, what
+/// is allowed, and for a misspelt subcommand or option the one that is nearest.
+[[nodiscard]] std::string sentence_for(const CLI::App& app, const CLI::ParseError& error);
+
+/// Throws CLI::RequiredError, naming the subcommands there are, if the one that was reached needs another
+/// one.
+void require_subcommand(const CLI::App& app);
 
 }  // namespace stickslip::cli

@@ -8,12 +8,11 @@
 #include <cstdio>
 #include <iostream>
 
-#include "argument_error.hpp"
-#include "case_options.hpp"
+#include "command.hpp"
 #include "commands.hpp"
 #include "exit_status.hpp"
-#include "long_work.hpp"
 #include "output_file.hpp"
+#include "stickslip/data/input_error.hpp"
 #include "stickslip/version.hpp"
 
 namespace stickslip::cli {

@@ -32,7 +32,7 @@ std::string_view reason_of(const studies::Cycle& cycle) {
   return reasons.at(static_cast<std::size_t>(cycle.search.reason));
 }
 
-std::vector<Row> rows_of(const studies::Cycle& cycle) {
+std::vector<LabelledValue> rows_of(const studies::Cycle& cycle) {
   const auto& motion = *cycle.search.motion;
   Json multipliers = Json::array(), events = Json::array();
   for (const auto multiplier : motion.multipliers)
@@ -98,7 +98,7 @@ void add_cycle(Answer& answer, const studies::Cycle& cycle, const std::string& k
   if (cycle.search.motion) {
     part.add_line(fmt::format("{}, {}\n", cycle.forced ? "a periodic motion" : "a limit cycle",
                               cycle.stick_share > 0.0 ? "with stick and slip" : "without stick"));
-    for (const Row& row : rows_of(cycle)) part.add_row(row);
+    for (const LabelledValue& row : rows_of(cycle)) part.add_row(row);
   } else {
     part.add_line(reason_of(cycle));
     part.add_members({{"reason", reason_of(cycle)}});

@@ -30,12 +30,6 @@ struct SquealOptions {
   int count = 41;
 };
 
-data::Case case_of(const SquealOptions& options) {
-  auto overrides = overrides_of(options.problem);
-  if (options.speed) overrides.push_back(override_with("wall.speed", *options.speed, "--speed"));
-  return data::load_case(options.problem.name, overrides);
-}
-
 Value growth_of(const std::optional<std::complex<double>>& root) {
   if (!root) return {nullptr, "none"};
   return {{{"growth_per_s", root->real()}, {"frequency_hz", root->imag() / (2.0 * std::numbers::pi)}},
@@ -116,25 +110,14 @@ void require_modes(const data::Case& problem, int modes) {
         "--modes", modes, fmt::format("at most {} with a damping.ratio: one more than numerics.modes", most));
 }
 
-// Throws data::FieldError for values that the case may not have.
-void require_allowed(const data::Case& problem, const std::vector<double>& speeds,
-                     const std::vector<double>& ratios) {
-  for (const double end : {speeds.front(), speeds.back()})
-    data::require_magnitude("wall.speed", end, "--speeds");
-  (void)data::Damping({.kelvin_voigt = problem.damping.kelvin_voigt(), .ratio = ratios.back()});
-}
-
 std::string map_text(const data::Case& problem, const std::vector<double>& speeds,
                      const std::vector<double>& ratios) {
   report::CsvTable table("Fastest growth of a disturbance of steady sliding, " + problem.name,
                          {{"speed", "m/s"}, {"damping_ratio", "1"}, {"growth", "1/s"}, {"state", "-"}});
   std::size_t row = 0;
   for (const auto& [speed, ratio, growth] : studies::squeal_map(problem, speeds, ratios)) {
-    table.add(speed)
-        .add(ratio)
-        .add(growth)
-        .add(report::CsvText(growth > 0.0 ? "unstable" : "stable"))
-        .end_row();
+    table.add_row({report::csv_number(speed), report::csv_number(ratio), report::csv_number(growth),
+                   growth > 0.0 ? "unstable" : "stable"});
     if (++row % speeds.size() == 0) table.end_grid_line();
   }
   return table.text();
@@ -143,7 +126,9 @@ std::string map_text(const data::Case& problem, const std::vector<double>& speed
 Answer steady_sliding(const SquealOptions& options, Outputs& outputs) {
   if (options.map.empty() && !options.figure.empty())
     throw data::InputError("--figure draws the map, but --map FILE is missing");
-  const data::Case problem = case_of(options);
+  auto overrides = overrides_of(options.problem);
+  if (options.speed) overrides.push_back(override_with("wall.speed", *options.speed, "--speed"));
+  const data::Case problem = data::load_case(options.problem.name, overrides);
   data::require_rigid(problem.contact, "squeal; respond takes it");
   require_modes(problem, options.modes);
   const studies::Squeal squeal = studies::squeal_of(problem, options.modes);
@@ -151,7 +136,9 @@ Answer steady_sliding(const SquealOptions& options, Outputs& outputs) {
   if (!options.map.empty()) {
     speeds = values_of("--speeds", options.speeds, options.count);
     ratios = values_of("--ratios", options.ratios, options.count);
-    require_allowed(problem, speeds, ratios);
+    for (const double end : {speeds.front(), speeds.back()})
+      data::require_magnitude("wall.speed", end, "--speeds");
+    (void)data::Damping({.kelvin_voigt = problem.damping.kelvin_voigt(), .ratio = ratios.back()});
   }
   outputs.open({{"--map", options.map}, {"--figure", options.figure}});
   Answer answer = answer_of(problem, squeal, studies::limit_cycle_of(problem, options.settle));
@@ -191,9 +178,7 @@ void add_options(CLI::App& command, SquealOptions& options) {
       ->check(integer_between(2, 500))
       ->needs(map)
       ->capture_default_str();
-  command
-      .add_option("--figure", options.figure, "Figure of the map, a .png, .pdf or .svg file (needs gnuplot)")
-      ->check(file_name());
+  add_figure_option(command, options.figure, "Figure of the map");
 }
 
 }  // namespace

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <filesystem>
-#include <optional>
+#include <functional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "case_options.hpp"
@@ -24,7 +22,6 @@ struct UncertaintyOptions {
   studies::SlipSampling sampling;
 };
 
-constexpr long most_samples = 100'000'000;
 constexpr int digits = 4;
 
 std::string with_interval(const studies::Estimate& estimate, int decimals) {
@@ -39,13 +36,9 @@ Json to_json(const studies::Estimate& estimate) {
           {"upper", finite_json(estimate.upper)}};
 }
 
-Value estimated(const studies::Estimate& estimate) { return {to_json(estimate), with_interval(estimate, 3)}; }
-
 Value margin_of(const std::optional<double>& margin) {
   return {optional_json(margin), margin ? significant(*margin, digits) : "no beam"};
 }
-
-Value from_to(const Value& from, const Value& to) { return word(from.text + " ... " + to.text); }
 
 // What is asked, and how the samples came out.
 void add_samples(Answer& answer, const data::Case& problem, const UncertaintyOptions& options,
@@ -55,11 +48,9 @@ void add_samples(Answer& answer, const data::Case& problem, const UncertaintyOpt
     answer.add_members({{"band_hz", {band->from_hz, band->to_hz}}});
   else
     answer.add_members({{"frequency_hz", problem.excitation.frequency_hz()}});
-  answer.add_line(fmt::format(
-      "{}: {} Hz, {} m, 0 to {} s, N = {}; {} samples, seed {}\n", problem.name,
-      options.band ? *options.band : data::shortest_text(problem.excitation.frequency_hz()),
-      data::shortest_text(problem.excitation.amplitude()), data::shortest_text(problem.numerics.duration()),
-      problem.numerics.modes(), options.sampling.samples, options.sampling.seed));
+  answer.add_line(fmt::format("{}, N = {}; {} samples, seed {}\n",
+                              conditions_of(problem, options.band.value_or("")), problem.numerics.modes(),
+                              options.sampling.samples, options.sampling.seed));
   answer.add_row("probability of slip",
                  {fmt::format("{}: {} of {}", with_interval(result.probability_of_slip, 5), result.slips,
                               result.valid)});
@@ -105,18 +96,19 @@ Table table_of(const studies::SlipUncertainty& result) {
                           {"", "margin_at_quantile_5"},
                           {"", "margin_at_quantile_95"}},
               .rows = {}};
-  if (sensitivity) {
-    table.columns.push_back({"first index", "first_index", 28});
-    table.columns.push_back({"total index", "total_index"});
-  }
+  if (sensitivity)
+    table.columns.insert(table.columns.end(),
+                         {{"first index", "first_index", 28}, {"total index", "total_index"}});
   for (std::size_t i = 0; i < result.tornado.size(); ++i) {
     const auto& [key, low, high, margin_low, margin_high] = result.tornado[i];
     const Value from{low, significant(low, digits)}, to{high, significant(high, digits)},
         worst = margin_of(margin_low), best = margin_of(margin_high);
-    table.rows.push_back({word(key), from_to(from, to), from_to(worst, best), from, to, worst, best});
+    table.rows.push_back({word(key), word(from.text + " ... " + to.text),
+                          word(worst.text + " ... " + best.text), from, to, worst, best});
     if (!sensitivity) continue;
-    table.rows.back().push_back(estimated(sensitivity->indices[i].first));
-    table.rows.back().push_back(estimated(sensitivity->indices[i].total));
+    const auto& [first, total] = sensitivity->indices[i];
+    table.rows.back().push_back({to_json(first), with_interval(first, 3)});
+    table.rows.back().push_back({to_json(total), with_interval(total, 3)});
   }
   return table;
 }
@@ -139,10 +131,9 @@ Answer answer_of(const data::Case& problem, const UncertaintyOptions& options,
   answer.add_line(fmt::format(
       "\nThe tolerance to tighten is that of {}: with half its spread the probability of slip is {}.",
       decisive, with_interval(result.probability_with_half_spread, 5)));
-  answer.add_line(fmt::format("All intervals are those of 95 % confidence. {}",
-                              result.sensitivity
-                                  ? "The indices are shares in the variance of log(margin)."
-                                  : "There are no indices: keys are correlated, or more than 20."));
+  answer.text += "All intervals are those of 95 % confidence. ";
+  answer.add_line(result.sensitivity ? "The indices are shares in the variance of log(margin)."
+                                     : "There are no indices: keys are correlated, or more than 20.");
   return answer;
 }
 
@@ -167,10 +158,9 @@ Answer slip_probability(const UncertaintyOptions& given, Outputs& outputs) {
   const auto inquiry = options.band ? studies::Inquiry::design : studies::Inquiry::criterion;
   studies::require_feasible(problem, inquiry);
   outputs.open({});
-  report::Progress& progress = outputs.progress();
-  Answer answer = answer_of(problem, options,
-                            studies::slip_uncertainty(problem, uncertainty, options.sampling,
-                                                      [&](double share) { progress(share); }));
+  Answer answer = answer_of(
+      problem, options,
+      studies::slip_uncertainty(problem, uncertainty, options.sampling, std::ref(outputs.progress())));
   answer.warnings = warnings_of(problem, inquiry);
   return answer;
 }
@@ -186,7 +176,7 @@ void add_options(CLI::App& command, UncertaintyOptions& options) {
       ->type_name("FROM:TO")
       ->excludes("--hz");
   command.add_option("--samples", options.sampling.samples, "Independent samples of the uncertain keys")
-      ->check(integer_between(1, most_samples))
+      ->check(integer_between(1, 100'000'000))
       ->capture_default_str();
   command
       .add_option("--seed", options.sampling.seed, "Of the random numbers: the same seed, the same answer")

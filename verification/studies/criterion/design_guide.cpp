@@ -218,6 +218,21 @@ DesignScan design_scan(const data::Case& problem, std::string_view parameter, co
   return result;
 }
 
+Design design(const data::Case& problem, const analytic::FrequencyBand& band, const ParameterRange& lengths,
+              const ParameterRange& forces, const std::function<void(std::string_view)>& stage,
+              const std::function<void(double)>& progress) {
+  Design result{.band = band, .margin = {}, .lengths = {}, .forces = {}};
+  stage("margin");
+  result.margin = band_margin(problem, band);
+  stage("lengths");
+  result.lengths =
+      design_scan(problem, "beam.length", lengths, band, [&](double share) { progress(0.5 * share); });
+  stage("axial forces");
+  result.forces = design_scan(problem, "beam.axial_force", forces, band,
+                              [&](double share) { progress(0.5 + 0.5 * share); });
+  return result;
+}
+
 ParameterRange range_below_buckling(const data::Case& problem, std::string_view parameter, double from,
                                     double to) {
   return {from, std::min(to, 0.999 * buckling_value(problem, parameter))};

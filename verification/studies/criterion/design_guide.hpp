@@ -6,6 +6,7 @@
 /// duration are those of a case. The excitation frequency of the case is not used.
 
 #include <functional>
+#include <string_view>
 #include <vector>
 
 #include "stickslip/analytic/band_maximum.hpp"
@@ -93,6 +94,13 @@ struct Design {
   DesignScan lengths, forces;
 };
 STICKSLIP_MEMBERS(Design, (band, "Hz"), (margin), (lengths), (forces))
+
+/// `stage` and `progress` receive what is being done and the completed fraction. Throws what band_margin() and design_scan()
+/// throw.
+[[nodiscard]] Design design(const data::Case& problem, const analytic::FrequencyBand& band,
+                            const ParameterRange& lengths, const ParameterRange& forces,
+                            const std::function<void(std::string_view)>& stage,
+                            const std::function<void(double)>& progress);
 
 /// The range from `from` to `to`, or to just below the buckling value of the case if that is smaller. Throws
 /// what buckling_value() throws.

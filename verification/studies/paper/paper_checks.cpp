@@ -125,8 +125,7 @@ void add_frequency_checks(const data::Case& paper, std::vector<PrintedCheck>& ch
 }
 
 void add_force_checks(const data::Case& paper, std::vector<PrintedCheck>& checks) {
-  checks.push_back(check_to_last_digit(
-      "friction_limit", friction_limit(paper), "mu_s P"));
+  checks.push_back(check_to_last_digit("friction_limit", friction_limit(paper), "mu_s P"));
   for (const double hz : printed_frequencies)
     checks.push_back(check_to_last_digit(printed_force(hz).id, sampled_force(paper, hz),
                                          "closed form, N = 10, sampled", printed_force_range(paper, hz)));

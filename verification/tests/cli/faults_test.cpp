@@ -126,11 +126,11 @@ TEST_F(Fault, CtrlCEndsLongWorkAtOnceAndSaysHowFarItCame) {
             "interrupted before there was a result", "\n"},
            {"sweep --settle 1000000" + output + " --figure sweep.png", "interrupted; nothing is kept", "\n"},
            {"design paper --band 1:100 --duration 1e4", "interrupted after ",
-            " % of the design; nothing is kept\n"},
+            " % of the work; nothing is kept\n"},
            {"report --only fig12 --output out", "interrupted after ",
             " % of the report; what is finished is in " + path("out") + "\n"},
            {"uncertainty --samples 100000000", "interrupted after ",
-            " % of the samples; nothing is kept\n"}}) {
+            " % of the work; nothing is kept\n"}}) {
     const Ending ending = signalled(arguments, SIGINT, std::chrono::milliseconds(150));
     EXPECT_EQ(ending.status, 130) << arguments;
     EXPECT_LT(ending.seconds, 1.0) << arguments;
