@@ -22,6 +22,7 @@
 #include "studies/common/problem_parameter.hpp"
 #include "studies/convergence/discretisation.hpp"
 #include "studies/criterion/problem_warnings.hpp"
+#include "studies/history/runs.hpp"
 #include "support/error_message.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
