@@ -801,7 +801,7 @@ TEST_F(CommandAnswers, OutputsThatExcludeEachOtherAreRefused) {
   for (const std::string option : {"--events", "--spectrum"})
     expect_refused("respond paper --json --output h.csv " + option + " -",
                    "--json and " + option + " - both want standard output");
-  const std::string squeal = "squeal reed --speeds 0.1:1:2 --ratios 0.01:0.02:2 ";
+  const std::string squeal = "squeal reed --speeds 0.1:1 --ratios 0.01:0.02 ";
   expect_refused(squeal + "--json --map -", "--json and --map - both want standard output");
   expect_refused(squeal + "--map a.csv --figure a.csv",
                  "--figure is a.csv, but must be another file than --map");
