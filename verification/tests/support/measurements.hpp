@@ -93,7 +93,7 @@ inline constexpr int mesh_elements = 6;
 /// How far two runs of one problem may differ.
 struct Sensitivity {
   std::vector<data::ContactEvent>
-      perturbed{};             ///< of the expected run with an amplitude that is larger by a share
+      perturbed{};            ///< of the expected run with an amplitude that is larger by a share
   double perturbation{1e-8};  ///< this share
   double error{};             ///< relative error of the data or the steps
   double amplitude{};         ///< measure of positions, m
