@@ -44,6 +44,12 @@ solver::ContactSystem contact_system(const SingleMass& mass) {
           .friction = data::FrictionLaw(mass.friction)};
 }
 
+solver::ContactSystem contact_system(const SingleMass& mass, solver::PrescribedMotion wall) {
+  solver::ContactSystem system = contact_system(mass);
+  system.wall = std::move(wall);
+  return system;
+}
+
 Eigen::VectorXd scalar(double value) { return Eigen::VectorXd::Constant(1, value); }
 
 std::unique_ptr<solver::StickSlipIntegrator> run_from_slip(const SingleMass& mass,

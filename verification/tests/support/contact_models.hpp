@@ -70,6 +70,9 @@ inline constexpr SingleMass oscillating_mass{.stiffness = 4.0, .normal_force = 4
 
 [[nodiscard]] solver::ContactSystem contact_system(const SingleMass& mass);
 
+/// With another motion of the wall.
+[[nodiscard]] solver::ContactSystem contact_system(const SingleMass& mass, solver::PrescribedMotion wall);
+
 /// A single mass has no held modes. Its damping must be zero.
 [[nodiscard]] analytic::ContactModel contact_model(const SingleMass& mass);
 

@@ -15,8 +15,8 @@
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/data/case_file.hpp"
+#include "support/contact_models.hpp"
 #include "support/requirements.hpp"
-#include "support/single_mass.hpp"
 #include "validation/models.hpp"
 #include "validation/study.hpp"
 
