@@ -528,7 +528,7 @@ TEST_F(CommandAnswers, SweepHasTheSectionOfEachValue) {
   EXPECT_EQ(run(command + "--direction down --figure sweep.svg").output, "9 points written to sweep.csv\n");
   const std::string drawn = contents("sweep.svg");
   EXPECT_TRUE(drawn.starts_with(contents("sweep.csv")));
-  EXPECT_TRUE(drawn.ends_with("\nparameter,2,1\n")) << drawn;  // the second parameter
+  EXPECT_TRUE(drawn.ends_with("\nlabel,excitation amplitude A_0 / mm,-\nlabel_scale,1000,1\n")) << drawn;
   // A base that does not move leaves zeros without a sign.
   EXPECT_EQ(csv(run("sweep damped --parameter amplitude=0:1e-4:2 --settle 0 --periods 1").output)[3],
             (std::vector<std::string>{"up", "0", "0", "0", "0", "0"}));

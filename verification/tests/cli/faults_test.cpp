@@ -50,7 +50,8 @@ TEST_F(Fault, DiskThatIsFullIsNamedAndLeavesTheOldFiles) {
                  "File too large");
   // What the map has finished is kept for the next run.
   EXPECT_EQ(all_files("."), (std::vector<std::string>{"map.csv.partial", "old.csv", "stderr", "stdout"}));
-  expect_failure(limited("report --quiet --only fig2 --output report"), 2, "fig2.csv", "File too large");
+  expect_failure(limited("report --quiet --only fig2 --output report"), 2, "friction_curve.json",
+                 "File too large");
   expect_failure(limited("animate --duration 0.1 --frames 5 --output film"), 2, "motion.csv",
                  "File too large");
   EXPECT_EQ(all_files("report"), std::vector<std::string>{});
@@ -95,7 +96,8 @@ TEST_F(Fault, ProgramThatIsMissingCostsWhatItDrawsAlone) {
   };
   expect_failure(without_tools("report --quiet --only fig2 --output drawings"), 1, path("drawings"),
                  "gnuplot is not installed or not on the search path");
-  EXPECT_EQ(all_files("drawings"), (std::vector<std::string>{"fig2-values.csv", "fig2.csv"}));
+  EXPECT_EQ(all_files("drawings"),
+            (std::vector<std::string>{"fig2-values.csv", "fig2.csv", "studies/friction_curve.json"}));
   ASSERT_EQ(run("reference export stick-frequencies --output mine.csv").status, 0);
   expect_failure(
       without_tools("compare stick-frequencies mine.csv --quiet --json verdict.json --figure verdict.png"), 1,
@@ -129,8 +131,7 @@ TEST_F(Fault, CtrlCEndsLongWorkAtOnceAndSaysHowFarItCame) {
             " % of the work; nothing is kept\n"},
            {"report --only fig12 --output out", "interrupted after ",
             " % of the report; what is finished is in " + path("out") + "\n"},
-           {"uncertainty --samples 100000000", "interrupted after ",
-            " % of the work; nothing is kept\n"}}) {
+           {"uncertainty --samples 100000000", "interrupted after ", " % of the work; nothing is kept\n"}}) {
     const Ending ending = signalled(arguments, SIGINT, std::chrono::milliseconds(150));
     EXPECT_EQ(ending.status, 130) << arguments;
     EXPECT_LT(ending.seconds, 1.0) << arguments;
@@ -164,7 +165,7 @@ TEST_F(KilledRun, OfMapLeavesOnlyWhatIsWhole) {
 
 TEST_F(KilledRun, OfReportLeavesOnlyWhatIsWhole) {
   kill(5, "report --quiet --only fig2 --output out/",
-       {"fig2.csv", "fig2-values.csv", "fig2.pdf", "fig2.png"});
+       {"fig2.csv", "fig2-values.csv", "fig2.pdf", "fig2.png", "studies/friction_curve.json"});
 }
 
 }  // namespace

@@ -24,7 +24,8 @@ TEST_F(Interrupted, ReportThatIsDrawnKeepsItsTables) {
   install_sleeper("gnuplot");
   EXPECT_EQ(said_after(SIGINT, "report --only fig2 --output out/"),
             "interrupted after 33 % of the report; what is finished is in " + path("out") + "\n");
-  EXPECT_EQ(all_files("out/"), (std::vector<std::string>{"fig2-values.csv", "fig2.csv"}));
+  EXPECT_EQ(all_files("out/"),
+            (std::vector<std::string>{"fig2-values.csv", "fig2.csv", "studies/friction_curve.json"}));
 }
 
 TEST_F(Interrupted, AnimationThatIsDrawnKeepsTheMotion) {

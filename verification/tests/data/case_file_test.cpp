@@ -826,7 +826,7 @@ TEST_F(CaseFile, IsFoundByPath) {
 TEST_F(CaseFile, OfAMisspeltNameIsRefusedWithTheNamesThereAre) {
   EXPECT_EQ(error_message_of([] { static_cast<void>(data::load_case("papr")); }),
             "case papr is unknown (did you mean paper?), but must be a file or one of damped, near-buckling, "
-            "paper, paper-figure14, paper-figure9, paper-half-stiffness, reed, soft-short, steel-strip, "
+            "paper, paper-figure14, paper-figure9, paper-half-stiffness, reed, rig, soft-short, steel-strip, "
             "tension, uncertain");
 }
 

@@ -94,8 +94,8 @@ TEST(GuardBand, IsThatOfTheFrequencyOfAPoint) {
   }
 }
 
-STICKSLIP_VERIFIES(ContactHistory, "U5");
-TEST(ContactHistory, AgreesIfPaperCriterionAndFiniteElementsDo) {
+STICKSLIP_VERIFIES(HistoryVerdicts, "U5");
+TEST(HistoryVerdicts, AgreesIfPaperCriterionAndFiniteElementsDo) {
   studies::ContactHistory panel;
   EXPECT_TRUE(panel.verdicts_agree());
   EXPECT_FALSE(panel.first_slip_difference());
@@ -110,8 +110,8 @@ TEST(ContactHistory, AgreesIfPaperCriterionAndFiniteElementsDo) {
   EXPECT_EQ(panel.first_slip_difference(), 0.125);
 }
 
-STICKSLIP_VERIFIES(DampedBenchmark, "U5");
-TEST(DampedBenchmark, FinestRunHasMostElementsAndShortestStep) {
+STICKSLIP_VERIFIES(BenchmarkRuns, "U5");
+TEST(BenchmarkRuns, FinestRunHasMostElementsAndShortestStep) {
   const auto run = [](int size, double step) {
     studies::BenchmarkRun made;
     made.size = size;
