@@ -15,8 +15,9 @@ namespace stickslip::analytic {
 ///     1/(L³ S'''(L)),     Ω_n²,     Ω_n² c_n L³/EI
 ///
 /// are analytic in z, up to the buckling load and beyond (where ω_1 is 0 and c_1 and S''' have a pole), and
-/// s L³/EI = L³ S'''(L) (1 - χ (1 - cos(√z))). They are interpolated in Chebyshev points, as many as it takes for the last coefficients to be rounding. The error is then a few roundings of the largest value
-/// in the range; relative to ω_1 and c_1, that times the condition number of the first mode.
+/// s L³/EI = L³ S'''(L) (1 - χ (1 - cos(√z))). They are interpolated in Chebyshev points, as many as it takes
+/// for the last coefficients to be rounding. The error is then a few roundings of the largest value in the range;
+/// relative to ω_1 and c_1, that times the condition number of the first mode.
 class ModalReactionTable {
  public:
   /// Of the first `modes` modes for lowest ≤ z ≤ highest. Throws std::invalid_argument unless 0 ≤ lowest

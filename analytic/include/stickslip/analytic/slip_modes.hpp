@@ -10,7 +10,8 @@
 ///
 /// A follower force (χ = 0, Beck's column with distributed mass) and every χ < 1/2 make the two lowest
 /// frequencies coalesce at the flutter load (20.05 EI/L² at χ = 0), beyond which they are complex. From
-/// χ = 1/2 on the lowest frequency falls to 0 first, at the buckling load z = y², cos(y) = -(1 - χ)/χ: π² at χ = 1/2, π²/4 at χ = 1 (Euler), where the problem is self-adjoint.
+/// χ = 1/2 on the lowest frequency falls to 0 first, at the buckling load z = y², cos(y) = -(1 - χ)/χ:
+/// π² at χ = 1/2, π²/4 at χ = 1 (Euler), where the problem is self-adjoint.
 
 #include <vector>
 
