@@ -138,13 +138,13 @@ double BandMaximum::upper_value(double omega) {
 
 BandMaximum::Suprema BandMaximum::between(double from, double to) const {
   const double t = duration_, a = from, b = to, middle = 0.5 * (a + b);
-  double steady = reaction_.quasi_static;        // amplitude at Omega in the middle, of the modes apart
+  double steady = reaction_.quasi_static;        // amplitude at Ω in the middle, of the modes apart
   double steady_slope = 0.0, steady_bend = 0.0;  // sums of |c p'| and |c p''|
   Suprema sum;
   for (const ModalForce& mode : reaction_.modes) {
     const double w = mode.angular_frequency, c = std::abs(mode.coefficient);
     const double near = (2.0 * t + 2.0 * b * t * t + b * b * t * t * t / 3.0) / w;
-    const double x = std::max({0.0, a - w, w - b}) * (a + w);  // <= |Omega^2 - omega_n^2|
+    const double x = std::max({0.0, a - w, w - b}) * (a + w);  // ≤ |Ω² - ω_n²|
     const double p1 = 2.0 * b * w * w / (x * x);
     const double p2 = 2.0 * w * w * (3.0 * b * b + w * w) / (x * x * x);
     const double q2 = 2.0 * w * b * (b * b + 3.0 * w * w) / (x * x * x);

@@ -36,7 +36,7 @@ BeamContactModel held_beam(const data::Beam& beam, const data::HarmonicExcitatio
   return {beam, friction, excitation, damping, damped_modes};
 }
 
-/// Adds amplitude sin(omega t), its mean over each step, to the values. The phase is turned from step to step
+/// Adds amplitude sin(ω t), its mean over each step, to the values. The phase is turned from step to step
 /// and set anew often enough to stay at round-off.
 void add_sinusoid(double amplitude, double omega, double h, std::vector<double>& values) {
   constexpr std::size_t block = 1024;
@@ -54,8 +54,8 @@ void add_sinusoid(double amplitude, double omega, double h, std::vector<double>&
   }
 }
 
-/// f_h = -A0 [s sin(Omega t) + sum c_n phi_n(t)] with the two sinusoids of phi_n apart, but for a mode so near to Omega
-/// that they cancel. Its phi_n is taken in the middle of the step.
+/// f_h = -A0 [s sin(Ω t) + sum c_n φ_n(t)] with the two sinusoids of φ_n apart, but for a mode so near to Ω
+/// that they cancel. Its φ_n is taken in the middle of the step.
 std::vector<double> undamped_holding_force(const data::Beam& beam, const data::HarmonicExcitation& excitation,
                                            const TimeGrid& grid) {
   const StickResponse response(beam, excitation, undamped_modes, SteadyPart::exact);
@@ -80,10 +80,10 @@ std::vector<double> undamped_holding_force(const data::Beam& beam, const data::H
   return values;
 }
 
-/// In the middle of each step, by a cubic spline through instants that are H = 1e-3/omega_1 apart or, if that is longer,
-/// a step. A free vibration omega_n is off by (omega_n H)^4/384 at most. As its amplitude falls as omega_n^-2, that is
-/// 1e-7 of the force where omega_n H is about 4, and less elsewhere.
-/// The spline has no curvature at its ends. That leaves 0.046 H^2 |f''| there, and 0.27 times as much in each interval
+/// In the middle of each step, by a cubic spline through instants that are H = 1e-3/ω_1 apart or, if that is longer,
+/// a step. A free vibration ω_n is off by (ω_n H)⁴/384 at most. As its amplitude falls as ω_n⁻², that is
+/// 1e-7 of the force where ω_n H is about 4, and less elsewhere.
+/// The spline has no curvature at its ends. That leaves 0.046 H² |f''| there, and 0.27 times as much in each interval
 /// from there.
 std::vector<double> damped_holding_force(const data::Beam& beam, const data::HarmonicExcitation& excitation,
                                          const data::Damping& damping, const TimeGrid& grid) {

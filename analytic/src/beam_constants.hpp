@@ -7,20 +7,20 @@
 
 namespace stickslip::analytic {
 
-/// EI, N m^2.
+/// EI, N m².
 [[nodiscard]] inline double bending_stiffness(const data::Beam& beam) {
   return beam.youngs_modulus() * beam.second_moment_of_area();
 }
 
-/// rho A, kg/m.
+/// ρ A, kg/m.
 [[nodiscard]] inline double mass_per_length(const data::Beam& beam) { return beam.density() * beam.area(); }
 
-/// z = P L^2/EI, dimensionless, positive in compression.
+/// z = P L²/EI, dimensionless, positive in compression.
 [[nodiscard]] inline double axial_load_factor(const data::Beam& beam) {
   return beam.axial_force() * beam.length() * beam.length() / bending_stiffness(beam);
 }
 
-/// s^2 = EI/(k G A L^2), dimensionless; 0 if the beam is rigid in shear.
+/// s² = EI/(k G A L²), dimensionless; 0 if the beam is rigid in shear.
 [[nodiscard]] inline double shear_flexibility(const data::Beam& beam) {
   if (beam.shear_stiffness() == 0.0) return 0.0;
   return bending_stiffness(beam) / (beam.shear_stiffness() * beam.length() * beam.length());
@@ -49,12 +49,12 @@ inline void require_no_damping_ratio(const data::Damping& damping) {
                          "0: the closed form knows Kelvin-Voigt damping alone");
 }
 
-/// (1 - chi) P, N: the part of the axial force that follows the tip.
+/// (1 - χ) P, N: the part of the axial force that follows the tip.
 [[nodiscard]] inline double follower_force(const data::Beam& beam) {
   return (1.0 - beam.axial_direction()) * beam.axial_force();
 }
 
-/// f = D u'''(L) + chi P u'(L), N, of D u'''(L) and u'(L), double or complex; D = EI if there is no damping.
+/// f = D u'''(L) + χ P u'(L), N, of D u'''(L) and u'(L), double or complex; D = EI if there is no damping.
 template <class Number>
 [[nodiscard]] Number tip_reaction(const data::Beam& beam, Number shear, Number slope) {
   return shear + beam.axial_direction() * beam.axial_force() * slope;

@@ -15,7 +15,7 @@
 namespace stickslip::analytic {
 namespace {
 
-/// int of the outer product f f^T over 0 ... length, f a vector of functions that turn at most `waves` times, by panels
+/// int of the outer product f fᵀ over 0 ... length, f a vector of functions that turn at most `waves` times, by panels
 /// of less than half a wave.
 Matrix integral_of_products(const std::function<std::vector<double>(double)>& functions, double length,
                             std::size_t waves) {
@@ -30,7 +30,7 @@ Matrix integral_of_products(const std::function<std::vector<double>(double)>& fu
   return result;
 }
 
-/// C = sum 2 zeta omega (M x)(M x)^T over the modes (K - omega^2 M) x = 0, x^T M x = 1.
+/// C = sum 2 ζ ω (M x)(M x)ᵀ over the modes (K - ω² M) x = 0, xᵀ M x = 1.
 Matrix modal_damping(const Matrix& mass, const Matrix& stiffness, double ratio) {
   const StatusInsteadOfAbort guard;
   const std::size_t size = mass.rows();

@@ -32,7 +32,7 @@ class GaussMethod {
           coefficients_[at(i - 1)] * (stages - i + 1) / (static_cast<double>(2 * stages - i + 1) * i);
   }
 
-  /// sum_i Y(x_i/h)/(x_i^2 R'(x_i)) over the solutions of R(x) = 1/zeta.
+  /// Σ_i Y(x_i/h)/(x_i² R'(x_i)) over the solutions of R(x) = 1/ζ.
   template <class Function>
   [[nodiscard]] Complex sum_over_solutions(Complex zeta, const Function& weighted) const {
     Complex sum = 0.0;
@@ -56,7 +56,7 @@ class GaussMethod {
     return (plus_rate * minus - plus * minus_rate) / (minus * minus);
   }
 
-  /// The roots of tau E(x) - O(x), tau = (1 - zeta)/(1 + zeta), all at once by the method of Durand and
+  /// The roots of τ E(x) - O(x), τ = (1 - ζ)/(1 + ζ), all at once by the method of Durand and
   /// Kerner.
   [[nodiscard]] std::vector<Complex> solutions(Complex tau) const {
     std::array<Complex, most_stages + 1> monic{};
@@ -151,7 +151,7 @@ SlipResistance resistance(const ContactLaw& law, double speed) {
 // The largest friction force at rest, N.
 double limit(const ContactLaw& law) { return law.friction.static_coefficient() * law.normal_force; }
 
-// w + W N mu(w) = p for p > W N mu(0): convex, rising, and negative at zero, so that Newton's method comes down to
+// w + W N μ(w) = p for p > W N μ(0): convex, rising, and negative at zero, so that Newton's method comes down to
 // the root after its first step.
 double sliding_speed(const ContactLaw& law, double free_speed, double weight) {
   double speed = 0.0;
@@ -180,7 +180,7 @@ ContactStep ContactElement::step(double free_velocity, double weight) {
   return solve_contact(law_, free_velocity, weight);
 }
 
-// |v| + W N mu(|v|) tanh(|v|/v_r) = |p|: rising if kappa W < 1, so that the root stays bracketed.
+// |v| + W N μ(|v|) tanh(|v|/v_r) = |p|: rising if κ W < 1, so that the root stays bracketed.
 ContactStep ContactElement::smooth_step(double free_velocity, double weight) const {
   const double width = law_.tangential.regularisation_velocity(), free_speed = std::abs(free_velocity);
   double low = 0.0, high = free_speed, speed = 0.0;

@@ -96,7 +96,7 @@ DampedForce::DampedForce(const DampedReaction& reaction, double angular_frequenc
   require_positive("excitation.duration", duration);
   const double omega = angular_frequency;
   const Complex i(0.0, 1.0);
-  // sin = Re[-i exp(i Omega t)]
+  // sin = Re[-i exp(i Ω t)]
   Complex steady = -i * (reaction.quasi_static + reaction.inertia * omega * omega) + reaction.rate * omega;
   Complex apart = steady;  // without what is in the beats
   double cancelled = std::abs(steady);
@@ -123,7 +123,7 @@ DampedForce::DampedForce(const DampedReaction& reaction, double angular_frequenc
   const auto operations = static_cast<double>(terms_.size() + beats_.size()) + 20.0;
   rounding_ = operations * cancelled;
   for (const Term& term : terms_) {
-    // A phase is wrong by up to |lambda| t eps, and counts while exp(Re lambda t) lets it.
+    // A phase is wrong by up to |λ| t eps, and counts while exp(Re λ t) lets it.
     const double longest = std::min(duration, 1.0 / (std::numbers::e * std::abs(term.exponent.real())));
     rounding_ += std::abs(term.amplitude) * (4.0 * std::abs(term.exponent) * longest + operations);
   }

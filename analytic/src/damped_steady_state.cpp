@@ -20,7 +20,7 @@ struct Exponents {
 
 Complex in_right_half_plane(Complex r) { return r.real() < 0.0 ? -r : r; }
 
-/// b and c, the larger one first and the other from b^2 c^2 = -s^2, so that neither loses digits. Nothing
+/// b and c, the larger one first and the other from b² c² = -s², so that neither loses digits. Nothing
 /// cancels in the larger one: z and the root differ in argument by less than a right angle.
 Exponents exponents(Complex z, Complex s_squared) {
   const Complex root = std::sqrt(0.25 * z * z + s_squared);
@@ -31,22 +31,22 @@ Exponents exponents(Complex z, Complex s_squared) {
   return compressed ? Exponents{smaller, larger} : Exponents{larger, smaller};
 }
 
-/// Weights of exp(-r xi) and exp(-r (1 - xi)), xi = x/L.
+/// Weights of exp(-r ξ) and exp(-r (1 - ξ)), ξ = x/L.
 struct Weights {
   Complex from_clamp, from_tip;
 };
 
-/// With the tip held, Y ~ q cosh(q) sinh(r eta) - r cosh(r) sinh(q eta), eta = 1 - xi: its curvature vanishes
-/// with it at the tip, its slope at the clamp. The share of r = +-b here, q = c being the other exponent;
+/// With the tip held, Y ~ q cosh(q) sinh(r η) - r cosh(r) sinh(q η), η = 1 - ξ: its curvature vanishes
+/// with it at the tip, its slope at the clamp. The share of r = ±b here, q = c being the other exponent;
 /// that of c has the opposite sign. Times 4 exp(-b - c).
 Weights held_tip(Complex r, Complex q) {
   const Complex factor = q * (1.0 + std::exp(-2.0 * q));
   return {factor, -std::exp(-r) * factor};
 }
 
-/// With a free tip and y = chi z, Y ~ ((c^2 + y)/b^2) cosh(b xi) - ((b^2 + y)/b^2) cosh(b eta) cosh(c) +
-/// ((c^2 + y)/(b c)) sinh(b eta) sinh(c) and the same with b and c exchanged: cosh(r eta)/r^2 and
-/// sinh(r eta)/(r (r^2 + y)) of both exponents, subtracted, have neither curvature nor force at the tip, and their
+/// With a free tip and y = χ z, Y ~ ((c² + y)/b²) cosh(b ξ) - ((b² + y)/b²) cosh(b η) cosh(c) +
+/// ((c² + y)/(b c)) sinh(b η) sinh(c) and the same with b and c exchanged: cosh(r η)/r² and
+/// sinh(r η)/(r (r² + y)) of both exponents, subtracted, have neither curvature nor force at the tip, and their
 /// combination without slope at the clamp is this one. The share of r, times 4 exp(-b - c).
 Weights free_tip(Complex r, Complex q, Complex y) {
   const Complex at_tip = std::exp(-r), other = std::exp(-q), ratio = q / r, shift = y / (r * r);
@@ -56,7 +56,7 @@ Weights free_tip(Complex r, Complex q, Complex y) {
   return {near * at_tip - cosh + sinh, near - at_tip * (cosh + sinh)};
 }
 
-/// int_0^1 exp(-r xi - q (1 - xi)) d(xi).
+/// int_0¹ exp(-r ξ - q (1 - ξ)) d(ξ).
 Complex mean_of_exponential(Complex r, Complex q) { return exponential_difference(-q, -r, 1.0); }
 
 }  // namespace
@@ -101,7 +101,7 @@ Complex DampedSteadyState::friction_force() const {
 }
 
 double DampedSteadyState::dissipated_energy() const {
-  double integral = 0.0;  // of |L^2 Y''|^2 over x/L
+  double integral = 0.0;  // of |L² Y''|² over x/L
   for (const Wave& left : waves_)
     for (const Wave& right : waves_) {
       const Complex r = left.exponent, q = std::conj(right.exponent);

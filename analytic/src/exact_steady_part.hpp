@@ -10,12 +10,12 @@
 namespace stickslip::analytic {
 
 /// Adds to the quasi-static part of a sum over N modes what the exact steady amplitude, a function of the complex
-/// frequency, has at Omega beyond this sum.
+/// frequency, has at Ω beyond this sum.
 ///
-/// The difference is analytic in Omega up to omega_(N+1). It is taken as its mean over a circle of radius
-/// max(Omega, omega_1)/4 round Omega, by the trapezoidal rule. With omega_N >= 2 Omega the nearest singularity is at
-/// least four radii away, so that 32 nodes leave an error of 4^-32. The nodes, conjugate ones taken together, lie off
-/// the real axis and with it off every singularity of the parts: the omega_n, and 0, where the amplitude is regular
+/// The difference is analytic in Ω up to ω_(N+1). It is taken as its mean over a circle of radius
+/// max(Ω, ω_1)/4 round Ω, by the trapezoidal rule. With ω_N ≥ 2 Ω the nearest singularity is at
+/// least four radii away, so that 32 nodes leave an error of 4⁻³². The nodes, conjugate ones taken together, lie off
+/// the real axis and with it off every singularity of the parts: the ω_n, and 0, where the amplitude is regular
 /// but its formula is not.
 template <class ExactAmplitude>
 void complete_steady_part(ModalReaction& sum, double omega, const ExactAmplitude& exact_amplitude) {

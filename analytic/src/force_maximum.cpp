@@ -72,7 +72,7 @@ ForceMaximum::ForceMaximum(const ModalReaction& reaction, double angular_frequen
   double rounding = 0.0;
   const auto operations = static_cast<double>(sinusoids_.size() + beats_.size()) + 10.0;
   for (const Beat& beat : beats_) {
-    // |e| <= E, |e'| <= 1, |e''| <= delta, |e'''| <= delta^2
+    // |e| ≤ E, |e'| ≤ 1, |e''| ≤ δ, |e'''| ≤ δ²
     const double b = std::abs(beat.amplitude), sigma = beat.mean, delta = std::abs(beat.detuning);
     const double largest = delta * duration > 1.0 ? 1.0 / delta : duration;
     kept.curvature += b * (delta + 2.0 * sigma + largest * sigma * sigma);

@@ -11,7 +11,7 @@
 
 namespace stickslip::analytic {
 
-/// X_k = sum_j x_j exp(-2 pi i j k/n), k = 0 ... n/2, and back without the factor 1/n.
+/// X_k = Σ_j x_j exp(-2 π i j k/n), k = 0 ... n/2, and back without the factor 1/n.
 class FourierTransform {
  public:
   explicit FourierTransform(std::size_t size);

@@ -15,7 +15,7 @@
 namespace stickslip::analytic {
 
 std::vector<FreeMode> free_modes(const data::Beam& beam, int count) {
-  // psi* psi has no more than 2 pi in a panel, on which the points leave nothing.
+  // ψ* ψ has no more than 2 π in a panel, on which the points leave nothing.
   std::vector<FreeMode> modes;
   for (const SlipMode& mode : slip_modes(beam, count)) {
     double norm = 0.0;
@@ -36,7 +36,7 @@ FreeModeRun::FreeModeRun(const std::vector<FreeMode>& modes, const ContactLaw& l
     cosine_.push_back(std::cos(angle));
     to_displacement_.push_back(sinc(angle));
     to_velocity_.push_back(angle * std::sin(angle));
-    displacement_input_.push_back(0.5 * impulse * half * half);  // g (1 - cos a)/omega^2
+    displacement_input_.push_back(0.5 * impulse * half * half);  // g (1 - cos a)/ω²
     velocity_input_.push_back(impulse * sinc(angle));
   }
   displacement_.resize(modes.size());

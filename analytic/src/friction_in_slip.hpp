@@ -8,7 +8,7 @@
 
 namespace stickslip::analytic {
 
-/// N mu(v), N, and its derivative by v, N s/m.
+/// N μ(v), N, and its derivative by v, N s/m.
 struct SlipResistance {
   double force{};
   double slope{};

@@ -208,7 +208,7 @@ double ModalContactRun::falling_force(double speed) {
   return known_force_ = falling_ * std::exp(-decay_ * speed);
 }
 
-// The V with V + W N mu((V + V_0)/2) = P, by Newton's method on a convex, rising function, from an expected force.
+// The V with V + W N μ((V + V_0)/2) = P, by Newton's method on a convex, rising function, from an expected force.
 ModalContactRun::Slip ModalContactRun::slip(double free_speed, double speed_before, double expected_force) {
   constexpr int most_iterations = 50;
   double speed = std::max(free_speed - weight_ * expected_force, 0.0), force = 0.0;
@@ -220,7 +220,7 @@ ModalContactRun::Slip ModalContactRun::slip(double free_speed, double speed_befo
     const double change = (free_speed - speed - weight_ * force) / (1.0 + weight_ * slope);
     speed += change;
     force += slope * change;
-    // What is left is below decay^2 change^2/8 of the falling part, 1.25e-9.
+    // What is left is below decay² change²/8 of the falling part, 1.25e-9.
     if (decay_ * std::abs(change) < 1e-4) break;
   }
   return {speed, force};

@@ -17,7 +17,7 @@ namespace {
 
 using Functions = std::vector<double>;
 
-/// 1/(L^3 S'''(L)), then Omega_n^2 and Omega_n^2 c_n L^3/EI by mode, from the beam with L = EI = rho A = 1.
+/// 1/(L³ S'''(L)), then Ω_n² and Ω_n² c_n L³/EI by mode, from the beam with L = EI = ρ A = 1.
 Functions tabulated_functions(double load_factor, double axial_direction, int modes) {
   const data::Beam beam({.length = 1.0,
                          .area = 1.0,
@@ -113,10 +113,10 @@ ModalReaction ModalReactionTable::at(const data::Beam& beam) const {
                              data::shortest_text(axial_direction_));
   const Functions values = functions_at(z);
   const double length = beam.length();
-  const double stiffness = bending_stiffness(beam) / (length * length * length);  // EI/L^3
+  const double stiffness = bending_stiffness(beam) / (length * length * length);  // EI/L³
   const double frequency = std::sqrt(stiffness / (mass_per_length(beam) * length));
   const double slope_share =
-      1.0 - axial_direction_ * (1.0 - std::cos(std::sqrt(z)));  // S''' + chi p S' over S'''
+      1.0 - axial_direction_ * (1.0 - std::cos(std::sqrt(z)));  // S''' + χ p S' over S'''
   ModalReaction reaction{.quasi_static = stiffness / values[0] * slope_share, .modes = {}};
   reaction.modes.reserve(values.size() / 2);
   for (std::size_t n = 0; n < values.size() / 2; ++n) {

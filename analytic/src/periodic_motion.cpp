@@ -145,7 +145,7 @@ class Variation {
     }
   }
 
-  // y: x and the columns of Phi, all in units of scale_.
+  // y: x and the columns of Φ, all in units of scale_.
   static int right_side(double t, const double y[], double rate[], void* self) {
     static_cast<const Variation*>(self)->evaluate(t, y, rate);
     return GSL_SUCCESS;
@@ -194,7 +194,7 @@ class Variation {
     }
   }
 
-  // Phi <- Phi + (after - before) (gradient . Phi)/passage.
+  // Φ <- Φ + (after - before) (gradient . Φ)/passage.
   void jump(const std::vector<double>& before, const std::vector<double>& after,
             const std::vector<double>& gradient, double passage) {
     for (std::size_t j = 0; j < n_; ++j) {

@@ -76,7 +76,7 @@ Minimum brent_minimum(gsl_function function, Interval interval, double guess) {
     require_success(gsl_min_fminimizer_iterate(solver.get()), where);
     const double lower = gsl_min_fminimizer_x_lower(solver.get());
     const double upper = gsl_min_fminimizer_x_upper(solver.get());
-    // The method itself does not step closer than sqrt(eps).
+    // The method itself does not step closer than √(eps).
     if (upper - lower <= 8.0 * GSL_SQRT_DBL_EPSILON * std::abs(upper))
       return {gsl_min_fminimizer_x_minimum(solver.get()), gsl_min_fminimizer_f_minimum(solver.get())};
   }

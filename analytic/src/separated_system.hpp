@@ -8,13 +8,13 @@
 
 namespace stickslip::analytic {
 
-/// A real system y_t = A y in its eigenvectors: y = Re(Z z), z = W y, z_k_t = lambda_k z_k, with one eigenvalue of each
-/// complex pair, Im lambda_k >= 0.
+/// A real system y_t = A y in its eigenvectors: y = Re(Z z), z = W y, z_k_t = λ_k z_k, with one eigenvalue of each
+/// complex pair, Im λ_k ≥ 0.
 struct SeparatedSystem {
   std::vector<std::complex<double>> eigenvalue;
   std::vector<std::complex<double>> shape;    ///< Z, row by row
   std::vector<std::complex<double>> inverse;  ///< W, row by row
-  /// Largest difference of Re(Z lambda W) from A over the largest entry of A: what nearly parallel eigenvectors cost.
+  /// Largest difference of Re(Z λ W) from A over the largest entry of A: what nearly parallel eigenvectors cost.
   /// Infinite if they are parallel.
   double error{};
 };

@@ -213,8 +213,8 @@ bool SlipIntegrator::take(const Node& from, double length, Node& to) {
   return true;
 }
 
-// h^6/46080 max|v_s^(6)| over the step begin_ ... next. The quintic from before_ to next is off by
-// max|v_s^(6)|/720 (h1 h2)^3 at begin_.
+// h⁶/46080 max|v_s^(6)| over the step begin_ ... next. The quintic from before_ to next is off by
+// max|v_s^(6)|/720 (h1 h2)³ at begin_.
 double SlipIntegrator::interpolation_error(const Node& next) const {
   // A phase begins at v_s = 0: there the bound is zero up to round-off.
   if (!before_) return -velocity_floor_;

@@ -19,14 +19,14 @@ namespace {
 
 using std::numbers::pi;
 
-/// P L^2/EI of the strongest tension for which exp(-b) in the first mode can still be represented.
+/// P L²/EI of the strongest tension for which exp(-b) in the first mode can still be represented.
 constexpr double kStrongestTension = -1e5;
 
 /// Below the smaller wave number of every mode (about 1e-67 in the first one at the strongest tension), and
 /// large enough for its fourth power: at P = 0 the characteristic function vanishes at 0 itself.
 constexpr double kBelowEveryRoot = 1e-70;
 
-/// z = P L^2/EI and chi.
+/// z = P L²/EI and χ.
 struct Load {
   double factor{}, direction{};
 };
@@ -45,7 +45,7 @@ double characteristic(WaveNumbers wave_numbers, Load load) {
 }
 
 /// The characteristic function over the smaller wave number, where modes 2 pair - 1 and 2 pair lie:
-/// (2 pair - 2) pi < bb < 2 pair pi.
+/// (2 pair - 2) π < bb < 2 pair π.
 class PairCharacteristic {
  public:
   PairCharacteristic(int pair, Load load)
@@ -119,7 +119,7 @@ SlipMode::SlipMode(const data::Beam& beam, int number, double b, double bb)
       angular_frequency_(std::sqrt(bending_stiffness(beam) / mass_per_length(beam)) * b * bb /
                          (length_ * length_)) {
   const double e = std::exp(-b), c = std::cos(bb), s = std::sin(bb);
-  // psi''(L) = 0, and psi*'' + (1 - chi) z psi* = 0, give the ratio of the exponential parts.
+  // ψ''(L) = 0, and ψ*'' + (1 - χ) z ψ* = 0, give the ratio of the exponential parts.
   direct_ = clamped(b * b + bb * (bb * c + b * s) * e, -(b * b * e + bb * (bb * c - b * s)));
   const double fixed = beam.axial_direction() * axial_load_factor(beam);
   const double hyperbolic = (bb * bb - fixed) * bb, trigonometric = b * b + fixed;

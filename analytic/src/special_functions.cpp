@@ -6,7 +6,7 @@
 namespace stickslip::analytic {
 namespace {
 
-/// c3 by its Taylor series sum (-z)^j/(2j + 3)!; for |z| <= 4 eleven terms leave less than 4^11/25! = 3e-19.
+/// c3 by its Taylor series sum (-z)^j/(2j + 3)!; for |z| ≤ 4 eleven terms leave less than 4¹¹/25! = 3e-19.
 double c3_by_series(double z) {
   double term = 1.0 / 6.0, sum = term;
   for (int j = 1; j <= 10; ++j) {
@@ -16,7 +16,7 @@ double c3_by_series(double z) {
   return sum;
 }
 
-/// The hyperbolic forms, with y = sqrt(-z) and exp(-decay) drawn into the exponentials.
+/// The hyperbolic forms, with y = √(-z) and exp(-decay) drawn into the exponentials.
 double scaled_hyperbolic(int k, double y, double decay) {
   const double growing = 0.5 * std::exp(y - decay), decaying = 0.5 * std::exp(-y - decay);
   switch (k) {

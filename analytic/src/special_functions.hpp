@@ -16,18 +16,18 @@ namespace stickslip::analytic {
 // Stumpff functions, entire functions of z that join trigonometric (z > 0), polynomial (z = 0) and
 // hyperbolic (z < 0) formulas into one:
 //
-//     c0 = cos y,  c1 = sin(y)/y,  c2 = (1 - cos y)/y^2,  c3 = (y - sin y)/y^3,      y = sqrt(z),
+//     c0 = cos y,  c1 = sin(y)/y,  c2 = (1 - cos y)/y²,  c3 = (y - sin y)/y³,      y = √(z),
 //
-// and d/ds [s^k c_k(z s^2)] = s^(k-1) c_(k-1)(z s^2).
+// and d/ds [s^k c_k(z s²)] = s^(k-1) c_(k-1)(z s²).
 
-/// exp(-decay) c_k(z) for k = 0 ... 3. With decay >= sqrt(-z) nothing overflows, however large -z is.
+/// exp(-decay) c_k(z) for k = 0 ... 3. With decay ≥ √(-z) nothing overflows, however large -z is.
 /// Relative accuracy: a few eps away from the zeros of c0 and c1.
 [[nodiscard]] double scaled_stumpff(int k, double z, double decay);
 
 /// c_k(z), k = 0 ... 3.
 [[nodiscard]] inline double stumpff(int k, double z) { return scaled_stumpff(k, z, 0.0); }
 
-/// (exp(a tau) - exp(b tau))/(a - b), without the cancellation where a and b are close; Re a <= 0, Re b <= 0.
+/// (exp(a τ) - exp(b τ))/(a - b), without the cancellation where a and b are close; Re a ≤ 0, Re b ≤ 0.
 [[nodiscard]] inline std::complex<double> exponential_difference(std::complex<double> a,
                                                                  std::complex<double> b, double tau) {
   const std::complex<double> gap = (a - b) * tau;
@@ -38,15 +38,15 @@ namespace stickslip::analytic {
   return tau * std::exp(b * tau) * sum;
 }
 
-/// The largest |a + b s + c s^2/2| over |s| <= r.
+/// The largest |a + b s + c s²/2| over |s| ≤ r.
 inline double largest_parabola(double a, double b, double c, double r) {
   const double at_ends = std::abs(a + 0.5 * c * r * r) + std::abs(b) * r;
   if (std::abs(b) >= std::abs(c) * r) return at_ends;
   return std::max(at_ends, std::abs(a - 0.5 * b * b / c));
 }
 
-/// g_n(t) of Eq. (26), given sin(Omega t): as it stands where the frequencies are well apart, since the phase
-/// omega_n t of a high mode, known to omega_n t eps, then enters with its small amplitude only; else in the
+/// g_n(t) of Eq. (26), given sin(Ω t): as it stands where the frequencies are well apart, since the phase
+/// ω_n t of a high mode, known to ω_n t eps, then enters with its small amplitude only; else in the
 /// form without 0/0.
 [[nodiscard]] inline double modal_coordinate(double excitation, double natural, double t,
                                              double sine_of_excitation) {

@@ -25,7 +25,7 @@ using Complex = std::complex<double>;
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
-// d/ds of an analytic function, by Cauchy's formula with four nodes: what is left is (1e-3)^4.
+// d/ds of an analytic function, by Cauchy's formula with four nodes: what is left is (1e-3)⁴.
 template <class Function>
 Complex derivative(const Function& function, Complex s) {
   const double radius = 1e-3 * std::abs(s);
@@ -35,7 +35,7 @@ Complex derivative(const Function& function, Complex s) {
          (4.0 * radius);
 }
 
-// A root of Z(s) = kappa in the upper half plane, by Newton's method from a guess.
+// A root of Z(s) = κ in the upper half plane, by Newton's method from a guess.
 std::optional<Complex> root_near(const Mobility& mobility, double kappa, Complex guess) {
   const auto excess = [&](Complex s) { return 1.0 / mobility(s) - kappa; };
   Complex s = guess;
@@ -50,7 +50,7 @@ std::optional<Complex> root_near(const Mobility& mobility, double kappa, Complex
   return std::nullopt;
 }
 
-// Im Z(i omega) = 0 by Newton's method.
+// Im Z(i ω) = 0 by Newton's method.
 std::optional<HopfPoint> hopf_near(const Mobility& mobility, double guess) {
   const auto impedance = [&](Complex s) { return 1.0 / mobility(s); };
   double omega = guess;
@@ -65,7 +65,7 @@ std::optional<HopfPoint> hopf_near(const Mobility& mobility, double guess) {
   return std::nullopt;
 }
 
-// Followed from kappa = 0 in equal steps.
+// Followed from κ = 0 in equal steps.
 std::optional<Complex> root_at(const Mobility& mobility, double kappa, Complex free_root) {
   constexpr int steps = 16;
   Complex root = free_root, before = free_root;

@@ -16,7 +16,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// z_cr = P_cr L^2/EI = y^2/(1 + s^2 y^2), with y the first positive root of tan y = y/(1 + s^2 y^2).
+/// z_cr = P_cr L²/EI = y²/(1 + s² y²), with y the first positive root of tan y = y/(1 + s² y²).
 double buckling_load_factor(double s2) {
   const auto function = [s2](double y) { return (1.0 + s2 * y * y) * std::sin(y) - y * std::cos(y); };
   const double y =
@@ -33,7 +33,7 @@ double buckling_load_factor(double s2) {
 /// tanh(b)/b, even and entire near the real axis.
 double tanh_ratio(double b) { return b > 0.0 ? std::tanh(b) / b : 1.0; }
 
-/// d/db tanh(b)/b = -(sinh 2b - 2b)/(2 b^2 cosh^2 b), without the cancellation at small b.
+/// d/db tanh(b)/b = -(sinh 2b - 2b)/(2 b² cosh² b), without the cancellation at small b.
 double tanh_ratio_derivative(double b) {
   const double sech = 1.0 / std::cosh(b);
   if (b < 1.0) return -4.0 * b * stumpff(3, -4.0 * b * b) * sech * sech;
@@ -62,28 +62,28 @@ class StickCharacteristic {
   double z_;
 };
 
-/// Where the smaller wave number of mode n lies alone: n pi < bb < (n + 1/2) pi.
+/// Where the smaller wave number of mode n lies alone: n π < bb < (n + 1/2) π.
 Interval stick_bracket(int n, double z) {
   return {smaller_wave_number(n * pi, z), smaller_wave_number((n + 0.5) * pi, z)};
 }
 
-/// sinh(b eta)/sinh(b), 0 <= eta <= 1, by decaying exponentials.
+/// sinh(b η)/sinh(b), 0 ≤ η ≤ 1, by decaying exponentials.
 double sinh_ratio(double b, double eta) {
   return std::exp(-b * (1.0 - eta)) * std::expm1(-2.0 * b * eta) / std::expm1(-2.0 * b);
 }
 
-/// cosh(b eta)/sinh(b), 0 <= eta <= 1, by decaying exponentials.
+/// cosh(b η)/sinh(b), 0 ≤ η ≤ 1, by decaying exponentials.
 double cosh_over_sinh(double b, double eta) {
   return -std::exp(-b * (1.0 - eta)) * (1.0 + std::exp(-2.0 * b * eta)) / std::expm1(-2.0 * b);
 }
 
-/// 1/sinh(b)^2.
+/// 1/sinh(b)².
 double inverse_sinh_squared(double b) {
   const double inverse_sinh = cosh_over_sinh(b, 0.0);
   return inverse_sinh * inverse_sinh;
 }
 
-/// int_0^1 sinh(b eta)^2 d(eta)/sinh(b)^2 = (sinh 2b - 2b)/(4 b sinh^2 b), without the cancellation at small
+/// int_0¹ sinh(b η)² d(η)/sinh(b)² = (sinh 2b - 2b)/(4 b sinh² b), without the cancellation at small
 /// b.
 double hyperbolic_norm(double b) {
   if (b < 1.0) return 2.0 * b * b * stumpff(3, -4.0 * b * b) * inverse_sinh_squared(b);

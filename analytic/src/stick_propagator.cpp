@@ -18,7 +18,7 @@ using Complex = std::complex<double>;
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
-// A of y_t = unit A y, y = (omega_n T_n, T_n_t).
+// A of y_t = unit A y, y = (ω_n T_n, T_n_t).
 Matrix held_matrix(const ContactModel& model, double unit) {
   const std::size_t m = model.modes();
   Matrix matrix(2 * m, 2 * m);
@@ -155,7 +155,7 @@ double StickPropagator::force_rate(double t) const {
   return rate;
 }
 
-// z_tt = lambda^2 z + lambda F + F_t, and |z| grows by less than |F| times the length.
+// z_tt = λ² z + λ F + F_t, and |z| grows by less than |F| times the length.
 double StickPropagator::curvature_bound(double t, double length) const {
   double bound = omega_ * omega_ * std::hypot(force_harmonic_.sine, force_harmonic_.cosine);
   for (std::size_t k = 0; k < eigenvalue_.size(); ++k) {

@@ -21,7 +21,7 @@ namespace {
 using std::numbers::pi;
 using Complex = std::complex<double>;
 
-/// sinh(b eta)/sinh(b), 0 <= eta <= 1, for complex b with a real part that is not negative.
+/// sinh(b η)/sinh(b), 0 ≤ η ≤ 1, for complex b with a real part that is not negative.
 Complex sinh_ratio(Complex b, double eta) {
   if (std::abs(b) < 1.0) return std::sinh(b * eta) / std::sinh(b);
   return std::exp(-b * (1.0 - eta)) * (1.0 - std::exp(-2.0 * b * eta)) / (1.0 - std::exp(-2.0 * b));
@@ -32,7 +32,7 @@ Complex sinh_ratio(Complex b, double eta) {
 /// compression nor in tension divides 0 by 0.
 class SteadyShape {
  public:
-  /// scaled_frequency = omega L^2 sqrt(rho A/EI), not 0; load_factor = P L^2/EI.
+  /// scaled_frequency = ω L² √(ρ A/EI), not 0; load_factor = P L²/EI.
   SteadyShape(Complex scaled_frequency, double load_factor) {
     const double half = 0.5 * load_factor;
     const Complex root = std::sqrt(half * half + scaled_frequency * scaled_frequency);
@@ -54,7 +54,7 @@ class SteadyShape {
     return -(std::cos(bb_) * b_ * inverse_sinh() - q_) / determinant_;
   }
 
-  /// L^3 Y'''(L), dimensionless.
+  /// L³ Y'''(L), dimensionless.
   [[nodiscard]] Complex third_derivative_at_tip() const {
     return -(std::cos(bb_) * b_ * b_ * b_ * inverse_sinh() + q_ * bb_ * bb_) / determinant_;
   }
@@ -204,8 +204,8 @@ double StickResponse::absolute_displacement(double x, double t) const {
   return base_displacement(t) + relative_displacement(x, t);
 }
 
-/// max |f''|/A0 over 0 <= t <= duration. A mode counts with the smaller of two bounds: with its two sinusoids apart,
-/// the one at Omega joined with those of the other modes, or with both as one g_n.
+/// max |f''|/A0 over 0 ≤ t ≤ duration. A mode counts with the smaller of two bounds: with its two sinusoids apart,
+/// the one at Ω joined with those of the other modes, or with both as one g_n.
 double StickResponse::curvature_bound(double duration) const {
   double at_omega = force_.quasi_static, bound = 0.0;
   for (const auto& [natural, coefficient] : force_.modes) {

@@ -23,7 +23,7 @@ using Complex = std::complex<double>;
 
 constexpr double root_tolerance = 4.0 * std::numeric_limits<double>::epsilon();
 
-/// C = cosh(sqrt q) and T = sinh(sqrt q)/sqrt(q), both times `scale`, with which neither overflows.
+/// C = cosh(√q) and T = sinh(√q)/√(q), both times `scale`, with which neither overflows.
 struct Functions {
   Complex scale, cosh, sinh_over_root;
 };
@@ -49,7 +49,7 @@ class TimoshenkoBeam {
 
   [[nodiscard]] double cutoff() const { return 1.0 / (r2_ * s2_); }
 
-  /// f L^3/EI as numerator over determinant, for a complex B.
+  /// f L³/EI as numerator over determinant, for a complex B.
   struct Force {
     Complex numerator, determinant;
   };
@@ -98,7 +98,7 @@ class TimoshenkoBeam {
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
       const double lower = pinned[i], upper = pinned[i + 1] * (1.0 - 1e-12);
       // D is positive at the first end and changes its sign from end to end, once each. Where it has not yet the other sign
-      // short of the upper end, the root is within rounding of the lower one: where s^2 is large, the clamp holds next to
+      // short of the upper end, the root is within rounding of the lower one: where s² is large, the clamp holds next to
       // nothing.
       const bool is_even = i % 2 == 0;
       if ((determinant(lower) > 0.0) == is_even && (determinant(upper) < 0.0) == is_even)
@@ -109,9 +109,9 @@ class TimoshenkoBeam {
     return found;
   }
 
-  /// The first values of B with the tip free and P = 0, up to the cut-off, by m^2 = q_1 and n^2 = -q_2: a root of
+  /// The first values of B with the tip free and P = 0, up to the cut-off, by m² = q_1 and n² = -q_2: a root of
   /// 2 + (a/c + c/a) cosh(m) cos(n) + (m/n - n/m) sinh(m) sin(n) = 0, a = a_1, c = -a_2 = B/a, in each
-  /// (j - 1) pi < n < j pi.
+  /// (j - 1) π < n < j π.
   [[nodiscard]] std::vector<double> free(int count) const {
     const auto squared = [this](double n) {
       const double n2 = n * n, sum = 1.0 + (r2_ + s2_) * n2;
@@ -138,12 +138,12 @@ class TimoshenkoBeam {
   double r2_, s2_, z_, e_, follower_;
 };
 
-/// omega^2 at B = 1.
+/// ω² at B = 1.
 double squared_unit(const data::Beam& beam) {
   return bending_stiffness(beam) / (mass_per_length(beam) * std::pow(beam.length(), 4));
 }
 
-/// EI/L^3.
+/// EI/L³.
 double force_unit(const data::Beam& beam) { return bending_stiffness(beam) / std::pow(beam.length(), 3); }
 
 TimoshenkoBeam checked(const data::Beam& beam) {

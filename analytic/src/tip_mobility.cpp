@@ -13,10 +13,10 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// exp(-decay) Phi(q) and exp(-decay) c(q), where decay >= Re sqrt q.
+/// exp(-decay) Φ(q) and exp(-decay) c(q), where decay ≥ Re √q.
 struct ScaledFunctions {
-  Complex sinh;  // Phi(q) = sinh(sqrt q)/sqrt q
-  Complex cosh;  // c(q) = (cosh(sqrt q) - 1)/q
+  Complex sinh;  // Φ(q) = sinh(√q)/√q
+  Complex cosh;  // c(q) = (cosh(√q) - 1)/q
 };
 
 ScaledFunctions scaled_functions(Complex q, double decay) {
@@ -57,7 +57,7 @@ Both both(Complex k, Complex z) {
   return {decay, scaled_functions(a, decay), scaled_functions(b, decay)};
 }
 
-/// exp(-decay) [Phi(a) - Phi(b)]/(4 k), an even entire function of k.
+/// exp(-decay) [Φ(a) - Φ(b)]/(4 k), an even entire function of k.
 Complex numerator(Complex k, Complex z, const Both& at) {
   if (std::abs(k) >= 0.5) return (at.a.sinh - at.b.sinh) / (4.0 * k);
   const auto quotient = [&](Complex node) {
@@ -68,12 +68,12 @@ Complex numerator(Complex k, Complex z, const Both& at) {
   return mean_over_circle(quotient, k, 1.0);
 }
 
-/// exp(-decay) [1 + (k/2) (c(a) - c(b)) - (chi z/2) (c(a) + c(b))]; fixed_load = chi z.
+/// exp(-decay) [1 + (k/2) (c(a) - c(b)) - (χ z/2) (c(a) + c(b))]; fixed_load = χ z.
 Complex denominator(Complex k, Complex fixed_load, const Both& at) {
   return std::exp(-at.decay) + 0.5 * (k * (at.a.cosh - at.b.cosh) - fixed_load * (at.a.cosh + at.b.cosh));
 }
 
-/// The exponents of exp(+-l_i x/L), in the right half plane.
+/// The exponents of exp(±l_i x/L), in the right half plane.
 struct Exponents {
   Complex first, second;
 };
@@ -84,12 +84,12 @@ Exponents exponents(Complex k, Complex z) {
   return {right(0.5 * (sum + difference)), right(0.5 * (sum - difference))};
 }
 
-/// exp(-decay) u(xi)/[F L^3/D] without its denominator, where the exponents are apart:
+/// exp(-decay) u(ξ)/[F L³/D] without its denominator, where the exponents are apart:
 ///
-///     [(C_1x - C_2x)(l_1 S_1 - l_2 S_2) - (S_1x/l_1 - S_2x/l_2)(l_1^2 C_1 - l_2^2 C_2)]/(l_1^2 - l_2^2)^2.
+///     [(C_1x - C_2x)(l_1 S_1 - l_2 S_2) - (S_1x/l_1 - S_2x/l_2)(l_1² C_1 - l_2² C_2)]/(l_1² - l_2²)².
 Complex deflection(double xi, Complex k, Complex z, double decay) {
   const auto [l1, l2] = exponents(k, z);
-  // Products of two waves, times exp(-decay), where decay >= Re(l_1 + l_2).
+  // Products of two waves, times exp(-decay), where decay ≥ Re(l_1 + l_2).
   const auto product = [decay](Complex p, Complex q, double p_sign, double q_sign) {
     return 0.25 * (std::exp(p + q - decay) + q_sign * std::exp(p - q - decay) +
                    p_sign * std::exp(q - p - decay) + p_sign * q_sign * std::exp(-p - q - decay));
@@ -98,7 +98,7 @@ Complex deflection(double xi, Complex k, Complex z, double decay) {
   const auto sinh_cosh = [&](Complex p, Complex q) { return product(p, q, -1.0, 1.0); };
   const auto sinh = [decay](Complex p) { return 0.5 * (std::exp(p - decay) - std::exp(-p - decay)); };
   const Complex x1 = l1 * xi, x2 = l2 * xi;
-  // Of the products with the same exponent twice, which would grow as exp(l (1 + xi)), sinh(l (1 - xi)) is
+  // Of the products with the same exponent twice, which would grow as exp(l (1 + ξ)), sinh(l (1 - ξ)) is
   // left.
   const Complex alike = l1 * sinh(l1 - x1) + l2 * sinh(l2 - x2);
   const Complex mixed = l2 * l2 / l1 * sinh_cosh(x1, l2) - l2 * cosh_sinh(x1, l2) +
@@ -135,7 +135,7 @@ Complex TipMobility::transfer(double x, Complex s) const {
   const double length = beam_.length();
   const Both at = both(k, z);
   const double xi = x / length;
-  // The exponents meet at k = +-z/2, and both vanish with k and z.
+  // The exponents meet at k = ±z/2, and both vanish with k and z.
   const bool close = std::abs(z * z - 4.0 * k * k) < 1.0 || std::abs(k) < 0.5;
   const auto value = [&, load = z](Complex node) { return deflection(xi, node, load, at.decay); };
   const Complex shape = close ? mean_over_circle(value, k, std::abs(z) < 4.0 ? 6.0 : 1.0) : value(k);

@@ -5,8 +5,8 @@ namespace stickslip::solver {
 
 namespace {
 
-// A matrix of an element that looks the same from both ends, by its entries (w1, w1), (w1, theta1), (w1, w2),
-// (w1, theta2), (theta1, theta1), (theta1, theta2).
+// A matrix of an element that looks the same from both ends, by its entries (w1, w1), (w1, θ1), (w1, w2),
+// (w1, θ2), (θ1, θ1), (θ1, θ2).
 ElementMatrix symmetric(double a, double b, double c, double d, double e, double f) {
   ElementMatrix m;
   m << a, b, c, d,   //

@@ -25,20 +25,20 @@ PrescribedMotion harmonic_motion(const data::HarmonicExcitation& excitation) {
 
 namespace {
 
-// sum_n 2 zeta omega_n (M phi_n) (M phi_n)^T over all modes of the mesh, tip free and P = 0.
+// Σ_n 2 ζ ω_n (M φ_n) (M φ_n)ᵀ over all modes of the mesh, tip free and P = 0.
 Eigen::MatrixXd modal_damping(const BeamModel& model, double ratio) {
   constexpr int most_elements = 500;
   if (model.elements() > most_elements)
     throw data::FieldError(
         "numerics.elements", model.elements(),
         "at most " + std::to_string(most_elements) + " with a damping.ratio above 0, whose matrix is full");
-  // With M = L L^T, K = R R^T and L^-1 R = V Omega U^T, the modes are the columns of L^-T V. Singular values,
-  // since round-off is then relative to omega_max/omega_1 and not to its square, and none comes out negative.
+  // With M = L Lᵀ, K = R Rᵀ and L⁻¹ R = V Ω Uᵀ, the modes are the columns of L^-T V. Singular values,
+  // since round-off is then relative to ω_max/ω_1 and not to its square, and none comes out negative.
   const Eigen::MatrixXd mass_root = Eigen::MatrixXd(model.mass()).llt().matrixL();
   const Eigen::MatrixXd stiffness_root = Eigen::MatrixXd(model.elastic_stiffness()).llt().matrixL();
   const Eigen::BDCSVD<Eigen::MatrixXd> modes(mass_root.triangularView<Eigen::Lower>().solve(stiffness_root),
                                              Eigen::ComputeThinU);
-  const Eigen::MatrixXd momenta = mass_root * modes.matrixU();  // M phi_n
+  const Eigen::MatrixXd momenta = mass_root * modes.matrixU();  // M φ_n
   return 2.0 * ratio * momenta * modes.singularValues().asDiagonal() * momenta.transpose();
 }
 

@@ -3,7 +3,7 @@
 
 namespace stickslip::solver {
 
-/// A point with f(x) >= 0 at most `tolerance` from a root of f in [low, high], where f(low) < 0 <= f(high),
+/// A point with f(x) ≥ 0 at most `tolerance` from a root of f in [low, high], where f(low) < 0 ≤ f(high),
 /// by the Illinois variant of regula falsi (Dowell & Jarratt, BIT 11, 1971), which keeps the root bracketed
 /// and converges superlinearly. Falls back to bisection every fourth step, so that it always ends.
 template <typename Function>

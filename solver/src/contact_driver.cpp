@@ -54,7 +54,7 @@ void change_at_the_end_of_steps(ContactMotion& motion, double end_time) {
   motion.settle_at_rest();
 }
 
-// Sect. 3: the state for the step that begins, from |v_s| <= epsilon and |f_s| <= mu_s N alone.
+// Sect. 3: the state for the step that begins, from |v_s| ≤ ε and |f_s| ≤ μ_s N alone.
 void decide_as_the_paper(ContactMotion& motion) {
   const double sliding = motion.sliding_velocity();
   const bool sticks =

@@ -149,8 +149,8 @@ void ContactMotion::begin_yielding() {
 void ContactMotion::move_slider(double length) {
   const auto [slider, direction] = contact_.moved(phase_.wall_offset, position(), sliding_velocity());
   phase_.wall_offset = slider;
-  // On the line through the last two alpha levels, within the bound. After a kink q and v oscillate from step to step,
-  // and the stiff law would amplify that; the alpha level is free of it.
+  // On the line through the last two α levels, within the bound. After a kink q and v oscillate from step to step,
+  // and the stiff law would amplify that; the α level is free of it.
   const double force = kernel_->yielding_force(), level = method_.load_time(time_ - length, length);
   yielding_force_ =
       contact_.bounded(force + (force - alpha_level_force_) * (time_ - level) / (level - alpha_level_time_),

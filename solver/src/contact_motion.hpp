@@ -90,7 +90,7 @@ class ContactMotion {
   StepPhase phase_;
   int events_in_step_{};
   std::vector<data::ContactEvent> events_;
-  // Of a contact that yields: f_d now, and f_d and time of the last alpha level.
+  // Of a contact that yields: f_d now, and f_d and time of the last α level.
   double yielding_force_{}, alpha_level_force_{}, alpha_level_time_{};
   std::function<void()> observer_;
 };

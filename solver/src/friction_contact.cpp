@@ -11,7 +11,7 @@ namespace stickslip::solver {
 
 namespace {
 
-// The steepest fall of mu by the exponential term, s/m.
+// The steepest fall of μ by the exponential term, s/m.
 double weakening(const data::FrictionLaw& law) {
   return (law.static_coefficient() - law.kinetic_coefficient()) * law.decay();
 }
@@ -42,10 +42,10 @@ double FrictionContact::force(double direction, double sliding_velocity) const {
   return -direction * friction_coefficient(law_, sliding_velocity) * normal_force_;
 }
 
-// f_d = -d mu(v) N, with v = free_velocity + mobility f_d the sliding velocity at the alpha level. With w = d v
-// this is w + mobility N mu(w) = d free_velocity. For w < 0, where a trial step has overshot the end of the phase, mu
-// is mu_s. (For a law that jumps, mu_s is mu_m here.) The left side is convex, and it rises as long as
-// mobility N (mu_s - mu_m) alpha < 1. Newton's method from above then converges and stays above the root.
+// f_d = -d μ(v) N, with v = free_velocity + mobility f_d the sliding velocity at the α level. With w = d v
+// this is w + mobility N μ(w) = d free_velocity. For w < 0, where a trial step has overshot the end of the phase, μ
+// is μ_s. (For a law that jumps, μ_s is μ_m here.) The left side is convex, and it rises as long as
+// mobility N (μ_s - μ_m) α < 1. Newton's method from above then converges and stays above the root.
 double FrictionContact::alpha_level_force(double direction, double free_velocity, double mobility) const {
   const double forward = direction * free_velocity;
   const double strength = mobility * normal_force_;

@@ -17,7 +17,7 @@ class FrictionContact {
 
   [[nodiscard]] bool is_bonded() const noexcept { return std::isinf(limit_); }
 
-  /// |force| - mu_s N, N: above zero the contact cannot be held. Minus infinity if it is bonded.
+  /// |force| - μ_s N, N: above zero the contact cannot be held. Minus infinity if it is bonded.
   [[nodiscard]] double excess(double force) const noexcept {
     return is_bonded() ? -limit_ : std::abs(force) - limit_;
   }
@@ -25,7 +25,7 @@ class FrictionContact {
   /// f_d, N, in slip in `direction` = +1 or -1.
   [[nodiscard]] double force(double direction, double sliding_velocity) const;
 
-  /// f_d at the alpha level of a slip step, N, where the sliding velocity is free_velocity + mobility f_d.
+  /// f_d at the α level of a slip step, N, where the sliding velocity is free_velocity + mobility f_d.
   /// The only solution if require_unique_force() does not throw.
   [[nodiscard]] double alpha_level_force(double direction, double free_velocity, double mobility) const;
 
@@ -39,12 +39,12 @@ class FrictionContact {
   /// The force, N, cut to the bound of a contact that yields.
   [[nodiscard]] double bounded(double force, double sliding_velocity) const;
 
-  /// Sliding velocity and position on the wall at the alpha level of a step without f_d, and what a unit f_d adds.
+  /// Sliding velocity and position on the wall at the α level of a step without f_d, and what a unit f_d adds.
   struct Response {
     double velocity{}, position{};
     double mobility{}, flexibility{};
   };
-  /// The f_d, N, at the alpha level that is yielding_force() of the motion it causes. The only solution if
+  /// The f_d, N, at the α level that is yielding_force() of the motion it causes. The only solution if
   /// require_unique_force() does not throw.
   [[nodiscard]] double yielding_force(double slider, const Response& response) const;
 
@@ -55,14 +55,14 @@ class FrictionContact {
   };
   [[nodiscard]] Slider moved(double slider, double position, double sliding_velocity) const;
 
-  /// Throws std::runtime_error, naming the time and the longest possible step, unless mobility N (mu_s -
-  /// mu_m) alpha < 1: the friction law would fall faster than a step can follow.
+  /// Throws std::runtime_error, naming the time and the longest possible step, unless mobility N (μ_s -
+  /// μ_m) α < 1: the friction law would fall faster than a step can follow.
   void require_unique_force(double mobility, double time, double time_step) const;
 
  private:
   data::FrictionLaw law_;  // in slip
   data::TangentialContact tangential_;
-  double normal_force_, limit_;  // N, mu_s N
+  double normal_force_, limit_;  // N, μ_s N
 };
 
 }  // namespace stickslip::solver

@@ -11,7 +11,7 @@ HeldContact::HeldContact(const ContactSystem& system) : system_(system) {
   if (!is_positive_definite(SparseCholesky(system.mass)) || !is_positive_definite(constrained_mass))
     throw data::InputError("the mass matrix is not positive definite");
 
-  // lambda = M_ff^-1 M_fc, zero at c: what the contact's acceleration does to the others.
+  // λ = M_ff⁻¹ M_fc, zero at c: what the contact's acceleration does to the others.
   Eigen::VectorXd lambda = Eigen::VectorXd(system.mass.col(c));
   lambda[c] = 0.0;
   lambda = constrained_mass.solve(lambda).eval();

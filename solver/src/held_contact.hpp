@@ -18,18 +18,18 @@ class HeldContact {
   [[nodiscard]] double sliding_velocity(const Kinematics& state, double t) const;
 
   /// The friction force that gives the contact the acceleration of the wall, N,
-  /// f_d = r_q . q + r_v . v + r_s s(t) + m_c w_tt(t).
+  /// f_d = r_q · q + r_v · v + r_s s(t) + m_c ẅ(t).
   [[nodiscard]] double holding_force(const Kinematics& state, double t) const;
 
-  /// v <- v - M^-1 e_c m_c v_s: the contact takes the velocity of the wall by an impulse at it alone.
+  /// v <- v - M⁻¹ e_c m_c v_s: the contact takes the velocity of the wall by an impulse at it alone.
   void remove_sliding_velocity(Kinematics& state, double t) const;
 
-  /// m_c = 1/(e_c . M^-1 e_c), kg.
+  /// m_c = 1/(e_c . M⁻¹ e_c), kg.
   [[nodiscard]] double mass() const noexcept { return mass_; }
 
  private:
   const ContactSystem& system_;
-  Eigen::VectorXd impulse_response_;                         // m_c M^-1 e_c
+  Eigen::VectorXd impulse_response_;                         // m_c M⁻¹ e_c
   Eigen::VectorXd displacement_factors_, velocity_factors_;  // r_q, r_v
   double load_factor_{}, mass_{};                            // r_s, m_c
 };

@@ -27,7 +27,7 @@ Eigen::VectorXd with_tip_deflection_zero(const Eigen::VectorXd& reduced, Eigen::
   return full;
 }
 
-// phi^T M phi = 1 and a deflection of the first node that is not negative.
+// φᵀ M φ = 1 and a deflection of the first node that is not negative.
 Eigen::VectorXd normalised(Eigen::VectorXd shape, const SparseMatrix& mass) {
   shape /= std::sqrt(shape.dot(mass * shape));
   return shape[0] < 0.0 ? Eigen::VectorXd(-shape) : shape;
@@ -39,7 +39,7 @@ void require_count(int count, Eigen::Index available) {
                          "1 ... " + std::to_string(available) + ", the degrees of freedom of the mesh");
 }
 
-// Eigenpairs mu, phi of K_slip^-1 M phi = mu phi, by falling |mu|.
+// Eigenpairs μ, φ of K_slip⁻¹ M φ = μ φ, by falling |μ|.
 struct SlipEigenpairs {
   Eigen::VectorXcd mu;
   Eigen::MatrixXcd shapes;
@@ -73,7 +73,7 @@ std::vector<FiniteElementMode> stick_modes(const BeamModel& model, int count) {
   require_count(count, model.degrees_of_freedom() - 1);
   require_stable_stick_state(model);
   const Eigen::Index tip = model.tip_deflection();
-  // Ascending mu = 1/omega^2: the lowest modes stand last.
+  // Ascending μ = 1/ω²: the lowest modes stand last.
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(
       without_tip_deflection(model.mass(), tip), without_tip_deflection(model.stick_stiffness(), tip));
   if (solver.info() != Eigen::Success) throw std::runtime_error("stick-state eigenvalues did not converge");
@@ -112,7 +112,7 @@ std::vector<FiniteElementMode> slip_modes(const BeamModel& model, int count) {
 
 double stick_buckling_load(const BeamModel& model) {
   const Eigen::Index tip = model.tip_deflection();
-  // K_G phi = mu K phi, mu = 1/P: the largest mu is the lowest load.
+  // K_G φ = μ K φ, μ = 1/P: the largest μ is the lowest load.
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(
       without_tip_deflection(model.geometric_stiffness(), tip),
       without_tip_deflection(model.elastic_stiffness(), tip), Eigen::EigenvaluesOnly);

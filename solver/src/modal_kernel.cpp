@@ -30,7 +30,7 @@ void require_modal_form(const ContactSystem& system) {
 // What a step of one length needs, by mode.
 struct StepFactors {
   double length{};
-  Eigen::ArrayXd inverse_diagonal;  // 1/[1 - alpha_m + (1 - alpha_f) beta (omega h)^2]
+  Eigen::ArrayXd inverse_diagonal;  // 1/[1 - α_m + (1 - α_f) β (ω h)²]
   Eigen::ArrayXd contact_row;       // of the matrix of the step, times inverse_diagonal
   double contact_acceleration{};    // of the contact per unit force on it
 };
@@ -62,9 +62,9 @@ class ModalKernel final : public StepKernel {
   double time_step_;
   std::unique_ptr<StepKernel> sparse_;
   Eigen::Index modes_;
-  Eigen::ArrayXd stiffness_;     // omega^2
+  Eigen::ArrayXd stiffness_;     // ω²
   Eigen::ArrayXd coupling_;      // g
-  Eigen::ArrayXd follower_row_;  // P e_theta^T Phi
+  Eigen::ArrayXd follower_row_;  // P e_theta^T Φ
   Eigen::ArrayXd load_;          // p of the modes
   double contact_mass_entry_{}, contact_stiffness_{}, contact_load_{};
   StepFactors whole_step_, partial_step_;

@@ -30,7 +30,7 @@ ModalStickRun::ModalStickRun(const data::Beam& beam, const data::HarmonicExcitat
   inverse_factor_ = 1.0 / (1.0 - method_.alpha_m() + share * method_.beta() * stiffness_);
   load_ = (h_ * h_) * (basis_.modes.transpose() * (model_.mass() * sigma - model_.base_load())).array();
 
-  // eta = 0, and eta_tt = 0 since h_tt(0) = 0.
+  // η = 0, and η_tt = 0 since h_tt(0) = 0.
   start_ = Modes::Zero(count, 3);
   if (initial_velocity == InitialVelocity::zero) {
     const Eigen::VectorXd tip_alone =

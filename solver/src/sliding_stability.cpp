@@ -42,7 +42,7 @@ std::vector<std::complex<double>> sliding_eigenvalues(const ContactSystem& syste
   const Eigen::Index n = mass.rows();
   const Eigen::PartialPivLU<Eigen::MatrixXd> factors(stiffness);
   const Eigen::MatrixXd inertia = factors.solve(mass), losses = factors.solve(damping);
-  // (omega/s) x = A x of x = (q, q_t/omega), so that both halves of A have one size.
+  // (ω/s) x = A x of x = (q, q_t/ω), so that both halves of A have one size.
   const double omega = 1.0 / std::sqrt(inertia.norm());
   Eigen::MatrixXd inverse = Eigen::MatrixXd::Zero(2 * n, 2 * n);
   inverse.topLeftCorner(n, n) = -losses * omega;

@@ -58,8 +58,8 @@ class SparseKernel final : public StepKernel {
   const FrictionContact& contact_;
   GeneralizedAlpha method_;
   double time_step_;
-  Eigen::VectorXd static_shape_;                     // sigma
-  Eigen::VectorXd static_inertia_, static_damping_;  // M sigma, C sigma
+  Eigen::VectorXd static_shape_;                     // σ
+  Eigen::VectorXd static_inertia_, static_damping_;  // M σ, C σ
   StepMatrices whole_step_, partial_step_;
   Kinematics alpha_level_;
   Eigen::VectorXd residual_, new_acceleration_;
@@ -177,7 +177,7 @@ void SparseKernel::take_slip_step(StepMatrices& step, const StepPhase& phase, do
   method_.update(state, h, new_acceleration_);
 }
 
-// a = (1 - alpha_m) A^-1 (p s - C v - K q + contact force), A the matrix of a whole step.
+// a = (1 - α_m) A⁻¹ (p s - C v - K q + contact force), A the matrix of a whole step.
 void SparseKernel::restart(const StepPhase& phase, double time, Kinematics& now) {
   alpha_level_ = now;
   alpha_level_.acceleration.setZero();
@@ -208,13 +208,13 @@ void SparseKernel::add_static_shape(Kinematics& state, double wall_offset, doubl
   state.acceleration += (factor * system_.wall.acceleration(t)) * static_shape_;
 }
 
-// residual - M sigma w_tt - C sigma w_t.
+// residual - M σ w_tt - C σ w_t.
 void SparseKernel::subtract_static_shape_inertia(double t) {
   residual_.noalias() -= system_.wall.acceleration(t) * static_inertia_;
   residual_.noalias() -= system_.wall.velocity(t) * static_damping_;
 }
 
-// residual - M a - C v - K q at the alpha level.
+// residual - M a - C v - K q at the α level.
 void SparseKernel::subtract_internal_forces(const SparseMatrix& stiffness) {
   residual_.noalias() -= system_.mass * alpha_level_.acceleration;
   residual_.noalias() -= system_.damping * alpha_level_.velocity;

@@ -26,7 +26,7 @@ class StepKernel {
   virtual void take_step(const StepPhase& phase, const Kinematics& now, double time, double end_time,
                          Kinematics& next) = 0;
 
-  /// f_d at the alpha level of the last step of a contact that yields, N.
+  /// f_d at the α level of the last step of a contact that yields, N.
   [[nodiscard]] virtual double yielding_force() const = 0;
 
   /// Sets the acceleration of the method at the beginning of a phase (StickSlipIntegrator, "Restart").
@@ -43,7 +43,7 @@ class StepKernel {
                                                             const FrictionContact& contact,
                                                             const GeneralizedAlpha& method, double time_step);
 
-/// w at the alpha level of a step, weighted as displacements are and not taken at t_star: a spring to the wall then
+/// w at the α level of a step, weighted as displacements are and not taken at t_star: a spring to the wall then
 /// gets the weighted position of the contact.
 [[nodiscard]] inline double alpha_level_wall(const ContactSystem& system, const GeneralizedAlpha& method,
                                              double time, double length) {

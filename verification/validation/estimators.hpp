@@ -64,10 +64,10 @@ struct Slider {
   double mass{0.0307};        ///< m of the weight, kg
   double stiffness{};         ///< k, N/m
   double speed{};             ///< V, m/s
-  double gravity{9.81};       ///< g, m/s^2
+  double gravity{9.81};       ///< g, m/s²
   double moved_mass{0.0307};  ///< m_i of the inertia, kg
 
-  [[nodiscard]] double angular_frequency() const;  ///< omega = sqrt(k/m_i), rad/s
+  [[nodiscard]] double angular_frequency() const;  ///< ω = √(k/m_i), rad/s
   [[nodiscard]] double stick_rate()
       const;  ///< k V/(m g), 1/s: of the force of the spring while the slider rests
 };
@@ -77,7 +77,7 @@ struct Slider {
 /// `rise_ratio`, the mean rate from a minimum to the next maximum in parts of k V/(m g). Where the motion is regular (above 1
 /// mm/s) also `second_period`, s, by autocorrelation.
 ///
-/// Impulses are taken out by a running median over a twelfth of 2 pi/omega. A turning point counts if the force comes back
+/// Impulses are taken out by a running median over a twelfth of 2 π/ω. A turning point counts if the force comes back
 /// by eight times the noise. The uncertainty holds half of what counting from twelve times changes, and the noise that is left.
 [[nodiscard]] Figures read_slider(const Record& record, const Slider& slider);
 

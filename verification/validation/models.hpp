@@ -15,11 +15,11 @@ namespace stickslip::validation {
 /// Values by the names of their quantities.
 using Values = std::map<std::string, double>;
 
-/// The slider with a rigid contact and constant coefficients (theory.md, Sect. 17): with D = (mu_s - mu_k) m g omega/(k V)
+/// The slider with a rigid contact and constant coefficients (theory.md, Sect. 17): with D = (μ_s - μ_k) m g ω/(k V)
 ///
-///     period = (2/omega) (pi - arctan D + D),     force_range = 2 sqrt((mu_s - mu_k)^2 + (k V/(omega m g))^2),
-///     fall_time = (arccos(-0.8) - arccos(0.8))/omega,     mean_force = mu_k,
-///     rise_ratio = force_range m g/(k V (period - pi/omega)).
+///     period = (2/ω) (π - arctan D + D),     force_range = 2 √((μ_s - μ_k)² + (k V/(ω m g))²),
+///     fall_time = (arccos(-0.8) - arccos(0.8))/ω,     mean_force = μ_k,
+///     rise_ratio = force_range m g/(k V (period - π/ω)).
 [[nodiscard]] Values rigid_slider(const Slider& slider, double kinetic, double excess);
 
 /// The force of the spring of that motion in parts of the weight, t in s after the start of a slip.

@@ -67,10 +67,10 @@ struct Comparison {
   Figure measured;        ///< D, u_D
 
   [[nodiscard]] double error() const;        ///< E = S - D
-  [[nodiscard]] double uncertainty() const;  ///< u_val = sqrt(u_D^2 + u_input^2 + u_num^2)
-  /// Whether |E| >= u_val: the error of the model lies in E +- 2 u_val. Otherwise nothing was resolved.
+  [[nodiscard]] double uncertainty() const;  ///< u_val = √(u_D² + u_input² + u_num²)
+  /// Whether |E| ≥ u_val: the error of the model lies in E ± 2 u_val. Otherwise nothing was resolved.
   [[nodiscard]] bool is_resolved() const;
-  [[nodiscard]] bool contains_zero() const;  ///< whether E +- 2 u_val does
+  [[nodiscard]] bool contains_zero() const;  ///< whether E ± 2 u_val does
 };
 
 /// Every recorded prediction, that of its latest entry, in the order of the table.
@@ -79,7 +79,7 @@ struct Comparison {
 /// Bias and spread of one quantity over all points of an experiment.
 struct Bias {
   std::string experiment, quantity, form;
-  std::size_t points{}, resolved{}, beyond{};  ///< all; with |E| >= u_val; with zero outside E +- 2 u_val
+  std::size_t points{}, resolved{}, beyond{};  ///< all; with |E| ≥ u_val; with zero outside E ± 2 u_val
   double mean{};                               ///< of E/D
   double spread{};                             ///< its standard deviation
 };

@@ -3,14 +3,14 @@
 
 namespace stickslip::certified {
 
-/// The dimensionless wave numbers b = beta L and bb = betabar L.
+/// The dimensionless wave numbers b = β L and bb = betabar L.
 template <class T>
 struct WaveNumbers {
   T hyperbolic, trigonometric;
 };
 
-/// Both wave numbers at kappa = omega L^2 sqrt(rho A/EI): b^2 = -z/2 + s, bb^2 = z/2 + s, s = sqrt(z^2/4 +
-/// kappa^2).
+/// Both wave numbers at κ = ω L² √(ρ A/EI): b² = -z/2 + s, bb² = z/2 + s, s = √(z²/4 +
+/// κ²).
 template <class T>
 WaveNumbers<T> wave_numbers(const T& kappa, const T& load_factor) {
   const T half = load_factor / 2;

@@ -5,17 +5,17 @@
 
 namespace stickslip::studies {
 
-/// Angular frequency Omega = 2 pi f of the excitation, rad/s.
+/// Angular frequency Ω = 2 π f of the excitation, rad/s.
 [[nodiscard]] double angular_frequency(const data::HarmonicExcitation& excitation);
 
-/// mu_s P, N.
+/// μ_s P, N.
 [[nodiscard]] double friction_limit(const data::FrictionLaw& friction, const data::Beam& beam);
 [[nodiscard]] double friction_limit(const data::Case& problem);
 
 /// Whether the case has Kelvin-Voigt damping or a damping ratio above 0.
 [[nodiscard]] bool is_damped(const data::Case& problem);
 
-/// E/(kappa G) of a rectangular section with kappa = 5/6 and Poisson's ratio 0.3.
+/// E/(κ G) of a rectangular section with κ = 5/6 and Poisson's ratio 0.3.
 constexpr double shear_flexibility = 3.12;
 
 /// The beam with the shear stiffness E A/shear_flexibility unless it has one; and rigid in shear.

@@ -5,7 +5,7 @@
 
 namespace stickslip::studies {
 
-/// int_0^L g(x) dx by the composite Simpson rule with 400 intervals per half wave of the mode. The relative
+/// ∫_0^L g(x) dx by the composite Simpson rule with 400 intervals per half wave of the mode. The relative
 /// error is below 1e-9 for the mode shape, its derivatives and their squares.
 template <typename Function, typename Mode>
 double simpson_integral(Function&& g, double length, const Mode& mode) {

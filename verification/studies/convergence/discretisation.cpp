@@ -18,7 +18,7 @@ using Complex = std::complex<double>;
 
 // One time step of an oscillator by the equations of Chung & Hulbert (1993):
 //
-//     (q, h v, h^2 a)_(n+1) = map (q, h v, h^2 a)_n + load h^2 F(t_n + load_time h).
+//     (q, h v, h² a)_(n+1) = map (q, h v, h² a)_n + load h² F(t_n + load_time h).
 struct StepMap {
   Eigen::Matrix3d map;
   Eigen::Vector3d load;
@@ -42,11 +42,11 @@ Eigen::Vector3cd amplification_eigenvalues(double spectral_radius, double omega_
   return step_map(spectral_radius, omega_times_step).map.eigenvalues();
 }
 
-// d = lambda - 1 of the eigenvalue near `d`, by Newton's method on the characteristic equation of a step,
+// d = λ - 1 of the eigenvalue near `d`, by Newton's method on the characteristic equation of a step,
 //
-//     d^2 (1 + (1 - alpha_m) d) + k (1 + (1 - alpha_f) d) (1 + (1/2 + gamma) d + beta d^2) = 0,   k = (omega h)^2.
+//     d² (1 + (1 - α_m) d) + k (1 + (1 - α_f) d) (1 + (1/2 + γ) d + β d²) = 0,   k = (ω h)².
 //
-// The eigenvalue of the matrix is known to eps/(omega h), which is more than the error of a short step.
+// The eigenvalue of the matrix is known to eps/(ω h), which is more than the error of a short step.
 Complex polished(double spectral_radius, double k, Complex d) {
   const AlphaParameters method(spectral_radius);
   const double m = 1.0 - method.alpha_m, f = 1.0 - method.alpha_f, g = 0.5 + method.gamma;
@@ -80,8 +80,8 @@ NumericalOscillation generalized_alpha_oscillation(double spectral_radius, doubl
   const Eigen::Vector3cd eigenvalues = amplification_eigenvalues(spectral_radius, angle);
   const Complex principal = *std::max_element(eigenvalues.begin(), eigenvalues.end(),
                                               [](Complex a, Complex b) { return a.imag() < b.imag(); });
-  // In a very short step the matrix has a double eigenvalue but for rounding. The search then begins at exp(i omega h),
-  // which is near the eigenvalue in short steps alone: from omega h = 0.3 on three steps of Newton's method are too few,
+  // In a very short step the matrix has a double eigenvalue but for rounding. The search then begins at exp(i ω h),
+  // which is near the eigenvalue in short steps alone: from ω h = 0.3 on three steps of Newton's method are too few,
   // and from 2.2 on it ends at another eigenvalue (found by trial).
   const Complex start =
       angle < 1e-3 ? Complex(-2.0 * std::pow(std::sin(0.5 * angle), 2), std::sin(angle)) : principal - 1.0;

@@ -13,12 +13,12 @@
 
 namespace stickslip::studies {
 
-/// Leading relative error of an eigenvalue omega^2 on Hermite elements of length l (m), which is the bending
+/// Leading relative error of an eigenvalue ω² on Hermite elements of length l (m), which is the bending
 /// energy of the interpolation error:
 ///
-///     (omega_h^2 - omega^2)/omega^2 = l^4/720 EI int U''''^2 dx / (omega^2 rho A int U^2 dx) + O(l^6).
+///     (ω_h² - ω²)/ω² = l⁴/720 EI ∫ U''''² dx / (ω² ρ A ∫ U² dx) + O(l⁶).
 ///
-/// At P = 0 it is (beta l)^4/720. The leading error is positive.
+/// At P = 0 it is (β l)⁴/720. The leading error is positive.
 [[nodiscard]] double hermite_eigenvalue_error(const data::Beam& beam, const analytic::StickMode& mode,
                                               double element_length);
 
@@ -32,14 +32,14 @@ struct AlphaParameters {
   double beta = 0.25 * (1.0 - alpha_m + alpha_f) * (1.0 - alpha_m + alpha_f);
 };
 
-/// Frequency and decay rate of a free vibration exp(i omega t) after time integration by generalised-alpha.
+/// Frequency and decay rate of a free vibration exp(i ω t) after time integration by generalised-alpha.
 /// The method replaces it by exp((-decay_rate + i angular_frequency) t), computed from the principal
-/// eigenvalues of the amplification matrix. Accuracy: rounding of omega, and eps omega^2 h of the decay rate.
+/// eigenvalues of the amplification matrix. Accuracy: rounding of ω, and eps ω² h of the decay rate.
 struct NumericalOscillation {
   double angular_frequency{};  ///< rad/s
   double decay_rate{};         ///< 1/s
 };
-/// Both quantities for the angular frequency omega (rad/s) and the time step (s).
+/// Both quantities for the angular frequency ω (rad/s) and the time step (s).
 [[nodiscard]] NumericalOscillation generalized_alpha_oscillation(double spectral_radius,
                                                                  double angular_frequency, double time_step);
 
@@ -47,44 +47,44 @@ struct NumericalOscillation {
 /// radius.
 [[nodiscard]] std::vector<double> amplification_moduli(double spectral_radius, double omega_times_step);
 
-/// The response of generalised-alpha to g_tt + w^2 g = -sin(Omega t) from rest, exact but for rounding. With
-/// x = (g, h g_t, h^2 g_tt) one step is x_(n+1) = A x_n + b sin(Omega (t_n + (1 - alpha_f) h)). Hence
+/// The response of generalised-alpha to g_tt + w² g = -sin(Ω t) from rest, exact but for rounding. With
+/// x = (g, h g_t, h² g_tt) one step is x_(n+1) = A x_n + b sin(Ω (t_n + (1 - α_f) h)). Hence
 ///
-///     x_n = Im[X exp(i Omega t_n)] + Re[sum c_j v_j lambda_j^n],   A v_j = lambda_j v_j,
-///     X = (exp(i Omega h) - A)^-1 b exp(i Omega (1 - alpha_f) h),   Re[sum c_j v_j] = -Im X.
+///     x_n = Im[X exp(i Ω t_n)] + Re[sum c_j v_j λ_j^n],   A v_j = λ_j v_j,
+///     X = (exp(i Ω h) - A)⁻¹ b exp(i Ω (1 - α_f) h),   Re[sum c_j v_j] = -Im X.
 ///
 /// b includes the minus sign of the load. The method starts with x_0 = 0, because the load and the
 /// acceleration are zero at t = 0.
 ///
-/// The effect on the free vibration, whose exact amplitude is B = Omega/(w (w^2 - Omega^2)), is as follows.
-/// Up to terms of order h^4 the method solves
+/// The effect on the free vibration, whose exact amplitude is B = Ω/(w (w² - Ω²)), is as follows.
+/// Up to terms of order h⁴ the method solves
 ///
-///     g_t = v + h^2 k_1 v_tt,   v_t = -w^2 g + F + h^2 (k_2 v_ttt - k_3 F_tt),   F = -sin(Omega t),
-///     d = alpha_f - alpha_m,   k_1 = 1/12 + d^2/4,   k_2 = 1/12 + d^2/2,   k_3 = alpha_f (1 - alpha_f)/2
+///     g_t = v + h² k_1 v_tt,   v_t = -w² g + F + h² (k_2 v_ttt - k_3 F_tt),   F = -sin(Ω t),
+///     d = α_f - α_m,   k_1 = 1/12 + d²/4,   k_2 = 1/12 + d²/2,   k_3 = α_f (1 - α_f)/2
 ///
-/// with the initial value v(0) = (d^2/2) h^2 v_tt(0), because the acceleration of step n belongs to the time
-/// t_n - d h. Hence, for Omega << w,
+/// with the initial value v(0) = (d²/2) h² v_tt(0), because the acceleration of step n belongs to the time
+/// t_n - d h. Hence, for Ω << w,
 ///
-///     w_h = w (1 - (w h)^2 (k_1 + k_2)/2),   B_h = B [1 - (w h)^2 (3/8) d^2 + O((Omega h)^2)].
+///     w_h = w (1 - (w h)² (k_1 + k_2)/2),   B_h = B [1 - (w h)² (3/8) d² + O((Ω h)²)].
 ///
-/// A continuous oscillator of frequency w_h would have the amplitude B (w/w_h)^3 from rest. This exceeds B by
-/// the relative amount (3/2)(k_1 + k_2)(w h)^2, at least (w h)^2/4. The frequency w_h alone therefore does
+/// A continuous oscillator of frequency w_h would have the amplitude B (w/w_h)³ from rest. This exceeds B by
+/// the relative amount (3/2)(k_1 + k_2)(w h)², at least (w h)²/4. The frequency w_h alone therefore does
 /// not predict the amplitude.
 struct SteppedResponse {
   struct Term {
     std::complex<double> amplitude, factor;
   };
   std::complex<double> steady;  ///< X of g
-  std::vector<Term> free;       ///< c_j v_j of g and lambda_j, Im lambda_j >= 0; conjugate pairs combined
+  std::vector<Term> free;       ///< c_j v_j of g and λ_j, Im λ_j ≥ 0; conjugate pairs combined
 
-  /// g after n steps with the angle `step_angle` = Omega h each.
+  /// g after n steps with the angle `step_angle` = Ω h each.
   [[nodiscard]] double at(long n, double step_angle) const;
 };
 /// The stepped response of an oscillator with `natural_frequency` w and load frequency `omega` (both rad/s).
 [[nodiscard]] SteppedResponse stepped_from_rest(double spectral_radius, double natural_frequency,
                                                 double omega, double time_step);
 
-/// Angular frequency of a mode on the mesh, rad/s: omega_n sqrt(1 + hermite_eigenvalue_error).
+/// Angular frequency of a mode on the mesh, rad/s: ω_n √(1 + hermite_eigenvalue_error).
 [[nodiscard]] double frequency_on_mesh(const data::Beam& beam, const analytic::StickMode& mode, int elements);
 
 /// Frequency and decay rate of the free vibration of a mode after discretisation in space and time.
@@ -99,7 +99,7 @@ struct SteppedResponse {
                                  const std::vector<analytic::Sinusoid>& transient,
                                  const data::NumericalSettings& numerics, double duration);
 
-/// The static friction force that theory predicts for the finite-element run: Eq. (28) with omega_n replaced
+/// The static friction force that theory predicts for the finite-element run: Eq. (28) with ω_n replaced
 /// by frequency_on_mesh() and g_n by stepped_from_rest(). Its |f_max| is the prediction of the finite-element
 /// value, including beating and resonance.
 class PredictedForce {
@@ -114,14 +114,14 @@ class PredictedForce {
   /// Estimated uncertainty of max_abs(), N. With the element length l, the leading eigenvalue error e_n and
   /// the duration T it is the sum of
   ///
-  ///     |a_n| min(2, omega_n T e_n (beta_n l)^2/80 + e_n)    for n <= modes
+  ///     |a_n| min(2, ω_n T e_n (β_n l)²/80 + e_n)    for n ≤ modes
   ///     2 |a_n|                                              for n > modes, and the omitted tail
-  ///     (Omega h)^2/8 |steady remainder|
+  ///     (Ω h)²/8 |steady remainder|
   ///
-  /// First row: the next term of e_n is about e_n (beta_n l)^2/40 and changes the phase; e_n changes the
+  /// First row: the next term of e_n is about e_n (β_n l)²/40 and changes the phase; e_n changes the
   /// amplitude. Second row: the phase is unknown. Third row: the remainder is the contribution of the modes n
-  /// > modes at Omega; its relative error for stiff modes is (Omega h)^2 k_3 with k_3 <= 1/8. Time steps add
-  /// no error for n <= modes, because stepped_from_rest() is exact.
+  /// > modes at Ω; its relative error for stiff modes is (Ω h)² k_3 with k_3 ≤ 1/8. Time steps add
+  /// no error for n ≤ modes, because stepped_from_rest() is exact.
   [[nodiscard]] double uncertainty() const;
 
  private:
@@ -130,7 +130,7 @@ class PredictedForce {
     SteppedResponse response;
   };
   double omega_{};
-  double rest_amplitude_{};  // of the part at Omega that is not in terms_
+  double rest_amplitude_{};  // of the part at Ω that is not in terms_
   double time_step_{};
   long steps_{};
   double phase_uncertainty_{};  // the first two of the three rows of uncertainty()

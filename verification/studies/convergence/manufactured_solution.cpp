@@ -26,10 +26,10 @@ using solver::ElementVector;
 
 constexpr double wave_amplitude = 1e-4;  // A, m
 constexpr double shape_a = 1.3, shape_b = 0.7;
-constexpr double frequency_factor = 7.5;    // of omega and lambda, in sqrt(EI/rho A)/L^2
-constexpr double kelvin_voigt = 6.4e-5;     // eta with friction, s
-constexpr double friction_decay = 1.0;      // alpha, s/m
-constexpr double static_coefficient = 0.6;  // mu_s; mu_m = 0
+constexpr double frequency_factor = 7.5;    // of ω and λ, in √(EI/ρ A)/L²
+constexpr double kelvin_voigt = 6.4e-5;     // η with friction, s
+constexpr double friction_decay = 1.0;      // α, s/m
+constexpr double static_coefficient = 0.6;  // μ_s; μ_m = 0
 constexpr double slowest_sliding = 0.5;     // v_s at t = 0, m/s
 constexpr double far_wall_speed = 1e3;      // m/s, faster than the tip
 constexpr double space_spectral_radius = 0.9;
@@ -55,7 +55,7 @@ struct Problem {
   ManufacturedTip tip;
   data::Beam beam;
   double length, mass_per_length, rigidity, axial_force;
-  double rate;  // omega or lambda, 1/s
+  double rate;  // ω or λ, 1/s
   double eta;   // s
   ExponentialSum phi;
 
@@ -65,9 +65,9 @@ struct Problem {
     if (decays()) return std::pow(-rate, order) * std::exp(-rate * t);
     return std::pow(rate, order) * std::cos(rate * t + order * std::numbers::pi / 2.0);
   }
-  // s = g_tt/g, 1/s^2.
+  // s = g_tt/g, 1/s².
   [[nodiscard]] double history_ratio() const { return decays() ? rate * rate : -rate * rate; }
-  // D (1 + eta d/dt) for this time function, N m^2.
+  // D (1 + η d/dt) for this time function, N m².
   [[nodiscard]] double effective_rigidity() const { return rigidity * (1.0 - (decays() ? eta * rate : 0.0)); }
   [[nodiscard]] double duration() const { return (decays() ? 1.0 : std::numbers::pi) / rate; }
 
@@ -98,7 +98,7 @@ Problem manufactured_problem(const data::Beam& beam, ManufacturedTip tip, double
           .phi = {{{0.5 * wave_amplitude, slow}, {-0.5 * wave_amplitude, fast}}}};
 }
 
-// E of the header: a particular solution for each term of phi, plus four homogeneous solutions whose weights
+// E of the header: a particular solution for each term of φ, plus four homogeneous solutions whose weights
 // satisfy the boundary conditions.
 ExponentialSum leading_nodal_error(const Problem& problem) {
   const double rigidity = problem.effective_rigidity(), force = problem.axial_force, length = problem.length;
@@ -159,7 +159,7 @@ double integral(double length, int intervals, const Function& function) {
   return sum;
 }
 
-constexpr int smooth_intervals = 16;  // for integrals of phi and E
+constexpr int smooth_intervals = 16;  // for integrals of φ and E
 
 // N, N' or N'' at s. The derivatives are written here and not taken from the solver.
 ElementVector shape_functions(int order, double s, double l) {
@@ -192,7 +192,7 @@ Eigen::VectorXd nodal_values(const ExponentialSum& shape, const solver::BeamMode
   return values;
 }
 
-// int N q dx, plus the moment at the tip and, in slip, the force at the tip.
+// ∫ N q dx, plus the moment at the tip and, in slip, the force at the tip.
 Eigen::VectorXd implied_load(const Problem& problem, const solver::BeamModel& model) {
   const int elements = model.elements();
   const double l = problem.length / elements;
@@ -208,7 +208,7 @@ Eigen::VectorXd implied_load(const Problem& problem, const solver::BeamModel& mo
   return load;
 }
 
-// The L2 norm of u_h - phi g or of one of its derivatives.
+// The L2 norm of u_h - φ g or of one of its derivatives.
 double difference(const Problem& problem, const solver::BeamModel& model, const Eigen::VectorXd& q, double g,
                   int order) {
   const double l = problem.length / model.elements();
@@ -218,9 +218,9 @@ double difference(const Problem& problem, const solver::BeamModel& model, const 
   }));
 }
 
-// The finite-element system under the load p g(t) with the wall of the problem. With friction, the law mu =
-// mu_s exp(-alpha v_s) must give the force tip_force() exp(-lambda t). The normal force N is chosen so that
-// this holds at v_s = v_0, and the wall moves relative to the tip such that v_s = -(v_0 + lambda t/alpha) or
+// The finite-element system under the load p g(t) with the wall of the problem. With friction, the law μ =
+// μ_s exp(-α v_s) must give the force tip_force() exp(-λ t). The normal force N is chosen so that
+// this holds at v_s = v_0, and the wall moves relative to the tip such that v_s = -(v_0 + λ t/α) or
 // the opposite sign.
 solver::ContactSystem contact_system(const Problem& problem, const solver::BeamModel& model,
                                      const Eigen::VectorXd& load) {
@@ -275,7 +275,7 @@ EndOfRun run(const Problem& problem, const solver::BeamModel& model, const Eigen
   return {integrator.displacement(), integrator.velocity(), integrator.friction_force()};
 }
 
-// K + s M of the state. The damping is included, because d/dt is -lambda for the decaying motion.
+// K + s M of the state. The damping is included, because d/dt is -λ for the decaying motion.
 Eigen::MatrixXd dynamic_stiffness(const Problem& problem, const solver::BeamModel& model) {
   const double damped = problem.effective_rigidity() / problem.rigidity - 1.0;
   return Eigen::MatrixXd(model.slip_stiffness()) + damped * Eigen::MatrixXd(model.elastic_stiffness()) +
@@ -317,7 +317,7 @@ Eigen::EigenSolver<Eigen::MatrixXd> free_vibrations(const Problem& problem, cons
       Eigen::MatrixXd(model.mass()).llt().solve(Eigen::MatrixXd(model.slip_stiffness())));
 }
 
-// The leading time-integration error of a motion Q cos(omega t) that starts at rest.
+// The leading time-integration error of a motion Q cos(ω t) that starts at rest.
 Eigen::VectorXd leading_time_error(const Problem& problem, const solver::BeamModel& model,
                                    const Eigen::VectorXd& shape, double spectral_radius, double h) {
   const AlphaParameters method(spectral_radius);
@@ -364,8 +364,8 @@ double l2_norm(const solver::BeamModel& model, const Eigen::VectorXd& q) {
 // Integrals over the beam that the predicted errors in space consist of.
 struct SpaceErrorTerms {
   ExponentialSum nodal_error;
-  std::array<double, 7> square{};  ///< of the derivatives of phi, by order
-  // Squares of the contribution of the nodal error to each norm, in units of (l^4/720)^2. The mixed terms
+  std::array<double, 7> square{};  ///< of the derivatives of φ, by order
+  // Squares of the contribution of the nodal error to each norm, in units of (l⁴/720)². The mixed terms
   // with u - Iu are included.
   double nodal_deflection{}, nodal_slope{}, nodal_curvature{};
   double second_curvature_term{};

@@ -61,7 +61,7 @@ solver::ContactSystem contact_system(const Chain& chain, bool held) {
           .friction = data::FrictionLaw({})};
 }
 
-// Complex amplitudes: a quantity is the imaginary part of amplitude exp(i omega t).
+// Complex amplitudes: a quantity is the imaginary part of amplitude exp(i ω t).
 struct ExactSteadyState {
   Eigen::Vector2cd displacement;
   Complex reaction;
@@ -78,7 +78,7 @@ ExactSteadyState held_steady_state(const Chain& chain) {
           z(1, 0) * first + z(1, 1) * wall_amplitude - chain.load[1]};
 }
 
-// The steady state that generalised-alpha computes for M a + C v + K q = Im[F exp(i omega t)]: amplitudes Q
+// The steady state that generalised-alpha computes for M a + C v + K q = Im[F exp(i ω t)]: amplitudes Q
 // and V.
 struct Vibration {
   Eigen::VectorXcd displacement, velocity;
@@ -89,13 +89,13 @@ struct Oscillators {
   Eigen::VectorXcd load;
 };
 
-// The steady state of the method at a finite step (Chung & Hulbert 1993). With E = exp(i omega h), q_n = Q
+// The steady state of the method at a finite step (Chung & Hulbert 1993). With E = exp(i ω h), q_n = Q
 // E^n, and the same for v and a:
 //
-//     V (E - 1) = h A (1 - gamma + gamma E),
-//     Q (E - 1) = h V + h^2 A (1/2 - beta + beta E).
+//     V (E - 1) = h A (1 - γ + γ E),
+//     Q (E - 1) = h V + h² A (1/2 - β + β E).
 //
-// The balance holds at the alpha levels, with the load at t_n + (1 - alpha_f) h.
+// The balance holds at the α levels, with the load at t_n + (1 - α_f) h.
 Vibration stepped(const Oscillators& system, double spectral_radius, double h) {
   const auto [am, af, gamma, beta] = AlphaParameters(spectral_radius);
   const Complex rotation = std::polar(1.0, omega * h);
@@ -109,11 +109,11 @@ Vibration stepped(const Oscillators& system, double spectral_radius, double h) {
   return {displacement * acceleration, velocity * acceleration};
 }
 
-// The limit of error/h^2 for h -> 0, from the equations that the method solves up to h^4
+// The limit of error/h² for h -> 0, from the equations that the method solves up to h⁴
 // (discretisation.hpp):
 //
-//     V = i omega Q (1 + k_1 (omega h)^2),
-//     i omega M V (1 + k_2 (omega h)^2) + C V + K Q = F (1 + k_3 (omega h)^2).
+//     V = i ω Q (1 + k_1 (ω h)²),
+//     i ω M V (1 + k_2 (ω h)²) + C V + K Q = F (1 + k_3 (ω h)²).
 Vibration leading_error(const Oscillators& system, double spectral_radius) {
   const AlphaParameters method(spectral_radius);
   const double af = method.alpha_f, d = af - method.alpha_m;
@@ -159,11 +159,11 @@ struct Errors {
   double displacement{}, velocity{}, reaction{};
 };
 
-// Free vibrations decay at least as fast as exp(-0.0955 t); 0.0955 is half the smallest eigenvalue of M^-1 C.
+// Free vibrations decay at least as fast as exp(-0.0955 t); 0.0955 is half the smallest eigenvalue of M⁻¹ C.
 constexpr int periods_of_decay = 80;
 
 // The run starts on the exact steady state. The errors are taken over one period, after the initial
-// difference from the steady state of the method has decayed by the factor e^16.
+// difference from the steady state of the method has decayed by the factor e¹⁶.
 Errors errors_over_a_period(const Chain& chain, bool held, double spectral_radius, int steps_per_period) {
   const double h = 2.0 * std::numbers::pi / omega / steps_per_period;
   solver::ContactSystem system = contact_system(chain, held);

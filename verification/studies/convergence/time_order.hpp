@@ -13,15 +13,15 @@ namespace stickslip::studies {
 /// moving wall (stick) for the reaction.
 ///
 /// Errors are the largest differences from the exact steady state over one period, after free vibrations have
-/// decayed by the factor e^16. With n samples per period, sampling underestimates the maximum by at most the
-/// fraction (pi/n)^2/2. The predicted errors follow from the equations of the method solved at the load
-/// frequency. Their leading terms are constant * h^2.
+/// decayed by the factor e¹⁶. With n samples per period, sampling underestimates the maximum by at most the
+/// fraction (π/n)²/2. The predicted errors follow from the equations of the method solved at the load
+/// frequency. Their leading terms are constant * h².
 struct TimeOrderStudy {
   double spectral_radius{};
   std::vector<double> time_step;  ///< s
   std::vector<double> displacement_error, velocity_error, reaction_error;
   std::vector<double> predicted_displacement_error, predicted_velocity_error, predicted_reaction_error;
-  double displacement_constant{}, velocity_constant{}, reaction_constant{};  ///< per s^2
+  double displacement_constant{}, velocity_constant{}, reaction_constant{};  ///< per s²
   OrderEstimate displacement_order, velocity_order, reaction_order;
 };
 STICKSLIP_MEMBERS(TimeOrderStudy, (spectral_radius, "1"), (time_step, "s"), (displacement_error, "m"),

@@ -12,7 +12,7 @@ namespace stickslip::studies {
 struct ClassifiedPoint {
   double frequency_hz{};
   double amplitude{};           ///< m
-  bool closed_form_slips{};     ///< |f_max| > mu_s P by Eq. (28), N modes
+  bool closed_form_slips{};     ///< |f_max| > μ_s P by Eq. (28), N modes
   bool finite_element_slips{};  ///< the tip slipped in a run with contact
   bool in_guard_band{};         ///< the amplitude is within the predicted error of the critical one
   double distance{};            ///< of the amplitude from the critical one, relative and signed

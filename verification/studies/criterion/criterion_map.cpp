@@ -26,7 +26,7 @@ namespace stickslip::studies {
 
 namespace {
 
-// |f_max| is proportional to the amplitude, and the friction limit mu_s P to the static coefficient.
+// |f_max| is proportional to the amplitude, and the friction limit μ_s P to the static coefficient.
 bool is_a_factor(std::string_view parameter) {
   return parameter == "excitation.amplitude" || parameter == "friction.static_coefficient";
 }
@@ -51,7 +51,7 @@ std::size_t evaluations_along(const MapTask& task, const MapAxis& axis) {
   return is_a_factor(axis.parameter) && task.quantities.empty() ? 1 : axis.values.size();
 }
 
-// The load factor P L^2/EI, which determines the buckling state and the modes of the stick state.
+// The load factor P L²/EI, which determines the buckling state and the modes of the stick state.
 double load_factor(const data::Beam& beam, double axial_force) {
   return axial_force * beam.length() * beam.length() / (beam.youngs_modulus() * beam.second_moment_of_area());
 }

@@ -26,7 +26,7 @@ enum class MapMethod {
 enum class CellState {
   stick,
   stick_slip,
-  no_stick_state  ///< P is not below the buckling load 20.19 EI/L^2 of the clamped-pinned beam
+  no_stick_state  ///< P is not below the buckling load 20.19 EI/L² of the clamped-pinned beam
 };
 /// "stick", "stick-slip" or "no stick state".
 [[nodiscard]] std::string_view to_string(CellState state) noexcept;
@@ -42,7 +42,7 @@ struct MapAxis {
 struct CriterionMap {
   struct Cell {
     double x{}, y{};
-    /// |f_max| / (mu_s P); empty without a stick state or if not asked for.
+    /// |f_max| / (μ_s P); empty without a stick state or if not asked for.
     std::optional<double> force_ratio;
     /// stick_slip if the ratio is above 1 or, with quantities, if the tip slips after the transient
     CellState state{};
@@ -85,14 +85,14 @@ using MapEvaluations = std::vector<std::optional<MapEvaluation>>;
                                bool logarithmic);
 
 /// The number of evaluations that a map needs. |f_max| is proportional to the amplitude and does not depend
-/// on mu_s, so that an axis of either parameter needs no additional evaluation; a quantity of the motion has one
+/// on μ_s, so that an axis of either parameter needs no additional evaluation; a quantity of the motion has one
 /// for each cell. Throws what criterion_map() throws for axes that are not allowed.
 [[nodiscard]] std::size_t evaluation_count(const MapTask& task);
 
 /// The numbers, in ascending order, of the evaluations that belong to part `part` of `parts`. Each evaluation
 /// belongs to exactly one part. Of each `parts` successive evaluations every part gets one, at a position
 /// that changes from round to round, so that all parts have about the same cost. Throws std::invalid_argument
-/// unless 1 <= part <= parts.
+/// unless 1 ≤ part ≤ parts.
 [[nodiscard]] std::vector<std::size_t> share_of(std::size_t evaluations, std::size_t part, std::size_t parts);
 
 /// Makes these evaluations on thread_count() threads and stores them in `evaluations`; the result does not
@@ -107,8 +107,8 @@ void evaluate(const MapTask& task, std::span<const std::size_t> numbers, MapEval
 
 /// Makes all evaluations and assembles the map.
 ///
-/// Throws std::invalid_argument if both axes are the same parameter or mu_s is 0 somewhere, data::FieldError
-/// for a value that its field refuses, and data::InputError, naming beam.axial_force, if P <= 0 somewhere,
+/// Throws std::invalid_argument if both axes are the same parameter or μ_s is 0 somewhere, data::FieldError
+/// for a value that its field refuses, and data::InputError, naming beam.axial_force, if P ≤ 0 somewhere,
 /// or if the beam is buckled and neither axis is a number of it.
 [[nodiscard]] CriterionMap criterion_map(const MapTask& task);
 

@@ -16,7 +16,7 @@ struct CriticalAmplitudeSearch {
   /// if none slips up to the cap.
   std::optional<double> searched;
   int runs{};  ///< number of runs of that procedure
-  /// From one linear run with a bonded tip: mu_s P over |f_max| per unit amplitude, m.
+  /// From one linear run with a bonded tip: μ_s P over |f_max| per unit amplitude, m.
   double linear{};
   /// The first multiple of the increment above `linear`, m; empty if it is above the cap.
   std::optional<double> stepped_linear;

@@ -61,7 +61,7 @@ class Candidate {
 
  private:
   double value_;
-  double limit_;  // mu_s P/A0, N/m
+  double limit_;  // μ_s P/A0, N/m
   std::vector<analytic::ModalForce> modes_;
   analytic::BandMaximum search_;
 };

@@ -28,8 +28,8 @@ STICKSLIP_MEMBERS(Resonance, (mode, "1"), (frequency_hz, "Hz"))
 struct BandMargin {
   /// Largest |f_max| over the band, N; bounds for the modes that are kept.
   analytic::Bounds force_max;
-  double friction_limit{};  ///< mu_s P, N
-  /// mu_s P / |f_max| = critical amplitude / amplitude; the beam slips below 1.
+  double friction_limit{};  ///< μ_s P, N
+  /// μ_s P / |f_max| = critical amplitude / amplitude; the beam slips below 1.
   analytic::Bounds margin;
   double frequency_hz{};              ///< frequency at which force_max.lower occurs
   int evaluations{};                  ///< number of frequencies at which |f_max| was computed
@@ -71,12 +71,12 @@ STICKSLIP_MEMBERS(DesignScan, (accuracy), (intervals))
 /// and intervals that do not. At each tested value the result holds for the whole band, as in band_margin().
 /// The tested values are at most 1 % apart and include those at which a natural frequency is at an end of the
 /// band. If the beam sticks at both neighbouring values, the interval between them is halved until |f_max|/A0
-/// <= mu_s P/A0 - R holds at both, with the reserve
+/// ≤ μ_s P/A0 - R holds at both, with the reserve
 ///
-///     R = sum_n |c_n| min((change of omega_n)^2/8 min(T^2 q_n, b^2 T^3/(3 omega_n)), 2 q_n).
+///     R = Σ_n |c_n| min((change of ω_n)²/8 min(T² q_n, b² T³/(3 ω_n)), 2 q_n).
 ///
 /// The symbols are those of BandMaximum. R is the leading estimate of the rise of |f_max| between the two
-/// values, caused by the change of the phases omega_n T over the duration T. An interval that is still
+/// values, caused by the change of the phases ω_n T over the duration T. An interval that is still
 /// undecided at 1/16 of `accuracy`, or within 1e-4 of the force, counts as slipping. So does an interval
 /// between two neighbours that slip. The errors of the intervals that stick are therefore on the safe side.
 ///

@@ -99,7 +99,7 @@ double buckling_length(const data::Beam& beam) {
 std::optional<double> resonance_length(const data::Beam& beam, int mode, double hz) {
   const double bending_stiffness = beam.youngs_modulus() * beam.second_moment_of_area();
   const double omega = two_pi * hz;
-  const double half_load = 0.5 * beam.axial_force() / bending_stiffness;  // p/2, 1/m^2
+  const double half_load = 0.5 * beam.axial_force() / bending_stiffness;  // p/2, 1/m²
   const double k = beam.density() * beam.area() * omega * omega / bending_stiffness;
   const double wave_number = std::sqrt(half_load + std::sqrt(half_load * half_load + k));  // betabar, 1/m
   const auto at = [&](double length) { return with_length_and_force(beam, length, beam.axial_force()); };

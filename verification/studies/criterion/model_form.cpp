@@ -18,7 +18,7 @@ namespace stickslip::studies {
 
 namespace {
 
-// Counts a cell by |f_max|/(mu_s P) in the model of the paper and in the other one.
+// Counts a cell by |f_max|/(μ_s P) in the model of the paper and in the other one.
 void count_cell(ModelPlane& plane, const std::optional<double>& paper, const std::optional<double>& other) {
   if (!paper) return;
   if (!other) {

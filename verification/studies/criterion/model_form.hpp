@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// The effect of choices in the model. The axial force follows the tip in the paper (chi = 0), but the normal force of a
-/// flat wall keeps its direction (chi = 1). The beam of the paper has neither shear nor rotary inertia nor damping, and its
+/// The effect of choices in the model. The axial force follows the tip in the paper (χ = 0), but the normal force of a
+/// flat wall keeps its direction (χ = 1). The beam of the paper has neither shear nor rotary inertia nor damping, and its
 /// contact is rigid; beams have damping, and contacts a tangential stiffness.
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace stickslip::studies {
 
-/// The criterion |f_max| <= mu_s P over the plane of a figure of the paper in another model against the model of the
+/// The criterion |f_max| ≤ μ_s P over the plane of a figure of the paper in another model against the model of the
 /// paper, closed form.
 struct ModelPlane {
   std::string figures;     ///< "10 to 12"
@@ -32,9 +32,9 @@ struct ModelPlane {
 };
 STICKSLIP_MEMBERS(ModelPlane, (figures, "-"), (lost, "1"), (flipped_share(), "1"))
 
-/// chi = 1 against chi = 0.
+/// χ = 1 against χ = 0.
 struct AxialDirectionPlane : ModelPlane {
-  std::size_t buckled{};  ///< cells at which the sliding beam with chi = 1 is at its buckling load or over it
+  std::size_t buckled{};  ///< cells at which the sliding beam with χ = 1 is at its buckling load or over it
   [[nodiscard]] double buckled_share() const {
     return static_cast<double>(buckled) / static_cast<double>(cells);
   }
@@ -42,7 +42,7 @@ struct AxialDirectionPlane : ModelPlane {
 STICKSLIP_MEMBERS(AxialDirectionPlane, (figures, "-"), (lost, "1"), (lowest_ratio, "1"), (highest_ratio, "1"),
                   (flipped_share(), "1"), (buckled_share(), "1"))
 
-/// |f_max| with chi = 1 over that with chi = 0 at one frequency, numerics.duration() and modes() of the case.
+/// |f_max| with χ = 1 over that with χ = 0 at one frequency, numerics.duration() and modes() of the case.
 struct AxialDirectionForce {
   double frequency_hz{}, ratio{};
 };
@@ -62,14 +62,14 @@ STICKSLIP_MEMBERS(ModelForm, (forces), (planes), (shear))
 
 /// What takes the place of the rigid contact and the undamped beam.
 struct ModelVariant {
-  /// k_t over 3 EI/L^3, the stiffness of the cantilever at its tip; infinite for a rigid contact
+  /// k_t over 3 EI/L³, the stiffness of the cantilever at its tip; infinite for a rigid contact
   double stiffness_ratio{std::numeric_limits<double>::infinity()};
   double damping_ratio{};  ///< damping.ratio
 };
 STICKSLIP_MEMBERS(ModelVariant, (stiffness_ratio, "1"), (damping_ratio, "1"))
 
 /// The variant against the rigid contact and the undamped beam, both with the exact steady part of the rigid contact. A law
-/// that falls with the velocity lets a compliant contact slip at less than mu_s P: that is not in here.
+/// that falls with the velocity lets a compliant contact slip at less than μ_s P: that is not in here.
 struct VariantPlane : ModelPlane {
   ModelVariant variant;
 };

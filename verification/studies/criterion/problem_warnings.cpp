@@ -29,8 +29,8 @@ using std::numbers::pi;
 constexpr double allowed_step_error = 0.01;
 // A resonant response gives a warning from this multiple of the quasi-static response on.
 constexpr double grown_response = 10.0;
-constexpr double allowed_growth = 36.0;  // of sigma* T
-// The largest number of elements or modes for which growth_warning() computes sigma*.
+constexpr double allowed_growth = 36.0;  // of σ* T
+// The largest number of elements or modes for which growth_warning() computes σ*.
 constexpr int most_undamped_for_growth = 200, most_damped_for_growth = 50;
 
 double model_error(const data::Beam& beam, double slopes, double third_derivatives) {
@@ -57,7 +57,7 @@ double two_digits(double value) {
 
 // The largest time step at which step_error() is not above allowed_step_error.
 double allowed_step(double spectral_radius, double omega) {
-  double lower = 0.0, upper = 2.0 * pi;  // omega h
+  double lower = 0.0, upper = 2.0 * pi;  // ω h
   for (int i = 0; i < 60; ++i) {
     const double middle = 0.5 * (lower + upper);
     (step_error(spectral_radius, 1.0, middle) > allowed_step_error ? upper : lower) = middle;
@@ -141,10 +141,10 @@ double stick_model_error(const data::Beam& beam, int mode) {
       integral(&analytic::StickMode::third_derivative) / integral(&analytic::StickMode::curvature));
 }
 
-// Slope and third derivative by partial integration, with U'''' = k U - p U'', U''(L) = 0 and U'''(L) = -chi p U'(L):
+// Slope and third derivative by partial integration, with U'''' = k U - p U'', U''(L) = 0 and U'''(L) = -χ p U'(L):
 //
-//     U'(L) = int U'',                    int U'^2 = U(L) U'(L) - int U U'',
-//     U'''(0) = U'''(L) - int U'''',      int U'''^2 = -U''(0) U'''(0) - int U'' U''''.
+//     U'(L) = int U'',                    int U'² = U(L) U'(L) - int U U'',
+//     U'''(0) = U'''(L) - int U'''',      int U'''² = -U''(0) U'''(0) - int U'' U''''.
 double slip_model_error(const data::Beam& beam, int mode) {
   const auto modes = analytic::slip_modes(beam, mode);
   const auto& u = modes.back();
@@ -235,7 +235,7 @@ std::optional<Warning> growth_warning(const data::Case& problem, Inquiry inquiry
   const data::NumericalSettings& numerics = problem.numerics;
   const bool stepped = inquiry == Inquiry::stepped_history;
   if (!stepped && inquiry != Inquiry::event_driven_history) return std::nullopt;
-  if (problem.contact.has_spring()) return std::nullopt;  // sigma* is that of a law without memory
+  if (problem.contact.has_spring()) return std::nullopt;  // σ* is that of a law without memory
   if ((stepped ? numerics.elements() : numerics.modes()) >
       (is_damped(problem) ? most_damped_for_growth : most_undamped_for_growth))
     return std::nullopt;

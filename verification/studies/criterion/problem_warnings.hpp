@@ -21,8 +21,8 @@ enum class Concern { flutter, buckling, resonance, thick_beam, long_step, growth
 /// A warning about a case.
 struct Warning {
   Concern concern{};
-  double value{};  ///< what was found: P (N), Omega/2pi (Hz), a relative frequency error, h (s), sigma* (1/s)
-  /// Flutter or buckling load, omega_n/2pi, allowed error, suggested step, allowed sigma*.
+  double value{};  ///< what was found: P (N), Ω/2π (Hz), a relative frequency error, h (s), σ* (1/s)
+  /// Flutter or buckling load, ω_n/2π, allowed error, suggested step, allowed σ*.
   double limit{};
   std::string sentence;
 };
@@ -34,19 +34,19 @@ constexpr double allowed_model_error = 0.05;
 constexpr double share_that_matters = 0.01;
 
 /// The relative amount by which Euler-Bernoulli theory overestimates a natural frequency of the stick or the
-/// slip state, for P much smaller than kappa G A. Rotary inertia adds rho I int U'^2 to the mass rho A int
-/// U^2, and shear adds (EI)^2 int U'''^2/(kappa G A) to the flexibility. With r^2 = I/A and E/(kappa G) = shear_flexibility
+/// slip state, for P much smaller than κ G A. Rotary inertia adds ρ I int U'² to the mass ρ A int
+/// U², and shear adds (EI)² int U'''²/(κ G A) to the flexibility. With r² = I/A and E/(κ G) = shear_flexibility
 ///
-///     omega_EB/omega - 1 = sqrt(1 + r^2 [int U'^2/int U^2 + E/(kappa G) int U'''^2/int U''^2]) - 1.
+///     ω_EB/ω - 1 = √(1 + r² [int U'²/int U² + E/(κ G) int U'''²/int U''²]) - 1.
 ///
-/// For half waves of wave number k this is sqrt(1 + (k r)^2 (1 + E/(kappa G))) - 1. Throws what stick_modes()
+/// For half waves of wave number k this is √(1 + (k r)² (1 + E/(κ G))) - 1. Throws what stick_modes()
 /// and slip_modes() throw.
 [[nodiscard]] double stick_model_error(const data::Beam& beam, int mode);
 [[nodiscard]] double slip_model_error(const data::Beam& beam, int mode);
 
-/// The error of a free vibration of angular frequency omega (rad/s) by generalised-alpha with time_step (s):
-/// the larger of the relative frequency error and the relative loss of amplitude per period. For small omega
-/// h it is about (omega h)^2 (k_1 + k_2)/2, with k_1 and k_2 of discretisation.hpp.
+/// The error of a free vibration of angular frequency ω (rad/s) by generalised-alpha with time_step (s):
+/// the larger of the relative frequency error and the relative loss of amplitude per period. For small ω
+/// h it is about (ω h)² (k_1 + k_2)/2, with k_1 and k_2 of discretisation.hpp.
 [[nodiscard]] double step_error(double spectral_radius, double omega, double time_step);
 
 /// The number of the highest mode, up to numerics.modes(), whose free vibration has more than
@@ -58,11 +58,11 @@ constexpr double share_that_matters = 0.01;
 /// The warnings for a case, each at most once, in the order of Concern:
 /// - flutter or buckling, for histories that can slip: P is not below the critical load of the slip state.
 /// - resonance, for an undamped |f| in closed form: a natural frequency of the stick state is so close to
-///   Omega that |f| grows over the whole duration T, |Omega - omega_n| T <= pi (half a beat), and reaches at
-///   least ten times the quasi-static response, Omega T/2 >= 10.
+///   Ω that |f| grows over the whole duration T, |Ω - ω_n| T ≤ π (half a beat), and reaches at
+///   least ten times the quasi-static response, Ω T/2 ≥ 10.
 /// - thick beam: stick_model_error() of the highest relevant mode, or of the highest one asked for, is above
 ///   allowed_model_error, and the beam has no shear stiffness. For the undamped criterion with shear_effect().
-/// - long step, for time integration: step_error() of the highest relevant mode, or of a vibration at Omega,
+/// - long step, for time integration: step_error() of the highest relevant mode, or of a vibration at Ω,
 ///   is above 1 %. The limit is the largest allowed step, rounded down to two digits.
 ///
 /// `frequencies` is the number of natural frequencies asked for. Throws what stick_modes() throws.
@@ -73,17 +73,17 @@ constexpr double share_that_matters = 0.01;
 /// the end of a sentence. Throws what evaluate_criterion() throws.
 [[nodiscard]] std::string shear_effect(const data::Case& problem);
 
-/// The warning for a history, by time steps or event-driven, in which the contact changed: sigma* T > 36, with
-/// sigma* of the discretisation (contact_growth.hpp) and T = numerics.duration(). By the bound exp(sigma* t) a
+/// The warning for a history, by time steps or event-driven, in which the contact changed: σ* T > 36, with
+/// σ* of the discretisation (contact_growth.hpp) and T = numerics.duration(). By the bound exp(σ* t) a
 /// rounding error may then grow to the size of the motion, because exp(36) is about 1/eps of double precision;
-/// the observed growth is slower. `value` is sigma*, and `limit` is 36/T. No warning for more than 200 elements
-/// or modes, 50 with damping, where sigma* would take seconds.
+/// the observed growth is slower. `value` is σ*, and `limit` is 36/T. No warning for more than 200 elements
+/// or modes, 50 with damping, where σ* would take seconds.
 ///
 /// The sentence also gives
-/// - sigma* of the beam, with Kelvin-Voigt damping but without damping.ratio and without shear;
-/// - if sigma* of the run is above 1.1 times that of the beam: settings with about the sigma* of the beam,
-///   which are the spectral radius 0 and omega_max h = filtering_angle (history_convergence.hpp);
-/// - if sigma* T of the beam is also above 36 and damping.ratio is 0: the time up to which the bound is useful
+/// - σ* of the beam, with Kelvin-Voigt damping but without damping.ratio and without shear;
+/// - if σ* of the run is above 1.1 times that of the beam: settings with about the σ* of the beam,
+///   which are the spectral radius 0 and ω_max h = filtering_angle (history_convergence.hpp);
+/// - if σ* T of the beam is also above 36 and damping.ratio is 0: the time up to which the bound is useful
 ///   for any discretisation.
 ///
 /// Throws what the run itself throws.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// What the criterion |f_max| > mu_s P over 0 ... T, Eqs. (29) and (30), is: that of a start-up without
+/// What the criterion |f_max| > μ_s P over 0 ... T, Eqs. (29) and (30), is: that of a start-up without
 /// damping. The free vibrations of the start never decay in |f_max|. This study shows what they add to the
 /// steady vibration, and how |f_max| depends on T, on damping and on the slenderness of the beam.
 
@@ -24,7 +24,7 @@ STICKSLIP_MEMBERS(ForceHorizon, (duration, "s"), (force_max, "N"))
 /// The force of the undamped held beam at one frequency.
 struct SteadyForce {
   double frequency_hz{}, amplitude{};  ///< Hz, m
-  double steady{};  ///< amplitude of f at Omega in closed form, N; infinite at a natural frequency
+  double steady{};  ///< amplitude of f at Ω in closed form, N; infinite at a natural frequency
   bool grows{};     ///< |f| grows over all of numerics.duration() (Concern::resonance)
   std::vector<ForceHorizon> horizons;
 };
@@ -34,7 +34,7 @@ STICKSLIP_MEMBERS(SteadyForce, (frequency_hz, "Hz"), (amplitude, "m"), (steady, 
 /// Steady force of a beam with Kelvin-Voigt damping and its tip held.
 struct SteadyDampedForce {
   double frequency_hz{}, amplitude{};  ///< Hz, m
-  double ratio{};                      ///< fraction of critical damping of stick mode 1, eta omega_1/2
+  double ratio{};                      ///< fraction of critical damping of stick mode 1, η ω_1/2
   double undamped_force_max{};         ///< |f_max| over numerics.duration() without damping, N
   double steady{};                     ///< closed form (analytic::DampedSteadyState), N
 };
@@ -69,7 +69,7 @@ inline constexpr double settled_share = 0.05;
 
 /// The complete study.
 struct Scope {
-  double friction_limit{};  ///< mu_s P, N
+  double friction_limit{};  ///< μ_s P, N
   std::vector<SteadyForce> steady;
   std::vector<SteadyDampedForce> damped;
   std::vector<SlenderForce> slender;

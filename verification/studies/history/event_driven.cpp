@@ -26,7 +26,7 @@ std::vector<data::ContactEvent> events_of(const analytic::EventDriven& run, doub
   return events;
 }
 
-// u_t = sigma w_t + sum U_n T_n_t: zero rates are the quasi-static start, and -a_n w_t a beam at rest.
+// u_t = σ w_t + sum U_n T_n_t: zero rates are the quasi-static start, and -a_n w_t a beam at rest.
 std::vector<double> rates_of(const analytic::ContactModel& model, solver::InitialVelocity start) {
   std::vector<double> rates;
   if (start == solver::InitialVelocity::zero)

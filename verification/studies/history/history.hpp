@@ -30,7 +30,7 @@ struct History {
   std::vector<HistoryRow> rows{};
   std::vector<data::ContactEvent>
       events{};                        ///< all changes of contact; the position is y(L), in the frame at rest
-  std::optional<double> first_slip{};  ///< s; closed form: the first row with |f| > mu_s P
+  std::optional<double> first_slip{};  ///< s; closed form: the first row with |f| > μ_s P
   /// Estimated error: the largest change of y(L) over the rows on twice the step of the method, m.
   std::optional<double> step_effect{};
 };
@@ -96,7 +96,7 @@ STICKSLIP_MEMBERS(EventDifference, (time, "s"), (position, "m"))
                                                  const std::vector<data::ContactEvent>& b, std::size_t count);
 
 /// The case with another mesh, time step (s), duration (s) and, if given, spectral radius, and with the velocity threshold
-/// 0. Located events do not need a threshold. A capture at |v_s| = epsilon would be early by epsilon/|v_s_t|, which
+/// 0. Located events do not need a threshold. A capture at |v_s| = ε would be early by ε/|v_s_t|, which
 /// is 1e-5 s for the 1e-4 m/s of the paper. Throws data::FieldError.
 [[nodiscard]] data::Case refined(data::Case problem, int elements, double time_step, double duration,
                                  const std::optional<double>& spectral_radius = std::nullopt);

@@ -50,7 +50,7 @@ namespace stickslip::studies {
 [[nodiscard]] History free_mode_history(const data::Case& problem, const Sampling& sampling,
                                         int steps_per_time_step);
 
-/// The number of free modes for a step h: those with ω_k h <= 20, where ω_k grows with k², but at least 20 and at
+/// The number of free modes for a step h: those with ω_k h ≤ 20, where ω_k grows with k², but at least 20 and at
 /// most 1000. Throws what slip_modes() throws.
 [[nodiscard]] int free_modes_for(const data::Beam& beam, double time_step);
 

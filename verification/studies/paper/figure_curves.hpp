@@ -14,8 +14,8 @@ namespace stickslip::studies {
 /// The friction law of Eq. (7) at a sliding velocity.
 struct FrictionPoint {
   double sliding_velocity{};  ///< m/s
-  double coefficient{};       ///< mu(v)
-  double friction_force{};    ///< f_d = -sgn(v) mu(v) P, N
+  double coefficient{};       ///< μ(v)
+  double friction_force{};    ///< f_d = -sgn(v) μ(v) P, N
 };
 STICKSLIP_MEMBERS(FrictionPoint, (sliding_velocity, "m/s"), (coefficient, "1"), (friction_force, "N"))
 
@@ -30,7 +30,7 @@ struct ForceLine {
 };
 STICKSLIP_MEMBERS(ForceLine, (frequency_hz, "Hz"), (amplitude, "m"), (force_max, "N"))
 
-/// Fig. 10 up to 1 mm. |f_max| is proportional to the amplitude and reaches the friction limit mu_s P (N) at the critical
+/// Fig. 10 up to 1 mm. |f_max| is proportional to the amplitude and reaches the friction limit μ_s P (N) at the critical
 /// one, which `criterion` has: of its points every hertz, and every 0.25 Hz within 2 Hz of a natural frequency (Hz).
 [[nodiscard]] std::vector<ForceLine> force_surface(double friction_limit,
                                                    const std::vector<CriticalAmplitudePoint>& criterion,

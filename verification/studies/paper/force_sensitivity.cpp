@@ -193,7 +193,7 @@ std::vector<Input> inputs(const data::Case& paper) {
 
 std::vector<InputSensitivity> input_sensitivities(const data::Case& paper, const ForceRow& baseline) {
   // Central differences. The accuracy relative_width of the maxima causes an error of about 1e-5 in the
-  // slope. The error from the third derivative is smaller: the phase change omega_N T change of the highest
+  // slope. The error from the third derivative is smaller: the phase change ω_N T change of the highest
   // mode is 1e-3.
   constexpr double change = 1e-8;
   constexpr double range = 1e-3;

@@ -32,12 +32,12 @@ STICKSLIP_MEMBERS(ForceRow, (factor, "-"), (setting, "-"), (closed_form, "1"), (
                   (change, "%"))
 
 /// The effect of one given quantity on |f_max|. Young's modulus also represents I, and the density also
-/// represents A, because only E I and rho A enter.
+/// represents A, because only E I and ρ A enter.
 ///
-/// The derivative is a local one: a relative change of 1/(omega_N T) = 1e-5 changes the phase of the highest
+/// The derivative is a local one: a relative change of 1/(ω_N T) = 1e-5 changes the phase of the highest
 /// mode by one radian after T = 10 s, and another peak of |f| may become the highest. `lowest_change` and
 /// `highest_change` show the effect of larger changes. Dimensional analysis predicts for the derivatives s of
-/// E, rho, P and L: s_E + s_rho + s_P = 1 and s_L = -3 + 2 s_P + 4 s_rho.
+/// E, ρ, P and L: s_E + s_rho + s_P = 1 and s_L = -3 + 2 s_P + 4 s_rho.
 struct InputSensitivity {
   std::string input;             ///< "E", "rho", "P", "L", "Omega"
   std::vector<double> relative;  ///< d ln |f_max| / d ln input, one per frequency

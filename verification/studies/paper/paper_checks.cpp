@@ -75,7 +75,7 @@ double force_from_rest(const data::Case& paper, double hz, int modes) {
   std::vector<analytic::Sinusoid> initial_vibrations;
   for (const analytic::StickMode& mode : response.modes()) {
     const double plain_integral = simpson_integral([&mode](double x) { return mode.shape(x); }, length, mode);
-    const double shape_integral = mode.load_integral() - plain_integral;  // int U S dx
+    const double shape_integral = mode.load_integral() - plain_integral;  // ∫ U S dx
     const double rate = -base_velocity * shape_integral / mode.norm_squared();
     initial_vibrations.push_back({stiffness * mode.third_derivative(length) * rate / mode.angular_frequency(),
                                   mode.angular_frequency()});
@@ -92,7 +92,7 @@ double force_from_rest(const data::Case& paper, double hz, int modes) {
   return largest;
 }
 
-// The lowest dead load, in units of EI/L^2, at which K - P K_G with a free tip is singular.
+// The lowest dead load, in units of EI/L², at which K - P K_G with a free tip is singular.
 double dead_load_buckling(const data::Beam& beam, int elements) {
   const solver::BeamModel model(beam, elements);
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigenvalues(

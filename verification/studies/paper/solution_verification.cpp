@@ -259,7 +259,7 @@ VerifiedResult verified(const Plan& plan, std::vector<VerificationLevel> compute
   return result;
 }
 
-// mu_s P over |f_max| per unit amplitude at the minimum of Fig. 6, from the levels of |f_max|.
+// μ_s P over |f_max| per unit amplitude at the minimum of Fig. 6, from the levels of |f_max|.
 VerifiedResult critical_amplitude(const data::Case& paper, double reference_force,
                                   std::vector<VerificationLevel> levels_of_force) {
   const double scale = friction_limit(paper) * printed_excitation(25.0).amplitude();

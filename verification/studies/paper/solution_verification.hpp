@@ -59,7 +59,7 @@ struct VerifiedResult {
   GridConvergence convergence;
   double reference{};   ///< the closed form
   double true_error{};  ///< of the first level: value - reference
-  bool covered{};       ///< |true_error| <= convergence.index
+  bool covered{};       ///< |true_error| ≤ convergence.index
   /// Of the first level: the index, or the predicted error if the levels are not asymptotic.
   double uncertainty{};
   std::string obtained;  ///< how `uncertainty` was determined
@@ -77,7 +77,7 @@ STICKSLIP_MEMBERS(SolutionVerification, (ratio, "1"), (formal_order, "1"), (resu
 
 /// Verifies the results of the case of data/cases/paper.toml with 20, 30 and 45 elements. The time step is
 /// proportional to the square of the element length, 1e-4 s for the first level, so that the errors of time
-/// step (h^2) and mesh (l^4) decrease at the same rate. Uses thread_count() threads; the result does not
+/// step (h²) and mesh (l⁴) decrease at the same rate. Uses thread_count() threads; the result does not
 /// depend on their number.
 ///
 /// Predicted: frequencies, and lengths with a given frequency, are asymptotic. The other results are maxima

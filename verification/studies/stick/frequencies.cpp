@@ -51,12 +51,12 @@ FrequencyStudy frequency_study(const char* state, const data::Beam& beam, const 
   return study;
 }
 
-// EI/L^2, N.
+// EI/L², N.
 double load_unit(const data::Beam& beam) {
   return beam.youngs_modulus() * beam.second_moment_of_area() / (beam.length() * beam.length());
 }
 
-// The largest load factor P L^2/EI at which the two lowest slip eigenvalues of a mesh are real.
+// The largest load factor P L²/EI at which the two lowest slip eigenvalues of a mesh are real.
 double finite_element_flutter(const data::Beam& beam, int elements) {
   const auto flutters = [&](double factor) {
     data::BeamProperties properties = beam.properties();

@@ -15,8 +15,8 @@ struct FrequencyConvergence {
   int mode{};
   double closed_form_hz{};
   std::vector<double> finite_element_hz;  ///< one per mesh
-  std::vector<double> relative_error;     ///< of the eigenvalue omega^2: (omega_h^2 - omega^2)/omega^2
-  std::vector<double> predicted_error;    ///< of the eigenvalue, leading term of order l^4
+  std::vector<double> relative_error;     ///< of the eigenvalue ω²: (ω_h² - ω²)/ω²
+  std::vector<double> predicted_error;    ///< of the eigenvalue, leading term of order l⁴
   OrderEstimate observed_order;           ///< in the element length
   double leading_constant_ratio{};        ///< error over predicted error on the finest mesh; tends to 1
 };
@@ -37,12 +37,12 @@ STICKSLIP_MEMBERS(FrequencyStudy, (state, "-"), (elements, "1"), (element_length
 [[nodiscard]] FrequencyStudy stick_frequency_study(const data::Beam& beam, int modes,
                                                    const std::vector<int>& elements);
 
-/// Clamped-free frequencies under the follower load (slip state). The error is predicted by (beta l)^4/720,
+/// Clamped-free frequencies under the follower load (slip state). The error is predicted by (β l)⁴/720,
 /// which is the leading term at P = 0.
 [[nodiscard]] FrequencyStudy slip_frequency_study(const data::Beam& beam, int modes,
                                                   const std::vector<int>& elements);
 
-/// Beck's flutter load in units of EI/L^2, at which the two lowest slip frequencies coalesce.
+/// Beck's flutter load in units of EI/L², at which the two lowest slip frequencies coalesce.
 struct FlutterStudy {
   double closed_form{};
   std::vector<int> elements;

@@ -26,7 +26,7 @@ double weight_of(const StickSum::Mode& mode, StickReading reading) {
   return reading == StickReading::force ? mode.force : mode.displacement;
 }
 
-// int_0^L U dx from U'''' + p U'' = k U integrated once, with U'(0) = 0 and k = beta^2 betabar^2.
+// ∫_0^L U dx from U'''' + p U'' = k U integrated once, with U'(0) = 0 and k = β² betabar².
 double shape_integral(const analytic::StickMode& mode, double length, double p) {
   const double k = square(mode.hyperbolic_wave_number() * mode.trigonometric_wave_number());
   return (mode.third_derivative(length) - mode.third_derivative(0.0) + p * mode.slope(length)) / k;
@@ -56,7 +56,7 @@ StickSum stick_sum(const data::Beam& beam, int modes) {
 }
 
 // In the coordinates of the mesh (frame of the base) the tip moves by -h under the load p h_tt: q = S h + sum
-// phi_n T_n with S_c = -1 and K_ff S_f + K_fc S_c = 0. The contact row of the slip-state balance gives f_d =
+// φ_n T_n with S_c = -1 and K_ff S_f + K_fc S_c = 0. The contact row of the slip-state balance gives f_d =
 // -f.
 StickSum stick_sum(const solver::BeamModel& mesh, const solver::ContactSystem& system,
                    const Eigen::RowVectorXd& force_row) {
@@ -102,7 +102,7 @@ StickSum stick_sum(const solver::BeamModel& mesh, const solver::ContactSystem& s
   return sum;
 }
 
-// T_n/A0 = Omega^2 C_n (w sin(Omega t) - Omega sin(w t)) / ((Omega^2 - w^2) w) + V_n Omega sin(w t)/w.
+// T_n/A0 = Ω² C_n (w sin(Ω t) - Ω sin(w t)) / ((Ω² - w²) w) + V_n Ω sin(w t)/w.
 std::vector<analytic::Sinusoid> sinusoids(const StickSum& sum, const data::HarmonicExcitation& excitation,
                                           StickReading reading) {
   constexpr double off_resonance = 1e-8;

@@ -14,28 +14,28 @@
 
 namespace stickslip::studies {
 
-/// The modal sum of the stick state. With h = A0 sin(Omega t),
+/// The modal sum of the stick state. With h = A0 sin(Ω t),
 ///
 ///     f = f_S h + f_a h_tt + sum f_n T_n,     y(L/2) = y_S h + sum y_n T_n,
-///     T_n_tt + w_n^2 T_n = C_n h_tt,          T_n(0) = 0,  T_n_t(0) = V_n h_t(0).
+///     T_n_tt + w_n² T_n = C_n h_tt,          T_n(0) = 0,  T_n_t(0) = V_n h_t(0).
 struct StickSum {
   struct Mode {
-    double natural_frequency{};     ///< omega_n, rad/s
+    double natural_frequency{};     ///< ω_n, rad/s
     double oscillator_frequency{};  ///< w_n in the equation of T_n, rad/s
-    double participation{};         ///< C_n = -int U (1 + S) / int U^2
-    double rigid_participation{};   ///< -int U / int U^2
+    double participation{};         ///< C_n = -int U (1 + S) / int U²
+    double rigid_participation{};   ///< -int U / int U²
     double initial_rate{};          ///< V_n
     double force{};                 ///< f_n, N
-    double follower_force{};        ///< (1 - chi) P U_n'(L), N
+    double follower_force{};        ///< (1 - χ) P U_n'(L), N
     double displacement{};          ///< y_n
   };
   double force{};                   ///< f_S, N/m
   double force_per_acceleration{};  ///< f_a, kg
-  double follower_force{};          ///< (1 - chi) P S'(L), N/m
+  double follower_force{};          ///< (1 - χ) P S'(L), N/m
   double displacement{};            ///< y_S
   /// Whether the parts at w_n are included; otherwise only the steady vibration.
   bool free_vibrations{true};
-  /// Whether h = A0 cos(Omega t) with T_n(0) = 0 and h_t(0) = 0; the terms of sinusoids() are then cosines.
+  /// Whether h = A0 cos(Ω t) with T_n(0) = 0 and h_t(0) = 0; the terms of sinusoids() are then cosines.
   bool cosine{};
   std::vector<Mode> modes;
 };
@@ -54,7 +54,7 @@ struct StickSum {
 enum class StickReading { force, displacement };
 
 /// The history of a quantity as a sum of sinusoids. A mode within the relative distance 1e-8 of resonance is
-/// moved away from it by the same amount. This changes the history by the fraction 1e-8 Omega t.
+/// moved away from it by the same amount. This changes the history by the fraction 1e-8 Ω t.
 [[nodiscard]] std::vector<analytic::Sinusoid> sinusoids(const StickSum& sum,
                                                         const data::HarmonicExcitation& excitation,
                                                         StickReading reading);

@@ -25,7 +25,7 @@ void require(bool holds, const char* field, const std::string& value, const char
 
 double sinc(double angle) { return angle == 0.0 ? 1.0 : std::sin(angle) / angle; }
 
-// g_n of Eq. (26): the solution of g'' + w^2 g = -sin(Omega t) from rest, in a form without 0/0 at resonance.
+// g_n of Eq. (26): the solution of g'' + w² g = -sin(Ω t) from rest, in a form without 0/0 at resonance.
 double modal_coordinate(double omega, double w, double t) {
   const double sum = omega + w;
   return (w * t * std::cos(0.5 * sum * t) * sinc(0.5 * (omega - w) * t) - std::sin(w * t)) / (sum * w);

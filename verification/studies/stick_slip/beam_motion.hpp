@@ -29,7 +29,7 @@ namespace stickslip::studies {
 /// snapshots up to the time `until` (s). With g_n of Eq. (26), and g_n,h by frequency_on_mesh() and
 /// stepped_from_rest(), it is
 ///
-///     max over x, t of A0 sum_n |U_n(x) Omega^2 C_n| |g_n,h(t) - g_n(t)|  +  (Omega h)^2/4 max|y|.
+///     max over x, t of A0 Σ_n |U_n(x) Ω² C_n| |g_n,h(t) - g_n(t)|  +  (Ω h)²/4 max|y|.
 ///
 /// The sum contains the errors of phase, amplitude and resonance of each of 60 modes. The last term is the error of
 /// the steady response of the time integration.

@@ -18,7 +18,7 @@ using Complex = std::complex<double>;
 using std::numbers::pi;
 
 constexpr int values_between = 16;  // number of values between neighbouring frequencies
-constexpr double near = 2.0;        // times kappa: local minima below this value are refined
+constexpr double near = 2.0;        // times κ: local minima below this value are refined
 
 // Minimises by golden-section search.
 template <class Function>
@@ -38,7 +38,7 @@ double minimum(const Function& function, double low, double high) {
   return 0.5 * (low + high);
 }
 
-// Searches for a frequency at which Re Z(sigma + i omega) < kappa. `worst` is the frequency that the previous search
+// Searches for a frequency at which Re Z(σ + i ω) < κ. `worst` is the frequency that the previous search
 // found; it is tried first.
 bool grows_at_most(const LinearContact& contact, double kappa, double sigma, double& worst) {
   if (contact.limiting_mass * sigma + contact.limiting_damping < kappa * (1.0 - 1e-12)) return false;

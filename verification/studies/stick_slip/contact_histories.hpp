@@ -18,7 +18,7 @@ struct ContactHistory {
   double amplitude{};                         ///< m
   std::optional<ConvergedHistory> converged;  ///< sampled every 2e-4 s; empty if the criterion predicts stick
   std::optional<double> finite_element_slip;  ///< time of the first slip, s
-  std::optional<double> closed_form_slip;     ///< first time at which |f| > mu_s P in the closed form, s
+  std::optional<double> closed_form_slip;     ///< first time at which |f| > μ_s P in the closed form, s
   bool criterion_slips{};                     ///< Eqs. (29), (30) over numerics.duration()
   std::string figure{};                       ///< of the paper, such as "4a"
   bool printed_slips{};                       ///< according to the paper

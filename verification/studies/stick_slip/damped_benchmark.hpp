@@ -25,8 +25,8 @@ STICKSLIP_MEMBERS(BenchmarkRun, (method, "-"), (size, "1"), (time_step, "s"), (f
 /// A damped stick-slip history whose events all converge, by the event-driven method on the modes of the
 /// continuous beam.
 ///
-/// Uncertainty of an event: its difference from a run with 1/sqrt(2) of the modes. The error decreases faster
-/// than N^-3, so that it is at most 1/(2^(3/2) - 1) = 0.55 of this difference. The rest covers the effect of
+/// Uncertainty of an event: its difference from a run with 1/√(2) of the modes. The error decreases faster
+/// than N⁻³, so that it is at most 1/(2^(3/2) - 1) = 0.55 of this difference. The rest covers the effect of
 /// the integrator's tolerance, which is measured by a run with a hundred times that tolerance.
 struct DampedBenchmark {
   double frequency_hz{}, amplitude{}, kelvin_voigt{}, duration{};

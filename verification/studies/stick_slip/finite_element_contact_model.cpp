@@ -61,13 +61,13 @@ FiniteElementContactModel::FiniteElementContactModel(const solver::ContactSystem
     const Eigen::LLT<Eigen::MatrixXd> factors(held_stiffness);
     require(factors.info() == Eigen::Success,
             "stick_stiffness must be positive definite with the contact held.");
-    // M phi = omega^-2 K phi, so that round-off is relative to the lowest mode.
+    // M φ = ω⁻² K φ, so that round-off is relative to the lowest mode.
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(held_mass, held_stiffness);
     require(eigen.info() == Eigen::Success && eigen.eigenvalues().minCoeff() > 0.0,
             "mass must be positive definite with the contact held.");
     const Eigen::VectorXd inverse_squares = eigen.eigenvalues().reverse();
     frequencies = inverse_squares.cwiseSqrt().cwiseInverse();
-    // The solver normalises with K: phi . K phi = 1.
+    // The solver normalises with K: φ . K φ = 1.
     const Eigen::MatrixXd modes = eigen.eigenvectors().rowwise().reverse() * frequencies.asDiagonal();
     projection_ = modes.transpose() * held_mass;
     basis_(others_, Eigen::seqN(0, n)) = modes;

@@ -10,29 +10,29 @@
 
 namespace stickslip::studies {
 
-/// The time functions of a ContactSystem in closed form: load_history = load_amplitude sin(Omega t), wall
-/// displacement = wall_amplitude sin(Omega t).
+/// The time functions of a ContactSystem in closed form: load_history = load_amplitude sin(Ω t), wall
+/// displacement = wall_amplitude sin(Ω t).
 struct HarmonicDrive {
   double load_amplitude{};     ///< in the units of load_history
-  double angular_frequency{};  ///< Omega, rad/s, > 0
+  double angular_frequency{};  ///< Ω, rad/s, > 0
   double wall_amplitude{};     ///< W, m
 };
 
-/// The drive of beam_contact_system() for h(t) = A0 sin(Omega t): load_history = h_tt, w = -h.
+/// The drive of beam_contact_system() for h(t) = A0 sin(Ω t): load_history = h_tt, w = -h.
 [[nodiscard]] HarmonicDrive harmonic_drive(const data::HarmonicExcitation& excitation);
 
 /// Converts a ContactSystem to the ContactModel of the event-driven method: the same semi-discrete system,
 /// without a time step. c is the contact degree of freedom, and f are the other n ones:
 ///
-///     sigma_f = -K_ff^-1 K_fc,     M_ff phi_k omega_k^2 = K_ff phi_k,     phi_k . M_ff phi_k = 1,
-///     q_f = sigma_f u_c + Phi T,     q_c = u_c,     T = Phi^T M_ff (q_f - sigma_f q_c),
+///     σ_f = -K_ff⁻¹ K_fc,     M_ff φ_k ω_k² = K_ff φ_k,     φ_k . M_ff φ_k = 1,
+///     q_f = σ_f u_c + Φ T,     q_c = u_c,     T = Φ^T M_ff (q_f - σ_f q_c),
 ///
-/// K is the stick stiffness. With B = [Phi sigma_f; 0 1] the matrices of the model are B^T (.) B. The
+/// K is the stick stiffness. With B = [Φ σ_f; 0 1] the matrices of the model are B^T (.) B. The
 /// follower row is the row c of (K_slip - K_stick) B. Relative rounding error: at most about eps
-/// omega_n^2/omega_1^2.
+/// ω_n²/ω_1².
 class FiniteElementContactModel {
  public:
-  /// Needs n^3 operations on dense matrices. Throws std::invalid_argument unless M_ff and K_ff are positive
+  /// Needs n³ operations on dense matrices. Throws std::invalid_argument unless M_ff and K_ff are positive
   /// definite and K_slip differs from K_stick only in the row c, and what require_consistent() throws.
   FiniteElementContactModel(const solver::ContactSystem& system, const HarmonicDrive& drive);
 
@@ -47,7 +47,7 @@ class FiniteElementContactModel {
   Eigen::Index contact_;
   std::vector<Eigen::Index> others_;  // f
   Eigen::MatrixXd basis_;             // B
-  Eigen::MatrixXd projection_;        // Phi^T M_ff
+  Eigen::MatrixXd projection_;        // Φ^T M_ff
   analytic::ContactModel model_;
 };
 

@@ -12,7 +12,7 @@ namespace stickslip::studies {
 
 namespace {
 
-// omega_max l^2 sqrt(rho A/EI) of a uniform mesh of elements of length l at P = 0. Computed: 59.792 for 5
+// ω_max l² √(ρ A/EI) of a uniform mesh of elements of length l at P = 0. Computed: 59.792 for 5
 // elements, 59.878 for 20 and more.
 constexpr double highest_frequency_factor = 59.88;
 // The fraction of the range of y(L) at which the observation of a growth ends.

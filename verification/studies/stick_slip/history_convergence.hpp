@@ -23,8 +23,8 @@ struct HistoryRun {
   int elements{};
   double time_step{};  ///< h, s
   double spectral_radius{};
-  double highest_angle{};  ///< omega_max h, where omega_max is the highest frequency of the mesh
-  double growth_bound{};   ///< sigma* of mesh and step, 1/s
+  double highest_angle{};                   ///< ω_max h, where ω_max is the highest frequency of the mesh
+  double growth_bound{};                    ///< σ* of mesh and step, 1/s
   std::optional<double> observed_growth{};  ///< growth_rate() of a perturbation, 1/s, if asked for
   double error{};  ///< largest |difference| of y(L) from the converged history, over its range
   int changes{};   ///< number of changes of contact
@@ -41,7 +41,7 @@ STICKSLIP_MEMBERS(HistoryRun, (perturbation, "1"), (elements, "1"), (time_step, 
 
 /// One run with its growth bound and its error. The growth is observed in periods of the load, with a tenth of the range
 /// as limit. `time_step` is reduced so that it divides the spacing of the reference. With radiating_share > 0, this
-/// fraction of the element mass rho A l is attached to the tip by a dashpot of kappa (with_radiating_contact()). Throws
+/// fraction of the element mass ρ A l is attached to the tip by a dashpot of κ (with_radiating_contact()). Throws
 /// what solver::BeamSimulation throws.
 [[nodiscard]] HistoryRun history_run(const data::Case& problem, const ConvergedHistory& reference,
                                      int elements, double time_step, double spectral_radius,
@@ -50,7 +50,7 @@ STICKSLIP_MEMBERS(HistoryRun, (perturbation, "1"), (elements, "1"), (time_step, 
 /// How the time step depends on the mesh.
 struct StepRule {
   std::string name{};
-  double angle{};      ///< omega_max h; 0 for a fixed step
+  double angle{};      ///< ω_max h; 0 for a fixed step
   double time_step{};  ///< h, s, if the angle is 0
   double spectral_radius{};
   double radiating_share{};  ///< see history_run()
@@ -61,7 +61,7 @@ STICKSLIP_MEMBERS(StepRule, (name, "-"), (angle, "1"), (time_step, "s"), (spectr
 /// The time step of a rule, s.
 [[nodiscard]] double time_step_of(const StepRule& rule, const data::Beam& beam, int elements);
 
-/// omega_max h at which generalised-alpha with the spectral radius 0 has no more growth than the beam.
+/// ω_max h at which generalised-alpha with the spectral radius 0 has no more growth than the beam.
 inline constexpr double filtering_angle = 2.445;
 
 /// Runs of one rule on several meshes, and the observed order in l of their errors. The growth is observed on
@@ -71,7 +71,7 @@ struct HistoryRefinement {
   double frequency_hz{};
   std::vector<HistoryRun> runs;
   OrderEstimate order;         ///< observed; there is no theoretical order
-  double beam_growth_bound{};  ///< sigma* of the continuous beam, 1/s
+  double beam_growth_bound{};  ///< σ* of the continuous beam, 1/s
 };
 STICKSLIP_MEMBERS(HistoryRefinement, (rule), (frequency_hz, "Hz"), (runs), (order),
                   (beam_growth_bound, "1/s"))

@@ -15,11 +15,11 @@ namespace stickslip::studies {
 
 /// One mode of the sliding beam.
 struct SquealMode {
-  double frequency_hz{};                 ///< without falling friction
-  double damping_ratio{};                ///< of critical, without falling friction
-  double one_mode_slope{};               ///< kappa_k that the mode alone holds, N s/m (steady_sliding.hpp)
-  std::optional<double> critical_slope;  ///< kappa at the Hopf point, N s/m; nothing if there is none
-  std::optional<double> critical_speed;  ///< above it the mode is stable, m/s; infinite if it never is
+  double frequency_hz{};                     ///< without falling friction
+  double damping_ratio{};                    ///< of critical, without falling friction
+  double one_mode_slope{};                   ///< κ_k that the mode alone holds, N s/m (steady_sliding.hpp)
+  std::optional<double> critical_slope;      ///< κ at the Hopf point, N s/m; nothing if there is none
+  std::optional<double> critical_speed;      ///< above it the mode is stable, m/s; infinite if it never is
   std::optional<std::complex<double>> root;  ///< s at the speed of the wall, 1/s, characteristic equation
   std::optional<std::complex<double>> finite_element_root;  ///< the eigenvalue of the mesh next to it, 1/s
 };
@@ -27,7 +27,7 @@ struct SquealMode {
 /// Steady sliding of a case.
 struct Squeal {
   double speed{};                        ///< V, m/s
-  double slope{};                        ///< kappa(V), N s/m
+  double slope{};                        ///< κ(V), N s/m
   double friction_force{};               ///< on the beam, N
   double tip_displacement{};             ///< relative to the base, closed form, m
   double finite_element_displacement{};  ///< the same by the mesh, m
@@ -39,7 +39,7 @@ struct Squeal {
   [[nodiscard]] bool is_stable() const { return fastest.real() <= 1e-9 * std::abs(fastest); }
 };
 
-/// Throws data::FieldError if wall.speed is 0, if there are more than 200 elements, if P <= 0, or if the
+/// Throws data::FieldError if wall.speed is 0, if there are more than 200 elements, if P ≤ 0, or if the
 /// sliding beam has no `modes` natural frequencies (flutter or buckling).
 [[nodiscard]] Squeal squeal_of(const data::Case& problem, int modes);
 

@@ -35,7 +35,7 @@ struct TipRun {
                              const RunEnd& end);
 
 /// A contact law of one's own: the coefficient of friction against a sliding velocity v, f_d = -c(v) N, odd
-/// or not, and whether a tip at rest is held by up to mu_s N.
+/// or not, and whether a tip at rest is held by up to μ_s N.
 struct FrictionRule {
   std::function<double(const data::FrictionLaw&, double)> coefficient;
   bool holds{true};
@@ -43,7 +43,7 @@ struct FrictionRule {
 
 /// A run by the implicit midpoint rule. The friction force f of a step is determined by the velocity at its
 /// end (Moreau's scheme): v_s = v_free + m f with the mobility m of the contact. The tip is held if v_s = 0
-/// is possible with |f| <= mu_s N. Otherwise v_s is the root of v + m N c(v) = v_free, by bisection. The
+/// is possible with |f| ≤ μ_s N. Otherwise v_s is the root of v + m N c(v) = v_free, by bisection. The
 /// method has first order in the step, which is a tenth of the time step of the case.
 [[nodiscard]] TipRun tip_run(const solver::ContactSystem& system, const solver::PrescribedMotion& base,
                              const data::NumericalSettings& numerics, const FrictionRule& law,

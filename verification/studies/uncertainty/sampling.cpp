@@ -195,8 +195,8 @@ Estimate quantile_of(std::span<const double> sorted, double p) {
   const std::size_t count = sorted.size();
   const auto n = static_cast<unsigned>(count);
   const auto rank = static_cast<std::size_t>(p * static_cast<double>(count));
-  // The number B of samples below the quantile is binomial. x_(l) <= q <= x_(u) holds if l <= B < u, counted from
-  // 1: l the largest with P(B < l) <= 2.5 %, u the smallest with P(B >= u) <= 2.5 %.
+  // The number B of samples below the quantile is binomial. x_(l) ≤ q ≤ x_(u) holds if l ≤ B < u, counted from
+  // 1: l the largest with P(B < l) ≤ 2.5 %, u the smallest with P(B ≥ u) ≤ 2.5 %.
   std::size_t low = 0, high = count + 1;
   for (std::size_t step = std::bit_ceil(count); step > 0; step /= 2) {
     if (low + step <= count && gsl_cdf_binomial_P(static_cast<unsigned>(low + step - 1), p, n) <= tail)

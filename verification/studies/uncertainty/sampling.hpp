@@ -19,7 +19,7 @@ namespace stickslip::studies {
 [[nodiscard]] double quantile(const data::Distribution& distribution, double p);
 
 /// Quantities that are correlated by a Gaussian copula: with independent standard normal z and the factor L of
-/// the correlation, x_i = quantile_i(Phi((L z)_i)).
+/// the correlation, x_i = quantile_i(Φ((L z)_i)).
 class JointDistribution {
  public:
   explicit JointDistribution(const data::Uncertainty& uncertainty);
@@ -38,7 +38,7 @@ class JointDistribution {
 [[nodiscard]] std::vector<double> independent_point(std::uint64_t seed, std::uint64_t index,
                                                     std::size_t dimensions);
 
-/// The first `count` points, a power of two up to 2^20, of Sobol's sequence, row by row, scrambled by random
+/// The first `count` points, a power of two up to 2²⁰, of Sobol's sequence, row by row, scrambled by random
 /// lower triangular binary matrices and a random digital shift (Matousek, J. Complexity 14, 527-556, 1998): each
 /// point is uniform in 0 < u < 1, and the points fill the cube evenly. At most 40 dimensions.
 [[nodiscard]] std::vector<double> scrambled_sobol_points(std::size_t dimensions, std::size_t count,
@@ -75,7 +75,7 @@ using Model = std::function<std::optional<double>(std::span<const double>)>;
 /// First and total indices by Jansen's estimators (Comput. Phys. Commun. 117, 35-43, 1999), with rows A and B of a
 /// scrambled Sobol sequence in twice the dimensions, and AB_i, which is A but for input i of B:
 ///
-///     S_i = 1 - mean (f(B) - f(AB_i))^2/(2 V),     T_i = mean (f(A) - f(AB_i))^2/(2 V),     V = var f.
+///     S_i = 1 - mean (f(B) - f(AB_i))²/(2 V),     T_i = mean (f(A) - f(AB_i))²/(2 V),     V = var f.
 ///
 /// The mean of 16 independent replications, each of a sixteenth of `rows` or the next power of two, at least 4, is the
 /// estimate, and Student's t gives its interval. A row without a value somewhere counts nowhere. Where V is 0 all

@@ -24,7 +24,7 @@ struct SlipSampling {
   std::optional<analytic::FrequencyBand> band{};
 };
 
-/// The margin is mu_s P/|f_max| = critical amplitude / amplitude; the tip slips below 1.
+/// The margin is μ_s P/|f_max| = critical amplitude / amplitude; the tip slips below 1.
 struct SlipUncertainty {
   struct Quantile {
     double probability{};

@@ -3,20 +3,20 @@
 
 /// The largest |f_max| of Eqs. (29), (30) over a band of excitation frequencies, between rigorous bounds.
 ///
-/// Per unit A0, with c_n = EI U_n'''(L) C_n and phi_n = Omega^2 g_n of Eq. (26),
+/// Per unit A0, with c_n = EI U_n'''(L) C_n and φ_n = Ω² g_n of Eq. (26),
 ///
-///     f(t) = EI S'''(L) sin(Omega t) + sum_n c_n phi_n(t),       0 <= t <= T.
+///     f(t) = EI S'''(L) sin(Ω t) + Σ_n c_n φ_n(t),       0 ≤ t ≤ T.
 ///
-/// At each t this is smooth in Omega. Between two frequencies a distance h apart |f_max| therefore exceeds the larger of
-/// its values there by at most h^2/8 max |d^2 f/dOmega^2|. A mode whose frequency is outside a ... b by at least D counts
+/// At each t this is smooth in Ω. Between two frequencies a distance h apart |f_max| therefore exceeds the larger of
+/// its values there by at most h²/8 max |d² f/dΩ²|. A mode whose frequency is outside a ... b by at least D counts
 /// in that maximum with the amplitudes of its two sinusoids,
 ///
-///     phi_n = p sin(Omega t) - q sin(omega_n t),  p = Omega^2/(Omega^2 - omega_n^2),  q = p Omega/omega_n,
+///     φ_n = p sin(Ω t) - q sin(ω_n t),  p = Ω²/(Ω² - ω_n²),  q = p Ω/ω_n,
 ///
-/// whose derivatives are bounded with |Omega^2 - omega_n^2| >= D (a + omega_n). A mode in or close to the interval
-/// counts with g_n = -(1/omega_n) int_0^t sin(omega_n (t - s)) sin(Omega s) ds, that is with
+/// whose derivatives are bounded with |Ω² - ω_n²| ≥ D (a + ω_n). A mode in or close to the interval
+/// counts with g_n = -(1/ω_n) ∫_0^t sin(ω_n (t - s)) sin(Ω s) ds, that is with
 ///
-///     |phi_n''| <= (2 T + 2 b T^2 + b^2 T^3/3)/omega_n.
+///     |φ_n''| ≤ (2 T + 2 b T² + b² T³/3)/ω_n.
 ///
 /// A resonance, about 1/T wide, can therefore not hide between two frequencies.
 
@@ -40,15 +40,15 @@ struct FrequencyBand {
 /// The search for that largest force. Each call continues it.
 class BandMaximum {
  public:
-  /// Throws what stick_modes() throws, and std::invalid_argument unless 0 < from_hz <= to_hz and
+  /// Throws what stick_modes() throws, and std::invalid_argument unless 0 < from_hz ≤ to_hz and
   /// duration > 0 (excitation.duration).
   BandMaximum(const data::Beam& beam, const FrequencyBand& band, double duration, int modes = 10);
   /// The same of a reaction.
   BandMaximum(const ModalReaction& reaction, const FrequencyBand& band, double duration);
 
-  /// Bounds of the largest |f_max| per unit amplitude, N/m, with upper - lower <= relative_width * lower, or
+  /// Bounds of the largest |f_max| per unit amplitude, N/m, with upper - lower ≤ relative_width * lower, or
   /// wider as soon as they leave no doubt on which side of `limit` it is. Rigorous for the modes kept at
-  /// their computed frequencies. Throws std::invalid_argument unless 1e-7 <= relative_width < 1.
+  /// their computed frequencies. Throws std::invalid_argument unless 1e-7 ≤ relative_width < 1.
   [[nodiscard]] Bounds refined_to(double relative_width);
   [[nodiscard]] Bounds refined_against(double limit, double relative_width);
 
@@ -62,12 +62,12 @@ class BandMaximum {
   /// How many frequencies have been evaluated.
   [[nodiscard]] std::size_t evaluations() const noexcept { return values_.size(); }
 
-  /// Bounds per unit amplitude over an interval of Omega and 0 <= t <= T, from the formulas above alone.
+  /// Bounds per unit amplitude over an interval of Ω and 0 ≤ t ≤ T, from the formulas above alone.
   struct Suprema {
     double force{};      ///< of |f|, N/m
-    double curvature{};  ///< of |d^2 f/dOmega^2|, N s^2/(m rad^2)
+    double curvature{};  ///< of |d² f/dΩ²|, N s²/(m rad²)
   };
-  /// What the search knows of an interval without evaluating it; from <= to in rad/s.
+  /// What the search knows of an interval without evaluating it; from ≤ to in rad/s.
   [[nodiscard]] Suprema between(double from, double to) const;
 
  private:
@@ -88,7 +88,7 @@ class BandMaximum {
   ModalReaction reaction_;
   double duration_;
   std::vector<double> marks_;        // the ends and the natural frequencies between them, rad/s, ascending
-  std::map<double, double> values_;  // upper bound of |f_max| by Omega
+  std::map<double, double> values_;  // upper bound of |f_max| by Ω
   std::priority_queue<Interval> intervals_;
   double lower_ = 0.0;
   double best_omega_;

@@ -12,19 +12,19 @@ namespace stickslip::analytic {
 /// A grid of `steps` equal time steps from t = 0.
 struct TimeGrid {
   double time_step{};   ///< h, s
-  std::size_t steps{};  ///< at most 2^26, a GB of memory and more
+  std::size_t steps{};  ///< at most 2²⁶, a GB of memory and more
 };
 
 /// f_h: the friction force on the beam that holds its tip, from the quasi-static start, N, for each step. Undamped it is
 /// the mean over the step of minus Eq. (28), with the exact steady part and 200 free vibrations (StickResponse), whose
-/// amplitudes fall as n^-4. With Kelvin-Voigt damping it is that of a BeamContactModel of 40 modes in the middle of the
+/// amplitudes fall as n⁻⁴. With Kelvin-Voigt damping it is that of a BeamContactModel of 40 modes in the middle of the
 /// step. Throws what these throw, and data::FieldError unless damping.ratio is 0, time_step > 0 and steps is in
-/// 1 ... 2^26.
+/// 1 ... 2²⁶.
 [[nodiscard]] std::vector<double> holding_force(const data::Beam& beam,
                                                 const data::HarmonicExcitation& excitation,
                                                 const data::Damping& damping, const TimeGrid& grid);
 
-/// y(x, t_n) of the beam with its tip held, m, at t_n = n every h <= h steps. Throws as holding_force().
+/// y(x, t_n) of the beam with its tip held, m, at t_n = n every h ≤ h steps. Throws as holding_force().
 [[nodiscard]] std::vector<double> held_displacement(const data::Beam& beam,
                                                     const data::HarmonicExcitation& excitation,
                                                     const data::Damping& damping, const TimeGrid& grid,

@@ -3,7 +3,7 @@
 
 namespace stickslip::analytic {
 
-/// An interval that is known to hold the true value: lower <= value <= upper.
+/// An interval that is known to hold the true value: lower ≤ value ≤ upper.
 struct Bounds {
   double lower{};
   double upper{};

@@ -40,7 +40,7 @@ struct KinematicsView {
 /// (T, u_c, T_t, u_c_t).
 [[nodiscard]] std::vector<double> flat(const ContactKinematics& state);
 
-/// The function sine sin(Omega t) + cosine cos(Omega t) + constant + rate t. The last two come from the speed of the wall.
+/// The function sine sin(Ω t) + cosine cos(Ω t) + constant + rate t. The last two come from the speed of the wall.
 struct Harmonic {
   double sine{};
   double cosine{};
@@ -59,7 +59,7 @@ class ContactDynamics {
 
   [[nodiscard]] const ContactModel& model() const noexcept { return model_; }
   [[nodiscard]] std::size_t modes() const noexcept { return model_.modes(); }
-  /// The highest of omega_n and Omega, rad/s.
+  /// The highest of ω_n and Ω, rad/s.
   [[nodiscard]] double fastest() const;
 
   [[nodiscard]] double load(double t) const;               ///< s
@@ -81,10 +81,10 @@ class ContactDynamics {
   [[nodiscard]] double potential_energy(const KinematicsView& state) const;
 
   /// The force T_n sees per unit load factor and unit wall motion while the contact is held, as it stands in
-  /// T_n_tt + (C T_t)_n + omega_n^2 T_n = held_load.
+  /// T_n_tt + (C T_t)_n + ω_n² T_n = held_load.
   [[nodiscard]] Harmonic held_load(std::size_t mode) const;
 
-  /// holding_force = sum rho_n T_n + sum rho_(m+n) T_n_t + held_stiffness() (u_c - w) - F_c + held_force().
+  /// holding_force = sum ρ_n T_n + sum ρ_(m+n) T_n_t + held_stiffness() (u_c - w) - F_c + held_force().
   [[nodiscard]] std::vector<double> held_force_row() const;
   [[nodiscard]] double held_stiffness() const { return model_.contact_stiffness + model_.contact_follower; }
   [[nodiscard]] Harmonic held_force() const;

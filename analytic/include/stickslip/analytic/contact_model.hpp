@@ -4,20 +4,20 @@
 /// A linear structure with one frictional contact, in the modes that it has while the contact is held.
 ///
 /// Coordinates: the amplitudes T_n of the mass-normalised modes of the held contact (kg^(1/2) m), and the
-/// displacement u_c of the contact, which carries the static shape sigma along:
+/// displacement u_c of the contact, which carries the static shape σ along:
 ///
-///     u = sigma u_c + sum_n U_n T_n,
+///     u = σ u_c + Σ_n U_n T_n,
 ///
-/// with sigma the deflection of the unloaded structure at u_c = 1. (Craig & Bampton, AIAA J. 6, 1313-1319, 1968.)
+/// with σ the deflection of the unloaded structure at u_c = 1. (Craig & Bampton, AIAA J. 6, 1313-1319, 1968.)
 /// The same coordinates and equations serve stick and slip:
 ///
-///     T_n_tt + a_n u_c_tt + (C x_t)_n + omega_n^2 T_n                          = b_n s(t)
+///     T_n_tt + a_n u_c_tt + (C x_t)_n + ω_n² T_n                          = b_n s(t)
 ///     a . T_tt + m_c u_c_tt + (C x_t)_c + k_c u_c + (l . T + l_c u_c)          = b_c s(t) + F_c + f_d
 ///
-/// with x = (T, u_c), s(t) = sin(Omega t), a constant force F_c on the contact (one on the rest shifts T and u_c and
-/// leaves its part on the contact), the wall's motion w(t) = W sin(Omega t) + V t, and the nonconservative
+/// with x = (T, u_c), s(t) = sin(Ω t), a constant force F_c on the contact (one on the rest shifts T and u_c and
+/// leaves its part on the contact), the wall's motion w(t) = W sin(Ω t) + V t, and the nonconservative
 /// (follower) force l . T + l_c u_c, which acts on the contact alone. Stick: u_c - w is constant and the last
-/// row yields f_d. Slip: f_d = -sgn(v_s) mu(|v_s|) N, v_s = u_c_t - w_t.
+/// row yields f_d. Slip: f_d = -sgn(v_s) μ(|v_s|) N, v_s = u_c_t - w_t.
 
 #include <cstddef>
 #include <vector>
@@ -50,19 +50,19 @@ class Matrix {
 
 /// The model above; m modes, none at all for a single mass.
 struct ContactModel {
-  std::vector<double> angular_frequency;  ///< omega_n > 0 of the held contact, rad/s; m
+  std::vector<double> angular_frequency;  ///< ω_n > 0 of the held contact, rad/s; m
   std::vector<double> mass_coupling;      ///< a_n, kg^(1/2); m
   double contact_mass{};                  ///< m_c, kg; m_c - a . a > 0
   double contact_stiffness{};             ///< k_c, N/m
-  std::vector<double> follower;           ///< l_n, kg^(1/2)/s^2; m
+  std::vector<double> follower;           ///< l_n, kg^(1/2)/s²; m
   double contact_follower{};              ///< l_c, N/m
   Matrix damping;                         ///< C, (m + 1) x (m + 1), the contact last; empty if there is none
   std::vector<double> load;               ///< b, m + 1, the contact last
   double contact_force{};                 ///< F_c, N
-  double load_angular_frequency{};        ///< Omega > 0, rad/s
+  double load_angular_frequency{};        ///< Ω > 0, rad/s
   double wall_amplitude{};                ///< W, m
   double wall_speed{};                    ///< V, m/s
-  double normal_force{};                  ///< N >= 0, newton
+  double normal_force{};                  ///< N ≥ 0, newton
   data::FrictionLaw friction{{}};
 
   [[nodiscard]] std::size_t modes() const noexcept { return angular_frequency.size(); }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// The criterion of stick-slip occurrence, Eqs. (29) and (30): the tip stays stuck over 0 <= t <= duration if
-/// and only if max |f(t)| <= mu_s P, with f the stick-state reaction of Eq. (28).
+/// The criterion of stick-slip occurrence, Eqs. (29) and (30): the tip stays stuck over 0 ≤ t ≤ duration if
+/// and only if max |f(t)| ≤ μ_s P, with f the stick-state reaction of Eq. (28).
 
 #include <string_view>
 
@@ -23,8 +23,8 @@ enum class Verdict { stick, stick_slip };
 
 struct Criterion {
   Bounds force_max;           ///< max |f|, N, rigorous for the modes kept
-  double friction_limit{};    ///< mu_s P, N
-  Bounds critical_amplitude;  ///< A0 at which max |f| = mu_s P, m; infinite when max |f| is 0 for every
+  double friction_limit{};    ///< μ_s P, N
+  Bounds critical_amplitude;  ///< A0 at which max |f| = μ_s P, m; infinite when max |f| is 0 for every
                               ///< amplitude
   Verdict verdict{};          ///< verdict_of(force_max, friction_limit)
 };

@@ -3,16 +3,16 @@
 
 /// The stick-state reaction of a damped beam that starts as Eq. (26) assumes, in closed form.
 ///
-/// Kelvin-Voigt damping is eta times the bending stiffness, and a damping ratio holds in the modes of the beam
+/// Kelvin-Voigt damping is η times the bending stiffness, and a damping ratio holds in the modes of the beam
 /// with its tip free and P = 0. Neither is diagonal in the modes of the stick state. With the N modes of
-/// BeamContactModel, y = (omega_n T_n, T_n_t) = Re(Z z) separates them (StickPropagator), and per unit amplitude
+/// BeamContactModel, y = (ω_n T_n, T_n_t) = Re(Z z) separates them (StickPropagator), and per unit amplitude
 ///
-///     f(t)/A0 = (s + m Omega^2) sin(Omega t) + r Omega cos(Omega t) + Re sum_k z_k(t),
-///     z_k_t = lambda_k z_k + u_k Omega^2 sin(Omega t) + v_k Omega cos(Omega t),       z_k(0) = 0,
+///     f(t)/A0 = (s + m Ω²) sin(Ω t) + r Ω cos(Ω t) + Re Σ_k z_k(t),
+///     z_k_t = λ_k z_k + u_k Ω² sin(Ω t) + v_k Ω cos(Ω t),       z_k(0) = 0,
 ///
-/// where no number but Omega depends on the excitation. The solution is, with the sum over both signs,
+/// where no number but Ω depends on the excitation. The solution is, with the sum over both signs,
 ///
-///     z_k = sum P (exp(+-i Omega t) - exp(lambda_k t))/(+-i Omega - lambda_k),  P = (v_k Omega -+ i u_k Omega^2)/2:
+///     z_k = sum P (exp(±i Ω t) - exp(λ_k t))/(±i Ω - λ_k),  P = (v_k Ω -+ i u_k Ω²)/2:
 ///
 /// the steady vibration and free vibrations that decay.
 
@@ -28,18 +28,18 @@ namespace stickslip::analytic {
 /// The numbers above.
 struct DampedReaction {
   struct Share {
-    std::complex<double> eigenvalue;    ///< lambda_k, rad/s, Re <= 0; one of each complex pair
+    std::complex<double> eigenvalue;    ///< λ_k, rad/s, Re ≤ 0; one of each complex pair
     std::complex<double> sine, cosine;  ///< u_k, N s/m; v_k, N/m
-    std::complex<double> start;         ///< z_k(0)/Omega, N s/m: 0 if the tip is held
+    std::complex<double> start;         ///< z_k(0)/Ω, N s/m: 0 if the tip is held
   };
-  double quasi_static{};  ///< s = EI S'''(L) + chi P S'(L), N/m
-  double inertia{};       ///< m, N s^2/m; that of what is not in the N modes, 0 for SteadyPart::modal_sum
+  double quasi_static{};  ///< s = EI S'''(L) + χ P S'(L), N/m
+  double inertia{};       ///< m, N s²/m; that of what is not in the N modes, 0 for SteadyPart::modal_sum
   double rate{};          ///< r, N s/m
   std::vector<Share> shares;
 };
 
 /// With SteadyPart::modal_sum the undamped limit is ModalReaction, Eq. (28), with as many modes. With SteadyPart::exact
-/// the inertia of the other modes counts statically, so that the terms at Omega fall as P n^-4 + n^-6. Throws what
+/// the inertia of the other modes counts statically, so that the terms at Ω fall as P n⁻⁴ + n⁻⁶. Throws what
 /// BeamContactModel and StickPropagator throw. Next to critical damping of a mode two terms of up to 1e8 times the force
 /// cancel; DampedForce::rounding() includes that.
 [[nodiscard]] DampedReaction damped_reaction(const data::Beam& beam, const data::Damping& damping, int modes,
@@ -48,19 +48,19 @@ struct DampedReaction {
 /// The same for a tip that a spring k_t holds to the wall (data::TangentialContact), as long as its slider rests: the
 /// force in the spring, f = k_t x, x = u_L - w. With X = (T, x) and the equations of contact_model.hpp
 ///
-///     M X_tt + C X_t + (K + k_t e e^T) X = F(t),       X(0) = X_t(0) = 0,
+///     M X_tt + C X_t + (K + k_t e eᵀ) X = F(t),       X(0) = X_t(0) = 0,
 ///
-/// and the static part x_s = s/(s + k_t) of X, s = R[S], is taken out. The rest starts with X_t(0) = -x_s Omega e. For
+/// and the static part x_s = s/(s + k_t) of X, s = R[S], is taken out. The rest starts with X_t(0) = -x_s Ω e. For
 /// large k_t it tends to SteadyPart::exact of the held tip; the static part differs by the factor k_t/(s + k_t). Throws
 /// data::FieldError, naming contact.tangential_stiffness, if the beam on its spring buckles or flutters; and what
 /// BeamContactModel throws.
 [[nodiscard]] DampedReaction compliant_reaction(const data::Beam& beam, const data::Damping& damping,
                                                 double tangential_stiffness, int modes);
 
-/// The reaction to one excitation frequency over 0 <= t <= duration, per unit amplitude.
+/// The reaction to one excitation frequency over 0 ≤ t ≤ duration, per unit amplitude.
 class DampedForce {
  public:
-  /// angular_frequency: Omega, rad/s; duration: T, s. Throws data::FieldError, naming
+  /// angular_frequency: Ω, rad/s; duration: T, s. Throws data::FieldError, naming
   /// excitation.frequency_hz or excitation.duration, unless both are positive and finite.
   DampedForce(const DampedReaction& reaction, double angular_frequency, double duration);
 
@@ -69,17 +69,17 @@ class DampedForce {
   /// Amplitude of the steady part, N/m.
   [[nodiscard]] double steady_amplitude() const noexcept { return steady_amplitude_; }
 
-  /// Bounds of max |f|/A0 over 0 <= t <= T, N/m, with upper - lower <= relative_width * lower + 3 rounding();
+  /// Bounds of max |f|/A0 over 0 ≤ t ≤ T, N/m, with upper - lower ≤ relative_width * lower + 3 rounding();
   /// rigorous for the eigenvalues and weights given, rounding included.
   ///
   /// On a piece of time of half-width r about t_c that begins at a, each term is either evaluated, and leaves
-  /// |A_k lambda_k^3| exp(Re lambda_k a) r^3/6 beyond its parabola, or counts with its amplitude |A_k| exp(Re
-  /// lambda_k a), whichever is less. Pieces whose bound does not exceed the best value are dropped, the others
-  /// halved. A term with |+-i Omega - lambda_k| T < 2 stays one, (exp(i Omega t) - exp(lambda t))/(i Omega -
-  /// lambda), whose modulus is at most t. Where the free vibrations have fallen below relative_width/4 of the
+  /// |A_k λ_k³| exp(Re λ_k a) r³/6 beyond its parabola, or counts with its amplitude |A_k| exp(Re
+  /// λ_k a), whichever is less. Pieces whose bound does not exceed the best value are dropped, the others
+  /// halved. A term with |±i Ω - λ_k| T < 2 stays one, (exp(i Ω t) - exp(λ t))/(i Ω -
+  /// λ), whose modulus is at most t. Where the free vibrations have fallen below relative_width/4 of the
   /// steady amplitude and half a period is left, that amplitude bounds the rest.
   ///
-  /// Throws std::invalid_argument unless 1e-13 <= relative_width < 1, and data::FieldError, naming
+  /// Throws std::invalid_argument unless 1e-13 ≤ relative_width < 1, and data::FieldError, naming
   /// excitation.duration, if that needs more than 1e8 pieces.
   [[nodiscard]] Bounds refined_to(double relative_width = 1e-10) const;
 
@@ -90,7 +90,7 @@ class DampedForce {
   class Search;
   using Complex = std::complex<double>;
 
-  // Re[amplitude exp(exponent t)]; that at Omega comes first.
+  // Re[amplitude exp(exponent t)]; that at Ω comes first.
   struct Term {
     Complex amplitude, exponent;
   };
@@ -114,7 +114,7 @@ class DampedForce {
   double rounding_{};
 };
 
-/// max |f|/A0, N/m, over 0 <= t <= duration: ForceMaximum of the undamped beam, with shear if it has it, or, if it is
+/// max |f|/A0, N/m, over 0 ≤ t ≤ duration: ForceMaximum of the undamped beam, with shear if it has it, or, if it is
 /// damped, DampedForce. Throws data::FieldError, naming beam.shear_stiffness, for both together.
 [[nodiscard]] Bounds largest_unit_force(const data::Beam& beam, const data::Damping& damping,
                                         double frequency_hz, double duration, int modes,

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// The steady vibration of the beam with Kelvin-Voigt damping, bending moment E I (u_xx + eta u_xxt), on a
-/// base that moves by h(t) = A0 sin(Omega t), in closed form. With y = h + u = Im[Y(x) exp(i Omega t)] and
-/// the complex rigidity D = E I (1 + i Omega eta), Eq. (1) becomes
+/// The steady vibration of the beam with Kelvin-Voigt damping, bending moment E I (u_xx + η u_xxt), on a
+/// base that moves by h(t) = A0 sin(Ω t), in closed form. With y = h + u = Im[Y(x) exp(i Ω t)] and
+/// the complex rigidity D = E I (1 + i Ω η), Eq. (1) becomes
 ///
-///     D Y'''' + P Y'' - rho A Omega^2 Y = 0,        Y(0) = A0,  Y'(0) = 0,  D Y''(L) = 0,
+///     D Y'''' + P Y'' - ρ A Ω² Y = 0,        Y(0) = A0,  Y'(0) = 0,  D Y''(L) = 0,
 ///
-/// and Y(L) = 0 with the tip held to the wall, or D Y'''(L) + chi P Y'(L) = 0 with a tip that slides without
-/// friction. The exponents r of the solutions exp(r x/L) are +-b and +-c,
+/// and Y(L) = 0 with the tip held to the wall, or D Y'''(L) + χ P Y'(L) = 0 with a tip that slides without
+/// friction. The exponents r of the solutions exp(r x/L) are ±b and ±c,
 ///
-///     b^2 = -z/2 + sqrt(z^2/4 + s^2),   c^2 = -z/2 - sqrt(z^2/4 + s^2),
-///     z = P L^2/D,                      s^2 = rho A Omega^2 L^4/D,
+///     b² = -z/2 + √(z²/4 + s²),   c² = -z/2 - √(z²/4 + s²),
+///     z = P L²/D,                      s² = ρ A Ω² L⁴/D,
 ///
 /// complex, with real parts that are not negative. (Undamped, c = i bb with the bb of stick_modes.hpp.)
 
@@ -28,8 +28,8 @@ enum class TipSupport {
   free   ///< the slip state without friction; also its response beyond the flutter or buckling load
 };
 
-/// Complex amplitudes of the steady vibration: a quantity is Im[amplitude exp(i Omega t)], its phase that
-/// against the base. Accuracy: round-off, times max(1, min(|b|, |c|)^-3) at low frequency, and times the
+/// Complex amplitudes of the steady vibration: a quantity is Im[amplitude exp(i Ω t)], its phase that
+/// against the base. Accuracy: round-off, times max(1, min(|b|, |c|)⁻³) at low frequency, and times the
 /// resonance factor.
 class DampedSteadyState {
  public:
@@ -40,17 +40,17 @@ class DampedSteadyState {
   DampedSteadyState(const data::Beam& beam, const data::HarmonicExcitation& excitation,
                     const data::Damping& damping, TipSupport tip);
 
-  /// Y(x), absolute, m; 0 <= x <= L in m.
+  /// Y(x), absolute, m; 0 ≤ x ≤ L in m.
   [[nodiscard]] Complex displacement(double x) const { return derivative(0, x); }
   /// d^order Y/dx^order, m^(1 - order).
   [[nodiscard]] Complex derivative(int order, double x) const;
-  /// D = E I (1 + i Omega eta), N m^2.
+  /// D = E I (1 + i Ω η), N m².
   [[nodiscard]] Complex rigidity() const noexcept { return rigidity_; }
-  /// f = D Y'''(L) + chi P Y'(L), N: the sign of Eq. (28), f = -f_d with the friction force f_d on the beam. Round-off of 0
+  /// f = D Y'''(L) + χ P Y'(L), N: the sign of Eq. (28), f = -f_d with the friction force f_d on the beam. Round-off of 0
   /// with a free tip.
   [[nodiscard]] Complex friction_force() const;
-  /// Heat per period, pi Omega eta E I int |Y''|^2 dx, J, with the integral in closed form. It is what the
-  /// base and, with a free tip, the follower force put in: pi Im[A0 D Y'''(0) - (1 - chi) P Y'(L) conj(Y(L))].
+  /// Heat per period, π Ω η E I ∫ |Y''|² dx, J, with the integral in closed form. It is what the
+  /// base and, with a free tip, the follower force put in: π Im[A0 D Y'''(0) - (1 - χ) P Y'(L) conj(Y(L))].
   [[nodiscard]] double dissipated_energy() const;
 
  private:
@@ -62,7 +62,7 @@ class DampedSteadyState {
 
   data::Beam beam_;
   double length_;
-  double loss_;  // pi Omega eta E I
+  double loss_;  // π Ω η E I
   Complex rigidity_;
   std::array<Wave, 4> waves_;
 };

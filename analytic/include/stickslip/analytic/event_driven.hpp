@@ -9,11 +9,11 @@
 /// nothing discontinuous is integrated over.
 ///
 /// Why no event is missed in stick: f_d is a sum of exponentials with known amplitudes. So |f_d_tt| has a bound B on
-/// every interval of length h, and |f_d| <= max(|f_d(t)|, |f_d(t + h)|) + B h^2/8 in between. An interval is passed only
-/// if that is below mu_s N. Otherwise it is halved, until f_d is monotonic in it or h is at round-off.
+/// every interval of length h, and |f_d| ≤ max(|f_d(t)|, |f_d(t + h)|) + B h²/8 in between. An interval is passed only
+/// if that is below μ_s N. Otherwise it is halved, until f_d is monotonic in it or h is at round-off.
 ///
 /// In slip: the sliding velocity and its first two rates are known at both ends of a step. The quintic through them
-/// differs from v_s by at most h^6/46080 max|v_s^(6)|. That derivative is measured, with a safety factor of 4, by the
+/// differs from v_s by at most h⁶/46080 max|v_s^(6)|. That derivative is measured, with a safety factor of 4, by the
 /// quintic across two consecutive steps and the value between them. A step is passed only if the Bernstein coefficients
 /// of its quintic exceed that error. Otherwise it is halved, which divides the error by 64.
 ///
@@ -31,12 +31,13 @@ namespace stickslip::analytic {
 
 class SlipIntegrator;
 
-/// Where the energy went since the start, J. kinetic + potential - (their values at the start) =
-/// base_work + follower_work - damping_loss - friction_loss.
+/// Where the energy went since the start, J:
+///
+///     Δ(kinetic + potential) = base_work + follower_work - damping_loss - friction_loss.
 struct EventDrivenEnergy {
   double kinetic{};    ///< 1/2 x_t . M x_t in the frame of the base
-  double potential{};  ///< strain and geometric energy, 1/2 sum omega_n^2 T_n^2 + 1/2 k_c u_c^2
-  double base_work{};  ///< of the loads and of the moving wall, int s b . x_t + F_c u_c_t + f_d w_t dt
+  double potential{};  ///< strain and geometric energy, 1/2 sum ω_n² T_n² + 1/2 k_c u_c²
+  double base_work{};  ///< of the loads and of the moving wall, ∫ s b . x_t + F_c u_c_t + f_d w_t dt
   double follower_work{};
   double damping_loss{};
   double friction_loss{};
@@ -44,7 +45,7 @@ struct EventDrivenEnergy {
 
 struct EventDrivenSettings {
   /// Error allowed per step of the slip phases, relative to each coordinate and to a reference velocity: the largest of
-  /// W Omega, V, the velocity of the held structure under the load alone and the sliding velocity of the start; where
+  /// W Ω, V, the velocity of the held structure under the load alone and the sliding velocity of the start; where
   /// all are 0, the velocity that the energy of the start would give the mass of the contact.
   double tolerance{1e-12};
   bool keep_energy_balance{};  ///< integrate the works of EventDrivenEnergy as well
@@ -59,7 +60,7 @@ class EventDriven {
   EventDriven(EventDriven&&) noexcept;
 
   /// Starts at t = 0 with the contact held at u_c = `position`, where w(0) = 0, moving with the wall. If holding it
-  /// takes more than mu_s N it slips from the start. Empty vectors are zeros.
+  /// takes more than μ_s N it slips from the start. Empty vectors are zeros.
   void start_stuck(const std::vector<double>& amplitudes, const std::vector<double>& rates,
                    double position = 0.0);
 
@@ -70,7 +71,7 @@ class EventDriven {
 
   /// Runs to time t, which must be finite and not before time(). The history does not depend on the times
   /// asked for, but for the rounding of the polished events. Throws std::runtime_error, saying when, if the
-  /// state is no longer finite or if 10000 events fall within 1e-9/Omega.
+  /// state is no longer finite or if 10000 events fall within 1e-9/Ω.
   void advance_to(double t);
 
   [[nodiscard]] double time() const { return time_; }
@@ -80,7 +81,7 @@ class EventDriven {
   [[nodiscard]] double contact_displacement() const { return now_.displacement; }          ///< u_c, m
   [[nodiscard]] double contact_velocity() const { return now_.velocity; }                  ///< u_c_t, m/s
   [[nodiscard]] double wall_displacement() const { return dynamics_->wall_displacement(time_); }  ///< w, m
-  [[nodiscard]] double drive_displacement() const;  ///< W sin(Omega t) = w - V t, m
+  [[nodiscard]] double drive_displacement() const;  ///< W sin(Ω t) = w - V t, m
   /// u_c - w, m.
   [[nodiscard]] double contact_position() const { return now_.displacement - wall_displacement(); }
   [[nodiscard]] double sliding_velocity() const;  ///< v_s, m/s; zero in stick
@@ -104,7 +105,7 @@ class EventDriven {
   std::unique_ptr<const ContactDynamics> dynamics_;  // stick_ and slip_ refer to it
   StickPropagator stick_;
   std::unique_ptr<SlipIntegrator> slip_;
-  double limit_;  // mu_s N
+  double limit_;  // μ_s N
 
   double time_{};
   data::ContactState state_{data::ContactState::stick};

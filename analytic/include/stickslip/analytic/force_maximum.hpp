@@ -4,16 +4,16 @@
 /// |f_max| of Eqs. (29) and (30), fast: what StickResponse::max_abs_friction_force returns, at a fraction of
 /// the cost of the plain way, StickResponse::max_abs_friction_force_by_halving.
 ///
-/// Per unit amplitude the reaction is a sum of sinusoids, a_0 sin(Omega t) + sum a_n sin(omega_n t), and of
-/// one modulated sinusoid for each mode in resonance, |Omega - omega_n| T < 2. Three bounds find its largest
-/// value over 0 <= t <= T without sampling it finely. On an interval of half-width r about t_c, with f_k the
-/// first k terms in falling order of amplitude, C_k >= max|f_k''|, D_k >= max|f_k'''| and R_k >= |f - f_k|,
+/// Per unit amplitude the reaction is a sum of sinusoids, a_0 sin(Ω t) + sum a_n sin(ω_n t), and of
+/// one modulated sinusoid for each mode in resonance, |Ω - ω_n| T < 2. Three bounds find its largest
+/// value over 0 ≤ t ≤ T without sampling it finely. On an interval of half-width r about t_c, with f_k the
+/// first k terms in falling order of amplitude, C_k ≥ max|f_k''|, D_k ≥ max|f_k'''| and R_k ≥ |f - f_k|,
 ///
-///     |f| <= max(|f_k(t_c - r)|, |f_k(t_c + r)|) + C_k r^2/2 + R_k                                 (chord)
-///     |f| <= max |f_k(t_c) + f_k'(t_c) s + f_k''(t_c) s^2/2| + D_k r^3/6 + R_k,   |s| <= r       (parabola)
-///     |f| <= |f(t)| + f'(t)^2/(2 m)       where f has one sign, is concave away from zero, m <= |f''| (peak)
+///     |f| ≤ max(|f_k(t_c - r)|, |f_k(t_c + r)|) + C_k r²/2 + R_k                                 (chord)
+///     |f| ≤ max |f_k(t_c) + f_k'(t_c) s + f_k''(t_c) s²/2| + D_k r³/6 + R_k,   |s| ≤ r       (parabola)
+///     |f| ≤ |f(t)| + f'(t)²/(2 m)       where f has one sign, is concave away from zero, m ≤ |f''| (peak)
 ///
-/// The amplitudes of the free vibrations fall as n^-4, while their shares in f'' do not fall. So a coarse division needs
+/// The amplitudes of the free vibrations fall as n⁻⁴, while their shares in f'' do not fall. So a coarse division needs
 /// few terms, and the rest counts with its amplitude. A grid with the chord bound drops most of the time; its step and
 /// number of terms are the cheapest. The other pieces are halved under the parabola bound, with more terms as they get
 /// narrower, until the peak bound closes a piece after two or three steps of Newton's method.
@@ -26,16 +26,16 @@
 
 namespace stickslip::analytic {
 
-/// The reaction of one beam to one excitation frequency over 0 <= t <= duration, per unit amplitude.
+/// The reaction of one beam to one excitation frequency over 0 ≤ t ≤ duration, per unit amplitude.
 class ForceMaximum {
  public:
-  /// angular_frequency: Omega, rad/s; duration: T, s. Throws data::FieldError, naming
+  /// angular_frequency: Ω, rad/s; duration: T, s. Throws data::FieldError, naming
   /// excitation.frequency_hz or excitation.duration, unless both are positive and finite.
   ForceMaximum(const ModalReaction& reaction, double angular_frequency, double duration);
 
-  /// Bounds of max |f|/A0, N/m, with upper - lower <= relative_width * lower + 3 rounding(). They enclose the
+  /// Bounds of max |f|/A0, N/m, with upper - lower ≤ relative_width * lower + 3 rounding(). They enclose the
   /// maximum over all real t for the frequencies and coefficients given, rounding included. Throws
-  /// std::invalid_argument unless 1e-13 <= relative_width < 1, or if the grid would need more than 1e9
+  /// std::invalid_argument unless 1e-13 ≤ relative_width < 1, or if the grid would need more than 1e9
   /// points.
   [[nodiscard]] Bounds refined_to(double relative_width = 1e-10) const;
 
@@ -56,11 +56,11 @@ class ForceMaximum {
     double amplitude{};
     double angular_frequency{};
   };
-  // b e(t) cos(sigma t), e(t) = sin(delta t)/delta: a mode in resonance, together with a Sinusoid.
+  // b e(t) cos(σ t), e(t) = sin(δ t)/δ: a mode in resonance, together with a Sinusoid.
   struct Beat {
     double amplitude{};  // b
-    double mean{};       // sigma = (Omega + omega_n)/2
-    double detuning{};   // delta = (Omega - omega_n)/2
+    double mean{};       // σ = (Ω + ω_n)/2
+    double detuning{};   // δ = (Ω - ω_n)/2
   };
   struct Jet {
     double value{}, slope{}, curvature{};
@@ -76,7 +76,7 @@ class ForceMaximum {
   [[nodiscard]] double beats(double t) const;
 
   double duration_;
-  std::vector<Sinusoid> sinusoids_;  // that at Omega first, then in falling order of amplitude
+  std::vector<Sinusoid> sinusoids_;  // that at Ω first, then in falling order of amplitude
   std::vector<Beat> beats_;
   std::vector<Truncation> truncations_;  // by k = 1 ... sinusoids_.size()
   double rounding_{};

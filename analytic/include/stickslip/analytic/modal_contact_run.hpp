@@ -6,21 +6,21 @@
 /// The equations of a ContactModel with its contact free are one linear system, whose eigenvectors separate it,
 /// damped or not. With the complex amplitudes z_k scaled to the velocity of the contact,
 ///
-///     z_k_t = lambda_k z_k + g_k (f_d + F_c) + b_k sin(Omega t),        u_c_t = Re sum_k z_k.
+///     z_k_t = λ_k z_k + g_k (f_d + F_c) + b_k sin(Ω t),        u_c_t = Re Σ_k z_k.
 ///
-/// A step h = 2 pi/(Omega n) propagates each z_k exactly under the load and a friction force that is constant
+/// A step h = 2 π/(Ω n) propagates each z_k exactly under the load and a friction force that is constant
 /// over the step. Then the sliding velocity at its end is v_1 = p + W f_d with one number W = Re sum g_k
-/// (exp(lambda_k h) - 1)/lambda_k, and the law of friction is a scalar one:
+/// (exp(λ_k h) - 1)/λ_k, and the law of friction is a scalar one:
 ///
-///     stick:  v_1 = 0,   |f_d| <= mu_s N        slip:  f_d = -sgn(v_1) N mu(|v_0 + v_1|/2).
+///     stick:  v_1 = 0,   |f_d| ≤ μ_s N        slip:  f_d = -sgn(v_1) N μ(|v_0 + v_1|/2).
 ///
 /// A contact that slips goes on in its direction if that has a solution. Else its velocity passes zero in the step. Then
-/// it turns round if |p - v_0| > W mu_s N, with the force of each direction for its share of the step, and otherwise it
+/// it turns round if |p - v_0| > W μ_s N, with the force of each direction for its share of the step, and otherwise it
 /// sticks. The mean of the two velocities in the law makes slip of second order in h. Changes of contact are not located:
-/// a contact that is caught is at rest at the end of the step, which costs a displacement of order h^2 only.
+/// a contact that is caught is at rest at the end of the step, which costs a displacement of order h² only.
 ///
-/// Friction takes the work -h f_d (v_0 + v_1)/2 in a step, and stays passive, only while |lambda_k| h < pi. Modes with
-/// |lambda_k| h > 2 are propagated by the trapezoidal rule, which is passive at any step.
+/// Friction takes the work -h f_d (v_0 + v_1)/2 in a step, and stays passive, only while |λ_k| h < π. Modes with
+/// |λ_k| h > 2 are propagated by the trapezoidal rule, which is passive at any step.
 
 #include <array>
 #include <complex>
@@ -51,7 +51,7 @@ class ContactModes {
 
   std::size_t size_{};               // 2 (m + 1)
   std::vector<double> scale_;        // coordinates (T, u_c) times these, and their rates, are Re(Z z)
-  std::vector<Complex> eigenvalue_;  // lambda_k, rad/s, one of each complex pair
+  std::vector<Complex> eigenvalue_;  // λ_k, rad/s, one of each complex pair
   std::vector<Complex> shape_;       // Z, size_ rows of eigenvalue_.size()
   std::vector<Complex> inverse_;     // z = W y, eigenvalue_.size() rows of size_
 };
@@ -59,8 +59,8 @@ class ContactModes {
 /// A run of a ContactModel.
 class ModalContactRun {
  public:
-  /// `modes`: of this model, whatever its load, wall and friction were; `steps_per_period`: n >= 4. Throws
-  /// data::InputError, naming numerics.time_step, unless kappa W < 2, so that each step has one solution, and naming
+  /// `modes`: of this model, whatever its load, wall and friction were; `steps_per_period`: n ≥ 4. Throws
+  /// data::InputError, naming numerics.time_step, unless κ W < 2, so that each step has one solution, and naming
   /// wall.speed unless that is 0.
   ModalContactRun(const ContactModes& modes, const ContactModel& model, int steps_per_period);
 
@@ -103,11 +103,11 @@ class ModalContactRun {
     std::array<double, lanes> real{}, imaginary{};
   };
   struct Block {
-    Part turn;       // exp(lambda h)
+    Part turn;       // exp(λ h)
     Part input;      // what a unit of force adds in a step
     Part amplitude;  // z_k without its steady part
   };
-  // The part of the load in z_k as sine sin(Omega t) + cosine cos(Omega t): the steady vibration of a mode
+  // The part of the load in z_k as sine sin(Ω t) + cosine cos(Ω t): the steady vibration of a mode
   // or, next to resonance, what a step from t adds.
   struct Drive {
     std::size_t mode{};
@@ -121,7 +121,7 @@ class ModalContactRun {
   double time_step_{};
   std::vector<Block> blocks_;
   std::vector<Drive> steady_, resonant_;
-  std::vector<double> sine_, cosine_;  // of Omega t at the steps of a period
+  std::vector<double> sine_, cosine_;  // of Ω t at the steps of a period
   std::vector<double> offset_;  // steady velocity of the contact without friction, less that of the wall
   double weight_{};             // W
   double held_{}, kinetic_{}, falling_{}, decay_{}, viscous_{};  // the law, N and N s/m

@@ -9,14 +9,14 @@ namespace stickslip::analytic {
 
 /// The share of one mode in the stick-state reaction.
 struct ModalForce {
-  double angular_frequency{};  ///< omega_n, rad/s
-  double coefficient{};        ///< c_n = [EI U_n''' + chi P U_n'](L) C_n, N/m
+  double angular_frequency{};  ///< ω_n, rad/s
+  double coefficient{};        ///< c_n = [EI U_n''' + χ P U_n'](L) C_n, N/m
 };
 
-/// The stick-state reaction of Eq. (28) per unit amplitude of the base, as a sum over modes: with phi_n =
-/// Omega^2 g_n of Eq. (26),
+/// The stick-state reaction of Eq. (28) per unit amplitude of the base, as a sum over modes: with φ_n =
+/// Ω² g_n of Eq. (26),
 ///
-///     f(t)/A0 = s sin(Omega t) + sum_n c_n phi_n(t),        s = [EI S''' + chi P S'](L).
+///     f(t)/A0 = s sin(Ω t) + Σ_n c_n φ_n(t),        s = [EI S''' + χ P S'](L).
 ///
 /// None of these numbers depends on the excitation.
 struct ModalReaction {

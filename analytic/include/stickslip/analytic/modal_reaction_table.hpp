@@ -7,22 +7,25 @@
 
 namespace stickslip::analytic {
 
-/// The modal reactions of all beams with one chi whose load factor z = P L^2/EI lies in a range, without
+/// The modal reactions of all beams with one χ whose load factor z = P L²/EI lies in a range, without
 /// finding a root.
 ///
-/// Made dimensionless with L, EI and rho A the modes depend on z alone, and 1/(L^3 S'''(L)), Omega_n^2 =
-/// (rho A L^4/EI) omega_n^2 and Omega_n^2 c_n L^3/EI are analytic in it, up to the buckling load and beyond
-/// (where omega_1 is 0 and c_1 and S''' have a pole); s L^3/EI = L^3 S'''(L) (1 - chi (1 - cos(sqrt z))). They are interpolated in Chebyshev points, as many as
-/// it takes for the last coefficients to be rounding. The error is then a few roundings of the largest value
-/// in the range; relative to omega_1 and c_1, that times the condition number of the first mode.
+/// Made dimensionless with L, EI and ρA the modes depend on z alone. With Ω_n² = (ρA L⁴/EI) ω_n²,
+///
+///     1/(L³ S'''(L)),     Ω_n²,     Ω_n² c_n L³/EI
+///
+/// are analytic in z, up to the buckling load and beyond (where ω_1 is 0 and c_1 and S''' have a pole), and
+/// s L³/EI = L³ S'''(L) (1 - χ (1 - cos(√z))). They are interpolated in Chebyshev points, as many as it takes
+/// for the last coefficients to be rounding. The error is then a few roundings of the largest value in the range;
+/// relative to ω_1 and c_1, that times the condition number of the first mode.
 class ModalReactionTable {
  public:
-  /// Of the first `modes` modes for lowest <= z <= highest. Throws std::invalid_argument unless 0 <= lowest
-  /// <= highest, and what stick_modes() throws, at the buckling load for one.
+  /// Of the first `modes` modes for lowest ≤ z ≤ highest. Throws std::invalid_argument unless 0 ≤ lowest
+  /// ≤ highest, and what stick_modes() throws, at the buckling load for one.
   ModalReactionTable(double lowest_load_factor, double highest_load_factor, int modes,
                      double axial_direction = 0.0);
 
-  /// Whether the beam's load factor is in the range, its chi that of the table, and the beam rigid in shear.
+  /// Whether the beam's load factor is in the range, its χ that of the table, and the beam rigid in shear.
   [[nodiscard]] bool holds(const data::Beam& beam) const;
 
   /// modal_reaction(beam, modes). Throws std::invalid_argument unless holds(beam).

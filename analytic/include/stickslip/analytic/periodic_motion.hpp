@@ -3,20 +3,20 @@
 
 /// Periodic motions of a ContactModel by shooting, and their Floquet multipliers.
 ///
-/// State x = (T, u_c, T_t, u_c_t). Its flow over a time is smooth between two changes of contact, with the derivative Phi,
-/// Phi_t = A Phi: in stick the held structure, exactly; in slip A holds the slope of the friction law. At a change of
-/// contact the time of the change depends on the state, so that Phi jumps by the saltation matrix
+/// State x = (T, u_c, T_t, u_c_t). Its flow over a time is smooth between two changes of contact, with the derivative Φ,
+/// Φ_t = A Φ: in stick the held structure, exactly; in slip A holds the slope of the friction law. At a change of
+/// contact the time of the change depends on the state, so that Φ jumps by the saltation matrix
 ///
-///     Phi+ = [1 + (f+ - f-) grad g^T/g_t] Phi-
+///     Φ+ = [1 + (f+ - f-) ∇gᵀ/g_t] Φ-
 ///
 /// with the rates x_t = f- and f+ before and after, the function g(x, t) that is zero at the change, and its rate g_t along
 /// f- (M. A. Aizerman, F. R. Gantmakher, Q. J. Mech. Appl. Math. 11, 1958; R. I. Leine, H. Nijmeijer, Dynamics and
-/// Bifurcations of Non-Smooth Mechanical Systems, 2004). At a capture and at a reversal g = v_s, at an onset g = |f_d| -
-/// mu_s N, and f+ = f- unless the law jumps. A capture takes the velocity of the contact out of the state: a motion that
+/// Bifurcations of Non-Smooth Mechanical Systems, 2004). At a capture and at a reversal g = v_s, at an onset
+/// g = |f_d| - μ_s N, and f+ = f- unless the law jumps. A capture takes the velocity of the contact out of the state: a motion that
 /// sticks has a multiplier 0. A graze has no saltation matrix; it is passed as if it were none.
 ///
-/// A forced motion of the period T = n 2 pi/Omega solves x(T) = x(0). A self-excited one, on a wall that moves and without
-/// a load, has an unknown period, and one multiplier 1 for a shift in time. Both by Newton's method with Phi.
+/// A forced motion of the period T = n 2 π/Ω solves x(T) = x(0). A self-excited one, on a wall that moves and without
+/// a load, has an unknown period, and one multiplier 1 for a shift in time. Both by Newton's method with Φ.
 
 #include <complex>
 #include <optional>
@@ -39,12 +39,12 @@ void start(EventDriven& run, const ContactModel& model, const ContactStart& from
 /// The flow over a time, from t = 0.
 struct PoincareImage {
   ContactStart end;
-  Matrix derivative;                       ///< Phi, n x n with n = 2 (m + 1)
+  Matrix derivative;                       ///< Φ, n x n with n = 2 (m + 1)
   std::vector<double> rate;                ///< x_t at the end; n
   std::vector<data::ContactEvent> events;  ///< in (0, duration)
 };
 
-/// In stick the velocity of the contact is no coordinate: its row and column of Phi are zero. Accuracy: 1e-12 a step, as
+/// In stick the velocity of the contact is no coordinate: its row and column of Φ are zero. Accuracy: 1e-12 a step, as
 /// EventDriven. Throws what EventDriven throws.
 [[nodiscard]] PoincareImage poincare_map(const ContactModel& model, const ContactStart& start,
                                          double duration);
@@ -76,7 +76,7 @@ struct PeriodicSearch {
 };
 
 /// The forced motion of `periods` periods of the load near the one that follows from rest after `settle` periods of the
-/// load. Throws data::FieldError unless periods >= 1, and what EventDriven throws.
+/// load. Throws data::FieldError unless periods ≥ 1, and what EventDriven throws.
 [[nodiscard]] PeriodicSearch forced_motion(const ContactModel& model, int periods, int settle);
 
 /// The self-excited motion near the one that follows from rest on the wall after the time `settle` (s), sampled each

@@ -9,13 +9,12 @@
 
 namespace stickslip::analytic {
 
-/// A stick phase, exactly: with y = (omega_n T_n, T_n_t) = Re(Z z), every z_k_t = lambda_k z_k + F_k(t) with
-/// Re lambda_k <= 0 and F_k sinusoidal at Omega, plus a constant where the wall has a speed, so that
+/// A stick phase, exactly: with y = (ω_n T_n, T_n_t) = Re(Z z), every z_k_t = λ_k z_k + F_k(t) with
+/// Re λ_k ≤ 0 and F_k sinusoidal at Ω, plus a constant where the wall has a speed, so that
 ///
-///     z_k(t0 + tau) = exp(lambda_k tau) z_k(t0) + sum over +-Omega of P (exp(+-i Omega tau) -
-///                     exp(lambda_k tau))/(+-i Omega - lambda_k) exp(+-i Omega t0),
+///     z_k(t0 + τ) = exp(λ_k τ) z_k(t0) + Σ_±Ω P exp(±i Ω t0) (exp(±i Ω τ) - exp(λ_k τ))/(±i Ω - λ_k),
 ///
-/// written without the 0/0 at resonance. Undamped: lambda = i omega_n. Damped: the eigenvalues of the
+/// written without the 0/0 at resonance. Undamped: λ = i ω_n. Damped: the eigenvalues of the
 /// first-order matrix (GSL), one of each complex pair.
 class StickPropagator {
  public:
@@ -26,24 +25,24 @@ class StickPropagator {
   /// Begins a phase at time t with the contact at rest on the wall.
   void begin(double t, const ContactKinematics& state);
 
-  /// The state at time t >= the begin.
+  /// The state at time t ≥ the begin.
   [[nodiscard]] ContactKinematics state(double t) const;
 
   /// f_d and its rate.
   [[nodiscard]] double force(double t) const;
   [[nodiscard]] double force_rate(double t) const;
 
-  /// What z_k adds to f_d, as the real part of a share that obeys x_t = eigenvalue x + sine sin(Omega t) + cosine
-  /// cos(Omega t).
+  /// What z_k adds to f_d, as the real part of a share that obeys x_t = eigenvalue x + sine sin(Ω t) + cosine
+  /// cos(Ω t).
   struct Share {
     std::complex<double> eigenvalue, sine, cosine;
   };
   [[nodiscard]] std::vector<Share> force_shares() const;
 
-  /// A bound of |d^2 f_d/dt^2| from t to t + length.
+  /// A bound of |d² f_d/dt²| from t to t + length.
   [[nodiscard]] double curvature_bound(double t, double length) const;
 
-  /// The first time in from ... to at which |f_d| exceeds the limit, or nothing; |f_d(from)| <= limit.
+  /// The first time in from ... to at which |f_d| exceeds the limit, or nothing; |f_d(from)| ≤ limit.
   [[nodiscard]] std::optional<double> first_excess(double from, double to, double limit);
 
  private:
@@ -56,11 +55,11 @@ class StickPropagator {
   [[nodiscard]] Complex forcing(std::size_t k, double t) const;
 
   const ContactDynamics& dynamics_;
-  double omega_;                                   // Omega
-  std::vector<Complex> eigenvalue_;                // lambda_k
+  double omega_;                                   // Ω
+  std::vector<Complex> eigenvalue_;                // λ_k
   std::vector<Complex> shape_;                     // Z, 2 m rows of eigenvalue_.size()
   std::vector<Complex> inverse_;                   // z = W y, eigenvalue_.size() rows of 2 m
-  std::vector<Complex> sine_, cosine_, constant_;  // F_k = sine sin(Omega t) + cosine cos(Omega t) + constant
+  std::vector<Complex> sine_, cosine_, constant_;  // F_k = sine sin(Ω t) + cosine cos(Ω t) + constant
   std::vector<Complex> force_weight_;              // f_d = Re sum weight z + ...
   Harmonic force_harmonic_;
 

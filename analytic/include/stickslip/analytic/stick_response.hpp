@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// The stick-state response to h(t) = A0 sin(Omega t) in closed form, Eqs. (26)-(28), with the
+/// The stick-state response to h(t) = A0 sin(Ω t) in closed form, Eqs. (26)-(28), with the
 /// tip at rest: u(x,0) = 0, u_t(x,0) = S(x) h_t(0), which is what Eq. (26) assumes (erratum E4).
 ///
-///     u(x,t) = A0 { S(x) sin(Omega t) + sum_n U_n(x) Omega^2 C_n g_n(t) },    y = h + u               (27)
-///     f(t)   = EI u'''(L,t) + chi P u'(L,t)                                                           (28)
-///     g_n(t) = (omega_n sin(Omega t) - Omega sin(omega_n t)) / ((Omega^2 - omega_n^2) omega_n)        (26)
+///     u(x,t) = A0 { S(x) sin(Ω t) + Σ_n U_n(x) Ω² C_n g_n(t) },    y = h + u               (27)
+///     f(t)   = EI u'''(L,t) + χ P u'(L,t)                                                           (28)
+///     g_n(t) = (ω_n sin(Ω t) - Ω sin(ω_n t)) / ((Ω² - ω_n²) ω_n)        (26)
 ///
-/// Where Omega and omega_n are close, g_n is evaluated as [omega_n t cos((Omega + omega_n) t/2)
-/// sinc((Omega - omega_n) t/2) - sin(omega_n t)]/((Omega + omega_n) omega_n), with sinc(y) = sin(y)/y: the
+/// Where Ω and ω_n are close, g_n is evaluated as [ω_n t cos((Ω + ω_n) t/2)
+/// sinc((Ω - ω_n) t/2) - sin(ω_n t)]/((Ω + ω_n) ω_n), with sinc(y) = sin(y)/y: the
 /// same function without the 0/0 at resonance, where it grows with t.
 
 #include <vector>
@@ -21,18 +21,18 @@
 
 namespace stickslip::analytic {
 
-/// How the part that oscillates at Omega is summed.
+/// How the part that oscillates at Ω is summed.
 enum class SteadyPart {
-  /// N terms, as the paper does. f is off by about half its first omitted term at Omega, O(N^-2), with a sign
+  /// N terms, as the paper does. f is off by about half its first omitted term at Ω, O(N⁻²), with a sign
   /// that alternates with N.
   modal_sum,
-  /// Without truncation. The absolute steady shape Y = 1 + u/A0 solves Y'''' + p Y'' = k Y at k = rho A
-  /// Omega^2/EI with Y(0) = 1, Y'(0) = 0, Y(L) = Y''(L) = 0:
+  /// Without truncation. The absolute steady shape Y = 1 + u/A0 solves Y'''' + p Y'' = k Y at k = ρ A
+  /// Ω²/EI with Y(0) = 1, Y'(0) = 0, Y(L) = Y''(L) = 0:
   ///
-  ///     Y = [bb cos(bb) sinh(b eta)/sinh(b) - b coth(b) sin(bb eta)] / [bb cos(bb) - b coth(b) sin(bb)].
+  ///     Y = [bb cos(bb) sinh(b η)/sinh(b) - b coth(b) sin(bb η)] / [bb cos(bb) - b coth(b) sin(bb)].
   ///
-  /// What it has beyond the N terms is analytic in Omega up to omega_(N+1) and is taken as its mean over a
-  /// circle in the complex Omega plane, so that nothing is lost at resonance. Only the free vibrations n > N
+  /// What it has beyond the N terms is analytic in Ω up to ω_(N+1) and is taken as its mean over a
+  /// circle in the complex Ω plane, so that nothing is lost at resonance. Only the free vibrations n > N
   /// are left out: u_t(x,0) misses their share of S(x) h_t(0).
   exact
 };
@@ -44,26 +44,26 @@ struct Sinusoid {
 };
 
 /// The response of one beam to one harmonic excitation, with N modes. Accuracy: round-off times the condition
-/// number of the modes, and times omega_n t for the phase of the free vibrations; then what the truncation of
+/// number of the modes, and times ω_n t for the phase of the free vibrations; then what the truncation of
 /// the sums leaves (SteadyPart, omitted_transient_bound).
 class StickResponse {
  public:
   /// Throws what stick_modes() throws, and data::FieldError, naming numerics.modes, if
-  /// SteadyPart::exact is asked for with omega_N < 2 Omega.
+  /// SteadyPart::exact is asked for with ω_N < 2 Ω.
   StickResponse(const data::Beam& beam, const data::HarmonicExcitation& excitation, int modes = 10,
                 SteadyPart steady_part = SteadyPart::modal_sum);
 
   [[nodiscard]] double base_displacement(double t) const;                ///< h(t), m
-  [[nodiscard]] double relative_displacement(double x, double t) const;  ///< u(x,t), m; 0 <= x <= L, t >= 0
+  [[nodiscard]] double relative_displacement(double x, double t) const;  ///< u(x,t), m; 0 ≤ x ≤ L, t ≥ 0
   [[nodiscard]] double absolute_displacement(double x, double t) const;  ///< y = h + u, m
   /// f(t), N, sign of Eq. (28).
   [[nodiscard]] double friction_force(double t) const { return amplitude_ * evaluate(force_, t); }
 
-  /// Amplitude of the part of f at Omega, N: A0 [r(S) + sum r(U_n) Omega^2 C_n/(Omega^2 - omega_n^2)] with
-  /// r(U) = EI U'''(L) + chi P U'(L), or its exact limit. Infinite where Omega equals a natural frequency, unless A0 = 0.
+  /// Amplitude of the part of f at Ω, N: A0 [r(S) + sum r(U_n) Ω² C_n/(Ω² - ω_n²)] with
+  /// r(U) = EI U'''(L) + χ P U'(L), or its exact limit. Infinite where Ω equals a natural frequency, unless A0 = 0.
   [[nodiscard]] double steady_force_amplitude() const { return steady_amplitude(force_); }
-  /// The free vibrations in f, one per mode: -A0 r(U_n) Omega^3 C_n / ((Omega^2 - omega_n^2) omega_n)
-  /// at omega_n. Their amplitudes fall as n^-4.
+  /// The free vibrations in f, one per mode: -A0 r(U_n) Ω³ C_n / ((Ω² - ω_n²) ω_n)
+  /// at ω_n. Their amplitudes fall as n⁻⁴.
   [[nodiscard]] std::vector<Sinusoid> transient_force() const { return transient(force_); }
   /// As steady_force_amplitude and transient_force, for u(x, .).
   [[nodiscard]] double steady_displacement_amplitude(double x) const {
@@ -76,29 +76,29 @@ class StickResponse {
   /// f/A0.
   [[nodiscard]] const ModalReaction& reaction() const noexcept { return force_; }
 
-  /// Bounds of max |f(t)| over 0 <= t <= duration, rigorous for the N modes kept at their computed
+  /// Bounds of max |f(t)| over 0 ≤ t ≤ duration, rigorous for the N modes kept at their computed
   /// frequencies and amplitudes: ForceMaximum of reaction(), times A0. Throws what that throws.
   [[nodiscard]] Bounds max_abs_friction_force(double duration, double relative_width = 1e-10) const;
 
   /// The same by plain halving, without the rounding of f in the bounds. It is slower, and checks the other.
   ///
-  /// On an interval of length h the maximum exceeds the larger end value by at most (h^2/8) max|f''|. Of max|f''| a mode
-  /// has |a_i| w_i^2 or, in resonance, where its two amplitudes are large and opposite, |g_n''| <= Omega (Omega t + 1)/
-  /// (Omega + omega_n). Intervals whose bound does not exceed the best value found are dropped, the others are halved,
-  /// until upper - lower <= relative_width * lower.
-  /// Throws std::invalid_argument unless duration > 0 (excitation.duration) and 1e-13 <= relative_width < 1, or
+  /// On an interval of length h the maximum exceeds the larger end value by at most (h²/8) max|f''|. Of max|f''| a mode
+  /// has |a_i| w_i² or, in resonance, where its two amplitudes are large and opposite, |g_n''| ≤ Ω (Ω t + 1)/
+  /// (Ω + ω_n). Intervals whose bound does not exceed the best value found are dropped, the others are halved,
+  /// until upper - lower ≤ relative_width * lower.
+  /// Throws std::invalid_argument unless duration > 0 (excitation.duration) and 1e-13 ≤ relative_width < 1, or
   /// if the first division already needs more than 1e9 intervals.
   [[nodiscard]] Bounds max_abs_friction_force_by_halving(double duration,
                                                          double relative_width = 1e-10) const;
 
   /// The same from samples at t = i * sampling_step and t = duration only: lower is the largest sample, upper
-  /// adds (sampling_step^2/8) max|f''|. Throws std::invalid_argument unless duration > 0, sampling_step > 0
-  /// and duration <= 1e9 sampling_step.
+  /// adds (sampling_step²/8) max|f''|. Throws std::invalid_argument unless duration > 0, sampling_step > 0
+  /// and duration ≤ 1e9 sampling_step.
   [[nodiscard]] Bounds sampled_max_abs_friction_force(double duration, double sampling_step) const;
 
   /// Bound of what the omitted free vibrations n > N can add to f at any time, N: the tail of
-  /// transient_force()'s amplitudes, extrapolated by their n^-4 law from the last mode kept and doubled,
-  /// 2 |a_N| N/3. Infinite unless the law is reached: Omega < omega_N and |P| L^2/EI < (betabar_N L)^2.
+  /// transient_force()'s amplitudes, extrapolated by their n⁻⁴ law from the last mode kept and doubled,
+  /// 2 |a_N| N/3. Infinite unless the law is reached: Ω < ω_N and |P| L²/EI < (β̄_N L)².
   [[nodiscard]] double omitted_transient_bound() const;
 
   [[nodiscard]] const std::vector<StickMode>& modes() const noexcept { return modes_; }
@@ -115,7 +115,7 @@ class StickResponse {
 
   data::Beam beam_;
   double amplitude_;  // A0
-  double omega_;      // Omega, rad/s
+  double omega_;      // Ω, rad/s
   SteadyPart steady_part_;
   QuasiStaticShape quasi_static_;
   std::vector<StickMode> modes_;

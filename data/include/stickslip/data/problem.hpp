@@ -4,23 +4,29 @@
 /// The problem statement, and nothing that follows from it.
 ///
 /// Won, Lee and Chung, "Stick-slip vibration of a cantilever beam subjected to harmonic base excitation",
-/// Nonlinear Dynamics (2018), Sects. 2 and 3. A beam, clamped in a base that moves by h(t), is pressed by an
-/// axial force P against a frictional wall at its other end. Governing equation, for the deflection u
-/// relative to the base:
+/// Nonlinear Dynamics (2018), Sects. 2 and 3. A beam, clamped in a base that moves by h(t), is pressed by an axial
+/// force P against a frictional wall at its other end. Governing equation, for the deflection u relative to the
+/// base, with a dot for a derivative in time and a prime for one in x:
 ///
-///     rho A u_tt + E I u_xxxx + P u_xx = -rho A h_tt,      h(t) = A0 sin(2 pi hz t) (1)
+///     ρA ü + EI u'''' + P u'' = -ρA ḧ,      h(t) = A0 sin(2π f t),                                       (1)
 ///
-/// with u = u_x = 0 at x = 0 and, at x = L, u_xx = 0 and the friction force on the beam f_d = -(E I u_xxx +
-/// chi P u_x): the paper has chi = 0, an axial force that follows the tip.
+/// with u = u' = 0 at x = 0 and, at x = L, u'' = 0 and the friction force on the beam
 ///
-/// With a shear stiffness k G A (Timoshenko, Phil. Mag. 41, 1921) the section rotates by phi, and
+///     f_d = -(EI u''' + χ P u').
 ///
-///     rho A (u_tt + h_tt) = [k G A (u_x - phi) - P u_x]_x,  rho I phi_tt = E I phi_xx + k G A (u_x - phi)       (1b)
+/// The paper has χ = 0, an axial force that follows the tip.
 ///
-/// with u = phi = 0 at x = 0 and, at x = L, phi_x = 0 and f_d = k G A (u_x - phi) - P u_x + (1 - chi) P phi. P acts
-/// along the axis of the beam (Engesser), and the part of it that follows the tip follows its section.
+/// With a shear stiffness kGA (Timoshenko, Phil. Mag. 41, 1921) the section rotates by φ, and
 ///
-/// Every quantity is in SI units. Derived quantities (E I, rho A, Omega, mu(v), h(t)) are left to each of the
+///     ρA (ü + ḧ) = [kGA (u' - φ) - P u']',     ρI φ̈ = EI φ'' + kGA (u' - φ),                             (1b)
+///
+/// with u = φ = 0 at x = 0 and, at x = L, φ' = 0 and
+///
+///     f_d = kGA (u' - φ) - P u' + (1 - χ) P φ.
+///
+/// P acts along the axis of the beam (Engesser), and the part of it that follows the tip follows its section.
+///
+/// Every quantity is in SI units. Derived quantities (E I, ρ A, Ω, μ(v), h(t)) are left to each of the
 /// two implementations on purpose, so that a slip in one of them shows when they are compared.
 
 #include <limits>
@@ -34,15 +40,15 @@ namespace stickslip::data {
 /// What a Beam is built from; field names are the keys of the table [beam] in a case file.
 struct BeamProperties {
   double length{};                 ///< L, m, > 0
-  double area{};                   ///< A, m^2, > 0
-  double second_moment_of_area{};  ///< I, m^4, > 0
-  double density{};                ///< rho, kg/m^3, > 0
+  double area{};                   ///< A, m², > 0
+  double second_moment_of_area{};  ///< I, m⁴, > 0
+  double density{};                ///< ρ, kg/m³, > 0
   double youngs_modulus{};         ///< E, Pa, > 0
   double axial_force{};            ///< P, N, compression positive, any finite value
-  /// chi, 0 <= chi <= 1: P has the slope (1 - chi) u_x(L), 0 if it follows the tip (the paper), 1 if it keeps
+  /// χ, 0 ≤ χ ≤ 1: P has the slope (1 - χ) u_x(L), 0 if it follows the tip (the paper), 1 if it keeps
   /// its direction (a dead load, the normal force of a flat wall)
   double axial_direction{};
-  double shear_stiffness{};  ///< k G A, N, >= 0; 0 for the beam of Euler and Bernoulli, rigid in shear
+  double shear_stiffness{};  ///< k G A, N, ≥ 0; 0 for the beam of Euler and Bernoulli, rigid in shear
 };
 
 /// A uniform beam. Cannot be built invalid.
@@ -68,13 +74,13 @@ class Beam {
 /// The cross-section, if the beam was given by its sides: those of one shape, NaN for the others. Field names are the keys of
 /// the table [section]; poissons_ratio is one of [beam].
 struct Section {
-  double width{std::numeric_limits<double>::quiet_NaN()};  ///< b of a rectangle, m
-  double height{
-      std::numeric_limits<double>::quiet_NaN()};  ///< of a rectangle, in the direction of vibration, m
-  double diameter{std::numeric_limits<double>::quiet_NaN()};        ///< d of a circle, outer one of a tube, m
-  double wall_thickness{std::numeric_limits<double>::quiet_NaN()};  ///< t of a tube, m, at most d/2
-  double poissons_ratio{
-      std::numeric_limits<double>::quiet_NaN()};  ///< nu; NaN if the shear stiffness is not from it
+  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+  double width{none};           ///< b of a rectangle, m
+  double height{none};          ///< of a rectangle, in the direction of vibration, m
+  double diameter{none};        ///< d of a circle, outer one of a tube, m
+  double wall_thickness{none};  ///< t of a tube, m, at most d/2
+  double poissons_ratio{none};  ///< ν; NaN if the shear stiffness is not from it
 
   [[nodiscard]] bool is_given() const noexcept;
   /// Throws FieldError for a side that is not above 0, or for another number that no section has.
@@ -87,17 +93,20 @@ struct Section {
 
 /// What a FrictionLaw is built from; field names are the keys of the table [friction].
 struct FrictionCoefficients {
-  double static_coefficient{};   ///< mu_s, >= 0
-  double kinetic_coefficient{};  ///< mu_m, 0 <= mu_m <= mu_s: what the exponential leaves at high velocity
-  double decay{};                ///< alpha, s/m, >= 0; infinite for a jump from mu_s to mu_m
-  double viscous{};              ///< beta, s/m, >= 0
+  double static_coefficient{};   ///< μ_s, ≥ 0
+  double kinetic_coefficient{};  ///< μ_m, 0 ≤ μ_m ≤ μ_s: what the exponential leaves at high velocity
+  double decay{};                ///< α, s/m, ≥ 0; infinite for a jump from μ_s to μ_m
+  double viscous{};              ///< β, s/m, ≥ 0
 };
 
-/// The exponential friction law of Eq. (7) with a viscous term, mu(v) = mu_m + (mu_s - mu_m) exp(-alpha |v|) +
-/// beta |v|. Coulomb friction is mu_m = mu_s and beta = 0, the paper's law beta = 0. With 0 < beta < (mu_s -
-/// mu_m) alpha it has a minimum (Stribeck) at |v| = ln((mu_s - mu_m) alpha/beta)/alpha. mu is convex in |v| and
-/// falls no faster than (mu_s - mu_m) alpha, but may exceed mu_s. With alpha infinite the contact holds up to mu_s
-/// while it sticks, and mu is mu_m + beta |v| as soon as it slides. Cannot be built invalid.
+/// The exponential friction law of Eq. (7) with a viscous term,
+///
+///     μ(v) = μ_m + (μ_s - μ_m) exp(-α |v|) + β |v|.
+///
+/// Coulomb friction is μ_m = μ_s and β = 0, the paper's law β = 0. With 0 < β < (μ_s - μ_m) α it has a minimum
+/// (Stribeck) at |v| = ln((μ_s - μ_m) α/β)/α. μ is convex in |v| and falls no faster than (μ_s - μ_m) α, but may
+/// exceed μ_s. With α infinite the contact holds up to μ_s while it sticks, and μ is μ_m + β |v| as soon as it
+/// slides. Cannot be built invalid.
 class FrictionLaw {
  public:
   /// Throws FieldError.
@@ -108,7 +117,7 @@ class FrictionLaw {
   [[nodiscard]] double decay() const noexcept { return coefficients_.decay; }
   [[nodiscard]] double viscous() const noexcept { return coefficients_.viscous; }
   [[nodiscard]] const FrictionCoefficients& coefficients() const noexcept { return coefficients_; }
-  /// The law while the contact slides, with a finite alpha: of a jump what it leaves, else the same law.
+  /// The law while the contact slides, with a finite α: of a jump what it leaves, else the same law.
   [[nodiscard]] FrictionLaw in_slip() const;
 
  private:
@@ -118,19 +127,19 @@ class FrictionLaw {
 /// What a TangentialContact is built from; field names are the keys of the table [contact].
 struct ContactProperties {
   double tangential_stiffness{std::numeric_limits<double>::infinity()};  ///< k_t, N/m, > 0; infinite: rigid
-  double regularisation_velocity{};  ///< v_r, m/s, >= 0; 0: the set-valued law
+  double regularisation_velocity{};  ///< v_r, m/s, ≥ 0; 0: the set-valued law
 };
 
-/// What stands between the contact and its friction law; nothing by default: friction at rest is whatever holds the
-/// contact, up to mu_s N (the set-valued law). Cannot be built invalid. Either of these, but not both:
+/// Compliance of the contact. By default it is rigid: in stick, friction is the force that holds the contact, up to
+/// μ_s N (the set-valued law). Cannot be built invalid. Either of these, but not both:
 ///
 /// - A spring k_t in series with friction (Jenkins element). With the position z of the slider and x of the contact
 ///
-///       f_d = k_t (z - x),     |f_d| <= mu(max(d v_s, 0)) N,     d = -sgn(f_d),
+///       f_d = k_t (z - x),     |f_d| ≤ μ(max(d v_s, 0)) N,     d = -sgn(f_d),
 ///
 ///   and z moves only to keep the bound, in the direction d. The coefficient is that of the sliding velocity v_s = x_t
 ///   of the contact, as a spring without mass cannot follow a law that falls with the velocity of the slider.
-/// - A smooth law, f_d = -mu(|v_s|) N tanh(v_s/v_r): a contact that creeps and never sticks.
+/// - A smooth law, f_d = -μ(|v_s|) N tanh(v_s/v_r): a contact that creeps and never sticks.
 class TangentialContact {
  public:
   TangentialContact() = default;
@@ -161,10 +170,10 @@ void require_usable(const FrictionLaw& friction, const TangentialContact& contac
 /// What a HarmonicExcitation is built from; field names are the keys of the table [excitation].
 struct HarmonicMotion {
   double frequency_hz{};  ///< Hz, > 0
-  double amplitude{};     ///< A0, m, >= 0
+  double amplitude{};     ///< A0, m, ≥ 0
 };
 
-/// Harmonic base displacement h(t) = A0 sin(2 pi frequency_hz t). Cannot be built invalid.
+/// Harmonic base displacement h(t) = A0 sin(2 π frequency_hz t). Cannot be built invalid.
 class HarmonicExcitation {
  public:
   /// Throws FieldError.
@@ -179,8 +188,8 @@ class HarmonicExcitation {
 
 /// What a Damping is built from; field names are the keys of the table [damping].
 struct DampingProperties {
-  double kelvin_voigt{};  ///< eta, s, >= 0: the bending moment is EI (u_xx + eta u_xxt)
-  /// zeta, 0 <= zeta < 1: fraction of critical damping of every mode of the beam with its tip free and P = 0
+  double kelvin_voigt{};  ///< η, s, ≥ 0: the bending moment is EI (u_xx + η u_xxt)
+  /// ζ, 0 ≤ ζ < 1: fraction of critical damping of every mode of the beam with its tip free and P = 0
   double ratio{};
 };
 
@@ -207,7 +216,7 @@ struct WallProperties {
 
 /// The wall that the tip is pressed against. It does not move with the base: the paper's tip sticks while y(L) = h + u(L)
 /// is constant. A wall that moves by V t along the direction of y makes the sliding velocity v_s = y_t(L) - V, and a tip
-/// that sticks moves with V. Steady sliding on it has v_s = -V and the friction force f_d = sgn(V) mu(|V|) P. Cannot be
+/// that sticks moves with V. Steady sliding on it has v_s = -V and the friction force f_d = sgn(V) μ(|V|) P. Cannot be
 /// built invalid.
 class Wall {
  public:
@@ -226,7 +235,7 @@ struct NumericalChoices {
   int elements{};               ///< number of finite elements, 1 ... 100000
   double time_step{};           ///< s, > 0
   double spectral_radius{};     ///< of generalised-alpha at infinite frequency, 0 ... 1
-  double velocity_threshold{};  ///< epsilon of Sect. 3, m/s, >= 0
+  double velocity_threshold{};  ///< ε of Sect. 3, m/s, ≥ 0
   int modes{};                  ///< N of Eq. (21), 1 ... 200
   double duration{};            ///< s, 1 ... 1e9 times time_step; in a case file excitation.duration
 };

@@ -11,24 +11,24 @@ namespace stickslip::solver {
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
 /// The beam on a uniform mesh, clamped at x = 0 (those two degrees of freedom are gone), both degrees of
-/// freedom of the tip kept: q = (w_1, theta_1, ..., w_n, theta_n), relative to the base, in m and rad.
+/// freedom of the tip kept: q = (w_1, θ_1, ..., w_n, θ_n), relative to the base, in m and rad.
 ///
 /// Slip state, Eq. (9):    M q_tt + K_slip q  = -b h_tt + e_w f_d,
-///                         K_slip = K - P K_G + (1 - chi) P e_w e_theta^T
+///                         K_slip = K - P K_G + (1 - χ) P e_w e_thetaᵀ
 /// Stick state, Eq. (8):   the same rows without that of w_L, whose motion is prescribed,  K_stick = K - P K_G.
 ///
-/// e_w and e_theta pick the tip's deflection and rotation, b = rho A int N dx. The last term of K_slip is the
+/// e_w and e_theta pick the tip's deflection and rotation, b = ρ A ∫ N dx. The last term of K_slip is the
 /// follower term: the weak form leaves -w(L) (EI u''' + P u') at the tip, and the boundary condition is EI
-/// u''' + chi P u' = -f_d, with chi = 0 in the paper. It makes K_slip unsymmetric; at chi = 1, an axial force of
+/// u''' + χ P u' = -f_d, with χ = 0 in the paper. It makes K_slip unsymmetric; at χ = 1, an axial force of
 /// fixed direction, it is absent. In both states the friction force on the beam is the w_L row of the slip-state
-/// balance, f_d = [M q_tt + K_slip q + b h_tt]_w = -[EI u''' + chi P u'](L).
+/// balance, f_d = [M q_tt + K_slip q + b h_tt]_w = -[EI u''' + χ P u'](L).
 ///
-/// With a shear stiffness the rotation is that of the section, M has the rotary inertia rho I, K the shear, and
-/// f_d = [k G A (u' - theta) - P u' + (1 - chi) P theta](L): the part of P that follows the tip follows its section.
+/// With a shear stiffness the rotation is that of the section, M has the rotary inertia ρ I, K the shear, and
+/// f_d = [k G A (u' - θ) - P u' + (1 - χ) P θ](L): the part of P that follows the tip follows its section.
 /// Static deflections at the nodes are exact without axial force, as in bending alone. A frequency is too high by the
 /// relative amount
 ///
-///     (beta l)^4/1440 + rho A omega^2 l^2/(24 k G A),            beta^4 = rho A omega^2/EI,
+///     (β l)⁴/1440 + ρ A ω² l²/(24 k G A),            β⁴ = ρ A ω²/EI,
 ///
 /// of the element length l: of fourth order down to elements of about four heights of the section, of second order below.
 class BeamModel {
@@ -47,16 +47,16 @@ class BeamModel {
   [[nodiscard]] const SparseMatrix& geometric_stiffness() const noexcept { return geometric_; }  ///< K_G
   /// K - P K_G.
   [[nodiscard]] const SparseMatrix& stick_stiffness() const noexcept { return stick_stiffness_; }
-  /// (1 - chi) P, N: the part of the axial force that follows the tip.
+  /// (1 - χ) P, N: the part of the axial force that follows the tip.
   [[nodiscard]] double follower_force() const noexcept {
     return (1.0 - beam_.axial_direction()) * beam_.axial_force();
   }
   /// The same with the follower term.
   [[nodiscard]] const SparseMatrix& slip_stiffness() const noexcept { return slip_stiffness_; }
-  /// b = rho A int N dx, kg (and kg m): the load is -b h_tt.
+  /// b = ρ A ∫ N dx, kg (and kg m): the load is -b h_tt.
   [[nodiscard]] const Eigen::VectorXd& base_load() const noexcept { return base_load_; }
 
-  /// Weights w with u_h(x) = w . q, by the shape functions; 0 <= x <= L in m (std::invalid_argument).
+  /// Weights w with u_h(x) = w . q, by the shape functions; 0 ≤ x ≤ L in m (std::invalid_argument).
   [[nodiscard]] Eigen::VectorXd interpolation(double x) const;
 
   /// The static shape for a tip deflection of 1 in the stick state, without load: the finite-element -S(x).
@@ -66,7 +66,7 @@ class BeamModel {
  private:
   data::Beam beam_;
   int elements_;
-  double shear_parameter_{};  // 12 EI/(k G A l^2)
+  double shear_parameter_{};  // 12 EI/(k G A l²)
   SparseMatrix mass_, elastic_, geometric_, stick_stiffness_, slip_stiffness_;
   Eigen::VectorXd base_load_;
 };

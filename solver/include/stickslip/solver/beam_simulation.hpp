@@ -46,20 +46,20 @@ struct BeamRun {
 [[nodiscard]] Coordinates fastest_coordinates(int elements, const data::Damping& damping,
                                               ContactScheme scheme = ContactScheme::located);
 
-/// h(t) = A0 sin(2 pi hz t) with its derivatives.
+/// h(t) = A0 sin(2 π hz t) with its derivatives.
 [[nodiscard]] PrescribedMotion harmonic_motion(const data::HarmonicExcitation& excitation);
 
 /// The damping of the beam on its mesh, symmetric, the same matrix in stick and slip:
 ///
-///     C = eta K + sum_n 2 zeta omega_n (M phi_n) (M phi_n)^T,
-///     K phi_n = omega_n^2 M phi_n,  phi_n^T M phi_n = 1,
+///     C = η K + Σ_n 2 ζ ω_n (M φ_n) (M φ_n)ᵀ,
+///     K φ_n = ω_n² M φ_n,  φ_nᵀ M φ_n = 1,
 ///
-/// with the elastic K, which the axial force does not change, and all modes phi_n of the mesh with its tip
-/// free and P = 0: each has the fraction zeta of critical damping, and eta omega_n/2 besides. (The sum is
-/// 2 zeta M (M^-1 K)^(1/2).)
+/// with the elastic K, which the axial force does not change, and all modes φ_n of the mesh with its tip
+/// free and P = 0: each has the fraction ζ of critical damping, and η ω_n/2 besides. (The sum is
+/// 2 ζ M (M⁻¹ K)^(1/2).)
 ///
-/// A stick mode psi has less than zeta. At P = 0, with |phi_n^T M psi|^2 as weights, which add up to 1, its
-/// frequency is the root of the mean of omega_n^2 and its ratio zeta times the mean of omega_n over that
+/// A stick mode ψ has less than ζ. At P = 0, with |φ_nᵀ M ψ|² as weights, which add up to 1, its
+/// frequency is the root of the mean of ω_n² and its ratio ζ times the mean of ω_n over that
 /// root: less than 1 by Jensen's inequality; 0.78, 0.86 and 0.90 in the first three.
 ///
 /// Throws data::FieldError, naming numerics.elements, for damping.ratio > 0 on more than 500 elements:
@@ -76,13 +76,13 @@ struct BeamRun {
 
 /// The beam of the paper by finite elements: built, started with its tip at rest and stepped through
 /// time. Displacements are absolute (y = h + u); friction_force() has the sign of Eq. (28), f = EI u'''(L) +
-/// chi P u'(L) = -f_d.
+/// χ P u'(L) = -f_d.
 class BeamSimulation {
  public:
   /// Uses elements, time_step, spectral_radius and velocity_threshold of `numerics`. Throws what damping_matrix() throws,
   /// and data::FieldError
   ///
-  ///   - naming beam.axial_force, if P is at or over the buckling load, or if P <= 0 with TipContact::friction;
+  ///   - naming beam.axial_force, if P is at or over the buckling load, or if P ≤ 0 with TipContact::friction;
   ///   - if ContactScheme::paper has no velocity threshold;
   ///   - if Coordinates::modal has damping;
   ///   - if a contact that is not rigid has a jump of the friction law, another scheme than located, TipContact::bonded,

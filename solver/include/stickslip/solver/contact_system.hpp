@@ -14,7 +14,7 @@ namespace stickslip::solver {
 struct PrescribedMotion {
   std::function<double(double)> displacement;  ///< m, of t in s
   std::function<double(double)> velocity;      ///< m/s
-  std::function<double(double)> acceleration;  ///< m/s^2
+  std::function<double(double)> acceleration;  ///< m/s²
 };
 
 /// The normal force of a bonded contact, which never slips: the system is then linear.
@@ -22,12 +22,15 @@ constexpr double bonding_force = std::numeric_limits<double>::infinity();
 
 /// A linear system with one frictional contact on one degree of freedom c:
 ///
-///     M q_tt + C q_t + K q = p s(t) + e_c f_d,        v_s = q_t[c] - w_t(t).
+///     M q̈ + C q̇ + K q = p s(t) + e_c f_d,        v_s = q̇[c] - ẇ(t).
 ///
-/// v_s is the sliding velocity relative to a wall that moves by w(t) in the coordinates of q; f_d is the
-/// friction force on the system. Slip: f_d = -sgn(v_s) mu(v_s) N, K = K_slip. Stick: q[c] = q_s + w(t) -
-/// w(t_s), K = K_stick in all rows but that of c; the row of c of the slip-state balance then yields f_d,
-/// which may not exceed mu_s N.
+/// v_s is the sliding velocity relative to a wall that moves by w(t) in the coordinates of q; f_d is the friction
+/// force on the system.
+///
+///     slip:    f_d = -sgn(v_s) μ(v_s) N,               K = K_slip
+///     stick:   q[c] = q[c](t_s) + w(t) - w(t_s),       K = K_stick in all rows but that of c
+///
+/// The row of c of the slip-state balance then yields f_d, which may not exceed μ_s N.
 struct ContactSystem {
   SparseMatrix mass;                           ///< M, symmetric positive definite
   SparseMatrix damping;                        ///< C
@@ -37,16 +40,16 @@ struct ContactSystem {
   std::function<double(double)> load_history;  ///< s, of t in s
   Eigen::Index contact{};                      ///< c
   PrescribedMotion wall;                       ///< w
-  double normal_force{};                       ///< N, newton, >= 0; or bonding_force
+  double normal_force{};                       ///< N, newton, ≥ 0; or bonding_force
   data::FrictionLaw friction;
   data::TangentialContact tangential{};  ///< a spring or a smooth law takes the place of stick
 };
 
-/// mu(v) = mu_m + (mu_s - mu_m) exp(-alpha |v|) + beta |v|, Eq. (7) with a viscous term, v in m/s. alpha must be
+/// μ(v) = μ_m + (μ_s - μ_m) exp(-α |v|) + β |v|, Eq. (7) with a viscous term, v in m/s. α must be
 /// finite (data::FrictionLaw::in_slip).
 [[nodiscard]] double friction_coefficient(const data::FrictionLaw& law, double sliding_velocity);
 
-/// Its slope over the speed, d mu/d|v| = beta - (mu_s - mu_m) alpha exp(-alpha |v|), s/m.
+/// Its slope over the speed, d μ/d|v| = β - (μ_s - μ_m) α exp(-α |v|), s/m.
 [[nodiscard]] double friction_coefficient_slope(const data::FrictionLaw& law, double sliding_velocity);
 
 }  // namespace stickslip::solver

@@ -12,18 +12,18 @@ namespace stickslip::solver {
 /// One natural mode of a mesh.
 struct FiniteElementMode {
   double angular_frequency{};  ///< rad/s
-  /// All degrees of freedom of the model, phi^T M phi = 1, the deflection of the first node not negative.
+  /// All degrees of freedom of the model, φᵀ M φ = 1, the deflection of the first node not negative.
   Eigen::VectorXd shape;
 };
 
-/// The `count` lowest modes of the stick state, (K_stick - omega^2 M) phi = 0 with w_L = 0.
+/// The `count` lowest modes of the stick state, (K_stick - ω² M) φ = 0 with w_L = 0.
 ///
-/// Solved as M phi = mu K phi, mu = 1/omega^2, so that round-off is relative to the lowest mode and not to
+/// Solved as M φ = μ K φ, μ = 1/ω², so that round-off is relative to the lowest mode and not to
 /// the highest. Throws std::invalid_argument if count is not in 1 ... 2 elements - 1, data::FieldError if P
 /// is at or over the buckling load of the mesh.
 [[nodiscard]] std::vector<FiniteElementMode> stick_modes(const BeamModel& model, int count);
 
-/// The `count` lowest eigenvalues omega^2 of the slip state, (K_slip - omega^2 M) phi = 0, rad^2/s^2, by
+/// The `count` lowest eigenvalues ω² of the slip state, (K_slip - ω² M) φ = 0, rad²/s², by
 /// modulus; complex pairs beyond the flutter load, one below 0 beyond the buckling load.
 [[nodiscard]] std::vector<std::complex<double>> slip_eigenvalues(const BeamModel& model, int count);
 

@@ -16,14 +16,14 @@ namespace stickslip::solver {
 /// method, the same numbers to rounding.
 ///
 /// In the modes of the mesh with its tip held (HeldTipBasis) the generalised-alpha method is one recurrence per
-/// mode. With x = (eta, h eta_t, h^2 eta_tt) and k = (omega h)^2,
+/// mode. With x = (η, h η_t, h² η_tt) and k = (ω h)²,
 ///
-///     x_3' = [h^2 r h_tt(t_star) - alpha_m x_3 - k (x_1 + s x_2 + s (1/2 - beta) x_3)]/[1 - alpha_m + s beta k],
-///     x_2' = x_2 + (1 - gamma) x_3 + gamma x_3',
-///     x_1' = x_1 + x_2 + (1/2 - beta) x_3 + beta x_3',
+///     x_3' = [h² r h_tt(t_star) - α_m x_3 - k (x_1 + s x_2 + s (1/2 - β) x_3)]/[1 - α_m + s β k],
+///     x_2' = x_2 + (1 - γ) x_3 + γ x_3',
+///     x_1' = x_1 + x_2 + (1/2 - β) x_3 + β x_3',
 ///
-/// s = 1 - alpha_f, r = phi^T (-b + M sigma) with the static shape sigma of the tip's motion. The state at
-/// t_n with sin(Omega t_n) and cos(Omega t_n) is a vector y_n, a step y_(n+1) = T y_n and an output o y_n, so
+/// s = 1 - α_f, r = φᵀ (-b + M σ) with the static shape σ of the tip's motion. The state at
+/// t_n with sin(Ω t_n) and cos(Ω t_n) is a vector y_n, a step y_(n+1) = T y_n and an output o y_n, so
 /// that B outputs from t_n on are the product of a matrix with the rows o, o T, ... o T^(B-1) and y_n: one
 /// matrix product for all blocks of B steps, whose states follow from each other by T^B.
 class ModalStickRun {
@@ -37,14 +37,14 @@ class ModalStickRun {
 
   /// f at t_0 ... t_steps, N, sign of Eq. (28).
   [[nodiscard]] std::vector<double> friction_force(long steps) const;
-  /// The displacement u(x) relative to the base at t_0 ... t_steps, m; 0 <= x <= L.
+  /// The displacement u(x) relative to the base at t_0 ... t_steps, m; 0 ≤ x ≤ L.
   [[nodiscard]] std::vector<double> relative_displacement(double x, long steps) const;
 
   /// max |f| over t_0 ... t_steps, N.
   [[nodiscard]] double max_abs_friction_force(long steps) const;
 
  private:
-  // An output is modal . eta + of_base h + of_acceleration h_tt.
+  // An output is modal . η + of_base h + of_acceleration h_tt.
   struct Output {
     Eigen::VectorXd modal;
     double of_base{};
@@ -52,7 +52,7 @@ class ModalStickRun {
   };
   using Modes = Eigen::Array<double, Eigen::Dynamic, 3>;  // x_1, x_2, x_3 by mode
 
-  // T^B and the outputs of a block, as factors of y = (x_1, x_2, x_3, sin(Omega t), cos(Omega t)) at its start.
+  // T^B and the outputs of a block, as factors of y = (x_1, x_2, x_3, sin(Ω t), cos(Ω t)) at its start.
   struct Block {
     std::array<Modes, 3> of_state;
     std::array<Modes, 2> of_load;
@@ -70,8 +70,8 @@ class ModalStickRun {
   double h_, amplitude_, omega_;
   HeldTipBasis basis_;
   Eigen::ArrayXd stiffness_;       // k
-  Eigen::ArrayXd load_;            // h^2 r
-  Eigen::ArrayXd inverse_factor_;  // 1/[1 - alpha_m + s beta k]
+  Eigen::ArrayXd load_;            // h² r
+  Eigen::ArrayXd inverse_factor_;  // 1/[1 - α_m + s β k]
   Modes start_;
   Output force_;
 };

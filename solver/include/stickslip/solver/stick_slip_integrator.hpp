@@ -21,12 +21,12 @@ enum class ContactScheme {
   /// reversal, which leaves friction in the wrong direction for a while; what a late onset or capture costs
   /// is of second order, because the impulse makes up for the force that the late capture held.
   end_of_step,
-  /// The letter of Sects. 2 and 3 of Won, Lee & Chung. The state is decided at the start of every step: stick
-  /// if |v_s| <= epsilon and |f_s| <= mu_s N, with f_s the force that holding takes; else slip, against the
+  /// The scheme exactly as Sects. 2 and 3 of Won, Lee & Chung describe it. The state is decided at the start of
+  /// every step: stick if |v_s| ≤ ε and |f_s| ≤ μ_s N, with f_s the force that holding takes; else slip, against the
   /// current sliding velocity (from rest: against f_s). At the capture the one component v[c] is overwritten
   /// by the wall's velocity, without an impulse, which may add energy. A contact that decelerates faster than
-  /// epsilon/h (1 m/s^2 there) jumps over the threshold: then friction merely changes its direction. Nothing
-  /// restarts the method: its acceleration is carried through every change. Needs epsilon > 0.
+  /// ε/h (1 m/s² there) jumps over the threshold: then friction merely changes its direction. Nothing
+  /// restarts the method: its acceleration is carried through every change. Needs ε > 0.
   paper
 };
 
@@ -39,7 +39,7 @@ enum class StepAlgebra {
 struct IntegratorSettings {
   double time_step{};        ///< h, s, > 0
   double spectral_radius{};  ///< 0 ... 1
-  /// epsilon, m/s, >= 0: below it a slip that can stick is captured. Above 0 it limits the step from below: a slip
+  /// ε, m/s, ≥ 0: below it a slip that can stick is captured. Above 0 it limits the step from below: a slip
   /// that begins and does not exceed it within the step is captured at its end, by an impact.
   double velocity_threshold{};
   ContactScheme scheme{ContactScheme::located};
@@ -52,39 +52,45 @@ class ContactMotion;
 /// changes located inside the step.
 ///
 /// Stick. The contact moves with the wall, exactly, velocity and acceleration included; in the balance at the
-/// alpha level its motion enters at t_star, so that the other degrees of freedom see a load of second order.
-/// The friction force at t_n follows from the semi-discrete balance alone, f_d = r_q . q + r_v . v + r_s s(t)
-/// + m_c w_tt(t), with influence vectors found once; it is of second order in h, because q and v are, and
-/// costs one scalar product.
+/// α level its motion enters at t_star, so that the other degrees of freedom see a load of second order.
+/// The friction force at t_n follows from the semi-discrete balance alone, with influence vectors found once,
 ///
-/// Slip. f_d = -d mu(|v_s|) N with the direction d = +-1 of the phase, v_s at the alpha level; a scalar
-/// equation, solved to round-off by Newton's method, since a_(n+1) depends on f_d through one influence
-/// vector.
+///     f_d = r_q · q + r_v · v + r_s s(t) + m_c ẅ(t).
 ///
-/// Changes. |f_d| > mu_s N at the end of a stick step, or d v_s <= 0 at the end of a slip step, is located
+/// It is of second order in h, because q and v are, and costs one scalar product.
+///
+/// Slip. f_d = -d μ(|v_s|) N with the direction d = ±1 of the phase, v_s at the α level. This is a scalar
+/// equation, since a_(n+1) depends on f_d through one influence vector; Newton's method solves it to round-off.
+///
+/// Changes. |f_d| > μ_s N at the end of a stick step, or d v_s ≤ 0 at the end of a slip step, is located
 /// inside the step by root finding over the end of a shortened step, which is then taken; the rest of the
-/// grid step follows from there. At v_s = 0 the contact sticks if it can (|f_d| <= mu_s N), else it slips
-/// against the force that holding it would take. A slip that ends a step with |v_s| <= epsilon and can stick
-/// is captured too, as in Sect. 3 of Won, Lee & Chung. The velocity left at a capture is removed by the
-/// impulse at the contact that does it, v <- v - M^-1 e_c m_c v_s with m_c = 1/(e_c . M^-1 e_c):
-/// M-orthogonal, so that kinetic energy in the frame of the wall falls by m_c v_s^2 / 2 and never rises. At a
+/// grid step follows from there. At v_s = 0 the contact sticks if it can (|f_d| ≤ μ_s N), else it slips
+/// against the force that holding it would take. A slip that ends a step with |v_s| ≤ ε and can stick
+/// is captured too, as in Sect. 3 of Won, Lee & Chung. The velocity left at a capture is removed by the impulse
+/// at the contact that does it,
+///
+///     v ← v - M⁻¹ e_c m_c v_s,      m_c = 1/(e_c · M⁻¹ e_c).
+///
+/// It is M-orthogonal, so that kinetic energy in the frame of the wall falls by m_c v_s²/2 and never rises. At a
 /// reversal no velocity is reset. That is ContactScheme::located; the other schemes say what they do instead.
 ///
 /// A contact that yields (data::TangentialContact): a spring or a smooth law. There is no stick phase. Every step has
-/// the equations of slip, with f_d at the alpha level the root of one scalar equation in the weighted velocity and
+/// the equations of slip, with f_d at the α level the root of one scalar equation in the weighted velocity and
 /// position of the contact; the slider follows at the end of the step. friction_force() is on the line through f_d at the
-/// last two alpha levels, within the bound. f_d is continuous, so that changes need no
+/// last two α levels, within the bound. f_d is continuous, so that changes need no
 /// location, and q and v are of second order. state() is stick while the slider rests; a smooth law always slips and
 /// has no events. Only ContactScheme::located.
 ///
-/// Restart. After a change (and at t = 0) the method's acceleration is a = (1 - alpha_m) A^-1 r with the
-/// residual r = p s - C v - K q + contact force and the matrix A of a whole step, that is (M + theta h^2
-/// K)^-1 r with theta = (1 - alpha_f) beta/(1 - alpha_m): the balance up to (omega h)^2 for what the step
-/// resolves, and nearly zero for what it does not. The balance itself, or the value carried over from the
-/// shortened step, holds omega^2 q of the stiffest modes, which a spectral radius below 1 turns into a
-/// velocity omega h times too large: on fine meshes the run diverges.
+/// Restart. After a change (and at t = 0) the method's acceleration is, with the residual r and the matrix A of a
+/// whole step,
 ///
-/// Limits. An excess of |f_d| over mu_s N, or a double sign change of v_s, that begins and ends within one
+///     a = (1 - α_m) A⁻¹ r = (M + θ h² K)⁻¹ r,      r = p s - C v - K q + contact force,      θ = (1 - α_f) β/(1 - α_m).
+///
+/// It is the balance up to (ω h)² for what the step resolves, and nearly zero for what it does not. The balance
+/// itself, or the value carried over from the shortened step, holds ω² q of the stiffest modes, which a spectral
+/// radius below 1 turns into a velocity ω h times too large: on fine meshes the run diverges.
+///
+/// Limits. An excess of |f_d| over μ_s N, or a double sign change of v_s, that begins and ends within one
 /// step is not seen. More than 1000 events in one step, or a state that is not finite, stop the run with
 /// std::runtime_error that says when.
 class StickSlipIntegrator {
@@ -97,7 +103,7 @@ class StickSlipIntegrator {
   StickSlipIntegrator& operator=(const StickSlipIntegrator&) = delete;
 
   /// Starts at t = 0 with the contact stuck; q[c] and v[c] of the arguments are replaced by the wall's. If
-  /// the friction needed exceeds mu_s N at once, the contact slips from the start.
+  /// the friction needed exceeds μ_s N at once, the contact slips from the start.
   void start_stuck(const Eigen::VectorXd& displacement, const Eigen::VectorXd& velocity);
 
   /// Starts at t = 0 in slip, in the direction of the sliding velocity given (or, where that is zero, against
@@ -125,7 +131,7 @@ class StickSlipIntegrator {
   [[nodiscard]] double friction_force() const;
   /// The friction force that holding the contact to the wall would take now, N.
   [[nodiscard]] double holding_force() const;
-  /// m_c = 1/(e_c . M^-1 e_c), kg.
+  /// m_c = 1/(e_c · M⁻¹ e_c), kg.
   [[nodiscard]] double contact_mass() const noexcept;
   [[nodiscard]] const std::vector<data::ContactEvent>& events() const noexcept;
   [[nodiscard]] const ContactSystem& system() const noexcept;

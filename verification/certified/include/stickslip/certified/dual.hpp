@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// Automatic differentiation by dual numbers a + a' e with e^2 = 0. A function evaluated at x + e returns its
+/// Automatic differentiation by dual numbers a + a' e with e² = 0. A function evaluated at x + e returns its
 /// value and its derivative. Duals of duals also return second derivatives.
 
 namespace stickslip::certified {

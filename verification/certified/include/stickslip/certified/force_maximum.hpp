@@ -14,14 +14,14 @@ struct ForceMaximum {
   std::vector<Real> times;  ///< s: balls of which one contains the time of the maximum
 };
 
-/// Encloses max |a_1 sin(w_1 t) + a_2 sin(w_2 t) + ...| over 0 <= t <= duration.
+/// Encloses max |a_1 sin(w_1 t) + a_2 sin(w_2 t) + ...| over 0 ≤ t ≤ duration.
 ///
 /// The first part works in doubles. Let m be the midpoint of a time interval and r its half-width. With M =
-/// sum |a_i| w_i^2 >= |f''| and the error bound E of the evaluation, the interval is removed if |f(m)| +
-/// |f'(m)| r + M r^2/2 + E is below the largest |f| - E found so far; otherwise it is halved. The second part
+/// sum |a_i| w_i² ≥ |f''| and the error bound E of the evaluation, the interval is removed if |f(m)| +
+/// |f'(m)| r + M r²/2 + E is below the largest |f| - E found so far; otherwise it is halved. The second part
 /// isolates all roots of f' in the remaining intervals by ball arithmetic and evaluates f there.
 ///
-/// The enclosure is proven under one assumption: the error of sin and cos of the C library is at most 2^-52,
+/// The enclosure is proven under one assumption: the error of sin and cos of the C library is at most 2⁻⁵²,
 /// twice the value that glibc states. It is used when intervals are removed.
 ///
 /// Throws std::invalid_argument, naming excitation.duration, unless it is positive, or if a sinusoid is known

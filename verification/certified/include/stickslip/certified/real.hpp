@@ -16,7 +16,7 @@ namespace stickslip::certified {
 /// The precision of the midpoints in the calling thread, in bits; 256 unless a PrecisionScope has changed it.
 [[nodiscard]] long precision() noexcept;
 
-/// Sets the precision during its lifetime. Throws std::invalid_argument unless 32 <= bits <= 1e6.
+/// Sets the precision during its lifetime. Throws std::invalid_argument unless 32 ≤ bits ≤ 1e6.
 class PrecisionScope {
  public:
   explicit PrecisionScope(long bits);
@@ -123,7 +123,7 @@ class Real {
 /// A ball that contains the common values of both balls. Throws std::logic_error if there are none.
 [[nodiscard]] Real intersection(const Real& x, const Real& y);
 
-/// A ball in decimals: |true - value| <= radius. The radius includes the rounding of the printed digits.
+/// A ball in decimals: |true - value| ≤ radius. The radius includes the rounding of the printed digits.
 struct Enclosure {
   std::string value;
   std::string radius;

@@ -2,14 +2,14 @@
 #pragma once
 
 /// The stick state (clamped at x = 0, pinned at x = L, axial force P) in the usual formulas. Cancellation in
-/// these formulas costs precision, which the radius includes. With p = P/EI and k = rho A omega^2/EI,
+/// these formulas costs precision, which the radius includes. With p = P/EI and k = ρ A ω²/EI,
 ///
-///     beta^2 = -p/2 + sqrt(p^2/4 + k),     betabar^2 = p/2 + sqrt(p^2/4 + k),
-///     U(x) = cosh(beta x) - cos(betabar x) - r [betabar sinh(beta x) - beta sin(betabar x)],       (22)
-///     r = [cosh(beta L) - cos(betabar L)]/[betabar sinh(beta L) - beta sin(betabar L)],
-///     beta tan(betabar L) = betabar tanh(beta L).                                                  (23)
+///     β² = -p/2 + √(p²/4 + k),     betabar² = p/2 + √(p²/4 + k),
+///     U(x) = cosh(β x) - cos(betabar x) - r [betabar sinh(β x) - β sin(betabar x)],       (22)
+///     r = [cosh(β L) - cos(betabar L)]/[betabar sinh(β L) - β sin(betabar L)],
+///     β tan(betabar L) = betabar tanh(β L).                                                  (23)
 ///
-/// U and C_n lose 1.44 beta L bits: 256 bits give 30 digits up to about mode 30, and mode 200 needs 2048
+/// U and C_n lose 1.44 β L bits: 256 bits give 30 digits up to about mode 30, and mode 200 needs 2048
 /// bits.
 
 #include <array>
@@ -33,28 +33,28 @@ class QuasiStaticShape {
  private:
   int sign_;  // of P
   Real length_;
-  Real sigma_;  // sqrt(|P|/EI), 1/m
+  Real sigma_;  // √(|P|/EI), 1/m
 };
 
 /// One clamped-pinned mode.
 struct StickMode {
   int number{};
-  Real angular_frequency;          ///< omega, rad/s
-  Real frequency_hz;               ///< omega/(2 pi)
-  Real hyperbolic_wave_number;     ///< beta, 1/m
+  Real angular_frequency;          ///< ω, rad/s
+  Real frequency_hz;               ///< ω/(2 π)
+  Real hyperbolic_wave_number;     ///< β, 1/m
   Real trigonometric_wave_number;  ///< betabar, 1/m
   Real shape_ratio;                ///< r, m
-  Real participation;              ///< C_n = -int U (1 + S) dx/int U^2 dx of Eq. (25)
+  Real participation;              ///< C_n = -∫ U (1 + S) dx/∫ U² dx of Eq. (25)
 
-  /// U(x) and its derivatives in the scale of the paper: U''(0) = beta^2 + betabar^2.
+  /// U(x) and its derivatives in the scale of the paper: U''(0) = β² + betabar².
   [[nodiscard]] Derivatives shape(const Real& x) const;
 };
 
 /// The first `count` modes: the roots of Eq. (23) in ascending order, as enclosures. The search starts below
-/// pi^2 sqrt(1 - max(P, 0)/P_cr), in units of Beam::frequency_unit(). The first frequency is above this value
-/// by Rayleigh's principle, since -P int u'^2 >= -(P/P_cr) EI int u''^2, and since the clamped end increases
-/// the frequencies of the pinned-pinned beam. Throws std::invalid_argument unless 1 <= count <= 1000, and
-/// what QuasiStaticShape throws. The computing time is proportional to (1 - P/P_cr)^-1/2 (10 ms at 1 - P/P_cr
+/// π² √(1 - max(P, 0)/P_cr), in units of Beam::frequency_unit(). The first frequency is above this value
+/// by Rayleigh's principle, since -P int u'² ≥ -(P/P_cr) EI int u''², and since the clamped end increases
+/// the frequencies of the pinned-pinned beam. Throws std::invalid_argument unless 1 ≤ count ≤ 1000, and
+/// what QuasiStaticShape throws. The computing time is proportional to (1 - P/P_cr)⁻¹/2 (10 ms at 1 - P/P_cr
 /// = 1e-5).
 [[nodiscard]] std::vector<StickMode> stick_modes(const Beam& beam, int count);
 

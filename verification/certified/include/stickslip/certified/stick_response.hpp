@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// The response of the stick state to h(t) = A0 sin(Omega t) by the sums of the paper with N modes. The beam
-/// starts with u = 0, u_t = S h_t (Eqs. 26 to 28; with omega_n^2 in Eq. 24):
+/// The response of the stick state to h(t) = A0 sin(Ω t) by the sums of the paper with N modes. The beam
+/// starts with u = 0, u_t = S h_t (Eqs. 26 to 28; with ω_n² in Eq. 24):
 ///
-///     u(x,t) = A0 { S(x) sin(Omega t) + sum_n U_n(x) Omega^2 C_n g_n(t) },     y = A0 sin(Omega t) + u,
-///     g_n(t) = [omega_n sin(Omega t) - Omega sin(omega_n t)]/[(Omega^2 - omega_n^2) omega_n],
+///     u(x,t) = A0 { S(x) sin(Ω t) + Σ_n U_n(x) Ω² C_n g_n(t) },     y = A0 sin(Ω t) + u,
+///     g_n(t) = [ω_n sin(Ω t) - Ω sin(ω_n t)]/[(Ω² - ω_n²) ω_n],
 ///     f(t) = EI u'''(L,t), in the sign of Eq. (28).
 
 #include <vector>
@@ -15,10 +15,10 @@
 
 namespace stickslip::certified {
 
-/// The base motion h(t) = A0 sin(2 pi hz t).
+/// The base motion h(t) = A0 sin(2 π hz t).
 struct Excitation {
   Rational frequency_hz;  ///< Hz, > 0
-  Rational amplitude;     ///< A0, m, >= 0
+  Rational amplitude;     ///< A0, m, ≥ 0
 };
 
 /// The function a sin(w t).
@@ -39,14 +39,14 @@ class StickResponse {
   [[nodiscard]] Real absolute_displacement(const Real& x, const Real& t) const;  ///< y = h + u, m
   [[nodiscard]] Real friction_force(const Real& t) const;                        ///< f, N
 
-  /// f as a sum of sinusoids: first the one at Omega, then the free vibrations. Throws std::domain_error,
-  /// naming excitation.frequency_hz, if the ball of Omega overlaps with that of a natural frequency.
+  /// f as a sum of sinusoids: first the one at Ω, then the free vibrations. Throws std::domain_error,
+  /// naming excitation.frequency_hz, if the ball of Ω overlaps with that of a natural frequency.
   [[nodiscard]] std::vector<Sinusoid> force_sinusoids() const;
 
   [[nodiscard]] const std::vector<StickMode>& modes() const noexcept { return modes_; }
 
  private:
-  /// A time function per unit A0: base sin(Omega t) + sum_n weights[n] g_n(t).
+  /// A time function per unit A0: base sin(Ω t) + Σ_n weights[n] g_n(t).
   struct History {
     Real base;
     std::vector<Real> weights;
@@ -60,7 +60,7 @@ class StickResponse {
   QuasiStaticShape quasi_static_;
   Rational frequency_hz_;
   Real amplitude_;  // A0
-  Real omega_;      // Omega
+  Real omega_;      // Ω
   std::vector<StickMode> modes_;
   History force_;
 };
