@@ -7,8 +7,8 @@
 #include <string>
 
 #include "case_options.hpp"
+#include "command.hpp"
 #include "commands.hpp"
-#include "long_work.hpp"
 #include "render/animation.hpp"
 
 namespace stickslip::cli {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "figure_format.hpp"
+#include "command.hpp"
 #include "render/drawing.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "studies/common/problem_parameter.hpp"

@@ -11,8 +11,6 @@
 #include "case_options.hpp"
 #include "command.hpp"
 #include "commands.hpp"
-#include "figure_format.hpp"
-#include "long_work.hpp"
 #include "map_work.hpp"
 #include "range_text.hpp"
 #include "stickslip/data/input_text.hpp"

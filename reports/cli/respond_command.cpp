@@ -5,8 +5,8 @@
 #include <string>
 
 #include "case_options.hpp"
+#include "command.hpp"
 #include "commands.hpp"
-#include "figure_format.hpp"
 #include "history_output.hpp"
 #include "render/interruption.hpp"
 #include "studies/history/runs.hpp"

@@ -10,9 +10,8 @@
 #include <vector>
 
 #include "case_options.hpp"
+#include "command.hpp"
 #include "commands.hpp"
-#include "figure_format.hpp"
-#include "long_work.hpp"
 #include "output_file.hpp"
 #include "range_text.hpp"
 #include "render/criterion_map.hpp"
