@@ -17,10 +17,10 @@ namespace stickslip::comparison {
 
 namespace {
 
+using data::with_value;
 using studies::FrictionRule;
 using studies::ModalScheme;
 using studies::StickSum;
-using data::with_value;
 using enum Quantity;
 using Quantities = std::vector<Quantity>;
 

@@ -23,11 +23,11 @@ namespace stickslip::comparison {
 
 namespace {
 
+using data::with_value;
 using studies::in_parallel;
 using studies::StickReading;
 using studies::StickSum;
 using studies::two_pi;
-using data::with_value;
 using enum Quantity;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
