@@ -18,7 +18,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string prefix_of_temporaries(const fs::path& target) { return "." + target.filename().string() + "."; }
+std::string prefix_of_temporaries(const fs::path& target) {
+  return std::string(".").append(target.filename().string()).append(".");
+}
 
 // Temporary files of the target that no process holds any more.
 void remove_abandoned(const fs::path& target) {

@@ -508,8 +508,10 @@ TEST_F(CaseShorthand, KnowsCirclesAndTubes) {
 void expect_same_numbers(const data::Case& problem, const data::Case& expected) {
   const auto numbers = data::numbers_of(problem), others = data::numbers_of(expected);
   ASSERT_EQ(numbers.size(), others.size());
-  for (const auto& [path, value] : others)
-    if (!path.starts_with("numerics.")) EXPECT_DOUBLE_EQ(numbers.at(path), value) << path;
+  for (const auto& [path, value] : others) {
+    if (path.starts_with("numerics.")) continue;
+    EXPECT_DOUBLE_EQ(numbers.at(path), value) << path;
+  }
 }
 
 const std::map<std::string, std::vector<std::string>> sections{
