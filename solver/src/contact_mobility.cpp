@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "stickslip/solver/contact_mobility.hpp"
 
-#include <Eigen/Dense>
 #include <Eigen/SparseLU>
 #include <stdexcept>
 
+#include "stickslip/solver/decompositions.hpp"
 #include "stickslip/solver/generalized_alpha.hpp"
 
 namespace stickslip::solver {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "stickslip/solver/modal_analysis.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
+
+#include "stickslip/solver/decompositions.hpp"
 
 namespace stickslip::solver {
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "stickslip/solver/sliding_stability.hpp"
 
-#include <Eigen/Dense>
 #include <cmath>
 #include <stdexcept>
+
+#include "stickslip/solver/decompositions.hpp"
 
 namespace stickslip::solver {
 
