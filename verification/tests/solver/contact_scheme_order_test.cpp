@@ -20,13 +20,13 @@ namespace {
 using solver::ContactScheme;
 using solver::StickSlipIntegrator;
 
-constexpr double duration = 12.0;
+constexpr double end_time = 12.0;
 
 std::unique_ptr<StickSlipIntegrator> run_of(ContactScheme scheme, double spectral_radius, int steps) {
   auto integrator = std::make_unique<StickSlipIntegrator>(
       contact_system(ForcedPair{}),
       solver::IntegratorSettings{
-          .time_step = duration / steps, .spectral_radius = spectral_radius, .scheme = scheme});
+          .time_step = end_time / steps, .spectral_radius = spectral_radius, .scheme = scheme});
   integrator->start_stuck(Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
   while (integrator->steps() < steps) integrator->step();
   return integrator;
@@ -64,7 +64,7 @@ TEST_P(ContactSchemeOrder, IsOneWithoutLocationForTwoMasses) {
   std::vector<double> lengths;
   std::array<std::vector<double>, 4> means;
   for (const int level : levels) {
-    lengths.push_back(duration / level);
+    lengths.push_back(end_time / level);
     for (auto& mean : means) mean.push_back(0.0);
     for (int i = 0; i < neighbours; ++i) {
       const int steps = level + 1 + 13 * i;
