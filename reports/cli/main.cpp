@@ -1,56 +1,9 @@
 // SPDX-License-Identifier: MIT
-/// The command line `stickslip`. exit_status.hpp says with which status it ends.
-
-#include <fmt/format.h>
-
-#include <CLI/CLI.hpp>
 #include <csignal>
-#include <cstdio>
-#include <iostream>
 
-#include "command.hpp"
-#include "commands.hpp"
-#include "exit_status.hpp"
-#include "output_file.hpp"
-#include "stickslip/data/input_error.hpp"
-#include "stickslip/version.hpp"
-
-namespace stickslip::cli {
-
-namespace {
-
-void add_commands(CLI::App& app) {
-  app.require_subcommand(0, 1);  // run() requires one, so that a misspelt one is named
-  app.option_defaults()->disable_flag_override();
-  app.set_version_flag("--version", fmt::format("stickslip {} (commit {})", version, commit));
-  for (const auto add_to : all_commands) add_to(app);
-  add_quiet_option(app);
-  add_examples(app, {"stickslip criterion steel-strip", "stickslip criterion --help"});
-}
-
-int run(int argc, char** argv) {
-  CLI::App app("Friction-driven vibration of beams, in closed form and by finite elements", "stickslip");
-  add_commands(app);
-  try {
-    app.parse(argc, argv);
-    require_subcommand(app);
-  } catch (const CLI::Success& request) {  // --help, --version
-    app.exit(request);
-  } catch (const CLI::RuntimeError& outcome) {
-    return outcome.get_exit_code();
-  } catch (const CLI::ParseError& error) {
-    throw data::InputError(sentence_for(app, error));
-  }
-  std::cout.flush();
-  if (std::fflush(stdout) != 0 || !std::cout) throw OutputError("standard output cannot be written");
-  return done;
-}
-
-}  // namespace
-
-}  // namespace stickslip::cli
+#include "program.hpp"
 
 int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error like a full disk
-  return stickslip::cli::exit_status_of([=] { return stickslip::cli::run(argc, argv); });
+  return stickslip::cli::run_program(argc, argv);
 }

@@ -28,7 +28,6 @@ namespace {
 using analytic::ContactModel;
 using analytic::EventDriven;
 using analytic::EventDrivenEnergy;
-using analytic::EventDrivenSettings;
 using data::ContactChange;
 using data::ContactEvent;
 using data::ContactState;
@@ -110,24 +109,6 @@ TEST(EventDriven, RestsWhereNothingEverMoves) {
     // A slip that cannot begin lasts the shortest step, 1e-6/omega, at mu N/m = 1 m/s^2.
     EXPECT_TRUE(within(mass.contact_displacement(), 0.25, discretisation(5e-13, 1.0, "a t^2/2")));
     EXPECT_EQ(mass.friction_force(), 0.0);
-  }
-}
-
-TEST(EventDriven, EventsScaleWithTheFrequency) {
-  // The plane shaken at omega and at 1 rad/s with the same acceleration: velocities go as 1/omega, times too.
-  // A power of two changes no digit of either, as long as no time or length of its own is in the way.
-  const double omega = 0x1p30;
-  const auto events = [](double rate, std::size_t least) {
-    EventDriven mass(
-        contact_model({.normal_force = 10.0, .friction = coulomb, .wall_acceleration = 15.0, .omega = rate}));
-    for (int k = 1; mass.events().size() < least; ++k) mass.advance_to(2.0 * pi * k / rate);
-    return mass.events();
-  };
-  const auto slow = events(1.0, 100), fast = events(omega, 10001);
-  for (std::size_t i = 0; i < 100; ++i) {
-    EXPECT_EQ(fast[i].change, slow[i].change);
-    EXPECT_DOUBLE_EQ(omega * fast[i].time, slow[i].time);
-    EXPECT_DOUBLE_EQ(omega * (omega * fast[i].position), slow[i].position);
   }
 }
 

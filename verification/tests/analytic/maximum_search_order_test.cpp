@@ -79,28 +79,6 @@ TEST(MaximumForce, GapOfHalvingIsOfSecondOrder) {
   }
 }
 
-TEST(MaximumForce, GapOfSamplesIsOfSecondOrder) {
-  for (const Search& search : searches()) {
-    SCOPED_TRACE(name_of(search));
-    const StickResponse response = response_of(search);
-    const ForceMaximum fast = fast_search(search);
-    const Bounds maximum = fast.refined_to(1e-12);
-    double gap_of_twice_the_step = 0.0;
-    for (const double intervals : {100.0, 200.0, 400.0, 800.0}) {
-      const Bounds bounds =
-          response.sampled_max_abs_friction_force(search.duration, search.duration / intervals);
-      const double gap = bounds.upper - bounds.lower;
-      EXPECT_LE(bounds.lower, maximum.upper + fast.rounding()) << intervals;
-      EXPECT_GE(bounds.upper, maximum.lower - fast.rounding()) << intervals;
-      EXPECT_GT(gap, 0.0) << intervals;
-      if (gap_of_twice_the_step > 0.0) {
-        EXPECT_TRUE(within(gap_of_twice_the_step / gap, 4.0, round_off(1, bounds.upper / gap, 4.0)));
-      }
-      gap_of_twice_the_step = gap;
-    }
-  }
-}
-
 TEST(MaximumForce, FastSearchEnclosesBeats) {
   // In runs as short as these a mode and the excitation do not part: one beat stands for both.
   const double resonance = analytic::stick_modes(paper_beam(), 1).front().frequency_hz();

@@ -6,17 +6,14 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <random>
 #include <stdexcept>
 #include <vector>
 
-#include "analytic/gsl.hpp"
 #include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "support/beams.hpp"
 #include "support/error_message.hpp"
 #include "support/order.hpp"
-#include "support/random_beams.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
@@ -47,122 +44,7 @@ double derivative_size(double steady, double omega, const std::vector<Sinusoid>&
   return size;
 }
 
-double second_difference(const RealFunction& f, double x, double h) {
-  return (f(x + h) - 2.0 * f(x) + f(x - h)) / (h * h);
-}
-
-double fourth_difference(const RealFunction& f, double x, double h) {
-  return (f(x + 2 * h) - 4.0 * f(x + h) + 6.0 * f(x) - 4.0 * f(x - h) + f(x - 2 * h)) / (h * h * h * h);
-}
-
-/// One-sided, towards smaller x; leading error 7/4 h^2 f^(5).
-double backward_third_difference(const RealFunction& f, double x, double h) {
-  return (5.0 * f(x) - 18.0 * f(x - h) + 24.0 * f(x - 2 * h) - 14.0 * f(x - 3 * h) + 3.0 * f(x - 4 * h)) /
-         (2.0 * h * h * h);
-}
-
 STICKSLIP_VERIFIES(StickResponse, "A4");
-TEST(StickResponse, KeepsTheClampAndTheTipAtTheWall) {
-  for (const SteadyPart steady : kBothSums) {
-    const StickResponse response(paper_beam(), shaking(25.0), 10, steady);
-    for (const double t : {0.013, 0.4, 3.3}) {
-      const double size = 0.1;  // m, the deflection at resonance
-      EXPECT_TRUE(within(response.relative_displacement(0.0, t), 0.0, round_off(20, 10, size)));
-      EXPECT_TRUE(within(response.absolute_displacement(2.0, t), 0.0, round_off(20, 1, size)));
-      // u' = 0 at x = 0: what is left of u(h)/h is u'' h/2 with u'' <= beta_1^2 size.
-      const double h = 1e-6;
-      EXPECT_TRUE(within(response.relative_displacement(h, t) / h, 0.0,
-                         discretisation(2.0 * std::pow(3.93 / 2.0, 2) * size * h / 2.0, 4.0, "h u''/2")));
-    }
-  }
-}
-
-TEST(StickResponse, SatisfiesTheEquationOfMotionAtRandomPoints) {
-  // Exact steady part and three free vibrations: each term satisfies Eq. (1), so the sum does.
-  const data::Beam beam = paper_beam();
-  const double drive = 2.0 * pi * 15.0;
-  const StickResponse response(beam, shaking(15.0), 3, SteadyPart::exact);
-  const StickMode& last = response.modes().back();
-  const double wave = last.trigonometric_wave_number();
-  double size = 0.0, time_fourth = 0.0;
-  for (int i = 0; i <= 50; ++i) {
-    const double steady = response.steady_displacement_amplitude(0.04 * i);
-    const auto transient = response.transient_displacement(0.04 * i);
-    size = std::max(size, derivative_size(steady, drive, transient, 0));
-    time_fourth = std::max(time_fourth, derivative_size(steady, drive, transient, 4));
-  }
-  const double h = 0.02 / wave, dt = 0.02 / last.angular_frequency();
-  const double error =
-      rigidity(beam) * h * h * std::pow(wave, 6) * size / 6.0 + mass(beam) * dt * dt * time_fourth / 12.0;
-  std::mt19937 generator(2018);
-  std::uniform_real_distribution<double> place(0.1, 1.9), time(0.01, 1.0);
-  for (int i = 0; i < 50; ++i) {
-    const double x = place(generator), t = time(generator);
-    const auto along = [&](double s) { return response.relative_displacement(s, t); };
-    const auto during = [&](double s) { return response.relative_displacement(x, s); };
-    const double sum = mass(beam) * second_difference(during, t, dt) +
-                       rigidity(beam) * fourth_difference(along, x, h) +
-                       beam.axial_force() * second_difference(along, x, h);
-    const double load = mass(beam) * drive * drive * response.base_displacement(t);
-    EXPECT_TRUE(within(sum, load, discretisation(error, 1.1, "second-order differences")));
-  }
-}
-
-TEST(StickResponse, ForceIsTheThirdDerivativeAtTheTip) {
-  for (const SteadyPart steady : kBothSums) {
-    const StickResponse response(paper_beam(), shaking(15.0), 4, steady);
-    const double wave = response.modes().back().trigonometric_wave_number();
-    const double size = derivative_size(response.steady_displacement_amplitude(1.0), 1.0,
-                                        response.transient_displacement(1.0), 0);
-    const double h = 0.01 / wave;
-    for (const double t : {0.017, 0.05, 0.31}) {
-      const auto along = [&](double x) { return response.relative_displacement(x, t); };
-      EXPECT_TRUE(within(response.friction_force(t),
-                         rigidity(paper_beam()) * backward_third_difference(along, 2.0, h),
-                         discretisation(rigidity(paper_beam()) * 1.75 * h * h * std::pow(wave, 5) * size, 2.0,
-                                        "7/4 h^2 u^(5)")));
-    }
-  }
-}
-
-TEST(StickResponse, HasNoBendingMomentAtTheTip) {
-  // One-sided differences: u'' - 11/12 h^2 u + h^3 u^(5). At the tip u is zero too, since it does not
-  // accelerate. Each part of u has the fifth power of its own wave number in u^(5).
-  const data::Beam beam = paper_beam();
-  for (const SteadyPart steady : kBothSums) {
-    const StickResponse response(beam, shaking(15.0), 4, steady);
-    const double h = 0.01 / response.modes().back().trigonometric_wave_number();
-    const double steady_wave = std::sqrt(2.0 * pi * 15.0 * std::sqrt(mass(beam) / rigidity(beam)));
-    double fifth = std::abs(response.steady_displacement_amplitude(1.0)) * std::pow(steady_wave, 5);
-    const auto transient = response.transient_displacement(1.0);
-    for (std::size_t n = 0; n < transient.size(); ++n)
-      fifth +=
-          std::abs(transient[n].amplitude) * std::pow(response.modes()[n].trigonometric_wave_number(), 5);
-    for (const double t : {0.017, 0.05, 0.31}) {
-      const auto u = [&](int steps) { return response.relative_displacement(2.0 - steps * h, t); };
-      const double curvature = (2.0 * u(0) - 5.0 * u(1) + 4.0 * u(2) - u(3)) / (h * h);
-      EXPECT_TRUE(within(curvature, 0.0, discretisation(h * h * h * fifth, 4.0, "h^3 u^(5)")));
-    }
-  }
-}
-
-TEST(StickResponse, SlowShakingAddsTheInertiaOfTheMasslessShape) {
-  // P = 0. f/A0 = 3 EI/L^3 + rho A L Omega^2 39/280 + O(Omega^4), with int (1 + S) S dx = -39/280 L; the next
-  // term is (Omega/omega_1)^2 of the second.
-  const data::Beam beam = paper_beam_with_load_factor(0.0);
-  const double natural = stick_modes(beam, 1).front().angular_frequency();
-  for (const double hz : {0.1, 1.0}) {
-    const double omega = 2.0 * pi * hz;
-    const double inertia = mass(beam) * beam.length() * omega * omega * 39.0 / 280.0;
-    const double at_rest = 3.0 * rigidity(beam) / std::pow(beam.length(), 3);
-    const double force = StickResponse(beam, shaking(hz), 10, SteadyPart::exact).steady_force_amplitude();
-    const double next = inertia * std::pow(omega / natural, 2);
-    EXPECT_TRUE(within(force / 0.5e-3 - at_rest, inertia,
-                       discretisation(next + round_off(30, 1, at_rest).value, 3.0, "(Omega/omega_1)^2")))
-        << hz << " Hz";
-  }
-}
-
 TEST(StickResponse, IsTheSumOfItsSinusoids) {
   for (const SteadyPart steady : kBothSums) {
     const StickResponse response(paper_beam(), shaking(70.0), 10, steady);
@@ -252,29 +134,6 @@ TEST(StickResponse, ExactSteadyPartNeedsFewModes) {
                          round_off(count + 40, condition, scale)))
           << count << " modes, " << hz << " Hz";
     }
-  }
-}
-
-TEST(StickResponse, PassesThroughResonanceContinuously) {
-  // With phi = omega t the resonant mode is proportional to [sin(phi (1 + d)) - sin(phi)]/d = phi cos(phi) -
-  // phi^2 d/2 sin(phi) - phi^3 d^2/6 cos(phi) ... at the distance d: it leaves linearly, and the next term is
-  // phi d/3 cot(phi) of that. What else depends on d is less by 1/phi, and so 2/(phi sin(phi)) of it.
-  const double natural = stick_modes(paper_beam(), 1).front().frequency_hz();
-  const double t = 1.3, phase = 2.0 * pi * natural * t;
-  const auto next_term = [phase](double d) {
-    return phase * d / 3.0 *
-           (std::abs(1.0 / std::tan(phase)) + 2.0 / (phase * std::abs(std::sin(phase))) * 3.0);
-  };
-  for (const SteadyPart steady : kBothSums) {
-    const StickResponse at(paper_beam(), shaking(natural), 10, steady);
-    std::vector<double> distances, differences;
-    for (double distance = 1e-3; distance > 1e-9; distance *= 0.1) {
-      const StickResponse beside(paper_beam(), shaking(natural * (1.0 + distance)), 10, steady);
-      distances.push_back(distance);
-      differences.push_back(std::abs(beside.friction_force(t) - at.friction_force(t)));
-    }
-    const double floor = round_off(10, 1.0 + phase, at.friction_force(t)).value;
-    EXPECT_TRUE(order_is(order_levels(distances, differences, next_term, floor), 1.0));
   }
 }
 
@@ -374,21 +233,7 @@ TEST(StickResponse, ModalSumConvergesWithOrderTwoAlternating) {
   EXPECT_TRUE(order_is(of_terms, 2.0, terms.scale));
 }
 
-TEST(StickResponse, FreeVibrationsFallWithTheFourthPower) {
-  const TermsOfTheForce terms;
-  const auto transient = StickResponse(paper_beam(), shaking(35.0), 200).transient_force();
-  std::vector<OrderLevel> levels;
-  for (std::size_t n = 20; n <= 200; n += 20) {
-    const double b = (static_cast<double>(n) + 0.25) * pi;
-    levels.push_back({.step = 1.0 / b,
-                      .error = std::abs(transient[n - 1].amplitude),
-                      .next_term = terms.next_term(b),
-                      .floor = round_off(10, 1, transient[n - 1].amplitude).value});
-  }
-  EXPECT_TRUE(order_is(levels, 4.0, terms.scale * terms.omega / terms.natural));
-}
-
-TEST(StickResponse, OmittedTransientBoundHoldsWhereTheLawIsReached) {
+TEST(StickResponse, OmittedTransientIsBounded) {
   for (const double factor : {-1e4, -300.0, -5.0, 0.12, 19.0}) {
     const data::Beam beam = paper_beam_with_load_factor(factor);
     const auto all = StickResponse(beam, shaking(12.0), 1000).transient_force();
@@ -462,30 +307,6 @@ TEST(SampledMaximum, ExcessIsTheInterpolationErrorOfTheStep) {
 }
 
 STICKSLIP_VERIFIES(MaximumForce, "A5");
-TEST(MaximumForce, IsWithinOnePercentOfThePrintedValues) {
-  // A0 = 0.5 mm over 10 s: ten modes and the limit of many modes, both sampled every 1e-4 s, and the latter's
-  // true maximum.
-  struct Maximum {
-    double frequency_hz, ten_modes, accuracy, limit, limit_accuracy, between_samples, printed;
-  };
-  const std::array<Maximum, 4> table{{{15.0, 40.463, 0.5e-3, 40.57, 0.5e-2, 40.58, 40.38},
-                                      {25.0, 30465.5, 0.05, 30465.3, 0.05, 30465.3, 3.03e4},
-                                      {35.0, 255.165, 0.5e-3, 254.6, 0.05, 254.6, 254.87},
-                                      {70.0, 977.86, 0.5e-2, 975.6, 0.05, 975.7, 977.54}}};
-  for (const auto& row : table) {
-    const StickResponse ten(paper_beam(), shaking(row.frequency_hz));
-    const StickResponse forty(paper_beam(), shaking(row.frequency_hz), 40, SteadyPart::exact);
-    const double of_ten = ten.sampled_max_abs_friction_force(10.0, 1e-4).lower;
-    const double of_forty = forty.sampled_max_abs_friction_force(10.0, 1e-4).lower;
-    const double true_maximum = forty.max_abs_friction_force(10.0, 1e-7).midpoint();
-    EXPECT_TRUE(within(of_ten, row.ten_modes, reference(row.accuracy, "the digits given")));
-    EXPECT_TRUE(within(of_forty, row.limit, reference(row.limit_accuracy, "the digits given")));
-    EXPECT_TRUE(within(true_maximum, row.between_samples, reference(row.limit_accuracy, "the digits given")));
-    for (const double maximum : {of_ten, of_forty, true_maximum})
-      EXPECT_TRUE(within(maximum, row.printed, reference(0.01 * row.printed, "the paper, to 1 %")));
-  }
-}
-
 TEST(MaximumForce, IsFoundAtExactResonance) {
   // The envelope of the resonant mode is EI A0 |U'''(L) C| (Omega t)/2; the others add at most their
   // amplitudes.

@@ -166,24 +166,6 @@ TEST(TimoshenkoModes, AreThoseOfAPublishedTable) {
   }
 }
 
-// Shear lowers a frequency by s^2 times a number of the mode, to first order: half the compliance, half the difference. The
-// next order is s^2 n^2 of it, and twice that in the ratio; what is left of rotary inertia is r^2 n^2/2.
-TEST(TimoshenkoModes, TendToEulerBernoulliWithInverseStiffness) {
-  constexpr double stiffness = 1e11;
-  const data::Beam rigid = thin(0.0);
-  const auto classical = analytic::stick_modes(rigid, 8);
-  const Values at = analytic::timoshenko_frequencies(thin(stiffness), TipSupport::held, 8),
-               at_twice = analytic::timoshenko_frequencies(thin(2.0 * stiffness), TipSupport::held, 8);
-  for (std::size_t n = 0; n < 8; ++n) {
-    const double exact = classical[n].angular_frequency();
-    const double share =
-        s_squared(thin(stiffness)) * std::pow((static_cast<double>(n) + 1.5) * std::numbers::pi, 2);
-    EXPECT_TRUE(within((exact - at[n]) / (exact - at_twice[n]), 2.0,
-                       discretisation(2.0 * share + 1e-13 / share, 1.0, "the next order and rounding")))
-        << n + 1;
-  }
-}
-
 TEST(TimoshenkoModes, RefuseWhatHasNoSuchForm) {
   const auto refuses = [](const data::Beam& beam, TipSupport tip, int count) {
     EXPECT_THROW((void)analytic::timoshenko_frequencies(beam, tip, count), data::FieldError);

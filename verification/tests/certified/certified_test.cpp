@@ -205,14 +205,6 @@ TEST(CertifiedRoots, RefusesWhatItCannotDecide) {
   expect_error_message<std::runtime_error>([] { (void)isolate_root(parabola("1/2"), 0, 3); }, {"2 roots"});
 }
 
-TEST(CertifiedRoots, FindsNoneWhereThereIsNone) {
-  const auto above_zero = [](const Real& at) {
-    const Dual<Real> x(at, 1);
-    return x * x + Dual<Real>(Rational("1e-12"));
-  };
-  EXPECT_TRUE(isolate_roots(above_zero, -1, 3).empty());
-}
-
 // Stick modes.
 
 STICKSLIP_VERIFIES(CertifiedStickModes, "A8");
@@ -223,18 +215,7 @@ TEST(CertifiedStickModes, BucklingIsTheFirstRootOfTanYIsY) {
   EXPECT_TRUE(vanishes(buckling_load(paper_beam()) * 6 / 25000 - buckling_factor()));
 }
 
-TEST(CertifiedStickModes, HaveTheTabulatedConstantsWithoutAxialForce) {
-  const auto modes = certified::stick_modes(unit_beam("0"), 3);
-  EXPECT_TRUE(has_digits(modes[0].hyperbolic_wave_number, "3.926602312047918778"));
-  EXPECT_TRUE(has_digits(modes[1].hyperbolic_wave_number, "7.06858274562873"));
-  EXPECT_TRUE(has_digits(modes[2].trigonometric_wave_number, "10.21017612281303"));
-  for (const StickMode& mode : modes) {
-    EXPECT_TRUE(vanishes(pow(mode.hyperbolic_wave_number, 2) - mode.angular_frequency));
-    EXPECT_TRUE(vanishes(2 * pi() * mode.frequency_hz - mode.angular_frequency));
-  }
-}
-
-TEST(CertifiedStickModes, SolveTheEquationOfMotionAndItsBoundaryConditions) {
+TEST(CertifiedStickModes, SolveTheirBoundaryValueProblem) {
   for (const Beam& beam : beams()) {
     const Real length = beam.length(), p = beam.axial_force() / beam.bending_stiffness();
     for (const StickMode& mode : certified::stick_modes(beam, 10)) {
@@ -251,31 +232,6 @@ TEST(CertifiedStickModes, SolveTheEquationOfMotionAndItsBoundaryConditions) {
                                (beam.mass_per_length() * pow(mode.angular_frequency, 2)) -
                            1));
     }
-  }
-}
-
-/// The mean value theorem for each derivative: [d(x + h) - d(x)]/h lies in d' over the whole step.
-void expect_derivatives(const std::function<Derivatives(const Real&)>& shape, const Real& length) {
-  for (int i = 0; i < 7; ++i) {
-    const Real x = length * i / 7, step = length / pow(Real(10), 12), next = x + step;
-    const Derivatives here = shape(x), there = shape(next), along = shape(hull(x, next));
-    for (std::size_t order = 0; order < 3; ++order) {
-      const Real slope = (there[order] - here[order]) / step;
-      EXPECT_TRUE(along[order + 1].overlaps(slope)) << order << " at " << i << "/7";
-      // Not by being wide.
-      EXPECT_TRUE(along[order + 1].radius() * pow(length, static_cast<unsigned>(order) + 1) < Real(0.01))
-          << order << " at " << i << "/7";
-    }
-  }
-}
-
-TEST(CertifiedStickModes, DerivativesAreThoseOfTheShapes) {
-  for (const Beam& beam : beams()) {
-    const QuasiStaticShape quasi_static(beam);
-    const auto modes = certified::stick_modes(beam, 2);
-    if (beam.data().axial_force.approximately() < 50000)  // next to buckling S is large
-      expect_derivatives([&](const Real& x) { return quasi_static.at(x); }, beam.length());
-    expect_derivatives([&](const Real& x) { return modes[1].shape(x); }, beam.length());
   }
 }
 
@@ -316,20 +272,7 @@ Complex shape(const StickMode& mode, const Complex& x) {
          mode.shape_ratio * (betabar * sinh(beta * x) - beta * sin(betabar * x));
 }
 
-TEST(CertifiedStickModes, AreOrthogonalUnderRigorousQuadrature) {
-  const Beam beam = paper_beam("30000");
-  const auto modes = certified::stick_modes(beam, 4);
-  for (const StickMode& m : modes)
-    for (const StickMode& n : modes) {
-      const Real value = integral(beam.length(), [&](const Complex& x) { return shape(m, x) * shape(n, x); });
-      if (m.number == n.number)
-        EXPECT_TRUE(value > Real(0.5));
-      else
-        EXPECT_TRUE(vanishes(value, 30)) << m.number << " " << n.number;
-    }
-}
-
-TEST(CertifiedStickModes, ParticipationIsTheQuotientOfRigorousQuadratures) {
+TEST(CertifiedStickModes, ParticipationIsAQuotientOfQuadratures) {
   for (const char* force : {"-9000", "0", "500", "80000"}) {
     const Beam beam = paper_beam(force);
     // sigma^2 = P/EI, imaginary in tension.
@@ -349,23 +292,6 @@ TEST(CertifiedStickModes, ParticipationIsTheQuotientOfRigorousQuadratures) {
           integral(beam.length(), [&](const Complex& x) { return shape(mode, x) * shape(mode, x); });
       EXPECT_TRUE(vanishes(mode.participation + load / norm, 28)) << force << " N, mode " << mode.number;
     }
-  }
-}
-
-TEST(CertifiedStickModes, AreContinuousWhereCompressionTurnsIntoTension) {
-  // dU, dC and d omega are of the order of P, 1e-20 of EI/L^2.
-  const auto none = certified::stick_modes(unit_beam("0"), 3);
-  for (const char* force : {"1e-20", "-1e-20"}) {
-    const Beam beam = unit_beam(force);
-    const auto few = certified::stick_modes(beam, 3);
-    for (std::size_t n = 0; n < 3; ++n) {
-      EXPECT_TRUE(abs(few[n].participation - none[n].participation) < Real(1e-20)) << force;
-      EXPECT_TRUE(abs(few[n].angular_frequency - none[n].angular_frequency) < Real(1e-20)) << force;
-    }
-    const Derivatives shape = QuasiStaticShape(beam).at(Real(0.5)),
-                      cubic = QuasiStaticShape(unit_beam("0")).at(Real(0.5));
-    for (std::size_t order = 0; order < 4; ++order)
-      EXPECT_TRUE(abs(shape[order] - cubic[order]) < Real(2e-20)) << force << order;
   }
 }
 
@@ -421,13 +347,6 @@ TEST(CertifiedStickModes, RefuseBuckledAndImpossibleBeams) {
 // Slip modes.
 
 STICKSLIP_VERIFIES(CertifiedSlipModes, "A8");
-TEST(CertifiedSlipModes, HaveTheTabulatedConstantsOfTheCantilever) {
-  const auto modes = slip_frequencies(unit_beam("0"), 3);
-  EXPECT_TRUE(has_digits(sqrt(modes[0].angular_frequency), "1.87510406871196116644530824107821"));
-  EXPECT_TRUE(has_digits(sqrt(modes[1].angular_frequency), "4.69409113297417457643639177801"));
-  EXPECT_TRUE(has_digits(sqrt(modes[2].angular_frequency), "7.8547574382376125648610085"));
-}
-
 TEST(CertifiedSlipModes, SatisfyTheBoundaryConditionsOfTheFollowerLoad) {
   // u = A [cosh(b x) - cos(bb x)] + B [sinh(b x)/b - sin(bb x)/bb] has u''(1) = u'''(1) = 0.
   for (const char* load : {"-50", "-1", "0", "5", "20"})
@@ -456,17 +375,6 @@ TEST(CertifiedSlipModes, FlutterWhereBeckHasIt) {
                                                 {("numerics.modes is " + std::to_string(count)).c_str()});
 }
 
-TEST(CertifiedSlipModes, AreContinuousWhereCompressionTurnsIntoTension) {
-  const auto none = slip_frequencies(unit_beam("0"), 5);
-  for (const char* force : {"1e-12", "-1e-12"}) {
-    const auto few = slip_frequencies(unit_beam(force), 5);
-    for (std::size_t n = 0; n < 5; ++n) {
-      EXPECT_TRUE(abs(few[n].angular_frequency - none[n].angular_frequency) < Real(1e-12)) << force;
-      EXPECT_TRUE(vanishes(2 * pi() * few[n].frequency_hz - few[n].angular_frequency));
-    }
-  }
-}
-
 // Response.
 
 STICKSLIP_VERIFIES(CertifiedResponse, "A8");
@@ -481,17 +389,6 @@ TEST(CertifiedResponse, ObeysItsInitialAndBoundaryConditions) {
     EXPECT_TRUE(vanishes(response.relative_displacement(length / 2, 0)));
     EXPECT_TRUE(vanishes(response.friction_force(0)));
   }
-}
-
-TEST(CertifiedResponse, StartsAtTheSpeedOfTheQuasiStaticShape) {
-  // u(x,t)/t -> S(x) A0 Omega, and the modal coordinates begin as t^3.
-  const Beam beam = paper_beam();
-  const StickResponse response(beam, {"25", "1e-3"}, 10);
-  const Real t = Rational("1e-15"), omega = 50 * pi();
-  const Real expected = QuasiStaticShape(beam).at(1)[0] * omega / 1000;
-  EXPECT_TRUE(abs(response.relative_displacement(1, t) / t / expected - 1) < Real(1e-20));
-  const Real force = beam.bending_stiffness() * QuasiStaticShape(beam).at(2)[3] * omega / 1000;
-  EXPECT_TRUE(abs(response.friction_force(t) / t / force - 1) < Real(1e-20));
 }
 
 TEST(CertifiedResponse, ModalCoordinatesSolveTheirEquation) {
@@ -570,15 +467,6 @@ TEST(CertifiedTipMobility, IsThePublishedReceptanceWithoutAxialForce) {
   }
 }
 
-TEST(CertifiedTipMobility, TendsToTheStaticFlexibility) {
-  // (sin y - y cos y)/y^3, y^2 = z; y^3 changes its sign with that of the numerator in tension. Of the next
-  // term k^2 = 1e-40 is left, of the precision the square root of what cancels.
-  const Real s = Rational("1e-20"), y = 2;
-  EXPECT_TRUE(abs(tip_mobility(unit_beam("0"), s, 0).real / s - Real(1) / 3) < Real(1e-35));
-  EXPECT_TRUE(abs(tip_mobility(unit_beam("4"), s, 0).real / s - (sin(y) - y * cos(y)) / 8) < Real(1e-35));
-  EXPECT_TRUE(abs(tip_mobility(unit_beam("-4"), s, 0).real / s - (y * cosh(y) - sinh(y)) / 8) < Real(1e-35));
-}
-
 TEST(CertifiedTipMobility, ChangesSignInEveryFrequencyBall) {
   for (const char* force : {"-9000", "0", "500", "60000"}) {
     const Beam beam = paper_beam(force);
@@ -623,13 +511,6 @@ TEST(CertifiedTipMobility, IsNotFiniteWhereTheFormIsZeroByZero) {
 // Maximum.
 
 STICKSLIP_VERIFIES(CertifiedMaximum, "A8");
-TEST(CertifiedMaximum, IsTheAmplitudeOfASingleSinusoid) {
-  const auto maximum = max_abs_of_sinusoids({{Real(Rational("-1/3")), Real(3)}}, "1");
-  EXPECT_TRUE(vanishes(maximum.value - Real(Rational("1/3")), 60));
-  ASSERT_EQ(maximum.times.size(), 1u);
-  EXPECT_TRUE(vanishes(maximum.times.front() - pi() / 6, 60));
-}
-
 TEST(CertifiedMaximum, LiesAtTheEndOfAShortSpan) {
   for (const char* duration : {"0.1", "1/3", "0.5"}) {
     const auto maximum = max_abs_of_sinusoids({{Real(2), Real(3)}}, duration);
@@ -684,30 +565,6 @@ TEST(CertifiedMaximum, TellsNearlyEqualPeaksApart) {
     ASSERT_EQ(maximum.times.size(), 1u);
     EXPECT_TRUE(abs(maximum.times.front() - peak) < Real(1e-20));
     EXPECT_TRUE(abs(maximum.value - 1 - tiny * sin(peak)) < Real(1e-45));
-  }
-}
-
-TEST(CertifiedMaximum, IsBracketedByTenThousandSamples) {
-  const Beam beam = paper_beam();
-  for (const char* hz : {"15", "24.9", "82", "200"}) {
-    const StickResponse response(beam, {hz, "1e-3"}, 4);
-    const auto sinusoids = response.force_sinusoids();
-    const auto maximum = max_abs_of_sinusoids(sinusoids, "0.5");
-    double largest = 0.0, curvature = 0.0;
-    for (const auto& [a, w] : sinusoids)
-      curvature += std::abs(a.nearest_double()) * std::pow(w.nearest_double(), 2);
-    for (int i = 0; i <= 10000; ++i) {
-      double sum = 0.0;
-      for (const auto& [a, w] : sinusoids)
-        sum += a.nearest_double() * std::sin(w.nearest_double() * 0.5 * i / 10000);
-      largest = std::max(largest, std::abs(sum));
-    }
-    const double value = maximum.value.nearest_double();
-    EXPECT_LE(largest, value * (1.0 + 1e-12)) << hz;
-    EXPECT_TRUE(within(largest, value, discretisation(curvature * 5e-5 * 5e-5 / 8.0, 1.0, "M dt^2/8"))) << hz;
-    ASSERT_EQ(maximum.times.size(), 1u);
-    EXPECT_TRUE(vanishes(abs(response.friction_force(maximum.times.front())) - maximum.value)) << hz;
-    EXPECT_GT(maximum.value.accurate_bits(), 150);
   }
 }
 

@@ -69,7 +69,7 @@ TEST_F(Fault, StandardOutputThatIsFullIsNamed) {
 }
 
 // A folder below a file can be written by nobody, root included.
-TEST_F(Fault, FolderThatCannotBeWrittenIsNamedBeforeAnythingIsComputed) {
+TEST_F(Fault, FolderThatCannotBeWrittenIsNamedAtOnce) {
   std::ofstream("obstacle") << "in the way";
   for (const std::string& command : std::vector<std::string>{
            "respond --duration 1e5 --output ", "respond --duration 1e5 --output new.csv --events ",
@@ -157,15 +157,6 @@ TEST_F(KilledRun, OfRespondLeavesOnlyWhatIsWhole) {
        "respond paper --hz 25 --amplitude 1e-3 --duration 0.3 --output out/history.csv --events "
        "out/events.csv",
        {"history.csv", "events.csv"});
-}
-
-TEST_F(KilledRun, OfMapLeavesOnlyWhatIsWhole) {
-  kill(5, "map paper --x frequency=1:120:60 --y amplitude=1e-4:1e-3:5 --output out/map.csv", {"map.csv"});
-}
-
-TEST_F(KilledRun, OfReportLeavesOnlyWhatIsWhole) {
-  kill(5, "report --quiet --only fig2 --output out/",
-       {"fig2.csv", "fig2-values.csv", "fig2.pdf", "fig2.png", "studies/friction_curve.json"});
 }
 
 }  // namespace

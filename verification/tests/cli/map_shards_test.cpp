@@ -241,7 +241,7 @@ TEST_F(MapShards, DoNotGoOnFromOtherWork) {
   EXPECT_EQ(run(closed_form).status, 0);
 }
 
-TEST_F(MapShards, ThatAreMissingDoubleForeignOrDamagedDoNotMerge) {
+TEST_F(MapShards, OfAnotherOrADamagedMapDoNotMerge) {
   make_shards(closed_form, 3);
   const auto name = [&](int part) { return "shard-" + std::to_string(part) + " "; };
   expect_refused("map --merge " + name(1) + name(3), "shard 2 of 3 is missing beside shard-1");

@@ -173,7 +173,7 @@ TEST_F(DefaultRuns, OfTheDampedCaseAgreeWithTheReferenceData) {
 
 // With a threshold above 0 a slip that begins is taken for a stick at the end of a step that is short enough, with
 // an impact: the friction force exceeds mu_s P = 300 N.
-TEST_F(DefaultRuns, ConvergeWithTheStepOnlyWithoutAVelocityThreshold) {
+TEST_F(DefaultRuns, ConvergeOnlyWithoutAVelocityThreshold) {
   const auto run_with = [&](const std::string& step, const std::string& threshold) {
     return json("respond damped --set numerics.time_step=" + step +
                 " --set numerics.velocity_threshold=" + threshold + " --output history.csv");
@@ -218,7 +218,7 @@ class FigureOfAVerdict : public Drawing {};
 
 // The curve at the frequency of the case is its critical amplitude, to half of the width that is drawn, 1e-3; 16 = 4 x 4.
 STICKSLIP_VERIFIES(FigureOfAVerdict, "U1");
-TEST_F(FigureOfAVerdict, IsTheCriticalAmplitudeAroundTheFrequencyOfTheCase) {
+TEST_F(FigureOfAVerdict, IsTheCriticalAmplitudeAroundTheFrequency) {
   install_gnuplot("cat \"${folder}criterion.csv\" > $output; cat \"${folder}criterion-natural.csv\" > '" +
                   path("marks.csv") + "'; cat \"${folder}criterion-values.csv\" > '" + path("values.csv") +
                   "'\n");

@@ -63,12 +63,6 @@ struct Line {
 
   [[nodiscard]] std::string path() const { return table + "." + key; }
   [[nodiscard]] std::string place() const { return "bar.toml:" + std::to_string(number) + ": "; }
-  [[nodiscard]] bool is_integer() const { return key == "elements" || key == "modes"; }
-  [[nodiscard]] bool is_optional() const {
-    return table == "damping" || table == "contact" || table == "numerics" || key == "viscous" ||
-           key == "kinetic_coefficient" || key == "duration" || key == "axial_direction" ||
-           key == "shear_stiffness";
-  }
 };
 
 std::vector<Line> valid_lines() {
@@ -81,12 +75,6 @@ std::vector<Line> valid_lines() {
     lines.push_back({table, is_header ? "" : text.substr(0, text.find(' ')), text + "\n", lines.size() + 1});
   }
   return lines;
-}
-
-std::vector<Line> valid_keys() {
-  std::vector<Line> keys = valid_lines();
-  std::erase_if(keys, [](const Line& line) { return line.key.empty(); });
-  return keys;
 }
 
 // The text of a case whose line for `path` is replaced.
@@ -176,20 +164,17 @@ TEST_F(CaseFile, IsReadKeyByKey) {
   EXPECT_EQ(problem.contact.tangential_stiffness(), 1e6);
 }
 
-TEST_F(CaseFile, MustHoldEveryKeyOfTheRequiredTablesOrWhatStandsForIt) {
-  const std::map<std::string, std::string> otherwise{
-      {"beam.area", " or the table [section]"},
-      {"beam.second_moment_of_area", " or the table [section]"},
-      {"beam.density", " or beam.material"},
-      {"beam.youngs_modulus", " or beam.material"},
-      {"excitation.amplitude", " or excitation.velocity_amplitude or excitation.acceleration_amplitude"}};
-  for (const auto& key : valid_keys()) {
-    if (key.is_optional()) continue;
-    const auto found = otherwise.find(key.path());
-    EXPECT_EQ(error_message(case_with(key.path(), "")), "bar.toml: " + key.path() +
-                                                            " is missing, but a case must hold it" +
-                                                            (found == otherwise.end() ? "" : found->second));
-  }
+TEST_F(CaseFile, MustHoldKeysOrWhatStandsForThem) {
+  for (const auto& [key, otherwise] : std::vector<std::pair<std::string, std::string>>{
+           {"beam.length", ""},
+           {"beam.area", " or the table [section]"},
+           {"beam.second_moment_of_area", " or the table [section]"},
+           {"beam.density", " or beam.material"},
+           {"beam.youngs_modulus", " or beam.material"},
+           {"excitation.amplitude",
+            " or excitation.velocity_amplitude or excitation.acceleration_amplitude"}})
+    EXPECT_EQ(error_message(case_with(key, "")),
+              "bar.toml: " + key + " is missing, but a case must hold it" + otherwise);
 }
 
 TEST_F(CaseFile, IsUndampedWhereItDoesNotSayOtherwise) {
@@ -219,14 +204,6 @@ TEST_F(CaseFile, IsDampedByAnOverrideWithoutATableOfItsOwn) {
 }
 
 TEST_F(CaseFile, RefusesMagnitudesThatNoBeamHas) {
-  for (const auto& key : valid_keys()) {
-    const bool is_below_one = key.key == "spectral_radius" || key.key == "ratio";
-    if (key.is_integer() || is_below_one) continue;
-    for (const std::string value : {"1e+300", "5e-324"})
-      EXPECT_TRUE(error_message(case_with(key.path(), key.key + " = " + value + "\n"))
-                      .starts_with(key.place() + key.path() + " is " + value + ", but must be from "))
-          << key.path();
-  }
   EXPECT_EQ(error_message(case_with("beam.axial_force", "axial_force = -1e300\n")),
             at("beam.axial_force") +
                 "beam.axial_force is -1e+300, but must be from 1e-18 to 1e+18 (N) in magnitude");
@@ -237,17 +214,6 @@ TEST_F(CaseFile, RefusesMagnitudesThatNoBeamHas) {
   EXPECT_EQ(error_message_of([] { data::require_magnitude("friction.decay", 1e16, "--x"); }),
             "--x: friction.decay is 1e+16, but must be from 1e-15 to 1e+15 (s/m) in magnitude");
   EXPECT_EQ(error_message_of([] { data::require_magnitude("friction.decay", 0.0, "--x"); }), "accepted");
-}
-
-TEST_F(CaseFile, RefusesAMisspeltKeyAndSuggestsTheRightOne) {
-  for (const auto& key : valid_keys()) {
-    const std::string misspelt = key.key.substr(0, key.key.size() - 1);
-    const std::string sentence = error_message(case_with(key.path(), misspelt + " = 7\n"));
-    EXPECT_TRUE(sentence.starts_with(
-        key.place() + "unknown key " + key.table + "." + misspelt + " (did you mean " + key.path() +
-        "?) with the value 7 (an integer), but [" + key.table + "] has the keys "))
-        << sentence;
-  }
 }
 
 TEST_F(CaseFile, TakesAContactThatYieldsInOneWay) {
@@ -325,17 +291,15 @@ TEST_F(CaseFile, RefusesAKeyOutsideEveryTable) {
 }
 
 TEST_F(CaseFile, RefusesEveryTypeThatIsNotANumber) {
-  const std::vector<std::pair<std::string, std::string>> values{
-      {"'two'", "'two' (a string)"},
-      {"true", "true (a boolean)"},
-      {"[2.0]", "an array"},
-      {"{ m = 2.0 }", "a table"},
-      {"2018-02-19", "2018-02-19 (a date or time)"}};
-  for (const auto& key : valid_keys())
-    for (const auto& [value, described] : values)
-      EXPECT_TRUE(error_message(case_with(key.path(), key.key + " = " + value + "\n"))
-                      .starts_with(key.place() + key.path() + " is " + described + ", but must be " +
-                                   (key.is_integer() ? "an integer" : "a number")));
+  for (const auto& [value, described] : {std::pair{"'two'", "'two' (a string)"},
+                                         {"true", "true (a boolean)"},
+                                         {"[2.0]", "an array"},
+                                         {"{ m = 2.0 }", "a table"},
+                                         {"2018-02-19", "2018-02-19 (a date or time)"}})
+    for (const std::string path : {"beam.length", "numerics.modes"})
+      EXPECT_TRUE(error_message(case_with(path, path.substr(path.find('.') + 1) + " = " + value + "\n"))
+                      .starts_with(at(path) + path + " is " + described + ", but must be a"))
+          << path << " " << value;
 }
 
 TEST_F(CaseFile, TakesIntegersForNumbersAndNoFloatsForIntegers) {
@@ -343,26 +307,6 @@ TEST_F(CaseFile, TakesIntegersForNumbersAndNoFloatsForIntegers) {
   for (const std::string key : {"elements", "modes"})
     EXPECT_EQ(error_message(case_with("numerics." + key, key + " = 20.0\n")),
               at("numerics." + key) + "numerics." + key + " is 20 (a float), but must be an integer");
-}
-
-TEST_F(CaseFile, RefusesNotANumberAndInfinityAtEveryKey) {
-  for (const auto& key : valid_keys())
-    for (const std::string value : {"nan", "inf", "-inf"}) {
-      if ((key.key == "decay" || key.key == "tangential_stiffness") && value == "inf")
-        continue;  // a jump; rigid
-      const std::string sentence = error_message(case_with(key.path(), key.key + " = " + value + "\n"));
-      EXPECT_TRUE(sentence.starts_with(key.place() + key.path() + " is " + value)) << sentence;
-    }
-}
-
-TEST_F(CaseFile, RefusesNegativeValuesAtEveryKeyButTheAxialForce) {
-  for (const auto& key : valid_keys()) {
-    const std::string sentence = error_message(case_with(key.path(), key.key + " = -3\n"));
-    if (key.key == "axial_force")
-      EXPECT_EQ(sentence, "accepted");
-    else
-      EXPECT_TRUE(sentence.starts_with(key.place() + key.path() + " is -3, but must be ")) << sentence;
-  }
 }
 
 TEST_F(CaseFile, RefusesAnIntegerThatDoesNotFit) {
@@ -375,12 +319,6 @@ TEST_F(CaseFile, PrintsTheRefusedValueWithAllItsDigits) {
   EXPECT_EQ(
       error_message(case_with("beam.length", "length = -0.30000000000000004\n")),
       at("beam.length") + "beam.length is -0.30000000000000004, but must be a finite number above 0 (m)");
-}
-
-TEST_F(CaseFile, RefusesAKeyThatStandsTwice) {
-  const std::string sentence = error_message(case_with("beam.length", "length = 2.0\nlength = 3.0\n"));
-  EXPECT_TRUE(sentence.starts_with("bar.toml:3: is not valid TOML: ")) << sentence;
-  EXPECT_TRUE(contains(sentence, "'length'")) << sentence;
 }
 
 TEST_F(CaseFile, NamesTheLineOfASyntaxError) {
@@ -406,17 +344,6 @@ TEST_F(CaseFile, MessagesStayOnOneShortLine) {
       case_with("beam.length", "length = \"\"\"line\nline\x7F" + std::string(500, 'x') + "\"\"\"\n"));
   EXPECT_FALSE(contains(sentence, "\n"));
   EXPECT_LT(sentence.size(), 200U);
-}
-
-TEST_F(CaseFile, IsOverriddenKeyByKey) {
-  for (const auto& key : valid_keys()) {
-    if (key.key == "axial_force")
-      EXPECT_EQ(error_message(valid_case(), {{key.path(), "-3"}}), "accepted");
-    else
-      EXPECT_TRUE(
-          override_error(valid_case(), key.path() + "=-3").starts_with(key.path() + " is -3, but must be "))
-          << key.path();
-  }
 }
 
 TEST_F(CaseFile, TheLastOverrideOfAKeyWins) {
@@ -609,7 +536,7 @@ TEST_F(CaseShorthand, SuppliesTheShearStiffnessOfPoissonsRatio) {
   EXPECT_NEAR(coefficient(tube + "wall_thickness = 1e-7\n", "0.3"), 2.6 / 4.9, 1e-9);
 }
 
-TEST_F(CaseShorthand, RefusesAPoissonsRatioWithoutASectionOrTwoShearStiffnesses) {
+TEST_F(CaseShorthand, RefusesAmbiguousPoissonsRatio) {
   EXPECT_EQ(override_error(strip_case, "beam.poissons_ratio=0.5"),
             "beam.poissons_ratio is 0.5, but must be a number above -1 and below 0.5");
   EXPECT_EQ(override_error(strip_case, "beam.poissons_ratio=-1"),
@@ -701,7 +628,7 @@ TEST_F(CaseShorthand, IsRefusedWithoutAFiniteAmplitude) {
             "bar.toml: excitation.frequency_hz is missing, but a case must hold it");
 }
 
-TEST_F(CaseShorthand, TakesTheDurationAmongTheNumericsOrTheExcitationNotBoth) {
+TEST_F(CaseShorthand, TakesTheDurationFromOneTableOnly) {
   EXPECT_EQ(data::read_case(write(case_with("excitation.duration", ""))).numerics.duration(), 10.0);
   const std::string older = "modes = 10\nduration = 3\n";
   EXPECT_EQ(error_message(case_with("numerics.modes", older)),
@@ -738,74 +665,31 @@ TEST(Override, IsRefusedWithoutBothSides) {
     EXPECT_THROW(static_cast<void>(data::Override::parse(text)), data::InputError) << text;
 }
 
-void expect_paper_friction_and_numerics(const data::Case& problem) {
-  EXPECT_EQ(problem.friction.static_coefficient(), testing::paper_friction().static_coefficient());
-  EXPECT_EQ(problem.friction.kinetic_coefficient(), testing::paper_friction().kinetic_coefficient());
-  EXPECT_EQ(problem.friction.decay(), testing::paper_friction().decay());
-  const data::NumericalChoices expected = testing::paper_choices(10.0);
-  EXPECT_EQ(problem.numerics.elements(), expected.elements);
-  EXPECT_EQ(problem.numerics.time_step(), expected.time_step);
-  EXPECT_EQ(problem.numerics.spectral_radius(), expected.spectral_radius);
-  EXPECT_EQ(problem.numerics.velocity_threshold(), expected.velocity_threshold);
-  EXPECT_EQ(problem.numerics.modes(), expected.modes);
-  EXPECT_EQ(problem.numerics.duration(), expected.duration);
-}
-
-void expect_beam(const data::Beam& beam, const data::BeamProperties& expected) {
-  EXPECT_EQ(beam.length(), expected.length);
-  EXPECT_EQ(beam.area(), expected.area);
-  EXPECT_TRUE(testing::within(beam.second_moment_of_area(), expected.second_moment_of_area,
-                              testing::round_off(4.0, 1.0, expected.second_moment_of_area)));
-  EXPECT_EQ(beam.density(), expected.density);
-  EXPECT_EQ(beam.youngs_modulus(), expected.youngs_modulus);
-  EXPECT_EQ(beam.axial_force(), expected.axial_force);
-}
-
 STICKSLIP_VERIFIES(PublishedCases, "P1");
-TEST(PublishedCases, PaperIsTheBeamOfSection3) {
-  const auto problem = data::load_case("paper");
-  expect_beam(problem.beam, testing::paper_beam_properties());
-  expect_paper_friction_and_numerics(problem);
-  EXPECT_EQ(problem.excitation.frequency_hz(), 25.0);
-  EXPECT_EQ(problem.excitation.amplitude(), 0.5e-3);
+TEST(PublishedCases, DifferFromThePaperWhereTheySay) {
+  const std::map<std::string, std::map<std::string, double>> cases{
+      {"paper-half-stiffness", {{"beam.youngs_modulus", 1e9}}},
+      {"paper-figure14",
+       {{"beam.area", 0.2 * 0.02},
+        {"beam.second_moment_of_area", 0.2 * 0.02 * 0.02 * 0.02 / 12.0},
+        {"excitation.amplitude", 1e-3}}}};
+  for (const auto& [name, changes] : cases) {
+    auto expected = data::numbers_of(data::load_case("paper"));
+    for (const auto& [key, value] : changes) expected.at(key) = value;
+    const auto numbers = data::numbers_of(data::load_case(name));
+    ASSERT_EQ(numbers.size(), expected.size());
+    for (const auto& [key, value] : expected) EXPECT_DOUBLE_EQ(numbers.at(key), value) << name << " " << key;
+  }
 }
 
-TEST(PublishedCases, HalfStiffnessDiffersInYoungsModulusOnly) {
-  const auto problem = data::load_case("paper-half-stiffness");
-  auto expected = testing::paper_beam_properties();
-  expected.youngs_modulus = 1e9;
-  expect_beam(problem.beam, expected);
-  expect_paper_friction_and_numerics(problem);
-}
-
-TEST(PublishedCases, Figure14HasTheFlatSection) {
-  const auto problem = data::load_case("paper-figure14");
-  auto expected = testing::paper_beam_properties();
-  expected.area = 0.2 * 0.02;
-  expected.second_moment_of_area = 0.2 * 0.02 * 0.02 * 0.02 / 12.0;
-  expect_beam(problem.beam, expected);
-  expect_paper_friction_and_numerics(problem);
-  EXPECT_EQ(problem.excitation.frequency_hz(), 25.0);
-  EXPECT_EQ(problem.excitation.amplitude(), 1e-3);
-}
-
-TEST(PublishedCases, DampedIsThePaperWithHalfAPercentOfCriticalDampingInTheFirstStickMode) {
+TEST(PublishedCases, DampedHasHalfAPercentInTheFirstStickMode) {
   const auto problem = data::load_case("damped");
-  expect_beam(problem.beam, testing::paper_beam_properties());
-  EXPECT_EQ(problem.excitation.frequency_hz(), 25.0);
-  EXPECT_EQ(problem.excitation.amplitude(), 1e-3);
+  expect_same_numbers(problem, data::load_case("paper", {{"damping.kelvin_voigt", "6.4e-5"},
+                                                         {"excitation.amplitude", "1e-3"}}));
   EXPECT_EQ(problem.numerics.duration(), 0.5);
-  EXPECT_EQ(problem.damping.ratio(), 0.0);
   // zeta = eta omega/2 with 24.972 Hz, to the two digits of eta.
   EXPECT_TRUE(testing::within(0.5 * problem.damping.kelvin_voigt() * 2.0 * std::numbers::pi * 24.972, 0.005,
                               testing::reference(0.005 * 0.05 / 6.4, "6.4e-5 s, two digits")));
-}
-
-TEST(PublishedCases, TheOthersAreUndamped) {
-  for (const std::string name : {"paper", "paper-half-stiffness", "paper-figure14"}) {
-    EXPECT_EQ(data::load_case(name).damping.kelvin_voigt(), 0.0) << name;
-    EXPECT_EQ(data::load_case(name).damping.ratio(), 0.0) << name;
-  }
 }
 
 TEST(PublishedCases, AreListedByNameWithATitleAndAllLoad) {
@@ -832,7 +716,7 @@ TEST_F(CaseFile, OfAMisspeltNameIsRefusedWithTheNamesThereAre) {
             "tension, uncertain");
 }
 
-TEST_F(CaseFile, TwoLettersOfItsNameInTheWrongOrderCountAsOneMistake) {
+TEST_F(CaseFile, TransposedLettersCountAsOneMistake) {
   const auto error_message_of_name = [this](const std::string& name) {
     return error_message_of([&] { static_cast<void>(data::load_case(name)); });
   };
@@ -862,7 +746,7 @@ TEST_F(CaseFile, IsFoundInTheFolderThatTheEnvironmentNames) {
   EXPECT_EQ(data::load_case("mine").beam.second_moment_of_area(), 8.25e-6);
 }
 
-TEST_F(CaseFile, IsFoundInTheUsualFolderIfTheEnvironmentNamesNone) {
+TEST_F(CaseFile, IsFoundInTheUsualFolderByDefault) {
   const DataFolder chosen("");
   EXPECT_EQ(data::load_case("paper").name, "paper");
 }

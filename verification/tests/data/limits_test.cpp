@@ -145,7 +145,7 @@ TEST(InputLimits, IsCutOffInMessagesWhereItIsTooLong) {
   EXPECT_EQ(data::printable(std::string(61, 'a')), std::string(60, 'a').append("..."));
 }
 
-TEST(InputLimits, IsLikenedToANameOfWhichAThirdOfTheLettersDiffers) {
+TEST(InputLimits, SuggestsNamesOfWhichAThirdDiffers) {
   const auto is_near = [](const std::string& word, const std::string& name) {
     return !data::suggestion(word, {name}).empty();
   };

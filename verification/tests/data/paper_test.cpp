@@ -56,22 +56,6 @@ TEST(PrintedNumbers, TellGivenInputsFromRoundedResults) {
   EXPECT_FALSE(data::printed_number("force_max.15").is_given);
 }
 
-TEST(PrintedNumbers, HoldTheResultsOfSection5) {
-  for (const auto& [id, value] : {std::pair{"force_max.15", 40.38},
-                                  {"force_max.25", 3.03e4},
-                                  {"force_max.35", 254.87},
-                                  {"force_max.70", 977.54},
-                                  {"frequency.stick.1", 25.0},
-                                  {"frequency.stick.2", 81.1},
-                                  {"frequency.stick.3", 169.3},
-                                  {"frequency.stick.1.half_stiffness", 17.6},
-                                  {"frequency.stick.2.half_stiffness", 57.3},
-                                  {"frequency.stick.3.half_stiffness", 119.6},
-                                  {"figure14.length.1", 0.88},
-                                  {"figure14.length.2", 1.58}})
-    EXPECT_EQ(data::printed_number(id).value, value) << id;
-}
-
 TEST(PrintedNumbers, DifferFromTheCaseInSecondMomentOnly) {
   const auto problem = data::load_case("paper");
   const auto printed = [](const std::string& key) { return data::printed_number("parameter." + key).value; };

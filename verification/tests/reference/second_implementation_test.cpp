@@ -194,7 +194,7 @@ TEST(PublishedFrequencies, OfTimoshenkoBeamsAreThoseInDoublePrecision) {
   }
 }
 
-TEST(PublishedFields, HaveInSlipAForceOnTheWallInTheDirectionOfSliding) {
+TEST(PublishedFields, HaveTheSlipForceInDirectionOfSliding) {
   const auto history = data::read_table(published(), "stick-slip-history");
   const auto velocities = data::read_table(published(), "stick-slip-velocities");
   const data::Case problem = data::load_case("damped");
@@ -231,7 +231,7 @@ TEST(PublishedFields, HaveTheEnergiesOfTheirWorks) {
   for (std::size_t row = 1; row < table.rows(); ++row) EXPECT_NEAR(sum(row), sum(0), 2.0 * radius) << row;
 }
 
-TEST(PublishedFields, OfTheSteadyStateAreTheHarmonicResponseOfFiniteElements) {
+TEST(PublishedFields, OfTheSteadyStateAreThoseOfFiniteElements) {
   using Complex = std::complex<double>;
   const auto table = data::read_table(published(), "damped-steady-state");
   const data::Case problem = held_case(6.4e-5);
@@ -264,7 +264,7 @@ TEST(PublishedFields, OfTheSteadyStateAreTheHarmonicResponseOfFiniteElements) {
 }
 
 STICKSLIP_VERIFIES(PublishedForces, "P6");
-TEST(PublishedForces, OfAllModesAreThoseOfMoreModesAndOfFiniteElements) {
+TEST(PublishedForces, OfAllModesAreThoseOfFiniteElements) {
   const auto table = data::read_table(published(), "friction-maxima-all-modes");
   const auto amplitudes = data::read_table(published(), "critical-amplitudes-all-modes");
   const data::Case problem = data::load_case("paper");

@@ -68,7 +68,7 @@ TEST(StudyTable, WalksListsOfNumbersInsideListsOfResults) {
             "# units: s,s\nstep_s,time_s\n0.1,0\n0.1,1\n0.05,0\n0.05,1\n0.2,0\n0.2,2\n");
 }
 
-TEST(StudyTable, RefusesListsOfDifferentLengthAndUnknownMembers) {
+TEST(StudyTable, RefusesUnequalListsAndUnknownMembers) {
   EXPECT_THROW(rows_of("0.levels.step, 1.levels.step"), std::invalid_argument);
   EXPECT_THROW(rows_of("load_hz, levels.stop"), nlohmann::json::out_of_range);
 }
@@ -107,7 +107,7 @@ TEST(CsvTable, IsTheSameWrittenCellByCell) {
   EXPECT_THROW(report::CsvText("a,b"), std::invalid_argument);
 }
 
-TEST(CsvTable, RefusesARowOfTheWrongLengthAndACellThatWouldSplit) {
+TEST(CsvTable, RefusesWrongRowLengthsAndSplitCells) {
   report::CsvTable table("Tip", {{"time_s", "s"}, {"tip_m", "m"}});
   EXPECT_THROW(table.add_numbers({1.0}), std::invalid_argument);
   EXPECT_THROW(table.add_row({std::string("a,b"), std::string("c")}), std::invalid_argument);

@@ -100,7 +100,7 @@ TEST_F(ReportTemplates, NameAValueThatIsMissing) {
   EXPECT_NE(error_of("<< nowhere.value >>").find("'nowhere' is undefined"), std::string::npos);
 }
 
-TEST_F(ReportTemplates, RefuseANumberWithoutDigitsAndOneThatIsNotFinite) {
+TEST_F(ReportTemplates, RefuseNumbersWithoutDigitsOrInfinite) {
   data::write_text(values() / "results.json", R"({"value": 0.25, "infinite": "inf"})");
   EXPECT_NE(error_of("\n\n<< results.value >>").find("a.tex, line 3: the number 0.25 has no filter"),
             std::string::npos);
@@ -116,7 +116,7 @@ TEST_F(ReportTemplates, AreNotBlamedForWhatThePagesOfEvidenceLack) {
       {"the pages of evidence cannot be made: a value is missing"});
 }
 
-TEST_F(ReportTemplates, FormatNumbersAndWordsAsTheExamplesInTheRendererSay) {
+TEST_F(ReportTemplates, FormatAsTheExamplesOfTheRendererSay) {
   ::unsetenv("STICKSLIP_REPORTS");
   for (const fs::path script : {"report/render.py", "site/site.py"}) {
     const std::string command =  // by path: `-m doctest site.py` would take the module site of Python
@@ -134,7 +134,7 @@ TEST_F(ReportTemplates, FormatNumbersAndWordsAsTheExamplesInTheRendererSay) {
 class PaperIndex : public ReportTemplates {};
 
 STICKSLIP_VERIFIES(PaperIndex, "U6");
-TEST_F(PaperIndex, HasARequirementOrAClaimForEveryEquationAndFigure) {
+TEST_F(PaperIndex, CoversEveryEquationAndFigure) {
   json tests = json::array();
   for (const auto& requirement : testing::requirements())
     tests.push_back({{"source", requirement.source},

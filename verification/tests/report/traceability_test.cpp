@@ -21,7 +21,7 @@ TEST(Traceability, RequirementsHaveDifferentIds) {
     EXPECT_TRUE(ids.insert(requirement.id).second) << requirement.id << " stands twice";
 }
 
-TEST(Traceability, InstantiatedSuiteServesTheRequirementOfItsSuite) {
+TEST(Traceability, InstantiatedSuiteServesItsRequirement) {
   EXPECT_EQ(requirement_of("Trace"), "U6");
   EXPECT_EQ(requirement_of("Figures4And5/Trace"), "U6");
 }

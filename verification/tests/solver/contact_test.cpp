@@ -25,7 +25,6 @@ using data::ContactState;
 using solver::ContactScheme;
 using solver::IntegratorSettings;
 using solver::StickSlipIntegrator;
-using std::numbers::pi;
 
 // The pair without damping, load and follower term, on a wall at rest.
 solver::ContactSystem pair_at_rest(double normal_force) {
@@ -68,12 +67,6 @@ TEST(StickSlipIntegrator, CaptureRemovesExactlyTheEnergyOfTheImpulse) {
   // M-orthogonal: what the impulse took away has no inertia force but at the contact.
   const Eigen::VectorXd momentum = twin->system().mass * (twin->velocity() - captured->velocity());
   EXPECT_TRUE(within(momentum[0], 0.0, round_off(20, 1, 1.0)));
-}
-
-TEST(StickSlipIntegrator, ContactMassIsTheInverseOfTheContactMobility) {
-  const StickSlipIntegrator integrator(pair_at_rest(1.0), {.time_step = 1e-2, .spectral_radius = 1.0});
-  // [M^-1]_22 = 2.0/(2.0*1.0 - 0.09)
-  EXPECT_TRUE(within(integrator.contact_mass(), (2.0 - 0.09) / 2.0, round_off(10, 1, 1.0)));
 }
 
 TEST(StickSlipIntegrator, FrictionForceMeetsBalanceAndLaw) {
@@ -318,16 +311,6 @@ TEST(ContactScheme, EndOfStepSchemeTakesChangesThere) {
   ASSERT_FALSE(mass.events().empty());
   EXPECT_EQ(mass.events()[0].change, data::ContactChange::onset);
   EXPECT_DOUBLE_EQ(mass.events()[0].time, 0.011);
-}
-
-STICKSLIP_VERIFIES(FrictionLaw, "P2");
-TEST(FrictionLaw, FallsFromStaticToKineticWithTheDecay) {
-  const data::FrictionLaw law({.static_coefficient = 0.6, .kinetic_coefficient = 0.3, .decay = 2.0});
-  EXPECT_DOUBLE_EQ(solver::friction_coefficient(law, 0.0), 0.6);
-  EXPECT_DOUBLE_EQ(solver::friction_coefficient(law, -0.7), solver::friction_coefficient(law, 0.7));
-  EXPECT_TRUE(
-      within(solver::friction_coefficient(law, 0.7), 0.3 + 0.3 * std::exp(-1.4), round_off(5, 1, 1.0)));
-  EXPECT_DOUBLE_EQ(solver::friction_coefficient(law, 1e6), 0.3);
 }
 
 }  // namespace

@@ -5,10 +5,7 @@
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <complex>
-#include <numbers>
 #include <stdexcept>
-#include <vector>
 
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
@@ -17,7 +14,6 @@
 #include "support/contact_models.hpp"
 #include "support/error_message.hpp"
 #include "support/mesh.hpp"
-#include "support/order.hpp"
 #include "support/parameter_name.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
@@ -87,14 +83,6 @@ TEST(DampingMatrix, IsTheSumOfBothKinds) {
   EXPECT_EQ((sum - parts).cwiseAbs().maxCoeff(), 0.0);
 }
 
-TEST(DampingMatrix, OfARatioDampsStickModesLess) {
-  // Jensen's inequality at P = 0.
-  const solver::BeamModel model(paper_beam_with_axial_force(0.0), 20);
-  const Eigen::MatrixXd damping = solver::damping_matrix(model, of_critical(0.02));
-  for (const auto& mode : solver::stick_modes(model, 10))
-    EXPECT_LT(mode.shape.dot(damping * mode.shape) / (2.0 * mode.angular_frequency), 0.02);
-}
-
 TEST(DampingMatrix, OfARatioRefusesMoreThan500Elements) {
   EXPECT_NO_THROW((void)solver::damping_matrix(solver::BeamModel(paper_beam(), 501), kelvin_voigt(1e-5)));
   EXPECT_EQ(
@@ -108,45 +96,6 @@ TEST(DampingMatrix, OfARatioRefusesMoreThan500Elements) {
 // trapezoidal rule, for which lambda becomes lambda_h = (2/h) artanh(lambda h/2) = lambda [1 + (lambda
 // h)^2/12 + ...] and c stays.
 class FreeDecay : public ::testing::TestWithParam<double> {};
-
-STICKSLIP_VERIFIES(FreeDecay, "F9");
-TEST_P(FreeDecay, OfAModeIsThatOfADampedOscillatorToSecondOrder) {
-  using Complex = std::complex<double>;
-  const double zeta = GetParam();
-  const solver::BeamModel model(paper_beam_with_axial_force(0.0), 8);
-  for (const std::size_t n : {0U, 1U, 2U}) {
-    const auto mode = solver::slip_modes(model, 3)[n];
-    const double omega = mode.angular_frequency;
-    const double end = 3.2 * 2.0 * std::numbers::pi / omega;  // at an extremum a phase error would not show
-    const Complex lambda = omega * Complex(-zeta, std::sqrt(1.0 - zeta * zeta));
-    const Complex weight(1.0, -zeta / std::sqrt(1.0 - zeta * zeta));
-    const double expected = (weight * std::exp(lambda * end)).real();
-    const double leading =
-        std::abs((weight * std::exp(lambda * end) * std::pow(lambda, 3) * end / 12.0).real());
-    std::vector<OrderLevel> levels;
-    for (const int count : {150, 300, 600, 1200}) {
-      const double h = end / count;
-      solver::StickSlipIntegrator integrator(free_tip_system(model, at_rest(), of_critical(zeta)),
-                                             {.time_step = h, .spectral_radius = 1.0});
-      integrator.start_slipping(1e-3 * mode.shape, Eigen::VectorXd::Zero(model.degrees_of_freedom()));
-      for (int i = 0; i < count; ++i) integrator.step();
-      ASSERT_TRUE(integrator.events().empty());
-      const Eigen::VectorXd momentum = model.mass() * mode.shape;
-      const double computed = 1e3 * momentum.dot(integrator.displacement());
-      const double predicted = (weight * std::exp(2.0 * std::atanh(0.5 * lambda * h) / h * end)).real();
-      // A step solves for accelerations, of which a displacement is the double sum: eps/(omega h)^2. The
-      // stiffness of 8 elements, and with it omega, is known to 8^4 eps, of omega t.
-      const Tolerance rounding =
-          round_off(1, 10.0 / std::pow(omega * h, 2) + std::pow(8.0, 4) * omega * end, 1.0);
-      EXPECT_TRUE(within(computed, predicted, rounding)) << count << " steps";
-      levels.push_back({.step = h,
-                        .error = std::abs(computed - expected),
-                        .next_term = 1.5 * std::abs(std::abs(predicted - expected) / (leading * h * h) - 1.0),
-                        .floor = rounding.value});
-    }
-    EXPECT_TRUE(order_is(levels, 2.0, leading)) << "mode " << n + 1;
-  }
-}
 
 INSTANTIATE_TEST_SUITE_P(Ratio, FreeDecay, ::testing::Values(0.005, 0.05, 0.3), NameOfDouble());
 

@@ -4,14 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
 #include <numbers>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "stickslip/analytic/slip_modes.hpp"
@@ -101,20 +98,6 @@ TEST_P(StickFrequencyOrder, IsFourWithThePredictedConstant) {
 INSTANTIATE_TEST_SUITE_P(AxialForce, StickFrequencyOrder, ::testing::Values(-5.0, 0.0, 0.12, 10.0),
                          NameOfDouble());
 
-TEST(StickFrequencyOrder, ConstantWithoutForceIsOneOver720) {
-  const data::Beam beam = paper_beam_with_axial_force(0.0);
-  const auto study = studies::stick_frequency_study(beam, 3, {12, 24});
-  const double roots[] = {3.926602312047919, 7.068582745628732, 10.210176122813031};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double expected = std::pow(roots[i] / 24.0, 4) / 720.0;
-    EXPECT_TRUE(within(study.modes[i].predicted_error.back(), expected,
-                       reference(1e-8 * expected, "Simpson's rule")));
-    // Next term about (beta l)^2/40 relative.
-    EXPECT_TRUE(within(study.modes[i].relative_error.back(), expected,
-                       discretisation(expected * std::pow(roots[i] / 24.0, 2) / 40.0, 2.0, "(beta l)^2/40")));
-  }
-}
-
 STICKSLIP_VERIFIES(SlipFrequencyOrder, "F3");
 TEST(SlipFrequencyOrder, IsFourUnderTheFollowerLoad) {
   // The constant is that of P = 0: at P L^2/EI = 0.12 it is off by 3.4 % in the first mode.
@@ -142,108 +125,6 @@ TEST(FlutterLoadOrder, IsFourAndTendsToBecksLoad) {
   EXPECT_TRUE(within(
       extrapolated, study.closed_form,
       discretisation((study.finite_element[2] - study.closed_form) / 15.0, 0.2, "extrapolation of order 4")));
-}
-
-// A mode on the mesh is, for P = 0, the interpolant of the exact one but for terms of order l^6. For with e =
-// U - I U = l^4/24 s^2 (1 - s)^2 U'''' in an element, stiffness and mass of the interpolants are
-//
-//     K_nm = omega^2 delta - l^4/720 omega^4 delta,   M_nm = delta - 2 l^4/720 omega^2 delta
-//
-// (units of EI = rho A = 1; the mean of s^2 (1 - s)^2 is 1/30), diagonal, since U_n'''' = omega_n^2 U_n.
-// Hence omega_h^2 = omega^2 (1 + l^4 omega^2/720), and the mode of unit norm is I U (1 + l^4 omega^2/720):
-// its nodes are too high by (beta l)^4/720 of themselves, and since s^2 (1 - s)^2 has the variance 1/2100,
-// int (U_h - U)^2 dx is
-// [(beta l)^4/24]^2/2100.
-struct ShapeErrors {
-  double norm{}, nodes{};
-};
-
-// U_h - U, both of int U^2 dx = 1: its norm, and the largest at a node over the largest |U| at one.
-template <typename Mode>
-ShapeErrors shape_errors(const solver::BeamModel& model, const solver::FiniteElementMode& computed,
-                         const Mode& mode) {
-  const double length = model.beam().length(), h = length / model.elements();
-  const double density = model.beam().density() * model.beam().area();
-  // Gauss's rule of five points in every element, exact to degree 9: the square of the error has 8.
-  const double inner = std::sqrt(5.0 - 2.0 * std::sqrt(10.0 / 7.0)) / 3.0;
-  const double outer = std::sqrt(5.0 + 2.0 * std::sqrt(10.0 / 7.0)) / 3.0;
-  const double inner_weight = (322.0 + 13.0 * std::sqrt(70.0)) / 900.0;
-  const double outer_weight = (322.0 - 13.0 * std::sqrt(70.0)) / 900.0;
-  const std::array<std::pair<double, double>, 5> rule{{{0.0, 128.0 / 225.0},
-                                                       {inner, inner_weight},
-                                                       {-inner, inner_weight},
-                                                       {outer, outer_weight},
-                                                       {-outer, outer_weight}}};
-  double norm_squared = 0.0;
-  std::vector<std::array<double, 3>> points;  // weight, exact, computed
-  for (int element = 0; element < model.elements(); ++element)
-    for (const auto& [position, weight] : rule) {
-      const double x = h * (element + 0.5 + 0.5 * position);
-      points.push_back(
-          {0.5 * h * weight, mode.shape(x), std::sqrt(density) * model.interpolation(x).dot(computed.shape)});
-      norm_squared += points.back()[0] * std::pow(points.back()[1], 2);
-    }
-  // The computed mode bends upwards at the clamp, the exact one either way.
-  const double sign = mode.curvature(0.0) > 0.0 ? 1.0 : -1.0, scale = sign / std::sqrt(norm_squared);
-  ShapeErrors errors;
-  for (const auto& [weight, exact, approximate] : points)
-    errors.norm += weight * std::pow(approximate - scale * exact, 2);
-  errors.norm = std::sqrt(errors.norm);
-  double largest = 0.0;
-  for (int node = 1; node <= model.elements(); ++node) {
-    const double x = std::min(h * node, length), exact = scale * mode.shape(x);
-    const double approximate = std::sqrt(density) * model.interpolation(x).dot(computed.shape);
-    errors.nodes = largest_or_nan({errors.nodes, std::abs(approximate - exact)});
-    largest = std::max(largest, std::abs(exact));
-  }
-  errors.nodes /= largest;
-  return errors;
-}
-
-// Checks the shapes of the first three modes. Under an axial force U'''' = k U - p U'': the constants are off
-// by z/beta^2, z = P L^2/EI, and so are the shapes by what the other modes then contribute.
-template <typename ExactModes, typename ComputedModes>
-void expect_shapes_of_order_four(double load_factor, double first_wave_number, double margin,
-                                 ExactModes&& exact_modes, ComputedModes&& computed_modes) {
-  const data::Beam beam = paper_beam_with_axial_force(load_factor * rigidity(paper_beam()) / 4.0);
-  const auto exact = exact_modes(beam, 3);
-  for (std::size_t n = 0; n < exact.size(); ++n) {
-    const double beta_length = first_wave_number + static_cast<double>(n) * std::numbers::pi;
-    const double of_load = 2.0 * load_factor / (beta_length * beta_length);
-    std::vector<OrderLevel> norms, nodes;
-    // On more than 24 elements round-off is in the error's way: their stiffness is known to n^4 eps.
-    for (const int elements : {8, 12, 16, 24}) {
-      const solver::BeamModel model(beam, elements);
-      const ShapeErrors errors = shape_errors(model, computed_modes(model, 3)[n], exact[n]);
-      const double length = 1.0 / elements;
-      const double next = next_term(beta_length, length, margin);
-      const double floor = round_off(1, std::pow(elements, 4), 1.0).value;
-      norms.push_back({length, errors.norm, next, floor});
-      nodes.push_back({length, errors.nodes, next, floor});
-    }
-    const double fourth = std::pow(
-        exact[n].hyperbolic_wave_number() * exact[n].trigonometric_wave_number() * std::pow(beam.length(), 2),
-        2);
-    EXPECT_TRUE(is_of_order_four(norms, fourth / 24.0 / std::sqrt(2100.0), of_load))
-        << "norm, mode " << n + 1;
-    EXPECT_TRUE(is_of_order_four(nodes, fourth / 720.0, of_load)) << "nodes, mode " << n + 1;
-  }
-}
-
-STICKSLIP_VERIFIES(StickShapeOrder, "F3");
-TEST(StickShapeOrder, IsFourWithThePredictedConstants) {
-  for (const double load_factor : {0.0, 0.12})
-    expect_shapes_of_order_four(load_factor, 1.25 * std::numbers::pi, 1.1, analytic::stick_modes,
-                                solver::stick_modes);
-}
-
-STICKSLIP_VERIFIES(SlipShapeOrder, "F3");
-TEST(SlipShapeOrder, IsFourWithThePredictedConstants) {
-  // The next term of the norm of I U is int U^(6) U dx = -beta^4 (int U'^2 dx - U U'(L)), the last of which,
-  // zero between supports, is the largest of a free tip: 5 times (beta l)^2/40.
-  for (const double load_factor : {0.0, 0.12})
-    expect_shapes_of_order_four(load_factor, 0.6 * std::numbers::pi, 5.0, analytic::slip_modes,
-                                solver::slip_modes);
 }
 
 // Steady vibration of the semi-discrete stick state at the excitation frequency, tip prescribed, amplitude 1

@@ -6,7 +6,6 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -29,7 +28,6 @@ using solver::HeldTipBasis;
 using solver::InitialVelocity;
 using solver::ModalStickRun;
 using solver::TipContact;
-using std::numbers::pi;
 
 data::HarmonicExcitation shaking(double hz, double amplitude) {
   return data::HarmonicExcitation({.frequency_hz = hz, .amplitude = amplitude});
@@ -104,19 +102,6 @@ TEST(ModalStickRun, ReproducesTheNodalForce) {
       }
 }
 
-TEST(ModalStickRun, StaysWithin1em10OfTheNodalRun) {
-  constexpr long steps = 100000;
-  for (const double hz : {25.0, 35.0}) {  // in the first resonance and off it
-    const History plain = plain_history(paper_beam(), shaking(hz, 0.5e-3), settings(20, 0.9),
-                                        InitialVelocity::quasi_static, 1.0, steps);
-    const ModalStickRun run(paper_beam(), shaking(hz, 0.5e-3), settings(20, 0.9));
-    EXPECT_LE(largest_difference(run.friction_force(steps), plain.force), 1e-10 * largest(plain.force)) << hz;
-    EXPECT_LE(largest_difference(run.relative_displacement(1.0, steps), plain.displacement),
-              1e-10 * largest(plain.displacement))
-        << hz;
-  }
-}
-
 TEST(ModalStickRun, ReproducesTheNodalDisplacement) {
   constexpr long steps = 300;
   const auto excitation = shaking(60.0, 0.5e-3);
@@ -141,52 +126,6 @@ TEST(ModalStickRun, MaximumIsThatOfItsHistory) {
     EXPECT_EQ(run.friction_force(steps), part) << steps;
     EXPECT_EQ(run.max_abs_friction_force(steps), largest(part)) << steps;
   }
-}
-
-TEST(ModalStickRun, IsMorePreciseThanTheNodalRun) {
-  // At a spectral radius of 1 the roundings of the highest modes stay for ever in the plain loop. The
-  // recurrence of each mode as the class states it, in extended precision, from the same modes.
-  constexpr long steps = 20000;
-  constexpr int elements = 20;
-  const auto excitation = shaking(35.0, 0.5e-3);
-  const auto numerics = settings(elements, 1.0);
-  const BeamModel model(paper_beam(), elements);
-  const HeldTipBasis basis = held_tip_basis(model);
-  const solver::GeneralizedAlpha method(1.0);
-  using Array = Eigen::Array<long double, Eigen::Dynamic, 1>;
-  const auto extended = [](double value) { return static_cast<long double>(value); };
-  const long double h = 1e-4, omega = 2.0L * extended(pi) * 35.0L, amplitude = extended(0.5e-3);
-  const long double share = 1.0L - extended(method.alpha_f()), beta = method.beta(), gamma = method.gamma();
-  const Array k = h * h * basis.squared_frequencies.cast<long double>().array();
-  const Array load = h * h *
-                     (basis.modes.transpose() * (model.mass() * basis.static_shape - model.base_load()))
-                         .cast<long double>()
-                         .array();
-  const Eigen::VectorXd weights = basis.modes.transpose() * model.interpolation(1.0);
-  const long double of_base = -extended(model.interpolation(1.0).dot(basis.static_shape));
-  Array x1 = Array::Zero(k.size()), x2 = x1, x3 = x1;
-  std::vector<double> displacement;
-  for (long n = 0; n <= steps; ++n) {
-    const long double t = static_cast<long double>(n) * h;
-    displacement.push_back(static_cast<double>((weights.cast<long double>().array() * x1).sum() +
-                                               of_base * amplitude * std::sin(omega * t)));
-    const long double acceleration = -amplitude * omega * omega * std::sin(omega * (t + share * h));
-    const Array next = (acceleration * load - extended(method.alpha_m()) * x3 -
-                        k * (x1 + share * x2 + share * (0.5L - beta) * x3)) /
-                       (1.0L - extended(method.alpha_m()) + share * beta * k);
-    x1 += x2 + (0.5L - beta) * x3 + beta * next;
-    x2 += (1.0L - gamma) * x3 + gamma * next;
-    x3 = next;
-  }
-  const History plain =
-      plain_history(paper_beam(), excitation, numerics, InitialVelocity::quasi_static, 1.0, steps);
-  const auto fast = ModalStickRun(paper_beam(), excitation, numerics).relative_displacement(1.0, steps);
-  const double of_fast = largest_difference(fast, displacement);
-  const double of_plain = largest_difference(plain.displacement, displacement);
-  EXPECT_LT(of_fast, of_plain);
-  // The state of a block passes on by one product: steps/64 roundings, of what a resonant mode makes of them.
-  EXPECT_TRUE(
-      within(of_fast, 0.0, round_off(static_cast<double>(steps) / 64.0, 10.0, largest(displacement))));
 }
 
 TEST(ModalStickRun, ReproducesTheForceMaximum) {
@@ -315,21 +254,6 @@ TEST(ModalSteps, HaveTheFirstSlipOfTheNodalRun) {
       EXPECT_NEAR(*modal, *nodal, 1e-12) << hz;
     }
   }
-}
-
-TEST(ModalSteps, HaveTheEventsOfTheNodalRunAtEndsOfSteps) {
-  const auto run = [](Coordinates coordinates) {
-    BeamSimulation simulation = slipping_run(data::NumericalSettings(paper_choices(0.1)),
-                                             {.initial_velocity = InitialVelocity::zero,
-                                              .scheme = solver::ContactScheme::end_of_step,
-                                              .coordinates = coordinates});
-    while (simulation.integrator().steps() < 200) simulation.step();
-    return simulation;
-  };
-  const auto nodal = run(Coordinates::nodal), modal = run(Coordinates::modal);
-  ASSERT_GE(nodal.integrator().events().size(), 5u);
-  expect_same_changes(modal.integrator(), nodal.integrator(), 1e-12, 1e-13);
-  EXPECT_NEAR(modal.tip_displacement(), nodal.tip_displacement(), 1e-13);
 }
 
 TEST(ModalSteps, StopWhereTheStateIsNotFinite) {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <vector>
 
 #include "stickslip/solver/stick_slip_integrator.hpp"
@@ -140,17 +139,6 @@ TEST(SlipOrder, IsTwoUnderWeakeningFrictionOnAMovingWall) {
   }
 }
 
-// A mass on a spring, let go at 1.04 m: every half swing of pi/2 s ends 2 mu N/k = 0.2 m nearer, so that the
-// fourth reversal is at 2 pi s and 0.24 m.
-data::ContactEvent fourth_reversal(double time_step, double spectral_radius) {
-  const auto oscillator = run_from_slip(
-      oscillating_mass, {.time_step = time_step, .spectral_radius = spectral_radius}, 1.04, 0.0, 7.0);
-  EXPECT_GE(oscillator->events().size(), 4u);
-  const data::ContactEvent event = oscillator->events().at(3);
-  EXPECT_EQ(event.change, data::ContactChange::reversal);
-  return event;
-}
-
 STICKSLIP_VERIFIES(NumericalOscillation, "F5");
 // With d = alpha_f - alpha_m the frequency falls by the share (omega h)^2 (1/12 + 3 d^2/8), and the decay rate is
 // omega (omega h)^3 d^3/2. The next terms are (omega h)^2 times numbers up to 2.
@@ -173,43 +161,6 @@ TEST(NumericalOscillation, OfAShortStepHasTheLeadingErrorsOfTheory) {
           discretisation(omega * tiny * tiny + round_off(4, 1, omega).value, 1.0, "error, and rounding")))
           << radius << ' ' << tiny;
   }
-}
-
-// The next terms: omega h, omega = 2/s, since a reversal splits its step anywhere.
-double next_term_of_the_oscillator(double h) { return 2.0 * h; }
-
-TEST(ContactLocation, TimeOfReversalsIsOfSecondOrder) {
-  for (const double radius : {0.0, 0.5, 0.9, 1.0}) {
-    std::vector<double> steps{0.02, 0.01, 0.005, 0.0025, 0.00125}, errors;
-    for (const double h : steps)
-      errors.push_back(std::abs(fourth_reversal(h, radius).time - 2.0 * std::numbers::pi));
-    EXPECT_TRUE(order_is(
-        order_levels(steps, errors, next_term_of_the_oscillator, round_off(5000, 1, 1.0).value), 2.0))
-        << radius;
-  }
-}
-
-// The velocity at a turning point is zero, so that a small error in time does not change the position. The error of
-// the position is the numerical dissipation: the half swings of 0.94, 0.74, 0.54 and 0.34 m about 0.1 and -0.1 m in
-// turn decay as a free vibration does by this method, exp(-rate t) with rate = O(h^3).
-TEST(ContactLocation, PositionOfReversalsIsOfThirdOrder) {
-  const double swings = (0.94 + 0.74 + 0.54 + 0.34) * std::numbers::pi / 2.0;
-  for (const double radius : {0.0, 0.5, 0.9}) {
-    const auto rate = [radius](double h) {
-      return studies::generalized_alpha_oscillation(radius, 2.0, h).decay_rate;
-    };
-    // Each reversal also restarts the method. Its acceleration settles by the factor |alpha_m/(1 - alpha_m)|, the third
-    // root of the method, in each step: for so many steps of the 2 pi s the dissipation is another.
-    const double alpha_m = solver::GeneralizedAlpha(radius).alpha_m();
-    const double settling = 4.0 / (1.0 - std::abs(alpha_m / (1.0 - alpha_m))) / (2.0 * std::numbers::pi);
-    const auto next_term = [settling](double h) { return next_term_of_the_oscillator(h) + settling * h; };
-    std::vector<double> steps{0.04, 0.02, 0.01, 0.005}, errors;
-    for (const double h : steps) errors.push_back(std::abs(fourth_reversal(h, radius).position - 0.24));
-    EXPECT_TRUE(order_is(order_levels(steps, errors, next_term, round_off(2000, 1, 1.0).value), 3.0,
-                         swings * rate(steps.back()) / std::pow(steps.back(), 3)))
-        << radius;
-  }
-  EXPECT_TRUE(within(fourth_reversal(0.02, 1.0).position, 0.24, round_off(4, 1, 1.0)));
 }
 
 struct HistoryErrors {
