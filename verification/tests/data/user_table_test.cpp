@@ -309,12 +309,13 @@ TEST_F(UserTable, RefusesAnotherFormatThanText) {
   for (const auto& [text, sentence] : std::vector<std::pair<std::string, std::string>>{
            {std::string("\xFF\xFE") + "b", ": is text in UTF-16, but must be in UTF-8"},
            {std::string("\xFE\xFF") + "b", ": is text in UTF-16, but must be in UTF-8"},
-           {"\n {\"beam\": 1}\n", ": is a JSON file, but must be a table in text, as CSV"},
-           {"[{\"beam\": 1}]", ": is a JSON file, but"},
-           {"<?xml version=\"1.0\"?>", ": is an XML or HTML file, but"},
-           {"PAR1\x15", ": is a Parquet file, but"},
-           {"---\nbeam: paper\n", ": is a YAML file, but"},
-           {"***** ANSYS *****\n", ": is an input or output file of a finite-element program, but"},
+           {" {\"beam\": 1}\n", ": is a JSON file, but must be a table in text, as CSV"},
+           {"[{\"beam\": 1}]", ": is a JSON file, but must be a table in text, as CSV"},
+           {"<?xml version=\"1.0\"?>", ": is an XML or HTML file, but must be a table in text, as CSV"},
+           {"PAR1\x15", ": is a Parquet file, but must be a table in text, as CSV"},
+           {"---\nbeam: paper\n", ": is a YAML file, but must be a table in text, as CSV"},
+           {"***** ANSYS *****\n",
+            ": is an input or output file of a finite-element program, but must be a table in text, as CSV"},
            {std::string("beam\0\n", 6), ": is no text in UTF-8"},
            {"\x89HDF\r\n",
             ": is a file in HDF5 format (as MATLAB's -v7.3), but must be a table in text, as CSV"},
@@ -345,8 +346,11 @@ TEST_F(UserTable, WithoutALineOfNamesNeedsThem) {
     EXPECT_EQ(table.column("frequency")->values, (std::vector<double>{25.0, 81.5}));
     EXPECT_EQ(table.column("mode")->values, (std::vector<double>{1.0, 2.0}));
   }
-  EXPECT_EQ(folder_.error_message([&] { static_cast<void>(read("stick-frequencies", words, {}, {"beam"})); }),
-            "mine.csv:1: the line has 3 cells, but must have 1, one for each name");
+  const auto too_many = [&] {
+    static_cast<void>(read("stick-frequencies", words, {}, {"beam", "mode", "frequency", "-"}));
+  };
+  EXPECT_EQ(folder_.error_message(too_many),
+            "mine.csv:1: the line has 3 cells, but must have 4, one for each name");
 }
 
 TEST_F(UserTable, RefusesAFileThatIsNone) {
