@@ -376,9 +376,9 @@ TEST(ComparedVerdict, ARangeThatIsNotCoveredIsTold) {
       told("quasi-static-shape", 11),
       std::vector<std::string>{"the file covers 52 % of x from 0 to 2 m, but a verdict needs at least 90 %"});
   EXPECT_EQ(told("cubic-history", 31),
-            (std::vector<std::string>{"the file covers 33 % of t from 0 to 0.95 s of run = a, but a verdict "
-                                      "needs at least 90 %; --until ends the comparison earlier",
-                                      "run = b is not in the file and was not compared"}));
+            (std::vector<std::string>{"run = b is not in the file and was not compared",
+                                      "the file covers 33 % of t from 0 to 0.95 s of run = a, but a verdict "
+                                      "needs at least 90 %; --until ends the comparison earlier"}));
 }
 
 }  // namespace

@@ -184,7 +184,8 @@ TEST_F(ReferenceReader, TakesAnEmptyCellForNoValue) {
 TEST_F(ReferenceReader, NamesTheNearestDataSet) {
   write_package(valid_package());
   EXPECT_EQ(error_message("histroy"),
-            "the data set histroy is unknown (did you mean history?), but must be one of history, events");
+            "the data set histroy is unknown (did you mean history?), but must be one of the 2 that "
+            "'stickslip reference list' names");
 }
 
 TEST_F(ReferenceReader, NamesTheValueThatIsWrong) {
