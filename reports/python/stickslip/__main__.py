@@ -34,7 +34,8 @@ def _tolerance(text):
 def _rows(text):
     try:
         ranges = [[int(end) for end in part.split(":")] for part in text.split(",")]
-        return [row for first, *last in ranges for row in range(first, (last or [first])[0] + 1)]
+        rows = [range(ends[0], ends[-1] + 1) for ends in ranges if ends[0] <= ends[-1]]
+        return [row for one in rows for row in one] if len(rows) == len(ranges) else int(text)  # int() refuses it
     except ValueError:
         raise argparse.ArgumentTypeError(f"'{text}' must be numbers and ranges of them, as in 1:12,15") from None
 
@@ -67,8 +68,11 @@ def _jobs(options):
     folder = pathlib.Path(options.manifest).parent
     try:
         with open(options.manifest, encoding="utf-8-sig", newline="") as file:
+            lines = list(csv.DictReader(file))
+            if any(None in line or None in line.values() for line in lines):
+                raise csv.Error("a line has fewer or more cells than names")
             jobs = [(one["data_set"], folder / one["file"], folder / one["events"] if one.get("events") else None,
-                     _rows(one["rows"]) if one.get("rows") else None) for one in csv.DictReader(file)]
+                     _rows(one["rows"]) if one.get("rows") else None) for one in lines]
     except OSError as error:
         raise InputError(f"{options.manifest}: cannot be read ({error.strerror})") from None
     except (UnicodeDecodeError, csv.Error, KeyError, TypeError, argparse.ArgumentTypeError) as error:

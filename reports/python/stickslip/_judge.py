@@ -579,7 +579,7 @@ class _Comparison:
                 part.groups = [group]
                 parts.append(part._judged(group[0]))
         result = self._judged(self.reference.name)
-        result.parts = parts
+        result.parts, result.level = parts, min((one.level for one in [result, *parts]), key=LEVELS.index)
         if not any(quantity.compared for quantity in self.quantities):
             reasons = ", ".join(f"{n} {reason}" for reason, n in self.quantities[-1].skipped.items())
             raise InputError(f"{self.theirs.name}: none of the {self.theirs.rows} rows can be compared: {reasons}")
@@ -593,10 +593,10 @@ class _Comparison:
         verdicts, is_covered = {quantity.verdict for quantity in self.quantities}, self.coverage >= self.required
         verdict = next((one for one in ("differs", "undecided") if one in verdicts), "agrees")
         if verdict == "agrees" and not is_covered:
-            verdict = "partly" if len(self.present) < self.reference.rows else "undecided"
+            verdict = "partly" if len(self.present) < sum(len(rows) for _, rows, _ in self.groups) else "undecided"
         level = min((quantity.level for quantity in self.quantities), key=LEVELS.index) if is_covered else LEVELS[0]
         return Judgement(name, self.reference.title, verdict, level, self.quantities, self.remarks, self.coverage, self.required,
-                         len(self.present), self.reference.rows)
+                         len(self.present), sum(len(rows) for _, rows, _ in self.groups))
 
 
 @dataclass
