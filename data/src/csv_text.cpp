@@ -96,17 +96,24 @@ std::string_view bare_unit(std::string_view cell) {
 }
 
 // Why the text cannot be a table; empty if it can.
-std::string_view other_format(std::string_view text) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 4> beginnings{
-      {{"\x89HDF", "is a file in HDF5 format (as MATLAB's -v7.3), but must be a table in text, as CSV"},
-       {"PK\x03\x04", "is a zip archive (as .xlsx, .ods, .npz), but must be a table in text, as CSV"},
-       {"MATLAB 5.0", "is a MATLAB file, but must be a table in text, as CSV"},
-       {"\x93NUMPY", "is a NumPy file, but must be a table in text, as CSV"}}};
-  for (const auto& [beginning, sentence] : beginnings)
-    if (text.starts_with(beginning)) return sentence;
-  const bool is_binary = text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") ||
-                         text.find('\0') != std::string_view::npos;
-  return is_binary ? "is no text in UTF-8" : "";
+std::string other_format(std::string_view text) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 10> beginnings{
+      {{"\x89HDF", "is a file in HDF5 format (as MATLAB's -v7.3)"},
+       {"PK\x03\x04", "is a zip archive (as .xlsx, .ods, .npz)"},
+       {"MATLAB 5.0", "is a MATLAB file"},
+       {"\x93NUMPY", "is a NumPy file"},
+       {"PAR1", "is a Parquet file"},
+       {"{", "is a JSON file"},
+       {"[{", "is a JSON file"},
+       {"<", "is an XML or HTML file"},
+       {"---", "is a YAML file"},
+       {"*", "is an input or output file of a finite-element program"}}};
+  for (const auto& [beginning, format] : beginnings)
+    if (trimmed(text.substr(0, 64)).starts_with(beginning))
+      return std::string(format) + ", but must be a table in text, as CSV";
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+    return "is text in UTF-16, but must be in UTF-8";
+  return text.find('\0') != std::string_view::npos ? "is no text in UTF-8" : "";
 }
 
 // What is compressed here, of all members of the file.
@@ -143,15 +150,24 @@ std::string read_table_text(const std::filesystem::path& file) {
   return text.starts_with("\x1F\x8B") ? decompressed(file.string(), std::move(text)) : text;
 }
 
-CsvReader::CsvReader(std::filesystem::path file, std::string_view text)
-    : file_(file == "-" ? "standard input" : std::move(file)), rest_(text) {
+CsvReader::CsvReader(std::filesystem::path file, std::string_view text, Cells names)
+    : file_(file == "-" ? "standard input" : std::move(file)), rest_(text), names_(std::move(names)) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (rest_.starts_with(byte_order_mark)) rest_.remove_prefix(byte_order_mark.size());
   if (const auto sentence = other_format(rest_); !sentence.empty())
-    throw InputError(file_.string() + ": " + std::string(sentence));
+    throw InputError(file_.string() + ": " + sentence);
+  // Excel's first line; the names show the separator as well.
+  if (rest_.starts_with("sep=") || rest_.starts_with("\"sep=")) static_cast<void>(take_line());
   std::vector<Line> comments;
   const auto first = next_line(&comments);
   if (!first) throw InputError(place(line_) + ": there is no line with the names of the columns");
+  if (!names_.empty()) {
+    are_given_ = true;
+    separator_ = separator_of(first->text);
+    line_of_names_ = first->number;
+    held_ = first;
+    return;
+  }
   find_names(*first, comments);
   if (separator_ != blank || !held_) return;
   if (const auto row = cells_of(*held_, separator_); row.size() == names_.size() + 1)
@@ -167,9 +183,7 @@ void CsvReader::find_names(const Line& first, const std::vector<Line>& comments)
     const Cells names = cells_of(line, separator);
     return separator == blank ? with_units_joined(names) : names;
   };
-  const auto numbers =
-      std::ranges::count_if(cells, [this](const std::string& cell) { return number(cell).has_value(); });
-  if (2 * numbers >= std::ssize(cells)) {
+  if (2 * numbers_in(cells) >= std::ssize(cells)) {
     std::vector<std::pair<std::size_t, Cells>> candidates;
     for (const Line& comment : comments) {
       const Line line{comment_text(comment.text), comment.number};
@@ -215,7 +229,8 @@ std::optional<std::vector<std::string>> CsvReader::next_row() {
   auto cells = cells_of(*line, separator_);
   if (cells.size() != names_.size())
     throw InputError(place(line_of_row_) + ": the line has " + std::to_string(cells.size()) +
-                     " cells, but must have " + std::to_string(names_.size()) + " as the line of names has");
+                     " cells, but must have " + std::to_string(names_.size()) +
+                     (are_given_ ? ", one for each name" : " as the line of names has"));
   return cells;
 }
 
@@ -267,6 +282,10 @@ std::optional<double> CsvReader::number(std::string_view cell) const {
     if (c == ',' && separator_ != ',' && text.find('.') == std::string::npos) c = '.';
   }
   return finite_number(text);
+}
+
+std::ptrdiff_t CsvReader::numbers_in(const Cells& cells) const {
+  return std::ranges::count_if(cells, [this](const std::string& cell) { return number(cell).has_value(); });
 }
 
 Header header_of(std::string_view text) {

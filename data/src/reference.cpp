@@ -380,8 +380,8 @@ const Resource& ReferencePackage::resource(const std::string& wanted) const {
   const auto found = std::ranges::find(resources, wanted, &Resource::name);
   if (found == resources.end())
     throw InputError("the data set " + (wanted.empty() ? "\"\"" : printable(wanted)) + " is unknown" +
-                     suggestion(wanted, names_of(resources)) + ", but must be one of " +
-                     joined(names_of(resources)));
+                     suggestion(wanted, names_of(resources)) + ", but must be one of the " +
+                     std::to_string(resources.size()) + " that 'stickslip reference list' names");
   return *found;
 }
 

@@ -28,7 +28,8 @@ std::string folded(std::string_view name) {
 
 // The unit in a header such as name_unit, if the name is this one.
 std::optional<std::string> unit_behind(const std::string& name, const std::string& header) {
-  if (header.size() <= name.size() + 1 || header[name.size()] != '_') return std::nullopt;
+  if (header.size() <= name.size() + 1 || (header[name.size()] != '_' && header[name.size()] != '/'))
+    return std::nullopt;
   if (folded(header.substr(0, name.size())) != folded(name)) return std::nullopt;
   const std::string unit = header.substr(name.size() + 1);
   return unit_named(unit) ? std::optional(unit) : std::nullopt;
@@ -41,8 +42,8 @@ const std::vector<std::pair<std::string, std::string>> other_names{
 class UserTableReader {
  public:
   UserTableReader(const std::filesystem::path& file, const ReferenceTable& reference,
-                  const std::vector<ColumnMapping>& mappings)
-      : reference_(reference), mappings_(mappings), text_(read_table_text(file)), csv_(file, text_) {
+                  const std::vector<ColumnMapping>& mappings, const std::vector<std::string>& names)
+      : reference_(reference), mappings_(mappings), text_(read_table_text(file)), csv_(file, text_, names) {
     table_.file = file == "-" ? "standard input" : file;
   }
 
@@ -120,7 +121,17 @@ class UserTableReader {
     return *unit;
   }
 
+  // Throws if so large a share of the names are numbers.
+  void require_names(double share) const {
+    const auto numbers = static_cast<double>(csv_.numbers_in(csv_.names()));
+    if (numbers >= share * static_cast<double>(csv_.names().size()))
+      throw InputError(
+          csv_.place(csv_.line_of_names()) +
+          ": the line is numbers, not the names of the columns (--columns NAME,NAME,... gives them)");
+  }
+
   [[noreturn]] void throw_missing(const std::string& name, const std::string& purpose) const {
+    require_names(0.5);
     std::vector<std::string> names;
     for (const std::string& header : csv_.names()) names.push_back(printable(header));
     throw InputError(csv_.place(csv_.line_of_names()) + ": the column " + printable(name) + purpose +
@@ -157,6 +168,7 @@ class UserTableReader {
   void find_columns() {
     if (!resource().comparison)
       throw InputError("the data set " + resource().name + " says nothing of how to compare with it");
+    require_names(1.0);
     bool has_value = false;
     for (const Field& field : resource().fields) {
       const auto source = find(field);
@@ -314,8 +326,8 @@ void require_known_columns(const std::vector<ColumnMapping>& mappings,
 }
 
 UserTable read_user_table(const std::filesystem::path& file, const ReferenceTable& reference,
-                          const std::vector<ColumnMapping>& mappings) {
-  return UserTableReader(file, reference, mappings).read();
+                          const std::vector<ColumnMapping>& mappings, const std::vector<std::string>& names) {
+  return UserTableReader(file, reference, mappings, names).read();
 }
 
 }  // namespace stickslip::data

@@ -2,9 +2,9 @@
 #include "comparison_output.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <pugixml.hpp>
 #include <sstream>
 #include <vector>
@@ -15,6 +15,7 @@ namespace {
 
 using comparison::Agreement;
 using comparison::Comparison;
+using comparison::level_names;
 
 std::string number_of(std::optional<double> value) { return value ? fmt::format("{:.3g}", *value) : "-"; }
 
@@ -30,6 +31,28 @@ std::string verdict_of(const Comparison::Quantity& quantity) {
   const auto verdict = comparison::to_string(quantity.agreement);
   if (quantity.agreement != Agreement::undecided || quantity.compared == 0) return std::string(verdict);
   return fmt::format("{} ({} of {})", verdict, quantity.undecided, quantity.compared);
+}
+
+// Why a quantity does not agree, in one clause.
+std::string reason_of(const Comparison::Quantity& quantity) {
+  if (quantity.compared == 0 && quantity.error.value_or(0.0) == 0.0) return "no point could be compared";
+  return fmt::format("error {} at {}, tolerance {}, uncertainty of the reference {}",
+                     measured(quantity.error, quantity), quantity.where,
+                     measured(quantity.tolerance, quantity), measured(quantity.uncertainty, quantity));
+}
+
+// The verdict on each sequence of events, with the first thing that differs in it.
+Table table_of(const std::vector<Comparison>& parts) {
+  Table table{.columns = {{"part", ""}, {"verdict", ""}, {"level", ""}, {"worst", ""}}, .rows = {}};
+  for (const Comparison& part : parts) {
+    const auto worst = std::ranges::find(part.quantities, part.agreement, &Comparison::Quantity::agreement);
+    const bool is_told = part.agreement != Agreement::agrees && worst != part.quantities.end();
+    table.rows.push_back(
+        {word(part.name), word(to_string(part.agreement)), word(level_names.at(part.level)),
+         word(is_told ? fmt::format("{}: {} at {}", worst->name, measured(worst->error, *worst), worst->where)
+                      : "-")});
+  }
+  return table;
 }
 
 Table table_of(const std::vector<Comparison::Quantity>& quantities) {
@@ -56,14 +79,6 @@ std::string skipped_of(const Comparison::Quantity& quantity) {
 
 std::string prefix_of(const std::string& group) { return group.empty() ? "" : group + ": "; }
 
-// Why a quantity does not agree, in one clause.
-std::string reason_of(const Comparison::Quantity& quantity) {
-  if (quantity.compared == 0 && quantity.error.value_or(0.0) == 0.0) return "no point could be compared";
-  return fmt::format("error {} at {}, tolerance {}, uncertainty of the reference {}",
-                     measured(quantity.error, quantity), quantity.where,
-                     measured(quantity.tolerance, quantity), measured(quantity.uncertainty, quantity));
-}
-
 bool is_covered(const Comparison& comparison) { return comparison.coverage >= comparison.required_coverage; }
 
 // "coverage: 58 %, at least 90 % needed"
@@ -72,138 +87,111 @@ std::string coverage_of(const Comparison& comparison) {
                      100.0 * comparison.required_coverage);
 }
 
-std::string conclusion_of(const Comparison& comparison) {
-  const auto verdict = comparison::to_string(comparison.agreement);
-  if (comparison.agreement != Agreement::undecided) return std::string(verdict);
-  if (!is_covered(comparison))
-    return fmt::format("{}: nothing differs, but the file covers too little", verdict);
-  return fmt::format("{}: nothing differs, but the reference does not settle everything", verdict);
+// " in 12 of 120 rows"; nothing for the whole.
+std::string part_of(const Comparison& comparison) {
+  if (comparison.rows == comparison.all_rows) return "";
+  return fmt::format(" in {} of {} rows", comparison.rows, comparison.all_rows);
 }
 
-std::string finding_name(comparison::Finding finding) {
-  switch (finding) {
-    case comparison::Finding::correct:
-      return "correct";
-    case comparison::Finding::mistaken:
-      return "mistaken";
-    case comparison::Finding::undecided:
-      return "undecided";
-    case comparison::Finding::unexplained:
-      break;
-  }
-  return "unexplained";
+// The outcome of a test case: nothing, or the name of the element that says what else.
+struct TestCase {
+  std::string name, outcome, type, message;
+};
+
+TestCase test_case(const std::string& name, Agreement agreement, const std::string& message) {
+  if (agreement == Agreement::agrees) return {name, "", "", ""};
+  return {name, agreement == Agreement::differs ? "failure" : "error", std::string(to_string(agreement)),
+          message};
 }
 
-Json json_of(const Comparison::Quantity& quantity) {
-  Json object{{"quantity", quantity.name},        {"unit", quantity.unit},
-              {"norm", to_string(quantity.norm)}, {"error", optional_json(quantity.error)},
-              {"where", quantity.where},          {"uncertainty", optional_json(quantity.uncertainty)},
-              {"tolerance", quantity.tolerance},  {"verdict", comparison::to_string(quantity.agreement)},
-              {"compared", quantity.compared},    {"undecided", quantity.undecided},
-              {"skipped", Json::array()},         {"series", Json::array()}};
-  for (const auto& [reason, points] : quantity.skipped)
-    object["skipped"].push_back({{"reason", reason}, {"points", points}});
-  for (const auto& series : quantity.series)
-    object["series"].push_back({{"group", series.group},
-                                {"abscissa", series.abscissa},
-                                {"theirs", series.theirs},
-                                {"reference", series.reference},
-                                {"half_width", series.half_width},
-                                {"allowed", series.allowed}});
-  return object;
-}
-
-Json json_of(const comparison::Diagnosis& diagnosis) {
-  Json object{{"group", diagnosis.group},
-              {"quantity", diagnosis.quantity},
-              {"sentence", diagnosis.sentence},
-              {"finding", nullptr}};
-  if (!diagnosis.finding) return object;
-  object["finding"] = finding_name(*diagnosis.finding);
-  object["distance_from_truth"] = diagnosis.from_reference;
-  object["uncertainty"] = diagnosis.uncertainty;
-  object["required_ratio"] = diagnosis.required_ratio;
-  object["named"] = diagnosis.named;
-  object["ranking"] = Json::array();
-  for (const comparison::Hypothesis& suspect : diagnosis.ranked)
-    object["ranking"].push_back({{"name", suspect.name},
-                                 {"distance", suspect.distance},
-                                 {"distance_from_truth", suspect.from_reference}});
-  return object;
-}
-
-auto count_of(const Comparison& comparison, Agreement agreement) {
-  return std::ranges::count(comparison.quantities, agreement, &Comparison::Quantity::agreement);
+std::vector<TestCase> test_cases_of(const Judged& judged) {
+  if (!judged.comparison) return {{"file", "error", "refused", judged.refusal}};
+  const Comparison& comparison = *judged.comparison;
+  std::vector<TestCase> cases{test_case("coverage" + part_of(comparison),
+                                        is_covered(comparison) ? Agreement::agrees : Agreement::undecided,
+                                        coverage_of(comparison))};
+  for (const auto& quantity : comparison.quantities)
+    cases.push_back(test_case(quantity.name, quantity.agreement, reason_of(quantity)));
+  for (const auto& part : comparison.parts)
+    cases.push_back(test_case(part.name, part.agreement, conclusion_of(part)));
+  return cases;
 }
 
 }  // namespace
 
+std::string conclusion_of(const Comparison& comparison) {
+  const std::string agrees = "agrees" + part_of(comparison), &rows = comparison.row_numbers;
+  if (comparison.agreement == Agreement::agrees) return agrees;
+  if (comparison.agreement == Agreement::differs) return "differs";
+  const bool settled = std::ranges::all_of(
+      comparison.quantities, [](const auto& quantity) { return quantity.agreement == Agreement::agrees; });
+  if (settled && !part_of(comparison).empty())
+    return agrees + ", but more are asked for" +
+           (rows.size() > 40 ? "" : fmt::format("; --rows {} asks for these alone", rows));
+  return is_covered(comparison) ? "undecided: nothing differs, but the reference does not settle everything"
+                                : "undecided: nothing differs, but the file covers too little";
+}
+
+std::string text_of(const std::vector<Judged>& all) {
+  Table table{.columns = {{"data set", ""}, {"file", ""}, {"level", ""}, {"verdict", ""}}, .rows = {}};
+  for (const Judged& one : all)
+    table.rows.push_back({word(one.name), word(one.file),
+                          word(one.comparison ? level_names.at(one.comparison->level) : "-"),
+                          word(one.comparison ? conclusion_of(*one.comparison) : "refused: " + one.refusal)});
+  return table.text();
+}
+
 std::string text_of(const Comparison& comparison) {
   std::string text = fmt::format("{}: {}\n\n", comparison.name, comparison.title);
   text += table_of(comparison.quantities).text() + "\n";
+  if (!comparison.parts.empty()) text += table_of(comparison.parts).text() + "\n";
   for (const auto& quantity : comparison.quantities)
     if (const std::string skipped = skipped_of(quantity); !skipped.empty())
       text += fmt::format("{}: not compared: {}\n", quantity.name, skipped);
   for (const std::string& remark : comparison.remarks) text += remark + "\n";
   text += coverage_of(comparison) + "\n";
+  text += fmt::format("level: {} of {}\n", level_names.at(comparison.level),
+                      fmt::join(level_names.begin() + 1, level_names.end(), ", "));
   for (const auto& diagnosis : comparison.diagnoses)
     text += fmt::format("{}{}{}\n", prefix_of(comparison.quantities.size() > 1 ? diagnosis.quantity : ""),
                         prefix_of(diagnosis.group), diagnosis.sentence);
   return text + fmt::format("{}\n", conclusion_of(comparison));
 }
 
-Json json_of(const Comparison& comparison, const std::string& file) {
-  Json object{{"data_set", comparison.name},
-              {"title", comparison.title},
-              {"kind", to_string(comparison.kind)},
-              {"file", file},
-              {"verdict", comparison::to_string(comparison.agreement)},
-              {"abscissa", comparison.abscissa},
-              {"abscissa_unit", comparison.abscissa_unit},
-              {"coverage", comparison.coverage},
-              {"required_coverage", comparison.required_coverage},
-              {"quantities", Json::array()},
-              {"remarks", comparison.remarks},
-              {"diagnoses", Json::array()}};
-  for (const auto& quantity : comparison.quantities) object["quantities"].push_back(json_of(quantity));
-  for (const auto& diagnosis : comparison.diagnoses) object["diagnoses"].push_back(json_of(diagnosis));
-  return object;
-}
-
-std::string junit_of(const Comparison& comparison, const std::string& file) {
+std::string junit_of(const std::vector<Judged>& all) {
   pugi::xml_document document;
   pugi::xml_node declaration = document.append_child(pugi::node_declaration);
   declaration.append_attribute("version") = "1.0";
   declaration.append_attribute("encoding") = "UTF-8";
-  const auto failures = static_cast<long long>(count_of(comparison, Agreement::differs));
-  const auto skipped =
-      static_cast<long long>(count_of(comparison, Agreement::undecided)) + (is_covered(comparison) ? 0 : 1);
-  pugi::xml_node suites = document.append_child("testsuites"), suite = suites.append_child("testsuite");
-  for (pugi::xml_node node : {suites, suite}) {
-    node.append_attribute("name") = comparison.name.c_str();
-    node.append_attribute("tests") = static_cast<long long>(comparison.quantities.size() + 1);
-    node.append_attribute("failures") = failures;
-    node.append_attribute("errors") = 0;
-    if (node == suite) node.append_attribute("skipped") = skipped;
-  }
-  const auto add_case = [&](const std::string& name) {
-    pugi::xml_node test = suite.append_child("testcase");
-    test.append_attribute("classname") = comparison.name.c_str();
-    test.append_attribute("name") = name.c_str();
-    return test;
+  pugi::xml_node suites = document.append_child("testsuites");
+  std::vector<TestCase> every;
+  const auto describe = [](pugi::xml_node node, const std::string& name, const std::vector<TestCase>& cases) {
+    const auto number_of = [&](const char* outcome) {
+      return static_cast<long long>(std::ranges::count(cases, outcome, &TestCase::outcome));
+    };
+    node.append_attribute("name") = name.c_str();
+    node.append_attribute("tests") = static_cast<long long>(cases.size());
+    node.append_attribute("failures") = number_of("failure");
+    node.append_attribute("errors") = number_of("error");
   };
-  pugi::xml_node coverage = add_case("coverage");
-  if (!is_covered(comparison))
-    coverage.append_child("skipped").append_attribute("message") = coverage_of(comparison).c_str();
-  for (const auto& quantity : comparison.quantities) {
-    pugi::xml_node test = add_case(quantity.name);
-    if (quantity.agreement == Agreement::agrees) continue;
-    const bool differs = quantity.agreement == Agreement::differs;
-    pugi::xml_node outcome = test.append_child(differs ? "failure" : "skipped");
-    outcome.append_attribute("message") = reason_of(quantity).c_str();
-    if (differs) outcome.append_attribute("type") = "differs";
+  for (const Judged& judged : all) {
+    pugi::xml_node suite = suites.append_child("testsuite");
+    const auto cases = test_cases_of(judged);
+    describe(suite, judged.name, cases);
+    for (const TestCase& one : cases) {
+      pugi::xml_node test = suite.append_child("testcase");
+      test.append_attribute("classname") = judged.name.c_str();
+      test.append_attribute("name") = one.name.c_str();
+      if (one.outcome.empty()) continue;
+      pugi::xml_node outcome = test.append_child(one.outcome.c_str());
+      outcome.append_attribute("message") = one.message.c_str();
+      outcome.append_attribute("type") = one.type.c_str();
+    }
+    const std::string log = judged.comparison ? text_of(*judged.comparison) : judged.refusal + "\n";
+    suite.append_child("system-out").text() = (judged.file + "\n" + log).c_str();
+    every.insert(every.end(), cases.begin(), cases.end());
   }
-  suite.append_child("system-out").text() = (file + "\n" + text_of(comparison)).c_str();
+  describe(suites, all.size() == 1 ? all.front().name : "stickslip compare", every);
   std::ostringstream text;
   document.save(text, "  ");
   return text.str();

@@ -3,20 +3,35 @@
 
 /// A comparison as text, JSON and JUnit's XML.
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "case_options.hpp"
 #include "comparison/comparison.hpp"
 
 namespace stickslip::cli {
 
-/// The table of quantities, what was skipped, what is missing, and the diagnosis.
+/// A file and what came of it: a comparison, or the sentence with which it was refused.
+struct Judged {
+  std::string name, file;
+  std::optional<comparison::Comparison> comparison{};
+  std::string refusal{};
+};
+
+/// The verdict in one clause, such as "agrees in 12 of 120 rows".
+[[nodiscard]] std::string conclusion_of(const comparison::Comparison& comparison);
+
+/// The table of quantities, what was skipped, what is missing, and the diagnosis; or a line for each file.
 [[nodiscard]] std::string text_of(const comparison::Comparison& comparison);
+[[nodiscard]] std::string text_of(const std::vector<Judged>& all);
 
 /// Everything, the points included; null stands for what is infinite.
 [[nodiscard]] Json json_of(const comparison::Comparison& comparison, const std::string& file);
+[[nodiscard]] Json json_of(const std::vector<Judged>& all);
 
-/// One test case for each quantity: a failure if it differs, skipped if it is undecided.
-[[nodiscard]] std::string junit_of(const comparison::Comparison& comparison, const std::string& file);
+/// A test suite for each file, with a test case for the coverage, each quantity and each part: a failure if it differs, an error if
+/// it is undecided. A refused file is an error.
+[[nodiscard]] std::string junit_of(const std::vector<Judged>& all);
 
 }  // namespace stickslip::cli

@@ -12,8 +12,9 @@ namespace stickslip::cli {
 /// With what the program ends.
 enum ExitStatus : int {
   done = 0,
-  failed = 1,   ///< a check, a run or the program itself
-  unusable = 2  ///< an input or an output that the user can mend
+  failed = 1,    ///< a check, a run or the program itself
+  unusable = 2,  ///< an input or an output that the user can mend
+  undecided = 3  ///< a comparison in which nothing differs, but not all agrees
 };
 
 /// What `work` returns or, if it throws, the status for the kind of the exception, which is told in one

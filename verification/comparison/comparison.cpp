@@ -5,7 +5,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -53,8 +52,9 @@ std::vector<TabulatedEvent> events_of(const data::ReferenceTable& table, const R
 
 // The events without grazing contacts, because these do not change the phase.
 std::vector<TabulatedEvent> events_of(const data::UserTable& table, const Rows& rows) {
-  constexpr std::array<std::string_view, 4> changes{"onset", "capture", "reversal", "graze"};
   const data::Column& change = *table.column("change");
+  std::vector<std::string> changes{"onset", "capture", "reversal", "graze"};
+  if (std::ranges::count(change.field.allowed, "state") > 0) changes.emplace_back("state");
   std::vector<TabulatedEvent> events;
   for (const std::size_t row : rows) {
     if (std::ranges::find(changes, change.text[row]) == changes.end())
@@ -66,13 +66,23 @@ std::vector<TabulatedEvent> events_of(const data::UserTable& table, const Rows& 
   return events;
 }
 
-// The user's events without reversals, if the data set has none: it takes a reversal for a short stick, which
-// is left out.
-std::vector<TabulatedEvent> without_reversals_if_reference_has_none(
-    const std::vector<TabulatedEvent>& reference, std::vector<TabulatedEvent> theirs) {
-  if (std::ranges::count(reference, "reversal", &TabulatedEvent::change) == 0)
+// The user's events without short phases. A data set that leaves them out and has no reversal takes a reversal for one.
+std::vector<TabulatedEvent> comparable_events(const std::vector<TabulatedEvent>& reference,
+                                              std::vector<TabulatedEvent> theirs, double shortest_phase) {
+  if (shortest_phase > 0.0 && std::ranges::count(reference, "reversal", &TabulatedEvent::change) == 0)
     std::erase_if(theirs, [](const TabulatedEvent& event) { return event.change == "reversal"; });
-  return theirs;
+  return without_short_phases(theirs, shortest_phase);
+}
+
+// "1:3,7", of numbers that increase.
+std::string ranges_of(const Rows& numbers) {
+  std::string text;
+  for (std::size_t first = 0, next = 0; first < numbers.size(); first = next) {
+    for (next = first + 1; next < numbers.size() && numbers[next] == numbers[next - 1] + 1;) ++next;
+    text += fmt::format("{}{}", text.empty() ? "" : ",", numbers[first]);
+    if (next > first + 1) text += fmt::format(":{}", numbers[next - 1]);
+  }
+  return text;
 }
 
 // A time interval in which the reference and the user's result are, or may be, in different phases.
@@ -100,30 +110,75 @@ class Comparer {
     add_quantities();
     choose_abscissa();
     groups_ = groups_of(reference_, theirs_, group_columns_);
+    require_known_rows();
     sort_reference();
-    switch (rule_.kind) {
-      case ComparisonKind::table:
-        compare_table();
-        break;
-      case ComparisonKind::curve:
-        compare_curves();
-        break;
-      case ComparisonKind::events:
-        compare_events();
-        break;
-      case ComparisonKind::phases:
-        compare_phases();
-        break;
+    std::vector<Comparison> parts;
+    for (const Group& group : groups_) {
+      if (rule_.kind != ComparisonKind::events || groups_.size() == 1 || group.theirs.empty()) continue;
+      Comparer part = *this;
+      part.groups_ = {group};
+      part.judge_groups();
+      part.result_.name = group.label;
+      parts.push_back(std::move(part.result_));
     }
-    conclude();
+    judge_groups();
+    require_compared();
+    for (const Comparison& part : parts) result_.level = std::min(result_.level, part.level);
+    result_.parts = std::move(parts);
     return std::move(result_);
   }
 
  private:
-  static const data::ComparisonRule& rule_of(const data::Resource& resource) {
+  void judge_groups() {
+    if (rule_.kind == ComparisonKind::table) compare_table();
+    if (rule_.kind == ComparisonKind::curve) compare_curves();
+    if (rule_.kind == ComparisonKind::events) compare_events();
+    if (rule_.kind == ComparisonKind::phases) compare_phases();
+    conclude();
+  }
+
+  // With the words of a table that the rule does not name.
+  static data::ComparisonRule rule_of(const data::Resource& resource) {
     if (!resource.comparison)
       throw InputError(fmt::format("the data set {} says nothing of how to compare with it", resource.name));
-    return *resource.comparison;
+    data::ComparisonRule rule = *resource.comparison;
+    if (rule.kind == ComparisonKind::table)
+      for (const data::Field& field : resource.fields)
+        if (!field.allowed.empty() && std::ranges::count(resource.primary_key, field.name) == 0 &&
+            std::ranges::count(rule.values, field.name, &data::ComparedValue::field) == 0)
+          rule.values.push_back({.field = field.name, .norm = Norm::word});
+    return rule;
+  }
+
+  // --- rows that the file must have
+
+  void require_known_rows() const {
+    if (settings_.rows.empty()) return;
+    if (rule_.kind != ComparisonKind::table && groups_.size() == 1)
+      throw InputError(fmt::format("row numbers are given, but the data set {} is one {}", result_.name,
+                                   rule_.kind == ComparisonKind::events ? "sequence" : "curve"));
+    for (const auto& [first, last] : settings_.rows)
+      if (first < 1 || last < first || last > reference_.rows())
+        throw data::FieldError("the range of rows", fmt::format("{}:{}", first, last),
+                               fmt::format("within 1:{}", reference_.rows()));
+  }
+
+  // How many of these rows the file must have.
+  [[nodiscard]] std::size_t needed_of(const Rows& rows) const {
+    return static_cast<std::size_t>(std::ranges::count_if(rows, [this](std::size_t row) {
+      return settings_.rows.empty() || std::ranges::any_of(settings_.rows, [row](const auto& range) {
+               return range.first <= row + 1 && row + 1 <= range.second;
+             });
+    }));
+  }
+
+  // Notes which rows the file has.
+  void note_rows(Rows rows) {
+    std::ranges::sort(rows);
+    for (std::size_t& row : rows) ++row;
+    result_.rows = rows.size();
+    for (const Group& group : groups_) result_.all_rows += group.reference.size();
+    result_.row_numbers = ranges_of(rows);
   }
 
   // --- compared quantities and tolerances
@@ -161,6 +216,7 @@ class Comparer {
       const bool is_counted = value.norm == Norm::word;
       const std::string unit = is_counted ? "rows" : reference_.resource.field(value.field)->unit;
       Comparison::Quantity quantity = count_of(value.field, unit, value.norm, tolerance_of(value));
+      quantity.own_tolerance = value.tolerance;
       if (!is_counted) quantity.error = quantity.uncertainty = std::nullopt;
       result_.quantities.push_back(std::move(quantity));
     }
@@ -220,6 +276,11 @@ class Comparer {
     return 1.0;
   }
 
+  [[nodiscard]] Scales scales_of(const Comparison::Quantity& quantity, const Group& group) const {
+    const Norm level = quantity.norm == Norm::range ? Norm::range : Norm::scale;
+    return {scale_of(quantity.name, quantity.norm, group), scale_of(quantity.name, level, group)};
+  }
+
   void skip_in_all(const std::string& reason) {
     for (Comparison::Quantity& quantity : result_.quantities) skip(quantity, reason);
   }
@@ -243,7 +304,7 @@ class Comparer {
       const auto& values = reference_.column(quantity.name).values;
       const auto& their_values = theirs_.column(quantity.name)->values;
       const auto radius = reference_.radius_of(quantity.name);
-      const double scale = scale_of(quantity.name, quantity.norm, group);
+      const Scales scales = scales_of(quantity, group);
       for (const Pair& pair : pairs) {
         const double abscissa = result_.abscissa.empty()
                                     ? static_cast<double>(pair.row + 1)
@@ -252,7 +313,7 @@ class Comparer {
         judge(quantity,
               {abscissa, is_event_time ? pair.their_time : Interpolated{their_values[pair.their_row], 0.0},
                Interpolated{values[pair.row], radius[pair.row]}},
-              scale, where(pair));
+              scales, where(pair));
       }
     }
   }
@@ -291,6 +352,8 @@ class Comparer {
   void compare_table() {
     const auto& key = reference_.resource.primary_key;
     std::vector<std::string> missing;
+    Rows present;
+    std::size_t needed = 0;
     for (const Group& group : groups_) {
       open_series(group);
       Rows absent = group.reference;
@@ -305,28 +368,12 @@ class Comparer {
       }
       compare_pairs(group, pairs, [&](const Pair& pair) { return label_of(reference_, key, pair.row); });
       for (const std::size_t row : absent) missing.push_back(label_of(reference_, key, row));
+      for (const Pair& pair : pairs) present.push_back(pair.row);
+      needed += needed_of(group.reference);
     }
+    result_.coverage = static_cast<double>(needed_of(present)) / static_cast<double>(needed);
+    note_rows(std::move(present));
     note_missing(std::move(missing));
-    cover_table();
-  }
-
-  // The share of rows in each part of the table that the file begins. A part has the same words in its key.
-  void cover_table() {
-    std::vector<std::string> words;
-    for (const std::string& name : reference_.resource.primary_key)
-      if (reference_.resource.field(name)->type == data::FieldType::string) words.push_back(name);
-    result_.required_coverage = least_table_coverage;
-    for (const Group& part : groups_of(reference_, theirs_, words)) {
-      if (part.theirs.empty()) continue;
-      const double share =
-          static_cast<double>(part.theirs.size()) / static_cast<double>(part.reference.size());
-      result_.coverage = std::min(result_.coverage, share);
-      if (share < least_table_coverage)
-        result_.remarks.push_back(
-            fmt::format("the file has {} of {} rows{}{}, but a verdict needs at least {:g} %",
-                        part.theirs.size(), part.reference.size(), part.label.empty() ? "" : " of ",
-                        part.label, 100.0 * least_table_coverage));
-    }
   }
 
   void note_missing(std::vector<std::string> labels) {
@@ -405,9 +452,9 @@ class Comparer {
   void compare_samples(Comparison::Quantity& quantity, const Group& group, const Rows& rows,
                        const Rows& their_rows, const Grid& grid) {
     if (their_rows.empty()) return;
-    const double scale = scale_of(quantity.name, quantity.norm, group);
+    const Scales scales = scales_of(quantity, group);
     const Samples reference = samples_of(quantity.name, rows);
-    const Samples theirs = their_samples_of(quantity, their_rows, scale);
+    const Samples theirs = their_samples_of(quantity, their_rows, scales.norm);
     const ComparedSamples found =
         rule_.interpolation
             ? by_stated_interpolation(reference, theirs, *rule_.interpolation,
@@ -416,7 +463,7 @@ class Comparer {
     for (std::size_t i = 0; i < found.between; ++i) skip(quantity, between_samples);
     for (std::size_t i = 0; i < found.past_last; ++i) skip(quantity, past_last_sample);
     for (const ComparedSample& point : found.points)
-      judge(quantity, point, scale, where_of(group, point.abscissa));
+      judge(quantity, point, scales, where_of(group, point.abscissa));
   }
 
   // The user's rows of a group up to the horizon and in the range of the reference. The others are counted as
@@ -448,11 +495,21 @@ class Comparer {
     result_.remarks.push_back(doubt_);
   }
 
-  // Whether the file has rows of this group. If not, a remark says so.
-  [[nodiscard]] bool has_begun(const Group& group) {
-    if (group.theirs.empty())
-      result_.remarks.push_back(fmt::format("{} is not in the file and was not compared", group.label));
-    return !group.theirs.empty();
+  // The groups of which the file has rows. A remark names the others.
+  [[nodiscard]] std::vector<Group> begun_groups() {
+    std::vector<Group> begun;
+    Rows rows;
+    for (const Group& group : groups_) {
+      if (group.theirs.empty()) {
+        result_.remarks.push_back(fmt::format("{} is not in the file and was not compared", group.label));
+        if (needed_of(group.reference) > 0) result_.coverage = 0.0;
+        continue;
+      }
+      rows.insert(rows.end(), group.reference.begin(), group.reference.end());
+      begun.push_back(group);
+    }
+    note_rows(std::move(rows));
+    return begun;
   }
 
   // The share of the range of the abscissa, up to the horizon, that has compared points in all quantities. A
@@ -482,9 +539,8 @@ class Comparer {
   }
 
   void compare_curves() {
-    for (const Group& group : groups_) {
+    for (const Group& group : begun_groups()) {
       open_series(group);
-      if (!has_begun(group)) continue;
       const Grid grid = grid_of(group);
       const Rows their_rows = comparable_rows(group, grid);
       for (Comparison::Quantity& quantity : result_.quantities)
@@ -514,18 +570,18 @@ class Comparer {
                        const std::vector<TabulatedEvent>& their_events) {
     constexpr std::size_t shown = 8;
     const std::string prefix = group.label.empty() ? "" : group.label + ": ";
+    std::size_t notes = 0;
     const auto note = [&](const std::string& sentence) {
       count(sequence, sentence);
-      if (*sequence.error <= static_cast<double>(shown)) result_.remarks.push_back(prefix + sentence);
+      if (++notes <= shown) result_.remarks.push_back(prefix + sentence);
     };
     sequence.compared += found.pairs.size() + found.missing.size() + found.unreached;
     for (const std::size_t i : found.missing)
       note(fmt::format("{} is missing in the file", description(events[i])));
     for (const std::size_t i : found.extra)
       note(fmt::format("{} of the file is not in the data set", description(their_events[i])));
-    if (*sequence.error > static_cast<double>(shown))
-      result_.remarks.push_back(
-          prefix + fmt::format("{:g} events are missing or not in the data set", *sequence.error));
+    if (notes > shown)
+      result_.remarks.push_back(prefix + fmt::format("{} events are missing or not in the data set", notes));
     if (found.unreached == 0) return;
     sequence.undecided += found.unreached;
     if (sequence.agreement == Agreement::agrees) sequence.agreement = Agreement::undecided;
@@ -548,13 +604,11 @@ class Comparer {
 
   void compare_events() {
     Comparison::Quantity sequence = count_of("sequence", "events");
-    for (const Group& group : groups_) {
+    for (const Group& group : begun_groups()) {
       open_series(group);
-      if (!has_begun(group)) continue;
       const auto events = without_short_phases(events_of(reference_, group.reference), rule_.shortest_phase);
-      const auto their_events = without_short_phases(
-          without_reversals_if_reference_has_none(events, events_of(theirs_, group.theirs)),
-          rule_.shortest_phase);
+      const auto their_events =
+          comparable_events(events, events_of(theirs_, group.theirs), rule_.shortest_phase);
       const double last = theirs_.column("time")->values[group.theirs.back()];
       warn_if_unit_differs(last, reference_.column("time").values[group.reference.back()]);
       const double end = settings_.until ? infinity : last;
@@ -656,9 +710,8 @@ class Comparer {
     events.guard = time_tolerance(rule, events.reference);
     SequenceMatch found;
     if (settings_.events) {
-      events.theirs = without_short_phases(
-          without_reversals_if_reference_has_none(events.reference, events_in(*settings_.events, group)),
-          rule.shortest_phase);
+      events.theirs =
+          comparable_events(events.reference, events_in(*settings_.events, group), rule.shortest_phase);
       const double end = theirs_.column(rule_.abscissa)->values[group.theirs.back()];
       found = match(events.reference, *events.theirs, {horizon_, end, events.guard});
       found.unreached = 0;  // the coverage of the history tells it
@@ -673,9 +726,8 @@ class Comparer {
   void compare_phases() {
     const data::ReferenceTable& table = reference_events_.value();
     Comparison::Quantity phase = count_of("phase", "samples"), sequence = count_of("sequence", "events");
-    for (const Group& group : groups_) {
+    for (const Group& group : begun_groups()) {
       open_series(group);
-      if (!has_begun(group)) continue;
       const Events events = find_events(table, group, sequence);
       const Grid grid = grid_of(group);
       std::vector<Rows> rows;
@@ -746,20 +798,28 @@ class Comparer {
   // --- result
 
   void conclude() {
-    bool compared = false;
-    if (result_.coverage < result_.required_coverage) result_.agreement = Agreement::undecided;
+    const bool is_covered = result_.coverage >= result_.required_coverage;
+    if (!is_covered) result_.agreement = Agreement::undecided;
+    result_.level = is_covered ? level_names.size() - 1 : 0;
     for (Comparison::Quantity& quantity : result_.quantities) {
       std::erase_if(quantity.series,
                     [](const Comparison::Series& series) { return series.abscissa.empty(); });
       if (quantity.compared == 0 && quantity.agreement == Agreement::agrees)
         quantity.agreement = Agreement::undecided;
-      compared = compared || quantity.compared > 0;
+      if (quantity.series.empty() && quantity.compared > 0)
+        quantity.scaled_error = *quantity.error / static_cast<double>(quantity.compared);
+      quantity.level = level_of(quantity);
+      result_.level = std::min(result_.level, quantity.level);
       if (quantity.agreement == Agreement::differs)
         result_.agreement = Agreement::differs;
       else if (quantity.agreement == Agreement::undecided && result_.agreement == Agreement::agrees)
         result_.agreement = Agreement::undecided;
     }
-    if (compared) return;
+  }
+
+  void require_compared() const {
+    if (std::ranges::any_of(result_.quantities, [](const auto& quantity) { return quantity.compared > 0; }))
+      return;
     std::string reasons;
     for (const auto& [reason, points] : result_.quantities.back().skipped)
       reasons += fmt::format("{}{} {}", reasons.empty() ? ": " : ", ", points, reason);
@@ -770,7 +830,7 @@ class Comparer {
   const Settings& settings_;
   const data::ReferenceTable& reference_;
   const std::optional<data::ReferenceTable>& reference_events_;
-  const data::ComparisonRule& rule_;
+  const data::ComparisonRule rule_;
   const data::UserTable theirs_;
   const double horizon_;
   std::vector<std::string> group_columns_;
@@ -780,18 +840,6 @@ class Comparer {
 };
 
 }  // namespace
-
-std::string_view to_string(Agreement agreement) noexcept {
-  switch (agreement) {
-    case Agreement::agrees:
-      return "agrees";
-    case Agreement::differs:
-      return "differs";
-    case Agreement::undecided:
-      break;
-  }
-  return "undecided";
-}
 
 Reference read_reference(const data::ReferencePackage& package, const std::string& name) {
   Reference reference{.table = data::read_table(package, name)};

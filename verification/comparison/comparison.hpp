@@ -3,6 +3,7 @@
 
 /// The comparison of a user's results with the published reference data.
 
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <map>
@@ -28,13 +29,17 @@ namespace stickslip::comparison {
 /// one is undecided.
 enum class Agreement { agrees, differs, undecided };
 
-/// The result in one word: "agrees", "differs" or "undecided".
-[[nodiscard]] std::string_view to_string(Agreement agreement) noexcept;
+inline constexpr std::array<std::string_view, 3> agreement_names{"agrees", "differs", "undecided"};
+[[nodiscard]] constexpr std::string_view to_string(Agreement agreement) noexcept {
+  return agreement_names[static_cast<std::size_t>(agreement)];
+}
 
 /// The share of the range of a curve, of a history or of a sequence of events that a verdict needs.
 constexpr double least_range_coverage = 0.9;
-/// The share of the rows of a table. It counts in each part of the table that the file begins, such as a beam.
-constexpr double least_table_coverage = 0.1;
+
+/// How far a result gets. It is strict if it agrees to the tolerances of the data set, whatever others are asked for. Else it
+/// has the last level that its scaled error does not exceed, and no level if the file covers too little.
+inline constexpr std::array<std::string_view, 5> level_names{"none", "1e-1", "1e-2", "1e-3", "strict"};
 
 /// A data set to compare with, read once.
 struct Reference {
@@ -50,7 +55,9 @@ struct Settings {
   /// Tolerances that replace those of the data set, by the quantity; "" for all quantities.
   std::map<std::string, double> tolerances;
   std::optional<double> until;  ///< latest time to compare, s; it cannot extend the horizon of the data set
-  std::optional<data::UserTable> events;  ///< events of the same run, for a data set of the kind phases
+  std::optional<data::UserTable> events{};  ///< events of the same run, for a data set of the kind phases
+  /// The first and the last number of rows of the data set that the file must have, counted from 1; empty: of all rows.
+  std::vector<std::pair<std::size_t, std::size_t>> rows{};
 };
 
 /// The result of a comparison and the compared values.
@@ -69,6 +76,12 @@ struct Comparison {
     std::string name, unit;
     data::Norm norm{};
     double tolerance{};
+    double own_tolerance{};  ///< of the data set
+    bool is_strict{true};    ///< agrees to own_tolerance
+    /// The largest error beyond the half-width, over the range (norm range) or the largest |reference| of the group; of words
+    /// and events the share that is wrong.
+    double scaled_error{};
+    std::size_t level{};  ///< index in level_names
     /// Error and uncertainty of the point with the largest e - u; empty if no point was compared.
     std::optional<double> error;
     std::optional<double> uncertainty;
@@ -84,18 +97,24 @@ struct Comparison {
   data::ComparisonKind kind{};
   std::string abscissa, abscissa_unit;  ///< of the series; empty if it is the row number
   Agreement agreement{};
-  /// The share of what is asked for that the file covers, the least of all groups of which it has rows; and the
-  /// share that is needed. With less, what does not differ is undecided.
-  double coverage{1.0}, required_coverage{};
+  std::size_t level{};  ///< the least of quantities and parts, an index in level_names
+  /// The share of what is asked for that the file covers: of the rows of a table, else of the range, the least of all
+  /// groups; and the share that is needed. With less, what does not differ is undecided.
+  double coverage{1.0}, required_coverage{1.0};
+  /// The rows that the file has, of a curve or a sequence those of the groups that it begins, and all rows of the data set.
+  std::size_t rows{}, all_rows{};
+  std::string row_numbers;  ///< of those that it has, such as "1:12,15"
   std::vector<Quantity> quantities;
   std::vector<std::string> remarks;  ///< rows and columns that are missing on either side, as sentences
   double horizon = std::numeric_limits<double>::infinity();  ///< s; nothing later was compared
+  std::vector<Comparison> parts;  ///< of each of several sequences of events; its name is that of the group
   std::vector<Diagnosis> diagnoses;  ///< of what differs, if diagnose() was asked (diagnosis/diagnosis.hpp)
 };
 
 /// Compares the values of a user's table with a data set, point by point, according to the kind of the data
 /// set:
-/// - table: rows with the same primary key are compared. Words that differ are counted.
+/// - table: rows with the same primary key are compared. Words that differ are counted, also in a column that may hold certain
+///   words only and is not named in the rule.
 /// - curve: if the data set states an interpolation, the reference is evaluated at the user's abscissas by the
 ///   polynomial through its samples. The stated bound of its error and the amplified half-widths of the samples
 ///   count as uncertainty. If not, the user's samples are interpolated to the abscissas of the reference where
@@ -111,11 +130,11 @@ struct Comparison {
 ///   one of the user's sampling intervals (but no more than the shortest phase) of an event of the reference are
 ///   skipped. A sample in a different phase outside these intervals is an error of the quantity "phase".
 ///
-/// Nothing is said to agree if the file covers less than least_range_coverage or least_table_coverage. A
+/// Nothing is said to agree if the file covers less than least_range_coverage or lacks a row or a group that it must have. A
 /// compared point of a curve covers a fortieth of the range on either side of it.
 ///
-/// Throws data::InputError for an unknown quantity of a tolerance, row, abscissa or word, and if nothing can be
-/// compared.
+/// Throws data::InputError for an unknown quantity of a tolerance, row, abscissa or word, for row numbers that are none or
+/// of a data set that is one curve or sequence, and if nothing can be compared.
 [[nodiscard]] Comparison compare(const Reference& reference, const data::UserTable& theirs,
                                  const Settings& settings = {});
 

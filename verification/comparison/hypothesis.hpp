@@ -3,8 +3,10 @@
 
 /// What a result that differs may be: hypotheses, and what is said of it.
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace stickslip::comparison {
@@ -27,6 +29,8 @@ enum class Finding {
   unexplained,  ///< neither correct nor near one
   undecided     ///< the reference is uncertain: another mesh has different events
 };
+inline constexpr std::array<std::string_view, 4> finding_names{"correct", "mistaken", "unexplained",
+                                                               "undecided"};
 
 /// What is said of one quantity of one group.
 struct Diagnosis {

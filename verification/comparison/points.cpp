@@ -10,17 +10,8 @@ namespace stickslip::comparison {
 using data::Norm;
 
 double unit_of(Norm norm, double reference, double scale) {
-  switch (norm) {
-    case Norm::relative:
-      return reference == 0.0 ? scale : std::abs(reference);
-    case Norm::scale:
-    case Norm::range:
-      return scale;
-    case Norm::absolute:
-    case Norm::word:
-      break;
-  }
-  return 1.0;
+  if (norm == Norm::relative) return reference == 0.0 ? scale : std::abs(reference);
+  return norm == Norm::scale || norm == Norm::range ? scale : 1.0;
 }
 
 bool is_angle(const std::string& unit, Norm norm) { return unit == "rad" && norm == Norm::absolute; }
@@ -37,7 +28,7 @@ void skip(Comparison::Quantity& quantity, const std::string& reason) {
     ++known->second;
 }
 
-void judge(Comparison::Quantity& quantity, const ComparedSample& point, double scale,
+void judge(Comparison::Quantity& quantity, const ComparedSample& point, const Scales& scales,
            const std::string& where) {
   if (!point.reference || !std::isfinite(point.reference->value))
     return skip(quantity, "without a value in the data set");
@@ -45,7 +36,7 @@ void judge(Comparison::Quantity& quantity, const ComparedSample& point, double s
                theirs = is_angle(quantity.unit, quantity.norm) ? nearest_angle(point.theirs.value, reference)
                                                                : point.theirs.value,
                half_width = point.reference->half_width + point.theirs.half_width,
-               unit = unit_of(quantity.norm, reference, scale);
+               unit = unit_of(quantity.norm, reference, scales.norm);
   Comparison::Series& series = quantity.series.back();
   series.abscissa.push_back(point.abscissa);
   series.theirs.push_back(theirs);
@@ -54,8 +45,11 @@ void judge(Comparison::Quantity& quantity, const ComparedSample& point, double s
   series.allowed.push_back(half_width + quantity.tolerance * unit);
   ++quantity.compared;
 
-  const double error = std::abs(theirs - reference) / unit;
-  const double uncertainty = half_width / unit;
+  const double distance = std::abs(theirs - reference), error = distance / unit,
+               uncertainty = half_width / unit;
+  quantity.scaled_error = std::max(quantity.scaled_error, (distance - half_width) / scales.level);
+  quantity.is_strict = quantity.is_strict && uncertainty <= quantity.own_tolerance &&
+                       error <= quantity.own_tolerance + uncertainty;
   const bool differs = error > quantity.tolerance + uncertainty;
   const bool undecided = !differs && uncertainty > quantity.tolerance;
   quantity.undecided += undecided ? 1 : 0;
@@ -70,6 +64,14 @@ void judge(Comparison::Quantity& quantity, const ComparedSample& point, double s
   }
 }
 
+std::size_t level_of(const Comparison::Quantity& quantity) {
+  if (quantity.compared == 0) return 0;
+  if (quantity.is_strict) return level_names.size() - 1;
+  std::size_t level = 0;
+  for (const double limit : {1e-1, 1e-2, 1e-3}) level += quantity.scaled_error <= limit ? 1 : 0;
+  return level;
+}
+
 Comparison::Quantity count_of(const std::string& name, const std::string& unit, Norm norm, double tolerance) {
   Comparison::Quantity quantity;
   quantity.name = name, quantity.unit = unit, quantity.norm = norm, quantity.tolerance = tolerance;
@@ -80,6 +82,7 @@ Comparison::Quantity count_of(const std::string& name, const std::string& unit, 
 void count(Comparison::Quantity& quantity, const std::string& where) {
   if (quantity.error == 0.0) quantity.where = where;
   *quantity.error += 1.0;
+  quantity.is_strict = *quantity.error <= quantity.own_tolerance;
   if (*quantity.error > quantity.tolerance) quantity.agreement = Agreement::differs;
 }
 

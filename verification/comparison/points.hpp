@@ -23,10 +23,18 @@ namespace stickslip::comparison {
 /// Counts a point that was not compared.
 void skip(Comparison::Quantity& quantity, const std::string& reason);
 
+/// What errors of a group are measured by: in the norm of the quantity, and on the ladder of levels.
+struct Scales {
+  double norm{}, level{};
+};
+
 /// Adds the point to the last series and updates the result of the quantity; skips it where the reference has no
 /// value.
-void judge(Comparison::Quantity& quantity, const ComparedSample& point, double scale,
+void judge(Comparison::Quantity& quantity, const ComparedSample& point, const Scales& scales,
            const std::string& where);
+
+/// The index in level_names.
+[[nodiscard]] std::size_t level_of(const Comparison::Quantity& quantity);
 
 /// A quantity that counts deviations, such as words that differ or events that are missing. It differs if there
 /// are more of them than its tolerance.

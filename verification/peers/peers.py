@@ -114,7 +114,7 @@ def judge(problem, output):
         command += ["--events", output / "events.csv"]
     (output / "verdict.json").unlink(missing_ok=True)
     run = subprocess.run(command, capture_output=True, text=True)
-    if run.returncode not in (0, 1) or not (output / "verdict.json").exists():
+    if run.returncode not in (0, 1, 3) or not (output / "verdict.json").exists():
         said = run.stderr.strip().splitlines() or [f"compare: exit code {run.returncode}"]
         raise CannotRun(said[-1].replace(str(output) + "/", "")[:160])
     verdict = json.loads((output / "verdict.json").read_text())

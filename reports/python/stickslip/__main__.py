@@ -32,12 +32,13 @@ def _tolerance(text):
 
 
 def _rows(text):
-    try:
-        ranges = [[int(end) for end in part.split(":")] for part in text.split(",")]
-        rows = [range(ends[0], ends[-1] + 1) for ends in ranges if ends[0] <= ends[-1]]
-        return [row for one in rows for row in one] if len(rows) == len(ranges) else int(text)  # int() refuses it
-    except ValueError:
-        raise argparse.ArgumentTypeError(f"'{text}' must be numbers and ranges of them, as in 1:12,15") from None
+    rows = []
+    for part in text.split(","):
+        ends = [int(end) if end.isdigit() else 0 for end in part.split(":")]
+        if len(ends) > 2 or not 0 < ends[0] <= ends[-1]:
+            raise argparse.ArgumentTypeError(f"'{text}' must be numbers and ranges of them, as in 1:12,15")
+        rows += range(ends[0], ends[-1] + 1)
+    return rows
 
 
 def _parser():

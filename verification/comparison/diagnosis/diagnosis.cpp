@@ -118,8 +118,8 @@ class Search {
 
   // Whether events are missing or additional, which the wrong models may explain.
   [[nodiscard]] bool event_sequences_differ(const Comparison::Quantity& quantity) const {
-    return comparison_.kind == data::ComparisonKind::events && rule_ != nullptr &&
-           quantity.name == rule_->value &&
+    return comparison_.kind == data::ComparisonKind::events &&
+           quantity.name == (rule_ != nullptr ? rule_->value : "time") &&
            std::ranges::any_of(comparison_.quantities, [](const Comparison::Quantity& one) {
              return one.name == "sequence" && one.agreement == Agreement::differs;
            });
@@ -620,7 +620,14 @@ std::vector<Diagnosis> diagnose(const Comparison& comparison, const data::Refere
                                 const data::ReferenceTable& reference, const data::UserTable& theirs,
                                 const std::function<void(double)>& progress) {
   if (comparison.agreement != Agreement::differs) return {};
-  return Search(comparison, package, reference, theirs, progress).run();
+  auto found = Search(comparison, package, reference, theirs, progress).run();
+  for (const Comparison::Quantity& quantity : comparison.quantities)
+    if (quantity.agreement == Agreement::differs && !quantity.series.empty() &&
+        std::ranges::count(found, quantity.name, &Diagnosis::quantity) == 0)
+      found.push_back({.quantity = quantity.name,
+                       .sentence = "no diagnosis: no factor, constant, shift, other column or other data set "
+                                   "explains it, and no known mistake concerns it"});
+  return found;
 }
 
 }  // namespace stickslip::comparison

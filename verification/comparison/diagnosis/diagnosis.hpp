@@ -24,7 +24,7 @@ namespace stickslip::comparison {
 /// - an error of natural frequencies that grows with the mode number;
 /// - single values.
 ///
-/// Those that need no model come first, because models take seconds. Groups with the same sentence are joined. Data
+/// Where none is accepted and no wrong model concerns the quantity, a sentence says so. Those that need no model come first, because models take seconds. Groups with the same sentence are joined. Data
 /// sets whose rows are cases (the columns frequency, amplitude, length, axial_force) are diagnosed as a whole.
 /// `reference` and `theirs` are what was compared; `progress` is told the completed fraction of the wrong models.
 [[nodiscard]] std::vector<Diagnosis> diagnose(const Comparison& comparison,

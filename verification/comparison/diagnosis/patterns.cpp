@@ -96,7 +96,8 @@ Found factor_of(const ComparedValues& values) {
   for (const auto& [factor, text] : usual_factors)
     if (auto found = with_factor(values, factor, text, 0)) return found;
   const double factor = fitted_factor(values);
-  return with_factor(values, factor, fmt::format("{:.5g}", factor), 1);
+  const std::string text = fmt::format("{:.5g}", factor);
+  return text == "1" ? Found() : with_factor(values, factor, text, 1);
 }
 
 // --- angles, constants, zeros

@@ -35,8 +35,8 @@ DataSet single_mass_events() {
       R"({"system": {"column": "system"},
           "slider": {"mass": 2, "stiffness": 0, "friction_force": 3, "position": 0.25, "velocity": 1.3},
           "oscillator": {"mass": 1, "stiffness": 4, "friction_force": 0.4, "position": 1.04, "velocity": 0}})";
-  resource.comparison = by_rows(
-      {{"change", Norm::word, 0.0}, {"time", Norm::relative, 1e-6}, {"position", Norm::absolute, 1e-6}});
+  resource.comparison = by_rows({{"time", Norm::scale, 1e-6}, {"position", Norm::scale, 1e-6}});
+  resource.comparison->kind = data::ComparisonKind::events;
   resource.provenance = {
       .value_class = ValueClass::enclosed,
       .method = "the piecewise closed form, in ball arithmetic (Arb)",

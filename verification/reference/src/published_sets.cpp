@@ -297,8 +297,9 @@ DataSet published_problems() {
       word("problem", "name"), integer("index", "number of the event, from 1"),
       word("change", "of the contact, or state at a given time", {"onset", "reversal", "capture", "state"})};
   add_values(resource, ValueClass::enclosed,
-             {{"time", "s", "of the event", Norm::relative, 1e-6},
-              {"position", "m", "of the mass", Norm::absolute, 1e-6}});
+             {{"time", "s", "of the event", Norm::scale, 1e-6},
+              {"position", "m", "of the mass", Norm::scale, 1e-6}});
+  resource.comparison->kind = data::ComparisonKind::events;
   resource.primary_key = {"problem", "index"};
   resource.provenance =
       published_provenance("the piecewise closed form",

@@ -891,12 +891,14 @@ TEST_F(CommandAnswers, ColumnsOfAMapHaveTheNameAndTheUnitOfTheirParameter) {
 }
 
 TEST_F(CommandAnswers, ReferenceShowsHowEachColumnIsCompared) {
-  EXPECT_TRUE(holds(run("reference show classification").output,
-                    "  force_ratio         1        enclosed   |f|_max/(mu_s P)\n"));
+  const std::string table = run("reference show classification").output;
+  EXPECT_TRUE(holds(table, "  force_ratio         1        enclosed   |f|_max/(mu_s P)\n"));
+  EXPECT_TRUE(holds(table, "\n  verdict: word by word\n"));
   EXPECT_TRUE(holds(run("reference show single-mass-events").output,
-                    "comparison: table\n  change: word by word\n"
-                    "  time: uncertainty 2.5e-31 to 1.2e-30 s, tolerance 1e-06 (relative)\n"
-                    "  position: uncertainty 3e-36 to 3.3e-31 m, tolerance 1e-06 m (absolute)\n\n"));
+                    "comparison: events\n"
+                    "  time: uncertainty 2.5e-31 to 1.2e-30 s, tolerance 1e-06 (scale)\n"
+                    "  position: uncertainty 3e-36 to 3.3e-31 m, tolerance 1e-06 (scale)\n\n"));
+  EXPECT_TRUE(holds(run("reference show stick-slip-events").output, ", tolerance 8e-05 s (absolute)\n"));
 }
 
 TEST_F(CommandAnswers, SquealNamesTheModeThatGrowsAndTheSpeedThatHoldsIt) {

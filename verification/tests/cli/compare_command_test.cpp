@@ -126,7 +126,7 @@ TEST_F(CompareCommand, ReadsTheHistoriesThatRespondWritesAtAnyStep) {
 
 TEST_F(CompareCommand, ReadsStandardInputAndWritesNothingBesideXmlToStandardOutput) {
   std::ofstream("mine.csv") << right;
-  EXPECT_EQ(run(in_fixture("compare stick-frequencies -") + "< mine.csv").status, 0);
+  EXPECT_EQ(run(in_fixture("compare stick-frequencies -") + "--rows 1:2 < mine.csv").status, 0);
   expect_refused(in_fixture("compare damped-history - --events -"),
                  "FILE and --events both are standard input, but one of them must be a file");
   const std::string xml = run(in_fixture("compare stick-frequencies mine.csv --junit -")).output;
@@ -148,10 +148,9 @@ TEST_F(CompareCommand, SaysTheLargestErrorOfAnUndampedHistory) {
 }
 
 TEST_F(CompareCommand, SaysWhatDiffersAndWhatItLooksLike) {
-  EXPECT_EQ(run(command("stick-frequencies", right)).status, 0);
-  EXPECT_EQ(run(command("stick-frequencies", right, "--tolerance 1e-9")).status, 1);
-  EXPECT_EQ(run(command("stick-frequencies", right, "--tolerance 1e-9 --tolerance frequency=1e-6")).status,
-            0);
+  const std::string rows = "--rows 1:2 --tolerance 1e-9 ";
+  EXPECT_EQ(run(command("stick-frequencies", right, rows)).status, 1);
+  EXPECT_EQ(run(command("stick-frequencies", right, rows + "--tolerance frequency=1e-6")).status, 0);
   const Outcome outcome = run(command("stick-frequencies", printed));
   EXPECT_EQ(outcome.status, 1);
   EXPECT_EQ(outcome.errors, "");
@@ -163,12 +162,78 @@ TEST_F(CompareCommand, SaysWhatDiffersAndWhatItLooksLike) {
   EXPECT_EQ(quiet.output + quiet.errors, "");
 }
 
-TEST_F(CompareCommand, CountsWhatIsUndecidedAsNoDifferenceAndSaysSo) {
+TEST_F(CompareCommand, EndsWithThreeIfSomethingIsUndecided) {
   const std::string text = contents(fixture + "/damped/events.csv");
   const Outcome outcome = run(command("damped-events", text, "--tolerance 1e-9"));
-  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.status, 3);
   EXPECT_TRUE(holds(outcome.output, "undecided (5 of 6)"));
   EXPECT_TRUE(holds(outcome.output, "\nundecided: "));
+}
+
+TEST_F(CompareCommand, NeverTakesAPartOfATableForTheWhole) {
+  const Outcome part = run(command("stick-frequencies", right, "--junit a.xml"));
+  EXPECT_EQ(part.status, 3);
+  EXPECT_TRUE(holds(part.output,
+                    "\nagrees in 2 of 12 rows, but more are asked for; --rows 1:2 asks for these alone\n"));
+  EXPECT_TRUE(holds(contents("a.xml"), "<error message=\"coverage: 16.7 %, at least 100 % needed\""));
+  const auto answer = comparison(command("stick-frequencies", right), 3);
+  EXPECT_EQ(answer["verdict"], "undecided");
+  EXPECT_EQ(answer["rows"], nlohmann::json::parse(R"({"compared": 2, "of": 12, "numbers": "1:2"})"));
+  const Outcome meant = run(command("stick-frequencies", right, "--rows 1,2 --junit a.xml"));
+  EXPECT_EQ(meant.status, 0);
+  EXPECT_TRUE(holds(meant.output, "\nlevel: strict of 1e-1, 1e-2, 1e-3, strict\nagrees in 2 of 12 rows\n"));
+  EXPECT_TRUE(holds(contents("a.xml"), "name=\"coverage in 2 of 12 rows\" />"));
+  for (const std::string rows : {"1:", "a", "1:2:3", "1,,2"})
+    expect_refused(command("stick-frequencies", right, "--rows " + rows),
+                   "--rows is '" + rows + "', but must be");
+}
+
+TEST_F(CompareCommand, ReadsAFileWithoutALineOfNames) {
+  const std::string row = "paper 1 0.02497196\n";
+  expect_refused(command("stick-frequencies", row), "mine.csv:1: the line is numbers, not");
+  EXPECT_EQ(run(command("stick-frequencies", row, "--columns beam,mode,frequency_kHz --rows 1")).status, 0);
+}
+
+TEST_F(CompareCommand, JudgesTheFilesOfAManifest) {
+  std::filesystem::create_directory("results");
+  std::ofstream("results/right.csv") << right;
+  std::ofstream("results/printed.csv") << printed;
+  const auto judged = [&](const std::string& lines, const std::string& options = "") {
+    std::ofstream("results/all.csv") << "data_set,file,rows\n" + lines;
+    return run(in_fixture("compare --manifest results/all.csv " + options));
+  };
+  const std::string agrees = "stick-frequencies,right.csv,1:2\n", part = "stick-frequencies,right.csv,\n",
+                    differs = "stick-frequencies,printed.csv,1:3\n",
+                    refused = "stick-frequencies,none.csv,\n";
+  EXPECT_EQ(judged(agrees).status, 0);
+  EXPECT_EQ(judged(agrees + part).status, 3);
+  EXPECT_EQ(judged(differs + part).status, 1);
+  const Outcome all = judged(refused + agrees + differs, "--junit a.xml");
+  EXPECT_EQ(all.status, 2);
+  EXPECT_TRUE(holds(all.output, "  -       refused: results/none.csv: cannot be opened"));
+  EXPECT_TRUE(holds(all.output, "results/right.csv    strict  agrees in 2 of 12 rows\n"));
+  EXPECT_TRUE(all.output.ends_with("results/printed.csv  none    differs\n")) << all.output;
+  pugi::xml_document document;
+  ASSERT_TRUE(document.load_file("a.xml"));
+  EXPECT_EQ(document.select_nodes("/testsuites/testsuite").size(), 3u);
+  EXPECT_EQ(document.select_node("/testsuites").node().attribute("errors").as_int(), 1);
+  EXPECT_EQ(nlohmann::json::parse(judged(refused, "--json -").output)[0]["verdict"], "refused");
+  expect_refused("compare --manifest results/all.csv stick-frequencies", "NAME excludes --manifest");
+  expect_refused("compare --manifest results/right.csv",
+                 "a column of the manifest is beam, but must be one of data_set");
+  for (const auto& [line, sentence] : {std::pair{"", "all.csv: the manifest has no rows"},
+                                       {"stick-frequencies,,\n", "all.csv:2: data_set or file is empty"}})
+    EXPECT_TRUE(holds(judged(line).errors, sentence));
+}
+
+TEST_F(CompareCommand, GivesEachSequenceOfEventsAVerdict) {
+  std::string text = contents(fixture + "/cubic/events.csv");
+  text.replace(text.find("0.455"), 5, "0.456");
+  const Outcome outcome = run(command("cubic-events", text, "--junit a.xml"));
+  EXPECT_TRUE(holds(outcome.output,
+                    "\nrun = a  agrees   strict  -\nrun = b  differs  1e-2    time: 0.001 s at event 1"));
+  EXPECT_TRUE(holds(contents("a.xml"), "name=\"run = a\" />"));
+  EXPECT_EQ(comparison(command("cubic-events", text), 1)["parts"][1]["verdict"], "differs");
 }
 
 TEST_F(CompareCommand, ComparesUpToTheHorizonWhateverLaterTimeIsGiven) {
@@ -205,7 +270,7 @@ TEST_F(CompareCommand, WritesTheNumbersAndTheDiagnosisAsJson) {
   EXPECT_EQ(diagnosis["named"][0], "second-moment-as-printed");
   EXPECT_LT(diagnosis["ranking"][0]["distance"], 1e-4);
   EXPECT_GT(diagnosis["ranking"].size(), 10u);
-  EXPECT_EQ(comparison(command("stick-frequencies", right), 0)["diagnoses"].size(), 0u);
+  EXPECT_EQ(comparison(command("stick-frequencies", right), 3)["diagnoses"].size(), 0u);
 }
 
 // A comparison that differs and covers too little, with all that can be said of a quantity.
@@ -255,23 +320,24 @@ TEST_F(CompareCommand, SaysAllThatTheComparisonFound) {
       "f         relative  0         -       -        -            0.005      undecided\n"
       "w         word      4         0       -        0            0.005      agrees\n\n"
       "y: not compared: 2 beyond the horizon, 3 outside the range\na remark\n"
-      "coverage: 58.3 %, at least 90 % needed\ny: run = a: like one\nt: no diagnosis\n";
+      "coverage: 58.3 %, at least 90 % needed\nlevel: none of 1e-1, 1e-2, 1e-3, strict\n"
+      "y: run = a: like one\nt: no diagnosis\n";
   auto comparison = made_up();
   EXPECT_EQ(cli::text_of(comparison), text + "differs\n");
-  EXPECT_EQ(cli::junit_of(comparison, "mine.csv"), R"(<?xml version="1.0" encoding="UTF-8"?>
-<testsuites name="set" tests="5" failures="1" errors="0">
-  <testsuite name="set" tests="5" failures="1" errors="0" skipped="3">
+  EXPECT_EQ(cli::junit_of({{"set", "mine.csv", comparison, ""}}), R"(<?xml version="1.0" encoding="UTF-8"?>
+<testsuites name="set" tests="5" failures="1" errors="3">
+  <testsuite name="set" tests="5" failures="1" errors="3">
     <testcase classname="set" name="coverage">
-      <skipped message="coverage: 58.3 %, at least 90 % needed" />
+      <error message="coverage: 58.3 %, at least 90 % needed" type="undecided" />
     </testcase>
     <testcase classname="set" name="y">
       <failure message="error 16.3 % at x = 2 m, tolerance 0.5 %, uncertainty of the reference 8.15 %" type="differs" />
     </testcase>
     <testcase classname="set" name="t">
-      <skipped message="error 0.02 s at event 1, tolerance 0.005 s, uncertainty of the reference 0.01 s" />
+      <error message="error 0.02 s at event 1, tolerance 0.005 s, uncertainty of the reference 0.01 s" type="undecided" />
     </testcase>
     <testcase classname="set" name="f">
-      <skipped message="no point could be compared" />
+      <error message="no point could be compared" type="undecided" />
     </testcase>
     <testcase classname="set" name="w" />
     <system-out>mine.csv
@@ -283,12 +349,12 @@ TEST_F(CompareCommand, SaysAllThatTheComparisonFound) {
   EXPECT_TRUE(cli::text_of(comparison)
                   .ends_with("\nundecided: nothing differs, but the reference does not settle everything\n"));
   comparison.quantities.resize(1);
-  EXPECT_TRUE(holds(cli::text_of(comparison), "needed\nrun = a: like one\n"));
+  EXPECT_TRUE(holds(cli::text_of(comparison), "strict\nrun = a: like one\n"));
 
   const auto json = cli::json_of(made_up(), "mine.csv");
   EXPECT_EQ(json["quantities"][0], cli::Json::parse(R"({"quantity": "y", "unit": "m", "norm": "range",
     "error": 0.163, "where": "x = 2 m", "uncertainty": 0.0815, "tolerance": 0.005, "verdict": "differs",
-    "compared": 2, "undecided": 0, "skipped": [{"reason": "beyond the horizon", "points": 2},
+    "level": "none", "scaled_error": 0.0, "compared": 2, "undecided": 0, "skipped": [{"reason": "beyond the horizon", "points": 2},
     {"reason": "outside the range", "points": 3}], "series": [{"group": "run = a", "abscissa": [1.0, 2.0],
     "theirs": [3.0, 4.5], "reference": [3.0, 4.0], "half_width": [0.25, 0.5], "allowed": [0.125, 0.75]}]})"));
   EXPECT_EQ(json["quantities"][2]["error"], nullptr);
@@ -353,7 +419,8 @@ TEST_F(CompareCommand, RefusesWhatItCannotUseAndWritesNothing) {
   expect_refused(in_fixture("compare stick-frequencies none.csv"), "cannot be opened for reading");
   expect_refused("compare stick-frequencies", "FILE is required");
   EXPECT_FALSE(std::filesystem::exists("a.json"));
-  EXPECT_FALSE(std::filesystem::exists("a.xml"));
+  // A refused file is a test case that fails.
+  EXPECT_TRUE(holds(contents("a.xml"), R"(<error message="a latest time is given,)"));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 /// Files as other programs write them, against the published data: words, events that are missing in between,
 /// values of zero, files that end early, and times that are not those of the data set.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -70,13 +71,84 @@ TEST(ComparedWords, DoNotCountWhereAMeshMayDecideOtherwise) {
   EXPECT_EQ(skipped_for(near, "too near to the threshold"), 1u);
 }
 
-TEST(ComparedWords, AreComparedInEventsOfASingleMass) {
-  auto mine = published_copy("single-mass-events");
-  EXPECT_EQ(mine.compared("change").compared, 6u);
-  mine.words("change")[2] = "capture";
-  EXPECT_EQ(mine.compared("change").error, 1.0);
-  EXPECT_EQ(mine.compared("change", with_tolerance("", 1e3)).agreement, Agreement::differs);  // has its own
+TEST(ComparedWords, AreComparedInEveryTableThatHasThem) {
+  auto package = published_package();
+  auto& rule = *std::ranges::find(package.resources, "classification", &data::Resource::name)->comparison;
+  std::erase_if(rule.values, [](const auto& value) { return value.field == "verdict"; });
+  OwnCopy mine(package, "classification");
+  EXPECT_EQ(mine.compared("verdict").compared, 480u);
+  EXPECT_EQ(mine.compared().agreement, Agreement::agrees);
+  mine.words("verdict")[0] = "stick-slip";
+  EXPECT_EQ(mine.compared("verdict").error, 1.0);
   EXPECT_EQ(mine.compared().agreement, Agreement::differs);
+  EXPECT_EQ(mine.compared("verdict", with_tolerance("", 1e3)).agreement, Agreement::differs);  // has its own
+}
+
+TEST(ComparedWords, OfAnEventDecideWithWhichItIsPaired) {
+  for (const std::string set : {"published-problems", "single-mass-events"}) {
+    auto mine = published_copy(set);
+    EXPECT_EQ(mine.compared().agreement, Agreement::agrees);
+    for (std::string& word : mine.words("change"))
+      word = word == "capture" ? "reversal" : word == "reversal" ? "capture" : word;
+    EXPECT_EQ(mine.compared("sequence").agreement, Agreement::differs);
+    mine.words("change")[0] = "foo";
+    EXPECT_TRUE(mine.error_message().starts_with(
+        "mine.csv:2: change is 'foo', but must be one of onset, capture, reversal, graze"));
+  }
+  auto stick_slip = published_copy("stick-slip-events");
+  stick_slip.words("change")[0] = "state";
+  EXPECT_TRUE(stick_slip.error_message().ends_with("one of onset, capture, reversal, graze"));
+}
+
+STICKSLIP_VERIFIES(ComparedEvents, "X20");
+TEST(ComparedEvents, OfSeveralProblemsHaveAVerdictEach) {
+  auto mine = published_copy("published-problems");
+  mine.erase(32);
+  const Comparison comparison = mine.compared();
+  EXPECT_EQ(comparison.agreement, Agreement::differs);
+  EXPECT_TRUE(mentions(comparison,
+                       "problem = hong-liu-2: event 2 (capture at 0.561845592 s) is missing in the file"));
+  ASSERT_EQ(comparison.parts.size(), 10u);
+  for (const auto& part : comparison.parts) {
+    const bool is_whole = part.name != "problem = hong-liu-2";
+    EXPECT_EQ(part.agreement, is_whole ? Agreement::agrees : Agreement::differs) << part.name;
+    EXPECT_EQ(part.rows, part.all_rows) << part.name;
+    EXPECT_EQ(comparison::level_names.at(part.level), is_whole ? "strict" : "none") << part.name;
+  }
+}
+
+TEST(ComparedEvents, InSinglePrecisionAgree) {
+  auto mine = published_copy("published-problems");
+  for (const std::string name : {"time", "position"})
+    for (double& x : mine[name]) x = static_cast<double>(static_cast<float>(x));
+  EXPECT_EQ(mine.compared().agreement, Agreement::agrees);
+}
+
+STICKSLIP_VERIFIES(ComparedLevel, "X20");
+TEST(ComparedLevel, IsTheLastThatTheErrorDoesNotExceed) {
+  const auto level = [](const OwnCopy& mine, const Settings& settings = {}) {
+    return comparison::level_names.at(mine.compared(settings).level);
+  };
+  for (const auto& [error, name] : std::vector<std::pair<double, std::string>>{
+           {0.0, "strict"}, {-0.99e-3, "1e-3"}, {1.01e-3, "1e-2"}, {-0.0101, "1e-1"}, {0.101, "none"}}) {
+    auto mine = published_copy("friction-powers");
+    mine["power"].front() += error * std::ranges::max(mine["power"]);
+    EXPECT_EQ(level(mine, with_tolerance("", 1.0)), name);  // whatever tolerance is asked for
+    auto history = published_copy("undamped-history-35");   // by the range, beyond the half-width
+    const auto [least, greatest] = std::ranges::minmax(history["tip_displacement"]);
+    const double width = history.reference().radius_of("tip_displacement")[300];
+    history["tip_displacement"][300] += error * (greatest - least) + std::copysign(width, error);
+    EXPECT_EQ(level(history), std::abs(error) < 5e-3 ? "strict" : name);
+    auto events = published_copy("published-problems");  // of which the first takes 100 s
+    for (const std::size_t row : {1u, 2u}) events["time"][row] += 100.0 * error;
+    EXPECT_EQ(level(events), name);
+  }
+  // Of words and events it is the share that is wrong.
+  auto words = published_copy("classification"), events = published_copy("stick-slip-events");
+  words.words("verdict")[0] = "stick-slip";
+  EXPECT_EQ(level(words), "1e-2");
+  EXPECT_EQ(level(events.erase(5).erase(5)), "1e-1");
+  EXPECT_EQ(level(published_copy("friction-powers").keep_first(2)), "none");
 }
 
 STICKSLIP_VERIFIES(ComparedZero, "X20");
@@ -390,23 +462,31 @@ TEST(ComparedCoverage, OfEventsEndsWithTheLastOneUnlessALatestTimeIsGiven) {
                                      "to 0.490601495 s; --until says how far your run goes"});
 }
 
-TEST(ComparedCoverage, OfATableMustBeATenthOfEachPartThatTheFileBegins) {
-  for (const std::size_t rows : {47u, 48u}) {
-    auto mine = published_copy("classification");
-    mine.keep_first(rows);
-    EXPECT_EQ(mine.compared().agreement, rows == 48 ? Agreement::agrees : Agreement::undecided) << rows;
-    EXPECT_EQ(mentions(mine.compared(), "the file has " + std::to_string(rows) +
-                                            " of 480 rows, but a verdict needs at least 10 %"),
-              rows == 47);
-  }
-  auto shape = published_copy("static-shapes");
-  shape.keep([](std::size_t row) { return row == 0; });
-  EXPECT_TRUE(mentions(shape.compared(),
-                       "the file has 1 of 20 rows of beam = paper, but a verdict needs at least 10 %"));
-  auto modes = published_copy("stick-frequencies");
-  modes.keep_first(3);  // three of ten modes of one beam
-  EXPECT_EQ(modes.compared().agreement, Agreement::agrees);
-  EXPECT_TRUE(within(modes.compared().coverage, 0.3, round_off(1.0, 1.0, 1.0)));
+TEST(ComparedCoverage, OfATableIsThatOfTheRowsThatTheFileMustHave) {
+  using Ranges = std::vector<std::pair<std::size_t, std::size_t>>;
+  auto mine = published_copy("classification"), problem = published_copy("published-problems");
+  mine.keep([](std::size_t row) { return row < 48 || row == 50; });
+  problem.keep([](std::size_t row) { return row >= 9 && row < 13; });
+  const auto needing = [](const Ranges& rows) {
+    return Settings{.tolerances = {}, .until = {}, .rows = rows};
+  };
+  const auto decides = [&](const OwnCopy& copy, const Ranges& rows) {
+    return copy.compared(needing(rows)).agreement != Agreement::undecided;
+  };
+  for (const Ranges& rows : {Ranges{{1, 48}}, {{3, 4}, {51, 51}}}) EXPECT_TRUE(decides(mine, rows));
+  for (const Ranges& rows : {Ranges{}, {{1, 49}}, {{1, 48}, {50, 50}}}) EXPECT_FALSE(decides(mine, rows));
+  const Comparison part = mine.compared();
+  EXPECT_TRUE(within(part.coverage, 49.0 / 480.0, round_off(1.0, 1.0, 1.0)));
+  EXPECT_EQ(part.row_numbers, "1:48,51");
+  mine["force_ratio"][48] *= 1.1;  // which is not asked for
+  EXPECT_EQ(mine.compared(needing({{1, 48}})).agreement, Agreement::differs);
+  for (const auto& [first, last] : Ranges{{0, 3}, {4, 3}, {1, 481}})
+    EXPECT_EQ(mine.error_message(needing({{first, last}})),
+              fmt::format("the range of rows is {}:{}, but must be within 1:480", first, last));
+  EXPECT_EQ(published_copy("stick-history").error_message(needing({{1, 3}})),
+            "row numbers are given, but the data set stick-history is one curve");
+  EXPECT_TRUE(decides(problem, {{10, 13}}));
+  for (const Ranges& rows : {Ranges{}, {{9, 13}}}) EXPECT_FALSE(decides(problem, rows));
 }
 
 // --- times between those of the data set

@@ -47,10 +47,12 @@ std::string gzip(const std::string& text) {
 class UserTable : public ::testing::Test {
  protected:
   [[nodiscard]] data::UserTable read(const std::string& set, const std::string& text,
-                                     const std::vector<std::string>& mappings = {}) const {
+                                     const std::vector<std::string>& mappings = {},
+                                     const std::vector<std::string>& names = {}) const {
     std::vector<data::ColumnMapping> parsed;
     for (const std::string& mapping : mappings) parsed.push_back(data::ColumnMapping::parse(mapping));
-    return data::read_user_table(folder_.write("mine.csv", text), data::read_table(package(), set), parsed);
+    return data::read_user_table(folder_.write("mine.csv", text), data::read_table(package(), set), parsed,
+                                 names);
   }
 
   // The first number of a column.
@@ -72,6 +74,9 @@ TEST_F(UserTable, IsTheSameHoweverItIsSpelled) {
   const std::vector<std::string> spellings{
       "beam,mode,frequency\npaper,1,25\npaper,2,81.5\n",
       "mode,frequency,beam\n1,25,paper\n2,81.5,paper\n",
+      "sep=;\nbeam;mode;frequency\npaper;1;25\npaper;2;81.5\n",
+      "\"sep=,\"\r\nbeam,mode,frequency\r\npaper,1,25\r\npaper,2,81.5\r\n",
+      "beam,mode,frequency/kHz\npaper,1,0.025\npaper,2,0.0815\n",
       "Beam,MODE,Frequency\npaper,1,25\npaper,2,81.5",
       "beam;mode;frequency\npaper;1;25\npaper;2;81.5\n",
       "beam\tmode\tfrequency\npaper\t1\t25\npaper\t2\t81.5\n",
@@ -302,8 +307,14 @@ TEST_F(UserTable, RefusesWhatCannotBeUsedInOneSentence) {
 
 TEST_F(UserTable, RefusesAnotherFormatThanText) {
   for (const auto& [text, sentence] : std::vector<std::pair<std::string, std::string>>{
-           {std::string("\xFF\xFE") + "b", ": is no text in UTF-8"},
-           {std::string("\xFE\xFF") + "b", ": is no text in UTF-8"},
+           {std::string("\xFF\xFE") + "b", ": is text in UTF-16, but must be in UTF-8"},
+           {std::string("\xFE\xFF") + "b", ": is text in UTF-16, but must be in UTF-8"},
+           {"\n {\"beam\": 1}\n", ": is a JSON file, but must be a table in text, as CSV"},
+           {"[{\"beam\": 1}]", ": is a JSON file, but"},
+           {"<?xml version=\"1.0\"?>", ": is an XML or HTML file, but"},
+           {"PAR1\x15", ": is a Parquet file, but"},
+           {"---\nbeam: paper\n", ": is a YAML file, but"},
+           {"***** ANSYS *****\n", ": is an input or output file of a finite-element program, but"},
            {std::string("beam\0\n", 6), ": is no text in UTF-8"},
            {"\x89HDF\r\n",
             ": is a file in HDF5 format (as MATLAB's -v7.3), but must be a table in text, as CSV"},
@@ -317,6 +328,25 @@ TEST_F(UserTable, RefusesAnotherFormatThanText) {
            {gzip(std::string(data::largest_table + 1, ' ')),
             ": holds more than the 50000000 bytes that are allowed"}})
     EXPECT_EQ(error_message("stick-frequencies", text), "mine.csv" + sentence);
+}
+
+TEST_F(UserTable, WithoutALineOfNamesNeedsThem) {
+  const std::string numbers = "1.607 2 25\n7.231 3 81.5\n", words = "paper,1,25\npaper,2,81.5\n";
+  for (const auto& [text, mappings] : std::vector<std::pair<std::string, std::vector<std::string>>>{
+           {numbers, {}}, {numbers, {"beam=1.607", "mode=2", "frequency=25"}}, {words, {}}})
+    EXPECT_EQ(
+        error_message("stick-frequencies", text, mappings),
+        "mine.csv:1: the line is numbers, not the names of the columns (--columns NAME,NAME,... gives them)");
+  for (const auto& [text, names] : std::vector<std::pair<std::string, std::vector<std::string>>>{
+           {words, {"beam", "mode", "frequency"}},
+           {"# by hand\n0 paper 1 0.025 0\n0 paper 2 0.0815 0\n",
+            {"-", "beam", "mode", "frequency [kHz]", "-"}}}) {
+    const auto table = read("stick-frequencies", text, {}, names);
+    EXPECT_EQ(table.column("frequency")->values, (std::vector<double>{25.0, 81.5}));
+    EXPECT_EQ(table.column("mode")->values, (std::vector<double>{1.0, 2.0}));
+  }
+  EXPECT_EQ(folder_.error_message([&] { static_cast<void>(read("stick-frequencies", words, {}, {"beam"})); }),
+            "mine.csv:1: the line has 3 cells, but must have 1, one for each name");
 }
 
 TEST_F(UserTable, RefusesAFileThatIsNone) {

@@ -19,17 +19,19 @@ constexpr std::size_t largest_table = 50'000'000;  ///< bytes
 [[nodiscard]] std::string read_table_text(const std::filesystem::path& file);
 
 /// Reads a table row by row. Cells are separated by commas, semicolons, tabs or else blanks, as in the line of
-/// names, and may be quoted; blanks around them, the line ends of all systems, a byte order mark, empty lines
+/// names, and may be quoted; blanks around them, the line ends of all systems, a byte order mark, a first line `sep=;`, empty lines
 /// and lines that begin with # or % are understood. If half of the cells of the first line are numbers, the names are those of
 /// the last comment before it that has as many cells. A line of units below the names is joined to them, as in
 /// "frequency [kHz]". In a table with blanks, the rows may have one cell more in front, as R's have.
 class CsvReader {
  public:
-  /// Reads the names of the columns from the text of a file. Throws InputError, naming the file, if there are
-  /// none or the text is not in UTF-8.
-  CsvReader(std::filesystem::path file, std::string_view text);
+  using Cells = std::vector<std::string>;
 
-  [[nodiscard]] const std::vector<std::string>& names() const noexcept { return names_; }
+  /// Reads the names of the columns from the text of a file, unless they are given because it has none. Throws InputError,
+  /// naming the file, if there are none or the text is not in UTF-8.
+  CsvReader(std::filesystem::path file, std::string_view text, Cells names = {});
+
+  [[nodiscard]] const Cells& names() const noexcept { return names_; }
 
   /// The cells of the next row, as many as there are names; nothing at the end of the text. Throws
   /// InputError, naming the line, for another number of cells and for a quote that is not closed.
@@ -43,6 +45,9 @@ class CsvReader {
   /// the cells, with a decimal comma.
   [[nodiscard]] std::optional<double> number(std::string_view cell) const;
 
+  /// How many of the cells are numbers.
+  [[nodiscard]] std::ptrdiff_t numbers_in(const Cells& cells) const;
+
   /// "stick.csv:12"
   [[nodiscard]] std::string place(std::size_t line) const;
   /// "stick.csv:12, column 3 (frequency)" for the column of index 2.
@@ -53,8 +58,6 @@ class CsvReader {
     std::string_view text;
     std::size_t number{};
   };
-  using Cells = std::vector<std::string>;
-
   [[nodiscard]] std::string_view take_line();
   [[nodiscard]] std::optional<Line> next_line(std::vector<Line>* comments = nullptr);
   [[nodiscard]] Cells cells_of(const Line& line, char separator) const;
@@ -66,7 +69,8 @@ class CsvReader {
   std::size_t line_{}, line_of_names_{}, line_of_row_{};
   std::optional<Line> held_;  // the first row, which was read to look for the names or the units
   char separator_{','};
-  std::vector<std::string> names_;
+  Cells names_;
+  bool are_given_{};  // the names
 };
 
 /// A column's name and unit; the unit is nothing if there is none.

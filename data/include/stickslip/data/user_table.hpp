@@ -5,7 +5,7 @@
 ///
 /// Columns are found by their names, in any order and in any case; a unit may follow the name and is
 /// converted to that of the data set: `frequency [kHz]`, `frequency (kHz)`, `frequency / kHz`,
-/// `frequency_kHz`, or in a line below the names. csv_text.hpp says which formats are understood. The columns
+/// `frequency_kHz`, `frequency/kHz`, or in a line below the names. csv_text.hpp says which formats are understood. The columns
 /// of `stickslip respond` are known. Columns that the data set does not have are left alone.
 
 #include <cstddef>
@@ -45,9 +45,11 @@ struct UserTable {
 /// and at least one of the values that are compared. Throws InputError, naming file, line, column and value
 /// and what is allowed, for a column that is missing, stands twice or has an unknown unit, for a cell that is
 /// no finite number, for a line with fewer or more cells, for no rows, for a key that stands twice in
-/// a table, and for an abscissa or times of events that decrease.
+/// a table, and for an abscissa or times of events that decrease. A file without a line of names is refused unless
+/// `names` gives them, in the order of its columns.
 [[nodiscard]] UserTable read_user_table(const std::filesystem::path& file, const ReferenceTable& reference,
-                                        const std::vector<ColumnMapping>& mappings = {});
+                                        const std::vector<ColumnMapping>& mappings = {},
+                                        const std::vector<std::string>& names = {});
 
 /// Throws InputError if a mapping names a column that none of the data sets has.
 void require_known_columns(const std::vector<ColumnMapping>& mappings,
