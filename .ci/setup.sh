@@ -18,10 +18,10 @@ figure_packages=(gnuplot-nox fonts-dejavu-core)
 # shellcheck disable=SC2034
 fuzz_packages=(clang libclang-rt-14-dev)
 
-# What the tests need besides: their framework, what typesets the manual page, and what checks the traceability and fills in the
-# templates of the report.
+# What the tests need besides: their framework, what typesets the manual page, what checks the traceability, fills in the templates of the
+# report, and tests the Python package.
 # shellcheck disable=SC2034
-test_packages=(libgtest-dev groff-base python3 python3-jinja2)
+test_packages=(libgtest-dev groff-base python3 python3-jinja2 python3-jsonschema python3-pytest python3-setuptools)
 
 # Ninja would work on two sources more than there are processors, which takes longer.
 CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}

@@ -90,12 +90,21 @@ std::map<std::string, std::string> package_files(const std::vector<DataSet>& set
   const Json package{
       {"profile", "tabular-data-package"},
       {"name", "stickslip-reference"},
+      {"id", "urn:uuid:4b0f6a1e-2c53-4d0e-9a67-7f3b5a2d91c8"},
       {"title", "Reference data for the stick-slip vibration of beams"},
       {"description",
        "The problem of Won, Lee and Chung, Stick-slip vibration of a cantilever beam subjected to harmonic "
        "base excitation, Nonlinear Dynamics (2018), and its parts: numbers with the half-widths of their "
        "uncertainties, for checking other implementations. README.md explains the files."},
-      {"version", "1.0.0"},
+      {"version", "1.1.0"},
+      {"created", "2026-11-25T00:00:00Z"},
+      {"keywords", {"stick-slip", "friction", "vibration", "beam", "verification", "benchmark"}},
+      {"sources",
+       {{{"title",
+          "Won, Lee and Chung, Nonlinear Dynamics, 2018: stick-slip vibration of a cantilever beam"}},
+        {{"title", "code_aster, manual of validation: SDND100, SDND104 and SDND106"}},
+        {{"title", "Den Hartog, Trans. ASME 53, 1931: forced vibration with Coulomb friction"}},
+        {{"title", "Hong and Liu, J. Sound Vib. 229, 2000: stops of a forced mass with friction"}}}},
       {"licenses",
        {{{"name", "MIT"}, {"path", "https://opensource.org/licenses/MIT"}, {"title", "MIT License"}}}},
       {"resources", resources}};

@@ -99,16 +99,6 @@ class CompareCommand : public Drawing {
 };
 
 STICKSLIP_VERIFIES(CompareCommand, "U1");
-TEST_F(CompareCommand, AgreesWithACopyOfEveryDataSet) {
-  for (const std::string set : {"stick-frequencies", "quasi-static-shape", "stick-force", "damped-events",
-                                "damped-history", "cubic-events", "cubic-history"}) {
-    const std::string text = run(in_fixture("reference export " + set)).output;
-    const Outcome outcome = run(command(set, text));
-    EXPECT_EQ(outcome.status, 0) << outcome.output << outcome.errors;
-    EXPECT_TRUE(outcome.output.ends_with("\nagrees\n")) << outcome.output;
-  }
-}
-
 TEST_F(CompareCommand, ReadsTheFilesThatRespondWrites) {
   ASSERT_EQ(run("respond damped --method event-driven --set numerics.modes=20 --duration 0.12 --output "
                 "history.csv --events events.csv")

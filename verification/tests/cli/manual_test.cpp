@@ -129,14 +129,15 @@ class Manual : public CommandLine {
   // Standard output and standard error of a script in the test's folder, as a terminal shows them.
   [[nodiscard]] Outcome terminal(const std::string& script) const {
     const std::string program = fs::path(STICKSLIP_PROGRAM).parent_path().string();
-    return shell(fmt::format("PATH='{}':$PATH\nexec 2>&1\nset -e\n{}", program, script));
+    return shell(fmt::format("export PATH='{}':$PATH PYTHONPATH='{}'\nexec 2>&1\nset -e\n{}", program,
+                             (root / "reports/python").string(), script));
   }
 };
 
 STICKSLIP_VERIFIES(Manual, "U9");
 TEST_F(Manual, CommandsRunAndPrintWhatIsShown) {
   for (const std::string page : {"README.md", "reports/manual/tutorial.md", "reports/manual/user-guide.md",
-                                 "reports/manual/reference-data.md"}) {
+                                 "reports/manual/reference-data.md", "reports/manual/python.md"}) {
     SCOPED_TRACE(page);
     const auto blocks = read_page(contents(root / page)).blocks;
     EXPECT_TRUE(std::ranges::count(blocks, "sh", &Block::language) > 0);
