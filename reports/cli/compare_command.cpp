@@ -97,7 +97,7 @@ Answer compared(const CompareOptions& options, Outputs& outputs) {
   outputs.write("the table", [&] { return text_of(result); });
   outputs.write("--json", [&] { return json_of(result, options.file).dump(2) + "\n"; });
   outputs.write("--junit", [&] { return junit_of(result, options.file); });
-  outputs.draw([&](const std::string& format) { return report::draw(result, format); });
+  outputs.draw(options.name, [&](const report::Look& look) { return report::draw(result, look); });
   Answer answer;
   if (result.agreement == comparison::Agreement::differs) answer.status = failed;
   return answer;
