@@ -123,16 +123,13 @@ std::shared_ptr<UnfinishedMap> evaluate(const studies::MapTask& task, const MapP
                unfinished->file().string(), done, count);
   progress.start_at(done > 0 ? share() : 0.0);  // a part may have no evaluation
   std::erase_if(numbers, [&](std::size_t number) { return evaluations[number].has_value(); });
-  try {
+  unfinished->remove_if_impossible([&] {
     studies::evaluate(task, numbers, evaluations, [&](std::span<const std::size_t> settled) {
       unfinished->keep(settled);
       done += settled.size();
       progress(share());
     });
-  } catch (const data::InputError&) {  // this map cannot be finished
-    unfinished->remove();
-    throw;
-  }
+  });
   return unfinished;
 }
 

@@ -52,6 +52,15 @@ void UnfinishedMap::keep(std::span<const std::size_t> numbers) {
   kept_ += numbers.size();
 }
 
+void UnfinishedMap::remove_if_impossible(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const data::InputError&) {
+    remove();
+    throw;
+  }
+}
+
 void UnfinishedMap::remove() {
   std::error_code ignored;  // nothing is left to be done about a file that cannot be removed
   if (!file_.empty()) fs::remove(file_, ignored);

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdio>
+#include <functional>
 #include <span>
 
 #include "map_part.hpp"
@@ -27,6 +28,10 @@ class UnfinishedMap {
 
   /// Throws data::OutputError.
   void keep(std::span<const std::size_t> numbers);
+
+  /// Does the work that keeps evaluations here. Removes the file if that throws data::InputError, since this
+  /// map cannot be finished then; any other exception leaves it for the next run.
+  void remove_if_impossible(const std::function<void()>& work);
 
   /// Removes the file.
   void remove();

@@ -56,7 +56,7 @@ TEST_F(HistoryFiles, HaveTheRowsThatAnEyeNeedsWhateverTheStep) {
             100'001u);  // of 20 steps; 40 would be 4e-5 s
   EXPECT_EQ(rows_of(short_steps + "--duration 0.5 --rate 700").size(), 701u / 2u + 1u);
   expect_refused("respond --rate 0", "--rate is 0, but must be above 0 (1/s)");
-  expect_refused("respond --rate 10 --every 10", "--rate excludes --every");
+  expect_refused("respond --rate 10 --every 10", "--every excludes --rate");
 }
 
 TEST_F(HistoryFiles, HaveTheRowsOfAWindow) {
