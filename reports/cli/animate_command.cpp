@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -36,7 +35,7 @@ data::Case case_of(const AnimateOptions& options) {
   return load_case(options.problem, options.excitation, periods / problem.excitation.frequency_hz());
 }
 
-void run(const AnimateOptions& options) {
+Answer animate(const AnimateOptions& options, Outputs& outputs) {
   const data::Case problem = case_of(options);
   data::require_rigid(problem.contact, "the command animate; respond takes it");
   const double duration = problem.numerics.duration();
@@ -49,45 +48,49 @@ void run(const AnimateOptions& options) {
   const studies::Method& method = studies::method(options.method);
   method.require(problem);
   report::write_animation(
-      problem, {.method = &method, .frames = options.frames, .output = options.output, .quiet = is_quiet()});
-  const auto warnings = warnings_of(problem, method.inquiry);
-  print_warnings(warnings);
-  if (options.problem.json)
-    print_json({{"case", problem.name},
-                {"method", options.method},
-                {"frequency_hz", problem.excitation.frequency_hz()},
-                {"amplitude_m", problem.excitation.amplitude()},
-                {"duration_s", duration},
-                {"frames", options.frames},
-                {"output", options.output},
-                {"warnings", warnings}});
-  else
-    fmt::print("{} frames written to {}\n", options.frames, options.output);
+      problem,
+      {.method = &method, .frames = options.frames, .output = options.output, .quiet = outputs.is_quiet()});
+  Answer answer;
+  answer.add_line(fmt::format("{} frames written to {}", options.frames, options.output));
+  answer.add_members({{"case", problem.name},
+                      {"method", options.method},
+                      {"frequency_hz", problem.excitation.frequency_hz()},
+                      {"amplitude_m", problem.excitation.amplitude()},
+                      {"duration_s", duration},
+                      {"frames", options.frames},
+                      {"output", options.output}});
+  answer.warnings = warnings_of(problem, method.inquiry);
+  return answer;
+}
+
+void add_options(CLI::App& command, AnimateOptions& options) {
+  add_case_options(command, options.problem);
+  add_excitation_options(command, options.excitation);
+  command
+      .add_option("--method", options.method,
+                  "Finite elements with contact, or event by event in the modes of the continuous beam")
+      ->check(one_of({"event-driven", "fe"}))
+      ->capture_default_str();
+  command.add_option("--duration", options.duration, "Duration, s (else ten periods of the excitation)")
+      ->check(number());
+  command.add_option("--frames", options.frames, "Number of frames, evenly over the duration")
+      ->check(integer_between(2, report::most_frames))
+      ->capture_default_str();
+  command.add_option("--output", options.output, "Folder for frame-0001.png ... and motion.csv")
+      ->check(file_name())
+      ->capture_default_str();
 }
 
 }  // namespace
 
 void add_animate_command(CLI::App& app) {
-  auto* command = app.add_subcommand("animate", "Motion of the whole beam, as PNG files for a film");
-  auto options = std::make_shared<AnimateOptions>();
-  add_case_options(*command, options->problem);
-  add_excitation_options(*command, options->excitation);
-  command
-      ->add_option("--method", options->method,
-                   "Finite elements with contact, or event by event in the modes of the continuous beam")
-      ->check(one_of({"event-driven", "fe"}))
-      ->capture_default_str();
-  command->add_option("--duration", options->duration, "Duration, s (else ten periods of the excitation)")
-      ->check(number());
-  command->add_option("--frames", options->frames, "Number of frames, evenly over the duration")
-      ->check(integer_between(2, report::most_frames))
-      ->capture_default_str();
-  command->add_option("--output", options->output, "Folder for frame-0001.png ... and motion.csv")
-      ->check(file_name())
-      ->capture_default_str();
-  add_examples(*command,
-               {"stickslip animate paper --hz 25 --amplitude 1e-3 --duration 0.1 --frames 5 --output film"});
-  command->callback([options] { run(*options); });
+  add<AnimateOptions>(
+      app, {.name = "animate",
+            .help = "Motion of the whole beam, as PNG files for a film",
+            .examples =
+                {"stickslip animate paper --hz 25 --amplitude 1e-3 --duration 0.1 --frames 5 --output film"},
+            .add_options = add_options,
+            .run = animate});
 }
 
 }  // namespace stickslip::cli

@@ -24,7 +24,7 @@ void add_case_options(CLI::App& command, CaseOptions& options) {
   command.add_option("CASE", options.name, "A name that 'stickslip cases' lists, or the path of a TOML file")
       ->capture_default_str();
   add_set_option(command, options.overrides, "Replace a key of the case, as in beam.length=1.8; repeatable");
-  command.add_flag("--json", options.json, json_help);
+  add_json_option(command);
 }
 
 namespace {
@@ -113,27 +113,6 @@ data::Override override_with(const std::string& key, double value, const std::st
   return {key, data::shortest_text(value), option};
 }
 
-void require_json_alone(bool json, std::string_view option, const std::string& file) {
-  if (json && file == "-")
-    throw data::InputError(
-        fmt::format("--json and {0} - both want standard output, but --json needs {0} FILE", option));
-}
-
-void require_different_files(const std::vector<std::pair<std::string, std::string>>& file_of_option) {
-  std::vector<std::string> files, options;
-  for (const auto& [option, file] : file_of_option) {
-    if (!file.empty() && std::ranges::count(files, file) > 0) {
-      const std::string last = options.back();
-      options.pop_back();
-      throw data::FieldError(option, data::printable(file),
-                             fmt::format("another file than {}{}{}", fmt::join(options, ", "),
-                                         options.empty() ? "" : " and ", last));
-    }
-    files.push_back(file);
-    options.push_back(option);
-  }
-}
-
 void require_undamped(const data::Case& problem, std::string_view what) {
   if (!studies::is_damped(problem)) return;
   const bool viscous = problem.damping.kelvin_voigt() > 0.0;
@@ -152,10 +131,6 @@ std::vector<std::string> sentences_of(const std::vector<studies::Warning>& warni
 
 std::vector<std::string> warnings_of(const data::Case& problem, studies::Inquiry inquiry, int frequencies) {
   return sentences_of(studies::problem_warnings(problem, inquiry, frequencies));
-}
-
-void print_warnings(const std::vector<std::string>& warnings) {
-  for (const std::string& warning : warnings) fmt::print(stderr, "stickslip: warning: {}\n", warning);
 }
 
 std::string conditions_of(const data::Case& problem, const std::string& hz) {

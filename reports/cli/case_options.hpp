@@ -25,7 +25,6 @@ namespace stickslip::cli {
 struct CaseOptions {
   std::string name = "paper";
   std::vector<std::string> overrides{};
-  bool json{};
 };
 
 /// --hz F --amplitude M, short for --set excitation.frequency_hz=F --set excitation.amplitude=M
@@ -78,12 +77,6 @@ void require_no_fixed_value(const ExcitationOptions& excitation, std::string_vie
 /// What an option of its own sets a key to.
 [[nodiscard]] data::Override override_with(const std::string& key, double value, const std::string& option);
 
-/// Throws data::InputError if --json and an option that names this file both want standard output.
-void require_json_alone(bool json, std::string_view option, const std::string& file);
-
-/// Throws data::InputError if an option names the same file as one before it; an empty name is no file.
-void require_different_files(const std::vector<std::pair<std::string, std::string>>& file_of_option);
-
 /// Throws data::InputError, naming the damping, if the case has any; `what` needs it to have none.
 void require_undamped(const data::Case& problem, std::string_view what);
 
@@ -92,9 +85,6 @@ void require_undamped(const data::Case& problem, std::string_view what);
 /// The sentences of studies::problem_warnings().
 [[nodiscard]] std::vector<std::string> warnings_of(const data::Case& problem, studies::Inquiry inquiry,
                                                    int frequencies = 0);
-
-/// One line on standard error for each.
-void print_warnings(const std::vector<std::string>& warnings);
 
 /// "NAME: 30 Hz, 0.001 m, 0 to 2 s", with another text for the frequency if it is given.
 [[nodiscard]] std::string conditions_of(const data::Case& problem, const std::string& hz = "");

@@ -3,26 +3,55 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <stdexcept>
+#include <utility>
 
 #include "case_options.hpp"
+#include "render/external_tool.hpp"
 #include "render/report.hpp"
+#include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/input_error.hpp"
 #include "stickslip/data/input_text.hpp"
+#include "stickslip/version.hpp"
 #include "studies/common/parallel.hpp"
 
 namespace stickslip::cli {
 
 namespace {
 
-bool quiet = false;  // of the one command line there is
-
 bool has_flag(const CLI::App& command, const std::string& name) {
   const CLI::Option* const option = command.get_option_no_throw(name);
   return option != nullptr && option->get_items_expected_max() == 0 && option->count() > 0;
+}
+
+// The value of an option that is given.
+std::optional<std::string> text_of(const CLI::App& command, const std::string& name) {
+  const CLI::Option* const option = command.get_option_no_throw(name);
+  if (option == nullptr || option->count() == 0) return std::nullopt;
+  return option->results().back();
+}
+
+// WIDTHxHEIGHT in cm; no other text.
+std::optional<std::pair<double, double>> size_in(const std::string& text) {
+  constexpr double least = 4.0, most = 100.0;
+  const std::size_t cross = text.find('x');
+  if (cross == std::string::npos) return std::nullopt;
+  const auto width = parse<double>(text.substr(0, cross)), height = parse<double>(text.substr(cross + 1));
+  if (!width || !height || !(std::min(*width, *height) >= least && std::max(*width, *height) <= most))
+    return std::nullopt;
+  return std::pair(*width, *height);
+}
+
+// "pdf", "png" or "svg", by the name of the file. Throws data::InputError for another one.
+std::string figure_format(const std::string& figure) {
+  const std::string extension = std::filesystem::path(figure).extension().string();
+  if (extension == ".pdf" || extension == ".png" || extension == ".svg") return extension.substr(1);
+  throw data::FieldError("--figure", fmt::format("'{}'", data::printable(figure)),
+                         "a file whose name ends in .pdf, .png or .svg");
 }
 
 // Throws data::InputError if two options cannot both have their file.
@@ -41,17 +70,21 @@ void require_compatible(const std::vector<Outputs::Named>& files, bool is_json) 
 }  // namespace
 
 Outputs::Outputs(const CLI::App& command)
-    : command_(command.get_name()),
-      is_json_(has_flag(command, "--json")),
-      is_quiet_(cli::is_quiet() || has_flag(command, "--quiet")) {}
+    : command_(command.get_name()), is_json_(has_flag(command, "--json")) {
+  for (const CLI::App* app = &command; app != nullptr; app = app->get_parent())
+    is_quiet_ = is_quiet_ || has_flag(*app, "--quiet");
+  look_.title = text_of(command, "--title").value_or("");
+  if (const auto size = text_of(command, "--size")) look_.size_cm = size_in(*size);
+}
 
 void Outputs::open(const std::vector<Named>& files) {
   require_compatible(files, is_json_);
   for (const Named& name : files) {
     if (name.path.empty()) continue;
     if (name.option == "--figure") {
-      (void)figure_format(name.path);
+      look_.format = figure_format(name.path);
       (void)report::templates_directory();  // throws now rather than after the work
+      report::require_tool("gnuplot");
     }
     files_.emplace_back(name);
   }
@@ -67,8 +100,9 @@ void Outputs::on_interrupt(std::function<std::string()> sentence) {
 report::Progress& Outputs::progress(std::string_view part, std::size_t items) {
   std::unique_lock<std::mutex> undisturbed;
   if (interruption_) undisturbed = hold();
+  const bool shares_terminal = takes_standard_output() && ::isatty(STDOUT_FILENO) == 1;
   return progress_.emplace(fmt::format("stickslip {}{}", command_, part),
-                           report::Progress::standard_error(is_quiet_), items);
+                           report::Progress::standard_error(is_quiet_ || shares_terminal), items);
 }
 
 Outputs::Open* Outputs::find(std::string_view option) {
@@ -90,15 +124,25 @@ void Outputs::commit(std::string_view option) {
 void Outputs::write(std::string_view option, const std::function<std::string()>& text) {
   Open* const open = find(option);
   if (open == nullptr) return;
-  if (progress_) progress_->finish();
+  if (progress_ && open->name.path == "-") progress_->finish();
   const auto undisturbed = hold();
   open->file.write(text());
   open->file.commit();
   open->is_written = true;
 }
 
-void Outputs::draw(const std::function<std::string(const std::string&)>& drawing) {
-  write("--figure", [&] { return drawing(figure_format(find("--figure")->name.path)); });
+void Outputs::draw(const std::string& title, const std::function<std::string(const report::Look&)>& drawing) {
+  if (look_.title.empty()) look_.title = title;
+  write("--figure", [&] {
+    if (progress_) progress_->stage("drawing " + find("--figure")->name.path);
+    try {
+      return drawing(look_);
+    } catch (const std::runtime_error& error) {
+      const std::string paths = written();
+      if (paths.empty()) throw;
+      throw std::runtime_error(fmt::format("{}; the rest is in {}", error.what(), paths));
+    }
+  });
 }
 
 std::string Outputs::written() const {
@@ -108,12 +152,16 @@ std::string Outputs::written() const {
   return fmt::format("{}", fmt::join(paths, " and "));
 }
 
+bool Outputs::takes_standard_output() const {
+  return std::ranges::any_of(files_, [](const Open& open) { return open.name.path == "-"; });
+}
+
 std::string Outputs::last_words() {
   if (progress_) progress_->finish();
   for (const Open& open : files_) open.file.discard();
-  if (sentence_) return sentence_();
   if (const std::string paths = written(); !paths.empty())
     return fmt::format("interrupted; nothing is written but {}", paths);
+  if (sentence_) return sentence_();
   return progress_ ? fmt::format("interrupted after {:.0f} % of the work; nothing is kept",
                                  100.0 * progress_->share())
                    : "interrupted before there was a result";
@@ -126,15 +174,14 @@ void Outputs::print(Answer answer) {
       fmt::print(stderr, "stickslip: warning: {}\n", warning);
     answer.add_members({{"warnings", *answer.warnings}});
   }
-  const bool is_taken = std::ranges::any_of(files_, [](const Open& open) { return open.name.path == "-"; });
   if (is_json_)
     print_json(answer.json);
-  else if (!is_taken)
+  else if (!takes_standard_output())
     fmt::print("{}", answer.text);
 }
 
 void add_examples(CLI::App& command, const std::vector<std::string>& lines) {
-  command.footer(fmt::format("Examples:\n  {}", fmt::join(lines, "\n  ")));
+  if (!lines.empty()) command.footer(fmt::format("Examples:\n  {}", fmt::join(lines, "\n  ")));
 }
 
 void finish(Answer answer, Outputs& outputs) {
@@ -144,17 +191,29 @@ void finish(Answer answer, Outputs& outputs) {
   if (status != 0) throw CLI::RuntimeError(status);
 }
 
-void add_json_option(CLI::App& command) { command.add_flag("--json", json_help); }
+void add_warning(Answer& answer, const std::optional<std::string>& warning) {
+  if (!answer.warnings) answer.warnings.emplace();
+  if (warning) answer.warnings->push_back(*warning);
+}
+
+std::string program() { return fmt::format("stickslip {} (commit {})", version, commit); }
+
+std::string command_line() {
+  std::string words = data::read_text("/proc/self/cmdline");
+  if (!words.empty()) words.pop_back();
+  std::ranges::replace(words, '\0', ' ');
+  return words;
+}
+
+void add_json_option(CLI::App& command) {
+  command.add_flag("--json")->description("Print one JSON object, numbers with all digits");
+}
 
 void add_quiet_option(CLI::App& app) {
   if (app.get_option_no_throw("--quiet") == nullptr)  // a subcommand may have one that says more
-    app.add_flag("--quiet", quiet, "No progress on standard error");
+    app.add_flag("--quiet")->description("No progress on standard error");
   for (CLI::App* command : app.get_subcommands(nullptr)) add_quiet_option(*command);
 }
-
-bool is_quiet() noexcept { return quiet; }
-
-report::Progress::Surroundings progress_surroundings() { return report::Progress::standard_error(quiet); }
 
 void add_threads_option(CLI::App& command) {
   command
@@ -164,23 +223,23 @@ void add_threads_option(CLI::App& command) {
       ->check(integer_between(1, 1024));
 }
 
-std::string figure_format(const std::string& figure) {
-  const std::string extension = std::filesystem::path(figure).extension().string();
-  if (extension == ".pdf" || extension == ".png" || extension == ".svg") return extension.substr(1);
-  throw data::FieldError("--figure", fmt::format("'{}'", data::printable(figure)),
-                         "a file whose name ends in .pdf, .png or .svg");
-}
-
-void open_figure(std::optional<OutputFile>& file, const std::string& figure) {
-  if (figure.empty()) return;
-  (void)figure_format(figure);
-  (void)report::templates_directory();  // throws now rather than after the work
-  file.emplace(figure);
-}
-
 void add_figure_option(CLI::App& command, std::string& figure, const std::string& what) {
   command.add_option("--figure", figure, what + ", a .png, .pdf or .svg file (needs gnuplot)")
       ->check(file_name());
+  const auto is_size = [](const std::string& text) {
+    return size_in(text)
+               ? ""
+               : fmt::format("is {}, but must be WIDTHxHEIGHT, each 4 to 100 cm", data::printable(text));
+  };
+  for (CLI::Option* option :
+       {command
+            .add_option_function<std::string>(
+                "--size", [](const std::string&) {}, "Of the figure, cm")
+            ->type_name("WIDTHxHEIGHT")
+            ->check(CLI::Validator(is_size, "")),
+        command.add_option_function<std::string>(
+            "--title", [](const std::string&) {}, "Of the figure (else the name of the case)")})
+    option->needs("--figure");
 }
 
 }  // namespace stickslip::cli

@@ -16,6 +16,7 @@
 
 #include "answer.hpp"
 #include "output_file.hpp"
+#include "render/drawing.hpp"
 #include "render/interruption.hpp"
 #include "render/progress.hpp"
 
@@ -37,7 +38,8 @@ class Outputs {
 
   /// Opens the files that have a name, before the work whose results they are to hold. From here on Ctrl-C and SIGTERM end the
   /// program in good order. Throws data::InputError if two options name the same file, if --json and a file both want standard
-  /// output, or if --figure has a name that no figure can have; OutputError if a file cannot be written.
+  /// output, or if --figure has a name that no figure can have; OutputError if a file cannot be written; report::ToolMissing without
+  /// the gnuplot that --figure needs.
   void open(const std::vector<Named>& files);
 
   /// One sentence in place of the one that says how far the work is and what is written; it is made when a signal comes.
@@ -55,8 +57,8 @@ class Outputs {
   /// Writes the whole file of an option and puts it in place; without the option `text` is not called.
   void write(std::string_view option, const std::function<std::string()>& text);
 
-  /// The same for --figure; `drawing` is given the format, "pdf", "png" or "svg".
-  void draw(const std::function<std::string(const std::string&)>& drawing);
+  /// The same for --figure; `drawing` is given what --figure, --size and --title ask for, and else that title.
+  void draw(const std::string& title, const std::function<std::string(const report::Look&)>& drawing);
 
   /// No signal ends the program while the result lives. After open().
   [[nodiscard]] std::unique_lock<std::mutex> hold() { return interruption_->hold(); }
@@ -79,10 +81,12 @@ class Outputs {
   };
 
   [[nodiscard]] Open* find(std::string_view option);
+  [[nodiscard]] bool takes_standard_output() const;
   [[nodiscard]] std::string last_words();
 
   std::string command_;
   bool is_json_{}, is_quiet_{};
+  report::Look look_;
   std::list<Open> files_;
   std::optional<report::Progress> progress_;
   std::function<std::string()> sentence_;
@@ -117,28 +121,23 @@ void add(CLI::App& app, const Command<Options>& command) {
   });
 }
 
+/// Adds a warning, if there is one.
+void add_warning(Answer& answer, const std::optional<std::string>& warning);
+
+/// "stickslip 1.0.0 (commit ...)", and the words that it was called with.
+[[nodiscard]] std::string program();
+[[nodiscard]] std::string command_line();
+
 /// --json, for an answer with members for it.
-constexpr const char* json_help = "Print one JSON object, numbers with all digits";
 void add_json_option(CLI::App& command);
 
 /// --quiet, before or after the subcommand: no progress on standard error.
 void add_quiet_option(CLI::App& app);
-[[nodiscard]] bool is_quiet() noexcept;
-
-/// Standard error, unless --quiet.
-[[nodiscard]] report::Progress::Surroundings progress_surroundings();
 
 /// --threads N, which sets studies::thread_count().
 void add_threads_option(CLI::App& command);
 
-/// The option --figure.
+/// The option --figure, and --size and --title.
 void add_figure_option(CLI::App& command, std::string& figure, const std::string& what = "Figure to draw");
-
-/// "pdf", "png" or "svg", by the name of the file. Throws data::InputError for another one.
-[[nodiscard]] std::string figure_format(const std::string& figure);
-
-/// open_if_named() for a figure. Throws data::InputError if the name has no format or the scripts of the figures
-/// are missing.
-void open_figure(std::optional<OutputFile>& file, const std::string& figure);
 
 }  // namespace stickslip::cli

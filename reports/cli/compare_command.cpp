@@ -161,7 +161,8 @@ Answer compared(const CompareOptions& options, Outputs& outputs) {
   outputs.write("--json", [&] {
     return (is_one ? json_of(*all.front().comparison, options.file) : json_of(all)).dump(2) + "\n";
   });
-  outputs.draw([&](const std::string& format) { return report::draw(*all.front().comparison, format); });
+  outputs.draw(options.name,
+               [&](const report::Look& look) { return report::draw(*all.front().comparison, look); });
   Answer answer;
   answer.status = statuses.at(worst);
   return answer;

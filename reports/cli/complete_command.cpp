@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -99,24 +98,38 @@ std::vector<Candidate> candidates_for(const CLI::App& program, const std::vector
   return candidates;
 }
 
-void run(const CLI::App& program, const std::vector<std::string>& pieces) {
+struct CompleteOptions {
+  const CLI::App* program{};
+  std::vector<std::string> words;
+};
+
+Answer completions(const CompleteOptions& options, Outputs&) {
+  const auto& pieces = options.words;
   const auto words = words_of(pieces);
+  Answer answer;
   // Of --method=fe, which is one word elsewhere, all is replaced.
   const std::string& last = pieces.back();
   const std::size_t kept = last.starts_with("--") ? last.find('=') + 1 : 0;  // npos + 1 is 0
-  for (const auto& [text, description] : candidates_for(program, words))
-    if (text.starts_with(words.back())) fmt::print("{}{}\t{}\n", last.substr(0, kept), text, description);
+  for (const auto& [text, description] : candidates_for(*options.program, words))
+    if (text.starts_with(words.back()))
+      answer.add_line(fmt::format("{}{}\t{}", last.substr(0, kept), text, description));
+  return answer;
+}
+
+void add_options(CLI::App& command, CompleteOptions& options) {
+  command.group("");
+  options.program = command.get_parent();
+  command.add_option("WORDS", options.words)->required();
 }
 
 }  // namespace
 
 void add_complete_command(CLI::App& app) {
-  auto* command =
-      app.add_subcommand("complete", "What may stand for the last of the words of a command line");
-  command->group("");
-  auto words = std::make_shared<std::vector<std::string>>();
-  command->add_option("WORDS", *words)->required();
-  command->callback([&app, words] { run(app, *words); });
+  add<CompleteOptions>(app, {.name = "complete",
+                             .help = "What may stand for the last of the words of a command line",
+                             .examples = {},
+                             .add_options = add_options,
+                             .run = completions});
 }
 
 }  // namespace stickslip::cli

@@ -98,7 +98,7 @@ Answer answer_of(const data::Case& problem, const studies::CriterionAnswer& foun
   return answer;
 }
 
-std::string drawing(const data::Case& problem, const std::string& format) {
+std::string drawing(const data::Case& problem, const report::Look& look) {
   const auto curve = studies::critical_amplitude_curve(problem);
   report::CsvTable table("Critical amplitude of the case " + problem.name,
                          {{"frequency", "Hz"}, {"critical_amplitude", "m"}});
@@ -107,7 +107,7 @@ std::string drawing(const data::Case& problem, const std::string& format) {
   for (const double hz : curve.natural_hz) marks.add_numbers({hz});
   const auto values = report::values_table({{"excitation_frequency", problem.excitation.frequency_hz(), "Hz"},
                                             {"excitation_amplitude", problem.excitation.amplitude(), "m"}});
-  return report::drawing_of("criterion", format,
+  return report::drawing_of("criterion", look,
                             {{"criterion.csv", table.text()},
                              {"criterion-natural.csv", marks.text()},
                              {"criterion-values.csv", values.text()}});
@@ -122,7 +122,7 @@ Answer criterion(const CriterionOptions& options, Outputs& outputs) {
   Answer answer = answer_of(problem, studies::criterion_answer(problem));
   answer.warnings = warnings_of(problem, studies::Inquiry::criterion);
   require_finite(answer.json);
-  outputs.draw([&](const std::string& format) { return drawing(problem, format); });
+  outputs.draw(problem.name, [&](const report::Look& look) { return drawing(problem, look); });
   return answer;
 }
 

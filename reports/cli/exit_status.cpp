@@ -32,7 +32,8 @@ const CLI::App& reached(const CLI::App& app) {
 
 std::vector<std::string> subcommands_of(const CLI::App& app) {
   std::vector<std::string> names;
-  for (const CLI::App* subcommand : app.get_subcommands([](const CLI::App*) { return true; }))
+  for (const CLI::App* subcommand :
+       app.get_subcommands([](const CLI::App* sub) { return !sub->get_group().empty(); }))
     names.push_back(subcommand->get_name());
   return names;
 }

@@ -5,16 +5,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "command.hpp"
 #include "render/drawing.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "studies/common/problem_parameter.hpp"
+#include "studies/history/history_rows.hpp"
 #include "studies/history/spectrum.hpp"
 
 namespace stickslip::cli {
 
 namespace {
+
+constexpr const char* column_names =
+    "time_s,base_displacement_m,tip_displacement_m,midspan_displacement_m,sliding_velocity_m_per_s,"
+    "friction_force_N,state\n";
 
 std::string csv_line(const studies::HistoryRow& row) {
   std::string line = data::shortest_text(row.time);
@@ -27,65 +32,126 @@ std::string csv_line(const studies::HistoryRow& row) {
   return fmt::format("{},{}\n", line, data::to_string(row.state));
 }
 
-}  // namespace
-
-HistoryOutput::HistoryOutput(const data::Case& problem, const HistoryFiles& files)
-    : problem_(problem), files_(files), output_(files.output) {
-  open_if_named(spectrum_, files.spectrum);
-  open_if_named(events_, files.events);
-  open_figure(figure_, files.figure);
+double end_of(const data::Case& problem, const HistoryOptions& options) {
+  const double duration = problem.numerics.duration(), to = options.to.value_or(duration);
+  if (to > options.from && to <= duration) return to;
+  throw data::FieldError(options.to ? "--to" : "--from", options.to ? to : options.from,
+                         options.to
+                             ? fmt::format("above --from, {} s, and at most the duration, {} s",
+                                           data::shortest_text(options.from), data::shortest_text(duration))
+                             : fmt::format("below the duration, {} s", data::shortest_text(duration)));
 }
 
-void HistoryOutput::add(const studies::HistoryRow& row) {
-  std::string text = csv_line(row);
-  if (rows_ == 0)  // not before, so that an error in the problem writes nothing
-    text =
-        "time_s,base_displacement_m,tip_displacement_m,midspan_displacement_m,sliding_velocity_m_per_s,"
-        "friction_force_N,state\n" +
-        text;
-  output_.write(text);
-  if (figure_) drawn_ += text;
-  if (spectrum_) {
+long row_step_of(const data::Case& problem, const HistoryOptions& options, double span) {
+  if (options.every) return *options.every;
+  if (!options.rate) return studies::usual_row_step(problem, span);
+  if (!(*options.rate > 0.0)) throw data::FieldError("--rate", *options.rate, "above 0 (1/s)");
+  const double steps = (1.0 + 1e-9) / (*options.rate * problem.numerics.time_step());
+  return std::max(1L, static_cast<long>(std::min(steps, 1e9)));
+}
+
+}  // namespace
+
+HistoryDrawing::HistoryDrawing(double from, double to, double rows)
+    : from_(from), width_(rows > 2.0 * columns ? (to - from) / columns : 0.0), text_(column_names) {}
+
+void HistoryDrawing::add(const studies::HistoryRow& row) {
+  const double column = width_ > 0.0 ? std::floor((row.time - from_) / width_) : row.time;
+  if (column != column_) {
+    end_column();
+    column_ = column;
+    smallest_ = largest_ = row;
+    return;
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double value = row.*values[i];
+    if (value < smallest_.*values[i]) falls_[i] = true;
+    if (value > largest_.*values[i]) falls_[i] = false;
+    smallest_.*values[i] = std::min(smallest_.*values[i], value);
+    largest_.*values[i] = std::max(largest_.*values[i], value);
+  }
+  largest_.time = row.time;
+  if (row.state == data::ContactState::slip) smallest_.state = row.state;
+}
+
+void HistoryDrawing::end_column() {
+  if (!column_) return;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (falls_[i]) std::swap(smallest_.*values[i], largest_.*values[i]);
+  falls_ = {};
+  largest_.state = smallest_.state;
+  text_ += csv_line(smallest_);
+  if (largest_.time > smallest_.time) text_ += csv_line(largest_);
+  column_.reset();
+}
+
+std::string HistoryDrawing::text() {
+  end_column();
+  return text_;
+}
+
+HistoryOutput::HistoryOutput(const data::Case& problem, const HistoryOptions& options, Outputs& outputs)
+    : problem_(problem),
+      outputs_(outputs),
+      from_(options.from),
+      to_(end_of(problem, options)),
+      row_step_(row_step_of(problem, options, to_ - from_)) {
+  if (!options.spectrum.empty()) spectrum_rows_ = studies::spectrum_rows(problem, row_step_);
+  outputs.open({{"--output", options.output},
+                {"--events", options.events},
+                {"--spectrum", options.spectrum},
+                {"--figure", options.figure}});
+  progress_ = &outputs.progress();
+  if (!options.figure.empty())
+    drawing_.emplace(from_, to_,
+                     (to_ - from_) / (static_cast<double>(row_step_) * problem.numerics.time_step()));
+}
+
+void HistoryOutput::add(const studies::HistoryRow& row, long step) {
+  constexpr long between_looks = 1000;  // at the clock
+  time_ = row.time;
+  largest_force_ = std::max(largest_force_, std::abs(row.friction_force));
+  largest_deflection_ = std::max(largest_deflection_, std::abs(row.tip_displacement - row.base_displacement));
+  const long taken = taken_++;
+  const bool is_row = taken % (row_step_ / step) == 0;
+  if (is_row || taken % between_looks == 0) (*progress_)(row.time / problem_.numerics.duration());
+  if (!is_row) return;
+  if (spectrum_rows_ > 0) {
     tip_displacements_.push_back(row.tip_displacement);
     friction_forces_.push_back(row.friction_force);
   }
-  time_ = row.time;
-  ++rows_;
-  largest_force_ = std::max(largest_force_, std::abs(row.friction_force));
+  const double rounding = 1e-9 * problem_.numerics.time_step();
+  if (row.time < from_ - rounding || row.time > to_ + rounding) return;
+  // The header not before, so that an error in the problem writes nothing.
+  outputs_.file("--output").write((rows_++ == 0 ? column_names : "") + csv_line(row));
+  if (drawing_) drawing_->add(row);
 }
 
 void HistoryOutput::finish(const studies::History& history) {
-  output_.commit();
-  if (events_) {
-    events_->write("time_s,change,tip_displacement_m\n");
+  outputs_.commit("--output");
+  outputs_.write("--events", [&] {
+    std::string text = "time_s,change,tip_displacement_m\n";
     for (const data::ContactEvent& event : history.events)
-      events_->write(fmt::format("{},{},{}\n", data::shortest_text(event.time), data::to_string(event.change),
-                                 data::shortest_text(event.position)));
-    events_->commit();
-  }
-  if (spectrum_) write_spectrum();
-  if (!figure_) return;
-  const report::CsvTable values = report::values_table({{"limit", studies::friction_limit(problem_), "N"}});
-  figure_->write(report::drawing_of("history", figure_format(files_.figure),
-                                    {{"history.csv", drawn_}, {"history-values.csv", values.text()}}));
-  figure_->commit();
+      text += fmt::format("{},{},{}\n", data::shortest_text(event.time), data::to_string(event.change),
+                          data::shortest_text(event.position));
+    return text;
+  });
+  outputs_.write("--spectrum", [&] { return spectrum_text(); });
+  outputs_.draw(problem_.name, [&](const report::Look& look) {
+    const auto values = report::values_table({{"limit", studies::friction_limit(problem_), "N"}});
+    return report::drawing_of("history", look,
+                              {{"history.csv", drawing_->text()}, {"history-values.csv", values.text()}});
+  });
 }
 
-void HistoryOutput::write_spectrum() {
-  const double row_step = static_cast<double>(files_.every) * problem_.numerics.time_step();
-  const auto rows = studies::spectrum_rows(problem_, files_.every);
-  spectrum_->write("frequency_Hz,tip_displacement_m,friction_force_N\n");
-  for (const auto& line : studies::spectrum_of(tip_displacements_, friction_forces_, rows, row_step))
-    spectrum_->write(fmt::format("{},{},{}\n", data::shortest_text(line.frequency_hz),
-                                 data::shortest_text(line.tip_displacement),
-                                 data::shortest_text(line.friction_force)));
-  spectrum_->commit();
-}
-
-void HistoryOutput::discard() const noexcept {
-  output_.discard();
-  for (const auto* file : {&events_, &figure_, &spectrum_})
-    if (*file) (*file)->discard();
+std::string HistoryOutput::spectrum_text() const {
+  std::string text = "frequency_Hz,tip_displacement_m,friction_force_N\n";
+  for (const auto& line :
+       studies::spectrum_of(tip_displacements_, friction_forces_, spectrum_rows_,
+                            static_cast<double>(row_step_) * problem_.numerics.time_step()))
+    text += fmt::format("{},{},{}\n", data::shortest_text(line.frequency_hz),
+                        data::shortest_text(line.tip_displacement), data::shortest_text(line.friction_force));
+  return text;
 }
 
 }  // namespace stickslip::cli

@@ -1,55 +1,89 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <atomic>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "output_file.hpp"
+#include "command.hpp"
 #include "studies/history/history.hpp"
 
 namespace stickslip::cli {
 
-/// The files of a history; an empty name is no file.
-struct HistoryFiles {
-  std::string output = "-";
-  std::string events;
-  std::string spectrum;
-  std::string figure;
-  long every = 1;  ///< rows are so many time steps apart
+/// Which rows of a history are written, and to which files; an empty name is no file.
+struct HistoryOptions {
+  std::optional<long> every;   ///< time steps from row to row, else by `rate`
+  std::optional<double> rate;  ///< rows in a second at least, else by studies::usual_row_step()
+  double from{};               ///< s
+  std::optional<double> to;    ///< s, else the end
+  std::string output = "-", events, spectrum, figure;
+};
+
+/// A drawing of a history in bounded memory: all rows or, of more than two for each of the columns of a figure, the
+/// smallest and the largest values in each column, in the order in which they come.
+class HistoryDrawing {
+ public:
+  /// Of about so many rows, `from` to `to` (s).
+  HistoryDrawing(double from, double to, double rows);
+
+  void add(const studies::HistoryRow& row);
+
+  /// As CSV with the columns of the file.
+  [[nodiscard]] std::string text();
+
+ private:
+  static constexpr double columns = 1000.0;
+  static constexpr std::array values{
+      &studies::HistoryRow::base_displacement, &studies::HistoryRow::tip_displacement,
+      &studies::HistoryRow::midspan_displacement, &studies::HistoryRow::sliding_velocity,
+      &studies::HistoryRow::friction_force};
+
+  void end_column();
+
+  double from_, width_;  // s, of a column; 0: a column for each row
+  std::optional<double> column_;
+  studies::HistoryRow smallest_, largest_;   // largest_ has the time of the last row
+  std::array<bool, values.size()> falls_{};  // whether the smallest value comes after the largest one
+  std::string text_;
 };
 
 /// Writes a history, its rows as they come.
 class HistoryOutput {
  public:
-  /// Opens the files. Throws as OutputFile and open_figure().
-  HistoryOutput(const data::Case& problem, const HistoryFiles& files);
+  /// Opens the files. Throws data::InputError for rows that a history cannot have, and as Outputs::open().
+  HistoryOutput(const data::Case& problem, const HistoryOptions& options, Outputs& outputs);
 
-  /// Throws data::InputError if the row is not finite.
-  void add(const studies::HistoryRow& row);
+  /// Takes what comes each `step` time steps, the row step or a divisor of it. Throws data::InputError if a row that is written is
+  /// not finite.
+  void add(const studies::HistoryRow& row, long step);
 
   /// Writes the changes of contact, spectra and figure, and puts all files in place.
   void finish(const studies::History& history);
 
-  void discard() const noexcept;
-
   [[nodiscard]] double time() const { return time_; }  ///< of the last row, s; any thread may ask
+  [[nodiscard]] long row_step() const { return row_step_; }
   [[nodiscard]] long rows() const { return rows_; }
-  [[nodiscard]] double largest_force() const { return largest_force_; }  ///< max |f| over the rows, N
+  [[nodiscard]] double largest_force() const { return largest_force_; }            ///< max |f|, N
+  [[nodiscard]] double largest_deflection() const { return largest_deflection_; }  ///< max |y(L) - h|, m
 
  private:
-  void write_spectrum();
+  [[nodiscard]] std::string spectrum_text() const;
 
   const data::Case& problem_;
-  const HistoryFiles& files_;
-  OutputFile output_;
-  std::optional<OutputFile> events_, spectrum_, figure_;
+  Outputs& outputs_;
+  report::Progress* progress_{};
+  double from_, to_;
+  long row_step_;
+  std::optional<HistoryDrawing> drawing_;
+  std::size_t spectrum_rows_{};  // the last ones
+  std::vector<double> tip_displacements_, friction_forces_;
+
   std::atomic<double> time_{};
-  long rows_{};
-  double largest_force_{};
-  std::string drawn_;                                        // the rows, for the figure
-  std::vector<double> tip_displacements_, friction_forces_;  // of the rows, for the spectra
+  long taken_{}, rows_{};
+  double largest_force_{}, largest_deflection_{};
 };
 
 }  // namespace stickslip::cli

@@ -2,12 +2,8 @@
 #include "map_part.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <limits>
 #include <map>
 #include <optional>
@@ -20,22 +16,12 @@
 #include "render/criterion_map.hpp"
 #include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/input_text.hpp"
-#include "stickslip/version.hpp"
 
 namespace stickslip::cli {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr std::size_t most_parts = 1'000'000;
-constexpr std::size_t largest_file = 500'000'000;  // bytes, more than the largest map takes
-
-bool is_part(const MapPart& part) {
-  return 1 <= part.part && part.part <= part.parts && part.parts <= most_parts;
-}
-
-std::string program() { return fmt::format("stickslip {} (commit {})", version, commit); }
 
 // JSON has no infinity, the decay of a jump, and holds null for it.
 std::map<std::string, double> numbers_of(const Json& json) {
@@ -61,6 +47,8 @@ Json to_json(const studies::MapTask& task, const MapPart& part) {
       {"part", part.part}};
 }
 
+}  // namespace
+
 studies::MapTask task_of(const Json& json) {
   const auto quantities = json.at("quantities").get<std::string>();
   return {.problem = data::case_with(json.at("case"), numbers_of(json.at("numbers"))),
@@ -75,14 +63,12 @@ studies::MapTask task_of(const Json& json) {
           .tolerance = json.at("tolerance")};
 }
 
-// The first two lines of a file.
-std::string header(const studies::MapTask& task, const MapPart& part) {
+std::string part_header(const studies::MapTask& task, const MapPart& part) {
   std::string text = fmt::format("# {}\nevaluation,lower,upper,state", to_json(task, part).dump());
   for (const auto* quantity : task.quantities) text += fmt::format(",{0},{0}_change", quantity->name);
   return text + "\n";
 }
 
-// Which map and which part a text says it holds.
 std::optional<Json> description_in(std::string_view text) {
   if (!text.starts_with("# ")) return std::nullopt;
   Json json = Json::parse(text.substr(2, text.find('\n') - 2), nullptr, false);
@@ -90,7 +76,6 @@ std::optional<Json> description_in(std::string_view text) {
   return json;
 }
 
-// Which entry of two descriptions differs, whichever part they are of.
 std::optional<std::string> difference(Json found, Json wanted) {
   for (Json* description : {&found, &wanted}) description->erase("part");
   const Json changes = Json::diff(found, wanted);
@@ -102,16 +87,19 @@ std::optional<std::string> difference(Json found, Json wanted) {
   return fmt::format("its {} is {}, but must be {}", entry.back(), text(found), text(wanted));
 }
 
-std::string row(std::size_t number, const studies::MapEvaluation& evaluation, std::size_t quantities) {
+std::string part_row(const studies::MapTask& task, std::size_t number,
+                     const studies::MapEvaluation& evaluation) {
   std::string text = evaluation.unit_force
                          ? fmt::format("{},{},{},", number, data::shortest_text(evaluation.unit_force->lower),
                                        data::shortest_text(evaluation.unit_force->upper))
                          : fmt::format("{},,,{}", number, report::to_string(evaluation.state));
   for (const auto& [value, change] : evaluation.response)
     text += fmt::format(",{},{}", data::shortest_text(value), data::shortest_text(change));
-  if (evaluation.response.empty()) text.append(2 * quantities, ',');
+  if (evaluation.response.empty()) text.append(2 * task.quantities.size(), ',');
   return text + "\n";
 }
+
+namespace {
 
 std::optional<studies::MapEvaluation> evaluation_in(std::span<const std::string_view> cells) {
   const auto number = [&](std::size_t column) { return parse<double>(cells[column]); };
@@ -131,15 +119,12 @@ std::optional<studies::MapEvaluation> evaluation_in(std::span<const std::string_
   return evaluation;
 }
 
-struct Rows {
-  std::size_t count{}, end{};  // the end is a position in the text
-};
+}  // namespace
 
-// Takes the rows behind the header, up to the first that is torn, unreadable, double or of another part.
-Rows read_rows(std::string_view text, const studies::MapTask& task, const MapPart& part,
-               studies::MapEvaluations& evaluations) {
+PartRows read_rows(std::string_view text, const studies::MapTask& task, const MapPart& part,
+                   studies::MapEvaluations& evaluations) {
   const auto numbers = part.numbers(evaluations.size());
-  Rows rows{.count = 0, .end = header(task, part).size()};
+  PartRows rows{.count = 0, .end = part_header(task, part).size()};
   for (auto end = text.find('\n', rows.end); end != std::string_view::npos; end = text.find('\n', rows.end)) {
     const auto cells = split(text.substr(rows.end, end - rows.end), ',');
     if (cells.size() != 4 + 2 * task.quantities.size()) break;
@@ -153,55 +138,6 @@ Rows read_rows(std::string_view text, const studies::MapTask& task, const MapPar
   }
   return rows;
 }
-
-[[noreturn]] void fail_to_merge(const std::string& file, const std::string& why) {
-  throw data::InputError(fmt::format("--merge: {} {}", file, why));
-}
-
-struct PartFile {
-  std::string name, text;
-  Json description;
-  MapPart part;
-  studies::MapTask task;
-};
-
-std::string text_in(const std::string& file) {
-  try {
-    return data::read_bounded(file, largest_file);
-  } catch (const data::InputError& error) {
-    throw data::InputError(std::string("--merge: ") + error.what());
-  }
-}
-
-PartFile opened(const std::string& file) try {
-  std::string text = text_in(file);
-  const auto description = description_in(text);
-  if (!description) fail_to_merge(file, "is no shard of a map");
-  if (const auto by = description->value("program", "another program"); by != program())
-    fail_to_merge(file, fmt::format("was made by {}, but must be by {}", by, program()));
-  const MapPart part{.part = description->at("part"), .parts = description->at("parts")};
-  if (!is_part(part))
-    fail_to_merge(file, fmt::format("is shard {} of {}, but must be one of 1 to {}", part.part, part.parts,
-                                    part.parts));
-  return {file, std::move(text), *description, part, task_of(*description)};
-} catch (const Json::exception&) {
-  fail_to_merge(file, "is no shard of a map");
-}
-
-void require_all(const std::vector<std::string>& file_of_part, const std::string& one) {
-  constexpr std::size_t named = 5;
-  std::vector<std::size_t> missing;
-  for (std::size_t part = 1; part <= file_of_part.size(); ++part)
-    if (file_of_part[part - 1].empty()) missing.push_back(part);
-  if (missing.empty()) return;
-  const std::size_t more = missing.size() - std::min(missing.size(), named);
-  throw data::InputError(fmt::format("--merge: shard {}{} of {} {} missing beside {}",
-                                     fmt::join(std::span(missing).first(missing.size() - more), ", "),
-                                     more > 0 ? fmt::format(" and {} more", more) : "", file_of_part.size(),
-                                     missing.size() == 1 ? "is" : "are", one));
-}
-
-}  // namespace
 
 std::vector<const studies::MotionQuantity*> quantities_named(const std::vector<std::string_view>& names) {
   std::vector<const studies::MotionQuantity*> quantities;
@@ -223,7 +159,7 @@ MapPart parse_part(std::string_view text) {
   const auto part = parse<std::size_t>(text.substr(0, slash));
   const auto parts =
       slash == std::string_view::npos ? std::nullopt : parse<std::size_t>(text.substr(slash + 1));
-  if (!part || !parts || !is_part({*part, *parts}))
+  if (!part || !parts || !MapPart{*part, *parts}.exists())
     throw data::FieldError("--shard", fmt::format("'{}'", data::printable(text)),
                            fmt::format("K/M with integers 1 <= K <= M <= {}", most_parts));
   return {*part, *parts};
@@ -231,9 +167,9 @@ MapPart parse_part(std::string_view text) {
 
 std::string part_text(const studies::MapTask& task, const MapPart& part,
                       const studies::MapEvaluations& evaluations) {
-  std::string text = header(task, part);
+  std::string text = part_header(task, part);
   for (const std::size_t number : part.numbers(evaluations.size()))
-    text += row(number, evaluations.at(number).value(), task.quantities.size());
+    text += part_row(task, number, evaluations.at(number).value());
   return text;
 }
 
@@ -242,101 +178,9 @@ bool holds_part(const fs::path& file, const studies::MapTask& task, const MapPar
   if (!fs::is_regular_file(file, error) || fs::file_size(file, error) > largest_file) return false;
   const std::string text = data::read_text(file);
   studies::MapEvaluations evaluations(studies::evaluation_count(task));
-  if (!text.starts_with(header(task, part))) return false;
-  const Rows rows = read_rows(text, task, part, evaluations);
+  if (!text.starts_with(part_header(task, part))) return false;
+  const PartRows rows = read_rows(text, task, part, evaluations);
   return rows.end == text.size() && rows.count == part.numbers(evaluations.size()).size();
-}
-
-MergedMap merged(const std::vector<std::string>& files) {
-  const PartFile first = opened(files.front());
-  MergedMap map{first.task, studies::MapEvaluations(studies::evaluation_count(first.task))};
-  std::vector<std::string> file_of_part(first.part.parts);
-  for (const std::string& name : files) {
-    const PartFile file = opened(name);
-    if (const auto why = difference(file.description, first.description))
-      fail_to_merge(name, "is a shard of another map: " + *why);
-    std::string& same_part = file_of_part[file.part.part - 1];
-    if (!same_part.empty())
-      fail_to_merge(
-          name, fmt::format("is shard {} of {}, but so is {}", file.part.part, file.part.parts, same_part));
-    same_part = name;
-    const Rows rows = read_rows(file.text, map.task, file.part, map.evaluations);
-    if (rows.end != file.text.size())
-      fail_to_merge(name, fmt::format("is damaged in line {}", rows.count + 3));
-    if (const auto count = file.part.numbers(map.evaluations.size()).size(); rows.count != count)
-      fail_to_merge(name, fmt::format("is not finished: it holds {} of {} evaluations", rows.count, count));
-  }
-  require_all(file_of_part, files.front());
-  return map;
-}
-
-UnfinishedMap::UnfinishedMap(fs::path file, const studies::MapTask& task, const MapPart& part,
-                             studies::MapEvaluations& evaluations)
-    : file_(std::move(file)), quantities_(task.quantities.size()), evaluations_(evaluations) {
-  if (file_.empty()) return;
-  open();
-  const std::string text = data::read_text(file_), wanted = header(task, part);
-  Rows rows;
-  if (text.starts_with(wanted)) {
-    rows = read_rows(text, task, part, evaluations);
-  } else if (!wanted.starts_with(text)) {
-    std::fclose(stream_);
-    const auto found = description_in(text);
-    const std::string why =
-        !found ? "it is no beginning of a map"
-               : difference(*found, description_in(wanted).value())  // as read: infinity is null
-                     .value_or(fmt::format("its part is {}, but must be {}",
-                                           found->value("part", Json()).dump(), part.part));
-    throw data::InputError(
-        fmt::format("{} belongs to other work: {}; remove it or name another --output", file_.string(), why));
-  }
-  if (::ftruncate(::fileno(stream_), static_cast<off_t>(rows.end)) != 0) fail();
-  if (rows.end == 0) append(wanted);
-  found_ = kept_ = rows.count;
-}
-
-UnfinishedMap::~UnfinishedMap() {
-  if (stream_ != nullptr) std::fclose(stream_);
-}
-
-void UnfinishedMap::keep(std::span<const std::size_t> numbers) {
-  if (file_.empty()) return;
-  std::string text;
-  for (const std::size_t number : numbers) text += row(number, *evaluations_[number], quantities_);
-  append(text);
-  kept_ += numbers.size();
-}
-
-void UnfinishedMap::remove_if_impossible(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const data::InputError&) {
-    remove();
-    throw;
-  }
-}
-
-void UnfinishedMap::remove() {
-  std::error_code ignored;  // nothing is left to be done about a file that cannot be removed
-  if (!file_.empty()) fs::remove(file_, ignored);
-}
-
-void UnfinishedMap::open() {
-  stream_ = std::fopen(file_.c_str(), "abe");
-  if (stream_ == nullptr) fail();
-  if (::flock(::fileno(stream_), LOCK_EX | LOCK_NB) == 0) return;
-  std::fclose(stream_);
-  throw data::InputError(fmt::format(
-      "{} is being written by another run; wait for it or name another --output", file_.string()));
-}
-
-void UnfinishedMap::append(std::string_view text) {
-  if (std::fwrite(text.data(), 1, text.size(), stream_) != text.size() || std::fflush(stream_) != 0) fail();
-}
-
-void UnfinishedMap::fail() const {
-  throw data::OutputError(
-      fmt::format("{} cannot be written: {}", file_.string(), std::generic_category().message(errno)));
 }
 
 }  // namespace stickslip::cli

@@ -8,16 +8,14 @@
 /// of amplitude or the state of its cell, and the value and change of each quantity.
 
 #include <array>
-#include <atomic>
 #include <cstddef>
-#include <cstdio>
 #include <filesystem>
-#include <functional>
-#include <span>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "answer.hpp"
 #include "studies/criterion/criterion_map.hpp"
 
 namespace stickslip::cli {
@@ -25,12 +23,17 @@ namespace stickslip::cli {
 /// How the methods of a map are called on the command line and in files.
 inline constexpr std::string_view closed_form_method = "closed-form", finite_element_method = "fe";
 
+inline constexpr std::size_t most_parts = 1'000'000;
+inline constexpr std::size_t largest_file = 500'000'000;  ///< bytes, more than the largest map takes
+
 inline constexpr std::array all_states{studies::CellState::stick, studies::CellState::stick_slip,
                                        studies::CellState::no_stick_state};
 
 /// Part 1 ... `parts` of the evaluations of a map (studies::share_of).
 struct MapPart {
   std::size_t part = 1, parts = 1;
+
+  [[nodiscard]] bool exists() const { return 1 <= part && part <= parts && parts <= most_parts; }
 
   /// The numbers of its evaluations, of so many in all.
   [[nodiscard]] std::vector<std::size_t> numbers(std::size_t evaluations) const {
@@ -52,6 +55,25 @@ struct MapPart {
 [[nodiscard]] std::string part_text(const studies::MapTask& task, const MapPart& part,
                                     const studies::MapEvaluations& evaluations);
 
+/// Its first two lines, and one of its rows.
+[[nodiscard]] std::string part_header(const studies::MapTask& task, const MapPart& part);
+[[nodiscard]] std::string part_row(const studies::MapTask& task, std::size_t number,
+                                   const studies::MapEvaluation& evaluation);
+
+/// Which map and which part a text says it holds, if it does, and the map itself.
+[[nodiscard]] std::optional<Json> description_in(std::string_view text);
+[[nodiscard]] studies::MapTask task_of(const Json& description);
+
+/// Which entry of two descriptions differs, whichever part they are of.
+[[nodiscard]] std::optional<std::string> difference(Json found, Json wanted);
+
+/// Takes the rows behind the header, up to the first that is torn, unreadable, double or of another part.
+struct PartRows {
+  std::size_t count{}, end{};  ///< the end is a position in the text
+};
+[[nodiscard]] PartRows read_rows(std::string_view text, const studies::MapTask& task, const MapPart& part,
+                                 studies::MapEvaluations& evaluations);
+
 /// Whether a file holds all evaluations of this part of this map, made by this program.
 [[nodiscard]] bool holds_part(const std::filesystem::path& file, const studies::MapTask& task,
                               const MapPart& part);
@@ -64,44 +86,5 @@ struct MergedMap {
 /// The map that the files of all its parts make. Throws data::InputError, naming the file and what is wrong
 /// with it, unless they belong to one map made by this program and no evaluation is missing, double or unreadable.
 [[nodiscard]] MergedMap merged(const std::vector<std::string>& files);
-
-/// What is finished of a part, beside its output: added to as the work goes on, whatever ends it, and read
-/// by the next run of the same work.
-class UnfinishedMap {
- public:
-  /// An empty path keeps nothing. Throws data::InputError, naming the file, if it belongs to other work or
-  /// to a run that goes on; data::OutputError if it cannot be written.
-  UnfinishedMap(std::filesystem::path file, const studies::MapTask& task, const MapPart& part,
-                studies::MapEvaluations& evaluations);
-  ~UnfinishedMap();
-  UnfinishedMap(const UnfinishedMap&) = delete;
-  UnfinishedMap& operator=(const UnfinishedMap&) = delete;
-
-  [[nodiscard]] const std::filesystem::path& file() const noexcept { return file_; }
-  [[nodiscard]] std::size_t found() const noexcept { return found_; }  ///< evaluations of earlier runs
-  [[nodiscard]] std::size_t kept() const noexcept { return kept_; }    ///< and of this one; 0 without a file
-
-  /// Throws data::OutputError.
-  void keep(std::span<const std::size_t> numbers);
-
-  /// Does the work that keeps evaluations here. Removes the file if that throws data::InputError, since this
-  /// map cannot be finished then; any other exception leaves it for the next run.
-  void remove_if_impossible(const std::function<void()>& work);
-
-  /// Removes the file.
-  void remove();
-
- private:
-  void open();
-  void append(std::string_view text);
-  [[noreturn]] void fail() const;
-
-  std::filesystem::path file_;
-  std::size_t quantities_{};
-  const studies::MapEvaluations& evaluations_;
-  std::size_t found_{};
-  std::atomic<std::size_t> kept_{};  // read by the thread that an interruption wakes
-  std::FILE* stream_{};
-};
 
 }  // namespace stickslip::cli

@@ -8,13 +8,13 @@
 #include <filesystem>
 #include <memory>
 #include <span>
-#include <stdexcept>
 #include <system_error>
 
 #include "case_options.hpp"
 #include "range_text.hpp"
 #include "render/criterion_map.hpp"
 #include "studies/criterion/map_estimate.hpp"
+#include "unfinished_map.hpp"
 
 namespace stickslip::cli {
 
@@ -22,17 +22,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-auto cells_in(const studies::CriterionMap& map, studies::CellState state) {
-  return std::ranges::count(map.cells, state, &studies::CriterionMap::Cell::state);
-}
-
 // Cells with a value of each quantity.
 std::ptrdiff_t converged_cells(const studies::CriterionMap& map) {
-  return std::ranges::count_if(map.cells, [&](const studies::CriterionMap::Cell& cell) {
-    return !cell.response.empty() &&
-           std::ranges::all_of(cell.response, [&](const studies::ResponseValue& value) {
-             return value.change <= map.tolerance;
-           });
+  const auto is_converged = [&](const auto& value) { return value.change <= map.tolerance; };
+  return std::ranges::count_if(map.cells, [&](const auto& cell) {
+    return !cell.response.empty() && std::ranges::all_of(cell.response, is_converged);
   });
 }
 
@@ -46,29 +40,31 @@ Json to_json(const studies::MapTask& task, const MapFiles& files) {
     object["transient_s"] = task.transient;
     object["tolerance"] = task.tolerance;
   }
-  object["x"] = axis_text(task.x);
-  object["y"] = axis_text(task.y);
-  object["output"] = files.output;
+  object.update({{"x", axis_text(task.x)}, {"y", axis_text(task.y)}, {"output", files.output}});
   return object;
 }
 
 Answer answer_of(const studies::MapTask& task, const studies::CriterionMap& map, const MapFiles& files) {
   Answer answer;
   Json object = to_json(task, files);
-  object["figure"] = files.figure.empty() ? Json() : Json(files.figure);
-  object["cells"] = map.cells.size();
+  object.update(
+      {{"figure", files.figure.empty() ? Json() : Json(files.figure)}, {"cells", map.cells.size()}});
   std::string counts;
   for (const auto state : all_states) {
-    object["states"][report::to_string(state)] = cells_in(map, state);
-    counts +=
-        fmt::format("{}{} {}", counts.empty() ? "" : ", ", cells_in(map, state), report::to_string(state));
+    const auto count = std::ranges::count(map.cells, state, &studies::CriterionMap::Cell::state);
+    object["states"][report::to_string(state)] = count;
+    counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", count, report::to_string(state));
   }
   if (!map.quantities.empty()) {
     object["converged"] = converged_cells(map);
     counts += fmt::format("; {} converged", converged_cells(map));
   }
   answer.add_line(fmt::format("{} cells written to {}: {}", map.cells.size(), files.output, counts));
-  if (!files.figure.empty()) answer.add_line("Drawn in " + files.figure);
+  if (!files.figure.empty())
+    answer.add_line(fmt::format("Drawn in {}{}", files.figure,
+                                map.quantities.size() > 1
+                                    ? fmt::format(": {}, the first quantity", map.quantities.front()->name)
+                                    : ""));
   answer.add_members(object);
   answer.warnings =
       sentences_of(studies::warnings_common_to(task.problem, {task.x.parameter, task.y.parameter}));
@@ -86,26 +82,13 @@ Answer answer_of(const studies::MapTask& task, const MapPart& part, bool found, 
   return answer;
 }
 
-void open(Outputs& outputs, const MapFiles& files) {
-  outputs.open({{"--output", files.output}, {"--figure", files.figure}});
-}
-
-std::string is_written(const Outputs& outputs) {
-  return fmt::format("interrupted; {} is written", outputs.written());
-}
-
 Answer finish(const studies::MapTask& task, const studies::MapEvaluations& evaluations, const MapFiles& files,
               Outputs& outputs, UnfinishedMap* unfinished = nullptr) {
   const studies::CriterionMap map = studies::criterion_map(task, evaluations);
   const report::CsvTable table = report::table_of(task.problem, map);
   outputs.write("--output", [&] { return table.text(); });
   if (unfinished != nullptr) unfinished->remove();
-  try {
-    outputs.draw([&](const std::string& format) { return report::draw(table, map, format); });
-  } catch (const std::runtime_error& error) {
-    throw std::runtime_error(fmt::format("{}; the map itself is in {}", error.what(),
-                                         files.output == "-" ? "standard output" : files.output));
-  }
+  outputs.draw(task.problem.name, [&](const report::Look& look) { return report::draw(table, map, look); });
   return answer_of(task, map, files);
 }
 
@@ -125,8 +108,7 @@ std::shared_ptr<UnfinishedMap> evaluate(const studies::MapTask& task, const MapP
   const auto unfinished =
       std::make_shared<UnfinishedMap>(unfinished_file(files.output), task, part, evaluations);
   report::Progress& progress = outputs.progress("", count);
-  outputs.on_interrupt([&outputs, unfinished, count] {
-    if (!outputs.written().empty()) return is_written(outputs);
+  outputs.on_interrupt([unfinished, count] {
     if (unfinished->kept() > 0)
       return fmt::format(
           "interrupted; {} of {} evaluations are kept in {}, from which the same command goes on",
@@ -136,13 +118,11 @@ std::shared_ptr<UnfinishedMap> evaluate(const studies::MapTask& task, const MapP
   });
   std::size_t done = unfinished->found();
   const auto share = [&] { return static_cast<double>(done) / static_cast<double>(count); };
-  if (done > 0) {
-    if (!outputs.is_quiet())
-      fmt::print(stderr, "stickslip map: going on from {}, which holds {} of {} evaluations\n",
-                 unfinished->file().string(), done, count);
-    progress.start_at(share());
-    std::erase_if(numbers, [&](std::size_t number) { return evaluations[number].has_value(); });
-  }
+  if (done > 0 && !outputs.is_quiet())
+    fmt::print(stderr, "stickslip map: going on from {}, which holds {} of {} evaluations\n",
+               unfinished->file().string(), done, count);
+  progress.start_at(done > 0 ? share() : 0.0);  // a part may have no evaluation
+  std::erase_if(numbers, [&](std::size_t number) { return evaluations[number].has_value(); });
   unfinished->remove_if_impossible([&] {
     studies::evaluate(task, numbers, evaluations, [&](std::span<const std::size_t> settled) {
       unfinished->keep(settled);
@@ -150,14 +130,13 @@ std::shared_ptr<UnfinishedMap> evaluate(const studies::MapTask& task, const MapP
       progress(share());
     });
   });
-  progress.finish();
   return unfinished;
 }
 
 }  // namespace
 
 Answer whole_map(const studies::MapTask& task, const MapFiles& files, Outputs& outputs) {
-  open(outputs, files);
+  outputs.open({{"--output", files.output}, {"--figure", files.figure}});
   studies::MapEvaluations evaluations(studies::evaluation_count(task));
   const auto unfinished = evaluate(task, MapPart(), files, evaluations, outputs);
   return finish(task, evaluations, files, outputs, unfinished.get());
@@ -165,7 +144,7 @@ Answer whole_map(const studies::MapTask& task, const MapFiles& files, Outputs& o
 
 Answer part_of_map(const studies::MapTask& task, const MapPart& part, const MapFiles& files,
                    Outputs& outputs) {
-  open(outputs, files);
+  outputs.open({{"--output", files.output}, {"--figure", files.figure}});
   const bool found = holds_part(files.output, task, part);
   studies::MapEvaluations evaluations(studies::evaluation_count(task));
   if (found) {
@@ -181,23 +160,19 @@ Answer part_of_map(const studies::MapTask& task, const MapPart& part, const MapF
 
 Answer merged_map(const std::vector<std::string>& parts, const MapFiles& files, Outputs& outputs) {
   const MergedMap map = merged(parts);
-  open(outputs, files);
-  outputs.on_interrupt([&outputs] {
-    return outputs.written().empty() ? "interrupted; the map is not written" : is_written(outputs);
-  });
+  outputs.open({{"--output", files.output}, {"--figure", files.figure}});
   return finish(map.task, map.evaluations, files, outputs);
 }
 
 Answer cost_of_map(const studies::MapTask& task, const MapPart& part, Outputs& outputs) {
-  const auto numbers = part.numbers(studies::evaluation_count(task));
+  const std::size_t all = studies::evaluation_count(task),
+                    cells = task.x.values.size() * task.y.values.size();
+  const auto numbers = part.numbers(all);
   if (numbers.empty())
-    throw data::FieldError(
-        "--shard", fmt::format("{}/{}", part.part, part.parts),
-        fmt::format("of at most {} parts, the evaluations of this map", studies::evaluation_count(task)));
+    throw data::FieldError("--shard", fmt::format("{}/{}", part.part, part.parts),
+                           fmt::format("of at most {} parts, the evaluations of this map", all));
   outputs.open({});
-  outputs.on_interrupt([] { return std::string("interrupted; nothing is written"); });
   const studies::MapEstimate estimate = studies::map_estimate(task, numbers);
-  const std::size_t cells = task.x.values.size() * task.y.values.size();
   Answer answer;
   answer.add_line(fmt::format("{} cells, {} evaluations, of which {} were timed", cells, estimate.evaluations,
                               estimate.sample));

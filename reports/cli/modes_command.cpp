@@ -31,7 +31,7 @@ struct ModesOptions {
 
 // The shapes, a column each with its frequency as name.
 std::string drawing(const data::Case& problem, const ModesOptions& options,
-                    const std::vector<studies::EstimatedFrequency>& frequencies, const std::string& format) {
+                    const std::vector<studies::EstimatedFrequency>& frequencies, const report::Look& look) {
   constexpr int intervals = 400;
   std::vector<double> points;
   for (int i = 0; i <= intervals; ++i) points.push_back(problem.beam.length() * i / intervals);
@@ -46,7 +46,7 @@ std::string drawing(const data::Case& problem, const ModesOptions& options,
     rows[i].insert(rows[i].begin(), points[i]);
     table.add_numbers(rows[i]);
   }
-  return report::drawing_of("modes", format, {{"modes.csv", table.text()}});
+  return report::drawing_of("modes", look, {{"modes.csv", table.text()}});
 }
 
 Answer answer_of(const data::Case& problem, const ModesOptions& options,
@@ -88,7 +88,8 @@ Answer modes(const ModesOptions& options, Outputs& outputs) {
       options.state == "slip" ? studies::Inquiry::slip_frequencies : studies::Inquiry::stick_frequencies,
       options.count);
   require_finite(answer.json);
-  outputs.draw([&](const std::string& format) { return drawing(problem, options, frequencies, format); });
+  outputs.draw(problem.name,
+               [&](const report::Look& look) { return drawing(problem, options, frequencies, look); });
   return answer;
 }
 

@@ -67,6 +67,7 @@ Answer periodic_motion(const PeriodicOptions& options, Outputs& outputs) {
   const auto inquiry = studies::Inquiry::event_driven_history;
   studies::require_feasible(problem, inquiry);
   outputs.open({});
+  outputs.progress().stage("following the motion until it settles");
   Answer answer(34);
   answer.add_members({{"case", problem.name}});
   answer.text = problem.name + ": ";

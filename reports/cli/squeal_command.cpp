@@ -16,6 +16,7 @@
 #include "range_text.hpp"
 #include "render/csv_table.hpp"
 #include "render/drawing.hpp"
+#include "studies/analyses/large_deflection.hpp"
 
 namespace stickslip::cli {
 
@@ -111,14 +112,16 @@ void require_modes(const data::Case& problem, int modes) {
 }
 
 std::string map_text(const data::Case& problem, const std::vector<double>& speeds,
-                     const std::vector<double>& ratios) {
+                     const std::vector<double>& ratios, report::Progress& progress) {
+  progress.stage("making the map");
   report::CsvTable table("Fastest growth of a disturbance of steady sliding, " + problem.name,
                          {{"speed", "m/s"}, {"damping_ratio", "1"}, {"growth", "1/s"}, {"state", "-"}});
-  std::size_t row = 0;
-  for (const auto& [speed, ratio, growth] : studies::squeal_map(problem, speeds, ratios)) {
-    table.add_row({report::csv_number(speed), report::csv_number(ratio), report::csv_number(growth),
-                   growth > 0.0 ? "unstable" : "stable"});
-    if (++row % speeds.size() == 0) table.end_grid_line();
+  for (std::size_t i = 0; i < ratios.size(); ++i) {
+    for (const auto& [speed, ratio, growth] : studies::squeal_map(problem, speeds, {ratios[i]}))
+      table.add_row({report::csv_number(speed), report::csv_number(ratio), report::csv_number(growth),
+                     growth > 0.0 ? "unstable" : "stable"});
+    table.end_grid_line();
+    progress(static_cast<double>(i + 1) / static_cast<double>(ratios.size()));
   }
   return table.text();
 }
@@ -141,13 +144,16 @@ Answer steady_sliding(const SquealOptions& options, Outputs& outputs) {
     (void)data::Damping({.kelvin_voigt = problem.damping.kelvin_voigt(), .ratio = ratios.back()});
   }
   outputs.open({{"--map", options.map}, {"--figure", options.figure}});
+  report::Progress& progress = outputs.progress();
+  progress.stage("following the motion from rest");
   Answer answer = answer_of(problem, squeal, studies::limit_cycle_of(problem, options.settle));
   answer.warnings = warnings_of(problem, studies::Inquiry::event_driven_history);
+  add_warning(answer, studies::deflection_warning(problem.beam, squeal.tip_displacement));
   require_finite(answer.json);
-  const std::string map = options.map.empty() ? "" : map_text(problem, speeds, ratios);
+  const std::string map = options.map.empty() ? "" : map_text(problem, speeds, ratios, progress);
   outputs.write("--map", [&] { return map; });
-  outputs.draw([&](const std::string& format) {
-    return report::drawing_of("squeal", format, {{"squeal.csv", map}});
+  outputs.draw(problem.name, [&](const report::Look& look) {
+    return report::drawing_of("squeal", look, {{"squeal.csv", map}});
   });
   return answer;
 }

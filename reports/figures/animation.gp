@@ -14,12 +14,13 @@ if (y_end == 0) { y_end = 1 }
 if (f_end == 0) { f_end = 1 }
 unset key
 set format xy '%g'
+unset title
 do for [frame = first_frame:last_frame] {
   row = (frame - first_frame) * points
   tip = row + points - 1
   set output sprintf('frame-%04d.png', frame)
-  set multiplot title sprintf('Base at %g Hz, %g mm', hz, 1e3 * amplitude)
-  set lmargin at screen 0.10
+  set multiplot title sprintf('%s: base at %g Hz, %g mm', heading, hz, 1e3 * amplitude) noenhanced
+  set lmargin at screen 0.115
   set rmargin at screen 0.79
   set bmargin at screen 0.13
   set tmargin at screen 0.90

@@ -12,6 +12,7 @@ panel = count > 1 ? 6.6 : 11.8
 gap = 2.4
 width = left + count * panel + (count - 1) * gap + 0.5
 height = 11
+own_width = width
 load 'style.gp'
 label_file = folder.'comparison-labels.csv'
 array labels[count + 1]
@@ -19,23 +20,25 @@ do for [i = 0:count] {
   stats label_file every ::i::i using (text = strcol(1), 0) name 'row' nooutput
   labels[i + 1] = text
 }
-set multiplot
+set multiplot title heading noenhanced
+unset title
 do for [i = 1:count] {
   file = sprintf('%scomparison-%d.csv', folder, i)
-  set lmargin at screen (left + (i - 1) * (panel + gap)) / width
-  set rmargin at screen (left + (i - 1) * (panel + gap) + panel) / width
+  set lmargin at screen (left + (i - 1) * (panel + gap)) / own_width
+  set rmargin at screen (left + (i - 1) * (panel + gap) + panel) / own_width
   set xrange [*:*] noextend
   stats file using 1 name 'x' nooutput
   spread = x_max > x_min ? x_max - x_min : 1.0
   if (!strstrt(labels[1], ' / ') && spread <= 12) { set xtics 1 }  # they are counted
   set xrange [x_min - 0.03 * spread:x_max + 0.03 * spread]
 
-  set tmargin at screen 0.93
+  set offsets 0, 0, graph 0.05, graph 0.05
+  set tmargin at screen 0.93 - title_share
   set bmargin at screen 0.50
   unset xlabel
   set format x ''
   set ylabel labels[i + 1]
-  set key at screen 0.5, 0.985 center top horizontal maxrows 1
+  set key at screen 0.5, 0.985 - title_share center top horizontal maxrows 1
   if (i > 1) { unset key }
   if (smooth) {
     plot file using 1:($3 - $4):($3 + $4) with filledcurves fillcolor rgb grey fillstyle transparent solid 0.4 noborder \

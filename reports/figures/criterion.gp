@@ -8,7 +8,8 @@ values = folder.'criterion-values.csv'
 load 'values.gp'
 file = folder.'criterion.csv'
 set logscale xy
-set xrange [excitation_frequency / 4.0:excitation_frequency * 4] noextend
+stats file using 1 name 'band' nooutput
+set xrange [band_min:band_max] noextend
 set format x '%g'
 set format y '%g'
 set xtics excitation_frequency / 4.0, 2

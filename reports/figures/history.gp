@@ -7,15 +7,16 @@ load 'style.gp'
 values = folder.'history-values.csv'
 load 'values.gp'
 file = folder.'history.csv'
-set multiplot
+set multiplot title heading noenhanced
+unset title
 set lmargin at screen 0.11
 set rmargin at screen 0.98
 set xrange [*:*] noextend
-set tmargin at screen 0.92
+set tmargin at screen 0.92 - title_share
 set bmargin at screen 0.54
 set format x ''
 set ylabel 'displacement / mm'
-set key at screen 0.5, 0.985 center top horizontal maxrows 1
+set key at screen 0.5, 0.985 - title_share center top horizontal maxrows 1
 plot file using 1:($2 * 1e3) with lines linecolor rgb grey linewidth 1 dashtype 2 title 'base', \
      '' using 1:($4 * 1e3) with lines linecolor rgb blue linewidth 1 title 'midspan', \
      '' using 1:($3 * 1e3) with lines linecolor rgb vermillion linewidth 1.6 title 'tip'

@@ -65,7 +65,7 @@ set ylabel y_label
 set xrange [axis_min_x:axis_max_x]
 set yrange [axis_min_y:axis_max_y]
 if (quantity) {
-  set palette defined (0 '#08306B', 1 '#2171B5', 2 '#7FB8DE', 3 '#EE9A33', 4 '#FDCB75')
+  set palette defined (0 '#440154', 1 '#3B528B', 2 '#21918C', 3 '#5EC962', 4 '#FDE725')
   set cbrange [*:*]
   set cblabel quantity_label offset -0.5
 } else {
@@ -75,7 +75,7 @@ if (quantity) {
   set cblabel '|f_{max}| / (μ_sP)' offset -0.5
 }
 set key above horizontal center samplen 3
-set margins screen 0.105, screen 0.83, screen 0.125, screen 0.90
+set margins screen 0.105, screen 0.83, screen 0.125, screen 0.90 - title_share
 if (states_only) { unset colorbox; set rmargin at screen 0.97 }
 set object 1 rectangle from graph 0, graph 0 to graph 1, graph 1 behind fillcolor rgb grey \
     fillstyle pattern 4 noborder

@@ -24,7 +24,7 @@ set ylabel 'damping ratio ζ' offset 1
 set xrange [*:*] noextend
 set yrange [*:*] noextend
 set key above horizontal center samplen 3 maxrows 1
-set margins screen 0.105, screen 0.97, screen 0.125, screen 0.90
+set margins screen 0.12, screen 0.97, screen 0.125, screen 0.89 - title_share
 unset grid
 set tics out
 unset colorbox

@@ -5,9 +5,14 @@
 #   folder  where its CSV files are, with a slash at the end
 #   format  'pdf', 'png' or 'svg'
 #   output  the file to write
+#   heading, chosen_width, chosen_height  a title, and a size (cm) instead of the figure's own, if there are any
 # as in
 #   gnuplot -e "folder='build/reports/'; format='pdf'; output='refinement.pdf'" refinement.gp
 
+if (exists('chosen_width')) { width = chosen_width; height = chosen_height }
+if (!exists('heading')) { heading = '' }
+if (heading ne '') { set title heading noenhanced }
+title_share = heading eq '' ? 0 : 0.6 / height  # of the height, for figures with margins of their own
 typeface = 'DejaVu Sans,8.8'  # in points as printed, and the one size; indices and exponents have 7
 if (format eq 'pdf') {
   # This terminal, too, takes fonts at 96 dots per inch and not at 72.

@@ -106,7 +106,8 @@ std::vector<fs::path> drawn_frames(const data::Case& problem, const studies::His
     data::write_text(output.scratch() / "animation-values.csv", values_table(values).text());
     std::vector<std::string> names;
     for (std::size_t i = first; i < last; ++i) names.push_back(frame_name(i));
-    for (fs::path& file : draw_in_scratch("animation", "png", "../", names, output))
+    for (fs::path& file :
+         draw_in_scratch("animation", {.format = "png", .title = problem.name}, "../", names, output))
       drawn.push_back(std::move(file));
   }
   return drawn;
@@ -116,6 +117,7 @@ std::vector<fs::path> drawn_frames(const data::Case& problem, const studies::His
 
 void write_animation(const data::Case& problem, const AnimationOptions& options) {
   (void)templates_directory();  // refused now rather than after the run
+  require_tool("gnuplot");
   OutputFolder output(options.output);
   refuse_later_frames(output, options.frames);
   Progress progress("stickslip animate", Progress::standard_error(options.quiet),
@@ -134,14 +136,9 @@ void write_animation(const data::Case& problem, const AnimationOptions& options)
   const studies::History motion = motion_of(problem, options, sampling);
   output.write("motion.csv", table_of(problem, motion, sampling.positions, 0, motion.rows.size()).text());
   has_motion = true;
-  try {
-    const std::vector<fs::path> frames = drawn_frames(problem, motion, sampling.positions, progress, output);
-    const auto undisturbed = interruption.hold();
-    for (const fs::path& frame : frames) output.publish(frame);
-  } catch (const ToolMissing& missing) {
-    throw std::runtime_error(
-        fmt::format("{}, so that no frame is drawn; the motion is in {}", missing.what(), table));
-  }
+  const std::vector<fs::path> frames = drawn_frames(problem, motion, sampling.positions, progress, output);
+  const auto undisturbed = interruption.hold();
+  for (const fs::path& frame : frames) output.publish(frame);
 }
 
 }  // namespace stickslip::report

@@ -22,8 +22,8 @@ inline constexpr int most_frames = 9999;
 /// the same size and axes. The frames appear when the last one is drawn, or not at all.
 ///
 /// Throws data::InputError for an output folder that cannot be used or holds later frames of a longer
-/// animation, what studies::snapshots_of() and the method throw, and std::runtime_error
-/// if gnuplot is missing or fails (motion.csv is in place by then).
+/// animation, what studies::snapshots_of() and the method throw, ToolMissing without gnuplot,
+/// and std::runtime_error if it fails (motion.csv is in place by then).
 void write_animation(const data::Case& problem, const AnimationOptions& options);
 
 }  // namespace stickslip::report

@@ -46,7 +46,7 @@ bool is_smooth(data::ComparisonKind kind) {
 
 }  // namespace
 
-std::string draw(const comparison::Comparison& comparison, const std::string& format) {
+std::string draw(const comparison::Comparison& comparison, const Look& look) {
   CsvTable labels("Labels of the axes: the abscissa, then one for each quantity", {{"label", "-"}});
   labels.add_row(
       {comparison.abscissa.empty() ? "row" : label(comparison.abscissa, comparison.abscissa_unit)});
@@ -62,7 +62,7 @@ std::string draw(const comparison::Comparison& comparison, const std::string& fo
   tables["comparison-values.csv"] =
       values_table({{"quantities", quantities, "1"}, {"smooth", is_smooth(comparison.kind) ? 1.0 : 0.0, "1"}})
           .text();
-  return drawing_of("comparison", format, tables);
+  return drawing_of("comparison", look, tables);
 }
 
 }  // namespace stickslip::report

@@ -99,8 +99,8 @@ FigureData figure_of(const data::Case& problem, const studies::CriterionMap& map
   return {.tables = {{"map", table_of(problem, map)}}, .values = values_of(map)};
 }
 
-std::string draw(const CsvTable& table, const studies::CriterionMap& map, const std::string& format) {
-  return drawing_of("map", format,
+std::string draw(const CsvTable& table, const studies::CriterionMap& map, const Look& look) {
+  return drawing_of("map", look,
                     {{"map.csv", table.text()}, {"map-values.csv", values_table(values_of(map)).text()}});
 }
 

@@ -23,9 +23,7 @@ using studies::to_string;
 /// The table and the values of figures/map.gp.
 [[nodiscard]] FigureData figure_of(const data::Case& problem, const studies::CriterionMap& map);
 
-/// The map drawn by gnuplot (figures/map.gp) from its table, as the bytes of a file. `format` is "pdf", "png"
-/// or "svg". Throws std::runtime_error if gnuplot is missing or fails.
-[[nodiscard]] std::string draw(const CsvTable& table, const studies::CriterionMap& map,
-                               const std::string& format);
+/// The map drawn by gnuplot (figures/map.gp) from its table, as the bytes of a file. Throws std::runtime_error if gnuplot is missing or fails.
+[[nodiscard]] std::string draw(const CsvTable& table, const studies::CriterionMap& map, const Look& look);
 
 }  // namespace stickslip::report

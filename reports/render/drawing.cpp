@@ -11,6 +11,7 @@
 #include "render/report.hpp"
 #include "render/temporary_folder.hpp"
 #include "stickslip/data/atomic_file.hpp"
+#include "stickslip/data/input_text.hpp"
 
 namespace stickslip::report {
 
@@ -39,6 +40,14 @@ void remove_date(const fs::path& pdf) {
   data::write_text(pdf, bytes);
 }
 
+// A string of gnuplot.
+std::string quoted(const std::string& text) {
+  std::string doubled;
+  for (const char c : data::printable(text, 200))
+    doubled += c == '\'' ? std::string("''") : std::string(1, c);
+  return "'" + doubled + "'";
+}
+
 }  // namespace
 
 CsvTable values_table(const std::vector<FigureData::Value>& values) {
@@ -48,37 +57,41 @@ CsvTable values_table(const std::vector<FigureData::Value>& values) {
   return table;
 }
 
-std::vector<fs::path> draw_in_scratch(const std::string& script, const std::string& format,
-                                      const std::string& tables, const std::vector<std::string>& drawings,
-                                      OutputFolder& output) {
+std::vector<fs::path> draw_in_scratch(const std::string& script, const Look& look, const std::string& tables,
+                                      const std::vector<std::string>& drawings, OutputFolder& output) {
   const fs::path folder = output.scratch() / "figures";
   if (!fs::exists(folder)) fs::copy(templates_directory() / "figures", folder);
   const fs::path log = folder / (drawings.front() + ".log");
-  const std::string definitions =
-      fmt::format("folder='{}'; format='{}'; output='{}'", tables, format, drawings.front());
+  std::string definitions = fmt::format("folder={}; format={}; output={}; heading={}", quoted(tables),
+                                        quoted(look.format), quoted(drawings.front()), quoted(look.title));
+  if (look.size_cm)
+    definitions +=
+        fmt::format("; chosen_width={}; chosen_height={}", look.size_cm->first, look.size_cm->second);
   const int status = run_tool("gnuplot", {"-e", definitions, script + ".gp"}, folder, log);
   std::vector<fs::path> files;
   for (const std::string& drawing : drawings) {
     files.push_back(folder / drawing);
     require_success(status, files.back(), log);
-    if (format == "pdf") remove_date(files.back());
+    if (look.format == "pdf") remove_date(files.back());
   }
   return files;
 }
 
-std::string drawing_of(const std::string& script, const std::string& format,
+std::string drawing_of(const std::string& script, const Look& look,
                        const std::map<std::string, std::string>& tables) {
   const TemporaryFolder folder;
   OutputFolder output(folder.path());
   for (const auto& [name, text] : tables) output.write(name, text);
-  return data::read_text(draw_in_scratch(script, format, "../../", {script + "." + format}, output).front());
+  return data::read_text(
+      draw_in_scratch(script, look, "../../", {script + "." + look.format}, output).front());
 }
 
 void draw(const std::string& name, OutputFolder& output) {
   std::vector<fs::path> drawn;
   for (const std::string format : {"pdf", "png"})
     drawn.push_back(
-        draw_in_scratch(name, format, "../../", {fmt::format("{}.{}", name, format)}, output).front());
+        draw_in_scratch(name, {.format = format}, "../../", {fmt::format("{}.{}", name, format)}, output)
+            .front());
   for (const fs::path& file : drawn) output.publish(file);
 }
 

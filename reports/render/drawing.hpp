@@ -3,7 +3,9 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "render/csv_table.hpp"
@@ -28,20 +30,26 @@ struct FigureData {
   std::vector<Value> values;
 };
 
+/// How a figure looks: its format, "pdf", "png" or "svg", and what differs from its script.
+struct Look {
+  std::string format;
+  std::string title{};                                 ///< none if it is empty
+  std::optional<std::pair<double, double>> size_cm{};  ///< width and height
+};
+
 /// The values of a figure as a table with the columns name, value and unit.
 [[nodiscard]] CsvTable values_table(const std::vector<FigureData::Value>& values);
 
 /// Runs figures/<script>.gp once, which makes these drawings in the scratch folder, and returns their paths.
 /// `tables` is the folder of its tables as seen from there. Throws as draw() does.
-[[nodiscard]] std::vector<std::filesystem::path> draw_in_scratch(const std::string& script,
-                                                                 const std::string& format,
+[[nodiscard]] std::vector<std::filesystem::path> draw_in_scratch(const std::string& script, const Look& look,
                                                                  const std::string& tables,
                                                                  const std::vector<std::string>& drawings,
                                                                  OutputFolder& output);
 
 /// The bytes of a drawing by figures/<script>.gp of these tables, whose keys are the names of their files.
 /// Throws as draw() does.
-[[nodiscard]] std::string drawing_of(const std::string& script, const std::string& format,
+[[nodiscard]] std::string drawing_of(const std::string& script, const Look& look,
                                      const std::map<std::string, std::string>& tables);
 
 /// Runs figures/<name>.gp on the tables in the output folder, once for PDF and once for PNG. Throws

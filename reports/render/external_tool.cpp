@@ -3,12 +3,16 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <fstream>
+#include <mutex>
+#include <sstream>
 #include <string_view>
 #include <system_error>
 
@@ -17,6 +21,15 @@ namespace stickslip::report {
 namespace fs = std::filesystem;
 
 namespace {
+
+// The program that runs, 0 for none, and whether no other may start.
+std::mutex guard;
+pid_t running{};
+bool has_ended{};
+
+[[noreturn]] void fail_without(const std::string& program) {
+  throw ToolMissing(fmt::format("{} is not installed or not on the search path", program));
+}
 
 class FileActions {
  public:
@@ -59,6 +72,20 @@ std::vector<char*> pointers_to(std::vector<std::string>& words) {
 
 }  // namespace
 
+void require_tool(const std::string& program) {
+  const char* const path = std::getenv("PATH");
+  std::istringstream folders(path == nullptr ? "/bin:/usr/bin" : path);
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (::access((fs::path(folder.empty() ? "." : folder) / program).c_str(), X_OK) == 0) return;
+  fail_without(program);
+}
+
+void end_tools() {
+  const std::lock_guard lock(guard);
+  has_ended = true;
+  if (running != 0) ::kill(running, SIGKILL);
+}
+
 int run_tool(const std::string& program, const std::vector<std::string>& arguments, const fs::path& folder,
              const fs::path& log) {
   std::vector<std::string> words{program};
@@ -66,16 +93,24 @@ int run_tool(const std::string& program, const std::vector<std::string>& argumen
   std::vector<std::string> variables = tool_environment();
   const FileActions actions(folder, log);
   pid_t process{};
-  const int error = ::posix_spawnp(&process, program.c_str(), actions.get(), nullptr,
-                                   pointers_to(words).data(), pointers_to(variables).data());
-  if (error == ENOENT)
-    throw ToolMissing(fmt::format("{} is not installed or not on the search path", program));
-  if (error != 0)
-    throw std::runtime_error(
-        fmt::format("{} cannot be started: {}", program, std::generic_category().message(error)));
+  {
+    const std::lock_guard lock(guard);
+    const int error = has_ended ? ECANCELED
+                                : ::posix_spawnp(&process, program.c_str(), actions.get(), nullptr,
+                                                 pointers_to(words).data(), pointers_to(variables).data());
+    if (error == ENOENT) fail_without(program);
+    if (error != 0)
+      throw std::runtime_error(
+          fmt::format("{} cannot be started: {}", program, std::generic_category().message(error)));
+    running = process;
+  }
+  siginfo_t end{};  // end_tools() needs the process until it is known to have ended
+  while (::waitid(P_PID, static_cast<id_t>(process), &end, WEXITED | WNOWAIT) < 0)
+    if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "waitid");
+  const std::lock_guard lock(guard);
+  running = 0;
   int status = 0;
-  while (::waitpid(process, &status, 0) < 0)
-    if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "waitpid");
+  ::waitpid(process, &status, 0);
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 

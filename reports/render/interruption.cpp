@@ -11,11 +11,13 @@
 #include <cstdlib>
 #include <utility>
 
+#include "render/external_tool.hpp"
+
 namespace stickslip::report {
 
 namespace {
 
-constexpr std::array signals{SIGINT, SIGTERM};
+constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
 
 // What a signal handler may change: the signal that has come, 0 for none, and what the watcher waits for.
 std::atomic<int> arrived{0};
@@ -54,6 +56,7 @@ void Interruption::wait_for_signal() {
   while (::sem_wait(&arrival) != 0 && errno == EINTR) continue;
   const int signal = arrived;
   if (signal == 0) return;  // the work is done
+  end_tools();              // whoever waits for one may be undisturbed
   const std::lock_guard lock(guard_);
   fmt::print(stderr, "{}: {}\n", ::program_invocation_short_name, last_words_());
   std::fflush(stderr);

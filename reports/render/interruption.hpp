@@ -11,11 +11,10 @@
 
 namespace stickslip::report {
 
-/// While it lives, Ctrl-C (SIGINT) and SIGTERM end the program in good order: `last_words` removes what is not
-/// finished and returns one sentence on what is, which is printed on standard error after the program's name.
+/// While it lives, Ctrl-C (SIGINT), SIGTERM and SIGHUP end the program in good order, and first the one that it runs
+/// (run_tool()): `last_words` removes what is not finished and returns one sentence on what is, which is printed on standard error after the program's name.
 /// Then the program ends with the exit status 128 + n for signal n. A second signal ends it at once. A signal
-/// that is ignored stays ignored. Only one may live at a time. A terminal sends Ctrl-C to the programs that
-/// this one runs (run_tool()), too. SIGTERM does not reach them unless it is sent to the process group.
+/// that is ignored stays ignored. Only one may live at a time.
 ///
 /// A thread of its own waits for the signal: a signal handler may neither print nor remove files, and the
 /// computations, some of which take minutes in one call, need not ask whether a signal has come.
@@ -35,7 +34,7 @@ class Interruption {
   void wait_for_signal();
 
   std::function<std::string()> last_words_;
-  std::array<struct sigaction, 2> previous_{};  // of SIGINT and SIGTERM
+  std::array<struct sigaction, 3> previous_{};  // of SIGINT, SIGTERM and SIGHUP
   std::mutex guard_;
   std::thread watcher_;
 };

@@ -15,9 +15,11 @@ namespace stickslip::report {
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "stickslip-XXXXXX").string();
+    const char* const chosen = std::getenv("TMPDIR");
+    std::string name = std::string(chosen == nullptr ? "/tmp" : chosen) + "/stickslip-XXXXXX";
     if (::mkdtemp(name.data()) == nullptr)
-      throw std::system_error(errno, std::generic_category(), "no temporary folder " + name);
+      throw std::system_error(errno, std::generic_category(),
+                              "the temporary folder " + name + " cannot be made");
     path_ = name;
   }
   ~TemporaryFolder() {

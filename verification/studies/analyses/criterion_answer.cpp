@@ -138,16 +138,16 @@ CriterionAnswer criterion_answer(const data::Case& problem) {
 
 CriticalAmplitudeCurve critical_amplitude_curve(const data::Case& problem) {
   constexpr int steps = 240;
-  constexpr double reach = 4.0, width = 1e-3;
-  const double here = problem.excitation.frequency_hz();
+  constexpr double reach = 4.0, beyond = 1.25, width = 1e-3;
+  const double here = problem.excitation.frequency_hz(), first = here / reach;
   CriticalAmplitudeCurve curve;
-  for (int i = 0; i <= steps; ++i) curve.hz.push_back(here * std::pow(reach, 2.0 * i / steps - 1.0));
-  const double first = curve.hz.front();
-  for (const auto& share : analytic::modal_forces(problem.beam, problem.numerics.modes())) {
-    const double hz = share.angular_frequency / (2.0 * std::numbers::pi);
-    curve.natural_hz.push_back(hz);
-    if (hz > first && hz < here * reach) curve.hz.push_back(hz);
-  }
+  for (const auto& share : analytic::modal_forces(problem.beam, problem.numerics.modes()))
+    curve.natural_hz.push_back(share.angular_frequency / (2.0 * std::numbers::pi));
+  const double last = std::max(reach * here, beyond * curve.natural_hz.front());
+  for (int i = 0; i <= steps; ++i)
+    curve.hz.push_back(first * std::pow(last / first, static_cast<double>(i) / steps));
+  for (const double hz : curve.natural_hz)
+    if (hz > first && hz < last) curve.hz.push_back(hz);
   std::ranges::sort(curve.hz);
   curve.amplitudes.resize(curve.hz.size());
   in_parallel(curve.hz.size(), [&](std::size_t i) {

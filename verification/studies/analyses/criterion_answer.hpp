@@ -48,7 +48,7 @@ struct CriterionAnswer {
 [[nodiscard]] analytic::Bounds margin_of(const analytic::Criterion& criterion);
 
 /// The critical amplitude with numerics.modes against the excitation frequency, from a quarter of that of the case to four times
-/// it, in equal ratios and at the natural frequencies.
+/// it and beyond the first natural frequency, in equal ratios and at the natural frequencies.
 struct CriticalAmplitudeCurve {
   std::vector<double> natural_hz;  ///< of the modes, ascending
   std::vector<double> hz;          ///< ascending

@@ -12,6 +12,7 @@ namespace stickslip::studies {
 
 std::size_t spectrum_rows(const data::Case& problem, long every) {
   constexpr double rounding = 1e-9;
+  constexpr long long most_rows = 4'000'000;
   const double row_step = static_cast<double>(every) * problem.numerics.time_step(),
                period = 1.0 / problem.excitation.frequency_hz();
   const double periods = std::floor(0.5 * problem.numerics.duration() / period + rounding);
@@ -25,6 +26,9 @@ std::size_t spectrum_rows(const data::Case& problem, long every) {
     throw data::FieldError(
         "--every", static_cast<double>(every),
         "small enough for two rows in a period of the base motion where --spectrum is given");
+  if (rows > most_rows)
+    throw data::FieldError("--every", static_cast<double>(every),
+                           fmt::format("large enough for at most {} rows in a spectrum", most_rows));
   return static_cast<std::size_t>(rows);
 }
 

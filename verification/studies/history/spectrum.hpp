@@ -18,7 +18,7 @@ struct SpectrumLine {
 
 /// The number of last rows, `every` time steps apart, that hold the whole periods of the base motion in the second half of
 /// the duration. Throws data::FieldError, naming excitation.duration, if that has less than two periods, and naming
-/// --every, if a period has less than two rows.
+/// --every, if a period has less than two rows or if there are more than four million.
 [[nodiscard]] std::size_t spectrum_rows(const data::Case& problem, long every);
 
 /// The spectra of the last `rows` values, `row_step` (s) apart.

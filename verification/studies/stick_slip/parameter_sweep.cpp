@@ -31,14 +31,20 @@ SweepPoint point_at(const SweepTask& task, double value, bool up,
   } else {
     run.start_stuck();
   }
+  bool slips = false;
   const auto pass_period = [&] {
-    for (int n = 0; n < steps; ++n) run.step();
+    slips = false;
+    for (int n = 0; n < steps; ++n) {
+      run.step();
+      slips = slips || run.slips();
+    }
   };
   for (int period = 0; period < task.settle; ++period) pass_period();
-  SweepPoint point{.up = up, .value = value, .section = {}, .period = 0};
+  SweepPoint point{.up = up, .value = value, .section = {}, .period = 0, .slips = false};
   std::vector<std::vector<std::complex<double>>> samples;
   for (int period = 0; period < task.periods; ++period) {
     pass_period();
+    point.slips = point.slips || slips;
     point.section.push_back({.tip_displacement = run.contact_position(),
                              .sliding_velocity = run.sliding_velocity(),
                              .friction_force = -run.friction_force()});
@@ -69,19 +75,19 @@ std::vector<SweepPoint> parameter_sweep(const SweepTask& task, const std::functi
   return points;
 }
 
-std::size_t values_with_hysteresis(const std::vector<SweepPoint>& points) {
+Hysteresis hysteresis_of(const std::vector<SweepPoint>& points) {
   const auto extent = [](const SweepPoint& point) {
     return std::ranges::minmax(point.section, {}, &HistoryRow::friction_force);
   };
   constexpr double apart = 0.01;  // of the larger force
-  std::size_t count = 0;
+  Hysteresis count;
   for (std::size_t i = 0; i < points.size() / 2; ++i) {
     const auto up = extent(points[i]), down = extent(points[points.size() - 1 - i]);
     const double scale = std::max({std::abs(up.min.friction_force), std::abs(up.max.friction_force),
                                    std::abs(down.min.friction_force), std::abs(down.max.friction_force)});
     if (std::abs(up.min.friction_force - down.min.friction_force) > apart * scale ||
         std::abs(up.max.friction_force - down.max.friction_force) > apart * scale)
-      ++count;
+      ++(points[i].slips || points[points.size() - 1 - i].slips ? count.moving : count.resting);
   }
   return count;
 }

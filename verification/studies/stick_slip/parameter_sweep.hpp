@@ -20,6 +20,7 @@ struct SweepPoint {
   /// mean f over the step before.
   std::vector<HistoryRow> section;
   int period{};  ///< as of period_of()
+  bool slips{};  ///< in the periods of the section
 };
 
 enum class SweepDirection { up, down, both };
@@ -42,8 +43,12 @@ struct SweepTask {
 [[nodiscard]] std::vector<SweepPoint> parameter_sweep(const SweepTask& task,
                                                       const std::function<void(double)>& progress = {});
 
-/// The number of values at which up and down have other sections: by more than 1 % of the larger |f|, in the smallest or
-/// the largest f of the section. Of a sweep in both directions.
-[[nodiscard]] std::size_t values_with_hysteresis(const std::vector<SweepPoint>& points);
+/// At how many values up and down have other sections, by more than 1 % of the larger |f| in the smallest or the largest f.
+struct Hysteresis {
+  std::size_t moving{};   ///< the tip slips, up, down or both
+  std::size_t resting{};  ///< it sticks both times, at another place
+};
+/// Of a sweep in both directions.
+[[nodiscard]] Hysteresis hysteresis_of(const std::vector<SweepPoint>& points);
 
 }  // namespace stickslip::studies

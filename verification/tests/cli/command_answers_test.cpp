@@ -403,9 +403,14 @@ TEST_F(CommandAnswers, SweepHasTheSectionOfEachValue) {
     if (std::max(std::abs(up.first - down.first), std::abs(up.second - down.second)) > 0.01 * largest)
       ++differ;
   }
-  EXPECT_EQ(answer["values_with_hysteresis"], differ);
+  const std::size_t moving = answer["values_with_hysteresis"],
+                    resting = answer["values_that_stick_elsewhere"];
+  EXPECT_EQ(moving + resting, differ);
   EXPECT_EQ(run(command).output,
-            fmt::format("18 points written to sweep.csv; up and down differ at {} of 9 values\n", differ));
+            fmt::format("18 points written to sweep.csv; hysteresis at {} of 9 values{}\n", moving,
+                        resting == 0 ? ""
+                                     : fmt::format("; at {} the tip sticks at another place on the way back",
+                                                   resting)));
   EXPECT_EQ(run(command + "--direction down --figure sweep.svg").output, "9 points written to sweep.csv\n");
   const std::string drawn = contents("sweep.svg");
   EXPECT_TRUE(drawn.starts_with(contents("sweep.csv")));

@@ -341,14 +341,6 @@ TEST_F(Animation, ShowsNoFrameUnlessAllAreDrawn) {
   EXPECT_EQ(frames(), (std::vector<std::string>{"motion.csv"}));
 }
 
-TEST_F(Animation, KeepsTheMotionWhenGnuplotIsMissing) {
-  ::setenv("PATH", path("tools").c_str(), 1);
-  const Outcome outcome = run(command("--duration 0.01 --frames 2"));
-  EXPECT_EQ(outcome.status, 1);
-  EXPECT_TRUE(outcome.errors.starts_with("stickslip: gnuplot is not installed")) << outcome.errors;
-  EXPECT_EQ(frames(), (std::vector<std::string>{"motion.csv"}));
-}
-
 TEST_F(Animation, RefusesWhatCannotBecomeAFilm) {
   install_gnuplot(draw_all);
   expect_refused(command("--frames 1"), "--frames is 1, but must be an integer from 2 to 9999");

@@ -54,7 +54,7 @@ TEST_F(Interrupted, MapThatIsDrawnIsWritten) {
   fs::create_directory("out/");
   const std::string files = "--output out/map.csv --figure out/map.png";
   const std::string map = "map paper --x frequency=1:9:3 --y amplitude=1e-4:1e-3:2 ";
-  const std::string is_written = "interrupted; out/map.csv is written\n";
+  const std::string is_written = "interrupted; nothing is written but out/map.csv\n";
   EXPECT_EQ(said_after(SIGINT, map + files), is_written);
   const std::string whole = contents("out/map.csv");
   EXPECT_EQ(whole, run(map).output);
@@ -65,6 +65,19 @@ TEST_F(Interrupted, MapThatIsDrawnIsWritten) {
   EXPECT_EQ(said_after(SIGINT, "map --merge shard " + files), is_written);
   EXPECT_EQ(contents("out/map.csv"), whole);
   EXPECT_EQ(all_files("out/"), std::vector<std::string>{"map.csv"});
+}
+
+// By the end of a session, a scheduler or Ctrl-C, which reach this program alone where it has no terminal.
+TEST_F(Interrupted, HistoryThatIsDrawnIsWrittenAndEndsGnuplot) {
+  install_tool("gnuplot", "echo $$ >" + path("unfinished") + "; mv " + path("unfinished") + " " +
+                              path("processes") + "; exec sleep 120\n");
+  fs::create_directory("out/");
+  const std::string files = "--events out/events.csv --output out/history.csv --figure out/history.png";
+  for (const int signal : {SIGHUP, SIGTERM, SIGINT}) {
+    EXPECT_EQ(said_after(signal, "respond --duration 0.1 " + files, true),
+              "interrupted; nothing is written but out/history.csv and out/events.csv\n");
+    EXPECT_EQ(all_files("out/"), (std::vector<std::string>{"events.csv", "history.csv"}));
+  }
 }
 
 }  // namespace

@@ -2,13 +2,9 @@
 /// Maps made in parts, by several threads, shards and runs: always the same bytes.
 
 #include <gtest/gtest.h>
-#include <pty.h>
 #include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstddef>
 #include <cstring>
@@ -73,27 +69,6 @@ class MapShards : public SignalledRun {
   [[nodiscard]] Ending end_with(int signal, const std::string& arguments, const std::string& unfinished,
                                 std::ptrdiff_t rows) const {
     return signalled(arguments, signal, [&] { wait_until([&] { return rows_of(unfinished) >= rows; }); });
-  }
-
-  /// What the command says on a terminal; nothing where the system has no pseudo-terminal.
-  [[nodiscard]] static std::optional<std::string> on_terminal(const std::string& arguments) {
-    int terminal = -1;
-    const pid_t process = ::forkpty(&terminal, nullptr, nullptr, nullptr);
-    if (process < 0) return std::nullopt;
-    if (process == 0) {
-      const std::string command = std::string("exec '") + STICKSLIP_PROGRAM + "' " + arguments;
-      ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
-      ::_exit(127);
-    }
-    std::string said;
-    std::array<char, 4096> bytes{};
-    for (ssize_t count = 0; (count = ::read(terminal, bytes.data(), bytes.size())) > 0;)
-      said.append(bytes.data(), static_cast<std::size_t>(count));
-    int status = -1;
-    ::waitpid(process, &status, 0);
-    EXPECT_EQ(status, 0) << said;
-    ::close(terminal);
-    return said;
   }
 };
 

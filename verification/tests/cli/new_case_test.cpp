@@ -200,7 +200,7 @@ TEST_F(RespondFigure, IsDrawnFromTheRowsAndTheLimit) {
   expect_refused("respond paper --duration 0.001 --figure a.jpg", "--figure is 'a.jpg'");
   for (const std::string other : {"--output", "--events", "--spectrum"})
     expect_refused("respond paper " + other + " b.png --figure b.png",
-                   "--figure is b.png, but must be another file than --output, --events and --spectrum");
+                   "--figure is b.png, but must be another file than " + other);
 }
 
 // The rows of a table of numbers under its names, which the first two lines describe.

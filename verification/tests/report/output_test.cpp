@@ -165,7 +165,7 @@ TEST(ReportFigures, HaveAScriptEach) {
 TEST(ReportFigures, NameOnlyTheSlidingThatOccurs) {
   const auto names = [](const std::string& first, const std::string& second) {
     const std::string text = report::drawing_of(
-        "squeal", "svg",
+        "squeal", {.format = "svg"},
         {{"squeal.csv", "speed,damping_ratio,growth,state\n1,0," + first + ",-\n2,0," + first + ",-\n\n1,1," +
                             second + ",-\n2,1," + second + ",-\n\n"}});
     std::string found;

@@ -98,6 +98,8 @@ TEST(CriticalAmplitudeCurve, AmplitudesAreThoseOfTheCriterion) {
   const auto curve = studies::critical_amplitude_curve(problem);
   EXPECT_DOUBLE_EQ(curve.hz.front(), 35.0 / 4.0);
   EXPECT_DOUBLE_EQ(curve.hz.back(), 4.0 * 35.0);
+  EXPECT_NEAR(studies::critical_amplitude_curve(paper_at("5", "1e-3")).hz.back(), 1.25 * curve.natural_hz[0],
+              1e-12);
   EXPECT_TRUE(std::ranges::is_sorted(curve.hz));
   ASSERT_EQ(curve.natural_hz.size(), 10u);
   EXPECT_EQ(std::ranges::count(curve.hz, curve.natural_hz.front()), 1);

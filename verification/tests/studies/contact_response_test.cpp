@@ -423,23 +423,28 @@ TEST(ParameterSweep, ShowsHysteresis) {
   for (std::size_t down = 4; down <= 6; ++down) EXPECT_EQ(points[down].period, 1);
 }
 
-TEST(ParameterSweep, CountsValuesWithHysteresis) {
-  const auto point = [](bool up, double value, double least, double largest) {
+TEST(ParameterSweep, CountsValuesWithHysteresisWhereTheTipSlips) {
+  bool slips = true;
+  const auto point = [&](bool up, double value, double least, double largest) {
     return studies::SweepPoint{.up = up,
                                .value = value,
                                .section = {{.friction_force = least}, {.friction_force = largest}},
-                               .period = 2};
+                               .period = 2,
+                               .slips = slips && !up};
   };
   // Of 200 N: 1 N is less than 1 %, 3 N more, in either force.
   const auto count = [&](double least, double largest) {
-    return studies::values_with_hysteresis({point(true, 1.0, -200.0, 100.0), point(true, 2.0, 10.0, 20.0),
-                                            point(false, 2.0, 10.0, 20.0),
-                                            point(false, 1.0, least, largest)});
+    return studies::hysteresis_of({point(true, 1.0, -200.0, 100.0), point(true, 2.0, 10.0, 20.0),
+                                   point(false, 2.0, 10.0, 20.0), point(false, 1.0, least, largest)});
   };
-  EXPECT_EQ(count(-200.0, 100.0), 0u);
-  EXPECT_EQ(count(-199.0, 101.0), 0u);
-  EXPECT_EQ(count(-197.0, 100.0), 1u);
-  EXPECT_EQ(count(-200.0, 103.0), 1u);
+  EXPECT_EQ(count(-200.0, 100.0).moving, 0u);
+  EXPECT_EQ(count(-199.0, 101.0).moving, 0u);
+  EXPECT_EQ(count(-197.0, 100.0).moving, 1u);
+  EXPECT_EQ(count(-200.0, 103.0).moving, 1u);
+  EXPECT_EQ(count(-200.0, 103.0).resting, 0u);
+  slips = false;
+  EXPECT_EQ(count(-200.0, 103.0).moving, 0u);
+  EXPECT_EQ(count(-200.0, 103.0).resting, 1u);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 /// The command line, ended by a signal while it works.
 
+#include <pty.h>
 #include <signal.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -10,12 +11,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <limits>
 #include <map>
+#include <optional>
 #include <random>
 #include <sstream>
 #include <string>
@@ -48,9 +51,9 @@ class SignalledRun : public Drawing {
   };
 
   /// Runs the program, waits until it catches the signal, if it can, and then as asked, and sends the signal to it and to
-  /// all that it has started, as a terminal does.
-  [[nodiscard]] Ending signalled(const std::string& arguments, int signal,
-                                 const std::function<void()>& wait) const {
+  /// all that it has started, as a terminal does, or to it alone, as `timeout` does.
+  [[nodiscard]] Ending signalled(const std::string& arguments, int signal, const std::function<void()>& wait,
+                                 bool alone = false) const {
     const std::string command = std::string("exec '") + STICKSLIP_PROGRAM + "' " + arguments + " >'" +
                                 path("stdout") + "' 2>'" + path("stderr") + "'";
     const pid_t process = ::fork();
@@ -64,7 +67,7 @@ class SignalledRun : public Drawing {
     if (signal != SIGKILL) wait_until([&] { return catches(process, signal); });
     wait();
     const double before = processor_time(process);
-    ::kill(-process, signal);
+    ::kill(alone ? process : -process, signal);
     int status = 0;
     rusage usage{};
     ::wait4(process, &status, 0, &usage);
@@ -110,6 +113,27 @@ class SignalledRun : public Drawing {
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
     EXPECT_TRUE(is_so());
   }
+
+  /// What the command says on a terminal; nothing where the system has no pseudo-terminal.
+  [[nodiscard]] static std::optional<std::string> on_terminal(const std::string& arguments) {
+    int terminal = -1;
+    const pid_t process = ::forkpty(&terminal, nullptr, nullptr, nullptr);
+    if (process < 0) return std::nullopt;
+    if (process == 0) {
+      const std::string command = std::string("exec '") + STICKSLIP_PROGRAM + "' " + arguments;
+      ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+      ::_exit(127);
+    }
+    std::string said;
+    std::array<char, 4096> bytes{};
+    for (ssize_t count = 0; (count = ::read(terminal, bytes.data(), bytes.size())) > 0;)
+      said.append(bytes.data(), static_cast<std::size_t>(count));
+    int status = -1;
+    ::waitpid(process, &status, 0);
+    EXPECT_EQ(status, 0) << said;
+    ::close(terminal);
+    return said;
+  }
 };
 
 /// The command line, ended by a signal while it waits for another program.
@@ -140,8 +164,9 @@ class SleepingTool : public SignalledRun {
   [[nodiscard]] bool sleeps() const { return std::filesystem::exists(path("processes")); }
 
   /// Runs until the sleeper sleeps, sends the signal and returns what is said, without the program's name.
-  [[nodiscard]] std::string said_after(int signal, const std::string& arguments) const {
-    const Ending ending = signalled(arguments, signal, [&] { wait_until([&] { return sleeps(); }); });
+  [[nodiscard]] std::string said_after(int signal, const std::string& arguments, bool alone = false) const {
+    const Ending ending = signalled(
+        arguments, signal, [&] { wait_until([&] { return sleeps(); }); }, alone);
     EXPECT_EQ(ending.status, 128 + signal) << arguments;
     std::istringstream processes(contents(path("processes")));
     for (std::string process; processes >> process;) wait_until([&] { return !is_running(process); });
