@@ -2,16 +2,7 @@
 /// Claims of Sect. 4: the static friction force in closed form, Eqs. (12) to (28). The formulas stand here
 /// once more as they are printed.
 
-#include <gtest/gtest.h>
-
-#include <fmt/format.h>
-
 #include <Eigen/Dense>
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <vector>
 
 #include "stickslip/analytic/damped_steady_state.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
@@ -22,7 +13,7 @@
 #include "support/beams.hpp"
 #include "support/claims.hpp"
 #include "support/paper_case.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

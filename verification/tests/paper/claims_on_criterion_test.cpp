@@ -1,15 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// Claims of the paper on the criterion and on the critical amplitude.
 
-#include <gtest/gtest.h>
-
-#include <fmt/format.h>
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <vector>
-
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
@@ -23,7 +14,7 @@
 #include "support/claims.hpp"
 #include "support/order.hpp"
 #include "support/paper_case.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

@@ -1,16 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Claims of Sect. 2: the equations of the stick and slip states and of friction.
 
-#include <gtest/gtest.h>
-
-#include <fmt/format.h>
-
 #include <Eigen/Dense>
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <vector>
 
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/damped_steady_state.hpp"
@@ -22,7 +13,7 @@
 #include "support/beams.hpp"
 #include "support/claims.hpp"
 #include "support/paper_case.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// The paper's printed numbers, verdicts and errata, and the figures that the ledger of claims refers to.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <numbers>
-#include <set>
-#include <string>
 
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/paper.hpp"
@@ -21,8 +14,7 @@
 #include "support/beams.hpp"
 #include "support/claims.hpp"
 #include "support/paper_case.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

@@ -1,15 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// The direction of the axial force, chi, in both implementations: 0 follows the tip, 1 keeps its direction.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <complex>
-#include <functional>
-#include <string>
-#include <vector>
-
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/damped_steady_state.hpp"
 #include "stickslip/analytic/modal_reaction_table.hpp"
@@ -27,10 +18,8 @@
 #include "support/beams.hpp"
 #include "support/damped_benchmark.hpp"
 #include "support/order.hpp"
-#include "support/parameter_name.hpp"
 #include "support/random_beams.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 #include "support/vibration.hpp"
 
 namespace stickslip::testing {

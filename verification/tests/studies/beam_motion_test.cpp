@@ -3,15 +3,6 @@
 
 #include "studies/stick_slip/beam_motion.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <numbers>
-#include <vector>
-
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
@@ -19,9 +10,7 @@
 #include "studies/convergence/discretisation.hpp"
 #include "studies/history/runs.hpp"
 #include "support/beams.hpp"
-#include "support/parameter_name.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

@@ -2,16 +2,6 @@
 /// Histories of the beam by its boundary integral and by its free modes, against each other, against the
 /// event-driven engine where that converges, and against closed forms.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <numbers>
-#include <stdexcept>
-#include <tuple>
-#include <vector>
-
 #include "stickslip/analytic/beam_boundary_integral.hpp"
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/damped_reaction.hpp"
@@ -23,8 +13,7 @@
 #include "studies/stick_slip/converged_history.hpp"
 #include "support/beams.hpp"
 #include "support/paper_case.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

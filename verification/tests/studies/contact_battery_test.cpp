@@ -1,18 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// Every engine that runs a contact, on the problems of contact_battery.hpp.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <complex>
-#include <numbers>
-
+#include "support/contact_battery.hpp"
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/analytic/free_mode_run.hpp"
-#include "support/contact_battery.hpp"
-#include "support/parameter_name.hpp"
-#include "support/requirements.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

@@ -2,16 +2,6 @@
 /// A contact spring and a smooth law of friction in both implementations: against closed forms of a single mass, one
 /// against the other on the beam, and on their way to the set-valued law.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <numbers>
-#include <string>
-#include <vector>
-
 #include "stickslip/analytic/beam_boundary_integral.hpp"
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/data/case_file.hpp"
@@ -22,8 +12,7 @@
 #include "support/error_message.hpp"
 #include "support/order.hpp"
 #include "support/regularisation.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

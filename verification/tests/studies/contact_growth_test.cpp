@@ -1,20 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// The bound of the growth of a disturbance: closed forms, meshes, modes, steps, and runs that obey it.
 
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <complex>
-#include <cstddef>
-#include <limits>
-#include <numbers>
-#include <optional>
-#include <string>
-#include <tuple>
-#include <utility>
-#include <vector>
-
+#include "studies/stick_slip/contact_growth.hpp"
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/boundary_integral.hpp"
 #include "stickslip/analytic/free_mode_run.hpp"
@@ -24,14 +11,11 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/criterion/problem_warnings.hpp"
 #include "studies/history/runs.hpp"
-#include "studies/stick_slip/contact_growth.hpp"
 #include "studies/stick_slip/converged_history.hpp"
 #include "studies/stick_slip/history_convergence.hpp"
 #include "support/beams.hpp"
 #include "support/contact_models.hpp"
-#include "support/parameter_name.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

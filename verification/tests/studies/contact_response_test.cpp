@@ -4,17 +4,6 @@
 
 #include "studies/stick_slip/contact_response.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <complex>
-#include <limits>
-#include <numbers>
-#include <string>
-#include <tuple>
-#include <vector>
-
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/data/case_file.hpp"
@@ -22,8 +11,7 @@
 #include "studies/criterion/criterion_map.hpp"
 #include "studies/stick_slip/parameter_sweep.hpp"
 #include "support/contact_models.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

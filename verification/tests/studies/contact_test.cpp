@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// The beam with contact: classification, first slip, histories.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <tuple>
-#include <vector>
-
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/convergence/discretisation.hpp"
@@ -15,9 +8,7 @@
 #include "studies/criterion/critical_amplitude.hpp"
 #include "studies/stick_slip/contact_histories.hpp"
 #include "support/beams.hpp"
-#include "support/parameter_name.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// Observed orders and their confidence intervals.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <random>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 #include "studies/convergence/convergence.hpp"
 #include "support/order.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

@@ -1,18 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// The criterion over any two parameters of a case, and over beam length and axial force, Fig. 14.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <ctime>
-#include <numbers>
-#include <set>
 #include <span>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/damped_reaction.hpp"
@@ -27,8 +17,7 @@
 #include "studies/criterion/length_force_map.hpp"
 #include "studies/criterion/map_estimate.hpp"
 #include "support/beams.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

@@ -2,15 +2,7 @@
 /// The damped steady vibration: finite elements, in the frequency domain and by time stepping, against the
 /// closed form, amplitude and phase.
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Dense>
-#include <algorithm>
-#include <cmath>
-#include <complex>
-#include <numbers>
-#include <string>
-#include <vector>
 
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/damped_reaction.hpp"
@@ -25,9 +17,7 @@
 #include "support/beams.hpp"
 #include "support/mesh.hpp"
 #include "support/order.hpp"
-#include "support/parameter_name.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 #include "support/vibration.hpp"
 
 namespace stickslip::testing {

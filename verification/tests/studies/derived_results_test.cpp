@@ -2,14 +2,6 @@
 /// Numbers that follow from the results of studies. The results here differ from each other, so that one taken for another
 /// shows.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <vector>
-
 #include "stickslip/data/paper.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/criterion/classification.hpp"
@@ -23,7 +15,7 @@
 #include "studies/stick_slip/damped_benchmark.hpp"
 #include "studies/stick_slip/energy_audit.hpp"
 #include "support/paper_case.hpp"
-#include "support/requirements.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

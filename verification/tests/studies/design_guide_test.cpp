@@ -1,23 +1,12 @@
 // SPDX-License-Identifier: MIT
 /// The margin to slipping over a band of frequencies, and the lengths and axial forces that keep it.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <stdexcept>
-#include <tuple>
-#include <utility>
-#include <vector>
-
-#include "stickslip/analytic/criterion.hpp"
 #include "studies/criterion/design_guide.hpp"
+#include "stickslip/analytic/criterion.hpp"
 #include "studies/criterion/length_force_map.hpp"
 #include "support/beams.hpp"
 #include "support/error_message.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

@@ -4,15 +4,7 @@
 
 #include "stickslip/analytic/event_driven.hpp"
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Dense>
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <stdexcept>
-#include <tuple>
-#include <vector>
 
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
@@ -23,9 +15,7 @@
 #include "support/beams.hpp"
 #include "support/contact_models.hpp"
 #include "support/order.hpp"
-#include "support/parameter_name.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

@@ -2,23 +2,13 @@
 /// Stick-slip histories by methods that share nothing: finite elements in time steps, the continuous beam
 /// from event to event.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <stdexcept>
-#include <vector>
-
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "studies/history/runs.hpp"
 #include "studies/stick_slip/event_order.hpp"
 #include "support/beams.hpp"
 #include "support/damped_benchmark.hpp"
 #include "support/order.hpp"
-#include "support/parameter_name.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

@@ -1,22 +1,12 @@
 // SPDX-License-Identifier: MIT
 /// What moves the printed |f_max|, against what theory says of each factor.
 
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
+#include "studies/paper/force_sensitivity.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "studies/common/common_digits.hpp"
-#include "studies/paper/force_sensitivity.hpp"
 #include "support/beams.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

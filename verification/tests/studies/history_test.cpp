@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// Histories by all methods: their rows, events and estimated error, and what each method refuses.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <numbers>
-#include <string>
-#include <vector>
 
 #include "stickslip/analytic/beam_boundary_integral.hpp"
 #include "stickslip/data/case_file.hpp"
@@ -18,8 +11,7 @@
 #include "studies/history/runs.hpp"
 #include "studies/history/spectrum.hpp"
 #include "support/error_message.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

@@ -2,20 +2,10 @@
 /// Manufactured solutions: the finite elements and the time stepper return a motion that is no polynomial,
 /// under the load and the tip force that it implies, with the orders and the constants of theory.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstddef>
-#include <string>
-#include <tuple>
-#include <vector>
-
 #include "studies/convergence/manufactured_solution.hpp"
 #include "support/beams.hpp"
 #include "support/order.hpp"
-#include "support/parameter_name.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

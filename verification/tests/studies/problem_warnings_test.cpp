@@ -1,18 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Warnings about cases outside the range of validity: each begins at the limit that theory gives.
 
-#include <gtest/gtest.h>
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <string>
-#include <tuple>
-#include <utility>
-#include <vector>
-
+#include "studies/criterion/problem_warnings.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
@@ -21,11 +10,9 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/convergence/discretisation.hpp"
-#include "studies/criterion/problem_warnings.hpp"
 #include "studies/history/runs.hpp"
 #include "support/error_message.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

@@ -3,23 +3,13 @@
 
 #include "support/published_problems.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <set>
-#include <utility>
-#include <vector>
-
 #include "stickslip/analytic/boundary_integral.hpp"
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/solver/energy_balance.hpp"
 #include "studies/convergence/discretisation.hpp"
 #include "studies/stick_slip/contact_growth.hpp"
 #include "support/contact_models.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Betti's reciprocity of random beams: kept in stick, and lost in slip by what the follower force does.
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Dense>
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <vector>
 
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/free_mode_run.hpp"
@@ -15,7 +9,7 @@
 #include "stickslip/analytic/stick_modes.hpp"
 #include "support/measurements.hpp"
 #include "support/mesh.hpp"
-#include "support/requirements.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// What the three contact schemes make of the paper's beam at 25 Hz and 1 mm.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstddef>
-#include <vector>
-
 #include "studies/convergence/scheme_comparison.hpp"
 #include "support/beams.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

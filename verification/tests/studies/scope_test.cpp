@@ -2,16 +2,7 @@
 /// The largest force of a start-up against the steady force, what duration, damping and shear change, and what both
 /// implementations refuse.
 
-#include <gtest/gtest.h>
-
-#include <fmt/format.h>
-#include <cmath>
-#include <complex>
-#include <stdexcept>
-#include <string>
-#include <tuple>
-#include <vector>
-
+#include "studies/criterion/scope.hpp"
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/modal_reaction.hpp"
@@ -23,13 +14,11 @@
 #include "studies/common/problem_parameter.hpp"
 #include "studies/convergence/discretisation.hpp"
 #include "studies/criterion/problem_warnings.hpp"
-#include "studies/criterion/scope.hpp"
 #include "studies/history/runs.hpp"
 #include "studies/stick_slip/history_convergence.hpp"
 #include "support/beams.hpp"
 #include "support/paper_case.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 #include "support/vibration.hpp"
 
 namespace stickslip::testing {

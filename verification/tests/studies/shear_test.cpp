@@ -1,15 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Shear and rotary inertia by both implementations: frequencies, reactions, verdicts; and what they change in the paper.
 
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
 #include <Eigen/Dense>
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <string>
-#include <vector>
 
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/criterion.hpp"
@@ -28,8 +20,7 @@
 #include "studies/criterion/problem_warnings.hpp"
 #include "support/error_message.hpp"
 #include "support/order.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

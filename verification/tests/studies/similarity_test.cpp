@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Relations between the finite elements and the closed forms that hold for every beam.
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Dense>
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <vector>
 
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/criterion.hpp"
@@ -20,8 +14,7 @@
 #include "studies/convergence/discretisation.hpp"
 #include "studies/stick_slip/contact_histories.hpp"
 #include "support/random_beams.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// What takes minutes: finer grids and longer refinements of tests that run by default.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "comparison/comparison.hpp"
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/event_driven.hpp"
@@ -21,10 +13,8 @@
 #include "support/beams.hpp"
 #include "support/damped_benchmark.hpp"
 #include "support/order.hpp"
-#include "support/parameter_name.hpp"
 #include "support/published_data.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

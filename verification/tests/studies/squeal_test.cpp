@@ -3,15 +3,6 @@
 
 #include "studies/stick_slip/squeal.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <complex>
-#include <limits>
-#include <numbers>
-#include <vector>
-
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/free_mode_run.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
@@ -23,8 +14,7 @@
 #include "stickslip/solver/sliding_stability.hpp"
 #include "support/beams.hpp"
 #include "support/contact_models.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

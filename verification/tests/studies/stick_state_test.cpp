@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// Finite elements against the closed form in the stick state.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <vector>
-
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
@@ -19,9 +12,7 @@
 #include "studies/stick/stick_history.hpp"
 #include "support/beams.hpp"
 #include "support/order.hpp"
-#include "support/parameter_name.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

@@ -2,20 +2,12 @@
 /// A friction law with a Stribeck minimum in both implementations: against closed forms, and one against the
 /// other.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <vector>
-
 #include "stickslip/analytic/boundary_integral.hpp"
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/solver/energy_balance.hpp"
 #include "support/contact_models.hpp"
 #include "support/random_beams.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

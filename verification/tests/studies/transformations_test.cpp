@@ -1,17 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// Transformations of a problem that must change the answers of every engine in a known way, whatever the beam is.
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Dense>
-#include <algorithm>
-#include <cmath>
-#include <functional>
 #include <iterator>
-#include <limits>
-#include <memory>
-#include <numbers>
-#include <vector>
 
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/event_driven.hpp"
@@ -21,7 +12,7 @@
 #include "support/measurements.hpp"
 #include "support/mesh.hpp"
 #include "support/order.hpp"
-#include "support/requirements.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

@@ -3,16 +3,9 @@
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_randist.h>
-#include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <numeric>
-#include <optional>
 #include <span>
-#include <string>
-#include <vector>
 
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "studies/common/parallel.hpp"
@@ -20,8 +13,7 @@
 #include "studies/uncertainty/slip_probability.hpp"
 #include "support/beams.hpp"
 #include "support/error_message.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: MIT
 /// The models of the experiments against both implementations, and what the comparison found.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
-#include <limits>
-#include <map>
-#include <numbers>
-#include <string>
-#include <tuple>
 
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "support/contact_models.hpp"
-#include "support/requirements.hpp"
+#include "support/testing.hpp"
 #include "validation/models.hpp"
 #include "validation/study.hpp"
 
