@@ -89,7 +89,7 @@ TEST(ClaimOnSection3, TheThresholdMissesStopsOfAStrongDeceleration) {
                     missed, stops, std::abs(with - without)));
 }
 
-TEST(ClaimOnSection3, TheBeamStartsWithTheVelocityOfTheQuasiStaticShape) {
+TEST(ClaimOnSection3, BeamStartsWithTheQuasiStaticVelocity) {
   const double coarse = first_force(16, solver::InitialVelocity::zero),
                fine = first_force(64, solver::InitialVelocity::zero);
   const double quasi_static = first_force(64, solver::InitialVelocity::quasi_static);
