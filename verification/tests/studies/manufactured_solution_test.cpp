@@ -144,8 +144,7 @@ TEST_P(ManufacturedTime, IsOfOrderTwoWithThePredictedConstant) {
 INSTANTIATE_TEST_SUITE_P(AllRadii, ManufacturedTime,
                          ::testing::Combine(::testing::Values(ManufacturedTip::stick, ManufacturedTip::slip,
                                                               ManufacturedTip::friction),
-                                            ::testing::Values(-10.0, 10.0),
-                                            ::testing::Values(0.0, 0.5, 0.9, 1.0)),
+                                            ::testing::Values(-10.0, 10.0), ::testing::Values(0.0, 0.9, 1.0)),
                          [](const auto& instance) {
                            return tip_name(std::get<0>(instance.param)) + "_" +
                                   parameter_name(std::get<1>(instance.param)) + "_radius_" +
