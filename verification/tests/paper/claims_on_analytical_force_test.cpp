@@ -2,16 +2,7 @@
 /// Claims of Sect. 4: the static friction force in closed form, Eqs. (12) to (28). The formulas stand here
 /// once more as they are printed.
 
-#include <gtest/gtest.h>
-
-#include <fmt/format.h>
-
 #include <Eigen/Dense>
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <vector>
 
 #include "stickslip/analytic/damped_steady_state.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
@@ -22,7 +13,7 @@
 #include "support/beams.hpp"
 #include "support/claims.hpp"
 #include "support/paper_case.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -189,7 +180,7 @@ double perturbation_tolerance() {
       .value;
 }
 
-TEST(ClaimOnEquation14, ThePerturbationTakesTheInertiaOfTheStaticShape) {
+TEST(ClaimOnEquation14, PerturbationTakesTheStaticInertia) {
   const double residual = perturbation_residual();
   judge("eq14", {.as_printed = residual <= perturbation_tolerance()},
         fmt::format("the exact steady state at 15 Hz, less u0, solves it to {:.0e} of its right side; Eqs. "
@@ -197,7 +188,7 @@ TEST(ClaimOnEquation14, ThePerturbationTakesTheInertiaOfTheStaticShape) {
                     residual));
 }
 
-TEST(ClaimOnEquation15, TheStaticShapeTimesTheBaseTakesTheTipAgainstTheBase) {
+TEST(ClaimOnEquation15, StaticShapeMovesTheTipAgainstTheBase) {
   const double tip = analytic::QuasiStaticShape(paper().beam).value(length());
   judge("eq15", {.as_printed = std::abs(tip + 1.0) <= round_off(10, static_shape_condition(), 1.0).value},
         fmt::format("S(L) = {:.12f}, so that u0(L,t) = -h(t)", tip));
@@ -240,7 +231,7 @@ TEST(ClaimOnEquation17, StaticShapeHasTheBoundaryValues) {
         fmt::format("S(0), L S'(0), S(L) + 1 and L^2 S''(L) of Eq. (18) are at most {:.0e}", residual));
 }
 
-TEST(ClaimOnEquation18, SolvesEquation16AndEquation15LeavesTheShapeOpen) {
+TEST(ClaimOnEquation18, SolvesEquation16RatherThan15) {
   // Eq. (15) with (17) is satisfied by a cubic just as well: it is Eq. (16) that picks Eq. (18).
   const auto printed = [](double x, int k) { return printed_static_shape(x, k); };
   const double allowed = round_off(20, static_shape_condition(), 1.0).value;
@@ -364,7 +355,7 @@ TEST(ClaimOnEquation23, TheCharacteristicEquationGivesTheFrequencies) {
                     largest));
 }
 
-TEST(ClaimOnEquation23, TheSquaredWaveNumbersDifferByTheSignOfTheAxialForce) {
+TEST(ClaimOnEquation23, SquaredWaveNumbersDifferInSign) {
   const auto mode = analytic::stick_modes(paper().beam, 1)[0];
   const double p = axial_force() / bending_stiffness();
   const double k = mass_per_length() * std::pow(mode.angular_frequency(), 2) / bending_stiffness();

@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// Claims of Sect. 5 on Fig. 14: which lengths and axial forces avoid stick-slip.
 
-#include <gtest/gtest.h>
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/paper.hpp"
@@ -16,6 +8,7 @@
 #include "support/beams.hpp"
 #include "support/claims.hpp"
 #include "support/paper_case.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

@@ -1,16 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Claims of Sect. 2: the equations of the stick and slip states and of friction.
 
-#include <gtest/gtest.h>
-
-#include <fmt/format.h>
-
 #include <Eigen/Dense>
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <vector>
 
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/damped_steady_state.hpp"
@@ -22,7 +13,7 @@
 #include "support/beams.hpp"
 #include "support/claims.hpp"
 #include "support/paper_case.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -157,7 +148,7 @@ TEST(ClaimOnEquation2, DeflectionAndSlopeVanishAtTheClamp) {
                     largest));
 }
 
-TEST(ClaimOnEquation3, TheStuckTipMovesAgainstTheBaseAndCarriesNoMoment) {
+TEST(ClaimOnEquation3, StuckTipMovesAgainstTheBaseWithoutMoment) {
   solver::BeamSimulation run = run_at(25.0, 1e-3);
   double departure = 0.0, start = 0.0, start_base = 0.0;
   std::size_t phases = 0, events = 0;
@@ -215,7 +206,7 @@ TEST(ClaimOnEquation4, FrictionIsTheShearForceUnderAFollowerForce) {
                     std::abs(force.shear), std::abs(force.follower), std::abs(force.fixed)));
 }
 
-TEST(ClaimOnEquation4, StickContinuesOnlyWhileTheForceIsWithinTheLimit) {
+TEST(ClaimOnEquation4, StickContinuesOnlyWithinTheLimit) {
   const analytic::BeamContactModel model(paper().beam, paper().friction, excitation(25.0, 1e-3),
                                          data::Damping(), 10);
   analytic::EventDriven run(model.model());
@@ -254,7 +245,7 @@ TEST(ClaimOnEquation4, StickLastsUntilTheForceReachesTheLimit) {
                     at_start, onset, friction_limit()));
 }
 
-TEST(ClaimOnEquation5, TheSlidingTipHasNoMomentAndAShearForceAgainstFriction) {
+TEST(ClaimOnEquation5, SlidingTipHasShearForceAndNoMoment) {
   // The static shape of a unit tip deflection is held by f_d = -E I u''' with u = -S.
   const solver::BeamModel model(paper().beam, 40);
   const double row = (model.slip_stiffness() * model.unit_tip_deflection())[model.tip_deflection()];
@@ -295,7 +286,7 @@ TEST(ClaimOnEquation6, KineticFrictionOpposesTheSlidingVelocity) {
                     slipping, opposing, departure));
 }
 
-TEST(ClaimOnEquation7, TheCoefficientDecaysFromTheStaticOneToTheMinimum) {
+TEST(ClaimOnEquation7, CoefficientDecaysToTheMinimum) {
   const auto mu = [](double v) { return solver::friction_coefficient(paper().friction, v); };
   bool decays = true;
   double departure = 0.0;

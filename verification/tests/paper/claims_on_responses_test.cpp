@@ -1,15 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// Claims of Sect. 3 on parameters, start and Figs. 3 to 5: where the tip sticks, where it slips, and how.
 
-#include <gtest/gtest.h>
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/data/paper.hpp"
@@ -17,7 +8,7 @@
 #include "support/beams.hpp"
 #include "support/claims.hpp"
 #include "support/paper_case.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -98,7 +89,7 @@ TEST(ClaimOnSection3, TheThresholdMissesStopsOfAStrongDeceleration) {
                     missed, stops, std::abs(with - without)));
 }
 
-TEST(ClaimOnSection3, TheBeamStartsWithTheVelocityOfTheQuasiStaticShape) {
+TEST(ClaimOnSection3, BeamStartsWithTheQuasiStaticVelocity) {
   const double coarse = first_force(16, solver::InitialVelocity::zero),
                fine = first_force(64, solver::InitialVelocity::zero);
   const double quasi_static = first_force(64, solver::InitialVelocity::quasi_static);

@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: MIT
 /// What users ask of a case: the criterion with its outlook, and natural frequencies with their errors.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "studies/analyses/criterion_answer.hpp"
 #include "studies/analyses/natural_frequencies.hpp"
 #include "studies/common/problem_parameter.hpp"
-#include "support/requirements.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

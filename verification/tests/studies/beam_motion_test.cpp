@@ -3,15 +3,6 @@
 
 #include "studies/stick_slip/beam_motion.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <numbers>
-#include <vector>
-
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
@@ -19,19 +10,10 @@
 #include "studies/convergence/discretisation.hpp"
 #include "studies/history/runs.hpp"
 #include "support/beams.hpp"
-#include "support/parameter_name.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {
-
-data::Case with_modes(data::Case at, int modes) {
-  data::NumericalChoices choices = at.numerics.choices();
-  choices.modes = modes;
-  at.numerics = data::NumericalSettings(choices);
-  return at;
-}
 
 class BeamMotionAt : public ::testing::TestWithParam<double> {};
 
@@ -76,17 +58,6 @@ TEST_P(BeamMotionAt, AgreesWithinThePredictionWhileTheTipSticks) {
 INSTANTIATE_TEST_SUITE_P(Hertz, BeamMotionAt, ::testing::Values(15.0, 25.0, 35.0, 70.0), NameOfDouble());
 
 STICKSLIP_VERIFIES(BeamMotion, "X6");
-TEST(BeamMotion, PredictionHoldsWhereAModeIsInResonance) {
-  const data::Case at = paper_problem(24.972, 0.5e-3);
-  const auto grid = studies::snapshots_of(at, 0.0, 0.09, 31, 21);
-  const auto finite_element = studies::finite_element_history(at, grid);
-  const auto closed_form =
-      studies::closed_form_history(with_modes(at, 60), grid, analytic::SteadyPart::exact);
-  const double predicted = studies::predicted_stick_difference(at, grid, 0.09);
-  EXPECT_TRUE(within(studies::largest_difference(finite_element, closed_form, 0.09), 0.0,
-                     discretisation(predicted, 1.1, "response of every discrete mode")));
-}
-
 // What its documentation says, with Eq. (26) as it is printed.
 TEST(BeamMotion, PredictionIsTheSumOverTheModes) {
   const data::Case at = paper_problem(35.0, 0.5e-3);
@@ -127,12 +98,11 @@ TEST(BeamMotion, EventDrivenIsTheClosedFormUntilTheFirstSlip) {
 }
 
 // Stick, the first slip at 0.0552 s, and the plateau after it; three points in each of 20 elements.
-studies::Sampling slip_grid(const data::Case& at) { return studies::snapshots_of(at, 0.0, 0.08, 9, 61); }
-
-TEST(BeamMotion, EndsInTheTipThatTheSimulationsReport) {
+TEST(BeamMotion, EndsInTheTipOfTheSimulations) {
   const data::Case at = paper_problem(25.0, 1e-3);
-  const auto by_elements = studies::finite_element_history(at, slip_grid(at));
-  const auto by_events = studies::event_driven_history(at, slip_grid(at));
+  const auto grid = studies::snapshots_of(at, 0.0, 0.08, 9, 61);
+  const auto by_elements = studies::finite_element_history(at, grid);
+  const auto by_events = studies::event_driven_history(at, grid);
   const analytic::BeamContactModel beam(at.beam, at.friction, at.excitation, at.damping, at.numerics.modes());
   const auto history = studies::event_driven_history(beam.model(), studies::sample_times(0.08, 0.01));
   solver::BeamSimulation simulation(at.beam, at.friction, at.excitation, at.numerics,
@@ -157,39 +127,11 @@ TEST(BeamMotion, EndsInTheTipThatTheSimulationsReport) {
   EXPECT_GT(slips, 0);
 }
 
-TEST(BeamMotion, BeginsInTheBaseWithoutSlope) {
-  const data::Case at = paper_problem(25.0, 1e-3);
-  const auto by_elements = studies::finite_element_history(at, slip_grid(at));
-  const auto by_events = studies::event_driven_history(at, slip_grid(at));
-  const double h = slip_grid(at).positions[1];
-  const auto slope = [h](const std::vector<double>& y) {
-    return (-11.0 * y[0] + 18.0 * y[1] - 9.0 * y[2] + 2.0 * y[3]) / (6.0 * h);
-  };
-  for (std::size_t i = 0; i < by_elements.rows.size(); ++i) {
-    const double base = 1e-3 * std::sin(2.0 * std::numbers::pi * 25.0 * by_elements.rows[i].time);
-    const auto& mesh = by_elements.rows[i].displacement;
-    const auto& exact = by_events.rows[i].displacement;
-    EXPECT_TRUE(within(mesh[0], base, round_off(20, 1, 1e-3)));
-    EXPECT_TRUE(within(exact[0], base, round_off(20, 1, 1e-3)));
-    // Exact for the cubic of an element but for the rounding of four values.
-    EXPECT_TRUE(within(slope(mesh), 0.0, round_off(10, 40.0 / 6.0, 1e-3 / h)));
-    // Off by h^3/4 of the fourth derivative somewhere in 0 ... 3 h: of the largest fourth difference there.
-    double fourth = 0.0;
-    for (std::size_t k = 0; k < 4; ++k)
-      fourth = std::max(fourth, std::abs(exact[k] - 4.0 * exact[k + 1] + 6.0 * exact[k + 2] -
-                                         4.0 * exact[k + 3] + exact[k + 4]));
-    const double rounding = round_off(10, 40.0 / 6.0, 1e-3 / h).value;
-    EXPECT_TRUE(
-        within(slope(exact), 0.0, discretisation(fourth / (4.0 * h) + rounding, 1.0, "one-sided slope")));
-  }
-}
-
 TEST(BeamMotion, RefusesAGridThatCannotBeSampled) {
   const data::Case at = paper_problem(25.0, 0.5e-3);
-  EXPECT_THROW((void)studies::snapshots_of(at, -1.0, 0.1, 9, 9), data::FieldError);
-  EXPECT_THROW((void)studies::snapshots_of(at, 0.0, 0.1, 1, 9), data::FieldError);
-  EXPECT_THROW((void)studies::snapshots_of(at, 0.0, 0.1, 9, 1), data::FieldError);
-  EXPECT_THROW((void)studies::snapshots_of(at, 0.0, 1e-3, 12, 9), data::FieldError);
+  for (const auto& [start, end, times, points] :
+       {std::tuple{-1.0, 0.1, 9, 9}, {0.0, 0.1, 1, 9}, {0.0, 0.1, 9, 1}, {0.0, 1e-3, 12, 9}})
+    EXPECT_THROW((void)studies::snapshots_of(at, start, end, times, points), data::FieldError) << times;
   EXPECT_EQ(studies::snapshots_of(at, 0.0, 1e-3, 11, 9).times.size(), 11U);
   EXPECT_EQ(studies::snapshots_of(at, 0.0, 1e-3, 2, 2).positions.size(), 2U);
 }

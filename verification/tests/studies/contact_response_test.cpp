@@ -4,17 +4,6 @@
 
 #include "studies/stick_slip/contact_response.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <complex>
-#include <limits>
-#include <numbers>
-#include <string>
-#include <tuple>
-#include <vector>
-
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/data/case_file.hpp"
@@ -22,8 +11,7 @@
 #include "studies/criterion/criterion_map.hpp"
 #include "studies/stick_slip/parameter_sweep.hpp"
 #include "support/contact_models.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -82,27 +70,6 @@ TEST(FixedSteps, ConvergeToTheDampedHistoryAtSecondOrder) {
                      "error of the fast contact run, damped history"));
 }
 
-// Without damping changes of contact do not converge; the motion does, slowly. Error over the first tenth
-// of a second, and over half a second.
-TEST(FixedSteps, FollowTheUndampedHistories) {
-  const struct {
-    const char* set;
-    double frequency_hz, early, late;
-  } histories[] = {{"undamped-history-25", 25.0, 1e-3, 8e-2},
-                   {"undamped-history-35", 35.0, 4e-3, 5e-3},
-                   {"undamped-history-70", 70.0, 2e-2, 8e-2}};
-  const auto package = data::load_reference();
-  for (const auto& [set, frequency_hz, early, late] : histories) {
-    SCOPED_TRACE(set);
-    const auto table = data::read_table(package, set);
-    const data::Case problem = case_with_step("paper", frequency_hz, 1e-3, 1e-4, 0.5, 20);
-    EXPECT_TRUE(within(error_against(table, problem, 0.1), 0.0, discretisation(early, 1.5, "measured"),
-                       std::string("error of the fast contact run, ") + set + ", 0.1 s"));
-    EXPECT_TRUE(within(error_against(table, problem, 0.5), 0.0, discretisation(late, 1.5, "measured"),
-                       std::string("error of the fast contact run, ") + set + ", 0.5 s"));
-  }
-}
-
 TEST(FixedSteps, ObeyTheLawOfFrictionInEachStep) {
   for (const double decay : {1.0, std::numeric_limits<double>::infinity()})
     for (const double viscous : {0.0, 0.1}) {
@@ -136,48 +103,6 @@ TEST(FixedSteps, ObeyTheLawOfFrictionInEachStep) {
       EXPECT_GT(slips, 1000);
       EXPECT_GT(sticks, 1000);
     }
-}
-
-// What the base puts in is stored, or lost to damping and friction. The works are sums over steps, of second order.
-TEST(FixedSteps, KeepTheEnergyAtSecondOrder) {
-  std::vector<double> missing;
-  double work = 0.0;
-  for (const int steps : {400, 800, 1600}) {
-    const data::Case problem = case_with_step("damped", 25.0, 1e-3, 0.04 / steps, 0.5, 10);
-    const analytic::ContactModel model = studies::response_model(problem);
-    const analytic::ContactDynamics dynamics(model);
-    const ContactModes modes(model);
-    ModalContactRun run(modes, model, steps);
-    run.start_stuck();
-    const auto energy = [&](const analytic::ContactKinematics& at) {
-      return dynamics.kinetic_energy(analytic::view(at)) + dynamics.potential_energy(analytic::view(at));
-    };
-    auto state = run.state();
-    const double start = energy(state);
-    double balance = 0.0;
-    work = 0.0;
-    while (run.time() < 0.2) {
-      const double time = run.time(), before = run.sliding_velocity();
-      run.step();
-      const auto next = run.state();
-      const auto add_half = [&](const analytic::ContactKinematics& at, double t) {
-        const auto powers = dynamics.powers(analytic::view(at), t, run.friction_force());
-        balance += 0.5 * run.time_step() * (powers.base + powers.follower - powers.damping);
-      };
-      add_half(state, time);
-      add_half(next, run.time());
-      const double friction =
-          -run.time_step() * run.friction_force() * 0.5 * (before + run.sliding_velocity());
-      work += friction;
-      balance -= friction;
-      state = next;
-    }
-    missing.push_back(std::abs(energy(state) - start - balance));
-  }
-  EXPECT_GT(work, 1.0);
-  EXPECT_LT(missing[0], 1e-2 * work);
-  EXPECT_LT(missing[2],
-            missing[0] / 8.0);  // a quarter at each halving, and a factor 2 for where the events fall
 }
 
 // A mass of 1 kg on a spring: its velocity per unit force after a step h is W = sin(omega h)/omega. N (mu_s - mu_m) = 1 N.
@@ -312,7 +237,7 @@ TEST(MotionQuantities, SayThatTheyHaveNotConverged) {
 }
 
 // One set of modes serves all cells where no axis changes the modes, and only there. A buckled beam has no motion.
-TEST(MotionQuantities, AreMappedWithTheModesOfEachCellThatHasAStickState) {
+TEST(MotionQuantities, AreMappedWithTheModesOfEachCell) {
   studies::MapTask task{.problem = case_with_step("damped", 25.0, 1e-3, 1e-4, 0.2, 10),
                         .x = studies::map_axis("excitation.frequency_hz", 25.0, 26.0, 2, false),
                         .y = {},

@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// The beam with contact: classification, first slip, histories.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <tuple>
-#include <vector>
-
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/convergence/discretisation.hpp"
@@ -15,9 +8,7 @@
 #include "studies/criterion/critical_amplitude.hpp"
 #include "studies/stick_slip/contact_histories.hpp"
 #include "support/beams.hpp"
-#include "support/parameter_name.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -36,8 +27,11 @@ TEST(Figure12, ClassifiesAlikeOutsideTheGuardBand) {
     EXPECT_DOUBLE_EQ(point.frequency_hz, 5.0 * static_cast<double>(n / 20 + 1));
     EXPECT_DOUBLE_EQ(point.amplitude, 0.05e-3 * static_cast<double>(n % 20 + 1));
     EXPECT_EQ(point.closed_form_slips, point.amplitude > frequency.critical_amplitude);
-    EXPECT_EQ(point.in_guard_band,
-              std::abs(point.amplitude / frequency.critical_amplitude - 1.0) <= frequency.relative_guard());
+    EXPECT_DOUBLE_EQ((1.0 + point.distance) * frequency.critical_amplitude, point.amplitude);
+    EXPECT_EQ(point.relative_guard, frequency.relative_guard());
+    EXPECT_EQ(point.in_guard_band, std::abs(point.distance) <= point.relative_guard);
+    EXPECT_STREQ(point.closed_form(), point.distance > 0.0 ? "stick-slip" : "stick");
+    EXPECT_STREQ(point.finite_element(), point.finite_element_slips ? "stick-slip" : "stick");
     const bool agree = point.closed_form_slips == point.finite_element_slips;
     EXPECT_TRUE(point.in_guard_band || agree) << point.frequency_hz << " Hz, " << point.amplitude << " m";
     agreeing += agree ? 1 : 0;
@@ -83,46 +77,35 @@ TEST(Figure12, CountsDisagreeingPointsOutsideTheGuardBand) {
   EXPECT_EQ(study.disagreeing_outside, 2);
 }
 
-struct SlippingCase {
-  double hz, amplitude;
-};
-
-class FirstSlip : public ::testing::TestWithParam<SlippingCase> {};
-
 STICKSLIP_VERIFIES(FirstSlip, "X5");
-TEST_P(FirstSlip, HappensWhenTheClosedFormSaysSo) {
-  // The instant moves by the force error over the force's slope there.
-  const data::HarmonicExcitation excitation({GetParam().hz, GetParam().amplitude});
+// The instant moves by the force error over the force's slope there.
+TEST(FirstSlip, HappensWhenTheClosedFormSaysSo) {
   const data::NumericalSettings numerics(paper_choices(1.0));
-  const auto exact = studies::closed_form_first_slip(paper_beam(), paper_friction(), excitation, 1.0);
-  ASSERT_TRUE(exact);
-  const analytic::StickResponse response(paper_beam(), excitation, 60, analytic::SteadyPart::exact);
-  // 1/20000 of a step of 1/2000 of the shorter period; that of mode 1 is 0.04004 s.
-  const double resolution = std::min(1.0 / GetParam().hz, 0.0401) / 2000.0 / 20000.0;
-  EXPECT_GT(std::abs(response.friction_force(*exact)), 300.0);
-  EXPECT_LE(std::abs(response.friction_force(*exact - resolution)), 300.0);
-  const double force_error =
-      studies::drift_bound(paper_beam(), response.modes(), response.transient_force(), numerics, *exact);
-  const double slope =
-      (response.friction_force(*exact + 1e-6) - response.friction_force(*exact - 1e-6)) / 2e-6;
-  for (const auto coordinates : {solver::Coordinates::nodal, solver::Coordinates::modal}) {
-    const auto computed =
-        solver::first_slip(paper_beam(), paper_friction(), excitation, numerics, {}, coordinates);
-    ASSERT_TRUE(computed);
-    EXPECT_TRUE(within(
-        *computed, *exact,
-        discretisation(force_error / std::abs(slope), 1.5, "force error over the slope of the force")));
+  for (const auto& [hz, amplitude] :
+       {std::pair{25.0, 0.5e-3}, {70.0, 0.5e-3}, {25.0, 1e-3}, {35.0, 1e-3}, {70.0, 1e-3}}) {
+    SCOPED_TRACE(::testing::Message() << hz << " Hz, " << amplitude << " m");
+    const data::HarmonicExcitation excitation({hz, amplitude});
+    const auto exact = studies::closed_form_first_slip(paper_beam(), paper_friction(), excitation, 1.0);
+    ASSERT_TRUE(exact);
+    const analytic::StickResponse response(paper_beam(), excitation, 60, analytic::SteadyPart::exact);
+    // 1/20000 of a step of 1/2000 of the shorter period; that of mode 1 is 0.04004 s.
+    const double resolution = std::min(1.0 / hz, 0.0401) / 2000.0 / 20000.0;
+    EXPECT_GT(std::abs(response.friction_force(*exact)), 300.0);
+    EXPECT_LE(std::abs(response.friction_force(*exact - resolution)), 300.0);
+    const double force_error =
+        studies::drift_bound(paper_beam(), response.modes(), response.transient_force(), numerics, *exact);
+    const double slope =
+        (response.friction_force(*exact + 1e-6) - response.friction_force(*exact - 1e-6)) / 2e-6;
+    for (const auto coordinates : {solver::Coordinates::nodal, solver::Coordinates::modal}) {
+      const auto computed =
+          solver::first_slip(paper_beam(), paper_friction(), excitation, numerics, {}, coordinates);
+      ASSERT_TRUE(computed);
+      EXPECT_TRUE(within(
+          *computed, *exact,
+          discretisation(force_error / std::abs(slope), 1.5, "force error over the slope of the force")));
+    }
   }
 }
-
-INSTANTIATE_TEST_SUITE_P(SlippingCases, FirstSlip,
-                         ::testing::Values(SlippingCase{25.0, 0.5e-3}, SlippingCase{70.0, 0.5e-3},
-                                           SlippingCase{25.0, 1e-3}, SlippingCase{35.0, 1e-3},
-                                           SlippingCase{70.0, 1e-3}),
-                         [](const auto& instance) {
-                           return parameter_name(instance.param.hz) + "Hz" +
-                                  parameter_name(1e3 * instance.param.amplitude) + "mm";
-                         });
 
 STICKSLIP_VERIFIES(ContactHistory, "X5");
 TEST(ContactHistory, BoundaryIntegralHasTheClosedFormFirstSlip) {
@@ -155,26 +138,19 @@ TEST(PracticeRuns, AreComparedWithTheConvergedHistory) {
   const data::Case problem = paper_problem(25.0, 1e-3);
   const auto converged = studies::contact_history(problem, 0.1).converged.value();
   const auto runs = studies::usual_practice(problem, converged);
-  struct Setting {
-    const char* method;
-    int elements;
-    double time_step, spectral_radius;
-  };
-  const std::vector<Setting> settings{
+  const std::vector<std::tuple<std::string, int, double, double>> settings{
       {"letter of the paper", 20, 1e-4, 0.9}, {"located in the step", 20, 1e-4, 0.5},
       {"located in the step", 20, 1e-4, 0.9}, {"located in the step", 20, 1e-4, 1.0},
       {"event-driven", 20, 0.0, 0.0},         {"event-driven", 40, 0.0, 0.0}};
   ASSERT_EQ(runs.size(), settings.size());
   for (std::size_t run = 0; run < runs.size(); ++run) {
-    EXPECT_EQ(runs[run].method, settings[run].method);
-    EXPECT_EQ(runs[run].elements, settings[run].elements);
-    EXPECT_EQ(runs[run].time_step, settings[run].time_step);
-    EXPECT_EQ(runs[run].spectral_radius, settings[run].spectral_radius);
+    EXPECT_EQ(
+        std::tuple(runs[run].method, runs[run].elements, runs[run].time_step, runs[run].spectral_radius),
+        settings[run]);
     ASSERT_EQ(runs[run].tip_displacement.size(), converged.tip.size());
-    double largest = 0.0;
-    for (std::size_t i = 0; i < converged.tip.size(); ++i)
-      largest = largest_or_nan({largest, std::abs(runs[run].tip_displacement[i] - converged.tip[i])});
-    EXPECT_DOUBLE_EQ(runs[run].largest_error, largest / converged.tip_range);
+    EXPECT_DOUBLE_EQ(
+        runs[run].largest_error,
+        studies::largest_difference(runs[run].tip_displacement, converged.tip) / converged.tip_range);
   }
   // Empirical: the scheme of the paper captures a tip that still moves, 71 times in 0.1 s; its error is 12 % of
   // the range. The changes that are located in the step are 9 to 11, and the error is below 0.5 %.
@@ -187,8 +163,8 @@ TEST(PracticeRuns, AreComparedWithTheConvergedHistory) {
 STICKSLIP_VERIFIES(StickSlipBeam, "X10");
 TEST(StickSlipBeam, StaysBoundedOnAnyMeshAndStep) {
   // Where the tip velocity is overwritten at capture, undamped runs grow from 2 mm to 30 mm.
-  for (const double radius : {0.5, 0.9, 1.0})
-    for (const int elements : {5, 10, 40})
+  for (const double radius : {0.5, 1.0})
+    for (const int elements : {5, 40})
       for (const double hz : {25.0, 70.0}) {
         data::NumericalChoices c = paper_choices(0.5);
         c.elements = elements;

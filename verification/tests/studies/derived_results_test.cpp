@@ -2,14 +2,6 @@
 /// Numbers that follow from the results of studies. The results here differ from each other, so that one taken for another
 /// shows.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <vector>
-
 #include "stickslip/data/paper.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/criterion/classification.hpp"
@@ -23,13 +15,13 @@
 #include "studies/stick_slip/damped_benchmark.hpp"
 #include "studies/stick_slip/energy_audit.hpp"
 #include "support/paper_case.hpp"
-#include "support/requirements.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {
 
-STICKSLIP_VERIFIES(ForceMaximumStudy, "U5");
-TEST(ForceMaximumStudy, HasTheDifferencesOfTwoRoutes) {
+STICKSLIP_VERIFIES(DerivedResults, "U5");
+TEST(DerivedResults, DifferencesOfForceMaxima) {
   const double printed = data::printed_number("force_max.15").value;
   const studies::ForceMaximumStudy row{.frequency_hz = 15.0,
                                        .sampled = 1.01 * printed,
@@ -45,8 +37,7 @@ TEST(ForceMaximumStudy, HasTheDifferencesOfTwoRoutes) {
   EXPECT_NEAR(row.printed_difference(), 0.01, 1e-15);
 }
 
-STICKSLIP_VERIFIES(AmplitudeRatio, "U5");
-TEST(AmplitudeRatio, HasMedianAndTenths) {
+TEST(DerivedResults, MedianAndTenthsOfAmplitudeRatios) {
   std::vector<studies::CriticalAmplitudePoint> reference, curve;
   for (int i = 1; i <= 21; ++i) {
     reference.push_back({1.0, 2.0});
@@ -58,8 +49,7 @@ TEST(AmplitudeRatio, HasMedianAndTenths) {
   EXPECT_EQ(ratio.high_tenth, 19.0);
 }
 
-STICKSLIP_VERIFIES(FlutterStudy, "U5");
-TEST(FlutterStudy, HasSignedRelativeErrors) {
+TEST(DerivedResults, SignedErrorsOfFlutterLoads) {
   const studies::FlutterStudy study{20.0, {4, 8}, {21.0, 19.0}, {}};
   const auto errors = study.relative_error();
   ASSERT_EQ(errors.size(), 2U);
@@ -67,8 +57,7 @@ TEST(FlutterStudy, HasSignedRelativeErrors) {
   EXPECT_NEAR(errors[1], -0.05, 1e-15);
 }
 
-STICKSLIP_VERIFIES(CriticalAmplitudeSearch, "U5");
-TEST(CriticalAmplitudeSearch, HasTheCapWhereItFoundNothing) {
+TEST(DerivedResults, CapOfASearchThatFoundNothing) {
   studies::CriticalAmplitudeSearch search;
   search.cap = 1e-3;
   EXPECT_TRUE(search.above_the_cap());
@@ -78,24 +67,7 @@ TEST(CriticalAmplitudeSearch, HasTheCapWhereItFoundNothing) {
   EXPECT_EQ(search.searched_amplitude(), 2e-4);
 }
 
-STICKSLIP_VERIFIES(GuardBand, "U5");
-TEST(GuardBand, IsThatOfTheFrequencyOfAPoint) {
-  const auto study = studies::classification_study(paper().beam, paper().friction, paper().numerics,
-                                                   {35.0, 70.0}, {0.5e-3, 1e-3});
-  ASSERT_EQ(study.points.size(), 4U);
-  for (std::size_t i = 0; i < 4; ++i) {
-    const auto& point = study.points[i];
-    const auto& frequency = study.frequencies[i / 2];
-    EXPECT_EQ(point.relative_guard, frequency.relative_guard());
-    EXPECT_DOUBLE_EQ((1.0 + point.distance) * frequency.critical_amplitude, point.amplitude);
-    EXPECT_EQ(point.in_guard_band, std::abs(point.distance) <= point.relative_guard);
-    EXPECT_STREQ(point.closed_form(), point.distance > 0.0 ? "stick-slip" : "stick");
-    EXPECT_STREQ(point.finite_element(), point.finite_element_slips ? "stick-slip" : "stick");
-  }
-}
-
-STICKSLIP_VERIFIES(HistoryVerdicts, "U5");
-TEST(HistoryVerdicts, AgreesIfPaperCriterionAndFiniteElementsDo) {
+TEST(DerivedResults, AgreementOfVerdictsOnAHistory) {
   studies::ContactHistory panel;
   EXPECT_TRUE(panel.verdicts_agree());
   EXPECT_FALSE(panel.first_slip_difference());
@@ -110,8 +82,7 @@ TEST(HistoryVerdicts, AgreesIfPaperCriterionAndFiniteElementsDo) {
   EXPECT_EQ(panel.first_slip_difference(), 0.125);
 }
 
-STICKSLIP_VERIFIES(BenchmarkRuns, "U5");
-TEST(BenchmarkRuns, FinestRunHasMostElementsAndShortestStep) {
+TEST(DerivedResults, FinestRunOfABenchmark) {
   const auto run = [](int size, double step) {
     studies::BenchmarkRun made;
     made.size = size;
@@ -125,8 +96,7 @@ TEST(BenchmarkRuns, FinestRunHasMostElementsAndShortestStep) {
   EXPECT_EQ(&benchmark.finest_stepped(), &benchmark.runs[2]);
 }
 
-STICKSLIP_VERIFIES(EnergyAudit, "U5");
-TEST(EnergyAudit, HasTheShareThatTheBalanceLeavesUnexplained) {
+TEST(DerivedResults, UnexplainedShareOfAnEnergyBalance) {
   studies::EnergyAudit audit;
   audit.event_driven = {.kinetic = 7.0,
                         .potential = 2.0,
@@ -157,8 +127,7 @@ TEST(EnergyAudit, HasTheShareThatTheBalanceLeavesUnexplained) {
   EXPECT_TRUE(std::isnan(mesh.largest_unexplained()));
 }
 
-STICKSLIP_VERIFIES(Agreement, "U5");
-TEST(Agreement, HoldsEachValueAgainstItsReference) {
+TEST(DerivedResults, AgreementOfEachValue) {
   studies::PrintedCheck holds;
   holds.printed.id = "a", holds.method = "hand";
   holds.printed.value = 4.0, holds.computed = 5.0, holds.allowed = 1.0;
@@ -182,7 +151,7 @@ TEST(Agreement, HoldsEachValueAgainstItsReference) {
   EXPECT_EQ(found.exact.bias, 0.125);
 }
 
-TEST(Agreement, HasMeanAndStandardDeviation) {
+TEST(DerivedResults, MeanAndDeviationOfAgreement) {
   const auto value = [](double computed, bool erratum = false, const char* reference = "printed") {
     return studies::CheckedResult{"", reference, erratum, computed, 1.0};
   };

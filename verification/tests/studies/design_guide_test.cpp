@@ -1,23 +1,12 @@
 // SPDX-License-Identifier: MIT
 /// The margin to slipping over a band of frequencies, and the lengths and axial forces that keep it.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <stdexcept>
-#include <tuple>
-#include <utility>
-#include <vector>
-
-#include "stickslip/analytic/criterion.hpp"
 #include "studies/criterion/design_guide.hpp"
+#include "stickslip/analytic/criterion.hpp"
 #include "studies/criterion/length_force_map.hpp"
 #include "support/beams.hpp"
 #include "support/error_message.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -84,7 +73,7 @@ TEST(BandMargin, OfOneFrequencyIsThatOfTheCriterion) {
   EXPECT_TRUE(margin.resonances.empty());
 }
 
-TEST(BandMargin, HasTheNaturalFrequenciesOfTheBandAndItsWorstThere) {
+TEST(BandMargin, HasTheNaturalFrequenciesOfTheBand) {
   const data::Case problem = flat_case();
   const auto modes = analytic::stick_modes(problem.beam, 3);
   const auto margin = studies::band_margin(problem, {1.0, 40.0});
@@ -101,18 +90,6 @@ TEST(BandMargin, HasTheNaturalFrequenciesOfTheBandAndItsWorstThere) {
   });
   EXPECT_TRUE(within(margin.frequency_hz, nearest.frequency_hz,
                      discretisation(1.0 / 10.0, 1.0, "width of a resonance, one over the duration")));
-}
-
-TEST(BandMargin, IsNoLargerThanThatOfAnyFrequencyInTheBand) {
-  // Off resonance, where the force ripples over 1/(10 s) and is largest between the ends of these bands.
-  const data::Case problem = flat_case();
-  for (const FrequencyBand band : {FrequencyBand{20.0, 20.3}, {50.0, 50.3}}) {
-    const auto margin_at = [&](double hz) { return studies::band_margin(problem, {hz, hz}).margin; };
-    const analytic::Bounds margin = studies::band_margin(problem, band).margin;
-    for (int i = 0; i <= 30; ++i)
-      EXPECT_LE(margin.lower, margin_at(std::lerp(band.from_hz, band.to_hz, i / 30.0)).upper) << i;
-    EXPECT_LT(margin.upper, std::min(margin_at(band.from_hz).lower, margin_at(band.to_hz).lower));
-  }
 }
 
 TEST(BandMargin, RefusesWhatHasNone) {

@@ -2,23 +2,13 @@
 /// Stick-slip histories by methods that share nothing: finite elements in time steps, the continuous beam
 /// from event to event.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <stdexcept>
-#include <vector>
-
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "studies/history/runs.hpp"
 #include "studies/stick_slip/event_order.hpp"
 #include "support/beams.hpp"
 #include "support/damped_benchmark.hpp"
 #include "support/order.hpp"
-#include "support/parameter_name.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -34,7 +24,7 @@ std::vector<double> times_of(const std::vector<ContactEvent>& events) {
 }
 
 STICKSLIP_VERIFIES(MicroSticks, "X9");
-TEST(MicroSticks, ShorterThanTheSpanAreMergedIntoTheSlipAroundThem) {
+TEST(MicroSticks, AreMergedIntoTheSlipAroundThem) {
   const std::vector<ContactEvent> events{{onset, 1.0, 0.0},   {capture, 2.0, 0.1}, {onset, 2.01, 0.1},
                                          {capture, 3.0, 0.2}, {onset, 4.0, 0.2},   {capture, 4.001, 0.2}};
   EXPECT_EQ(times_of(studies::without_micro_sticks(events, 0.1)),
@@ -43,9 +33,6 @@ TEST(MicroSticks, ShorterThanTheSpanAreMergedIntoTheSlipAroundThem) {
   EXPECT_EQ(studies::without_micro_sticks(events, 0.0).size(), events.size());
   EXPECT_EQ(studies::without_micro_sticks({{capture, 2.0, 0.1}, {onset, 2.5, 0.1}}, 0.5).size(), 2u);
   EXPECT_TRUE(studies::without_micro_sticks({}, 1.0).empty());
-}
-
-TEST(MicroSticks, AreMergedInOrder) {
   const std::vector<ContactEvent> chatter{{onset, 1.0, 0.0},    {capture, 2.0, 0.1}, {onset, 2.01, 0.1},
                                           {capture, 2.02, 0.1}, {onset, 2.03, 0.1},  {capture, 3.0, 0.2}};
   EXPECT_EQ(times_of(studies::without_micro_sticks(chatter, 0.1)), (std::vector<double>{1.0, 3.0}));
@@ -93,7 +80,7 @@ TEST(DampedBenchmark, MeetsRecordedEvents) {
 }
 
 // The third event falls at 0.07283 s with two modes and at 0.07295 s with three, whose first two they share.
-TEST(DampedBenchmark, RefusesAReferenceWithoutAnEventThatFewerModesHave) {
+TEST(DampedBenchmark, RefusesAReferenceThatLacksAnEvent) {
   const auto with_duration = [](double duration) {
     return studies::damped_benchmark(damped_problem(25.0), {.duration = duration,
                                                             .modes = 3,

@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// Histories by all methods: their rows, events and estimated error, and what each method refuses.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <numbers>
-#include <string>
-#include <vector>
 
 #include "stickslip/analytic/beam_boundary_integral.hpp"
 #include "stickslip/data/case_file.hpp"
@@ -18,8 +11,7 @@
 #include "studies/history/runs.hpp"
 #include "studies/history/spectrum.hpp"
 #include "support/error_message.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -103,47 +95,11 @@ class HistoryBy : public ::testing::TestWithParam<std::string> {
 };
 
 STICKSLIP_VERIFIES(HistoryBy, "X9");
-TEST_P(HistoryBy, HasTheRowsOfItsSampling) {
-  const double h = problem().numerics.time_step();
-  const auto all = method().run(problem(), {}, {}, {});
-  ASSERT_EQ(all.rows.size(), static_cast<std::size_t>(std::lround(0.08 / h)) + 1);
-  const auto some = method().run(problem(), {.every = 7}, {}, {});
-  ASSERT_EQ(some.rows.size(), (all.rows.size() - 1) / 7 + 1);
-  const double length = problem().beam.length();
-  const auto chosen = method().run(
-      problem(), {.times = {7 * h, 21 * h, 700 * h}, .positions = {0.0, 0.5 * length, length}}, {}, {});
-  ASSERT_EQ(chosen.rows.size(), 3u);
-  const Tolerance rounding = round_off(100, 100, 1e-3);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t n = std::vector<std::size_t>{7, 21, 700}[i];
-    const studies::HistoryRow &row = chosen.rows[i], &same = all.rows[n], &seventh = some.rows[n / 7];
-    EXPECT_DOUBLE_EQ(row.time, same.time);
-    EXPECT_EQ(seventh.time, same.time);
-    EXPECT_EQ(row.state, same.state);
-    EXPECT_TRUE(within(seventh.tip_displacement, same.tip_displacement, rounding));
-    EXPECT_TRUE(within(row.tip_displacement, same.tip_displacement, rounding));
-    EXPECT_TRUE(within(row.displacement[0], row.base_displacement, rounding));
-    EXPECT_TRUE(within(row.displacement[1], same.midspan_displacement, rounding));
-    EXPECT_TRUE(within(row.displacement[2], same.tip_displacement, rounding));
-  }
-}
-
-TEST_P(HistoryBy, GivesItsRowsToASinkAndKeepsNone) {
-  std::vector<double> times;
-  const auto history = method().run(problem(), {.every = 100}, {},
-                                    [&](const studies::HistoryRow& row) { times.push_back(row.time); });
-  EXPECT_TRUE(history.rows.empty());
-  EXPECT_EQ(times.size(),
-            static_cast<std::size_t>(std::lround(0.08 / problem().numerics.time_step())) / 100 + 1);
-  EXPECT_TRUE(std::ranges::is_sorted(times));
-}
-
 // The first slip is at 0.0552 s without damping, 0.0553 s with it.
-TEST_P(HistoryBy, SlipsFirstAtTheFirstOnset) {
-  const auto history = method().run(problem(), {}, {}, {});
+void expect_first_slip(const studies::History& history, bool has_events) {
   ASSERT_TRUE(history.first_slip.has_value());
   EXPECT_NEAR(*history.first_slip, 0.05525, 1.5e-4);
-  EXPECT_EQ(history.events.empty(), method().refused.contains(Feature::slip));
+  EXPECT_EQ(history.events.empty(), !has_events);
   if (history.events.empty()) return;
   EXPECT_EQ(history.events.front().change, ContactChange::onset);
   EXPECT_EQ(history.events.front().time, *history.first_slip);
@@ -153,6 +109,34 @@ TEST_P(HistoryBy, SlipsFirstAtTheFirstOnset) {
         history.rows, [&](const studies::HistoryRow& row) { return row.time >= event.time; });
     if (after == history.rows.end()) continue;
     EXPECT_NEAR(after->tip_displacement, event.position, 0.5e-4);
+  }
+}
+
+TEST_P(HistoryBy, HasTheRowsOfItsSamplingAndTheFirstSlip) {
+  const double h = problem().numerics.time_step();
+  const auto all = method().run(problem(), {}, {}, {});
+  expect_first_slip(all, !method().refused.contains(Feature::slip));
+  ASSERT_EQ(all.rows.size(), static_cast<std::size_t>(std::lround(0.08 / h)) + 1);
+  std::vector<studies::HistoryRow> some;  // given to a sink, and not kept
+  const auto none = method().run(problem(), {.every = 7}, {}, [&](const auto& row) { some.push_back(row); });
+  EXPECT_TRUE(none.rows.empty());
+  ASSERT_EQ(some.size(), (all.rows.size() - 1) / 7 + 1);
+  const double length = problem().beam.length();
+  const auto chosen = method().run(
+      problem(), {.times = {7 * h, 21 * h, 700 * h}, .positions = {0.0, 0.5 * length, length}}, {}, {});
+  ASSERT_EQ(chosen.rows.size(), 3u);
+  const Tolerance rounding = round_off(100, 100, 1e-3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t n = std::vector<std::size_t>{7, 21, 700}[i];
+    const studies::HistoryRow &row = chosen.rows[i], &same = all.rows[n], &seventh = some[n / 7];
+    EXPECT_DOUBLE_EQ(row.time, same.time);
+    EXPECT_EQ(seventh.time, same.time);
+    EXPECT_EQ(row.state, same.state);
+    EXPECT_TRUE(within(seventh.tip_displacement, same.tip_displacement, rounding));
+    EXPECT_TRUE(within(row.tip_displacement, same.tip_displacement, rounding));
+    EXPECT_TRUE(within(row.displacement[0], row.base_displacement, rounding));
+    EXPECT_TRUE(within(row.displacement[1], same.midspan_displacement, rounding));
+    EXPECT_TRUE(within(row.displacement[2], same.tip_displacement, rounding));
   }
 }
 
@@ -179,30 +163,39 @@ TEST(EventPosition, IsInTheFrameAtRest) {
 
 STICKSLIP_VERIFIES(MethodRefusals, "X18");
 TEST(MethodRefusals, NameTheKeyAndTheReason) {
-  const auto message = [](const std::string& name, const data::Case& problem,
-                          const studies::RunChoices& choices) {
-    return error_message_if_any<data::FieldError>([&] { studies::method(name).require(problem, choices); });
-  };
   const data::Case spring = case_of("damped", {{"contact.tangential_stiffness", "1e6"}}),
                    ratio = case_of("paper", {{"damping.ratio", "0.01"}}),
                    shear = case_of("paper", {{"beam.shear_stiffness", "6e6"}});
-  EXPECT_EQ(
-      message("event-driven", spring, {}),
-      "contact.tangential_stiffness is 1e+06, but must be inf (a rigid contact) for --method event-driven; "
-      "fe and boundary-integral take it");
-  EXPECT_EQ(message("boundary-integral", ratio, {}),
-            "damping.ratio is 0.01, but must be 0 with the boundary integral, which allows Kelvin-Voigt "
-            "damping only");
-  EXPECT_EQ(
-      message("event-driven", shear, {}),
-      "beam.shear_stiffness is 6e+06, but must be 0 for --method event-driven, whose beam is rigid in shear; "
-      "--method fe has shear");
-  EXPECT_EQ(
-      message("boundary-integral", case_of("paper"), {.initial_velocity = solver::InitialVelocity::zero}),
-      "--initial-velocity is zero, but must be quasi-static for --method boundary-integral, whose equation "
-      "assumes it");
-  EXPECT_EQ(message("fe", spring, {.scheme = solver::ContactScheme::paper}),
-            "contact.tangential_stiffness is 1e+06, but must be inf (a rigid contact) for --scheme paper");
+  const std::tuple<const char*, data::Case, studies::RunChoices, const char*> rows[] = {
+      {"event-driven",
+       spring,
+       {},
+       "contact.tangential_stiffness is 1e+06, but must be inf (a rigid contact) for --method event-driven; "
+       "fe and boundary-integral take it"},
+      {"boundary-integral",
+       ratio,
+       {},
+       "damping.ratio is 0.01, but must be 0 with the boundary integral, which allows Kelvin-Voigt damping "
+       "only"},
+      {"event-driven",
+       shear,
+       {},
+       "beam.shear_stiffness is 6e+06, but must be 0 for --method event-driven, whose beam is rigid in "
+       "shear; "
+       "--method fe has shear"},
+      {"boundary-integral",
+       case_of("paper"),
+       {.initial_velocity = solver::InitialVelocity::zero},
+       "--initial-velocity is zero, but must be quasi-static for --method boundary-integral, whose equation "
+       "assumes it"},
+      {"fe",
+       spring,
+       {.scheme = solver::ContactScheme::paper},
+       "contact.tangential_stiffness is 1e+06, but must be inf (a rigid contact) for --scheme paper"}};
+  for (const auto& [name, problem, choices, sentence] : rows)
+    EXPECT_EQ(error_message_of<data::FieldError>(
+                  [&, &n = name, &p = problem, &c = choices] { studies::method(n).require(p, c); }),
+              sentence);
 }
 
 // What the table says, by each method on a case or a choice with each feature.

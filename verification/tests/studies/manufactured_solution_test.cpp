@@ -2,20 +2,10 @@
 /// Manufactured solutions: the finite elements and the time stepper return a motion that is no polynomial,
 /// under the load and the tip force that it implies, with the orders and the constants of theory.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstddef>
-#include <string>
-#include <tuple>
-#include <vector>
-
 #include "studies/convergence/manufactured_solution.hpp"
 #include "support/beams.hpp"
 #include "support/order.hpp"
-#include "support/parameter_name.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -154,8 +144,7 @@ TEST_P(ManufacturedTime, IsOfOrderTwoWithThePredictedConstant) {
 INSTANTIATE_TEST_SUITE_P(AllRadii, ManufacturedTime,
                          ::testing::Combine(::testing::Values(ManufacturedTip::stick, ManufacturedTip::slip,
                                                               ManufacturedTip::friction),
-                                            ::testing::Values(-10.0, 10.0),
-                                            ::testing::Values(0.0, 0.5, 0.9, 1.0)),
+                                            ::testing::Values(-10.0, 10.0), ::testing::Values(0.0, 0.9, 1.0)),
                          [](const auto& instance) {
                            return tip_name(std::get<0>(instance.param)) + "_" +
                                   parameter_name(std::get<1>(instance.param)) + "_radius_" +

@@ -1,18 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Warnings about cases outside the range of validity: each begins at the limit that theory gives.
 
-#include <gtest/gtest.h>
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <string>
-#include <tuple>
-#include <utility>
-#include <vector>
-
+#include "studies/criterion/problem_warnings.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
@@ -21,11 +10,9 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/convergence/discretisation.hpp"
-#include "studies/criterion/problem_warnings.hpp"
 #include "studies/history/runs.hpp"
 #include "support/error_message.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -137,7 +124,7 @@ TEST(LongStep, IsWarnedOfWithAStepThatPasses) {
   }
 }
 
-TEST(LongStep, IsWarnedOfForAnExcitationThatIsFasterThanTheModes) {
+TEST(LongStep, IsWarnedOfForAFastExcitation) {
   EXPECT_TRUE(warns(paper_with({{"excitation.frequency_hz", "2000"}, {"excitation.duration", "0.1"}}),
                     Inquiry::stepped_history, Concern::long_step));
 }
@@ -147,7 +134,7 @@ STICKSLIP_VERIFIES(ModesThatMatter, "X21");
 TEST(ModesThatMatter, HaveAnAmplitudeAboveTheirShare) {
   const double natural = analytic::stick_modes(paper_with().beam, 1).front().frequency_hz();
   for (const double duration : {0.002, 1.0})
-    for (int hz = 5; hz <= 300; ++hz) {
+    for (int hz = 5; hz <= 300; hz += 5) {
       const data::Case problem =
           paper_with({{"excitation.frequency_hz", digits(hz)}, {"excitation.duration", digits(duration)}});
       const analytic::StickResponse response(problem.beam, problem.excitation, problem.numerics.modes());
@@ -163,17 +150,6 @@ TEST(ModesThatMatter, HaveAnAmplitudeAboveTheirShare) {
             << hz << ' ' << duration;
       }
     }
-}
-
-// The maximum of |f| is that over a period of the excitation and of the first mode at least.
-TEST(ModesThatMatter, AreTheSameForAllDurationsBelowAPeriod) {
-  const auto mode = [](double hz, double duration) {
-    return studies::highest_mode_that_matters(
-        paper_with({{"excitation.frequency_hz", digits(hz)}, {"excitation.duration", digits(duration)}}));
-  };
-  const double natural = analytic::stick_modes(paper_with().beam, 1).front().frequency_hz();
-  for (const double hz : {15.0, 70.0})
-    EXPECT_EQ(mode(hz, 0.002), mode(hz, 1.0 / std::min(hz, natural))) << hz;
 }
 
 // --- Resonance
@@ -333,7 +309,7 @@ TEST(ProblemWarnings, AreRefusalsWhereThePeriodsToFollowAreTooMany) {
     EXPECT_NO_THROW(studies::require_feasible(problem, inquiry));
 }
 
-TEST(ProblemWarnings, AreRefusalsFromTheNumberOfPeriodsOnThatIsNamed) {
+TEST(ProblemWarnings, AreRefusalsFromTheNamedPeriodsOn) {
   const double tenth = analytic::stick_modes(paper_with().beam, 10).back().frequency_hz();
   const auto error_message = [](double hz, double duration, Inquiry inquiry) {
     return error_message_if_any<data::FieldError>([&] {

@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// What the three contact schemes make of the paper's beam at 25 Hz and 1 mm.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstddef>
-#include <vector>
-
 #include "studies/convergence/scheme_comparison.hpp"
 #include "support/beams.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -57,7 +50,7 @@ TEST(ContactSchemes, SlipFirstWithinAStepOfTheLocatedOnset) {
     }
 }
 
-TEST(ContactSchemes, WithoutLocationFindThePlateausOfACoarseDampedBeam) {
+TEST(ContactSchemes, WithoutLocationFindThePlateaus) {
   // A capture is late by up to h, in which the tip, stopping at d m/s^2, slides d h^2/2 back: d is the jump
   // of the contact's force from sliding to holding, at most 2 * 300 N, over the contact mass. Seven slips add
   // up.
@@ -108,19 +101,12 @@ TEST(ContactSchemes, PaperSchemeFindsPlateausInATenthOfTheStep) {
 TEST(ContactSchemes, PaperSchemeLeavesMoreEnergyUnexplained) {
   // Found here: 9 to 110 times the residual of the located changes, in half a second.
   for (const data::Damping& damping : {data::Damping(), damped})
-    for (const int elements : {10, 20})
-      for (const double radius : {0.9, 1.0}) {
-        const auto runs = compare({damping, elements, radius, 1e-4, 0.5});
-        EXPECT_EQ(runs[0].relative_residual(), runs[0].energy.residual() / runs[0].energy.base_work);
-        EXPECT_LT(std::abs(runs[0].relative_residual()), 5e-4);
-        EXPECT_GT(std::abs(runs[2].relative_residual()), 5.0 * std::abs(runs[0].relative_residual()));
-      }
-}
-
-TEST(ContactSchemes, StayBoundedWithoutNumericalDissipation) {
-  const auto runs = compare({data::Damping(), 10, 1.0, 1e-4, 2.0});
-  ASSERT_EQ(runs.size(), 3u);
-  for (const SchemeRun& run : runs) EXPECT_LT(run.largest_tip_displacement, 7e-3);
+    for (const double radius : {0.9, 1.0}) {
+      const auto runs = compare({damping, 10, radius, 1e-4, 0.5});
+      EXPECT_EQ(runs[0].relative_residual(), runs[0].energy.residual() / runs[0].energy.base_work);
+      EXPECT_LT(std::abs(runs[0].relative_residual()), 5e-4);
+      EXPECT_GT(std::abs(runs[2].relative_residual()), 5.0 * std::abs(runs[0].relative_residual()));
+    }
 }
 
 TEST(ContactSchemes, PaperSchemeAddsEnergyOnACoarseStep) {

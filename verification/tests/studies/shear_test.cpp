@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// Shear and rotary inertia by both implementations: frequencies, reactions, verdicts; and what they change in the paper.
 
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
 #include <Eigen/Dense>
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <string>
-#include <vector>
 
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/damped_reaction.hpp"
-#include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/timoshenko_modes.hpp"
 #include "stickslip/analytic/tip_mobility.hpp"
@@ -24,12 +15,10 @@
 #include "studies/common/problem_parameter.hpp"
 #include "studies/criterion/criterion_map.hpp"
 #include "studies/criterion/design_guide.hpp"
-#include "studies/criterion/model_form.hpp"
 #include "studies/criterion/problem_warnings.hpp"
 #include "support/error_message.hpp"
 #include "support/order.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -86,21 +75,6 @@ TEST(ShearOrder, IsTwoForElementsShorterThanTheSection) {
   }
 }
 
-// A slender beam, whose elements are long: of fourth order, as without shear, with the shear error as next term.
-TEST(ShearOrder, OfFrequenciesIsFourWhereElementsAreLong) {
-  const data::Beam beam = sheared_beam(200.0, 0.0);
-  const double omega = analytic::timoshenko_frequencies(beam, analytic::TipSupport::held, 3).back();
-  std::vector<OrderLevel> levels;
-  for (const int elements : {12, 16, 24, 32}) {
-    const double l = beam.length() / elements;
-    const FrequencyErrors predicted = frequency_errors(beam, omega, l);
-    const double bending_next = std::sqrt(1440.0 * predicted.bending) / 40.0;
-    const double found = solver::stick_modes(solver::BeamModel(beam, elements), 3).back().angular_frequency;
-    levels.push_back({l, found / omega - 1.0, bending_next + predicted.shear / predicted.bending, 1e-11});
-  }
-  EXPECT_TRUE(order_is(levels, 4.0, frequency_errors(beam, omega, 1.0).bending));
-}
-
 STICKSLIP_VERIFIES(ShearReaction, "X24");
 // Frequencies, shares, quasi-static part and buckling load with axial force of either sign and both directions. Of second
 // order in the element length: two meshes give the error of the finer, and what they leave is the fourth order.
@@ -140,48 +114,6 @@ TEST(ShearReaction, OfMeshesConvergesToTheClosedForm) {
   }
 }
 
-// f(t) and |f_max| of runs by time steps. A run of 160 elements and 1e-5 s has a tenth of the error of one of 80 elements and
-// 3e-5 s, so that their difference bounds it; the modes above the fortieth have less.
-TEST(ShearReaction, OfRunsIsThatOfTheClosedFormWithItsMaximum) {
-  data::Case problem = sheared_case({{"beam.length", "0.6"}, {"beam.axial_force", "5000"}});
-  problem.excitation = data::HarmonicExcitation({.frequency_hz = 90.0, .amplitude = 1e-4});
-  const double duration = 0.05;
-  const auto numerics = [&](int elements, double step) {
-    data::NumericalChoices choices = problem.numerics.choices();
-    choices.elements = elements;
-    choices.time_step = step;
-    choices.duration = duration;
-    return data::NumericalSettings(choices);
-  };
-  const analytic::ForceMaximum closed(
-      analytic::timoshenko_reaction(problem.beam, 40, studies::angular_frequency(problem.excitation)),
-      studies::angular_frequency(problem.excitation), duration);
-  const auto run = [&](int elements, double step) {
-    solver::BeamSimulation simulation(problem.beam, problem.friction, problem.excitation,
-                                      numerics(elements, step), {.contact = solver::TipContact::bonded});
-    std::vector<double> forces;
-    const int every = static_cast<int>(std::lround(6e-4 / step));
-    for (int n = 1; n <= 80 * every; ++n) {
-      simulation.step();
-      if (n % every == 0) forces.push_back(simulation.friction_force());
-    }
-    return forces;
-  };
-  const auto coarse = run(80, 3e-5), fine = run(160, 1e-5);
-  double change = 0.0;
-  for (std::size_t i = 0; i < fine.size(); ++i) change = std::max(change, std::abs(fine[i] - coarse[i]));
-  const double largest = closed.refined_to(1e-6).midpoint() * problem.excitation.amplitude();
-  EXPECT_LT(change, 0.02 * largest);
-  for (std::size_t i = 0; i < fine.size(); ++i)
-    EXPECT_TRUE(within(fine[i],
-                       problem.excitation.amplitude() * closed.value(6e-4 * static_cast<double>(i + 1)),
-                       discretisation(change, 0.5, "the change from a coarser run")))
-        << i;
-  EXPECT_TRUE(within(solver::max_abs_friction_force(problem.beam, problem.excitation, numerics(160, 1e-5), {},
-                                                    solver::Coordinates::modal),
-                     largest, discretisation(change, 0.5, "the change from a coarser run")));
-}
-
 analytic::Criterion criterion_of(const data::Case& problem) {
   return analytic::evaluate_criterion(problem.beam, problem.friction, problem.excitation,
                                       problem.numerics.duration(), problem.numerics.modes());
@@ -190,23 +122,24 @@ analytic::Criterion criterion_of(const data::Case& problem) {
 STICKSLIP_VERIFIES(ShearScope, "X24");
 TEST(ShearScope, IsRefusedByNameWhereThereIsNoShear) {
   const data::Case problem = sheared_case();
-  const auto expect_refused = [](const std::function<void()>& attempt) {
+  const data::Damping damping({.kelvin_voigt = 1e-5});
+  const data::Beam& beam = problem.beam;
+  const data::HarmonicExcitation& excitation = problem.excitation;
+  const std::function<void()> attempts[] = {
+      [&] { (void)analytic::stick_modes(beam, 1); },
+      [&] { (void)analytic::slip_modes(beam, 1); },
+      [&] { (void)analytic::StickResponse(beam, excitation); },
+      [&] { (void)analytic::TipMobility(beam, damping); },
+      [&] { (void)analytic::damped_reaction(beam, damping, 5); },
+      [&] { (void)analytic::DampedSteadyState(beam, excitation, damping, analytic::TipSupport::free); },
+      [&] { (void)analytic::BeamContactModel(beam, problem.friction, excitation, damping, 5); },
+      [&] {
+        (void)studies::band_margin(problem, {10.0, 20.0});
+      }};
+  for (const auto& attempt : attempts) {
     const std::string message = error_message_of<data::FieldError>(attempt);
     EXPECT_TRUE(message.starts_with("beam.shear_stiffness is ")) << message;
-  };
-  const data::Damping damping({.kelvin_voigt = 1e-5});
-  expect_refused([&] { (void)analytic::stick_modes(problem.beam, 1); });
-  expect_refused([&] { (void)analytic::slip_modes(problem.beam, 1); });
-  expect_refused([&] { (void)analytic::StickResponse(problem.beam, problem.excitation); });
-  expect_refused([&] { (void)analytic::TipMobility(problem.beam, damping); });
-  expect_refused([&] { (void)analytic::damped_reaction(problem.beam, damping, 5); });
-  expect_refused([&] {
-    (void)analytic::DampedSteadyState(problem.beam, problem.excitation, damping, analytic::TipSupport::free);
-  });
-  expect_refused([&] {
-    (void)analytic::BeamContactModel(problem.beam, problem.friction, problem.excitation, damping, 5);
-  });
-  expect_refused([&] { (void)studies::band_margin(problem, {10.0, 20.0}); });
+  }
 }
 
 // A map over the frequency shares one reaction, one over the length does not; each cell is the criterion of its case.
@@ -259,21 +192,6 @@ TEST(ShearEffect, IsInTheWarningOfAThickBeam) {
   thick.damping = data::Damping({.ratio = 0.01});
   EXPECT_EQ(thick_beam(studies::problem_warnings(thick, studies::Inquiry::criterion)).find("shear_stiffness"),
             std::string::npos);
-}
-
-// Over the planes of the figures, closed form; coarse along the lengths of Fig. 14.
-TEST(ShearEffect, IsCountedOverThePlanesOfTheFigures) {
-  const auto form = studies::model_form(data::load_case("paper"), data::load_case("paper-half-stiffness"),
-                                        data::load_case("paper-figure14"), 5);
-  ASSERT_EQ(form.shear.size(), form.planes.size());
-  for (std::size_t i = 0; i < form.shear.size(); ++i) {
-    const auto& plane = form.shear[i];
-    EXPECT_EQ(plane.cells + plane.lost, form.planes[i].cells);
-    EXPECT_GT(plane.to_stick + plane.to_slip, 0u);
-    EXPECT_LT(plane.flipped_share(), 0.2) << plane.figures;
-    EXPECT_LT(plane.lowest_ratio, 1.0);
-    EXPECT_GT(plane.highest_ratio, 1.0);
-  }
 }
 
 }  // namespace

@@ -1,59 +1,21 @@
 // SPDX-License-Identifier: MIT
 /// What takes minutes: finer grids and longer refinements of tests that run by default.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "comparison/comparison.hpp"
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/energy_balance.hpp"
-#include "studies/criterion/classification.hpp"
-#include "studies/stick/stick_history.hpp"
 #include "studies/stick_slip/finite_element_contact_model.hpp"
 #include "studies/stick_slip/history_convergence.hpp"
 #include "support/beams.hpp"
 #include "support/damped_benchmark.hpp"
 #include "support/order.hpp"
-#include "support/parameter_name.hpp"
 #include "support/published_data.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {
-
-STICKSLIP_VERIFIES(Figure9RefinedOnceMore, "X1");
-TEST(Figure9RefinedOnceMore, ForceErrorFallsOnAsPredicted) {
-  const auto study = studies::stick_history_study(paper_beam(), data::HarmonicExcitation({15.0, 0.5e-3}),
-                                                  data::NumericalSettings(paper_choices(0.25)), 5);
-  // The bound falls as h; over a quarter of a second fewer modes have lost their phase, and the error itself
-  // falls somewhat faster, towards h^2.
-  EXPECT_GT(study.force_order.order, study.predicted_force_order - 0.05);
-  EXPECT_LT(study.force_order.order, 1.3);
-  EXPECT_EQ(study.levels.size(), 5u);
-  for (const auto& level : study.levels)
-    EXPECT_TRUE(within(level.force_error, 0.0,
-                       discretisation(level.predicted_force_error, 1.35,
-                                      "phase drift; the factor is empirical, for 12/(omega T)")));
-}
-
-STICKSLIP_VERIFIES(Figure12Finer, "X3");
-TEST(Figure12Finer, ClassifiesAlikeOutsideTheGuardBand) {
-  std::vector<double> frequencies, amplitudes;
-  for (int i = 2; i <= 48; ++i) frequencies.push_back(2.5 * i);
-  for (int i = 1; i <= 40; ++i) amplitudes.push_back(0.025e-3 * i);
-  const auto study = studies::classification_study(
-      paper_beam(), paper_friction(), data::NumericalSettings(paper_choices(10.0)), frequencies, amplitudes);
-  EXPECT_EQ(study.disagreeing_outside, 0);
-  EXPECT_LT(study.in_guard_band, 30);
-}
 
 class EventDrivenBeamFiner : public ::testing::TestWithParam<double> {};
 
@@ -87,26 +49,6 @@ TEST_P(EventDrivenBeamFiner, EventTimesConvergeWithTheFourthOrderOfTheMesh) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Hz, EventDrivenBeamFiner, ::testing::Values(25.0, 70.0), NameOfDouble());
-
-STICKSLIP_VERIFIES(StickSlipBeamLong, "X10");
-TEST(StickSlipBeamLong, StaysBoundedOnAnyMeshAndStep) {
-  for (const double radius : {0.0, 0.5, 0.9, 1.0})
-    for (const int elements : {5, 20, 80})
-      for (const double time_step : {1e-3, 1e-4, 1e-5})
-        for (const double hz : {25.0, 70.0}) {
-          data::NumericalChoices c = paper_choices(0.5);
-          c.elements = elements;
-          c.spectral_radius = radius;
-          c.time_step = time_step;
-          solver::BeamSimulation s(paper_beam(), paper_friction(), data::HarmonicExcitation({hz, 1e-3}),
-                                   data::NumericalSettings(c));
-          for (long n = solver::step_count(0.5, time_step); n > 0; --n) {
-            s.step();
-            ASSERT_LT(std::abs(s.tip_displacement()), 7e-3)
-                << radius << " " << elements << " " << time_step << " " << hz << " " << s.time();
-          }
-        }
-}
 
 struct GridRun {
   int elements{};
@@ -143,6 +85,7 @@ void expect_bounded(const GridRun& grid) {
             (grid.time_step > 5e-4 ? 0.03 : 0.003) * recorder.balance().base_work);
 }
 
+STICKSLIP_VERIFIES(StickSlipBeamLong, "X10");
 TEST(StickSlipBeamLong, StaysBoundedOrSaysWhyItStops) {
   for (const data::Damping& damping : {data::Damping(), light_damping()})
     for (const int elements : {5, 10, 20, 40, 80, 160})

@@ -1,20 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// The discretisation uncertainties of the paper's results, against errors that the closed form knows.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
-#include <string>
-#include <tuple>
-#include <vector>
-
+#include "studies/paper/solution_verification.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/data/case_file.hpp"
-#include "studies/paper/solution_verification.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

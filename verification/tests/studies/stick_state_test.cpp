@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// Finite elements against the closed form in the stick state.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <vector>
-
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
@@ -19,9 +12,7 @@
 #include "studies/stick/stick_history.hpp"
 #include "support/beams.hpp"
 #include "support/order.hpp"
-#include "support/parameter_name.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -110,7 +101,7 @@ class ForceMaximumAt : public ::testing::TestWithParam<double> {};
 
 STICKSLIP_VERIFIES(ForceMaximumAt, "X2");
 TEST_P(ForceMaximumAt, FiniteElementsReturnThePredictedMaximum) {
-  for (const double radius : {0.5, 0.9, 1.0}) {
+  for (const double radius : {0.5, 0.9}) {
     const auto study = studies::force_maximum_study(
         paper_beam(), data::HarmonicExcitation({GetParam(), 0.5e-3}), settings(10.0, radius));
     EXPECT_TRUE(within(study.finite_element, study.predicted_finite_element,
@@ -192,99 +183,10 @@ TEST_P(SteppedFromRest, IsWhatTheMethodComputes) {
   }
 }
 
-TEST_P(SteppedFromRest, HasTheAmplitudeThatTheModifiedEquationsGive) {
-  // What is left falls as the fourth power of w h; (Omega/w)^2 = 1e-8 of the second power is nothing here.
-  const double natural = 1.0, omega = 1e-4;
-  const double exact = omega / (natural * (natural * natural - omega * omega));
-  const double d = (1.0 - GetParam()) / (1.0 + GetParam());  // alpha_f - alpha_m
-  std::vector<double> angles{0.2, 0.1, 0.05, 0.025}, amplitudes, frequencies;
-  for (const double angle : angles) {
-    const auto response = studies::stepped_from_rest(GetParam(), natural, omega, angle / natural);
-    const auto principal =
-        std::ranges::max_element(response.free, {}, [](const auto& term) { return term.factor.imag(); });
-    const double square = angle * angle;
-    amplitudes.push_back(std::abs(std::abs(principal->amplitude) / exact - (1.0 - 0.375 * d * d * square)));
-    frequencies.push_back(
-        std::abs(std::arg(principal->factor) / angle - (1.0 - 0.5 * (1.0 / 6.0 + 0.75 * d * d) * square)));
-  }
-  // The sixth power comes behind the fourth: (w h)^2 times a ratio of coefficients of a few.
-  const Tolerance next = discretisation(0.2 * 0.2, 2.5, "sixth power against the fourth, (w h)^2");
-  EXPECT_TRUE(within(observed_order(angles, frequencies), 4.0, next));
-  if (d > 0.0) {
-    EXPECT_TRUE(within(observed_order(angles, amplitudes), 4.0, next));
-  } else {
-    // The trapezoidal rule keeps the amplitude to all orders of w h, and to the second of Omega h.
-    for (std::size_t i = 0; i < angles.size(); ++i)
-      EXPECT_LT(amplitudes[i], std::pow(omega / natural * angles[i], 2));
-  }
-}
-
 INSTANTIATE_TEST_SUITE_P(SpectralRadius, SteppedFromRest, ::testing::Values(0.0, 0.5, 0.9, 1.0),
                          NameOfDouble());
 
-// Energy of the beam relative to its base.
-double energy(const solver::BeamSimulation& s) {
-  const auto& q = s.integrator().displacement();
-  const auto& v = s.integrator().velocity();
-  return 0.5 * v.dot(s.model().mass() * v) + 0.5 * q.dot(s.model().stick_stiffness() * q);
-}
-
-// Power of the base load -b h_tt and of the reaction in the tip row of the symmetric system, f_d - P theta_L.
-double power(const solver::BeamSimulation& s, const solver::PrescribedMotion& base) {
-  const auto& q = s.integrator().displacement();
-  const auto& v = s.integrator().velocity();
-  const double reaction = -s.friction_force() - s.model().beam().axial_force() * q[s.model().tip_rotation()];
-  return -base.acceleration(s.time()) * s.model().base_load().dot(v) +
-         reaction * v[s.model().tip_deflection()];
-}
-
-double energy_residual(double time_step, double spectral_radius) {
-  data::NumericalChoices choices = settings(0.2, spectral_radius).choices();
-  choices.time_step = time_step;
-  const data::HarmonicExcitation excitation({.frequency_hz = 35.0, .amplitude = 0.5e-3});
-  const solver::PrescribedMotion base = solver::harmonic_motion(excitation);
-  solver::BeamSimulation s(paper_beam(), paper_friction(), excitation, data::NumericalSettings(choices),
-                           {.contact = solver::TipContact::bonded});
-  const double initial = energy(s);
-  double work = 0.0, before = power(s, base), largest = 0.0, scale = 0.0;
-  for (long n = solver::step_count(choices.duration, time_step); n > 0; --n) {
-    s.step();
-    const double now = power(s, base);
-    work += 0.5 * (before + now) * time_step;
-    before = now;
-    largest = largest_or_nan({largest, std::abs(energy(s) - initial - work)});
-    scale = std::max(scale, energy(s));
-  }
-  return largest / scale;
-}
-
-STICKSLIP_VERIFIES(StickEnergy, "F8");
-TEST(StickEnergy, IsBalancedBySecondOrderWithoutDissipation) {
-  // Every mode that carries energy must be resolved: omega_5 h < 0.3 on the coarsest level.
-  std::vector<double> steps{1e-4, 5e-5, 2.5e-5, 1.25e-5}, residuals;
-  for (const double h : steps) residuals.push_back(energy_residual(h, 1.0));
-  // The next term: (omega h)^2/4 of mode 5, 2780 rad/s.
-  EXPECT_TRUE(order_is(order_levels(
-                           steps, residuals, [](double h) { return std::pow(2780.0 * h, 2) / 4.0; },
-                           round_off(16000, 1, 1.0).value),
-                       2.0));
-  EXPECT_LT(residuals.back(), 1e-4);
-}
-
 STICKSLIP_VERIFIES(StickState, "X1");
-TEST(StickState, TipDoesNotCreep) {
-  const data::HarmonicExcitation excitation({.frequency_hz = 35.0, .amplitude = 0.5e-3});
-  solver::BeamSimulation s(paper_beam(), paper_friction(), excitation, settings(1.0));
-  double largest = 0.0;
-  for (int n = 0; n < 10000; ++n) {
-    s.step();
-    largest = largest_or_nan({largest, std::abs(s.tip_displacement())});
-    ASSERT_EQ(s.sliding_velocity(), 0.0);
-  }
-  // h + (0 - h): one rounding.
-  EXPECT_LE(largest, round_off(1, 1, 0.5e-3).value);
-}
-
 TEST(StickState, ModeShapesOfBothImplementationsAreTheSame) {
   const auto study = studies::mode_shape_study(paper_beam(), 3, 20, 101);
   ASSERT_EQ(study.curves.size(), 6u);
@@ -325,7 +227,7 @@ TEST(StickState, DriftIsBoundedByPhaseAndDecay) {
 }
 
 // What its documentation says, term by term.
-TEST(StickState, PredictedForceIsUncertainByTheSumOfItsThreeRows) {
+TEST(StickState, PredictedForceIsUncertainByThreeParts) {
   const auto numerics = settings(2.0);
   const int modes = 4;
   const studies::PredictedForce predicted(paper_beam(), figure9, numerics, modes);

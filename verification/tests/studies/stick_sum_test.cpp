@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// The modal sum of the stick state against its equation of motion, integrated here by other means.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numbers>
-#include <vector>
-
 #include "studies/stick/stick_sum.hpp"
-#include "support/requirements.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

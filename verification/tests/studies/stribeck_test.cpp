@@ -2,20 +2,11 @@
 /// A friction law with a Stribeck minimum in both implementations: against closed forms, and one against the
 /// other.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <vector>
-
 #include "stickslip/analytic/boundary_integral.hpp"
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/solver/energy_balance.hpp"
 #include "support/contact_models.hpp"
-#include "support/random_beams.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -119,7 +110,7 @@ TEST(StribeckLaw, StopsASliderAtTheTimeOfTheClosedForm) {
   expect_a_quarter_at_each_halving(unexplained);
 }
 
-TEST(StribeckLaw, GivesBothImplementationsOneHistoryAtSecondOrder) {
+TEST(StribeckLaw, GivesOneHistoryAtSecondOrder) {
   // A mass on a shaken plane sticks, slips through the minimum of the law, and sticks again.
   const SingleMass mass{.stiffness = 3.0,
                         .normal_force = normal_force,
@@ -141,14 +132,6 @@ TEST(StribeckLaw, GivesBothImplementationsOneHistoryAtSecondOrder) {
     errors.push_back(largest);
   }
   expect_a_quarter_at_each_halving(errors);
-}
-
-TEST(StribeckLaw, IsTheSameInOtherUnits) {
-  // mu has no unit, v has that of length over time: bit for bit in units that are powers of two.
-  const Units units{8.0, 16.0, 0.5};
-  const data::FrictionLaw si(stribeck), other = in_units(units, si);
-  for (const double v : {0.0, 0.4, 0.9, 7.0})
-    EXPECT_EQ(solver::friction_coefficient(other, v * units.velocity()), solver::friction_coefficient(si, v));
 }
 
 }  // namespace

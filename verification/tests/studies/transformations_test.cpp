@@ -1,17 +1,8 @@
 // SPDX-License-Identifier: MIT
-/// Transformations of a problem that must change the answers of every engine in a known way, whatever the beam is.
-
-#include <gtest/gtest.h>
+/// Transformations of a problem that must change the answers of every engine in a known way, and theorems, whatever the beam is.
 
 #include <Eigen/Dense>
-#include <algorithm>
-#include <cmath>
-#include <functional>
 #include <iterator>
-#include <limits>
-#include <memory>
-#include <numbers>
-#include <vector>
 
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/event_driven.hpp"
@@ -21,7 +12,7 @@
 #include "support/measurements.hpp"
 #include "support/mesh.hpp"
 #include "support/order.hpp"
-#include "support/requirements.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -165,94 +156,10 @@ TEST_P(Linearity, TwiceTheAmplitudeIsTwiceTheResponseBitForBit) {
 INSTANTIATE_TEST_SUITE_P(Engines, Linearity, rows_where([](const Measurement& row) { return row.is_linear; }),
                          name_of_row);
 
-PrescribedMotion sum(const PrescribedMotion& a, const PrescribedMotion& b) {
-  return {[=](double t) { return a.displacement(t) + b.displacement(t); },
-          [=](double t) { return a.velocity(t) + b.velocity(t); },
-          [=](double t) { return a.acceleration(t) + b.acceleration(t); }};
-}
-
-STICKSLIP_VERIFIES(Superposition, "M1");
-// Round-off: a step rounds what it adds, and some hundreds of steps add up as they do in a response.
-TEST(Superposition, HoldsForSteppedResponsesToTwoBaseMotions) {
-  on_random_beams(20, compression, [](const data::Beam& beam, RandomNumbers& numbers) {
-    const std::vector<double> natural = stick_frequencies(beam, 4);
-    const auto motion = [&](double frequency) {
-      return solver::harmonic_motion(data::HarmonicExcitation(
-          {.frequency_hz = frequency, .amplitude = numbers.log_uniform(1e-6, 1e-3)}));
-    };
-    const double hz = random_frequency_hz(numbers, natural, 0.02);
-    const PrescribedMotion first = motion(hz), second = motion(random_frequency_hz(numbers, natural, 0.02));
-    const StickSlipProblem problem{beam, data::FrictionLaw({}),
-                                   data::HarmonicExcitation({.frequency_hz = hz, .amplitude = 0.0}),
-                                   data::Damping({.kelvin_voigt = 0.01 / natural.front()})};
-    const solver::IntegratorSettings stepping{.time_step = settings(problem, 1.0).time_step(),
-                                              .spectral_radius = 0.9};
-    const solver::BeamModel model(beam, mesh_elements);
-    const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(model.degrees_of_freedom());
-    for (const bool stuck : {true, false}) {
-      const auto response = [&](const PrescribedMotion& base) {
-        auto integrator = started(problem, base, stepping, solver::TipContact::bonded);
-        if (!stuck) {
-          integrator =
-              std::make_unique<StickSlipIntegrator>(free_tip_system(model, base, problem.damping), stepping);
-          integrator->start_slipping(at_rest, at_rest);
-        }
-        while (integrator->steps() < 150) integrator->step();
-        return integrator->displacement();
-      };
-      const Eigen::VectorXd a = response(first), b = response(second), both = response(sum(first, second));
-      const double scale = a.cwiseAbs().maxCoeff() + b.cwiseAbs().maxCoeff();
-      for (Eigen::Index i = 0; i < both.size(); ++i)
-        EXPECT_TRUE(within(both[i], a[i] + b[i], round_off(150, nearness_of_buckling(beam), scale)));
-    }
-  });
-}
-
 EventDriven run(const ContactModel& model, double end) {
   EventDriven history(model);
   history.advance_to(end);
   return history;
-}
-
-// The model's load and wall are free of each other: any two excitations of one frequency can be added. In
-// stick the propagator is exact; with a tip that slides without friction the integrator keeps 1e-12 a step.
-TEST(Superposition, HoldsForEventDrivenResponsesToTwoLoads) {
-  on_random_beams(15, compression, [](const data::Beam& beam, RandomNumbers& numbers) {
-    const StickSlipProblem problem = slipping(beam, numbers);
-    const ContactModel model = modal_model(problem);
-    for (const bool stuck : {true, false}) {
-      const double coefficient = stuck ? 1e6 : 0.0;
-      const auto history = [&](const std::vector<double>& load, double wall) {
-        ContactModel loaded = model;
-        loaded.load = load;
-        loaded.wall_amplitude = wall;
-        loaded.friction =
-            data::FrictionLaw({.static_coefficient = coefficient, .kinetic_coefficient = coefficient});
-        return run(loaded, 1.3 * period(problem.excitation));
-      };
-      std::vector<double> second = model.load, sum = model.load;
-      for (std::size_t n = 0; n < sum.size(); ++n) {
-        second[n] *= numbers.uniform(-1.0, 1.0);
-        sum[n] += second[n];
-      }
-      const double wall = model.wall_amplitude, other_wall = wall * numbers.uniform(-1.0, 1.0);
-      const EventDriven a = history(model.load, wall), b = history(second, other_wall);
-      const EventDriven both = history(sum, wall + other_wall);
-      double displacement = std::abs(wall), amplitude = 0.0;
-      for (const EventDriven* part : {&a, &b}) {
-        displacement = std::max(displacement, std::abs(part->contact_displacement()));
-        for (const double modal : part->amplitudes()) amplitude = std::max(amplitude, std::abs(modal));
-      }
-      const auto tolerance = [stuck](double scale) {
-        return stuck ? round_off(4, 20, scale) : discretisation(1e-11 * scale, 1.0, "1e-12 a step");
-      };
-      EXPECT_TRUE(within(both.contact_displacement(), a.contact_displacement() + b.contact_displacement(),
-                         tolerance(displacement)));
-      for (std::size_t n = 0; n < model.modes(); ++n)
-        EXPECT_TRUE(
-            within(both.amplitudes()[n], a.amplitudes()[n] + b.amplitudes()[n], tolerance(amplitude)));
-    }
-  });
 }
 
 // More friction, less amplitude or less time turns no stick into slip, and no slip comes earlier.
@@ -353,17 +260,6 @@ TEST(CriterionOfRandomBeams, SlipsNoLessInALongerTime) {
   });
 }
 
-TEST(CriterionOfRandomBeams, HasTheFrictionLimitAtTheCriticalAmplitude) {
-  on_random_beams(20, compression, [](const data::Beam& beam, RandomNumbers& numbers) {
-    const StickSlipProblem problem = off_resonance(beam, numbers);
-    const double share = critical_by_criterion(problem) / problem.excitation.amplitude();
-    const auto found = analytic::evaluate_criterion(
-        beam, problem.friction, with_amplitude(problem, share).excitation, period(problem.excitation), 4);
-    EXPECT_TRUE(within(found.force_max.midpoint(), problem.friction.static_coefficient() * beam.axial_force(),
-                       round_off(1, 1, found.friction_limit)));
-  });
-}
-
 // Time shift.
 
 /// A0 sin(omega t)^3 for t > 0 and rest before: with its first two derivatives zero at the start.
@@ -386,30 +282,7 @@ double binary_step(const StickSlipProblem& problem) {
 }
 
 STICKSLIP_VERIFIES(TimeShift, "M1");
-// With a spectral radius of 1 the load is taken in the middle of a step, which has a double of its own.
 constexpr double amplitude_change = 1e-8;
-
-TEST(TimeShift, OfTheBaseIsThatOfTheSteppedStickBitForBit) {
-  on_random_beams(30, compression, [](const data::Beam& beam, RandomNumbers& numbers) {
-    const StickSlipProblem problem = slipping(beam, numbers);
-    const double h = binary_step(problem);
-    const PrescribedMotion base = smooth_start(problem.excitation);
-    const solver::IntegratorSettings stepping{.time_step = h, .spectral_radius = 1.0};
-    const auto bonded = solver::TipContact::bonded;
-    const int delay = numbers.whole(1, 50);
-    const auto now = started(problem, base, stepping, bonded),
-               later = started(problem, transformed(base, 1.0, delay * h), stepping, bonded);
-    while (later->steps() < delay) later->step();
-    EXPECT_EQ(later->displacement().cwiseAbs().maxCoeff(), 0.0);
-    for (int n = 0; n < 150; ++n) {
-      now->step();
-      later->step();
-      ASSERT_EQ(now->displacement(), later->displacement()) << n;
-      ASSERT_EQ(now->velocity(), later->velocity()) << n;
-      ASSERT_EQ(now->friction_force(), later->friction_force()) << n;
-    }
-  });
-}
 
 TEST(TimeShift, OfTheBaseIsThatOfEverySteppedEvent) {
   int events = 0;
@@ -434,49 +307,6 @@ TEST(TimeShift, OfTheBaseIsThatOfEverySteppedEvent) {
     events += static_cast<int>(expected.size());
   });
   EXPECT_GT(events, 60);
-}
-
-// A run that is continued from q and v alone starts with another algorithmic acceleration, a share of h off,
-// which costs (1/2 - alpha_f)(alpha_m - alpha_f) h^2 q_ttt in the velocity: second order, as the method.
-TEST(TimeShift, SteppedRestartContinuesToSecondOrder) {
-  on_random_beams(10, compression, [](const data::Beam& beam, RandomNumbers& numbers) {
-    StickSlipProblem problem = slipping(beam, numbers);
-    problem.damping = data::Damping({.kelvin_voigt = 0.1 / stick_frequencies(beam, 1).front()});
-    const PrescribedMotion base = smooth_start(problem.excitation);
-    const solver::BeamModel model(beam, mesh_elements);
-    const double coarse = binary_step(problem);
-    const int start = numbers.whole(20, 60);
-    std::vector<double> steps, differences;
-    double motion = 0.0;
-    for (const int halvings : {2, 3, 4, 5}) {
-      const double h = std::ldexp(coarse, -halvings);
-      const long before = static_cast<long>(start) << halvings, after = 100L << halvings;
-      const solver::IntegratorSettings stepping{.time_step = h, .spectral_radius = 0.5};
-      const auto whole = started(problem, base, stepping, solver::TipContact::bonded);
-      while (whole->steps() < before) whole->step();
-      solver::ContactSystem system = solver::beam_contact_system(
-          model, problem.friction, transformed(base, 1.0, -static_cast<double>(before) * h), problem.damping);
-      system.normal_force = solver::bonding_force;
-      StickSlipIntegrator rest(system, stepping);
-      rest.start_stuck(whole->displacement(), whole->velocity());
-      double largest = 0.0;
-      for (long n = 0; n < after; ++n) {
-        whole->step();
-        rest.step();
-        const Eigen::VectorXd difference = whole->velocity() - rest.velocity();
-        largest = largest_or_nan({largest, difference.dot(model.mass() * difference)});
-        motion = std::max(motion, std::sqrt(whole->velocity().dot(model.mass() * whole->velocity())));
-      }
-      steps.push_back(h);
-      differences.push_back(std::sqrt(largest));
-    }
-    // A mode's next term is a share of its w h; the jump of velocity reaches the fifth with some weight.
-    const double fifth = stick_frequencies(beam, 5).back();
-    const double floor = 3200.0 * std::numeric_limits<double>::epsilon() * motion;
-    EXPECT_TRUE(order_is(order_levels(
-                             steps, differences, [&](double h) { return 0.5 * fifth * h; }, floor),
-                         2.0));
-  });
 }
 
 // Time shift: the load is periodic, and antiperiodic in half a period.
@@ -548,6 +378,72 @@ TEST(Interlacing, OfAllFrequenciesOfTheMesh) {
     const solver::BeamModel model(beam, elements);
     expect_interlaced(solver::stick_modes(model, 2 * elements - 1), solver::slip_modes(model, 2 * elements),
                       &solver::FiniteElementMode::angular_frequency);
+  });
+}
+
+// Betti's reciprocity: kept in stick, and lost in slip by what the follower force does.
+
+/// (K - omega^2 M)^-1.
+Eigen::MatrixXd flexibility(const solver::BeamModel& model, const solver::SparseMatrix& stiffness,
+                            double omega) {
+  return Eigen::MatrixXd(stiffness - omega * omega * model.mass()).inverse();
+}
+
+double random_angular_frequency(RandomNumbers& numbers, const data::Beam& beam) {
+  return 2.0 * pi * random_frequency_hz(numbers, stick_frequencies(beam, 4), 0.05);
+}
+
+STICKSLIP_VERIFIES(Reciprocity, "M2");
+// A force at a, with the tip held, moves b as far as the same force at b moves a.
+TEST(Reciprocity, HoldsInStickAtRestAndInVibration) {
+  on_random_beams(60, any_force, [](const data::Beam& beam, RandomNumbers& numbers) {
+    const int elements = numbers.whole(3, 8);
+    const solver::BeamModel model(beam, elements);
+    const double a = beam.length() * numbers.uniform(0.1, 0.9), b = beam.length() * numbers.uniform(0.1, 0.9);
+    for (const double omega : {0.0, random_angular_frequency(numbers, beam)}) {
+      const Eigen::PartialPivLU<Eigen::MatrixXd> solve(
+          with_held_tip(model, model.stick_stiffness() - omega * omega * model.mass()));
+      const auto at = [&](double x) {
+        Eigen::VectorXd row = model.interpolation(x);
+        row[model.tip_deflection()] = 0.0;
+        return row;
+      };
+      const double there = at(b).dot(solve.solve(at(a))), back = at(a).dot(solve.solve(at(b)));
+      const double scale =
+          std::sqrt(std::abs(at(a).dot(solve.solve(at(a))) * at(b).dot(solve.solve(at(b))))) +
+          std::abs(there);
+      EXPECT_TRUE(
+          within(there, back, round_off(1, std::pow(elements, 4) * nearness_of_buckling(beam), scale)));
+    }
+  });
+}
+
+// In slip the follower term P e_w e_theta^T is a rank-one change of the symmetric K - P K_G - omega^2 M,
+// whose flexibility is F: by Sherman and Morrison
+//
+//     G_ab - G_ba = -P (F_aw F_theta b - F_bw F_theta a)/(1 + P F_theta w).
+TEST(Reciprocity, LossInSlipIsThatOfTheFollowerForce) {
+  on_random_beams(60, any_force, [](const data::Beam& beam, RandomNumbers& numbers) {
+    const int elements = numbers.whole(3, 8);
+    const solver::BeamModel model(beam, elements);
+    const double omega = random_angular_frequency(numbers, beam), force = beam.axial_force();
+    const Eigen::MatrixXd g = flexibility(model, model.slip_stiffness(), omega);
+    const Eigen::MatrixXd f = flexibility(model, model.stick_stiffness(), omega);
+    const Eigen::Index w = model.tip_deflection(), theta = model.tip_rotation();
+    double largest = 0.0;
+    for (Eigen::Index a = 0; a < g.rows(); a += 2)
+      for (Eigen::Index b = 0; b < a; b += 2) {
+        const double scale = std::abs(g(a, b)) + std::abs(g(b, a));
+        const double predicted =
+            -force * (f(a, w) * f(theta, b) - f(b, w) * f(theta, a)) / (1.0 + force * f(theta, w));
+        const double parts = std::abs(force) *
+                             (std::abs(f(a, w) * f(theta, b)) + std::abs(f(b, w) * f(theta, a))) /
+                             std::abs(1.0 + force * f(theta, w));
+        EXPECT_TRUE(within(g(a, b) - g(b, a), predicted,
+                           round_off(1, std::pow(elements, 4) * nearness_of_buckling(beam), scale + parts)));
+        largest = std::max(largest, std::abs(predicted) / scale);
+      }
+    EXPECT_GT(largest, 1e-4);
   });
 }
 

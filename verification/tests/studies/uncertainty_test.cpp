@@ -3,16 +3,9 @@
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_randist.h>
-#include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <numeric>
-#include <optional>
 #include <span>
-#include <string>
-#include <vector>
 
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "studies/common/parallel.hpp"
@@ -20,8 +13,7 @@
 #include "studies/uncertainty/slip_probability.hpp"
 #include "support/beams.hpp"
 #include "support/error_message.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -186,26 +178,14 @@ TEST(SobolIndices, OfIshigamisFunctionAreItsClosedForms) {
   expect_index(result.indices[1].total, second / variance);
   expect_index(result.indices[2].first, 0.0);
   expect_index(result.indices[2].total, both / variance);
-}
-
-TEST(SobolIndices, OfASumAreTheSharesOfItsTerms) {
-  const auto model = [](std::span<const double> u) -> std::optional<double> {
-    return 3.0 * u[0] - 2.0 * u[1] + u[2] + 5.0;
-  };
-  const auto result = studies::sobol_indices(model, 4, 1024, 1);
-  for (std::size_t i = 0; i < 4; ++i) {
-    const double share = std::vector{9.0, 4.0, 1.0, 0.0}[i] / 14.0;
-    expect_index(result.indices[i].first, share);
-    expect_index(result.indices[i].total, share);
-  }
   const studies::ThreadsForNow three(3);
-  const auto again = studies::sobol_indices(model, 4, 1024, 1);
+  const auto again = studies::sobol_indices(model, 3, 4096, 3);
   EXPECT_EQ(result.indices[1].first.value, again.indices[1].first.value);
   EXPECT_EQ(result.indices[1].total.upper, again.indices[1].total.upper);
 }
 
 // Of one input f(B) - f(AB) vanishes. T of each replication comes from the values of the model in their order.
-TEST(SobolIndices, AreTheMeanOfTheReplicationsWithStudentsInterval) {
+TEST(SobolIndices, AreMeansWithStudentsInterval) {
   std::vector<double> f;
   const auto model = [&f](std::span<const double> u) { return std::optional(f.emplace_back(u[0] * u[0])); };
   const studies::ThreadsForNow one(1);
@@ -297,7 +277,7 @@ std::string refused_because(const data::Uncertainty& uncertainty,
 
 // mu_s alone: A_c is proportional to it, and the tip slips below mu_c = A_0 |f_max|/(A_0 P).
 STICKSLIP_VERIFIES(SlipProbability, "Q2");
-TEST(SlipProbability, OfAnUncertainCoefficientIsThatOfItsDistribution) {
+TEST(SlipProbability, OfACoefficientIsThatOfItsDistribution) {
   data::Case of = problem();
   for (const data::Damping& damping : {data::Damping(), data::Damping({.kelvin_voigt = 6.4e-5})}) {
     of.damping = damping;
@@ -327,15 +307,6 @@ TEST(SlipProbability, OfAnUncertainCoefficientIsThatOfItsDistribution) {
     const double halved = probability_below(critical, 0.025);
     EXPECT_TRUE(within(result.probability_with_half_spread.value, halved, sampling(halved, 20000)));
   }
-}
-
-TEST(SlipProbability, OfAnUncertainAmplitudeIsThatOfItsDistribution) {
-  const double critical = 300.0 / force_per_metre(problem());
-  const auto result = studies::slip_uncertainty(
-      problem(), independent({{"excitation.amplitude", uniform(0.4e-3, 0.8e-3)}}), {.samples = 20000});
-  const double expected = (0.8e-3 - critical) / 0.4e-3;
-  EXPECT_TRUE(within(result.probability_of_slip.value, expected, sampling(expected, 20000)));
-  EXPECT_NEAR(result.quantiles[2].critical_amplitude.value, critical, 1e-7 * critical);
 }
 
 // log(margin) is normal: that of mu_s less that of the amplitude, and its variance is known with their correlation.
@@ -375,19 +346,6 @@ TEST(SlipProbability, CountsTheSamplesWhoseMarginIsBelowOne) {
   }
 }
 
-// How many of 200 intervals hold the truth is binomial with their exact coverage.
-TEST(SlipProbability, LiesInItsIntervalAsOftenAsItShould) {
-  constexpr unsigned runs = 200, samples = 60;
-  const double p = probability_below(critical_coefficient(problem())), expected = coverage(p, samples);
-  int held = 0;
-  for (unsigned seed = 1; seed <= runs; ++seed) {
-    const auto result =
-        studies::slip_uncertainty(problem(), uncertain_coefficient(), {.samples = samples, .seed = seed});
-    held += result.probability_of_slip.lower <= p && p <= result.probability_of_slip.upper ? 1 : 0;
-  }
-  EXPECT_TRUE(within(held / static_cast<double>(runs), expected, sampling(expected, runs)));
-}
-
 TEST(SlipProbability, CountsWhatIsNoBeam) {
   const auto result = studies::slip_uncertainty(
       problem(),
@@ -420,27 +378,13 @@ TEST(SlipProbability, HasTheDecisiveKeyThatMakesTheBeamInvalid) {
 }
 
 // The kinetic coefficient of the case is 0.3: it follows a smaller static one unless it is uncertain itself.
-TEST(SlipProbability, LetsACertainKineticCoefficientFollowTheStaticOne) {
+TEST(SlipProbability, LetsTheKineticCoefficientFollow) {
   const std::pair<std::string, Distribution> coefficient{"friction.static_coefficient", uniform(0.1, 0.5)};
   EXPECT_EQ(studies::slip_uncertainty(problem(), independent({coefficient}), {.samples = 1000}).valid, 1000u);
   const auto both = studies::slip_uncertainty(
       problem(), independent({coefficient, {"friction.kinetic_coefficient", uniform(0.2999, 0.3001)}}),
       {.samples = 1000});
   EXPECT_TRUE(within(static_cast<double>(both.valid) / 1000.0, 0.5, sampling(0.5, 1000)));
-}
-
-// With Coulomb friction the samples are those of any other law: the verdict depends on the static coefficient only.
-TEST(SlipProbability, OfCoulombFrictionIsThatOfItsStaticCoefficient) {
-  data::Case coulomb = problem();
-  coulomb.friction = data::FrictionLaw({.static_coefficient = 0.6, .kinetic_coefficient = 0.6, .decay = 0.0});
-  const auto coefficient = independent({{"friction.static_coefficient", uniform(0.3, 0.9)}});
-  const auto falling = studies::slip_uncertainty(problem(), coefficient, {.samples = 1000}),
-             constant = studies::slip_uncertainty(coulomb, coefficient, {.samples = 1000});
-  EXPECT_EQ(constant.valid, 1000u);
-  EXPECT_EQ(constant.slips, falling.slips);
-  for (std::size_t i = 0; i < falling.quantiles.size(); ++i)
-    EXPECT_EQ(constant.quantiles[i].margin.value, falling.quantiles[i].margin.value) << i;
-  EXPECT_EQ(constant.tornado[0].margin_high, falling.tornado[0].margin_high);
 }
 
 TEST(SlipProbability, HasIndicesOfUpToTwentyKeys) {

@@ -46,7 +46,8 @@ inline bool criterion_slips(double hz, double amplitude) {
 }
 
 /// A run of finite elements with the settings of the paper.
-inline solver::BeamSimulation run_at(double hz, double amplitude, const solver::BeamRun& options = {}) {
+inline solver::BeamSimulation run_at(double hz, double amplitude, solver::BeamRun options = {}) {
+  options.coordinates = solver::Coordinates::fastest;
   return {paper().beam, paper().friction, excitation(hz, amplitude), paper().numerics, options};
 }
 
@@ -74,7 +75,8 @@ inline double first_force(int elements, solver::InitialVelocity start) {
 
 /// Finite elements with contact.
 inline bool finite_elements_slip(double hz, double amplitude) {
-  return solver::first_slip(paper().beam, paper().friction, excitation(hz, amplitude), paper().numerics)
+  return solver::first_slip(paper().beam, paper().friction, excitation(hz, amplitude), paper().numerics, {},
+                            solver::Coordinates::fastest)
       .has_value();
 }
 

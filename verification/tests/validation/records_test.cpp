@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: MIT
 /// The readers on files written here, and the estimators on records with known answers.
 
-#include <gtest/gtest.h>
 #include <zlib.h>
 
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
-#include <numbers>
 #include <random>
-#include <string>
-#include <vector>
 
 #include "stickslip/data/input_error.hpp"
-#include "support/requirements.hpp"
+#include "support/testing.hpp"
 #include "validation/models.hpp"
 
 namespace stickslip::testing {
