@@ -941,8 +941,13 @@ class OptionInput : public Drawing {
                std::vector<std::string> before) const {
     const Outcome outcome = run_here(words);
     const std::string arguments = fmt::format("{}", fmt::join(words, " "));
-    EXPECT_EQ(outcome.status, row.is_refused() ? 2 : 0) << arguments.substr(0, 300) << "\n"
-                                                        << outcome.errors.substr(0, 300);
+    // No reference is known as well as such a tolerance asks for, and no sample covers so short a time.
+    const bool is_undecided = row.item == "compare --tolerance" || row.item == "compare --until";
+    const bool is_tiny =
+        row.defect == "denormal" || (row.defect == "zero" && row.item == "compare --tolerance");
+    const int taken = is_undecided && is_tiny ? 3 : 0;
+    EXPECT_EQ(outcome.status, row.is_refused() ? 2 : taken) << arguments.substr(0, 300) << "\n"
+                                                            << outcome.errors.substr(0, 300);
     if (row.is_refused()) {
       expect_error_message(row, arguments, outcome);
       expect_no_new_file(std::move(before));
