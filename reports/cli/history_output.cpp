@@ -45,7 +45,8 @@ double end_of(const data::Case& problem, const HistoryOptions& options) {
 long row_step_of(const data::Case& problem, const HistoryOptions& options, double span) {
   if (options.every) return *options.every;
   if (!options.rate) return studies::usual_row_step(problem, span);
-  if (!(*options.rate > 0.0)) throw data::FieldError("--rate", *options.rate, "above 0 (1/s)");
+  if (!(*options.rate >= 1e-9 && *options.rate <= 1e12))
+    throw data::FieldError("--rate", *options.rate, "from 1e-09 to 1e+12 (1/s)");
   const double steps = (1.0 + 1e-9) / (*options.rate * problem.numerics.time_step());
   return std::max(1L, static_cast<long>(std::min(steps, 1e9)));
 }

@@ -152,6 +152,8 @@ constexpr Exception exceptions[] = {
     {"option", "compare --until", "@(denormal|huge|zero)",
      "a comparison may end at its start or go on to the end of the data"},
     {"option", "squeal --speed", "negative", "the wall may move either way"},
+    {"option", "respond --from", "@(denormal|zero)", "the rows begin with the history"},
+    {"option", "respond --to", "denormal", "the rows end with the start"},
     {"option", "@(* --output|respond --events|squeal --map|compare --json|compare --junit)",
      "@(denormal|huge|infinity|negative|not UTF-8|not a number|wrong type|zero)",
      "a file may have that name"},
