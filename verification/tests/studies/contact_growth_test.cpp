@@ -3,6 +3,7 @@
 
 #include "studies/stick_slip/contact_growth.hpp"
 #include "stickslip/analytic/boundary_integral.hpp"
+#include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/tip_mobility.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
@@ -103,6 +104,23 @@ TEST(ContactGrowth, OfTheBeamIsFourKappaOverItsMass) {
   EXPECT_GT(low_modes, 0.98 * beam_bound);
   EXPECT_TRUE(studies::grows_at_most(contact, kappa, 1.001 * beam_bound));
   EXPECT_FALSE(studies::grows_at_most(contact, kappa, 0.999 * beam_bound));
+}
+
+// cos b cosh b = -1 at b = (n - 1/2) pi + e with |e| = 2 exp(-b), and omega is that of b^2. In steps of h none is above pi/h.
+TEST(ContactGrowth, IsSearchedFromTheFrequenciesOfSliding) {
+  const data::Beam beam = paper_beam_with_axial_force(0.0);
+  auto frequencies = studies::continuous_contact(beam).frequencies;
+  ASSERT_EQ(frequencies.size(), 41u);  // 0 and 40 modes
+  const auto modes = analytic::slip_modes(beam, 4);
+  for (std::size_t n = 2; n <= 4; ++n) {
+    const double b = (static_cast<double>(n) - 0.5) * std::numbers::pi,
+                 omega = modes[n - 1].angular_frequency();
+    EXPECT_TRUE(within(frequencies[n], omega, discretisation(omega * 4.0 * std::exp(-b) / b, 1.1, "e")));
+  }
+  constexpr double h = 1e-4, highest = std::numbers::pi / h;
+  std::erase_if(frequencies, [](double omega) { return omega >= highest; });
+  frequencies.push_back(highest);
+  EXPECT_EQ(studies::stepped_contact(beam, h, 2).frequencies, frequencies);
 }
 
 TEST(ContactGrowth, OfADampedBeamIsBelowThatOfTheUndamped) {
