@@ -121,7 +121,7 @@ TEST_F(Fault, CtrlCEndsLongWorkAtOnceAndSaysHowFarItCame) {
   const std::string output = " --output history.csv",
                     others = " --events events.csv --spectrum spectrum.csv --figure history.png";
   for (const auto& [arguments, beginning, end] : std::vector<Work>{
-           {"respond --duration 1e5" + output + others, "interrupted at ",
+           {"respond --duration 1e5 --every 200" + output + others, "interrupted at ",
             " s of 1e+05 s; nothing is kept\n"},
            {"respond --method event-driven --duration 300" + output, "interrupted at ",
             " s of 300 s; nothing is kept\n"},
