@@ -17,12 +17,14 @@ struct SteadyState {
   double force{};               ///< N
   double critical_amplitude{};  ///< m
   analytic::Verdict verdict{};
+  bool reached{};  ///< false if the undamped force grows over all of the duration (Concern::resonance)
 };
 
 /// A natural frequency of the stick state.
 struct StickFrequency {
   int mode{};
   double hz{};
+  double distance{};  ///< from the excitation frequency, over that; below 0 if it is below
 };
 
 /// One key of the case times a factor, and the margin μₛ P/max|f| that it gives.
@@ -34,8 +36,8 @@ struct Change {
 struct CriterionAnswer {
   analytic::Criterion truncated;      ///< with numerics.modes, as in the paper
   analytic::Criterion all_modes;      ///< without truncation
-  std::optional<SteadyState> steady;  ///< nothing where the undamped force grows over all of the duration
-  StickFrequency next;                ///< the first natural frequency above that of the excitation
+  std::optional<SteadyState> steady;  ///< nothing for an undamped beam at a natural frequency, to rounding
+  StickFrequency nearest;             ///< the natural frequency nearest to that of the excitation
   std::optional<Change> best_change;  ///< by a tenth; nothing for an excitation amplitude of 0
 };
 
