@@ -104,28 +104,25 @@ std::optional<SteadyState> steady_state(const data::Case& problem, const StickFr
       .reached = std::ranges::find(warnings, Concern::resonance, &Warning::concern) == warnings.end()};
 }
 
-// Changes after which there is no stick state are left out.
-Change best_change_of(const data::Case& problem) {
-  Change best;
-  for (const std::string_view key :
-       {"excitation.amplitude", "excitation.frequency_hz", "beam.length", "beam.axial_force",
-        "beam.youngs_modulus", "beam.density", "friction.static_coefficient"})
-    for (const double factor : {0.9, 1.1}) {
-      const data::Case changed = data::with_value(problem, key, factor * data::value_of(problem, key));
-      if (changed.beam.axial_force() >= analytic::stick_buckling_load(changed.beam)) continue;
-      const double margin = margin_of(criterion_of(changed, changed.excitation, changed.numerics.modes(),
-                                                   SteadyPart::modal_sum))
-                                .lower;
-      if (margin > best.margin) best = {key, factor, margin};
-    }
-  return best;
-}
-
 }  // namespace
 
 analytic::Bounds margin_of(const analytic::Criterion& criterion) {
   return {criterion.friction_limit / criterion.force_max.upper,
           criterion.friction_limit / criterion.force_max.lower};
+}
+
+std::optional<Change> best_change(
+    const data::Case& problem,
+    const std::function<std::optional<double>(std::string_view key, double value)>& margin_with) {
+  Change best;
+  for (const std::string_view key :
+       {"excitation.amplitude", "excitation.frequency_hz", "beam.length", "beam.axial_force",
+        "beam.youngs_modulus", "beam.density", "friction.static_coefficient"})
+    for (const double factor : {0.9, 1.1})
+      if (const auto margin = margin_with(key, factor * data::value_of(problem, key));
+          margin && *margin > best.margin)
+        best = {key, factor, *margin};
+  return best.key.empty() ? std::nullopt : std::optional(best);
 }
 
 CriterionAnswer criterion_answer(const data::Case& problem) {
@@ -136,10 +133,15 @@ CriterionAnswer criterion_answer(const data::Case& problem) {
       .nearest = nearest_stick_frequency(problem),
       .best_change = {}};
   answer.steady = steady_state(problem, answer.nearest);
-  if (problem.excitation.amplitude() > 0.0) {
-    const Change best = best_change_of(problem);
-    if (!best.key.empty()) answer.best_change = best;
-  }
+  if (problem.excitation.amplitude() > 0.0)
+    answer.best_change =
+        best_change(problem, [&](std::string_view key, double value) -> std::optional<double> {
+          const data::Case changed = data::with_value(problem, key, value);
+          if (changed.beam.axial_force() >= analytic::stick_buckling_load(changed.beam)) return std::nullopt;
+          return margin_of(criterion_of(changed, changed.excitation, changed.numerics.modes(),
+                                        SteadyPart::modal_sum))
+              .lower;
+        });
   return answer;
 }
 

@@ -3,6 +3,7 @@
 
 /// What the criterion of stick-slip occurrence says of a case, and what an engineer asks next.
 
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -45,6 +46,12 @@ struct CriterionAnswer {
 /// free vibrations, and bounds of those that are left out; each key that it depends on is then changed by a tenth, and the change
 /// with the largest margin is kept. Throws what evaluate_criterion() throws.
 [[nodiscard]] CriterionAnswer criterion_answer(const data::Case& problem);
+
+/// The change with the largest margin of those of one key by a tenth: amplitude, frequency, length, axial force, Young's modulus,
+/// density or static coefficient. `margin_with` gives the margin with a key at a value, nothing where there is no stick state.
+[[nodiscard]] std::optional<Change> best_change(
+    const data::Case& problem,
+    const std::function<std::optional<double>(std::string_view key, double value)>& margin_with);
 
 /// μₛ P over the largest |f|: below 1 the tip slips.
 [[nodiscard]] analytic::Bounds margin_of(const analytic::Criterion& criterion);

@@ -99,8 +99,8 @@ TEST(CriterionAnswer, SteadyForceNextToResonanceIsThatOfAMesh) {
   ASSERT_TRUE(steady);
   EXPECT_FALSE(steady->reached);
   EXPECT_TRUE(studies::criterion_answer(paper_at("35", "1e-3")).steady->reached);
-  const double fine = finite_element_steady_force(problem, 160),
-               coarse = finite_element_steady_force(problem, 80);
+  const double fine = finite_element_steady_force(problem, 80),
+               coarse = finite_element_steady_force(problem, 40);
   EXPECT_TRUE(within(steady->force, fine,
                      discretisation(std::abs(coarse - fine) / 15.0, 1.1, "the fourth power of the element")));
 }
