@@ -134,16 +134,6 @@ void require_different_files(const std::vector<std::pair<std::string, std::strin
   }
 }
 
-void require_undamped(const data::Case& problem, std::string_view what) {
-  if (!studies::is_damped(problem)) return;
-  const bool viscous = problem.damping.kelvin_voigt() > 0.0;
-  throw data::FieldError(viscous ? "damping.kelvin_voigt" : "damping.ratio",
-                         viscous ? problem.damping.kelvin_voigt() : problem.damping.ratio(),
-                         fmt::format("0 for {}: Eq. (26) is that of the undamped beam; respond --method fe "
-                                     "follows the damped one",
-                                     what));
-}
-
 std::vector<std::string> sentences_of(const std::vector<studies::Warning>& warnings) {
   std::vector<std::string> sentences;
   for (const auto& warning : warnings) sentences.push_back(warning.sentence);

@@ -84,9 +84,6 @@ void require_json_alone(bool json, std::string_view option, const std::string& f
 /// Throws data::InputError if an option names the same file as one before it; an empty name is no file.
 void require_different_files(const std::vector<std::pair<std::string, std::string>>& file_of_option);
 
-/// Throws data::InputError, naming the damping, if the case has any; `what` needs it to have none.
-void require_undamped(const data::Case& problem, std::string_view what);
-
 [[nodiscard]] std::vector<std::string> sentences_of(const std::vector<studies::Warning>& warnings);
 
 /// The sentences of studies::problem_warnings().
