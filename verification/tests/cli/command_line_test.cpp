@@ -64,7 +64,6 @@ constexpr Refusal refusals[] = {
     {"design --band 20:30 --force 1e-30:1", "--force: beam.axial_force is 1e-30, but must be from"},
     {"design --band 20:30 --amplitude 0", "excitation.amplitude is 0, but must be above 0"},
     {"design --band 20:30 --set beam.axial_force=0", "beam.axial_force is 0, but must be positive"},
-    {"design damped --band 20:30", "damping.kelvin_voigt is 6.4e-05, but must be 0 for the design"},
     {"squeal paper", "wall.speed is 0, but must be other than 0"},
     {"periodic reed --set wall.speed=0", "excitation.amplitude is 0, but must be above 0"},
     {"squeal reed --set numerics.elements=201", "numerics.elements is 201, but must be at most 200 here"},
@@ -660,7 +659,22 @@ TEST_F(DesignCommand, RecommendsTheLengthsOfFigure14) {
   EXPECT_LT(lengths[3]["from"], 1.578);
   EXPECT_GT(lengths[3]["to"], 1.578);
   const std::string table = run("design paper-figure14 --band 25:25 --length 0.4:2 --force 100:1000").output;
-  EXPECT_TRUE(holds(table, "slips: natural frequency 1 in the band"));
+  EXPECT_TRUE(holds(table, "slips: natural frequency 1 passes"));
+}
+
+TEST_F(DesignCommand, OfADampedCaseHasAMarginForTheSteadyVibrationToo) {
+  const std::string command = "design damped --band 20:30 --length 1.99:2 --force 499:500 --duration 1";
+  const auto design = json(command);
+  EXPECT_GT(design["steady_margin"]["lower"], design["margin"]["lower"]);
+  EXPECT_TRUE(holds(run(command).output, "\nsmallest margin, steady           "));
+}
+
+// taskset and schedulers of jobs give a process some of the processors only.
+TEST_F(CommandLine, UsesTheProcessorsThatItIsAllowed) {
+  const std::string map = " map paper --x frequency=20:21:2 --y amplitude=1e-3:2e-3:2 --dry-run --json";
+  const Outcome one = shell(std::string("taskset -c 0 '") + STICKSLIP_PROGRAM + "'" + map);
+  ASSERT_EQ(one.status, 0) << one.errors;
+  EXPECT_EQ(nlohmann::json::parse(one.output)["threads"], 1);
 }
 
 }  // namespace
